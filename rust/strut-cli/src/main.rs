@@ -1,0 +1,4 @@
+//! The `strut` command: files, arguments, progress, printing; no algorithm.
+#![forbid(unsafe_code)]
+
+fn main() {}

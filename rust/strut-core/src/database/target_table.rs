@@ -1,0 +1,86 @@
+//! What every row of a database becomes in one style.
+
+use super::Database;
+use crate::pose_vector::{PoseRow, ROW};
+
+/// The registered target of every row in one style: the mean of the poses, durations and contacts at
+/// the row's counterparts (specification §4).
+#[derive(Clone, Debug)]
+pub struct TargetTable {
+    /// Index of the style.
+    pub style: u16,
+    /// Target poses; the row itself where the style has no counterpart.
+    pub pose: Vec<PoseRow>,
+    /// Seconds that the target style takes for the row's input step of one frame.
+    pub step_secs: Vec<f32>,
+    /// Share of the counterparts whose left and right foot is planted.
+    pub contact: Vec<[f32; 2]>,
+    /// For each class whether its rows have counterparts in this style.
+    pub class_has_target: Vec<bool>,
+}
+
+impl TargetTable {
+    /// The table of a style. Takes tens of milliseconds for 80,000 rows.
+    ///
+    /// # Panics
+    /// If `style` is not one of the database's.
+    pub fn build(db: &Database, style: u16) -> Self {
+        assert!(usize::from(style) < db.styles.len(), "style {style} of {}", db.styles.len());
+        let n = db.frames();
+        let frame_secs = 1.0 / db.rate_hz;
+        let mut table = Self {
+            style,
+            pose: db.pose.clone(),
+            step_secs: vec![frame_secs; n],
+            contact: db.contact.iter().map(|c| [f32::from(c[0]), f32::from(c[1])]).collect(),
+            class_has_target: vec![false; db.classes().len()],
+        };
+        for (class, has_target) in db.classes().iter().zip(&mut table.class_has_target) {
+            for row in class.rows.clone() {
+                let mut mean = Mean::default();
+                for at in db.counterparts(row, style) {
+                    mean.add(db, at);
+                }
+                if mean.count > 0.0 {
+                    *has_target = true;
+                    let k = 1.0 / mean.count;
+                    table.pose[row] = mean.pose.map(|v| v * k);
+                    table.step_secs[row] = frame_secs * (mean.time_step * k) / db.time_step[row];
+                    table.contact[row] = mean.contact.map(|v| v * k);
+                }
+            }
+        }
+        table
+    }
+}
+
+struct Mean {
+    pose: PoseRow,
+    time_step: f32,
+    contact: [f32; 2],
+    count: f32,
+}
+
+impl Default for Mean {
+    fn default() -> Self {
+        Self { pose: [0.0; ROW], time_step: 0.0, contact: [0.0; 2], count: 0.0 }
+    }
+}
+
+impl Mean {
+    /// Adds the values at a fractional row, interpolated between the rows around it.
+    fn add(&mut self, db: &Database, at: f32) {
+        let i = (at as usize).min(db.frames() - 1);
+        let j = (i + 1).min(db.frames() - 1);
+        let t = at - i as f32;
+        for (sum, (a, b)) in self.pose.iter_mut().zip(db.pose[i].iter().zip(&db.pose[j])) {
+            *sum += a + (b - a) * t;
+        }
+        self.time_step += db.time_step[i] + (db.time_step[j] - db.time_step[i]) * t;
+        for side in 0..2 {
+            let (a, b) = (f32::from(db.contact[i][side]), f32::from(db.contact[j][side]));
+            self.contact[side] += a + (b - a) * t;
+        }
+        self.count += 1.0;
+    }
+}

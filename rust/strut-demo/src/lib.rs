@@ -1,0 +1,2 @@
+//! The built-in procedural motions.
+#![forbid(unsafe_code)]

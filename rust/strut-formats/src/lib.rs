@@ -1,0 +1,2 @@
+//! Bytes to core types and back, with stated limits; no file system.
+#![forbid(unsafe_code)]

@@ -1,0 +1,1 @@
+//! The core behind handles and typed arrays, for JavaScript; no algorithm.

@@ -1,0 +1,4 @@
+//! Builds the WASM package.
+#![forbid(unsafe_code)]
+
+fn main() {}
