@@ -1,0 +1,33 @@
+// npm run check: formatting, lints, types, architecture, size budget.
+import { join } from "node:path";
+import { checkArchitecture } from "./architecture.mjs";
+import { buildSite } from "./site.mjs";
+import { checkSize } from "./size.mjs";
+import { findProgram, main, output, root, run, step } from "./steps.mjs";
+
+const bin = (name) => join(root, "node_modules", ".bin", name);
+
+/** rustup's minimal profile leaves rustfmt and clippy out. */
+async function setupLints(env) {
+  if (
+    (await output("cargo", ["clippy", "--version"], { env })) &&
+    (await output("cargo", ["fmt", "--version"], { env }))
+  )
+    return;
+  if (findProgram("rustup"))
+    await step("Adding rustfmt and clippy with rustup", () => run("rustup", ["component", "add", "rustfmt", "clippy"]));
+}
+
+await main(async () => {
+  await step("Architecture", checkArchitecture);
+  const env = await buildSite();
+  await setupLints(env);
+  const rust = { env, cwd: join(root, "rust") };
+  await step("Rust formatting", () => run("cargo", ["fmt", "--all", "--check"], rust));
+  await step("Rust lints", () =>
+    run("cargo", ["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"], rust),
+  );
+  await step("TypeScript types", () => run(bin("tsc"), ["-p", "."]));
+  await step("TypeScript formatting and lints", () => run(bin("biome"), ["ci", "--error-on-warnings", "."]));
+  await step("Size budget", checkSize);
+});

@@ -1,0 +1,22 @@
+// The size budget of DESIGN §8: what a visitor loads before the character moves.
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { root, Sentence } from "./steps.mjs";
+
+/** Most kilobytes after gzip. */
+const BUDGET_KB = { js: 300, wasm: 300 };
+
+/** Checks dist/; a sentence for people is returned, or thrown where the budget is exceeded. */
+export function checkSize() {
+  const assets = join(root, "dist", "assets");
+  if (!existsSync(assets)) throw new Sentence("dist/ is missing; run 'npm run build' first.");
+  const sizes = Object.keys(BUDGET_KB).map((ending) => {
+    const files = readdirSync(assets).filter((file) => file.endsWith(`.${ending}`));
+    const bytes = files.reduce((sum, file) => sum + gzipSync(readFileSync(join(assets, file))).length, 0);
+    return { ending, kb: bytes / 1000, budget: BUDGET_KB[ending] };
+  });
+  const report = sizes.map(({ ending, kb, budget }) => `${ending} ${kb.toFixed(0)} of ${budget} kB gzip`).join(", ");
+  if (sizes.some(({ kb, budget }) => kb > budget)) throw new Sentence(`The size budget is exceeded: ${report}.`);
+  return report;
+}

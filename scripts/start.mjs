@@ -1,0 +1,15 @@
+// npm start [-- --port N]: sets up, builds and serves the playground.
+import { parseArgs } from "node:util";
+import { buildSite, vite } from "./site.mjs";
+import { main, run, Sentence } from "./steps.mjs";
+
+await main(async () => {
+  const { values } = parseArgs({ options: { port: { type: "string", default: "5173" } } });
+  const port = Number(values.port);
+  if (!Number.isInteger(port) || port < 1 || port > 65535)
+    throw new Sentence(`The port is '${values.port}'; a number from 1 to 65535 was expected.`);
+  await buildSite();
+  console.log(`\nStrut is at http://localhost:${port}  (Ctrl+C stops it)\n`);
+  process.on("SIGINT", () => {});
+  await run(process.execPath, [vite, "preview", "--port", String(port), "--strictPort", "--logLevel", "warn"]);
+});

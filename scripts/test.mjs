@@ -1,0 +1,18 @@
+// npm test: sets up all it needs and runs every test: Rust, TypeScript, parity, end to end in Chromium.
+import { join } from "node:path";
+import { setupBrowser } from "./setup.mjs";
+import { buildSite } from "./site.mjs";
+import { main, root, run, step } from "./steps.mjs";
+
+await main(async () => {
+  const rust = await buildSite();
+  const browser = await setupBrowser();
+  await step("Rust tests", () =>
+    run(rust.CARGO ?? "cargo", ["test", "--workspace", "--quiet"], { env: rust, cwd: join(root, "rust") }),
+  );
+  await step("TypeScript, parity and browser tests", () =>
+    run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run"], {
+      env: { ...rust, ...browser },
+    }),
+  );
+});
