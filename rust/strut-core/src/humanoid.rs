@@ -109,10 +109,8 @@ impl Role {
     /// The same joint on the other side of the body; itself on the midline.
     pub const fn mirrored(self) -> Role {
         match self as usize {
-            i @ 5..=8 => Role::ALL[i + 4],
-            i @ 9..=12 => Role::ALL[i - 4],
-            i @ 13..=16 => Role::ALL[i + 4],
-            i @ 17..=20 => Role::ALL[i - 4],
+            i @ (5..=8 | 13..=16) => Role::ALL[i + 4],
+            i @ (9..=12 | 17..=20) => Role::ALL[i - 4],
             i => Role::ALL[i],
         }
     }

@@ -277,11 +277,11 @@ fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseError> {
 
     let bad = |tensor, frame, value, expected| Err(DatabaseError::Value { tensor, frame, value, expected });
     for frame in 0..n {
-        if let Some(&v) = parts.pose[frame].iter().find(|v| !(v.abs() < 1e4)) {
+        if let Some(&v) = parts.pose[frame].iter().find(|&&v| !within(v, 1e4)) {
             return bad("pose", frame, v, "a number below 10 000");
         }
-        if let Some(v) = parts.point_cloud[frame].iter().find(|v| !(v.abs().max_element() < 1e3)) {
-            return bad("point_cloud", frame, v.max_element(), "a position within 1 km");
+        if let Some(v) = parts.point_cloud[frame].iter().flat_map(Vec3::as_ref).find(|&&v| !within(v, 1e3)) {
+            return bad("point_cloud", frame, *v, "a position within 1 km");
         }
         let (t, w) = (parts.canonical_time[frame], parts.time_step[frame]);
         if !t.is_finite() {
@@ -302,6 +302,11 @@ fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseError> {
         }
     }
     Ok(())
+}
+
+/// Whether `v` is a number whose size is below `limit`.
+fn within(v: f32, limit: f32) -> bool {
+    v.is_finite() && v.abs() < limit
 }
 
 fn standard_deviation(rows: &[PoseRow]) -> PoseRow {

@@ -15,8 +15,7 @@ pub struct WorldPose {
 /// Joint positions and rotations in the world.
 pub fn world_from_local(proportions: &Proportions, pose: &Pose) -> WorldPose {
     let mut world = WorldPose { positions: [pose.root; JOINTS], rotations: pose.rotations };
-    for j in 1..JOINTS {
-        let p = PARENTS[j];
+    for (j, &p) in PARENTS.iter().enumerate().skip(1) {
         world.positions[j] = world.positions[p] + world.rotations[p] * proportions.offsets[j];
         world.rotations[j] = world.rotations[p] * pose.rotations[j];
     }
