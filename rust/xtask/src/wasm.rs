@@ -1,0 +1,132 @@
+//! `strut-wasm` → `web/engine/pkg`: cargo, wasm-bindgen and wasm-opt, one after the other.
+//!
+//! The environment steers it (DESIGN §3):
+//! - `STRUT_BUILD_STD=1` builds the standard library from source, for a toolchain that lacks the target;
+//! - `STRUT_WASM_CARGO` is the cargo to build with (default: the one that runs this program);
+//! - `STRUT_WASM_CARGO_ARGS` are further arguments for it, separated by blanks.
+
+use std::env;
+use std::fs;
+use std::hash::{DefaultHasher, Hasher};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+const NAME: &str = "strut_wasm";
+
+/// Features that every browser with WASM SIMD has (Chrome 91, Firefox 89, Safari 16.4) and that rustc emits.
+/// Relaxed SIMD stays off: its results differ between machines.
+const WASM_OPT_FLAGS: [&str; 9] = [
+    "-O3",
+    "--enable-simd",
+    "--enable-bulk-memory",
+    "--enable-bulk-memory-opt",
+    "--enable-nontrapping-float-to-int",
+    "--enable-sign-ext",
+    "--enable-mutable-globals",
+    "--enable-reference-types",
+    "--enable-multivalue",
+];
+
+/// Builds the package, or does nothing if it is up to date. Errors are sentences for people.
+pub(crate) fn build() -> Result<(), String> {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("xtask is not in a workspace")?;
+    let repository = workspace.parent().ok_or("the workspace is not in a repository")?;
+    let package = repository.join("web/engine/pkg");
+
+    let wasm = run_cargo(workspace)?;
+    let wasm_opt = Some(repository.join("node_modules/binaryen/bin/wasm-opt")).filter(|path| path.is_file());
+    let input = fs::read(&wasm).map_err(|e| format!("cannot read {}: {e}", wasm.display()))?;
+    let stamp = stamp_of(&input, wasm_opt.as_deref());
+    let stamp_file = package.join("stamp");
+    if fs::read_to_string(&stamp_file).is_ok_and(|old| old == stamp) {
+        println!("{} is up to date", package.display());
+        return Ok(());
+    }
+
+    run_bindgen(&wasm, &package)?;
+    let output = package.join(format!("{NAME}_bg.wasm"));
+    let bound = size_of(&output)?;
+    match &wasm_opt {
+        Some(tool) => optimise(tool, &output)?,
+        None => println!("wasm-opt not found (npm install brings it): the package stays larger and slower"),
+    }
+    println!("wasm: {} kB from rustc, {} kB bound, {} kB final", input.len() / 1000, bound, size_of(&output)?);
+    // Written last: an interrupted build has no stamp and is done again.
+    fs::write(&stamp_file, stamp).map_err(|e| format!("cannot write {}: {e}", stamp_file.display()))
+}
+
+/// Compiles `strut-wasm` and gives the path of the module.
+fn run_cargo(workspace: &Path) -> Result<PathBuf, String> {
+    let cargo = env::var_os("STRUT_WASM_CARGO").or_else(|| env::var_os("CARGO")).unwrap_or_else(|| "cargo".into());
+    let target_dir = env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), PathBuf::from);
+    let mut command = Command::new(cargo);
+    command
+        .current_dir(workspace)
+        .args(["build", "--release", "--lib", "--package", "strut-wasm", "--target", TARGET])
+        // The encoded form has precedence over RUSTFLAGS, so that no flag of the user's can change results.
+        .env("CARGO_ENCODED_RUSTFLAGS", "-Ctarget-feature=+simd128");
+    if env::var_os("STRUT_BUILD_STD").is_some_and(|v| v == "1") {
+        command.arg("-Zbuild-std=std,panic_abort").env("RUSTC_BOOTSTRAP", "1");
+    }
+    if let Ok(more) = env::var("STRUT_WASM_CARGO_ARGS") {
+        command.args(more.split_whitespace());
+    }
+    run(command, "cargo build of strut-wasm")?;
+    Ok(target_dir.join(TARGET).join("release").join(format!("{NAME}.wasm")))
+}
+
+/// Writes the JavaScript glue, its types and the module without the binding sections to `package`.
+fn run_bindgen(wasm: &Path, package: &Path) -> Result<(), String> {
+    let _ = fs::remove_dir_all(package);
+    let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();
+    bindgen
+        .web(true)
+        .and_then(|b| {
+            b.input_path(wasm)
+                .typescript(true)
+                // `web/engine` finds the module itself, in Node as in a browser.
+                .omit_default_module_path(true)
+                .remove_producers_section(true)
+                // A trap leaves the instance unusable; this lets `web/engine` start another.
+                .reset_state_function(true)
+                .generate(package)
+        })
+        .map_err(|e| format!("wasm-bindgen: {e:#}"))
+}
+
+/// Runs wasm-opt on `module` in place.
+fn optimise(tool: &Path, module: &Path) -> Result<(), String> {
+    let mut command = Command::new("node");
+    command.arg(tool).args(WASM_OPT_FLAGS).arg(module).arg("-o").arg(module);
+    run(command, "wasm-opt")
+}
+
+fn run(mut command: Command, what: &str) -> Result<(), String> {
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{what} failed ({status})")),
+        Err(e) => Err(format!("{what} cannot be started: {e}")),
+    }
+}
+
+/// What the package depends on: the module, the tools and their settings. Not a promise of equality between
+/// versions of the standard library, which only makes for one build too many.
+fn stamp_of(input: &[u8], wasm_opt: Option<&Path>) -> String {
+    let mut hasher = DefaultHasher::new();
+    hasher.write(input);
+    for flag in WASM_OPT_FLAGS {
+        hasher.write(flag.as_bytes());
+    }
+    let version = wasm_opt
+        .and_then(Path::parent)
+        .and_then(Path::parent)
+        .and_then(|binaryen| fs::read(binaryen.join("package.json")).ok());
+    hasher.write(version.as_deref().unwrap_or_default());
+    format!("{:016x}\n", hasher.finish())
+}
+
+/// Size of a file in kB.
+fn size_of(path: &Path) -> Result<u64, String> {
+    fs::metadata(path).map(|m| m.len() / 1000).map_err(|e| format!("cannot read {}: {e}", path.display()))
+}
