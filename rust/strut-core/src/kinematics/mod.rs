@@ -1,5 +1,7 @@
 //! From rotations to positions and back.
 
 mod forward;
+mod two_bone_ik;
 
 pub use forward::{WorldPose, world_from_local};
+pub use two_bone_ik::{Limb, Reach, SOFT_SHARE, TwoBones, two_bone_ik};
