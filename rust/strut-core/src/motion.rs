@@ -11,7 +11,7 @@ pub struct Motion {
     pub skeleton: Skeleton,
     /// Seconds from one frame to the next; finite and positive.
     pub frame_time_secs: f64,
-    /// Position of each joint in its parent's frame, metres; `frames × joints`.
+    /// Position of each joint in its parent's frame, in the file's own length unit; `frames × joints`.
     pub translations: Vec<Vec3>,
     /// Rotation of each joint relative to its parent; `frames × joints`.
     pub rotations: Vec<Quat>,

@@ -13,9 +13,9 @@ pub struct Joint {
     pub name: String,
     /// Index of the parent, always smaller than the joint's own; `None` only for the root.
     pub parent: Option<usize>,
-    /// Position in the parent's frame in the zero pose, metres.
+    /// Position in the parent's frame in the zero pose, in the file's own length unit.
     pub offset: Vec3,
-    /// Position of the end of the bone in the joint's frame (BVH "End Site"), metres, where there is one.
+    /// Position of the end of the bone in the joint's frame (BVH "End Site"), where there is one.
     pub end: Option<Vec3>,
 }
 

@@ -1,2 +1,4 @@
 //! Bytes to core types and back, with stated limits; no file system.
 #![forbid(unsafe_code)]
+
+pub mod bvh;

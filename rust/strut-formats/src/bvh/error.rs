@@ -1,0 +1,70 @@
+//! What is wrong with a file, and where.
+
+use super::{FRAME_TIME_SECS, MAX_ABS_VALUE, MAX_BYTES, MAX_CHANNELS_PER_JOINT, MAX_FRAMES, MAX_JOINTS};
+use strut_core::motion::MotionError;
+use strut_core::skeleton::SkeletonError;
+use thiserror::Error;
+
+/// Why bytes are no BVH file, or a motion does not fit one. Lines and columns (in bytes) count from 1.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[allow(missing_docs)]
+pub enum BvhError {
+    /// Above [`MAX_BYTES`].
+    #[error("the file has {bytes} bytes; at most {MAX_BYTES} are supported")]
+    TooManyBytes { bytes: usize },
+    /// Nothing but blanks.
+    #[error("the file is empty; a BVH file begins with HIERARCHY")]
+    Empty,
+    /// Something else than the grammar allows.
+    #[error("line {line}, column {column} has {found}; {expected} was expected")]
+    Unexpected { line: usize, column: usize, found: String, expected: &'static str },
+    /// A second `ROOT`.
+    #[error("line {line} begins a second ROOT; one skeleton a file is supported")]
+    SecondRoot { line: usize },
+    /// More than [`MAX_JOINTS`].
+    #[error("line {line} begins joint {}; at most {MAX_JOINTS} are supported", MAX_JOINTS + 1)]
+    TooManyJoints { line: usize },
+    /// More than [`MAX_CHANNELS_PER_JOINT`].
+    #[error("line {line} announces {channels} channels; at most {MAX_CHANNELS_PER_JOINT} a joint are supported")]
+    TooManyChannels { line: usize, channels: usize },
+    /// A position channel occurs twice on a joint.
+    #[error("line {line} has {channel} twice on one joint; once was expected")]
+    RepeatedPosition { line: usize, channel: &'static str },
+    /// A second `End Site` in a joint.
+    #[error("line {line} begins a second End Site of one joint; one was expected")]
+    SecondEndSite { line: usize },
+    /// No joint has a channel.
+    #[error("no joint has a channel; at least one was expected")]
+    NoChannels,
+    /// `Frames:` is 0 or above [`MAX_FRAMES`].
+    #[error("line {line} announces {frames} frames; 1 to {MAX_FRAMES} were expected")]
+    Frames { line: usize, frames: u64 },
+    /// `Frame Time:` is outside [`FRAME_TIME_SECS`].
+    #[error(
+        "line {line} has a frame time of {secs} s; {} to {} s were expected",
+        FRAME_TIME_SECS.start(),
+        FRAME_TIME_SECS.end()
+    )]
+    FrameTime { line: usize, secs: f64 },
+    /// A number above [`MAX_ABS_VALUE`] or overflowing.
+    #[error("line {line}, column {column} has {found}; a number within ±{MAX_ABS_VALUE} was expected")]
+    TooLarge { line: usize, column: usize, found: String },
+    /// A frame has the wrong number of values.
+    #[error("line {line} has {found} numbers; this skeleton needs {needed}")]
+    FrameWidth { line: usize, found: usize, needed: usize },
+    /// The file ends before the announced number of frames.
+    #[error("the file ends at line {line} after {found} frames; {announced} were announced")]
+    MissingFrames { line: usize, found: usize, announced: usize },
+    /// Text after the announced number of frames.
+    #[error("line {line} comes after the last of the {announced} announced frames; the end was expected")]
+    ExtraFrames { line: usize, announced: usize },
+    /// The hierarchy is no skeleton of the core.
+    #[error(transparent)]
+    Skeleton(#[from] SkeletonError),
+    /// The frames are no motion of the core.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// A motion of another hierarchy.
+    #[error("the motion has {found} joints; this file has {needed}")]
+    JointCount { found: usize, needed: usize },
+}

@@ -1,0 +1,117 @@
+//! [`Bvh`] ↔ [`Motion`].
+
+use super::euler::{compose, decompose};
+use super::{Axis, Bvh, BvhError, Channel};
+use strut_core::math::{Quat, Vec3};
+use strut_core::motion::Motion;
+use strut_core::skeleton::{self, Skeleton};
+
+impl Bvh {
+    /// The clip as local translations and rotations. Lengths stay in the file's unit.
+    ///
+    /// # Errors
+    /// [`BvhError::Skeleton`] or [`BvhError::Motion`] for a document that was not read by
+    /// [`parse`](super::parse) and breaks its rules.
+    pub fn to_motion(&self) -> Result<Motion, BvhError> {
+        let joints = self.joints.iter().map(|j| skeleton::Joint {
+            name: j.name.clone(),
+            parent: j.parent,
+            offset: vec3(j.offset),
+            end: j.end_site.map(vec3),
+        });
+        let skeleton = Skeleton::new(joints.collect())?;
+        let channels = self.channels();
+        let mut translations = Vec::with_capacity(self.frames * self.joints.len());
+        let mut rotations = Vec::with_capacity(self.frames * self.joints.len());
+        for mut row in self.values.chunks_exact(channels.max(1)) {
+            for joint in &self.joints {
+                let (own, rest) = row.split_at(joint.channels.len());
+                row = rest;
+                let mut translation = joint.offset;
+                for (channel, &value) in joint.channels.iter().zip(own) {
+                    if let Channel::Position(axis) = channel {
+                        translation[*axis as usize] = value;
+                    }
+                }
+                let turns = joint.channels.iter().zip(own).filter_map(|(channel, &value)| match channel {
+                    Channel::Rotation(axis) => Some((*axis, value.to_radians())),
+                    Channel::Position(_) => None,
+                });
+                let [x, y, z, w] = compose(turns).map(|v| v as f32);
+                translations.push(vec3(translation));
+                rotations.push(Quat::from_xyzw(x, y, z, w));
+            }
+        }
+        Ok(Motion::new(skeleton, self.frame_time_secs, translations, rotations)?)
+    }
+
+    /// The motion as a file of this hierarchy: same names, offsets and channel order, the motion's frame
+    /// time and local transforms. Only what the channels can express is kept.
+    ///
+    /// Angles continue from frame to frame without wrapping, beginning at those nearest to this file's
+    /// first frame. Values are rounded to six decimals, finer than `f32` resolves.
+    ///
+    /// # Errors
+    /// [`BvhError::JointCount`] if the motion has another number of joints.
+    pub fn with_motion(&self, motion: &Motion) -> Result<Self, BvhError> {
+        let (found, needed) = (motion.skeleton.len(), self.joints.len());
+        if found != needed {
+            return Err(BvhError::JointCount { found, needed });
+        }
+        let channels = self.channels();
+        let mut values: Vec<f64> = Vec::with_capacity(motion.frames() * channels);
+        let mut previous: Vec<f64> = self.values.iter().copied().take(channels).collect();
+        previous.resize(channels, 0.0);
+        let mut solver = AngleSolver::default();
+        for f in 0..motion.frames() {
+            let mut first = 0;
+            for ((joint, t), q) in self.joints.iter().zip(motion.translations_at(f)).zip(motion.rotations_at(f)) {
+                let row = first..first + joint.channels.len();
+                first = row.end;
+                solver.write(&joint.channels, *t, *q, &mut previous[row]);
+            }
+            values.extend(previous.iter().map(|v| libm::round(v * 1e6) / 1e6));
+        }
+        Ok(Self {
+            joints: self.joints.clone(),
+            frame_time_secs: motion.frame_time_secs,
+            frames: motion.frames(),
+            values,
+        })
+    }
+}
+
+/// Scratch for the rotation channels of one joint.
+#[derive(Default)]
+struct AngleSolver {
+    axes: Vec<Axis>,
+    before: Vec<f64>,
+    angles: Vec<f64>,
+}
+
+impl AngleSolver {
+    /// Replaces the joint's channel values of the frame before by those of a translation and rotation.
+    fn write(&mut self, channels: &[Channel], translation: Vec3, rotation: Quat, values: &mut [f64]) {
+        self.axes.clear();
+        self.before.clear();
+        for (channel, value) in channels.iter().zip(values.iter_mut()) {
+            match channel {
+                Channel::Position(axis) => *value = f64::from(translation[*axis as usize]),
+                Channel::Rotation(axis) => {
+                    self.axes.push(*axis);
+                    self.before.push(value.to_radians());
+                }
+            }
+        }
+        self.angles.resize(self.axes.len(), 0.0);
+        decompose(rotation.to_array().map(f64::from), &self.axes, &self.before, &mut self.angles);
+        let rotation_values = channels.iter().zip(values).filter(|(c, _)| matches!(c, Channel::Rotation(_)));
+        for ((_, value), angle) in rotation_values.zip(&self.angles) {
+            *value = angle.to_degrees();
+        }
+    }
+}
+
+fn vec3(v: [f64; 3]) -> Vec3 {
+    Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32)
+}

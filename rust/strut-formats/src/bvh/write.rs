@@ -1,0 +1,98 @@
+//! [`Bvh`] to text.
+
+use super::Bvh;
+use std::fmt::Write;
+
+/// The file as text, LF line ends, tabs for indentation. Every number is printed with the fewest digits
+/// that read back as the same `f64`, so that `parse(write(b)) == b`.
+pub fn write(bvh: &Bvh) -> String {
+    // About ten characters a value, one line of about 30 for each of five lines a joint.
+    let mut out = String::with_capacity(bvh.values.len() * 11 + bvh.joints.len() * 150 + 100);
+    out.push_str("HIERARCHY\n");
+    write_joints(&mut out, bvh);
+    out.push_str("MOTION\nFrames: ");
+    push_display(&mut out, bvh.frames);
+    out.push_str("\nFrame Time: ");
+    push_number(&mut out, bvh.frame_time_secs);
+    out.push('\n');
+    for row in bvh.values.chunks(bvh.channels().max(1)) {
+        for (i, &value) in row.iter().enumerate() {
+            if i > 0 {
+                out.push(' ');
+            }
+            push_number(&mut out, value);
+        }
+        out.push('\n');
+    }
+    out
+}
+
+fn write_joints(out: &mut String, bvh: &Bvh) {
+    // Indices of the joints whose braces are open, innermost last.
+    let mut open: Vec<usize> = Vec::new();
+    for (index, joint) in bvh.joints.iter().enumerate() {
+        while open.last().copied() != joint.parent && !open.is_empty() {
+            close(out, &mut open);
+        }
+        let depth = open.len();
+        indent(out, depth);
+        out.push_str(if joint.parent.is_none() { "ROOT " } else { "JOINT " });
+        out.push_str(&joint.name);
+        out.push('\n');
+        indent(out, depth);
+        out.push_str("{\n");
+        push_offset(out, depth + 1, joint.offset);
+        indent(out, depth + 1);
+        out.push_str("CHANNELS ");
+        push_display(out, joint.channels.len());
+        for channel in &joint.channels {
+            out.push(' ');
+            out.push_str(channel.name());
+        }
+        out.push('\n');
+        if let Some(end) = joint.end_site {
+            indent(out, depth + 1);
+            out.push_str("End Site\n");
+            indent(out, depth + 1);
+            out.push_str("{\n");
+            push_offset(out, depth + 2, end);
+            indent(out, depth + 1);
+            out.push_str("}\n");
+        }
+        open.push(index);
+    }
+    while !open.is_empty() {
+        close(out, &mut open);
+    }
+}
+
+fn close(out: &mut String, open: &mut Vec<usize>) {
+    open.pop();
+    indent(out, open.len());
+    out.push_str("}\n");
+}
+
+fn indent(out: &mut String, depth: usize) {
+    out.extend(std::iter::repeat_n('\t', depth));
+}
+
+fn push_offset(out: &mut String, depth: usize, offset: [f64; 3]) {
+    indent(out, depth);
+    out.push_str("OFFSET");
+    for v in offset {
+        out.push(' ');
+        push_number(out, v);
+    }
+    out.push('\n');
+}
+
+/// The shortest decimal that reads back as the same number; scientific where that would be mostly zeros.
+fn push_number(out: &mut String, value: f64) {
+    let written = if value != 0.0 && value.abs() < 1e-5 { write!(out, "{value:e}") } else { write!(out, "{value}") };
+    debug_assert!(written.is_ok(), "writing to a string cannot fail");
+}
+
+fn push_display(out: &mut String, value: usize) {
+    let written = write!(out, "{value}");
+    debug_assert!(written.is_ok(), "writing to a string cannot fail");
+}

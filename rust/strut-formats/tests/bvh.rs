@@ -1,0 +1,256 @@
+//! What the BVH reader accepts, what it refuses and how, and that nothing is lost on the way.
+
+use proptest::prelude::*;
+use strut_formats::bvh::{self, Axis, Bvh, Channel, Joint};
+
+const WALK: &str = "HIERARCHY
+ROOT Hips
+{
+\tOFFSET 0 90 0
+\tCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+\tJOINT Left Leg
+\t{
+\t\tOFFSET 10 -5 0
+\t\tCHANNELS 3 Zrotation Xrotation Yrotation
+\t\tEnd Site
+\t\t{
+\t\t\tOFFSET 0 -40 0
+\t\t}
+\t}
+}
+MOTION
+Frames: 2
+Frame Time: 0.0333333
+0 91 2 0 0 90 10 20 30
+0.5 91.5 2.5 1e1 -1.5E-2 +91 .5 5. -0
+";
+
+fn error(text: &str) -> String {
+    bvh::parse(text.as_bytes()).expect_err("refused").to_string()
+}
+
+#[test]
+fn reads_joints_channels_and_values() {
+    let file = bvh::parse(WALK.as_bytes()).unwrap();
+    assert_eq!(file.joints[1].name, "Left Leg");
+    assert_eq!(file.joints[1].parent, Some(0));
+    assert_eq!(file.joints[1].end_site, Some([0.0, -40.0, 0.0]));
+    assert_eq!(file.joints[0].channels[3], Channel::Rotation(Axis::Z));
+    assert_eq!((file.frames, file.frame_time_secs), (2, 0.033_333_3));
+    assert_eq!(file.row(1), [0.5, 91.5, 2.5, 10.0, -0.015, 91.0, 0.5, 5.0, 0.0]);
+}
+
+#[test]
+fn reads_every_usual_spelling_alike() {
+    let expected = bvh::parse(WALK.as_bytes()).unwrap();
+    let spellings = [
+        WALK.replace('\n', "\r\n"),
+        WALK.replace('\n', "\r"),
+        format!("\u{FEFF}{WALK}"),
+        format!("\n  {}\n\n \t\n", WALK.trim_end()),
+        WALK.replace("End Site", "END SITE").replace("JOINT", "joint").replace("OFFSET", "Offset"),
+        WALK.replace("Frames: ", "Frames:\t").replace("Frame Time: ", "Frame Time:\t"),
+        WALK.replace("Frames: ", "Frames:").replace("Frame Time: ", "Frame  Time :"),
+        WALK.replace("Hips\n{", "Hips {").replace("Leg\n\t{", "Leg{").replace("Zrotation", "ZROTATION"),
+        WALK.replace(" 30\n", " 30 \t\n\n").replace("0 91 2", "\t0\t91   2"),
+        WALK.trim_end().to_owned(),
+    ];
+    for text in spellings {
+        assert_eq!(bvh::parse(text.as_bytes()).as_ref(), Ok(&expected), "{text:?}");
+    }
+}
+
+#[test]
+fn says_where_a_file_is_wrong_and_what_was_expected() {
+    let replaced = |from: &str, to: &str| {
+        assert!(WALK.contains(from), "{from}");
+        error(&WALK.replacen(from, to, 1))
+    };
+    let cut = |after: &str| error(&WALK[..WALK.find(after).unwrap() + after.len()]);
+    let cases = [
+        (error(""), "the file is empty; a BVH file begins with HIERARCHY"),
+        (error(" \r\n\t "), "the file is empty; a BVH file begins with HIERARCHY"),
+        (error("Dear all,\n"), "line 1, column 1 has 'Dear'; HIERARCHY was expected"),
+        (error("\0\0\0"), "line 1, column 1 has '\u{FFFD}\u{FFFD}\u{FFFD}'; HIERARCHY was expected"),
+        (replaced("OFFSET 10 -5 0", "OFFSET 10 -5"), "line 9, column 3 has 'CHANNELS'; a number was expected"),
+        (replaced("OFFSET 10 -5 0", "OFFSET 10 x 0"), "line 8, column 13 has 'x'; a number was expected"),
+        (replaced("\tOFFSET 0 90 0\n", ""), "line 5, column 2 has 'JOINT'; OFFSET was expected"),
+        (replaced("CHANNELS 3", "CHANNELS x"), "line 9, column 12 has 'x'; the number of channels was expected"),
+        (replaced("CHANNELS 3", "CHANNELS 300"), "line 9 announces 300 channels; at most 12 a joint are supported"),
+        (
+            replaced("CHANNELS 3", "CHANNELS 4"),
+            "line 10, column 3 has 'End'; a channel such as Xposition or Zrotation was expected",
+        ),
+        (replaced("Yposition", "Xposition"), "line 5 has Xposition twice on one joint; once was expected"),
+        (replaced("ROOT Hips", "ROOT"), "line 3, column 1 has '{'; a joint name of 1 to 256 bytes was expected"),
+        (replaced("\t}\n}", "\t}\n}\nROOT Other\n{"), "line 16 begins a second ROOT; one skeleton a file is supported"),
+        (
+            replaced("\t\t}\n\t}", "\t\t}\n\t\tEnd Site\n\t}"),
+            "line 14 begins a second End Site of one joint; one was expected",
+        ),
+        (replaced("MOTION", "Motion?"), "line 16, column 1 has 'Motion?'; MOTION was expected"),
+        (replaced("Frames: 2", "Frames 2"), "line 17, column 8 has '2'; 'Frames:' was expected"),
+        (replaced("Frames: 2", "Frames: 0"), "line 17 announces 0 frames; 1 to 1000000 were expected"),
+        (replaced("Frames: 2", "Frames: -2"), "line 17, column 9 has '-2'; the number of frames was expected"),
+        (
+            replaced("Frames: 2", "Frames: 99999999999999999999999"),
+            "line 17 announces 18446744073709551615 frames; 1 to 1000000 were expected",
+        ),
+        (replaced("Frames: 2", "Frames: 3"), "the file ends at line 21 after 2 frames; 3 were announced"),
+        (
+            replaced("Frames: 2", "Frames: 1"),
+            "line 20 comes after the last of the 1 announced frames; the end was expected",
+        ),
+        (replaced("0.0333333", "0"), "line 18 has a frame time of 0 s; 0.0001 to 10 s were expected"),
+        (replaced("0.0333333", "-0.03"), "line 18 has a frame time of -0.03 s; 0.0001 to 10 s were expected"),
+        (replaced("0.0333333", "nan"), "line 18, column 13 has 'nan'; the frame time in seconds was expected"),
+        (replaced(" 30\n", "\n"), "line 19 has 8 numbers; this skeleton needs 9"),
+        (replaced(" 30\n", " 30 40\n"), "line 19 has 10 numbers; this skeleton needs 9"),
+        (replaced("0 91 2", "0 NaN 2"), "line 19, column 3 has 'NaN'; a number was expected"),
+        (replaced("0 91 2", "0 1,5 2"), "line 19, column 3 has '1,5'; a number was expected"),
+        (replaced("0 91 2", "0 inf 2"), "line 19, column 3 has 'inf'; a number was expected"),
+        (replaced("0 91 2", "0 1e30 2"), "line 19, column 3 has '1e30'; a number within ±10000000 was expected"),
+        (replaced("0 91 2", "0 -1e999 2"), "line 19, column 3 has '-1e999'; a number within ±10000000 was expected"),
+        (cut("JOINT Left Leg"), "line 6, column 16 has the end of the file; { was expected"),
+        (cut("OFFSET 10 -5"), "line 8, column 15 has the end of the file; a number was expected"),
+        (cut("-40 0\n\t\t}"), "line 13, column 4 has the end of the file; JOINT, End Site or '}' was expected"),
+        (cut("\n}\n"), "line 16, column 1 has the end of the file; MOTION was expected"),
+        (cut("0 91 2 0"), "line 19 has 4 numbers; this skeleton needs 9"),
+    ];
+    for (found, expected) in cases {
+        assert_eq!(found, expected);
+    }
+}
+
+#[test]
+fn refuses_ten_thousand_joints_at_the_first_too_many() {
+    let mut text = String::from("HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\n");
+    for i in 1..10_000 {
+        text += &format!("JOINT j{i}\n{{\nOFFSET 0 1 0\nCHANNELS 1 Xrotation\n");
+    }
+    assert_eq!(error(&text), "line 2050 begins joint 513; at most 512 are supported");
+}
+
+#[test]
+fn position_channels_replace_the_offset_on_their_axis() {
+    let text = WALK.replace("CHANNELS 3 Zrotation Xrotation Yrotation", "CHANNELS 3 Zrotation Yposition Yrotation");
+    let motion = bvh::parse(text.as_bytes()).unwrap().to_motion().unwrap();
+    assert_eq!(motion.translations_at(0)[0].to_array(), [0.0, 91.0, 2.0]);
+    assert_eq!(motion.translations_at(0)[1].to_array(), [10.0, 20.0, 0.0]);
+}
+
+#[test]
+fn rotations_apply_in_channel_order() {
+    use strut_core::math::{Quat, Vec3};
+    let motion = bvh::parse(WALK.as_bytes()).unwrap().to_motion().unwrap();
+    let [z, x, y] = [10.0_f32, 20.0, 30.0].map(f32::to_radians);
+    let expected = Quat::from_rotation_z(z) * Quat::from_rotation_x(x) * Quat::from_rotation_y(y);
+    let found = motion.rotations_at(0)[1];
+    assert!((found * Vec3::X - expected * Vec3::X).length() < 1e-6);
+    assert!((found * Vec3::Y - expected * Vec3::Y).length() < 1e-6);
+}
+
+#[test]
+fn a_motion_of_another_hierarchy_is_refused() {
+    let file = bvh::parse(WALK.as_bytes()).unwrap();
+    let mut other = file.clone();
+    other.joints.pop();
+    assert_eq!(
+        other.with_motion(&file.to_motion().unwrap()).unwrap_err().to_string(),
+        "the motion has 2 joints; this file has 1"
+    );
+}
+
+fn channels() -> impl Strategy<Value = Vec<Channel>> {
+    let axis = || prop_oneof![Just(Axis::X), Just(Axis::Y), Just(Axis::Z)];
+    let rotations = prop::collection::vec(axis().prop_map(Channel::Rotation), 0..5);
+    let positions = prop::sample::subsequence(vec![Axis::X, Axis::Y, Axis::Z], 0..=3)
+        .prop_map(|axes| axes.into_iter().map(Channel::Position).collect::<Vec<_>>());
+    (rotations, positions).prop_map(|(r, p)| [r, p].concat()).prop_shuffle()
+}
+
+fn offset() -> impl Strategy<Value = [f64; 3]> {
+    prop::array::uniform3(prop_oneof![Just(0.0), -1e3..1e3, -1e-7..1e-7, -1e7..=1e7])
+}
+
+/// Random trees: each joint hangs on the path to the joint before it, so that subtrees are contiguous.
+fn hierarchy() -> impl Strategy<Value = Vec<Joint>> {
+    let joint =
+        ("[A-Za-z_][A-Za-z0-9_:. ]{0,12}[a-z0-9]", offset(), channels(), prop::option::of(offset()), 0_usize..4);
+    prop::collection::vec(joint, 1..12).prop_map(|parts| {
+        let mut joints: Vec<Joint> = Vec::new();
+        for (name, offset, channels, end_site, up) in parts {
+            let mut parent = joints.len().checked_sub(1);
+            for _ in 0..up {
+                parent = parent.and_then(|p| joints[p].parent).or(parent);
+            }
+            joints.push(Joint { name, parent, offset, channels, end_site });
+        }
+        joints
+    })
+}
+
+fn document() -> impl Strategy<Value = Bvh> {
+    (hierarchy(), 1e-4..10.0f64, 1_usize..5)
+        .prop_filter("a channel", |(joints, ..)| joints.iter().any(|j| !j.channels.is_empty()))
+        .prop_flat_map(|(joints, frame_time_secs, frames)| {
+            let channels: usize = joints.iter().map(|j| j.channels.len()).sum();
+            let value = prop_oneof![-200.0..200.0, -1e7..=1e7, Just(0.0), -1e-9..1e-9];
+            prop::collection::vec(value, frames * channels).prop_map(move |values| Bvh {
+                joints: joints.clone(),
+                frame_time_secs,
+                frames,
+                values,
+            })
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(500))]
+
+    #[test]
+    fn reading_what_was_written_gives_the_same_document(document in document()) {
+        prop_assert_eq!(bvh::parse(bvh::write(&document).as_bytes()), Ok(document));
+    }
+
+    #[test]
+    fn motion_survives_the_way_through_the_file(mut document in document()) {
+        for v in &mut document.values {
+            *v %= 400.0;
+        }
+        let motion = document.to_motion().unwrap();
+        let written = document.with_motion(&motion).unwrap();
+        prop_assert_eq!(&written.joints, &document.joints);
+        let back = written.to_motion().unwrap();
+        for (a, b) in motion.translations.iter().zip(&back.translations) {
+            prop_assert!((*a - *b).abs().max_element() <= 1e-4 * (1.0 + 1e-3 * a.length()), "{a} {b}");
+        }
+        for (a, b) in motion.rotations.iter().zip(&back.rotations) {
+            prop_assert!(a.inv_mul(*b).angle() < 1e-4, "{a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn damaged_text_is_read_or_refused_without_panic(at in 0..WALK.len(), byte: u8, cut: bool) {
+        let mut bytes = WALK.as_bytes().to_vec();
+        bytes[at] = byte;
+        if cut {
+            bytes.truncate(at);
+        }
+        if let Ok(file) = bvh::parse(&bytes) {
+            prop_assert_eq!(file.values.len(), file.frames * file.channels());
+            prop_assert!(file.to_motion().is_ok());
+        }
+    }
+}
+
+#[test]
+fn angles_run_on_where_a_turn_passes_half_a_circle() {
+    let mut file = bvh::parse(WALK.as_bytes()).unwrap();
+    file.frames = 80;
+    file.values = (0..80).flat_map(|f| [0.0, 90.0, 0.0, 1.0, 2.0, f64::from(f) * 10.0, 0.0, 0.0, 0.0]).collect();
+    let written = file.with_motion(&file.to_motion().unwrap()).unwrap();
+    for f in 0..80 {
+        assert!((written.row(f)[5] - file.row(f)[5]).abs() < 1e-3, "{} {}", f, written.row(f)[5]);
+    }
+}
