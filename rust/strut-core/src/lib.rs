@@ -5,6 +5,7 @@
 //! functions go through [`math::float_funcs`], reductions have a fixed order, nothing contracts to FMA.
 #![deny(unsafe_code)]
 
+pub mod contact;
 pub mod database;
 pub mod humanoid;
 pub mod kinematics;
