@@ -11,5 +11,7 @@ pub mod humanoid;
 pub mod kinematics;
 pub mod math;
 pub mod motion;
+pub mod parallel;
 pub mod pose_vector;
+pub mod registration;
 pub mod skeleton;

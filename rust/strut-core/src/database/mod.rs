@@ -3,6 +3,7 @@
 //! Rows (frames) are sorted by class, an (action, style) pair, and within it by clip, so that a class
 //! is a contiguous range of rows. The layout follows the `.strutdb` file (DESIGN §5).
 
+pub mod build;
 mod target_table;
 
 pub use target_table::TargetTable;

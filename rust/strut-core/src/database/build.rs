@@ -1,0 +1,249 @@
+//! Builds a database from labelled clips: preparation, registration, assembly (specification §2–§4).
+//!
+//! Offline and deterministic: the result is a function of the clips and options alone, whatever executor
+//! computes it and in whatever order the clips are given.
+
+mod assemble;
+mod prepare;
+mod report;
+
+pub use report::{ActionReport, BuildReport, ClipReport, Refusal};
+
+use super::{Database, DatabaseError, MAX_FRAMES};
+use crate::humanoid::HumanoidMotion;
+use crate::parallel::ParallelMap;
+use crate::registration::{self, Example};
+use assemble::Kept;
+use std::ops::ControlFlow;
+use thiserror::Error;
+
+/// Fewest frames of a clip at the database's rate: a search window and its neighbours.
+pub const MIN_CLIP_FRAMES: usize = 8;
+
+/// A labelled clip, retargeted to the database's proportions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SourceClip {
+    /// File stem or other name, for people.
+    pub name: String,
+    /// Name of the action, e.g. "walk".
+    pub action: String,
+    /// Name of the style, e.g. "old".
+    pub style: String,
+    /// Number of the take: orders the clips of a class.
+    pub take: u32,
+    /// The motion, at any rate; every clip of a build has the same proportions.
+    pub motion: HumanoidMotion,
+    /// Where the clip comes from.
+    pub source: String,
+    /// Its licence, empty if unknown.
+    pub licence: String,
+    /// Known correspondence with other clips of the action, where there is one.
+    pub script: Option<Script>,
+}
+
+/// Known correspondence: performances of one script (a procedural motion rendered in every style, or clips
+/// annotated by hand) show the same instant where their script times are equal. Used instead of
+/// registration when every clip of an action has one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Script {
+    /// Clips of an action correspond only if they perform the same script; a style's counterparts of a
+    /// frame come from all its performances of that script (the first 8).
+    pub id: u32,
+    /// Script time of every frame of the clip, at the clip's own rate: finite, strictly increasing, in
+    /// seconds of a neutral performance. How fast it runs is how fast the style performs (`time_step`).
+    pub time: Vec<f32>,
+}
+
+/// How a database is built.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildOptions {
+    /// Frames per second of the database, 10 to 480. The default, 60, is what every threshold of the
+    /// specification was measured at.
+    pub rate_hz: f32,
+    /// Name of the neutral style; `None` takes "neutral" or "normal", else the first style.
+    pub neutral: Option<String>,
+    /// How clips are registered.
+    pub registration: registration::Options,
+}
+
+impl Default for BuildOptions {
+    fn default() -> Self {
+        Self { rate_hz: 60.0, neutral: None, registration: registration::Options::default() }
+    }
+}
+
+/// How far a build has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// What is being done.
+    pub stage: Stage,
+    /// Clips done in this stage.
+    pub done: usize,
+    /// Clips to do in this stage.
+    pub total: usize,
+}
+
+/// A stage of a build.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Resampling, contacts, degrees of freedom.
+    Preparing,
+    /// Finding the clips' correspondence.
+    Registering,
+}
+
+/// Why nothing could be built.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum BuildError {
+    /// No clip was given.
+    #[error("no clips were given; at least one is needed")]
+    NoClips,
+    /// The rate is out of range.
+    #[error("the database's rate is {0} Hz; 10 to 480 was expected")]
+    Rate(f32),
+    /// No clip has the neutral style asked for.
+    #[error("no usable clip has the neutral style '{wanted}'; the styles are {styles}")]
+    Neutral {
+        /// Name asked for.
+        wanted: String,
+        /// Names there are.
+        styles: String,
+    },
+    /// Every clip was refused.
+    #[error("every clip was refused; '{name}' because {reason}")]
+    NothingLeft {
+        /// Name of the first clip.
+        name: String,
+        /// Why it was refused.
+        reason: Refusal,
+    },
+    /// More labels than an index can tell apart.
+    #[error("{0} styles or actions; at most 65535 are supported")]
+    TooManyLabels(usize),
+    /// More frames than a database may have.
+    #[error("the clips have {0} frames; at most {MAX_FRAMES} are supported")]
+    TooManyFrames(usize),
+    /// The progress function asked to stop.
+    #[error("cancelled")]
+    Cancelled,
+    /// A clip holds values outside every reasonable range.
+    #[error("the clips make no valid database: {0}")]
+    Database(#[from] DatabaseError),
+}
+
+/// Builds a database.
+///
+/// Clips are sorted by action, style, take and name. A clip that cannot be used is refused with a reason
+/// and reported, and the others are built without it. `progress` is told of every batch of clips and may
+/// cancel.
+///
+/// # Errors
+/// See [`BuildError`].
+pub fn build(
+    clips: &[SourceClip],
+    options: &BuildOptions,
+    executor: &impl ParallelMap,
+    progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<(Database, BuildReport), BuildError> {
+    if clips.is_empty() {
+        return Err(BuildError::NoClips);
+    }
+    if !(10.0..=480.0).contains(&options.rate_hz) {
+        return Err(BuildError::Rate(options.rate_hz));
+    }
+    let mut clips: Vec<&SourceClip> = clips.iter().collect();
+    clips.sort_by(|a, b| (&a.action, &a.style, a.take, &a.name).cmp(&(&b.action, &b.style, b.take, &b.name)));
+    let mut report = BuildReport { actions: Vec::new(), clips: clips.iter().map(|c| empty_report(c)).collect() };
+
+    let prepared = prepare::prepare(&clips, options, executor, &mut |done| {
+        progress(Progress { stage: Stage::Preparing, done, total: clips.len() })
+    })?;
+    let mut usable: Vec<(usize, Example)> = Vec::new();
+    for (i, (example, entry)) in prepared.examples.into_iter().zip(&mut report.clips).enumerate() {
+        match example {
+            Ok(example) => {
+                entry.frames = example.frames();
+                entry.turn = example.turn(options.rate_hz);
+                usable.push((i, example));
+            }
+            Err(refusal) => entry.refused = Some(refusal),
+        }
+    }
+    let frames = usable.iter().map(|(_, e)| e.frames()).sum();
+    if frames > MAX_FRAMES {
+        return Err(BuildError::TooManyFrames(frames));
+    }
+
+    let mut kept: Vec<Kept> = Vec::new();
+    let (mut done, total) = (0, usable.len());
+    let mut rest = usable.into_iter().peekable();
+    while let Some(&(first, _)) = rest.peek() {
+        let of_action = |(i, _): &(usize, Example)| clips[*i].action == clips[first].action;
+        let (indices, examples): (Vec<usize>, Vec<Example>) = std::iter::from_fn(|| rest.next_if(of_action)).unzip();
+        let job = registration::Job {
+            examples: &examples,
+            styles: prepared.labels.styles.len(),
+            neutral: prepared.labels.neutral,
+            rate_hz: options.rate_hz,
+            options: &options.registration,
+        };
+        let outcome = job
+            .run(executor, &mut |n| progress(Progress { stage: Stage::Registering, done: done + n, total }))
+            .ok_or(BuildError::Cancelled)?;
+        done += examples.len();
+        describe(&mut report, &indices, &outcome, options.rate_hz);
+        assemble::keep(&mut kept, indices, examples, outcome.clips);
+    }
+    if kept.is_empty() {
+        let first = report.refused().next().and_then(|c| Some((c.name.clone(), c.refused.clone()?)));
+        return Err(first.map_or(BuildError::NoClips, |(name, reason)| BuildError::NothingLeft { name, reason }));
+    }
+    let parts = assemble::parts(&clips, &kept, prepared.labels, &prepared.chart, options);
+    Ok((Database::new(parts)?, report))
+}
+
+fn empty_report(clip: &SourceClip) -> ClipReport {
+    ClipReport {
+        name: clip.name.clone(),
+        action: clip.action.clone(),
+        style: clip.style.clone(),
+        take: clip.take,
+        frames: 0,
+        cycles: 0,
+        mean_cycle_secs: None,
+        turn: 0.0,
+        registration_cost: None,
+        faulty_cycles: Vec::new(),
+        refused: None,
+    }
+}
+
+/// Enters what registration found on one action; `indices` are the action's clips in the report.
+fn describe(report: &mut BuildReport, indices: &[usize], outcome: &registration::Outcome, rate_hz: f32) {
+    for (&i, found) in indices.iter().zip(&outcome.clips) {
+        let entry = &mut report.clips[i];
+        match found {
+            Ok(registered) => {
+                let cycles = &registered.cycles;
+                let frames: usize = cycles.iter().map(std::ops::Range::len).sum();
+                entry.cycles = cycles.len();
+                entry.mean_cycle_secs = (!cycles.is_empty()).then(|| frames as f32 / cycles.len() as f32 / rate_hz);
+                entry.registration_cost = registered.cost;
+                entry.faulty_cycles.clone_from(&registered.faulty_cycles);
+            }
+            Err(refusal) => entry.refused = Some(refusal.clone().into()),
+        }
+    }
+    if let Some(reference) = outcome.reference {
+        let clip = &report.clips[indices[reference]];
+        report.actions.push(ActionReport {
+            action: clip.action.clone(),
+            method: outcome.method,
+            reference_clip: clip.name.clone(),
+            canonical_frames: outcome.canonical_frames,
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,169 @@
+//! From labelled clips to what registration and the database need of them.
+
+use super::{BuildError, BuildOptions, MIN_CLIP_FRAMES, Refusal, SourceClip};
+use crate::contact;
+use crate::humanoid::HumanoidMotion;
+use crate::kinematics::world_from_local;
+use crate::parallel::ParallelMap;
+use crate::pose_vector::{
+    HEADING_RATE, HeadingFilter, Placement, PoseChart, PoseRow, VELOCITY_X, VELOCITY_Z, point_cloud,
+};
+use crate::registration::Example;
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+
+/// Clips handed to the executor at a time: between two batches progress is told and cancelling possible.
+const BATCH: usize = 24;
+/// The chart's means are taken over at most about this many neutral poses: more change nothing.
+const CHART_POSES: usize = 4096;
+
+/// Names of styles and actions in order, and the neutral style.
+pub(super) struct Labels {
+    pub(super) actions: Vec<String>,
+    pub(super) styles: Vec<String>,
+    pub(super) neutral: u16,
+}
+
+/// What [`prepare`] makes of the clips.
+pub(super) struct Prepared {
+    pub(super) labels: Labels,
+    pub(super) chart: PoseChart,
+    /// One entry a clip, in the clips' order.
+    pub(super) examples: Vec<Result<Example, Refusal>>,
+}
+
+struct Resampled {
+    motion: HumanoidMotion,
+    headings: Vec<f32>,
+    script: Option<(u32, Vec<f32>)>,
+}
+
+/// Checks, resamples and encodes every clip.
+pub(super) fn prepare(
+    clips: &[&SourceClip],
+    options: &BuildOptions,
+    executor: &impl ParallelMap,
+    progress: &mut dyn FnMut(usize) -> ControlFlow<()>,
+) -> Result<Prepared, BuildError> {
+    let mut resampled: Vec<Result<Resampled, Refusal>> = Vec::with_capacity(clips.len());
+    for batch in clips.chunks(BATCH) {
+        resampled.extend(executor.map(batch.len(), &|i| resample(batch[i], clips[0], options.rate_hz)));
+        if progress(resampled.len()).is_break() {
+            return Err(BuildError::Cancelled);
+        }
+    }
+    let labels = labels(clips, &resampled, options)?;
+    let neutral_clips = || {
+        clips.iter().zip(&resampled).filter_map(|(c, r)| {
+            let r = r.as_ref().ok()?;
+            (c.style == labels.styles[usize::from(labels.neutral)]).then_some(r)
+        })
+    };
+    let stride = neutral_clips().map(|r| r.motion.poses.len()).sum::<usize>().div_ceil(CHART_POSES).max(1);
+    let chart = PoseChart::from_poses(
+        neutral_clips().flat_map(|r| r.motion.poses.iter().zip(r.headings.iter().copied())).step_by(stride),
+    );
+    let examples = executor.map(clips.len(), &|i| {
+        let style = labels.styles.binary_search(&clips[i].style).unwrap_or(0) as u16;
+        resampled[i].as_ref().map(|r| example(r, style, &chart)).map_err(Clone::clone)
+    });
+    Ok(Prepared { labels, chart, examples })
+}
+
+fn resample(clip: &SourceClip, first: &SourceClip, rate_hz: f32) -> Result<Resampled, Refusal> {
+    let motion = &clip.motion;
+    if !(motion.rate_hz.is_finite() && motion.rate_hz > 0.0) {
+        return Err(Refusal::Rate(motion.rate_hz));
+    }
+    if motion.proportions != first.motion.proportions {
+        return Err(Refusal::Proportions);
+    }
+    if let Some(frame) = motion.poses.iter().position(|p| !p.is_finite()) {
+        return Err(Refusal::NotFinite(frame));
+    }
+    let script = match &clip.script {
+        None => None,
+        Some(script) => {
+            let times = &script.time;
+            let increases = |f: usize| times.get(f).is_some_and(|t| t.is_finite() && (f == 0 || *t > times[f - 1]));
+            if let Some(frame) =
+                (0..motion.poses.len().max(times.len())).find(|&f| !increases(f) || f >= motion.poses.len())
+            {
+                return Err(Refusal::Script(frame));
+            }
+            Some((script.id, resampled_times(times, motion.rate_hz, rate_hz)))
+        }
+    };
+    let motion = motion.resampled(rate_hz);
+    if motion.poses.len() < MIN_CLIP_FRAMES {
+        return Err(Refusal::TooShort(motion.poses.len()));
+    }
+    let mut filter = HeadingFilter::default();
+    let headings =
+        motion.poses.iter().map(|p| filter.update(&world_from_local(&motion.proportions, p), 1.0 / rate_hz)).collect();
+    Ok(Resampled { motion, headings, script })
+}
+
+/// Frame values at another rate, as [`HumanoidMotion::resampled`] does with poses.
+fn resampled_times(times: &[f32], from_hz: f32, to_hz: f32) -> Vec<f32> {
+    let step = f64::from(from_hz) / f64::from(to_hz);
+    let last = times.len() - 1;
+    let frames = (last as f64 / step + 1e-6).floor() as usize + 1;
+    (0..frames)
+        .map(|f| {
+            let at = (f as f64 * step).min(last as f64);
+            let i = (at.floor() as usize).min(last.saturating_sub(1));
+            let next = times[(i + 1).min(last)];
+            times[i] + (next - times[i]) * (at - i as f64) as f32
+        })
+        .collect()
+}
+
+fn example(clip: &Resampled, style: u16, chart: &PoseChart) -> Example {
+    let Resampled { motion, headings, script } = clip;
+    let mut previous = None;
+    let mut pose: Vec<PoseRow> = Vec::with_capacity(motion.poses.len());
+    for (p, &heading) in motion.poses.iter().zip(headings) {
+        pose.push(chart.encode(p, heading, previous, 1.0 / motion.rate_hz));
+        previous = Some(Placement { x: p.root.x, z: p.root.z, heading });
+    }
+    if pose.len() > 1 {
+        // Nothing comes before the first frame; standing still would be a false observation.
+        for d in [VELOCITY_X, VELOCITY_Z, HEADING_RATE] {
+            pose[0][d] = pose[1][d];
+        }
+    }
+    let clouds =
+        motion.poses.iter().zip(headings).map(|(p, &heading)| point_cloud(&motion.proportions, p, heading)).collect();
+    Example { style, pose, point_cloud: clouds, contact: contact::label(motion), script: script.clone() }
+}
+
+/// Labels of the clips that can be used.
+fn labels(
+    clips: &[&SourceClip],
+    resampled: &[Result<Resampled, Refusal>],
+    options: &BuildOptions,
+) -> Result<Labels, BuildError> {
+    let usable = || clips.iter().zip(resampled).filter(|(_, r)| r.is_ok()).map(|(c, _)| c);
+    let names = |name: fn(&SourceClip) -> &String| -> Vec<String> {
+        usable().map(|c| name(c).clone()).collect::<BTreeSet<_>>().into_iter().collect()
+    };
+    let (actions, styles) = (names(|c| &c.action), names(|c| &c.style));
+    if let Some(Err(reason)) = resampled.first()
+        && styles.is_empty()
+    {
+        return Err(BuildError::NothingLeft { name: clips[0].name.clone(), reason: reason.clone() });
+    }
+    let most = actions.len().max(styles.len());
+    if most > usize::from(u16::MAX) {
+        return Err(BuildError::TooManyLabels(most));
+    }
+    let find = |name: &str| styles.iter().position(|s| s == name);
+    let neutral = match &options.neutral {
+        Some(wanted) => {
+            find(wanted).ok_or_else(|| BuildError::Neutral { wanted: wanted.clone(), styles: styles.join(", ") })?
+        }
+        None => find("neutral").or_else(|| find("normal")).unwrap_or(0),
+    };
+    Ok(Labels { actions, styles, neutral: neutral as u16 })
+}

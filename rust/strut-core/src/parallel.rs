@@ -1,0 +1,18 @@
+//! How offline work is spread over threads, without core knowing of threads.
+
+/// Runs independent pieces of work. The native command brings one with a thread pool; results never
+/// depend on which is used, since every piece is a function of its number alone.
+pub trait ParallelMap {
+    /// `f(0), f(1), … f(n − 1)`, in this order, computed in any order.
+    fn map<R: Send>(&self, n: usize, f: &(dyn Fn(usize) -> R + Sync)) -> Vec<R>;
+}
+
+/// One after the other, on the calling thread.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sequential;
+
+impl ParallelMap for Sequential {
+    fn map<R: Send>(&self, n: usize, f: &(dyn Fn(usize) -> R + Sync)) -> Vec<R> {
+        (0..n).map(f).collect()
+    }
+}
