@@ -1,2 +1,26 @@
-//! The built-in procedural motions.
+//! The built-in procedural motions: no recorded motion may be shipped, so ours is synthesised.
+//!
+//! The feet are planned first: a [`Script`] says how fast to walk and where to turn, a [`Style`] how; both
+//! together give a path with footprints. Feet roll over their prints and swing between them, the pelvis travels
+//! above them, legs are solved in between, trunk and arms follow published gait curves. Every style performs the
+//! same script, so that frames of equal script phase are exact counterparts.
+//!
+//! Deterministic: the same arguments give the same bits on every platform.
 #![forbid(unsafe_code)]
+
+mod database;
+mod feet;
+mod noise;
+mod normative;
+mod path;
+mod pelvis;
+mod perform;
+mod periodic;
+mod script;
+mod style;
+mod upper_body;
+
+pub use database::{NamedMotion, RATE_HZ, clips, database, input_clips};
+pub use perform::{Performance, perform};
+pub use script::{INPUT_TAKES, Passage, Script, WALK_TAKES};
+pub use style::{STYLES, Style};

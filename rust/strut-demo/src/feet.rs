@@ -1,0 +1,251 @@
+//! How a foot rolls over the ground and swings to its next footprint.
+//!
+//! In stance the foot turns about what touches the ground: the heel until the foot is flat, then the ball,
+//! at last the tip of the toes (Perry's heel, forefoot and toe rockers; her ankle rocker is the shin over the
+//! flat foot). The touching point is fixed, so that a planted foot cannot slide. In swing the ankle follows a
+//! quintic that continues position, velocity and acceleration of the stances before and after.
+
+use crate::noise::Noise;
+use crate::normative::NATURAL_DUTY;
+use crate::path::{Footprint, Path, Side, stretch};
+use crate::periodic::{PeriodicCurve, smooth_step};
+use crate::script::Script;
+use crate::style::Style;
+use strut_core::humanoid::{Proportions, Role};
+use strut_core::math::{Quat, Vec3};
+
+/// Behind the ankle, the point of the sole that strikes the ground.
+const HEEL_BEHIND_ANKLE: f32 = 0.055;
+/// Ahead of the toe joint, the point of the sole that leaves the ground last.
+const TIP_AHEAD_OF_TOES: f32 = 0.060;
+
+/// A foot at an instant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FootPose {
+    /// Position of the ankle.
+    pub(crate) ankle: Vec3,
+    /// Rotation of the foot in the world.
+    pub(crate) foot: Quat,
+    /// Rotation of the toes relative to the foot.
+    pub(crate) toes: Quat,
+    /// Whether the foot is planted.
+    pub(crate) planted: bool,
+    /// Phase since the foot's last strike, in [0, 1).
+    pub(crate) cycle: f32,
+    /// Direction of the foot, radians about +Y.
+    pub(crate) heading: f32,
+}
+
+/// Plans both feet of a performance.
+#[derive(Clone, Debug)]
+pub(crate) struct Feet<'a> {
+    script: &'a Script,
+    style: &'a Style,
+    path: &'a Path,
+    noise: Noise,
+    geometry: FootGeometry,
+    foot_pitch: PeriodicCurve,
+    toe_pitch: PeriodicCurve,
+}
+
+/// Points of the foot in its own frame, from the ankle, in the flat foot.
+#[derive(Clone, Copy, Debug)]
+struct FootGeometry {
+    ankle_height: f32,
+    heel: Vec3,
+    ball: Vec3,
+    tip_from_ball: Vec3,
+}
+
+impl FootGeometry {
+    fn of(proportions: &Proportions) -> Self {
+        let at = |r: Role| proportions.offsets[r.index()];
+        let leg =
+            [Role::Hips, Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot].iter().map(|&r| at(r).y).sum::<f32>();
+        let ball = at(Role::LeftToes);
+        Self {
+            ankle_height: leg,
+            heel: Vec3::new(0.0, -leg, -HEEL_BEHIND_ANKLE),
+            ball,
+            tip_from_ball: Vec3::new(0.0, -(leg + ball.y), TIP_AHEAD_OF_TOES),
+        }
+    }
+
+    /// The ankle of a foot on the ground, from the ankle's projection in the flat foot, in the frame of the
+    /// footprint. Pitches in radians, toes up; whichever point carries the foot stays where it is.
+    fn ankle_on_ground(&self, foot_pitch: f32, toe_pitch: f32) -> Vec3 {
+        let flat = Vec3::new(0.0, self.ankle_height, 0.0);
+        if foot_pitch >= 0.0 {
+            return flat + self.heel - pitched(foot_pitch) * self.heel;
+        }
+        let tip = flat + self.ball + self.tip_from_ball;
+        let ball = tip - pitched(toe_pitch.min(0.0)) * self.tip_from_ball;
+        ball - pitched(foot_pitch) * self.ball
+    }
+}
+
+/// Rotation that lifts the toes by an angle.
+fn pitched(angle: f32) -> Quat {
+    Quat::from_rotation_x(-angle)
+}
+
+impl<'a> Feet<'a> {
+    pub(crate) fn new(
+        proportions: &Proportions,
+        script: &'a Script,
+        style: &'a Style,
+        path: &'a Path,
+        noise: Noise,
+    ) -> Self {
+        Self {
+            script,
+            style,
+            path,
+            noise,
+            geometry: FootGeometry::of(proportions),
+            foot_pitch: foot_pitch_curve(style),
+            toe_pitch: toe_pitch_curve(style),
+        }
+    }
+
+    /// The foot of a side at a phase of the script.
+    pub(crate) fn at(&self, side: Side, phase: f32) -> FootPose {
+        let since_first = phase - side.strike_phase();
+        let stride = since_first.floor();
+        let cycle = since_first - stride;
+        let here = self.path.footprint(self.style, self.noise, side, stride as i64);
+        let (foot_pitch, toe_pitch) = self.pitches(cycle, phase);
+        let planted = cycle < self.style.duty;
+        let (ankle, heading) = if planted {
+            (on_print(&here, self.geometry.ankle_on_ground(foot_pitch, toe_pitch)), here.heading)
+        } else {
+            let next = self.path.footprint(self.style, self.noise, side, stride as i64 + 1);
+            self.swing(&here, &next, cycle, phase)
+        };
+        let foot = Quat::from_rotation_y(heading) * pitched(foot_pitch);
+        FootPose { ankle, foot, toes: pitched(toe_pitch - foot_pitch), planted, cycle, heading }
+    }
+
+    /// Pitch of foot and toes against the ground in radians, toes up. Longer strides need more of both.
+    fn pitches(&self, cycle: f32, phase: f32) -> (f32, f32) {
+        let scale = stretch(self.script.speed(phase)).to_radians();
+        (self.foot_pitch.at(cycle) * scale, self.toe_pitch.at(cycle) * scale)
+    }
+
+    fn swing(&self, from: &Footprint, to: &Footprint, cycle: f32, phase: f32) -> (Vec3, f32) {
+        let duty = self.style.duty;
+        let length = 1.0 - duty;
+        let t = (cycle - duty) / length;
+        let lift_off = phase - (cycle - duty);
+        let strike = lift_off + length;
+        let ground = |print: &Footprint, cycle: f32, phase: f32| {
+            let (foot_pitch, toe_pitch) = self.pitches(cycle, phase);
+            Quat::from_rotation_y(print.heading) * self.geometry.ankle_on_ground(foot_pitch, toe_pitch)
+        };
+        let start = Jet::backward(|d| ground(from, duty - d, lift_off - d)).shifted(from.position).over(length);
+        let end = Jet::forward(|d| ground(to, d, strike + d)).shifted(to.position).over(length);
+
+        let mut ankle = Jet::quintic(&start, &end, t);
+        // Highest early in swing, while the knee is most bent.
+        let arch = t * t * t * (1.0 - t) * (1.0 - t) * (1.0 - t) * 64.0 * (1.0 + 0.8 * (0.5 - t));
+        ankle.y += self.style.foot_lift * arch;
+        let turn = smooth_step(0.0, 1.0, t);
+        (ankle, from.heading + (to.heading - from.heading) * turn)
+    }
+}
+
+fn on_print(print: &Footprint, local: Vec3) -> Vec3 {
+    print.position + Quat::from_rotation_y(print.heading) * local
+}
+
+/// A point with its velocity and acceleration.
+#[derive(Clone, Copy, Debug)]
+struct Jet {
+    position: Vec3,
+    velocity: Vec3,
+    acceleration: Vec3,
+}
+
+impl Jet {
+    /// Difference step in cycles: several samples of a [`PeriodicCurve`].
+    const STEP: f32 = 0.008;
+
+    /// At the begin of a motion given by time since then.
+    fn forward(motion: impl Fn(f32) -> Vec3) -> Self {
+        let h = Self::STEP;
+        let [a, b, c] = [motion(0.0), motion(h), motion(2.0 * h)];
+        Self { position: a, velocity: (b * 4.0 - a * 3.0 - c) / (2.0 * h), acceleration: (a - b * 2.0 + c) / (h * h) }
+    }
+
+    /// At the end of a motion given by the time before it.
+    fn backward(motion: impl Fn(f32) -> Vec3) -> Self {
+        let reversed = Self::forward(motion);
+        Self { velocity: -reversed.velocity, ..reversed }
+    }
+
+    fn shifted(self, by: Vec3) -> Self {
+        Self { position: self.position + by, ..self }
+    }
+
+    /// With time measured in units of `length`.
+    fn over(self, length: f32) -> Self {
+        Self { velocity: self.velocity * length, acceleration: self.acceleration * (length * length), ..self }
+    }
+
+    /// The polynomial of least degree from one jet to the next; `t` in [0, 1].
+    fn quintic(from: &Self, to: &Self, t: f32) -> Vec3 {
+        let (t2, t3) = (t * t, t * t * t);
+        let (t4, t5) = (t2 * t2, t2 * t3);
+        from.position * (1.0 - 10.0 * t3 + 15.0 * t4 - 6.0 * t5)
+            + from.velocity * (t - 6.0 * t3 + 8.0 * t4 - 3.0 * t5)
+            + from.acceleration * (0.5 * t2 - 1.5 * t3 + 1.5 * t4 - 0.5 * t5)
+            + to.acceleration * (0.5 * t3 - t4 + 0.5 * t5)
+            + to.velocity * (7.0 * t4 - 4.0 * t3 - 3.0 * t5)
+            + to.position * (10.0 * t3 - 15.0 * t4 + 6.0 * t5)
+    }
+}
+
+/// Pitch of the foot over its cycle (Winter 1991, fig. 3.8: strike 20° up, flat by 8–10 %, heel off at a third,
+/// 60–65° down when the toes leave, most just after, level by 85 %).
+fn foot_pitch_curve(s: &Style) -> PeriodicCurve {
+    let swing = |share: f32| s.duty + share * (1.0 - s.duty);
+    let flat = 0.10 * s.duty / NATURAL_DUTY;
+    let rise = |share: f32| s.heel_off + share * (s.duty - s.heel_off);
+    PeriodicCurve::through(
+        &[
+            (0.0, s.strike_pitch),
+            (0.5 * flat, 0.38 * s.strike_pitch),
+            (flat, 0.0),
+            (s.heel_off, 0.0),
+            (rise(0.35), -0.16 * s.push_off_pitch),
+            (rise(0.62), -0.45 * s.push_off_pitch),
+            (s.duty, -s.push_off_pitch),
+            (swing(0.10), -1.08 * s.push_off_pitch),
+            (swing(0.36), -0.62 * s.push_off_pitch),
+            (swing(0.62), -0.06 * s.push_off_pitch),
+            (swing(0.90), 1.08 * s.strike_pitch),
+        ],
+        0.010,
+    )
+}
+
+/// Pitch of the toes over the cycle: flat until they roll off, then trailing the foot, a little raised before
+/// the strike. The toe joint bends most at push-off (Perry ch. 4: 55–60°).
+fn toe_pitch_curve(s: &Style) -> PeriodicCurve {
+    let swing = |share: f32| s.duty + share * (1.0 - s.duty);
+    let flat = 0.12 * s.duty / NATURAL_DUTY;
+    PeriodicCurve::through(
+        &[
+            (0.0, s.strike_pitch + 10.0),
+            (0.5 * flat, 0.45 * s.strike_pitch + 6.0),
+            (flat, 0.0),
+            (s.duty - 0.07, 0.0),
+            (s.duty, -0.32 * s.push_off_pitch),
+            (swing(0.12), -0.70 * s.push_off_pitch),
+            (swing(0.36), -0.48 * s.push_off_pitch),
+            (swing(0.62), 4.0 - 0.03 * s.push_off_pitch),
+            (swing(0.90), 1.08 * s.strike_pitch + 9.0),
+        ],
+        0.010,
+    )
+}

@@ -1,0 +1,173 @@
+//! The line that the body follows, and the footprints beside it.
+
+use crate::noise::{Channel, Noise};
+use crate::script::Script;
+use crate::style::Style;
+use strut_core::math::float_funcs::sin_cos;
+use strut_core::math::{Quat, Vec3};
+
+/// Points of the line per stride.
+const SAMPLES_PER_STRIDE: usize = 64;
+
+/// Strides planned before the beginning and after the end of a script.
+pub(crate) const MARGIN_STRIDES: u32 = 3;
+
+/// A foot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    Left,
+    Right,
+}
+
+impl Side {
+    pub(crate) const BOTH: [Side; 2] = [Side::Left, Side::Right];
+
+    /// Sign of the side's x coordinate.
+    pub(crate) fn sign(self) -> f32 {
+        match self {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
+        }
+    }
+
+    /// Phase of the stride at which this foot strikes.
+    pub(crate) fn strike_phase(self) -> f32 {
+        match self {
+            Side::Left => 0.0,
+            Side::Right => 0.5,
+        }
+    }
+}
+
+/// Where a foot stands flat.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Footprint {
+    /// The ankle's projection on the ground.
+    pub(crate) position: Vec3,
+    /// Direction of the foot.
+    pub(crate) heading: f32,
+}
+
+/// The line that the middle of the body would follow without any sway, by phase.
+#[derive(Clone, Debug)]
+pub(crate) struct Path {
+    positions: Vec<Vec3>,
+    headings: Vec<f32>,
+    velocities: Vec<Vec3>,
+}
+
+/// How the amplitudes of a stride change with speed: steps lengthen and quicken alike, because the ratio of
+/// step length to cadence stays constant (Sekiya et al. 1996, "The invariant relationship between step
+/// length and step rate").
+pub(crate) fn stretch(speed: f32) -> f32 {
+    speed.max(0.0).sqrt()
+}
+
+impl Path {
+    /// The line of a script walked in a style, heading +Z at phase 0 where it passes the origin.
+    pub(crate) fn plan(script: &Script, style: &Style) -> Self {
+        let step = 1.0 / SAMPLES_PER_STRIDE as f32;
+        let margin = MARGIN_STRIDES as usize * SAMPLES_PER_STRIDE;
+        let count = script.strides() as usize * SAMPLES_PER_STRIDE + 2 * margin + 1;
+        let phase = |i: usize| i as f32 * step - MARGIN_STRIDES as f32;
+        let velocity = |phase: f32, heading: f32| {
+            let (s, c) = sin_cos(heading);
+            Vec3::new(s, 0.0, c) * (2.0 * style.step_length * stretch(script.speed(phase)))
+        };
+        let mut path = Self { positions: vec![Vec3::ZERO], headings: vec![0.0], velocities: vec![] };
+        path.velocities.push(velocity(phase(0), 0.0));
+        for i in 1..count {
+            let (position, heading) = (path.positions[i - 1], path.headings[i - 1]);
+            let middle = phase(i) - 0.5 * step;
+            let turn = script.turn_rate(middle) * step;
+            path.positions.push(position + velocity(middle, heading + 0.5 * turn) * step);
+            path.headings.push(heading + turn);
+            path.velocities.push(velocity(phase(i), heading + turn));
+        }
+        path.place_at_origin(margin);
+        path
+    }
+
+    /// Moves and turns the line so that sample `i` lies in the origin, heading +Z.
+    fn place_at_origin(&mut self, i: usize) {
+        let (origin, heading) = (self.positions[i], self.headings[i]);
+        let turn = Quat::from_rotation_y(-heading);
+        for p in &mut self.positions {
+            *p = turn * (*p - origin);
+        }
+        for v in &mut self.velocities {
+            *v = turn * *v;
+        }
+        for h in &mut self.headings {
+            *h -= heading;
+        }
+    }
+
+    /// Position on the ground.
+    pub(crate) fn position(&self, phase: f32) -> Vec3 {
+        let (i, t) = self.locate(phase);
+        let h = 1.0 / SAMPLES_PER_STRIDE as f32;
+        let (t2, t3) = (t * t, t * t * t);
+        self.positions[i] * (2.0 * t3 - 3.0 * t2 + 1.0)
+            + self.velocities[i] * (h * (t3 - 2.0 * t2 + t))
+            + self.positions[i + 1] * (3.0 * t2 - 2.0 * t3)
+            + self.velocities[i + 1] * (h * (t3 - t2))
+    }
+
+    /// Direction of walking in radians about +Y, not wrapped.
+    pub(crate) fn heading(&self, phase: f32) -> f32 {
+        let (i, t) = self.locate(phase);
+        self.headings[i] + (self.headings[i + 1] - self.headings[i]) * t
+    }
+
+    /// Metres a stride.
+    pub(crate) fn stride_length(&self, phase: f32) -> f32 {
+        self.velocities[self.locate(phase).0].length()
+    }
+
+    fn locate(&self, phase: f32) -> (usize, f32) {
+        let x = ((phase + MARGIN_STRIDES as f32) * SAMPLES_PER_STRIDE as f32).max(0.0);
+        let i = (x as usize).min(self.positions.len() - 2);
+        (i, (x - i as f32).min(1.0))
+    }
+
+    /// Where `side` stands in its stance of stride number `stride`: beside the point of the line that the
+    /// body passes in the middle of that stance.
+    pub(crate) fn footprint(&self, style: &Style, noise: Noise, side: Side, stride: i64) -> Footprint {
+        let strike = stride as f32 + side.strike_phase();
+        let passed = strike + 0.5 * style.duty - 0.035;
+        let heading = self.heading(passed);
+        let index = 2 * stride + i64::from(side == Side::Right);
+        let jitter = |channel, size: f32| size * style.irregularity * noise.step(channel, index);
+        let aside = side.sign() * (0.5 * style.step_width + jitter(Channel::StepWidth, 0.008));
+        let ahead = style.foot_lead + jitter(Channel::StepLength, 0.009);
+        let toe_out = side.sign() * (style.toe_out + jitter(Channel::ToeOut, 1.5)).to_radians();
+        let position = self.position(passed) + Quat::from_rotation_y(heading) * Vec3::new(aside, 0.0, ahead);
+        Footprint { position, heading: heading + toe_out }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::script::WALK_TAKES;
+    use crate::style::STYLES;
+
+    #[test]
+    fn a_straight_stride_is_two_steps_long() {
+        let path = Path::plan(&WALK_TAKES[0], &STYLES[0]);
+        let step = path.position(2.5) - path.position(2.0);
+        assert!((step - Vec3::new(0.0, 0.0, STYLES[0].step_length)).length() < 1e-4, "{step}");
+        assert!(path.position(0.0).length() < 1e-6);
+    }
+
+    #[test]
+    fn footprints_lie_on_their_side_and_one_step_apart() {
+        let path = Path::plan(&WALK_TAKES[0], &STYLES[0]);
+        let noise = Noise::new(1, 13);
+        let left = path.footprint(&STYLES[0], noise, Side::Left, 2);
+        let right = path.footprint(&STYLES[0], noise, Side::Right, 2);
+        assert!(left.position.x > 0.0 && right.position.x < 0.0);
+        assert!((right.position.z - left.position.z - STYLES[0].step_length).abs() < 0.03);
+    }
+}

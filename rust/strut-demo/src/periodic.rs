@@ -1,0 +1,100 @@
+//! Smooth functions of the gait phase, which repeats every stride.
+
+use strut_core::math::float_funcs::exp;
+
+/// Samples of a tabulated cycle.
+const SAMPLES: usize = 256;
+
+/// A function of phase with period 1, tabulated and interpolated by a uniform cubic B-spline, so that
+/// value, slope and curvature are continuous.
+#[derive(Clone, Debug)]
+pub(crate) struct PeriodicCurve {
+    samples: Vec<f32>,
+}
+
+impl PeriodicCurve {
+    /// The curve through `knots` (phase in [0, 1) ascending, value): shape-preserving cubic
+    /// interpolation (Fritsch and Butland 1984), so that what is flat between two equal knots stays
+    /// flat, then smoothed by a Gaussian of standard deviation `softness` cycles, which rounds its corners.
+    pub(crate) fn through(knots: &[(f32, f32)], softness: f32) -> Self {
+        let sharp: Vec<f32> = (0..SAMPLES).map(|i| interpolate(knots, i as f32 / SAMPLES as f32)).collect();
+        let sigma = softness * SAMPLES as f32;
+        let radius = (3.0 * sigma) as usize + 1;
+        let weights: Vec<f32> =
+            (0..=radius).map(|k| exp(-0.5 * (k as f32 / sigma.max(0.1)) * (k as f32 / sigma.max(0.1)))).collect();
+        let total = weights[0] + 2.0 * weights[1..].iter().sum::<f32>();
+        let samples = (0..SAMPLES)
+            .map(|i| {
+                let around = |k: usize| sharp[(i + k) % SAMPLES] + sharp[(i + SAMPLES - k % SAMPLES) % SAMPLES];
+                let sum = weights[0] * sharp[i] + (1..=radius).map(|k| weights[k] * around(k)).sum::<f32>();
+                sum / total
+            })
+            .collect();
+        Self { samples }
+    }
+
+    /// The value at a phase, taken modulo 1.
+    pub(crate) fn at(&self, phase: f32) -> f32 {
+        let x = (phase - phase.floor()) * SAMPLES as f32;
+        let i = x as usize;
+        let s = |k: usize| self.samples[(i + SAMPLES + k - 1) % SAMPLES];
+        b_spline([s(0), s(1), s(2), s(3)], x - i as f32)
+    }
+}
+
+/// Uniform cubic B-spline with four control values, `t` in [0, 1] between the middle two.
+pub(crate) fn b_spline(c: [f32; 4], t: f32) -> f32 {
+    let u = 1.0 - t;
+    let (t2, u2) = (t * t, u * u);
+    (c[0] * u2 * u + c[1] * (4.0 - 6.0 * t2 + 3.0 * t2 * t) + c[2] * (4.0 - 6.0 * u2 + 3.0 * u2 * u) + c[3] * t2 * t)
+        / 6.0
+}
+
+/// Rises from 0 at `from` to 1 at `to` with zero slope and curvature at both ends.
+pub(crate) fn smooth_step(from: f32, to: f32, x: f32) -> f32 {
+    let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
+    t * t * t * (t * (6.0 * t - 15.0) + 10.0)
+}
+
+fn interpolate(knots: &[(f32, f32)], phase: f32) -> f32 {
+    let n = knots.len();
+    // Knot `i` of the infinitely repeated list; the index may run one period out on either side.
+    let knot = |i: usize| {
+        let (turns, i) = (i / n, i % n);
+        (knots[i].0 + turns as f32 - 1.0, knots[i].1)
+    };
+    let next = (n..2 * n).find(|&i| knot(i).0 > phase).unwrap_or(2 * n);
+    let [a, b, c, d] = [next - 2, next - 1, next, next + 1].map(knot);
+    let secant = |p: (f32, f32), q: (f32, f32)| (q.1 - p.1) / (q.0 - p.0);
+    let slope = |l: f32, r: f32| if l * r <= 0.0 { 0.0 } else { 2.0 * l * r / (l + r) };
+    let middle = secant(b, c);
+    let (m0, m1) = (slope(secant(a, b), middle), slope(middle, secant(c, d)));
+    let h = c.0 - b.0;
+    let t = (phase - b.0) / h;
+    let (t2, t3) = (t * t, t * t * t);
+    b.1 * (2.0 * t3 - 3.0 * t2 + 1.0) + m0 * h * (t3 - 2.0 * t2 + t) + c.1 * (3.0 * t2 - 2.0 * t3) + m1 * h * (t3 - t2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_curve_passes_near_its_knots_and_stays_flat_between_equal_ones() {
+        let knots = [(0.0, 20.0), (0.1, 0.0), (0.35, 0.0), (0.6, -60.0), (0.9, 15.0)];
+        let curve = PeriodicCurve::through(&knots, 0.008);
+        for (phase, value) in knots {
+            assert!((curve.at(phase) - value).abs() < 2.0, "{phase}: {}", curve.at(phase));
+        }
+        assert!((0..=10).all(|i| curve.at(0.15 + 0.015 * i as f32).abs() < 1e-3));
+        assert_eq!(curve.at(0.25), curve.at(1.25));
+        assert_eq!(curve.at(0.25), curve.at(-0.75));
+    }
+
+    #[test]
+    fn smoothing_keeps_the_mean() {
+        let knots = [(0.0, 1.0), (0.5, 3.0)];
+        let mean = |c: &PeriodicCurve| (0..SAMPLES).map(|i| c.at(i as f32 / SAMPLES as f32)).sum::<f32>() / 256.0;
+        assert!((mean(&PeriodicCurve::through(&knots, 0.1)) - 2.0).abs() < 1e-3);
+    }
+}

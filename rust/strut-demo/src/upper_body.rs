@@ -1,0 +1,251 @@
+//! Trunk, head and arms above a walking pelvis.
+//!
+//! Rotations are first planned in the world (what eyes, balance and gravity ask for), then made relative to
+//! the parent joints. The arms follow their planned swing through springs: what is heavy or loose comes late.
+
+use crate::noise::{Channel, Noise};
+use crate::normative::{ARM_SWING, ELBOW_SWING};
+use crate::path::Side;
+use crate::periodic::PeriodicCurve;
+use crate::style::Style;
+use std::f32::consts::TAU;
+use strut_core::humanoid::{Pose, Role};
+use strut_core::math::Quat;
+use strut_core::math::float_funcs::{cos, exp, sin};
+
+/// Share of the trunk's bend that hanging arms follow; the rest gravity takes.
+const ARMS_FOLLOW_TRUNK: f32 = 0.25;
+/// Strides a breath: 16 breaths a minute at 56 strides a minute.
+const STRIDES_PER_BREATH: f32 = 3.5;
+
+/// What the pelvis and the path give to the upper body at a frame; radians.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Support {
+    /// Phase of the script.
+    pub(crate) phase: f32,
+    /// Strides of the script, for what repeats with it.
+    pub(crate) strides: u32,
+    /// Direction of walking.
+    pub(crate) heading: f32,
+    /// Turn of the chest and of the head towards where the path leads.
+    pub(crate) chest_lead: f32,
+    /// See `chest_lead`.
+    pub(crate) head_lead: f32,
+    /// Lean into the curve, positive to the right.
+    pub(crate) lean: f32,
+    /// Turn of the pelvis relative to the heading.
+    pub(crate) pelvis_yaw: f32,
+    /// Obliquity of the pelvis.
+    pub(crate) pelvis_roll: f32,
+    /// How much longer than preferred the strides are, 1 at preferred speed.
+    pub(crate) stretch: f32,
+    /// Rotation of the pelvis in the world.
+    pub(crate) pelvis: Quat,
+}
+
+/// A critically damped spring that follows a target.
+#[derive(Clone, Copy, Debug, Default)]
+struct Spring {
+    value: f32,
+    velocity: f32,
+}
+
+impl Spring {
+    /// One time step towards `target`; the distance halves about every `half_life_secs`. Exact for a
+    /// constant target.
+    fn follow(&mut self, target: f32, half_life_secs: f32, dt_secs: f32) -> f32 {
+        // A critically damped spring of decay rate y has covered half its way after 1.68 / y.
+        let y = 1.68 / half_life_secs.max(1e-3);
+        let offset = self.value - target;
+        let slope = self.velocity + offset * y;
+        let decay = exp(-y * dt_secs);
+        self.value = target + decay * (offset + slope * dt_secs);
+        self.velocity = decay * (self.velocity - slope * y * dt_secs);
+        self.value
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct ArmState {
+    swing: Spring,
+    elbow: Spring,
+    wrist: Spring,
+}
+
+/// Moves the upper body frame by frame; holds the state of the springs.
+#[derive(Clone, Debug)]
+pub(crate) struct UpperBody<'a> {
+    style: &'a Style,
+    noise: Noise,
+    arm_swing: PeriodicCurve,
+    elbow_swing: PeriodicCurve,
+    arms: [ArmState; 2],
+}
+
+/// Angles about the vertical, the side axis and the forward axis.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    yaw: f32,
+    pitch: f32,
+    roll: f32,
+}
+
+impl Turn {
+    fn quat(self) -> Quat {
+        yaw_pitch_roll(self.yaw, self.pitch, self.roll)
+    }
+
+    fn mix(self, o: Self, t: f32) -> Self {
+        let mix = |a: f32, b: f32| a + (b - a) * t;
+        Self { yaw: mix(self.yaw, o.yaw), pitch: mix(self.pitch, o.pitch), roll: mix(self.roll, o.roll) }
+    }
+}
+
+/// Heading, then forward tilt, then obliquity; radians.
+pub(crate) fn yaw_pitch_roll(yaw: f32, pitch: f32, roll: f32) -> Quat {
+    Quat::from_rotation_y(yaw) * Quat::from_rotation_x(pitch) * Quat::from_rotation_z(roll)
+}
+
+impl<'a> UpperBody<'a> {
+    pub(crate) fn new(style: &'a Style, noise: Noise) -> Self {
+        Self {
+            style,
+            noise,
+            arm_swing: PeriodicCurve::through(ARM_SWING, 0.04),
+            elbow_swing: PeriodicCurve::through(ELBOW_SWING, 0.04),
+            arms: [ArmState::default(); 2],
+        }
+    }
+
+    /// Sets the upper body's joints of the next frame, `dt_secs` after the last.
+    pub(crate) fn pose(&mut self, support: &Support, dt_secs: f32, pose: &mut Pose) {
+        let s = self.style;
+        let wobble =
+            |channel, degrees: f32| (degrees * s.irregularity * self.noise.smooth(channel, support.phase)).to_radians();
+        let strides = support.strides as f32;
+        let breaths = (strides / STRIDES_PER_BREATH).round().max(1.0);
+        let breath = sin(TAU * support.phase * breaths / strides);
+        let stride_wave = |lag: f32| cos(TAU * (support.phase - lag));
+
+        let pelvis = Turn {
+            yaw: support.heading + support.pelvis_yaw,
+            pitch: s.pelvis_tilt.to_radians(),
+            roll: support.pelvis_roll + support.lean,
+        };
+        // The trunk bends forward most just after each heel strike, when the legs brake it.
+        let nod = s.trunk_nod.to_radians() * cos(2.0 * TAU * (support.phase - 0.06));
+        let bend = s.spine_pitch.to_radians();
+        let chest = Turn {
+            yaw: support.heading
+                + support.chest_lead
+                + support.stretch * s.chest_yaw.to_radians() * stride_wave(0.03)
+                + wobble(Channel::TrunkYaw, 1.5),
+            pitch: pelvis.pitch + bend + s.chest_pitch.to_radians() + nod + wobble(Channel::TrunkPitch, 1.2)
+                - 0.5_f32.to_radians() * breath,
+            roll: -s.chest_roll.to_radians() * stride_wave(0.27) + 1.4 * support.lean + wobble(Channel::TrunkRoll, 1.0),
+        };
+        let mut spine = pelvis.mix(chest, 0.45);
+        spine.pitch = pelvis.pitch + bend + 0.4 * nod;
+        let head = Turn {
+            yaw: support.heading
+                + support.head_lead
+                + s.head_follow * (chest.yaw - support.heading - support.chest_lead)
+                + wobble(Channel::HeadYaw, 3.0),
+            pitch: s.gaze_pitch.to_radians() + s.head_follow * nod + wobble(Channel::HeadPitch, 2.0),
+            roll: s.head_follow * chest.roll + s.head_roll.to_radians() * stride_wave(0.30) + 0.4 * support.lean,
+        };
+        let mut neck = chest.mix(head, 0.5);
+        neck.pitch = chest.pitch + s.neck_pitch.to_radians();
+
+        let [spine, chest_world, neck, head] = [spine, chest, neck, head].map(Turn::quat);
+        let mut set = |role: Role, q: Quat| pose.rotations[role.index()] = q;
+        set(Role::Spine, support.pelvis.inv_mul(spine));
+        set(Role::Chest, spine.inv_mul(chest_world));
+        set(Role::Neck, chest_world.inv_mul(neck));
+        set(Role::Head, neck.inv_mul(head));
+
+        let frame =
+            Turn { yaw: chest.yaw, pitch: ARMS_FOLLOW_TRUNK * chest.pitch, roll: ARMS_FOLLOW_TRUNK * chest.roll };
+        for side in Side::BOTH {
+            self.arm(side, support, frame, chest_world, breath, dt_secs, pose);
+        }
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn arm(
+        &mut self,
+        side: Side,
+        support: &Support,
+        frame: Turn,
+        chest: Quat,
+        breath: f32,
+        dt_secs: f32,
+        pose: &mut Pose,
+    ) {
+        let s = self.style;
+        let (arm_channel, elbow_channel, spread_channel, roles) = match side {
+            Side::Left => (
+                Channel::LeftArm,
+                Channel::LeftElbow,
+                Channel::LeftSpread,
+                [Role::LeftShoulder, Role::LeftUpperArm, Role::LeftLowerArm, Role::LeftHand],
+            ),
+            Side::Right => (
+                Channel::RightArm,
+                Channel::RightElbow,
+                Channel::RightSpread,
+                [Role::RightShoulder, Role::RightUpperArm, Role::RightLowerArm, Role::RightHand],
+            ),
+        };
+        let wobble = |channel, degrees: f32| degrees * s.irregularity * self.noise.smooth(channel, support.phase);
+        let cycle = support.phase - side.strike_phase();
+        // Arm swing grows faster with speed than the step does (Murray 1967).
+        let vigour = support.stretch * support.stretch;
+        let wanted_swing = vigour * s.arm_swing * self.arm_swing.at(cycle) + wobble(arm_channel, 2.5);
+        let wanted_elbow = vigour * s.elbow_swing * self.elbow_swing.at(cycle) + wobble(elbow_channel, 2.5);
+
+        let state = &mut self.arms[usize::from(side == Side::Right)];
+        let swing = state.swing.follow(wanted_swing, s.arm_drag, dt_secs);
+        let elbow = state.elbow.follow(wanted_elbow, 1.5 * s.arm_drag, dt_secs);
+        // The hand trails the forearm: it bends back while the elbow bends, and swings through after.
+        let trail = state.wrist.follow(-0.035 * (state.elbow.velocity + state.swing.velocity), 0.05, dt_secs);
+
+        let out = side.sign();
+        let forward_share = swing / s.arm_swing.max(1.0);
+        let protraction = s.shoulder_forward + 0.15 * swing;
+        let raise = s.shoulder_raise + 0.8 * breath;
+        let shoulder =
+            Quat::from_rotation_y(-out * protraction.to_radians()) * Quat::from_rotation_z(out * raise.to_radians());
+
+        let spread = s.arm_spread + s.arm_round * forward_share * forward_share + wobble(spread_channel, 1.5);
+        // Arms that swing round the body cross in front of it.
+        let across = s.arm_twist + s.arm_round * forward_share;
+        let hanging = Quat::from_rotation_x(-(s.arm_forward + swing).to_radians())
+            * Quat::from_rotation_z(-out * (90.0 - spread).to_radians())
+            * Quat::from_rotation_x(across.to_radians());
+        let upper = frame.quat() * hanging;
+
+        let pronation = 0.5 * s.pronation.to_radians();
+        let bend = (s.elbow + elbow).max(4.0).to_radians();
+        let lower = Quat::from_rotation_y(-out * bend) * Quat::from_rotation_x(pronation);
+        let hand = Quat::from_rotation_x(pronation) * Quat::from_rotation_z(-out * (s.wrist + trail).to_radians());
+
+        let rotations = [shoulder, (chest * shoulder).inv_mul(upper), lower, hand];
+        for (role, q) in roles.into_iter().zip(rotations) {
+            pose.rotations[role.index()] = q;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spring_covers_half_its_way_in_its_half_life_without_overshoot() {
+        let mut spring = Spring::default();
+        let values: Vec<f32> = (0..200).map(|_| spring.follow(1.0, 0.1, 0.01)).collect();
+        assert!((values[9] - 0.5).abs() < 0.01, "{}", values[9]);
+        assert!(values.windows(2).all(|w| w[1] >= w[0] - 1e-6) && values[199] <= 1.0);
+    }
+}
