@@ -7,9 +7,9 @@ import { main, root, run, step } from "./steps.mjs";
 await main(async () => {
   const rust = await buildSite();
   const browser = await setupBrowser();
-  await step("Rust tests", () =>
-    run(rust.CARGO ?? "cargo", ["test", "--workspace", "--quiet"], { env: rust, cwd: join(root, "rust") }),
-  );
+  const cargo = (...args) => run(rust.CARGO ?? "cargo", args, { env: rust, cwd: join(root, "rust") });
+  await step("Building the command", () => cargo("build", "--release", "--quiet", "-p", "strut-cli"));
+  await step("Rust tests", () => cargo("test", "--workspace", "--quiet"));
   await step("TypeScript, parity and browser tests", () =>
     run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run"], {
       env: { ...rust, ...browser },

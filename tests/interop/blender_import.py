@@ -1,0 +1,35 @@
+"""Opens BVH files in Blender's own importer: blender --background --python blender_import.py -- FILE…
+
+Prints one JSON line a file: bones, frames, frame rate, and how far the first bone's head travels.
+"""
+
+import json
+import sys
+
+import bpy
+from mathutils import Vector
+
+for path in sys.argv[sys.argv.index("--") + 1 :]:
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.import_anim.bvh(filepath=path, update_scene_fps=True, update_scene_duration=True)
+    armature = next(o for o in bpy.context.scene.objects if o.type == "ARMATURE")
+    scene = bpy.context.scene
+    tip = next(b for b in armature.pose.bones if not b.children)
+    first = None
+    travel = 0.0
+    for frame in (scene.frame_start, scene.frame_end):
+        scene.frame_set(frame)
+        position = armature.matrix_world @ Vector(tip.head)
+        travel = 0.0 if first is None else (position - first).length
+        first = first or position.copy()
+    print(
+        json.dumps(
+            {
+                "file": path,
+                "bones": [b.name for b in armature.data.bones],
+                "frames": scene.frame_end - scene.frame_start + 1,
+                "fps": scene.render.fps / scene.render.fps_base,
+                "travel": travel,
+            }
+        )
+    )
