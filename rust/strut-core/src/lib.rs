@@ -14,4 +14,6 @@ pub mod motion;
 pub mod parallel;
 pub mod pose_vector;
 pub mod registration;
+pub mod search;
 pub mod skeleton;
+pub mod transfer;

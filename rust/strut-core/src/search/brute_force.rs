@@ -1,0 +1,17 @@
+//! Every window of a class, one after the other: the definition that faster searches must equal.
+
+use super::metric::{Metric, QueryWindow, WINDOW};
+use super::neighbours::{Neighbour, Neighbours};
+use super::{Index, windows_of_clip};
+
+/// Adds the windows of a class to `out`, which keeps the nearest.
+pub(super) fn offer_class(index: &Index, query: &QueryWindow, metric: Metric, class: usize, out: &mut Neighbours) {
+    let norms = index.norms(metric);
+    for clip in &index.clips[index.classes[class].clone()] {
+        for last in windows_of_clip(clip) {
+            let rows = &index.rows[last + 1 - WINDOW..=last];
+            let distance = query.distance(metric, rows, norms[last]);
+            out.offer(Neighbour { distance, row: last as u32 });
+        }
+    }
+}

@@ -1,0 +1,347 @@
+//! The window metric: Eq. 1 of Xia et al. 2015 in the closed form of the search specification, §1.
+//!
+//! A window is a point cloud: the joints of [`WINDOW`] successive frames in one common frame of
+//! reference, so that travel within the window counts. Two windows are compared after the best motion
+//! of one over the ground plane, a turn θ about the vertical and a shift (x₀, z₀):
+//!
+//! D(p, q) = min over θ, x₀, z₀ of Σ wᵢ |pᵢ − T(θ, x₀, z₀) qᵢ|²
+//!
+//! With both clouds centred horizontally (weighted centroid), √wᵢ folded in, heights as a real vector y
+//! and the ground plane as a complex one z = x + i·z:  D = |y − y'|² + |z|² + |z'|² − 2 |⟨z, z'⟩|.
+//! As the weights sum to 1, D is a mean squared distance in m².
+
+use super::lanes::{Lane, add_product, total};
+use crate::humanoid::{JOINTS, Role};
+use crate::math::Vec3;
+use crate::math::float_funcs::sin_cos;
+use crate::pose_vector::Placement;
+
+/// Frames of a window (s in the specification: 67 ms at 60 Hz). The figures are flat from 1 to 15.
+pub const WINDOW: usize = 5;
+
+/// Joints that count, legs first so that the lower body is the head of every row.
+pub(super) const POINTS: usize = 20;
+/// Joints that count in the lower-body metric: the first of [`POINTS`].
+pub(super) const LEG_POINTS: usize = 8;
+/// 4-float lanes of a row's heights (and of x, and of z).
+const LANES: usize = POINTS / 4;
+const LEG_LANES: usize = LEG_POINTS / 4;
+
+/// Relative weight of each joint: by size and visibility. The spine joint follows from hips and chest
+/// and is left out, which makes the row five whole lanes.
+const JOINT_WEIGHTS: [(Role, f32); POINTS] = [
+    (Role::LeftUpperLeg, 1.0),
+    (Role::RightUpperLeg, 1.0),
+    (Role::LeftLowerLeg, 1.5),
+    (Role::RightLowerLeg, 1.5),
+    (Role::LeftFoot, 1.5),
+    (Role::RightFoot, 1.5),
+    (Role::LeftToes, 0.5),
+    (Role::RightToes, 0.5),
+    (Role::Hips, 1.0),
+    (Role::Chest, 1.5),
+    (Role::Neck, 0.5),
+    (Role::Head, 1.5),
+    (Role::LeftShoulder, 0.25),
+    (Role::RightShoulder, 0.25),
+    (Role::LeftUpperArm, 1.0),
+    (Role::RightUpperArm, 1.0),
+    (Role::LeftLowerArm, 1.0),
+    (Role::RightLowerArm, 1.0),
+    (Role::LeftHand, 1.0),
+    (Role::RightHand, 1.0),
+];
+
+/// Which joints count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Metric {
+    /// All joints, by size and visibility: finds poses to regress on.
+    FullBody,
+    /// Legs only: finds frames whose foot contacts are those of the query.
+    LowerBody,
+}
+
+/// Weights of the points of one frame; they sum to 1 over the whole body.
+fn point_weights() -> [f32; POINTS] {
+    let sum: f32 = JOINT_WEIGHTS.iter().map(|(_, w)| w).sum();
+    JOINT_WEIGHTS.map(|(_, w)| w / sum)
+}
+
+/// Share of the legs in the weights of the whole body.
+fn leg_share() -> f32 {
+    point_weights()[..LEG_POINTS].iter().sum()
+}
+
+/// The points of one frame, √w folded in.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct FrameRow {
+    pub(super) height: [Lane; LANES],
+    pub(super) x: [Lane; LANES],
+    pub(super) z: [Lane; LANES],
+}
+
+impl FrameRow {
+    /// The row of a heading-free point cloud (hips above the origin) put at a placement on the ground.
+    pub(super) fn new(cloud: &[Vec3; JOINTS], at: Placement) -> Self {
+        let (sin, cos) = sin_cos(at.heading);
+        let mut row = Self::default();
+        for (i, (w, (role, _))) in point_weights().iter().zip(&JOINT_WEIGHTS).enumerate() {
+            let p = cloud[role.index()];
+            let w = w.sqrt();
+            row.height[i / 4][i % 4] = w * p.y;
+            row.x[i / 4][i % 4] = w * (at.x + cos * p.x + sin * p.z);
+            row.z[i / 4][i % 4] = w * (at.z - sin * p.x + cos * p.z);
+        }
+        row
+    }
+}
+
+/// ⟨y, y'⟩ and the complex ⟨z, z'⟩ of two windows.
+struct Products {
+    height: f32,
+    real: f32,
+    imaginary: f32,
+}
+
+#[allow(clippy::inline_always)] // one function call a window is half of its time
+#[inline(always)]
+fn products<const N: usize>(a: &[FrameRow; WINDOW], b: &[FrameRow]) -> Products {
+    let mut sums = [[0.0; 4]; 5];
+    for (a, b) in a.iter().zip(b) {
+        for l in 0..N {
+            sums[0] = add_product(sums[0], &a.height[l], &b.height[l]);
+            sums[1] = add_product(sums[1], &a.x[l], &b.x[l]);
+            sums[2] = add_product(sums[2], &a.z[l], &b.z[l]);
+            sums[3] = add_product(sums[3], &a.x[l], &b.z[l]);
+            sums[4] = add_product(sums[4], &a.z[l], &b.x[l]);
+        }
+    }
+    let [height, xx, zz, xz, zx] = sums.map(total);
+    Products { height, real: xx + zz, imaginary: xz - zx }
+}
+
+/// A window's vector in one metric: centred, and scaled so that its inner product with stored rows, which
+/// need not be centred, is that of the weighted window vectors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct CentredWindow {
+    rows: [FrameRow; WINDOW],
+    /// |y|² + |z|².
+    norm: f32,
+}
+
+impl Default for CentredWindow {
+    fn default() -> Self {
+        Self { rows: [FrameRow::default(); WINDOW], norm: 0.0 }
+    }
+}
+
+impl CentredWindow {
+    /// Of the frames of a window; sums in double precision, as this happens once a query or a stored window.
+    fn new(frames: &[FrameRow; WINDOW], metric: Metric) -> Self {
+        let (points, share) = match metric {
+            Metric::FullBody => (POINTS, 1.0),
+            Metric::LowerBody => (LEG_POINTS, leg_share()),
+        };
+        let weights = point_weights();
+        let roots = weights.map(f32::sqrt);
+        let scale = 1.0 / (WINDOW as f64 * f64::from(share));
+        let (mut cx, mut cz) = (0.0_f64, 0.0_f64);
+        for frame in frames {
+            for (i, root) in roots.iter().enumerate().take(points) {
+                cx += scale * f64::from(root * frame.x[i / 4][i % 4]);
+                cz += scale * f64::from(root * frame.z[i / 4][i % 4]);
+            }
+        }
+        let mut window = Self::default();
+        let mut norm = 0.0_f64;
+        for (out, frame) in window.rows.iter_mut().zip(frames) {
+            for (i, root) in roots.iter().enumerate().take(points) {
+                let (lane, at) = (i / 4, i % 4);
+                let height = f64::from(frame.height[lane][at]);
+                let x = f64::from(frame.x[lane][at]) - f64::from(*root) * cx;
+                let z = f64::from(frame.z[lane][at]) - f64::from(*root) * cz;
+                norm += scale * (height * height + x * x + z * z);
+                out.height[lane][at] = (scale * height) as f32;
+                out.x[lane][at] = (scale * x) as f32;
+                out.z[lane][at] = (scale * z) as f32;
+            }
+        }
+        window.norm = norm as f32;
+        window
+    }
+}
+
+/// |y|² + |z|² of a stored window after centring.
+pub(super) fn window_norm(frames: &[FrameRow; WINDOW], metric: Metric) -> f32 {
+    CentredWindow::new(frames, metric).norm
+}
+
+/// The last [`WINDOW`] frames of a moving figure, ready to be compared with stored windows.
+///
+/// While fewer frames have been pushed, the missing earlier ones are extrapolated at constant velocity
+/// (one frame alone counts as standing still).
+#[derive(Clone, Debug, Default)]
+pub struct QueryWindow {
+    clouds: [[Vec3; JOINTS]; WINDOW],
+    places: [Placement; WINDOW],
+    pushed: usize,
+    full: CentredWindow,
+    lower: CentredWindow,
+}
+
+impl QueryWindow {
+    /// Forgets all frames.
+    pub fn clear(&mut self) {
+        self.pushed = 0;
+    }
+
+    /// Frames held, at most [`WINDOW`].
+    pub fn frames(&self) -> usize {
+        self.pushed
+    }
+
+    /// Adds a frame: its heading-free point cloud (metres) and its place on the ground.
+    pub fn push(&mut self, cloud: &[Vec3; JOINTS], at: Placement) {
+        self.clouds.rotate_left(1);
+        self.places.rotate_left(1);
+        self.clouds[WINDOW - 1] = *cloud;
+        self.places[WINDOW - 1] = at;
+        self.pushed = (self.pushed + 1).min(WINDOW);
+
+        // Positions relative to the newest hips keep the numbers small wherever the figure walks.
+        let mut frames = [FrameRow::default(); WINDOW];
+        for (row, (cloud, p)) in frames.iter_mut().zip(self.clouds.iter().zip(&self.places)) {
+            *row = FrameRow::new(cloud, Placement { x: p.x - at.x, z: p.z - at.z, heading: p.heading });
+        }
+        let first = WINDOW - self.pushed;
+        for missing in 0..first {
+            let steps = if self.pushed < 2 { 0.0 } else { (first - missing) as f32 };
+            let next = if self.pushed < 2 { frames[first] } else { frames[first + 1] };
+            frames[missing] = extrapolated(&frames[first], &next, steps);
+        }
+        self.full = CentredWindow::new(&frames, Metric::FullBody);
+        self.lower = CentredWindow::new(&frames, Metric::LowerBody);
+    }
+
+    /// D between this window and the stored one that consists of `rows` (at least [`WINDOW`]) and has this norm.
+    #[allow(clippy::inline_always)] // one function call a window is half of its time
+    #[inline(always)]
+    pub(super) fn distance(&self, metric: Metric, rows: &[FrameRow], norm: f32) -> f32 {
+        let (query, p) = match metric {
+            Metric::FullBody => (&self.full, products::<LANES>(&self.full.rows, rows)),
+            Metric::LowerBody => (&self.lower, products::<LEG_LANES>(&self.lower.rows, rows)),
+        };
+        let turned = (p.real * p.real + p.imaginary * p.imaginary).sqrt();
+        ((query.norm + norm) - 2.0 * (p.height + turned)).max(0.0)
+    }
+}
+
+/// The row `steps` frames before `first`, which moves to `second` in one.
+fn extrapolated(first: &FrameRow, second: &FrameRow, steps: f32) -> FrameRow {
+    let back = |a: &[Lane; LANES], b: &[Lane; LANES]| {
+        let mut out = *a;
+        for (o, b) in out.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
+            *o -= (b - *o) * steps;
+        }
+        out
+    };
+    FrameRow { height: back(&first.height, &second.height), x: back(&first.x, &second.x), z: back(&first.z, &second.z) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::f32::consts::PI;
+
+    type Frames = Vec<([Vec3; JOINTS], Placement)>;
+
+    fn frames() -> impl Strategy<Value = Frames> {
+        let point = prop::array::uniform3(-1.0f32..1.0).prop_map(Vec3::from_array);
+        let cloud = prop::collection::vec(point, JOINTS).prop_map(|v| std::array::from_fn(|j| v[j]));
+        let at = (-2.0f32..2.0, -2.0f32..2.0, -PI..PI).prop_map(|(x, z, heading)| Placement { x, z, heading });
+        prop::collection::vec((cloud, at), WINDOW)
+    }
+
+    fn distance(metric: Metric, query: &Frames, stored: &Frames) -> f32 {
+        let mut window = QueryWindow::default();
+        for (cloud, at) in query {
+            window.push(cloud, *at);
+        }
+        let rows: [FrameRow; WINDOW] = std::array::from_fn(|i| FrameRow::new(&stored[i].0, stored[i].1));
+        window.distance(metric, &rows, window_norm(&rows, metric))
+    }
+
+    fn moved(frames: &Frames, by: Placement) -> Frames {
+        let (sin, cos) = sin_cos(by.heading);
+        frames
+            .iter()
+            .map(|(cloud, p)| {
+                let x = by.x + cos * p.x + sin * p.z;
+                let z = by.z - sin * p.x + cos * p.z;
+                (*cloud, Placement { x, z, heading: p.heading + by.heading })
+            })
+            .collect()
+    }
+
+    /// Σ w |p − T q|² for the best shift at a given turn, straight from Eq. 1.
+    fn eq1_at_turn(p: &Frames, q: &Frames, turn: f64) -> f64 {
+        let (sin, cos) = (libm::sin(turn), libm::cos(turn));
+        let world = |(cloud, at): &([Vec3; JOINTS], Placement), j: usize| {
+            let (s, c) = (libm::sin(at.heading.into()), libm::cos(at.heading.into()));
+            let [x, y, z] = cloud[j].to_array().map(f64::from);
+            [f64::from(at.x) + c * x + s * z, y, f64::from(at.z) - s * x + c * z]
+        };
+        let mut differences = Vec::new();
+        for (p, q) in p.iter().zip(q) {
+            for (w, (role, _)) in point_weights().iter().zip(&JOINT_WEIGHTS) {
+                let (a, b) = (world(p, role.index()), world(q, role.index()));
+                let b = [cos * b[0] + sin * b[2], b[1], -sin * b[0] + cos * b[2]];
+                differences.push((f64::from(*w) / WINDOW as f64, [a[0] - b[0], a[1] - b[1], a[2] - b[2]]));
+            }
+        }
+        let mean = |i: usize| differences.iter().map(|(w, d)| w * d[i]).sum::<f64>();
+        let (x0, z0) = (mean(0), mean(2));
+        differences.iter().map(|(w, d)| w * ((d[0] - x0).powi(2) + d[1] * d[1] + (d[2] - z0).powi(2))).sum()
+    }
+
+    proptest! {
+        #[test]
+        fn distance_does_not_change_with_a_motion_over_the_ground(
+            p in frames(), q in frames(), x in -9.0f32..9.0, z in -9.0f32..9.0, heading in -PI..PI,
+        ) {
+            let by = Placement { x, z, heading };
+            for metric in [Metric::FullBody, Metric::LowerBody] {
+                let d = distance(metric, &p, &q);
+                let stored_moved = distance(metric, &p, &moved(&q, by));
+                let query_moved = distance(metric, &moved(&p, by), &q);
+                prop_assert!((stored_moved - d).abs() < 2e-4 * (1.0 + d));
+                prop_assert!((query_moved - d).abs() < 2e-4 * (1.0 + d));
+            }
+        }
+
+        #[test]
+        fn distance_is_the_least_over_turns_and_shifts(p in frames(), q in frames()) {
+            let d = f64::from(distance(Metric::FullBody, &p, &q));
+            let steps = 3600;
+            let least = (0..steps)
+                .map(|i| eq1_at_turn(&p, &q, f64::from(i) * std::f64::consts::TAU / f64::from(steps)))
+                .fold(f64::INFINITY, f64::min);
+            prop_assert!((d - least).abs() < 1e-4 * (1.0 + least), "{d} {least}");
+        }
+    }
+
+    #[test]
+    fn a_window_is_at_distance_zero_from_itself_and_short_ones_are_extrapolated() {
+        let cloud = std::array::from_fn(|j| Vec3::new(0.1 * j as f32, 1.0 - 0.05 * j as f32, 0.02 * j as f32));
+        let walk: Frames =
+            (0..WINDOW).map(|i| (cloud, Placement { x: 0.0, z: 0.02 * i as f32, heading: 0.3 })).collect();
+        assert!(distance(Metric::FullBody, &walk, &walk) < 1e-6);
+        assert!(distance(Metric::FullBody, &walk[3..].to_vec(), &walk) < 1e-6);
+    }
+
+    #[test]
+    fn weights_sum_to_one() {
+        assert!((point_weights().iter().sum::<f32>() - 1.0).abs() < 1e-6);
+    }
+}

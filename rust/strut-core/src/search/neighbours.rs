@@ -1,0 +1,110 @@
+//! The K nearest rows found so far, ordered by (D, row).
+
+/// A stored window that resembles the query.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Neighbour {
+    /// D: mean squared distance of the weighted points, m².
+    pub distance: f32,
+    /// Last row of the window.
+    pub row: u32,
+}
+
+impl Neighbour {
+    /// Order of search results: nearer first, then the earlier row, so that the result depends on the
+    /// data only and not on the order of visits.
+    fn comes_before(self, other: Self) -> bool {
+        self.distance < other.distance || (self.distance == other.distance && self.row < other.row)
+    }
+}
+
+/// The nearest windows, at most K, by (D, row). Keeps its memory between queries.
+#[derive(Clone, Debug, Default)]
+pub struct Neighbours {
+    entries: Vec<Neighbour>,
+    capacity: usize,
+}
+
+impl Neighbours {
+    /// Empties the list and makes room for `k`.
+    pub fn begin(&mut self, k: usize) {
+        self.entries.clear();
+        self.entries.reserve(k);
+        self.capacity = k;
+    }
+
+    /// Greatest D that can still enter the list.
+    #[inline]
+    pub fn threshold(&self) -> f32 {
+        if self.entries.len() < self.capacity {
+            f32::INFINITY
+        } else {
+            self.entries.last().map_or(f32::NEG_INFINITY, |n| n.distance)
+        }
+    }
+
+    /// Offers a window; it enters if it is among the K nearest so far. NaN never does.
+    #[inline]
+    pub fn offer(&mut self, candidate: Neighbour) {
+        if candidate.distance <= self.threshold() {
+            self.insert(candidate);
+        }
+    }
+
+    fn insert(&mut self, candidate: Neighbour) {
+        let at = self.entries.partition_point(|n| n.comes_before(candidate));
+        if at >= self.capacity {
+            return;
+        }
+        if self.entries.len() == self.capacity {
+            self.entries.pop();
+        }
+        self.entries.insert(at, candidate);
+    }
+
+    /// The neighbours, nearest first.
+    pub fn as_slice(&self) -> &[Neighbour] {
+        &self.entries
+    }
+
+    /// Mean of D over the neighbours, m²; infinite if there are none.
+    pub fn mean_distance(&self) -> f32 {
+        if self.entries.is_empty() {
+            return f32::INFINITY;
+        }
+        self.entries.iter().map(|n| n.distance).sum::<f32>() / self.entries.len() as f32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_k_first_of_the_sorted_candidates_remain_in_any_order_of_offers(
+            distances in prop::collection::vec(0u8..20, 0..60), k in 0usize..20, start in 0usize..60,
+        ) {
+            let candidates: Vec<Neighbour> =
+                distances.iter().enumerate().map(|(i, &d)| Neighbour { distance: d.into(), row: i as u32 }).collect();
+            let mut sorted = candidates.clone();
+            sorted.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.row.cmp(&b.row)));
+            sorted.truncate(k);
+            let mut list = Neighbours::default();
+            list.begin(k);
+            let start = start.min(candidates.len());
+            for c in candidates[start..].iter().chain(&candidates[..start]) {
+                list.offer(*c);
+            }
+            prop_assert_eq!(list.as_slice(), &sorted[..]);
+        }
+    }
+
+    #[test]
+    fn nan_never_enters() {
+        let mut list = Neighbours::default();
+        list.begin(2);
+        list.offer(Neighbour { distance: f32::NAN, row: 0 });
+        assert!(list.as_slice().is_empty());
+    }
+}

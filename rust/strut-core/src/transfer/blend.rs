@@ -1,0 +1,198 @@
+//! Several styles at once: s(t) of the specification, §10.
+
+use super::body_part::{BodyPart, PARTS};
+use crate::pose_vector::{DOFS, PoseRow, ROW};
+use thiserror::Error;
+
+/// Greatest magnitude of a weight.
+pub const MAX_WEIGHT: f32 = 10.0;
+
+/// A style whose weights are all below this takes no part.
+const LEAST_WEIGHT: f32 = 1e-6;
+
+/// Why style weights are refused.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum StyleError {
+    /// Not one weight a style.
+    #[error("{found} style weights; the database has {expected} styles")]
+    Count {
+        /// Weights given.
+        found: usize,
+        /// Styles of the database.
+        expected: usize,
+    },
+    /// A weight is not a number or far too large.
+    #[error("the weight of style {style} is {weight}; -10 to 10 was expected")]
+    Weight {
+        /// Index of the style.
+        style: usize,
+        /// Its weight.
+        weight: f32,
+    },
+}
+
+/// Weights of every style for every part of the body. They may be negative or above 1; what is missing
+/// to a sum of 1 belongs to the neutral style.
+#[derive(Clone, Debug)]
+pub(super) struct StyleBlend {
+    neutral: usize,
+    /// Sums to 1.
+    whole: Vec<f32>,
+    /// Each sums to 1; empty where the part follows the whole.
+    parts: [Vec<f32>; PARTS],
+}
+
+impl StyleBlend {
+    /// All neutral.
+    pub(super) fn new(styles: usize, neutral: usize) -> Self {
+        let mut whole = vec![0.0; styles];
+        whole[neutral] = 1.0;
+        Self { neutral, whole, parts: std::array::from_fn(|_| Vec::with_capacity(styles)) }
+    }
+
+    /// Sets the weights of the whole body; parts with weights of their own keep them.
+    pub(super) fn set_whole(&mut self, weights: &[f32]) -> Result<(), StyleError> {
+        validate(weights, self.whole.len())?;
+        self.whole.copy_from_slice(weights);
+        self.whole[self.neutral] += 1.0 - weights.iter().sum::<f32>();
+        Ok(())
+    }
+
+    /// Sets the weights of one part; `None` lets it follow the whole again.
+    pub(super) fn set_part(&mut self, part: BodyPart, weights: Option<&[f32]>) -> Result<(), StyleError> {
+        let own = &mut self.parts[part as usize];
+        let Some(weights) = weights else {
+            own.clear();
+            return Ok(());
+        };
+        validate(weights, self.whole.len())?;
+        own.clear();
+        own.extend_from_slice(weights);
+        own[self.neutral] += 1.0 - weights.iter().sum::<f32>();
+        Ok(())
+    }
+
+    /// Weight of a style in a part.
+    pub(super) fn weight(&self, part: BodyPart, style: usize) -> f32 {
+        self.parts[part as usize].get(style).copied().unwrap_or(self.whole[style])
+    }
+
+    /// Whether any part takes anything of a style.
+    pub(super) fn is_active(&self, style: usize) -> bool {
+        BodyPart::ALL.into_iter().any(|p| self.weight(p, style).abs() > LEAST_WEIGHT)
+    }
+}
+
+fn validate(weights: &[f32], styles: usize) -> Result<(), StyleError> {
+    if weights.len() != styles {
+        return Err(StyleError::Count { found: weights.len(), expected: styles });
+    }
+    match weights.iter().position(|w| w.is_nan() || w.abs() > MAX_WEIGHT) {
+        Some(style) => Err(StyleError::Weight { style, weight: weights[style] }),
+        None => Ok(()),
+    }
+}
+
+/// What extrapolation may not leave.
+#[derive(Clone, Debug)]
+pub(super) struct JointLimits {
+    range: [PoseRow; 2],
+}
+
+/// Share of the observed range by which the limits are wider on either side.
+const WIDENING: f32 = 0.1;
+
+impl JointLimits {
+    /// From the least and greatest values observed.
+    pub(super) fn new(observed: &[PoseRow; 2]) -> Self {
+        let mut range = *observed;
+        for d in 0..ROW {
+            let margin = WIDENING * (observed[1][d] - observed[0][d]);
+            range[0][d] -= margin;
+            range[1][d] += margin;
+        }
+        Self { range }
+    }
+}
+
+/// The weighted sum of the styles' rows. Where a weight is below 0 or above 1 the sum is kept within the
+/// limits, widened to whatever the styles themselves and the input reach: interpolation and the input's
+/// own content are never cut.
+pub(super) fn blended<'a>(
+    blend: &StyleBlend,
+    parts: &[BodyPart; ROW],
+    limits: &JointLimits,
+    input: &PoseRow,
+    styles: impl Iterator<Item = (usize, &'a PoseRow)>,
+) -> PoseRow {
+    let mut sum = [0.0; ROW];
+    let (mut least, mut greatest) = (*input, *input);
+    let mut extrapolates = [false; PARTS];
+    for (style, row) in styles {
+        let weights: [f32; PARTS] = std::array::from_fn(|p| blend.weight(BodyPart::ALL[p], style));
+        for (e, w) in extrapolates.iter_mut().zip(&weights) {
+            *e |= !(0.0..=1.0 + LEAST_WEIGHT).contains(w);
+        }
+        for d in 0..DOFS {
+            sum[d] += weights[parts[d] as usize] * row[d];
+            least[d] = least[d].min(row[d]);
+            greatest[d] = greatest[d].max(row[d]);
+        }
+    }
+    for d in 0..DOFS {
+        if extrapolates[parts[d] as usize] {
+            sum[d] = sum[d].clamp(limits.range[0][d].min(least[d]), limits.range[1][d].max(greatest[d]));
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn blend_of(weights: [f32; 2]) -> PoseRow {
+        let mut blend = StyleBlend::new(2, 0);
+        blend.set_whole(&weights).unwrap();
+        let limits = JointLimits::new(&[[-1.0; ROW], [2.0; ROW]]);
+        let (neutral, styled) = ([0.5; ROW], [1.0; ROW]);
+        let rows = [(0, &neutral), (1, &styled)];
+        blended(&blend, &BodyPart::of_row(), &limits, &[0.0; ROW], rows.into_iter())
+    }
+
+    proptest! {
+        #[test]
+        fn blending_is_linear_and_the_remainder_is_neutral(w in -2.0f32..3.0) {
+            // Within the limits −1.3 … 2.3.
+            prop_assert!((blend_of([0.0, w])[7] - (0.5 + 0.5 * w)).abs() < 1e-5);
+        }
+    }
+
+    #[test]
+    fn extrapolation_stops_at_the_widened_limits() {
+        assert!((blend_of([0.0, 9.0])[7] - 2.3).abs() < 1e-5);
+        assert!((blend_of([0.0, -9.0])[7] + 1.3).abs() < 1e-5);
+    }
+
+    #[test]
+    fn parts_take_their_own_weights() {
+        let mut blend = StyleBlend::new(2, 0);
+        blend.set_part(BodyPart::Head, Some(&[0.0, 1.0])).unwrap();
+        assert_eq!(blend.weight(BodyPart::Head, 1), 1.0);
+        assert_eq!(blend.weight(BodyPart::Head, 0), 0.0);
+        assert_eq!(blend.weight(BodyPart::Legs, 0), 1.0);
+        assert!(blend.is_active(0) && blend.is_active(1));
+        blend.set_part(BodyPart::Head, None).unwrap();
+        assert!(!blend.is_active(1));
+    }
+
+    #[test]
+    fn bad_weights_are_refused_and_change_nothing() {
+        let mut blend = StyleBlend::new(2, 0);
+        assert_eq!(blend.set_whole(&[1.0]), Err(StyleError::Count { found: 1, expected: 2 }));
+        assert!(blend.set_whole(&[f32::NAN, 0.0]).is_err());
+        assert!(blend.set_whole(&[0.0, 11.0]).is_err());
+        assert_eq!(blend.weight(BodyPart::Legs, 0), 1.0);
+    }
+}

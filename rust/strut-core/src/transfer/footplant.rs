@@ -1,0 +1,219 @@
+//! Holds planted feet in place and soles above the ground (specification, §11).
+
+use super::sole::{Sole, Soles};
+use crate::humanoid::{Pose, Proportions};
+use crate::kinematics::{Limb, two_bone_ik, world_from_local};
+use crate::math::Vec3;
+use crate::math::float_funcs::exp;
+
+/// A foot is planted from this likelihood on …
+const PLANT: f32 = 0.6;
+/// … until it falls below this one.
+const RELEASE: f32 = 0.4;
+/// Frames over which the hold sets in.
+const EASE_FRAMES: u32 = 3;
+/// Time constant of the return to the predicted place after release, seconds.
+const DECAY_SECS: f32 = 0.12;
+/// Greatest correction of a foot, metres; the root follows what goes beyond.
+const MAX_CORRECTION: f32 = 0.2;
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Foot {
+    planted_frames: u32,
+    /// c: from the predicted to the corrected place, horizontal.
+    correction: Vec3,
+    /// Of the predicted pose, where the root's shift puts it.
+    last: Option<Sole>,
+}
+
+impl Foot {
+    fn is_planted(&self) -> bool {
+        self.planted_frames > 0
+    }
+
+    /// Accumulates c ← c − travel of the pivot while planted, else lets it decay.
+    fn update(&mut self, sole: Sole, likelihood: f32, dt_secs: f32) {
+        let planted = likelihood >= if self.is_planted() { RELEASE } else { PLANT };
+        self.planted_frames = if planted { self.planted_frames.saturating_add(1) } else { 0 };
+        let travel = self.last.map_or(Vec3::ZERO, |last| sole.pivot_travel(&last));
+        if planted {
+            self.correction -= travel * (self.planted_frames.min(EASE_FRAMES) as f32 / EASE_FRAMES as f32);
+        } else {
+            self.correction *= exp(-dt_secs / DECAY_SECS);
+        }
+        self.last = Some(sole);
+    }
+
+    /// What the correction exceeds its cap by.
+    fn excess(&self) -> Vec3 {
+        self.correction - self.correction.clamp_length_max(MAX_CORRECTION)
+    }
+}
+
+/// The footplant filter of one character.
+#[derive(Clone, Debug)]
+pub struct Footplant {
+    proportions: Proportions,
+    soles: Soles,
+    feet: [Foot; 2],
+    /// What the root has moved to keep planted feet in place where their corrections reached the cap.
+    root_shift: Vec3,
+}
+
+impl Footplant {
+    /// For a humanoid.
+    pub fn new(proportions: Proportions) -> Self {
+        Self { proportions, soles: Soles::new(&proportions), feet: [Foot::default(); 2], root_shift: Vec3::ZERO }
+    }
+
+    /// Forgets the past.
+    pub fn reset(&mut self) {
+        self.feet = [Foot::default(); 2];
+        self.root_shift = Vec3::ZERO;
+    }
+
+    /// Corrects the next frame in place, `dt_secs` of output time after the one before, given the
+    /// likelihood that each foot is planted; tells which are.
+    pub fn apply(&mut self, pose: &mut Pose, likelihood: [f32; 2], dt_secs: f32) -> [bool; 2] {
+        pose.root += self.root_shift;
+        let mut world = world_from_local(&self.proportions, pose);
+        for (side, (foot, likelihood)) in self.feet.iter_mut().zip(likelihood).enumerate() {
+            foot.update(self.soles.of(&world, side), likelihood, dt_secs);
+        }
+        let shift = self.overdue_shift();
+        if shift != Vec3::ZERO {
+            self.root_shift += shift;
+            pose.root += shift;
+            world = world_from_local(&self.proportions, pose);
+            for (side, foot) in self.feet.iter_mut().enumerate() {
+                foot.last = Some(self.soles.of(&world, side));
+                if foot.is_planted() {
+                    foot.correction -= shift;
+                }
+            }
+        }
+        for (side, limb) in Limb::LEGS.into_iter().enumerate() {
+            let foot = &mut self.feet[side];
+            foot.correction = foot.correction.clamp_length_max(MAX_CORRECTION);
+            let depth = (-self.soles.of(&world, side).lowest()).max(0.0);
+            let by = foot.correction + Vec3::Y * depth;
+            if by != Vec3::ZERO {
+                let ankle = world.positions[Soles::JOINTS[side][0].index()];
+                two_bone_ik(&self.proportions, pose, &mut world, limb, ankle + by);
+            }
+        }
+        self.feet.map(|f| f.is_planted())
+    }
+
+    /// Mean excess of the planted feet whose correction is beyond the cap.
+    fn overdue_shift(&self) -> Vec3 {
+        let (mut sum, mut count) = (Vec3::ZERO, 0.0);
+        for foot in self.feet.iter().filter(|f| f.is_planted()) {
+            let excess = foot.excess();
+            if excess != Vec3::ZERO {
+                sum += excess;
+                count += 1.0;
+            }
+        }
+        sum / f32::max(count, 1.0)
+    }
+}
+
+/// Height of the lower sole above the ground, metres; negative below it.
+pub fn ground_clearance(proportions: &Proportions, pose: &Pose) -> f32 {
+    let soles = Soles::new(proportions);
+    let world = world_from_local(proportions, pose);
+    soles.of(&world, 0).lowest().min(soles.of(&world, 1).lowest())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::humanoid::Role;
+    use crate::math::Quat;
+    use proptest::prelude::*;
+
+    const DT: f32 = 1.0 / 60.0;
+
+    /// Both knees bent, soles on the ground.
+    fn crouch() -> Pose {
+        let p = Proportions::default();
+        let mut pose = Pose { root: p.offsets[0], ..Pose::default() };
+        for (thigh, shin, foot) in [
+            (Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot),
+            (Role::RightUpperLeg, Role::RightLowerLeg, Role::RightFoot),
+        ] {
+            pose.rotations[thigh.index()] = Quat::from_rotation_x(-0.3);
+            pose.rotations[shin.index()] = Quat::from_rotation_x(0.6);
+            pose.rotations[foot.index()] = Quat::from_rotation_x(-0.3);
+        }
+        pose.root.y -= ground_clearance(&p, &pose);
+        pose
+    }
+
+    fn sole(pose: &Pose, side: usize) -> Sole {
+        let p = Proportions::default();
+        Soles::new(&p).of(&world_from_local(&p, pose), side)
+    }
+
+    proptest! {
+        #[test]
+        fn a_planted_foot_stays_while_the_body_drifts(speed in -0.3f32..0.3, side in 0usize..2) {
+            let mut filter = Footplant::new(Proportions::default());
+            let mut likelihood = [0.0; 2];
+            likelihood[side] = 1.0;
+            let mut places = Vec::new();
+            for i in 0..30 {
+                let mut pose = crouch();
+                pose.root.z += speed * DT * i as f32;
+                let planted = filter.apply(&mut pose, likelihood, DT);
+                prop_assert!(planted[side] && !planted[1 - side]);
+                places.push(sole(&pose, side).ball);
+            }
+            for p in &places[4..] {
+                prop_assert!((*p - places[3]).length() < 1e-3, "{p} {}", places[3]);
+            }
+        }
+
+        #[test]
+        fn soles_come_up_to_the_ground(depth in 0.0f32..0.15) {
+            let mut pose = crouch();
+            pose.root.y -= depth;
+            Footplant::new(Proportions::default()).apply(&mut pose, [0.0; 2], DT);
+            prop_assert!(ground_clearance(&Proportions::default(), &pose) > -1e-3);
+        }
+    }
+
+    #[test]
+    fn the_root_follows_when_the_correction_reaches_its_cap() {
+        let mut filter = Footplant::new(Proportions::default());
+        let mut last = crouch();
+        for i in 0..60 {
+            last = crouch();
+            last.root.x += 0.01 * i as f32;
+            filter.apply(&mut last, [1.0; 2], DT);
+        }
+        // 0.6 m of drift: 0.2 m in the legs, the rest given up by the root; the feet stay where they eased in.
+        assert!(last.root.x < 0.25, "{}", last.root.x);
+        let eased = 0.02;
+        assert!((sole(&last, 0).ball.x - sole(&crouch(), 0).ball.x).abs() < eased, "{:?}", sole(&last, 0));
+    }
+
+    #[test]
+    fn a_released_foot_returns_and_what_is_in_place_is_not_touched() {
+        let mut filter = Footplant::new(Proportions::default());
+        for i in 0..10 {
+            let mut pose = crouch();
+            pose.root.x += 0.005 * i as f32;
+            filter.apply(&mut pose, [1.0, 0.0], DT);
+        }
+        let mut pose = crouch();
+        for _ in 0..60 {
+            pose = crouch();
+            filter.apply(&mut pose, [0.0; 2], DT);
+        }
+        for (a, b) in pose.rotations.iter().zip(&crouch().rotations) {
+            assert!(a.dot(*b).abs() > 1.0 - 1e-5);
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! The mixture of autoregressive models of one frame: neighbours → classes → styles (Eq. 2–7).
+
+use super::bias::Bias;
+use super::mixture::class_weights;
+use super::model::Model;
+use super::options::{Method, Options};
+use super::regression::{InputMoments, Regressors, Samples, interpolate, predict};
+use super::timing::{Moment, duration};
+use crate::pose_vector::{PoseRow, ROW};
+use crate::search::{Metric, Neighbours, QueryWindow, Scratch};
+
+/// One term of the mixture: a class, or for the baselines all allowed classes pooled.
+#[derive(Clone, Debug)]
+struct Component {
+    classes: Vec<usize>,
+    k: usize,
+    neighbours: Neighbours,
+}
+
+/// Prediction of one target style.
+#[derive(Clone, Debug)]
+pub(super) struct StylePrediction {
+    /// Index of the style.
+    pub(super) style: usize,
+    /// Whether `previous` holds the last frame's output.
+    pub(super) started: bool,
+    /// yₜ₋₁.
+    pub(super) previous: PoseRow,
+    /// yₜ.
+    pub(super) current: PoseRow,
+    /// How long the frame lasts, seconds.
+    pub(super) step_secs: f32,
+}
+
+impl StylePrediction {
+    /// Not started.
+    pub(super) fn new(style: usize) -> Self {
+        Self { style, started: false, previous: [0.0; ROW], current: [0.0; ROW], step_secs: 0.0 }
+    }
+}
+
+/// The degrees of freedom of the input at t and t−1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Input<'a> {
+    pub(super) current: &'a PoseRow,
+    pub(super) previous: &'a PoseRow,
+}
+
+/// Mixture of one stream of frames: working memory and last results.
+#[derive(Clone, Debug)]
+pub(super) struct Mixture {
+    components: Vec<Component>,
+    distances: Vec<f32>,
+    weights: Vec<f32>,
+    class_weights: Vec<f32>,
+    active_classes: Vec<usize>,
+    kernel: Vec<f32>,
+    scratch: Scratch,
+    /// Largest |Δx| of the heaviest class, in σ.
+    pub(super) bias: f32,
+}
+
+impl Mixture {
+    /// For the classes that `options` allow; `None` if there are none.
+    pub(super) fn new(model: &Model, options: &Options) -> Option<Self> {
+        let classes: Vec<usize> = model
+            .database()
+            .classes()
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| options.action.is_none_or(|a| a == c.action))
+            .filter(|(_, c)| options.input_style.is_none_or(|s| s == c.style))
+            .map(|(i, _)| i)
+            .collect();
+        let component = |classes: Vec<usize>| {
+            let windows = classes.iter().map(|&c| model.index().windows_in_class(c)).sum();
+            Component { classes, k: class_k(options, windows), neighbours: Neighbours::default() }
+        };
+        let components: Vec<Component> = match options.method {
+            _ if classes.is_empty() => return None,
+            Method::Mar => classes.into_iter().map(|c| component(vec![c])).collect(),
+            Method::LocalAr | Method::NearestNeighbour | Method::Knn => vec![component(classes)],
+        };
+        Some(Self {
+            distances: vec![f32::INFINITY; components.len()],
+            weights: vec![0.0; components.len()],
+            class_weights: vec![0.0; model.database().classes().len()],
+            active_classes: Vec::with_capacity(model.database().classes().len()),
+            kernel: Vec::with_capacity(options.k),
+            scratch: Scratch::default(),
+            bias: 0.0,
+            components,
+        })
+    }
+
+    /// Finds the neighbours of the input in every class.
+    pub(super) fn search(&mut self, model: &Model, window: &QueryWindow) {
+        for (c, d) in self.components.iter_mut().zip(&mut self.distances) {
+            let out = &mut c.neighbours;
+            model.index().query_classes(window, Metric::FullBody, &c.classes, c.k, &mut self.scratch, out);
+            *d = out.mean_distance();
+        }
+    }
+
+    /// Weighs the classes by their distances.
+    pub(super) fn weigh(&mut self, model: &Model, delta: f32) {
+        class_weights(&self.distances, delta, &mut self.weights);
+        self.class_weights.fill(0.0);
+        for (component, &weight) in self.components.iter().zip(&self.weights) {
+            let neighbours = component.neighbours.as_slice();
+            for n in neighbours {
+                let class = model.database().class_of_row(n.row as usize);
+                self.class_weights[class] += weight / neighbours.len() as f32;
+            }
+        }
+        self.active_classes.clear();
+        self.active_classes.extend((0..self.class_weights.len()).filter(|&c| self.class_weights[c] > 0.0));
+    }
+
+    /// Predicts every style's next row: E(y) = Σ λⱼ uᵀβⱼ.
+    pub(super) fn predict(
+        &mut self,
+        model: &Model,
+        options: &Options,
+        input: Input<'_>,
+        styles: &mut [StylePrediction],
+    ) {
+        let db = model.database();
+        for s in styles.iter_mut() {
+            s.current = [0.0; ROW];
+        }
+        let heaviest = self.heaviest();
+        for (i, (component, &weight)) in self.components.iter().zip(&self.weights).enumerate() {
+            if weight == 0.0 {
+                continue;
+            }
+            let neighbours = component.neighbours.as_slice();
+            let ridge = options.lambda * neighbours.len() as f32;
+            let regresses = matches!(options.method, Method::Mar | Method::LocalAr);
+            let moments = regresses.then(|| InputMoments::new(&db.pose, neighbours));
+            let bias = match (&moments, options.method) {
+                (Some(m), Method::Mar) => {
+                    Bias::new(input.current, &m.statistics, db.sigma(), options.kappa, options.rho)
+                }
+                _ => Bias::NONE,
+            };
+            if Some(i) == heaviest {
+                self.bias = bias.largest;
+            }
+            for s in styles.iter_mut() {
+                let targets = &model.target_table(s.style).pose;
+                let row = match &moments {
+                    Some(moments) if s.started => {
+                        let u = Regressors {
+                            previous_input: input.previous,
+                            input: input.current,
+                            previous_output: &s.previous,
+                        };
+                        let samples = Samples { inputs: &db.pose, targets, neighbours };
+                        predict(u, moments, samples, ridge, db.sigma(), &bias)
+                    }
+                    _ => {
+                        let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
+                        let mut row = interpolate(targets, &neighbours[..nearest]);
+                        row.iter_mut().zip(&bias.output).for_each(|(v, b)| *v += b);
+                        row
+                    }
+                };
+                s.current.iter_mut().zip(&row).for_each(|(sum, v)| *sum += weight * v);
+            }
+        }
+    }
+
+    /// Predicts how long every style's frame lasts.
+    pub(super) fn predict_durations(
+        &mut self,
+        model: &Model,
+        options: &Options,
+        input: Input<'_>,
+        styles: &mut [StylePrediction],
+    ) {
+        let db = model.database();
+        let frame_secs = 1.0 / db.rate_hz;
+        for s in styles {
+            let table = model.target_table(s.style);
+            let mut secs = 0.0;
+            for (component, &weight) in self.components.iter().zip(&self.weights) {
+                if weight == 0.0 {
+                    continue;
+                }
+                let neighbours = component.neighbours.as_slice();
+                let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
+                let now = Moment {
+                    input: input.current,
+                    previous_input: input.previous,
+                    output: &s.current,
+                    previous_output: if s.started { &s.previous } else { &s.current },
+                };
+                let samples = Samples { inputs: &db.pose, targets: &table.pose, neighbours: &neighbours[..nearest] };
+                let secs_of_class = duration(model.scales(), now, samples, &table.step_secs, &mut self.kernel);
+                secs += weight * secs_of_class.unwrap_or(frame_secs);
+            }
+            s.step_secs = secs;
+        }
+    }
+
+    /// Nearest windows by the lower-body metric within the classes that the input reads as.
+    pub(super) fn search_contacts(&mut self, model: &Model, window: &QueryWindow, k: usize, out: &mut Neighbours) {
+        let classes = &self.active_classes;
+        model.index().query_classes(window, Metric::LowerBody, classes, k, &mut self.scratch, out);
+    }
+
+    /// Weight of every class of the database.
+    pub(super) fn class_weights(&self) -> &[f32] {
+        &self.class_weights
+    }
+
+    /// Neighbours in the heaviest class.
+    pub(super) fn heaviest_neighbours(&self) -> &[crate::search::Neighbour] {
+        self.heaviest().map_or(&[], |i| self.components[i].neighbours.as_slice())
+    }
+
+    /// Whether any class has neighbours.
+    pub(super) fn found_any(&self) -> bool {
+        !self.active_classes.is_empty()
+    }
+
+    fn heaviest(&self) -> Option<usize> {
+        (0..self.weights.len())
+            .filter(|&i| self.weights[i] > 0.0)
+            .reduce(|best, i| if self.weights[i] > self.weights[best] { i } else { best })
+    }
+}
+
+/// K of a class: small classes take a quarter of their windows, so that neighbours stay near.
+fn class_k(options: &Options, windows: usize) -> usize {
+    if windows >= 4 * options.k { options.k } else { options.k.min((windows / 4).max(5)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_classes_take_fewer_neighbours() {
+        let options = Options::DEFAULT;
+        assert_eq!(class_k(&options, 160), 40);
+        assert_eq!(class_k(&options, 100), 25);
+        assert_eq!(class_k(&options, 8), 5);
+        assert_eq!(class_k(&Options { k: 3, ..options }, 8), 3);
+    }
+}

@@ -1,0 +1,36 @@
+//! Style transfer: Xia, Wang, Chai, Hodgins, "Realtime Style Transfer for Unlabeled Heterogeneous Human
+//! Motion", 2015, with the decisions of the specification in `docs/`.
+//!
+//! [`Model`] is what all characters share, [`Stylizer`] one character's stream of frames,
+//! [`stylize_clip`] the same over a whole clip.
+
+mod bias;
+mod blend;
+mod body_part;
+mod clip;
+mod contact_likelihood;
+mod footplant;
+mod frame;
+mod input_guard;
+mod mar;
+mod mixture;
+mod model;
+mod options;
+mod regression;
+#[cfg(test)]
+pub(crate) mod sine_walk;
+mod sole;
+mod stylizer;
+mod timing;
+
+pub use blend::{MAX_WEIGHT, StyleError};
+pub use body_part::{BodyPart, PARTS};
+pub use clip::{Resampled, StyledMotion, stylize_clip};
+pub use footplant::{Footplant, ground_clearance};
+pub use frame::{NoClock, Stage, StageClock, StyledFrame, Trace, TracedNeighbour};
+pub use mixture::{LEAST_SHARE, class_weights};
+pub use model::Model;
+pub use options::{MAX_K, Method, Options, OptionsError};
+pub use regression::MAX_FEEDBACK;
+pub use sole::{Sole, Soles};
+pub use stylizer::Stylizer;

@@ -1,0 +1,141 @@
+//! Knobs of the transfer, with the reasons for their defaults.
+
+use thiserror::Error;
+
+/// How the neighbours become a prediction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Method {
+    /// Mixture of autoregressive models, one a class (Eq. 2–5), with bias correction: the product.
+    #[default]
+    Mar,
+    /// One local autoregression on the K nearest of all allowed classes pooled.
+    LocalAr,
+    /// The registered target of the nearest neighbour.
+    NearestNeighbour,
+    /// Inverse-distance mean of the registered targets of the K nearest of all allowed classes.
+    Knn,
+}
+
+impl Method {
+    /// The method of a command-line name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "mar" => Some(Self::Mar),
+            "lar" => Some(Self::LocalAr),
+            "nn" => Some(Self::NearestNeighbour),
+            "knn" => Some(Self::Knn),
+            _ => None,
+        }
+    }
+}
+
+/// Options of a [`super::Stylizer`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// K: neighbours a class. From 5 to 160 the error changes by 0.03 cm; 40 is the paper's.
+    pub k: usize,
+    /// δ of Eq. 4: how fast a class's weight falls with its distance. 0.2 to 0.7 are equal, 3 is worse.
+    pub delta: f32,
+    /// λ: ridge of the regressions as a share of K, on variables in global standard deviations.
+    pub lambda: f32,
+    /// κ of Eq. 6: the input is taken as it is within μ ± κσ of its neighbours; beyond, as bias. 3 costs
+    /// nothing inside the database.
+    pub kappa: f32,
+    /// ρ of Eq. 7: share of the bias that returns in the output. More keeps more of the input's own
+    /// content, less gives more of the style.
+    pub rho: f32,
+    /// Whether output frames last as long as predicted; otherwise as long as the input's.
+    pub timing: bool,
+    /// Whether planted feet are held in place.
+    pub footplant: bool,
+    /// Index of the input's action, if known.
+    pub action: Option<u16>,
+    /// Index of the input's style, if known.
+    pub input_style: Option<u16>,
+    /// See [`Method`].
+    pub method: Method,
+}
+
+impl Options {
+    /// The defaults of the specification, §1: unlabelled input, everything on.
+    pub const DEFAULT: Self = Self {
+        k: 40,
+        delta: 0.7,
+        lambda: 0.1,
+        kappa: 3.0,
+        rho: 0.7,
+        timing: true,
+        footplant: true,
+        action: None,
+        input_style: None,
+        method: Method::Mar,
+    };
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+/// Most neighbours a class.
+pub const MAX_K: usize = 1000;
+
+/// Why options are refused.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum OptionsError {
+    /// A number is outside its range.
+    #[error("{name} is {value}; {expected} was expected")]
+    Range {
+        /// Name of the option.
+        name: &'static str,
+        /// Its value.
+        value: f32,
+        /// The range.
+        expected: &'static str,
+    },
+    /// The database has no frames of the action and style that the input is said to have.
+    #[error("the database has no class of action {action:?} and style {style:?}")]
+    NoClass {
+        /// Index of the action asked for.
+        action: Option<u16>,
+        /// Index of the style asked for.
+        style: Option<u16>,
+    },
+}
+
+impl Options {
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// [`OptionsError::Range`] names the first option outside its range.
+    pub fn validate(&self) -> Result<(), OptionsError> {
+        let check = |name, value: f32, ok: bool, expected| {
+            if ok { Ok(()) } else { Err(OptionsError::Range { name, value, expected }) }
+        };
+        check("k", self.k as f32, (1..=MAX_K).contains(&self.k), "1 to 1000")?;
+        check("delta", self.delta, self.delta >= 0.01 && self.delta <= 100.0, "0.01 to 100")?;
+        check("lambda", self.lambda, self.lambda >= 1e-4 && self.lambda <= 1e4, "0.0001 to 10000")?;
+        check("kappa", self.kappa, self.kappa >= 0.0, "0 or more")?;
+        check("rho", self.rho, (0.0..=1.0).contains(&self.rho), "0 to 1")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defaults_are_valid_and_nan_is_not() {
+        assert_eq!(Options::DEFAULT.validate(), Ok(()));
+        for bad in [
+            Options { k: 0, ..Options::DEFAULT },
+            Options { delta: f32::NAN, ..Options::DEFAULT },
+            Options { lambda: 0.0, ..Options::DEFAULT },
+            Options { kappa: f32::NAN, ..Options::DEFAULT },
+            Options { rho: 1.5, ..Options::DEFAULT },
+        ] {
+            assert!(bad.validate().is_err());
+        }
+    }
+}

@@ -1,0 +1,494 @@
+//! The online stylizer: one input frame in, one styled frame out. The only place where the stages meet.
+
+use super::blend::{JointLimits, StyleBlend, StyleError, blended};
+use super::body_part::BodyPart;
+use super::contact_likelihood::{CausalSmoother, VOTERS, vote};
+use super::footplant::Footplant;
+use super::frame::{NoClock, Stage, StageClock, StyledFrame, Trace};
+use super::input_guard::{Admitted, InputGuard};
+use super::mar::{Input, Mixture, StylePrediction};
+use super::model::Model;
+use super::options::{Options, OptionsError};
+use crate::humanoid::Pose;
+use crate::kinematics::world_from_local;
+use crate::math::float_funcs::wrap_angle;
+use crate::pose_vector::{HeadingFilter, Placement, PoseRow, ROW, VELOCITY_X, point_cloud};
+use crate::search::{Neighbours, QueryWindow};
+use std::sync::Arc;
+
+/// Shortest and longest output frame, as multiples of the input's.
+const DURATION_RANGE: [f32; 2] = [0.2, 5.0];
+
+/// Styles a stream of poses. Frame by frame the output depends on that frame and earlier ones only; after
+/// the first frames with a set of styles, nothing is allocated.
+#[derive(Clone, Debug)]
+pub struct Stylizer {
+    model: Arc<Model>,
+    options: Options,
+    blend: StyleBlend,
+    parts: [BodyPart; ROW],
+    limits: JointLimits,
+    mixture: Mixture,
+    styles: Vec<StylePrediction>,
+    contacts: Neighbours,
+
+    guard: InputGuard,
+    heading: HeadingFilter,
+    window: QueryWindow,
+    /// Row and place of the last input frame.
+    last_input: Option<(PoseRow, Placement)>,
+    /// Where the output begins; the input's place if `None`.
+    start: Option<Placement>,
+    /// Place of the last output frame before the footplant.
+    place: Option<Placement>,
+    smoother: CausalSmoother,
+    footplant: Footplant,
+    frames: u64,
+    frame: StyledFrame,
+}
+
+impl Stylizer {
+    /// A stylizer that gives the neutral style until told otherwise.
+    ///
+    /// # Errors
+    /// If an option is out of range, or the database has no class of the stated action and input style.
+    pub fn new(model: Arc<Model>, options: Options) -> Result<Self, OptionsError> {
+        options.validate()?;
+        let mixture = Mixture::new(&model, &options)
+            .ok_or(OptionsError::NoClass { action: options.action, style: options.input_style })?;
+        let db = model.database();
+        let mut stylizer = Self {
+            blend: StyleBlend::new(db.styles.len(), db.neutral.into()),
+            parts: BodyPart::of_row(),
+            limits: JointLimits::new(db.observed_range()),
+            mixture,
+            styles: Vec::with_capacity(db.styles.len()),
+            contacts: Neighbours::default(),
+            guard: InputGuard::default(),
+            heading: HeadingFilter::default(),
+            window: QueryWindow::default(),
+            last_input: None,
+            start: None,
+            place: None,
+            smoother: CausalSmoother::default(),
+            footplant: Footplant::new(db.proportions),
+            frames: 0,
+            frame: StyledFrame::default(),
+            options,
+            model,
+        };
+        stylizer.activate_styles();
+        Ok(stylizer)
+    }
+
+    /// Sets one weight a style of the database for the whole body; the remainder to a sum of 1 belongs to
+    /// the neutral style. Builds the target table of a style that is new (tens of milliseconds).
+    ///
+    /// # Errors
+    /// If there is not one finite weight a style; the former weights then stay.
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), StyleError> {
+        self.blend.set_whole(weights)?;
+        self.activate_styles();
+        Ok(())
+    }
+
+    /// Gives a part of the body weights of its own; `None` lets it follow the whole body again.
+    ///
+    /// # Errors
+    /// As [`Stylizer::set_styles`].
+    pub fn set_part_styles(&mut self, part: BodyPart, weights: Option<&[f32]>) -> Result<(), StyleError> {
+        self.blend.set_part(part, weights)?;
+        self.activate_styles();
+        Ok(())
+    }
+
+    /// Replaces the options; the stream goes on. Changing the method or the labels starts the
+    /// autoregression anew.
+    ///
+    /// # Errors
+    /// As [`Stylizer::new`]; the former options then stay.
+    pub fn set_options(&mut self, options: Options) -> Result<(), OptionsError> {
+        options.validate()?;
+        let o = &self.options;
+        let same_search = (o.k, o.action, o.input_style, o.method)
+            == (options.k, options.action, options.input_style, options.method);
+        if !same_search {
+            self.mixture = Mixture::new(&self.model, &options)
+                .ok_or(OptionsError::NoClass { action: options.action, style: options.input_style })?;
+            self.styles.iter_mut().for_each(|s| s.started = false);
+        }
+        self.options = options;
+        Ok(())
+    }
+
+    /// Starts anew, as after a seek: the output begins at `placement`, or where the next input frame is.
+    pub fn reset(&mut self, placement: Option<Placement>) {
+        self.forget_input();
+        self.guard = InputGuard::default();
+        self.start = placement;
+        self.place = None;
+        self.smoother = CausalSmoother::default();
+        self.footplant.reset();
+        self.frames = 0;
+        self.frame = StyledFrame::default();
+    }
+
+    /// Styles the next input frame: a pose on the database's proportions, one frame of the database's rate
+    /// after the last.
+    pub fn push(&mut self, pose: &Pose) -> &StyledFrame {
+        self.push_timed(pose, &mut NoClock)
+    }
+
+    /// [`Stylizer::push`], telling a clock when each stage ends.
+    pub fn push_timed(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
+        self.predict_frame(pose, clock);
+        self.frame.contact = self.smoother.push(self.frame.contact);
+        if self.options.footplant {
+            let moved_secs = self.frame_secs();
+            self.frame.planted = self.footplant.apply(&mut self.frame.pose, self.frame.contact, moved_secs);
+        }
+        clock.end(Stage::Footplant);
+        &self.frame
+    }
+
+    /// The last frame.
+    pub fn frame(&self) -> &StyledFrame {
+        &self.frame
+    }
+
+    /// How the last frame came about.
+    pub fn trace(&self) -> Trace<'_> {
+        Trace {
+            db: self.model.database(),
+            class_weights: self.mixture.class_weights(),
+            neighbours: self.mixture.heaviest_neighbours(),
+            bias: self.mixture.bias,
+            frame: &self.frame,
+        }
+    }
+
+    /// The options.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// The shared model.
+    pub fn model(&self) -> &Arc<Model> {
+        &self.model
+    }
+
+    fn frame_secs(&self) -> f32 {
+        1.0 / self.model.database().rate_hz
+    }
+
+    /// Everything but contact smoothing and footplant; `frame.contact` is the raw vote.
+    pub(super) fn predict_frame(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
+        clock.start();
+        let model = Arc::clone(&self.model);
+        let (row, at) = self.take_input(pose);
+        let previous_at = self.last_input.map_or(at, |(_, p)| p);
+        let previous = self.last_input.map_or(row, |(r, _)| r);
+        clock.end(Stage::Features);
+
+        self.mixture.search(&model, &self.window);
+        self.mixture.weigh(&model, self.options.delta);
+        clock.end(Stage::Search);
+
+        let input = Input { current: &row, previous: &previous };
+        self.mixture.predict(&model, &self.options, input, &mut self.styles);
+        clock.end(Stage::Regression);
+        self.mixture.predict_durations(&model, &self.options, input, &mut self.styles);
+        clock.end(Stage::Timing);
+
+        let step_secs = self.blend_styles(&row);
+        self.place_output(&row, at, previous_at, step_secs);
+        self.last_input = Some((row, at));
+        clock.end(Stage::Blend);
+
+        self.mixture.search_contacts(&model, &self.window, VOTERS, &mut self.contacts);
+        self.frame.contact = vote(model.database(), self.contacts.as_slice());
+        &self.frame
+    }
+
+    /// Checks the input frame and turns it into degrees of freedom, a place and a window.
+    fn take_input(&mut self, pose: &Pose) -> (PoseRow, Placement) {
+        let dt = self.frame_secs();
+        self.frame.repaired = false;
+        let pose = match self.guard.admit(pose, dt) {
+            Admitted::Good(pose) => pose,
+            Admitted::Repaired(pose) => {
+                self.frame.repaired = true;
+                self.frame.repaired_total += 1;
+                pose
+            }
+            Admitted::Cut(pose) => {
+                self.forget_input();
+                pose
+            }
+        };
+        let db = self.model.database();
+        let heading = self.heading.update(&world_from_local(&db.proportions, &pose), dt);
+        let at = Placement { x: pose.root.x, z: pose.root.z, heading };
+        let row = db.chart.encode(&pose, heading, self.last_input.map(|(_, p)| p), dt);
+        if self.window.frames() == 1 {
+            // The first frame had no velocity; the second's is the better guess than zero.
+            if let Some((first, _)) = &mut self.last_input {
+                first[VELOCITY_X..].copy_from_slice(&row[VELOCITY_X..]);
+            }
+        }
+        self.window.push(&point_cloud(&db.proportions, &pose, heading), at);
+        (row, at)
+    }
+
+    /// Blends the styles' rows into `frame`'s pose at the origin and gives the blended duration.
+    fn blend_styles(&mut self, input: &PoseRow) -> f32 {
+        let frame_secs = self.frame_secs();
+        let mut step_secs = 0.0;
+        for s in &mut self.styles {
+            let finite = s.current.iter().all(|v| v.is_finite());
+            if !finite || !self.mixture.found_any() {
+                s.current = *input;
+                s.step_secs = frame_secs;
+            }
+            step_secs += self.blend.weight(BodyPart::Legs, s.style) * s.step_secs;
+            s.started = true;
+        }
+        let [least, greatest] = DURATION_RANGE.map(|r| r * frame_secs);
+        step_secs.clamp(least, greatest)
+    }
+
+    /// Puts the blended row at the next place of the output: the heading turns as the input's does, the
+    /// root travels at the predicted velocity for the predicted duration.
+    fn place_output(&mut self, input: &PoseRow, at: Placement, previous_at: Placement, step_secs: f32) {
+        let rows = self.styles.iter().map(|s| (s.style, &s.current));
+        let row = blended(&self.blend, &self.parts, &self.limits, input, rows);
+        let place = match self.place {
+            None => self.start.unwrap_or(at),
+            Some(p) => p.advanced(&row, step_secs, wrap_angle(at.heading - previous_at.heading)),
+        };
+        let first = self.place.is_none();
+        self.place = Some(place);
+        for s in &mut self.styles {
+            s.previous = s.current;
+        }
+        let frame_secs = self.frame_secs();
+        self.frame.pose = self.model.database().chart.decode(&row, place);
+        self.frame.dt_secs = match (first, self.options.timing) {
+            (true, _) => 0.0,
+            (false, true) => step_secs,
+            (false, false) => frame_secs,
+        };
+        self.frame.time_in_secs = self.frames as f64 / f64::from(self.model.database().rate_hz);
+        self.frame.time_out_secs += f64::from(self.frame.dt_secs);
+        self.frames += 1;
+    }
+
+    /// Forgets what came before, but not where the output is.
+    fn forget_input(&mut self) {
+        self.heading = HeadingFilter::default();
+        self.window.clear();
+        self.last_input = None;
+        self.styles.iter_mut().for_each(|s| s.started = false);
+    }
+
+    /// Keeps a prediction for each style that has a weight; others lose theirs and start anew.
+    fn activate_styles(&mut self) {
+        let blend = &self.blend;
+        self.styles.retain(|s| blend.is_active(s.style));
+        for style in 0..self.model.database().styles.len() {
+            if blend.is_active(style) && self.styles.iter().all(|s| s.style != style) {
+                self.model.target_table(style);
+                self.styles.push(StylePrediction::new(style));
+            }
+        }
+        self.styles.sort_by_key(|s| s.style);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::humanoid::Role;
+    use crate::math::Vec3;
+    use crate::transfer::sine_walk::{BENT, Gait, NEUTRAL, RATE_HZ, Walk, database, walk};
+    use crate::transfer::{Method, ground_clearance};
+
+    fn model() -> Arc<Model> {
+        Arc::new(Model::new(Arc::new(database())))
+    }
+
+    fn stylizer(model: &Arc<Model>, bent: f32) -> Stylizer {
+        let mut s = Stylizer::new(Arc::clone(model), Options::DEFAULT).unwrap();
+        s.set_styles(&[0.0, bent]).unwrap();
+        s
+    }
+
+    fn unseen_walk() -> Walk {
+        walk(&Gait { period: 63.0, swing: 0.41, ..NEUTRAL }, 240, 0.15)
+    }
+
+    fn run(stylizer: &mut Stylizer, poses: &[Pose]) -> Vec<StyledFrame> {
+        poses.iter().map(|p| *stylizer.push(p)).collect()
+    }
+
+    fn chest_lean(frame: &StyledFrame) -> f32 {
+        let up = frame.pose.rotations[Role::Chest.index()] * Vec3::Y;
+        crate::math::float_funcs::atan2(up.z, up.y)
+    }
+
+    #[test]
+    fn an_unlabelled_walk_becomes_the_style_and_takes_its_time() {
+        let mut s = stylizer(&model(), 1.0);
+        let input = unseen_walk();
+        let frames = run(&mut s, &input.poses);
+        let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
+        assert!((lean - BENT.lean).abs() < 0.05, "lean {lean}");
+        let ratio = frames[239].time_out_secs / frames[239].time_in_secs;
+        let expected = f64::from((BENT.period + 1.0) / (NEUTRAL.period + 1.0));
+        assert!((ratio - expected).abs() < 0.04, "ratio {ratio}, expected {expected}");
+        assert!(s.trace().class_weights[0] > 0.9, "{:?}", s.trace().class_weights);
+        assert!((s.trace().class_weights.iter().sum::<f32>() - 1.0).abs() < 1e-5);
+        assert_eq!(s.trace().neighbours().count(), 40);
+    }
+
+    #[test]
+    fn every_method_styles() {
+        let model = model();
+        for method in [Method::Mar, Method::LocalAr, Method::NearestNeighbour, Method::Knn] {
+            let options = Options { method, action: Some(0), input_style: Some(0), ..Options::DEFAULT };
+            let mut s = Stylizer::new(Arc::clone(&model), options).unwrap();
+            s.set_styles(&[0.0, 1.0]).unwrap();
+            let frames = run(&mut s, &unseen_walk().poses);
+            let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
+            assert!((lean - BENT.lean).abs() < 0.06, "{method:?}: lean {lean}");
+        }
+    }
+
+    #[test]
+    fn half_a_style_is_half_way() {
+        let model = model();
+        let mean = |bent: f32| {
+            let frames = run(&mut stylizer(&model, bent), &unseen_walk().poses);
+            let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
+            (lean, frames[239].time_out_secs as f32)
+        };
+        let (none, half, full) = (mean(0.0), mean(0.5), mean(1.0));
+        assert!((half.0 - 0.5 * (none.0 + full.0)).abs() < 0.01);
+        assert!((half.1 - 0.5 * (none.1 + full.1)).abs() < 0.01);
+        assert!(mean(1.4).0 > full.0 + 0.05, "exaggeration");
+    }
+
+    #[test]
+    fn a_ramp_of_weights_makes_no_jump() {
+        let model = model();
+        let input = unseen_walk();
+        let largest_step = |frames: &[StyledFrame]| {
+            let turn = |w: &[StyledFrame]| {
+                let pairs = w[0].pose.rotations.iter().zip(&w[1].pose.rotations);
+                pairs.map(|(a, b)| a.inv_mul(*b).angle()).fold(0.0, f32::max)
+            };
+            frames.windows(2).map(turn).fold(0.0, f32::max)
+        };
+        let mut s = stylizer(&model, 0.0);
+        let ramp: Vec<StyledFrame> = input
+            .poses
+            .iter()
+            .enumerate()
+            .map(|(i, p)| {
+                s.set_styles(&[0.0, ((i as f32 - 60.0) / 60.0).clamp(0.0, 1.0)]).unwrap();
+                *s.push(p)
+            })
+            .collect();
+        let constant = run(&mut stylizer(&model, 0.0), &input.poses);
+        assert!(largest_step(&ramp) < 1.3 * largest_step(&constant) + 0.01);
+    }
+
+    #[test]
+    fn parts_take_different_styles() {
+        let model = model();
+        let mut s = stylizer(&model, 0.0);
+        s.set_part_styles(BodyPart::Torso, Some(&[0.0, 1.0])).unwrap();
+        let input = unseen_walk();
+        let frames = run(&mut s, &input.poses);
+        let neutral = run(&mut stylizer(&model, 0.0), &input.poses);
+        let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
+        assert!((lean - BENT.lean).abs() < 0.05, "lean {lean}");
+        assert_eq!(frames[200].time_out_secs, neutral[200].time_out_secs);
+        let knee = Role::LeftLowerLeg.index();
+        assert!(frames[200].pose.rotations[knee].dot(neutral[200].pose.rotations[knee]) > 0.9999);
+    }
+
+    #[test]
+    fn heading_passes_through() {
+        let mut s = stylizer(&model(), 1.0);
+        let input = walk(&Gait { turn: 0.8, ..NEUTRAL }, 180, 0.0);
+        run(&mut s, &input.poses);
+        let facing = s.frame().pose.rotations[0] * Vec3::Z;
+        let turned = crate::math::float_funcs::atan2(facing.x, facing.z);
+        assert!((wrap_angle(turned - 0.8 * 3.0)).abs() < 0.1, "{turned}");
+    }
+
+    #[test]
+    fn bad_frames_are_repaired_and_forgotten() {
+        let model = model();
+        let good = unseen_walk().poses;
+        let mut bad = good.clone();
+        bad[80].root.x = f32::NAN;
+        bad[120].rotations[5].y = f32::INFINITY;
+        bad[121].root.y = 1e30;
+        let (mut s, mut t) = (stylizer(&model, 1.0), stylizer(&model, 1.0));
+        let clean = run(&mut s, &good);
+        let frames = run(&mut t, &bad);
+        assert!(frames.iter().all(|f| f.pose.is_finite() && f.time_out_secs.is_finite()));
+        assert_eq!(frames[239].repaired_total, 3);
+        assert_eq!(frames.iter().filter(|f| f.repaired).count(), 3);
+        let apart =
+            clean[239].pose.rotations.iter().zip(&frames[239].pose.rotations).map(|(a, b)| a.inv_mul(*b).angle());
+        assert!(apart.fold(0.0, f32::max) < 0.01, "the state recovers");
+        let mut all_bad = stylizer(&model, 1.0);
+        let nan = Pose { root: Vec3::NAN, ..Pose::default() };
+        assert!(run(&mut all_bad, &[nan; 20]).iter().all(|f| f.pose.is_finite()));
+    }
+
+    #[test]
+    fn the_same_input_gives_the_same_bits_and_reset_forgets() {
+        let model = model();
+        let input = unseen_walk();
+        let first = run(&mut stylizer(&model, 0.7), &input.poses);
+        let mut s = stylizer(&model, 0.7);
+        run(&mut s, &input.poses[50..90]);
+        s.reset(None);
+        assert_eq!(run(&mut s, &input.poses), first);
+        s.reset(Some(Placement { x: 5.0, z: -3.0, heading: 1.0 }));
+        let moved = run(&mut s, &input.poses);
+        assert!((moved[0].pose.root - Vec3::new(5.0, first[0].pose.root.y, -3.0)).length() < 1e-5);
+        assert!((moved[200].pose.rotations[4].dot(first[200].pose.rotations[4])) > 0.999_99);
+    }
+
+    #[test]
+    fn feet_neither_slide_nor_sink() {
+        let model = model();
+        let frames = run(&mut stylizer(&model, 1.0), &unseen_walk().poses);
+        let db = model.database();
+        let soles = super::super::Soles::new(&db.proportions);
+        let (mut travel, mut secs) = (0.0, 0.0);
+        for w in frames[10..].windows(2) {
+            let worlds = [0, 1].map(|i| world_from_local(&db.proportions, &w[i].pose));
+            for side in 0..2 {
+                if w[0].planted[side] && w[1].planted[side] {
+                    travel += soles.of(&worlds[1], side).pivot_travel(&soles.of(&worlds[0], side)).length();
+                    secs += 1.0 / RATE_HZ;
+                }
+            }
+            assert!(ground_clearance(&db.proportions, &w[1].pose) > -1e-3);
+        }
+        assert!(secs > 2.0, "feet are planted half of the time at least: {secs} s");
+        assert!(travel / secs < 0.02, "{} m/s", travel / secs);
+    }
+
+    #[test]
+    fn a_label_that_no_class_has_is_refused() {
+        let options = Options { action: Some(7), ..Options::DEFAULT };
+        assert!(matches!(Stylizer::new(model(), options), Err(OptionsError::NoClass { .. })));
+    }
+}
