@@ -2,4 +2,3 @@
 #![forbid(unsafe_code)]
 
 pub mod bvh;
-pub mod strutdb;

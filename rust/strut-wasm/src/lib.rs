@@ -1,1 +1,27 @@
 //! The core behind handles and typed arrays, for JavaScript; no algorithm.
+//!
+//! JavaScript owns every object and frees it. Arrays are copied once a call in either direction, so that no
+//! view of this memory outlives a call. Errors are values ([`EngineError`]); a panic, which is a bug, ends
+//! as a JavaScript exception with its message, and the instance must then be thrown away.
+
+mod clip_job;
+mod database;
+mod error;
+mod input;
+mod poses;
+mod stylizer;
+
+pub use clip_job::ClipJob;
+pub use database::Database;
+pub use error::EngineError;
+pub use input::{Input, built_in_inputs};
+pub use poses::interpolate_poses;
+pub use stylizer::Stylizer;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Makes a panic throw its message instead of the bare "unreachable" of a trap.
+#[wasm_bindgen(start)]
+fn throw_panics() {
+    std::panic::set_hook(Box::new(|panic| wasm_bindgen::throw_str(&panic.to_string())));
+}

@@ -25,34 +25,67 @@ pub struct Resampled {
     pub input_frame: Vec<f64>,
 }
 
-/// Styles a clip at the database's rate. The stylizer is reset first and keeps its styles and options.
+/// A clip on its way through the engine, frame by frame: for callers that have other things to do in
+/// between. [`stylize_clip`] is the same in one call.
+#[derive(Clone, Debug)]
+pub struct ClipJob {
+    stylizer: Stylizer,
+    /// Frames so far, before contacts are smoothed and feet planted.
+    frames: Vec<StyledFrame>,
+}
+
+impl ClipJob {
+    /// Begins a clip with the stylizer's styles and options; its past is forgotten.
+    pub fn new(mut stylizer: Stylizer) -> Self {
+        stylizer.reset(None);
+        Self { stylizer, frames: Vec::new() }
+    }
+
+    /// Styles the next frame of the clip, which is at the database's rate.
+    pub fn push(&mut self, pose: &Pose, clock: &mut impl StageClock) -> Trace<'_> {
+        self.frames.push(*self.stylizer.predict_frame(pose, clock));
+        self.stylizer.trace()
+    }
+
+    /// Number of frames so far.
+    pub fn frames(&self) -> usize {
+        self.frames.len()
+    }
+
+    /// Ends the clip: contacts are smoothed and feet planted with a view of what comes after.
+    pub fn finish(self) -> StyledMotion {
+        let Self { stylizer, mut frames } = self;
+        let votes: Vec<[f32; 2]> = frames.iter().map(|f| f.contact).collect();
+        let db = stylizer.model().database();
+        let mut footplant = Footplant::new(db.proportions);
+        for (frame, contact) in frames.iter_mut().zip(smoothed(&votes)) {
+            frame.contact = contact;
+            if stylizer.options().footplant {
+                frame.planted = footplant.apply(&mut frame.pose, contact, 1.0 / db.rate_hz);
+            }
+        }
+        StyledMotion { proportions: db.proportions, frames }
+    }
+}
+
+/// Styles a clip at the database's rate with the styles and options of a stylizer, whose own stream is not
+/// touched.
 ///
 /// `observe` sees every frame before contacts are smoothed and feet planted, with its number; it may stop
 /// the work, which then gives `None`.
 pub fn stylize_clip(
-    stylizer: &mut Stylizer,
+    stylizer: &Stylizer,
     poses: &[Pose],
     clock: &mut impl StageClock,
     mut observe: impl FnMut(usize, Trace<'_>) -> ControlFlow<()>,
 ) -> Option<StyledMotion> {
-    stylizer.reset(None);
-    let mut frames: Vec<StyledFrame> = Vec::with_capacity(poses.len());
+    let mut job = ClipJob::new(stylizer.clone());
     for (i, pose) in poses.iter().enumerate() {
-        frames.push(*stylizer.predict_frame(pose, clock));
-        if observe(i, stylizer.trace()).is_break() {
+        if observe(i, job.push(pose, clock)).is_break() {
             return None;
         }
     }
-    let votes: Vec<[f32; 2]> = frames.iter().map(|f| f.contact).collect();
-    let db = stylizer.model().database();
-    let mut footplant = Footplant::new(db.proportions);
-    for (frame, contact) in frames.iter_mut().zip(smoothed(&votes)) {
-        frame.contact = contact;
-        if stylizer.options().footplant {
-            frame.planted = footplant.apply(&mut frame.pose, contact, 1.0 / db.rate_hz);
-        }
-    }
-    Some(StyledMotion { proportions: db.proportions, frames })
+    Some(job.finish())
 }
 
 impl StyledMotion {
@@ -103,7 +136,7 @@ mod tests {
         let mut s = Stylizer::new(Arc::new(Model::new(Arc::new(database()))), Options::DEFAULT).unwrap();
         s.set_styles(&[0.0, 1.0]).unwrap();
         let input = walk(&NEUTRAL, 120, 0.0);
-        stylize_clip(&mut s, &input.poses, &mut NoClock, |_, _| ControlFlow::Continue(())).unwrap()
+        stylize_clip(&s, &input.poses, &mut NoClock, |_, _| ControlFlow::Continue(())).unwrap()
     }
 
     #[test]
@@ -124,16 +157,16 @@ mod tests {
 
     #[test]
     fn the_observer_sees_every_frame_and_may_stop() {
-        let mut s = Stylizer::new(Arc::new(Model::new(Arc::new(database()))), Options::DEFAULT).unwrap();
+        let s = Stylizer::new(Arc::new(Model::new(Arc::new(database()))), Options::DEFAULT).unwrap();
         let input = walk(&NEUTRAL, 10, 0.0);
         let mut seen = 0;
-        let stopped = stylize_clip(&mut s, &input.poses, &mut NoClock, |i, trace| {
+        let stopped = stylize_clip(&s, &input.poses, &mut NoClock, |i, trace| {
             assert_eq!(i, seen);
             assert!(trace.neighbours().count() > 0);
             seen += 1;
             if i == 4 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         assert!(stopped.is_none() && seen == 5);
-        assert!(stylize_clip(&mut s, &[], &mut NoClock, |_, _| ControlFlow::Continue(())).unwrap().frames.is_empty());
+        assert!(stylize_clip(&s, &[], &mut NoClock, |_, _| ControlFlow::Continue(())).unwrap().frames.is_empty());
     }
 }

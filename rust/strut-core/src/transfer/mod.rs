@@ -25,7 +25,7 @@ mod timing;
 
 pub use blend::{MAX_WEIGHT, StyleError};
 pub use body_part::{BodyPart, PARTS};
-pub use clip::{Resampled, StyledMotion, stylize_clip};
+pub use clip::{ClipJob, Resampled, StyledMotion, stylize_clip};
 pub use footplant::{Footplant, ground_clearance};
 pub use frame::{NoClock, Stage, StageClock, StyledFrame, Trace, TracedNeighbour};
 pub use mixture::{LEAST_SHARE, class_weights};

@@ -1,0 +1,100 @@
+//! Handle of a clip that is styled as a whole.
+
+use crate::error::EngineError;
+use crate::input::Input;
+use crate::poses::floats_of;
+use crate::stylizer::{Stylizer, planted_of};
+use strut_core::humanoid::Pose;
+use strut_core::transfer::{self, NoClock, StyledMotion};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// An input on its way through the engine in portions.
+#[wasm_bindgen]
+pub struct ClipJob {
+    poses: Vec<Pose>,
+    state: State,
+}
+
+#[allow(clippy::large_enum_variant)] // One a clip.
+enum State {
+    Running(transfer::ClipJob),
+    Finished(StyledMotion),
+}
+
+#[wasm_bindgen]
+impl ClipJob {
+    /// Begins the input with a stylizer's styles and options.
+    #[wasm_bindgen(constructor)]
+    pub fn new(stylizer: &Stylizer, input: &Input) -> Self {
+        let job = transfer::ClipJob::new(stylizer.core().clone());
+        Self { poses: input.humanoid().poses.clone(), state: State::Running(job) }
+    }
+
+    /// Styles up to `frames` more frames and gives the number done; once that is all of the input's, the
+    /// result is there.
+    pub fn run(&mut self, frames: usize) -> usize {
+        let State::Running(job) = &mut self.state else { return self.poses.len() };
+        for pose in self.poses.iter().skip(job.frames()).take(frames) {
+            job.push(pose, &mut NoClock);
+        }
+        let done = job.frames();
+        if done == self.poses.len() {
+            self.state = State::Finished(job.clone().finish());
+        }
+        done
+    }
+
+    /// Styled poses, one an input frame.
+    ///
+    /// # Errors
+    /// If frames are still missing.
+    pub fn poses(&self) -> Result<Vec<f32>, EngineError> {
+        Ok(floats_of(self.styled()?.frames.iter().map(|f| &f.pose)))
+    }
+
+    /// Output time of each frame, seconds.
+    ///
+    /// # Errors
+    /// If frames are still missing.
+    #[wasm_bindgen(js_name = timeOut)]
+    pub fn time_out(&self) -> Result<Vec<f32>, EngineError> {
+        Ok(self.styled()?.frames.iter().map(|f| f.time_out_secs as f32).collect())
+    }
+
+    /// Feet held in place, left and right interleaved.
+    ///
+    /// # Errors
+    /// If frames are still missing.
+    pub fn planted(&self) -> Result<Vec<u8>, EngineError> {
+        Ok(planted_of(&self.styled()?.frames))
+    }
+
+    /// Length of the output, seconds.
+    ///
+    /// # Errors
+    /// If frames are still missing.
+    #[wasm_bindgen(js_name = durationSecs)]
+    pub fn duration_secs(&self) -> Result<f64, EngineError> {
+        Ok(self.styled()?.duration_secs())
+    }
+
+    /// The styled clip as BVH text on the input's own skeleton.
+    ///
+    /// # Errors
+    /// If frames are still missing.
+    #[wasm_bindgen(js_name = toBvh)]
+    pub fn to_bvh(&self, _input: &Input) -> Result<String, EngineError> {
+        Err(EngineError::bad_input("BVH files cannot be written yet"))
+    }
+
+    fn styled(&self) -> Result<&StyledMotion, EngineError> {
+        match &self.state {
+            State::Finished(styled) => Ok(styled),
+            State::Running(job) => Err(EngineError::bad_input(format!(
+                "{} of {} frames are styled; all must be before there is a result",
+                job.frames(),
+                self.poses.len()
+            ))),
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Handle of a database.
+
+use crate::error::EngineError;
+use std::sync::Arc;
+use strut_core::math::Vec3;
+use strut_core::transfer::Model;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// A database with its search index; shared with all that was made from it.
+#[wasm_bindgen]
+pub struct Database {
+    model: Arc<Model>,
+}
+
+#[wasm_bindgen]
+impl Database {
+    /// The built-in procedural database.
+    ///
+    /// # Errors
+    /// None: the built-in clips are valid.
+    pub fn demo() -> Result<Self, EngineError> {
+        strut_demo::database().map(Self::new).map_err(EngineError::bad_input)
+    }
+
+    /// A `.strutdb` file.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes.
+    #[wasm_bindgen(js_name = fromBytes)]
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, EngineError> {
+        Err(EngineError::bad_file(format!("database files of {} bytes cannot be read yet", bytes.len()), ""))
+    }
+
+    /// Number of rows.
+    pub fn frames(&self) -> usize {
+        self.model.database().frames()
+    }
+
+    /// Frames per second.
+    #[wasm_bindgen(js_name = rateHz)]
+    pub fn rate_hz(&self) -> f32 {
+        self.model.database().rate_hz
+    }
+
+    /// Names of the actions.
+    pub fn actions(&self) -> Vec<String> {
+        self.model.database().actions.clone()
+    }
+
+    /// Names of the styles.
+    pub fn styles(&self) -> Vec<String> {
+        self.model.database().styles.clone()
+    }
+
+    /// Index of the neutral style.
+    pub fn neutral(&self) -> u16 {
+        self.model.database().neutral
+    }
+
+    /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
+    pub fn proportions(&self) -> Vec<f32> {
+        self.model.database().proportions.offsets.iter().flat_map(Vec3::to_array).collect()
+    }
+
+    /// For each class the index of its action, the index of its style and its number of rows.
+    pub fn classes(&self) -> Vec<u32> {
+        let classes = self.model.database().classes();
+        classes.iter().flat_map(|c| [c.action.into(), c.style.into(), c.rows.len() as u32]).collect()
+    }
+}
+
+impl Database {
+    fn new(database: strut_core::database::Database) -> Self {
+        Self { model: Arc::new(Model::new(Arc::new(database))) }
+    }
+
+    pub(crate) fn model(&self) -> &Arc<Model> {
+        &self.model
+    }
+}

@@ -1,0 +1,104 @@
+//! Handle of an online stylizer.
+
+use crate::database::Database;
+use crate::error::EngineError;
+use crate::poses::{floats_of, poses_of};
+use std::sync::Arc;
+use strut_core::transfer::{self, Options, StyledFrame};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// One character's stream of frames. The results of the last batch stay here until the next and are copied
+/// out on request.
+#[wasm_bindgen]
+pub struct Stylizer {
+    stylizer: transfer::Stylizer,
+    batch: Vec<StyledFrame>,
+}
+
+#[wasm_bindgen]
+impl Stylizer {
+    /// A stylizer with the default options in the neutral style.
+    ///
+    /// # Errors
+    /// None with the default options.
+    #[wasm_bindgen(constructor)]
+    pub fn new(database: &Database) -> Result<Self, EngineError> {
+        let stylizer =
+            transfer::Stylizer::new(Arc::clone(database.model()), Options::DEFAULT).map_err(EngineError::bad_input)?;
+        Ok(Self { stylizer, batch: Vec::new() })
+    }
+
+    /// Replaces the options; the stream goes on.
+    ///
+    /// # Errors
+    /// If one is outside its range; the former options then stay.
+    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to spell out.
+    pub fn configure(
+        &mut self,
+        k: f64,
+        lambda: f32,
+        rho: f32,
+        kappa: f32,
+        delta: f32,
+        timing: bool,
+        footplant: bool,
+    ) -> Result<(), EngineError> {
+        // The cast saturates: what is no count becomes 0 or too large, and is refused as such.
+        let options =
+            Options { k: k as usize, lambda, rho, kappa, delta, timing, footplant, ..*self.stylizer.options() };
+        self.stylizer.set_options(options).map_err(EngineError::bad_input)
+    }
+
+    /// One weight a style of the database; the remainder to 1 belongs to the neutral style.
+    ///
+    /// # Errors
+    /// If there is not one finite weight a style; the former weights then stay.
+    #[wasm_bindgen(js_name = setStyles)]
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), EngineError> {
+        self.stylizer.set_styles(weights).map_err(EngineError::bad_input)
+    }
+
+    /// Starts anew where the next input frame is.
+    pub fn reset(&mut self) {
+        self.stylizer.reset(None);
+    }
+
+    /// Styles the next poses, one frame of the database's rate apart; gives as many.
+    ///
+    /// # Errors
+    /// If the array is not a whole number of poses.
+    pub fn push(&mut self, poses: &[f32]) -> Result<Vec<f32>, EngineError> {
+        self.batch.clear();
+        for pose in poses_of(poses)? {
+            self.batch.push(*self.stylizer.push(&pose));
+        }
+        Ok(floats_of(self.batch.iter().map(|f| &f.pose)))
+    }
+
+    /// Seconds of output from the frame before to each frame of the last batch.
+    pub fn durations(&self) -> Vec<f32> {
+        self.batch.iter().map(|f| f.dt_secs).collect()
+    }
+
+    /// Feet held in place in the last batch, left and right interleaved.
+    pub fn planted(&self) -> Vec<u8> {
+        planted_of(&self.batch)
+    }
+
+    /// Weight of each class in the last frame.
+    #[wasm_bindgen(js_name = classWeights)]
+    pub fn class_weights(&self) -> Vec<f32> {
+        self.stylizer.trace().class_weights.to_vec()
+    }
+}
+
+impl Stylizer {
+    pub(crate) fn core(&self) -> &transfer::Stylizer {
+        &self.stylizer
+    }
+}
+
+/// Planted feet, left and right interleaved.
+pub(crate) fn planted_of(frames: &[StyledFrame]) -> Vec<u8> {
+    frames.iter().flat_map(|f| f.planted.map(u8::from)).collect()
+}

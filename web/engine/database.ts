@@ -1,0 +1,43 @@
+/** An open database. */
+import { Handle } from "./handle";
+import type { Database as RawDatabase } from "./pkg/strut_wasm.js";
+import type { DatabaseInfo } from "./types";
+import { type Glue, guarded } from "./wasm";
+
+/** Where a database comes from. */
+export type DatabaseSource = { kind: "demo" } | { kind: "strutdb"; name: string; bytes: ArrayBuffer };
+
+/** A database with its search index. */
+export class Database extends Handle<RawDatabase> {
+  readonly info: DatabaseInfo;
+
+  /** @throws StrutError `bad-file` with what is wrong with the bytes */
+  constructor(glue: Glue, source: DatabaseSource) {
+    const raw = guarded(() =>
+      source.kind === "demo" ? glue.Database.demo() : glue.Database.fromBytes(new Uint8Array(source.bytes)),
+    );
+    super(raw, "database");
+    this.info = guarded(() => describe(raw, source.kind === "demo" ? "built-in" : source.name));
+  }
+}
+
+function describe(raw: RawDatabase, name: string): DatabaseInfo {
+  const actions = raw.actions();
+  const styles = raw.styles();
+  const table = raw.classes();
+  const classes = Array.from({ length: table.length / 3 }, (_, i) => ({
+    action: actions[table[3 * i]!]!,
+    style: styles[table[3 * i + 1]!]!,
+    frames: table[3 * i + 2]!,
+  }));
+  return {
+    name,
+    frames: raw.frames(),
+    rateHz: raw.rateHz(),
+    actions,
+    styles,
+    neutral: styles[raw.neutral()]!,
+    proportions: raw.proportions(),
+    classes,
+  };
+}

@@ -1,0 +1,46 @@
+/** The engine on the present thread: what the worker serves and what `loadStrut` offers in Node. */
+import { ClipJob } from "./clip_job";
+import { Database, type DatabaseSource } from "./database";
+import { Input, type InputSource } from "./input";
+import { Stylizer } from "./stylizer";
+import type { StylizeOptions } from "./types";
+import { type Glue, guarded, loadWasm } from "./wasm";
+
+/** Opens things; every object it gives belongs to the caller, who disposes it. Calls are synchronous. */
+export class Engine {
+  private constructor(private readonly glue: Glue) {}
+
+  /**
+   * Loads the module, once for a thread; after a fault, a fresh instance.
+   * @throws StrutError if it cannot be had
+   */
+  static async load(): Promise<Engine> {
+    return new Engine(await loadWasm());
+  }
+
+  openDatabase(source: DatabaseSource): Database {
+    return new Database(this.glue, source);
+  }
+
+  /** Names of the built-in inputs, the default first. */
+  builtInInputs(): string[] {
+    return guarded(() => this.glue.builtInInputs());
+  }
+
+  openInput(database: Database, source: InputSource): Input {
+    return new Input(this.glue, database, source);
+  }
+
+  createStylizer(database: Database, options?: StylizeOptions): Stylizer {
+    return new Stylizer(this.glue, database, options);
+  }
+
+  createClipJob(input: Input, stylizer: Stylizer): ClipJob {
+    return new ClipJob(this.glue, input, stylizer);
+  }
+
+  /** The pose between two, `t` from 0 to 1: the root linearly, rotations spherically. */
+  interpolate(a: Float32Array, b: Float32Array, t: number): Float32Array {
+    return guarded(() => this.glue.interpolatePoses(a, b, t));
+  }
+}

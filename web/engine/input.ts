@@ -1,0 +1,38 @@
+/** An open input motion. */
+import type { Database } from "./database";
+import { Handle } from "./handle";
+import type { Input as RawInput } from "./pkg/strut_wasm.js";
+import type { InputInfo } from "./types";
+import { type Glue, guarded } from "./wasm";
+
+/** Where an input comes from. */
+export type InputSource = { kind: "built-in"; name: string } | { kind: "bvh"; name: string; bytes: ArrayBuffer };
+
+/** A motion on a database's humanoid, with the file that it came from. */
+export class Input extends Handle<RawInput> {
+  readonly info: InputInfo;
+
+  /**
+   * Reads the source and carries it over to the database's humanoid.
+   * @throws StrutError `bad-file` or, for a built-in name that there is not, `bad-input`
+   */
+  constructor(glue: Glue, database: Database, source: InputSource) {
+    const raw = guarded(() =>
+      source.kind === "built-in"
+        ? glue.Input.builtIn(database.raw, source.name)
+        : glue.Input.fromBvh(database.raw, new Uint8Array(source.bytes)),
+    );
+    super(raw, "input");
+    const { rateHz } = database.info;
+    this.info = guarded(() => ({
+      name: source.name,
+      source: source.kind,
+      frames: raw.frames(),
+      rateHz,
+      durationSecs: raw.frames() / rateHz,
+      note: raw.note(),
+      poses: raw.poses(),
+      contacts: raw.contacts(),
+    }));
+  }
+}

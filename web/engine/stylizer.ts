@@ -1,0 +1,108 @@
+/** The online engine: one input frame in, one styled frame out. */
+import type { Database } from "./database";
+import { StrutError } from "./errors";
+import { Handle } from "./handle";
+import type { Stylizer as RawStylizer } from "./pkg/strut_wasm.js";
+import type { DatabaseInfo, StylizeOptions } from "./types";
+import { type Glue, guarded } from "./wasm";
+
+/** Options without the styles. */
+export type ModelOptions = Omit<StylizeOptions, "styles">;
+
+/** The engine's defaults (`rust/strut-core/src/transfer/options.rs` says why), in the neutral style. */
+export const DEFAULT_OPTIONS: Readonly<StylizeOptions> = {
+  styles: {},
+  k: 40,
+  lambda: 0.1,
+  rho: 0.7,
+  kappa: 3,
+  delta: 0.7,
+  timing: true,
+  footplant: true,
+};
+
+/** A batch of styled frames, one an input frame. */
+export interface Styled {
+  /** Poses. */
+  poses: Float32Array;
+  /** Seconds since the frame before; 0 for the first after a reset. */
+  durations: Float32Array;
+  /** Feet held in place, left and right interleaved. */
+  planted: Uint8Array;
+  /** Weight of each class of the database in the last frame. */
+  classWeights: Float32Array;
+}
+
+/** One character's stream. */
+export class Stylizer extends Handle<RawStylizer> {
+  /** Classes in the order of {@link Styled.classWeights}. */
+  readonly classes: DatabaseInfo["classes"];
+  private readonly styles: readonly string[];
+
+  constructor(glue: Glue, database: Database, options: StylizeOptions = DEFAULT_OPTIONS) {
+    super(
+      guarded(() => new glue.Stylizer(database.raw)),
+      "stylizer",
+    );
+    this.classes = database.info.classes;
+    this.styles = database.info.styles;
+    this.configure(options);
+    this.setStyles(options.styles);
+  }
+
+  /**
+   * Replaces everything but the styles; the stream goes on.
+   * @throws StrutError `bad-input` for an option outside its range
+   */
+  configure({ k, lambda, rho, kappa, delta, timing, footplant }: ModelOptions): void {
+    guarded(() => this.raw.configure(k, lambda, rho, kappa, delta, timing, footplant));
+  }
+
+  /** One weight a style of the database. @throws StrutError `bad-input` for a style that the database lacks */
+  weightsOf(styles: Record<string, number>): Float32Array {
+    const weights = new Float32Array(this.styles.length);
+    for (const [name, weight] of Object.entries(styles)) {
+      const index = this.styles.indexOf(name);
+      if (index < 0) {
+        throw new StrutError({
+          code: "bad-input",
+          message: `The database has no style '${name}'.`,
+          hint: `It has ${this.styles.join(", ")}.`,
+        });
+      }
+      weights[index] = weight;
+    }
+    return weights;
+  }
+
+  /** Sets one weight a style; the remainder to a sum of 1 belongs to the neutral style. */
+  setWeights(weights: Float32Array): void {
+    guarded(() => this.raw.setStyles(weights));
+  }
+
+  /** Sets weights by name; the remainder to 1 belongs to the neutral style. */
+  setStyles(styles: Record<string, number>): void {
+    this.setWeights(this.weightsOf(styles));
+  }
+
+  /** Starts anew where the next input frame is, as after a cut. */
+  reset(): void {
+    guarded(() => this.raw.reset());
+  }
+
+  /**
+   * Styles the next input frames, one database frame apart.
+   * @param poses on the database's humanoid, a whole number of poses
+   */
+  push(poses: Float32Array): Styled {
+    return guarded(() => {
+      const styled = this.raw.push(poses);
+      return {
+        poses: styled,
+        durations: this.raw.durations(),
+        planted: this.raw.planted(),
+        classWeights: this.raw.classWeights(),
+      };
+    });
+  }
+}

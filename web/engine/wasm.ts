@@ -1,0 +1,76 @@
+/** Loads the WASM package, in a browser and in Node. */
+
+import { StrutError, toStrutError } from "./errors";
+import * as glue from "./pkg/strut_wasm.js";
+
+/** The generated bindings. */
+export type Glue = typeof glue;
+
+let loading: Promise<Glue> | undefined;
+let lost = false;
+
+/**
+ * The bindings, loaded once for a thread. After a fault ({@link guarded}) a fresh instance takes the place of the lost
+ * one; objects of the lost one are dead.
+ * @throws StrutError if the module cannot be had
+ */
+export async function loadWasm(): Promise<Glue> {
+  loading ??= instantiate().catch((thrown) => {
+    loading = undefined;
+    throw toStrutError(thrown);
+  });
+  await loading;
+  if (lost) {
+    glue.__wbg_reset_state();
+    lost = false;
+  }
+  return glue;
+}
+
+/**
+ * Runs a call into the module. An error that the module gives as a value is thrown as a {@link StrutError}; anything
+ * else is a fault, after which the instance takes no more calls.
+ */
+export function guarded<T>(call: () => T): T {
+  if (lost) throw toStrutError(new Error("it failed before and was not loaded again"));
+  try {
+    return call();
+  } catch (thrown) {
+    if (thrown instanceof glue.EngineError) {
+      const { code, message, hint } = thrown;
+      thrown.free();
+      throw new StrutError({ code: code as StrutError["code"], message, hint });
+    }
+    if (thrown instanceof StrutError) throw thrown;
+    lost = true;
+    throw toStrutError(thrown);
+  }
+}
+
+async function instantiate(): Promise<Glue> {
+  const url = new URL("./pkg/strut_wasm_bg.wasm", import.meta.url);
+  glue.initSync({ module: await (url.protocol === "file:" ? fromFile(url) : fromNetwork(url)) });
+  return glue;
+}
+
+async function fromFile(url: URL): Promise<WebAssembly.Module> {
+  // Node only; the bundler must not look for it.
+  const fs: typeof import("node:fs/promises") = await import(/* @vite-ignore */ `node:${"fs/promises"}`);
+  return WebAssembly.compile(new Uint8Array(await fs.readFile(url)));
+}
+
+async function fromNetwork(url: URL): Promise<WebAssembly.Module> {
+  const response = await fetch(url);
+  if (!response.ok) {
+    throw new StrutError({
+      code: "bad-file",
+      message: `The engine could not be loaded: the server answered ${response.status} for ${url.pathname}.`,
+      hint: "Reload the page; if that does not help, the site was not deployed completely.",
+    });
+  }
+  const type = response.headers.get("Content-Type") ?? "";
+  // Some static hosts do not know the type that streaming compilation insists on.
+  return type.startsWith("application/wasm")
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer());
+}

@@ -1,0 +1,53 @@
+/** Long work in portions, so that the worker answers other calls in between. */
+import type { ClipJob } from "../engine/clip_job";
+import { cancelled } from "../engine/errors";
+import type { Progress } from "./protocol";
+
+/** Longest that a portion should take: half a display frame. */
+const PORTION_MS = 8;
+
+/** Who asked, as far as long work must know. */
+export interface Caller {
+  /** Whether the answer is no longer wanted. */
+  isCancelled(): boolean;
+  report(progress: Progress): void;
+}
+
+/** Lets messages that have arrived be handled. */
+export function otherMessages(): Promise<void> {
+  return new Promise((resolve) => {
+    // A timer would wait 4 ms each time.
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(undefined);
+  });
+}
+
+/**
+ * Announces a stage and lets a cancellation that came meanwhile take effect.
+ * @throws StrutError `cancelled`
+ */
+export async function stage(caller: Caller, label: string, fraction: number): Promise<void> {
+  caller.report({ label, fraction });
+  await otherMessages();
+  if (caller.isCancelled()) throw cancelled();
+}
+
+/**
+ * Runs a job to its end.
+ * @throws StrutError `cancelled`
+ */
+export async function runToEnd(job: ClipJob, caller: Caller): Promise<void> {
+  let frames = 1;
+  for (;;) {
+    const before = job.done;
+    const started = performance.now();
+    if (job.run(frames)) return;
+    const frameMs = (performance.now() - started) / (job.done - before);
+    frames = Math.max(1, Math.floor(PORTION_MS / Math.max(frameMs, 0.01)));
+    await stage(caller, "Styling the clip", job.done / job.frames);
+  }
+}

@@ -1,0 +1,209 @@
+/** The worker's side of the wire: one engine with one database, one input and one live session. */
+import type { ClipJob } from "../engine/clip_job";
+import type { Database } from "../engine/database";
+import { Engine } from "../engine/engine";
+import { StrutError, toStrutError } from "../engine/errors";
+import type { Input } from "../engine/input";
+import { DEFAULT_OPTIONS, type Stylizer } from "../engine/stylizer";
+import type { Arguments, Call, Method, Reply, Request, Result } from "./messages";
+import { type Caller, runToEnd, stage } from "./portions";
+import type { DatabaseSource, InputSource, StylizeOptions } from "./protocol";
+import { LiveSession } from "./session";
+
+/** As much of a worker's global scope as the server needs. */
+export interface ServerPort {
+  postMessage(message: Reply, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<Request>) => void) | null;
+}
+
+/** Loads the engine and answers the calls that arrive at `port`. */
+export async function serve(port: ServerPort): Promise<void> {
+  const cancelledCalls = new Set<number>();
+  const answering = Engine.load().then((engine) => new Server(engine));
+
+  const answer = async (call: Call) => {
+    const { id } = call;
+    const caller: Caller = {
+      isCancelled: () => cancelledCalls.has(id),
+      report: (progress) => port.postMessage({ kind: "progress", id, progress }, []),
+    };
+    try {
+      const value = await (await answering).answer(call, caller);
+      port.postMessage({ kind: "result", id, value }, buffersOf(value));
+    } catch (thrown) {
+      port.postMessage({ kind: "failure", id, error: toStrutError(thrown).parts() }, []);
+    } finally {
+      cancelledCalls.delete(id);
+    }
+  };
+  port.onmessage = ({ data }) => {
+    if (data.kind === "cancel") cancelledCalls.add(data.id);
+    else void answer(data);
+  };
+  await answering.then(
+    () => port.postMessage({ kind: "ready" }, []),
+    (thrown) => port.postMessage({ kind: "not-ready", error: toStrutError(thrown).parts() }, []),
+  );
+}
+
+/** The buffers of the typed arrays directly in an answer: handlers give arrays that nobody else holds. */
+function buffersOf(value: unknown): Transferable[] {
+  if (typeof value !== "object" || value === null) return [];
+  return Object.values(value).flatMap((field) => (ArrayBuffer.isView(field) ? [field.buffer as ArrayBuffer] : []));
+}
+
+type Handlers = { [M in Method]: (caller: Caller, ...args: Arguments<M>) => Promise<Result<M>> };
+
+/** All that belongs to one input in one database. */
+interface Scene {
+  input: Input;
+  source: InputSource;
+  stylizer: Stylizer;
+  session: LiveSession;
+  /** The last clip that was styled as a whole, and the options it was styled with. */
+  styled: { options: StylizeOptions; job: ClipJob } | undefined;
+}
+
+class Server implements Handlers {
+  private database: Database | undefined;
+  private scene: Scene | undefined;
+  private options: StylizeOptions = DEFAULT_OPTIONS;
+  private loop = true;
+  /** Openings happen one after another, so that the last one asked for is the one that stays. */
+  private opening: Promise<unknown> = Promise.resolve();
+
+  constructor(private readonly engine: Engine) {}
+
+  answer(call: Call, caller: Caller): Promise<Result<Method>> {
+    // A call pairs each method with its own arguments; TypeScript does not follow that through the index.
+    const handler = this[call.method] as (caller: Caller, ...args: unknown[]) => Promise<Result<Method>>;
+    return handler.call(this, caller, ...call.args);
+  }
+
+  openDatabase(caller: Caller, source: DatabaseSource): Promise<Result<"openDatabase">> {
+    return this.inTurn(async () => {
+      await stage(caller, "Opening the database", 0);
+      const database = this.engine.openDatabase(source);
+      try {
+        await stage(caller, "Opening the database", 0.9);
+        // The input stays: its poses move to the new database's humanoid.
+        const scene = this.scene && this.openScene(database, this.scene.source);
+        this.close(this.scene);
+        this.database?.dispose();
+        this.database = database;
+        this.scene = scene;
+      } catch (thrown) {
+        database.dispose();
+        throw thrown;
+      }
+      return { ...database.info, proportions: database.info.proportions.slice() };
+    });
+  }
+
+  async builtInInputs(): Promise<string[]> {
+    return this.engine.builtInInputs();
+  }
+
+  openInput(caller: Caller, source: InputSource): Promise<Result<"openInput">> {
+    return this.inTurn(async () => {
+      await stage(caller, "Reading the motion", 0);
+      const scene = this.openScene(this.openedDatabase(), source);
+      this.close(this.scene);
+      this.scene = scene;
+      const { info } = scene.input;
+      return { ...info, poses: info.poses.slice(), contacts: info.contacts.slice() };
+    });
+  }
+
+  async configure(_: Caller, options: StylizeOptions): Promise<void> {
+    this.scene?.session.configure(options);
+    this.options = options;
+  }
+
+  async setLoop(_: Caller, loop: boolean): Promise<void> {
+    this.loop = loop;
+    if (this.scene) this.scene.session.loop = loop;
+  }
+
+  async step(_: Caller, dtSecs: number): Promise<Result<"step">> {
+    return this.openedScene().session.step(dtSecs);
+  }
+
+  async seek(_: Caller, inputFrame: number): Promise<Result<"seek">> {
+    return this.openedScene().session.seek(inputFrame);
+  }
+
+  async analyse(caller: Caller): Promise<Result<"analyse">> {
+    return (await this.styledClip(caller)).result();
+  }
+
+  async exportBvh(caller: Caller): Promise<string> {
+    return (await this.styledClip(caller)).toBvh();
+  }
+
+  /** The open input styled as a whole with the present options. */
+  private async styledClip(caller: Caller): Promise<ClipJob> {
+    const scene = this.openedScene();
+    const { options } = this;
+    if (scene.styled?.options === options) return scene.styled.job;
+    const stylizer = this.engine.createStylizer(this.openedDatabase(), options);
+    const job = this.engine.createClipJob(scene.input, stylizer);
+    stylizer.dispose();
+    try {
+      const isCancelled = () => caller.isCancelled() || this.scene !== scene;
+      await runToEnd(job, { ...caller, isCancelled });
+    } catch (thrown) {
+      job.dispose();
+      throw thrown;
+    }
+    scene.styled?.job.dispose();
+    scene.styled = { options, job };
+    return job;
+  }
+
+  private openScene(database: Database, source: InputSource): Scene {
+    // A style that only the database before had is no reason to refuse this one.
+    const known = Object.entries(this.options.styles).filter(([name]) => database.info.styles.includes(name));
+    if (known.length < Object.keys(this.options.styles).length)
+      this.options = { ...this.options, styles: Object.fromEntries(known) };
+    const input = this.engine.openInput(database, source);
+    let stylizer: Stylizer | undefined;
+    try {
+      stylizer = this.engine.createStylizer(database, this.options);
+      const session = new LiveSession(stylizer, input.info, this.options, this.engine.interpolate.bind(this.engine));
+      session.loop = this.loop;
+      return { input, source, stylizer, session, styled: undefined };
+    } catch (thrown) {
+      stylizer?.dispose();
+      input.dispose();
+      throw thrown;
+    }
+  }
+
+  private close(scene: Scene | undefined): void {
+    scene?.styled?.job.dispose();
+    scene?.stylizer.dispose();
+    scene?.input.dispose();
+  }
+
+  private openedDatabase(): Database {
+    if (!this.database) throw notOpen("database");
+    return this.database;
+  }
+
+  private openedScene(): Scene {
+    this.openedDatabase();
+    if (!this.scene) throw notOpen("input");
+    return this.scene;
+  }
+
+  private inTurn<T>(open: () => Promise<T>): Promise<T> {
+    const turn = this.opening.then(open, open);
+    this.opening = turn;
+    return turn;
+  }
+}
+
+function notOpen(what: string): StrutError {
+  return new StrutError({ code: "not-open", message: `No ${what} is open.`, hint: `Open a ${what} first.` });
+}
