@@ -6,15 +6,28 @@
 //! time ([`timeline`]), and once to the segments of every style that fit best, which gives counterparts
 //! ([`pairing`]). Known correspondence ([`script`]) replaces all of this.
 
+pub mod dtw;
+mod features;
+pub mod gait;
+mod imw;
+mod matching;
+mod pairing;
 mod script;
+mod smooth;
+mod timeline;
+pub mod warp;
 
 use crate::database::MAX_COUNTERPARTS;
 use crate::humanoid::JOINTS;
 use crate::math::Vec3;
 use crate::parallel::ParallelMap;
 use crate::pose_vector::{HEADING_RATE, PoseRow};
+use features::Feature;
+use gait::{Segment, SegmentKind};
+use matching::Warper;
 use std::ops::{ControlFlow, Range};
 use thiserror::Error;
+use timeline::{CanonicalTime, Reference};
 
 /// One clip of an action, as registration sees it. All arrays have one entry a frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -204,6 +217,14 @@ pub struct Job<'a> {
     pub options: &'a Options,
 }
 
+/// Examples handed to the executor at a time: between two batches progress is told and stopping possible.
+const BATCH: usize = 8;
+/// A clip turns the other way if it turns by more than the first angle against the action's usual turn of
+/// more than the second, which is usual if this share of the clips turns so; radians.
+const OPPOSITE_TURN: f32 = 0.6;
+const USUAL_TURN: f32 = 0.9;
+const USUAL_TURN_SHARE: f32 = 0.7;
+
 impl Job<'_> {
     /// Registers the action. `progress` is told of examples done, and may stop the work: `None`.
     pub fn run(
@@ -211,7 +232,141 @@ impl Job<'_> {
         executor: &impl ParallelMap,
         progress: &mut dyn FnMut(usize) -> ControlFlow<()>,
     ) -> Option<Outcome> {
-        let _ = (executor, progress);
-        Some(script::register(self))
+        if self.examples.iter().all(|e| e.script.is_some()) {
+            let outcome = script::register(self);
+            return progress(self.examples.len()).is_continue().then_some(outcome);
+        }
+        let mut refusals = self.wrong_turns();
+        let locomotion = gait::is_locomotion(self.examples);
+        let cuts = if locomotion { gait::cut(self.examples, self.styles, self.rate_hz) } else { self.uncut() };
+        for (refusal, (segments, _)) in refusals.iter_mut().zip(&cuts) {
+            if segments.is_empty() && refusal.is_none() {
+                *refusal = Some(Refusal::NoHeelStrikes);
+            }
+        }
+        let features = self.features(&refusals, executor);
+        let reference = self.reference(&refusals, &cuts, &features, locomotion);
+        let times = self.canonical_times(&mut refusals, &cuts, &features, reference.as_ref(), executor);
+        let parts: Vec<pairing::Part> = (0..self.examples.len())
+            .filter(|&i| refusals[i].is_none())
+            .map(|i| pairing::Part {
+                example: i,
+                style: self.examples[i].style,
+                features: &features[i],
+                segments: &cuts[i].0,
+            })
+            .collect();
+        let mut paired = Vec::with_capacity(parts.len());
+        for batch in parts.chunks(BATCH) {
+            paired.extend(executor.map(batch.len(), &|i| {
+                let mut warper = Warper::new(self.options, self.rate_hz);
+                pairing::pair(&batch[i], &parts, self.styles, self.options, &mut warper)
+            }));
+            if progress(paired.len()).is_break() {
+                return None;
+            }
+        }
+        let mut paired = paired.into_iter();
+        let clips = refusals
+            .into_iter()
+            .zip(times)
+            .zip(cuts)
+            .map(|((refusal, time), (segments, faulty_cycles))| match (refusal, time) {
+                (None, Some(time)) => {
+                    let paired = paired.next().unwrap_or_default();
+                    let whole = segments.into_iter().filter(|s| s.kind == SegmentKind::Cycle);
+                    Ok(Registered {
+                        canonical_time: time.time,
+                        time_step: time.time_step,
+                        counterparts: paired.counterparts,
+                        cycles: whole.map(|s| s.frames).collect(),
+                        faulty_cycles,
+                        cost: paired.cost,
+                    })
+                }
+                (refusal, _) => Err(refusal.unwrap_or(Refusal::NoWarp)),
+            })
+            .collect();
+        progress(self.examples.len()).is_continue().then(|| Outcome {
+            method: if locomotion { Method::Cycles } else { Method::WholeClips },
+            reference: reference.as_ref().map(|r| r.example),
+            canonical_frames: reference.as_ref().map_or(0.0, Reference::canonical_frames),
+            clips,
+        })
+    }
+
+    /// Clips that turn against the direction in which most clips of the action turn.
+    fn wrong_turns(&self) -> Vec<Option<Refusal>> {
+        let turns: Vec<f32> = self.examples.iter().map(|e| e.turn(self.rate_hz)).collect();
+        let mut sorted = turns.clone();
+        sorted.sort_by(f32::total_cmp);
+        let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+        let agreeing = turns.iter().filter(|t| **t * usual > 0.0 && t.abs() > USUAL_TURN).count();
+        let has_usual = usual.abs() > USUAL_TURN && agreeing as f32 >= USUAL_TURN_SHARE * turns.len() as f32;
+        turns
+            .iter()
+            .map(|&turn| {
+                let opposite = has_usual && turn * usual < 0.0 && turn.abs() > OPPOSITE_TURN;
+                opposite.then_some(Refusal::TurnsTheOtherWay { turn, usual })
+            })
+            .collect()
+    }
+
+    /// Every clip as one segment.
+    fn uncut(&self) -> Vec<(Vec<Segment>, Vec<FaultyCycle>)> {
+        let whole = |e: &Example| vec![Segment { frames: 0..e.frames(), kind: SegmentKind::Clip }];
+        self.examples.iter().map(|e| (whole(e), Vec::new())).collect()
+    }
+
+    /// Features of the examples not refused, empty for the others.
+    fn features(&self, refusals: &[Option<Refusal>], executor: &impl ParallelMap) -> Vec<Vec<Feature>> {
+        let used: Vec<&Example> =
+            self.examples.iter().zip(refusals).filter(|(_, r)| r.is_none()).map(|(e, _)| e).collect();
+        let mut features = features::of_examples(&used, self.styles, self.rate_hz, executor).into_iter();
+        let mut next = |r: &Option<Refusal>| if r.is_none() { features.next() } else { None };
+        refusals.iter().map(|r| next(r).unwrap_or_default()).collect()
+    }
+
+    /// The most typical cycle (or clip) of the neutral style, or of all if the neutral style has none.
+    fn reference(
+        &self,
+        refusals: &[Option<Refusal>],
+        cuts: &[(Vec<Segment>, Vec<FaultyCycle>)],
+        features: &[Vec<Feature>],
+        cyclic: bool,
+    ) -> Option<Reference> {
+        let candidates = |style: Option<u16>| -> Vec<(usize, Range<usize>)> {
+            (0..self.examples.len())
+                .filter(|&i| refusals[i].is_none() && style.is_none_or(|s| s == self.examples[i].style))
+                .flat_map(|i| cuts[i].0.iter().map(move |s| (i, s)))
+                .filter(|(_, s)| matches!(s.kind, SegmentKind::Cycle | SegmentKind::Clip))
+                .map(|(i, s)| (i, s.frames.clone()))
+                .collect()
+        };
+        Reference::choose(&candidates(Some(self.neutral)), features, cyclic)
+            .or_else(|| Reference::choose(&candidates(None), features, cyclic))
+    }
+
+    /// Canonical time of the examples not refused; refuses those that have none.
+    fn canonical_times(
+        &self,
+        refusals: &mut [Option<Refusal>],
+        cuts: &[(Vec<Segment>, Vec<FaultyCycle>)],
+        features: &[Vec<Feature>],
+        reference: Option<&Reference>,
+        executor: &impl ParallelMap,
+    ) -> Vec<Option<CanonicalTime>> {
+        let accepted: Vec<bool> = refusals.iter().map(Option::is_none).collect();
+        let times = executor.map(self.examples.len(), &|i| {
+            let reference = reference.filter(|_| accepted[i])?;
+            let mut warper = Warper::new(self.options, self.rate_hz);
+            timeline::canonical_time(&cuts[i].0, &features[i], reference, features, self.rate_hz, &mut warper)
+        });
+        for (refusal, time) in refusals.iter_mut().zip(&times) {
+            if refusal.is_none() && time.is_none() {
+                *refusal = Some(Refusal::NoWarp);
+            }
+        }
+        times
     }
 }

@@ -203,13 +203,11 @@ impl<'a> Cursor<'a> {
     fn token(&mut self) -> &'a [u8] {
         self.skip_blanks_and_lines();
         let rest = &self.text[self.at..];
-        match rest.first() {
-            Some(b'{' | b'}') => &rest[..1],
-            _ => {
-                let length = rest.iter().position(|b| matches!(b, b' ' | b'\t' | b'\n' | b'\r' | b'{' | b'}'));
-                &rest[..length.unwrap_or(rest.len())]
-            }
+        if let Some(b'{' | b'}') = rest.first() {
+            return &rest[..1];
         }
+        let length = rest.iter().position(|b| matches!(b, b' ' | b'\t' | b'\n' | b'\r' | b'{' | b'}'));
+        &rest[..length.unwrap_or(rest.len())]
     }
 
     /// Consumes the next token if it is this word, in any case.

@@ -1,7 +1,7 @@
 use super::*;
 use crate::humanoid::{Pose, Proportions, Role};
 use crate::math::Quat;
-use crate::math::float_funcs::sin;
+use crate::math::float_funcs::{cos, sin};
 use crate::parallel::Sequential;
 
 fn clip(action: &str, style: &str, take: u32, motion: HumanoidMotion) -> SourceClip {
@@ -32,6 +32,53 @@ fn waving(style: &str, pace: f32, secs: f32) -> SourceClip {
         .collect();
     let motion = HumanoidMotion { proportions: Proportions::default(), rate_hz: 30.0, poses };
     SourceClip { script: Some(Script { id: 1, time }), ..clip("wave", style, 1, motion) }
+}
+
+/// Left, right, left: legs swing in antiphase, knees bend in the swing, the hips travel, and the path turns by
+/// `turn` radians in all. `bend` leans the trunk: a style.
+fn walking(style: &str, take: u32, cycle_secs: f32, bend: f32, turn: f32) -> SourceClip {
+    let frames = 300_u16;
+    let mut root = crate::math::Vec3::new(0.0, 0.94, 0.0);
+    let poses = (0..frames)
+        .map(|f| {
+            let secs = f32::from(f) / 60.0;
+            let phase = (secs / cycle_secs + 0.1 * f32::from(take as u16)) * std::f32::consts::TAU;
+            let heading = turn * f32::from(f) / f32::from(frames);
+            root += Quat::from_rotation_y(heading) * crate::math::Vec3::new(0.0, 0.0, 1.0 / cycle_secs / 60.0);
+            let mut pose = Pose { root, ..Pose::default() };
+            pose.rotations[0] = Quat::from_rotation_y(heading);
+            pose.rotations[Role::Chest.index()] = Quat::from_rotation_x(bend);
+            for (upper, lower, arm, phase) in [
+                (Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftUpperArm, phase),
+                (Role::RightUpperLeg, Role::RightLowerLeg, Role::RightUpperArm, phase + std::f32::consts::PI),
+            ] {
+                pose.rotations[upper.index()] = Quat::from_rotation_x(-0.25 * sin(phase));
+                pose.rotations[lower.index()] = Quat::from_rotation_x(0.9 * cos(phase).max(0.0));
+                pose.rotations[arm.index()] = Quat::from_rotation_x(0.3 * sin(phase));
+            }
+            pose
+        })
+        .collect();
+    let motion = HumanoidMotion { proportions: Proportions::default(), rate_hz: 60.0, poses };
+    clip("walk", style, take, motion)
+}
+
+/// Two styles, three takes each; the old walk takes 1.2 times as long and is bent.
+fn two_styles() -> Vec<SourceClip> {
+    (1..=3).flat_map(|take| [walking("neutral", take, 1.0, 0.0, 0.0), walking("old", take, 1.2, 0.5, 0.0)]).collect()
+}
+
+/// Runs pieces in reverse order on as many threads as there are pieces.
+struct Backwards;
+
+impl ParallelMap for Backwards {
+    fn map<R: Send>(&self, n: usize, f: &(dyn Fn(usize) -> R + Sync)) -> Vec<R> {
+        std::thread::scope(|scope| {
+            let mut threads: Vec<_> = (0..n).rev().map(|i| scope.spawn(move || f(i))).collect();
+            threads.reverse();
+            threads.into_iter().map(|t| t.join().unwrap()).collect()
+        })
+    }
 }
 
 fn quiet(_: Progress) -> ControlFlow<()> {
@@ -87,4 +134,112 @@ fn errors_say_what_was_expected() {
     let cancelled =
         build(&[waving("a", 1.0, 2.0)], &BuildOptions::default(), &Sequential, &mut |_| ControlFlow::Break(()));
     assert_eq!(cancelled.unwrap_err(), BuildError::Cancelled);
+}
+
+#[test]
+fn a_gait_is_registered_cycle_by_cycle() {
+    let (db, report) = build(&two_styles(), &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    assert_eq!(report.actions[0].method, registration::Method::Cycles);
+    assert!((report.actions[0].canonical_frames - 60.0).abs() < 1.5);
+    for clip in &report.clips {
+        let secs = if clip.style == "old" { 1.2 } else { 1.0 };
+        assert!(clip.cycles >= 3 && clip.faulty_cycles.is_empty(), "{clip:?}");
+        assert!((clip.mean_cycle_secs.unwrap() - secs).abs() < 0.02, "{clip:?}");
+    }
+    // Registered frames show the same phase of the gait: the legs' angles, which no style changes, agree.
+    let leg = 3 * Role::LeftUpperLeg.index();
+    for row in 0..db.frames() {
+        for style in 0..2 {
+            for at in db.counterparts(row, style) {
+                let other = &db.pose[at.round() as usize];
+                assert!((db.pose[row][leg] - other[leg]).abs() < 0.06, "row {row} at {at}");
+            }
+        }
+    }
+    // A step of a neutral frame takes 1.2 times as long in the old style.
+    let old = crate::database::TargetTable::build(&db, 1);
+    let neutral_rows = db.classes()[0].rows.clone();
+    let mean = old.step_secs[neutral_rows.clone()].iter().sum::<f32>() / neutral_rows.len() as f32;
+    assert!((mean * 60.0 - 1.2).abs() < 0.02, "{mean}");
+}
+
+#[test]
+fn counterparts_are_of_the_same_action_and_the_wanted_style_and_advance_with_time() {
+    let mut clips = two_styles();
+    clips.extend(two_styles().into_iter().map(|c| SourceClip { action: "stroll".into(), ..c }));
+    let (db, _) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    for clip in &db.clips {
+        for row in clip.rows() {
+            for style in 0..2 {
+                let found: Vec<f32> = db.counterparts(row, style).collect();
+                assert!(!found.is_empty());
+                for at in found {
+                    let there = &db.clips[db.clip_of_row(at as usize)];
+                    assert_eq!((there.action, there.style), (clip.action, style));
+                    assert!(at <= (there.rows().end - 1) as f32);
+                }
+            }
+        }
+        // Within a cycle the counterparts come from the same segments and move on.
+        for row in clip.rows().skip(1) {
+            let (before, after) = (db.canonical_time[row - 1], db.canonical_time[row]);
+            assert!(after > before || before - after > 30.0, "row {row}: {before} to {after}");
+        }
+    }
+}
+
+#[test]
+fn the_result_does_not_depend_on_the_executor_or_the_order_of_clips() {
+    let clips = two_styles();
+    let mut reversed = clips.clone();
+    reversed.reverse();
+    let options = BuildOptions::default();
+    let (a, report_a) = build(&clips, &options, &Sequential, &mut quiet).unwrap();
+    let (b, report_b) = build(&reversed, &options, &Backwards, &mut quiet).unwrap();
+    assert_eq!(*a, *b);
+    assert_eq!(report_a, report_b);
+}
+
+#[test]
+fn a_clip_that_turns_the_other_way_is_found() {
+    let mut clips: Vec<_> = (1..=4).map(|take| walking("neutral", take, 1.0, 0.0, 1.6)).collect();
+    clips.push(walking("old", 1, 1.2, 0.5, 1.5));
+    clips.push(walking("old", 2, 1.2, 0.5, -1.5));
+    let (db, report) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    assert_eq!(db.clips.len(), 5);
+    let refused: Vec<_> = report.refused().collect();
+    assert_eq!(refused.len(), 1);
+    assert_eq!((refused[0].style.as_str(), refused[0].take), ("old", 2));
+    let reason = refused[0].refused.as_ref().unwrap().to_string();
+    assert!(reason.starts_with("it turns the other way: -8"), "{reason}");
+}
+
+#[test]
+fn every_warp_method_registers_a_gait() {
+    for warp in [registration::WarpMethod::Dtw, registration::WarpMethod::Imw, registration::WarpMethod::Linear] {
+        let options = BuildOptions {
+            registration: registration::Options { warp, ..registration::Options::default() },
+            ..BuildOptions::default()
+        };
+        let (db, _) = build(&two_styles(), &options, &Sequential, &mut quiet).unwrap();
+        let old = crate::database::TargetTable::build(&db, 1);
+        let rows = db.classes()[0].rows.clone();
+        let mean = old.step_secs[rows.clone()].iter().sum::<f32>() / rows.len() as f32;
+        assert!((mean * 60.0 - 1.2).abs() < 0.03, "{warp:?}: {mean}");
+    }
+}
+
+#[test]
+fn actions_without_steps_are_registered_as_whole_clips() {
+    let mut clips = [waving("neutral", 1.0, 2.0), waving("slow", 0.6, 2.0)];
+    for clip in &mut clips {
+        clip.script = None;
+    }
+    let (db, report) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    assert_eq!(report.actions[0].method, registration::Method::WholeClips);
+    let arm = 3 * Role::LeftUpperArm.index() + 2;
+    for row in db.classes()[0].rows.clone() {
+        let at = db.counterparts(row, 1).next().unwrap();
+        assert!((db.pose[row][arm] - db.pose[at.round() as usize][arm]).abs() < 0.15, "row {row} at {at}");
+    }
 }

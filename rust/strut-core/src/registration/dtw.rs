@@ -1,0 +1,202 @@
+//! Dynamic time warping with limited slope (specification §4; Sakoe and Chiba 1978).
+//!
+//! Steps (1, 1), (1, s) and (s, 1) with s ≤ 3; every cell that a step crosses is charged, so that a slope
+//! costs what it covers. The warp is read off as a piecewise linear function through the steps' ends.
+
+use super::warp::{Ends, Warp};
+
+/// Most frames of one sequence that one frame of the other may be stretched to.
+pub const MAX_SLOPE: usize = 3;
+
+/// A cell that no warp passes through.
+const UNREACHED: f32 = f32::INFINITY;
+/// The step by which a cell was reached.
+const START: u8 = 0;
+const DIAGONAL: u8 = 1;
+/// `ALONG_A + s`: s frames of a for one of b. `ALONG_B + s`: one frame of a for s of b.
+const ALONG_A: u8 = 2;
+const ALONG_B: u8 = 8;
+
+/// Dynamic time warping; holds the tables, to be used again.
+#[derive(Clone, Debug, Default)]
+pub struct Dtw {
+    local: Vec<f32>,
+    total: Vec<f32>,
+    step: Vec<u8>,
+}
+
+impl Dtw {
+    /// The warp of least cost from `n` frames of a to `m` frames of b, where `distance(i, j)` is the cost of
+    /// showing frame i of a as frame j of b; not smoothed. `None` if the slope limit allows none.
+    ///
+    /// The warp's cost is the path's, divided by `n`.
+    pub fn warp(&mut self, n: usize, m: usize, ends: Ends, distance: impl Fn(usize, usize) -> f32) -> Option<Warp> {
+        if n == 0 || m == 0 {
+            return None;
+        }
+        self.local.clear();
+        self.local.resize(n * m, UNREACHED);
+        self.total.clear();
+        self.total.resize(n * m, UNREACHED);
+        self.step.clear();
+        self.step.resize(n * m, START);
+        for i in 0..n {
+            let nodes = reachable(i, n, m, ends);
+            // Steps cross cells that no step may end on.
+            for j in nodes.start.saturating_sub(MAX_SLOPE - 1)..(nodes.end + MAX_SLOPE - 1).min(m) {
+                self.local[i * m + j] = distance(i, j);
+            }
+            for j in nodes {
+                self.relax(i, j, m, ends);
+            }
+        }
+        let last_row = &self.total[(n - 1) * m..];
+        let end = if ends.open_end { (0..m).min_by(|&a, &b| last_row[a].total_cmp(&last_row[b]))? } else { m - 1 };
+        let cost = last_row[end];
+        cost.is_finite().then(|| Warp { at: self.trace(n, m, end), cost: cost / n as f32 })
+    }
+
+    /// Finds the best step into cell (i, j). Ties go to the diagonal, then to short steps.
+    fn relax(&mut self, i: usize, j: usize, m: usize, ends: Ends) {
+        let here = i * m + j;
+        let local = self.local[here];
+        let (mut best, mut step) =
+            if i == 0 && (j == 0 || ends.open_begin) { (0.0, START) } else { (UNREACHED, START) };
+        if i > 0 && j > 0 {
+            let mut consider = |before: f32, by: u8| {
+                if before < best {
+                    (best, step) = (before, by);
+                }
+            };
+            consider(self.total[here - m - 1], DIAGONAL);
+            let mut crossed = 0.0;
+            for s in 2..=MAX_SLOPE.min(i) {
+                crossed += self.local[here - (s - 1) * m];
+                consider(self.total[here - s * m - 1] + crossed, ALONG_A + s as u8);
+            }
+            crossed = 0.0;
+            for s in 2..=MAX_SLOPE.min(j) {
+                crossed += self.local[here - (s - 1)];
+                consider(self.total[here - m - s] + crossed, ALONG_B + s as u8);
+            }
+        }
+        self.total[here] = best + local;
+        self.step[here] = step;
+    }
+
+    /// The frame of b at every frame of a along the best path to (n − 1, end).
+    fn trace(&self, n: usize, m: usize, end: usize) -> Vec<f32> {
+        let mut at = vec![0.0; n];
+        let (mut i, mut j) = (n - 1, end);
+        loop {
+            at[i] = j as f32;
+            match self.step[i * m + j] {
+                START => return at,
+                DIAGONAL => (i, j) = (i - 1, j - 1),
+                along_a if along_a < ALONG_B => {
+                    let s = usize::from(along_a - ALONG_A);
+                    for k in 1..s {
+                        at[i - k] = j as f32 - k as f32 / s as f32;
+                    }
+                    (i, j) = (i - s, j - 1);
+                }
+                along_b => (i, j) = (i - 1, j - usize::from(along_b - ALONG_B)),
+            }
+        }
+    }
+}
+
+/// The frames of b that the slope limit lets frame i of a reach, from the ends that are closed.
+fn reachable(i: usize, n: usize, m: usize, ends: Ends) -> std::ops::Range<usize> {
+    let left = n - 1 - i;
+    let (mut low, mut high) = (0, m);
+    if !ends.open_begin {
+        low = low.max(i.div_ceil(MAX_SLOPE));
+        high = high.min(i * MAX_SLOPE + 1);
+    }
+    if !ends.open_end {
+        low = low.max((m - 1).saturating_sub(left * MAX_SLOPE));
+        high = high.min(m.saturating_sub(left.div_ceil(MAX_SLOPE)));
+    }
+    low..high.max(low)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::float_funcs::{cos, sin};
+    use proptest::prelude::*;
+
+    /// Two periods of a closed curve whose points are all different within a period.
+    fn curve(t: f32) -> [f32; 2] {
+        [sin(t) + 0.4 * cos(2.0 * t), cos(t) - 0.3 * sin(3.0 * t)]
+    }
+
+    fn distance(a: [f32; 2], b: [f32; 2]) -> f32 {
+        (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])
+    }
+
+    const CLOSED: Ends = Ends { open_begin: false, open_end: false };
+
+    #[test]
+    fn a_planted_warp_is_recovered_to_a_frame() {
+        let (n, m) = (60_usize, 75_usize);
+        // Where frame i of a is in b: slope between 0.6 and 2.
+        let planted = |i: f32| {
+            let t = i / (n - 1) as f32;
+            (t + 0.09 * sin(t * std::f32::consts::TAU)) * (m - 1) as f32
+        };
+        let b: Vec<[f32; 2]> = (0..m).map(|j| curve(6.0 * j as f32 / (m - 1) as f32)).collect();
+        let a: Vec<[f32; 2]> = (0..n).map(|i| curve(6.0 * planted(i as f32) / (m - 1) as f32)).collect();
+        let warp = Dtw::default().warp(n, m, CLOSED, |i, j| distance(a[i], b[j])).unwrap();
+        for (i, at) in warp.at.iter().enumerate() {
+            assert!((at - planted(i as f32)).abs() <= 1.0, "frame {i}: {at} for {}", planted(i as f32));
+        }
+    }
+
+    #[test]
+    fn open_ends_find_a_piece_in_the_whole() {
+        let b: Vec<[f32; 2]> = (0..100).map(|j| curve(j as f32 * 0.06)).collect();
+        let a: Vec<[f32; 2]> = b[37..70].to_vec();
+        let open = Ends { open_begin: true, open_end: true };
+        let warp = Dtw::default().warp(a.len(), b.len(), open, |i, j| distance(a[i], b[j])).unwrap();
+        assert_eq!((warp.at[0], warp.at[32], warp.cost), (37.0, 69.0, 0.0));
+        let begin = Ends { open_begin: true, open_end: false };
+        let warp = Dtw::default().warp(a.len(), 70, begin, |i, j| distance(a[i], b[j])).unwrap();
+        assert_eq!(warp.at[0], 37.0);
+    }
+
+    #[test]
+    fn beyond_the_slope_limit_there_is_no_warp() {
+        let warp = |n, m| Dtw::default().warp(n, m, CLOSED, |_, _| 1.0);
+        assert!(warp(10, 28).is_some() && warp(28, 10).is_some());
+        assert!(warp(10, 29).is_none() && warp(29, 10).is_none());
+        assert!(warp(0, 3).is_none() && warp(3, 0).is_none());
+        assert_eq!(warp(1, 1).unwrap().at, [0.0]);
+    }
+
+    #[test]
+    fn every_crossed_cell_is_charged() {
+        // Constant cost: 10 → 19 frames needs one more cell than the diagonal for each frame gained.
+        let warp = Dtw::default().warp(10, 19, CLOSED, |_, _| 1.0).unwrap();
+        assert!((warp.cost - 1.9).abs() < 1e-6, "{}", warp.cost);
+    }
+
+    proptest! {
+        #[test]
+        fn warps_keep_the_ends_and_the_slope_limit(
+            a in prop::collection::vec(-1.0f32..1.0, 2..40),
+            b in prop::collection::vec(-1.0f32..1.0, 2..40),
+        ) {
+            let warp = Dtw::default().warp(a.len(), b.len(), CLOSED, |i, j| (a[i] - b[j]) * (a[i] - b[j]));
+            let feasible = (b.len() - 1) <= 3 * (a.len() - 1) && (a.len() - 1) <= 3 * (b.len() - 1);
+            prop_assert_eq!(warp.is_some(), feasible);
+            if let Some(warp) = warp {
+                prop_assert_eq!((warp.at[0], warp.at[a.len() - 1]), (0.0, (b.len() - 1) as f32));
+                for (x, y) in warp.at.iter().zip(&warp.at[1..]) {
+                    prop_assert!(y - x > 0.33 && y - x <= 3.0, "{:?}", warp.at);
+                }
+            }
+        }
+    }
+}

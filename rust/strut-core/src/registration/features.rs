@@ -1,0 +1,194 @@
+//! What registration compares: style-normalised features of every frame (specification §4).
+//!
+//! Joint positions and velocities in the heading frame, speed and turning, each z-scored within its style,
+//! so that a bent back or a raised arm, which last a whole clip, do not dominate the timing; then foot
+//! contacts. A projection on the principal axes over the action's clips makes distances cheap.
+
+use super::Example;
+use super::smooth::gaussian;
+use crate::humanoid::{JOINTS, Role};
+use crate::parallel::ParallelMap;
+use crate::pose_vector::{HEADING_RATE, VELOCITY_X, VELOCITY_Z};
+
+/// Legs tell the phase of most actions best.
+const LEG_WEIGHT: f32 = 3.0;
+const VELOCITY_WEIGHT: f32 = 0.5;
+/// Speed and turning differ between styles for reasons other than timing.
+const TRAVEL_WEIGHT: f32 = 0.2;
+const CONTACT_WEIGHT: f32 = 1.5;
+/// Contact bits are smoothed, so that a label that flips a frame early costs little.
+const CONTACT_SIGMA_SECS: f32 = 0.035;
+/// Deviations are floored at these, so that z-scores do not blow up the noise of what hardly moves:
+/// metres, m/s, m/s, rad/s.
+const POSITION_FLOOR: f32 = 0.01;
+const VELOCITY_FLOOR: f32 = 0.1;
+const SPEED_FLOOR: f32 = 0.1;
+const TURNING_FLOOR: f32 = 0.3;
+
+const VELOCITIES: usize = 3 * JOINTS;
+const SPEED: usize = 6 * JOINTS;
+const TURNING: usize = SPEED + 1;
+const CONTACTS: usize = TURNING + 1;
+const RAW: usize = CONTACTS + 2;
+
+/// Dimensions of the projected features: more than 97 % of the variance of walking.
+pub(super) const DIMS: usize = 32;
+/// Frames that the principal axes are found from, at most.
+const PCA_FRAMES: usize = 6000;
+/// Subspace iterations: the captured variance settles long before the single axes do.
+const PCA_ITERATIONS: usize = 12;
+
+/// Features of one frame.
+pub(super) type Feature = [f32; DIMS];
+type RawFeature = [f32; RAW];
+
+/// Squared distance of two features.
+pub(super) fn squared_distance(a: &Feature, b: &Feature) -> f32 {
+    let mut lanes = [0.0_f32; 8];
+    for (x, y) in a.chunks_exact(8).zip(b.chunks_exact(8)) {
+        for (lane, (x, y)) in lanes.iter_mut().zip(x.iter().zip(y)) {
+            *lane += (x - y) * (x - y);
+        }
+    }
+    let [a, b, c, d, e, f, g, h] = lanes;
+    ((a + e) + (b + f)) + ((c + g) + (d + h))
+}
+
+/// The features of every frame of every example.
+pub(super) fn of_examples(
+    examples: &[&Example],
+    styles: usize,
+    rate_hz: f32,
+    executor: &impl ParallelMap,
+) -> Vec<Vec<Feature>> {
+    let mut raw = executor.map(examples.len(), &|i| raw_features(examples[i], rate_hz));
+    for style in 0..styles {
+        normalise(examples, &mut raw, style as u16);
+    }
+    let axes = principal_axes(&raw);
+    executor.map(raw.len(), &|i| raw[i].iter().map(|r| project(&axes, r)).collect())
+}
+
+fn raw_features(example: &Example, rate_hz: f32) -> Vec<RawFeature> {
+    let cloud = &example.point_cloud;
+    let last = cloud.len().saturating_sub(1);
+    let contacts: [Vec<f32>; 2] = [0, 1].map(|side| {
+        let bits: Vec<f32> = example.contact.iter().map(|c| f32::from(u8::from(c[side]))).collect();
+        gaussian(&bits, CONTACT_SIGMA_SECS * rate_hz)
+    });
+    (0..cloud.len())
+        .map(|f| {
+            let mut raw = [0.0; RAW];
+            let (before, after) = (f.saturating_sub(1), (f + 1).min(last));
+            let per_second = rate_hz / (after - before).max(1) as f32;
+            for j in 0..JOINTS {
+                let velocity = (cloud[after][j] - cloud[before][j]) * per_second;
+                raw[3 * j..3 * j + 3].copy_from_slice(&cloud[f][j].to_array());
+                raw[VELOCITIES + 3 * j..VELOCITIES + 3 * j + 3].copy_from_slice(&velocity.to_array());
+            }
+            let row = &example.pose[f];
+            raw[SPEED] = (row[VELOCITY_X] * row[VELOCITY_X] + row[VELOCITY_Z] * row[VELOCITY_Z]).sqrt();
+            raw[TURNING] = row[HEADING_RATE];
+            for (side, track) in contacts.iter().enumerate() {
+                raw[CONTACTS + side] = CONTACT_WEIGHT * track[f];
+            }
+            raw
+        })
+        .collect()
+}
+
+/// Replaces every feature but the contacts by its weighted z-score within the style.
+fn normalise(examples: &[&Example], raw: &mut [Vec<RawFeature>], style: u16) {
+    let mut of_style: Vec<&mut Vec<RawFeature>> =
+        examples.iter().zip(raw).filter(|(e, _)| e.style == style).map(|(_, r)| r).collect();
+    let count = of_style.iter().map(|r| r.len()).sum::<usize>();
+    if count == 0 {
+        return;
+    }
+    for d in 0..CONTACTS {
+        let mean_of = |g: &dyn Fn(f64) -> f64| {
+            of_style.iter().flat_map(|r| r.iter()).map(|r| g(f64::from(r[d]))).sum::<f64>() / count as f64
+        };
+        let mean = mean_of(&|v| v);
+        let deviation = mean_of(&|v| (v - mean) * (v - mean)).sqrt() as f32;
+        let (floor, weight) = floor_and_weight(d);
+        let (mean, scale) = (mean as f32, weight / deviation.max(floor));
+        for row in of_style.iter_mut().flat_map(|r| r.iter_mut()) {
+            row[d] = (row[d] - mean) * scale;
+        }
+    }
+}
+
+fn floor_and_weight(d: usize) -> (f32, f32) {
+    let leg = (Role::LeftUpperLeg.index()..=Role::RightToes.index()).contains(&(d % VELOCITIES / 3));
+    let leg_weight = if leg { LEG_WEIGHT } else { 1.0 };
+    match d {
+        SPEED => (SPEED_FLOOR, TRAVEL_WEIGHT),
+        TURNING => (TURNING_FLOOR, TRAVEL_WEIGHT),
+        d if d >= VELOCITIES => (VELOCITY_FLOOR, VELOCITY_WEIGHT * leg_weight),
+        _ => (POSITION_FLOOR, leg_weight),
+    }
+}
+
+/// Orthonormal axes that span (nearly) the subspace of greatest variance about zero, by subspace iteration.
+/// Any orthonormal axes give valid distances, so convergence of the single axes does not matter.
+fn principal_axes(raw: &[Vec<RawFeature>]) -> Vec<RawFeature> {
+    let frames = raw.iter().map(Vec::len).sum::<usize>();
+    let sample = || raw.iter().flatten().step_by(frames.div_ceil(PCA_FRAMES).max(1));
+    let mut covariance = vec![[0.0_f32; RAW]; RAW];
+    for row in sample() {
+        for (c, &a) in covariance.iter_mut().zip(row) {
+            for (c, &b) in c.iter_mut().zip(row) {
+                *c += a * b;
+            }
+        }
+    }
+    // Start from the coordinate axes of greatest variance.
+    let mut order: Vec<usize> = (0..RAW).collect();
+    order.sort_by(|&a, &b| covariance[b][b].total_cmp(&covariance[a][a]).then(a.cmp(&b)));
+    let mut axes: Vec<RawFeature> = order[..DIMS]
+        .iter()
+        .map(|&d| {
+            let mut axis = [0.0; RAW];
+            axis[d] = 1.0;
+            axis
+        })
+        .collect();
+    for _ in 0..PCA_ITERATIONS {
+        let mut next: Vec<RawFeature> =
+            axes.iter().map(|axis| std::array::from_fn(|d| dot(&covariance[d], axis))).collect();
+        orthonormalise(&mut next);
+        axes = next;
+    }
+    axes
+}
+
+/// Modified Gram–Schmidt, twice for accuracy; axes that vanish become zero.
+fn orthonormalise(axes: &mut [RawFeature]) {
+    for i in 0..axes.len() {
+        let (before, rest) = axes.split_at_mut(i);
+        let axis = &mut rest[0];
+        let size = dot(axis, axis).sqrt();
+        for _ in 0..2 {
+            for other in before.iter() {
+                let along = dot(axis, other);
+                for (a, o) in axis.iter_mut().zip(other) {
+                    *a -= along * o;
+                }
+            }
+        }
+        let rest = dot(axis, axis).sqrt();
+        let scale = if rest > 1e-5 * size && rest > 0.0 { 1.0 / rest } else { 0.0 };
+        for a in axis.iter_mut() {
+            *a *= scale;
+        }
+    }
+}
+
+fn dot(a: &RawFeature, b: &RawFeature) -> f32 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn project(axes: &[RawFeature], raw: &RawFeature) -> Feature {
+    std::array::from_fn(|i| dot(&axes[i], raw))
+}

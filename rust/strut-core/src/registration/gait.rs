@@ -1,0 +1,171 @@
+//! Cuts clips at left heel strikes (specification §4).
+
+use super::{CycleFault, Example, FaultyCycle};
+use crate::pose_vector::{VELOCITY_X, VELOCITY_Z};
+use std::ops::Range;
+
+/// An action walks or runs if at least half of its clips do; a clip does if it strikes twice with the left
+/// heel, mostly in turn with the right, and travels.
+const LOCOMOTION_SHARE: f32 = 0.5;
+const MIN_ALTERNATION: f32 = 0.7;
+const MIN_SPEED: f32 = 0.25;
+/// A cycle's duration may differ from the style's median by this factor.
+const DURATION_TOLERANCE: f32 = 1.6;
+/// No gait cycle is shorter or longer, seconds.
+const PLAUSIBLE_SECS: Range<f32> = 0.3..3.0;
+
+/// A piece of a clip that is registered on its own.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Segment {
+    /// Frames that belong to it.
+    pub frames: Range<usize>,
+    /// What it is.
+    pub kind: SegmentKind,
+}
+
+/// What a [`Segment`] is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SegmentKind {
+    /// The whole clip.
+    Clip,
+    /// From the clip's start to the first strike.
+    LeadIn,
+    /// From one left heel strike to the next.
+    Cycle,
+    /// Between two left heel strikes, but no gait cycle.
+    Faulty,
+    /// From the last strike to the clip's end.
+    LeadOut,
+}
+
+/// Frames at which a foot (0 left, 1 right) touches down.
+pub fn strikes(contact: &[[bool; 2]], side: usize) -> Vec<usize> {
+    (1..contact.len()).filter(|&f| contact[f][side] && !contact[f - 1][side]).collect()
+}
+
+/// Whether the clips of an action walk or run.
+pub fn is_locomotion(examples: &[Example]) -> bool {
+    let walking = examples.iter().filter(|e| walks(e)).count();
+    !examples.is_empty() && walking as f32 >= LOCOMOTION_SHARE * examples.len() as f32
+}
+
+fn walks(example: &Example) -> bool {
+    let left = strikes(&example.contact, 0);
+    if left.len() < 2 {
+        return false;
+    }
+    let right = strikes(&example.contact, 1);
+    let in_turn = left.windows(2).filter(|w| between(&right, w[0], w[1]) == 1).count();
+    let speed = example.pose.iter().map(|r| (r[VELOCITY_X] * r[VELOCITY_X] + r[VELOCITY_Z] * r[VELOCITY_Z]).sqrt());
+    in_turn as f32 >= MIN_ALTERNATION * (left.len() - 1) as f32
+        && speed.sum::<f32>() >= MIN_SPEED * example.frames() as f32
+}
+
+/// The segments of every example, which cover it without a gap, and what is wrong with its faulty cycles.
+/// An example without a left heel strike has no segments.
+pub fn cut(examples: &[Example], styles: usize, rate_hz: f32) -> Vec<(Vec<Segment>, Vec<FaultyCycle>)> {
+    let usual: Vec<Option<f32>> = (0..styles).map(|s| usual_frames(examples, s as u16, rate_hz)).collect();
+    examples.iter().map(|e| cut_one(e, usual[usize::from(e.style)], rate_hz)).collect()
+}
+
+/// Median frames between two left heel strikes with one right one between them.
+fn usual_frames(examples: &[Example], style: u16, rate_hz: f32) -> Option<f32> {
+    let mut lengths: Vec<usize> = Vec::new();
+    for example in examples.iter().filter(|e| e.style == style) {
+        let right = strikes(&example.contact, 1);
+        let left = strikes(&example.contact, 0);
+        lengths.extend(left.windows(2).filter(|w| between(&right, w[0], w[1]) == 1).map(|w| w[1] - w[0]));
+    }
+    lengths.retain(|&l| PLAUSIBLE_SECS.contains(&(l as f32 / rate_hz)));
+    lengths.sort_unstable();
+    lengths.get(lengths.len() / 2).map(|&l| l as f32)
+}
+
+fn cut_one(example: &Example, usual: Option<f32>, rate_hz: f32) -> (Vec<Segment>, Vec<FaultyCycle>) {
+    let left = strikes(&example.contact, 0);
+    let right = strikes(&example.contact, 1);
+    let (mut segments, mut faulty) = (Vec::new(), Vec::new());
+    let (Some(&first), Some(&last)) = (left.first(), left.last()) else { return (segments, faulty) };
+    segments.push(Segment { frames: 0..first, kind: SegmentKind::LeadIn });
+    for w in left.windows(2) {
+        let (frames, found) = (w[0]..w[1], (w[1] - w[0]) as f32);
+        let usual = usual.unwrap_or(found);
+        let in_range = PLAUSIBLE_SECS.contains(&(found / rate_hz))
+            && found <= usual * DURATION_TOLERANCE
+            && found * DURATION_TOLERANCE >= usual;
+        let fault = match between(&right, w[0], w[1]) {
+            1 if in_range => None,
+            1 => Some(CycleFault::Duration { found_secs: found / rate_hz, usual_secs: usual / rate_hz }),
+            n => Some(CycleFault::RightStrikes(n)),
+        };
+        let kind = if fault.is_some() { SegmentKind::Faulty } else { SegmentKind::Cycle };
+        faulty.extend(fault.map(|fault| FaultyCycle { frames: frames.clone(), fault }));
+        segments.push(Segment { frames, kind });
+    }
+    segments.push(Segment { frames: last..example.frames(), kind: SegmentKind::LeadOut });
+    (segments, faulty)
+}
+
+fn between(strikes: &[usize], from: usize, to: usize) -> usize {
+    strikes.iter().filter(|&&s| (from..to).contains(&s)).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::humanoid::JOINTS;
+    use crate::math::Vec3;
+    use crate::pose_vector::ROW;
+
+    /// Contacts from strike frames; a foot stays down for ten frames.
+    fn example(frames: usize, left: &[usize], right: &[usize]) -> Example {
+        let down = |strikes: &[usize], f: usize| strikes.iter().any(|&s| (s..s + 10).contains(&f));
+        let mut row = [0.0; ROW];
+        row[VELOCITY_Z] = 1.0;
+        Example {
+            style: 0,
+            pose: vec![row; frames],
+            point_cloud: vec![[Vec3::ZERO; JOINTS]; frames],
+            contact: (0..frames).map(|f| [down(left, f), down(right, f)]).collect(),
+            script: None,
+        }
+    }
+
+    #[test]
+    fn a_steady_gait_is_cut_into_cycles_and_two_partial_ends() {
+        let walk = example(280, &[20, 80, 140, 200, 260], &[50, 110, 170, 230]);
+        assert!(is_locomotion(std::slice::from_ref(&walk)));
+        let (segments, faulty) = cut(&[walk], 1, 60.0).remove(0);
+        assert!(faulty.is_empty());
+        let kinds: Vec<_> = segments.iter().map(|s| (s.frames.clone(), s.kind)).collect();
+        assert_eq!(
+            kinds,
+            [
+                (0..20, SegmentKind::LeadIn),
+                (20..80, SegmentKind::Cycle),
+                (80..140, SegmentKind::Cycle),
+                (140..200, SegmentKind::Cycle),
+                (200..260, SegmentKind::Cycle),
+                (260..280, SegmentKind::LeadOut),
+            ]
+        );
+    }
+
+    #[test]
+    fn a_stumble_and_a_pause_are_faulty() {
+        let walk = example(500, &[20, 80, 140, 200, 380, 440], &[50, 100, 120, 170, 230, 410]);
+        let (segments, faulty) = cut(&[walk], 1, 60.0).remove(0);
+        assert_eq!(segments.iter().filter(|s| s.kind == SegmentKind::Cycle).count(), 3);
+        assert_eq!(faulty[0], FaultyCycle { frames: 80..140, fault: CycleFault::RightStrikes(2) });
+        assert_eq!(faulty[1].frames, 200..380);
+        assert_eq!(faulty[1].fault.to_string(), "it lasts 3.00 s; about 1.00 s is usual");
+    }
+
+    #[test]
+    fn standing_is_no_locomotion_and_has_no_segments() {
+        let stand = example(100, &[], &[]);
+        assert!(!is_locomotion(std::slice::from_ref(&stand)));
+        assert!(cut(&[stand], 1, 60.0).remove(0).0.is_empty());
+        assert!(!is_locomotion(&[]));
+    }
+}

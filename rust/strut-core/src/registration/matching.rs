@@ -1,0 +1,151 @@
+//! Matches a segment with the best pieces of other clips.
+
+use super::dtw::Dtw;
+use super::features::{Feature, squared_distance};
+use super::imw::Imw;
+use super::warp::{Ends, Warp};
+use super::{Options, WarpMethod};
+
+/// Warps are smoothed over this time: frame steps go, the timing of steps and strikes stays.
+const SMOOTHING_SECS: f32 = 0.03;
+/// Longer sequences are warped on every second, third … frame: the tables grow with the product of lengths.
+const MAX_TABLE_SIDE: usize = 1024;
+/// Instants at which segments are compared in linear time.
+const LINEAR_SAMPLES: usize = 12;
+
+/// A stretch of feature frames that a segment may be warped to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece<'a> {
+    /// Number of the example that it is from.
+    pub(super) example: usize,
+    /// Frame of the example that the features begin at.
+    pub(super) first: usize,
+    /// The features.
+    pub(super) features: &'a [Feature],
+    /// Which ends need not be met.
+    pub(super) ends: Ends,
+}
+
+/// A segment warped to a frame of another example at every frame.
+#[derive(Clone, Debug)]
+pub(super) struct Match {
+    /// Number of the example.
+    pub(super) example: usize,
+    /// Frames of the example; its cost is a squared feature distance per frame.
+    pub(super) warp: Warp,
+}
+
+/// Warps by the method of the options; holds the tables, to be used again.
+pub(super) struct Warper {
+    method: WarpMethod,
+    sigma_frames: f32,
+    dtw: Dtw,
+    imw: Imw,
+}
+
+impl Warper {
+    pub(super) fn new(options: &Options, rate_hz: f32) -> Self {
+        Self {
+            method: options.warp,
+            sigma_frames: SMOOTHING_SECS * rate_hz,
+            dtw: Dtw::default(),
+            imw: Imw::new(rate_hz),
+        }
+    }
+
+    /// The smoothed warp of a segment to other frames; `None` if the slope limit allows none.
+    pub(super) fn warp(&mut self, a: &[Feature], b: &[Feature], ends: Ends) -> Option<Warp> {
+        let stride = a.len().max(b.len()).div_ceil(MAX_TABLE_SIDE);
+        if stride <= 1 {
+            return Some(self.warp_all(a, b, ends)?.smoothed(self.sigma_frames));
+        }
+        let (thin_a, thin_b) = (thinned(a, stride), thinned(b, stride));
+        let thin = self.warp_all(&thin_a, &thin_b, ends)?;
+        // Linear between the frames kept; the last frames of a and b are always kept.
+        let scale_b = (b.len() - 1) as f32 / (thin_b.len() - 1).max(1) as f32;
+        let scale_a = (thin_a.len() - 1) as f32 / (a.len() - 1).max(1) as f32;
+        let at = (0..a.len()).map(|i| {
+            let x = i as f32 * scale_a;
+            let k = (x as usize).min(thin.at.len().saturating_sub(2));
+            let next = thin.at[(k + 1).min(thin.at.len() - 1)];
+            (thin.at[k] + (next - thin.at[k]) * (x - k as f32)) * scale_b
+        });
+        Some(Warp { at: at.collect(), cost: thin.cost }.smoothed(self.sigma_frames * stride as f32))
+    }
+
+    fn warp_all(&mut self, a: &[Feature], b: &[Feature], ends: Ends) -> Option<Warp> {
+        match self.method {
+            WarpMethod::Dtw => self.dtw.warp(a.len(), b.len(), ends, |i, j| squared_distance(&a[i], &b[j])),
+            WarpMethod::Imw => self.imw.warp(&mut self.dtw, a, b, ends),
+            WarpMethod::Linear => {
+                let (first, last) = linear_span(a.len(), b.len(), ends)?;
+                Some(Warp::linear(a.len(), first, last, linear_cost(a, b, first, last)))
+            }
+        }
+    }
+
+    /// The matches of least cost among the pieces, best first, at most `count`. The pieces are first ranked
+    /// in linear time, and the best `candidates` warped.
+    pub(super) fn best(&mut self, a: &[Feature], pieces: &[Piece], candidates: usize, count: usize) -> Vec<Match> {
+        let mut ranked: Vec<(f32, &Piece)> = pieces
+            .iter()
+            .filter_map(|p| {
+                let (first, last) = linear_span(a.len(), p.features.len(), p.ends)?;
+                Some((linear_cost(a, p.features, first, last), p))
+            })
+            .collect();
+        ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut matches: Vec<Match> = ranked
+            .iter()
+            .take(candidates.max(count))
+            .filter_map(|(_, piece)| {
+                let mut warp = self.warp(a, piece.features, piece.ends)?;
+                for at in &mut warp.at {
+                    *at += piece.first as f32;
+                }
+                Some(Match { example: piece.example, warp })
+            })
+            .collect();
+        matches.sort_by(|a, b| a.warp.cost.total_cmp(&b.warp.cost));
+        matches.truncate(count);
+        matches
+    }
+}
+
+/// Mean squared distance of two segments in linear time.
+pub(super) fn linear_distance(a: &[Feature], b: &[Feature]) -> f32 {
+    linear_cost(a, b, 0.0, (b.len() - 1) as f32)
+}
+
+/// Every `stride`-th feature, evenly spread so that the first and the last are kept.
+fn thinned(features: &[Feature], stride: usize) -> Vec<Feature> {
+    let count = features.len().div_ceil(stride).max(2).min(features.len());
+    let last = features.len() - 1;
+    (0..count).map(|k| features[k * last / (count - 1).max(1)]).collect()
+}
+
+/// Where the first and the last of `n` frames fall on `m` frames in linear time: on their ends, an open end
+/// at the same pace. With both ends open, in the middle.
+fn linear_span(n: usize, m: usize, ends: Ends) -> Option<(f32, f32)> {
+    let last = m.checked_sub(1)? as f32;
+    let length = (n.checked_sub(1)? as f32).min(last);
+    Some(match (ends.open_begin, ends.open_end) {
+        (false, false) => (0.0, last),
+        (true, false) => (last - length, last),
+        (false, true) => (0.0, length),
+        (true, true) => (0.5 * (last - length), 0.5 * (last + length)),
+    })
+}
+
+/// Mean squared distance at a few instants in linear time.
+fn linear_cost(a: &[Feature], b: &[Feature], first: f32, last: f32) -> f32 {
+    let sum: f32 = (0..LINEAR_SAMPLES)
+        .map(|k| {
+            let t = k as f32 / (LINEAR_SAMPLES - 1) as f32;
+            let i = (t * (a.len() - 1) as f32).round() as usize;
+            let j = (first + (last - first) * t).round() as usize;
+            squared_distance(&a[i], &b[j])
+        })
+        .sum();
+    sum / LINEAR_SAMPLES as f32
+}

@@ -1,0 +1,42 @@
+//! A warp: which frame of one sequence every frame of another corresponds to.
+
+use super::smooth::gaussian_with_fixed_ends;
+
+/// Which ends of a segment need not meet the ends of what it is warped to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ends {
+    /// The first frame may fall on any frame.
+    pub open_begin: bool,
+    /// The last frame may fall on any frame.
+    pub open_end: bool,
+}
+
+/// For every frame of a the fractional frame of b: strictly increasing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Warp {
+    /// Frames of b.
+    pub at: Vec<f32>,
+    /// Mean cost per frame of a.
+    pub cost: f32,
+}
+
+impl Warp {
+    /// Linear time from `n` frames to the frames from `first` to `last`.
+    pub fn linear(n: usize, first: f32, last: f32, cost: f32) -> Self {
+        let steps = n.saturating_sub(1).max(1) as f32;
+        Self { at: (0..n).map(|i| first + (last - first) * (i as f32 / steps)).collect(), cost }
+    }
+
+    /// The warp smoothed over time; ends and order stay.
+    pub fn smoothed(self, sigma_frames: f32) -> Self {
+        Self { at: gaussian_with_fixed_ends(&self.at, sigma_frames), cost: self.cost }
+    }
+
+    /// The frame of b at a frame of a, which may lie outside a: then the warp goes on with its mean slope.
+    pub fn extrapolated(&self, frame: isize) -> f32 {
+        let last = self.at.len() as isize - 1;
+        let inside = frame.clamp(0, last);
+        let slope = (self.at[last as usize] - self.at[0]) / last.max(1) as f32;
+        self.at[inside as usize] + slope * (frame - inside) as f32
+    }
+}

@@ -1,0 +1,162 @@
+//! A database comes back from its file as it was, and no damage goes unnoticed.
+
+use proptest::prelude::*;
+use strut_core::database::{Clip, Database, DatabaseParts};
+use strut_core::humanoid::{JOINTS, Proportions};
+use strut_core::math::{Quat, Vec3};
+use strut_core::pose_vector::{DOFS, PoseChart, ROW};
+use strut_formats::strutdb::{self, Metadata, StrutdbError};
+
+/// Two actions, two styles, three clips of different lengths, every value distinct.
+fn small() -> Database {
+    let clip = |name: &str, action, style, first_frame, frames| Clip {
+        name: name.into(),
+        action,
+        style,
+        take: 3,
+        first_frame,
+        frames,
+        source: r#"a "quoted" \source\", "checksum":"12345678""#.into(),
+        licence: "CC0 ü".into(),
+    };
+    let clips = vec![clip("a", 0, 0, 0, 4), clip("b", 0, 1, 4, 3), clip("c", 1, 0, 7, 2)];
+    let n = 9;
+    let number = |i: usize| (i as f32 * 0.731).sin();
+    let mut chart = PoseChart::default();
+    chart.means[3] = Quat::from_rotation_x(0.4);
+    let parts = DatabaseParts {
+        rate_hz: 60.0,
+        proportions: Proportions::default(),
+        chart,
+        actions: vec!["walk".into(), "run".into()],
+        styles: vec!["neutral".into(), "proud".into()],
+        neutral: 0,
+        clips,
+        pose: (0..n)
+            .map(|f| std::array::from_fn::<f32, ROW, _>(|d| if d < DOFS { number(f * 71 + d) } else { 0.0 }))
+            .collect(),
+        point_cloud: (0..n).map(|f| [Vec3::new(number(f), number(f + 50), 1.0); JOINTS]).collect(),
+        canonical_time: (0..n).map(|f| f as f32 * 0.5).collect(),
+        time_step: (0..n).map(|f| 0.02 + f as f32 * 1e-3).collect(),
+        contact: (0..n).map(|f| [(f % 2) as u8, (f % 3 == 0).into()]).collect(),
+        counterparts_per_style: 3,
+        counterpart: (0..n * 2 * 3).map(|i| if i % 3 == 2 { -1.0 } else { (i % 8) as f32 + 0.25 }).collect(),
+    };
+    Database::new(parts).unwrap()
+}
+
+fn error(bytes: &[u8]) -> String {
+    strutdb::read(bytes).expect_err("refused").to_string()
+}
+
+/// The file with a part of its header replaced by one of the same length.
+fn replaced(from: &str, to: &str) -> Vec<u8> {
+    let mut bytes = strutdb::write(&small(), "test 1");
+    let at = bytes.windows(from.len()).position(|w| w == from.as_bytes()).expect("occurs");
+    bytes[at..at + to.len()].copy_from_slice(to.as_bytes());
+    bytes
+}
+
+#[test]
+fn a_database_comes_back_as_it_was() {
+    let db = small();
+    let file = strutdb::write(&db, "test 1");
+    assert_eq!(*strutdb::read(&file).unwrap(), *db);
+    assert_eq!(strutdb::write(&strutdb::read(&file).unwrap(), "test 1"), file);
+}
+
+#[test]
+fn the_metadata_are_those_of_the_contract() {
+    let file = strutdb::write(&small(), "test 1");
+    let (_, header) = safetensors::SafeTensors::read_metadata(&file).unwrap();
+    let json = &header.metadata().as_ref().unwrap()["strut"];
+    let metadata: Metadata = serde_json::from_str(json).unwrap();
+    assert_eq!((metadata.version.as_str(), metadata.generator.as_str()), ("1.0", "test 1"));
+    assert_eq!(metadata.skeleton.parents[..3], [-1, 0, 1]);
+    assert!((metadata.skeleton.offsets_cm[0][1] - 94.1).abs() < 1e-4);
+    assert_eq!(metadata.pose_columns.len(), DOFS);
+    assert_eq!((metadata.clips[1].action.as_str(), metadata.clips[1].style.as_str()), ("walk", "proud"));
+}
+
+type Views<'a> = Vec<(String, safetensors::tensor::TensorView<'a>)>;
+
+#[test]
+fn further_tensors_are_ignored_but_missing_ones_named() {
+    let file = strutdb::write(&small(), "test 1");
+    let (_, header) = safetensors::SafeTensors::read_metadata(&file).unwrap();
+    let tensors = safetensors::SafeTensors::deserialize(&file).unwrap();
+    let with = |change: &dyn Fn(&mut Views)| {
+        let mut views = tensors.tensors();
+        change(&mut views);
+        let mut json = header.metadata().as_ref().unwrap()["strut"].clone();
+        let at = json.find("\"checksum\":\"").unwrap() + 12;
+        json.replace_range(at..at + 8, "00000000");
+        let serialized = |json: String| {
+            safetensors::serialize(views.clone(), Some(std::iter::once(("strut".to_owned(), json)).collect())).unwrap()
+        };
+        // As a reader in another language computes it.
+        let sum = crc32fast::hash(&serialized(json.clone()));
+        json.replace_range(at..at + 8, &format!("{sum:08x}"));
+        serialized(json)
+    };
+    let more = with(&|views| {
+        let extra = views[0].1.clone();
+        views.push(("extra".into(), extra));
+    });
+    assert_eq!(*strutdb::read(&more).unwrap(), *small());
+    let less = with(&|views| views.retain(|(name, _)| name != "contact"));
+    assert_eq!(error(&less), "the database has no tensor 'contact'");
+    let other = with(&|views| {
+        let pose = views.iter().find(|(name, _)| name == "pose").unwrap().1.clone();
+        views.iter_mut().find(|(name, _)| name == "time_step").unwrap().1 = pose;
+    });
+    assert_eq!(error(&other), "tensor 'time_step' is F32 [9, 67]; F32 [9] was expected");
+}
+
+#[test]
+fn damage_is_described_in_a_sentence() {
+    let file = strutdb::write(&small(), "test 1");
+    assert_eq!(
+        error(&file[..file.len() / 2]),
+        "the file is cut short or damaged: its length does not agree with its header"
+    );
+    let no_database = "this is no Strut database, or its beginning is damaged; a safetensors header was expected";
+    assert_eq!(error(b""), no_database);
+    assert_eq!(error(b"HIERARCHY\nROOT Hips\n{\n"), no_database);
+    assert_eq!(
+        error(&replaced("\\\"version\\\":\\\"1.0", "\\\"version\\\":\\\"2.0")),
+        "the database has version 2.0; this Strut reads version 1.0"
+    );
+    assert_eq!(error(&replaced("__metadata__", "__metadatb__")), no_database);
+    let flipped = replaced("proud", "prouD");
+    assert!(matches!(strutdb::read(&flipped), Err(StrutdbError::Checksum { .. })));
+    let other = safetensors::serialize(Vec::<(&str, safetensors::tensor::TensorView)>::new(), None).unwrap();
+    assert_eq!(error(&other), "this safetensors file is no Strut database: it has no 'strut' metadata");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn every_changed_byte_is_noticed(at: prop::sample::Index, change in 1_u8..) {
+        let mut file = strutdb::write(&small(), "test 1");
+        let at = at.index(file.len());
+        file[at] ^= change;
+        let message = error(&file);
+        prop_assert!(!message.contains('\n') && !message.is_empty());
+    }
+
+    #[test]
+    fn every_cut_is_noticed(length: prop::sample::Index) {
+        let file = strutdb::write(&small(), "test 1");
+        prop_assert!(strutdb::read(&file[..length.index(file.len())]).is_err());
+    }
+
+    #[test]
+    fn garbage_is_refused(mut bytes in prop::collection::vec(any::<u8>(), 0..300), header in 0_u64..300) {
+        if let Some(first) = bytes.first_chunk_mut::<8>() {
+            *first = header.to_le_bytes();
+        }
+        prop_assert!(strutdb::read(&bytes).is_err());
+    }
+}

@@ -1,0 +1,226 @@
+/** The camera: orbit by pointer, touch, wheel and keys, presets with a glide, and following. */
+
+import { MathUtils, PerspectiveCamera, Vector3 } from "three";
+
+/** The views one can ask for. */
+export type CameraView = "orbit" | "front" | "side" | "top";
+
+/** Where the camera is relative to its target: radians about +Y from +Z, radians above the ground, metres. */
+export interface OrbitState {
+  azimuth: number;
+  elevation: number;
+  distance: number;
+}
+
+/** Field of view, degrees, vertical. */
+const FIELD_OF_VIEW = 24;
+/** Height of the target, metres. */
+const TARGET_HEIGHT = 0.83;
+/** The first view: from the character's left front. */
+export const HOME: OrbitState = { azimuth: MathUtils.degToRad(33), elevation: MathUtils.degToRad(7.2), distance: 5.2 };
+const LIMITS = { elevation: [0.02, MathUtils.degToRad(89)], distance: [1.6, 16] } as const;
+/** Length of a glide between views, seconds. */
+const GLIDE = 0.42;
+/** Time in which the target covers half the distance to what it follows, seconds. */
+const FOLLOW_HALF_LIFE = 0.09;
+/** Farther than this the target jumps, metres. */
+const JUMP = 3;
+/** Radians a pixel of drag. */
+const DRAG_SPEED = 0.0065;
+const KEY_STEP = MathUtils.degToRad(5);
+
+/** cubic-bezier(.2, 0, 0, 1), the project's easing, solved for time by bisection. */
+export function ease(time: number): number {
+  const bezier = (a: number, b: number, s: number) => 3 * a * s * (1 - s) ** 2 + 3 * b * s * s * (1 - s) + s ** 3;
+  let [low, high] = [0, 1];
+  for (let i = 0; i < 24; i++) {
+    const middle = (low + high) / 2;
+    if (bezier(0.2, 0, middle) < time) low = middle;
+    else high = middle;
+  }
+  return bezier(0, 1, (low + high) / 2);
+}
+
+/** An orbiting camera over a moving target. */
+export class OrbitCamera {
+  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 60);
+  /** The point on the ground that is looked at; smoothed. */
+  readonly target = new Vector3();
+  /** Called when the view changes by the hand of the user. */
+  onViewChange: ((view: CameraView) => void) | undefined;
+  /** Half the width that has to fit into the picture, metres. */
+  halfWidth = 1.15;
+  readonly #state: OrbitState = { ...HOME };
+  /** The user's own orbit, to which "orbit" returns. */
+  #free: OrbitState = { ...HOME };
+  #glide: { from: OrbitState; to: OrbitState; elapsed: number } | undefined;
+  #view: CameraView = "orbit";
+  #zoom = 1;
+  #settled = false;
+  readonly #element: HTMLElement;
+  readonly #pointers = new Map<number, { x: number; y: number }>();
+  readonly #listeners = new AbortController();
+
+  constructor(element: HTMLElement) {
+    this.#element = element;
+    const options = { signal: this.#listeners.signal };
+    element.addEventListener("pointerdown", (event) => this.#pointerDown(event), options);
+    element.addEventListener("pointermove", (event) => this.#pointerMove(event), options);
+    for (const type of ["pointerup", "pointercancel", "lostpointercapture"] as const)
+      element.addEventListener(type, (event) => this.#pointers.delete(event.pointerId), options);
+    element.addEventListener("wheel", (event) => this.#wheel(event), { ...options, passive: false });
+    element.addEventListener("keydown", (event) => this.#key(event), options);
+  }
+
+  /** The present view. */
+  get view(): CameraView {
+    return this.#view;
+  }
+
+  /** Where the camera looks from, radians about +Y from +Z. */
+  get azimuth(): number {
+    return this.#state.azimuth;
+  }
+
+  /** Goes to a view of something that faces `heading` (radians about +Y). */
+  setView(view: CameraView, heading: number, animate: boolean): void {
+    this.#view = view;
+    const level = MathUtils.degToRad(3);
+    const { distance } = HOME;
+    const to: OrbitState = {
+      orbit: this.#free,
+      front: { azimuth: heading, elevation: level, distance },
+      side: { azimuth: heading + Math.PI / 2, elevation: level, distance },
+      top: { azimuth: heading, elevation: LIMITS.elevation[1], distance: distance * 1.15 },
+    }[view];
+    this.#zoom = 1;
+    const azimuth = this.#state.azimuth + wrap(to.azimuth - this.#state.azimuth);
+    if (animate) this.#glide = { from: { ...this.#state }, to: { ...to, azimuth }, elapsed: 0 };
+    else {
+      this.#glide = undefined;
+      Object.assign(this.#state, to);
+    }
+  }
+
+  /** Moves the target at once by a vector, as when the character jumps. */
+  jumpTo(point: Vector3): void {
+    this.target.set(point.x, 0, point.z);
+    this.#settled = true;
+  }
+
+  /** Advances by `dtSecs`; follows `point` if there is one. */
+  update(dtSecs: number, point: Vector3 | null): void {
+    if (point) {
+      const far = Math.hypot(point.x - this.target.x, point.z - this.target.z) > JUMP;
+      if (far || !this.#settled) this.jumpTo(point);
+      const share = 1 - 0.5 ** (dtSecs / FOLLOW_HALF_LIFE);
+      this.target.x += (point.x - this.target.x) * share;
+      this.target.z += (point.z - this.target.z) * share;
+    }
+    if (this.#glide) {
+      const glide = this.#glide;
+      glide.elapsed += dtSecs;
+      const t = ease(Math.min(1, glide.elapsed / GLIDE));
+      for (const key of ["azimuth", "elevation", "distance"] as const)
+        this.#state[key] = glide.from[key] + (glide.to[key] - glide.from[key]) * t;
+      if (glide.elapsed >= GLIDE) this.#glide = undefined;
+    }
+    this.#place();
+  }
+
+  /** Takes the size of the picture. */
+  resize(width: number, height: number): void {
+    this.camera.aspect = width / Math.max(1, height);
+    this.camera.updateProjectionMatrix();
+  }
+
+  dispose(): void {
+    this.#listeners.abort();
+  }
+
+  #place(): void {
+    const { azimuth, elevation } = this.#state;
+    // A narrow picture is seen from farther away, never through a wider lens.
+    const half = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2));
+    const fit = Math.max(1, this.halfWidth / (half * this.camera.aspect) / HOME.distance);
+    const distance = this.#state.distance * fit * this.#zoom;
+    const ground = distance * Math.cos(elevation);
+    const { camera, target } = this;
+    camera.position.set(
+      target.x + ground * Math.sin(azimuth),
+      TARGET_HEIGHT + distance * Math.sin(elevation),
+      target.z + ground * Math.cos(azimuth),
+    );
+    // Straight down, "up" is where the viewer would be looking.
+    camera.up.set(0, 1, 0);
+    if (elevation > 1.5) camera.up.set(-Math.sin(azimuth), 0, -Math.cos(azimuth));
+    camera.lookAt(target.x, TARGET_HEIGHT, target.z);
+    camera.updateMatrixWorld();
+  }
+
+  #orbit(azimuth: number, elevation: number): void {
+    this.#glide = undefined;
+    this.#state.azimuth = wrap(this.#state.azimuth + azimuth);
+    this.#state.elevation = MathUtils.clamp(this.#state.elevation + elevation, ...LIMITS.elevation);
+    this.#takeOver();
+  }
+
+  #zoomBy(factor: number): void {
+    this.#glide = undefined;
+    this.#state.distance = MathUtils.clamp(this.#state.distance * factor, ...LIMITS.distance);
+    this.#takeOver();
+  }
+
+  #takeOver(): void {
+    this.#free = { ...this.#state };
+    if (this.#view === "orbit") return;
+    this.#view = "orbit";
+    this.onViewChange?.("orbit");
+  }
+
+  #pointerDown(event: PointerEvent): void {
+    if (event.pointerType === "mouse" && event.button !== 0) return;
+    this.#element.setPointerCapture(event.pointerId);
+    this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  }
+
+  #pointerMove(event: PointerEvent): void {
+    const before = this.#pointers.get(event.pointerId);
+    if (!before) return;
+    const now = { x: event.clientX, y: event.clientY };
+    if (this.#pointers.size === 1) this.#orbit((before.x - now.x) * DRAG_SPEED, (now.y - before.y) * DRAG_SPEED);
+    else {
+      const other = [...this.#pointers].find(([id]) => id !== event.pointerId)![1];
+      const spread = (p: { x: number; y: number }) => Math.hypot(p.x - other.x, p.y - other.y) || 1;
+      this.#zoomBy(spread(before) / spread(now));
+    }
+    this.#pointers.set(event.pointerId, now);
+  }
+
+  #wheel(event: WheelEvent): void {
+    event.preventDefault();
+    this.#zoomBy(Math.exp(MathUtils.clamp(event.deltaY, -120, 120) * 0.0015));
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const action: Record<string, () => void> = {
+      ArrowLeft: () => this.#orbit(-KEY_STEP, 0),
+      ArrowRight: () => this.#orbit(KEY_STEP, 0),
+      ArrowUp: () => this.#orbit(0, KEY_STEP),
+      ArrowDown: () => this.#orbit(0, -KEY_STEP),
+      "+": () => this.#zoomBy(0.9),
+      "=": () => this.#zoomBy(0.9),
+      "-": () => this.#zoomBy(1 / 0.9),
+    };
+    const act = action[event.key];
+    if (!act) return;
+    act();
+    event.preventDefault();
+    event.stopPropagation();
+  }
+}
+
+function wrap(angle: number): number {
+  return Math.atan2(Math.sin(angle), Math.cos(angle));
+}

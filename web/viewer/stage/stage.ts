@@ -1,0 +1,178 @@
+/** The renderer and everything in the scene but the characters. */
+
+import {
+  BasicShadowMap,
+  NeutralToneMapping,
+  PMREMGenerator,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+  type WebGLRenderTarget,
+} from "three";
+import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import type { Theme } from "../themes";
+import { Background } from "./background";
+import { Footprints } from "./footprints";
+import { Ground } from "./ground";
+import { HipsPath } from "./hips_path";
+import { Labels } from "./labels";
+import { Lights } from "./lights";
+import { type CameraView, OrbitCamera } from "./orbit_camera";
+import { QUALITY_LEVELS, QualityGovernor, type QualityLevel } from "./quality";
+
+/** Renderers that have no graphics processor behind them. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|basic render|software/i;
+/** Quality that a renderer without a graphics processor starts with. */
+const SOFTWARE_LEVEL = 2;
+
+/** Scene, camera, light and ground. */
+export class Stage {
+  readonly canvas: HTMLCanvasElement;
+  readonly scene = new Scene();
+  readonly ground = new Ground();
+  readonly footprints = new Footprints();
+  readonly path = new HipsPath();
+  readonly labels = new Labels();
+  readonly view: OrbitCamera;
+  readonly governor: QualityGovernor;
+  /** Called when the quality changes, and once at the start. */
+  onQuality: ((level: QualityLevel) => void) | undefined;
+  readonly #container: HTMLElement;
+  readonly #renderer: WebGLRenderer;
+  readonly #lights = new Lights();
+  readonly #background = new Background();
+  readonly #observer: ResizeObserver;
+  readonly #listeners = new AbortController();
+  #environment: WebGLRenderTarget | undefined;
+  #width = 1;
+  #height = 1;
+
+  constructor(container: HTMLElement) {
+    this.#container = container;
+    if (getComputedStyle(container).position === "static") container.style.position = "relative";
+    this.#renderer = new WebGLRenderer({ antialias: true, stencil: true, powerPreference: "high-performance" });
+    const renderer = this.#renderer;
+    renderer.toneMapping = NeutralToneMapping;
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.type = BasicShadowMap;
+    this.canvas = renderer.domElement;
+    this.canvas.style.cssText = "display:block;position:absolute;inset:0;touch-action:pan-y";
+    this.canvas.setAttribute("role", "img");
+    this.canvas.tabIndex = 0;
+    container.append(this.canvas, this.labels.element);
+
+    this.view = new OrbitCamera(this.canvas);
+    this.governor = new QualityGovernor(SOFTWARE.test(rendererName(renderer)) ? SOFTWARE_LEVEL : 0);
+    this.scene.add(
+      this.#background.object,
+      this.#lights.object,
+      this.ground.object,
+      this.footprints.object,
+      this.path.behind.mesh,
+      this.path.ahead.mesh,
+    );
+    this.#lightRoom();
+    // three.js restores what it made from memory; the room was drawn by the lost context and must be drawn again.
+    this.canvas.addEventListener("webglcontextrestored", () => this.#lightRoom(), { signal: this.#listeners.signal });
+    this.#observer = new ResizeObserver(() => this.#resize());
+    this.#observer.observe(container);
+    this.#resize();
+  }
+
+  /** Level of quality in force. */
+  get quality(): QualityLevel {
+    return QUALITY_LEVELS[this.governor.level]!;
+  }
+
+  /** Size of the picture in CSS pixels. */
+  get size(): { width: number; height: number } {
+    return { width: this.#width, height: this.#height };
+  }
+
+  /** Triangles and draw calls of the last frame, shadow pass included. */
+  get cost(): { triangles: number; calls: number } {
+    const { triangles, calls } = this.#renderer.info.render;
+    return { triangles, calls };
+  }
+
+  /** Takes the theme's colours and light levels; nothing is rebuilt. */
+  setTheme(theme: Theme): void {
+    for (const part of [this.#background, this.#lights, this.ground, this.footprints, this.path]) part.setTheme(theme);
+    this.scene.environmentIntensity = theme.light.environment;
+  }
+
+  /** Puts the settings of the present quality into force. */
+  applyQuality(): void {
+    const { quality } = this;
+    this.#lights.shadowSize = quality.shadowSize;
+    this.ground.shadowTaps = quality.taps;
+    this.#resize();
+    this.onQuality?.(quality);
+  }
+
+  /** Goes to a view of something that faces `heading`, gliding unless the user asked for less motion. */
+  setView(view: CameraView, heading: number): void {
+    this.view.setView(view, heading, !matchMedia("(prefers-reduced-motion: reduce)").matches);
+  }
+
+  /** Draws the scene; `dtSecs` since the last frame, the light on `subject`, the camera following `followed`. */
+  render(dtSecs: number, subject: Vector3, followed: Vector3 | null): void {
+    if (this.governor.frame(dtSecs)) this.applyQuality();
+    this.view.update(dtSecs, followed);
+    this.ground.follow(this.view.target);
+    this.#lights.follow(subject, this.view.azimuth);
+    this.#renderer.render(this.scene, this.view.camera);
+  }
+
+  /** Place of a point of the world (metres) in the picture, CSS pixels from the canvas's top left. */
+  project(point: Vector3): { x: number; y: number } {
+    const p = projected.copy(point).project(this.view.camera);
+    return { x: ((p.x + 1) / 2) * this.#width, y: ((1 - p.y) / 2) * this.#height };
+  }
+
+  dispose(): void {
+    this.#listeners.abort();
+    this.#observer.disconnect();
+    for (const part of [
+      this.view,
+      this.labels,
+      this.#lights,
+      this.#background,
+      this.ground,
+      this.footprints,
+      this.path,
+    ])
+      part.dispose();
+    this.#environment?.dispose();
+    this.#renderer.dispose();
+    this.canvas.remove();
+  }
+
+  #lightRoom(): void {
+    this.#environment?.dispose();
+    const generator = new PMREMGenerator(this.#renderer);
+    const room = new RoomEnvironment();
+    this.#environment = generator.fromScene(room, 0.04, 0.1, 100, { size: 64 });
+    this.scene.environment = this.#environment.texture;
+    room.dispose();
+    generator.dispose();
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.#container;
+    if (!clientWidth || !clientHeight) return;
+    this.#width = clientWidth;
+    this.#height = clientHeight;
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, this.quality.pixelRatio));
+    this.#renderer.setSize(clientWidth, clientHeight);
+    this.view.resize(clientWidth, clientHeight);
+  }
+}
+
+const projected = new Vector3();
+
+function rendererName(renderer: WebGLRenderer): string {
+  const gl = renderer.getContext();
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  return String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+}

@@ -1,0 +1,85 @@
+/** Colours and light levels of the two themes, from the project's visual tokens. */
+
+/** Name of a theme. */
+export type ThemeName = "dark" | "light";
+
+/** Everything on the stage that depends on the theme; colours are sRGB hex. */
+export interface Theme {
+  /** Radial background: middle and edge. */
+  background: { inner: string; outer: string };
+  /** The mannequin's two tones. */
+  shell: string;
+  joint: string;
+  /** Chosen and produced things: the planted footprint. */
+  signal: string;
+  /** Labels. */
+  ink: string;
+  input: string;
+  /** Ghost: body and rim colour, and opacity facing the viewer. */
+  ghost: { body: string; rim: string; opacity: number };
+  /** Lines of the ground; opacities of the 1 m and the 0.25 m lines. */
+  grid: { colour: string; major: number; minor: number };
+  /** Footprints and path. */
+  mark: string;
+  /** Darkness of the key light's shadow and of the occlusion under the body, 0–1. */
+  shadow: { key: number; occlusion: number };
+  /** Light levels. */
+  light: {
+    key: number;
+    rim: number;
+    rimColour: string;
+    fill: number;
+    sky: string;
+    ground: string;
+    hemisphere: number;
+    environment: number;
+  };
+}
+
+/** The themes by name. */
+export const THEMES: Readonly<Record<ThemeName, Theme>> = {
+  dark: {
+    background: { inner: "#26282c", outer: "#141517" },
+    shell: "#dcdbd6",
+    joint: "#4b4e54",
+    signal: "#ff5a36",
+    ink: "#edeeec",
+    input: "#8fa9cf",
+    ghost: { body: "#7f97b8", rim: "#cfe0ff", opacity: 0.42 },
+    grid: { colour: "#ffffff", major: 0.13, minor: 0.045 },
+    mark: "#ffffff",
+    shadow: { key: 0.72, occlusion: 0.9 },
+    light: {
+      key: 1.75,
+      rim: 2.2,
+      rimColour: "#bcd2ff",
+      fill: 0.28,
+      sky: "#aab4c4",
+      ground: "#1b1c1f",
+      hemisphere: 0.5,
+      environment: 0.2,
+    },
+  },
+  light: {
+    background: { inner: "#fbfbfa", outer: "#e6e7e6" },
+    shell: "#f1f0ec",
+    joint: "#3a3d42",
+    signal: "#d23c14",
+    ink: "#17181a",
+    input: "#43628e",
+    ghost: { body: "#7f97ba", rim: "#46648f", opacity: 0.5 },
+    grid: { colour: "#1a1c20", major: 0.15, minor: 0.055 },
+    mark: "#1a1c20",
+    shadow: { key: 0.3, occlusion: 0.42 },
+    light: {
+      key: 1.55,
+      rim: 0.7,
+      rimColour: "#ffffff",
+      fill: 0.3,
+      sky: "#ffffff",
+      ground: "#cfcdc8",
+      hemisphere: 1.35,
+      environment: 0.28,
+    },
+  },
+};

@@ -1,0 +1,298 @@
+/** The 3-D view: a styled character, its input as a ghost, and the ground they walk on. */
+
+import { MathUtils, Quaternion, Vector3 } from "three";
+import { GhostPlacement } from "./ghost_placement";
+import { headingOf, hipsTurn, isPose, JOINT, POSE_FLOATS, type Role, restPose } from "./humanoid";
+import { Mannequin } from "./mannequin/mannequin";
+import { BodyMaterials, GhostMaterials } from "./mannequin/materials";
+import { KEY_FRUSTUM } from "./stage/lights";
+import type { CameraView } from "./stage/orbit_camera";
+import { setShadowTaps, useSoftShadow } from "./stage/soft_shadow";
+import { Stage } from "./stage/stage";
+import { THEMES, type ThemeName } from "./themes";
+
+/** Where the ghost of the input is: at the character's right, in its place and behind it, or nowhere. */
+export type GhostMode = "beside" | "overlay" | "off";
+
+/** Options of a viewer. */
+export interface ViewerOptions {
+  theme?: ThemeName;
+  ghost?: GhostMode;
+  /** Whether the camera follows the character. */
+  follow?: boolean;
+  /** Names above the heads; an empty one is not drawn. */
+  labels?: { styled: string; input: string };
+  /** What a screen reader says of the picture. */
+  description?: string;
+}
+
+/** Defaults of {@link ViewerOptions}. */
+export const VIEWER_DEFAULTS: Required<ViewerOptions> = {
+  theme: "dark",
+  ghost: "beside",
+  follow: true,
+  labels: { styled: "styled", input: "input" },
+  description: "A mannequin performing the styled motion, beside a translucent one performing the input.",
+};
+
+/** Duration of the ghost's fade in after it was set beside the character anew, seconds. */
+const FADE_IN = 0.25;
+/** Crown of the head above its joint, metres. */
+const CROWN = 0.206;
+/** Room left and right of what the camera follows, metres. */
+const HALF_WIDTH = { alone: 0.75, withGhost: 1.15 };
+
+/** A viewer in a container, whose size it follows. The page calls {@link render} once an animation frame. */
+export class Viewer {
+  readonly #stage: Stage;
+  readonly #body: Mannequin;
+  readonly #ghost: Mannequin;
+  readonly #bodyMaterials = new BodyMaterials();
+  readonly #ghostMaterials = new GhostMaterials();
+  #theme: ThemeName;
+  #ghostMode: GhostMode;
+  #labels: { styled: string; input: string };
+  #hasInput = false;
+  #planted: [boolean, boolean] = [false, false];
+  #clip: Float32Array | null = null;
+  #pathFrame = 0;
+  #lastTime: number | undefined;
+  readonly #placement = new GhostPlacement();
+  readonly #input = restPose();
+  #ghostFade = 1;
+  /** Whether the camera follows the character. */
+  follow: boolean;
+
+  constructor(container: HTMLElement, options: ViewerOptions = {}) {
+    const o = { ...VIEWER_DEFAULTS, ...options };
+    this.#theme = o.theme;
+    this.#ghostMode = o.ghost;
+    this.#labels = o.labels;
+    this.follow = o.follow;
+    for (const material of this.#bodyMaterials.list) useSoftShadow(material, KEY_FRUSTUM);
+    this.#body = new Mannequin([{ material: this.#bodyMaterials.list, order: 0, castShadow: true }]);
+    this.#ghost = new Mannequin([
+      { material: this.#ghostMaterials.depth, order: 2, castShadow: false },
+      { material: this.#ghostMaterials.shell, order: 3, castShadow: false },
+    ]);
+    this.#stage = new Stage(container);
+    this.#stage.scene.add(this.#body.object, this.#ghost.object);
+    this.#stage.onQuality = ({ taps }) => {
+      for (const material of this.#bodyMaterials.list)
+        setShadowTaps(material, { search: Math.ceil(taps.search / 2), filter: Math.ceil(taps.filter / 2) });
+    };
+    this.#stage.applyQuality();
+    this.description = o.description;
+    this.#applyTheme();
+    this.#applyGhost();
+  }
+
+  /** The canvas, for recording and for tests. */
+  get canvas(): HTMLCanvasElement {
+    return this.#stage.canvas;
+  }
+
+  /** What a screen reader says of the picture. */
+  set description(text: string) {
+    this.canvas.setAttribute("aria-label", text);
+  }
+
+  /** Light or dark; switches at once, without rebuilding anything. */
+  get theme(): ThemeName {
+    return this.#theme;
+  }
+
+  set theme(theme: ThemeName) {
+    this.#theme = theme;
+    this.#applyTheme();
+  }
+
+  /** Where the ghost is. */
+  get ghost(): GhostMode {
+    return this.#ghostMode;
+  }
+
+  set ghost(mode: GhostMode) {
+    this.#ghostMode = mode;
+    this.#applyGhost();
+  }
+
+  /** Names above the heads; an empty one is not drawn. */
+  set labels(labels: { styled: string; input: string }) {
+    this.#labels = labels;
+    this.#applyLabels();
+  }
+
+  /** Called twice a second with the frames drawn per second. */
+  set onFps(callback: ((fps: number) => void) | undefined) {
+    this.#stage.governor.onFps = callback;
+  }
+
+  /** Called when the user's hand turns a preset view into a free one. */
+  set onViewChange(callback: ((view: CameraView) => void) | undefined) {
+    this.#stage.view.onViewChange = callback;
+  }
+
+  /** The present view. */
+  get view(): CameraView {
+    return this.#stage.view.view;
+  }
+
+  /** Triangles and draw calls of the last frame. */
+  get cost(): { triangles: number; calls: number } {
+    return this.#stage.cost;
+  }
+
+  /** Takes the bone offsets of both characters: 21 × xyz, metres; see `mannequin/fit.ts`. */
+  setProportions(proportions: ArrayLike<number>): void {
+    this.#body.setProportions(proportions);
+    this.#ghost.setProportions(proportions);
+  }
+
+  /** Takes the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
+  setStyled(pose: ArrayLike<number>): void {
+    if (isPose(pose)) this.#body.setPose(pose);
+  }
+
+  /** Takes the input's pose, or `null` if there is none. */
+  setInput(pose: ArrayLike<number> | null): void {
+    const has = pose !== null && isPose(pose);
+    if (has) this.#input.set(pose);
+    if (has === this.#hasInput) return;
+    this.#hasInput = has;
+    this.#applyGhost();
+  }
+
+  /** Takes which feet of the styled character are planted; a planted foot leaves a footprint. */
+  setPlanted(planted: readonly [left: boolean, right: boolean]): void {
+    this.#planted = [...planted];
+  }
+
+  /** Takes the styled poses of the whole clip, whose path ahead of {@link pathFrame} is drawn; `null` draws none. */
+  setPath(poses: Float32Array | null): void {
+    this.#clip = poses;
+    this.#stage.path.setClip(poses);
+  }
+
+  /** Fractional frame of the path's clip that is on screen. */
+  set pathFrame(frame: number) {
+    this.#pathFrame = frame;
+  }
+
+  /** Forgets trail and footprints and sets the camera and the ghost anew: after a seek or when a clip begins again. */
+  resetTrail(): void {
+    this.#stage.footprints.clear();
+    this.#stage.path.clear();
+    this.#placement.reset();
+  }
+
+  /** Goes to a view, gliding. */
+  camera(view: CameraView): void {
+    this.#stage.setView(view, headingOf(this.#body.world, 0));
+  }
+
+  /** Place of a joint of the styled character in the picture, CSS pixels from the canvas's top left. */
+  jointScreenPosition(role: Role): { x: number; y: number } {
+    return this.#stage.project(point.fromArray(this.#body.world.positions, 3 * JOINT[role]));
+  }
+
+  /** Draws a frame; `timeSecs` is any clock that does not run backwards. */
+  render(timeSecs: number): void {
+    const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
+    this.#lastTime = timeSecs;
+    const stage = this.#stage;
+    const world = this.#body.world;
+    const { stature } = this.#body.fit;
+    hips.fromArray(world.positions, 0);
+    stage.ground.shadeBody(world, stature);
+    stage.footprints.update(this.#planted, world);
+    stage.footprints.draw(dt, stature);
+    stage.path.push(hips.x, hips.z);
+    stage.path.draw(hips.x, hips.z, this.#pathFrame, this.#pathTurn());
+    this.#placeGhost(dt);
+
+    const centre = followed.copy(hips);
+    if (this.#ghost.object.visible && this.#ghostMode === "beside") centre.lerp(ghostHips, 0.5);
+    stage.render(dt, hips, this.follow || this.#lastTime === undefined ? centre : null);
+    const { width, height } = stage.size;
+    const { camera } = stage.view;
+    stage.labels.place("styled", crownOf(this.#body), camera, width, height);
+    stage.labels.place("input", crownOf(this.#ghost), camera, width, height);
+  }
+
+  /** Frees everything; the viewer cannot be used afterwards. */
+  dispose(): void {
+    this.#body.dispose();
+    this.#ghost.dispose();
+    this.#bodyMaterials.dispose();
+    this.#ghostMaterials.dispose();
+    this.#stage.dispose();
+  }
+
+  #applyTheme(): void {
+    const theme = THEMES[this.#theme];
+    this.#bodyMaterials.setTheme(theme);
+    this.#ghostMaterials.setTheme(theme, this.#ghostFade);
+    this.#stage.setTheme(theme);
+    this.#applyLabels();
+  }
+
+  #applyGhost(): void {
+    const mode = this.#hasInput ? this.#ghostMode : "off";
+    this.#ghost.object.visible = mode !== "off";
+    this.#ghostMaterials.behindBodies = mode === "overlay";
+    this.#placement.reset();
+    this.#stage.view.halfWidth = mode === "beside" ? HALF_WIDTH.withGhost : HALF_WIDTH.alone;
+    this.#applyLabels();
+  }
+
+  #applyLabels(): void {
+    const theme = THEMES[this.#theme];
+    const beside = this.#hasInput && this.#ghostMode === "beside";
+    this.#stage.labels.set("styled", this.#labels.styled, theme.ink);
+    this.#stage.labels.set("input", beside ? this.#labels.input : "", theme.input);
+  }
+
+  /** Turn that lays the clip's heading at its frame on the character's. */
+  #pathTurn(): number {
+    const clip = this.#clip;
+    if (!clip) return 0;
+    const frame = MathUtils.clamp(Math.round(this.#pathFrame), 0, clip.length / POSE_FLOATS - 1);
+    return hipsTurn(this.#body.pose) - hipsTurn(clip, frame);
+  }
+
+  #placeGhost(dtSecs: number): void {
+    const visible = this.#ghost.object.visible;
+    if (visible) {
+      const again = this.#placement.place(
+        this.#input,
+        this.#ghost.fit.proportions,
+        this.#body.world,
+        this.#ghostMode === "beside",
+      );
+      if (again) this.#ghostFade = 0;
+      this.#ghost.setPose(this.#placement.pose);
+      ghostHips.fromArray(this.#ghost.world.positions, 0);
+    }
+    if (this.#ghostFade < 1) {
+      this.#ghostFade = Math.min(1, this.#ghostFade + dtSecs / FADE_IN);
+      this.#ghostMaterials.setTheme(THEMES[this.#theme], this.#ghostFade);
+    }
+    const shaded = visible && this.#ghostMode === "beside";
+    this.#stage.ground.shadeGhost(shaded ? this.#ghost.world : null, this.#ghost.fit.stature);
+  }
+}
+
+const point = new Vector3();
+const hips = new Vector3();
+const ghostHips = new Vector3();
+const followed = new Vector3();
+const crown = new Vector3();
+const rotation = new Quaternion();
+
+/** The crown of a mannequin's head. */
+function crownOf({ world, fit }: Mannequin): Vector3 {
+  rotation.fromArray(world.rotations, 4 * JOINT.head);
+  crown.set(0, CROWN * fit.stature, 0).applyQuaternion(rotation);
+  return crown.add(point.fromArray(world.positions, 3 * JOINT.head));
+}
