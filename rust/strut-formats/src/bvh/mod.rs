@@ -15,6 +15,7 @@
 
 mod error;
 mod euler;
+mod humanoid;
 mod motion;
 mod number;
 mod parse;
