@@ -28,7 +28,9 @@ impl Database {
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromBytes)]
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, EngineError> {
-        Err(EngineError::bad_file(format!("database files of {} bytes cannot be read yet", bytes.len()), ""))
+        strut_formats::strutdb::read(bytes).map(Self::new).map_err(|e| {
+            EngineError::bad_file(e, "Copy the file once more, or build the database again with 'strut build-db'.")
+        })
     }
 
     /// Number of rows.

@@ -1,0 +1,222 @@
+import { afterEach, describe, expect, test } from "vitest";
+import { DEFAULT_OPTIONS } from "../engine/stylizer";
+import { createStrutClient, type WorkerPort } from "./client";
+import type { Reply, Request } from "./messages";
+import { POSE_FLOATS, type Progress, type StrutClient, StrutError } from "./protocol";
+import { serve } from "./server";
+
+/** A worker on this thread, with the real engine; messages are copied and arrive later, as with a real one. */
+class InlineWorker implements WorkerPort {
+  static started: InlineWorker[] = [];
+  onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
+  onerror: ((event: ErrorEvent) => void) | null = null;
+  terminated = false;
+  received: Request[] = [];
+  /** Set: the next call of this method fails as if the engine had trapped. */
+  faultAt: string | undefined;
+  private readonly server: Parameters<typeof serve>[0];
+
+  constructor() {
+    InlineWorker.started.push(this);
+    this.server = {
+      onmessage: null,
+      postMessage: (reply, transfer) => {
+        const data = structuredClone(reply, { transfer });
+        setTimeout(() => !this.terminated && this.onmessage?.({ data } as MessageEvent<Reply>), 0);
+      },
+    };
+    void serve(this.server);
+  }
+
+  postMessage(message: Request): void {
+    const data = structuredClone(message);
+    this.received.push(data);
+    if (data.kind === "call" && data.method === this.faultAt) {
+      this.faultAt = undefined;
+      const error = { code: "fault" as const, message: "The engine failed: unreachable", hint: "" };
+      this.server.postMessage({ kind: "failure", id: data.id, error }, []);
+      return;
+    }
+    setTimeout(() => !this.terminated && this.server.onmessage?.({ data } as MessageEvent<Request>), 0);
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+
+  calls(): string[] {
+    return this.received.flatMap((m) => (m.kind === "call" ? [m.method] : []));
+  }
+}
+
+let client: StrutClient | undefined;
+afterEach(() => {
+  client?.dispose();
+  client = undefined;
+  InlineWorker.started = [];
+});
+
+async function connect(): Promise<StrutClient> {
+  client = await createStrutClient(() => new InlineWorker());
+  return client;
+}
+
+async function openDemo() {
+  const client = await connect();
+  const database = await client.openDatabase({ kind: "demo" });
+  const [name] = await client.builtInInputs();
+  const input = await client.openInput({ kind: "built-in", name: name! });
+  const style = database.styles.find((s) => s !== database.neutral)!;
+  return { client, database, input, style };
+}
+
+const worker = () => InlineWorker.started.at(-1)!;
+
+describe("a client with the built-in database", () => {
+  test("opens, plays, restyles and seeks", async () => {
+    const { client, database, input, style } = await openDemo();
+    expect(database.proportions).toHaveLength(63);
+    expect(database.classes.reduce((sum, c) => sum + c.frames, 0)).toBe(database.frames);
+    expect(input.poses).toHaveLength(input.frames * POSE_FLOATS);
+    expect(input.contacts).toHaveLength(2 * input.frames);
+
+    const first = await client.step(0);
+    const later = await client.step(0.25);
+    expect(later.inputFrame).toBeGreaterThan(first.inputFrame);
+    expect(later.pose.every(Number.isFinite)).toBe(true);
+    expect(later.reads.reduce((sum, r) => sum + r.weight, 0)).toBeGreaterThan(0.5);
+
+    await client.configure({ ...DEFAULT_OPTIONS, styles: { [style]: 1 } });
+    const restyled = await client.step(0);
+    expect(restyled.inputFrame).toBeCloseTo(later.inputFrame, 3);
+    expect(restyled.pose).not.toEqual(later.pose);
+    expect((await client.seek(30)).inputFrame).toBeCloseTo(30, 5);
+  });
+
+  test("analyses the whole clip with progress, while it plays", async () => {
+    const { client, input } = await openDemo();
+    const progress: Progress[] = [];
+    const analysing = client.analyse({ onProgress: (p) => progress.push(p) });
+    const frame = await client.step(0.05);
+    expect(frame.timeOut).toBeCloseTo(0.05, 6);
+    const analysis = await analysing;
+    expect(analysis.poses).toHaveLength(input.frames * POSE_FLOATS);
+    expect(analysis.planted).toHaveLength(2 * input.frames);
+    expect(analysis.timeOut).toHaveLength(input.frames);
+    expect(analysis.timeOut.every((t, i, all) => i === 0 || t > all[i - 1]!)).toBe(true);
+    expect(analysis.durationOutSecs).toBeGreaterThan(analysis.timeOut.at(-1)!);
+    const fractions = progress.map((p) => p.fraction);
+    expect(fractions.length).toBeGreaterThan(3);
+    expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
+  });
+
+  test("stops when its signal says so", async () => {
+    const { client } = await openDemo();
+    const controller = new AbortController();
+    const analysing = client.analyse({ signal: controller.signal, onProgress: () => controller.abort() });
+    await expect(analysing).rejects.toMatchObject({ name: "StrutError", code: "cancelled" });
+    await expect(client.analyse({ signal: AbortSignal.abort() })).rejects.toMatchObject({ code: "cancelled" });
+    await client.step(0.01);
+  });
+});
+
+describe("refusals", () => {
+  test("nothing can be played before it is open", async () => {
+    const client = await connect();
+    await expect(client.step(0)).rejects.toMatchObject({ code: "not-open", message: "No database is open." });
+    await client.openDatabase({ kind: "demo" });
+    await expect(client.step(0)).rejects.toMatchObject({ code: "not-open", message: "No input is open." });
+  });
+
+  test("bad bytes give a sentence and leave what is open", async () => {
+    const { client, style } = await openDemo();
+    const before = await client.step(0.1);
+    const bytes = new TextEncoder().encode("not what it should be").buffer;
+    for (const refused of [
+      client.openDatabase({ kind: "strutdb", name: "x", bytes }),
+      client.openInput({ kind: "bvh", name: "x", bytes }),
+    ]) {
+      const error = await refused.catch((e: unknown) => e);
+      expect(error).toBeInstanceOf(StrutError);
+      expect(error).toMatchObject({ code: "bad-file" });
+      expect((error as StrutError).message).toMatch(/^[A-Z].*\.$/);
+    }
+    await expect(client.openInput({ kind: "built-in", name: "none" })).rejects.toMatchObject({ code: "bad-input" });
+    await expect(client.configure({ ...DEFAULT_OPTIONS, k: 0 })).rejects.toMatchObject({ code: "bad-input" });
+    await expect(client.configure({ ...DEFAULT_OPTIONS, styles: { none: 1 } })).rejects.toMatchObject({
+      code: "bad-input",
+      hint: expect.stringContaining(style),
+    });
+    expect((await client.step(0)).inputFrame).toBeCloseTo(before.inputFrame, 6);
+  });
+
+  test("a disposed client takes no calls", async () => {
+    const client = await connect();
+    const waiting = client.openDatabase({ kind: "demo" });
+    client.dispose();
+    await expect(waiting).rejects.toMatchObject({ code: "disposed" });
+    await expect(client.step(0)).rejects.toMatchObject({ code: "disposed" });
+    expect(worker().terminated).toBe(true);
+  });
+
+  test("a worker that cannot start is an error, not a wait", async () => {
+    const broken = () => {
+      const port: WorkerPort = { postMessage() {}, terminate() {}, onmessage: null, onerror: null };
+      setTimeout(() => port.onerror?.({ message: "404" } as ErrorEvent), 0);
+      return port;
+    };
+    await expect(createStrutClient(broken)).rejects.toMatchObject({ code: "fault" });
+  });
+});
+
+describe("after a fault", () => {
+  const restarted = (client: StrutClient) =>
+    new Promise<string>((resolve) => {
+      client.onRestart = resolve;
+    });
+
+  test("a new worker stands where the old one stood", async () => {
+    const { client, style } = await openDemo();
+    await client.configure({ ...DEFAULT_OPTIONS, styles: { [style]: 1 } });
+    await client.setLoop(false);
+    const before = await client.seek(100);
+    const first = worker();
+    first.faultAt = "step";
+    const restart = restarted(client);
+    await expect(client.step(0.1)).rejects.toMatchObject({ code: "fault" });
+    const next = client.step(0);
+    expect(await restart).toContain("unreachable");
+    expect(first.terminated).toBe(true);
+    expect(worker().calls().slice(0, 5)).toEqual(["openDatabase", "configure", "setLoop", "openInput", "seek"]);
+    const frame = await next;
+    expect(frame.inputFrame).toBeCloseTo(100, 5);
+    expect(frame.pose).toEqual(before.pose);
+  });
+
+  test("whatever was under way is rejected", async () => {
+    const { client } = await openDemo();
+    await client.step(0);
+    const analysing = client.analyse();
+    const outcome = expect(analysing).rejects.toMatchObject({ code: "fault" });
+    const restart = restarted(client);
+    await Promise.resolve();
+    worker().onerror?.({ message: "out of memory" } as ErrorEvent);
+    await outcome;
+    expect(await restart).toContain("out of memory");
+  });
+
+  test("what fails again at once is not opened a third time", async () => {
+    const { client } = await openDemo();
+    await client.step(0);
+    worker().faultAt = "step";
+    let restart = restarted(client);
+    await client.step(0.1).catch(() => {});
+    await restart;
+    worker().faultAt = "step";
+    restart = restarted(client);
+    await client.step(0.1).catch(() => {});
+    expect(await restart).toContain("were closed");
+    expect(worker().calls()).toEqual([]);
+    await expect(client.step(0)).rejects.toMatchObject({ code: "not-open" });
+  });
+});
