@@ -15,5 +15,6 @@ pub mod parallel;
 pub mod pose_vector;
 pub mod registration;
 pub mod search;
+pub mod retarget;
 pub mod skeleton;
 pub mod transfer;

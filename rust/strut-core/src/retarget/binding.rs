@@ -1,0 +1,309 @@
+//! What a file's skeleton is in terms of the canonical humanoid.
+
+use super::find_roles::find_roles;
+use super::rest_pose::{RestPose, positions, rest_pose};
+use super::sample::Sample;
+use crate::humanoid::{JOINTS, PARENTS, Proportions, Role};
+use crate::math::{Quat, Vec3};
+use crate::motion::Motion;
+use crate::skeleton::Skeleton;
+use std::f32::consts::FRAC_PI_2;
+use thiserror::Error;
+
+/// Roles that a skeleton must have; the others may be missing.
+const REQUIRED: [Role; 14] = [
+    Role::LeftUpperLeg,
+    Role::LeftLowerLeg,
+    Role::LeftFoot,
+    Role::RightUpperLeg,
+    Role::RightLowerLeg,
+    Role::RightFoot,
+    Role::LeftUpperArm,
+    Role::LeftLowerArm,
+    Role::LeftHand,
+    Role::RightUpperArm,
+    Role::RightLowerArm,
+    Role::RightHand,
+    Role::Hips,
+    Role::Spine,
+];
+
+/// Usual length units: metres, and the words for a note.
+const UNITS: [(f32, &str); 5] =
+    [(1.0, "metres"), (0.01, "centimetres"), (0.0254, "inches"), (0.001, "millimetres"), (0.1, "decimetres")];
+/// Leg lengths, hip joint to ankle, of people from children to basketball players: metres. A unit that
+/// puts the leg here is taken; no two usual units can.
+const LEG_RANGE: std::ops::RangeInclusive<f32> = 0.6..=1.1;
+/// Leg length given to skeletons in no usual unit, metres.
+const USUAL_LEG: f32 = 0.85;
+
+/// Ankle height above the sole per drop from ankle to toe joint. Measured standing: Bandai Namco 1.57,
+/// Xia and CMU 1.5.
+const ANKLE_HEIGHT_PER_DROP: f32 = 1.55;
+/// The same for skeletons without toes or with level feet: share of the leg, the mannequin's.
+const ANKLE_HEIGHT_PER_LEG: f32 = 0.147;
+
+/// Which joint plays which role, how joints are turned in the T-pose, and how large the body is.
+///
+/// The same skeleton gives the same binding whatever the clip, unless neither its zero pose nor its
+/// local axes resemble a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Binding {
+    /// Joint of each role; `None` for roles that the skeleton lacks (toes, shoulders, chest, neck, head).
+    pub joint_of_role: [Option<usize>; JOINTS],
+    /// How sure the roles are: 1 when every role has a joint and names said so, about 0.6 when only the
+    /// shape of the tree did.
+    pub confidence: f32,
+    /// World rotation of each file joint in the T-pose facing +Z, +Y up.
+    pub rest_world_rotations: Vec<Quat>,
+    /// Rotation from the file's world to ours: the identity for files with +Y up.
+    pub world_from_file: Quat,
+    /// Metres per unit of length of the file.
+    pub metres_per_unit: f32,
+    /// The body as canonical humanoid, metres. A role without a joint lies between its neighbours.
+    pub proportions: Proportions,
+    /// Joints without a role, ascending; they keep their own motion.
+    pub unmapped: Vec<usize>,
+    /// Sentences for people about what was matched and assumed.
+    pub notes: Vec<String>,
+    /// Parent of each file joint.
+    pub(super) parents: Vec<Option<usize>>,
+}
+
+/// Why a skeleton cannot be bound.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum BindError {
+    /// A clip without frames.
+    #[error("This motion has no frames. Export the clip again and drop it here.")]
+    NoFrames,
+    /// Nothing that looks like a body.
+    #[error("This skeleton has no legs and arms that we can find. Drop a file of a humanoid.")]
+    NotHumanoid,
+    /// A required role has no joint.
+    #[error("This skeleton has no {} that we can find. Choose the joint, or drop another file.", joint_word(*.0))]
+    Missing(Role),
+    /// A chosen joint is not in the skeleton, or does not descend from the joint of the role above.
+    #[error("Joint '{joint}' cannot be the {}: it does not hang on the rest of the body.", joint_word(*.role))]
+    Misplaced {
+        /// The role.
+        role: Role,
+        /// The joint's name, or its index if there is no such joint.
+        joint: String,
+    },
+    /// A limb bone without length.
+    #[error("The {} lies at the same place as the joint above it. Choose another joint, or drop another file.", joint_word(*.0))]
+    NoLength(Role),
+}
+
+/// What people call the joint of a role.
+fn joint_word(role: Role) -> &'static str {
+    match role {
+        Role::Hips => "hips",
+        Role::Spine => "spine",
+        Role::Chest => "chest",
+        Role::Neck => "neck",
+        Role::Head => "head",
+        Role::LeftShoulder => "left collarbone",
+        Role::LeftUpperArm => "left shoulder",
+        Role::LeftLowerArm => "left elbow",
+        Role::LeftHand => "left wrist",
+        Role::RightShoulder => "right collarbone",
+        Role::RightUpperArm => "right shoulder",
+        Role::RightLowerArm => "right elbow",
+        Role::RightHand => "right wrist",
+        Role::LeftUpperLeg => "left hip",
+        Role::LeftLowerLeg => "left knee",
+        Role::LeftFoot => "left ankle",
+        Role::LeftToes => "left toes",
+        Role::RightUpperLeg => "right hip",
+        Role::RightLowerLeg => "right knee",
+        Role::RightFoot => "right ankle",
+        Role::RightToes => "right toes",
+    }
+}
+
+impl Binding {
+    /// Finds roles, rest pose, unit and axes of a clip's skeleton.
+    ///
+    /// # Errors
+    /// See [`BindError`]; its sentences are for people.
+    pub fn detect(motion: &Motion) -> Result<Self, BindError> {
+        let sample = Sample::of(motion);
+        if sample.is_empty() {
+            return Err(BindError::NoFrames);
+        }
+        let found = find_roles(&motion.skeleton, &sample);
+        if found.joint_of_role.iter().all(Option::is_none) {
+            return Err(BindError::NotHumanoid);
+        }
+        Self::of(&motion.skeleton, &sample, &found.joint_of_role, found.confidence)
+    }
+
+    /// A binding with joints chosen by a person; confidence 1.
+    ///
+    /// # Errors
+    /// See [`BindError`].
+    pub fn with_roles(motion: &Motion, joint_of_role: &[Option<usize>; JOINTS]) -> Result<Self, BindError> {
+        let sample = Sample::of(motion);
+        if sample.is_empty() {
+            return Err(BindError::NoFrames);
+        }
+        Self::of(&motion.skeleton, &sample, joint_of_role, 1.0)
+    }
+
+    /// Whether a skeleton has the hierarchy that was bound, so that its motions may use this binding.
+    pub fn fits(&self, skeleton: &Skeleton) -> bool {
+        skeleton.joints().iter().map(|j| j.parent).eq(self.parents.iter().copied())
+    }
+
+    fn of(
+        skeleton: &Skeleton,
+        sample: &Sample,
+        joint_of_role: &[Option<usize>; JOINTS],
+        confidence: f32,
+    ) -> Result<Self, BindError> {
+        check_roles(skeleton, joint_of_role)?;
+        let rest = rest_pose(skeleton, joint_of_role, sample);
+        let at_rest = positions(skeleton, &sample.translations, &rest.world_rotations);
+        let mut proportions = offsets_between(&role_positions(joint_of_role, &at_rest));
+        let leg = leg_length(&proportions);
+        for role in REQUIRED.into_iter().filter(|r| *r != Role::Hips && *r != Role::Spine) {
+            let upper =
+                matches!(role, Role::LeftUpperLeg | Role::RightUpperLeg | Role::LeftUpperArm | Role::RightUpperArm);
+            if !upper && proportions.offsets[role.index()].length() <= 1e-3 * leg {
+                return Err(BindError::NoLength(role));
+            }
+        }
+        let unit = UNITS.iter().find(|(unit, _)| LEG_RANGE.contains(&(leg * unit)));
+        let metres_per_unit = unit.map_or(USUAL_LEG / leg, |(unit, _)| *unit);
+        for offset in &mut proportions.offsets {
+            *offset *= metres_per_unit;
+        }
+        proportions.offsets[0] = Vec3::new(0.0, hips_height(joint_of_role, &proportions), 0.0);
+        let unmapped: Vec<usize> = (0..skeleton.len()).filter(|j| !joint_of_role.contains(&Some(*j))).collect();
+        let world_from_file = world_from_file(joint_of_role, sample, &rest);
+        let notes = notes(skeleton, &unmapped, &rest, unit.map(|(_, word)| *word), metres_per_unit, world_from_file);
+        Ok(Self {
+            joint_of_role: *joint_of_role,
+            confidence,
+            rest_world_rotations: rest.world_rotations,
+            world_from_file,
+            metres_per_unit,
+            proportions,
+            unmapped,
+            notes,
+            parents: skeleton.joints().iter().map(|j| j.parent).collect(),
+        })
+    }
+}
+
+/// Every required role has a joint, and every joint descends from that of the nearest role above.
+fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Result<(), BindError> {
+    if let Some(&role) = REQUIRED.iter().find(|r| roles[r.index()].is_none()) {
+        return Err(BindError::Missing(role));
+    }
+    let parent = |j: usize| skeleton.joints().get(j).and_then(|joint| joint.parent);
+    for role in Role::ALL {
+        let Some(joint) = roles[role.index()] else { continue };
+        let misplaced = |name: String| Err(BindError::Misplaced { role, joint: name });
+        let Some(found) = skeleton.joints().get(joint) else { return misplaced(joint.to_string()) };
+        let above = std::iter::successors(role.parent(), |r| r.parent()).find_map(|r| roles[r.index()]);
+        let hangs = above.is_none_or(|a| std::iter::successors(parent(joint), |&p| parent(p)).any(|p| p == a));
+        if !hangs {
+            return misplaced(found.name.clone());
+        }
+    }
+    Ok(())
+}
+
+/// Positions of all roles in the T-pose, file units; a role without a joint lies between its neighbours.
+fn role_positions(roles: &[Option<usize>; JOINTS], at_rest: &[Vec3]) -> [Vec3; JOINTS] {
+    let known = |r: Role| roles[r.index()].map(|j| at_rest[j]);
+    let mut out = [Vec3::ZERO; JOINTS];
+    for role in Role::ALL {
+        let parent = role.parent().map_or(Vec3::ZERO, |p| out[p.index()]);
+        let toward = |end: Option<Vec3>, share: f32| end.map_or(parent, |e| parent + (e - parent) * share);
+        let foot = |leg: [Role; 3]| {
+            // The mannequin's foot, scaled to the leg.
+            let [hip, knee, ankle] = leg.map(|r| out[r.index()]);
+            parent + Vec3::new(0.0, -0.105, 0.16) * ((knee - hip).length() + (ankle - knee).length())
+        };
+        out[role.index()] = known(role).unwrap_or_else(|| match role {
+            Role::Neck => toward(known(Role::Head), 0.7),
+            Role::LeftShoulder => toward(known(Role::LeftUpperArm), 0.2),
+            Role::RightShoulder => toward(known(Role::RightUpperArm), 0.2),
+            Role::LeftToes => foot([Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot]),
+            Role::RightToes => foot([Role::RightUpperLeg, Role::RightLowerLeg, Role::RightFoot]),
+            _ => parent,
+        });
+    }
+    out
+}
+
+/// In the T-pose all frames are aligned with the world, so offsets are differences of positions.
+fn offsets_between(positions: &[Vec3; JOINTS]) -> Proportions {
+    let mut offsets = [Vec3::ZERO; JOINTS];
+    for j in 1..JOINTS {
+        offsets[j] = positions[j] - positions[PARENTS[j]];
+    }
+    Proportions { offsets }
+}
+
+/// Mean length of both legs, hip joint to ankle.
+fn leg_length(p: &Proportions) -> f32 {
+    let length = |r: Role| p.offsets[r.index()].length();
+    let left = length(Role::LeftLowerLeg) + length(Role::LeftFoot);
+    0.5 * (left + length(Role::RightLowerLeg) + length(Role::RightFoot))
+}
+
+/// Height of the hips in the T-pose with the soles on the ground, metres.
+fn hips_height(roles: &[Option<usize>; JOINTS], p: &Proportions) -> f32 {
+    let y = |r: Role| -p.offsets[r.index()].y;
+    let side = |r: Role| if roles[r.index()].is_some() { y(r) } else { 0.0 };
+    let drop = 0.5 * (side(Role::LeftToes) + side(Role::RightToes));
+    let leg = leg_length(p);
+    let from_toes = ANKLE_HEIGHT_PER_DROP * drop;
+    let ankle = if from_toes > 0.03 * leg { from_toes } else { ANKLE_HEIGHT_PER_LEG * leg };
+    let legs = [Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot].map(|r| 0.5 * (y(r) + y(r.mirrored())));
+    legs.iter().sum::<f32>() + ankle
+}
+
+/// Rotation from the file's axes to ours. A body that is mostly upright along +Z in a file is one whose
+/// up is +Z, unless its zero pose stands along +Y: then it lies down.
+fn world_from_file(roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &RestPose) -> Quat {
+    let at = |r: Role| roles[r.index()].unwrap_or(0);
+    let top = [Role::Head, Role::Neck, Role::Chest, Role::Spine].iter().find_map(|r| roles[r.index()]).unwrap_or(0);
+    let (left, right) = (at(Role::LeftFoot), at(Role::RightFoot));
+    let up = sample.mean(|w| (w[top].0 - 0.5 * (w[left].0 + w[right].0)).normalize_or_zero());
+    let zero_is_y_up = rest.zero_up.is_some_and(|z| z.y > 0.8);
+    if up.z > 0.7 && !zero_is_y_up { Quat::from_rotation_x(-FRAC_PI_2) } else { Quat::IDENTITY }
+}
+
+fn notes(
+    skeleton: &Skeleton,
+    unmapped: &[usize],
+    rest: &RestPose,
+    unit: Option<&str>,
+    metres_per_unit: f32,
+    world_from_file: Quat,
+) -> Vec<String> {
+    let mut notes = Vec::new();
+    let all = skeleton.len();
+    let matched = all - unmapped.len();
+    notes.push(match unmapped {
+        [] => format!("Matched all {all} joints."),
+        [one] => format!("Matched {matched} of {all} joints. {} stays as it was.", skeleton.joints()[*one].name),
+        many => format!("Matched {matched} of {all} joints. The other {} stay as they were.", many.len()),
+    });
+    notes.push(match unit {
+        Some(word) => format!("Lengths are in {word}."),
+        None => format!("One unit of length was taken as {:.1} cm.", 100.0 * metres_per_unit),
+    });
+    if !rest.from_zero_pose {
+        notes.push("The zero pose is no T-pose; the rest pose was worked out from the motion.".to_owned());
+    }
+    if world_from_file != Quat::IDENTITY {
+        notes.push("Up is +Z in this file.".to_owned());
+    }
+    notes
+}

@@ -1,0 +1,321 @@
+//! Which joint of a skeleton plays which role: by names, and where they fail by the shape of the tree.
+//!
+//! A body is a tree with two pairs of equal chains: legs at the hips, arms higher up. Names pick the
+//! joints of each limb (best consistent chain over all paths from a leaf to the root); a limb that they
+//! leave incomplete is taken from the symmetric pairs of chains. The trunk needs no names: it is what
+//! lies between the joint that bears the legs and the one that bears the arms.
+
+use super::names::{NameHint, Part, Side};
+use super::sample::Sample;
+use crate::humanoid::{JOINTS, Role};
+use crate::math::Vec3;
+use crate::skeleton::Skeleton;
+
+/// Joint of each role, and how sure we are (0 to 1).
+pub(super) struct FoundRoles {
+    pub(super) joint_of_role: [Option<usize>; JOINTS],
+    pub(super) confidence: f32,
+}
+
+/// Parts of a limb from the trunk outwards; the middle two and the end are required.
+type LimbParts = [Part; 4];
+const LEG: LimbParts = [Part::UpperLeg, Part::LowerLeg, Part::Foot, Part::Toes];
+const ARM: LimbParts = [Part::Shoulder, Part::UpperArm, Part::LowerArm, Part::Hand];
+
+/// A limb as joints of the file, in the order of its parts.
+type LimbJoints = [Option<usize>; 4];
+
+/// What a role that was found by names, by the tree only, or by neither adds to the confidence.
+const BY_NAME: f32 = 1.0;
+const BY_TREE: f32 = 0.6;
+
+/// Finds the roles of a skeleton. Those that cannot be found are `None`.
+pub(super) fn find_roles(skeleton: &Skeleton, sample: &Sample) -> FoundRoles {
+    let tree = Tree::of(skeleton, sample);
+    let hints: Vec<NameHint> = skeleton.joints().iter().map(|j| NameHint::of(&j.name)).collect();
+    let named = |parts, side| best_named_chain(&tree, &hints, parts, side);
+    let mut legs = [named(LEG, Side::Left), named(LEG, Side::Right)];
+    let mut arms = [named(ARM, Side::Left), named(ARM, Side::Right)];
+    let mut confidence = [BY_NAME; 2];
+    let legs_complete = legs.iter().all(|l| l[..3].iter().all(Option::is_some));
+    let arms_complete = arms.iter().all(|a| a[1..].iter().all(Option::is_some));
+    if !(legs_complete && arms_complete)
+        && let Some((tree_legs, tree_arms)) = limbs_by_shape(&tree, sample)
+    {
+        if !legs_complete {
+            (legs, confidence[0]) = (tree_legs, BY_TREE);
+        }
+        if !arms_complete {
+            (arms, confidence[1]) = (tree_arms, BY_TREE);
+        }
+    }
+
+    let mut joint_of_role = [None; JOINTS];
+    for (side, i) in [(Side::Left, 0), (Side::Right, 1)] {
+        for (parts, joints) in [(LEG, legs[i]), (ARM, arms[i])] {
+            for (part, joint) in parts.iter().zip(joints) {
+                joint_of_role[part.on(side).index()] = joint;
+            }
+        }
+    }
+    find_trunk(&tree, &hints, &mut joint_of_role);
+
+    let found = joint_of_role.iter().flatten().count() as f32 / JOINTS as f32;
+    let confidence = found * 0.5 * (confidence[0] + confidence[1]);
+    FoundRoles { joint_of_role, confidence }
+}
+
+/// The hierarchy with what the searches ask for again and again.
+struct Tree {
+    parents: Vec<Option<usize>>,
+    children: Vec<Vec<usize>>,
+    /// Distance of each joint from its parent, file units.
+    lengths: Vec<f32>,
+}
+
+impl Tree {
+    fn of(skeleton: &Skeleton, sample: &Sample) -> Self {
+        let parents: Vec<Option<usize>> = skeleton.joints().iter().map(|j| j.parent).collect();
+        let mut children = vec![Vec::new(); parents.len()];
+        for (joint, parent) in parents.iter().enumerate() {
+            if let Some(p) = parent {
+                children[*p].push(joint);
+            }
+        }
+        Self { parents, children, lengths: sample.translations.iter().map(|t| t.length()).collect() }
+    }
+
+    /// From the root to this joint, both included.
+    fn path_to(&self, joint: usize) -> Vec<usize> {
+        let mut path: Vec<usize> = std::iter::successors(Some(joint), |&j| self.parents[j]).collect();
+        path.reverse();
+        path
+    }
+
+    fn lowest_common_ancestor(&self, a: usize, b: usize) -> usize {
+        let (a, b) = (self.path_to(a), self.path_to(b));
+        a.iter().zip(&b).take_while(|(x, y)| x == y).last().map_or(0, |(x, _)| *x)
+    }
+
+    fn depth(&self, joint: usize) -> usize {
+        self.path_to(joint).len()
+    }
+
+    fn is_ancestor(&self, ancestor: usize, joint: usize) -> bool {
+        self.path_to(joint).contains(&ancestor)
+    }
+
+    /// Joints strictly between an ancestor and a joint, outwards.
+    fn between(&self, ancestor: usize, joint: usize) -> Vec<usize> {
+        let path = self.path_to(joint);
+        path.iter().skip_while(|&&j| j != ancestor).skip(1).copied().filter(|&j| j != joint).collect()
+    }
+
+    /// Distance along the bones from an ancestor to a joint.
+    fn distance(&self, ancestor: usize, joint: usize) -> f32 {
+        std::iter::successors(Some(joint), |&j| self.parents[j])
+            .take_while(|&j| j != ancestor)
+            .map(|j| self.lengths[j])
+            .sum()
+    }
+
+    /// The longest chain of bones from `joint` outwards, `joint` first.
+    fn longest_chain(&self, joint: usize) -> Vec<usize> {
+        // Children follow their parents, so one backward pass knows every subtree's reach.
+        let mut reach = vec![0.0_f32; self.parents.len()];
+        let mut next = vec![None; self.parents.len()];
+        for j in (joint..self.parents.len()).rev() {
+            for &c in &self.children[j] {
+                let length = self.lengths[c] + reach[c];
+                if next[j].is_none() || length > reach[j] {
+                    (reach[j], next[j]) = (length, Some(c));
+                }
+            }
+        }
+        std::iter::successors(Some(joint), |&j| next[j]).collect()
+    }
+}
+
+/// The joints of one path from root to leaf whose names fit the limb best: parts in order, optional ones
+/// possibly missing. A required part is worth more than any choice of words.
+fn best_named_chain(tree: &Tree, hints: &[NameHint], parts: LimbParts, side: Side) -> LimbJoints {
+    let required = |i: usize| if parts[0] == Part::UpperLeg { i < 3 } else { i > 0 };
+    let score = |joint: usize, i: usize| {
+        let weight = if hints[joint].side == Some(side) { hints[joint].weight(parts[i]) } else { 0.0 };
+        if weight > 0.0 && required(i) { weight + 1.0 } else { weight }
+    };
+    // best[j][n]: score of the best choice of the first n parts on the path to j, and the last part's joint.
+    let mut best: Vec<[(f32, LimbJoints); 5]> = Vec::with_capacity(hints.len());
+    let mut winner = (0.0, [None; 4]);
+    for joint in 0..hints.len() {
+        let above = tree.parents[joint].map_or([(0.0, [None; 4]); 5], |p| best[p]);
+        let mut here = above;
+        for n in 1..=4 {
+            // Part n−1 is absent, or an ancestor's, or this joint's.
+            if here[n - 1].0 > here[n].0 {
+                here[n] = here[n - 1];
+            }
+            let own = score(joint, n - 1);
+            if own > 0.0 && above[n - 1].0 + own > here[n].0 {
+                here[n] = above[n - 1];
+                here[n].0 += own;
+                here[n].1[n - 1] = Some(joint);
+            }
+        }
+        if here[4].0 > winner.0 {
+            winner = here[4];
+        }
+        best.push(here);
+    }
+    winner.1
+}
+
+/// Two chains of equal bones on the same joint.
+struct Pair {
+    joint: usize,
+    chains: [Vec<usize>; 2],
+    length: f32,
+}
+
+/// Legs and arms (left, right) of a skeleton whose names say nothing.
+fn limbs_by_shape(tree: &Tree, sample: &Sample) -> Option<([LimbJoints; 2], [LimbJoints; 2])> {
+    let mut pairs = symmetric_pairs(tree);
+    let longest = pairs.iter().map(|p| p.length).fold(0.0, f32::max);
+    // Fingers, toes and ears come in pairs too.
+    pairs.retain(|p| p.length > 0.4 * longest);
+    pairs.sort_by(|a, b| tree.depth(a.joint).cmp(&tree.depth(b.joint)).then(b.length.total_cmp(&a.length)));
+    let legs = pairs.first()?;
+    let arms = pairs
+        .iter()
+        .filter(|p| p.joint != legs.joint && tree.is_ancestor(legs.joint, p.joint))
+        .max_by(|a, b| a.length.total_cmp(&b.length))?;
+    let mut leg_joints = [limb_joints(tree, &legs.chains[0], 0)?, limb_joints(tree, &legs.chains[1], 0)?];
+    let mut arm_joints = [limb_joints(tree, &arms.chains[0], 1)?, limb_joints(tree, &arms.chains[1], 1)?];
+    if leftness(sample, arms.joint, &leg_joints)? < 0.0 {
+        leg_joints.swap(0, 1);
+    }
+    let (hips, shoulders) = ([leg_joints[0][0]?, leg_joints[1][0]?], [arm_joints[0][1]?, arm_joints[1][1]?]);
+    let agreement = sample.mean(|w| {
+        let (a, b) = (w[hips[0]].0 - w[hips[1]].0, w[shoulders[0]].0 - w[shoulders[1]].0);
+        Vec3::splat(a.dot(b))
+    });
+    if agreement.x < 0.0 {
+        arm_joints.swap(0, 1);
+    }
+    Some((leg_joints, arm_joints))
+}
+
+fn symmetric_pairs(tree: &Tree) -> Vec<Pair> {
+    let mut pairs = Vec::new();
+    for joint in 0..tree.parents.len() {
+        let chains: Vec<Vec<usize>> = tree.children[joint].iter().map(|&c| tree.longest_chain(c)).collect();
+        for (i, a) in chains.iter().enumerate() {
+            for b in &chains[i + 1..] {
+                let same = a.len().min(b.len()) >= 3
+                    && a.iter().zip(b).take(4).all(|(&x, &y)| {
+                        (tree.lengths[x] - tree.lengths[y]).abs() <= 0.1 * tree.lengths[x].max(tree.lengths[y]) + 1e-4
+                    });
+                if same {
+                    let length = a[1..].iter().map(|&j| tree.lengths[j]).sum();
+                    pairs.push(Pair { joint, chains: [a.clone(), b.clone()], length });
+                }
+            }
+        }
+    }
+    pairs
+}
+
+/// The joints of a limb on its chain: the two long bones in a row are thigh and shin, or upper arm and
+/// forearm. `first` is the part that the upper joint plays; a joint before it is the clavicle.
+fn limb_joints(tree: &Tree, chain: &[usize], first: usize) -> Option<LimbJoints> {
+    let total: f32 = chain[1..].iter().map(|&j| tree.lengths[j]).sum();
+    // Of joints at the same place the last one moves the bone.
+    let distinct: Vec<usize> = chain
+        .iter()
+        .enumerate()
+        .filter(|&(i, _)| chain.get(i + 1).is_none_or(|&next| tree.lengths[next] > 0.01 * total))
+        .map(|(_, &j)| j)
+        .collect();
+    let two_bones = |i: usize| tree.distance(distinct[i], distinct[i + 2]);
+    let starts = 0..distinct.len().checked_sub(2)?;
+    let longest = starts.clone().map(two_bones).fold(0.0, f32::max);
+    // A clavicle and an upper arm may be as long as upper arm and forearm: the outer pair is meant.
+    let start = starts.rev().find(|&i| two_bones(i) >= 0.8 * longest)?;
+    let mut joints = [None; 4];
+    for (part, slot) in joints.iter_mut().enumerate() {
+        *slot = (start + part).checked_sub(first).and_then(|i| distinct.get(i)).copied();
+    }
+    Some(joints)
+}
+
+/// Positive if the first leg is the left one: toes, or else knees, tell where forward is.
+fn leftness(sample: &Sample, above: usize, legs: &[LimbJoints; 2]) -> Option<f32> {
+    let hips = [legs[0][0]?, legs[1][0]?];
+    let knees = [legs[0][1]?, legs[1][1]?];
+    let ankles = [legs[0][2]?, legs[1][2]?];
+    let toes = legs[0][3].zip(legs[1][3]);
+    let mean = sample.mean(|w| {
+        let up = w[above].0 - 0.5 * (w[hips[0]].0 + w[hips[1]].0);
+        let across = w[hips[0]].0 - w[hips[1]].0;
+        let forward = match toes {
+            Some((a, b)) => w[a].0 - w[ankles[0]].0 + w[b].0 - w[ankles[1]].0,
+            None => (0..2).map(|i| 2.0 * w[knees[i]].0 - w[hips[i]].0 - w[ankles[i]].0).sum(),
+        };
+        Vec3::splat(across.cross(up).dot(forward))
+    });
+    Some(mean.x)
+}
+
+/// Fills hips, spine, chest, neck and head from the limbs.
+fn find_trunk(tree: &Tree, hints: &[NameHint], roles: &mut [Option<usize>; JOINTS]) {
+    let at = |r: Role| roles[r.index()];
+    let (Some(left_leg), Some(right_leg)) = (at(Role::LeftUpperLeg), at(Role::RightUpperLeg)) else { return };
+    let (Some(left_arm), Some(right_arm)) = (at(Role::LeftUpperArm), at(Role::RightUpperArm)) else { return };
+    let mut hips = tree.lowest_common_ancestor(left_leg, right_leg);
+    // Biped hangs the thighs on the spine.
+    if hints[hips].weight(Part::Trunk) > 0.0
+        && let Some(parent) = tree.parents[hips]
+        && hints[parent].weight(Part::Hips) > 0.0
+    {
+        hips = parent;
+    }
+    let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
+    if bearer == hips || !tree.is_ancestor(hips, bearer) {
+        roles[Role::Hips.index()] = Some(hips);
+        return;
+    }
+    // Biped hangs the clavicles on the neck.
+    let parent = tree.parents[bearer].filter(|&p| p != hips);
+    let chest = if hints[bearer].weight(Part::Neck) > 0.0 { parent.unwrap_or(bearer) } else { bearer };
+    let head = find_head(tree, hints, bearer, [left_arm, right_arm]);
+    // A joint at its ancestor's place only doubles it (CMU's `LowerBack` and `Neck`).
+    let first_apart = |from: usize, between: &[usize]| {
+        let apart = between.iter().copied().find(|&j| tree.distance(from, j) > 0.01 * tree.distance(hips, chest));
+        apart.or(between.last().copied())
+    };
+    let spine = first_apart(hips, &tree.between(hips, chest));
+    roles[Role::Hips.index()] = Some(hips);
+    roles[Role::Spine.index()] = spine.or(Some(chest));
+    roles[Role::Chest.index()] = spine.map(|_| chest);
+    roles[Role::Head.index()] = head;
+    roles[Role::Neck.index()] = head.and_then(|h| first_apart(chest, &tree.between(chest, h)));
+}
+
+/// The head: the joint called so, else the last joint of the longest chain above the arms before it
+/// branches into a face.
+fn find_head(tree: &Tree, hints: &[NameHint], bearer: usize, arms: [usize; 2]) -> Option<usize> {
+    let named = (bearer + 1..hints.len())
+        .filter(|&j| hints[j].weight(Part::Head) > 0.0 && tree.is_ancestor(bearer, j))
+        .max_by(|&a, &b| hints[a].weight(Part::Head).total_cmp(&hints[b].weight(Part::Head)).then(b.cmp(&a)));
+    if named.is_some() {
+        return named;
+    }
+    let free = tree.children[bearer].iter().filter(|&&c| !arms.iter().any(|&a| tree.is_ancestor(c, a)));
+    let chains = free.map(|&c| tree.longest_chain(c));
+    let length = |chain: &Vec<usize>| chain.iter().map(|&j| tree.lengths[j]).sum::<f32>();
+    let chain = chains.max_by(|a, b| length(a).total_cmp(&length(b)))?;
+    chain.iter().copied().find(|&j| tree.children[j].len() != 1)
+}
+
+#[cfg(test)]
+mod tests;

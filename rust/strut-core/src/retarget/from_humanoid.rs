@@ -1,0 +1,191 @@
+//! From the canonical humanoid back to a file's skeleton.
+
+use super::Binding;
+use super::scale::BodyScale;
+use crate::humanoid::{HumanoidMotion, Pose, Proportions, Role};
+use crate::kinematics::{Limb, TwoBones, WorldPose, world_from_local};
+use crate::math::{Quat, Vec3};
+use crate::motion::Motion;
+
+/// Retargets canonical poses to a bound skeleton, one at a time and without allocation.
+#[derive(Clone, Debug)]
+pub struct FromHumanoid {
+    binding: Binding,
+    body: Proportions,
+    scale: BodyScale,
+    /// Role whose world rotation each file joint takes.
+    role_of_joint: Vec<Option<Role>>,
+    /// The joint whose translation carries the body through the world.
+    mover: usize,
+    positions: Vec<Vec3>,
+    rotations: Vec<Quat>,
+}
+
+impl FromHumanoid {
+    /// From poses of a body of these proportions to the skeleton of `binding`. `source` is a clip of
+    /// that skeleton: it tells which joint carries the body through the world.
+    ///
+    /// # Panics
+    /// If the skeleton of `source` is not the one that was bound ([`Binding::fits`]).
+    pub fn new(binding: &Binding, body: &Proportions, source: &Motion) -> Self {
+        let joints = binding.parents.len();
+        let mut role_of_joint = vec![None; joints];
+        for (role, joint) in Role::ALL.iter().zip(binding.joint_of_role) {
+            if let Some(j) = joint {
+                role_of_joint[j] = Some(*role);
+            }
+        }
+        // Without a chest of its own the trunk's one joint carries what hangs on the chest.
+        if binding.joint_of_role[Role::Chest.index()].is_none()
+            && let Some(spine) = binding.joint_of_role[Role::Spine.index()]
+        {
+            role_of_joint[spine] = Some(Role::Chest);
+        }
+        Self {
+            binding: binding.clone(),
+            body: *body,
+            scale: BodyScale::between(&binding.proportions, body),
+            role_of_joint,
+            mover: moving_joint(binding, source),
+            positions: vec![Vec3::ZERO; joints],
+            rotations: vec![Quat::IDENTITY; joints],
+        }
+    }
+
+    /// Writes the local transforms of one frame. They must hold a frame of the file when this is called:
+    /// joints without a role keep it, and all but the joint that carries the body keep translations.
+    ///
+    /// # Panics
+    /// If there are fewer transforms than joints.
+    pub fn frame(&mut self, pose: &Pose, translations: &mut [Vec3], rotations: &mut [Quat]) {
+        let world = world_from_local(&self.body, pose);
+        self.turn_joints(&world, translations, rotations);
+        self.move_body(&world, translations);
+        for leg in Limb::LEGS {
+            let [_, _, ankle] = leg.roles();
+            let target = self.in_file(self.scale.to_file(world.positions[ankle.index()]));
+            self.reach(&world, leg, target, rotations);
+        }
+        for (i, arm) in Limb::ARMS.into_iter().enumerate() {
+            let [shoulder, _, wrist] = arm.roles();
+            let reach = world.positions[wrist.index()] - world.positions[shoulder.index()];
+            let target = self.positions[self.joint(shoulder)] + self.in_file(reach / self.scale.arm(i));
+            self.reach(&world, arm, target, rotations);
+        }
+    }
+
+    /// A vector in metres and our axes in the file's unit and axes.
+    fn in_file(&self, v: Vec3) -> Vec3 {
+        self.binding.world_from_file.inv_mul_vec3(v) / self.binding.metres_per_unit
+    }
+
+    /// Joint of a required role.
+    fn joint(&self, role: Role) -> usize {
+        self.binding.joint_of_role[role.index()].unwrap_or(0)
+    }
+
+    /// World rotations by role, W = G · Wᵣ with the rest rotation Wᵣ, as local rotations; positions follow.
+    fn turn_joints(&mut self, world: &WorldPose, translations: &[Vec3], rotations: &mut [Quat]) {
+        for joint in 0..self.role_of_joint.len() {
+            let (position, above) = match self.binding.parents[joint] {
+                Some(p) => (self.positions[p], self.rotations[p]),
+                None => (Vec3::ZERO, Quat::IDENTITY),
+            };
+            if let Some(role) = self.role_of_joint[joint] {
+                let turn = world.rotations[role.index()] * self.binding.rest_world_rotations[joint];
+                rotations[joint] = above.inv_mul(self.binding.world_from_file.inv_mul(turn)).normalized();
+            }
+            self.positions[joint] = position + above * translations[joint];
+            self.rotations[joint] = above * rotations[joint];
+        }
+    }
+
+    /// Shifts the body so that its hip joints lie where the canonical ones say.
+    fn move_body(&mut self, world: &WorldPose, translations: &mut [Vec3]) {
+        let (left, right) = (Role::LeftUpperLeg, Role::RightUpperLeg);
+        let canonical = 0.5 * (world.positions[left.index()] + world.positions[right.index()]);
+        let current = 0.5 * (self.positions[self.joint(left)] + self.positions[self.joint(right)]);
+        let shift = self.in_file(self.scale.to_file(canonical)) - current;
+        let above = self.binding.parents[self.mover].map_or(Quat::IDENTITY, |p| self.rotations[p]);
+        translations[self.mover] += above.inv_mul_vec3(shift);
+        // Later joints that do not hang on the mover have no role, and nothing below asks for them.
+        for position in &mut self.positions[self.mover..] {
+            *position += shift;
+        }
+    }
+
+    /// Brings the end of a limb to a target in the file's world; it keeps its world rotation.
+    fn reach(&mut self, world: &WorldPose, limb: Limb, target: Vec3, rotations: &mut [Quat]) {
+        let [upper_role, ..] = limb.roles();
+        let [upper, middle, end] = limb.roles().map(|r| self.joint(r));
+        let pole = self.binding.world_from_file.inv_mul_vec3(world.rotations[upper_role.index()] * limb.pole());
+        let bones =
+            TwoBones { upper: self.positions[upper], middle: self.positions[middle], end: self.positions[end], pole };
+        let reach = bones.reach(target);
+        // Joints between two roles turn rigidly with the role above them.
+        let parent = |joint: usize| self.binding.parents[joint];
+        let above = parent(upper).map_or(Quat::IDENTITY, |p| self.rotations[p]);
+        let above_middle = parent(middle).map_or(Quat::IDENTITY, |p| reach.upper_turn * self.rotations[p]);
+        let above_end = parent(end).map_or(Quat::IDENTITY, |p| reach.lower_turn * self.rotations[p]);
+        rotations[upper] = above.inv_mul(reach.upper_turn * self.rotations[upper]).normalized();
+        rotations[middle] = above_middle.inv_mul(reach.lower_turn * self.rotations[middle]).normalized();
+        rotations[end] = above_end.inv_mul(self.rotations[end]).normalized();
+    }
+}
+
+/// The nearest of the hips and the joints above them whose position channels move it; the root of a
+/// skeleton where none does.
+fn moving_joint(binding: &Binding, source: &Motion) -> usize {
+    let hips = binding.joint_of_role[Role::Hips.index()].unwrap_or(0);
+    let moves = |&joint: &usize| {
+        let offset = source.skeleton.joints()[joint].offset;
+        (0..source.frames()).any(|f| source.translations_at(f)[joint] != offset)
+    };
+    std::iter::successors(Some(hips), |&j| binding.parents[j]).find(moves).unwrap_or(0)
+}
+
+/// A canonical clip on the skeleton of `source`, at the canonical clip's rate.
+///
+/// Frame i takes what the humanoid does not have, such as fingers, from the fractional frame
+/// `source_frames[i]` of the source, clamped to it; if there are fewer of them than poses, the last one
+/// counts for the rest. A source without frames gives a motion without frames.
+///
+/// # Panics
+/// If the skeleton of `source` is not the one that was bound ([`Binding::fits`]).
+pub fn from_humanoid(humanoid: &HumanoidMotion, source: &Motion, binding: &Binding, source_frames: &[f64]) -> Motion {
+    let joints = source.skeleton.len();
+    let mut motion = Motion {
+        skeleton: source.skeleton.clone(),
+        frame_time_secs: 1.0 / f64::from(humanoid.rate_hz),
+        translations: Vec::new(),
+        rotations: Vec::new(),
+    };
+    let Some(last) = source.frames().checked_sub(1) else { return motion };
+    motion.translations = vec![Vec3::ZERO; humanoid.poses.len() * joints];
+    motion.rotations = vec![Quat::IDENTITY; humanoid.poses.len() * joints];
+    let mut retarget = FromHumanoid::new(binding, &humanoid.proportions, source);
+    let frames = motion.translations.chunks_exact_mut(joints).zip(motion.rotations.chunks_exact_mut(joints));
+    for ((i, pose), (translations, rotations)) in humanoid.poses.iter().enumerate().zip(frames) {
+        let at = source_frames.get(i).or(source_frames.last()).copied().unwrap_or(0.0).clamp(0.0, last as f64);
+        sample_locals(source, at, translations, rotations);
+        retarget.frame(pose, translations, rotations);
+    }
+    motion
+}
+
+/// Local transforms at a fractional frame of the clip.
+fn sample_locals(source: &Motion, frame: f64, translations: &mut [Vec3], rotations: &mut [Quat]) {
+    let before = frame.floor() as usize;
+    let after = (before + 1).min(source.frames() - 1);
+    let t = (frame - before as f64) as f32;
+    translations.copy_from_slice(source.translations_at(before));
+    rotations.copy_from_slice(source.rotations_at(before));
+    if t > 0.0 {
+        for (a, b) in translations.iter_mut().zip(source.translations_at(after)) {
+            *a += (*b - *a) * t;
+        }
+        for (a, b) in rotations.iter_mut().zip(source.rotations_at(after)) {
+            *a = a.slerp(*b, t);
+        }
+    }
+}

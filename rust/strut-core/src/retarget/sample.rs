@@ -1,0 +1,75 @@
+//! World transforms of a clip at a few frames: the evidence that binding works on.
+
+use crate::math::{Quat, Vec3, exp_map};
+use crate::motion::Motion;
+
+/// Most frames that binding looks at, evenly spread over the clip. Every estimate is a mean over them
+/// that is then snapped, so that more frames change nothing but the time.
+const MAX_FRAMES: usize = 64;
+
+/// World transforms of every joint at some frames, in the file's units and axes.
+pub(super) struct Sample {
+    frames: Vec<Vec<(Vec3, Quat)>>,
+    /// Position of each joint in its parent's frame: `OFFSET`, or the median of the position channels
+    /// where those say otherwise.
+    pub(super) translations: Vec<Vec3>,
+}
+
+impl Sample {
+    /// Samples a motion that has at least one frame; an empty one gives an empty sample.
+    pub(super) fn of(motion: &Motion) -> Self {
+        let count = motion.frames().min(MAX_FRAMES);
+        let indices: Vec<usize> = (0..count).map(|i| i * (motion.frames() - 1) / (count - 1).max(1)).collect();
+        let frames = indices.iter().map(|&f| world_transforms(motion, f)).collect();
+        let translations = (0..motion.skeleton.len()).map(|j| usual_translation(motion, &indices, j)).collect();
+        Self { frames, translations }
+    }
+
+    /// Whether no frame was there to sample.
+    pub(super) fn is_empty(&self) -> bool {
+        self.frames.is_empty()
+    }
+
+    /// Mean of a vector over the frames; `f` gets the joints' world positions and rotations.
+    pub(super) fn mean(&self, f: impl Fn(&[(Vec3, Quat)]) -> Vec3) -> Vec3 {
+        let sum = self.frames.iter().fold(Vec3::ZERO, |sum, frame| sum + f(frame));
+        sum / self.frames.len().max(1) as f32
+    }
+
+    /// Mean position of `joint` in the frame of `of`.
+    pub(super) fn mean_local(&self, of: usize, joint: usize) -> Vec3 {
+        self.mean(|w| w[of].1.inv_mul_vec3(w[joint].0 - w[of].0))
+    }
+
+    /// Mean of a rotation over the frames.
+    pub(super) fn mean_rotation(&self, f: impl Fn(&[(Vec3, Quat)]) -> Quat) -> Quat {
+        let rotations: Vec<Quat> = self.frames.iter().map(|frame| f(frame)).collect();
+        exp_map::karcher_mean(&rotations)
+    }
+}
+
+fn world_transforms(motion: &Motion, frame: usize) -> Vec<(Vec3, Quat)> {
+    let mut world: Vec<(Vec3, Quat)> = Vec::with_capacity(motion.skeleton.len());
+    let locals = motion.translations_at(frame).iter().zip(motion.rotations_at(frame));
+    for (joint, (&t, &r)) in motion.skeleton.joints().iter().zip(locals) {
+        let (p, q) = joint.parent.map_or((Vec3::ZERO, Quat::IDENTITY), |p| world[p]);
+        world.push((p + q * t, q * r));
+    }
+    world
+}
+
+/// The offset where the position channels agree with it to 1 %, so that rounding in a clip does not
+/// change the binding; their median otherwise.
+fn usual_translation(motion: &Motion, frames: &[usize], joint: usize) -> Vec3 {
+    let offset = motion.skeleton.joints()[joint].offset;
+    if frames.is_empty() {
+        return offset;
+    }
+    let median = |axis: usize| {
+        let mut values: Vec<f32> = frames.iter().map(|&f| motion.translations_at(f)[joint].to_array()[axis]).collect();
+        values.sort_by(f32::total_cmp);
+        values[values.len() / 2]
+    };
+    let median = Vec3::new(median(0), median(1), median(2));
+    if (median - offset).length() <= 0.01 * offset.length() { offset } else { median }
+}

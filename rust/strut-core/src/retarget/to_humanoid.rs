@@ -1,0 +1,106 @@
+//! From a file's skeleton to the canonical humanoid.
+
+use super::Binding;
+use super::scale::BodyScale;
+use crate::humanoid::{HumanoidMotion, JOINTS, PARENTS, Pose, Proportions, Role};
+use crate::kinematics::{Limb, two_bone_ik, world_from_local};
+use crate::math::{Quat, Vec3};
+use crate::motion::Motion;
+
+/// Retargets frames of a bound skeleton to a canonical body, one at a time and without allocation.
+#[derive(Clone, Debug)]
+pub struct ToHumanoid {
+    parents: Vec<Option<usize>>,
+    joint_of_role: [Option<usize>; JOINTS],
+    /// From a role's T-pose frame (the world's) to its joint's: inverse rest rotations.
+    joint_from_rest: [Quat; JOINTS],
+    world_from_file: Quat,
+    metres_per_unit: f32,
+    target: Proportions,
+    scale: BodyScale,
+    /// World transforms of the file's joints up to the last one with a role.
+    world: Vec<(Vec3, Quat)>,
+}
+
+impl ToHumanoid {
+    /// From the skeleton of `binding` to a body of these proportions.
+    pub fn new(binding: &Binding, target: &Proportions) -> Self {
+        let joints = binding.joint_of_role.iter().flatten().max().map_or(0, |last| last + 1);
+        Self {
+            parents: binding.parents[..joints].to_vec(),
+            joint_of_role: binding.joint_of_role,
+            joint_from_rest: binding
+                .joint_of_role
+                .map(|joint| joint.map_or(Quat::IDENTITY, |j| binding.rest_world_rotations[j].inverse())),
+            world_from_file: binding.world_from_file,
+            metres_per_unit: binding.metres_per_unit,
+            target: *target,
+            scale: BodyScale::between(&binding.proportions, target),
+            world: vec![(Vec3::ZERO, Quat::IDENTITY); joints],
+        }
+    }
+
+    /// The pose of one frame, given the local translations and rotations of all joints of the file.
+    ///
+    /// # Panics
+    /// If there are fewer of them than joints up to the last one with a role.
+    pub fn frame(&mut self, translations: &[Vec3], rotations: &[Quat]) -> Pose {
+        self.update_world(translations, rotations);
+        let file = |role: Role| self.joint_of_role[role.index()].map_or(Vec3::ZERO, |j| self.world[j].0);
+
+        // World rotations relative to the T-pose mean the same on every body: G = W · Wᵣ⁻¹.
+        let mut turns = [Quat::IDENTITY; JOINTS];
+        for role in Role::ALL {
+            let i = role.index();
+            turns[i] = match (self.joint_of_role[i], role.parent()) {
+                (Some(joint), _) => self.world[joint].1 * self.joint_from_rest[i],
+                (None, Some(parent)) => turns[parent.index()],
+                (None, None) => Quat::IDENTITY,
+            };
+        }
+        let mut pose = Pose { root: Vec3::ZERO, rotations: turns };
+        for (i, rotation) in pose.rotations.iter_mut().enumerate().skip(1) {
+            *rotation = turns[PARENTS[i]].inv_mul(turns[i]).normalized();
+        }
+        pose.rotations[0] = turns[0].normalized();
+
+        // The body hangs on its hip joints: scaled like the ankles, they leave the legs as bent as they were.
+        let hip_joints = 0.5 * (file(Role::LeftUpperLeg) + file(Role::RightUpperLeg));
+        let from_hips = |r: Role| self.target.offsets[r.index()];
+        let below = 0.5 * (from_hips(Role::LeftUpperLeg) + from_hips(Role::RightUpperLeg));
+        pose.root = self.scale.to_target(hip_joints) - pose.rotations[0] * below;
+
+        let mut world = world_from_local(&self.target, &pose);
+        for leg in Limb::LEGS {
+            let [_, _, ankle] = leg.roles();
+            two_bone_ik(&self.target, &mut pose, &mut world, leg, self.scale.to_target(file(ankle)));
+        }
+        for (i, arm) in Limb::ARMS.into_iter().enumerate() {
+            let [shoulder, _, wrist] = arm.roles();
+            let reach = (file(wrist) - file(shoulder)) * self.scale.arm(i);
+            let wrist = world.positions[shoulder.index()] + reach;
+            two_bone_ik(&self.target, &mut pose, &mut world, arm, wrist);
+        }
+        pose
+    }
+
+    /// World transforms of the file's joints in our axes, metres.
+    fn update_world(&mut self, translations: &[Vec3], rotations: &[Quat]) {
+        for (joint, parent) in self.parents.iter().enumerate() {
+            let (position, rotation) = parent.map_or((Vec3::ZERO, self.world_from_file), |p| self.world[p]);
+            let offset = translations[joint] * self.metres_per_unit;
+            self.world[joint] = (position + rotation * offset, rotation * rotations[joint]);
+        }
+    }
+}
+
+/// A clip on its own skeleton as a clip of a canonical body, at the same rate.
+///
+/// # Panics
+/// If the clip's skeleton is not the one that was bound ([`Binding::fits`]).
+pub fn to_humanoid(motion: &Motion, binding: &Binding, proportions: &Proportions) -> HumanoidMotion {
+    let mut retarget = ToHumanoid::new(binding, proportions);
+    let poses =
+        (0..motion.frames()).map(|f| retarget.frame(motion.translations_at(f), motion.rotations_at(f))).collect();
+    HumanoidMotion { proportions: *proportions, rate_hz: (1.0 / motion.frame_time_secs) as f32, poses }
+}
