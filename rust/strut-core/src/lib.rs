@@ -10,6 +10,7 @@ pub mod database;
 pub mod humanoid;
 pub mod kinematics;
 pub mod math;
+pub mod metrics;
 pub mod motion;
 pub mod parallel;
 pub mod pose_vector;

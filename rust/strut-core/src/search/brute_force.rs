@@ -1,6 +1,6 @@
 //! Every window of a class, one after the other: the definition that faster searches must equal.
 
-use super::metric::{Metric, QueryWindow, WINDOW};
+use super::metric::{Metric, QueryWindow};
 use super::neighbours::{Neighbour, Neighbours};
 use super::{Index, windows_of_clip};
 
@@ -9,8 +9,8 @@ pub(super) fn offer_class(index: &Index, query: &QueryWindow, metric: Metric, cl
     let norms = index.norms(metric);
     for clip in &index.clips[index.classes[class].clone()] {
         for last in windows_of_clip(clip) {
-            let rows = &index.rows[last + 1 - WINDOW..=last];
-            let distance = query.distance(metric, rows, norms[last]);
+            let (height, ground) = index.window(last);
+            let distance = query.distance(metric, height, ground, norms[last]);
             out.offer(Neighbour { distance, row: last as u32 });
         }
     }

@@ -6,16 +6,32 @@
 /// Four numbers side by side.
 pub(super) type Lane = [f32; 4];
 
-/// `sum + a·b`, lane by lane; two roundings, never contracted.
-#[allow(clippy::inline_always)] // one function call a window is half of its time
+/// Inner product of two windows of `W` frames of `N` lanes, with `SUMS` running sums (a divisor of `N`) so
+/// that additions need not wait for each other.
+///
+/// Called for every window of a class: a function call would be half of its time.
+#[allow(clippy::inline_always)]
 #[inline(always)]
-pub(super) fn add_product(sum: Lane, a: &Lane, b: &Lane) -> Lane {
-    [sum[0] + a[0] * b[0], sum[1] + a[1] * b[1], sum[2] + a[2] * b[2], sum[3] + a[3] * b[3]]
-}
-
-/// Sum of the lanes: pairs first.
-#[allow(clippy::inline_always)] // one function call a window is half of its time
-#[inline(always)]
-pub(super) fn total(v: Lane) -> f32 {
-    (v[0] + v[1]) + (v[2] + v[3])
+pub(super) fn inner_product<const W: usize, const N: usize, const SUMS: usize>(
+    a: &[[Lane; N]; W],
+    b: &[[Lane; N]; W],
+) -> f32 {
+    let mut sums = [[0.0; 4]; SUMS];
+    for (a, b) in a.iter().zip(b) {
+        for first in (0..N).step_by(SUMS) {
+            for (l, sum) in sums.iter_mut().enumerate() {
+                let (a, b) = (&a[first + l], &b[first + l]);
+                for i in 0..4 {
+                    sum[i] += a[i] * b[i];
+                }
+            }
+        }
+    }
+    let mut total = [0.0; 4];
+    for sum in sums {
+        for i in 0..4 {
+            total[i] += sum[i];
+        }
+    }
+    (total[0] + total[1]) + (total[2] + total[3])
 }

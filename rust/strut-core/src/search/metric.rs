@@ -10,7 +10,7 @@
 //! and the ground plane as a complex one z = x + i·z:  D = |y − y'|² + |z|² + |z'|² − 2 |⟨z, z'⟩|.
 //! As the weights sum to 1, D is a mean squared distance in m².
 
-use super::lanes::{Lane, add_product, total};
+use super::lanes::{Lane, inner_product};
 use crate::humanoid::{JOINTS, Role};
 use crate::math::Vec3;
 use crate::math::float_funcs::sin_cos;
@@ -19,16 +19,15 @@ use crate::pose_vector::Placement;
 /// Frames of a window (s in the specification: 67 ms at 60 Hz). The figures are flat from 1 to 15.
 pub const WINDOW: usize = 5;
 
-/// Joints that count, legs first so that the lower body is the head of every row.
+/// Joints that count.
 pub(super) const POINTS: usize = 20;
 /// Joints that count in the lower-body metric: the first of [`POINTS`].
-pub(super) const LEG_POINTS: usize = 8;
-/// 4-float lanes of a row's heights (and of x, and of z).
+const LEG_POINTS: usize = 8;
+/// 4-float lanes of a frame's heights (and of x, and of z).
 const LANES: usize = POINTS / 4;
-const LEG_LANES: usize = LEG_POINTS / 4;
 
 /// Relative weight of each joint: by size and visibility. The spine joint follows from hips and chest
-/// and is left out, which makes the row five whole lanes.
+/// and is left out, which makes five whole lanes. Legs come first.
 const JOINT_WEIGHTS: [(Role, f32); POINTS] = [
     (Role::LeftUpperLeg, 1.0),
     (Role::RightUpperLeg, 1.0),
@@ -74,105 +73,117 @@ fn leg_share() -> f32 {
 
 /// The points of one frame, √w folded in.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct FrameRow {
-    pub(super) height: [Lane; LANES],
-    pub(super) x: [Lane; LANES],
-    pub(super) z: [Lane; LANES],
+pub(super) struct FramePoints {
+    pub(super) height: HeightRow,
+    pub(super) ground: GroundRow,
 }
 
-impl FrameRow {
-    /// The row of a heading-free point cloud (hips above the origin) put at a placement on the ground.
+/// Heights of one frame's points.
+pub(super) type HeightRow = [Lane; LANES];
+/// x and z of one frame's points: four x, four z, and so on.
+pub(super) type GroundRow = [Lane; 2 * LANES];
+
+impl FramePoints {
+    /// Of a heading-free point cloud (hips above the origin) put at a placement on the ground.
     pub(super) fn new(cloud: &[Vec3; JOINTS], at: Placement) -> Self {
         let (sin, cos) = sin_cos(at.heading);
-        let mut row = Self::default();
+        let mut points = Self::default();
         for (i, (w, (role, _))) in point_weights().iter().zip(&JOINT_WEIGHTS).enumerate() {
             let p = cloud[role.index()];
             let w = w.sqrt();
-            row.height[i / 4][i % 4] = w * p.y;
-            row.x[i / 4][i % 4] = w * (at.x + cos * p.x + sin * p.z);
-            row.z[i / 4][i % 4] = w * (at.z - sin * p.x + cos * p.z);
+            points.set(i, w * p.y, w * (at.x + cos * p.x + sin * p.z), w * (at.z - sin * p.x + cos * p.z));
         }
-        row
+        points
+    }
+
+    fn get(&self, point: usize) -> [f32; 3] {
+        let (lane, i) = (point / 4, point % 4);
+        [self.height[lane][i], self.ground[2 * lane][i], self.ground[2 * lane + 1][i]]
+    }
+
+    fn set(&mut self, point: usize, height: f32, x: f32, z: f32) {
+        let (lane, i) = (point / 4, point % 4);
+        self.height[lane][i] = height;
+        self.ground[2 * lane][i] = x;
+        self.ground[2 * lane + 1][i] = z;
+    }
+
+    /// The points `steps` frames before these, which move to `next` in one.
+    fn extrapolated_back(&self, next: &Self, steps: f32) -> Self {
+        let mut out = Self::default();
+        for i in 0..POINTS {
+            let (a, b) = (self.get(i), next.get(i));
+            let [y, x, z]: [f32; 3] = std::array::from_fn(|c| a[c] - (b[c] - a[c]) * steps);
+            out.set(i, y, x, z);
+        }
+        out
     }
 }
 
-/// ⟨y, y'⟩ and the complex ⟨z, z'⟩ of two windows.
-struct Products {
-    height: f32,
-    real: f32,
-    imaginary: f32,
-}
-
-#[allow(clippy::inline_always)] // one function call a window is half of its time
-#[inline(always)]
-fn products<const N: usize>(a: &[FrameRow; WINDOW], b: &[FrameRow]) -> Products {
-    let mut sums = [[0.0; 4]; 5];
-    for (a, b) in a.iter().zip(b) {
-        for l in 0..N {
-            sums[0] = add_product(sums[0], &a.height[l], &b.height[l]);
-            sums[1] = add_product(sums[1], &a.x[l], &b.x[l]);
-            sums[2] = add_product(sums[2], &a.z[l], &b.z[l]);
-            sums[3] = add_product(sums[3], &a.x[l], &b.z[l]);
-            sums[4] = add_product(sums[4], &a.z[l], &b.x[l]);
-        }
-    }
-    let [height, xx, zz, xz, zx] = sums.map(total);
-    Products { height, real: xx + zz, imaginary: xz - zx }
-}
-
-/// A window's vector in one metric: centred, and scaled so that its inner product with stored rows, which
+/// A window's vector in one metric: zero where a joint does not count, centred, and scaled so that its inner product with stored points, which
 /// need not be centred, is that of the weighted window vectors.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct CentredWindow {
-    rows: [FrameRow; WINDOW],
+    height: [HeightRow; WINDOW],
+    /// z, for the real part of ⟨z, z'⟩ …
+    ground: [GroundRow; WINDOW],
+    /// … and −i·z, for its imaginary part.
+    turned: [GroundRow; WINDOW],
     /// |y|² + |z|².
     norm: f32,
 }
 
-impl Default for CentredWindow {
-    fn default() -> Self {
-        Self { rows: [FrameRow::default(); WINDOW], norm: 0.0 }
-    }
-}
-
 impl CentredWindow {
     /// Of the frames of a window; sums in double precision, as this happens once a query or a stored window.
-    fn new(frames: &[FrameRow; WINDOW], metric: Metric) -> Self {
+    fn new(frames: &[FramePoints; WINDOW], metric: Metric) -> Self {
         let (points, share) = match metric {
             Metric::FullBody => (POINTS, 1.0),
             Metric::LowerBody => (LEG_POINTS, leg_share()),
         };
-        let weights = point_weights();
-        let roots = weights.map(f32::sqrt);
+        let roots = point_weights().map(|w| f64::from(w.sqrt()));
         let scale = 1.0 / (WINDOW as f64 * f64::from(share));
         let (mut cx, mut cz) = (0.0_f64, 0.0_f64);
         for frame in frames {
             for (i, root) in roots.iter().enumerate().take(points) {
-                cx += scale * f64::from(root * frame.x[i / 4][i % 4]);
-                cz += scale * f64::from(root * frame.z[i / 4][i % 4]);
+                let [_, x, z] = frame.get(i).map(f64::from);
+                cx += scale * root * x;
+                cz += scale * root * z;
             }
         }
         let mut window = Self::default();
         let mut norm = 0.0_f64;
-        for (out, frame) in window.rows.iter_mut().zip(frames) {
+        for (f, frame) in frames.iter().enumerate() {
+            let (mut straight, mut turned) = (FramePoints::default(), FramePoints::default());
             for (i, root) in roots.iter().enumerate().take(points) {
-                let (lane, at) = (i / 4, i % 4);
-                let height = f64::from(frame.height[lane][at]);
-                let x = f64::from(frame.x[lane][at]) - f64::from(*root) * cx;
-                let z = f64::from(frame.z[lane][at]) - f64::from(*root) * cz;
-                norm += scale * (height * height + x * x + z * z);
-                out.height[lane][at] = (scale * height) as f32;
-                out.x[lane][at] = (scale * x) as f32;
-                out.z[lane][at] = (scale * z) as f32;
+                let [y, x, z] = frame.get(i).map(f64::from);
+                let (x, z) = (x - root * cx, z - root * cz);
+                norm += scale * (y * y + x * x + z * z);
+                let [y, x, z] = [y, x, z].map(|v| (scale * v) as f32);
+                straight.set(i, y, x, z);
+                turned.set(i, 0.0, -z, x);
             }
+            window.height[f] = straight.height;
+            window.ground[f] = straight.ground;
+            window.turned[f] = turned.ground;
         }
         window.norm = norm as f32;
         window
     }
+
+    /// D to the stored window of these points and norm.
+    #[allow(clippy::inline_always)] // see `inner_product`
+    #[inline(always)]
+    fn distance(&self, height: &[HeightRow; WINDOW], ground: &[GroundRow; WINDOW], norm: f32) -> f32 {
+        let heights = inner_product::<WINDOW, LANES, LANES>(&self.height, height);
+        let real = inner_product::<WINDOW, { 2 * LANES }, LANES>(&self.ground, ground);
+        let imaginary = inner_product::<WINDOW, { 2 * LANES }, LANES>(&self.turned, ground);
+        let turned = (real * real + imaginary * imaginary).sqrt();
+        ((self.norm + norm) - 2.0 * (heights + turned)).max(0.0)
+    }
 }
 
 /// |y|² + |z|² of a stored window after centring.
-pub(super) fn window_norm(frames: &[FrameRow; WINDOW], metric: Metric) -> f32 {
+pub(super) fn window_norm(frames: &[FramePoints; WINDOW], metric: Metric) -> f32 {
     CentredWindow::new(frames, metric).norm
 }
 
@@ -209,43 +220,35 @@ impl QueryWindow {
         self.pushed = (self.pushed + 1).min(WINDOW);
 
         // Positions relative to the newest hips keep the numbers small wherever the figure walks.
-        let mut frames = [FrameRow::default(); WINDOW];
-        for (row, (cloud, p)) in frames.iter_mut().zip(self.clouds.iter().zip(&self.places)) {
-            *row = FrameRow::new(cloud, Placement { x: p.x - at.x, z: p.z - at.z, heading: p.heading });
+        let mut frames = [FramePoints::default(); WINDOW];
+        for (points, (cloud, p)) in frames.iter_mut().zip(self.clouds.iter().zip(&self.places)) {
+            *points = FramePoints::new(cloud, Placement { x: p.x - at.x, z: p.z - at.z, heading: p.heading });
         }
         let first = WINDOW - self.pushed;
+        let next = (first + 1).min(WINDOW - 1);
         for missing in 0..first {
-            let steps = if self.pushed < 2 { 0.0 } else { (first - missing) as f32 };
-            let next = if self.pushed < 2 { frames[first] } else { frames[first + 1] };
-            frames[missing] = extrapolated(&frames[first], &next, steps);
+            frames[missing] = frames[first].extrapolated_back(&frames[next], (first - missing) as f32);
         }
         self.full = CentredWindow::new(&frames, Metric::FullBody);
         self.lower = CentredWindow::new(&frames, Metric::LowerBody);
     }
 
-    /// D between this window and the stored one that consists of `rows` (at least [`WINDOW`]) and has this norm.
-    #[allow(clippy::inline_always)] // one function call a window is half of its time
+    /// D between this window and the stored one of these points and norm.
+    #[allow(clippy::inline_always)] // see `inner_product`
     #[inline(always)]
-    pub(super) fn distance(&self, metric: Metric, rows: &[FrameRow], norm: f32) -> f32 {
-        let (query, p) = match metric {
-            Metric::FullBody => (&self.full, products::<LANES>(&self.full.rows, rows)),
-            Metric::LowerBody => (&self.lower, products::<LEG_LANES>(&self.lower.rows, rows)),
+    pub(super) fn distance(
+        &self,
+        metric: Metric,
+        height: &[HeightRow; WINDOW],
+        ground: &[GroundRow; WINDOW],
+        norm: f32,
+    ) -> f32 {
+        let query = match metric {
+            Metric::FullBody => &self.full,
+            Metric::LowerBody => &self.lower,
         };
-        let turned = (p.real * p.real + p.imaginary * p.imaginary).sqrt();
-        ((query.norm + norm) - 2.0 * (p.height + turned)).max(0.0)
+        query.distance(height, ground, norm)
     }
-}
-
-/// The row `steps` frames before `first`, which moves to `second` in one.
-fn extrapolated(first: &FrameRow, second: &FrameRow, steps: f32) -> FrameRow {
-    let back = |a: &[Lane; LANES], b: &[Lane; LANES]| {
-        let mut out = *a;
-        for (o, b) in out.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
-            *o -= (b - *o) * steps;
-        }
-        out
-    };
-    FrameRow { height: back(&first.height, &second.height), x: back(&first.x, &second.x), z: back(&first.z, &second.z) }
 }
 
 #[cfg(test)]
@@ -268,8 +271,9 @@ mod tests {
         for (cloud, at) in query {
             window.push(cloud, *at);
         }
-        let rows: [FrameRow; WINDOW] = std::array::from_fn(|i| FrameRow::new(&stored[i].0, stored[i].1));
-        window.distance(metric, &rows, window_norm(&rows, metric))
+        let points: [FramePoints; WINDOW] = std::array::from_fn(|i| FramePoints::new(&stored[i].0, stored[i].1));
+        let (height, ground) = (points.map(|p| p.height), points.map(|p| p.ground));
+        window.distance(metric, &height, &ground, window_norm(&points, metric))
     }
 
     fn moved(frames: &Frames, by: Placement) -> Frames {

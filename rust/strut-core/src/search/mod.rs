@@ -14,13 +14,14 @@ pub use neighbours::{Neighbour, Neighbours};
 
 use crate::database::Database;
 use crate::pose_vector::{HEADING_RATE, Placement};
-use metric::{FrameRow, window_norm};
+use metric::{FramePoints, GroundRow, HeightRow, window_norm};
 use std::ops::Range;
 
 /// All windows of a database, ready to be searched.
 #[derive(Clone, Debug)]
 pub struct Index {
-    rows: Vec<FrameRow>,
+    heights: Vec<HeightRow>,
+    ground: Vec<GroundRow>,
     /// |y|² + |z|² of the window that ends at each row; unused where none does.
     full_norms: Vec<f32>,
     lower_norms: Vec<f32>,
@@ -40,21 +41,24 @@ impl Index {
     /// The windows of a database. One pass over the rows; 250 bytes a row.
     pub fn build(db: &Database) -> Self {
         let mut index = Self {
-            rows: Vec::with_capacity(db.frames()),
+            heights: Vec::with_capacity(db.frames()),
+            ground: Vec::with_capacity(db.frames()),
             full_norms: vec![0.0; db.frames()],
             lower_norms: vec![0.0; db.frames()],
             clips: db.clips.iter().map(crate::database::Clip::rows).collect(),
             classes: db.classes().iter().map(|c| c.clips.clone()).collect(),
         };
-        for clip in &db.clips {
-            index.rows.extend(clip_rows(db, clip.rows()));
-        }
-        for clip in &index.clips {
-            for last in windows_of_clip(clip) {
-                let frames: [FrameRow; WINDOW] = std::array::from_fn(|i| index.rows[last + 1 + i - WINDOW]);
-                index.full_norms[last] = window_norm(&frames, Metric::FullBody);
-                index.lower_norms[last] = window_norm(&frames, Metric::LowerBody);
+        for (clip, rows) in db.clips.iter().zip(&index.clips) {
+            let points: Vec<FramePoints> = clip_points(db, clip.rows()).collect();
+            for last in windows_of_clip(rows) {
+                let end = last + 1 - rows.start;
+                if let Some(frames) = points[..end].last_chunk::<WINDOW>() {
+                    index.full_norms[last] = window_norm(frames, Metric::FullBody);
+                    index.lower_norms[last] = window_norm(frames, Metric::LowerBody);
+                }
             }
+            index.heights.extend(points.iter().map(|p| p.height));
+            index.ground.extend(points.iter().map(|p| p.ground));
         }
         index
     }
@@ -100,6 +104,13 @@ impl Index {
         std::mem::swap(&mut scratch.found, out);
     }
 
+    /// The points of the window that ends at row `last`, which is at least the fifth of its clip.
+    #[inline]
+    fn window(&self, last: usize) -> (&[HeightRow; WINDOW], &[GroundRow; WINDOW]) {
+        let (height, ground) = (self.heights[..=last].last_chunk(), self.ground[..=last].last_chunk());
+        height.zip(ground).expect("windows end at the fifth row of a clip or later")
+    }
+
     fn norms(&self, metric: Metric) -> &[f32] {
         match metric {
             Metric::FullBody => &self.full_norms,
@@ -113,9 +124,9 @@ fn windows_of_clip(clip: &Range<usize>) -> Range<usize> {
     (clip.start + WINDOW - 1).min(clip.end)..clip.end
 }
 
-/// The rows of a clip in a frame of reference with the middle of the path at the origin: small numbers
+/// The points of a clip in a frame of reference with the middle of the path at the origin: small numbers
 /// leave more digits to the differences.
-fn clip_rows(db: &Database, rows: Range<usize>) -> impl Iterator<Item = FrameRow> + '_ {
+fn clip_points(db: &Database, rows: Range<usize>) -> impl Iterator<Item = FramePoints> + '_ {
     let dt = 1.0 / db.rate_hz;
     let mut at = Placement::default();
     let places: Vec<Placement> = rows
@@ -129,6 +140,6 @@ fn clip_rows(db: &Database, rows: Range<usize>) -> impl Iterator<Item = FrameRow
         .collect();
     let middle = places.get(places.len() / 2).copied().unwrap_or_default();
     rows.zip(places).map(move |(row, p)| {
-        FrameRow::new(&db.point_cloud[row], Placement { x: p.x - middle.x, z: p.z - middle.z, heading: p.heading })
+        FramePoints::new(&db.point_cloud[row], Placement { x: p.x - middle.x, z: p.z - middle.z, heading: p.heading })
     })
 }
