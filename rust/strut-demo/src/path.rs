@@ -12,6 +12,10 @@ const SAMPLES_PER_STRIDE: usize = 64;
 /// Strides planned before the beginning and after the end of a script.
 pub(crate) const MARGIN_STRIDES: u32 = 3;
 
+/// How far the ankle of a stance is behind the middle of what its foot supports: the load travels from heel to
+/// toes, which lie ahead of the ankle, and the trunk is carried ahead of the feet's middle.
+const ANKLE_BEHIND_STANCE: f32 = 0.125;
+
 /// A foot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
@@ -135,12 +139,12 @@ impl Path {
     /// body passes in the middle of that stance.
     pub(crate) fn footprint(&self, style: &Style, noise: Noise, side: Side, stride: i64) -> Footprint {
         let strike = stride as f32 + side.strike_phase();
-        let passed = strike + 0.5 * style.duty - 0.035;
+        let passed = strike + 0.5 * style.duty;
         let heading = self.heading(passed);
         let index = 2 * stride + i64::from(side == Side::Right);
         let jitter = |channel, size: f32| size * style.irregularity * noise.step(channel, index);
         let aside = side.sign() * (0.5 * style.step_width + jitter(Channel::StepWidth, 0.008));
-        let ahead = style.foot_lead + jitter(Channel::StepLength, 0.009);
+        let ahead = style.foot_lead - ANKLE_BEHIND_STANCE + jitter(Channel::StepLength, 0.009);
         let toe_out = side.sign() * (style.toe_out + jitter(Channel::ToeOut, 1.5)).to_radians();
         let position = self.position(passed) + Quat::from_rotation_y(heading) * Vec3::new(aside, 0.0, ahead);
         Footprint { position, heading: heading + toe_out }

@@ -5,13 +5,28 @@ use crate::normative::{NATURAL_DUTY, PELVIS_ROLL, PELVIS_YAW, STANCE_KNEE};
 use crate::path::Side;
 use crate::periodic::{PeriodicCurve, smooth_step};
 use crate::style::Style;
+use std::f32::consts::TAU;
 use strut_core::humanoid::{Proportions, Role};
-use strut_core::math::float_funcs::cos;
+use strut_core::math::float_funcs::{cos, exp};
 use strut_core::math::{Quat, Vec3};
 
-/// Largest extension of a leg as a share of its length: a knee flexion of about 8°, so that the knee neither
+/// Largest extension of a leg as a share of its length: a knee flexion of about 6°, so that the knee neither
 /// locks nor snaps.
-const LONGEST_REACH: f32 = 0.9975;
+const LONGEST_REACH: f32 = 0.9988;
+
+/// Metres over which the limit of the legs' reach takes hold of the pelvis' height.
+const LIMIT_SOFTNESS: f32 = 0.004;
+
+/// Standard deviations of the smoothing by which the limit is widened in time.
+const LIMIT_WIDENING: f32 = 1.2;
+/// Metres over which a swinging leg is kept from straightening fully.
+const SWING_SOFTNESS: f32 = 0.006;
+
+/// The smaller of two values with the corner rounded; half of `softness` below them where they are equal.
+fn soft_min(a: f32, b: f32, softness: f32) -> f32 {
+    let excess = a - b;
+    a - 0.5 * (excess + (excess * excess + softness * softness).sqrt())
+}
 
 /// Curves of the pelvis and of the supporting knee in a style.
 #[derive(Clone, Debug)]
@@ -42,6 +57,45 @@ impl PelvisCurves {
             knee: PeriodicCurve::through(&knots, 0.015),
         }
     }
+}
+
+/// Heights that the legs ask of the pelvis at a frame, metres.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Heights {
+    /// What gives the supporting knee its flexion.
+    pub(crate) supported: f32,
+    /// What no leg must exceed.
+    pub(crate) limit: f32,
+}
+
+/// Heights of the pelvis over a motion: as supported, below the limit, and smooth. The limit is widened in time
+/// before the smoothing, so that smoothing does not exceed it again. `sigma` in frames.
+pub(crate) fn smooth_heights(heights: &[Heights], sigma: f32) -> Vec<f32> {
+    let radius = (LIMIT_WIDENING * sigma).round() as usize;
+    let limited: Vec<f32> = heights
+        .iter()
+        .enumerate()
+        .map(|(i, h)| {
+            let around = &heights[i.saturating_sub(radius)..(i + radius + 1).min(heights.len())];
+            let limit = around.iter().map(|h| h.limit).fold(f32::INFINITY, f32::min);
+            soft_min(h.supported, limit, LIMIT_SOFTNESS)
+        })
+        .collect();
+    gaussian(&limited, sigma)
+}
+
+/// Gaussian smoothing with a standard deviation in frames; the ends are held.
+fn gaussian(values: &[f32], sigma: f32) -> Vec<f32> {
+    let radius = (3.0 * sigma) as usize + 1;
+    let weights: Vec<f32> = (0..=radius).map(|k| exp(-0.5 * (k as f32 / sigma) * (k as f32 / sigma))).collect();
+    let total = weights[0] + 2.0 * weights[1..].iter().sum::<f32>();
+    let last = values.len().saturating_sub(1);
+    (0..values.len())
+        .map(|i| {
+            let pair = |k: usize| values[i.saturating_sub(k)] + values[(i + k).min(last)];
+            (weights[0] * values[i] + (1..=radius).map(|k| weights[k] * pair(k)).sum::<f32>()) / total
+        })
+        .collect()
 }
 
 /// The legs of a body: lengths and where the hips are in the pelvis.
@@ -81,45 +135,46 @@ impl Legs {
         LONGEST_REACH * (self.thigh + self.shin)
     }
 
-    /// Height of the pelvis at which the distance from hip to ankle is `reach`; `None` if the ankle is
-    /// further away than that on the ground plan.
-    fn pelvis_height(&self, side: Side, pelvis: Vec3, rotation: Quat, ankle: Vec3, reach: f32) -> Option<f32> {
+    /// Height of the pelvis at which the distance from hip to ankle is `reach`; if the ankle is further away
+    /// than that on the ground plan, the height of the ankle.
+    fn pelvis_height(&self, side: Side, pelvis: Vec3, rotation: Quat, ankle: Vec3, reach: f32) -> f32 {
         let hip = rotation * self.hip(side);
         let (dx, dz) = (pelvis.x + hip.x - ankle.x, pelvis.z + hip.z - ankle.z);
-        let rest = reach * reach - dx * dx - dz * dz;
-        (rest > 0.0).then(|| ankle.y + rest.sqrt() - hip.y)
+        ankle.y + (reach * reach - dx * dx - dz * dz).max(0.0).sqrt() - hip.y
     }
 
-    /// Height of the pelvis that gives the supporting leg its knee flexion; while both feet are planted the
-    /// weight passes from one leg to the other. `pelvis` is its position on the ground plan.
-    pub(crate) fn supported_height(
+    /// Heights of the pelvis: the one that gives the supporting leg its knee flexion, and the greatest one at
+    /// which both legs reach their feet. While both feet are planted the weight passes from one leg to the
+    /// other. `pelvis` is its position on the ground plan.
+    pub(crate) fn heights(
         &self,
         curves: &PelvisCurves,
         style: &Style,
+        phase: f32,
         pelvis: Vec3,
         rotation: Quat,
         feet: &[FootPose; 2],
-    ) -> f32 {
-        let mut sum = 0.0;
-        let mut limit = f32::INFINITY;
+    ) -> Heights {
+        let dip = style.bounce * (1.0 + cos(2.0 * TAU * (phase - 0.06)));
+        let mut heights = Heights { supported: -dip, limit: f32::INFINITY };
         for (side, foot) in Side::BOTH.into_iter().zip(feet) {
-            let double_support = style.duty - 0.5;
-            let weight = smooth_step(0.0, double_support, foot.cycle) - smooth_step(0.5, style.duty, foot.cycle);
-            let reach = self.reach(curves.knee.at(foot.cycle)).min(self.longest());
-            sum += weight * self.pelvis_height(side, pelvis, rotation, foot.ankle, reach).unwrap_or(0.7);
-            if let Some(h) = self.pelvis_height(side, pelvis, rotation, foot.ankle, self.longest()) {
-                limit = limit.min(h);
-            }
+            let weight = smooth_step(0.0, style.duty - 0.5, foot.cycle) - smooth_step(0.5, style.duty, foot.cycle);
+            let height = |reach| self.pelvis_height(side, pelvis, rotation, foot.ankle, reach);
+            heights.supported += weight * height(self.reach(curves.knee.at(foot.cycle)));
+            // The supporting leg has its height already; only a leg that comes or goes may need a lower one.
+            heights.limit = heights.limit.min(height(self.longest()) + 0.05 * weight);
         }
-        sum.min(limit)
+        heights
     }
 
-    /// Rotations of thigh and shin in the world that lead from `hip` to `ankle` with the knee in the
-    /// direction of `pole`.
-    pub(crate) fn solve(&self, hip: Vec3, ankle: Vec3, pole: Vec3) -> [Quat; 2] {
+    /// Rotations of thigh and shin in the world that lead from `hip` to the foot's ankle with the knee in the
+    /// direction of `pole`. A swinging foot gives way where the leg would have to straighten fully.
+    pub(crate) fn solve(&self, hip: Vec3, foot: &FootPose, pole: Vec3) -> [Quat; 2] {
         let full = self.thigh + self.shin;
-        let line = ankle - hip;
-        let distance = line.length().clamp(0.2 * full, 0.9995 * full);
+        let line = foot.ankle - hip;
+        let wanted = line.length();
+        let given_way = soft_min(wanted, self.longest(), SWING_SOFTNESS);
+        let distance = (wanted + foot.freedom * (given_way - wanted)).clamp(0.2 * full, 0.9995 * full);
         let down = line.normalize_or(Vec3::NEG_Y);
         let forward = (pole - down * pole.dot(down)).normalize_or(Vec3::Z);
         let axis = forward.cross(down);

@@ -3,13 +3,13 @@
 use crate::feet::{Feet, FootPose};
 use crate::noise::{Channel, Noise};
 use crate::path::{Path, Side, stretch};
-use crate::pelvis::{Legs, PelvisCurves};
+use crate::pelvis::{Heights, Legs, PelvisCurves, smooth_heights};
 use crate::script::Script;
 use crate::style::Style;
 use crate::upper_body::{Support, UpperBody, yaw_pitch_roll};
 use std::f32::consts::TAU;
 use strut_core::humanoid::{HumanoidMotion, Pose, Proportions, Role};
-use strut_core::math::float_funcs::{exp, sin, wrap_angle};
+use strut_core::math::float_funcs::{sin, wrap_angle};
 use strut_core::math::{Quat, Vec3};
 
 /// A take in one style.
@@ -27,7 +27,7 @@ pub struct Performance {
 /// Performed before the beginning, so that the springs of the arms have settled.
 const WARM_UP_STRIDES: f32 = 1.5;
 /// Standard deviation in seconds of the smoothing of the pelvis' height.
-const HEIGHT_SMOOTHING_SECS: f32 = 0.022;
+const HEIGHT_SMOOTHING_SECS: f32 = 0.026;
 /// Phases by which the chest and the head see a turn ahead (Imai et al. 2001: the head leads by about 0.3 s).
 const CHEST_LEADS: f32 = 0.10;
 const HEAD_LEADS: f32 = 0.28;
@@ -61,9 +61,11 @@ pub fn perform(script: &Script, style: &Style, proportions: &Proportions, rate_h
             Plan { support, pelvis, feet: Side::BOTH.map(|side| feet.at(side, phase)) }
         })
         .collect();
-    let heights: Vec<f32> =
-        plans.iter().map(|p| legs.supported_height(&curves, style, p.pelvis, p.support.pelvis, &p.feet)).collect();
-    let heights = smoothed(&heights, HEIGHT_SMOOTHING_SECS * rate_hz);
+    let heights: Vec<Heights> = plans
+        .iter()
+        .map(|p| legs.heights(&curves, style, p.support.phase, p.pelvis, p.support.pelvis, &p.feet))
+        .collect();
+    let heights = smooth_heights(&heights, HEIGHT_SMOOTHING_SECS * rate_hz);
 
     let mut upper_body = UpperBody::new(style, noise);
     let mut poses = Vec::with_capacity(phases.len());
@@ -160,7 +162,7 @@ fn place_leg(legs: &Legs, side: Side, foot: &FootPose, support: &Support, pose: 
     let pelvis_heading = support.heading + support.pelvis_yaw;
     let knee_heading = foot.heading + 0.35 * wrap_angle(pelvis_heading - foot.heading);
     let pole = Quat::from_rotation_y(knee_heading) * Vec3::Z;
-    let [thigh, shin] = legs.solve(hip, foot.ankle, pole);
+    let [thigh, shin] = legs.solve(hip, foot, pole);
     let roles = match side {
         Side::Left => [Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot, Role::LeftToes],
         Side::Right => [Role::RightUpperLeg, Role::RightLowerLeg, Role::RightFoot, Role::RightToes],
@@ -169,18 +171,4 @@ fn place_leg(legs: &Legs, side: Side, foot: &FootPose, support: &Support, pose: 
     for (role, q) in roles.into_iter().zip(rotations) {
         pose.rotations[role.index()] = q;
     }
-}
-
-/// Gaussian smoothing with a standard deviation in frames; the ends are held.
-fn smoothed(values: &[f32], sigma: f32) -> Vec<f32> {
-    let radius = (3.0 * sigma) as usize + 1;
-    let weights: Vec<f32> = (0..=radius).map(|k| exp(-0.5 * (k as f32 / sigma) * (k as f32 / sigma))).collect();
-    let total = weights[0] + 2.0 * weights[1..].iter().sum::<f32>();
-    let last = values.len() - 1;
-    (0..values.len())
-        .map(|i| {
-            let pair = |k: usize| values[i.saturating_sub(k)] + values[(i + k).min(last)];
-            (weights[0] * values[i] + (1..=radius).map(|k| weights[k] * pair(k)).sum::<f32>()) / total
-        })
-        .collect()
 }

@@ -1,0 +1,33 @@
+//! The built-in database.
+
+use strut_demo::{STYLES, WALK_TAKES, clips, database};
+
+#[test]
+fn every_frame_has_its_exact_counterpart_in_every_style() {
+    let db = database().unwrap();
+    assert!((10_000..20_000).contains(&db.frames()), "{}", db.frames());
+    assert_eq!(db.styles.len(), STYLES.len());
+    assert_eq!(db.styles[usize::from(db.neutral)], "neutral");
+    for row in 0..db.frames() {
+        for style in 0..db.styles.len() as u16 {
+            let all: Vec<f32> = db.counterparts(row, style).collect();
+            assert_eq!(all.len(), 1, "one performance of the script a style");
+            let (i, t) = (all[0] as usize, all[0].fract());
+            let next = (i + 1).min(db.frames() - 1);
+            let time =
+                db.canonical_time[i] + if t > 0.0 { t * (db.canonical_time[next] - db.canonical_time[i]) } else { 0.0 };
+            assert!((time - db.canonical_time[row]).abs() < 2.0, "row {row}: {time} {}", db.canonical_time[row]);
+            assert_eq!(db.clips[db.clip_of_row(i)].take, db.clips[db.clip_of_row(row)].take);
+        }
+    }
+}
+
+#[test]
+fn slow_styles_take_longer_for_the_same_script() {
+    let clips = clips();
+    assert_eq!(clips.len(), STYLES.len() * WALK_TAKES.len());
+    let length =
+        |style: &str| -> usize { clips.iter().filter(|c| c.style == style).map(|c| c.motion.poses.len()).sum() };
+    assert!(length("depressed") > length("old") && length("old") > length("neutral"));
+    assert!(length("neutral") > length("childlike"));
+}

@@ -1,0 +1,233 @@
+//! What makes the built-in walking credible, checked on every take in every style.
+
+use strut_core::contact;
+use strut_core::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions, Role};
+use strut_core::kinematics::{WorldPose, world_from_local};
+use strut_core::math::{Vec3, exp_map};
+use strut_demo::{Performance, RATE_HZ, STYLES, Script, Style, WALK_TAKES, input_clips, perform};
+
+/// A sole's points that can carry the foot: joint, and position in its frame (heel, ball, tip of the toes).
+const SOLE: [[(Role, Vec3); 3]; 2] = [
+    [
+        (Role::LeftFoot, Vec3::new(0.0, -0.118, -0.058)),
+        (Role::LeftToes, Vec3::new(0.0, -0.034, 0.0)),
+        (Role::LeftToes, Vec3::new(0.0, -0.034, 0.060)),
+    ],
+    [
+        (Role::RightFoot, Vec3::new(0.0, -0.118, -0.058)),
+        (Role::RightToes, Vec3::new(0.0, -0.034, 0.0)),
+        (Role::RightToes, Vec3::new(0.0, -0.034, 0.060)),
+    ],
+];
+
+fn takes() -> impl Iterator<Item = (&'static Style, &'static Script, Performance)> {
+    STYLES.iter().flat_map(|style| WALK_TAKES.iter().map(move |script| (style, script, walk(script, style))))
+}
+
+fn walk(script: &Script, style: &Style) -> Performance {
+    perform(script, style, &Proportions::default(), RATE_HZ)
+}
+
+fn style(name: &str) -> &'static Style {
+    STYLES.iter().find(|s| s.name == name).expect("a style of this name")
+}
+
+fn worlds(motion: &HumanoidMotion) -> Vec<WorldPose> {
+    motion.poses.iter().map(|p| world_from_local(&motion.proportions, p)).collect()
+}
+
+fn at(world: &WorldPose, (role, local): (Role, Vec3)) -> Vec3 {
+    world.positions[role.index()] + world.rotations[role.index()] * local
+}
+
+fn mean(values: impl Iterator<Item = f32>) -> f32 {
+    let (sum, n) = values.fold((0.0, 0), |(s, n), v| (s + v, n + 1));
+    sum / n as f32
+}
+
+#[test]
+fn a_planted_foot_rests_on_a_point_that_does_not_slide() {
+    for (style, script, take) in takes() {
+        let worlds = worlds(&take.motion);
+        for (side, sole) in SOLE.iter().enumerate() {
+            // Where each point of the sole touched down in the present stance.
+            let mut touched: [Option<Vec3>; 3] = [None; 3];
+            for (world, planted) in worlds.iter().zip(&take.planted) {
+                let mut carried = false;
+                for (&point, touched) in sole.iter().zip(&mut touched) {
+                    let p = at(world, point);
+                    if !planted[side] || p.y > 1e-3 {
+                        *touched = None;
+                        continue;
+                    }
+                    carried = true;
+                    let first = *touched.get_or_insert(p);
+                    let slid = (p - first).with_y(0.0).length();
+                    assert!(slid <= 1e-3, "{} {}: {slid} m", style.name, script.name);
+                }
+                assert!(carried || !planted[side], "{} {}: a planted foot floats", style.name, script.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn soles_stay_above_the_ground() {
+    for (style, script, take) in takes() {
+        let edges = [(Role::LeftFoot, -0.066), (Role::RightFoot, -0.066)].map(|(r, z)| (r, Vec3::new(0.0, -0.118, z)));
+        for world in worlds(&take.motion) {
+            for &point in SOLE.iter().flatten().chain(&edges) {
+                let height = at(&world, point).y;
+                assert!(height > -0.005, "{} {}: {height} m", style.name, script.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn no_joint_turns_faster_than_people_do_and_none_pops() {
+    for (style, script, take) in takes() {
+        let velocity = |a: &Pose, b: &Pose, j: usize| exp_map::log(a.rotations[j].inv_mul(b.rotations[j])) * RATE_HZ;
+        for w in take.motion.poses.windows(3) {
+            for role in Role::ALL {
+                let (v, next) = (velocity(&w[0], &w[1], role.index()), velocity(&w[1], &w[2], role.index()));
+                let (speed, acceleration) = (v.length(), (next - v).length() * RATE_HZ);
+                assert!(speed < 15.0, "{} {} {role:?}: {speed} rad/s", style.name, script.name);
+                assert!(acceleration < 750.0, "{} {} {role:?}: {acceleration} rad/s²", style.name, script.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn performing_twice_gives_the_same_bits() {
+    let bits = |p: &Performance| -> Vec<u32> {
+        let numbers = |pose: &Pose| {
+            pose.root.to_array().into_iter().chain(pose.rotations.iter().flat_map(|q| q.to_array())).collect::<Vec<_>>()
+        };
+        p.motion.poses.iter().flat_map(numbers).chain(p.phase.iter().copied()).map(f32::to_bits).collect()
+    };
+    for script in &WALK_TAKES {
+        assert_eq!(bits(&walk(script, &STYLES[1])), bits(&walk(script, &STYLES[1])));
+    }
+}
+
+#[test]
+fn every_style_walks_as_fast_as_its_row_says() {
+    for style in &STYLES {
+        let take = walk(&WALK_TAKES[1], style);
+        let steps: f32 = take.motion.poses.windows(2).map(|w| (w[1].root - w[0].root).with_y(0.0).length()).sum();
+        let speed = steps * RATE_HZ / (take.motion.poses.len() - 1) as f32;
+        let said = style.step_length * style.cadence / 60.0;
+        assert!((0.5..1.7).contains(&speed), "{}: {speed} m/s", style.name);
+        assert!((speed / said - 1.0).abs() < 0.08, "{}: {speed} m/s, said {said}", style.name);
+    }
+}
+
+#[test]
+fn knees_bend_forward_and_arms_swing_against_the_legs() {
+    for (style, script, take) in takes() {
+        let mut opposition = 0.0;
+        for pose in &take.motion.poses {
+            for knee in [Role::LeftLowerLeg, Role::RightLowerLeg] {
+                let flexion = exp_map::log(pose.rotations[knee.index()]);
+                assert!(flexion.x > 0.03 && flexion.x < 1.7, "{} {}: {flexion}", style.name, script.name);
+                assert!(flexion.y.abs() + flexion.z.abs() < 1e-2, "a knee is a hinge: {flexion}");
+            }
+            let world = world_from_local(&take.motion.proportions, pose);
+            let position = |r: Role| world.positions[r.index()];
+            let ahead = (position(Role::LeftUpperLeg) - position(Role::RightUpperLeg)).cross(Vec3::Y).normalize();
+            let hands = (position(Role::LeftHand) - position(Role::RightHand)).dot(ahead);
+            let feet = (position(Role::LeftFoot) - position(Role::RightFoot)).dot(ahead);
+            opposition += hands * feet;
+        }
+        assert!(opposition < 0.0, "{} {}", style.name, script.name);
+    }
+}
+
+#[test]
+fn straight_walking_is_symmetric_up_to_irregularity() {
+    let script = Script {
+        name: "straight",
+        passages: &[strut_demo::Passage { strides: 12, speed: 1.0, turn_degrees: 0.0 }],
+        seed: 3,
+    };
+    for style in &STYLES {
+        let take = walk(&script, style);
+        for role in Role::ALL {
+            let size = |r: Role| mean(take.motion.poses.iter().map(|p| p.rotations[r.index()].angle()));
+            let (here, there) = (size(role), size(role.mirrored()));
+            assert!((here - there).abs() < 3.0_f32.to_radians(), "{} {role:?}: {here} {there}", style.name);
+        }
+    }
+}
+
+#[test]
+fn every_pair_of_styles_differs_clearly() {
+    // Mean distance of the joints at equal phases, hips and heading taken away: what a viewer sees of a pose.
+    let script = &WALK_TAKES[0];
+    let clouds: Vec<(Vec<f32>, Vec<[Vec3; JOINTS]>)> = STYLES
+        .iter()
+        .map(|s| {
+            let take = walk(script, s);
+            let cloud =
+                worlds(&take.motion).iter().map(|w| w.positions.map(|p| p - w.positions[0].with_y(0.0))).collect();
+            (take.phase, cloud)
+        })
+        .collect();
+    for i in 0..STYLES.len() {
+        for j in 0..i {
+            let ((phases, a), (others, b)) = (&clouds[i], &clouds[j]);
+            let distance = mean(phases.iter().zip(a).map(|(phase, a)| {
+                let k = others.partition_point(|p| p < phase).min(others.len() - 1);
+                mean(a.iter().zip(&b[k]).map(|(p, q)| (*p - *q).length()))
+            }));
+            assert!(distance > 0.04, "{} and {}: {distance} m", STYLES[i].name, STYLES[j].name);
+        }
+    }
+}
+
+#[test]
+fn styles_show_what_their_sources_describe() {
+    let script = &WALK_TAKES[0];
+    let measure = |name: &str| {
+        let take = walk(script, style(name));
+        let worlds = worlds(&take.motion);
+        let height = |r: Role| mean(worlds.iter().map(|w| w.positions[r.index()].y));
+        let travelled = take.motion.poses.last().unwrap().root.z;
+        let strides = take.phase.last().unwrap();
+        let pelvis = |w: &WorldPose| w.rotations[Role::Hips.index()];
+        let obliquity = worlds.iter().map(|w| (pelvis(w) * Vec3::X).y.abs()).fold(0.0, f32::max);
+        let gaze = mean(worlds.iter().map(|w| (w.rotations[Role::Head.index()] * Vec3::Z).y));
+        (height(Role::Neck), travelled / strides / 2.0, obliquity, gaze)
+    };
+    let (neutral, proud, old) = (measure("neutral"), measure("proud"), measure("old"));
+    let (depressed, sexy) = (measure("depressed"), measure("sexy"));
+    assert!(proud.0 > old.0 + 0.08 && neutral.0 > old.0 + 0.08, "chest height {} {} {}", proud.0, neutral.0, old.0);
+    assert!(proud.1 > neutral.1 && neutral.1 > old.1 + 0.15, "step {} {} {}", proud.1, neutral.1, old.1);
+    assert!(sexy.2 > 1.5 * neutral.2, "obliquity {} {}", sexy.2, neutral.2);
+    assert!(proud.3 > 0.1 && depressed.3 < -0.5, "gaze {} {}", proud.3, depressed.3);
+}
+
+#[test]
+fn planned_contacts_are_found_by_the_labeller() {
+    for (style, script, take) in takes() {
+        let found = contact::label(&take.motion);
+        let pairs = found.iter().zip(&take.planted).flat_map(|(f, p)| f.iter().zip(p));
+        let agreement = mean(pairs.map(|(f, p)| f32::from(u8::from(f == p))));
+        assert!(agreement > 0.9, "{} {}: {agreement}", style.name, script.name);
+    }
+}
+
+#[test]
+fn inputs_can_be_repeated() {
+    for input in input_clips() {
+        let poses = &input.motion.poses;
+        let (first, last) = (&poses[0], &poses[poses.len() - 1]);
+        assert!(poses.len() as f32 > 10.0 * RATE_HZ);
+        for role in Role::ALL.into_iter().skip(1) {
+            let gap = last.rotations[role.index()].inv_mul(first.rotations[role.index()]).angle();
+            assert!(gap < 0.2, "{} {role:?}: {gap}", input.name);
+        }
+    }
+}
