@@ -1,0 +1,426 @@
+/** The playground: builds the page from its panels and keeps engine, state, URL and picture in step. */
+import type { Analysis, DatabaseInfo, DatabaseSource, InputInfo, LiveFrame, StrutClient } from "../worker/protocol";
+import { html } from "./dom";
+import { DropZone } from "./drop";
+import { listenToKeys } from "./keys";
+import { Notices } from "./notices";
+import { Help } from "./panels/help";
+import { InputPanel } from "./panels/input_panel";
+import { ModelPanel } from "./panels/model_panel";
+import { StylePanel } from "./panels/style_panel";
+import { Tabs } from "./panels/tabs";
+import { TopBar } from "./panels/top_bar";
+import { Transport } from "./panels/transport";
+import { firstSelection, normalised } from "./polygon/selection";
+import { ProgressLine } from "./progress";
+import { Session } from "./session";
+import { Stage } from "./stage";
+import { engineOptions, fromHash, GHOST_MODES, type PlayState, toHash } from "./state";
+import { Store } from "./store";
+import { applyTheme, isDark, onSystemTheme, opposite } from "./theme";
+import { Timeline } from "./timeline/timeline";
+import { exportName, stageCaption, stageTitle } from "./words";
+
+/** The URL is written when nothing has changed for so long: browsers limit how often it may change. */
+const URL_MS = 200;
+/** The title takes another action only when the engine is this sure, and no more often than this. */
+const SURE = 0.5;
+const TITLE_MS = 600;
+
+type Changed = ReadonlySet<keyof PlayState>;
+const any = (changed: Changed, ...names: (keyof PlayState)[]): boolean => names.some((name) => changed.has(name));
+
+export class App {
+  readonly #store = new Store(fromHash(location.hash));
+  readonly #notices = new Notices();
+  readonly #progress = { database: new ProgressLine(), input: new ProgressLine(), analysis: new ProgressLine() };
+  readonly #help = new Help();
+  readonly #drop: DropZone;
+  readonly #topBar: TopBar;
+  readonly #stage: Stage;
+  readonly #style: StylePanel;
+  readonly #input: InputPanel;
+  readonly #model: ModelPanel;
+  readonly #tabs: Tabs;
+  readonly #transport: Transport;
+  readonly #timeline: Timeline;
+  readonly #root: HTMLElement;
+  readonly #listening = new AbortController();
+  #session: Session | undefined;
+  #frame: LiveFrame | undefined;
+  #analysed = false;
+  #action = "walk";
+  #actionAt = 0;
+  #scrubbing = false;
+  #url: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(root: HTMLElement) {
+    const store = this.#store;
+    applyTheme(store.state.theme);
+    this.#root = root;
+    this.#topBar = new TopBar({
+      onUndo: () => store.undo(),
+      onRedo: () => store.redo(),
+      onShare: () => void this.#share(),
+      onExport: () => void this.#export(),
+      onTheme: () => store.edit({ theme: opposite(store.state.theme) }),
+      onHelp: () => this.#help.open(),
+    });
+    this.#stage = new Stage(isDark(store.state.theme) ? "dark" : "light", {
+      onCamera: (camera) => store.edit({ camera }),
+      onFollow: () => store.edit({ follow: !store.state.follow }),
+      onGhost: () => this.#nextGhost(),
+    });
+    this.#style = new StylePanel(store, this.#progress.database.element);
+    this.#input = new InputPanel(
+      { onChoose: (name) => void this.#choose(name), onFile: () => this.#drop.choose() },
+      this.#progress.input.element,
+    );
+    this.#model = new ModelPanel(store);
+    this.#tabs = new Tabs((tab) => store.edit({ tab }));
+    const scrub = { onScrub: (frame: number) => this.#scrub(frame), onScrubEnd: () => this.#endScrub() };
+    this.#transport = new Transport(store, {
+      onPlay: () => this.#togglePlay(),
+      onFrame: (by) => this.#stepFrame(by),
+      ...scrub,
+    });
+    this.#timeline = new Timeline({ ...scrub, onCurve: (curve) => store.edit({ curve }) });
+    this.#drop = new DropZone({
+      onMotion: (name, bytes) => void this.#takeMotion(name, bytes),
+      onDatabase: (name, bytes) => void this.#openDatabase({ kind: "strutdb", name, bytes }),
+      onRefused: (sentence) => this.#notices.error(sentence),
+    });
+    const panels = html(
+      "aside",
+      { class: "panels", "aria-label": "Controls" },
+      this.#style.element,
+      this.#input.element,
+      this.#model.element,
+    );
+    const transport = html(
+      "section",
+      { class: "transport", "aria-label": "Transport" },
+      this.#progress.analysis.element,
+      this.#transport.element,
+      this.#timeline.element,
+    );
+    this.#stage.element.append(this.#notices.element);
+    root.append(this.#topBar.element, this.#stage.element, this.#tabs.element, panels, transport);
+    root.append(this.#drop.element, this.#help.element);
+    this.#topBar.canExport = false;
+    store.subscribe((state, changed) => this.#onChange(state, changed));
+    this.#show(store.state);
+    this.#listen();
+  }
+
+  /** Takes the engine and opens what the link asks for. */
+  async start(client: StrutClient): Promise<void> {
+    const session = new Session(client, this.#progress, {
+      onDatabase: (database) => this.#onDatabase(database),
+      onInput: (input) => this.#onInput(input),
+      onAnalysis: (analysis) => this.#onAnalysis(analysis),
+      onFrame: (frame, sought) => this.#onFrame(frame, sought),
+      onTick: (now) => this.#stage.draw(now),
+      onError: (sentence) => this.#notices.error(sentence),
+      onStopped: () => this.#store.edit({ playing: false }),
+      onNote: (sentence) => this.#notices.note(sentence),
+    });
+    this.#session = session;
+    const wanted = this.#store.state.input;
+    await session.openDatabase({ kind: "demo" }, wanted);
+    if (wanted && session.input && session.inputName !== wanted) {
+      this.#store.adopt({ input: "" });
+      this.#notices.note(`This link was made with “${wanted}”, a file that is not part of it. Drop the file here.`);
+    }
+    const { loop, frame, playing } = this.#store.state;
+    session.setLoop(loop);
+    if (!playing && frame > 0) session.playback.seek(frame);
+    session.playback.start();
+  }
+
+  /** Says why there is no engine; the page stays as it is. */
+  fail(sentence: string): void {
+    this.#notices.error(sentence);
+  }
+
+  /** What {@link StrutHook} shows. */
+  get frame(): LiveFrame | undefined {
+    return this.#frame;
+  }
+
+  get state(): Readonly<PlayState> {
+    return this.#store.state;
+  }
+
+  get analysed(): boolean {
+    return this.#analysed;
+  }
+
+  get stage(): Stage {
+    return this.#stage;
+  }
+
+  dispose(): void {
+    this.#listening.abort();
+    clearTimeout(this.#url);
+    this.#session?.dispose();
+    this.#stage.dispose();
+    this.#root.replaceChildren();
+  }
+
+  // --- from the engine ---
+
+  #onDatabase(database: DatabaseInfo): void {
+    this.#style.database = database;
+    this.#stage.viewer.setProportions(database.proportions);
+    this.#completeStyles(database);
+    this.#show(this.#store.state);
+    this.#configure();
+  }
+
+  /** Drops styles that the database does not have, and chooses some where none is left. */
+  #completeStyles(database: DatabaseInfo): void {
+    const { styles } = this.#store.state;
+    const known = styles.filter((s) => database.styles.includes(s.name));
+    if (known.length === styles.length && known.length > 0) return;
+    const first = firstSelection(database.styles, database.neutral);
+    this.#store.adopt({ styles: known.length > 0 ? normalised(known) : first, wholePolygon: false });
+  }
+
+  #onInput(input: InputInfo): void {
+    this.#analysed = false;
+    this.#stage.viewer.setPath(null);
+    this.#stage.viewer.resetTrail();
+    this.#input.list(this.#session!.library, this.#session!.inputName);
+    this.#input.input = input;
+    this.#transport.input = input;
+    this.#timeline.input = input;
+    this.#topBar.canExport = true;
+    this.#notices.clearErrors();
+    this.#showHeading();
+  }
+
+  #onAnalysis(analysis: Analysis): void {
+    this.#analysed = true;
+    this.#timeline.analysis = analysis;
+    this.#stage.viewer.setPath(analysis.poses);
+    this.#stage.invalidate();
+  }
+
+  #onFrame(frame: LiveFrame, sought: boolean): void {
+    this.#frame = frame;
+    if (sought) this.#stage.viewer.resetTrail();
+    this.#stage.take(frame);
+    this.#input.read(frame.reads);
+    this.#transport.frame = frame.inputFrame;
+    if (!this.#scrubbing) this.#timeline.frame = frame.inputFrame;
+    const [read] = frame.reads;
+    const now = performance.now();
+    if (read && read.weight >= SURE && read.action !== this.#action && now - this.#actionAt > TITLE_MS) {
+      this.#action = read.action;
+      this.#actionAt = now;
+      this.#showHeading();
+    }
+    if (frame.ended && this.#store.state.playing) this.#pauseAt(frame.inputFrame);
+  }
+
+  // --- from the state ---
+
+  #onChange(state: Readonly<PlayState>, changed: Changed): void {
+    const session = this.#session;
+    if (changed.has("theme")) this.#applyTheme();
+    if (session && changed.has("loop")) session.setLoop(state.loop);
+    if (any(changed, "styles", "intensity", "k", "lambda", "rho", "kappa", "delta", "timing", "footplant"))
+      this.#configure();
+    if (session?.database && changed.has("styles")) this.#completeStyles(session.database);
+    if (session?.input && changed.has("input")) this.#followInput(state.input);
+    this.#show(state, changed);
+    clearTimeout(this.#url);
+    this.#url = setTimeout(() => {
+      const hash = toHash(this.#store.state);
+      history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
+    }, URL_MS);
+  }
+
+  #configure(): void {
+    const session = this.#session;
+    if (!session?.database) return;
+    session.playback.options = engineOptions(this.#store.state, session.database.neutral);
+    this.#analysed = false;
+    session.analyseSoon();
+  }
+
+  #show(state: Readonly<PlayState>, changed?: Changed): void {
+    const { canUndo, canRedo } = this.#store;
+    this.#topBar.show({ canUndo, canRedo, dark: isDark(state.theme) });
+    if (!changed || any(changed, "camera", "follow", "ghost")) this.#stage.show(state);
+    if (!changed || any(changed, "styles", "wholePolygon", "intensity")) {
+      this.#style.show(state, changed !== undefined);
+      this.#showHeading();
+    }
+    if (!changed || changed.has("curve")) this.#timeline.curve = state.curve;
+    this.#model.show(state);
+    this.#transport.show(state);
+    this.#tabs.show(state.tab);
+    this.#root.dataset.tab = state.tab;
+    this.#root.classList.toggle("bare", !state.panels);
+    if (this.#session) {
+      this.#session.playback.playing = state.playing && !this.#scrubbing;
+      this.#session.playback.speed = state.speed;
+    }
+  }
+
+  #showHeading(): void {
+    const session = this.#session;
+    if (!session?.database) return;
+    const { styles, intensity } = this.#store.state;
+    const { neutral, rateHz } = session.database;
+    this.#stage.heading = {
+      title: stageTitle(this.#action, styles, intensity, neutral),
+      caption: stageCaption(session.inputName, styles.filter((s) => s.weight !== 0).length, rateHz),
+    };
+  }
+
+  #applyTheme(): void {
+    const { theme } = this.#store.state;
+    applyTheme(theme);
+    this.#stage.viewer.theme = isDark(theme) ? "dark" : "light";
+    this.#stage.invalidate();
+    this.#timeline.recolour();
+  }
+
+  // --- from the person ---
+
+  #listen(): void {
+    const { signal } = this.#listening;
+    const store = this.#store;
+    onSystemTheme(() => {
+      this.#applyTheme();
+      this.#show(store.state);
+    }, signal);
+    addEventListener("hashchange", () => store.edit(fromHash(location.hash)), { signal });
+    listenToKeys(
+      {
+        play: () => this.#togglePlay(),
+        frame: (by) => this.#stepFrame(by),
+        first: () => this.#goTo(0),
+        last: () => this.#goTo(Number.MAX_SAFE_INTEGER),
+        loop: () => store.edit({ loop: !store.state.loop }),
+        ghost: () => this.#nextGhost(),
+        follow: () => store.edit({ follow: !store.state.follow }),
+        panels: () => store.edit({ panels: !store.state.panels }),
+        style: (number) => this.#style.polygon.takeAllOf(this.#style.vertices[number - 1] ?? ""),
+        help: () => this.#help.open(),
+        undo: () => store.undo(),
+        redo: () => store.redo(),
+      },
+      signal,
+    );
+  }
+
+  #nextGhost(): void {
+    const next = (GHOST_MODES.indexOf(this.#store.state.ghost) + 1) % GHOST_MODES.length;
+    this.#store.edit({ ghost: GHOST_MODES[next]! });
+  }
+
+  #togglePlay(): void {
+    const { playing, loop } = this.#store.state;
+    if (playing) {
+      this.#pauseAt(this.#frame?.inputFrame ?? 0);
+      return;
+    }
+    if (!loop && this.#frame?.ended) this.#session?.playback.seek(0);
+    this.#store.edit({ playing: true, frame: 0 });
+  }
+
+  #pauseAt(frame: number): void {
+    this.#store.edit({ playing: false, frame: Math.round(frame) });
+  }
+
+  #goTo(frame: number): void {
+    const input = this.#session?.input;
+    if (!input) return;
+    const at = Math.min(Math.max(0, frame), input.frames - 1);
+    this.#session?.playback.seek(at);
+    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(at) });
+  }
+
+  #stepFrame(by: number): void {
+    const input = this.#session?.input;
+    if (!input || !this.#frame) return;
+    const at = Math.round(this.#frame.inputFrame) + by;
+    const wrapped = this.#store.state.loop ? (at + input.frames) % input.frames : at;
+    this.#store.edit({ playing: false });
+    this.#goTo(wrapped);
+  }
+
+  #scrub(frame: number): void {
+    this.#scrubbing = true;
+    if (this.#session) this.#session.playback.playing = false;
+    this.#timeline.frame = frame;
+    this.#session?.playback.seek(frame);
+  }
+
+  #endScrub(): void {
+    this.#scrubbing = false;
+    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(this.#frame?.inputFrame ?? 0) });
+    this.#show(this.#store.state, new Set());
+  }
+
+  async #choose(name: string): Promise<void> {
+    const session = this.#session;
+    if (!session) return;
+    if (await session.openInput(name)) this.#store.edit({ input: name === session.library.first ? "" : name });
+    else this.#input.list(session.library, session.inputName);
+  }
+
+  /** Opens the input that undo, redo or a link brought; where that fails the state goes back to what is open. */
+  #followInput(wanted: string): void {
+    const session = this.#session!;
+    const name = wanted || session.library.first;
+    if (name === session.inputName) return;
+    void session.openInput(name).then((opened) => {
+      if (!opened) this.#store.adopt({ input: session.inputName === session.library.first ? "" : session.inputName });
+    });
+  }
+
+  async #takeMotion(fileName: string, bytes: ArrayBuffer): Promise<void> {
+    const name = await this.#session?.openFile(fileName, bytes);
+    if (name !== undefined) this.#store.edit({ input: name });
+  }
+
+  async #openDatabase(source: DatabaseSource): Promise<void> {
+    const session = this.#session;
+    if (!session || !(await session.openDatabase(source, session.inputName)) || !session.database) return;
+    const { styles, frames } = session.database;
+    this.#notices.note(`${styles.length} styles ready. ${frames.toLocaleString("en").replace(/,/g, " ")} frames.`);
+  }
+
+  async #share(): Promise<void> {
+    const { state } = this.#store;
+    const url = new URL(location.href);
+    url.hash = toHash(state);
+    const dropped = this.#session?.library.isDropped(state.input) ?? false;
+    try {
+      await navigator.clipboard.writeText(url.href);
+      this.#notices.note(dropped ? "Link copied. The dropped file is not part of it." : "Link copied.");
+    } catch {
+      this.#notices.error("The browser does not let this page copy. Copy the address from the address bar.");
+    }
+  }
+
+  async #export(): Promise<void> {
+    const session = this.#session;
+    if (!session) return;
+    this.#topBar.canExport = false;
+    const text = await session.exportBvh();
+    this.#topBar.canExport = true;
+    if (text === undefined) return;
+    const url = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+    const name = exportName(session.inputName, this.#store.state.styles);
+    html("a", { href: url, download: name }).click();
+    // The download has the data once the click is through.
+    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+    this.#notices.note(`Saved ${name}.`);
+  }
+}

@@ -1,0 +1,75 @@
+/** The keys of the whole page. What has the focus goes first: a slider keeps its arrows, a text field its letters. */
+
+export interface KeyActions {
+  play(): void;
+  frame(by: number): void;
+  first(): void;
+  last(): void;
+  loop(): void;
+  ghost(): void;
+  follow(): void;
+  panels(): void;
+  /** All of the style with this number, from 1. */
+  style(number: number): void;
+  help(): void;
+  undo(): void;
+  redo(): void;
+}
+
+/** Whether the element wants keys such as arrows, Home and letters for itself. */
+function wantsKeys(element: Element | null): boolean {
+  return element?.matches("input:not([type=checkbox]), select, textarea, [contenteditable]") ?? false;
+}
+
+/** Whether a key press on this element is the element's own: a button reached by keyboard takes Space. */
+function takesSpace(element: Element | null): boolean {
+  return element?.matches("button:focus-visible, a:focus-visible, [role=button]:focus-visible") ?? false;
+}
+
+/** Listens to the page's keys until the signal aborts. */
+export function listenToKeys(actions: KeyActions, signal: AbortSignal): void {
+  const plain: Readonly<Record<string, () => void>> = {
+    ArrowLeft: () => actions.frame(-1),
+    ArrowRight: () => actions.frame(1),
+    Home: actions.first,
+    End: actions.last,
+    l: actions.loop,
+    g: actions.ghost,
+    f: actions.follow,
+    h: actions.panels,
+    "?": actions.help,
+  };
+  const onKeyDown = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
+    const focused = document.activeElement;
+    if ((event.ctrlKey || event.metaKey) && !event.altKey) {
+      const key = event.key.toLowerCase();
+      if (focused?.matches("input[type=text]")) return;
+      if (key === "z") (event.shiftKey ? actions.redo : actions.undo)();
+      else if (key === "y") actions.redo();
+      else return;
+      event.preventDefault();
+      return;
+    }
+    if (event.altKey) return;
+    if (event.key === " ") {
+      if (takesSpace(focused) || focused?.matches("input[type=text], select")) return;
+      event.preventDefault();
+      if (!event.repeat) actions.play();
+      return;
+    }
+    if (wantsKeys(focused)) return;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const action = plain[key] ?? (/^[1-9]$/.test(key) ? () => actions.style(Number(key)) : undefined);
+    if (!action) return;
+    event.preventDefault();
+    action();
+  };
+  // A button that was clicked keeps the focus; the browser would press it again when Space is let go.
+  const onKeyUp = (event: KeyboardEvent): void => {
+    if (event.key === " " && document.activeElement?.matches("button") && !takesSpace(document.activeElement))
+      event.preventDefault();
+  };
+  addEventListener("keydown", onKeyDown, { signal });
+  addEventListener("keyup", onKeyUp, { signal });
+}

@@ -1,0 +1,78 @@
+/** The Input panel: which motion is styled, and what the engine reads it as. */
+import type { InputInfo, Reading } from "../../worker/protocol";
+import { button } from "../controls/buttons";
+import { icon } from "../controls/icons";
+import { formatNumber, html, setText } from "../dom";
+import type { InputLibrary } from "../library";
+
+/** The reading changes this often, so that it can be read. */
+const READING_MS = 250;
+
+export interface InputListeners {
+  onChoose: (name: string) => void;
+  onFile: () => void;
+}
+
+const spoken = (name: string): string => name.replace(/[-_]+/g, " ");
+
+export class InputPanel {
+  readonly element: HTMLElement;
+  readonly #select = html("select", { "aria-label": "Input motion" });
+  readonly #reading = html("span", { class: "reading" });
+  readonly #bar = html("div", { class: "weight-bar-filled" });
+  readonly #weight = html("output", { class: "value" });
+  readonly #note = html("p", { class: "caption input-note" });
+  #readAt = 0;
+
+  constructor(listeners: InputListeners, top: HTMLElement) {
+    this.#select.addEventListener("change", () => listeners.onChoose(this.#select.value));
+    const file = button("Drop a BVH", listeners.onFile, { icon: "drop", label: true, class: "outlined" });
+    file.title = "Drop a BVH anywhere on the page, or choose one here";
+    this.element = html(
+      "section",
+      { class: "section input", "aria-labelledby": "input-heading" },
+      top,
+      html("div", { class: "section-heading" }, html("h2", { id: "input-heading" }, "Input")),
+      html(
+        "div",
+        { class: "input-row" },
+        html("div", { class: "select outlined" }, this.#select, icon("chevron")),
+        file,
+      ),
+      html(
+        "div",
+        { class: "row", title: "What the engine takes the input for, and how sure it is" },
+        html("span", { class: "label" }, "Reads as"),
+        this.#reading,
+        html("div", { class: "weight-bar" }, this.#bar),
+        this.#weight,
+      ),
+      this.#note,
+    );
+  }
+
+  /** Lists the inputs there are and marks the one that is open. */
+  list(library: InputLibrary, chosen: string): void {
+    const option = (name: string) => html("option", { value: name }, spoken(name));
+    const group = (label: string, names: readonly string[]) =>
+      names.length > 0 ? [html("optgroup", { label }, ...names.map(option))] : [];
+    this.#select.replaceChildren(...group("Built in", library.builtIn), ...group("Dropped here", library.dropped));
+    this.#select.value = chosen;
+  }
+
+  set input(input: InputInfo) {
+    setText(this.#note, input.note);
+    this.#readAt = 0;
+  }
+
+  /** Shows the heaviest class of the newest frame. */
+  read(reads: readonly Reading[]): void {
+    const now = performance.now();
+    const [first] = reads;
+    if (!first || now - this.#readAt < READING_MS) return;
+    this.#readAt = now;
+    setText(this.#reading, `${spoken(first.action)}, ${spoken(first.style)}`);
+    setText(this.#weight, formatNumber(first.weight, 2));
+    this.#bar.style.transform = `scaleX(${Math.min(1, Math.max(0, first.weight))})`;
+  }
+}

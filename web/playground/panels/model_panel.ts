@@ -1,0 +1,92 @@
+/** The Model panel: the knobs of the regression, and what is switched on behind it. */
+import { button, Toggle } from "../controls/buttons";
+import type { DialRange } from "../controls/dial";
+import { Knob } from "../controls/knob";
+import { html } from "../dom";
+import { FIELDS, type PlayState, RANGES } from "../state";
+import type { Store } from "../store";
+
+type KnobField = "k" | "lambda" | "rho" | "kappa" | "delta";
+
+/** The knobs from left to right. Those whose effect goes by ratio turn logarithmically. */
+const KNOBS: readonly {
+  field: KnobField;
+  symbol: string;
+  name: string;
+  description: string;
+  scale: DialRange["scale"];
+}[] = [
+  { field: "k", symbol: "K", name: "Neighbours", description: "K: neighbours of the pose in each class", scale: "log" },
+  {
+    field: "lambda",
+    symbol: "λ",
+    name: "Ridge",
+    description: "λ: how strongly the fit is held back, in units of K",
+    scale: "log",
+  },
+  {
+    field: "rho",
+    symbol: "ρ",
+    name: "Kept content",
+    description: "ρ: share of what is unlike the data that is given back",
+    scale: "linear",
+  },
+  {
+    field: "kappa",
+    symbol: "κ",
+    name: "Tolerance",
+    description: "κ: deviations from the data that still count as like it",
+    scale: "linear",
+  },
+  {
+    field: "delta",
+    symbol: "δ",
+    name: "Mixture width",
+    description: "δ: small picks one class, large mixes many",
+    scale: "log",
+  },
+];
+
+const TOGGLES = [
+  { field: "timing", name: "Timing" },
+  { field: "footplant", name: "Footplant" },
+] as const;
+
+export class ModelPanel {
+  readonly element: HTMLElement;
+  readonly #knobs: { field: KnobField; knob: Knob }[];
+  readonly #toggles: { field: (typeof TOGGLES)[number]["field"]; toggle: Toggle }[];
+  readonly #reset: HTMLButtonElement;
+
+  constructor(store: Store) {
+    this.#knobs = KNOBS.map(({ field, scale, ...text }) => ({
+      field,
+      knob: new Knob(text, { ...RANGES[field], scale }, FIELDS[field].initial, {
+        onInput: (value) => store.edit({ [field]: value }, field),
+        onSettle: () => store.endGesture(),
+      }),
+    }));
+    this.#toggles = TOGGLES.map(({ field, name }) => ({
+      field,
+      toggle: new Toggle(name, (on) => store.edit({ [field]: on })),
+    }));
+    const fields = [...KNOBS, ...TOGGLES].map(({ field }) => field);
+    const defaults = Object.fromEntries(fields.map((field) => [field, FIELDS[field].initial])) as Partial<PlayState>;
+    this.#reset = button("Reset", () => store.edit(defaults), { label: true, class: "plain" });
+    this.#reset.setAttribute("aria-label", "Reset the model");
+    this.element = html(
+      "section",
+      { class: "section model", "aria-labelledby": "model-heading" },
+      html("div", { class: "section-heading" }, html("h2", { id: "model-heading" }, "Model"), this.#reset),
+      html("div", { class: "knobs" }, ...this.#knobs.map(({ knob }) => knob.element)),
+      html("div", { class: "toggles" }, ...this.#toggles.map(({ toggle }) => toggle.element)),
+    );
+  }
+
+  show(state: Readonly<PlayState>): void {
+    for (const { field, knob } of this.#knobs) knob.value = state[field];
+    for (const { field, toggle } of this.#toggles) toggle.on = state[field];
+    const fields = [...this.#knobs, ...this.#toggles].map(({ field }) => field);
+    this.#reset.disabled = fields.every((field) => state[field] === FIELDS[field].initial);
+  }
+}

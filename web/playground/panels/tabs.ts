@@ -1,0 +1,20 @@
+/** The tabs that choose a panel on a narrow screen. */
+import { html, setAttributes } from "../dom";
+import { TABS, type Tab } from "../state";
+
+const NAMES: Readonly<Record<Tab, string>> = { style: "Style", input: "Input", model: "Model", curves: "Curves" };
+
+export class Tabs {
+  readonly element: HTMLElement;
+  readonly #buttons: Map<Tab, HTMLButtonElement>;
+
+  constructor(onChange: (tab: Tab) => void) {
+    this.#buttons = new Map(TABS.map((tab) => [tab, html("button", { type: "button", class: "tab" }, NAMES[tab])]));
+    for (const [tab, button] of this.#buttons) button.addEventListener("click", () => onChange(tab));
+    this.element = html("nav", { class: "tabs", "aria-label": "Panels" }, ...this.#buttons.values());
+  }
+
+  show(chosen: Tab): void {
+    for (const [tab, button] of this.#buttons) setAttributes(button, { "aria-current": tab === chosen && "true" });
+  }
+}

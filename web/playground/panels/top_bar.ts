@@ -1,0 +1,73 @@
+/** The top bar: what this is, undo and redo, share, export, theme, help; on a narrow screen partly in a menu. */
+import { button } from "../controls/buttons";
+import { icon, mark } from "../controls/icons";
+import { html } from "../dom";
+
+export interface TopBarListeners {
+  onUndo: () => void;
+  onRedo: () => void;
+  onShare: () => void;
+  onExport: () => void;
+  onTheme: () => void;
+  onHelp: () => void;
+}
+
+export class TopBar {
+  readonly element: HTMLElement;
+  readonly #undo: HTMLButtonElement[];
+  readonly #redo: HTMLButtonElement[];
+  readonly #theme: HTMLButtonElement;
+  readonly #export: HTMLButtonElement;
+
+  constructor(listeners: TopBarListeners) {
+    const divider = () => html("span", { class: "bar-divider" });
+    const undo = button("Undo", listeners.onUndo, { icon: "undo", keys: "Ctrl+Z" });
+    const redo = button("Redo", listeners.onRedo, { icon: "redo", keys: "Ctrl+Shift+Z" });
+    const share = button("Share", listeners.onShare, { icon: "share", label: true, class: "bar-action" });
+    this.#export = button("Export", listeners.onExport, { icon: "export", label: true, class: "bar-action outlined" });
+    this.#export.title = "Export the styled motion as a BVH";
+    this.#theme = button("Theme", listeners.onTheme, { icon: "sun" });
+    const help = button("Help", listeners.onHelp, { icon: "help", keys: "?" });
+    const menuUndo = button("Undo", listeners.onUndo, { icon: "undo", label: true, class: "menu-item" });
+    const menuRedo = button("Redo", listeners.onRedo, { icon: "redo", label: true, class: "menu-item" });
+    const menuTheme = button("Light or dark", listeners.onTheme, { icon: "moon", label: true, class: "menu-item" });
+    const menuHelp = button("Help", listeners.onHelp, { icon: "help", label: true, class: "menu-item" });
+    const menu = html("div", { id: "menu", class: "menu", popover: "auto" }, menuUndo, menuRedo, menuTheme, menuHelp);
+    for (const item of [menuTheme, menuHelp]) item.addEventListener("click", () => menu.hidePopover());
+    const menuButton = button("Menu", () => {}, { icon: "menu", class: "menu-button" });
+    menuButton.setAttribute("popovertarget", "menu");
+    this.#undo = [undo, menuUndo];
+    this.#redo = [redo, menuRedo];
+    this.element = html(
+      "header",
+      { class: "bar" },
+      html("a", { class: "wordmark", href: "./", "aria-label": "Strut, start again" }, mark(), "Strut"),
+      html("nav", { "aria-label": "Views" }, html("a", { href: "./", "aria-current": "page", class: "tab" }, "Play")),
+      html(
+        "div",
+        { class: "bar-actions" },
+        html("span", { class: "wide" }, undo, redo, divider()),
+        share,
+        this.#export,
+        html("span", { class: "wide" }, divider(), this.#theme, help),
+        menuButton,
+        menu,
+      ),
+    );
+  }
+
+  show({ canUndo, canRedo, dark }: { canUndo: boolean; canRedo: boolean; dark: boolean }): void {
+    for (const undo of this.#undo) undo.disabled = !canUndo;
+    for (const redo of this.#redo) redo.disabled = !canRedo;
+    const name = dark ? "Light theme" : "Dark theme";
+    if (this.#theme.title === name) return;
+    this.#theme.title = name;
+    this.#theme.setAttribute("aria-label", name);
+    this.#theme.replaceChildren(icon(dark ? "sun" : "moon"));
+  }
+
+  /** There is nothing to export before an input is open, and not twice at a time. */
+  set canExport(can: boolean) {
+    this.#export.disabled = !can;
+  }
+}

@@ -1,0 +1,78 @@
+/** Play, pause, frame by frame, loop, speed and the clock; on a narrow screen also a short timeline. */
+import type { InputInfo } from "../../worker/protocol";
+import { button } from "../controls/buttons";
+import { icon } from "../controls/icons";
+import { formatNumber, html, setText } from "../dom";
+import { type PlayState, SPEEDS } from "../state";
+import type { Store } from "../store";
+
+export interface TransportListeners {
+  onPlay: () => void;
+  /** One frame back (−1) or on (+1). */
+  onFrame: (by: number) => void;
+  onScrub: (frame: number) => void;
+  onScrubEnd: () => void;
+}
+
+export class Transport {
+  readonly element: HTMLElement;
+  readonly #play: HTMLButtonElement;
+  readonly #loop: HTMLButtonElement;
+  readonly #speed: HTMLSelectElement;
+  readonly #clock = html("span", { class: "clock" });
+  readonly #duration = html("span", { class: "caption" });
+  readonly #scrub: HTMLInputElement;
+  #rateHz = 60;
+
+  constructor(store: Store, listeners: TransportListeners) {
+    this.#play = button("Play", listeners.onPlay, { icon: "play", class: "play", keys: "Space" });
+    const previous = button("Previous frame", () => listeners.onFrame(-1), { icon: "previous", keys: "←" });
+    const next = button("Next frame", () => listeners.onFrame(1), { icon: "next", keys: "→" });
+    this.#loop = button("Loop", () => store.edit({ loop: !store.state.loop }), { icon: "loop", keys: "L" });
+    this.#speed = html("select", { class: "speed", "aria-label": "Speed", title: "Speed" });
+    for (const speed of SPEEDS) this.#speed.append(html("option", { value: speed }, `${speed}×`));
+    this.#speed.addEventListener("change", () => store.edit({ speed: Number(this.#speed.value) }));
+    this.#scrub = html("input", { class: "scrub", type: "range", min: 0, step: 1, "aria-label": "Time" });
+    this.#scrub.addEventListener("input", () => listeners.onScrub(Number(this.#scrub.value)));
+    this.#scrub.addEventListener("change", () => listeners.onScrubEnd());
+    this.element = html(
+      "div",
+      { class: "transport-controls" },
+      this.#play,
+      html("div", { class: "transport-buttons" }, previous, next, this.#loop, this.#speed),
+      this.#scrub,
+      html("p", { class: "time" }, this.#clock, this.#duration),
+    );
+  }
+
+  set input(input: InputInfo) {
+    this.#rateHz = input.rateHz;
+    this.#scrub.max = String(Math.max(0, input.frames - 1));
+    setText(this.#duration, `of ${clock(input.durationSecs)} s`);
+  }
+
+  /** Moves the clock to an input frame. */
+  set frame(frame: number) {
+    setText(this.#clock, clock(frame / this.#rateHz));
+    this.#scrub.value = String(Math.round(frame));
+    this.#scrub.style.setProperty("--share", String(frame / Math.max(1, Number(this.#scrub.max))));
+  }
+
+  show(state: Readonly<PlayState>): void {
+    const name = state.playing ? "Pause" : "Play";
+    if (this.#play.getAttribute("aria-label") !== name) {
+      this.#play.setAttribute("aria-label", name);
+      this.#play.title = `${name} (Space)`;
+      this.#play.replaceChildren(icon(state.playing ? "pause" : "play", 18));
+    }
+    this.#loop.setAttribute("aria-pressed", String(state.loop));
+    this.#speed.value = String(state.speed);
+  }
+}
+
+/** Seconds as 02.67, minutes as 1:02.67. */
+function clock(seconds: number): string {
+  const minutes = Math.floor(seconds / 60);
+  const rest = formatNumber(seconds - 60 * minutes, 2).padStart(5, "0");
+  return minutes > 0 ? `${minutes}:${rest}` : rest;
+}

@@ -1,0 +1,315 @@
+/**
+ * The style polygon: every style is a vertex, a few are selected, and the handle's place between those is how much
+ * of each. Pointer, touch and keyboard; the pure parts are in `geometry.ts` and `selection.ts`.
+ */
+import { formatNumber, html, prefersReducedMotion, setAttributes, svg } from "../dom";
+import { hatching, isolines, label, path, weightBar } from "./drawing";
+import { circleVertices, isInside, nearestInside, type Point, pointOf, weightsAt } from "./geometry";
+import { allOf, drop, fromPolygon, type Selection, select, TRIANGLE, weightOf } from "./selection";
+import { Trail } from "./trail";
+
+/** Radius and half height in pixels; labels need the rest. */
+const RADIUS = 92;
+const HALF_HEIGHT = 124;
+/** Duration of a jump to a vertex. */
+const GLIDE_MS = 240;
+/** Arrow keys move the handle by these shares of the radius. */
+const KEY_STEP = 0.05;
+const FINE_KEY_STEP = 0.01;
+/** From so many styles on, idle labels appear on hover and focus only. */
+const CROWDED = 9;
+/** With Shift the handle may leave the polygon as far as this, in radii. */
+const MOST_BEYOND = 1.35;
+
+const ARROWS: Readonly<Record<string, Point>> = {
+  ArrowLeft: { x: -1, y: 0 },
+  ArrowRight: { x: 1, y: 0 },
+  ArrowUp: { x: 0, y: -1 },
+  ArrowDown: { x: 0, y: 1 },
+};
+
+export interface PolygonListeners {
+  /** A new selection; `gesture` names the drag or run of key presses that it belongs to. */
+  onChange: (selection: Selection, gesture?: string) => void;
+  /** The end of a gesture. */
+  onSettle: () => void;
+}
+
+/** What the polygon shows. */
+export interface PolygonModel {
+  /** Styles clockwise from the top. */
+  vertices: readonly string[];
+  selection: Selection;
+  /** Whether the whole polygon is mixed. */
+  whole: boolean;
+  /** Whether the engine is asked for more than the data holds. */
+  beyond: boolean;
+}
+
+export class Polygon {
+  readonly element: HTMLElement;
+  readonly #listeners: PolygonListeners;
+  readonly #root: SVGSVGElement;
+  readonly #layers = {
+    hatch: svg("path", { class: "polygon-hatch", "fill-rule": "evenodd" }),
+    outline: svg("path", { class: "polygon-outline" }),
+    area: svg("path", { class: "polygon-area" }),
+    isolines: svg("path", { class: "polygon-isolines" }),
+    leaders: svg("g", { class: "polygon-leaders" }),
+    bars: svg("g"),
+    vertices: svg("g"),
+  };
+  readonly #trail = new Trail();
+  readonly #handle: SVGGElement;
+  #vertexElements: SVGGElement[] = [];
+  #model: PolygonModel = { vertices: [], selection: [], whole: false, beyond: false };
+  #positions: Point[] = [];
+  /** Where the handle is drawn: behind the model only while it glides. */
+  #drawn: Point = { x: 0, y: 0 };
+  #glide = 0;
+  #drag: { pointerId: number; offset: Point } | undefined;
+
+  constructor(listeners: PolygonListeners) {
+    this.#listeners = listeners;
+    this.#handle = svg(
+      "g",
+      {
+        class: "polygon-handle",
+        role: "slider",
+        tabindex: 0,
+        "aria-label": "Style",
+        "aria-valuemin": 0,
+        "aria-valuemax": 1,
+      },
+      svg("circle", { class: "handle-halo", r: 15 }),
+      svg("circle", { class: "handle-focus", r: 13 }),
+      svg("circle", { class: "handle-body", r: 8 }),
+    );
+    const { hatch, outline, area, isolines: lines, leaders, bars, vertices } = this.#layers;
+    this.#root = svg(
+      "svg",
+      { class: "polygon", role: "group", "aria-label": "Styles" },
+      hatching("polygon-hatching"),
+      hatch,
+      outline,
+      area,
+      lines,
+      leaders,
+      this.#trail.element,
+      bars,
+      vertices,
+      this.#handle,
+    );
+    this.element = html("div", { class: "polygon-box" }, this.#root);
+    this.#root.addEventListener("pointerdown", (event) => this.#onPointerDown(event));
+    this.#root.addEventListener("pointermove", (event) => this.#onPointerMove(event));
+    for (const type of ["pointerup", "pointercancel"] as const)
+      this.#root.addEventListener(type, (event) => this.#onPointerEnd(event));
+    this.#handle.addEventListener("keydown", (event) => this.#onHandleKey(event));
+    this.#handle.addEventListener("keyup", (event) => {
+      if (event.key in ARROWS) this.#listeners.onSettle();
+    });
+    const resized = new ResizeObserver(() => this.#resize());
+    resized.observe(this.element);
+  }
+
+  /** Shows a model. `glide` lets the handle travel to a far place instead of jumping. */
+  show(model: PolygonModel, glide = false): void {
+    const relaid = model.vertices.join("\n") !== this.#model.vertices.join("\n");
+    this.#model = model;
+    if (relaid) this.#layOut();
+    cancelAnimationFrame(this.#glide);
+    if (glide && !this.#drag && !prefersReducedMotion()) this.#glideFrom(this.#drawn);
+    else this.#draw(this.#modelPoint());
+  }
+
+  /** All of one style, as a double click on its vertex does it. */
+  takeAllOf(name: string): void {
+    if (!this.#model.vertices.includes(name)) return;
+    const { whole, selection } = this.#model;
+    this.#listeners.onChange(whole ? [{ name, weight: 1 }] : allOf(selection, name));
+  }
+
+  /** Gives the handle the keyboard. */
+  focus(): void {
+    this.#handle.focus();
+  }
+
+  /** The names and places of the corners between which the handle moves. */
+  #corners(): { names: string[]; points: Point[] } {
+    const { vertices, selection, whole } = this.#model;
+    const names = whole ? [...vertices] : selection.map((s) => s.name).filter((name) => vertices.includes(name));
+    return { names, points: names.map((name) => this.#positions[vertices.indexOf(name)]!) };
+  }
+
+  #modelPoint(): Point {
+    const { names, points } = this.#corners();
+    const weights = names.map((name) => weightOf(this.#model.selection, name));
+    return pointOf(weights, points);
+  }
+
+  /** Takes the handle to a point, or as near as it may go. */
+  #moveTo(p: Point, beyond: boolean): void {
+    const { names, points } = this.#corners();
+    if (points.length === 0) return;
+    const free = beyond && points.length === TRIANGLE && !this.#model.whole;
+    const reach = Math.min(1, (MOST_BEYOND * RADIUS) / (Math.hypot(p.x, p.y) || 1));
+    const at = free ? { x: p.x * reach, y: p.y * reach } : nearestInside(p, points);
+    const weights = weightsAt(at, points).map((w) => Math.round(w * 1000) / 1000);
+    const selection = this.#model.whole
+      ? fromPolygon(names, weights)
+      : names.map((name, i) => ({ name, weight: weights[i]! }));
+    this.#listeners.onChange(selection, "polygon");
+  }
+
+  #layOut(): void {
+    this.#positions = circleVertices(this.#model.vertices.length, RADIUS);
+    this.#layers.outline.setAttribute("d", path(this.#positions));
+    this.#root.classList.toggle("crowded", this.#model.vertices.length >= CROWDED);
+    this.#vertexElements = this.#model.vertices.map((name, i) => {
+      const { x, y } = this.#positions[i]!;
+      const vertex = svg(
+        "g",
+        { class: "vertex", role: "button", tabindex: 0, "data-style": name },
+        svg("circle", { class: "vertex-target", cx: x, cy: y, r: 16 }),
+        svg("circle", { class: "vertex-focus", cx: x, cy: y, r: 10 }),
+        svg("circle", { class: "vertex-dot", cx: x, cy: y }),
+      );
+      vertex.addEventListener("dblclick", () => this.takeAllOf(name));
+      vertex.addEventListener("keydown", (event) => this.#onVertexKey(event, name));
+      return vertex;
+    });
+    this.#layers.vertices.replaceChildren(...this.#vertexElements);
+    this.#resize();
+  }
+
+  /** One unit is one pixel, so that strokes and type keep their size however wide the panel is. */
+  #resize(): void {
+    const width = this.element.clientWidth || 304;
+    setAttributes(this.#root, {
+      viewBox: `${-width / 2} ${-HALF_HEIGHT} ${width} ${2 * HALF_HEIGHT}`,
+      width,
+      height: 2 * HALF_HEIGHT,
+    });
+    this.#draw(this.#drawn);
+  }
+
+  #glideFrom(from: Point): void {
+    const to = this.#modelPoint();
+    const start = performance.now();
+    const tick = (now: number) => {
+      const t = Math.min(1, Math.max(0, (now - start) / GLIDE_MS));
+      const eased = 1 - (1 - t) ** 3;
+      this.#draw({ x: from.x + (to.x - from.x) * eased, y: from.y + (to.y - from.y) * eased });
+      if (t < 1) this.#glide = requestAnimationFrame(tick);
+    };
+    this.#glide = requestAnimationFrame(tick);
+  }
+
+  #draw(handle: Point): void {
+    this.#drawn = handle;
+    const { vertices, selection, whole, beyond } = this.#model;
+    const { names, points } = this.#corners();
+    const outside = points.length > 2 && !isInside(handle, points);
+    const layers = this.#layers;
+    const edge = Math.max(140, Math.min(172, (this.element.clientWidth || 304) / 2 + 14));
+
+    layers.area.setAttribute("d", path(points));
+    layers.isolines.setAttribute("d", whole ? "" : isolines(points));
+    layers.hatch.setAttribute("d", outside ? path(circleVertices(48, RADIUS * MOST_BEYOND)) + path(points) : "");
+    layers.leaders.replaceChildren(
+      ...names.map((name, i) => {
+        const opacity = 0.12 + 0.5 * Math.min(1, Math.abs(weightOf(selection, name)));
+        const to = points[i]!;
+        return svg("line", { x1: handle.x, y1: handle.y, x2: to.x, y2: to.y, "stroke-opacity": opacity.toFixed(3) });
+      }),
+    );
+    layers.bars.replaceChildren();
+    for (const [i, vertex] of this.#vertexElements.entries()) {
+      const name = vertices[i]!;
+      const position = this.#positions[i]!;
+      const weight = selection.find((s) => s.name === name)?.weight;
+      if (weight !== undefined) layers.bars.append(weightBar(position, weight));
+      vertex.classList.toggle("selected", weight !== undefined);
+      vertex.querySelector(".vertex-dot")?.setAttribute("r", weight === undefined ? "3" : "5");
+      vertex.querySelector(".vertex-label")?.remove();
+      vertex.append(label({ name, weight, position }, edge));
+      setAttributes(vertex, {
+        "aria-pressed": weight === undefined ? "false" : "true",
+        "aria-label": weight === undefined ? name : `${name} ${formatNumber(weight, 2)}`,
+      });
+    }
+    this.#handle.setAttribute("transform", `translate(${handle.x.toFixed(2)} ${handle.y.toFixed(2)})`);
+    this.#handle.classList.toggle("beyond", beyond || outside);
+    const most = selection.reduce((a, s) => Math.max(a, s.weight), 0);
+    setAttributes(this.#handle, {
+      "aria-valuenow": Math.min(1, most),
+      "aria-valuetext": selection.map((s) => `${s.name} ${formatNumber(s.weight, 2)}`).join(", "),
+    });
+  }
+
+  #toPlane(event: PointerEvent): Point {
+    const box = this.#root.getBoundingClientRect();
+    return { x: event.clientX - box.left - box.width / 2, y: event.clientY - box.top - box.height / 2 };
+  }
+
+  #onPointerDown(event: PointerEvent): void {
+    if (event.button !== 0 || this.#drag) return;
+    const p = this.#toPlane(event);
+    const onHandle = this.#handle.contains(event.target as Node);
+    const vertex = (event.target as Element).closest<SVGGElement>(".vertex");
+    const name = vertex?.dataset.style;
+    if (!onHandle && name && !this.#model.whole && !this.#corners().names.includes(name)) {
+      this.#listeners.onChange(select(this.#model.selection, name));
+      return;
+    }
+    if (!onHandle && name) return;
+    const { points } = this.#corners();
+    if (!onHandle && points.length > 2 && !isInside(p, points)) return;
+    event.preventDefault();
+    this.#handle.focus({ preventScroll: true });
+    this.#root.setPointerCapture(event.pointerId);
+    this.#root.classList.add("dragging");
+    const at = this.#modelPoint();
+    this.#drag = { pointerId: event.pointerId, offset: onHandle ? { x: at.x - p.x, y: at.y - p.y } : { x: 0, y: 0 } };
+    this.#trail.add(onHandle ? at : p);
+    if (!onHandle) this.#moveTo(p, event.shiftKey);
+  }
+
+  #onPointerMove(event: PointerEvent): void {
+    if (event.pointerId !== this.#drag?.pointerId) return;
+    const p = this.#toPlane(event);
+    const { offset } = this.#drag;
+    this.#moveTo({ x: p.x + offset.x, y: p.y + offset.y }, event.shiftKey);
+    this.#trail.add(this.#modelPoint());
+  }
+
+  #onPointerEnd(event: PointerEvent): void {
+    if (event.pointerId !== this.#drag?.pointerId) return;
+    this.#drag = undefined;
+    this.#root.classList.remove("dragging");
+    this.#listeners.onSettle();
+  }
+
+  #onHandleKey(event: KeyboardEvent): void {
+    const arrow = ARROWS[event.key];
+    if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const step = (event.shiftKey ? FINE_KEY_STEP : KEY_STEP) * RADIUS;
+    const at = this.#modelPoint();
+    this.#moveTo({ x: at.x + arrow.x * step, y: at.y + arrow.y * step }, false);
+  }
+
+  #onVertexKey(event: KeyboardEvent, name: string): void {
+    const { selection, whole } = this.#model;
+    if (event.key === "Enter" || event.key === " ") {
+      if (whole) this.takeAllOf(name);
+      else this.#listeners.onChange(select(selection, name));
+    } else if (event.key === "Delete" || event.key === "Backspace") {
+      this.#listeners.onChange(drop(selection, name));
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+}

@@ -1,0 +1,103 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import {
+  allOf,
+  drop,
+  engineWeights,
+  firstSelection,
+  fromPolygon,
+  isBeyondData,
+  type Selection,
+  select,
+  toTriangle,
+  vertexOrder,
+  weightOf,
+} from "./selection";
+
+const XIA = ["angry", "childlike", "depressed", "neutral", "old", "proud", "sexy", "strutting"];
+const three: Selection = [
+  { name: "proud", weight: 0.62 },
+  { name: "old", weight: 0.12 },
+  { name: "childlike", weight: 0.26 },
+];
+const total = (selection: Selection) => selection.reduce((sum, s) => sum + s.weight, 0);
+
+describe("the order of the vertices", () => {
+  it("is the design's for the paper's eight styles", () => {
+    expect(vertexOrder(XIA, "neutral")).toEqual([
+      "proud",
+      "strutting",
+      "angry",
+      "childlike",
+      "neutral",
+      "old",
+      "sexy",
+      "depressed",
+    ]);
+  });
+
+  it("holds every style once, whatever the database has", () => {
+    fc.assert(
+      fc.property(fc.uniqueArray(fc.string({ minLength: 1 }), { minLength: 1, maxLength: 20 }), (styles) => {
+        const neutral = styles[styles.length - 1]!;
+        expect([...vertexOrder(styles, neutral)].sort()).toEqual([...styles].sort());
+      }),
+    );
+  });
+
+  it("keeps neutral at the bottom of four", () => {
+    const order = vertexOrder(["neutral", "proud", "old", "depressed"], "neutral");
+    expect(order[0]).toBe("proud");
+    expect(order[2]).toBe("neutral");
+  });
+});
+
+describe("editing a selection", () => {
+  it("starts mostly proud, or with what the database has", () => {
+    expect(firstSelection(XIA, "neutral").map((s) => s.name)).toEqual(["proud", "old", "childlike"]);
+    const namco = firstSelection(["active", "elderly", "normal"], "normal");
+    expect(namco.map((s) => s.name)).toEqual(["active", "elderly", "normal"]);
+    expect(total(namco)).toBeCloseTo(1);
+  });
+
+  it("gives a new style the place of the one that weighs least", () => {
+    const next = select(three, "angry");
+    expect(next.map((s) => s.name)).toEqual(["proud", "angry", "childlike"]);
+    expect(weightOf(next, "angry")).toBe(0.12);
+    expect(select(three, "old")).toBe(three);
+  });
+
+  it("shares the weight of a dropped style, and keeps the last", () => {
+    const two = drop(three, "proud");
+    expect(total(two)).toBeCloseTo(1);
+    expect(weightOf(two, "childlike") / weightOf(two, "old")).toBeCloseTo(0.26 / 0.12);
+    expect(drop([{ name: "old", weight: 1 }], "old")).toHaveLength(1);
+  });
+
+  it("takes all of one style", () => {
+    expect(allOf(three, "sexy").map((s) => s.weight)).toEqual([0, 1, 0]);
+  });
+
+  it("goes from the polygon to the nearest triangle and keeps the sum", () => {
+    const mixed = fromPolygon(XIA, [0.3, 0.2, 0.1, 0.1, 0.1, 0.1, 0.1, 0.001]);
+    expect(mixed).toHaveLength(7);
+    const triangle = toTriangle(mixed, XIA);
+    expect(triangle.map((s) => s.name)).toEqual(["angry", "childlike", "depressed"]);
+    expect(total(triangle)).toBeCloseTo(1);
+    expect(toTriangle([{ name: "old", weight: 1 }], ["proud", "sexy"])).toHaveLength(3);
+  });
+});
+
+describe("what the engine is asked for", () => {
+  it("scales by the intensity and leaves the rest to neutral", () => {
+    const selection = [...three.slice(0, 2), { name: "neutral", weight: 0.26 }];
+    expect(engineWeights(selection, 0.5, "neutral")).toEqual({ proud: 0.31, old: 0.06 });
+  });
+
+  it("is beyond the data below 0 and above 1", () => {
+    expect(isBeyondData(three, 1)).toBe(false);
+    expect(isBeyondData(three, 1.5)).toBe(false);
+    expect(isBeyondData(three, 1.7)).toBe(true);
+    expect(isBeyondData(three, -0.5)).toBe(true);
+  });
+});

@@ -1,0 +1,153 @@
+/**
+ * What is open in the engine: one database, one input, and the analysis of that input in the present style. Opens,
+ * replaces and exports; what fails leaves what was open as it is.
+ */
+import type { Analysis, DatabaseInfo, DatabaseSource, InputInfo, LiveFrame, StrutClient } from "../worker/protocol";
+import { InputLibrary } from "./library";
+import { Playback } from "./playback";
+import type { ProgressLine } from "./progress";
+import { errorText, isCancellation } from "./words";
+
+/** An edit has settled when nothing has changed for so long. */
+const SETTLE_MS = 150;
+
+export interface SessionListeners {
+  onDatabase: (database: DatabaseInfo) => void;
+  onInput: (input: InputInfo) => void;
+  onAnalysis: (analysis: Analysis) => void;
+  /** A new frame; `sought` where it does not follow the one before. */
+  onFrame: (frame: LiveFrame, sought: boolean) => void;
+  onTick: (now: number) => void;
+  /** A sentence about something that failed. */
+  onError: (sentence: string) => void;
+  /** The engine failed too often to go on. */
+  onStopped: () => void;
+  onNote: (sentence: string) => void;
+}
+
+/** The progress line of each thing that may take long. */
+export interface SessionProgress {
+  database: ProgressLine;
+  input: ProgressLine;
+  analysis: ProgressLine;
+}
+
+export class Session {
+  readonly library = new InputLibrary();
+  readonly playback: Playback;
+  database: DatabaseInfo | undefined;
+  input: InputInfo | undefined;
+  /** Name, in the library, of the input that is open. */
+  inputName = "";
+  readonly #client: StrutClient;
+  readonly #progress: SessionProgress;
+  readonly #listeners: SessionListeners;
+  #settle: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(client: StrutClient, progress: SessionProgress, listeners: SessionListeners) {
+    this.#client = client;
+    this.#progress = progress;
+    this.#listeners = listeners;
+    this.playback = new Playback(client, {
+      onFrame: listeners.onFrame,
+      onTick: listeners.onTick,
+      onError: (error, stopped) => {
+        if (stopped) listeners.onStopped();
+        listeners.onError(errorText(error));
+      },
+    });
+    client.onRestart = (message) => {
+      listeners.onNote(`The engine stopped and was started again. Your settings are kept. ${message}`);
+      this.playback.refresh();
+      this.analyseSoon();
+    };
+  }
+
+  /** Opens a database and then the input `inputName` on it; whether both are open. */
+  openDatabase(source: DatabaseSource, inputName: string): Promise<boolean> {
+    const label = source.kind === "demo" ? "Preparing the styles." : `Reading ${source.name}.`;
+    return this.#attempt(() =>
+      this.playback.hold(async () => {
+        const database = await this.#progress.database.run(label, (options) =>
+          this.#client.openDatabase(source, options),
+        );
+        this.library.builtIn = await this.#client.builtInInputs();
+        this.database = database;
+        this.#listeners.onDatabase(database);
+        await this.#open(this.library.has(inputName) ? inputName : this.library.first);
+      }),
+    );
+  }
+
+  /** Opens an input of the library; whether it is open now. */
+  openInput(name: string): Promise<boolean> {
+    return this.#attempt(() => this.#open(name));
+  }
+
+  /** Opens a dropped file as the input; the name it goes by, or `undefined` where it cannot be opened. */
+  async openFile(fileName: string, bytes: ArrayBuffer): Promise<string | undefined> {
+    const name = this.library.add(fileName, bytes);
+    if (await this.openInput(name)) return name;
+    this.library.remove(name);
+    return undefined;
+  }
+
+  setLoop(loop: boolean): void {
+    void this.#attempt(() => this.#client.setLoop(loop));
+  }
+
+  /** Analyses the input anew once nothing has changed for a moment. */
+  analyseSoon(): void {
+    clearTimeout(this.#settle);
+    this.#progress.analysis.cancel();
+    this.#settle = setTimeout(() => void this.#attempt(() => this.#analyse()), SETTLE_MS);
+  }
+
+  /** The styled input as BVH text; `undefined` where that failed or was cancelled. */
+  async exportBvh(): Promise<string | undefined> {
+    let text: string | undefined;
+    await this.#attempt(async () => {
+      text = await this.#progress.database.run("Exporting.", (options) => this.#client.exportBvh(options));
+    });
+    return text;
+  }
+
+  dispose(): void {
+    clearTimeout(this.#settle);
+    this.playback.dispose();
+    this.#client.dispose();
+  }
+
+  async #open(name: string): Promise<void> {
+    const source = this.library.source(name);
+    if (!source) throw new Error(`There is no input “${name}” here. Choose another or drop a BVH.`);
+    const input = await this.#progress.input.run(`Reading ${name}.`, (options) =>
+      this.#client.openInput(source, options),
+    );
+    this.input = input;
+    this.inputName = name;
+    this.playback.refresh();
+    this.#listeners.onInput(input);
+    this.analyseSoon();
+  }
+
+  async #analyse(): Promise<void> {
+    if (!this.input) return;
+    const input = this.input;
+    const analysis = await this.#progress.analysis.run("Styling the whole motion.", (options) =>
+      this.#client.analyse(options),
+    );
+    if (this.input === input) this.#listeners.onAnalysis(analysis);
+  }
+
+  /** Runs a task and says what went wrong; whether it succeeded. A cancelled task failed without a word. */
+  async #attempt(task: () => Promise<void>): Promise<boolean> {
+    try {
+      await task();
+      return true;
+    } catch (error) {
+      if (!isCancellation(error)) this.#listeners.onError(errorText(error));
+      return false;
+    }
+  }
+}

@@ -1,0 +1,124 @@
+/** The stage: the 3-D view with its title, camera buttons and read-out. */
+
+import { type Role, Viewer } from "../viewer";
+import type { LiveFrame } from "../worker/protocol";
+import { button, Segment } from "./controls/buttons";
+import { formatNumber, html, setAttributes, setText } from "./dom";
+import type { CameraPreset, GhostMode, PlayState } from "./state";
+
+/** What the picture keeps being drawn for after the last change: glides and fades end within it. */
+const AFTERGLOW_MS = 1200;
+/** Read-outs change this often, so that they can be read. */
+const READ_OUT_MS = 500;
+
+export interface StageListeners {
+  onCamera: (preset: CameraPreset) => void;
+  onFollow: () => void;
+  onGhost: () => void;
+}
+
+const GHOST_NAMES: Readonly<Record<GhostMode, string>> = {
+  beside: "Ghost of the input: beside",
+  overlay: "Ghost of the input: in the same place",
+  off: "Ghost of the input: off",
+};
+
+export class Stage {
+  readonly element: HTMLElement;
+  readonly viewer: Viewer;
+  readonly #title = html("h1", { class: "stage-title" });
+  readonly #caption = html("p", { class: "caption" });
+  readonly #camera: Segment<CameraPreset>;
+  readonly #follow: HTMLButtonElement;
+  readonly #ghost: HTMLButtonElement;
+  readonly #fps = html("span");
+  readonly #cost = html("span");
+  #drawUntil = 0;
+  #readOutAt = 0;
+
+  constructor(theme: "dark" | "light", listeners: StageListeners) {
+    const view = html("div", { class: "stage-view" });
+    this.#camera = new Segment<CameraPreset>(
+      "Camera",
+      [
+        { value: "orbit", label: "Orbit", icon: "orbit" },
+        { value: "front", label: "Front" },
+        { value: "side", label: "Side" },
+        { value: "top", label: "Top" },
+      ],
+      listeners.onCamera,
+    );
+    this.#follow = button("Follow", listeners.onFollow, { icon: "follow", label: true, class: "chip", keys: "F" });
+    this.#ghost = button("Ghost", listeners.onGhost, { icon: "ghost", label: true, class: "chip", keys: "G" });
+    this.element = html(
+      "main",
+      { class: "stage" },
+      view,
+      html("div", { class: "stage-heading" }, this.#title, this.#caption),
+      html("div", { class: "stage-controls" }, this.#camera.element, this.#follow, this.#ghost),
+      html("p", { class: "read-out caption" }, this.#fps, this.#cost, html("span", {}, "grid 1 m")),
+    );
+    this.viewer = new Viewer(view, { theme });
+    this.viewer.onViewChange = listeners.onCamera;
+    this.viewer.onFps = (fps) => setText(this.#fps, `${Math.round(fps)} fps`);
+    for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
+      view.addEventListener(type, () => this.invalidate(), { passive: true });
+    new ResizeObserver(() => this.invalidate()).observe(view);
+  }
+
+  /** The words over the picture. */
+  set heading({ title, caption }: { title: string; caption: string }) {
+    setText(this.#title, title);
+    setText(this.#caption, caption);
+  }
+
+  /** Shows the fields of the state that concern the view. */
+  show(state: Readonly<PlayState>): void {
+    this.#camera.value = state.camera;
+    if (this.viewer.view !== state.camera) this.viewer.camera(state.camera);
+    this.viewer.follow = state.follow;
+    this.viewer.ghost = state.ghost;
+    this.#follow.setAttribute("aria-pressed", String(state.follow));
+    setAttributes(this.#ghost, {
+      "aria-pressed": String(state.ghost !== "off"),
+      title: `${GHOST_NAMES[state.ghost]} (G)`,
+    });
+    this.invalidate();
+  }
+
+  /** Takes a new frame of the engine. */
+  take(frame: LiveFrame): void {
+    const { viewer } = this;
+    if (frame.looped) viewer.resetTrail();
+    viewer.setStyled(frame.pose);
+    viewer.setInput(frame.inputPose);
+    viewer.setPlanted(frame.planted);
+    viewer.pathFrame = frame.inputFrame;
+    this.invalidate();
+    const now = performance.now();
+    if (now - this.#readOutAt < READ_OUT_MS) return;
+    this.#readOutAt = now;
+    setText(this.#cost, `${formatNumber(frame.frameMs, 2)} ms per frame`);
+  }
+
+  /** Asks for the picture to be drawn for a while. */
+  invalidate(): void {
+    this.#drawUntil = performance.now() + AFTERGLOW_MS;
+  }
+
+  /** Draws if anything may have changed. */
+  draw(now: number): void {
+    if (now < this.#drawUntil) this.viewer.render(now / 1000);
+  }
+
+  /** Place of a joint in the page, CSS pixels. */
+  jointPosition(role: Role): { x: number; y: number } {
+    const box = this.viewer.canvas.getBoundingClientRect();
+    const { x, y } = this.viewer.jointScreenPosition(role);
+    return { x: box.left + x, y: box.top + y };
+  }
+
+  dispose(): void {
+    this.viewer.dispose();
+  }
+}

@@ -1,0 +1,116 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { engineOptions, fromHash, initialState, type PlayState, RANGES, toHash } from "./state";
+import { Store } from "./store";
+
+const state = (patch: Partial<PlayState>): PlayState => ({ ...initialState(), ...patch });
+
+describe("state ↔ URL", () => {
+  it("writes nothing for the defaults and reads nothing as the defaults", () => {
+    expect(toHash(initialState())).toBe("");
+    expect(fromHash("")).toEqual(initialState());
+  });
+
+  it("stays readable", () => {
+    const styles = [
+      { name: "proud", weight: 0.62 },
+      { name: "not confident", weight: 0.38 },
+    ];
+    expect(toHash(state({ styles, loop: false }))).toBe("styles=proud:0.62,not%20confident:0.38&loop=0");
+  });
+
+  it("comes back from the URL whatever is chosen", () => {
+    const digits = (n: number, d: number) => Number(n.toFixed(d));
+    const name = fc.stringMatching(/^[^:,]+$/);
+    const styles = fc.uniqueArray(
+      fc.record({ name, weight: fc.double({ min: -1, max: 2, noNaN: true }).map((w) => digits(w, 3) + 0) }),
+      { maxLength: 9, selector: (s) => s.name },
+    );
+    const inRange = ({ min, max, digits: d }: { min: number; max: number; digits: number }) =>
+      fc.double({ min, max, noNaN: true }).map((n) => digits(n, d) + 0);
+    const patch = fc.record({
+      styles,
+      input: fc.string(),
+      intensity: inRange(RANGES.intensity),
+      lambda: inRange(RANGES.lambda),
+      k: fc.integer({ min: 5, max: 160 }),
+      timing: fc.boolean(),
+      wholePolygon: fc.boolean(),
+      camera: fc.constantFrom("orbit" as const, "top" as const),
+    });
+    fc.assert(
+      fc.property(patch, (p) => {
+        expect(fromHash(`#${toHash(state(p))}`)).toEqual(state(p));
+      }),
+    );
+  });
+
+  it("passes over what it does not know and keeps numbers in range", () => {
+    expect(fromHash("#nonsense&camera=sideways&k=many&styles=x")).toEqual(initialState());
+    expect(fromHash("#k=9999&rho=-3")).toEqual(state({ k: 160, rho: 0 }));
+  });
+});
+
+describe("what the engine is asked for", () => {
+  it("has the specification's defaults", () => {
+    expect(engineOptions(state({ styles: [{ name: "old", weight: 1 }], intensity: 0.5 }), "neutral")).toEqual({
+      styles: { old: 0.5 },
+      k: 40,
+      lambda: 0.1,
+      rho: 0.7,
+      kappa: 3,
+      delta: 0.7,
+      timing: true,
+      footplant: true,
+    });
+  });
+});
+
+describe("undo", () => {
+  it("takes edits back and brings them again, one at a time", () => {
+    const store = new Store(initialState());
+    store.edit({ k: 50 });
+    store.edit({ rho: 0.2 });
+    store.undo();
+    expect([store.state.k, store.state.rho]).toEqual([50, 0.7]);
+    store.undo();
+    expect([store.state.k, store.canUndo]).toEqual([40, false]);
+    store.redo();
+    store.redo();
+    expect([store.state.k, store.state.rho, store.canRedo]).toEqual([50, 0.2, false]);
+  });
+
+  it("takes a whole gesture back at once, and leaves the view alone", () => {
+    const store = new Store(initialState());
+    for (const intensity of [1.1, 1.2, 1.3]) store.edit({ intensity }, "drag");
+    store.edit({ ghost: "off" });
+    store.endGesture();
+    store.edit({ intensity: 1.4 }, "drag");
+    store.undo();
+    expect(store.state.intensity).toBe(1.3);
+    store.undo();
+    expect(store.state.intensity).toBe(1);
+    expect(store.state.ghost).toBe("off");
+  });
+
+  it("forgets what was undone at the next edit, and an edit that changes nothing", () => {
+    const store = new Store(initialState());
+    store.edit({ k: 50 });
+    store.undo();
+    store.edit({ k: 40 });
+    expect(store.canRedo).toBe(true);
+    store.edit({ k: 60 });
+    expect(store.canRedo).toBe(false);
+  });
+
+  it("tells listeners which fields changed", () => {
+    const store = new Store(initialState());
+    const seen: string[][] = [];
+    const stop = store.subscribe((_, changed) => seen.push([...changed]));
+    store.edit({ k: 50, rho: 0.7, ghost: "off" });
+    store.undo();
+    stop();
+    store.edit({ k: 7 });
+    expect(seen).toEqual([["k", "ghost"], ["k"]]);
+  });
+});

@@ -1,0 +1,25 @@
+/** Light or dark: the system's choice until the person makes one. */
+import type { Theme } from "./state";
+
+const system = matchMedia("(prefers-color-scheme: dark)");
+
+/** Whether a theme is dark at the moment. */
+export function isDark(theme: Theme): boolean {
+  return theme === "auto" ? system.matches : theme === "dark";
+}
+
+/** The choice that turns light into dark and back; the system's own choice is not written down. */
+export function opposite(theme: Theme): Theme {
+  const wanted = isDark(theme) ? "light" : "dark";
+  return isDark("auto") === (wanted === "dark") ? "auto" : wanted;
+}
+
+/** Puts the theme on the page. */
+export function applyTheme(theme: Theme): void {
+  document.documentElement.dataset.theme = isDark(theme) ? "dark" : "light";
+}
+
+/** Calls back when the system changes its mind. */
+export function onSystemTheme(callback: () => void, signal: AbortSignal): void {
+  system.addEventListener("change", callback, { signal });
+}

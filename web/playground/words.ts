@@ -1,0 +1,84 @@
+/** Sentences and names that the page makes from state: titles, captions, file names. Pure. */
+import type { Selection } from "./polygon/selection";
+
+/** Weight from which a style is all there is, and from which it is most. */
+const ALL = 0.95;
+const MOST = 0.5;
+/** Weight from which a second style is named. */
+const NAMED = 0.25;
+
+const NUMBERS = [
+  "none",
+  "one",
+  "two",
+  "three",
+  "four",
+  "five",
+  "six",
+  "seven",
+  "eight",
+  "nine",
+  "ten",
+  "eleven",
+  "twelve",
+];
+
+/** A small number as a word. */
+export function numberWord(n: number): string {
+  return NUMBERS[n] ?? String(n);
+}
+
+const spoken = (name: string): string => name.replace(/[-_]+/g, " ");
+const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** The title of the stage: what the character does and how, “Walk, mostly proud”. */
+export function stageTitle(action: string, selection: Selection, intensity: number, neutral: string): string {
+  return `${capitalised(spoken(action))}, ${manner(selection, intensity, neutral)}`;
+}
+
+function manner(selection: Selection, intensity: number, neutral: string): string {
+  const sorted = [...selection].sort((a, b) => b.weight - a.weight);
+  const [first, second] = sorted;
+  if (!first || Math.abs(intensity) < 0.05) return spoken(neutral);
+  const name = spoken(first.name);
+  if (intensity < 0) return `the opposite of ${name}`;
+  const amount = first.name === neutral ? 1 : intensity;
+  if (first.weight >= MOST && amount <= 0.5) return `a little ${name}`;
+  const more = amount >= 1.25 ? "very " : "";
+  if (first.weight >= ALL) return `${more}${name}`;
+  if (first.weight >= MOST) return `mostly ${more}${name}`;
+  if (second && second.weight >= NAMED) return `${more}${name} and ${spoken(second.name)}`;
+  return `a mix of ${numberWord(sorted.filter((s) => s.weight >= 0.05).length)} styles`;
+}
+
+/** The line under the title. */
+export function stageCaption(input: string, styles: number, rateHz: number): string {
+  return `${spoken(input)} in · ${styles} ${styles === 1 ? "style" : "styles"} · ${Math.round(rateHz)} Hz`;
+}
+
+/** Name of the exported file: the input's and the heaviest style's. */
+export function exportName(input: string, selection: Selection): string {
+  const heaviest = selection.reduce(
+    (a, b) => (b.weight > a.weight ? b : a),
+    selection[0] ?? { name: "styled", weight: 1 },
+  );
+  const plain = (text: string) =>
+    text
+      .replace(/\.[^.]*$/, "")
+      .replace(/[^\p{L}\p{N}]+/gu, "-")
+      .replace(/^-+|-+$/g, "");
+  return `${plain(input) || "motion"}-${plain(heaviest.name) || "styled"}.bvh`;
+}
+
+/** What went wrong as one text: the sentence and, where there is one, what to do. */
+export function errorText(error: unknown): string {
+  const { message, hint } = error as { message?: unknown; hint?: unknown };
+  const parts = [message, hint].filter((part): part is string => typeof part === "string" && part !== "");
+  return parts.length > 0 ? parts.join(" ") : "Something failed without saying what.";
+}
+
+/** Whether a rejection only says that its call was cancelled. */
+export function isCancellation(error: unknown): boolean {
+  const { code, name } = error as { code?: unknown; name?: unknown };
+  return code === "cancelled" || name === "AbortError";
+}
