@@ -4,6 +4,7 @@ import "./styles/layout.css";
 import "./styles/controls.css";
 import "./styles/polygon.css";
 import "./styles/timeline.css";
+import "./styles/narrow.css";
 import type { Role } from "../viewer";
 import { createStrutClient } from "../worker/client";
 import { App } from "./app";

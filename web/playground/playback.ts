@@ -17,6 +17,8 @@ export interface PlaybackListeners {
   /** Before every repaint of the browser. */
   onTick: (now: number) => void;
   onError: (error: unknown, stopped: boolean) => void;
+  /** The engine has the options that were set last, all the way. */
+  onSettled: () => void;
 }
 
 export class Playback {
@@ -47,6 +49,11 @@ export class Playback {
 
   dispose(): void {
     cancelAnimationFrame(this.#request);
+  }
+
+  /** Whether the engine has the options that were set last; false while the style is on its way. */
+  get settled(): boolean {
+    return !this.#stale;
   }
 
   /** What the engine shall do from the next frame on. The styles get there smoothly, everything else at once. */
@@ -108,6 +115,7 @@ export class Playback {
     this.#weights = weights;
     this.#stale = weights !== target.styles;
     this.#client.configure({ ...target, styles: { ...weights } }).catch((error: unknown) => this.#fail(error));
+    if (!this.#stale) this.#listeners.onSettled();
     return true;
   }
 

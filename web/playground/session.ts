@@ -43,6 +43,8 @@ export class Session {
   readonly #progress: SessionProgress;
   readonly #listeners: SessionListeners;
   #settle: ReturnType<typeof setTimeout> | undefined;
+  /** What waits until the engine has the present style all the way. */
+  #whenSettled: (() => void)[] = [];
 
   constructor(client: StrutClient, progress: SessionProgress, listeners: SessionListeners) {
     this.#client = client;
@@ -54,6 +56,9 @@ export class Session {
       onError: (error, stopped) => {
         if (stopped) listeners.onStopped();
         listeners.onError(errorText(error));
+      },
+      onSettled: () => {
+        for (const resume of this.#whenSettled.splice(0)) resume();
       },
     });
     client.onRestart = (message) => {
@@ -107,6 +112,7 @@ export class Session {
   async exportBvh(): Promise<string | undefined> {
     let text: string | undefined;
     await this.#attempt(async () => {
+      await this.#settled();
       text = await this.#progress.database.run("Exporting.", (options) => this.#client.exportBvh(options));
     });
     return text;
@@ -132,12 +138,18 @@ export class Session {
   }
 
   async #analyse(): Promise<void> {
-    if (!this.input) return;
-    const input = this.input;
+    const asked = this.#settle;
+    await this.#settled();
+    const { input } = this;
+    if (!input || asked !== this.#settle) return;
     const analysis = await this.#progress.analysis.run("Styling the whole motion.", (options) =>
       this.#client.analyse(options),
     );
     if (this.input === input) this.#listeners.onAnalysis(analysis);
+  }
+
+  #settled(): Promise<void> {
+    return this.playback.settled ? Promise.resolve() : new Promise((resolve) => this.#whenSettled.push(resolve));
   }
 
   /** Runs a task and says what went wrong; whether it succeeded. A cancelled task failed without a word. */

@@ -3,7 +3,7 @@
 /** Time in which half of the way to a new style is gone (`design/tokens.md`: the handle has no easing, the style has). */
 export const STYLE_HALF_LIFE_SECS = 0.1;
 /** Differences below this are not seen. */
-const SETTLED = 1e-3;
+const SETTLED = 5e-3;
 
 /** Weight of each style by name; a missing style weighs nothing. */
 export type Weights = Readonly<Record<string, number>>;

@@ -62,7 +62,7 @@ export interface Range {
 export const RANGES = {
   intensity: { min: -1, max: 2, digits: 2 },
   k: { min: 5, max: 160, digits: 0 },
-  lambda: { min: 0.001, max: 1, digits: 3 },
+  lambda: { min: 0.01, max: 1, digits: 2 },
   rho: { min: 0, max: 1, digits: 2 },
   kappa: { min: 0.5, max: 6, digits: 1 },
   delta: { min: 0.1, max: 3, digits: 2 },

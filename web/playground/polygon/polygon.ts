@@ -8,9 +8,9 @@ import { circleVertices, isInside, nearestInside, type Point, pointOf, weightsAt
 import { allOf, drop, fromPolygon, type Selection, select, TRIANGLE, weightOf } from "./selection";
 import { Trail } from "./trail";
 
-/** Radius and half height in pixels; labels need the rest. */
+/** Radius, and room for labels above and below the centre, in pixels. */
 const RADIUS = 92;
-const HALF_HEIGHT = 124;
+const ROOM = { above: 146, below: 122 };
 /** Duration of a jump to a vertex. */
 const GLIDE_MS = 240;
 /** Arrow keys move the handle by these shares of the radius. */
@@ -187,9 +187,9 @@ export class Polygon {
   #resize(): void {
     const width = this.element.clientWidth || 304;
     setAttributes(this.#root, {
-      viewBox: `${-width / 2} ${-HALF_HEIGHT} ${width} ${2 * HALF_HEIGHT}`,
+      viewBox: `${-width / 2} ${-ROOM.above} ${width} ${ROOM.above + ROOM.below}`,
       width,
-      height: 2 * HALF_HEIGHT,
+      height: ROOM.above + ROOM.below,
     });
     this.#draw(this.#drawn);
   }
@@ -250,7 +250,7 @@ export class Polygon {
 
   #toPlane(event: PointerEvent): Point {
     const box = this.#root.getBoundingClientRect();
-    return { x: event.clientX - box.left - box.width / 2, y: event.clientY - box.top - box.height / 2 };
+    return { x: event.clientX - box.left - box.width / 2, y: event.clientY - box.top - ROOM.above };
   }
 
   #onPointerDown(event: PointerEvent): void {
