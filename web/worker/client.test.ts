@@ -110,6 +110,22 @@ describe("a client with the built-in database", () => {
     expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
   });
 
+  test("exports a BVH that opens as an input again, on its own skeleton", async () => {
+    const { client, style } = await openDemo();
+    await client.configure({ ...DEFAULT_OPTIONS, styles: { [style]: 1 } });
+    const text = await client.exportBvh();
+    const bytes = new TextEncoder().encode(text).buffer;
+    const input = await client.openInput({ kind: "bvh", name: "again", bytes });
+    expect([input.name, input.source]).toEqual(["again", "bvh"]);
+    const analysis = await client.analyse();
+    expect(input.durationSecs).toBeGreaterThan(1);
+    const again = await client.exportBvh();
+    const hierarchy = (bvh: string) => bvh.slice(0, bvh.indexOf("MOTION"));
+    expect(hierarchy(again)).toBe(hierarchy(text));
+    const frames = Number(/Frames: (\d+)/.exec(again)?.[1]);
+    expect(Math.abs(frames / input.rateHz - analysis.durationOutSecs)).toBeLessThan(0.1);
+  });
+
   test("stops when its signal says so", async () => {
     const { client } = await openDemo();
     const controller = new AbortController();

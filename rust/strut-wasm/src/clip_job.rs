@@ -83,8 +83,8 @@ impl ClipJob {
     /// # Errors
     /// If frames are still missing.
     #[wasm_bindgen(js_name = toBvh)]
-    pub fn to_bvh(&self, _input: &Input) -> Result<String, EngineError> {
-        Err(EngineError::bad_input("BVH files cannot be written yet"))
+    pub fn to_bvh(&self, input: &Input) -> Result<String, EngineError> {
+        input.export(self.styled()?)
     }
 
     fn styled(&self) -> Result<&StyledMotion, EngineError> {

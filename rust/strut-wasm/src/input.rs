@@ -5,12 +5,24 @@ use crate::error::EngineError;
 use crate::poses::floats_of;
 use strut_core::contact;
 use strut_core::humanoid::HumanoidMotion;
+use strut_core::motion::Motion;
+use strut_core::retarget::{Binding, from_humanoid, to_humanoid};
+use strut_core::transfer::StyledMotion;
+use strut_formats::bvh::{self, Bvh, BvhError};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A motion on a database's humanoid and at its rate.
+/// A motion on a database's humanoid and at its rate, with the file that it came from.
 #[wasm_bindgen]
 pub struct Input {
     humanoid: HumanoidMotion,
+    file: Option<File>,
+}
+
+/// What an export needs of a file.
+struct File {
+    bvh: Bvh,
+    motion: Motion,
+    binding: Binding,
 }
 
 /// Names of the built-in inputs, the default first.
@@ -30,9 +42,13 @@ impl Input {
         let clip = strut_demo::input_clips().into_iter().find(|c| c.name == name);
         let clip = clip.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))?;
         let db = database.model().database();
-        let mut humanoid = clip.motion.resampled(db.rate_hz);
-        humanoid.proportions = db.proportions;
-        Ok(Self { humanoid })
+        let humanoid = if clip.motion.proportions == db.proportions {
+            clip.motion.resampled(db.rate_hz)
+        } else {
+            let bvh = Bvh::from_humanoid(&clip.motion).map_err(unreadable)?;
+            Self::from_file(database, bvh)?.humanoid
+        };
+        Ok(Self { humanoid, file: None })
     }
 
     /// A BVH file.
@@ -40,8 +56,9 @@ impl Input {
     /// # Errors
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromBvh)]
-    pub fn from_bvh(_database: &Database, bytes: &[u8]) -> Result<Self, EngineError> {
-        Err(EngineError::bad_file(format!("BVH files of {} bytes cannot be read yet", bytes.len()), ""))
+    pub fn from_bvh(database: &Database, bytes: &[u8]) -> Result<Self, EngineError> {
+        let bvh = bvh::parse(bytes).map_err(unreadable)?;
+        Self::from_file(database, bvh)
     }
 
     /// Number of frames.
@@ -51,7 +68,7 @@ impl Input {
 
     /// What people should know about the match of the skeletons; empty if there is nothing to say.
     pub fn note(&self) -> String {
-        String::new()
+        self.file.as_ref().map(|f| f.binding.notes.join(" ")).unwrap_or_default()
     }
 
     /// The poses.
@@ -66,7 +83,41 @@ impl Input {
 }
 
 impl Input {
+    fn from_file(database: &Database, bvh: Bvh) -> Result<Self, EngineError> {
+        let db = database.model().database();
+        let motion = bvh.to_motion().map_err(unreadable)?;
+        let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
+        let humanoid = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz);
+        Ok(Self { humanoid, file: Some(File { bvh, motion, binding }) })
+    }
+
     pub(crate) fn humanoid(&self) -> &HumanoidMotion {
         &self.humanoid
     }
+
+    /// This input in a style as a BVH file: on the input's own skeleton and at its own rate, or as a
+    /// humanoid of the database's if it came from no file.
+    ///
+    /// # Errors
+    /// If the styled motion is not finite, which the engine prevents.
+    pub(crate) fn export(&self, styled: &StyledMotion) -> Result<String, EngineError> {
+        let bvh = match &self.file {
+            None => Bvh::from_humanoid(&styled.resampled(self.humanoid.rate_hz).motion),
+            Some(File { bvh, motion, binding }) => {
+                let rate_hz = 1.0 / motion.frame_time_secs;
+                let output = styled.resampled(rate_hz as f32);
+                // Frames of the database's rate → frames of the file.
+                let scale = rate_hz / f64::from(self.humanoid.rate_hz);
+                let source_frames: Vec<f64> = output.input_frame.iter().map(|f| f * scale).collect();
+                let mut exported = from_humanoid(&output.motion, motion, binding, &source_frames);
+                exported.frame_time_secs = motion.frame_time_secs;
+                bvh.with_motion(&exported)
+            }
+        };
+        bvh.map(|bvh| bvh::write(&bvh)).map_err(unreadable)
+    }
+}
+
+fn unreadable(error: BvhError) -> EngineError {
+    EngineError::bad_file(error, "Export the clip again as BVH, or drop another file.")
 }
