@@ -176,7 +176,8 @@ impl<'a> Feet<'a> {
         let rest = 1.0 - t;
         let early = t * t * t * (rest * rest) * (rest * rest) * (rest * rest) * (rest * rest) * EARLY_ARCH;
         let middle = t * t * t * rest * rest * rest * MIDDLE_ARCH;
-        let vigour = self.style.push_off_pitch / 60.0 * stretch(self.script.speed(phase));
+        let push_off = self.style.push_off_pitch / 60.0;
+        let vigour = push_off * push_off * stretch(self.script.speed(phase));
         ankle.y += FOLD * vigour * early + (CLEARANCE + self.style.foot_lift) * middle;
         let turn = smooth_step(0.0, 1.0, t);
         (ankle, from.heading + (to.heading - from.heading) * turn)

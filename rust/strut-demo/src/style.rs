@@ -140,7 +140,7 @@ const NEUTRAL: Style = Style {
     arm_drag: 0.02,
     elbow: 27.0,
     elbow_swing: 9.0,
-    pronation: 25.0,
+    pronation: 16.0,
     wrist: 5.0,
 };
 
