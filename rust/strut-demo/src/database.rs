@@ -1,7 +1,7 @@
 //! The built-in database and the page's inputs.
 
 use crate::perform::{Performance, perform};
-use crate::script::{INPUT_TAKES, Script, WALK_TAKES};
+use crate::script::{INPUT_TAKES, RUN_TAKES, Script, WALK_TAKES};
 use crate::style::{STYLES, Style};
 use std::ops::ControlFlow;
 use strut_core::database::Database;
@@ -25,18 +25,18 @@ pub struct NamedMotion {
 /// Every take of the built-in database in every style, with its exact correspondence: as input of
 /// [`build::build`], or to be written to files.
 pub fn clips() -> Vec<SourceClip> {
-    let takes = || (1..).zip(&WALK_TAKES);
-    STYLES.iter().flat_map(|style| takes().map(move |(take, script)| walking_clip(style, take, script))).collect()
+    let takes = || (1..).zip(&WALK_TAKES).chain((1..).zip(&RUN_TAKES));
+    STYLES.iter().flat_map(|style| takes().map(move |(take, script)| clip(style, take, script))).collect()
 }
 
-fn walking_clip(style: &Style, take: u32, script: &Script) -> SourceClip {
+fn clip(style: &Style, take: u32, script: &Script) -> SourceClip {
     let Performance { motion, phase, .. } = perform(script, style, &Proportions::default(), RATE_HZ);
-    // Script time counts seconds of a neutral walk at its preferred speed: two steps a stride.
-    let secs_per_stride = 120.0 / STYLES[0].cadence;
+    // Script time counts seconds of the neutral style at its preferred speed: two steps a stride.
+    let secs_per_stride = 120.0 / script.action.style(&STYLES[0]).cadence;
     let time = phase.iter().map(|p| p * secs_per_stride).collect();
     SourceClip {
-        name: format!("walk-{}_{}", script.name, style.name),
-        action: "walk".into(),
+        name: format!("{}-{}_{}", script.action.name(), script.name, style.name),
+        action: script.action.name().into(),
         style: style.name.into(),
         take,
         motion,
@@ -60,7 +60,7 @@ pub fn database() -> Result<Database, BuildError> {
     Ok(database)
 }
 
-/// What the page offers as input: neutral walks of other scripts than the database's, so that nothing is
+/// What the page offers as input: neutral motions of other scripts than the database's, so that nothing is
 /// transferred by finding itself. Each can be repeated: after its last frame comes its first one's pose.
 pub fn input_clips() -> Vec<NamedMotion> {
     INPUT_TAKES

@@ -5,8 +5,9 @@
 //! flat foot). The touching point is fixed, so that a planted foot cannot slide. In swing the ankle follows a
 //! quintic that continues position, velocity and acceleration of the stances before and after.
 
+use crate::action::Mechanics;
+use crate::jet::Jet;
 use crate::noise::Noise;
-use crate::normative::NATURAL_DUTY;
 use crate::path::{Footprint, Path, Side, stretch};
 use crate::periodic::{PeriodicCurve, smooth_step};
 use crate::script::Script;
@@ -19,17 +20,8 @@ const HEEL_BEHIND_ANKLE: f32 = 0.058;
 /// Ahead of the toe joint, the point of the sole that leaves the ground last.
 const TIP_AHEAD_OF_TOES: f32 = 0.060;
 
-/// How hard the foot is braked just before it strikes, in stride lengths per cycle squared: it arrives late and
-/// quickly (Winter 1991: the heel still travels at a third of its peak speed 4 % of the cycle before).
-const STRIKE_DECELERATION: f32 = 34.0;
-/// How hard the leg is thrown forward as the foot leaves the ground, in stride lengths per cycle squared.
-const PUSH_OFF_ACCELERATION: f32 = 13.0;
-/// Height in metres by which an early arch lifts the ankle while the knee folds after push-off (Winter 1991: the
-/// ankle rises 16 cm in all, most at 70 %).
-const FOLD: f32 = 0.045;
-/// Height in metres by which every style lifts the ankle in mid swing, for the toes to clear the ground by the
-/// 1 to 2 cm that they do in adults (Winter 1992).
-const CLEARANCE: f32 = 0.014;
+/// Share of the stance after which the foot is flat (Winter 1991: by 8 to 10 % of the cycle).
+const FLAT_AFTER: f32 = 0.164;
 /// Scales t³(1 − t)⁸, greatest a little after a quarter of the swing, to a height of 1.
 const EARLY_ARCH: f32 = 629.848;
 /// Scales t³(1 − t)³ to a height of 1.
@@ -59,6 +51,7 @@ pub(crate) struct FootPose {
 pub(crate) struct Feet<'a> {
     script: &'a Script,
     style: &'a Style,
+    mechanics: &'static Mechanics,
     path: &'a Path,
     noise: Noise,
     geometry: FootGeometry,
@@ -115,14 +108,16 @@ impl<'a> Feet<'a> {
         path: &'a Path,
         noise: Noise,
     ) -> Self {
+        let mechanics = script.action.mechanics();
         Self {
             script,
             style,
+            mechanics,
             path,
             noise,
             geometry: FootGeometry::of(proportions),
-            foot_pitch: foot_pitch_curve(style),
-            toe_pitch: toe_pitch_curve(style),
+            foot_pitch: foot_pitch_curve(style, mechanics),
+            toe_pitch: toe_pitch_curve(style, mechanics),
         }
     }
 
@@ -169,8 +164,8 @@ impl<'a> Feet<'a> {
                 * Vec3::Z
                 * (strides * self.path.stride_length(phase) * length * length)
         };
-        start.acceleration += impulse(from, PUSH_OFF_ACCELERATION);
-        end.acceleration -= impulse(to, STRIKE_DECELERATION);
+        start.acceleration += impulse(from, self.mechanics.push_off_acceleration);
+        end.acceleration -= impulse(to, self.mechanics.strike_deceleration);
 
         let mut ankle = Jet::quintic(&start, &end, t);
         let rest = 1.0 - t;
@@ -178,7 +173,7 @@ impl<'a> Feet<'a> {
         let middle = t * t * t * rest * rest * rest * MIDDLE_ARCH;
         let push_off = self.style.push_off_pitch / 60.0;
         let vigour = push_off * push_off * stretch(self.script.speed(phase));
-        ankle.y += FOLD * vigour * early + (CLEARANCE + self.style.foot_lift) * middle;
+        ankle.y += self.mechanics.fold * vigour * early + (self.mechanics.clearance + self.style.foot_lift) * middle;
         let turn = smooth_step(0.0, 1.0, t);
         (ankle, from.heading + (to.heading - from.heading) * turn)
     }
@@ -188,59 +183,13 @@ fn on_print(print: &Footprint, local: Vec3) -> Vec3 {
     print.position + Quat::from_rotation_y(print.heading) * local
 }
 
-/// A point with its velocity and acceleration.
-#[derive(Clone, Copy, Debug)]
-struct Jet {
-    position: Vec3,
-    velocity: Vec3,
-    acceleration: Vec3,
-}
-
-impl Jet {
-    /// Difference step in cycles: several samples of a [`PeriodicCurve`].
-    const STEP: f32 = 0.008;
-
-    /// At the begin of a motion given by time since then.
-    fn forward(motion: impl Fn(f32) -> Vec3) -> Self {
-        let h = Self::STEP;
-        let [a, b, c] = [motion(0.0), motion(h), motion(2.0 * h)];
-        Self { position: a, velocity: (b * 4.0 - a * 3.0 - c) / (2.0 * h), acceleration: (a - b * 2.0 + c) / (h * h) }
-    }
-
-    /// At the end of a motion given by the time before it.
-    fn backward(motion: impl Fn(f32) -> Vec3) -> Self {
-        let reversed = Self::forward(motion);
-        Self { velocity: -reversed.velocity, ..reversed }
-    }
-
-    fn shifted(self, by: Vec3) -> Self {
-        Self { position: self.position + by, ..self }
-    }
-
-    /// With time measured in units of `length`.
-    fn over(self, length: f32) -> Self {
-        Self { velocity: self.velocity * length, acceleration: self.acceleration * (length * length), ..self }
-    }
-
-    /// The polynomial of least degree from one jet to the next; `t` in [0, 1].
-    fn quintic(from: &Self, to: &Self, t: f32) -> Vec3 {
-        let (t2, t3) = (t * t, t * t * t);
-        let (t4, t5) = (t2 * t2, t2 * t3);
-        from.position * (1.0 - 10.0 * t3 + 15.0 * t4 - 6.0 * t5)
-            + from.velocity * (t - 6.0 * t3 + 8.0 * t4 - 3.0 * t5)
-            + from.acceleration * (0.5 * t2 - 1.5 * t3 + 1.5 * t4 - 0.5 * t5)
-            + to.acceleration * (0.5 * t3 - t4 + 0.5 * t5)
-            + to.velocity * (7.0 * t4 - 4.0 * t3 - 3.0 * t5)
-            + to.position * (10.0 * t3 - 15.0 * t4 + 6.0 * t5)
-    }
-}
-
-/// Pitch of the foot over its cycle (Winter 1991, fig. 3.8: strike 20° up, flat by 8–10 %, heel off at a third,
-/// 60–65° down when the toes leave, most just after, level by 85 %).
-fn foot_pitch_curve(s: &Style) -> PeriodicCurve {
+/// Pitch of the foot over its cycle: toes up at the strike, flat after a sixth of the stance, heel up until the toes
+/// leave, and trailing in swing.
+fn foot_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
     let swing = |share: f32| s.duty + share * (1.0 - s.duty);
-    let flat = 0.10 * s.duty / NATURAL_DUTY;
+    let flat = FLAT_AFTER * s.duty;
     let rise = |share: f32| s.heel_off + share * (s.duty - s.heel_off);
+    let [a, b, c] = m.trailing_foot.map(|(share, pitch)| (swing(share), pitch * s.push_off_pitch));
     PeriodicCurve::through(
         &[
             (0.0, s.strike_pitch),
@@ -250,9 +199,9 @@ fn foot_pitch_curve(s: &Style) -> PeriodicCurve {
             (rise(0.35), -0.16 * s.push_off_pitch),
             (rise(0.62), -0.45 * s.push_off_pitch),
             (s.duty, -s.push_off_pitch),
-            (swing(0.12), -1.12 * s.push_off_pitch),
-            (swing(0.36), -0.74 * s.push_off_pitch),
-            (swing(0.62), -0.20 * s.push_off_pitch),
+            a,
+            b,
+            c,
             (swing(0.90), 1.08 * s.strike_pitch),
         ],
         0.010,
@@ -261,9 +210,11 @@ fn foot_pitch_curve(s: &Style) -> PeriodicCurve {
 
 /// Pitch of the toes over the cycle: flat until they roll off, then trailing the foot, a little raised before
 /// the strike. The toe joint bends most at push-off (Perry ch. 4: 55–60°).
-fn toe_pitch_curve(s: &Style) -> PeriodicCurve {
+fn toe_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
     let swing = |share: f32| s.duty + share * (1.0 - s.duty);
-    let flat = 0.09 * s.duty / NATURAL_DUTY;
+    let flat = 0.9 * FLAT_AFTER * s.duty;
+    let bends = [0.42 * s.push_off_pitch, 0.16 * s.push_off_pitch, 4.0 + 0.05 * s.push_off_pitch];
+    let trailing = |i: usize| (swing(m.trailing_foot[i].0), m.trailing_foot[i].1 * s.push_off_pitch + bends[i]);
     PeriodicCurve::through(
         &[
             (0.0, s.strike_pitch + 10.0),
@@ -271,9 +222,9 @@ fn toe_pitch_curve(s: &Style) -> PeriodicCurve {
             (flat, 0.0),
             (s.duty - 0.07, 0.0),
             (s.duty, -0.32 * s.push_off_pitch),
-            (swing(0.12), -0.70 * s.push_off_pitch),
-            (swing(0.36), -0.58 * s.push_off_pitch),
-            (swing(0.62), 4.0 - 0.15 * s.push_off_pitch),
+            trailing(0),
+            trailing(1),
+            trailing(2),
             (swing(0.90), 1.08 * s.strike_pitch + 9.0),
         ],
         0.010,

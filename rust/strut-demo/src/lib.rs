@@ -8,8 +8,10 @@
 //! Deterministic: the same arguments give the same bits on every platform.
 #![forbid(unsafe_code)]
 
+mod action;
 mod database;
 mod feet;
+mod jet;
 mod noise;
 mod normative;
 mod path;
@@ -20,7 +22,8 @@ mod script;
 mod style;
 mod upper_body;
 
+pub use action::Action;
 pub use database::{NamedMotion, RATE_HZ, clips, database, input_clips};
 pub use perform::{Performance, perform};
-pub use script::{INPUT_TAKES, Passage, Script, WALK_TAKES};
+pub use script::{INPUT_TAKES, Passage, RUN_TAKES, Script, WALK_TAKES};
 pub use style::{STYLES, Style};

@@ -29,6 +29,10 @@ pub(crate) const STANCE_KNEE: Knots = &[
     (0.8, 40.0),
 ];
 
+/// Knee flexion of the supporting leg in running at an easy speed: 18 at the strike, 44 in mid stance, 20 when the
+/// toes leave (Novacheck 1998, "The biomechanics of running", Gait & Posture 7, fig. 8). Phases for a stance of 36 %.
+pub(crate) const RUNNING_STANCE_KNEE: Knots = &[(0.0, 20.0), (0.16, 48.0), (0.36, 20.0), (0.8, 40.0)];
+
 /// Rotation of the pelvis about the vertical as a share of its half range: the side of the leading leg is
 /// forward at heel strike; positive turns to the left (P: ±5°, M: ±5°).
 pub(crate) const PELVIS_YAW: Knots = &[(0.0, -1.0), (0.25, 0.0), (0.5, 1.0), (0.75, 0.0)];

@@ -12,10 +12,6 @@ const SAMPLES_PER_STRIDE: usize = 64;
 /// Strides planned before the beginning and after the end of a script.
 pub(crate) const MARGIN_STRIDES: u32 = 3;
 
-/// How far the ankle of a stance is behind the middle of what its foot supports: the load travels from heel to
-/// toes, which lie ahead of the ankle, and the trunk is carried ahead of the feet's middle.
-const ANKLE_BEHIND_STANCE: f32 = 0.125;
-
 /// A foot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
@@ -58,6 +54,7 @@ pub(crate) struct Path {
     positions: Vec<Vec3>,
     headings: Vec<f32>,
     velocities: Vec<Vec3>,
+    ankle_behind_stance: f32,
 }
 
 /// How the amplitudes of a stride change with speed: steps lengthen and quicken alike, because the ratio of
@@ -78,7 +75,12 @@ impl Path {
             let (s, c) = sin_cos(heading);
             Vec3::new(s, 0.0, c) * (2.0 * style.step_length * stretch(script.speed(phase)))
         };
-        let mut path = Self { positions: vec![Vec3::ZERO], headings: vec![0.0], velocities: vec![] };
+        let mut path = Self {
+            positions: vec![Vec3::ZERO],
+            headings: vec![0.0],
+            velocities: vec![],
+            ankle_behind_stance: script.action.mechanics().ankle_behind_stance,
+        };
         path.velocities.push(velocity(phase(0), 0.0));
         for i in 1..count {
             let (position, heading) = (path.positions[i - 1], path.headings[i - 1]);
@@ -144,7 +146,7 @@ impl Path {
         let index = 2 * stride + i64::from(side == Side::Right);
         let jitter = |channel, size: f32| size * style.irregularity * noise.step(channel, index);
         let aside = side.sign() * (0.5 * style.step_width + jitter(Channel::StepWidth, 0.008));
-        let ahead = style.foot_lead - ANKLE_BEHIND_STANCE + jitter(Channel::StepLength, 0.009);
+        let ahead = style.foot_lead - self.ankle_behind_stance + jitter(Channel::StepLength, 0.009);
         let toe_out = side.sign() * (style.toe_out + jitter(Channel::ToeOut, 1.5)).to_radians();
         let position = self.position(passed) + Quat::from_rotation_y(heading) * Vec3::new(aside, 0.0, ahead);
         Footprint { position, heading: heading + toe_out }

@@ -1,10 +1,12 @@
 //! How the pelvis travels and turns above the feet, and the legs between them.
 
+use crate::action::Mechanics;
 use crate::feet::FootPose;
-use crate::normative::{NATURAL_DUTY, PELVIS_ROLL, PELVIS_YAW, STANCE_KNEE};
+use crate::normative::{PELVIS_ROLL, PELVIS_YAW};
 use crate::path::Side;
 use crate::periodic::{PeriodicCurve, smooth_step};
 use crate::style::Style;
+use crate::upper_body::Support;
 use std::f32::consts::TAU;
 use strut_core::humanoid::{Proportions, Role};
 use strut_core::math::float_funcs::{cos, exp};
@@ -13,6 +15,11 @@ use strut_core::math::{Quat, Vec3};
 /// Largest extension of a leg as a share of its length: a knee flexion of about 6°, so that the knee neither
 /// locks nor snaps.
 const LONGEST_REACH: f32 = 0.9988;
+
+/// Acceleration of free fall, m/s².
+pub(crate) const GRAVITY: f32 = 9.81;
+/// Share of free fall that a runner's sinusoidal bounce has at its top.
+const SMOOTH_FLIGHT: f32 = 0.85;
 
 /// Metres over which the limit of the legs' reach takes hold of the pelvis' height.
 const LIMIT_SOFTNESS: f32 = 0.004;
@@ -37,16 +44,17 @@ pub(crate) struct PelvisCurves {
 }
 
 impl PelvisCurves {
-    pub(crate) fn new(style: &Style) -> Self {
-        let knots: Vec<(f32, f32)> = STANCE_KNEE
+    pub(crate) fn new(style: &Style, mechanics: &Mechanics) -> Self {
+        let least = mechanics.stance_knee[0].1;
+        let knots: Vec<(f32, f32)> = mechanics
+            .stance_knee
             .iter()
             .map(|&(phase, flexion)| {
-                let phase = if phase <= NATURAL_DUTY {
-                    phase * style.duty / NATURAL_DUTY
+                let phase = if phase <= mechanics.duty {
+                    phase * style.duty / mechanics.duty
                 } else {
-                    1.0 - (1.0 - phase) * (1.0 - style.duty) / (1.0 - NATURAL_DUTY)
+                    1.0 - (1.0 - phase) * (1.0 - style.duty) / (1.0 - mechanics.duty)
                 };
-                let least = 6.0;
                 let wave = if flexion > least { (flexion - least) * style.knee_give } else { flexion - least };
                 (phase, least + wave + style.crouch)
             })
@@ -101,6 +109,7 @@ fn gaussian(values: &[f32], sigma: f32) -> Vec<f32> {
 /// The legs of a body: lengths and where the hips are in the pelvis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Legs {
+    standing: f32,
     thigh: f32,
     shin: f32,
     left_hip: Vec3,
@@ -111,6 +120,7 @@ impl Legs {
     pub(crate) fn of(proportions: &Proportions) -> Self {
         let at = |r: Role| proportions.offsets[r.index()];
         Self {
+            standing: at(Role::Hips).y,
             thigh: at(Role::LeftLowerLeg).length(),
             shin: at(Role::LeftFoot).length(),
             left_hip: at(Role::LeftUpperLeg),
@@ -145,26 +155,45 @@ impl Legs {
 
     /// Heights of the pelvis: the one that gives the supporting leg its knee flexion, and the greatest one at
     /// which both legs reach their feet. While both feet are planted the weight passes from one leg to the
-    /// other. `pelvis` is its position on the ground plan.
+    /// other; a runner instead bounces between flight and the bent knee of mid stance. `pelvis` is its position
+    /// on the ground plan.
     pub(crate) fn heights(
         &self,
         curves: &PelvisCurves,
         style: &Style,
-        phase: f32,
+        support: &Support,
         pelvis: Vec3,
-        rotation: Quat,
         feet: &[FootPose; 2],
     ) -> Heights {
-        let dip = style.bounce * (1.0 + cos(2.0 * TAU * (phase - 0.06)));
+        let runs = style.duty < 0.5;
+        let dip = style.bounce * (1.0 + cos(2.0 * TAU * (support.phase - 0.06)));
         let mut heights = Heights { supported: -dip, limit: f32::INFINITY };
+        if runs {
+            heights.supported += self.running_height(curves, style, support);
+        }
         for (side, foot) in Side::BOTH.into_iter().zip(feet) {
-            let weight = smooth_step(0.0, style.duty - 0.5, foot.cycle) - smooth_step(0.5, style.duty, foot.cycle);
-            let height = |reach| self.pelvis_height(side, pelvis, rotation, foot.ankle, reach);
-            heights.supported += weight * height(self.reach(curves.knee.at(foot.cycle)));
-            // The supporting leg has its height already; only a leg that comes or goes may need a lower one.
-            heights.limit = heights.limit.min(height(self.longest()) + 0.05 * weight);
+            let height = |reach| self.pelvis_height(side, pelvis, support.pelvis, foot.ankle, reach);
+            let mut limit = height(self.longest());
+            if !runs {
+                let weight = smooth_step(0.0, style.duty - 0.5, foot.cycle) - smooth_step(0.5, style.duty, foot.cycle);
+                heights.supported += weight * height(self.reach(curves.knee.at(foot.cycle)));
+                // The supporting leg has its height already; only a leg that comes or goes may need a lower one.
+                limit += 0.05 * weight;
+            }
+            heights.limit = heights.limit.min(limit);
         }
         heights
+    }
+
+    /// Height of a runner's pelvis: lowest in mid stance, where it is what the bent knee gives; the
+    /// acceleration at the top of the bounce is that of gravity, less what the smooth curve takes.
+    fn running_height(&self, curves: &PelvisCurves, style: &Style, support: &Support) -> f32 {
+        let mid_stance = 0.5 * style.duty;
+        let lowest = self.standing - (self.thigh + self.shin - self.reach(curves.knee.at(mid_stance)));
+        let steps_per_sec = style.cadence / 60.0 * support.stretch;
+        let rate = TAU * steps_per_sec;
+        let half_range = SMOOTH_FLIGHT * GRAVITY / (rate * rate);
+        lowest + half_range * (1.0 - cos(2.0 * TAU * (support.phase - mid_stance)))
     }
 
     /// Rotations of thigh and shin in the world that lead from `hip` to the foot's ankle with the knee in the

@@ -3,7 +3,7 @@
 use crate::feet::{Feet, FootPose};
 use crate::noise::{Channel, Noise};
 use crate::path::{Path, Side, stretch};
-use crate::pelvis::{Heights, Legs, PelvisCurves, smooth_heights};
+use crate::pelvis::{GRAVITY, Heights, Legs, PelvisCurves, smooth_heights};
 use crate::script::Script;
 use crate::style::Style;
 use crate::upper_body::{Support, UpperBody, yaw_pitch_roll};
@@ -33,7 +33,6 @@ const CHEST_LEADS: f32 = 0.10;
 const HEAD_LEADS: f32 = 0.28;
 /// Share of the lean that would balance the centripetal acceleration of a curve.
 const LEAN_SHARE: f32 = 0.6;
-const GRAVITY: f32 = 9.81;
 
 /// The frame of a performance as far as it does not depend on the height of the pelvis.
 struct Plan {
@@ -47,10 +46,11 @@ struct Plan {
 /// The motion begins in the origin, walking towards +Z, with a heel strike of the left foot, and ends one frame
 /// or less before the same pose of the next repetition. The same arguments give the same bits.
 pub fn perform(script: &Script, style: &Style, proportions: &Proportions, rate_hz: f32) -> Performance {
+    let style = &script.action.style(style);
     let noise = Noise::new(script.seed, script.strides());
     let path = Path::plan(script, style);
     let feet = Feet::new(proportions, script, style, &path, noise);
-    let curves = PelvisCurves::new(style);
+    let curves = PelvisCurves::new(style, script.action.mechanics());
     let legs = Legs::of(proportions);
 
     let (phases, begin, end) = phases_of_frames(script, style, noise, rate_hz);
@@ -61,10 +61,8 @@ pub fn perform(script: &Script, style: &Style, proportions: &Proportions, rate_h
             Plan { support, pelvis, feet: Side::BOTH.map(|side| feet.at(side, phase)) }
         })
         .collect();
-    let heights: Vec<Heights> = plans
-        .iter()
-        .map(|p| legs.heights(&curves, style, p.support.phase, p.pelvis, p.support.pelvis, &p.feet))
-        .collect();
+    let heights: Vec<Heights> =
+        plans.iter().map(|p| legs.heights(&curves, style, &p.support, p.pelvis, &p.feet)).collect();
     let heights = smooth_heights(&heights, HEIGHT_SMOOTHING_SECS * rate_hz);
 
     let mut upper_body = UpperBody::new(style, noise);

@@ -1,5 +1,6 @@
 //! What a take performs, the same in every style: so many strides at a speed, turning so much.
 
+use crate::action::Action;
 use crate::periodic::smooth_step;
 use strut_core::math::float_funcs::wrap_angle;
 
@@ -22,6 +23,8 @@ pub struct Passage {
 pub struct Script {
     /// Name, part of the clips' names.
     pub name: &'static str,
+    /// What is performed.
+    pub action: Action,
     /// Stretches in order; the last one leads back into the first. At least one.
     pub passages: &'static [Passage],
     /// Seed of all irregularities.
@@ -81,11 +84,13 @@ const fn passage(strides: u32, speed: f32, turn_degrees: f32) -> Passage {
 pub const WALK_TAKES: [Script; 2] = [
     Script {
         name: "pace",
-        passages: &[passage(4, 1.0, 0.0), passage(3, 1.3, 0.0), passage(3, 0.95, 0.0), passage(3, 0.7, 0.0)],
+        action: Action::Walk,
+        passages: &[passage(4, 1.0, 0.0), passage(3, 1.3, 0.0), passage(2, 0.95, 0.0), passage(3, 0.7, 0.0)],
         seed: 11,
     },
     Script {
         name: "turns",
+        action: Action::Walk,
         passages: &[
             passage(2, 1.0, 0.0),
             passage(2, 0.9, 70.0),
@@ -98,15 +103,31 @@ pub const WALK_TAKES: [Script; 2] = [
     },
 ];
 
+/// The take of the running database.
+pub const RUN_TAKES: [Script; 1] = [Script {
+    name: "loop",
+    action: Action::Run,
+    passages: &[
+        passage(2, 1.0, 0.0),
+        passage(2, 1.2, 0.0),
+        passage(3, 0.95, 80.0),
+        passage(2, 0.85, 0.0),
+        passage(3, 0.95, -80.0),
+    ],
+    seed: 21,
+}];
+
 /// What the page offers as input: not the takes of the database.
-pub const INPUT_TAKES: [Script; 2] = [
+pub const INPUT_TAKES: [Script; 3] = [
     Script {
         name: "neutral walk",
+        action: Action::Walk,
         passages: &[passage(6, 1.0, 0.0), passage(4, 1.08, 8.0), passage(4, 0.94, -8.0)],
         seed: 101,
     },
     Script {
         name: "neutral walk with turns",
+        action: Action::Walk,
         passages: &[
             passage(3, 1.0, 0.0),
             passage(3, 0.9, 95.0),
@@ -116,6 +137,12 @@ pub const INPUT_TAKES: [Script; 2] = [
             passage(3, 0.95, 90.0),
         ],
         seed: 102,
+    },
+    Script {
+        name: "neutral run",
+        action: Action::Run,
+        passages: &[passage(6, 1.0, 0.0), passage(3, 1.0, 60.0), passage(4, 1.1, 0.0), passage(3, 1.0, 60.0)],
+        seed: 103,
     },
 ];
 
@@ -133,7 +160,7 @@ mod tests {
 
     #[test]
     fn speed_changes_without_a_step_also_where_the_script_repeats() {
-        for s in WALK_TAKES.iter().chain(&INPUT_TAKES) {
+        for s in WALK_TAKES.iter().chain(&RUN_TAKES).chain(&INPUT_TAKES) {
             let n = 100 * s.strides();
             for i in 0..=n {
                 let x = i as f32 / 100.0;

@@ -5,7 +5,7 @@
 
 use crate::normative::NATURAL_DUTY;
 
-/// How a style moves. Angles in degrees, lengths in metres on the default proportions; "half range" is half
+/// How a style walks; [`Action::style`](crate::Action::style) derives how it runs. Angles in degrees, lengths in metres on the default proportions; "half range" is half
 /// the way from one extreme to the other within a stride.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {

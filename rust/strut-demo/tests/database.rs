@@ -1,6 +1,6 @@
 //! The built-in database.
 
-use strut_demo::{STYLES, WALK_TAKES, clips, database};
+use strut_demo::{RUN_TAKES, STYLES, WALK_TAKES, clips, database};
 
 #[test]
 fn every_frame_has_its_exact_counterpart_in_every_style() {
@@ -25,7 +25,7 @@ fn every_frame_has_its_exact_counterpart_in_every_style() {
 #[test]
 fn slow_styles_take_longer_for_the_same_script() {
     let clips = clips();
-    assert_eq!(clips.len(), STYLES.len() * WALK_TAKES.len());
+    assert_eq!(clips.len(), STYLES.len() * (WALK_TAKES.len() + RUN_TAKES.len()));
     let length =
         |style: &str| -> usize { clips.iter().filter(|c| c.style == style).map(|c| c.motion.poses.len()).sum() };
     assert!(length("depressed") > length("old") && length("old") > length("neutral"));

@@ -1,0 +1,145 @@
+//! What sets walking and running apart, whatever the style.
+
+use crate::normative::{Knots, NATURAL_DUTY, RUNNING_STANCE_KNEE, STANCE_KNEE};
+use crate::style::{STYLES, Style};
+
+/// A way of getting on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Action {
+    /// One foot at least is on the ground.
+    Walk,
+    /// Between two steps both feet are in the air.
+    Run,
+}
+
+/// How the limbs of an action move.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mechanics {
+    /// Share of the cycle that a foot is on the ground in the curves below.
+    pub(crate) duty: f32,
+    /// Knee flexion of the supporting leg.
+    pub(crate) stance_knee: Knots,
+    /// How far the ankle of a stance is behind the point that the pelvis passes in its middle, metres: the load
+    /// travels from heel to toes, which lie ahead of the ankle, and the trunk is carried ahead of the feet.
+    pub(crate) ankle_behind_stance: f32,
+    /// Pitch of the foot in swing as a share of that at push-off: (share of the swing, share of the pitch).
+    pub(crate) trailing_foot: [(f32, f32); 3],
+    /// Height in metres by which an early arch lifts the ankle while the knee folds after push-off.
+    pub(crate) fold: f32,
+    /// Height in metres by which the ankle is lifted in mid swing.
+    pub(crate) clearance: f32,
+    /// How hard the leg is thrown forward as the foot leaves the ground, in stride lengths per cycle squared.
+    pub(crate) push_off_acceleration: f32,
+    /// How hard the foot is braked just before it strikes, in stride lengths per cycle squared.
+    pub(crate) strike_deceleration: f32,
+}
+
+impl Action {
+    /// Name of the action in a database.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Walk => "walk",
+            Self::Run => "run",
+        }
+    }
+
+    /// The row of a style for this action.
+    pub fn style(self, style: &Style) -> Style {
+        match self {
+            Self::Walk => *style,
+            Self::Run => running(style),
+        }
+    }
+
+    pub(crate) const fn mechanics(self) -> &'static Mechanics {
+        match self {
+            Self::Walk => &WALKING,
+            Self::Run => &RUNNING,
+        }
+    }
+}
+
+/// Foot pitch after Winter 1991, fig. 3.8 (most just after toe-off, level by 85 %); the ankle rises 16 cm in all,
+/// most at 70 %; toes clear the ground by 1 to 2 cm (Winter 1992); the heel still travels at a third of its peak
+/// speed 4 % of the cycle before it strikes.
+const WALKING: Mechanics = Mechanics {
+    duty: NATURAL_DUTY,
+    stance_knee: STANCE_KNEE,
+    ankle_behind_stance: 0.125,
+    trailing_foot: [(0.12, -1.12), (0.36, -0.74), (0.62, -0.20)],
+    fold: 0.045,
+    clearance: 0.014,
+    push_off_acceleration: 13.0,
+    strike_deceleration: 34.0,
+};
+
+/// Novacheck 1998, "The biomechanics of running": knee 20–45° in stance and 90° in swing, stance 35–40 %.
+const RUNNING: Mechanics = Mechanics {
+    duty: 0.36,
+    stance_knee: RUNNING_STANCE_KNEE,
+    ankle_behind_stance: 0.155,
+    trailing_foot: [(0.20, -1.42), (0.46, -0.95), (0.72, -0.25)],
+    fold: 0.17,
+    clearance: 0.10,
+    push_off_acceleration: 10.0,
+    strike_deceleration: 22.0,
+};
+
+/// The running row of a style: that of a neutral runner (Novacheck 1998: 160–170 steps/min, trunk leaning
+/// forward, elbows near 90°), changed in the direction in which the style's walk differs from a neutral walk.
+fn running(style: &Style) -> Style {
+    let walk = &STYLES[0];
+    let ratio = |of: fn(&Style) -> f32| of(style) / of(walk);
+    let difference = |of: fn(&Style) -> f32| of(style) - of(walk);
+    Style {
+        cadence: 164.0 * ratio(|s| s.cadence).sqrt(),
+        step_length: 0.98 * ratio(|s| s.step_length),
+        step_width: 0.04 + 0.7 * difference(|s| s.step_width),
+        duty: RUNNING.duty + 0.7 * difference(|s| s.duty),
+        toe_out: 4.0 + difference(|s| s.toe_out),
+        strike_pitch: 9.0 + 0.4 * difference(|s| s.strike_pitch),
+        heel_off: 0.17 + 0.4 * difference(|s| s.heel_off),
+        push_off_pitch: 60.0 + 0.5 * difference(|s| s.push_off_pitch),
+        foot_lift: 0.03 + difference(|s| s.foot_lift),
+        foot_lead: 0.5 * difference(|s| s.foot_lead),
+        crouch: 0.5 * difference(|s| s.crouch),
+        knee_give: 1.0 + 0.3 * difference(|s| s.knee_give),
+        bounce: 0.0,
+        sway: 0.010 + 0.5 * difference(|s| s.sway),
+        pelvis_tilt: 9.0 + 0.6 * difference(|s| s.pelvis_tilt),
+        pelvis_yaw: 7.0 + 0.6 * difference(|s| s.pelvis_yaw),
+        pelvis_roll: 5.0 + 0.6 * difference(|s| s.pelvis_roll),
+        spine_pitch: 1.0 + 0.8 * difference(|s| s.spine_pitch),
+        chest_pitch: 2.0 + 0.8 * difference(|s| s.chest_pitch),
+        chest_yaw: 10.0 + difference(|s| s.chest_yaw),
+        trunk_nod: 1.6 + difference(|s| s.trunk_nod),
+        neck_pitch: 4.0 + difference(|s| s.neck_pitch),
+        gaze_pitch: 6.0 + difference(|s| s.gaze_pitch),
+        arm_forward: -12.0 + difference(|s| s.arm_forward),
+        arm_swing: 27.0 * (0.4 + 0.6 * ratio(|s| s.arm_swing)),
+        arm_spread: 15.0 + difference(|s| s.arm_spread),
+        arm_twist: 20.0 + 0.6 * difference(|s| s.arm_twist),
+        arm_drag: 0.6 * style.arm_drag,
+        elbow: 88.0 + 0.4 * difference(|s| s.elbow),
+        elbow_swing: 10.0 * (0.4 + 0.6 * ratio(|s| s.elbow_swing)),
+        pronation: 20.0 + 0.5 * difference(|s| s.pronation),
+        ..*style
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn running_has_a_flight_phase_and_walking_double_support_in_every_style() {
+        for style in &STYLES {
+            let run = Action::Run.style(style);
+            assert!(run.duty < 0.45 && style.duty > 0.55, "{}", style.name);
+            assert!(run.heel_off > 0.1 && run.heel_off < run.duty - 0.1, "{}", style.name);
+            let speed = |s: &Style| s.step_length * s.cadence / 60.0;
+            assert!((1.3..4.0).contains(&speed(&run)), "{}: {} m/s", style.name, speed(&run));
+            assert!(speed(&run) > 1.5 * speed(style), "{}", style.name);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! A moving point known by position, velocity and acceleration, and the smooth way between two of them.
+
+use strut_core::math::Vec3;
+
+/// A point with its velocity and acceleration.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Jet {
+    pub(crate) position: Vec3,
+    pub(crate) velocity: Vec3,
+    pub(crate) acceleration: Vec3,
+}
+
+impl Jet {
+    /// Difference step in cycles: several samples of a [`PeriodicCurve`].
+    const STEP: f32 = 0.008;
+
+    /// At the begin of a motion given by time since then.
+    pub(crate) fn forward(motion: impl Fn(f32) -> Vec3) -> Self {
+        let h = Self::STEP;
+        let [a, b, c] = [motion(0.0), motion(h), motion(2.0 * h)];
+        Self { position: a, velocity: (b * 4.0 - a * 3.0 - c) / (2.0 * h), acceleration: (a - b * 2.0 + c) / (h * h) }
+    }
+
+    /// At the end of a motion given by the time before it.
+    pub(crate) fn backward(motion: impl Fn(f32) -> Vec3) -> Self {
+        let reversed = Self::forward(motion);
+        Self { velocity: -reversed.velocity, ..reversed }
+    }
+
+    pub(crate) fn shifted(self, by: Vec3) -> Self {
+        Self { position: self.position + by, ..self }
+    }
+
+    /// With time measured in units of `length`.
+    pub(crate) fn over(self, length: f32) -> Self {
+        Self { velocity: self.velocity * length, acceleration: self.acceleration * (length * length), ..self }
+    }
+
+    /// The polynomial of least degree from one jet to the next; `t` in [0, 1].
+    pub(crate) fn quintic(from: &Self, to: &Self, t: f32) -> Vec3 {
+        let (t2, t3) = (t * t, t * t * t);
+        let (t4, t5) = (t2 * t2, t2 * t3);
+        from.position * (1.0 - 10.0 * t3 + 15.0 * t4 - 6.0 * t5)
+            + from.velocity * (t - 6.0 * t3 + 8.0 * t4 - 3.0 * t5)
+            + from.acceleration * (0.5 * t2 - 1.5 * t3 + 1.5 * t4 - 0.5 * t5)
+            + to.acceleration * (0.5 * t3 - t4 + 0.5 * t5)
+            + to.velocity * (7.0 * t4 - 4.0 * t3 - 3.0 * t5)
+            + to.position * (10.0 * t3 - 15.0 * t4 + 6.0 * t5)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_quintic_continues_both_jets() {
+        let motion = |t: f32| Vec3::new(t * t, 2.0 * t, 1.0 - t * t * t);
+        let (from, to) = (Jet::forward(motion), Jet::backward(|d| motion(1.0 - d)));
+        for t in [0.0, 0.3, 0.7, 1.0] {
+            assert!((Jet::quintic(&from, &to, t) - motion(t)).length() < 2e-3, "{t}");
+        }
+    }
+}
