@@ -15,7 +15,7 @@ pub mod motion;
 pub mod parallel;
 pub mod pose_vector;
 pub mod registration;
-pub mod search;
 pub mod retarget;
+pub mod search;
 pub mod skeleton;
 pub mod transfer;

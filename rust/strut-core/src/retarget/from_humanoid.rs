@@ -61,10 +61,11 @@ impl FromHumanoid {
         let world = world_from_local(&self.body, pose);
         self.turn_joints(&world, translations, rotations);
         self.move_body(&world, translations);
-        for leg in Limb::LEGS {
-            let [_, _, ankle] = leg.roles();
-            let target = self.in_file(self.scale.to_file(world.positions[ankle.index()]));
-            self.reach(&world, leg, target, rotations);
+        for (i, leg) in Limb::LEGS.into_iter().enumerate() {
+            let [hip, _, ankle] = leg.roles();
+            let hip = world.positions[hip.index()];
+            let ankle = hip + self.scale.leg_to_file(i, world.positions[ankle.index()] - hip);
+            self.reach(&world, leg, self.in_file(self.scale.to_file(ankle)), rotations);
         }
         for (i, arm) in Limb::ARMS.into_iter().enumerate() {
             let [shoulder, _, wrist] = arm.roles();

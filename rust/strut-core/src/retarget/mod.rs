@@ -18,3 +18,6 @@ mod to_humanoid;
 pub use binding::{BindError, Binding};
 pub use from_humanoid::{FromHumanoid, from_humanoid};
 pub use to_humanoid::{ToHumanoid, to_humanoid};
+
+#[cfg(test)]
+mod tests;

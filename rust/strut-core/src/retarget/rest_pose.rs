@@ -21,6 +21,10 @@ const SNAP_COSINE: f32 = 0.906;
 /// not tell: radians. Bandai Namco's avatars stand at 39.6°; ankles of game rigs sit as high.
 const FOOT_PITCH: f32 = 0.69;
 
+/// Upward bend of the toes against the foot, sole flat, where the zero pose does not tell: radians.
+/// Bandai Namco's avatars stand at 16.6°.
+const TOE_BEND: f32 = 0.29;
+
 /// Weight of a hinge axis guessed from the mean pose against one seen in bending, which counts with the
 /// squared sine of the bend: they are equal at 8°.
 const GUESSED_HINGE: f32 = 0.02;
@@ -257,6 +261,7 @@ impl Body<'_> {
                 };
                 nearest_turn_about(target, snapped(bone), self.mean_in_parent(joint, rest))
             }
+            (Role::LeftToes | Role::RightToes, None) => Quat::from_rotation_x(-TOE_BEND) * self.leaf_rest(joint, rest),
             (_, None) => self.leaf_rest(joint, rest),
         }
     }
@@ -275,18 +280,13 @@ impl Body<'_> {
         let (joint, end) = (self.required(role), self.required(end));
         let bone = self.sample.mean_local(joint, end).normalize_or_zero();
         let chain = limb_chain(role);
-        // A forearm whose zero rotation continues the upper arm is at rest there: what its frame turns
-        // about the bone is pronation, not a matter of the hinge. Likewise shins.
-        let above = self.parent(joint).map_or(Quat::IDENTITY, |p| rest[p]);
-        if role == chain[1] && (above * bone).dot(direction) > SNAP_COSINE {
-            return Quat::from_rotation_arc(above * bone, direction) * above;
-        }
         let [upper, middle, tip] = chain.map(|r| self.required(r));
         let hinge = hinge_of(role);
-        let (trunk_role, straight) = if direction == Vec3::NEG_Y {
-            (Role::Hips, false)
-        } else {
-            (if self.at(Role::Chest).is_some() { Role::Chest } else { Role::Spine }, true)
+        let is_arm = direction != Vec3::NEG_Y;
+        let trunk_role = match self.at(Role::Chest) {
+            Some(_) if is_arm => Role::Chest,
+            None if is_arm => Role::Spine,
+            _ => Role::Hips,
         };
         let trunk = self.required(trunk_role);
         let seen = self.sample.mean(|w| {
@@ -299,10 +299,19 @@ impl Body<'_> {
             let trunk_frame = w[trunk].1 * rest[trunk].inverse();
             let along = trunk_frame.inv_mul_vec3(w[joint].1 * bone);
             // Hanging arms are raised sideways before their hinge is compared; legs hang at rest.
-            let raised = if straight { Quat::from_rotation_arc(along, direction) } else { Quat::IDENTITY };
+            let raised = if is_arm { Quat::from_rotation_arc(along, direction) } else { Quat::IDENTITY };
             w[joint].1.inv_mul_vec3(trunk_frame * raised.inv_mul_vec3(hinge))
         });
-        let axis = snapped_across(seen + GUESSED_HINGE * guessed, bone);
+        let evidence = (seen + GUESSED_HINGE * guessed).normalize_or_zero();
+        // A forearm whose zero rotation continues the upper arm is at rest there: what its frame turns
+        // about the bone is pronation and no matter of the hinge. Shins hardly turn.
+        let above = self.parent(joint).map_or(Quat::IDENTITY, |p| rest[p]);
+        let turned = if is_arm { -0.7 } else { 0.7 };
+        let continues = role == chain[1] && (above * bone).dot(direction) > SNAP_COSINE;
+        if continues && (above * evidence).dot(hinge) > turned {
+            return Quat::from_rotation_arc(above * bone, direction) * above;
+        }
+        let axis = snapped_across(evidence, bone);
         // Columns: where the bone and the hinge lie locally, and where they lie in the T-pose.
         let local = Quat::from_basis(axis, bone, axis.cross(bone));
         let canonical = Quat::from_basis(hinge, direction, hinge.cross(direction));

@@ -4,14 +4,24 @@ use crate::humanoid::{Proportions, Role};
 use crate::kinematics::Limb;
 use crate::math::Vec3;
 
+/// Extension of a leg, as a share of its length, from which the difference between its own ratio and
+/// the mean of both legs is made up. Lower spreads the correction over more of the stride, higher makes
+/// it steeper.
+const EXTENDED: f32 = 0.9;
+
 /// Lengths of a canonical body per length of a file's body (both in metres), and the shift that puts
 /// one's soles where the other's were.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct BodyScale {
-    /// Ratio of the legs: scales the travel, so that steps fit the legs that take them.
+    /// Ratio of the legs (mean of both): scales the travel, so that steps fit the legs that take them.
     legs: f32,
     /// Metres added to scaled heights: ankles differ in their height above the sole.
     lift: f32,
+    /// What `legs` makes of each fully extended leg of the file, as a share of the target's leg. Legs of
+    /// captured skeletons differ by a few percent; left first.
+    full_extension: [f32; 2],
+    /// Length of the target's legs, metres, left first.
+    target_legs: [f32; 2],
     /// Ratio of each arm, left first: scales the reach from shoulder to wrist.
     arms: [f32; 2],
 }
@@ -28,6 +38,8 @@ impl BodyScale {
         Self {
             legs,
             lift: ankle_height(target) - legs * ankle_height(file),
+            full_extension: Limb::LEGS.map(|leg| legs * limb(file, leg) / limb(target, leg)),
+            target_legs: Limb::LEGS.map(|leg| limb(target, leg)),
             arms: Limb::ARMS.map(|arm| limb(target, arm) / limb(file, arm)),
         }
     }
@@ -40,6 +52,28 @@ impl BodyScale {
     /// Inverse of [`Self::to_target`].
     pub(super) fn to_file(self, point: Vec3) -> Vec3 {
         (point - Vec3::Y * self.lift) / self.legs
+    }
+
+    /// From hip joint to ankle in the target's body, given the same vector by [`Self::to_target`]: the
+    /// same direction, but a leg that the file shows straight is straight, although the file's two legs
+    /// differ in length and the target's do not. Leg `i` counts [`Limb::LEGS`].
+    pub(super) fn leg_to_target(self, i: usize, hip_to_ankle: Vec3) -> Vec3 {
+        let full = self.full_extension[i];
+        let bent = EXTENDED * full.min(1.0);
+        self.with_extension(i, hip_to_ankle, |x| bent + (x - bent) * (1.0 - bent) / (full - bent), bent)
+    }
+
+    /// Inverse of [`Self::leg_to_target`].
+    pub(super) fn leg_to_file(self, i: usize, hip_to_ankle: Vec3) -> Vec3 {
+        let full = self.full_extension[i];
+        let bent = EXTENDED * full.min(1.0);
+        self.with_extension(i, hip_to_ankle, |x| bent + (x - bent) * (full - bent) / (1.0 - bent), bent)
+    }
+
+    /// The vector with its length, as a share of the leg, replaced by `map` of it from `bent` on.
+    fn with_extension(self, i: usize, hip_to_ankle: Vec3, map: impl Fn(f32) -> f32, bent: f32) -> Vec3 {
+        let extension = hip_to_ankle.length() / self.target_legs[i];
+        if extension > bent { hip_to_ankle * (map(extension) / extension) } else { hip_to_ankle }
     }
 
     /// Ratio of an arm; `i` counts [`Limb::ARMS`].
@@ -57,6 +91,7 @@ fn ankle_height(p: &Proportions) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     #[test]
     fn a_body_of_half_the_size_takes_half_the_step_and_stands_on_the_ground() {
@@ -68,5 +103,32 @@ mod tests {
         let there = scale.to_target(ankle);
         assert!((there - Vec3::new(0.5, ankle_height(&small), 1.0)).length() < 1e-6, "{there}");
         assert!((scale.to_file(there) - ankle).length() < 1e-5);
+    }
+
+    /// The mannequin with a right shin longer by this share.
+    fn limping(longer: f32) -> Proportions {
+        let mut p = Proportions::default();
+        p.offsets[Role::RightFoot.index()] *= 1.0 + longer;
+        p
+    }
+
+    #[test]
+    fn a_straight_leg_stays_straight_on_a_body_with_equal_legs() {
+        let (file, target) = (limping(0.05), Proportions::default());
+        let scale = BodyScale::between(&file, &target);
+        for (i, shin) in [Role::LeftFoot, Role::RightFoot].into_iter().enumerate() {
+            let length = file.offsets[Role::LeftLowerLeg.index()].length() + file.offsets[shin.index()].length();
+            let straight = scale.leg_to_target(i, Vec3::NEG_Y * length * scale.legs);
+            assert!((straight.length() - target.leg_length()).abs() < 1e-5, "{straight}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn extension_maps_back(longer in -0.1f32..0.1, length in 0.0f32..0.85, i in 0usize..2) {
+            let scale = BodyScale::between(&limping(longer), &Proportions::default());
+            let v = Vec3::new(0.6, -0.8, 0.0) * length;
+            prop_assert!((scale.leg_to_file(i, scale.leg_to_target(i, v)) - v).length() < 1e-5);
+        }
     }
 }

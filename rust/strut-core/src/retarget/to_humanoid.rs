@@ -71,9 +71,11 @@ impl ToHumanoid {
         pose.root = self.scale.to_target(hip_joints) - pose.rotations[0] * below;
 
         let mut world = world_from_local(&self.target, &pose);
-        for leg in Limb::LEGS {
-            let [_, _, ankle] = leg.roles();
-            two_bone_ik(&self.target, &mut pose, &mut world, leg, self.scale.to_target(file(ankle)));
+        for (i, leg) in Limb::LEGS.into_iter().enumerate() {
+            let [hip, _, ankle] = leg.roles();
+            let hip = world.positions[hip.index()];
+            let ankle = hip + self.scale.leg_to_target(i, self.scale.to_target(file(ankle)) - hip);
+            two_bone_ik(&self.target, &mut pose, &mut world, leg, ankle);
         }
         for (i, arm) in Limb::ARMS.into_iter().enumerate() {
             let [shoulder, _, wrist] = arm.roles();

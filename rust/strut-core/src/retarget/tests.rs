@@ -1,0 +1,292 @@
+//! One walk on many rigs: whatever a skeleton's zero pose, axes and unit, the canonical motion is the same.
+
+use super::*;
+use crate::humanoid::{HumanoidMotion, JOINTS, PARENTS, Pose, Proportions, Role};
+use crate::kinematics::world_from_local;
+use crate::math::float_funcs::sin;
+use crate::math::{Quat, Vec3, exp_map};
+use crate::motion::Motion;
+use crate::skeleton::{Joint, Skeleton};
+use std::f32::consts::{FRAC_PI_2, TAU};
+
+/// A body whose feet slope as those of game rigs do, so that rigs without a zero pose agree about them.
+fn body() -> Proportions {
+    let mut p = Proportions::default();
+    for toes in [Role::LeftToes, Role::RightToes] {
+        p.offsets[toes.index()] = Quat::from_rotation_x(0.69) * Vec3::Z * 0.15;
+    }
+    for shoulder in [Role::LeftUpperArm, Role::RightUpperArm] {
+        p.offsets[shoulder.index()].y = 0.0;
+    }
+    p
+}
+
+/// Two strides towards +X: arms hang and swing, elbows and knees flex, the trunk sways a little.
+fn walk() -> HumanoidMotion {
+    let proportions = body();
+    let poses = (0..60).map(|f| {
+        let phase = TAU * f as f32 / 30.0;
+        let (swing, lift) = (sin(phase), sin(phase + 1.0));
+        let mut pose = Pose { root: Vec3::new(0.03 * f as f32, 0.93 + 0.01 * lift, 0.2), ..Pose::default() };
+        let mut turn = |role: Role, v: Vec3| pose.rotations[role.index()] = exp_map::exp(v);
+        turn(Role::Hips, Vec3::new(0.0, FRAC_PI_2, 0.02 * swing));
+        turn(Role::Spine, Vec3::new(0.05, 0.1 * swing, 0.0));
+        turn(Role::Chest, Vec3::new(0.03, 0.05 * swing, 0.02));
+        turn(Role::Neck, Vec3::new(0.1, 0.0, 0.03 * lift));
+        turn(Role::Head, Vec3::new(-0.1, 0.1 * swing, 0.0));
+        turn(Role::LeftShoulder, Vec3::new(0.0, 0.1, 0.05));
+        turn(Role::RightShoulder, Vec3::new(0.0, -0.1, 0.05));
+        turn(Role::LeftUpperArm, Vec3::new(0.4 * swing, 0.0, -1.2));
+        turn(Role::RightUpperArm, Vec3::new(-0.4 * swing, 0.0, 1.2));
+        turn(Role::LeftLowerArm, Vec3::new(0.2, -0.5 - 0.3 * lift, 0.0));
+        turn(Role::RightLowerArm, Vec3::new(-0.2, 0.5 - 0.3 * lift, 0.0));
+        turn(Role::LeftHand, Vec3::new(0.1, 0.0, 0.1 * swing));
+        turn(Role::RightHand, Vec3::new(0.1, 0.1, 0.0));
+        turn(Role::LeftUpperLeg, Vec3::new(-0.1 - 0.4 * swing, 0.05, 0.0));
+        turn(Role::RightUpperLeg, Vec3::new(-0.1 + 0.4 * swing, -0.05, 0.0));
+        turn(Role::LeftLowerLeg, Vec3::new(0.5 + 0.4 * lift, 0.0, 0.0));
+        turn(Role::RightLowerLeg, Vec3::new(0.5 - 0.4 * lift, 0.0, 0.0));
+        turn(Role::LeftFoot, Vec3::new(-0.1 * lift, 0.05, 0.0));
+        turn(Role::RightFoot, Vec3::new(0.1 * lift, 0.0, 0.05));
+        pose
+    });
+    HumanoidMotion { proportions, rate_hz: 30.0, poses: poses.collect() }
+}
+
+/// A rig for the body: how each joint's frame lies in the canonical T-pose, and the file's world.
+struct Rig {
+    /// Frame of the rig's joint in the canonical joint's frame.
+    frames: [Quat; JOINTS],
+    file_from_world: Quat,
+    units_per_metre: f32,
+}
+
+impl Default for Rig {
+    fn default() -> Self {
+        Self { frames: [Quat::IDENTITY; JOINTS], file_from_world: Quat::IDENTITY, units_per_metre: 100.0 }
+    }
+}
+
+/// The motion as a file with this rig would hold it.
+fn rigged(motion: &HumanoidMotion, rig: &Rig) -> Motion {
+    let parent = |j: usize| PARENTS.get(j).copied().filter(|&p| p < JOINTS);
+    let offset = |j: usize| {
+        let frame = parent(j).map_or(Quat::IDENTITY, |p| rig.frames[p]);
+        frame.inv_mul_vec3(motion.proportions.offsets[j]) * rig.units_per_metre
+    };
+    let joints = Role::ALL.iter().enumerate().map(|(j, role)| Joint {
+        name: role.name().to_owned(),
+        parent: parent(j),
+        offset: offset(j),
+        end: None,
+    });
+    let (mut translations, mut rotations) = (Vec::new(), Vec::new());
+    for pose in &motion.poses {
+        for j in 0..JOINTS {
+            let above = parent(j).map_or(rig.file_from_world.inverse(), |p| rig.frames[p]);
+            rotations.push(above.inv_mul(pose.rotations[j] * rig.frames[j]));
+            translations.push(if j == 0 { rig.file_from_world * pose.root * rig.units_per_metre } else { offset(j) });
+        }
+    }
+    let skeleton = Skeleton::new(joints.collect()).unwrap();
+    Motion::new(skeleton, 1.0 / f64::from(motion.rate_hz), translations, rotations).unwrap()
+}
+
+/// Roles whose local rotations differ by more than 0.01 rad, and by how much at most.
+fn differing_roles(a: &HumanoidMotion, b: &HumanoidMotion) -> Vec<(&'static str, f32)> {
+    let angle = |j: usize| {
+        let pairs = a.poses.iter().zip(&b.poses);
+        pairs.map(|(p, q)| p.rotations[j].inv_mul(q.rotations[j]).angle()).fold(0.0, f32::max)
+    };
+    Role::ALL.iter().map(|r| (r.name(), angle(r.index()))).filter(|(_, angle)| *angle > 0.01).collect()
+}
+
+/// Binds the rigged walk, and checks that the canonical walk comes out.
+fn check_rig(rig: &Rig) -> Binding {
+    let expected = walk();
+    let file = rigged(&expected, rig);
+    let binding = Binding::detect(&file).unwrap();
+    let found = to_humanoid(&file, &binding, &expected.proportions);
+    assert_eq!(differing_roles(&found, &expected), []);
+    // Heights above the ground are known only as well as the ankle's height is.
+    let root = (found.poses[40].root - expected.poses[40].root) * Vec3::new(1.0, 0.0, 1.0);
+    assert!(root.length() < 1e-3, "{root}");
+    assert!((binding.metres_per_unit * rig.units_per_metre - 1.0).abs() < 1e-4);
+    binding
+}
+
+#[test]
+fn a_t_pose_rig_is_the_humanoid() {
+    let binding = check_rig(&Rig::default());
+    assert_eq!(binding.joint_of_role, std::array::from_fn(Some));
+    assert_eq!(binding.notes, ["Matched all 21 joints.", "Lengths are in centimetres."]);
+}
+
+#[test]
+fn an_arms_down_zero_pose_is_raised() {
+    let mut rig = Rig::default();
+    for (upper, angle) in [(Role::LeftUpperArm, -1.3), (Role::RightUpperArm, 1.3)] {
+        for j in upper.index()..upper.index() + 3 {
+            rig.frames[j] = Quat::from_rotation_z(angle).inverse();
+        }
+    }
+    check_rig(&rig);
+}
+
+#[test]
+fn a_zero_pose_may_face_anywhere() {
+    for turn in [FRAC_PI_2, 2.0 * FRAC_PI_2, -FRAC_PI_2] {
+        check_rig(&Rig { frames: [Quat::from_rotation_y(turn); JOINTS], ..Rig::default() });
+    }
+}
+
+#[test]
+fn z_up_files_are_turned_upright() {
+    let up = Quat::from_rotation_x(FRAC_PI_2);
+    // The zero pose stands along +Z too, as exporters with that convention write it.
+    let rig = Rig { file_from_world: up, frames: [up.inverse(); JOINTS], ..Rig::default() };
+    let binding = check_rig(&rig);
+    assert!(binding.notes.contains(&"Up is +Z in this file.".to_owned()));
+}
+
+#[test]
+fn units_are_told_by_the_leg() {
+    for (units_per_metre, word) in [(1.0, "metres"), (39.37, "inches"), (1000.0, "millimetres"), (10.0, "decimetres")] {
+        let rig = Rig { units_per_metre, ..Rig::default() };
+        let file = rigged(&walk(), &rig);
+        let binding = Binding::detect(&file).unwrap();
+        assert_eq!(binding.notes[1], format!("Lengths are in {word}."));
+    }
+    let odd = rigged(&walk(), &Rig { units_per_metre: 18.0, ..Rig::default() });
+    let leg = Binding::detect(&odd).unwrap().proportions.leg_length();
+    assert!((leg - 0.85).abs() < 1e-3, "{leg}");
+}
+
+#[test]
+fn rigs_with_bones_along_any_local_axis_agree() {
+    // Bandai Namco's convention and others: each joint's frame turned by quarter turns, so that the
+    // zero pose is no body.
+    let quarter = |axis: Vec3, n: usize| Quat::from_axis_angle(axis, FRAC_PI_2 * n as f32);
+    for seed in 1..12_usize {
+        let mut rig = Rig::default();
+        for j in 0..JOINTS {
+            let n = seed * (7 * j + 3) + j * j;
+            rig.frames[j] = quarter(Vec3::X, n % 4) * quarter(Vec3::Y, n / 4 % 4) * quarter(Vec3::Z, n / 16 % 4);
+        }
+        // Pronation makes the twist of forearms uncertain: they continue the upper arm. What ends in
+        // nothing lies like its parent.
+        for (role, above) in [
+            (Role::LeftLowerArm, Role::LeftUpperArm),
+            (Role::RightLowerArm, Role::RightUpperArm),
+            (Role::LeftHand, Role::LeftUpperArm),
+            (Role::RightHand, Role::RightLowerArm),
+            (Role::Head, Role::Neck),
+        ] {
+            rig.frames[role.index()] = rig.frames[above.index()];
+        }
+        // Ankle to toes lies along an axis, the toes' frame is bent up against it.
+        for foot in [Role::LeftFoot, Role::RightFoot] {
+            let sloped = Quat::from_rotation_x(0.69) * rig.frames[foot.index()];
+            rig.frames[foot.index()] = sloped;
+            rig.frames[foot.index() + 1] = Quat::from_rotation_x(-0.29) * sloped;
+        }
+        let binding = check_rig(&rig);
+        assert_eq!(binding.notes.len(), 3, "{:?}", binding.notes);
+    }
+}
+
+#[test]
+fn the_file_comes_back_from_another_body() {
+    let mut file_body = walk();
+    for shin in [Role::LeftFoot, Role::RightFoot, Role::LeftHand, Role::RightHand] {
+        file_body.proportions.offsets[shin.index()] *= 0.85;
+    }
+    file_body.proportions.offsets[Role::RightLowerLeg.index()] *= 1.03;
+    let file = rigged(&file_body, &Rig::default());
+    let binding = Binding::detect(&file).unwrap();
+    let humanoid = to_humanoid(&file, &binding, &Proportions::default());
+    let frames: Vec<f64> = (0..file.frames()).map(|f| f as f64).collect();
+    let back = from_humanoid(&humanoid, &file, &binding, &frames);
+    for (f, pose) in file_body.poses.iter().enumerate() {
+        let before = world_from_local(&file_body.proportions, pose);
+        let rotations = std::array::from_fn(|j| back.rotations_at(f)[j]);
+        let after =
+            world_from_local(&file_body.proportions, &Pose { root: back.translations_at(f)[0] / 100.0, rotations });
+        for role in Role::ALL {
+            let error = (after.positions[role.index()] - before.positions[role.index()]).length();
+            assert!(error < 0.005, "frame {f}, {}: {error} m", role.name());
+        }
+        for end in [Role::LeftFoot, Role::RightFoot, Role::LeftToes, Role::LeftHand, Role::RightHand] {
+            let error = (after.positions[end.index()] - before.positions[end.index()]).length();
+            assert!(error < 0.001, "frame {f}, {}: {error} m", end.name());
+        }
+    }
+}
+
+#[test]
+fn planted_feet_stay_planted_on_another_body() {
+    let mut standing = walk();
+    let world = |h: &HumanoidMotion, f: usize| world_from_local(&h.proportions, &h.poses[f]);
+    // Only the trunk moves; inverse kinematics holds the feet.
+    let first = standing.poses[0];
+    let ankles = Role::LeftFoot.index();
+    let held = world(&standing, 0).positions[ankles];
+    for (f, pose) in standing.poses.iter_mut().enumerate() {
+        *pose = first;
+        pose.root += Vec3::new(0.002 * f as f32, -0.001 * f as f32, 0.0);
+        let mut w = world_from_local(&standing.proportions, pose);
+        crate::kinematics::two_bone_ik(&standing.proportions, pose, &mut w, crate::kinematics::Limb::LeftLeg, held);
+    }
+    let file = rigged(&standing, &Rig::default());
+    let binding = Binding::detect(&file).unwrap();
+    let mut target = Proportions::default();
+    target.offsets[Role::LeftFoot.index()] *= 0.8;
+    target.offsets[Role::RightFoot.index()] *= 0.8;
+    let found = to_humanoid(&file, &binding, &target);
+    let start = world(&found, 0).positions[ankles];
+    for f in 0..found.poses.len() {
+        let slid = (world(&found, f).positions[ankles] - start).length();
+        assert!(slid < 1e-3, "frame {f}: {slid} m");
+    }
+}
+
+#[test]
+fn missing_joints_are_named() {
+    let file = rigged(&walk(), &Rig::default());
+    let mut roles = Binding::detect(&file).unwrap().joint_of_role;
+    roles[Role::LeftLowerLeg.index()] = None;
+    let error = Binding::with_roles(&file, &roles).unwrap_err();
+    let sentence = "This skeleton has no left knee that we can find. Choose the joint, or drop another file.";
+    assert_eq!(error.to_string(), sentence);
+    roles[Role::LeftLowerLeg.index()] = Some(Role::Head.index());
+    assert!(matches!(Binding::with_roles(&file, &roles), Err(BindError::Misplaced { .. })));
+    roles[Role::LeftLowerLeg.index()] = Some(1000);
+    assert!(matches!(Binding::with_roles(&file, &roles), Err(BindError::Misplaced { .. })));
+}
+
+#[test]
+fn a_body_without_toes_shoulders_chest_and_neck_is_bound() {
+    let full = rigged(&walk(), &Rig::default());
+    let mut roles = Binding::detect(&full).unwrap().joint_of_role;
+    let optional = [Role::Chest, Role::Neck, Role::LeftShoulder, Role::RightShoulder, Role::LeftToes, Role::RightToes];
+    for role in optional {
+        roles[role.index()] = None;
+    }
+    let binding = Binding::with_roles(&full, &roles).unwrap();
+    let humanoid = to_humanoid(&full, &binding, &Proportions::default());
+    for pose in &humanoid.poses {
+        assert!(pose.is_finite());
+        for role in optional {
+            assert!(pose.rotations[role.index()].angle() < 1e-3, "{}", role.name());
+        }
+    }
+    assert_eq!(binding.unmapped.len(), optional.len());
+}
+
+#[test]
+fn a_clip_without_frames_is_refused() {
+    let mut file = rigged(&walk(), &Rig::default());
+    file.translations.clear();
+    file.rotations.clear();
+    assert_eq!(Binding::detect(&file), Err(BindError::NoFrames));
+}
