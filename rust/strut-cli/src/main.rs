@@ -1,4 +1,64 @@
 //! The `strut` command: files, arguments, progress, printing; no algorithm.
+//!
+//! Exit codes: 0 done; 1 failed, with `error: ` and one sentence on stderr and no file written; 2 wrong
+//! usage. Results go to stdout and to the files named; progress to stderr, and only to a terminal.
 #![forbid(unsafe_code)]
 
-fn main() {}
+mod build_db;
+mod clip;
+mod demo_db;
+mod failure;
+mod files;
+mod gather;
+mod inspect;
+mod labels;
+mod pattern;
+mod progress;
+mod stylize;
+mod suggestion;
+mod threads;
+mod trace;
+mod weights;
+
+use clap::{Parser, Subcommand};
+use failure::Outcome;
+use std::io::Write;
+use std::process::ExitCode;
+
+/// Program and version, as files record it.
+const GENERATOR: &str = concat!("strut ", env!("CARGO_PKG_VERSION"));
+
+#[derive(Parser)]
+#[command(name = "strut", version, about = "Motion style transfer for BVH files", max_term_width = 110)]
+struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Inspect(inspect::Args),
+    BuildDb(build_db::Args),
+    Stylize(Box<stylize::Args>),
+    DemoDb(demo_db::Args),
+}
+
+fn run(args: Args) -> Outcome {
+    match args.command {
+        Command::Inspect(args) => inspect::run(&args),
+        Command::BuildDb(args) => build_db::run(&args),
+        Command::Stylize(args) => stylize::run(&args),
+        Command::DemoDb(args) => demo_db::run(&args),
+    }
+}
+
+fn main() -> ExitCode {
+    match run(Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // Nothing can be done if stderr is closed.
+            let _ = writeln!(std::io::stderr(), "error: {failure}");
+            failure.exit_code.into()
+        }
+    }
+}

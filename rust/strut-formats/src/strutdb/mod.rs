@@ -35,7 +35,7 @@ mod read;
 mod write;
 
 pub use metadata::{ClipInfo, Metadata, SkeletonInfo};
-pub use read::read;
+pub use read::{read, read_metadata};
 pub use write::write;
 
 use strut_core::database::DatabaseError;

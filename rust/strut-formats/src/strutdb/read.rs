@@ -19,7 +19,7 @@ pub fn read(bytes: &[u8]) -> Result<Database, StrutdbError> {
         return Err(StrutdbError::TooManyBytes { bytes: bytes.len() });
     }
     let tensors = SafeTensors::deserialize(bytes).map_err(container_error)?;
-    let metadata = checked_metadata(bytes)?;
+    let metadata = read_metadata(bytes)?;
     let proportions = metadata.skeleton.proportions().ok_or(StrutdbError::Layout("joints"))?;
     if metadata.pose_columns != pose_columns() {
         return Err(StrutdbError::Layout("degrees of freedom"));
@@ -73,8 +73,11 @@ fn container_error(error: SafeTensorError) -> StrutdbError {
     }
 }
 
-/// The metadata, once version and checksum are found right.
-fn checked_metadata(bytes: &[u8]) -> Result<Metadata, StrutdbError> {
+/// Reads the metadata alone, once version and checksum are found right.
+///
+/// # Errors
+/// [`StrutdbError`] for a damaged file, one of another version, or none at all.
+pub fn read_metadata(bytes: &[u8]) -> Result<Metadata, StrutdbError> {
     #[derive(Deserialize)]
     struct Version {
         version: String,

@@ -1,0 +1,328 @@
+//! `strut build-db`: labelled clips become a database.
+
+use crate::GENERATOR;
+use crate::clip::Clip;
+use crate::failure::{Failure, Outcome};
+use crate::files::{Outputs, print};
+use crate::gather::{Source, gather};
+use crate::labels;
+use crate::pattern::{Labels, Pattern};
+use crate::progress::Bar;
+use crate::threads::ThreadPool;
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use serde::Serialize;
+use std::collections::{BTreeMap, HashMap};
+use std::fmt::Write;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::time::Instant;
+use strut_core::database::Database;
+use strut_core::database::build::{self, BuildOptions, BuildReport, SourceClip, Stage};
+use strut_core::humanoid::Proportions;
+use strut_core::retarget::to_humanoid;
+use strut_formats::strutdb;
+
+/// What files are called unless a pattern or a table says otherwise.
+const DEFAULT_PATTERN: &str = "{action}_{style}_{take}.bvh";
+
+/// What `--json` writes.
+const JSON_HELP: &str = "\
+The report of --json:
+  database, seconds, rate_hz, neutral, styles
+  actions  [{action, method, reference_clip, canonical_frames}]
+  totals   {clips, frames, cycles, refused, bytes}
+  clips    [{file, name, action, style, take, frames, cycles, mean_cycle_secs, turn_degrees, registration_cost,
+            faulty_cycles [{first_frame, frames, fault}]}]
+  refused  [{file, reason}]";
+
+/// Build a database from labelled clips
+///
+/// A clip that cannot be used is refused with a warning, and the others are built without it.
+#[derive(clap::Args)]
+#[command(after_long_help = JSON_HELP)]
+pub(crate) struct Args {
+    /// .bvh files, folders with all below them, .zip archives
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
+    /// The database to write
+    #[arg(short, long, value_name = "DB")]
+    output: PathBuf,
+    /// How file names give the labels: {action}, {style}, {take} and any other {name}, which is ignored
+    /// [default: {action}_{style}_{take}.bvh]
+    #[arg(long, value_name = "P")]
+    pattern: Option<Pattern>,
+    /// A table with the columns file,action,style[,take]; goes before the pattern
+    #[arg(long, value_name = "CSV")]
+    labels: Option<PathBuf>,
+    /// The neutral style [default: neutral or normal, else the first]
+    #[arg(long, value_name = "NAME")]
+    neutral: Option<String>,
+    /// Frames per second of the database
+    #[arg(long, value_name = "HZ", default_value_t = 60.0)]
+    rate: f32,
+    /// Write a report as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
+    let begin = Instant::now();
+    let sources = gather(&args.inputs)?;
+    let mut refused = Vec::new();
+    let labelled = label(args, &sources, &mut refused)?;
+    let clips = read_clips(args, labelled, &mut refused)?;
+    let options = BuildOptions { rate_hz: args.rate, neutral: args.neutral.clone(), ..BuildOptions::default() };
+    let (db, report) = {
+        let bar = Bar::new("preparing", clips.len());
+        let mut progress = |p: build::Progress| {
+            let what = match p.stage {
+                Stage::Preparing => "preparing",
+                Stage::Registering => "registering",
+            };
+            bar.show(what, p.done, p.total);
+            ControlFlow::Continue(())
+        };
+        build::build(&clips, &options, &ThreadPool, &mut progress).map_err(Failure::new)?
+    };
+    let bytes = strutdb::write(&db, GENERATOR);
+    let files: HashMap<&str, &str> = clips.iter().map(|c| (c.name.as_str(), c.source.as_str())).collect();
+    let report = Report::new(args, &db, &report, &files, refused, bytes.len(), begin.elapsed().as_secs_f64());
+
+    let mut outputs = Outputs::default();
+    outputs.stage(&args.output, &bytes)?;
+    if let Some(target) = &args.json {
+        outputs.stage(target, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
+    }
+    outputs.commit()?;
+    eprint!("{}", report.warnings());
+    print(&report.summary());
+    Ok(())
+}
+
+/// A file that did not enter the database.
+#[derive(Debug, Serialize)]
+struct RefusedFile {
+    file: String,
+    reason: String,
+}
+
+/// The sources that have labels; a take that the labels leave out is counted within its class.
+fn label<'a>(args: &Args, sources: &'a [Source], refused: &mut Vec<RefusedFile>) -> Outcome<Vec<(&'a Source, Labels)>> {
+    let paths: Vec<String> = sources.iter().map(|s| s.path.clone()).collect();
+    let default = args.labels.is_none().then(|| DEFAULT_PATTERN.parse().map_err(Failure::new)).transpose()?;
+    let labels = labels::assign(&paths, args.pattern.as_ref().or(default.as_ref()), args.labels.as_deref())?;
+    let mut takes: BTreeMap<(String, String), u32> = BTreeMap::new();
+    let mut labelled = Vec::new();
+    for (source, labels) in sources.iter().zip(labels) {
+        match labels {
+            Ok(mut labels) => {
+                let counted = takes.entry((labels.action.clone(), labels.style.clone())).or_default();
+                *counted += 1;
+                labels.take.get_or_insert(*counted);
+                labelled.push((source, labels));
+            }
+            Err(reason) => refused.push(RefusedFile { file: source.path.clone(), reason }),
+        }
+    }
+    if labelled.is_empty() {
+        let advice = "say how clips are labelled with --pattern or --labels";
+        let RefusedFile { file, reason } = &refused[0];
+        return Err(Failure::new(format_args!("{file}: {reason}; {advice}")));
+    }
+    Ok(labelled)
+}
+
+/// Reads all clips and brings them to the body of the first clip in the neutral style.
+fn read_clips(
+    args: &Args,
+    labelled: Vec<(&Source, Labels)>,
+    refused: &mut Vec<RefusedFile>,
+) -> Outcome<Vec<SourceClip>> {
+    let bar = Bar::new("reading", labelled.len());
+    let read = |(source, labels): (_, Labels)| {
+        let source: &Source = source;
+        let clip = source.bytes().and_then(|bytes| Clip::parse(&bytes));
+        bar.step();
+        (source, labels, clip)
+    };
+    let results: Vec<_> = labelled.into_par_iter().map(read).collect();
+    let mut clips = Vec::new();
+    for (source, labels, clip) in results {
+        match clip {
+            Ok(clip) => clips.push((source, labels, clip)),
+            Err(reason) => refused.push(RefusedFile { file: source.path.clone(), reason }),
+        }
+    }
+    if clips.is_empty() {
+        let RefusedFile { file, reason } = &refused[0];
+        return Err(Failure::new(format_args!("{file}: {reason}")));
+    }
+    let is_neutral = |style: &str| match &args.neutral {
+        Some(name) => style == name,
+        None => matches!(style, "neutral" | "normal"),
+    };
+    let body = clips.iter().find(|(_, labels, _)| is_neutral(&labels.style)).unwrap_or(&clips[0]);
+    let body: Proportions = body.2.binding.proportions;
+    let names = distinct_names(&clips.iter().map(|(source, ..)| *source).collect::<Vec<_>>());
+    let convert = |((source, labels, clip), name): (&(&Source, Labels, Clip), &String)| SourceClip {
+        name: name.clone(),
+        action: labels.action.clone(),
+        style: labels.style.clone(),
+        take: labels.take.unwrap_or(0),
+        motion: to_humanoid(&clip.motion, &clip.binding, &body),
+        source: source.path.clone(),
+        licence: source.licence(),
+        script: None,
+    };
+    Ok(clips.par_iter().zip(&names).map(convert).collect())
+}
+
+/// The stem of every file; the path of those that share theirs, so that reports can name them.
+fn distinct_names(sources: &[&Source]) -> Vec<String> {
+    let mut count: HashMap<&str, usize> = HashMap::new();
+    for source in sources {
+        *count.entry(source.stem()).or_default() += 1;
+    }
+    let name = |s: &&Source| if count[s.stem()] == 1 { s.stem().to_owned() } else { s.path.clone() };
+    sources.iter().map(name).collect()
+}
+
+#[derive(Serialize)]
+struct Report {
+    database: String,
+    seconds: f64,
+    rate_hz: f32,
+    neutral: String,
+    styles: Vec<String>,
+    actions: Vec<ActionEntry>,
+    totals: Totals,
+    clips: Vec<ClipEntry>,
+    refused: Vec<RefusedFile>,
+}
+
+#[derive(Serialize)]
+struct ActionEntry {
+    action: String,
+    method: &'static str,
+    reference_clip: String,
+    canonical_frames: f32,
+}
+
+#[derive(Serialize)]
+struct Totals {
+    clips: usize,
+    frames: usize,
+    cycles: usize,
+    refused: usize,
+    bytes: usize,
+}
+
+#[derive(Serialize)]
+struct ClipEntry {
+    file: String,
+    name: String,
+    action: String,
+    style: String,
+    take: u32,
+    frames: usize,
+    cycles: usize,
+    mean_cycle_secs: Option<f32>,
+    turn_degrees: f32,
+    registration_cost: Option<f32>,
+    faulty_cycles: Vec<FaultyCycle>,
+}
+
+#[derive(Serialize)]
+struct FaultyCycle {
+    first_frame: usize,
+    frames: usize,
+    fault: String,
+}
+
+impl Report {
+    fn new(
+        args: &Args,
+        db: &Database,
+        report: &BuildReport,
+        file_of: &HashMap<&str, &str>,
+        mut refused: Vec<RefusedFile>,
+        bytes: usize,
+        seconds: f64,
+    ) -> Self {
+        let file = |name: &str| file_of.get(name).map_or_else(|| name.to_owned(), |f| (*f).to_owned());
+        for clip in report.refused() {
+            let reason = clip.refused.as_ref().map(ToString::to_string).unwrap_or_default();
+            refused.push(RefusedFile { file: file(&clip.name), reason });
+        }
+        let entry = |c: &build::ClipReport| ClipEntry {
+            file: file(&c.name),
+            name: c.name.clone(),
+            action: c.action.clone(),
+            style: c.style.clone(),
+            take: c.take,
+            frames: c.frames,
+            cycles: c.cycles,
+            mean_cycle_secs: c.mean_cycle_secs,
+            turn_degrees: c.turn.to_degrees(),
+            registration_cost: c.registration_cost,
+            faulty_cycles: c.faulty_cycles.iter().map(FaultyCycle::of).collect(),
+        };
+        let action = |a: &build::ActionReport| ActionEntry {
+            action: a.action.clone(),
+            method: a.method.name(),
+            reference_clip: a.reference_clip.clone(),
+            canonical_frames: a.canonical_frames,
+        };
+        Self {
+            database: args.output.display().to_string(),
+            seconds,
+            rate_hz: db.rate_hz,
+            neutral: db.styles[usize::from(db.neutral)].clone(),
+            styles: db.styles.clone(),
+            actions: report.actions.iter().map(action).collect(),
+            totals: Totals {
+                clips: db.clips.len(),
+                frames: db.frames(),
+                cycles: report.accepted().map(|c| c.cycles).sum(),
+                refused: refused.len(),
+                bytes,
+            },
+            clips: report.accepted().map(entry).collect(),
+            refused,
+        }
+    }
+
+    /// One line for each file refused.
+    fn warnings(&self) -> String {
+        self.refused.iter().fold(String::new(), |mut out, r| {
+            // Writing to a string cannot fail.
+            let _ = writeln!(out, "warning: refused {}: {}", r.file, r.reason);
+            out
+        })
+    }
+
+    fn summary(&self) -> String {
+        let t = &self.totals;
+        let refused = if t.refused > 0 { format!(" ({} refused)", t.refused) } else { String::new() };
+        format!(
+            "{}: {} clips{refused}, {} frames at {} Hz, {} gait cycles, {} actions, {} styles (neutral: {}), {:.1} MB, {:.1} s\n",
+            self.database,
+            t.clips,
+            t.frames,
+            self.rate_hz,
+            t.cycles,
+            self.actions.len(),
+            self.styles.len(),
+            self.neutral,
+            t.bytes as f64 / 1e6,
+            self.seconds
+        )
+    }
+}
+
+impl FaultyCycle {
+    fn of(fault: &strut_core::registration::FaultyCycle) -> Self {
+        Self { first_frame: fault.frames.start, frames: fault.frames.len(), fault: fault.fault.to_string() }
+    }
+}

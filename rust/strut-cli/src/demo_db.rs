@@ -1,0 +1,49 @@
+//! `strut demo-db`: the built-in motions as files.
+
+use crate::GENERATOR;
+use crate::failure::{Failure, Outcome};
+use crate::files::{self, Outputs, print};
+use std::path::PathBuf;
+use strut_formats::bvh::{self, Bvh};
+use strut_formats::strutdb;
+
+/// Write the built-in procedural database
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// The database to write
+    #[arg(short, long, value_name = "DB")]
+    output: PathBuf,
+    /// Also write the clips as BVH files named {action}_{style}_{take}.bvh into this folder
+    #[arg(long, value_name = "DIR")]
+    bvh: Option<PathBuf>,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    Outputs::check([args.output.as_path()])?;
+    let db = strut_demo::database().map_err(Failure::new)?;
+    let mut outputs = Outputs::default();
+    let mut clips = 0;
+    if let Some(folder) = &args.bvh {
+        std::fs::create_dir_all(folder).map_err(|e| Failure::in_file(folder, files::reason(&e)))?;
+        for clip in strut_demo::clips() {
+            let path = folder.join(format!("{}_{}_{:03}.bvh", clip.action, clip.style, clip.take));
+            let file = Bvh::from_humanoid(&clip.motion).map_err(|e| Failure::in_file(&path, e))?;
+            outputs.stage(&path, bvh::write(&file).as_bytes())?;
+            clips += 1;
+        }
+    }
+    outputs.stage(&args.output, &strutdb::write(&db, GENERATOR))?;
+    outputs.commit()?;
+    print(&format!(
+        "{}: {} clips, {} frames at {} Hz, styles {}\n",
+        args.output.display(),
+        db.clips.len(),
+        db.frames(),
+        db.rate_hz,
+        db.styles.join(", ")
+    ));
+    if let Some(folder) = &args.bvh {
+        print(&format!("{}: {clips} BVH files\n", folder.display()));
+    }
+    Ok(())
+}

@@ -1,0 +1,40 @@
+//! What ends the command early.
+
+use std::fmt::{self, Display};
+use std::path::Path;
+
+/// One sentence for people, on one line, and the exit code that goes with it.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    sentence: String,
+    pub(crate) exit_code: u8,
+}
+
+/// What a step gives.
+pub(crate) type Outcome<T = ()> = Result<T, Failure>;
+
+impl Failure {
+    /// A failure that concerns no file in particular.
+    pub(crate) fn new(reason: impl Display) -> Self {
+        let sentence = reason.to_string();
+        // Names from files may hold anything; a message is one line.
+        let one_line = sentence.chars().map(|c| if c.is_control() { ' ' } else { c });
+        Self { sentence: one_line.collect(), exit_code: 1 }
+    }
+
+    /// A failure of a file.
+    pub(crate) fn in_file(path: &Path, reason: impl Display) -> Self {
+        Self::new(format_args!("{}: {reason}", path.display()))
+    }
+
+    /// Arguments that no file could make right.
+    pub(crate) fn usage(reason: impl Display) -> Self {
+        Self { exit_code: 2, ..Self::new(reason) }
+    }
+}
+
+impl Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.sentence)
+    }
+}

@@ -1,0 +1,176 @@
+//! The BVH files of a build: files, folders with all below, zip archives.
+
+use crate::failure::{Failure, Outcome};
+use crate::files;
+use std::collections::BTreeMap;
+use std::io::{Cursor, Read};
+use std::path::{Path, PathBuf};
+use strut_formats::{bvh, strutdb};
+
+/// Folders within folders at most.
+const MAX_DEPTH: usize = 16;
+/// Most bytes of an archive, and of all that it unpacks to: as much as a database may hold.
+const MAX_ARCHIVE_BYTES: usize = strutdb::MAX_BYTES;
+
+/// A file to read.
+pub(crate) struct Source {
+    /// Path with `/`; for a file in an archive the archive's path, then the path in it.
+    pub(crate) path: String,
+    content: Content,
+}
+
+enum Content {
+    OnDisk(PathBuf),
+    Unpacked(Vec<u8>),
+}
+
+impl Source {
+    /// The file's bytes, or why they cannot be had.
+    pub(crate) fn bytes(&self) -> Result<std::borrow::Cow<'_, [u8]>, String> {
+        match &self.content {
+            Content::OnDisk(path) => files::contents(path, bvh::MAX_BYTES).map(Into::into),
+            Content::Unpacked(bytes) => Ok(bytes.into()),
+        }
+    }
+
+    /// Name without folders and extension.
+    pub(crate) fn stem(&self) -> &str {
+        let name = self.path.rsplit('/').next().unwrap_or(&self.path);
+        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+    }
+
+    /// First line of a licence file beside the file, if it is short enough to be a title; else empty.
+    pub(crate) fn licence(&self) -> String {
+        let Content::OnDisk(path) = &self.content else { return String::new() };
+        let title = |name: &&str| {
+            let text = files::contents(&path.with_file_name(name), 1 << 20).ok()?;
+            let line = String::from_utf8(text).ok()?.lines().map(str::trim).find(|l| !l.is_empty())?.to_owned();
+            (line.chars().count() <= 100).then_some(line)
+        };
+        ["LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE"].iter().find_map(title).unwrap_or_default()
+    }
+}
+
+/// All BVH files of the inputs, sorted by path, each once.
+pub(crate) fn gather(inputs: &[PathBuf]) -> Outcome<Vec<Source>> {
+    let mut found = BTreeMap::new();
+    for input in inputs {
+        if input.is_dir() {
+            walk(input, 0, &mut found)?;
+        } else if has_extension(input, "zip") {
+            unpack(input, &mut found)?;
+        } else if has_extension(input, "bvh") {
+            std::fs::metadata(input).map_err(|e| Failure::in_file(input, files::reason(&e)))?;
+            found.insert(shown(input), Content::OnDisk(input.clone()));
+        } else if input.exists() {
+            return Err(Failure::in_file(input, "a .bvh file, a folder or a .zip archive was expected"));
+        } else {
+            return Err(Failure::in_file(input, "there is no such file or folder"));
+        }
+    }
+    if found.is_empty() {
+        let inputs: Vec<String> = inputs.iter().map(|p| p.display().to_string()).collect();
+        return Err(Failure::new(format_args!("{}: no .bvh file was found there", inputs.join(", "))));
+    }
+    Ok(found.into_iter().map(|(path, content)| Source { path, content }).collect())
+}
+
+fn walk(folder: &Path, depth: usize, found: &mut BTreeMap<String, Content>) -> Outcome {
+    if depth > MAX_DEPTH {
+        return Err(Failure::in_file(folder, format_args!("more than {MAX_DEPTH} folders within each other")));
+    }
+    let fail = |e: std::io::Error| Failure::in_file(folder, files::reason(&e));
+    for entry in std::fs::read_dir(folder).map_err(fail)? {
+        let entry = entry.map_err(fail)?;
+        let path = entry.path();
+        // The entry's own type: a link to a folder is not followed, it may lead in a circle.
+        if entry.file_type().map_err(fail)?.is_dir() {
+            walk(&path, depth + 1, found)?;
+        } else if has_extension(&path, "bvh") && path.is_file() {
+            found.insert(shown(&path), Content::OnDisk(path));
+        }
+    }
+    Ok(())
+}
+
+fn unpack(archive: &Path, found: &mut BTreeMap<String, Content>) -> Outcome {
+    let bytes = files::read(archive, MAX_ARCHIVE_BYTES)?;
+    let fail = |e: &dyn std::fmt::Display| Failure::in_file(archive, format_args!("the archive cannot be read: {e}"));
+    let mut zip = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| fail(&e))?;
+    let mut left = MAX_ARCHIVE_BYTES;
+    for index in 0..zip.len() {
+        let file = zip.by_index(index).map_err(|e| fail(&e))?;
+        let name = file.name().map_err(|e| fail(&e))?.replace('\\', "/");
+        // macOS puts a second, unreadable file beside each.
+        let hidden = name.split('/').any(|part| part.starts_with('.') || part == "__MACOSX");
+        if hidden || !file.is_file() || !has_extension(Path::new(&name), "bvh") {
+            continue;
+        }
+        // The size in the archive's directory may be wrong: what is unpacked counts.
+        let most = left.min(bvh::MAX_BYTES);
+        let mut content = Vec::new();
+        file.take(most as u64 + 1).read_to_end(&mut content).map_err(|e| fail(&e))?;
+        if content.len() > most {
+            return Err(fail(&format_args!("'{name}' unpacks to more than {} MiB", most >> 20)));
+        }
+        left -= content.len();
+        found.insert(format!("{}/{name}", shown(archive)), Content::Unpacked(content));
+    }
+    Ok(())
+}
+
+fn has_extension(path: &Path, extension: &str) -> bool {
+    path.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension))
+}
+
+fn shown(path: &Path) -> String {
+    path.to_string_lossy().replace('\\', "/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Write;
+
+    #[test]
+    fn folders_are_searched_and_archives_unpacked() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir(at("in")).unwrap();
+        for name in ["b.bvh", "in/a.BVH", "notes.txt"] {
+            std::fs::write(at(name), name).unwrap();
+        }
+        std::fs::write(at("LICENSE"), "\nCC BY 4.0\n\nmore").unwrap();
+        let mut zip = zip::ZipWriter::new(std::fs::File::create(at("c.zip")).unwrap());
+        for name in ["x/d.bvh", "__MACOSX/x/d.bvh", "readme.md"] {
+            zip.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+            zip.write_all(b"zipped").unwrap();
+        }
+        zip.finish().unwrap();
+
+        let sources = gather(&[folder.path().to_owned(), at("c.zip"), at("b.bvh")]).unwrap();
+        let stems: Vec<&str> = sources.iter().map(Source::stem).collect();
+        assert_eq!(stems, ["b", "d", "a"]);
+        assert_eq!(sources[1].bytes().unwrap().as_ref(), b"zipped");
+        assert_eq!((sources[0].licence().as_str(), sources[1].licence().as_str()), ("CC BY 4.0", ""));
+    }
+
+    #[test]
+    fn inputs_that_hold_nothing_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = folder.path().join("a.txt");
+        std::fs::write(&text, "x").unwrap();
+        let zip = folder.path().join("a.zip");
+        std::fs::write(&zip, "x").unwrap();
+        let missing = folder.path().join("b.bvh");
+        for (input, expected) in [
+            (folder.path(), "no .bvh file was found there"),
+            (&text, "a .bvh file, a folder or a .zip archive was expected"),
+            (&missing, "there is no such file or folder"),
+            (&zip, "the archive cannot be read"),
+        ] {
+            let Err(failure) = gather(&[input.to_owned()]) else { panic!("{} was read", input.display()) };
+            assert!(failure.to_string().contains(expected), "{failure}");
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! Progress on stderr, silent unless that is a terminal.
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// A bar that vanishes when dropped.
+pub(crate) struct Bar(ProgressBar);
+
+impl Bar {
+    /// A bar of `total` steps.
+    pub(crate) fn new(what: &'static str, total: usize) -> Self {
+        // indicatif draws nothing where stderr is no terminal.
+        let bar = ProgressBar::new(total as u64).with_message(what);
+        let style = ProgressStyle::with_template("{msg:12} {wide_bar} {pos}/{len} {eta:>4}");
+        Self(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
+    }
+
+    /// One step more is done.
+    pub(crate) fn step(&self) {
+        self.0.inc(1);
+    }
+
+    /// Shows a stage and how far it has come.
+    pub(crate) fn show(&self, what: &'static str, done: usize, total: usize) {
+        self.0.set_message(what);
+        self.0.set_length(total as u64);
+        self.0.set_position(done as u64);
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
