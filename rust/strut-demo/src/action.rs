@@ -59,21 +59,22 @@ impl Action {
     }
 }
 
-/// Foot pitch after Winter 1991, fig. 3.8 (most just after toe-off, level by 85 %); the ankle rises 16 cm in all,
-/// most at 70 %; toes clear the ground by 1 to 2 cm (Winter 1992); the heel still travels at a third of its peak
-/// speed 4 % of the cycle before it strikes.
+/// After Winter 1991: the foot points down most just after toe-off and is level by 85 % of the cycle, the ankle
+/// rises highest at 70 %. Toes clear the ground by 1 to 2 cm (Winter 1992, "Foot trajectory in human gait"). The
+/// two accelerations were set by eye and by the knee's curve.
 const WALKING: Mechanics = Mechanics {
     duty: NATURAL_DUTY,
     stance_knee: STANCE_KNEE,
     ankle_behind_stance: 0.125,
-    trailing_foot: [(0.12, -1.12), (0.36, -0.74), (0.62, -0.20)],
+    trailing_foot: [(0.15, -1.20), (0.38, -0.76), (0.63, -0.20)],
     fold: 0.045,
-    clearance: 0.014,
+    clearance: 0.022,
     push_off_acceleration: 13.0,
-    strike_deceleration: 34.0,
+    strike_deceleration: 28.0,
 };
 
-/// Novacheck 1998, "The biomechanics of running": knee 20–45° in stance and 90° in swing, stance 35–40 %.
+/// Novacheck 1998, "The biomechanics of running": stance under 40 % of the cycle, the knee bent by some 45° in mid
+/// stance and 90° in swing.
 const RUNNING: Mechanics = Mechanics {
     duty: 0.36,
     stance_knee: RUNNING_STANCE_KNEE,
@@ -85,8 +86,8 @@ const RUNNING: Mechanics = Mechanics {
     strike_deceleration: 22.0,
 };
 
-/// The running row of a style: that of a neutral runner (Novacheck 1998: 160–170 steps/min, trunk leaning
-/// forward, elbows near 90°), changed in the direction in which the style's walk differs from a neutral walk.
+/// The running row of a style: that of a neutral runner (160–170 steps/min, trunk leaning forward, elbows
+/// near 90°), changed in the direction in which the style's walk differs from a neutral walk.
 fn running(style: &Style) -> Style {
     let walk = &STYLES[0];
     let ratio = |of: fn(&Style) -> f32| of(style) / of(walk);

@@ -20,7 +20,7 @@ const HEEL_BEHIND_ANKLE: f32 = 0.058;
 /// Ahead of the toe joint, the point of the sole that leaves the ground last.
 const TIP_AHEAD_OF_TOES: f32 = 0.060;
 
-/// Share of the stance after which the foot is flat (Winter 1991: by 8 to 10 % of the cycle).
+/// Share of the stance after which the foot is flat: at 10 % of a walking cycle.
 const FLAT_AFTER: f32 = 0.164;
 /// Scales t³(1 − t)⁸, greatest a little after a quarter of the swing, to a height of 1.
 const EARLY_ARCH: f32 = 629.848;
@@ -209,7 +209,7 @@ fn foot_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
 }
 
 /// Pitch of the toes over the cycle: flat until they roll off, then trailing the foot, a little raised before
-/// the strike. The toe joint bends most at push-off (Perry ch. 4: 55–60°).
+/// the strike. The toe joint bends most at push-off (Perry & Burnfield 2010).
 fn toe_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
     let swing = |share: f32| s.duty + share * (1.0 - s.duty);
     let flat = 0.9 * FLAT_AFTER * s.duty;

@@ -62,7 +62,7 @@ impl PelvisCurves {
         Self {
             yaw: PeriodicCurve::through(PELVIS_YAW, 0.03),
             roll: PeriodicCurve::through(PELVIS_ROLL, 0.025),
-            knee: PeriodicCurve::through(&knots, 0.015),
+            knee: PeriodicCurve::through(&knots, 0.025),
         }
     }
 }

@@ -28,7 +28,8 @@ pub struct Performance {
 const WARM_UP_STRIDES: f32 = 1.5;
 /// Standard deviation in seconds of the smoothing of the pelvis' height.
 const HEIGHT_SMOOTHING_SECS: f32 = 0.026;
-/// Phases by which the chest and the head see a turn ahead (Imai et al. 2001: the head leads by about 0.3 s).
+/// Phases by which the chest and the head see a turn ahead (Imai et al. 2001, "Interaction of the
+/// body, head, and eyes during walking and turning": the head turns before the body).
 const CHEST_LEADS: f32 = 0.10;
 const HEAD_LEADS: f32 = 0.28;
 /// Share of the lean that would balance the centripetal acceleration of a curve.

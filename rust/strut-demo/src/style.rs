@@ -102,20 +102,20 @@ pub struct Style {
 /// foot pitch 20° at strike), Murray 1967 (shoulder 32° in all, mean 8° behind the trunk; elbow 20–40°).
 const NEUTRAL: Style = Style {
     name: "neutral",
-    cadence: 112.0,
-    step_length: 0.66,
+    cadence: 114.0,
+    step_length: 0.635,
     step_width: 0.095,
     duty: NATURAL_DUTY,
     toe_out: 7.0,
     irregularity: 1.0,
     strike_pitch: 19.0,
     heel_off: 0.32,
-    push_off_pitch: 62.0,
+    push_off_pitch: 58.0,
     foot_lift: 0.0,
     foot_lead: 0.0,
     crouch: 0.0,
     knee_give: 1.0,
-    bounce: 0.001,
+    bounce: 0.003,
     sway: 0.020,
     surge: 0.008,
     pelvis_tilt: 5.0,
@@ -147,7 +147,7 @@ const NEUTRAL: Style = Style {
 /// All styles; the first is the neutral one.
 pub const STYLES: [Style; 8] = [
     NEUTRAL,
-    // Expanded posture, chest out, head back about 20° from a bow (Tracy & Robins 2004, "Show your pride");
+    // Expanded posture, chest out, head tilted back (Tracy & Robins 2004, "Show your pride");
     // long, strong strides and wide arm swing (Montepare et al. 1987; Gross et al. 2012, Effort-Shape: strong, direct).
     Style {
         name: "proud",

@@ -199,7 +199,7 @@ impl<'a> UpperBody<'a> {
         };
         let wobble = |channel, degrees: f32| degrees * s.irregularity * self.noise.smooth(channel, support.phase);
         let cycle = support.phase - side.strike_phase();
-        // Arm swing grows faster with speed than the step does (Murray 1967).
+        // Arms swing further the faster one walks (Murray 1967).
         let vigour = support.stretch * support.stretch;
         let wanted_swing = vigour * s.arm_swing * self.arm_swing.at(cycle) + wobble(arm_channel, 2.5);
         let wanted_elbow = vigour * s.elbow_swing * self.elbow_swing.at(cycle) + wobble(elbow_channel, 2.5);
