@@ -4,10 +4,8 @@ import { MathUtils, Quaternion, Vector3 } from "three";
 import { GhostPlacement } from "./ghost_placement";
 import { headingOf, hipsTurn, isPose, JOINT, POSE_FLOATS, type Role, restPose } from "./humanoid";
 import { Mannequin } from "./mannequin/mannequin";
-import { BodyMaterials, GhostMaterials } from "./mannequin/materials";
-import { KEY_FRUSTUM } from "./stage/lights";
+import { BodyLook, GhostLook } from "./mannequin/materials";
 import type { CameraView } from "./stage/orbit_camera";
-import { setShadowTaps, useSoftShadow } from "./stage/soft_shadow";
 import { Stage } from "./stage/stage";
 import { THEMES, type ThemeName } from "./themes";
 
@@ -24,10 +22,12 @@ export interface ViewerOptions {
   labels?: { styled: string; input: string };
   /** What a screen reader says of the picture. */
   description?: string;
+  /** Level of quality to begin with, 0 being the best; by default what the renderer suggests. */
+  quality?: number;
 }
 
 /** Defaults of {@link ViewerOptions}. */
-export const VIEWER_DEFAULTS: Required<ViewerOptions> = {
+export const VIEWER_DEFAULTS: Required<Omit<ViewerOptions, "quality">> = {
   theme: "dark",
   ghost: "beside",
   follow: true,
@@ -45,10 +45,8 @@ const HALF_WIDTH = { alone: 0.75, withGhost: 1.15 };
 /** A viewer in a container, whose size it follows. The page calls {@link render} once an animation frame. */
 export class Viewer {
   readonly #stage: Stage;
-  readonly #body: Mannequin;
-  readonly #ghost: Mannequin;
-  readonly #bodyMaterials = new BodyMaterials();
-  readonly #ghostMaterials = new GhostMaterials();
+  readonly #body: Mannequin<BodyLook>;
+  readonly #ghost: Mannequin<GhostLook>;
   #theme: ThemeName;
   #ghostMode: GhostMode;
   #labels: { styled: string; input: string };
@@ -69,17 +67,15 @@ export class Viewer {
     this.#ghostMode = o.ghost;
     this.#labels = o.labels;
     this.follow = o.follow;
-    for (const material of this.#bodyMaterials.list) useSoftShadow(material, KEY_FRUSTUM);
-    this.#body = new Mannequin([{ material: this.#bodyMaterials.list, order: 0, castShadow: true }]);
-    this.#ghost = new Mannequin([
-      { material: this.#ghostMaterials.depth, order: 2, castShadow: false },
-      { material: this.#ghostMaterials.shell, order: 3, castShadow: false },
-    ]);
-    this.#stage = new Stage(container);
+    this.#stage = new Stage(container, options.quality);
+    const { detail } = this.#stage.quality;
+    this.#body = new Mannequin((uniforms) => new BodyLook(uniforms), detail);
+    this.#ghost = new Mannequin((uniforms) => new GhostLook(uniforms), detail);
     this.#stage.scene.add(this.#body.object, this.#ghost.object);
-    this.#stage.onQuality = ({ taps }) => {
-      for (const material of this.#bodyMaterials.list)
-        setShadowTaps(material, { search: Math.ceil(taps.search / 2), filter: Math.ceil(taps.filter / 2) });
+    this.#stage.onQuality = ({ taps, detail }) => {
+      this.#body.look.shadowTaps = taps;
+      this.#body.detail = detail;
+      this.#ghost.detail = detail;
     };
     this.#stage.applyQuality();
     this.description = o.description;
@@ -204,7 +200,7 @@ export class Viewer {
     const world = this.#body.world;
     const { stature } = this.#body.fit;
     hips.fromArray(world.positions, 0);
-    stage.ground.shadeBody(world, stature);
+    stage.shade.setOccluder("body", world, stature);
     stage.footprints.update(this.#planted, world);
     stage.footprints.draw(dt, stature);
     stage.path.push(hips.x, hips.z);
@@ -224,15 +220,13 @@ export class Viewer {
   dispose(): void {
     this.#body.dispose();
     this.#ghost.dispose();
-    this.#bodyMaterials.dispose();
-    this.#ghostMaterials.dispose();
     this.#stage.dispose();
   }
 
   #applyTheme(): void {
     const theme = THEMES[this.#theme];
-    this.#bodyMaterials.setTheme(theme);
-    this.#ghostMaterials.setTheme(theme, this.#ghostFade);
+    this.#body.look.setTheme(theme);
+    this.#ghost.look.setTheme(theme);
     this.#stage.setTheme(theme);
     this.#applyLabels();
   }
@@ -240,7 +234,7 @@ export class Viewer {
   #applyGhost(): void {
     const mode = this.#hasInput ? this.#ghostMode : "off";
     this.#ghost.object.visible = mode !== "off";
-    this.#ghostMaterials.behindBodies = mode === "overlay";
+    this.#ghost.look.behindBodies = mode === "overlay";
     this.#placement.reset();
     this.#stage.view.halfWidth = mode === "beside" ? HALF_WIDTH.withGhost : HALF_WIDTH.alone;
     this.#applyLabels();
@@ -276,10 +270,10 @@ export class Viewer {
     }
     if (this.#ghostFade < 1) {
       this.#ghostFade = Math.min(1, this.#ghostFade + dtSecs / FADE_IN);
-      this.#ghostMaterials.setTheme(THEMES[this.#theme], this.#ghostFade);
+      this.#ghost.look.fade = this.#ghostFade;
     }
     const shaded = visible && this.#ghostMode === "beside";
-    this.#stage.ground.shadeGhost(shaded ? this.#ghost.world : null, this.#ghost.fit.stature);
+    this.#stage.shade.setOccluder("ghost", shaded ? this.#ghost.world : null, this.#ghost.fit.stature);
   }
 }
 
@@ -291,7 +285,7 @@ const crown = new Vector3();
 const rotation = new Quaternion();
 
 /** The crown of a mannequin's head. */
-function crownOf({ world, fit }: Mannequin): Vector3 {
+function crownOf({ world, fit }: Mannequin<BodyLook> | Mannequin<GhostLook>): Vector3 {
   rotation.fromArray(world.rotations, 4 * JOINT.head);
   crown.set(0, CROWN * fit.stature, 0).applyQuaternion(rotation);
   return crown.add(point.fromArray(world.positions, 3 * JOINT.head));

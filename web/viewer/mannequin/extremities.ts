@@ -49,7 +49,7 @@ function normalized([x, y, z]: Vec3): Vec3 {
 }
 
 /** A capsule-like phalanx from `origin` along `direction`. */
-function phalanx(origin: Vec3, direction: Vec3, length: number, r0: number, r1: number): Surface {
+function phalanx(origin: Vec3, direction: Vec3, length: number, r0: number, r1: number, detail: number): Surface {
   const middle = (r0 + r1) / 2;
   const stations: Station[] = [
     [-r0 * 0.2, r0, r0, r0, r0],
@@ -63,6 +63,7 @@ function phalanx(origin: Vec3, direction: Vec3, length: number, r0: number, r1: 
     rings: 2,
     capRings: 3,
     segments: 10,
+    detail,
   });
   const helper: Vec3 = Math.abs(direction[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0];
   const u = normalized(cross(direction, helper));
@@ -80,17 +81,18 @@ function finger(
   lengths: readonly number[],
   radii: readonly number[],
   curl: readonly number[],
+  detail: number,
 ): Surface[] {
   let [at, towards] = [origin, direction];
   return lengths.map((length, i) => {
-    const surface = phalanx(at, towards, length, radii[i]!, radii[i + 1]!);
+    const surface = phalanx(at, towards, length, radii[i]!, radii[i + 1]!, detail);
     at = [at[0] + towards[0] * length, at[1] + towards[1] * length, at[2] + towards[2] * length];
     towards = rotated(towards, "z", curl[i] ?? 0);
     return surface;
   });
 }
 
-function hand(): Surface[] {
+function hand(detail: number): Surface[] {
   const fingers = FINGERS.flatMap(([z, y, length, thickness], i) => {
     const spread = rotated(rotated([0, 1, 0], "z", 0.16 + 0.05 * i), "x", 0.03 - 0.022 * i);
     return finger(
@@ -99,9 +101,10 @@ function hand(): Surface[] {
       PHALANGES.map((l) => l * length),
       FINGER_RADII.map((r) => r * thickness),
       CURL,
+      detail,
     );
   });
-  const thumb = finger([-0.006, 0.026, 0.022], normalized([-0.38, 0.7, 0.6]), THUMB, THUMB_RADII, []);
+  const thumb = finger([-0.006, 0.026, 0.022], normalized([-0.38, 0.7, 0.6]), THUMB, THUMB_RADII, [], detail);
   const palm = loft(PALM, {
     startCap: 0.012,
     endCap: 0.01,
@@ -109,6 +112,7 @@ function hand(): Surface[] {
     rings: 8,
     capRings: 4,
     segments: 24,
+    detail,
   });
   return [palm, ...fingers, ...thumb].map((surface) => orient(surface, HAND_BASIS));
 }
@@ -160,28 +164,28 @@ const TOE_SOLE: Station[] = [
 ];
 
 /** Parts of the left hand and foot. */
-export function extremities(): Part<SideSlot>[] {
+export function extremities(detail: number): Part<SideSlot>[] {
   return [
-    ...hand().map((surface): Part<SideSlot> => ({ slot: "hand", tone: "shell", surface })),
+    ...hand(detail).map((surface): Part<SideSlot> => ({ slot: "hand", tone: "shell", surface })),
     {
       slot: "foot",
       tone: "shell",
-      surface: footLoft(SHOE, ANKLE_HEIGHT, { startCap: 0.022, endCap: 0.012 }),
+      surface: footLoft(SHOE, ANKLE_HEIGHT, { startCap: 0.022, endCap: 0.012, detail }),
     },
     {
       slot: "foot",
       tone: "joint",
-      surface: footLoft(SHOE_SOLE, ANKLE_HEIGHT, { startCap: 0.022, endCap: 0.012 }),
+      surface: footLoft(SHOE_SOLE, ANKLE_HEIGHT, { startCap: 0.022, endCap: 0.012, detail }),
     },
     {
       slot: "toes",
       tone: "shell",
-      surface: footLoft(TOE, TOE_HEIGHT, { startCap: 0.01, endCap: 0.03, rings: 6 }),
+      surface: footLoft(TOE, TOE_HEIGHT, { startCap: 0.01, endCap: 0.03, rings: 6, detail }),
     },
     {
       slot: "toes",
       tone: "joint",
-      surface: footLoft(TOE_SOLE, TOE_HEIGHT, { startCap: 0.01, endCap: 0.03, rings: 4 }),
+      surface: footLoft(TOE_SOLE, TOE_HEIGHT, { startCap: 0.01, endCap: 0.03, rings: 4, detail }),
     },
   ];
 }

@@ -1,6 +1,6 @@
 /** The head and the dark plate that shows where it faces. */
 
-import { capFactor, loft, type Section, type Station, type Surface, sectionAt, superellipse } from "./loft";
+import { atDetail, capFactor, loft, type Section, type Station, type Surface, sectionAt, superellipse } from "./loft";
 import type { MidlineSlot, Part } from "./parts";
 
 // Heights above the skull's base joint; w is the front.
@@ -46,7 +46,9 @@ function headRadius(height: number, angle: number): number {
 }
 
 /** A rounded mask draped over the front of the head: concentric rings around its middle, the rim sunk into the head. */
-function facePlate(rings = 10, segments = 40): Surface {
+function facePlate(detail: number): Surface {
+  const rings = atDetail(10, detail);
+  const segments = atDetail(40, detail);
   const surface: Surface = { positions: [], indices: [] };
   const { positions, indices } = surface;
   const push = (share: number, around: number) => {
@@ -72,10 +74,10 @@ function facePlate(rings = 10, segments = 40): Surface {
 }
 
 /** Head and face plate. */
-export function headParts(): Part<MidlineSlot>[] {
-  const head = loft(HEAD, { ...HEAD_SHAPE, rings: 24, capRings: 7, segments: 40 });
+export function headParts(detail: number): Part<MidlineSlot>[] {
+  const head = loft(HEAD, { ...HEAD_SHAPE, rings: 24, capRings: 7, segments: 40, detail });
   return [
     { slot: "head", tone: "shell", surface: head },
-    { slot: "head", tone: "joint", surface: facePlate() },
+    { slot: "head", tone: "joint", surface: facePlate(detail) },
   ];
 }

@@ -34,6 +34,8 @@ export interface LoftOptions {
   capRings: number;
   /** Vertices around. */
   segments: number;
+  /** Factor on the three counts before. */
+  detail: number;
 }
 
 /** Resolution and roundness that suit a limb seen from a few metres. */
@@ -44,7 +46,13 @@ export const LOFT_DEFAULTS: LoftOptions = {
   rings: 14,
   capRings: 5,
   segments: 28,
+  detail: 1,
 };
+
+/** A count of rings or vertices at a level of detail, at least 2. */
+export function atDetail(count: number, detail: number): number {
+  return Math.max(2, Math.round(count * detail));
+}
 
 /** An indexed triangle mesh in plain arrays. */
 export interface Surface {
@@ -106,21 +114,22 @@ export function superellipse(angle: number, exponent: number): [u: number, w: nu
 /** Lofts the stations, which must be in increasing order along the axis. */
 export function loft(stations: readonly Station[], options: Partial<LoftOptions> = {}): Surface {
   const o = { ...LOFT_DEFAULTS, ...options };
+  const rings = o.rings && atDetail(o.rings, o.detail);
+  const capRings = atDetail(o.capRings, o.detail);
+  const n = Math.max(6, atDetail(o.segments, o.detail));
   const start = stations[0]![0];
   const end = stations[stations.length - 1]![0];
   const alongs: number[] = [];
   if (o.startCap > 0)
-    for (let i = 1; i < o.capRings; i++)
-      alongs.push(start + o.startCap * (1 - Math.cos(((i / o.capRings) * Math.PI) / 2)));
-  for (let i = 0; i <= o.rings; i++)
-    alongs.push(start + o.startCap + ((end - o.endCap - start - o.startCap) * i) / Math.max(1, o.rings));
+    for (let i = 1; i < capRings; i++) alongs.push(start + o.startCap * (1 - Math.cos(((i / capRings) * Math.PI) / 2)));
+  for (let i = 0; i <= rings; i++)
+    alongs.push(start + o.startCap + ((end - o.endCap - start - o.startCap) * i) / Math.max(1, rings));
   if (o.endCap > 0)
-    for (let i = 1; i < o.capRings; i++)
-      alongs.push(end - o.endCap + o.endCap * Math.sin(((i / o.capRings) * Math.PI) / 2));
+    for (let i = 1; i < capRings; i++)
+      alongs.push(end - o.endCap + o.endCap * Math.sin(((i / capRings) * Math.PI) / 2));
 
   const surface: Surface = { positions: [], indices: [] };
   const { positions, indices } = surface;
-  const n = o.segments;
   for (const along of alongs) {
     const [, uPlus, uMinus, wPlus, wMinus, u0, w0] = sectionAt(stations, along);
     const k = capFactor(along, start, end, o.startCap, o.endCap);
@@ -150,7 +159,7 @@ export function loft(stations: readonly Station[], options: Partial<LoftOptions>
 }
 
 /** A sphere about the origin, as a loft, so that it shares the lofts' topology. */
-export function ball(radius: number, segments = 20): Surface {
+export function ball(radius: number, detail = 1): Surface {
   const r = radius;
   const station = (along: number): Station => [along, r, r, r, r];
   return loft([station(-r), station(r)], {
@@ -158,8 +167,9 @@ export function ball(radius: number, segments = 20): Surface {
     endCap: r,
     exponent: 2,
     rings: 0,
-    capRings: Math.ceil(segments / 4),
-    segments,
+    capRings: 5,
+    segments: 20,
+    detail,
   });
 }
 

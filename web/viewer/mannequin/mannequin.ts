@@ -1,41 +1,42 @@
-/** One mannequin on the stage: a skinned mesh that takes poses. */
+/** One mannequin on the stage: a mesh that takes poses. */
 
-import { DetachedBindMode, Group, type Material, Matrix4, SkinnedMesh } from "three";
+import { Group, Mesh } from "three";
 import { DEFAULT_PROPORTIONS, restPose, type WorldPose } from "../humanoid";
+import { CASTER_LAYER } from "../stage/layers";
 import { type Fit, fitTo } from "./fit";
 import { acquireGeometry, releaseGeometry } from "./geometry";
-import { PoseSkeleton } from "./pose_skeleton";
-
-/** One drawing of the mannequin's mesh. */
-export interface Layer {
-  /** One material for the whole body, or one a tone (shell, joints). */
-  material: Material | readonly [shell: Material, joint: Material];
-  /** three.js render order. */
-  order: number;
-  castShadow: boolean;
-}
+import type { Look } from "./materials";
+import { SlotRows } from "./slot_rows";
+import type { SlotUniforms } from "./slot_skinning";
 
 /**
- * A mannequin. Its geometry is shared by all; a pose costs forward kinematics and 47 matrices. The caller owns the
- * materials.
+ * A mannequin. Its geometry is shared by all; a pose costs forward kinematics and one affine transform a slot.
+ *
+ * @typeParam L - The look, which draws it.
  */
-export class Mannequin {
+export class Mannequin<L extends Look> {
   /** To be put into a scene. */
   readonly object = new Group();
-  readonly #skeleton = new PoseSkeleton();
+  readonly look: L;
+  readonly #rows = new SlotRows();
+  readonly #pose: Float32Array = restPose();
   #fit: Fit = fitTo(DEFAULT_PROPORTIONS);
-  #pose: Float32Array = restPose();
+  #detail: number;
 
-  constructor(layers: readonly Layer[]) {
-    const geometry = acquireGeometry();
-    for (const { material, order, castShadow } of layers) {
-      const materials = Array.isArray(material) ? [...material] : (material as Material);
-      const mesh = new SkinnedMesh(geometry, materials);
-      mesh.bindMode = DetachedBindMode;
-      mesh.bind(this.#skeleton, new Matrix4());
+  /** `look` makes the materials around the mannequin's uniforms; `detail` is that of the geometry, at most 1. */
+  constructor(look: (uniforms: SlotUniforms) => L, detail = 1) {
+    this.look = look({ slotRows: { value: this.#rows.values } });
+    this.#detail = detail;
+    const geometry = acquireGeometry(detail);
+    for (const { material, order, shadow } of this.look.layers) {
+      const mesh = new Mesh(geometry, material);
       mesh.renderOrder = order;
-      mesh.castShadow = castShadow;
-      mesh.receiveShadow = castShadow;
+      mesh.castShadow = shadow !== undefined;
+      mesh.receiveShadow = mesh.castShadow;
+      if (shadow) {
+        mesh.customDepthMaterial = shadow;
+        mesh.layers.enable(CASTER_LAYER);
+      }
       // The mesh's own bounds know nothing of the pose.
       mesh.frustumCulled = false;
       this.object.add(mesh);
@@ -45,7 +46,7 @@ export class Mannequin {
 
   /** Joints of the last pose in the world. */
   get world(): WorldPose {
-    return this.#skeleton.world;
+    return this.#rows.world;
   }
 
   /** The last pose. */
@@ -58,6 +59,15 @@ export class Mannequin {
     return this.#fit;
   }
 
+  /** Changes the detail of the geometry, at most 1. */
+  set detail(detail: number) {
+    if (detail === this.#detail) return;
+    const geometry = acquireGeometry(detail);
+    for (const mesh of this.object.children as Mesh[]) mesh.geometry = geometry;
+    releaseGeometry(this.#detail);
+    this.#detail = detail;
+  }
+
   /** Takes bone offsets, 21 × xyz in metres (see `fit.ts` for what follows them). */
   setProportions(proportions: ArrayLike<number>): void {
     this.#fit = fitTo(proportions);
@@ -67,14 +77,14 @@ export class Mannequin {
   /** Takes a pose of `POSE_FLOATS` numbers; it is copied. */
   setPose(pose: ArrayLike<number>): void {
     if (pose !== this.#pose) this.#pose.set(pose);
-    this.#skeleton.setPose(this.#fit, this.#pose);
+    this.#rows.setPose(this.#fit, this.#pose);
   }
 
-  /** Frees what is this mannequin's own. */
+  /** Frees the materials and this mannequin's share of the geometry. */
   dispose(): void {
     this.object.removeFromParent();
     this.object.clear();
-    this.#skeleton.dispose();
-    releaseGeometry();
+    this.look.dispose();
+    releaseGeometry(this.#detail);
   }
 }

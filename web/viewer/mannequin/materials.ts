@@ -6,117 +6,154 @@ import {
   LessEqualDepth,
   type Material,
   MeshBasicMaterial,
+  MeshDepthMaterial,
   MeshPhysicalMaterial,
   MeshStandardMaterial,
   NotEqualStencilFunc,
   ReplaceStencilOp,
   ShaderMaterial,
 } from "three";
+import { KEY_FRUSTUM } from "../stage/lights";
+import { type ShadowTaps, setShadowTaps, useSoftShadow } from "../stage/soft_shadow";
 import type { Theme } from "../themes";
+import { SLOT_SHADER, type SlotUniforms, useSlots } from "./slot_skinning";
 
 /** Stencil value of the pixels that a body covers, so that a ghost can stay behind it. */
 const BODY_STENCIL = 1;
 
-/** Materials of a solid mannequin, shared by any number of them. */
-export class BodyMaterials {
-  readonly shell = new MeshPhysicalMaterial({ roughness: 0.52, clearcoat: 0.18, clearcoatRoughness: 0.6 });
-  readonly joint = new MeshStandardMaterial({ roughness: 0.62 });
-  /** In the order of the geometry's groups. */
-  readonly list: readonly [Material, Material] = [this.shell, this.joint];
+/** One drawing of the mannequin's mesh. */
+export interface Layer {
+  /** One material for the whole body, or one a tone (shell, joints). */
+  material: Material | Material[];
+  /** three.js render order. */
+  order: number;
+  /** Draws the mesh into shadow maps; without it the layer casts no shadow. */
+  shadow?: Material;
+}
 
-  constructor() {
-    for (const material of this.list) {
+/** The look of one mannequin: its layers, in the colours of the theme. */
+export interface Look {
+  readonly layers: readonly Layer[];
+  setTheme(theme: Theme): void;
+  dispose(): void;
+}
+
+/** A solid mannequin. */
+export class BodyLook implements Look {
+  readonly layers: readonly Layer[];
+  readonly #shell = new MeshPhysicalMaterial({ roughness: 0.52, clearcoat: 0.18, clearcoatRoughness: 0.6 });
+  readonly #joint = new MeshStandardMaterial({ roughness: 0.62 });
+  readonly #shadow = new MeshDepthMaterial();
+
+  constructor(uniforms: SlotUniforms) {
+    const tones = [this.#shell, this.#joint];
+    for (const material of tones) {
       material.stencilWrite = true;
       material.stencilFunc = AlwaysStencilFunc;
       material.stencilRef = BODY_STENCIL;
       material.stencilZPass = ReplaceStencilOp;
+      useSoftShadow(material, KEY_FRUSTUM);
     }
+    for (const material of [...tones, this.#shadow]) useSlots(material, uniforms);
+    this.layers = [{ material: tones, order: 0, shadow: this.#shadow }];
   }
 
   /** Takes the theme's colours. */
   setTheme(theme: Theme): void {
-    this.shell.color.set(theme.shell);
-    this.joint.color.set(theme.joint);
+    this.#shell.color.set(theme.shell);
+    this.#joint.color.set(theme.joint);
+  }
+
+  /** Samples of the shadow that the body casts on itself. */
+  set shadowTaps(taps: ShadowTaps) {
+    for (const material of [this.#shell, this.#joint]) setShadowTaps(material, taps);
   }
 
   dispose(): void {
-    for (const material of this.list) material.dispose();
+    for (const material of [this.#shell, this.#joint, this.#shadow]) material.dispose();
   }
 }
 
 const GHOST_VERTEX = /* glsl */ `
-#include <common>
-#include <skinning_pars_vertex>
+${SLOT_SHADER}
 varying vec3 vNormal;
 varying vec3 vView;
 void main() {
-  #include <beginnormal_vertex>
-  #include <skinbase_vertex>
-  #include <skinnormal_vertex>
-  #include <begin_vertex>
-  #include <skinning_vertex>
-  vNormal = normalMatrix * objectNormal;
-  vec4 viewPosition = modelViewMatrix * vec4(transformed, 1.0);
-  vView = -viewPosition.xyz;
-  gl_Position = projectionMatrix * viewPosition;
+  vec4 view = viewMatrix * vec4(slotPoint(position), 1.0);
+  vNormal = mat3(viewMatrix) * slotDirection(normal);
+  vView = -view.xyz;
+  gl_Position = projectionMatrix * view;
 }`;
 
 // Opacity and colour rise towards the rim, where a translucent shell is thickest along the view.
+// 0.62 is the opacity that the rim reaches.
 const GHOST_FRAGMENT = /* glsl */ `
 uniform vec3 body;
 uniform vec3 rim;
 uniform float opacity;
+uniform float fade;
 varying vec3 vNormal;
 varying vec3 vView;
 void main() {
   vec3 n = normalize(vNormal);
   float fresnel = pow(1.0 - max(dot(n, normalize(vView)), 0.0), 2.2);
   float light = 0.5 + 0.5 * dot(n, normalize(vec3(0.3, 0.9, 0.4)));
-  gl_FragColor = vec4(mix(body * (0.55 + 0.6 * light), rim, fresnel * 0.8), opacity * (0.55 + 0.9 * fresnel));
+  gl_FragColor = vec4(mix(body * (0.55 + 0.6 * light), rim, fresnel * 0.8), fade * mix(opacity, 0.62, fresnel));
   #include <colorspace_fragment>
 }`;
 
-/** Materials of a ghost: a depth pre-pass, so that nothing shows through itself, then the tinted shell. */
-export class GhostMaterials {
-  readonly depth = new MeshBasicMaterial({ colorWrite: false });
-  readonly shell = new ShaderMaterial({
-    vertexShader: GHOST_VERTEX,
-    fragmentShader: GHOST_FRAGMENT,
-    uniforms: { body: { value: new Color() }, rim: { value: new Color() }, opacity: { value: 0.4 } },
-    transparent: true,
-    depthWrite: false,
-    depthFunc: LessEqualDepth,
-  });
+/** A ghost: a depth pre-pass, so that nothing shows through itself, then the tinted shell. */
+export class GhostLook implements Look {
+  readonly layers: readonly Layer[];
+  readonly #depth = new MeshBasicMaterial({ colorWrite: false, transparent: true });
+  readonly #shell: ShaderMaterial;
+  readonly #tint = {
+    body: { value: new Color() },
+    rim: { value: new Color() },
+    opacity: { value: 0 },
+    fade: { value: 1 },
+  };
 
-  constructor() {
-    // Sorted with the transparent things, after every body has written its stencil.
-    this.depth.transparent = true;
-    for (const material of [this.depth, this.shell]) {
+  constructor(uniforms: SlotUniforms) {
+    useSlots(this.#depth, uniforms);
+    this.#shell = new ShaderMaterial({
+      vertexShader: GHOST_VERTEX,
+      fragmentShader: GHOST_FRAGMENT,
+      uniforms: { ...uniforms, ...this.#tint },
+      transparent: true,
+      depthWrite: false,
+      depthFunc: LessEqualDepth,
+    });
+    for (const material of [this.#depth, this.#shell]) {
       material.stencilRef = BODY_STENCIL;
       material.stencilFunc = NotEqualStencilFunc;
     }
+    this.layers = [
+      { material: this.#depth, order: 2 },
+      { material: this.#shell, order: 3 },
+    ];
   }
 
   /** Whether bodies are drawn over the ghost whatever the depth, so that only the difference shows. */
   set behindBodies(behind: boolean) {
-    this.depth.stencilWrite = behind;
-    this.shell.stencilWrite = behind;
+    this.#depth.stencilWrite = behind;
+    this.#shell.stencilWrite = behind;
   }
 
-  /** Takes the theme's colours; `fade` (0–1) scales the opacity. */
-  setTheme(theme: Theme, fade = 1): void {
-    const { body, rim, opacity } = this.shell.uniforms as {
-      body: { value: Color };
-      rim: { value: Color };
-      opacity: { value: number };
-    };
-    body.value.set(theme.ghost.body);
-    rim.value.set(theme.ghost.rim);
-    opacity.value = theme.ghost.opacity * fade;
+  /** Factor on the opacity, 0–1. */
+  set fade(fade: number) {
+    this.#tint.fade.value = fade;
+  }
+
+  /** Takes the theme's colours. */
+  setTheme({ ghost }: Theme): void {
+    this.#tint.body.value.set(ghost.body);
+    this.#tint.rim.value.set(ghost.rim);
+    this.#tint.opacity.value = ghost.opacity;
   }
 
   dispose(): void {
-    this.depth.dispose();
-    this.shell.dispose();
+    this.#depth.dispose();
+    this.#shell.dispose();
   }
 }

@@ -122,10 +122,10 @@ const NECK: Station[] = [
   [0.12, 0.046, 0.046, 0.046, 0.048, 0, 0.004],
 ];
 
-function midlineParts(): Part<MidlineSlot>[] {
-  const pelvis = loft(PELVIS, { startCap: 0.03, endCap: 0.004, exponent: 2.3, segments: 40 });
-  const ribcage = loft(RIBCAGE, { startCap: 0.012, endCap: 0.012, exponent: 2.35, segments: 44, rings: 26 });
-  const neck = loft(NECK, { startCap: 0.01, endCap: 0.01, exponent: 2.1, segments: 24, rings: 8, capRings: 2 });
+function midlineParts(detail: number): Part<MidlineSlot>[] {
+  const pelvis = loft(PELVIS, { startCap: 0.03, endCap: 0.004, exponent: 2.3, segments: 40, detail });
+  const ribcage = loft(RIBCAGE, { startCap: 0.012, endCap: 0.012, exponent: 2.35, segments: 44, rings: 26, detail });
+  const neck = loft(NECK, { startCap: 0.01, endCap: 0.01, exponent: 2.1, segments: 24, rings: 8, capRings: 2, detail });
   return [
     { slot: "pelvis", tone: "joint", surface: pelvis },
     { slot: "ribcage", tone: "shell", surface: ribcage },
@@ -133,21 +133,21 @@ function midlineParts(): Part<MidlineSlot>[] {
   ];
 }
 
-function limbParts(): Part<SideSlot>[] {
+function limbParts(detail: number): Part<SideSlot>[] {
   const leg = (slot: SideSlot, stations: Station[], options: Partial<LoftOptions>): Part<SideSlot> => ({
     slot,
     tone: "shell",
-    surface: orient(loft(stations, options), LEG_BASIS),
+    surface: orient(loft(stations, { detail, ...options }), LEG_BASIS),
   });
   const arm = (slot: SideSlot, stations: Station[], options: Partial<LoftOptions>): Part<SideSlot> => ({
     slot,
     tone: "shell",
-    surface: orient(loft(stations, options), ARM_BASIS),
+    surface: orient(loft(stations, { detail, ...options }), ARM_BASIS),
   });
   const joint = (slot: SideSlot, radius: number, tone: Tone = "joint"): Part<SideSlot> => ({
     slot,
     tone,
-    surface: ball(radius),
+    surface: ball(radius, detail),
   });
   return [
     leg("thigh", THIGH, { startCap: 0.05, endCap: 0.022, exponent: 2.1, segments: 32 }),
@@ -158,7 +158,7 @@ function limbParts(): Part<SideSlot>[] {
       slot: "clavicle",
       tone: "shell",
       surface: orient(
-        loft(COLLAR, { startCap: 0.03, endCap: 0.035, exponent: 2.1, segments: 24, rings: 6 }),
+        loft(COLLAR, { startCap: 0.03, endCap: 0.035, exponent: 2.1, segments: 24, rings: 6, detail }),
         COLLAR_BASIS,
       ),
     },
@@ -170,11 +170,11 @@ function limbParts(): Part<SideSlot>[] {
   ];
 }
 
-/** Every part of the body. */
-export function bodyParts(): Part[] {
-  const sides = [...limbParts(), ...extremities()].flatMap(({ slot, tone, surface }): Part[] => [
+/** Every part of the body at a level of detail (see `LoftOptions.detail`). */
+export function bodyParts(detail: number): Part[] {
+  const sides = [...limbParts(detail), ...extremities(detail)].flatMap(({ slot, tone, surface }): Part[] => [
     { slot: `left_${slot}`, tone, surface },
     { slot: `right_${slot}`, tone, surface: mirror(surface) },
   ]);
-  return [...midlineParts(), ...headParts(), ...waistParts(), ...sides];
+  return [...midlineParts(detail), ...headParts(detail), ...waistParts(detail), ...sides];
 }

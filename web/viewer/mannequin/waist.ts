@@ -3,16 +3,17 @@
  * placed every frame along a Bézier curve (see `fit.ts`), so that the bend costs a few matrices and no new vertices.
  */
 
-import { type Station, type Surface, sectionAt, superellipse } from "./loft";
+import { atDetail, type Station, type Surface, sectionAt, superellipse } from "./loft";
 import type { Part, Slot } from "./parts";
 
 /** Number of rings, the first in the pelvis, the last in the ribcage. */
-export const WAIST_RINGS = 17;
+export const WAIST_RINGS = 13;
 /** Where the curve starts, in the pelvis's frame, metres. */
 export const WAIST_START = [0, 0.055, -0.001] as const;
 /** Where it ends, in the ribcage's frame, metres. */
 export const WAIST_END = [0, -0.045, 0.003] as const;
 
+/** Vertices around at full detail. */
 const SEGMENTS = 40;
 const EXPONENT = 2.3;
 /** Height in the T-pose; sets the slope of the surface, hence its normals. */
@@ -36,19 +37,20 @@ export function waistParameter(ring: number): number {
 }
 
 /** The tube at rest, ring after ring, upright along y from 0. */
-export function waistSurface(): Surface {
+export function waistSurface(detail: number): Surface {
+  const segments = atDetail(SEGMENTS, detail);
   const surface: Surface = { positions: [], indices: [] };
   for (let i = 0; i < WAIST_RINGS; i++) {
     const t = waistParameter(i);
     const [, uPlus, uMinus, wPlus, wMinus, u0, w0] = sectionAt(WAIST, t);
-    for (let j = 0; j < SEGMENTS; j++) {
-      const [u, w] = superellipse((j / SEGMENTS) * 2 * Math.PI, EXPONENT);
+    for (let j = 0; j < segments; j++) {
+      const [u, w] = superellipse((j / segments) * 2 * Math.PI, EXPONENT);
       surface.positions.push(u0 + u * (u > 0 ? uPlus : uMinus), t * LENGTH, w0 + w * (w > 0 ? wPlus : wMinus));
     }
   }
-  const ring = (i: number, j: number) => i * SEGMENTS + (j % SEGMENTS);
+  const ring = (i: number, j: number) => i * segments + (j % segments);
   for (let i = 0; i + 1 < WAIST_RINGS; i++)
-    for (let j = 0; j < SEGMENTS; j++)
+    for (let j = 0; j < segments; j++)
       surface.indices.push(
         ...[ring(i, j), ring(i + 1, j), ring(i, j + 1)],
         ...[ring(i, j + 1), ring(i + 1, j), ring(i + 1, j + 1)],
@@ -57,8 +59,8 @@ export function waistSurface(): Surface {
 }
 
 /** Ring of a vertex of {@link waistSurface}. */
-export function waistRingOf(vertex: number): number {
-  return Math.floor(vertex / SEGMENTS);
+export function waistRingOf(vertex: number, detail: number): number {
+  return Math.floor(vertex / atDetail(SEGMENTS, detail));
 }
 
 /** Height that {@link waistSurface} gave ring `ring`; the ring's slot has its origin there. */
@@ -67,6 +69,6 @@ export function waistRestHeight(ring: number): number {
 }
 
 /** The waist as one part; its slot is the first ring's, and the geometry spreads its vertices over the others. */
-export function waistParts(): Part[] {
-  return [{ slot: waistSlot(0), tone: "joint", surface: waistSurface() }];
+export function waistParts(detail: number): Part[] {
+  return [{ slot: waistSlot(0), tone: "joint", surface: waistSurface(detail) }];
 }

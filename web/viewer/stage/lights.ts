@@ -2,6 +2,7 @@
 
 import { Color, DirectionalLight, Group, HemisphereLight, type Vector3 } from "three";
 import type { Theme } from "../themes";
+import { CASTER_LAYER, SHADE_LAYER } from "./layers";
 import type { ShadowFrustum } from "./soft_shadow";
 
 /** The key's shadow camera: wide enough for one character with raised arms and its shadow. */
@@ -43,6 +44,9 @@ export class Lights {
     this.#key.castShadow = true;
     const all = [this.#key, ...this.#rims, this.#fill];
     this.object.add(...all, ...all.map((light) => light.target), this.#sky);
+    for (const light of [...all, this.#sky]) light.layers.enable(SHADE_LAYER);
+    // The characters are in the default layer, the camera that draws the shade map is not.
+    shadow.camera.layers.enable(CASTER_LAYER);
   }
 
   /** Side of the shadow map in texels. */

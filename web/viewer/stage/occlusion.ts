@@ -31,21 +31,22 @@ const BALLS: readonly Ball[] = [
 /** Number of spheres. */
 export const OCCLUDERS = BALLS.length;
 
-/** GLSL: `bodyOcclusion(vec3 p)`, the share of the sky that the body hides from the ground at p, 0–1. */
+/** GLSL: the uniforms and `skyLeft(occluders, p)`, the share of the sky that the ground at p still sees. */
 export const OCCLUSION_SHADER = /* glsl */ `
-uniform vec4 occluders[${OCCLUDERS}];
-float bodyOcclusion(vec3 p) {
+uniform vec4 bodyOccluders[${OCCLUDERS}];
+uniform vec4 ghostOccluders[${OCCLUDERS}];
+float skyLeft(vec4 occluders[${OCCLUDERS}], vec3 p) {
   float open = 1.0;
   for (int i = 0; i < ${OCCLUDERS}; i++) {
     vec3 d = occluders[i].xyz - p;
-    float distance2 = max(dot(d, d), occluders[i].w * occluders[i].w);
-    float up = max(d.y, 0.0) * inversesqrt(distance2);
-    open *= 1.0 - up * occluders[i].w * occluders[i].w / distance2;
+    float radius2 = occluders[i].w * occluders[i].w;
+    float distance2 = max(dot(d, d), radius2 + 1e-6);
+    open *= 1.0 - max(d.y, 0.0) * inversesqrt(distance2) * radius2 / distance2;
   }
-  return 1.0 - open;
+  return open;
 }`;
 
-/** A fresh value of the uniform `occluders`. */
+/** A fresh value of one of the uniforms; no sphere hides anything yet. */
 export function createOccluders(): Vector4[] {
   return BALLS.map(() => new Vector4());
 }
@@ -59,4 +60,9 @@ export function placeOccluders(occluders: readonly Vector4[], world: WorldPose, 
     const at = (axis: number) => p[a + axis]! + share * (p[b + axis]! - p[a + axis]!);
     occluders[i]!.set(at(0), at(1), at(2), radius * stature);
   }
+}
+
+/** Makes all spheres vanish. */
+export function hideOccluders(occluders: readonly Vector4[]): void {
+  for (const occluder of occluders) occluder.set(0, 0, 0, 0);
 }

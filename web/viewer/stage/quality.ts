@@ -8,15 +8,19 @@ export interface QualityLevel {
   pixelRatio: number;
   /** Side of the shadow map, texels. */
   shadowSize: number;
+  /** Side of the ground's shade map, texels. */
+  shadeSize: number;
   taps: ShadowTaps;
+  /** Detail of the mannequins' geometry, at most 1. */
+  detail: number;
 }
 
 /** Levels from the best to the cheapest. */
 export const QUALITY_LEVELS: readonly QualityLevel[] = [
-  { pixelRatio: 2, shadowSize: 1024, taps: { search: 16, filter: 32 } },
-  { pixelRatio: 1.5, shadowSize: 1024, taps: { search: 12, filter: 20 } },
-  { pixelRatio: 1, shadowSize: 1024, taps: { search: 8, filter: 12 } },
-  { pixelRatio: 0.75, shadowSize: 512, taps: { search: 6, filter: 8 } },
+  { pixelRatio: 2, shadowSize: 1024, shadeSize: 640, taps: { search: 16, filter: 24 }, detail: 1 },
+  { pixelRatio: 1.5, shadowSize: 1024, shadeSize: 512, taps: { search: 12, filter: 16 }, detail: 1 },
+  { pixelRatio: 1, shadowSize: 512, shadeSize: 256, taps: { search: 8, filter: 8 }, detail: 0.6 },
+  { pixelRatio: 0.75, shadowSize: 512, shadeSize: 192, taps: { search: 6, filter: 6 }, detail: 0.5 },
 ];
 
 /** Frames a second below which quality is lowered. */

@@ -17,6 +17,7 @@ export interface ShadowFrustum {
 
 function shader({ depth, width }: ShadowFrustum): string {
   return /* glsl */ `
+#define SLOPE_LIMIT ${((2 * width) / depth).toFixed(6)}
 #if defined(USE_SHADOWMAP) && NUM_DIR_LIGHT_SHADOWS > 0
   float shadowNoise(vec2 p) { return fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))); }
 
@@ -26,18 +27,32 @@ function shader({ depth, width }: ShadowFrustum): string {
     return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
   }
 
+  // Change of the receiver's depth with its place in the map, from its neighbours on screen: without it, a wide filter
+  // would find the receiver's own slope in its way. Bounded, because neighbours may lie on another part.
+  vec2 receiverSlope(vec3 receiver) {
+    vec3 dx = dFdx(receiver);
+    vec3 dy = dFdy(receiver);
+    float area = dx.x * dy.y - dx.y * dy.x;
+    if (abs(area) < 1e-12) return vec2(0.0);
+    vec2 slope = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z) / area;
+    return clamp(slope, vec2(-SLOPE_LIMIT), vec2(SLOPE_LIMIT));
+  }
+
   float softShadow(sampler2D map, vec2 size, float intensity, float bias, float radius, vec4 coord) {
     vec3 receiver = coord.xyz / coord.w;
     receiver.z += bias;
+    vec2 slope = receiverSlope(receiver);
     if (any(lessThan(receiver.xy, vec2(0.0))) || any(greaterThan(receiver.xy, vec2(1.0))) || receiver.z > 1.0) return 1.0;
-    float turn = shadowNoise(gl_FragCoord.xy) * 6.283185307179586;
+    // A full turn would trade the disk's bands for grain; a fraction of the angle between samples only dissolves them.
+    float turn = shadowNoise(gl_FragCoord.xy) * (6.283185307179586 / float(SHADOW_TAPS));
     const float spread = ${(LIGHT_TANGENT * (depth / width)).toFixed(6)};
     float search = min(spread * receiver.z, ${(0.3 / width).toFixed(6)});
     float blockers = 0.0;
     float depthSum = 0.0;
     for (int i = 0; i < SHADOW_SEARCH_TAPS; i++) {
-      float d = texture2D(map, receiver.xy + shadowDisk(i, SHADOW_SEARCH_TAPS, turn) * search).r;
-      if (d < receiver.z) {
+      vec2 offset = shadowDisk(i, SHADOW_SEARCH_TAPS, turn) * search;
+      float d = texture2D(map, receiver.xy + offset).r;
+      if (d < receiver.z + dot(offset, slope)) {
         blockers += 1.0;
         depthSum += d;
       }
@@ -45,8 +60,10 @@ function shader({ depth, width }: ShadowFrustum): string {
     if (blockers == 0.0) return 1.0;
     float penumbra = max(spread * (receiver.z - depthSum / blockers), radius / size.x);
     float lit = 0.0;
-    for (int i = 0; i < SHADOW_TAPS; i++)
-      lit += step(receiver.z, texture2D(map, receiver.xy + shadowDisk(i, SHADOW_TAPS, turn) * penumbra).r);
+    for (int i = 0; i < SHADOW_TAPS; i++) {
+      vec2 offset = shadowDisk(i, SHADOW_TAPS, turn) * penumbra;
+      lit += step(receiver.z + dot(offset, slope), texture2D(map, receiver.xy + offset).r);
+    }
     return mix(1.0, lit / float(SHADOW_TAPS), intensity);
   }
   #define getShadow softShadow

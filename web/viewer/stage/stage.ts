@@ -19,6 +19,7 @@ import { Labels } from "./labels";
 import { Lights } from "./lights";
 import { type CameraView, OrbitCamera } from "./orbit_camera";
 import { QUALITY_LEVELS, QualityGovernor, type QualityLevel } from "./quality";
+import { ShadeMap } from "./shade_map";
 
 /** Renderers that have no graphics processor behind them. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|basic render|software/i;
@@ -29,7 +30,8 @@ const SOFTWARE_LEVEL = 2;
 export class Stage {
   readonly canvas: HTMLCanvasElement;
   readonly scene = new Scene();
-  readonly ground = new Ground();
+  readonly shade = new ShadeMap();
+  readonly #ground = new Ground(this.shade.texture, this.shade.centre);
   readonly footprints = new Footprints();
   readonly path = new HipsPath();
   readonly labels = new Labels();
@@ -47,14 +49,21 @@ export class Stage {
   #width = 1;
   #height = 1;
 
-  constructor(container: HTMLElement) {
+  /** `level` of {@link QUALITY_LEVELS} to begin with; by default what the renderer suggests. */
+  constructor(container: HTMLElement, level?: number) {
     this.#container = container;
     if (getComputedStyle(container).position === "static") container.style.position = "relative";
-    this.#renderer = new WebGLRenderer({ antialias: true, stencil: true, powerPreference: "high-performance" });
+    const software = isSoftware();
+    this.#renderer = new WebGLRenderer({
+      antialias: level === 0 || !software,
+      stencil: true,
+      powerPreference: "high-performance",
+    });
     const renderer = this.#renderer;
     renderer.toneMapping = NeutralToneMapping;
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.type = BasicShadowMap;
+    renderer.shadowMap.autoUpdate = false;
     this.canvas = renderer.domElement;
     this.canvas.style.cssText = "display:block;position:absolute;inset:0;touch-action:pan-y";
     this.canvas.setAttribute("role", "img");
@@ -62,11 +71,12 @@ export class Stage {
     container.append(this.canvas, this.labels.element);
 
     this.view = new OrbitCamera(this.canvas);
-    this.governor = new QualityGovernor(SOFTWARE.test(rendererName(renderer)) ? SOFTWARE_LEVEL : 0);
+    this.governor = new QualityGovernor(level ?? (software ? SOFTWARE_LEVEL : 0));
     this.scene.add(
       this.#background.object,
       this.#lights.object,
-      this.ground.object,
+      this.#ground.object,
+      this.shade.object,
       this.footprints.object,
       this.path.behind.mesh,
       this.path.ahead.mesh,
@@ -97,7 +107,7 @@ export class Stage {
 
   /** Takes the theme's colours and light levels; nothing is rebuilt. */
   setTheme(theme: Theme): void {
-    for (const part of [this.#background, this.#lights, this.ground, this.footprints, this.path]) part.setTheme(theme);
+    for (const part of [this.#background, this.#lights, this.#ground, this.footprints, this.path]) part.setTheme(theme);
     this.scene.environmentIntensity = theme.light.environment;
   }
 
@@ -105,7 +115,8 @@ export class Stage {
   applyQuality(): void {
     const { quality } = this;
     this.#lights.shadowSize = quality.shadowSize;
-    this.ground.shadowTaps = quality.taps;
+    this.shade.resolution = quality.shadeSize;
+    this.shade.shadowTaps = quality.taps;
     this.#resize();
     this.onQuality?.(quality);
   }
@@ -119,8 +130,11 @@ export class Stage {
   render(dtSecs: number, subject: Vector3, followed: Vector3 | null): void {
     if (this.governor.frame(dtSecs)) this.applyQuality();
     this.view.update(dtSecs, followed);
-    this.ground.follow(this.view.target);
     this.#lights.follow(subject, this.view.azimuth);
+    // The shade map's pass draws the light's shadow map too; the picture's pass finds it there.
+    this.#renderer.shadowMap.needsUpdate = true;
+    this.shade.render(this.#renderer, this.scene, middle.lerpVectors(subject, this.view.target, 0.5));
+    this.#ground.follow(this.view.target);
     this.#renderer.render(this.scene, this.view.camera);
   }
 
@@ -138,7 +152,8 @@ export class Stage {
       this.labels,
       this.#lights,
       this.#background,
-      this.ground,
+      this.#ground,
+      this.shade,
       this.footprints,
       this.path,
     ])
@@ -170,9 +185,14 @@ export class Stage {
 }
 
 const projected = new Vector3();
+const middle = new Vector3();
 
-function rendererName(renderer: WebGLRenderer): string {
-  const gl = renderer.getContext();
+/** Whether WebGL runs on the processor; asked of a context of its own, since multisampling must be chosen before. */
+function isSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return true;
   const info = gl.getExtension("WEBGL_debug_renderer_info");
-  return String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return SOFTWARE.test(name);
 }
