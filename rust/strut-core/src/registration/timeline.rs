@@ -8,7 +8,7 @@ use super::warp::{Ends, Warp};
 use std::ops::Range;
 
 /// Durations are smoothed over this time: pace within a step is kept, jitter of the warp is not.
-const PACE_SMOOTHING_SECS: f32 = 0.06;
+const PACE_SMOOTHING_SECS: f32 = 0.015;
 /// Slowest and fastest pace: canonical frames per frame of a clip.
 const PACE_RANGE: (f32, f32) = (0.1, 10.0);
 /// Others that each candidate for the reference is compared with, at most.
