@@ -152,6 +152,10 @@ export class App {
     return this.#store.state;
   }
 
+  get upToDate(): boolean {
+    return this.#session?.playback.upToDate ?? false;
+  }
+
   get analysed(): boolean {
     return this.#analysed;
   }
@@ -298,7 +302,7 @@ export class App {
       this.#applyTheme();
       this.#show(store.state);
     }, signal);
-    addEventListener("hashchange", () => store.edit(fromHash(location.hash)), { signal });
+    addEventListener("hashchange", () => this.#followLink(), { signal });
     listenToKeys(
       {
         play: () => this.#togglePlay(),
@@ -316,6 +320,13 @@ export class App {
       },
       signal,
     );
+  }
+
+  /** Goes to the state of a link that was put into the address bar. */
+  #followLink(): void {
+    const state = fromHash(location.hash);
+    this.#store.edit(state);
+    if (!state.playing) this.#goTo(state.frame);
   }
 
   #nextGhost(): void {

@@ -8,6 +8,8 @@ export interface StrutHook {
   readonly frame: LiveFrame | undefined;
   /** The state, as the URL has it. */
   readonly state: Readonly<PlayState>;
+  /** Whether the pose on screen is in the present style and at the present place; only while paused does it stay so. */
+  readonly upToDate: boolean;
   /** Whether the timeline shows the present style. */
   readonly analysed: boolean;
   /** Place of a joint of the styled character in the page, CSS pixels. */

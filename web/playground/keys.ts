@@ -21,9 +21,9 @@ function wantsKeys(element: Element | null): boolean {
   return element?.matches("input:not([type=checkbox]), select, textarea, [contenteditable]") ?? false;
 }
 
-/** Whether a key press on this element is the element's own: a button reached by keyboard takes Space. */
+/** Whether Space is the element's own. */
 function takesSpace(element: Element | null): boolean {
-  return element?.matches("button:focus-visible, a:focus-visible, [role=button]:focus-visible") ?? false;
+  return element?.matches("button, a, select, [role=button], input[type=text], input[type=radio]") ?? false;
 }
 
 /** Listens to the page's keys until the signal aborts. */
@@ -53,7 +53,7 @@ export function listenToKeys(actions: KeyActions, signal: AbortSignal): void {
     }
     if (event.altKey) return;
     if (event.key === " ") {
-      if (takesSpace(focused) || focused?.matches("input[type=text], select")) return;
+      if (takesSpace(focused)) return;
       event.preventDefault();
       if (!event.repeat) actions.play();
       return;
@@ -65,11 +65,12 @@ export function listenToKeys(actions: KeyActions, signal: AbortSignal): void {
     event.preventDefault();
     action();
   };
-  // A button that was clicked keeps the focus; the browser would press it again when Space is let go.
-  const onKeyUp = (event: KeyboardEvent): void => {
-    if (event.key === " " && document.activeElement?.matches("button") && !takesSpace(document.activeElement))
-      event.preventDefault();
+  // What was pressed with the pointer gives the keys back to the page: Space plays, it does not press again.
+  const onClick = (event: MouseEvent): void => {
+    const focused = document.activeElement;
+    const byPointer = event.detail > 0;
+    if (byPointer && focused instanceof HTMLElement && focused.matches("button, a, input[type=radio]")) focused.blur();
   };
   addEventListener("keydown", onKeyDown, { signal });
-  addEventListener("keyup", onKeyUp, { signal });
+  addEventListener("click", onClick, { signal });
 }

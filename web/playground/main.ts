@@ -45,6 +45,9 @@ async function start(root: HTMLElement): Promise<void> {
     get state() {
       return app.state;
     },
+    get upToDate() {
+      return app.upToDate;
+    },
     get analysed() {
       return app.analysed;
     },

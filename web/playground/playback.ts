@@ -56,6 +56,11 @@ export class Playback {
     return !this.#stale;
   }
 
+  /** Whether the pose on screen is the one that was asked for last; while playing the next one always is. */
+  get upToDate(): boolean {
+    return this.settled && !this.#busy && this.#seek === undefined;
+  }
+
   /** What the engine shall do from the next frame on. The styles get there smoothly, everything else at once. */
   set options(options: StylizeOptions) {
     this.#target = options;
@@ -89,9 +94,10 @@ export class Playback {
     this.#request = requestAnimationFrame(this.#tick);
     this.#listeners.onTick(now);
     if (this.#busy || this.#held > 0 || !this.#target) return;
-    const dt = Math.min(Math.max(0, (now - this.#last) / 1000), LONGEST_STEP_SECS);
+    const elapsed = Math.max(0, (now - this.#last) / 1000);
+    const dt = Math.min(elapsed, LONGEST_STEP_SECS);
     this.#last = now;
-    const restyled = this.#configure(this.#target, dt);
+    const restyled = this.#configure(this.#target, elapsed);
     const seek = this.#seek;
     if (seek === undefined && !this.playing && !restyled) return;
     this.#seek = undefined;

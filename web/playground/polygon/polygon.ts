@@ -67,6 +67,8 @@ export class Polygon {
   /** Where the handle is drawn: behind the model only while it glides. */
   #drawn: Point = { x: 0, y: 0 };
   #glide = 0;
+  /** Whether the change under way comes from the handle itself, which follows without easing. */
+  #moving = false;
   #drag: { pointerId: number; offset: Point } | undefined;
 
   constructor(listeners: PolygonListeners) {
@@ -119,7 +121,7 @@ export class Polygon {
     this.#model = model;
     if (relaid) this.#layOut();
     cancelAnimationFrame(this.#glide);
-    if (glide && !this.#drag && !prefersReducedMotion()) this.#glideFrom(this.#drawn);
+    if (glide && !this.#moving && !prefersReducedMotion()) this.#glideFrom(this.#drawn);
     else this.#draw(this.#modelPoint());
   }
 
@@ -159,7 +161,9 @@ export class Polygon {
     const selection = this.#model.whole
       ? fromPolygon(names, weights)
       : names.map((name, i) => ({ name, weight: weights[i]! }));
+    this.#moving = true;
     this.#listeners.onChange(selection, "polygon");
+    this.#moving = false;
   }
 
   #layOut(): void {

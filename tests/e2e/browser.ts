@@ -1,0 +1,142 @@
+/** What the end-to-end tests share: the built site behind a server, real Chromium, and a page that runs. */
+import { existsSync, mkdirSync } from "node:fs";
+import { resolve } from "node:path";
+import { type Browser, chromium, type Page } from "playwright-core";
+import { preview } from "vite";
+import type { StrutHook } from "../../web/playground/hook";
+import { POSE_FLOATS } from "../../web/worker/protocol";
+
+const ROOT = resolve(import.meta.dirname, "../..");
+/** Where screenshots go; git ignores it. */
+const OUTPUT = resolve(ROOT, "tests/output");
+
+/** WebGL 2 and WebGPU without a graphics card (DESIGN §3). */
+const FLAGS = [
+  "--no-sandbox",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--enable-unsafe-webgpu",
+  "--use-webgpu-adapter=swiftshader",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+/** Software rendering on a busy machine takes its time; what fails does not wait for this. */
+const SLOW_MS = 110_000;
+
+/** The page's hook has no other type inside `evaluate`. */
+declare const window: { strut?: StrutHook };
+
+/** The built site on a free port, under a folder of the host. */
+export async function serveSite(folder = "/"): Promise<{ url: string; close: () => Promise<void> }> {
+  if (!existsSync(resolve(ROOT, "dist/index.html"))) throw new Error("dist/ is missing; run 'npm run build' first.");
+  const server = await preview({
+    root: resolve(ROOT, "web/playground"),
+    configFile: resolve(ROOT, "vite.config.ts"),
+    base: folder,
+    preview: { port: 0, strictPort: false, open: false },
+    logLevel: "error",
+  });
+  return { url: server.resolvedUrls!.local[0]!, close: () => server.close() };
+}
+
+/** Chromium: CHROME_PATH, or where Debian puts it. */
+export function launchBrowser(): Promise<Browser> {
+  return chromium.launch({ executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium", args: FLAGS });
+}
+
+/** How a page is opened. */
+export interface PageOptions {
+  /** State in the URL, without `#`. */
+  hash?: string;
+  size?: { width: number; height: number };
+  theme?: "dark" | "light";
+}
+
+/** A page on which the character is on screen. A script error fails the test that caused it. */
+export async function openPage(browser: Browser, url: string, options: PageOptions = {}): Promise<Page> {
+  const context = await browser.newContext({
+    viewport: options.size ?? { width: 960, height: 640 },
+    colorScheme: options.theme ?? "dark",
+    acceptDownloads: true,
+    permissions: ["clipboard-read", "clipboard-write"],
+  });
+  const page = await context.newPage();
+  page.setDefaultTimeout(SLOW_MS);
+  const errors: string[] = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  faults.set(page, errors);
+  await page.goto(`${url}${options.hash ? `#${options.hash}` : ""}`);
+  await page.waitForFunction(() => window.strut?.frame !== undefined);
+  return page;
+}
+
+let visits = 0;
+
+/** Puts a page into the state of a link without loading it again. */
+export async function visit(page: Page, hash: string): Promise<void> {
+  visits += 1;
+  // The address must differ from the one before, or the browser sees no change; unknown keys are passed over.
+  await page.evaluate((link) => {
+    location.hash = link;
+  }, `${hash}&visit=${visits}`);
+  await page.waitForFunction((n) => !location.hash.includes(`visit=${n}`), visits);
+}
+
+const faults = new WeakMap<Page, string[]>();
+
+/** Closes a page and fails if a script of it threw meanwhile. */
+export async function closePage(page: Page): Promise<void> {
+  await page.context().close();
+  const errors = faults.get(page) ?? [];
+  if (errors.length > 0) throw new Error(`The page threw: ${errors.join("; ")}`);
+}
+
+/** The styled pose that is on screen. */
+export async function styledPose(page: Page): Promise<number[]> {
+  return page.evaluate(() => [...window.strut!.frame!.pose]);
+}
+
+/** Mean turn of the joints between two poses, degrees. */
+export function turnBetween(a: readonly number[], b: readonly number[]): number {
+  const turns: number[] = [];
+  for (let i = 3; i < POSE_FLOATS; i += 4) {
+    const dot = [0, 1, 2, 3].reduce((sum, k) => sum + a[i + k]! * b[i + k]!, 0);
+    turns.push((2 * Math.acos(Math.min(1, Math.abs(dot))) * 180) / Math.PI);
+  }
+  return turns.reduce((x, y) => x + y, 0) / turns.length;
+}
+
+/** The pose on screen while paused, once the style and the place that were asked for have arrived. */
+export async function settledPose(page: Page): Promise<number[]> {
+  await page.waitForFunction(() => window.strut!.upToDate);
+  return styledPose(page);
+}
+
+/** Drops a file on the page. */
+export async function dropFile(page: Page, name: string, content: string | Uint8Array): Promise<void> {
+  const bytes = Buffer.from(content).toString("base64");
+  const transfer = await page.evaluateHandle(
+    ({ name, bytes }) => {
+      const data = Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0));
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([data], name));
+      return transfer;
+    },
+    { name, bytes },
+  );
+  for (const type of ["dragenter", "dragover", "drop"])
+    await page.dispatchEvent("body", type, { dataTransfer: transfer });
+}
+
+/** The input that is open, by the name the page gives it. */
+export function inputName(page: Page): Promise<string> {
+  return page.getByLabel("Input motion").inputValue();
+}
+
+/** Saves what is on screen to tests/output. */
+export async function screenshot(page: Page, name: string): Promise<void> {
+  mkdirSync(OUTPUT, { recursive: true });
+  await page.screenshot({ path: resolve(OUTPUT, `${name}.png`) });
+}

@@ -1,0 +1,120 @@
+/** The page on wide and narrow screens, in both themes, from any folder, and for everybody. */
+import axe from "axe-core";
+import type { Browser, Page } from "playwright-core";
+import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import { closePage, launchBrowser, openPage, screenshot, serveSite } from "./browser";
+
+declare const window: { strut: StrutHook; axe: typeof axe };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+let page: Page;
+
+beforeAll(async () => {
+  // Not the root of the host: the site must work from any folder.
+  [browser, site] = await Promise.all([launchBrowser(), serveSite("/some/folder/")]);
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+afterEach(() => closePage(page));
+
+const WIDE = { width: 1440, height: 900 };
+const NARROW = { width: 390, height: 844 };
+
+/** How far the page is larger than the window. */
+const overflow = () =>
+  page.evaluate(() => {
+    const { scrollWidth, scrollHeight, clientWidth, clientHeight } = document.documentElement;
+    return { x: scrollWidth - clientWidth, y: scrollHeight - clientHeight };
+  });
+
+/** What axe finds, one line for each kind of fault. */
+async function faults(): Promise<string[]> {
+  await page.addScriptTag({ content: axe.source });
+  const { violations } = await page.evaluate(() => window.axe.run());
+  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
+}
+
+describe("a wide screen", () => {
+  for (const theme of ["dark", "light"] as const)
+    it(`holds everything without scrolling (${theme})`, async () => {
+      page = await openPage(browser, site.url, { size: WIDE, theme });
+      await page.waitForFunction(() => window.strut.analysed);
+      expect(page.url()).toContain("/some/folder/");
+      expect(await overflow()).toEqual({ x: 0, y: 0 });
+      const panels = await page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight);
+      expect(panels).toBeLessThanOrEqual(0);
+      for (const heading of ["Style", "Input", "Model"])
+        expect(await page.getByRole("heading", { name: heading, exact: true }).isVisible()).toBe(true);
+      expect(await faults()).toEqual([]);
+      await screenshot(page, `wide-${theme}`);
+    });
+
+  it("follows the system's theme until one is chosen", async () => {
+    page = await openPage(browser, site.url, { size: WIDE, theme: "dark" });
+    const background = () => page.locator("#app").evaluate((e) => getComputedStyle(e).backgroundColor);
+    const dark = await background();
+    await page.emulateMedia({ colorScheme: "light" });
+    await expect.poll(background).not.toBe(dark);
+    await page.getByRole("button", { name: "Dark theme" }).click();
+    await expect.poll(background).toBe(dark);
+    expect(await page.evaluate(() => window.strut.state.theme)).toBe("dark");
+  });
+
+  it("opens and closes the help", async () => {
+    page = await openPage(browser, site.url, { size: WIDE });
+    await page.keyboard.press("?");
+    expect(await page.getByRole("dialog").isVisible()).toBe(true);
+    expect(await faults()).toEqual([]);
+    await page.keyboard.press("Escape");
+    expect(await page.getByRole("dialog").isVisible()).toBe(false);
+  });
+});
+
+describe("a narrow screen", () => {
+  for (const theme of ["dark", "light"] as const)
+    it(`stacks with tabs and never scrolls sideways (${theme})`, async () => {
+      page = await openPage(browser, site.url, { size: NARROW, theme });
+      await page.waitForFunction(() => window.strut.analysed);
+      await screenshot(page, `narrow-${theme}-style`);
+      for (const tab of ["Input", "Model", "Curves", "Style"]) {
+        await page.getByRole("button", { name: tab, exact: true }).click();
+        expect(await overflow()).toEqual({ x: 0, y: 0 });
+        expect(await faults(), tab).toEqual([]);
+        if (tab !== "Style") await screenshot(page, `narrow-${theme}-${tab.toLowerCase()}`);
+      }
+    });
+
+  it("has targets large enough for a finger", async () => {
+    page = await openPage(browser, site.url, { size: NARROW });
+    const small = await page.locator("button:visible, select:visible").evaluateAll((elements) =>
+      elements
+        .map((e) => ({ name: e.getAttribute("aria-label") ?? e.textContent, box: e.getBoundingClientRect() }))
+        .filter(({ box }) => Math.min(box.width, box.height) < 40)
+        .map(({ name, box }) => `${name} ${Math.round(box.width)}×${Math.round(box.height)}`),
+    );
+    expect(small).toEqual([]);
+  });
+});
+
+describe("a browser that cannot", () => {
+  it("gets a sentence without WebGL 2", async () => {
+    const context = await browser.newContext();
+    page = await context.newPage();
+    await page.addInitScript(() => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    });
+    await page.goto(site.url);
+    expect(await page.getByRole("alert").textContent()).toMatch(/WebGL 2/);
+  });
+
+  it("gets a sentence without JavaScript", async () => {
+    const context = await browser.newContext({ javaScriptEnabled: false });
+    page = await context.newPage();
+    await page.goto(site.url);
+    expect(await page.locator(".fallback").textContent()).toMatch(/needs JavaScript/);
+  });
+});

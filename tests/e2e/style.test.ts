@@ -1,0 +1,190 @@
+/** The main thing: a character walks, and dragging a point changes how. */
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import {
+  closePage,
+  launchBrowser,
+  openPage,
+  screenshot,
+  serveSite,
+  settledPose,
+  styledPose,
+  turnBetween,
+  visit,
+} from "./browser";
+
+declare const window: { strut: StrutHook };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+let page: Page;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
+  page = await openPage(browser, site.url);
+});
+afterAll(async () => {
+  await closePage(page).finally(async () => {
+    await browser.close();
+    await site.close();
+  });
+});
+
+/** A state that stands still, so that only the style changes the pose. */
+const PAUSED = "play=0&frame=60&styles=proud:1,old:0,depressed:0";
+
+const handle = () => page.getByRole("slider", { name: "Style", exact: true });
+const weights = () => page.evaluate(() => window.strut.state.styles.map((s) => s.weight));
+const centre = async () => {
+  const box = (await handle().boundingBox())!;
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+};
+
+describe("the page", () => {
+  it("opens with a character that walks", async () => {
+    const feet = () =>
+      page.evaluate(() => {
+        const place = (role: "left_foot" | "right_foot" | "head") => window.strut.jointScreenPosition(role);
+        return { left: place("left_foot"), right: place("right_foot"), head: place("head") };
+      });
+    const places: Awaited<ReturnType<typeof feet>>[] = [];
+    for (let i = 0; i < 10; i++) {
+      places.push(await feet());
+      await page.waitForTimeout(300);
+    }
+    const travel = (side: "left" | "right") => {
+      const xs = places.map((p) => p[side].x);
+      return Math.max(...xs) - Math.min(...xs);
+    };
+    expect(travel("left")).toBeGreaterThan(20);
+    expect(travel("right")).toBeGreaterThan(20);
+    const stage = (await page.locator("main canvas").first().boundingBox())!;
+    for (const { head } of places) {
+      expect(head.x).toBeGreaterThan(stage.x);
+      expect(head.x).toBeLessThan(stage.x + stage.width);
+      expect(head.y).toBeGreaterThan(stage.y);
+      expect(head.y).toBeLessThan(stage.y + stage.height / 2);
+    }
+    await expect.poll(() => page.locator(".stage-title").textContent()).toMatch(/^Walk, mostly /);
+    await screenshot(page, "rest");
+  });
+});
+
+describe("the point in the triangle", () => {
+  it("changes the pose where it is dragged, and undo brings the pose back", async () => {
+    await visit(page, PAUSED);
+    const before = await settledPose(page);
+    const from = await centre();
+    const to = (await page.locator('.vertex[data-style="depressed"] .vertex-dot').boundingBox())!;
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    for (let i = 1; i <= 12; i++)
+      await page.mouse.move(from.x + ((to.x + 5 - from.x) * i) / 12, from.y + ((to.y + 5 - from.y) * i) / 12);
+    await screenshot(page, "drag");
+    await page.mouse.up();
+    const after = await settledPose(page);
+    expect((await weights())[2]).toBeGreaterThan(0.95);
+    expect(turnBetween(before, after)).toBeGreaterThan(3);
+
+    await page.keyboard.press("Control+z");
+    expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);
+    await page.keyboard.press("Control+Shift+z");
+    expect(turnBetween(after, await settledPose(page))).toBeLessThan(0.2);
+  });
+
+  it("acts while the character walks, within a frame of the page", async () => {
+    await visit(page, "styles=proud:1,old:0,depressed:0");
+    await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
+    expect(await weights()).toEqual([0, 0, 1]);
+    // From the edit on, two repaints later a frame of another pose than the one before has arrived.
+    const before = await styledPose(page);
+    await expect.poll(async () => turnBetween(before, await styledPose(page))).toBeGreaterThan(1);
+  });
+
+  it("follows the arrow keys, with Shift in small steps, and says its weights", async () => {
+    await visit(page, "play=0&frame=60&styles=proud:0.4,old:0.3,depressed:0.3");
+    const before = await settledPose(page);
+    await handle().focus();
+    const start = await centre();
+    await page.keyboard.press("ArrowUp");
+    const up = await centre();
+    expect(start.y - up.y).toBeCloseTo(0.05 * 92, 0);
+    await page.keyboard.press("Shift+ArrowRight");
+    expect((await centre()).x - up.x).toBeCloseTo(0.01 * 92, 0);
+    for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowUp");
+    expect(await handle().getAttribute("aria-valuetext")).toMatch(/^proud 0\.\d\d, old 0\.\d\d, depressed 0\.\d\d$/);
+    expect(turnBetween(before, await settledPose(page))).toBeGreaterThan(1);
+    expect(await page.evaluate(() => window.strut.state.playing)).toBe(false);
+  });
+
+  it("selects a style with Enter, drops it with Delete, takes all of one with a number key", async () => {
+    await visit(page, PAUSED);
+    const names = () => page.evaluate(() => window.strut.state.styles.map((s) => s.name));
+    const neutral = page.locator('.vertex[data-style="neutral"]');
+    await neutral.focus();
+    await page.keyboard.press("Enter");
+    expect(await names()).toContain("neutral");
+    await page.keyboard.press("Delete");
+    expect(await names()).not.toContain("neutral");
+    await page.keyboard.press("1");
+    expect(Math.max(...(await weights()))).toBe(1);
+  });
+});
+
+describe("intensity", () => {
+  it("goes from neutral to beyond the style", async () => {
+    await visit(page, PAUSED);
+    const full = await settledPose(page);
+    const slider = page.getByRole("slider", { name: "Intensity" });
+    await slider.fill("0");
+    const none = await settledPose(page);
+    await slider.fill("1.5");
+    const more = await settledPose(page);
+    expect(turnBetween(full, none)).toBeGreaterThan(2);
+    expect(turnBetween(more, none)).toBeGreaterThan(turnBetween(full, none));
+    await expect.poll(() => page.locator(".polygon-caption").textContent()).toMatch(/Beyond the data/);
+  });
+});
+
+describe("the URL", () => {
+  it("holds the picture: a copy of it shows the same pose", async () => {
+    await visit(page, "play=0&frame=75");
+    await page.locator(".vertex-dot").first().dblclick();
+    await page.getByRole("slider", { name: "Intensity" }).fill("0.7");
+    await page.getByRole("slider", { name: "Neighbours" }).press("ArrowUp");
+    await page.getByRole("switch", { name: "Footplant" }).click();
+    await page.getByRole("radio", { name: "Side" }).check({ force: true });
+    const pose = await settledPose(page);
+    await page.getByRole("button", { name: "Share" }).click();
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    expect(page.url()).toBe(copied);
+    const state = await page.evaluate(() => window.strut.state);
+    const other = await openPage(browser, copied);
+    expect(await other.evaluate(() => window.strut.state)).toEqual(state);
+    expect(turnBetween(pose, await settledPose(other))).toBeLessThan(0.2);
+    await closePage(other);
+  });
+});
+
+describe("playing", () => {
+  it("stops, goes by frames, scrubs and ends where it is not to loop", async () => {
+    await visit(page, "loop=0");
+    const frame = () => page.evaluate(() => window.strut.frame!.inputFrame);
+    await page.keyboard.press("Space");
+    expect(await page.evaluate(() => window.strut.state.playing)).toBe(false);
+    await settledPose(page);
+    const at = Math.round(await frame());
+    await page.keyboard.press("ArrowRight");
+    await expect.poll(frame).toBe(at + 1);
+    const rows = (await page.locator(".timeline-rows").boundingBox())!;
+    await page.mouse.click(rows.x + rows.width / 2, rows.y + 80);
+    const last = Number(await page.locator(".scrub").getAttribute("max"));
+    await expect.poll(frame).toBeGreaterThan(last * 0.45);
+    expect(await frame()).toBeLessThan(last * 0.55);
+    await page.keyboard.press("End");
+    await expect.poll(frame).toBe(last);
+    await page.keyboard.press("Space");
+    await expect.poll(frame).toBeLessThan(last * 0.5);
+  });
+});
