@@ -3,6 +3,7 @@ import { existsSync, mkdirSync } from "node:fs";
 import { resolve } from "node:path";
 import { type Browser, chromium, type Page } from "playwright-core";
 import { preview } from "vite";
+import { expect } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
 import { POSE_FLOATS } from "../../web/worker/protocol";
 
@@ -24,6 +25,10 @@ const FLAGS = [
 
 /** Software rendering on a busy machine takes its time; what fails does not wait for this. */
 const SLOW_MS = 110_000;
+
+/** Expects something of a value that is asked for until it holds. */
+export const eventually = <T>(ask: () => T | Promise<T>, message?: string) =>
+  expect.poll(ask, { timeout: SLOW_MS / 2, ...(message ? { message } : {}) });
 
 /** The page's hook has no other type inside `evaluate`. */
 declare const window: { strut?: StrutHook };

@@ -8,6 +8,7 @@ import { recordings } from "../recordings";
 import {
   closePage,
   dropFile,
+  eventually,
   inputName,
   launchBrowser,
   openPage,
@@ -58,7 +59,7 @@ describe("a BVH that is dropped", () => {
       const before = await styledPose(page);
       const file = path.split("/").at(-1)!;
       await dropFile(page, file, readFileSync(join(data!, path)));
-      await expect.poll(() => inputName(page)).toBe(file.replace(".bvh", ""));
+      await eventually(() => inputName(page)).toBe(file.replace(".bvh", ""));
       await page.waitForFunction(() => window.strut.analysed && window.strut.frame!.inputFrame > 30);
       expect(turnBetween(before, await styledPose(page))).toBeGreaterThan(1);
       expect((await styledPose(page)).every(Number.isFinite)).toBe(true);
@@ -70,7 +71,7 @@ describe("a BVH that is dropped", () => {
     await visit(page, "styles=proud:1,old:0,depressed:0");
     const file = readFileSync(join(data!, "xia/neutral_01_000.bvh"), "utf8");
     await dropFile(page, "neutral_01_000.bvh", file);
-    await expect.poll(() => inputName(page)).toBe("neutral_01_000");
+    await eventually(() => inputName(page)).toBe("neutral_01_000");
     const { name, text } = await exported();
     expect(name).toBe("neutral-01-000-proud.bvh");
     const joints = (bvh: string) => [...bvh.matchAll(/(?:ROOT|JOINT)\s+(\S+)/g)].map((match) => match[1]);
@@ -84,13 +85,13 @@ describe("an export", () => {
     const { name, text } = await exported();
     expect(name).toMatch(/-old\.bvh$/);
     await dropFile(page, name, text);
-    await expect.poll(() => inputName(page)).toBe(name.replace(".bvh", ""));
+    await eventually(() => inputName(page)).toBe(name.replace(".bvh", ""));
     expect(await alert().textContent()).toBe("");
     // Undo goes back to the input before, redo to the dropped one.
     await page.keyboard.press("Control+z");
-    await expect.poll(() => inputName(page)).not.toBe(name.replace(".bvh", ""));
+    await eventually(() => inputName(page)).not.toBe(name.replace(".bvh", ""));
     await page.keyboard.press("Control+Shift+z");
-    await expect.poll(() => inputName(page)).toBe(name.replace(".bvh", ""));
+    await eventually(() => inputName(page)).toBe(name.replace(".bvh", ""));
   });
 });
 
@@ -110,7 +111,7 @@ describe("a file that cannot be used", () => {
     const input = await inputName(page);
     for (const [what, name, content] of files) {
       await dropFile(page, name, content);
-      await expect.poll(() => alert().textContent(), { message: what }).toMatch(/\.$/);
+      await eventually(() => alert().textContent(), what).toMatch(/\.$/);
       if (name === "letter.bvh") await screenshot(page, "broken-file");
       await alert().getByRole("button", { name: "Dismiss" }).click();
       expect(await alert().textContent(), what).toBe("");
@@ -118,6 +119,6 @@ describe("a file that cannot be used", () => {
     }
     expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);
     await page.keyboard.press("Space");
-    await expect.poll(async () => turnBetween(before, await styledPose(page))).toBeGreaterThan(1);
+    await eventually(async () => turnBetween(before, await styledPose(page))).toBeGreaterThan(1);
   });
 });

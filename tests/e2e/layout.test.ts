@@ -1,9 +1,9 @@
 /** The page on wide and narrow screens, in both themes, from any folder, and for everybody. */
 import axe from "axe-core";
 import type { Browser, Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import { closePage, launchBrowser, openPage, screenshot, serveSite } from "./browser";
+import { closePage, eventually, launchBrowser, openPage, screenshot, serveSite, visit } from "./browser";
 
 declare const window: { strut: StrutHook; axe: typeof axe };
 
@@ -14,15 +14,26 @@ let page: Page;
 beforeAll(async () => {
   // Not the root of the host: the site must work from any folder.
   [browser, site] = await Promise.all([launchBrowser(), serveSite("/some/folder/")]);
+  page = await openPage(browser, site.url);
 });
 afterAll(async () => {
-  await browser.close();
-  await site.close();
+  await closePage(page).finally(async () => {
+    await browser.close();
+    await site.close();
+  });
 });
-afterEach(() => closePage(page));
 
 const WIDE = { width: 1440, height: 900 };
 const NARROW = { width: 390, height: 844 };
+
+/** Shows the page at a size and in the system's theme, in its first state. */
+async function showAt(viewport: { width: number; height: number }, theme: "dark" | "light"): Promise<void> {
+  await page.setViewportSize(viewport);
+  await page.emulateMedia({ colorScheme: theme });
+  await visit(page, "");
+  await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, theme);
+  await page.waitForFunction(() => window.strut.analysed);
+}
 
 /** How far the page is larger than the window. */
 const overflow = () =>
@@ -41,8 +52,7 @@ async function faults(): Promise<string[]> {
 describe("a wide screen", () => {
   for (const theme of ["dark", "light"] as const)
     it(`holds everything without scrolling (${theme})`, async () => {
-      page = await openPage(browser, site.url, { size: WIDE, theme });
-      await page.waitForFunction(() => window.strut.analysed);
+      await showAt(WIDE, theme);
       expect(page.url()).toContain("/some/folder/");
       expect(await overflow()).toEqual({ x: 0, y: 0 });
       const panels = await page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight);
@@ -54,18 +64,18 @@ describe("a wide screen", () => {
     });
 
   it("follows the system's theme until one is chosen", async () => {
-    page = await openPage(browser, site.url, { size: WIDE, theme: "dark" });
+    await showAt(WIDE, "dark");
     const background = () => page.locator("#app").evaluate((e) => getComputedStyle(e).backgroundColor);
     const dark = await background();
     await page.emulateMedia({ colorScheme: "light" });
-    await expect.poll(background).not.toBe(dark);
+    await eventually(background).not.toBe(dark);
     await page.getByRole("button", { name: "Dark theme" }).click();
-    await expect.poll(background).toBe(dark);
+    await eventually(background).toBe(dark);
     expect(await page.evaluate(() => window.strut.state.theme)).toBe("dark");
   });
 
   it("opens and closes the help", async () => {
-    page = await openPage(browser, site.url, { size: WIDE });
+    await showAt(WIDE, "dark");
     await page.keyboard.press("?");
     expect(await page.getByRole("dialog").isVisible()).toBe(true);
     expect(await faults()).toEqual([]);
@@ -77,8 +87,7 @@ describe("a wide screen", () => {
 describe("a narrow screen", () => {
   for (const theme of ["dark", "light"] as const)
     it(`stacks with tabs and never scrolls sideways (${theme})`, async () => {
-      page = await openPage(browser, site.url, { size: NARROW, theme });
-      await page.waitForFunction(() => window.strut.analysed);
+      await showAt(NARROW, theme);
       await screenshot(page, `narrow-${theme}-style`);
       for (const tab of ["Input", "Model", "Curves", "Style"]) {
         await page.getByRole("button", { name: tab, exact: true }).click();
@@ -89,7 +98,7 @@ describe("a narrow screen", () => {
     });
 
   it("has targets large enough for a finger", async () => {
-    page = await openPage(browser, site.url, { size: NARROW });
+    await showAt(NARROW, "dark");
     const small = await page.locator("button:visible, select:visible").evaluateAll((elements) =>
       elements
         .map((e) => ({ name: e.getAttribute("aria-label") ?? e.textContent, box: e.getBoundingClientRect() }))
@@ -103,18 +112,20 @@ describe("a narrow screen", () => {
 describe("a browser that cannot", () => {
   it("gets a sentence without WebGL 2", async () => {
     const context = await browser.newContext();
-    page = await context.newPage();
-    await page.addInitScript(() => {
+    const poor = await context.newPage();
+    await poor.addInitScript(() => {
       HTMLCanvasElement.prototype.getContext = () => null;
     });
-    await page.goto(site.url);
-    expect(await page.getByRole("alert").textContent()).toMatch(/WebGL 2/);
+    await poor.goto(site.url);
+    expect(await poor.getByRole("alert").textContent()).toMatch(/WebGL 2/);
+    await context.close();
   });
 
   it("gets a sentence without JavaScript", async () => {
     const context = await browser.newContext({ javaScriptEnabled: false });
-    page = await context.newPage();
-    await page.goto(site.url);
-    expect(await page.locator(".fallback").textContent()).toMatch(/needs JavaScript/);
+    const poor = await context.newPage();
+    await poor.goto(site.url);
+    expect(await poor.locator(".fallback").textContent()).toMatch(/needs JavaScript/);
+    await context.close();
   });
 });

@@ -4,6 +4,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
 import {
   closePage,
+  eventually,
   launchBrowser,
   openPage,
   screenshot,
@@ -66,7 +67,7 @@ describe("the page", () => {
       expect(head.y).toBeGreaterThan(stage.y);
       expect(head.y).toBeLessThan(stage.y + stage.height / 2);
     }
-    await expect.poll(() => page.locator(".stage-title").textContent()).toMatch(/^Walk, mostly /);
+    await eventually(() => page.locator(".stage-title").textContent()).toMatch(/^Walk, mostly /);
     await screenshot(page, "rest");
   });
 });
@@ -99,7 +100,7 @@ describe("the point in the triangle", () => {
     expect(await weights()).toEqual([0, 0, 1]);
     // From the edit on, two repaints later a frame of another pose than the one before has arrived.
     const before = await styledPose(page);
-    await expect.poll(async () => turnBetween(before, await styledPose(page))).toBeGreaterThan(1);
+    await eventually(async () => turnBetween(before, await styledPose(page))).toBeGreaterThan(1);
   });
 
   it("follows the arrow keys, with Shift in small steps, and says its weights", async () => {
@@ -143,7 +144,7 @@ describe("intensity", () => {
     const more = await settledPose(page);
     expect(turnBetween(full, none)).toBeGreaterThan(2);
     expect(turnBetween(more, none)).toBeGreaterThan(turnBetween(full, none));
-    await expect.poll(() => page.locator(".polygon-caption").textContent()).toMatch(/Beyond the data/);
+    await eventually(() => page.locator(".polygon-caption").textContent()).toMatch(/Beyond the data/);
   });
 });
 
@@ -176,15 +177,15 @@ describe("playing", () => {
     await settledPose(page);
     const at = Math.round(await frame());
     await page.keyboard.press("ArrowRight");
-    await expect.poll(frame).toBe(at + 1);
+    await eventually(frame).toBe(at + 1);
     const rows = (await page.locator(".timeline-rows").boundingBox())!;
     await page.mouse.click(rows.x + rows.width / 2, rows.y + 80);
     const last = Number(await page.locator(".scrub").getAttribute("max"));
-    await expect.poll(frame).toBeGreaterThan(last * 0.45);
+    await eventually(frame).toBeGreaterThan(last * 0.45);
     expect(await frame()).toBeLessThan(last * 0.55);
     await page.keyboard.press("End");
-    await expect.poll(frame).toBe(last);
+    await eventually(frame).toBe(last);
     await page.keyboard.press("Space");
-    await expect.poll(frame).toBeLessThan(last * 0.5);
+    await eventually(frame).toBeLessThan(last * 0.5);
   });
 });

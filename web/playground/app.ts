@@ -182,13 +182,14 @@ export class App {
     this.#configure();
   }
 
-  /** Drops styles that the database does not have, and chooses some where none is left. */
-  #completeStyles(database: DatabaseInfo): void {
+  /** Drops styles that the database does not have, and chooses some where none is left; whether it had to. */
+  #completeStyles(database: DatabaseInfo): boolean {
     const { styles } = this.#store.state;
     const known = styles.filter((s) => database.styles.includes(s.name));
-    if (known.length === styles.length && known.length > 0) return;
+    if (known.length === styles.length && known.length > 0) return false;
     const first = firstSelection(database.styles, database.neutral);
     this.#store.adopt({ styles: known.length > 0 ? normalised(known) : first, wholePolygon: false });
+    return true;
   }
 
   #onInput(input: InputInfo): void {
@@ -232,11 +233,15 @@ export class App {
 
   #onChange(state: Readonly<PlayState>, changed: Changed): void {
     const session = this.#session;
+    // Adopting the missing styles is a change of its own, which shows the rest too.
+    if (session?.database && changed.has("styles") && this.#completeStyles(session.database)) {
+      this.#onChange(this.#store.state, changed);
+      return;
+    }
     if (changed.has("theme")) this.#applyTheme();
     if (session && changed.has("loop")) session.setLoop(state.loop);
     if (any(changed, "styles", "intensity", "k", "lambda", "rho", "kappa", "delta", "timing", "footplant"))
       this.#configure();
-    if (session?.database && changed.has("styles")) this.#completeStyles(session.database);
     if (session?.input && changed.has("input")) this.#followInput(state.input);
     this.#show(state, changed);
     clearTimeout(this.#url);
@@ -281,7 +286,11 @@ export class App {
     const { neutral, rateHz } = session.database;
     this.#stage.heading = {
       title: stageTitle(this.#action, styles, intensity, neutral),
-      caption: stageCaption(session.inputName, styles.filter((s) => s.weight !== 0).length, rateHz),
+      caption: stageCaption(
+        session.library.title(session.inputName),
+        styles.filter((s) => s.weight !== 0).length,
+        rateHz,
+      ),
     };
   }
 

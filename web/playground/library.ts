@@ -1,5 +1,6 @@
 /** The inputs that can be chosen: the engine's built-in ones and the files that were dropped on this page. */
 import type { InputSource } from "../worker/protocol";
+import { spoken } from "./words";
 
 export class InputLibrary {
   builtIn: readonly string[] = [];
@@ -18,15 +19,23 @@ export class InputLibrary {
     return this.builtIn.includes(name) || this.#dropped.has(name);
   }
 
+  /** The name as people read it: a file keeps its own. */
+  title(name: string): string {
+    return this.isDropped(name) ? name : spoken(name);
+  }
+
   isDropped(name: string): boolean {
     return this.#dropped.has(name);
   }
 
-  /** Adds a file and returns the name it goes by: its own, with a number where that is taken. */
+  /**
+   * Adds a file and returns the name it goes by: its own, with a number where that belongs to another one. The same
+   * file keeps its name.
+   */
   add(fileName: string, bytes: ArrayBuffer): string {
     const base = fileName.replace(/\.bvh$/i, "") || "motion";
     let name = base;
-    for (let n = 2; this.has(name); n++) name = `${base} (${n})`;
+    for (let n = 2; this.has(name) && !sameBytes(this.#dropped.get(name), bytes); n++) name = `${base} (${n})`;
     this.#dropped.set(name, bytes);
     return name;
   }
@@ -42,4 +51,10 @@ export class InputLibrary {
     if (bytes) return { kind: "bvh", name, bytes };
     return this.builtIn.includes(name) ? { kind: "built-in", name } : undefined;
   }
+}
+
+function sameBytes(a: ArrayBuffer | undefined, b: ArrayBuffer): boolean {
+  if (!a || a.byteLength !== b.byteLength) return false;
+  const [left, right] = [new Uint8Array(a), new Uint8Array(b)];
+  return left.every((value, i) => value === right[i]);
 }

@@ -25,7 +25,7 @@ describe("the title", () => {
     expect(stageTitle("walk-turn-left", mix({ "not-confident": 1 }), 1, "normal")).toBe(
       "Walk turn left, not confident",
     );
-    expect(stageCaption("neutral-walk", 1, 60)).toBe("neutral walk in · 1 style · 60 Hz");
+    expect(stageCaption("neutral walk", 1, 60)).toBe("neutral walk in · 1 style · 60 Hz");
   });
 });
 

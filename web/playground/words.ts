@@ -28,7 +28,8 @@ export function numberWord(n: number): string {
   return NUMBERS[n] ?? String(n);
 }
 
-const spoken = (name: string): string => name.replace(/[-_]+/g, " ");
+/** A name of the engine as words: hyphens are spaces. */
+export const spoken = (name: string): string => name.replace(/[-_]+/g, " ");
 const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** The title of the stage: what the character does and how, “Walk, mostly proud”. */
@@ -53,7 +54,7 @@ function manner(selection: Selection, intensity: number, neutral: string): strin
 
 /** The line under the title. */
 export function stageCaption(input: string, styles: number, rateHz: number): string {
-  return `${spoken(input)} in · ${styles} ${styles === 1 ? "style" : "styles"} · ${Math.round(rateHz)} Hz`;
+  return `${input} in · ${styles} ${styles === 1 ? "style" : "styles"} · ${Math.round(rateHz)} Hz`;
 }
 
 /** Name of the exported file: the input's and the heaviest style's. */

@@ -4,6 +4,7 @@ import { button } from "../controls/buttons";
 import { icon } from "../controls/icons";
 import { formatNumber, html, setText } from "../dom";
 import type { InputLibrary } from "../library";
+import { spoken } from "../words";
 
 /** The reading changes this often, so that it can be read. */
 const READING_MS = 250;
@@ -12,8 +13,6 @@ export interface InputListeners {
   onChoose: (name: string) => void;
   onFile: () => void;
 }
-
-const spoken = (name: string): string => name.replace(/[-_]+/g, " ");
 
 export class InputPanel {
   readonly element: HTMLElement;
@@ -53,7 +52,7 @@ export class InputPanel {
 
   /** Lists the inputs there are and marks the one that is open. */
   list(library: InputLibrary, chosen: string): void {
-    const option = (name: string) => html("option", { value: name }, spoken(name));
+    const option = (name: string) => html("option", { value: name }, library.title(name));
     const group = (label: string, names: readonly string[]) =>
       names.length > 0 ? [html("optgroup", { label }, ...names.map(option))] : [];
     this.#select.replaceChildren(...group("Built in", library.builtIn), ...group("Dropped here", library.dropped));
@@ -62,6 +61,7 @@ export class InputPanel {
 
   set input(input: InputInfo) {
     setText(this.#note, input.note);
+    this.#note.title = input.note;
     this.#readAt = 0;
   }
 

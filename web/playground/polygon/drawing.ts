@@ -36,6 +36,8 @@ const text = (p: Point, anchor: string, ...children: SVGTSpanElement[]) =>
   );
 
 const named = (name: string) => svg("tspan", { class: "vertex-name" }, name);
+/** Keeps name and number two words for screen readers, without a place in the drawing. */
+const wordBreak = () => svg("tspan", { "font-size": 0 }, " ");
 const numbered = (weight: number, attributes: Record<string, string | number> = {}) =>
   svg("tspan", { class: "vertex-number", ...attributes }, formatNumber(weight, 2));
 
@@ -54,18 +56,18 @@ export function label({ name, weight, position }: LabelledVertex, edge: number):
   }
   if (side === 0) {
     const at = { x: position.x, y: position.y + out.y * (LABEL_GAP + 6) };
-    return text(at, anchor, named(name), numbered(weight, { dx: 6 }));
+    return text(at, anchor, named(name), wordBreak(), numbered(weight, { dx: 6 }));
   }
   if (Math.abs(out.x) > 0.85) {
     const x = side * edge;
     const outer = side > 0 ? "end" : "start";
     const label = text({ x, y: position.y - 14 }, outer, named(name));
-    label.append(numbered(weight, { x, dy: 29 }));
+    label.append(wordBreak(), numbered(weight, { x, dy: 29 }));
     return label;
   }
   const at = { x: position.x + side * (LABEL_GAP - 10), y: position.y + out.y * (LABEL_GAP - 6) };
   const made = text({ x: at.x, y: out.y > 0 ? at.y : at.y - 15 }, anchor, named(name));
-  made.append(numbered(weight, { x: at.x.toFixed(1), dy: 15 }));
+  made.append(wordBreak(), numbered(weight, { x: at.x.toFixed(1), dy: 15 }));
   return made;
 }
 

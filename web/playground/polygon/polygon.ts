@@ -10,7 +10,7 @@ import { Trail } from "./trail";
 
 /** Radius, and room for labels above and below the centre, in pixels. */
 const RADIUS = 92;
-const ROOM = { above: 146, below: 122 };
+const ROOM = { above: 144, below: 120 };
 /** Duration of a jump to a vertex. */
 const GLIDE_MS = 240;
 /** Arrow keys move the handle by these shares of the radius. */

@@ -5,14 +5,14 @@
 import type { Colours } from "../colours";
 import { tickSpacing } from "./curves";
 
-/** Rows from the top, in CSS pixels of a timeline 136 high. */
+/** Rows from the top, in CSS pixels of a timeline 135 high. */
 export const ROWS = {
   ruler: 21,
   contacts: [34, 45],
   contactHeight: 6,
   curve: { top: 60, bottom: 99 },
   timing: { top: 115, bottom: 124 },
-  height: 136,
+  height: 135,
 } as const;
 
 /** Space left and right of the axis, so that the flag and the first label are not cut off. */
