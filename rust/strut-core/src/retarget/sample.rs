@@ -9,6 +9,7 @@ const MAX_FRAMES: usize = 64;
 
 /// World transforms of every joint at some frames, in the file's units and axes.
 pub(super) struct Sample {
+    parents: Vec<Option<usize>>,
     frames: Vec<Vec<(Vec3, Quat)>>,
     /// Position of each joint in its parent's frame: `OFFSET`, or the median of the position channels
     /// where those say otherwise.
@@ -22,7 +23,8 @@ impl Sample {
         let indices: Vec<usize> = (0..count).map(|i| i * (motion.frames() - 1) / (count - 1).max(1)).collect();
         let frames = indices.iter().map(|&f| world_transforms(motion, f)).collect();
         let translations = (0..motion.skeleton.len()).map(|j| usual_translation(motion, &indices, j)).collect();
-        Self { frames, translations }
+        let parents = motion.skeleton.joints().iter().map(|j| j.parent).collect();
+        Self { parents, frames, translations }
     }
 
     /// Whether no frame was there to sample.
@@ -38,6 +40,10 @@ impl Sample {
 
     /// Mean position of `joint` in the frame of `of`.
     pub(super) fn mean_local(&self, of: usize, joint: usize) -> Vec3 {
+        if self.parents[joint] == Some(of) {
+            // Exact, so that rounding in a clip does not reach the rest pose.
+            return self.translations[joint];
+        }
         self.mean(|w| w[of].1.inv_mul_vec3(w[joint].0 - w[of].0))
     }
 
