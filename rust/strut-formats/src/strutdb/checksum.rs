@@ -1,5 +1,7 @@
 //! The checksum of a whole file that contains it.
 
+use super::crc32::Crc32;
+
 /// How the metadata's field looks in the file: JSON within a JSON string. A quotation mark in any text
 /// of the metadata is escaped twice, so that no text can look like this.
 const FIELD: &[u8] = br#"\"checksum\":\""#;
@@ -19,11 +21,11 @@ fn digits(file: &[u8]) -> Option<std::ops::Range<usize>> {
 /// The checksum that a file should have, if it has one; lower-case hexadecimal.
 pub(super) fn compute(file: &[u8]) -> Option<String> {
     let digits = digits(file)?;
-    let mut crc = crc32fast::Hasher::new();
+    let mut crc = Crc32::new();
     crc.update(&file[..digits.start]);
     crc.update(BLANK.as_bytes());
     crc.update(&file[digits.end..]);
-    Some(format!("{:08x}", crc.finalize()))
+    Some(format!("{:08x}", crc.finish()))
 }
 
 /// Enters the checksum into a file whose metadata hold [`BLANK`] in its place.

@@ -30,6 +30,7 @@
 //! [`JOINTS`]: strut_core::humanoid::JOINTS
 
 mod checksum;
+mod crc32;
 mod metadata;
 mod read;
 mod write;
