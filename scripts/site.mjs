@@ -16,7 +16,7 @@ export async function buildWasm() {
   const rust = await setupRust();
   const wasm = await setupWasm(rust);
   await step("Building the engine for WebAssembly", () =>
-    run(wasm.CARGO ?? "cargo", ["run", "--release", "--quiet", "-p", "xtask", "--", "wasm"], {
+    run(wasm.CARGO ?? "cargo", ["run", "--profile", "tool", "--quiet", "-p", "xtask", "--", "wasm"], {
       env: wasm,
       cwd: join(root, "rust"),
     }),

@@ -1,4 +1,4 @@
-//! Builds the WASM package: `cargo run -p xtask --release -- wasm`.
+//! Builds the WASM package: `cargo run --profile tool -p xtask -- wasm`.
 #![forbid(unsafe_code)]
 
 mod wasm;
