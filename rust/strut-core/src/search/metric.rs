@@ -233,6 +233,13 @@ impl QueryWindow {
         self.lower = CentredWindow::new(&frames, Metric::LowerBody);
     }
 
+    /// A stored window as a query.
+    pub(super) fn from_points(frames: &[FramePoints; WINDOW]) -> Self {
+        let (full, lower) =
+            (CentredWindow::new(frames, Metric::FullBody), CentredWindow::new(frames, Metric::LowerBody));
+        Self { pushed: WINDOW, full, lower, ..Self::default() }
+    }
+
     /// D between this window and the stored one of these points and norm.
     #[allow(clippy::inline_always)] // see `inner_product`
     #[inline(always)]

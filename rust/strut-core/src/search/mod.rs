@@ -4,10 +4,12 @@
 //! clip end no window. Rows are kept once, in a frame of reference of their clip that is rebuilt by
 //! integrating the rows' velocities and heading rates, so that overlapping windows share them.
 
+#[cfg(test)]
 mod brute_force;
 mod lanes;
 mod metric;
 mod neighbours;
+mod path_bound;
 
 pub use metric::{Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};
@@ -15,6 +17,7 @@ pub use neighbours::{Neighbour, Neighbours};
 use crate::database::Database;
 use crate::pose_vector::{HEADING_RATE, Placement};
 use metric::{FramePoints, GroundRow, HeightRow, window_norm};
+use path_bound::{limit_from_last, step_length};
 use std::ops::Range;
 
 /// All windows of a database, ready to be searched.
@@ -25,6 +28,9 @@ pub struct Index {
     /// |y|² + |z|² of the window that ends at each row; unused where none does.
     full_norms: Vec<f32>,
     lower_norms: Vec<f32>,
+    /// Path length from the first window of the clip to the one that ends at each row, metres.
+    full_path: Vec<f32>,
+    lower_path: Vec<f32>,
     /// Rows of each clip.
     clips: Vec<Range<usize>>,
     /// Clips of each class.
@@ -45,12 +51,14 @@ impl Index {
             ground: Vec::with_capacity(db.frames()),
             full_norms: vec![0.0; db.frames()],
             lower_norms: vec![0.0; db.frames()],
+            full_path: vec![0.0; db.frames()],
+            lower_path: vec![0.0; db.frames()],
             clips: db.clips.iter().map(crate::database::Clip::rows).collect(),
             classes: db.classes().iter().map(|c| c.clips.clone()).collect(),
         };
-        for (clip, rows) in db.clips.iter().zip(&index.clips) {
+        for (clip, rows) in db.clips.iter().map(|c| (c, c.rows())) {
             let points: Vec<FramePoints> = clip_points(db, clip.rows()).collect();
-            for last in windows_of_clip(rows) {
+            for last in windows_of_clip(&rows) {
                 let end = last + 1 - rows.start;
                 if let Some(frames) = points[..end].last_chunk::<WINDOW>() {
                     index.full_norms[last] = window_norm(frames, Metric::FullBody);
@@ -59,8 +67,23 @@ impl Index {
             }
             index.heights.extend(points.iter().map(|p| p.height));
             index.ground.extend(points.iter().map(|p| p.ground));
+            index.measure_paths(rows, &points);
         }
         index
+    }
+
+    /// Fills in the path lengths of a clip, whose points and norms are there already.
+    fn measure_paths(&mut self, rows: Range<usize>, points: &[FramePoints]) {
+        let windows = windows_of_clip(&rows);
+        for last in windows.start..windows.end.saturating_sub(1) {
+            let end = last + 1 - rows.start;
+            let Some(frames) = points[..end].last_chunk::<WINDOW>() else { continue };
+            let query = QueryWindow::from_points(frames);
+            let full = step_length(self.distance(&query, Metric::FullBody, last + 1));
+            let lower = step_length(self.distance(&query, Metric::LowerBody, last + 1));
+            self.full_path[last + 1] = self.full_path[last] + full;
+            self.lower_path[last + 1] = self.lower_path[last] + lower;
+        }
     }
 
     /// Number of classes.
@@ -86,6 +109,9 @@ impl Index {
 
     /// The `k` nearest windows of several classes together by either metric.
     ///
+    /// What `out` holds beforehand is taken as the result for the frame before: if it is, the search is
+    /// faster; the result does not depend on it.
+    ///
     /// # Panics
     /// If there is no such class.
     pub fn query_classes(
@@ -98,10 +124,19 @@ impl Index {
         out: &mut Neighbours,
     ) {
         scratch.found.begin(k);
+        let limit = limit_from_last(self, query, metric, classes, out, &mut scratch.found);
+        scratch.found.begin(k);
         for &class in classes {
-            brute_force::offer_class(self, query, metric, class, &mut scratch.found);
+            path_bound::offer_class(self, query, metric, class, limit, &mut scratch.found);
         }
         std::mem::swap(&mut scratch.found, out);
+    }
+
+    /// D between the query and the window that ends at row `last`.
+    #[inline]
+    fn distance(&self, query: &QueryWindow, metric: Metric, last: usize) -> f32 {
+        let (height, ground) = self.window(last);
+        query.distance(metric, height, ground, self.norms(metric)[last])
     }
 
     /// The points of the window that ends at row `last`, which is at least the fifth of its clip.
@@ -115,6 +150,13 @@ impl Index {
         match metric {
             Metric::FullBody => &self.full_norms,
             Metric::LowerBody => &self.lower_norms,
+        }
+    }
+
+    fn path(&self, metric: Metric) -> &[f32] {
+        match metric {
+            Metric::FullBody => &self.full_path,
+            Metric::LowerBody => &self.lower_path,
         }
     }
 }
@@ -142,4 +184,40 @@ fn clip_points(db: &Database, rows: Range<usize>) -> impl Iterator<Item = FrameP
     rows.zip(places).map(move |(row, p)| {
         FramePoints::new(&db.point_cloud[row], Placement { x: p.x - middle.x, z: p.z - middle.z, heading: p.heading })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::world_from_local;
+    use crate::pose_vector::{HeadingFilter, point_cloud};
+    use crate::transfer::sine_walk::{self, BENT, Gait, NEUTRAL};
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        #[test]
+        fn finds_what_brute_force_finds(lean in 0.0f32..0.6, period in 40.0f32..90.0, turn in -0.5f32..0.5, k in 1usize..50) {
+            let db = sine_walk::database();
+            let index = Index::build(&db);
+            let gait = Gait { lean, period, turn, ..if lean > 0.3 { BENT } else { NEUTRAL } };
+            let (mut window, mut filter, mut scratch) = (QueryWindow::default(), HeadingFilter::default(), Scratch::default());
+            let mut found = [Neighbours::default(), Neighbours::default()];
+            for pose in &sine_walk::walk(&gait, 40, 0.1).poses {
+                let heading = filter.update(&world_from_local(&db.proportions, pose), 1.0 / db.rate_hz);
+                let at = Placement { x: pose.root.x, z: pose.root.z, heading };
+                window.push(&point_cloud(&db.proportions, pose, heading), at);
+                for (metric, out) in [Metric::FullBody, Metric::LowerBody].into_iter().zip(&mut found) {
+                    let classes = [0, index.classes() - 1];
+                    index.query_classes(&window, metric, &classes, k, &mut scratch, out);
+                    let mut expected = Neighbours::default();
+                    expected.begin(k);
+                    for class in classes {
+                        brute_force::offer_class(&index, &window, metric, class, &mut expected);
+                    }
+                    prop_assert_eq!(out.as_slice(), expected.as_slice());
+                }
+            }
+        }
+    }
 }
