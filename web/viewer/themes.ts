@@ -72,14 +72,14 @@ export const THEMES: Readonly<Record<ThemeName, Theme>> = {
     mark: "#1a1c20",
     shadow: { key: 0.3, occlusion: 0.42 },
     light: {
-      key: 1.75,
+      key: 1.65,
       rim: 0.6,
       rimColour: "#ffffff",
       fill: 0.25,
       sky: "#ffffff",
       ground: "#8f8d88",
-      hemisphere: 0.95,
-      environment: 0.28,
+      hemisphere: 0.8,
+      environment: 0.22,
     },
   },
 };

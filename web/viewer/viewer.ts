@@ -68,14 +68,14 @@ export class Viewer {
     this.#labels = o.labels;
     this.follow = o.follow;
     this.#stage = new Stage(container, options.quality);
-    const { detail } = this.#stage.quality;
-    this.#body = new Mannequin((uniforms) => new BodyLook(uniforms), detail);
+    const { detail, shading } = this.#stage.quality;
+    this.#body = new Mannequin((uniforms) => new BodyLook(uniforms, shading), detail);
     this.#ghost = new Mannequin((uniforms) => new GhostLook(uniforms), detail);
     this.#stage.scene.add(this.#body.object, this.#ghost.object);
-    this.#stage.onQuality = ({ taps, detail }) => {
-      this.#body.look.shadowTaps = taps;
-      this.#body.detail = detail;
-      this.#ghost.detail = detail;
+    this.#stage.onQuality = ({ taps, detail, shading }) => {
+      this.#body.look.setQuality(shading, taps);
+      this.#body.setDetail(detail);
+      this.#ghost.setDetail(detail);
     };
     this.#stage.applyQuality();
     this.description = o.description;

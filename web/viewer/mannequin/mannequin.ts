@@ -28,11 +28,11 @@ export class Mannequin<L extends Look> {
     this.look = look({ slotRows: { value: this.#rows.values } });
     this.#detail = detail;
     const geometry = acquireGeometry(detail);
-    for (const { material, order, shadow } of this.look.layers) {
+    for (const { material, order, shadow, receivesShadow } of this.look.layers) {
       const mesh = new Mesh(geometry, material);
       mesh.renderOrder = order;
       mesh.castShadow = shadow !== undefined;
-      mesh.receiveShadow = mesh.castShadow;
+      mesh.receiveShadow = receivesShadow;
       if (shadow) {
         mesh.customDepthMaterial = shadow;
         mesh.layers.enable(CASTER_LAYER);
@@ -59,11 +59,15 @@ export class Mannequin<L extends Look> {
     return this.#fit;
   }
 
-  /** Changes the detail of the geometry, at most 1. */
-  set detail(detail: number) {
-    if (detail === this.#detail) return;
+  /** Changes the detail of the geometry, at most 1, and takes the look's present materials. */
+  setDetail(detail: number): void {
     const geometry = acquireGeometry(detail);
-    for (const mesh of this.object.children as Mesh[]) mesh.geometry = geometry;
+    for (const [i, { material, receivesShadow }] of this.look.layers.entries()) {
+      const mesh = this.object.children[i] as Mesh;
+      mesh.geometry = geometry;
+      mesh.material = material;
+      mesh.receiveShadow = receivesShadow;
+    }
     releaseGeometry(this.#detail);
     this.#detail = detail;
   }

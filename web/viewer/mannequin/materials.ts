@@ -7,6 +7,7 @@ import {
   type Material,
   MeshBasicMaterial,
   MeshDepthMaterial,
+  MeshLambertMaterial,
   MeshPhysicalMaterial,
   MeshStandardMaterial,
   NotEqualStencilFunc,
@@ -29,6 +30,7 @@ export interface Layer {
   order: number;
   /** Draws the mesh into shadow maps; without it the layer casts no shadow. */
   shadow?: Material;
+  receivesShadow: boolean;
 }
 
 /** The look of one mannequin: its layers, in the colours of the theme. */
@@ -38,41 +40,79 @@ export interface Look {
   dispose(): void;
 }
 
+/** How the light on a body is computed: physically with a coat and the room's reflections, or as a matt surface. */
+export type Shading = "physical" | "matt";
+
 /** A solid mannequin. */
 export class BodyLook implements Look {
-  readonly layers: readonly Layer[];
-  readonly #shell = new MeshPhysicalMaterial({ roughness: 0.52, clearcoat: 0.18, clearcoatRoughness: 0.6 });
-  readonly #joint = new MeshStandardMaterial({ roughness: 0.62 });
+  readonly #uniforms: SlotUniforms;
   readonly #shadow = new MeshDepthMaterial();
+  readonly #tones = new Map<Shading, [shell: LitMaterial, joint: LitMaterial]>();
+  #shading: Shading;
+  #taps: ShadowTaps = { search: 8, filter: 8 };
+  #theme: Theme | undefined;
 
-  constructor(uniforms: SlotUniforms) {
-    const tones = [this.#shell, this.#joint];
-    for (const material of tones) {
-      material.stencilWrite = true;
-      material.stencilFunc = AlwaysStencilFunc;
-      material.stencilRef = BODY_STENCIL;
-      material.stencilZPass = ReplaceStencilOp;
-      useSoftShadow(material, KEY_FRUSTUM);
-    }
-    for (const material of [...tones, this.#shadow]) useSlots(material, uniforms);
-    this.layers = [{ material: tones, order: 0, shadow: this.#shadow }];
+  constructor(uniforms: SlotUniforms, shading: Shading) {
+    this.#uniforms = uniforms;
+    this.#shading = shading;
+    useSlots(this.#shadow, uniforms);
+  }
+
+  get layers(): readonly Layer[] {
+    // The few samples that a slow renderer affords would show as grain.
+    const receivesShadow = this.#shading === "physical";
+    return [{ material: this.#present(), order: 0, shadow: this.#shadow, receivesShadow }];
   }
 
   /** Takes the theme's colours. */
   setTheme(theme: Theme): void {
-    this.#shell.color.set(theme.shell);
-    this.#joint.color.set(theme.joint);
+    this.#theme = theme;
+    this.#present();
   }
 
-  /** Samples of the shadow that the body casts on itself. */
-  set shadowTaps(taps: ShadowTaps) {
-    for (const material of [this.#shell, this.#joint]) setShadowTaps(material, taps);
+  /** Sets the shading and the samples of the shadow that the body casts on itself; changes {@link layers}. */
+  setQuality(shading: Shading, taps: ShadowTaps): void {
+    this.#shading = shading;
+    this.#taps = taps;
+    this.#present();
   }
 
   dispose(): void {
-    for (const material of [this.#shell, this.#joint, this.#shadow]) material.dispose();
+    this.#shadow.dispose();
+    for (const material of [...this.#tones.values()].flat()) material.dispose();
+  }
+
+  /** The materials of the present shading, up to date; made when first needed, since compiling them is slow. */
+  #present(): LitMaterial[] {
+    let tones = this.#tones.get(this.#shading);
+    if (!tones) {
+      tones =
+        this.#shading === "physical"
+          ? [
+              new MeshPhysicalMaterial({ roughness: 0.52, clearcoat: 0.18, clearcoatRoughness: 0.6 }),
+              new MeshStandardMaterial({ roughness: 0.62 }),
+            ]
+          : [new MeshLambertMaterial(), new MeshLambertMaterial()];
+      for (const material of tones) {
+        material.stencilWrite = true;
+        material.stencilFunc = AlwaysStencilFunc;
+        material.stencilRef = BODY_STENCIL;
+        material.stencilZPass = ReplaceStencilOp;
+        useSoftShadow(material, KEY_FRUSTUM);
+        useSlots(material, this.#uniforms);
+      }
+      this.#tones.set(this.#shading, tones);
+    }
+    for (const material of tones) setShadowTaps(material, this.#taps);
+    if (this.#theme) {
+      tones[0].color.set(this.#theme.shell);
+      tones[1].color.set(this.#theme.joint);
+    }
+    return tones;
   }
 }
+
+type LitMaterial = MeshStandardMaterial | MeshLambertMaterial;
 
 const GHOST_VERTEX = /* glsl */ `
 ${SLOT_SHADER}
@@ -129,8 +169,8 @@ export class GhostLook implements Look {
       material.stencilFunc = NotEqualStencilFunc;
     }
     this.layers = [
-      { material: this.#depth, order: 2 },
-      { material: this.#shell, order: 3 },
+      { material: this.#depth, order: 2, receivesShadow: false },
+      { material: this.#shell, order: 3, receivesShadow: false },
     ];
   }
 

@@ -1,6 +1,7 @@
 /** The light rig: a warm area-soft key that casts the shadow, two cool rims behind, a weak fill, sky and room. */
 
 import { Color, DirectionalLight, Group, HemisphereLight, type Vector3 } from "three";
+import type { Shading } from "../mannequin/materials";
 import type { Theme } from "../themes";
 import { CASTER_LAYER, SHADE_LAYER } from "./layers";
 import type { ShadowFrustum } from "./soft_shadow";
@@ -18,6 +19,8 @@ const KEY: Direction = { azimuth: 34, elevation: 50 };
 const RIM_LEFT: Direction = { azimuth: 215, elevation: 24 };
 const RIM_RIGHT: Direction = { azimuth: 130, elevation: 20 };
 const FILL: Direction = { azimuth: -45, elevation: 15 };
+/** Gains that give a matt body the brightness of a physical one. */
+const MATT_GAIN = { key: 1.2, sky: 1.9 };
 /** Distance of the lights from what they follow, metres. */
 const DISTANCE = 5;
 /** Height that the rig aims at, metres. */
@@ -54,16 +57,17 @@ export class Lights {
     this.#key.shadow.mapSize.set(texels, texels);
   }
 
-  /** Takes the theme's levels. */
-  setTheme({ light }: Theme): void {
-    this.#key.intensity = light.key;
+  /** Takes the theme's levels. Without reflections of the room (`matt`), key and sky stand in for it. */
+  setTheme({ light }: Theme, shading: Shading): void {
+    const gain = shading === "matt" ? MATT_GAIN : { key: 1, sky: 1 };
+    this.#key.intensity = light.key * gain.key;
     this.#rims[0].intensity = light.rim;
     this.#rims[1].intensity = light.rim * 0.5;
     for (const rim of this.#rims) rim.color.set(light.rimColour);
     this.#fill.intensity = light.fill;
     this.#sky.color.set(light.sky);
     this.#sky.groundColor.copy(new Color(light.ground));
-    this.#sky.intensity = light.hemisphere;
+    this.#sky.intensity = light.hemisphere * gain.sky;
   }
 
   /** Follows a point on the ground; `azimuth` (radians about +Y from +Z) is where the camera looks from. */

@@ -1,5 +1,6 @@
 /** Adaptive quality: fewer pixels and samples where frames come too slowly. */
 
+import type { Shading } from "../mannequin/materials";
 import type { ShadowTaps } from "./soft_shadow";
 
 /** What a level of quality means. */
@@ -13,14 +14,22 @@ export interface QualityLevel {
   taps: ShadowTaps;
   /** Detail of the mannequins' geometry, at most 1. */
   detail: number;
+  shading: Shading;
 }
 
 /** Levels from the best to the cheapest. */
 export const QUALITY_LEVELS: readonly QualityLevel[] = [
-  { pixelRatio: 2, shadowSize: 1024, shadeSize: 640, taps: { search: 16, filter: 24 }, detail: 1 },
-  { pixelRatio: 1.5, shadowSize: 1024, shadeSize: 512, taps: { search: 12, filter: 16 }, detail: 1 },
-  { pixelRatio: 1, shadowSize: 512, shadeSize: 256, taps: { search: 8, filter: 8 }, detail: 0.6 },
-  { pixelRatio: 0.75, shadowSize: 512, shadeSize: 192, taps: { search: 6, filter: 6 }, detail: 0.5 },
+  { pixelRatio: 2, shadowSize: 1024, shadeSize: 640, taps: { search: 16, filter: 24 }, detail: 1, shading: "physical" },
+  {
+    pixelRatio: 1.5,
+    shadowSize: 1024,
+    shadeSize: 512,
+    taps: { search: 12, filter: 16 },
+    detail: 1,
+    shading: "physical",
+  },
+  { pixelRatio: 1, shadowSize: 512, shadeSize: 192, taps: { search: 8, filter: 12 }, detail: 0.6, shading: "matt" },
+  { pixelRatio: 0.75, shadowSize: 512, shadeSize: 128, taps: { search: 6, filter: 8 }, detail: 0.5, shading: "matt" },
 ];
 
 /** Frames a second below which quality is lowered. */

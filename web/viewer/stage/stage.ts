@@ -45,6 +45,7 @@ export class Stage {
   readonly #background = new Background();
   readonly #observer: ResizeObserver;
   readonly #listeners = new AbortController();
+  #theme: Theme | undefined;
   #environment: WebGLRenderTarget | undefined;
   #width = 1;
   #height = 1;
@@ -81,9 +82,12 @@ export class Stage {
       this.path.behind.mesh,
       this.path.ahead.mesh,
     );
-    this.#lightRoom();
     // three.js restores what it made from memory; the room was drawn by the lost context and must be drawn again.
-    this.canvas.addEventListener("webglcontextrestored", () => this.#lightRoom(), { signal: this.#listeners.signal });
+    const restore = () => {
+      this.#dropRoom();
+      this.applyQuality();
+    };
+    this.canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
     this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(container);
     this.#resize();
@@ -107,7 +111,9 @@ export class Stage {
 
   /** Takes the theme's colours and light levels; nothing is rebuilt. */
   setTheme(theme: Theme): void {
-    for (const part of [this.#background, this.#lights, this.#ground, this.footprints, this.path]) part.setTheme(theme);
+    this.#theme = theme;
+    for (const part of [this.#background, this.#ground, this.footprints, this.path]) part.setTheme(theme);
+    this.#lights.setTheme(theme, this.quality.shading);
     this.scene.environmentIntensity = theme.light.environment;
   }
 
@@ -115,8 +121,11 @@ export class Stage {
   applyQuality(): void {
     const { quality } = this;
     this.#lights.shadowSize = quality.shadowSize;
+    if (this.#theme) this.#lights.setTheme(this.#theme, quality.shading);
     this.shade.resolution = quality.shadeSize;
     this.shade.shadowTaps = quality.taps;
+    if (quality.shading === "physical") this.#lightRoom();
+    else this.#dropRoom();
     this.#resize();
     this.onQuality?.(quality);
   }
@@ -158,19 +167,26 @@ export class Stage {
       this.path,
     ])
       part.dispose();
-    this.#environment?.dispose();
+    this.#dropRoom();
     this.#renderer.dispose();
     this.canvas.remove();
   }
 
+  /** Draws the room that physical materials reflect; nobody else pays for it. */
   #lightRoom(): void {
-    this.#environment?.dispose();
+    if (this.#environment) return;
     const generator = new PMREMGenerator(this.#renderer);
     const room = new RoomEnvironment();
     this.#environment = generator.fromScene(room, 0.04, 0.1, 100, { size: 64 });
     this.scene.environment = this.#environment.texture;
     room.dispose();
     generator.dispose();
+  }
+
+  #dropRoom(): void {
+    this.scene.environment = null;
+    this.#environment?.dispose();
+    this.#environment = undefined;
   }
 
   #resize(): void {
