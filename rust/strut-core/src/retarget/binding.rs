@@ -174,6 +174,9 @@ impl Binding {
                 return Err(BindError::NoLength(role));
             }
         }
+        if !leg.is_finite() {
+            return Err(BindError::NotHumanoid);
+        }
         let unit = UNITS.iter().find(|(unit, _)| LEG_RANGE.contains(&(leg * unit)));
         let metres_per_unit = unit.map_or(USUAL_LEG / leg, |(unit, _)| *unit);
         for offset in &mut proportions.offsets {

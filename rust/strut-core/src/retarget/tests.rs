@@ -7,6 +7,7 @@ use crate::math::float_funcs::sin;
 use crate::math::{Quat, Vec3, exp_map};
 use crate::motion::Motion;
 use crate::skeleton::{Joint, Skeleton};
+use proptest::prelude::*;
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 /// A body whose feet slope as those of game rigs do, so that rigs without a zero pose agree about them.
@@ -289,4 +290,81 @@ fn a_clip_without_frames_is_refused() {
     file.translations.clear();
     file.rotations.clear();
     assert_eq!(Binding::detect(&file), Err(BindError::NoFrames));
+}
+
+const SOME_NAMES: [&str; 24] = [
+    "Hips",
+    "Spine",
+    "Chest",
+    "Neck",
+    "Head",
+    "LeftShoulder",
+    "LeftArm",
+    "LeftForeArm",
+    "LeftHand",
+    "RightShoulder",
+    "RightArm",
+    "RightForeArm",
+    "RightHand",
+    "LeftUpLeg",
+    "LeftLeg",
+    "LeftFoot",
+    "LeftToeBase",
+    "RightUpLeg",
+    "RightLeg",
+    "RightFoot",
+    "RightToeBase",
+    "L",
+    "node",
+    "",
+];
+
+/// Any tree with any names, and two frames of any rotations.
+fn any_motion() -> impl Strategy<Value = Motion> {
+    let joint = (0usize..SOME_NAMES.len(), any::<prop::sample::Index>(), prop::array::uniform3(-3i8..4), -3.0f32..3.0);
+    prop::collection::vec(joint, 1..40).prop_map(|joints| {
+        let skeleton = joints.iter().enumerate().map(|(i, (name, parent, offset, _))| Joint {
+            name: SOME_NAMES[*name].to_owned(),
+            parent: (i > 0).then(|| parent.index(i)),
+            offset: Vec3::from_array(offset.map(|v| f32::from(v) * 10.0)),
+            end: None,
+        });
+        let skeleton = Skeleton::new(skeleton.collect()).unwrap();
+        let translations = skeleton.joints().iter().map(|j| j.offset).cycle().take(2 * joints.len()).collect();
+        let turns = joints.iter().chain(&joints).enumerate();
+        let rotations = turns.map(|(i, j)| Quat::from_axis_angle(Vec3::X, j.3 * (i % 5) as f32)).collect();
+        Motion::new(skeleton, 0.1, translations, rotations).unwrap()
+    })
+}
+
+proptest! {
+    #[test]
+    fn any_tree_is_refused_or_retargeted_to_finite_numbers(motion in any_motion()) {
+        if let Ok(binding) = Binding::detect(&motion) {
+            let humanoid = to_humanoid(&motion, &binding, &Proportions::default());
+            prop_assert!(humanoid.poses.iter().all(Pose::is_finite));
+            let back = from_humanoid(&humanoid, &motion, &binding, &[0.0, 0.5]);
+            prop_assert!(back.rotations.iter().all(|q| q.is_finite()));
+            prop_assert!(back.translations.iter().all(|t| t.is_finite()));
+        }
+    }
+
+    #[test]
+    fn a_body_with_any_rotations_is_retargeted_to_finite_numbers(
+        turns in prop::collection::vec(prop::array::uniform3(-3.0f32..3.0), JOINTS),
+        crushed in 0usize..JOINTS,
+    ) {
+        let mut walk = walk();
+        for (pose, k) in walk.poses.iter_mut().zip(1..) {
+            for (q, turn) in pose.rotations.iter_mut().zip(&turns) {
+                *q = exp_map::exp(Vec3::from_array(*turn) * (k % 7) as f32);
+            }
+        }
+        walk.proportions.offsets[crushed] = Vec3::ZERO;
+        let file = rigged(&walk, &Rig::default());
+        if let Ok(binding) = Binding::detect(&file) {
+            let humanoid = to_humanoid(&file, &binding, &Proportions::default());
+            prop_assert!(humanoid.poses.iter().all(Pose::is_finite));
+        }
+    }
 }
