@@ -3,7 +3,7 @@
 use crate::GENERATOR;
 use crate::clip::Clip;
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print};
+use crate::files::{Outputs, print, print_warnings};
 use crate::gather::{Source, gather};
 use crate::labels;
 use crate::pattern::{Labels, Pattern};
@@ -95,7 +95,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         outputs.stage(target, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
     }
     outputs.commit()?;
-    eprint!("{}", report.warnings());
+    print_warnings(&report.warnings());
     print(&report.summary());
     Ok(())
 }

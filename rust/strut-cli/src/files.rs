@@ -42,6 +42,11 @@ pub(crate) fn print(text: &str) {
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
 }
 
+/// Prints to stderr; a reader that has gone away is no error.
+pub(crate) fn print_warnings(text: &str) {
+    let _ = io::stderr().write_all(text.as_bytes());
+}
+
 /// Output files that appear complete and together, or not at all: each is written beside its target under
 /// a temporary name; [`Outputs::commit`] renames them.
 #[derive(Debug, Default)]

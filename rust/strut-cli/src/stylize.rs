@@ -136,24 +136,25 @@ fn numbers(args: &Args) -> Options {
 
 fn stylizer(args: &Args, model: &Arc<Model>) -> Outcome<Stylizer> {
     let db = model.database();
+    let in_db = |reason: String| Failure::in_file(&args.db, reason);
     let mut options = numbers(args);
     if let Some(name) = &args.action {
-        options.action = Some(db.action_index(name).ok_or_else(|| unknown("action", name, &db.actions))?);
+        options.action = Some(db.action_index(name).ok_or_else(|| in_db(unknown("action", name, &db.actions)))?);
     }
     if let Some(name) = &args.input_style {
-        options.input_style = Some(db.style_index(name).ok_or_else(|| unknown("style", name, &db.styles))?);
+        options.input_style = Some(db.style_index(name).ok_or_else(|| in_db(unknown("style", name, &db.styles)))?);
     }
-    let weights = args.style.of(db)?;
+    let weights = args.style.of(db).map_err(in_db)?;
     let mut parts = Vec::new();
     for PartWeights { parts: of, weights } in &args.part {
-        let weights = weights.of(db)?;
+        let weights = weights.of(db).map_err(in_db)?;
         parts.extend(of.iter().map(|&part| (part, weights.clone())));
     }
     let mut stylizer = Stylizer::new(Arc::clone(model), options).map_err(|_| {
         // The numbers are checked: only the pair of labels can be wrong.
         let label = |name: &Option<String>| name.clone().unwrap_or_else(|| "any".into());
         let (action, style) = (label(&args.action), label(&args.input_style));
-        Failure::in_file(&args.db, format_args!("the database has no clip of action '{action}' in style '{style}'"))
+        in_db(format!("there is no clip of action '{action}' in style '{style}'"))
     })?;
     stylizer.set_styles(&weights).map_err(Failure::new)?;
     for (part, weights) in parts {

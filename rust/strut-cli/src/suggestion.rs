@@ -1,14 +1,12 @@
 //! "Did you mean …?"
 
-use crate::failure::Failure;
-
 /// Names listed in a message at most.
 const MOST_LISTED: usize = 12;
 /// Likeness (1: equal) from which a name is suggested: "eldery" and "elderly" have 0.86.
 const LEAST_LIKENESS: f64 = 0.6;
 
-/// The failure of a name that is not among those there are.
-pub(crate) fn unknown(what: &str, name: &str, known: &[impl AsRef<str>]) -> Failure {
+/// The sentence for a name that is not among those there are.
+pub(crate) fn unknown(what: &str, name: &str, known: &[impl AsRef<str>]) -> String {
     let likeness = |k: &str| strsim::normalized_damerau_levenshtein(&name.to_lowercase(), &k.to_lowercase());
     let closest = known.iter().map(AsRef::as_ref).max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
     let advice = if let Some(closest) = closest.filter(|c| likeness(c) >= LEAST_LIKENESS) {
@@ -18,7 +16,7 @@ pub(crate) fn unknown(what: &str, name: &str, known: &[impl AsRef<str>]) -> Fail
         let more = if known.len() > MOST_LISTED { ", …" } else { "" };
         format!("there are {}{more}", listed.join(", "))
     };
-    Failure::new(format_args!("there is no {what} '{name}'; {advice}"))
+    format!("there is no {what} '{name}'; {advice}")
 }
 
 #[cfg(test)]
@@ -28,12 +26,9 @@ mod tests {
     #[test]
     fn a_misspelt_name_is_recognised_and_a_strange_one_answered_with_the_list() {
         let styles = ["active", "elderly", "normal"];
+        assert_eq!(unknown("style", "Eldery", &styles), "there is no style 'Eldery'; did you mean 'elderly'?");
         assert_eq!(
-            unknown("style", "Eldery", &styles).to_string(),
-            "there is no style 'Eldery'; did you mean 'elderly'?"
-        );
-        assert_eq!(
-            unknown("style", "zombie", &styles).to_string(),
+            unknown("style", "zombie", &styles),
             "there is no style 'zombie'; there are active, elderly, normal"
         );
     }

@@ -1,6 +1,5 @@
 //! Style weights on the command line: `proud=0.7,angry=0.3`.
 
-use crate::failure::Outcome;
 use crate::suggestion::unknown;
 use std::str::FromStr;
 use strut_core::database::Database;
@@ -42,7 +41,10 @@ fn parse_weight(text: &str) -> Result<f32, String> {
 
 impl StyleWeights {
     /// One weight a style of the database.
-    pub(crate) fn of(&self, db: &Database) -> Outcome<Vec<f32>> {
+    ///
+    /// # Errors
+    /// A sentence about the first name that is not a style.
+    pub(crate) fn of(&self, db: &Database) -> Result<Vec<f32>, String> {
         let mut weights = vec![0.0; db.styles.len()];
         for (name, weight) in &self.0 {
             let style = db.style_index(name).ok_or_else(|| unknown("style", name, &db.styles))?;
@@ -65,7 +67,7 @@ impl FromStr for PartWeights {
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, weights) = text.split_once(':').ok_or("PART:NAME=WEIGHT was expected, as in legs:old=1")?;
         let parts = BodyPart::from_name(&name.replace('-', "_"));
-        let parts = parts.ok_or_else(|| unknown("body part", name, &PART_NAMES).to_string())?;
+        let parts = parts.ok_or_else(|| unknown("body part", name, &PART_NAMES))?;
         Ok(Self { parts, weights: weights.parse()? })
     }
 }

@@ -1,0 +1,211 @@
+//! Whatever is wrong with a file: one sentence, exit code 1, and nothing written.
+
+mod common;
+
+use common::{assert_refused, demo_database, demo_walk, strut};
+use std::fs::{self, File};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// A folder with the built-in database as `demo.strutdb`.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("demo.strutdb"), demo_database()).unwrap();
+    folder
+}
+
+const STYLIZE: [&str; 9] = ["stylize", "--db", "demo.strutdb", "--input", "in.bvh", "--style", "old", "-o", "out.bvh"];
+
+/// Every command that reads `in.bvh` refuses it.
+fn assert_bvh_refused(folder: &Path, content: impl AsRef<[u8]>, expected: &str) {
+    fs::write(folder.join("in.bvh"), content).unwrap();
+    assert_refused(folder, &["inspect", "in.bvh", "--json", "in.json"], expected);
+    assert_refused(folder, &[&STYLIZE[..], &["--trace", "trace.jsonl"]].concat(), expected);
+    let table = "file,action,style\nin.bvh,walk,old\n";
+    fs::write(folder.join("labels.csv"), table).unwrap();
+    assert_refused(folder, &["build-db", "in.bvh", "-o", "new.strutdb", "--labels", "labels.csv"], expected);
+}
+
+/// The walk with the line after `MOTION`, the line of frames, and so on, changed.
+fn walk_with(change: impl Fn(usize, &str) -> String) -> String {
+    let walk = demo_walk();
+    let motion = walk.lines().position(|l| l == "MOTION").unwrap();
+    let lines = walk.lines().enumerate();
+    lines.map(|(i, line)| if i < motion { line.to_owned() } else { change(i - motion, line) } + "\n").collect()
+}
+
+/// The walk with another first value in its tenth frame.
+fn walk_with_value(value: &str) -> String {
+    walk_with(|i, line| if i == 12 { format!("{value} {}", line.split_once(' ').unwrap().1) } else { line.to_owned() })
+}
+
+/// The walk cut to a number of frames that it also announces.
+fn walk_of(frames: usize) -> String {
+    let text = walk_with(|i, line| match i {
+        1 => format!("Frames: {frames}"),
+        i if i >= 3 + frames => String::new(),
+        _ => line.to_owned(),
+    });
+    text.trim_end().to_owned() + "\n"
+}
+
+#[test]
+fn files_that_are_no_bvh() {
+    let folder = folder();
+    let at = folder.path();
+    assert_bvh_refused(at, "", "in.bvh: the file is empty; a BVH file begins with HIERARCHY");
+    assert_bvh_refused(at, "Dear all,\n", "in.bvh: line 1, column 1 has 'Dear'; HIERARCHY was expected");
+    assert_bvh_refused(at, [0xFF, 0xD8, 0xFF, 0xE0, 0, 16], "in.bvh: line 1, column 1 has ");
+    fs::remove_file(at.join("in.bvh")).unwrap();
+    assert_refused(at, &STYLIZE, "in.bvh: there is no such file or folder");
+    fs::create_dir(at.join("in.bvh")).unwrap();
+    assert_refused(at, &STYLIZE, "in.bvh: this is a folder; a file was expected");
+}
+
+#[test]
+fn truncated_files() {
+    let folder = folder();
+    let walk = demo_walk();
+    let (neck, hierarchy) = (walk.find("JOINT Neck").unwrap(), walk.find("MOTION").unwrap());
+    assert_bvh_refused(folder.path(), &walk[..neck], "has the end of the file; JOINT, End Site or '}' was expected");
+    assert_bvh_refused(folder.path(), &walk[..hierarchy], "has the end of the file; MOTION was expected");
+    let lines: Vec<&str> = walk.lines().collect();
+    let cut = lines[..lines.len() - 20].join("\n");
+    assert_bvh_refused(folder.path(), &cut, "after 100 frames; 120 were announced");
+    let cut = cut.rsplit_once(' ').unwrap().0;
+    assert_bvh_refused(folder.path(), cut, "has 65 numbers; this skeleton needs 66");
+}
+
+#[test]
+fn impossible_numbers() {
+    let folder = folder();
+    for (value, expected) in [
+        ("NaN", "column 1 has 'NaN'; a number was expected"),
+        ("1e30", "column 1 has '1e30'; a number within ±10000000 was expected"),
+        ("-1e999", "column 1 has '-1e999'; a number within ±10000000 was expected"),
+        ("0,5", "column 1 has '0,5'; a number was expected"),
+    ] {
+        assert_bvh_refused(folder.path(), walk_with_value(value), expected);
+    }
+    let frame_time = |secs: &str| walk_with(|i, l| if i == 2 { format!("Frame Time: {secs}") } else { l.to_owned() });
+    assert_bvh_refused(folder.path(), frame_time("-0.03"), "has a frame time of -0.03 s");
+    assert_bvh_refused(folder.path(), frame_time("0"), "has a frame time of 0 s");
+    assert_bvh_refused(folder.path(), frame_time("nan"), "has 'nan'; the frame time in seconds was expected");
+}
+
+#[test]
+fn too_few_frames() {
+    let folder = folder();
+    let at = folder.path();
+    assert_bvh_refused(at, walk_of(0), "announces 0 frames; 1 to 1000000 were expected");
+    for (frames, expected) in [(1, "in.bvh: the motion has 1 frame (0.02 s); at least "), (2, "has 2 frames (0.03 s)")]
+    {
+        fs::write(at.join("in.bvh"), walk_of(frames)).unwrap();
+        assert_refused(at, &STYLIZE, expected);
+        fs::write(at.join("labels.csv"), "file,action,style\nin.bvh,walk,old\n").unwrap();
+        assert_refused(at, &["build-db", "in.bvh", "-o", "new.strutdb", "--labels", "labels.csv"], "it has only ");
+    }
+}
+
+#[test]
+fn skeletons_that_cannot_be_used() {
+    let folder = folder();
+    let at = folder.path();
+    let joint = " j\n{\nOFFSET 0 1 0\nCHANNELS 1 Xrotation\n";
+    let many = ["HIERARCHY\nROOT", &vec![joint; 10_000].join("JOINT")].concat();
+    assert_bvh_refused(at, many, "in.bvh: line 2050 begins joint 513; at most 512 are supported");
+    let two_roots = demo_walk().replace("MOTION", "ROOT Other\n{\nOFFSET 0 0 0\n}\nMOTION");
+    assert_bvh_refused(at, two_roots, "begins a second ROOT; one skeleton a file is supported");
+    let chain =
+        "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\n}\nMOTION\nFrames: 2\nFrame Time: 0.1\n1\n2\n";
+    fs::write(at.join("in.bvh"), chain).unwrap();
+    assert_refused(at, &STYLIZE, "in.bvh: This skeleton has no ");
+}
+
+#[test]
+fn large_files_are_answered_quickly() {
+    let folder = folder();
+    let begin = Instant::now();
+    for (megabytes, expected) in
+        [(200, "in.bvh: line 1, column 1 has "), (300, "in.bvh: the file is larger than 256 MiB")]
+    {
+        // Sparse: takes no room on the disk.
+        File::create(folder.path().join("in.bvh")).unwrap().set_len(megabytes << 20).unwrap();
+        assert_refused(folder.path(), &STYLIZE, expected);
+    }
+    File::create(folder.path().join("demo.strutdb")).unwrap().set_len(2 << 30).unwrap();
+    fs::write(folder.path().join("in.bvh"), demo_walk()).unwrap();
+    assert_refused(folder.path(), &STYLIZE, "demo.strutdb: the file is larger than 1024 MiB");
+    assert!(begin.elapsed() < Duration::from_secs(30));
+}
+
+#[test]
+fn damaged_databases() {
+    let folder = folder();
+    let at = folder.path();
+    fs::write(at.join("in.bvh"), demo_walk()).unwrap();
+    let good = demo_database();
+    let mut flipped = good.to_vec();
+    flipped[good.len() / 2] ^= 0x10;
+    for (bytes, expected) in [
+        (&good[..good.len() / 2], "demo.strutdb: the file is cut short or damaged"),
+        (&flipped, "demo.strutdb: the database is damaged: its checksum is "),
+        (b"", "demo.strutdb: this is no Strut database"),
+        (demo_walk().as_bytes(), "demo.strutdb: this is no Strut database"),
+    ] {
+        fs::write(at.join("demo.strutdb"), bytes).unwrap();
+        assert_refused(at, &STYLIZE, expected);
+        assert_refused(at, &["inspect", "demo.strutdb", "--json", "in.json"], expected);
+    }
+}
+
+#[test]
+fn labels_and_outputs_that_do_not_fit() {
+    let folder = folder();
+    let at = folder.path();
+    fs::write(at.join("in.bvh"), demo_walk()).unwrap();
+    let with = |from: &str, to: &'static str| {
+        STYLIZE.map(|a| if a == from { to } else { "" }.to_owned() + if a == from { "" } else { a })
+    };
+    let refused = |args: &[String], more: &[&str], expected: &str| {
+        let args: Vec<&str> = args.iter().map(String::as_str).chain(more.iter().copied()).collect();
+        assert_refused(at, &args, expected);
+    };
+    refused(&with("old", "odl"), &[], "demo.strutdb: there is no style 'odl'; did you mean 'old'?");
+    refused(&with("old", "zombie=1"), &[], "there is no style 'zombie'; there are angry, childlike, ");
+    refused(&with("", ""), &["--action", "wlak"], "there is no action 'wlak'; did you mean 'walk'?");
+    refused(&with("", ""), &["--part", "legs:prod"], "there is no style 'prod'; did you mean 'proud'?");
+    refused(&with("out.bvh", "no/out.bvh"), &[], "no/out.bvh: its folder does not exist");
+    refused(&with("", ""), &["--trace", "out.bvh"], "out.bvh: two outputs have this name");
+    assert_refused(
+        at,
+        &["build-db", "in.bvh", "-o", "new.strutdb"],
+        "in.bvh: its name does not match '{action}_{style}_{take}.bvh'; say how clips are labelled with --pattern or --labels",
+    );
+}
+
+#[test]
+fn an_older_output_survives_a_failure() {
+    let folder = folder();
+    let at = folder.path();
+    fs::write(at.join("in.bvh"), walk_with_value("NaN")).unwrap();
+    fs::write(at.join("out.bvh"), "older").unwrap();
+    assert_refused(at, &STYLIZE, "a number was expected");
+    assert_eq!(fs::read(at.join("out.bvh")).unwrap(), b"older");
+}
+
+#[test]
+fn wrong_usage_has_its_own_exit_code() {
+    let folder = folder();
+    for more in
+        [&["-k", "0"][..], &["--rho", "2"], &["--style", "old=much"], &["--timing", "maybe"], &["--method", "x"]]
+    {
+        let args: Vec<&str> =
+            STYLIZE.iter().filter(|a| !(more[0] == "--style" && ["--style", "old"].contains(a))).copied().collect();
+        let output = strut(folder.path(), &[&args[..], more].concat());
+        assert_eq!(output.status.code(), Some(2), "{more:?}");
+        assert!(String::from_utf8(output.stderr).unwrap().starts_with("error: "), "{more:?}");
+    }
+    assert_eq!(strut(folder.path(), &[]).status.code(), Some(2));
+    assert_eq!(strut(folder.path(), &["evaluate"]).status.code(), Some(2));
+}

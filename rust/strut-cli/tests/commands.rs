@@ -1,0 +1,113 @@
+//! What the commands do when all is well, on the built-in motions.
+
+mod common;
+
+use common::{demo_database, demo_walk, names, strut_ok};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use strut_formats::bvh;
+
+fn json(path: &Path) -> Value {
+    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
+}
+
+/// A folder with `demo.strutdb` and `in.bvh`.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("demo.strutdb"), demo_database()).unwrap();
+    fs::write(folder.path().join("in.bvh"), demo_walk()).unwrap();
+    folder
+}
+
+fn stylize(folder: &Path, style: &str, more: &[&str]) -> bvh::Bvh {
+    let args = ["stylize", "--db", "demo.strutdb", "--input", "in.bvh", "--style", style, "-o", "out.bvh"];
+    strut_ok(folder, &[&args[..], more].concat());
+    bvh::parse(&fs::read(folder.join("out.bvh")).unwrap()).unwrap()
+}
+
+#[test]
+fn the_built_in_database_is_written_and_can_be_built_from_its_own_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    assert!(strut_ok(at, &["demo-db", "-o", "demo.strutdb", "--bvh", "clips"]).contains("styles angry, childlike"));
+    let clips = names(&at.join("clips")).len();
+    assert_eq!(clips, strut_demo::clips().len());
+    // Two styles suffice.
+    for name in names(&at.join("clips")) {
+        if !(name.starts_with("walk_neutral") || name.starts_with("walk_old")) {
+            fs::remove_file(at.join("clips").join(name)).unwrap();
+        }
+    }
+    fs::write(at.join("clips/notes_of_1.bvh"), "no motion").unwrap();
+    let out = strut_ok(at, &["build-db", "clips", "-o", "built.strutdb", "--json", "build.json"]);
+    assert!(out.starts_with("built.strutdb: 4 clips (1 refused), "), "{out}");
+    let report = json(&at.join("build.json"));
+    assert_eq!(report["totals"]["clips"], 4);
+    assert_eq!(report["neutral"], "neutral");
+    assert_eq!(report["refused"][0]["file"], "clips/notes_of_1.bvh");
+    assert!(report["clips"][0]["cycles"].as_u64().unwrap() > 5, "{}", report["clips"][0]);
+    assert!(report["clips"][0]["registration_cost"].as_f64().unwrap() > 0.0);
+
+    strut_ok(at, &["inspect", "built.strutdb", "--json", "inspect.json"]);
+    let inspected = json(&at.join("inspect.json"));
+    assert_eq!((&inspected["kind"], &inspected["rate_hz"]), (&"database".into(), &60.0.into()));
+    assert_eq!(inspected["frames"], report["totals"]["frames"]);
+    assert_eq!(inspected["classes"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn inspect_describes_a_clip() {
+    let folder = folder();
+    let text = strut_ok(folder.path(), &["inspect", "in.bvh", "--json", "in.json"]);
+    assert!(text.contains("21 joints, 66 channels") && text.contains("120 frames at 60.0"), "{text}");
+    let report = json(&folder.path().join("in.json"));
+    assert_eq!((&report["kind"], &report["frames"]), (&"bvh".into(), &120.into()));
+    assert_eq!(report["joints"][15]["role"], "left_foot");
+    assert_eq!(report["contacts"].as_array().unwrap().len(), 120);
+    assert!((report["humanoid"]["metres_per_unit"].as_f64().unwrap() - 0.01).abs() < 1e-6);
+}
+
+#[test]
+fn styling_keeps_the_hierarchy_and_rate_and_changes_the_motion() {
+    let folder = folder();
+    let input = bvh::parse(demo_walk().as_bytes()).unwrap();
+    let old = stylize(folder.path(), "old", &[]);
+    assert_eq!((&old.joints, old.frame_time_secs), (&input.joints, input.frame_time_secs));
+    assert!(old.values.iter().all(|v| v.is_finite()));
+    let untimed = stylize(folder.path(), "old", &["--timing", "off"]);
+    assert!(untimed.frames.abs_diff(input.frames) <= 1, "{} frames of {}", untimed.frames, input.frames);
+    assert_ne!(untimed.values, stylize(folder.path(), "old=0.5", &["--timing", "off"]).values);
+    assert_ne!(untimed.values, stylize(folder.path(), "old", &["--timing", "off", "--part", "arms:proud"]).values);
+    assert_eq!(names(folder.path()), ["demo.strutdb", "in.bvh", "out.bvh"]);
+}
+
+#[test]
+fn the_trace_has_a_line_a_frame() {
+    let folder = folder();
+    stylize(
+        folder.path(),
+        "old=0.5,proud=0.5",
+        &["--trace", "t.jsonl", "--action", "walk", "--input-style", "neutral"],
+    );
+    let text = fs::read_to_string(folder.path().join("t.jsonl")).unwrap();
+    let lines: Vec<Value> = text.lines().map(|l| serde_json::from_str(l).unwrap()).collect();
+    assert_eq!(lines.len(), 120);
+    let line = &lines[60];
+    assert_eq!(line["frame"], 60);
+    assert!((line["time_in"].as_f64().unwrap() - 1.0).abs() < 1e-6);
+    assert!(line["time_out"].as_f64().unwrap() > 0.5 && line["dt"].as_f64().unwrap() > 0.0);
+    let weights = line["class_weights"].as_object().unwrap();
+    assert!(weights.len() == 1 && (weights["walk/neutral"].as_f64().unwrap() - 1.0).abs() < 1e-5, "{weights:?}");
+    assert!(line["neighbours"][0][0].as_str().unwrap().contains("neutral"));
+    assert!(line["neighbours"][0][2].as_f64().unwrap() >= 0.0 && line["bias"].as_f64().unwrap() >= 0.0);
+    assert_eq!(line["contact"].as_array().unwrap().len(), 2);
+    assert!(line["cost_us"]["search"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn the_same_command_gives_the_same_bytes() {
+    let folder = folder();
+    let first = stylize(folder.path(), "old", &[]);
+    assert_eq!(first, stylize(folder.path(), "old", &[]));
+}

@@ -1,0 +1,62 @@
+//! Running the command, and files to run it on.
+#![allow(dead_code)] // Each test file uses its part.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+use strut_formats::{bvh, strutdb};
+
+/// Runs `strut` with these arguments in a folder.
+pub(crate) fn strut(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_strut")).current_dir(folder).args(args).output().expect("strut starts")
+}
+
+/// Runs `strut`, which must succeed; what it printed.
+pub(crate) fn strut_ok(folder: &Path, args: &[&str]) -> String {
+    let output = strut(folder, args);
+    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Runs `strut`, which must fail with exit code 1, one sentence that contains `expected`, and no new file.
+pub(crate) fn assert_refused(folder: &Path, args: &[&str], expected: &str) {
+    let before = names(folder);
+    let output = strut(folder, args);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{args:?}: {stderr}");
+    assert!(stderr.starts_with("error: ") && stderr.trim_end().lines().count() == 1, "{args:?}: {stderr:?}");
+    assert!(stderr.contains(expected), "{args:?}: {stderr}");
+    assert_eq!(names(folder), before, "{args:?} left a file");
+}
+
+/// Names of the files in a folder.
+pub(crate) fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// The built-in database as a file.
+pub(crate) fn demo_database() -> &'static [u8] {
+    static FILE: OnceLock<Vec<u8>> = OnceLock::new();
+    FILE.get_or_init(|| strutdb::write(&strut_demo::database().unwrap(), "test"))
+}
+
+/// Two seconds of the built-in walk as BVH text.
+pub(crate) fn demo_walk() -> String {
+    let mut motion = strut_demo::input_clips().remove(0).motion;
+    motion.poses.truncate(120);
+    bvh::write(&bvh::Bvh::from_humanoid(&motion).unwrap())
+}
+
+/// The folder of real clips: `$STRUT_MOCAP`, else `shared/data` beside the repository. Says so if there is none.
+pub(crate) fn mocap_folder() -> Option<PathBuf> {
+    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
+    let folder = std::env::var_os("STRUT_MOCAP").map_or(beside, PathBuf::from);
+    if folder.is_dir() {
+        return Some(folder);
+    }
+    println!("skipped: no real motion capture; set STRUT_MOCAP to its folder");
+    None
+}

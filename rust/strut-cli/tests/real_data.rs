@@ -1,0 +1,125 @@
+//! The acceptance figures of the product on real motion capture, where it is present (`STRUT_MOCAP`).
+
+mod common;
+
+use common::{mocap_folder, strut_ok};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
+use strut_core::retarget::{Binding, to_humanoid};
+use strut_core::{contact, metrics};
+use strut_formats::bvh::{self, Bvh};
+
+fn read(path: &Path) -> Bvh {
+    bvh::parse(&fs::read(path).unwrap()).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// Mean horizontal speed of planted feet, cm/s, as the file's own motion shows them planted.
+fn skate_cm_s(file: &Bvh) -> f32 {
+    let motion = file.to_motion().unwrap();
+    let binding = Binding::detect(&motion).unwrap();
+    let body = to_humanoid(&motion, &binding, &binding.proportions);
+    100.0 * metrics::foot_skate(&body, &contact::label(&body))
+}
+
+/// A folder with a database of all 245 clips of `bandai-namco-2` as `bn2.strutdb`.
+struct Built {
+    folder: tempfile::TempDir,
+    report: Value,
+    took: Duration,
+}
+
+/// Built once for all tests.
+fn bandai_namco_2(mocap: &Path) -> &'static Built {
+    static BUILT: OnceLock<Built> = OnceLock::new();
+    BUILT.get_or_init(|| {
+        let folder = tempfile::tempdir().unwrap();
+        let clips = mocap.join("bandai-namco-2");
+        let begin = Instant::now();
+        let args = ["build-db", clips.to_str().unwrap(), "-o", "bn2.strutdb", "--neutral", "normal"];
+        let more = ["--json", "build.json", "--pattern", "{set}_{action}_{style}_{take}.bvh"];
+        strut_ok(folder.path(), &[&args[..], &more].concat());
+        let took = begin.elapsed();
+        let report = serde_json::from_slice(&fs::read(folder.path().join("build.json")).unwrap()).unwrap();
+        Built { folder, report, took }
+    })
+}
+
+/// Styles a clip into a file of the folder.
+fn stylize(folder: &Path, input: &Path, style: &str, output: &str, more: &[&str]) -> Bvh {
+    let input = input.to_str().unwrap();
+    let args = ["stylize", "--db", "bn2.strutdb", "--input", input, "--style", style, "-o", output];
+    strut_ok(folder, &[&args[..], more].concat());
+    read(&folder.join(output))
+}
+
+#[test]
+fn a_neutral_walk_becomes_elderly_active_and_exhausted() {
+    let Some(mocap) = mocap_folder() else { return };
+    let Built { folder, report, took } = bandai_namco_2(&mocap);
+    println!("built in {took:?}");
+    assert!(*took < Duration::from_secs(60), "the build took {took:?}");
+    let totals = &report["totals"];
+    assert_eq!(totals["clips"].as_u64().unwrap() + totals["refused"].as_u64().unwrap(), 245);
+    // The clips that turn the other way are label errors of the data set.
+    let refused: Vec<&str> =
+        report["refused"].as_array().unwrap().iter().map(|r| r["file"].as_str().unwrap()).collect();
+    let wrong =
+        ["left_masculine_006", "left_masculine_007", "right_masculine_006", "right_masculine_007", "right_normal_004"];
+    assert_eq!(refused.len(), wrong.len(), "{refused:?}");
+    assert!(wrong.iter().all(|w| refused.iter().any(|r| r.ends_with(&format!("walk-turn-{w}.bvh")))), "{refused:?}");
+
+    let path = mocap.join("bandai-namco-2/dataset-2_walk_normal_001.bvh");
+    let input = read(&path);
+    let input_skate = skate_cm_s(&input);
+    for (style, expected_ratio) in [("elderly", 0.92), ("active", 0.83), ("exhausted", 0.97)] {
+        let output = stylize(folder.path(), &path, style, "styled.bvh", &["--trace", "trace.jsonl"]);
+        strut_ok(folder.path(), &["inspect", "styled.bvh"]);
+        assert_eq!(output.joints, input.joints, "{style}");
+        let ratio = output.frames as f64 / input.frames as f64;
+        let skate = skate_cm_s(&output);
+        let walking = mean_walking_weight(&folder.path().join("trace.jsonl"));
+        println!("{style}: ratio {ratio:.3}, skate {skate:.2} cm/s (input {input_skate:.2}), walking {walking:.3}");
+        assert!((ratio - expected_ratio).abs() <= 0.04, "{style}: {ratio}");
+        assert!(skate <= 6.0 && skate <= input_skate, "{style}: {skate} cm/s, input {input_skate}");
+        assert!(walking >= 0.85, "{style}: {walking}");
+    }
+}
+
+/// Mean weight of the classes whose action is a walk.
+fn mean_walking_weight(trace: &Path) -> f64 {
+    let text = fs::read_to_string(trace).unwrap();
+    let weight = |line: &str| -> f64 {
+        let line: Value = serde_json::from_str(line).unwrap();
+        let weights = line["class_weights"].as_object().unwrap();
+        weights.iter().filter(|(class, _)| class.starts_with("walk")).map(|(_, w)| w.as_f64().unwrap()).sum()
+    };
+    text.lines().map(weight).sum::<f64>() / text.lines().count() as f64
+}
+
+/// Clips of all data sets. All 460 take minutes: every 23rd, or all with `STRUT_ALL_CLIPS=1`.
+fn clips(mocap: &Path) -> Vec<PathBuf> {
+    let mut clips = Vec::new();
+    for set in ["bandai-namco-1", "bandai-namco-2", "cmu", "xia"] {
+        let entries = fs::read_dir(mocap.join(set)).into_iter().flatten();
+        clips.extend(entries.map(|e| e.unwrap().path()).filter(|p| p.extension().is_some_and(|e| e == "bvh")));
+    }
+    clips.sort();
+    let step = if std::env::var_os("STRUT_ALL_CLIPS").is_some() { 1 } else { 23 };
+    clips.into_iter().step_by(step).collect()
+}
+
+#[test]
+fn clips_of_every_kind_are_styled() {
+    let Some(mocap) = mocap_folder() else { return };
+    let folder = &bandai_namco_2(&mocap).folder;
+    for path in clips(&mocap) {
+        let input = read(&path);
+        // Reading refuses anything that is no finite number.
+        let output = stylize(folder.path(), &path, "elderly", "out.bvh", &[]);
+        assert_eq!(output.joints, input.joints, "{}", path.display());
+        assert_eq!(output.frame_time_secs, input.frame_time_secs, "{}", path.display());
+    }
+}
