@@ -62,6 +62,10 @@ impl ToHumanoid {
         for (i, rotation) in pose.rotations.iter_mut().enumerate().skip(1) {
             *rotation = turns[PARENTS[i]].inv_mul(turns[i]).normalized();
         }
+        for toes in [Role::LeftToes, Role::RightToes] {
+            let rotation = &mut pose.rotations[toes.index()];
+            *rotation = not_upside_down(*rotation);
+        }
         pose.rotations[0] = turns[0].normalized();
 
         // The body hangs on its hip joints: scaled like the ankles, they leave the legs as bent as they were.
@@ -94,6 +98,13 @@ impl ToHumanoid {
             self.world[joint] = (position + rotation * offset, rotation * rotations[joint]);
         }
     }
+}
+
+/// The rotation of toes without a half turn about their own length. Recordings converted from ASF/AMC
+/// write toes that bend up as turned upside down, and flip from one frame to the next.
+fn not_upside_down(toes: Quat) -> Quat {
+    let (swing, twist) = toes.swing_twist(Vec3::Z);
+    if twist.w.abs() < std::f32::consts::FRAC_1_SQRT_2 { swing } else { toes }
 }
 
 /// A clip on its own skeleton as a clip of a canonical body, at the same rate.

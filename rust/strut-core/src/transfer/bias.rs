@@ -7,7 +7,10 @@ use crate::pose_vector::{PoseRow, ROW};
 
 /// Least deviation of the neighbours, as a share of the global one: identical neighbours are no reason to
 /// take every millimetre for bias.
-const LEAST_DEVIATION: f32 = 0.05;
+const LEAST_SHARE: f32 = 0.05;
+/// Least deviation whatever the global one, in the units of the degrees of freedom (0.3°, 5 mm): joints that
+/// never move in the database have no deviation at all.
+const LEAST_DEVIATION: f32 = 0.005;
 
 /// Mean μ and standard deviation σ of a class's neighbours, for each degree of freedom.
 #[derive(Clone, Debug)]
@@ -35,7 +38,7 @@ impl Bias {
     pub(super) fn new(input: &PoseRow, statistics: &InputStatistics, sigma: &PoseRow, kappa: f32, rho: f32) -> Self {
         let mut bias = Self::NONE;
         for d in 0..ROW {
-            let deviation = statistics.deviation[d].max(LEAST_DEVIATION * sigma[d]);
+            let deviation = statistics.deviation[d].max(LEAST_SHARE * sigma[d]).max(LEAST_DEVIATION);
             let (mean, reach) = (statistics.mean[d], kappa * deviation);
             let delta = input[d] - input[d].clamp(mean - reach, mean + reach);
             bias.input[d] = delta;
@@ -43,6 +46,12 @@ impl Bias {
             bias.largest = bias.largest.max(delta.abs() / deviation);
         }
         bias
+    }
+
+    /// A row with the output's share of the bias.
+    pub(super) fn put_on(&self, mut row: PoseRow) -> PoseRow {
+        row.iter_mut().zip(&self.output).for_each(|(v, b)| *v += b);
+        row
     }
 }
 

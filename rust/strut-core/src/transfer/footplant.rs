@@ -2,7 +2,7 @@
 
 use super::sole::{Sole, Soles};
 use crate::humanoid::{Pose, Proportions};
-use crate::kinematics::{Limb, two_bone_ik, world_from_local};
+use crate::kinematics::{Limb, WorldPose, two_bone_ik, world_from_local};
 use crate::math::Vec3;
 use crate::math::float_funcs::exp;
 
@@ -12,16 +12,23 @@ const PLANT: f32 = 0.6;
 const RELEASE: f32 = 0.4;
 /// Frames over which the hold sets in.
 const EASE_FRAMES: u32 = 3;
-/// Time constant of the return to the predicted place after release, seconds.
+/// Time constant of the return to the predicted place after release, seconds. The return is a critically
+/// damped spring rather than a plain decay, so that the foot leaves with the speed it has.
 const DECAY_SECS: f32 = 0.12;
 /// Greatest correction of a foot, metres; the root follows what goes beyond.
 const MAX_CORRECTION: f32 = 0.2;
+/// Out-of-reach targets nearer than this do not move the root, metres.
+const LEAST_SHIFT: f32 = 1e-4;
+/// Greatest step of the root towards a target out of reach, metres.
+const MAX_ROOT_STEP: f32 = 0.02;
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Foot {
     planted_frames: u32,
     /// c: from the predicted to the corrected place, horizontal.
     correction: Vec3,
+    /// Its rate of change, m/s.
+    velocity: Vec3,
     /// Of the predicted pose, where the root's shift puts it.
     last: Option<Sole>,
 }
@@ -37,9 +44,15 @@ impl Foot {
         self.planted_frames = if planted { self.planted_frames.saturating_add(1) } else { 0 };
         let travel = self.last.map_or(Vec3::ZERO, |last| sole.pivot_travel(&last));
         if planted {
-            self.correction -= travel * (self.planted_frames.min(EASE_FRAMES) as f32 / EASE_FRAMES as f32);
+            let step = travel * (self.planted_frames.min(EASE_FRAMES) as f32 / EASE_FRAMES as f32);
+            self.correction -= step;
+            self.velocity = -step / dt_secs;
         } else {
-            self.correction *= exp(-dt_secs / DECAY_SECS);
+            let rate = 2.0 / DECAY_SECS;
+            let (c, v, decay) = (self.correction, self.velocity, exp(-rate * dt_secs));
+            let pull = v + c * rate;
+            self.correction = (c + pull * dt_secs) * decay;
+            self.velocity = (v - pull * (rate * dt_secs)) * decay;
         }
         self.last = Some(sole);
     }
@@ -80,43 +93,66 @@ impl Footplant {
         for (side, (foot, likelihood)) in self.feet.iter_mut().zip(likelihood).enumerate() {
             foot.update(self.soles.of(&world, side), likelihood, dt_secs);
         }
-        let shift = self.overdue_shift();
-        if shift != Vec3::ZERO {
-            self.root_shift += shift;
-            pose.root += shift;
-            world = world_from_local(&self.proportions, pose);
-            for (side, foot) in self.feet.iter_mut().enumerate() {
-                foot.last = Some(self.soles.of(&world, side));
-                if foot.is_planted() {
-                    foot.correction -= shift;
-                }
-            }
+        let planted = self.feet.map(|f| f.is_planted());
+        let over_cap = mean_of_planted(planted, |side| self.feet[side].excess());
+        self.move_root(over_cap, pose, &mut world);
+        let corrected = self.with_feet_in_place(pose, &world);
+        let out_of_reach = mean_of_planted(planted, |side| corrected.1[side]);
+        if out_of_reach.length() > LEAST_SHIFT {
+            self.move_root(out_of_reach.clamp_length_max(MAX_ROOT_STEP), pose, &mut world);
+            *pose = self.with_feet_in_place(pose, &world).0;
+        } else {
+            *pose = corrected.0;
         }
-        for (side, limb) in Limb::LEGS.into_iter().enumerate() {
-            let foot = &mut self.feet[side];
-            foot.correction = foot.correction.clamp_length_max(MAX_CORRECTION);
-            let depth = (-self.soles.of(&world, side).lowest()).max(0.0);
-            let by = foot.correction + Vec3::Y * depth;
-            if by != Vec3::ZERO {
-                let ankle = world.positions[Soles::JOINTS[side][0].index()];
-                two_bone_ik(&self.proportions, pose, &mut world, limb, ankle + by);
-            }
-        }
-        self.feet.map(|f| f.is_planted())
+        planted
     }
 
-    /// Mean excess of the planted feet whose correction is beyond the cap.
-    fn overdue_shift(&self) -> Vec3 {
-        let (mut sum, mut count) = (Vec3::ZERO, 0.0);
-        for foot in self.feet.iter().filter(|f| f.is_planted()) {
-            let excess = foot.excess();
-            if excess != Vec3::ZERO {
-                sum += excess;
-                count += 1.0;
+    /// Shifts the root for good; planted feet give up as much of their corrections.
+    fn move_root(&mut self, by: Vec3, pose: &mut Pose, world: &mut WorldPose) {
+        if by == Vec3::ZERO {
+            return;
+        }
+        self.root_shift += by;
+        pose.root += by;
+        *world = world_from_local(&self.proportions, pose);
+        for (side, foot) in self.feet.iter_mut().enumerate() {
+            foot.last = Some(self.soles.of(world, side));
+            if foot.is_planted() {
+                foot.correction = (foot.correction - by).clamp_length_max(MAX_CORRECTION);
             }
         }
-        sum / f32::max(count, 1.0)
     }
+
+    /// The pose with both feet where their corrections and the ground want them, and what the legs could
+    /// not reach, horizontally.
+    fn with_feet_in_place(&self, pose: &Pose, world: &WorldPose) -> (Pose, [Vec3; 2]) {
+        let (mut pose, mut world) = (*pose, *world);
+        let mut residual = [Vec3::ZERO; 2];
+        for (side, limb) in Limb::LEGS.into_iter().enumerate() {
+            let depth = (-self.soles.of(&world, side).lowest()).max(0.0);
+            let by = self.feet[side].correction + Vec3::Y * depth;
+            if by != Vec3::ZERO {
+                let ankle = Soles::JOINTS[side][0].index();
+                let target = world.positions[ankle] + by;
+                two_bone_ik(&self.proportions, &mut pose, &mut world, limb, target);
+                residual[side] = (target - world.positions[ankle]) * Vec3::new(1.0, 0.0, 1.0);
+            }
+        }
+        (pose, residual)
+    }
+}
+
+/// Mean over the planted feet for which `value` is not zero.
+fn mean_of_planted(planted: [bool; 2], value: impl Fn(usize) -> Vec3) -> Vec3 {
+    let (mut sum, mut count) = (Vec3::ZERO, 0.0);
+    for side in (0..2).filter(|&s| planted[s]) {
+        let v = value(side);
+        if v != Vec3::ZERO {
+            sum += v;
+            count += 1.0;
+        }
+    }
+    sum / f32::max(count, 1.0)
 }
 
 /// Height of the lower sole above the ground, metres; negative below it.

@@ -38,14 +38,16 @@ pub enum Stage {
     Timing,
     /// Styles blended, pose rebuilt.
     Blend,
-    /// Contact likelihood, footplant and inverse kinematics.
+    /// Contact likelihood.
+    Contact,
+    /// Footplant and inverse kinematics; offline it comes after the last frame and is not heard.
     Footplant,
 }
 
 impl Stage {
     /// All stages in order.
-    pub const ALL: [Self; 6] =
-        [Self::Features, Self::Search, Self::Regression, Self::Timing, Self::Blend, Self::Footplant];
+    pub const ALL: [Self; 7] =
+        [Self::Features, Self::Search, Self::Regression, Self::Timing, Self::Blend, Self::Contact, Self::Footplant];
 
     /// Name in traces and benchmarks.
     pub const fn name(self) -> &'static str {
@@ -55,6 +57,7 @@ impl Stage {
             Self::Regression => "regression",
             Self::Timing => "timing",
             Self::Blend => "blend",
+            Self::Contact => "contact",
             Self::Footplant => "footplant",
         }
     }

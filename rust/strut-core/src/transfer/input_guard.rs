@@ -1,13 +1,13 @@
 //! Keeps NaN and jumps of the input out of the model's state.
 
-use crate::humanoid::Pose;
-use crate::math::Vec3;
+use crate::humanoid::{JOINTS, Pose};
+use crate::math::{Quat, Vec3};
 
 /// Faster than any person, vehicles included: a jump of the hips.
 const MAX_SPEED: f32 = 25.0;
 /// Faster than any joint (a thrown ball's arm reaches about 130 rad/s for a few milliseconds).
 const MAX_TURN_RATE: f32 = 90.0;
-/// After this many frames in a row that are far from the held pose, the input is believed: a cut.
+/// After this many frames in a row that are far from what is held, the input is believed: a cut.
 const MAX_HELD: u32 = 6;
 /// Beyond this distance from the origin (m) `f32` no longer resolves millimetres.
 const MAX_COORDINATE: f32 = 1e4;
@@ -17,7 +17,7 @@ const MAX_COORDINATE: f32 = 1e4;
 pub(super) enum Admitted {
     /// Taken as it is.
     Good(Pose),
-    /// Replaced by the last good pose, its hips moving on.
+    /// Joints, or all of the figure, replaced by their last good rotation; the hips move on.
     Repaired(Pose),
     /// Taken as it is, but it does not continue what came before.
     Cut(Pose),
@@ -28,63 +28,81 @@ pub(super) enum Admitted {
 pub(super) struct InputGuard {
     last: Option<Pose>,
     velocity: Vec3,
+    /// Frames for which the figure, and each joint, has been held.
     held: u32,
+    held_joints: [u32; JOINTS],
 }
 
 impl InputGuard {
     /// Judges the next frame, `dt_secs` after the one before.
     pub(super) fn admit(&mut self, pose: &Pose, dt_secs: f32) -> Admitted {
-        let usable = is_usable(pose).then(|| normalised(pose));
-        match (usable, self.last) {
-            (Some(pose), None) => {
-                self.accept(&pose, Vec3::ZERO);
-                Admitted::Good(pose)
-            }
-            (Some(pose), Some(last)) if continues(&last, &pose, dt_secs) => {
-                self.accept(&pose, (pose.root - last.root) / dt_secs);
-                Admitted::Good(pose)
-            }
-            (Some(pose), Some(_)) if self.held >= MAX_HELD => {
-                self.accept(&pose, Vec3::ZERO);
-                Admitted::Cut(pose)
-            }
-            (_, last) => {
-                let mut pose = last.unwrap_or_default();
-                self.held += 1;
-                if self.held <= MAX_HELD {
-                    pose.root += self.velocity * dt_secs;
-                }
+        let root_is_usable = pose.root.is_finite() && pose.root.abs().max_element() < MAX_COORDINATE;
+        let Some(last) = self.last else {
+            return match normalised(pose) {
+                Some(pose) if root_is_usable => self.begin(&pose, Admitted::Good),
                 // A default pose in place of a bad first frame is no evidence: the next frame starts afresh.
-                self.last = last.map(|_| pose);
-                Admitted::Repaired(pose)
+                _ => Admitted::Repaired(Pose::default()),
+            };
+        };
+        let step = pose.root - last.root;
+        if !root_is_usable || step.length() > MAX_SPEED * dt_secs {
+            return match normalised(pose) {
+                Some(pose) if root_is_usable && self.held >= MAX_HELD => self.begin(&pose, Admitted::Cut),
+                _ => Admitted::Repaired(self.hold(last, dt_secs)),
+            };
+        }
+        let mut admitted = Pose { root: pose.root, ..last };
+        let mut repaired = false;
+        for (j, (rotation, new)) in admitted.rotations.iter_mut().zip(&pose.rotations).enumerate() {
+            match usable(*new) {
+                Some(new)
+                    if self.held_joints[j] >= MAX_HELD || rotation.inv_mul(new).angle() <= MAX_TURN_RATE * dt_secs =>
+                {
+                    *rotation = new;
+                    self.held_joints[j] = 0;
+                }
+                _ => {
+                    self.held_joints[j] = self.held_joints[j].saturating_add(1);
+                    repaired = true;
+                }
             }
         }
+        *self = Self { last: Some(admitted), velocity: step / dt_secs, held: 0, ..*self };
+        if repaired { Admitted::Repaired(admitted) } else { Admitted::Good(admitted) }
     }
 
-    fn accept(&mut self, pose: &Pose, velocity: Vec3) {
-        *self = Self { last: Some(*pose), velocity, held: 0 };
+    fn begin(&mut self, pose: &Pose, as_what: impl Fn(Pose) -> Admitted) -> Admitted {
+        *self = Self { last: Some(*pose), ..Self::default() };
+        as_what(*pose)
+    }
+
+    fn hold(&mut self, mut pose: Pose, dt_secs: f32) -> Pose {
+        self.held = self.held.saturating_add(1);
+        if self.held <= MAX_HELD {
+            pose.root += self.velocity * dt_secs;
+        }
+        self.last = Some(pose);
+        pose
     }
 }
 
-fn is_usable(pose: &Pose) -> bool {
-    pose.is_finite()
-        && pose.root.abs().max_element() < MAX_COORDINATE
-        && pose.rotations.iter().all(|q| (0.5..2.0).contains(&q.dot(*q)))
+/// The rotation at unit length, if it is anywhere near it.
+fn usable(q: Quat) -> Option<Quat> {
+    (q.is_finite() && (0.5..2.0).contains(&q.dot(q))).then(|| q.normalized())
 }
 
-fn normalised(pose: &Pose) -> Pose {
-    Pose { root: pose.root, rotations: pose.rotations.map(crate::math::Quat::normalized) }
-}
-
-fn continues(last: &Pose, pose: &Pose, dt_secs: f32) -> bool {
-    (pose.root - last.root).length() <= MAX_SPEED * dt_secs
-        && last.rotations.iter().zip(&pose.rotations).all(|(a, b)| a.inv_mul(*b).angle() <= MAX_TURN_RATE * dt_secs)
+/// The pose with unit rotations, if all are usable.
+fn normalised(pose: &Pose) -> Option<Pose> {
+    let mut out = *pose;
+    for q in &mut out.rotations {
+        *q = usable(*q)?;
+    }
+    Some(out)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Quat;
 
     const DT: f32 = 1.0 / 60.0;
 
@@ -97,14 +115,32 @@ mod tests {
         let mut guard = InputGuard::default();
         guard.admit(&at(0.0), DT);
         guard.admit(&at(0.02), DT);
-        let mut bad = at(0.04);
-        bad.rotations[3].w = f32::NAN;
-        for bad in [bad, at(1e30), at(5.0), Pose { rotations: [Quat::from_xyzw(0.0, 0.0, 0.0, 0.0); 21], ..at(0.0) }] {
+        for bad in [at(f32::NAN), at(1e30), at(5.0)] {
             let mut guard = guard;
             let Admitted::Repaired(pose) = guard.admit(&bad, DT) else { panic!("{bad:?} was taken") };
             assert!((pose.root.x - 0.04).abs() < 1e-6);
             assert!(matches!(guard.admit(&at(0.06), DT), Admitted::Good(_)));
         }
+    }
+
+    #[test]
+    fn a_bad_joint_is_held_alone() {
+        let mut guard = InputGuard::default();
+        guard.admit(&at(0.0), DT);
+        let mut moved = at(0.02);
+        moved.rotations[5] = Quat::from_rotation_x(0.1);
+        for bad in
+            [Quat::from_xyzw(f32::NAN, 0.0, 0.0, 1.0), Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), Quat::from_rotation_z(3.0)]
+        {
+            let (mut guard, mut pose) = (guard, moved);
+            pose.rotations[9] = bad;
+            assert_eq!(guard.admit(&pose, DT), Admitted::Repaired(moved));
+        }
+        moved.rotations[9] = Quat::from_rotation_z(3.0);
+        for _ in 0..MAX_HELD {
+            assert!(matches!(guard.admit(&moved, DT), Admitted::Repaired(_)));
+        }
+        assert_eq!(guard.admit(&moved, DT), Admitted::Good(moved));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::bias::Bias;
 use super::mixture::class_weights;
 use super::model::Model;
 use super::options::{Method, Options};
-use super::regression::{InputMoments, Regressors, Samples, interpolate, predict};
+use super::regression::{InputMoments, Regressors, Samples, interpolate, interpolate_before, predict};
 use super::timing::{Moment, duration};
 use crate::pose_vector::{PoseRow, ROW};
 use crate::search::{Metric, Neighbours, QueryWindow, Scratch};
@@ -30,12 +30,14 @@ pub(super) struct StylePrediction {
     pub(super) current: PoseRow,
     /// How long the frame lasts, seconds.
     pub(super) step_secs: f32,
+    /// Likelihood that each foot of the registered targets is planted.
+    pub(super) contact: [f32; 2],
 }
 
 impl StylePrediction {
     /// Not started.
     pub(super) fn new(style: usize) -> Self {
-        Self { style, started: false, previous: [0.0; ROW], current: [0.0; ROW], step_secs: 0.0 }
+        Self { style, started: false, previous: [0.0; ROW], current: [0.0; ROW], step_secs: 0.0, contact: [0.0; 2] }
     }
 }
 
@@ -149,21 +151,21 @@ impl Mixture {
             }
             for s in styles.iter_mut() {
                 let targets = &model.target_table(s.style).pose;
+                let samples = Samples { inputs: &db.pose, targets, neighbours };
                 let row = match &moments {
-                    Some(moments) if s.started => {
+                    Some(moments) => {
+                        // A style that begins takes the neighbours' mean for its past.
+                        let start = if s.started { s.previous } else { bias.put_on(interpolate_before(samples)) };
                         let u = Regressors {
                             previous_input: input.previous,
                             input: input.current,
-                            previous_output: &s.previous,
+                            previous_output: &start,
                         };
-                        let samples = Samples { inputs: &db.pose, targets, neighbours };
                         predict(u, moments, samples, ridge, db.sigma(), &bias)
                     }
-                    _ => {
+                    None => {
                         let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
-                        let mut row = interpolate(targets, &neighbours[..nearest]);
-                        row.iter_mut().zip(&bias.output).for_each(|(v, b)| *v += b);
-                        row
+                        interpolate(targets, &neighbours[..nearest])
                     }
                 };
                 s.current.iter_mut().zip(&row).for_each(|(sum, v)| *sum += weight * v);
@@ -171,8 +173,8 @@ impl Mixture {
         }
     }
 
-    /// Predicts how long every style's frame lasts.
-    pub(super) fn predict_durations(
+    /// Predicts how long every style's frame lasts, and which feet are planted in it.
+    pub(super) fn predict_durations_and_contacts(
         &mut self,
         model: &Model,
         options: &Options,
@@ -183,7 +185,7 @@ impl Mixture {
         let frame_secs = 1.0 / db.rate_hz;
         for s in styles {
             let table = model.target_table(s.style);
-            let mut secs = 0.0;
+            let (mut secs, mut contact) = (0.0, [0.0; 2]);
             for (component, &weight) in self.components.iter().zip(&self.weights) {
                 if weight == 0.0 {
                     continue;
@@ -199,8 +201,11 @@ impl Mixture {
                 let samples = Samples { inputs: &db.pose, targets: &table.pose, neighbours: &neighbours[..nearest] };
                 let secs_of_class = duration(model.scales(), now, samples, &table.step_secs, &mut self.kernel);
                 secs += weight * secs_of_class.unwrap_or(frame_secs);
+                let contact_of_class: [f32; 2] = interpolate(&table.contact, samples.neighbours);
+                contact.iter_mut().zip(contact_of_class).for_each(|(sum, c)| *sum += weight * c);
             }
             s.step_secs = secs;
+            s.contact = contact;
         }
     }
 

@@ -173,15 +173,23 @@ fn mean<'a>(rows: impl Iterator<Item = &'a PoseRow>) -> PoseRow {
 /// Distance below which neighbours are taken as equally near, (3 mm)².
 const SAME: f32 = 1e-5;
 
-/// Inverse-distance mean of the neighbours' targets: KNN interpolation, and the first frame of the
-/// autoregression.
-pub(super) fn interpolate(targets: &[PoseRow], neighbours: &[Neighbour]) -> PoseRow {
-    let mut sum = [0.0; ROW];
+/// Inverse-distance mean of the neighbours' values: KNN interpolation.
+pub(super) fn interpolate<const N: usize>(values: &[[f32; N]], neighbours: &[Neighbour]) -> [f32; N] {
+    inverse_distance_mean(neighbours.iter().map(|n| (n.distance, &values[n.row as usize])))
+}
+
+/// The same of the targets one frame earlier.
+pub(super) fn interpolate_before(samples: Samples<'_>) -> PoseRow {
+    inverse_distance_mean(samples.neighbours.iter().map(|n| (n.distance, &samples.targets[n.row as usize - 1])))
+}
+
+fn inverse_distance_mean<'a, const N: usize>(values: impl Iterator<Item = (f32, &'a [f32; N])>) -> [f32; N] {
+    let mut sum = [0.0; N];
     let mut weights = 0.0;
-    for n in neighbours {
-        let w = 1.0 / (n.distance + SAME);
+    for (distance, value) in values {
+        let w = 1.0 / (distance + SAME);
         weights += w;
-        for (s, v) in sum.iter_mut().zip(&targets[n.row as usize]) {
+        for (s, v) in sum.iter_mut().zip(value) {
             *s += w * v;
         }
     }

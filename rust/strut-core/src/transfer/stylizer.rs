@@ -181,7 +181,7 @@ impl Stylizer {
         1.0 / self.model.database().rate_hz
     }
 
-    /// Everything but contact smoothing and footplant; `frame.contact` is the raw vote.
+    /// Everything but contact smoothing and footplant; `frame.contact` is not smoothed yet.
     pub(super) fn predict_frame(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
         clock.start();
         let model = Arc::clone(&self.model);
@@ -197,7 +197,7 @@ impl Stylizer {
         let input = Input { current: &row, previous: &previous };
         self.mixture.predict(&model, &self.options, input, &mut self.styles);
         clock.end(Stage::Regression);
-        self.mixture.predict_durations(&model, &self.options, input, &mut self.styles);
+        self.mixture.predict_durations_and_contacts(&model, &self.options, input, &mut self.styles);
         clock.end(Stage::Timing);
 
         let step_secs = self.blend_styles(&row);
@@ -206,7 +206,8 @@ impl Stylizer {
         clock.end(Stage::Blend);
 
         self.mixture.search_contacts(&model, &self.window, VOTERS, &mut self.contacts);
-        self.frame.contact = vote(model.database(), self.contacts.as_slice());
+        self.frame.contact = self.contact_likelihood(vote(model.database(), self.contacts.as_slice()));
+        clock.end(Stage::Contact);
         &self.frame
     }
 
@@ -249,6 +250,7 @@ impl Stylizer {
             if !finite || !self.mixture.found_any() {
                 s.current = *input;
                 s.step_secs = frame_secs;
+                s.contact = [0.0; 2];
             }
             step_secs += self.blend.weight(BodyPart::Legs, s.style) * s.step_secs;
             s.started = true;
@@ -281,6 +283,18 @@ impl Stylizer {
         self.frame.time_in_secs = self.frames as f64 / f64::from(self.model.database().rate_hz);
         self.frame.time_out_secs += f64::from(self.frame.dt_secs);
         self.frames += 1;
+    }
+
+    /// Mean of what the input's legs say and of the registered targets' contacts. Each alone skates more: the
+    /// input's where its phase is not the output's (a stand that becomes a stride), the targets' where the
+    /// neighbours are far off.
+    fn contact_likelihood(&self, of_input: [f32; 2]) -> [f32; 2] {
+        let mut of_output = [0.0; 2];
+        for s in &self.styles {
+            let weight = self.blend.weight(BodyPart::Legs, s.style);
+            of_output.iter_mut().zip(s.contact).for_each(|(sum, c)| *sum += weight * c);
+        }
+        std::array::from_fn(|side| 0.5 * (of_input[side] + of_output[side].clamp(0.0, 1.0)))
     }
 
     /// Forgets what came before, but not where the output is.
