@@ -41,7 +41,7 @@ impl Default for Thresholds {
             off_height: 0.06,
             off_speed: 0.90,
             floor_percentile: 0.05,
-            min_duration_secs: 0.08,
+            min_duration_secs: 0.1,
         }
     }
 }
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flicker_shorter_than_five_frames_is_removed() {
+    fn a_flicker_shorter_than_six_frames_is_removed() {
         let fast = |f: usize| if (30..32).contains(&f) { 3.0 } else { 0.0 };
         assert!(left(&gliding(60, |_| 0.0, fast)).iter().filter(|&&c| !c).count() <= 4);
         let mut labels = vec![[true; 2]; 20];

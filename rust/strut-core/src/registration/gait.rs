@@ -4,13 +4,16 @@ use super::{CycleFault, Example, FaultyCycle};
 use crate::pose_vector::{VELOCITY_X, VELOCITY_Z};
 use std::ops::Range;
 
-/// An action walks or runs if at least half of its clips do; a clip does if it strikes twice with the left
-/// heel, mostly in turn with the right, and travels.
+/// An action walks or runs if at least half of its clips do, and one of them for a whole cycle. A clip does
+/// if it travels, and its feet mostly strike in turn, not together as after a jump.
 const LOCOMOTION_SHARE: f32 = 0.5;
+const MIN_STEP_SECS: f32 = 0.12;
 const MIN_ALTERNATION: f32 = 0.7;
 const MIN_SPEED: f32 = 0.25;
-/// A cycle's duration may differ from the style's median by this factor.
+/// A cycle's duration may differ from the usual one by this factor.
 const DURATION_TOLERANCE: f32 = 1.6;
+/// A clip with as many cycles sets its own usual duration.
+const MIN_OWN_CYCLES: usize = 5;
 /// No gait cycle is shorter or longer, seconds.
 const PLAUSIBLE_SECS: Range<f32> = 0.3..3.0;
 
@@ -44,21 +47,28 @@ pub fn strikes(contact: &[[bool; 2]], side: usize) -> Vec<usize> {
 }
 
 /// Whether the clips of an action walk or run.
-pub fn is_locomotion(examples: &[Example]) -> bool {
-    let walking = examples.iter().filter(|e| walks(e)).count();
-    !examples.is_empty() && walking as f32 >= LOCOMOTION_SHARE * examples.len() as f32
+pub fn is_locomotion(examples: &[Example], rate_hz: f32) -> bool {
+    let walking = examples.iter().filter(|e| walks(e, rate_hz)).count();
+    let share = walking as f32 / examples.len().max(1) as f32;
+    share >= LOCOMOTION_SHARE && examples.iter().any(|e| !plain_cycles(e).is_empty())
 }
 
-fn walks(example: &Example) -> bool {
-    let left = strikes(&example.contact, 0);
-    if left.len() < 2 {
-        return false;
-    }
-    let right = strikes(&example.contact, 1);
-    let in_turn = left.windows(2).filter(|w| between(&right, w[0], w[1]) == 1).count();
+fn walks(example: &Example, rate_hz: f32) -> bool {
+    let both = |side: usize| strikes(&example.contact, side).into_iter().map(move |frame| (frame, side));
+    let mut all: Vec<(usize, usize)> = both(0).chain(both(1)).collect();
+    all.sort_unstable();
+    let in_turn = all.windows(2).filter(|w| w[0].1 != w[1].1 && (w[1].0 - w[0].0) as f32 >= MIN_STEP_SECS * rate_hz);
     let speed = example.pose.iter().map(|r| (r[VELOCITY_X] * r[VELOCITY_X] + r[VELOCITY_Z] * r[VELOCITY_Z]).sqrt());
-    in_turn as f32 >= MIN_ALTERNATION * (left.len() - 1) as f32
+    all.len() >= 2
+        && in_turn.count() as f32 >= MIN_ALTERNATION * (all.len() - 1) as f32
         && speed.sum::<f32>() >= MIN_SPEED * example.frames() as f32
+}
+
+/// Lengths between two left heel strikes with one right one between them.
+fn plain_cycles(example: &Example) -> Vec<usize> {
+    let right = strikes(&example.contact, 1);
+    let left = strikes(&example.contact, 0);
+    left.windows(2).filter(|w| between(&right, w[0], w[1]) == 1).map(|w| w[1] - w[0]).collect()
 }
 
 /// The segments of every example, which cover it without a gap, and what is wrong with its faulty cycles.
@@ -68,15 +78,13 @@ pub fn cut(examples: &[Example], styles: usize, rate_hz: f32) -> Vec<(Vec<Segmen
     examples.iter().map(|e| cut_one(e, usual[usize::from(e.style)], rate_hz)).collect()
 }
 
-/// Median frames between two left heel strikes with one right one between them.
+/// The usual length of a style's cycles in frames: their median.
 fn usual_frames(examples: &[Example], style: u16, rate_hz: f32) -> Option<f32> {
-    let mut lengths: Vec<usize> = Vec::new();
-    for example in examples.iter().filter(|e| e.style == style) {
-        let right = strikes(&example.contact, 1);
-        let left = strikes(&example.contact, 0);
-        lengths.extend(left.windows(2).filter(|w| between(&right, w[0], w[1]) == 1).map(|w| w[1] - w[0]));
-    }
-    lengths.retain(|&l| PLAUSIBLE_SECS.contains(&(l as f32 / rate_hz)));
+    median(examples.iter().filter(|e| e.style == style).flat_map(plain_cycles), rate_hz)
+}
+
+fn median(lengths: impl Iterator<Item = usize>, rate_hz: f32) -> Option<f32> {
+    let mut lengths: Vec<usize> = lengths.filter(|&l| PLAUSIBLE_SECS.contains(&(l as f32 / rate_hz))).collect();
     lengths.sort_unstable();
     lengths.get(lengths.len() / 2).map(|&l| l as f32)
 }
@@ -85,6 +93,9 @@ fn cut_one(example: &Example, usual: Option<f32>, rate_hz: f32) -> (Vec<Segment>
     let left = strikes(&example.contact, 0);
     let right = strikes(&example.contact, 1);
     let (mut segments, mut faulty) = (Vec::new(), Vec::new());
+    // A clip may keep a pace of its own.
+    let own = plain_cycles(example);
+    let usual = if own.len() >= MIN_OWN_CYCLES { median(own.into_iter(), rate_hz).or(usual) } else { usual };
     let (Some(&first), Some(&last)) = (left.first(), left.last()) else { return (segments, faulty) };
     segments.push(Segment { frames: 0..first, kind: SegmentKind::LeadIn });
     for w in left.windows(2) {
@@ -134,7 +145,7 @@ mod tests {
     #[test]
     fn a_steady_gait_is_cut_into_cycles_and_two_partial_ends() {
         let walk = example(280, &[20, 80, 140, 200, 260], &[50, 110, 170, 230]);
-        assert!(is_locomotion(std::slice::from_ref(&walk)));
+        assert!(is_locomotion(std::slice::from_ref(&walk), 60.0));
         let (segments, faulty) = cut(&[walk], 1, 60.0).remove(0);
         assert!(faulty.is_empty());
         let kinds: Vec<_> = segments.iter().map(|s| (s.frames.clone(), s.kind)).collect();
@@ -164,8 +175,17 @@ mod tests {
     #[test]
     fn standing_is_no_locomotion_and_has_no_segments() {
         let stand = example(100, &[], &[]);
-        assert!(!is_locomotion(std::slice::from_ref(&stand)));
+        assert!(!is_locomotion(std::slice::from_ref(&stand), 60.0));
         assert!(cut(&[stand], 1, 60.0).remove(0).0.is_empty());
-        assert!(!is_locomotion(&[]));
+    }
+
+    #[test]
+    fn landing_on_both_feet_is_no_locomotion_but_a_single_stride_beside_a_walk_is() {
+        let jump = example(80, &[10, 60], &[11, 61]);
+        assert!(!is_locomotion(&[jump.clone(), jump], 60.0));
+        let (walk, stride) = (example(280, &[20, 80, 140], &[50, 110]), example(60, &[35], &[10]));
+        assert!(is_locomotion(&[walk, stride.clone(), stride.clone()], 60.0));
+        assert!(!is_locomotion(&[stride], 60.0), "nothing to take a cycle from");
+        assert!(!is_locomotion(&[], 60.0));
     }
 }

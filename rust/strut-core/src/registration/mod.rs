@@ -138,12 +138,12 @@ pub enum CycleFault {
     /// Not exactly one right heel strike.
     #[error("{0} right heel strikes; 1 was expected")]
     RightStrikes(usize),
-    /// A duration far from the style's usual one.
+    /// A duration far from the usual one.
     #[error("it lasts {found_secs:.2} s; about {usual_secs:.2} s is usual")]
     Duration {
         /// Its duration, seconds.
         found_secs: f32,
-        /// Median over the style's cycles, seconds.
+        /// Median over the clip's cycles, or the style's if the clip has few; seconds.
         usual_secs: f32,
     },
 }
@@ -237,7 +237,7 @@ impl Job<'_> {
             return progress(self.examples.len()).is_continue().then_some(outcome);
         }
         let mut refusals = self.wrong_turns();
-        let locomotion = gait::is_locomotion(self.examples);
+        let locomotion = gait::is_locomotion(self.examples, self.rate_hz);
         let cuts = if locomotion { gait::cut(self.examples, self.styles, self.rate_hz) } else { self.uncut() };
         for (refusal, (segments, _)) in refusals.iter_mut().zip(&cuts) {
             if segments.is_empty() && refusal.is_none() {
