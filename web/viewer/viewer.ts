@@ -179,6 +179,7 @@ export class Viewer {
   resetTrail(): void {
     this.#stage.footprints.clear();
     this.#stage.path.clear();
+    this.#stage.view.settle();
     this.#placement.reset();
   }
 

@@ -102,17 +102,17 @@ export class OrbitCamera {
     }
   }
 
-  /** Moves the target at once by a vector, as when the character jumps. */
-  jumpTo(point: Vector3): void {
-    this.target.set(point.x, 0, point.z);
-    this.#settled = true;
+  /** Goes to what is followed at once with the next update, as when the character jumps. */
+  settle(): void {
+    this.#settled = false;
   }
 
   /** Advances by `dtSecs`; follows `point` if there is one. */
   update(dtSecs: number, point: Vector3 | null): void {
     if (point) {
       const far = Math.hypot(point.x - this.target.x, point.z - this.target.z) > JUMP;
-      if (far || !this.#settled) this.jumpTo(point);
+      if (far || !this.#settled) this.target.set(point.x, 0, point.z);
+      this.#settled = true;
       const share = 1 - 0.5 ** (dtSecs / FOLLOW_HALF_LIFE);
       this.target.x += (point.x - this.target.x) * share;
       this.target.z += (point.z - this.target.z) * share;

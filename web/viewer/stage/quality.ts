@@ -24,12 +24,12 @@ export const QUALITY_LEVELS: readonly QualityLevel[] = [
     pixelRatio: 1.5,
     shadowSize: 1024,
     shadeSize: 512,
-    taps: { search: 12, filter: 16 },
+    taps: { search: 12, filter: 20 },
     detail: 1,
     shading: "physical",
   },
-  { pixelRatio: 1, shadowSize: 512, shadeSize: 192, taps: { search: 8, filter: 12 }, detail: 0.6, shading: "matt" },
-  { pixelRatio: 0.75, shadowSize: 512, shadeSize: 128, taps: { search: 6, filter: 8 }, detail: 0.5, shading: "matt" },
+  { pixelRatio: 1, shadowSize: 512, shadeSize: 192, taps: { search: 8, filter: 16 }, detail: 0.6, shading: "matt" },
+  { pixelRatio: 0.75, shadowSize: 512, shadeSize: 128, taps: { search: 6, filter: 10 }, detail: 0.5, shading: "matt" },
 ];
 
 /** Frames a second below which quality is lowered. */
