@@ -72,7 +72,7 @@ impl Database {
 }
 
 impl Database {
-    fn new(database: strut_core::database::Database) -> Self {
+    pub(crate) fn new(database: strut_core::database::Database) -> Self {
         Self { model: Arc::new(Model::new(Arc::new(database))) }
     }
 

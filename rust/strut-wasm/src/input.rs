@@ -13,12 +13,14 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A motion on a database's humanoid and at its rate, with the file that it came from.
 #[wasm_bindgen]
+#[derive(Clone)]
 pub struct Input {
     humanoid: HumanoidMotion,
     file: Option<File>,
 }
 
 /// What an export needs of a file.
+#[derive(Clone)]
 struct File {
     bvh: Bvh,
     motion: Motion,
@@ -89,6 +91,11 @@ impl Input {
         let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
         let humanoid = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz);
         Ok(Self { humanoid, file: Some(File { bvh, motion, binding }) })
+    }
+
+    #[cfg(feature = "parity")]
+    pub(crate) fn poses_mut(&mut self) -> &mut [strut_core::humanoid::Pose] {
+        &mut self.humanoid.poses
     }
 
     pub(crate) fn humanoid(&self) -> &HumanoidMotion {

@@ -8,6 +8,8 @@ mod clip_job;
 mod database;
 mod error;
 mod input;
+#[cfg(feature = "parity")]
+mod parity;
 mod poses;
 mod stylizer;
 
@@ -15,6 +17,8 @@ pub use clip_job::ClipJob;
 pub use database::Database;
 pub use error::EngineError;
 pub use input::{Input, built_in_inputs};
+#[cfg(feature = "parity")]
+pub use parity::ParityReport;
 pub use poses::interpolate_poses;
 pub use stylizer::Stylizer;
 

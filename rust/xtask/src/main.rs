@@ -1,4 +1,4 @@
-//! Builds the WASM package: `cargo run --profile tool -p xtask -- wasm`.
+//! Builds the WASM packages: `cargo run --profile tool -p xtask -- wasm`.
 #![forbid(unsafe_code)]
 
 mod wasm;
@@ -7,11 +7,16 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if arguments != ["wasm"] {
-        eprintln!("usage: xtask wasm    builds web/engine/pkg from strut-wasm");
-        return ExitCode::from(2);
-    }
-    match wasm::build() {
+    let package = match &arguments[..] {
+        [word] if word == "wasm" => wasm::Package::ENGINE,
+        [word] if word == "parity" => wasm::Package::PARITY,
+        _ => {
+            eprintln!("usage: xtask wasm      builds {} from strut-wasm", wasm::Package::ENGINE.folder);
+            eprintln!("       xtask parity    builds {}, the same with a report", wasm::Package::PARITY.folder);
+            return ExitCode::from(2);
+        }
+    };
+    match wasm::build(&package) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("error: {message}");

@@ -1,4 +1,4 @@
-//! `strut-wasm` → `web/engine/pkg`: cargo, wasm-bindgen and wasm-opt, one after the other.
+//! `strut-wasm` → a package for JavaScript: cargo, wasm-bindgen and wasm-opt, one after the other.
 //!
 //! The environment steers it (DESIGN §3):
 //! - `STRUT_BUILD_STD=1` builds the standard library from source, for a toolchain that lacks the target;
@@ -28,24 +28,39 @@ const WASM_OPT_FLAGS: [&str; 9] = [
     "--enable-multivalue",
 ];
 
-/// Builds the package, or does nothing if it is up to date. Errors are sentences for people.
-pub(crate) fn build() -> Result<(), String> {
+/// One of the packages.
+pub(crate) struct Package {
+    /// Where it goes, from the root of the repository.
+    pub(crate) folder: &'static str,
+    /// Features of `strut-wasm`.
+    features: &'static str,
+}
+
+impl Package {
+    /// What the page loads.
+    pub(crate) const ENGINE: Self = Self { folder: "web/engine/pkg", features: "" };
+    /// The same with the report that `tests/parity` compares; visitors need not download it.
+    pub(crate) const PARITY: Self = Self { folder: "tests/parity/pkg", features: "parity" };
+}
+
+/// Builds a package, or does nothing if it is up to date. Errors are sentences for people.
+pub(crate) fn build(package: &Package) -> Result<(), String> {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("xtask is not in a workspace")?;
     let repository = workspace.parent().ok_or("the workspace is not in a repository")?;
-    let package = repository.join("web/engine/pkg");
+    let folder = repository.join(package.folder);
 
-    let wasm = run_cargo(workspace)?;
+    let wasm = run_cargo(workspace, package)?;
     let wasm_opt = Some(repository.join("node_modules/binaryen/bin/wasm-opt")).filter(|path| path.is_file());
     let input = fs::read(&wasm).map_err(|e| format!("cannot read {}: {e}", wasm.display()))?;
     let stamp = stamp_of(&input, wasm_opt.as_deref());
-    let stamp_file = package.join("stamp");
+    let stamp_file = folder.join("stamp");
     if fs::read_to_string(&stamp_file).is_ok_and(|old| old == stamp) {
-        println!("{} is up to date", package.display());
+        println!("{} is up to date", folder.display());
         return Ok(());
     }
 
-    run_bindgen(&wasm, &package)?;
-    let output = package.join(format!("{NAME}_bg.wasm"));
+    run_bindgen(&wasm, &folder)?;
+    let output = folder.join(format!("{NAME}_bg.wasm"));
     let bound = size_of(&output)?;
     match &wasm_opt {
         Some(tool) => optimise(tool, &output)?,
@@ -57,13 +72,14 @@ pub(crate) fn build() -> Result<(), String> {
 }
 
 /// Compiles `strut-wasm` and gives the path of the module.
-fn run_cargo(workspace: &Path) -> Result<PathBuf, String> {
+fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
     let cargo = env::var_os("STRUT_WASM_CARGO").or_else(|| env::var_os("CARGO")).unwrap_or_else(|| "cargo".into());
     let target_dir = env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), PathBuf::from);
     let mut command = Command::new(cargo);
     command
         .current_dir(workspace)
         .args(["build", "--release", "--lib", "--package", "strut-wasm", "--target", TARGET])
+        .args(["--features", package.features])
         // The encoded form has precedence over RUSTFLAGS, so that no flag of the user's can change results.
         .env("CARGO_ENCODED_RUSTFLAGS", "-Ctarget-feature=+simd128");
     if env::var_os("STRUT_BUILD_STD").is_some_and(|v| v == "1") {
@@ -76,9 +92,9 @@ fn run_cargo(workspace: &Path) -> Result<PathBuf, String> {
     Ok(target_dir.join(TARGET).join("release").join(format!("{NAME}.wasm")))
 }
 
-/// Writes the JavaScript glue, its types and the module without the binding sections to `package`.
-fn run_bindgen(wasm: &Path, package: &Path) -> Result<(), String> {
-    let _ = fs::remove_dir_all(package);
+/// Writes the JavaScript glue, its types and the module without the binding sections to `folder`.
+fn run_bindgen(wasm: &Path, folder: &Path) -> Result<(), String> {
+    let _ = fs::remove_dir_all(folder);
     let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();
     bindgen
         .web(true)
@@ -90,7 +106,7 @@ fn run_bindgen(wasm: &Path, package: &Path) -> Result<(), String> {
                 .remove_producers_section(true)
                 // A trap leaves the instance unusable; this lets `web/engine` start another.
                 .reset_state_function(true)
-                .generate(package)
+                .generate(folder)
         })
         .map_err(|e| format!("wasm-bindgen: {e:#}"))
 }

@@ -1,0 +1,221 @@
+//! Evidence that the engine gives the same bits natively and in WebAssembly.
+//!
+//! [`ParityReport`] runs the whole engine and hashes what every stage gives for every frame. The example
+//! `parity` prints it natively, `tests/parity` compares that with the module that browsers load.
+
+use crate::clip_job::ClipJob;
+use crate::database::Database;
+use crate::error::EngineError;
+use crate::input::{Input, built_in_inputs};
+use crate::poses::floats_of;
+use crate::stylizer::Stylizer;
+use std::fmt::Write;
+use std::ops::ControlFlow;
+use strut_core::database::build::{BuildOptions, SourceClip, build};
+use strut_core::humanoid::Pose;
+use strut_core::kinematics::world_from_local;
+use strut_core::math::Vec3;
+use strut_core::parallel::Sequential;
+use strut_core::pose_vector::{HeadingFilter, Placement};
+use strut_core::transfer::{self, NoClock, StyledFrame};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Takes of the built-in walk that are registered anew, as if their correspondence were not known.
+const REGISTERED_TAKES: u32 = 2;
+/// Styles of the built-in walk that are registered anew.
+const REGISTERED_STYLES: [&str; 2] = ["neutral", "proud"];
+
+/// Runs every stage on the built-in motions and on files.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct ParityReport {
+    files: Vec<(String, Vec<u8>)>,
+}
+
+#[wasm_bindgen]
+impl ParityReport {
+    /// A report on the built-in motions.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a BVH file. Those named `SET_ACTION_STYLE_TAKE.bvh` also make up a database.
+    #[wasm_bindgen(js_name = addFile)]
+    pub fn add_file(&mut self, name: &str, bytes: &[u8]) {
+        self.files.push((name.into(), bytes.into()));
+    }
+
+    /// One line a stage: its name, then a hash for each frame, separated by blanks.
+    ///
+    /// With `nudged_frame` the input's root is one unit in the last place higher in that frame, after
+    /// retargeting: a report that does not change shows that the comparison is blind.
+    ///
+    /// # Errors
+    /// If a file cannot be read or nothing can be built from the files.
+    pub fn run(&self, nudged_frame: Option<usize>) -> Result<String, EngineError> {
+        let mut report = String::new();
+        let database = Database::demo()?;
+        database_stages(&mut report, "built-in database", &database);
+        for name in built_in_inputs() {
+            let input = Input::built_in(&database, &name)?;
+            clip_stages(&mut report, &name, &database, &input, nudged_frame)?;
+        }
+        database_stages(&mut report, "registered database", &registered(built_in_clips())?);
+
+        let mut clips = Vec::new();
+        for (name, bytes) in &self.files {
+            let input = Input::from_bvh(&database, bytes)?;
+            clip_stages(&mut report, name, &database, &input, nudged_frame)?;
+            clips.extend(labelled_clip(name, &input));
+        }
+        if !clips.is_empty() {
+            database_stages(&mut report, "database of files", &registered(clips)?);
+        }
+        Ok(report)
+    }
+}
+
+/// Every stage of styling one clip.
+fn clip_stages(
+    report: &mut String,
+    name: &str,
+    database: &Database,
+    input: &Input,
+    nudged_frame: Option<usize>,
+) -> Result<(), EngineError> {
+    let mut input = input.clone();
+    if let Some(pose) = nudged_frame.and_then(|f| input.poses_mut().get_mut(f)) {
+        pose.root.y = pose.root.y.next_up();
+    }
+    let poses = &input.humanoid().poses;
+    let mut stage = |stage: &str, hashes: Vec<u64>| line(report, name, stage, hashes);
+    stage("retargeted", poses.iter().map(pose_hash).collect());
+    stage("rows", row_hashes(database, poses));
+
+    let mut online = Stylizer::new(database)?;
+    online.set_styles(&mixed_styles(database))?;
+    let mut job = transfer::ClipJob::new(online.core().clone());
+    let (mut search, mut prediction, mut timing, mut contacts) = (vec![], vec![], vec![], vec![]);
+    for pose in poses {
+        let trace = job.push(pose, &mut NoClock);
+        let neighbours = trace.neighbours().flat_map(|n| [n.clip as u32, n.frame as u32, n.distance.to_bits()]);
+        let weights = trace.class_weights.iter().chain([&trace.bias]).map(|w| w.to_bits());
+        search.push(hash(neighbours.chain(weights)));
+        prediction.push(pose_hash(&trace.frame.pose));
+        timing.push(time_hash(trace.frame));
+        contacts.push(hash(trace.frame.contact.map(f32::to_bits)));
+    }
+    stage("search", search);
+    stage("prediction", prediction);
+    stage("timing", timing);
+    stage("contacts", contacts);
+
+    let styled = online.push(&floats_of(poses.iter()))?;
+    stage("online pose", styled.chunks_exact(styled.len() / poses.len()).map(float_hash).collect());
+    let mut whole = ClipJob::new(&online, &input);
+    whole.run(poses.len());
+    let styled = whole.poses()?;
+    stage("final pose", styled.chunks_exact(styled.len() / poses.len()).map(float_hash).collect());
+    let bvh = whole.to_bvh(&input)?;
+    stage("exported BVH", bvh.lines().map(|l| hash(l.bytes().map(u32::from))).collect());
+    Ok(())
+}
+
+/// Every tensor of a database, one hash a clip.
+fn database_stages(report: &mut String, name: &str, database: &Database) {
+    let db = database.model().database();
+    let per_frame = db.styles.len() * db.counterparts_per_style;
+    let mut stage = |stage: &str, of_clip: &dyn Fn(std::ops::Range<usize>) -> u64| {
+        line(report, name, stage, db.clips.iter().map(|c| of_clip(c.rows())).collect());
+    };
+    stage("pose", &|rows| float_hash(db.pose[rows].as_flattened()));
+    stage("point cloud", &|rows| {
+        let floats: Vec<f32> = db.point_cloud[rows].as_flattened().iter().flat_map(Vec3::to_array).collect();
+        float_hash(&floats)
+    });
+    stage("canonical time", &|rows| float_hash(&db.canonical_time[rows]));
+    stage("time step", &|rows| float_hash(&db.time_step[rows]));
+    stage("contact", &|rows| hash(db.contact[rows].as_flattened().iter().map(|&c| c.into())));
+    stage("counterpart", &|rows| float_hash(&db.counterpart[rows.start * per_frame..rows.end * per_frame]));
+}
+
+/// Two styles whose weights sum to more than 1, so that blending and extrapolation take part.
+fn mixed_styles(database: &Database) -> Vec<f32> {
+    let db = database.model().database();
+    let mut rest = [0.8, 0.4].into_iter();
+    let neutral = usize::from(db.neutral);
+    (0..db.styles.len()).map(|s| if s == neutral { 0.0 } else { rest.next().unwrap_or(0.0) }).collect()
+}
+
+fn row_hashes(database: &Database, poses: &[Pose]) -> Vec<u64> {
+    let db = database.model().database();
+    let dt = 1.0 / db.rate_hz;
+    let mut filter = HeadingFilter::default();
+    let mut previous = None;
+    let row_hash = |pose: &Pose| {
+        let heading = filter.update(&world_from_local(&db.proportions, pose), dt);
+        let row = db.chart.encode(pose, heading, previous, dt);
+        previous = Some(Placement { x: pose.root.x, z: pose.root.z, heading });
+        float_hash(&row)
+    };
+    poses.iter().map(row_hash).collect()
+}
+
+fn built_in_clips() -> Vec<SourceClip> {
+    let mut clips = strut_demo::clips();
+    clips.retain(|c| c.take <= REGISTERED_TAKES && REGISTERED_STYLES.contains(&c.style.as_str()));
+    for clip in &mut clips {
+        clip.script = None;
+    }
+    clips
+}
+
+/// The clip of a file whose name tells its labels.
+fn labelled_clip(name: &str, input: &Input) -> Option<SourceClip> {
+    let words: Vec<&str> = name.strip_suffix(".bvh")?.split('_').collect();
+    let [_, action, style, take] = words[..] else { return None };
+    Some(SourceClip {
+        name: name.into(),
+        action: action.into(),
+        style: style.into(),
+        take: take.parse().ok()?,
+        motion: input.humanoid().clone(),
+        source: String::new(),
+        licence: String::new(),
+        script: None,
+    })
+}
+
+fn registered(clips: Vec<SourceClip>) -> Result<Database, EngineError> {
+    build(&clips, &BuildOptions::default(), &Sequential, &mut |_| ControlFlow::Continue(()))
+        .map(|(database, _)| Database::new(database))
+        .map_err(EngineError::bad_input)
+}
+
+fn line(report: &mut String, name: &str, stage: &str, hashes: Vec<u64>) {
+    report.push_str(&format!("{name}/{stage}").replace(' ', "-"));
+    for hash in hashes {
+        // Writing to a string cannot fail.
+        let _ = write!(report, " {hash:016x}");
+    }
+    report.push('\n');
+}
+
+fn pose_hash(pose: &Pose) -> u64 {
+    float_hash(&floats_of([pose].into_iter()))
+}
+
+fn time_hash(frame: &StyledFrame) -> u64 {
+    let out = frame.time_out_secs.to_bits();
+    hash([frame.dt_secs.to_bits(), out as u32, (out >> 32) as u32])
+}
+
+fn float_hash(floats: &[f32]) -> u64 {
+    hash(floats.iter().map(|v| v.to_bits()))
+}
+
+/// FNV-1a over 32-bit words.
+fn hash(words: impl IntoIterator<Item = u32>) -> u64 {
+    words.into_iter().fold(0xCBF2_9CE4_8422_2325, |h, w| (h ^ u64::from(w)).wrapping_mul(0x0100_0000_01B3))
+}

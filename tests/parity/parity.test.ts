@@ -1,0 +1,86 @@
+/**
+ * The engine gives the same bits natively and in WebAssembly: `rust/strut-wasm/src/parity.rs` compiled both ways, over
+ * whole clips and every stage. The module is built as the one that the page loads is, plus the report.
+ */
+import { execFileSync } from "node:child_process";
+import { existsSync, readFileSync } from "node:fs";
+import { basename, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { beforeAll, describe, expect, test } from "vitest";
+import { firstDifference } from "./compare";
+
+const ROOT = fileURLToPath(new URL("../../", import.meta.url));
+
+/** Real clips of every skeleton there is; four of one cast, to be registered with each other. */
+const REAL_CLIPS = [
+  "bandai-namco-2/dataset-2_walk_normal_001.bvh",
+  "bandai-namco-2/dataset-2_walk_normal_002.bvh",
+  "bandai-namco-2/dataset-2_walk_elderly_001.bvh",
+  "bandai-namco-2/dataset-2_walk_elderly_002.bvh",
+  "bandai-namco-1/dataset-1_bow_angry_001.bvh",
+  "xia/angry_01_000.bvh",
+  "cmu/female-walk.bvh",
+];
+
+const mocap = [process.env.STRUT_MOCAP, join(ROOT, "..", "shared", "data")].find((path) => path && existsSync(path));
+const clips = mocap ? REAL_CLIPS.map((clip) => join(mocap, clip)) : [];
+if (!mocap) console.warn("Neither $STRUT_MOCAP nor ../shared/data is there: parity covers the built-in motions only.");
+
+function cargoRun(...args: string[]): string {
+  const options = { cwd: join(ROOT, "rust"), encoding: "utf8", maxBuffer: 1 << 28 } as const;
+  return execFileSync(process.env.CARGO ?? "cargo", ["run", "--quiet", "--release", ...args], options);
+}
+
+/** As much of the package as is used here; it is built by this test, so that its own types may not be there yet. */
+interface ParityGlue {
+  initSync(source: { module: BufferSource }): unknown;
+  ParityReport: new () => {
+    addFile(name: string, bytes: Uint8Array): void;
+    run(nudgedFrame?: number): string;
+    free(): void;
+  };
+}
+
+/** The report of the module; `nudgedFrame` changes the input of that frame by the least there is. */
+async function wasmReport(files: string[], nudgedFrame?: number): Promise<string> {
+  const glue: ParityGlue = await import(/* @vite-ignore */ new URL("./pkg/strut_wasm.js", import.meta.url).href);
+  glue.initSync({ module: readFileSync(new URL("./pkg/strut_wasm_bg.wasm", import.meta.url)) });
+  const report = new glue.ParityReport();
+  try {
+    for (const path of files) report.addFile(basename(path), readFileSync(path));
+    return report.run(nudgedFrame);
+  } finally {
+    report.free();
+  }
+}
+
+describe("native and WASM", () => {
+  let native: string;
+  beforeAll(() => {
+    cargoRun("-p", "xtask", "--", "parity");
+    native = cargoRun("-p", "strut-wasm", "--features", "parity", "--example", "parity", "--", ...clips);
+  }, 900_000);
+
+  test("give the same bits at every stage of every frame", { timeout: 600_000 }, async () => {
+    const stages = native.trimEnd().split("\n");
+    expect(stages.length).toBeGreaterThanOrEqual(9 * (2 + clips.length) + 6 * (clips.length ? 3 : 2));
+    expect(firstDifference(native, await wasmReport(clips))).toBeUndefined();
+  });
+
+  test("a change of one bit in one frame does not go unnoticed", { timeout: 600_000 }, async () => {
+    const mutated = await wasmReport([], 100);
+    expect(firstDifference(native, mutated)).toEqual({ stage: "neutral-walk/retargeted", frame: 100 });
+    const hashes = (report: string) => /^neutral-walk\/search (.*)$/m.exec(report)![1]!.split(" ");
+    const [before, after] = [hashes(native), hashes(mutated)];
+    expect(after.slice(0, 100), "earlier frames do not depend on it").toEqual(before.slice(0, 100));
+    expect(after[100]).not.toBe(before[100]);
+  });
+});
+
+test("a difference is named by stage and frame", () => {
+  const report = "walk/rows 1 2 3\nwalk/search 4 5 6\n";
+  expect(firstDifference(report, report)).toBeUndefined();
+  expect(firstDifference(report, report.replace("5", "7"))).toEqual({ stage: "walk/search", frame: 1 });
+  expect(firstDifference(report, "walk/rows 1 2 3\n")).toEqual({ stage: "walk/search", frame: -1 });
+  expect(firstDifference(report, report.replace(" 3", ""))).toEqual({ stage: "walk/rows", frame: -1 });
+});
