@@ -180,7 +180,7 @@ describe("playing", () => {
     await eventually(frame).toBe(at + 1);
     const rows = (await page.locator(".timeline-rows").boundingBox())!;
     await page.mouse.click(rows.x + rows.width / 2, rows.y + 80);
-    const last = Number(await page.locator(".scrub").getAttribute("max"));
+    const last = Number(await page.locator(".scrub input").getAttribute("max"));
     await eventually(frame).toBeGreaterThan(last * 0.45);
     expect(await frame()).toBeLessThan(last * 0.55);
     await page.keyboard.press("End");

@@ -18,6 +18,7 @@ import { Stage } from "./stage";
 import { engineOptions, fromHash, GHOST_MODES, type PlayState, toHash } from "./state";
 import { Store } from "./store";
 import { applyTheme, isDark, onSystemTheme, opposite } from "./theme";
+import { plantedStretches } from "./timeline/curves";
 import { Timeline } from "./timeline/timeline";
 import { exportName, stageCaption, stageTitle } from "./words";
 
@@ -208,6 +209,7 @@ export class App {
   #onAnalysis(analysis: Analysis): void {
     this.#analysed = true;
     this.#timeline.analysis = analysis;
+    this.#transport.contacts = [plantedStretches(analysis.planted, 0), plantedStretches(analysis.planted, 1)];
     this.#stage.viewer.setPath(analysis.poses);
     this.#stage.invalidate();
   }
@@ -390,7 +392,8 @@ export class App {
   async #choose(name: string): Promise<void> {
     const session = this.#session;
     if (!session) return;
-    if (await session.openInput(name)) this.#store.edit({ input: name === session.library.first ? "" : name });
+    if ((await session.openInput(name)) === "done")
+      this.#store.edit({ input: name === session.library.first ? "" : name });
     else this.#input.list(session.library, session.inputName);
   }
 
@@ -399,8 +402,9 @@ export class App {
     const session = this.#session!;
     const name = wanted || session.library.first;
     if (name === session.inputName) return;
-    void session.openInput(name).then((opened) => {
-      if (!opened) this.#store.adopt({ input: session.inputName === session.library.first ? "" : session.inputName });
+    void session.openInput(name).then((outcome) => {
+      if (outcome !== "done")
+        this.#store.adopt({ input: session.inputName === session.library.first ? "" : session.inputName });
     });
   }
 
@@ -411,7 +415,7 @@ export class App {
 
   async #openDatabase(source: DatabaseSource): Promise<void> {
     const session = this.#session;
-    if (!session || !(await session.openDatabase(source, session.inputName)) || !session.database) return;
+    if (!session || (await session.openDatabase(source, session.inputName)) !== "done" || !session.database) return;
     const { styles, frames } = session.database;
     this.#notices.note(`${styles.length} styles ready. ${frames.toLocaleString("en").replace(/,/g, " ")} frames.`);
   }

@@ -25,6 +25,9 @@ export interface SessionListeners {
   onNote: (sentence: string) => void;
 }
 
+/** How something that may fail or be cancelled ended. */
+export type Outcome = "done" | "failed" | "cancelled";
+
 /** The progress line of each thing that may take long. */
 export interface SessionProgress {
   database: ProgressLine;
@@ -68,8 +71,8 @@ export class Session {
     };
   }
 
-  /** Opens a database and then the input `inputName` on it; whether both are open. */
-  openDatabase(source: DatabaseSource, inputName: string): Promise<boolean> {
+  /** Opens a database and then the input `inputName` on it. */
+  openDatabase(source: DatabaseSource, inputName: string): Promise<Outcome> {
     const label = source.kind === "demo" ? "Preparing the styles." : `Reading ${source.name}.`;
     return this.#attempt(() =>
       this.playback.hold(async () => {
@@ -84,17 +87,17 @@ export class Session {
     );
   }
 
-  /** Opens an input of the library; whether it is open now. */
-  openInput(name: string): Promise<boolean> {
+  /** Opens an input of the library. */
+  openInput(name: string): Promise<Outcome> {
     return this.#attempt(() => this.#open(name));
   }
 
   /** Opens a dropped file as the input; the name it goes by, or `undefined` where it cannot be opened. */
   async openFile(fileName: string, bytes: ArrayBuffer): Promise<string | undefined> {
     const name = this.library.add(fileName, bytes);
-    if (await this.openInput(name)) return name;
-    this.library.remove(name);
-    return undefined;
+    const outcome = await this.openInput(name);
+    if (outcome === "failed") this.library.remove(name);
+    return outcome === "done" ? name : undefined;
   }
 
   setLoop(loop: boolean): void {
@@ -152,14 +155,15 @@ export class Session {
     return this.playback.settled ? Promise.resolve() : new Promise((resolve) => this.#whenSettled.push(resolve));
   }
 
-  /** Runs a task and says what went wrong; whether it succeeded. A cancelled task failed without a word. */
-  async #attempt(task: () => Promise<void>): Promise<boolean> {
+  /** Runs a task and says what went wrong; a cancelled one ends without a word. */
+  async #attempt(task: () => Promise<void>): Promise<Outcome> {
     try {
       await task();
-      return true;
+      return "done";
     } catch (error) {
-      if (!isCancellation(error)) this.#listeners.onError(errorText(error));
-      return false;
+      if (isCancellation(error)) return "cancelled";
+      this.#listeners.onError(errorText(error));
+      return "failed";
     }
   }
 }

@@ -18,6 +18,7 @@ describe("the title", () => {
     expect(title({ proud: 0.62, old: 0.38 }, 0)).toBe("Walk, neutral");
     expect(title({ proud: 0.62, old: 0.38 }, 0.4)).toBe("Walk, a little proud");
     expect(title({ proud: 1 }, 1.5)).toBe("Walk, very proud");
+    expect(title({ proud: 0.62, old: 0.38 }, 1.5)).toBe("Walk, mostly proud, exaggerated");
     expect(title({ proud: 0.62, old: 0.38 }, -1)).toBe("Walk, the opposite of proud");
   });
 

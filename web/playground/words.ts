@@ -45,10 +45,11 @@ function manner(selection: Selection, intensity: number, neutral: string): strin
   if (intensity < 0) return `the opposite of ${name}`;
   const amount = first.name === neutral ? 1 : intensity;
   if (first.weight >= MOST && amount <= 0.5) return `a little ${name}`;
-  const more = amount >= 1.25 ? "very " : "";
-  if (first.weight >= ALL) return `${more}${name}`;
-  if (first.weight >= MOST) return `mostly ${more}${name}`;
-  if (second && second.weight >= NAMED) return `${more}${name} and ${spoken(second.name)}`;
+  const more = amount >= 1.25;
+  if (first.weight >= ALL) return more ? `very ${name}` : name;
+  const exaggerated = more ? ", exaggerated" : "";
+  if (first.weight >= MOST) return `mostly ${name}${exaggerated}`;
+  if (second && second.weight >= NAMED) return `${name} and ${spoken(second.name)}${exaggerated}`;
   return `a mix of ${numberWord(sorted.filter((s) => s.weight >= 0.05).length)} styles`;
 }
 

@@ -2,9 +2,11 @@
 import type { InputInfo } from "../../worker/protocol";
 import { button } from "../controls/buttons";
 import { icon } from "../controls/icons";
-import { formatNumber, html, setText } from "../dom";
+import { formatNumber, html, setText, svg } from "../dom";
 import { type PlayState, SPEEDS } from "../state";
 import type { Store } from "../store";
+
+type Stretches = readonly (readonly [from: number, to: number])[];
 
 export interface TransportListeners {
   onPlay: () => void;
@@ -22,6 +24,8 @@ export class Transport {
   readonly #clock = html("span", { class: "clock" });
   readonly #duration = html("span", { class: "caption" });
   readonly #scrub: HTMLInputElement;
+  /** When each foot is planted, left above right: the timeline of a narrow screen. */
+  readonly #contacts = svg("svg", { class: "scrub-contacts", preserveAspectRatio: "none", "aria-hidden": "true" });
   #rateHz = 60;
 
   constructor(store: Store, listeners: TransportListeners) {
@@ -32,7 +36,7 @@ export class Transport {
     this.#speed = html("select", { class: "speed", "aria-label": "Speed", title: "Speed" });
     for (const speed of SPEEDS) this.#speed.append(html("option", { value: speed }, `${speed}×`));
     this.#speed.addEventListener("change", () => store.edit({ speed: Number(this.#speed.value) }));
-    this.#scrub = html("input", { class: "scrub", type: "range", min: 0, step: 1, "aria-label": "Time" });
+    this.#scrub = html("input", { type: "range", min: 0, step: 1, "aria-label": "Time" });
     this.#scrub.addEventListener("input", () => listeners.onScrub(Number(this.#scrub.value)));
     this.#scrub.addEventListener("change", () => listeners.onScrubEnd());
     this.element = html(
@@ -40,7 +44,7 @@ export class Transport {
       { class: "transport-controls" },
       this.#play,
       html("div", { class: "transport-buttons" }, previous, next, this.#loop, this.#speed),
-      this.#scrub,
+      html("div", { class: "scrub" }, this.#scrub, this.#contacts),
       html("p", { class: "time" }, this.#clock, this.#duration),
     );
   }
@@ -48,7 +52,18 @@ export class Transport {
   set input(input: InputInfo) {
     this.#rateHz = input.rateHz;
     this.#scrub.max = String(Math.max(0, input.frames - 1));
+    this.contacts = [[], []];
     setText(this.#duration, `of ${clock(input.durationSecs)} s`);
+  }
+
+  /** Stretches of frames in which the left and the right foot are planted. */
+  set contacts(planted: [Stretches, Stretches]) {
+    this.#contacts.setAttribute("viewBox", `0 0 ${Math.max(1, Number(this.#scrub.max))} 9`);
+    this.#contacts.replaceChildren(
+      ...planted.flatMap((stretches, foot) =>
+        stretches.map(([from, to]) => svg("rect", { x: from, y: 6 * foot, width: to - from, height: 3 })),
+      ),
+    );
   }
 
   /** Moves the clock to an input frame. */

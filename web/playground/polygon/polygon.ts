@@ -11,6 +11,8 @@ import { Trail } from "./trail";
 /** Radius, and room for labels above and below the centre, in pixels. */
 const RADIUS = 92;
 const ROOM = { above: 144, below: 120 };
+/** Labels end this far from the edge of the panel. */
+const PADDING = 20;
 /** Duration of a jump to a vertex. */
 const GLIDE_MS = 240;
 /** Arrow keys move the handle by these shares of the radius. */
@@ -107,7 +109,11 @@ export class Polygon {
     this.#root.addEventListener("pointermove", (event) => this.#onPointerMove(event));
     for (const type of ["pointerup", "pointercancel"] as const)
       this.#root.addEventListener(type, (event) => this.#onPointerEnd(event));
-    this.#handle.addEventListener("keydown", (event) => this.#onHandleKey(event));
+    this.#handle.addEventListener("keydown", (event) => {
+      this.#root.classList.remove("by-pointer");
+      this.#onHandleKey(event);
+    });
+    this.#handle.addEventListener("blur", () => this.#root.classList.remove("by-pointer"));
     this.#handle.addEventListener("keyup", (event) => {
       if (event.key in ARROWS) this.#listeners.onSettle();
     });
@@ -189,7 +195,7 @@ export class Polygon {
 
   /** One unit is one pixel, so that strokes and type keep their size however wide the panel is. */
   #resize(): void {
-    const width = this.element.clientWidth || 304;
+    const width = this.element.clientWidth || 344;
     setAttributes(this.#root, {
       viewBox: `${-width / 2} ${-ROOM.above} ${width} ${ROOM.above + ROOM.below}`,
       width,
@@ -216,7 +222,7 @@ export class Polygon {
     const { names, points } = this.#corners();
     const outside = points.length > 2 && !isInside(handle, points);
     const layers = this.#layers;
-    const edge = Math.max(140, Math.min(172, (this.element.clientWidth || 304) / 2 + 14));
+    const edge = Math.min(172, (this.element.clientWidth || 344) / 2 - PADDING);
 
     layers.area.setAttribute("d", path(points));
     layers.isolines.setAttribute("d", whole ? "" : isolines(points));
@@ -271,9 +277,10 @@ export class Polygon {
     const { points } = this.#corners();
     if (!onHandle && points.length > 2 && !isInside(p, points)) return;
     event.preventDefault();
+    // The pointer shows where it is; the ring is for those who come by keyboard.
     this.#handle.focus({ preventScroll: true });
+    this.#root.classList.add("dragging", "by-pointer");
     this.#root.setPointerCapture(event.pointerId);
-    this.#root.classList.add("dragging");
     const at = this.#modelPoint();
     this.#drag = { pointerId: event.pointerId, offset: onHandle ? { x: at.x - p.x, y: at.y - p.y } : { x: 0, y: 0 } };
     this.#trail.add(onHandle ? at : p);
