@@ -20,7 +20,7 @@ async function setupLints(env) {
 
 await main(async () => {
   await step("Architecture", checkArchitecture);
-  const env = await buildSite();
+  const { rust: env } = await buildSite();
   await setupLints(env);
   const rust = { env, cwd: join(root, "rust") };
   await step("Rust formatting", () => run("cargo", ["fmt", "--all", "--check"], rust));

@@ -8,7 +8,7 @@ export const vite = join(root, "node_modules", "vite", "bin", "vite.js");
 
 /**
  * Sets up what the build needs and builds the WASM package.
- * @returns the environment of the Rust compiler.
+ * @returns the environments in which cargo builds natively (`rust`) and for WebAssembly (`wasm`).
  */
 export async function buildWasm() {
   checkNode();
@@ -21,12 +21,12 @@ export async function buildWasm() {
       cwd: join(root, "rust"),
     }),
   );
-  return rust;
+  return { rust, wasm };
 }
 
-/** Builds the static site; the environment of the Rust compiler is returned. */
+/** Builds the static site; returns what {@link buildWasm} does. */
 export async function buildSite() {
-  const rust = await buildWasm();
+  const environments = await buildWasm();
   await step("Building the page", () => run(process.execPath, [vite, "build", "--logLevel", "warn"]));
-  return rust;
+  return environments;
 }

@@ -5,14 +5,14 @@ import { buildSite } from "./site.mjs";
 import { main, root, run, step } from "./steps.mjs";
 
 await main(async () => {
-  const rust = await buildSite();
+  const { rust, wasm } = await buildSite();
   const browser = await setupBrowser();
   const cargo = (...args) => run(rust.CARGO ?? "cargo", args, { env: rust, cwd: join(root, "rust") });
   await step("Building the command", () => cargo("build", "--release", "--quiet", "-p", "strut-cli"));
   await step("Rust tests", () => cargo("test", "--workspace", "--quiet"));
   await step("TypeScript, parity and browser tests", () =>
     run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run"], {
-      env: { ...rust, ...browser },
+      env: { ...wasm, ...browser },
     }),
   );
 });

@@ -28,7 +28,7 @@ if (!mocap) console.warn("Neither $STRUT_MOCAP nor ../shared/data is there: pari
 
 function cargoRun(...args: string[]): string {
   const options = { cwd: join(ROOT, "rust"), encoding: "utf8", maxBuffer: 1 << 28 } as const;
-  return execFileSync(process.env.CARGO ?? "cargo", ["run", "--quiet", "--release", ...args], options);
+  return execFileSync(process.env.CARGO ?? "cargo", ["run", "--quiet", ...args], options);
 }
 
 /** As much of the package as is used here; it is built by this test, so that its own types may not be there yet. */
@@ -57,8 +57,8 @@ async function wasmReport(files: string[], nudgedFrame?: number): Promise<string
 describe("native and WASM", () => {
   let native: string;
   beforeAll(() => {
-    cargoRun("-p", "xtask", "--", "parity");
-    native = cargoRun("-p", "strut-wasm", "--features", "parity", "--example", "parity", "--", ...clips);
+    cargoRun("--profile", "tool", "-p", "xtask", "--", "parity");
+    native = cargoRun("--release", "-p", "strut-wasm", "--features", "parity", "--example", "parity", "--", ...clips);
   }, 900_000);
 
   test("give the same bits at every stage of every frame", { timeout: 600_000 }, async () => {
