@@ -35,9 +35,19 @@ describe("ghost placement", () => {
     const placement = new GhostPlacement();
     const input = bodyAt(0, 0).pose;
     expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 0).world, true)).toBe(false);
-    expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 0.9 * STRAY).world, true)).toBe(false);
+    expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 0.9 * STRAY.along).world, true)).toBe(false);
     expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 5).world, true)).toBe(true);
-    expect(placement.pose[2]).toBeCloseTo(5, 5);
+    // It lagged, so it gets a head start.
+    expect(placement.pose[2]).toBeCloseTo(5 + STRAY.along / 2, 5);
+    expect(placement.pose[0]).toBeCloseTo(-BESIDE, 5);
+  });
+
+  it("is set anew before it walks into the character", () => {
+    const placement = new GhostPlacement();
+    const input = bodyAt(0, 0).pose;
+    placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 0).world, true);
+    expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(-0.6, 0).world, true)).toBe(true);
+    expect(placement.pose[0]).toBeCloseTo(-0.6 - BESIDE, 5);
   });
 
   it("stays in the character's place when it lies over it", () => {

@@ -3,7 +3,7 @@
  *
  * Beside the character, the ghost keeps its own path: its whole world is turned and moved once, so that its feet never
  * slide. Style changes speed and heading, so the two drift apart; when the ghost has strayed from the character's side
- * it is set there anew. Over the character, its hips and heading are put on the character's every frame, so that only
+ * it is set there anew, half as far on the other side of its place, since it will drift the same way again. Over the character, its hips and heading are put on the character's every frame, so that only
  * the pose differs.
  */
 
@@ -11,8 +11,10 @@ import { createWorldPose, headingOf, placePose, restPose, type WorldPose, worldF
 
 /** Distance of the ghost's hips from the character's, to its right, metres. */
 export const BESIDE = 1;
-/** Distance from that place at which the ghost is set there anew, metres. */
-export const STRAY = 0.7;
+/** How far the ghost may stray from there along the character's heading and across it, metres. */
+export const STRAY = { along: 1.1, across: 0.45 };
+/** Share of the drift along the heading by which a ghost that is set anew has a head start. */
+const HEAD_START = 0.5;
 
 /** Keeps the transform from the input's world to the ghost's. */
 export class GhostPlacement {
@@ -32,32 +34,36 @@ export class GhostPlacement {
   /** Places an input pose into {@link pose}; returns whether the ghost had strayed and was set anew. */
   place(input: ArrayLike<number>, proportions: ArrayLike<number>, body: WorldPose, beside: boolean): boolean {
     if (!beside || !this.#placed) {
-      this.#anchor(input, proportions, body, beside);
+      this.#anchor(input, proportions, body, beside ? BESIDE : 0, 0);
       return false;
     }
     placePose(input, this.#turn, this.#x, this.#z, this.pose);
-    const [x, z] = wantedPlace(body, beside);
-    if (Math.hypot(this.pose[0]! - x, this.pose[2]! - z) <= STRAY) return false;
-    this.#anchor(input, proportions, body, beside);
+    const heading = headingOf(body, 0);
+    const [dx, dz] = [this.pose[0]! - body.positions[0]!, this.pose[2]! - body.positions[2]!];
+    const along = dx * Math.sin(heading) + dz * Math.cos(heading);
+    const right = dz * Math.sin(heading) - dx * Math.cos(heading);
+    if (Math.abs(along) <= STRAY.along && Math.abs(right - BESIDE) <= STRAY.across) return false;
+    const drift = Math.max(-STRAY.along, Math.min(STRAY.along, along));
+    this.#anchor(input, proportions, body, BESIDE, -HEAD_START * drift);
     return true;
   }
 
-  #anchor(input: ArrayLike<number>, proportions: ArrayLike<number>, body: WorldPose, beside: boolean): void {
+  /** Sets the ghost's hips `right` metres to the right of the body's and `ahead` metres ahead, facing its way. */
+  #anchor(
+    input: ArrayLike<number>,
+    proportions: ArrayLike<number>,
+    body: WorldPose,
+    right: number,
+    ahead: number,
+  ): void {
     worldFromLocal(proportions, input, this.#world);
     const heading = headingOf(body, 0);
     this.#turn = heading - headingOf(this.#world, heading);
-    const [x, z] = wantedPlace(body, beside);
     placePose(input, this.#turn, 0, 0, this.pose);
-    this.#x = x - this.pose[0]!;
-    this.#z = z - this.pose[2]!;
+    const [s, c] = [Math.sin(heading), Math.cos(heading)];
+    this.#x = body.positions[0]! - right * c + ahead * s - this.pose[0]!;
+    this.#z = body.positions[2]! + right * s + ahead * c - this.pose[2]!;
     placePose(input, this.#turn, this.#x, this.#z, this.pose);
     this.#placed = true;
   }
-}
-
-/** The hips' place on the ground. */
-function wantedPlace(body: WorldPose, beside: boolean): [x: number, z: number] {
-  const heading = headingOf(body, 0);
-  const side = beside ? BESIDE : 0;
-  return [body.positions[0]! - side * Math.cos(heading), body.positions[2]! + side * Math.sin(heading)];
 }

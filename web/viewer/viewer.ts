@@ -37,6 +37,8 @@ export const VIEWER_DEFAULTS: Required<Omit<ViewerOptions, "quality">> = {
 
 /** Duration of the ghost's fade in after it was set beside the character anew, seconds. */
 const FADE_IN = 0.25;
+/** Time after the last change in which glides and fades end, seconds; then the picture is still. */
+const SETTLING = 0.8;
 /** Crown of the head above its joint, metres. */
 const CROWN = 0.206;
 /** Room left and right of what the camera follows, metres. */
@@ -55,6 +57,9 @@ export class Viewer {
   #clip: Float32Array | null = null;
   #pathFrame = 0;
   #lastTime: number | undefined;
+  /** When the picture last changed. */
+  #changedAt = 0;
+  #changed = true;
   readonly #placement = new GhostPlacement();
   readonly #input = restPose();
   #ghostFade = 1;
@@ -76,6 +81,9 @@ export class Viewer {
       this.#body.look.setQuality(shading, taps);
       this.#body.setDetail(detail);
       this.#ghost.setDetail(detail);
+    };
+    this.#stage.onInvalid = () => {
+      this.#changed = true;
     };
     this.#stage.applyQuality();
     this.description = o.description;
@@ -141,19 +149,25 @@ export class Viewer {
 
   /** Takes the bone offsets of both characters: 21 × xyz, metres; see `mannequin/fit.ts`. */
   setProportions(proportions: ArrayLike<number>): void {
+    this.#changed = true;
     this.#body.setProportions(proportions);
     this.#ghost.setProportions(proportions);
   }
 
   /** Takes the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
   setStyled(pose: ArrayLike<number>): void {
-    if (isPose(pose)) this.#body.setPose(pose);
+    if (!isPose(pose)) return;
+    this.#changed ||= differ(pose, this.#body.pose);
+    this.#body.setPose(pose);
   }
 
   /** Takes the input's pose, or `null` if there is none. */
   setInput(pose: ArrayLike<number> | null): void {
     const has = pose !== null && isPose(pose);
-    if (has) this.#input.set(pose);
+    if (has) {
+      this.#changed ||= differ(pose, this.#input);
+      this.#input.set(pose);
+    }
     if (has === this.#hasInput) return;
     this.#hasInput = has;
     this.#applyGhost();
@@ -161,11 +175,13 @@ export class Viewer {
 
   /** Takes which feet of the styled character are planted; a planted foot leaves a footprint. */
   setPlanted(planted: readonly [left: boolean, right: boolean]): void {
+    this.#changed ||= planted[0] !== this.#planted[0] || planted[1] !== this.#planted[1];
     this.#planted = [...planted];
   }
 
   /** Takes the styled poses of the whole clip, whose path ahead of {@link pathFrame} is drawn; `null` draws none. */
   setPath(poses: Float32Array | null): void {
+    this.#changed = true;
     this.#clip = poses;
     this.#stage.path.setClip(poses);
   }
@@ -177,9 +193,10 @@ export class Viewer {
 
   /** Forgets trail and footprints and sets the camera and the ghost anew: after a seek or when a clip begins again. */
   resetTrail(): void {
+    this.#changed = true;
     this.#stage.footprints.clear();
     this.#stage.path.clear();
-    this.#stage.view.settle();
+    if (this.follow) this.#stage.view.settle();
     this.#placement.reset();
   }
 
@@ -193,24 +210,24 @@ export class Viewer {
     return this.#stage.project(point.fromArray(this.#body.world.positions, 3 * JOINT[role]));
   }
 
-  /** Draws a frame; `timeSecs` is any clock that does not run backwards. */
+  /**
+   * Draws a frame; `timeSecs` is any clock that does not run backwards. A picture that has not changed for a while is
+   * drawn once more, with more pixels, and then left alone.
+   */
   render(timeSecs: number): void {
     const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
     this.#lastTime = timeSecs;
+    this.#arrange(dt);
     const stage = this.#stage;
-    const world = this.#body.world;
-    const { stature } = this.#body.fit;
-    hips.fromArray(world.positions, 0);
-    stage.shade.setOccluder("body", world, stature);
-    stage.footprints.update(this.#planted, world);
-    stage.footprints.draw(dt, stature);
-    stage.path.push(hips.x, hips.z);
-    stage.path.draw(hips.x, hips.z, this.#pathFrame, this.#pathTurn());
-    this.#placeGhost(dt);
-
     const centre = followed.copy(hips);
     if (this.#ghost.object.visible && this.#ghostMode === "beside") centre.lerp(ghostHips, 0.5);
-    stage.render(dt, hips, this.follow || this.#lastTime === undefined ? centre : null);
+    const moved = stage.view.update(dt, centre, this.follow);
+    if (this.#changed || moved) this.#changedAt = timeSecs;
+    this.#changed = false;
+    const still = timeSecs - this.#changedAt > SETTLING;
+    if (still && stage.still) return;
+    stage.still = still;
+    stage.render(dt, hips);
     const { width, height } = stage.size;
     const { camera } = stage.view;
     stage.labels.place("styled", crownOf(this.#body), camera, width, height);
@@ -222,6 +239,19 @@ export class Viewer {
     this.#body.dispose();
     this.#ghost.dispose();
     this.#stage.dispose();
+  }
+
+  /** Brings everything on the ground to the present poses. */
+  #arrange(dtSecs: number): void {
+    const { world, fit } = this.#body;
+    const { shade, footprints, path } = this.#stage;
+    hips.fromArray(world.positions, 0);
+    shade.setOccluder("body", world, fit.stature);
+    footprints.update(this.#planted, world);
+    footprints.draw(dtSecs, fit.stature);
+    path.push(hips.x, hips.z);
+    path.draw(hips.x, hips.z, this.#pathFrame, this.#pathTurn());
+    this.#placeGhost(dtSecs);
   }
 
   #applyTheme(): void {
@@ -242,6 +272,7 @@ export class Viewer {
   }
 
   #applyLabels(): void {
+    this.#changed = true;
     const theme = THEMES[this.#theme];
     const beside = this.#hasInput && this.#ghostMode === "beside";
     this.#stage.labels.set("styled", this.#labels.styled, theme.ink);
@@ -284,6 +315,12 @@ const ghostHips = new Vector3();
 const followed = new Vector3();
 const crown = new Vector3();
 const rotation = new Quaternion();
+
+/** Whether any number differs. */
+function differ(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  for (let i = 0; i < a.length; i++) if (Math.fround(a[i]!) !== b[i]) return true;
+  return false;
+}
 
 /** The crown of a mannequin's head. */
 function crownOf({ world, fit }: Mannequin<BodyLook> | Mannequin<GhostLook>): Vector3 {

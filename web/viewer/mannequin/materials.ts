@@ -126,7 +126,6 @@ void main() {
 }`;
 
 // Opacity and colour rise towards the rim, where a translucent shell is thickest along the view.
-// 0.62 is the opacity that the rim reaches.
 const GHOST_FRAGMENT = /* glsl */ `
 uniform vec3 body;
 uniform vec3 rim;
@@ -138,7 +137,7 @@ void main() {
   vec3 n = normalize(vNormal);
   float fresnel = pow(1.0 - max(dot(n, normalize(vView)), 0.0), 2.2);
   float light = 0.5 + 0.5 * dot(n, normalize(vec3(0.3, 0.9, 0.4)));
-  gl_FragColor = vec4(mix(body * (0.55 + 0.6 * light), rim, fresnel * 0.8), fade * mix(opacity, 0.62, fresnel));
+  gl_FragColor = vec4(mix(body * (0.55 + 0.6 * light), rim, fresnel * 0.8), fade * opacity * (0.55 + 0.9 * fresnel));
   #include <colorspace_fragment>
 }`;
 

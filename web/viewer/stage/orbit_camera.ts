@@ -1,6 +1,6 @@
 /** The camera: orbit by pointer, touch, wheel and keys, presets with a glide, and following. */
 
-import { MathUtils, PerspectiveCamera, Vector3 } from "three";
+import { MathUtils, Matrix4, PerspectiveCamera, Vector3 } from "three";
 
 /** The views one can ask for. */
 export type CameraView = "orbit" | "front" | "side" | "top";
@@ -27,6 +27,8 @@ const FOLLOW_HALF_LIFE = 0.09;
 const JUMP = 3;
 /** Radians a pixel of drag. */
 const DRAG_SPEED = 0.0065;
+/** Changes of the camera's matrix that cannot be seen. */
+const STILLNESS = 1e-5;
 const KEY_STEP = MathUtils.degToRad(5);
 
 /** cubic-bezier(.2, 0, 0, 1), the project's easing, solved for time by bisection. */
@@ -107,9 +109,10 @@ export class OrbitCamera {
     this.#settled = false;
   }
 
-  /** Advances by `dtSecs`; follows `point` if there is one. */
-  update(dtSecs: number, point: Vector3 | null): void {
-    if (point) {
+  /** Advances by `dtSecs`, after `point` if `follow` says so. Returns whether the camera has moved. */
+  update(dtSecs: number, point: Vector3, follow: boolean): boolean {
+    before.copy(this.camera.matrixWorld);
+    if (follow || !this.#settled) {
       const far = Math.hypot(point.x - this.target.x, point.z - this.target.z) > JUMP;
       if (far || !this.#settled) this.target.set(point.x, 0, point.z);
       this.#settled = true;
@@ -126,6 +129,8 @@ export class OrbitCamera {
       if (glide.elapsed >= GLIDE) this.#glide = undefined;
     }
     this.#place();
+    const now = this.camera.matrixWorld.elements;
+    return before.elements.some((value, i) => Math.abs(value - now[i]!) > STILLNESS);
   }
 
   /** Takes the size of the picture. */
@@ -220,6 +225,8 @@ export class OrbitCamera {
     event.stopPropagation();
   }
 }
+
+const before = new Matrix4();
 
 function wrap(angle: number): number {
   return Math.atan2(Math.sin(angle), Math.cos(angle));

@@ -5,9 +5,9 @@ import type { ShadowTaps } from "./soft_shadow";
 
 /** What a level of quality means. */
 export interface QualityLevel {
-  /** Upper limit of the pixel ratio. */
-  pixelRatio: number;
-  /** Side of the shadow map, texels. */
+  /** Pixels of the picture; the pixel ratio follows from it, so that a small picture stays sharp. */
+  pixels: number;
+  /** Side of the light's shadow map, texels. */
   shadowSize: number;
   /** Side of the ground's shade map, texels. */
   shadeSize: number;
@@ -15,44 +15,71 @@ export interface QualityLevel {
   /** Detail of the mannequins' geometry, at most 1. */
   detail: number;
   shading: Shading;
+  /** Frames a second below which the next level is tried. */
+  slowest: number;
 }
 
 /** Levels from the best to the cheapest. */
 export const QUALITY_LEVELS: readonly QualityLevel[] = [
-  { pixelRatio: 2, shadowSize: 1024, shadeSize: 640, taps: { search: 16, filter: 24 }, detail: 1, shading: "physical" },
-  {
-    pixelRatio: 1.5,
-    shadowSize: 1024,
-    shadeSize: 512,
-    taps: { search: 12, filter: 20 },
-    detail: 1,
-    shading: "physical",
-  },
-  { pixelRatio: 1, shadowSize: 512, shadeSize: 192, taps: { search: 8, filter: 16 }, detail: 0.6, shading: "matt" },
-  { pixelRatio: 0.75, shadowSize: 512, shadeSize: 128, taps: { search: 6, filter: 10 }, detail: 0.5, shading: "matt" },
+  level(8e6, 1024, 640, { search: 16, filter: 24 }, 1, "physical", 45),
+  level(2e6, 1024, 512, { search: 12, filter: 20 }, 1, "physical", 45),
+  level(8e5, 512, 192, { search: 8, filter: 16 }, 0.6, "matt", 24),
+  level(4.5e5, 512, 160, { search: 6, filter: 10 }, 0.5, "matt", 15),
+  level(2.5e5, 512, 128, { search: 6, filter: 8 }, 0.5, "matt", 0),
 ];
 
-/** Frames a second below which quality is lowered. */
-const TOO_SLOW = 42;
+/** Highest pixel ratio; more cannot be seen. */
+const MAX_RATIO = 2;
+/** Factor on the pixels of a picture that stands still. */
+const STILL_FACTOR = 4;
+/** Frames a second that allow a better level to be tried. */
+const FAST = 55;
 /** Length of one measurement, seconds. */
 const WINDOW = 0.5;
 /** Slow measurements in a row that lower the quality; one alone may be the page being busy. */
 const PATIENCE = 3;
+/** Fast measurements in a row that raise it, at first. */
+const HOPE = 10;
+/** Factor on that number after a level proved too slow again. */
+const DISAPPOINTMENT = 4;
 /** A longer pause between frames is a hidden tab, not a slow one, seconds. */
-const PAUSE = 0.6;
+const PAUSE = 0.9;
 
-/** Counts frames, reports their rate, and decides when to lower the quality. */
+function level(
+  pixels: number,
+  shadowSize: number,
+  shadeSize: number,
+  taps: ShadowTaps,
+  detail: number,
+  shading: Shading,
+  slowest: number,
+): QualityLevel {
+  return { pixels, shadowSize, shadeSize, taps, detail, shading, slowest };
+}
+
+/** Pixel ratio of a picture of `area` CSS pixels on a screen of ratio `screen`; a still picture may take its time. */
+export function pixelRatio({ pixels }: QualityLevel, area: number, screen: number, still: boolean): number {
+  const affordable = Math.sqrt((pixels * (still ? STILL_FACTOR : 1)) / Math.max(1, area));
+  return Math.min(still ? MAX_RATIO : Math.min(screen, MAX_RATIO), affordable);
+}
+
+/** Counts frames, reports their rate, and decides about the level of quality. */
 export class QualityGovernor {
   /** Called after each measurement. */
   onFps: ((fps: number) => void) | undefined;
+  readonly #best: number;
   #level: number;
   #elapsed = 0;
   #frames = 0;
   #slow = 0;
+  #fast = 0;
+  #hope = HOPE;
+  #raised = false;
 
-  /** Starts at a level, 0 being the best. */
-  constructor(level = 0) {
-    this.#level = level;
+  /** Starts at a level, which is never exceeded; 0 is the best. */
+  constructor(best = 0) {
+    this.#best = best;
+    this.#level = best;
   }
 
   /** The level in force. */
@@ -75,10 +102,25 @@ export class QualityGovernor {
     this.#elapsed = 0;
     this.#frames = 0;
     this.onFps?.(fps);
-    this.#slow = fps < TOO_SLOW ? this.#slow + 1 : 0;
-    if (this.#slow < PATIENCE || this.#level >= QUALITY_LEVELS.length - 1) return false;
+    return this.#judge(fps);
+  }
+
+  #judge(fps: number): boolean {
+    this.#slow = fps < QUALITY_LEVELS[this.#level]!.slowest ? this.#slow + 1 : 0;
+    this.#fast = fps > FAST ? this.#fast + 1 : 0;
+    if (this.#slow >= PATIENCE && this.#level < QUALITY_LEVELS.length - 1) {
+      if (this.#raised) this.#hope *= DISAPPOINTMENT;
+      return this.#move(1);
+    }
+    if (this.#fast >= this.#hope && this.#level > this.#best) return this.#move(-1);
+    return false;
+  }
+
+  #move(by: 1 | -1): boolean {
+    this.#level += by;
+    this.#raised = by < 0;
     this.#slow = 0;
-    this.#level++;
+    this.#fast = 0;
     return true;
   }
 }

@@ -18,7 +18,7 @@ import { HipsPath } from "./hips_path";
 import { Labels } from "./labels";
 import { Lights } from "./lights";
 import { type CameraView, OrbitCamera } from "./orbit_camera";
-import { QUALITY_LEVELS, QualityGovernor, type QualityLevel } from "./quality";
+import { pixelRatio, QUALITY_LEVELS, QualityGovernor, type QualityLevel } from "./quality";
 import { ShadeMap } from "./shade_map";
 
 /** Renderers that have no graphics processor behind them. */
@@ -39,7 +39,9 @@ export class Stage {
   readonly governor: QualityGovernor;
   /** Called when the quality changes, and once at the start. */
   onQuality: ((level: QualityLevel) => void) | undefined;
-  readonly #container: HTMLElement;
+  /** Called when the picture must be drawn again: it has another size, or its context was lost and restored. */
+  onInvalid: (() => void) | undefined;
+  readonly #root = document.createElement("div");
   readonly #renderer: WebGLRenderer;
   readonly #lights = new Lights();
   readonly #background = new Background();
@@ -47,13 +49,13 @@ export class Stage {
   readonly #listeners = new AbortController();
   #theme: Theme | undefined;
   #environment: WebGLRenderTarget | undefined;
+  #still = false;
   #width = 1;
   #height = 1;
 
   /** `level` of {@link QUALITY_LEVELS} to begin with; by default what the renderer suggests. */
   constructor(container: HTMLElement, level?: number) {
-    this.#container = container;
-    if (getComputedStyle(container).position === "static") container.style.position = "relative";
+    this.#root.style.cssText = "position:relative;width:100%;height:100%;overflow:hidden";
     const software = isSoftware();
     this.#renderer = new WebGLRenderer({
       antialias: level === 0 || !software,
@@ -69,7 +71,8 @@ export class Stage {
     this.canvas.style.cssText = "display:block;position:absolute;inset:0;touch-action:pan-y";
     this.canvas.setAttribute("role", "img");
     this.canvas.tabIndex = 0;
-    container.append(this.canvas, this.labels.element);
+    this.#root.append(this.canvas, this.labels.element);
+    container.append(this.#root);
 
     this.view = new OrbitCamera(this.canvas);
     this.governor = new QualityGovernor(level ?? (software ? SOFTWARE_LEVEL : 0));
@@ -86,10 +89,14 @@ export class Stage {
     const restore = () => {
       this.#dropRoom();
       this.applyQuality();
+      this.onInvalid?.();
     };
     this.canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
-    this.#observer = new ResizeObserver(() => this.#resize());
-    this.#observer.observe(container);
+    this.#observer = new ResizeObserver(() => {
+      this.#resize();
+      this.onInvalid?.();
+    });
+    this.#observer.observe(this.#root);
     this.#resize();
   }
 
@@ -135,10 +142,20 @@ export class Stage {
     this.view.setView(view, heading, !matchMedia("(prefers-reduced-motion: reduce)").matches);
   }
 
-  /** Draws the scene; `dtSecs` since the last frame, the light on `subject`, the camera following `followed`. */
-  render(dtSecs: number, subject: Vector3, followed: Vector3 | null): void {
-    if (this.governor.frame(dtSecs)) this.applyQuality();
-    this.view.update(dtSecs, followed);
+  /** Whether the picture stands still: it is then drawn with more pixels. */
+  set still(still: boolean) {
+    if (still === this.#still) return;
+    this.#still = still;
+    this.#resize();
+  }
+
+  get still(): boolean {
+    return this.#still;
+  }
+
+  /** Draws the scene; `dtSecs` since the last frame, the light on `subject`. */
+  render(dtSecs: number, subject: Vector3): void {
+    if (!this.#still && this.governor.frame(dtSecs)) this.applyQuality();
     this.#lights.follow(subject, this.view.azimuth);
     // The shade map's pass draws the light's shadow map too; the picture's pass finds it there.
     this.#renderer.shadowMap.needsUpdate = true;
@@ -169,7 +186,7 @@ export class Stage {
       part.dispose();
     this.#dropRoom();
     this.#renderer.dispose();
-    this.canvas.remove();
+    this.#root.remove();
   }
 
   /** Draws the room that physical materials reflect; nobody else pays for it. */
@@ -190,11 +207,12 @@ export class Stage {
   }
 
   #resize(): void {
-    const { clientWidth, clientHeight } = this.#container;
+    const { clientWidth, clientHeight } = this.#root;
     if (!clientWidth || !clientHeight) return;
     this.#width = clientWidth;
     this.#height = clientHeight;
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, this.quality.pixelRatio));
+    const ratio = pixelRatio(this.quality, clientWidth * clientHeight, devicePixelRatio, this.#still);
+    this.#renderer.setPixelRatio(ratio);
     this.#renderer.setSize(clientWidth, clientHeight);
     this.view.resize(clientWidth, clientHeight);
   }
