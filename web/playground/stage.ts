@@ -106,9 +106,9 @@ export class Stage {
     this.#drawUntil = performance.now() + AFTERGLOW_MS;
   }
 
-  /** Draws if anything may have changed. */
+  /** Draws if anything may have changed, and until the viewer has drawn its still picture. */
   draw(now: number): void {
-    if (now < this.#drawUntil) this.viewer.render(now / 1000);
+    if (now < this.#drawUntil || !this.viewer.still) this.viewer.render(now / 1000);
   }
 
   /** Place of a joint in the page, CSS pixels. */

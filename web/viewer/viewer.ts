@@ -142,6 +142,11 @@ export class Viewer {
     return this.#stage.view.view;
   }
 
+  /** Whether the picture has stood still for a while and its finer version is on screen: nothing is left to draw. */
+  get still(): boolean {
+    return this.#stage.still && !this.#changed;
+  }
+
   /** Triangles and draw calls of the last frame. */
   get cost(): { triangles: number; calls: number } {
     return this.#stage.cost;

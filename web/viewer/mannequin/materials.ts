@@ -40,6 +40,9 @@ export interface Look {
   dispose(): void;
 }
 
+/** Share of their colour that matt joints glow with: it stands in for the sheen that lifts dark plastic. */
+const MATT_SHEEN = 0.22;
+
 /** How the light on a body is computed: physically with a coat and the room's reflections, or as a matt surface. */
 export type Shading = "physical" | "matt";
 
@@ -92,7 +95,7 @@ export class BodyLook implements Look {
               new MeshPhysicalMaterial({ roughness: 0.52, clearcoat: 0.18, clearcoatRoughness: 0.6 }),
               new MeshStandardMaterial({ roughness: 0.62 }),
             ]
-          : [new MeshLambertMaterial(), new MeshLambertMaterial()];
+          : [new MeshLambertMaterial(), new MeshLambertMaterial({ emissiveIntensity: MATT_SHEEN })];
       for (const material of tones) {
         material.stencilWrite = true;
         material.stencilFunc = AlwaysStencilFunc;
@@ -107,6 +110,7 @@ export class BodyLook implements Look {
     if (this.#theme) {
       tones[0].color.set(this.#theme.shell);
       tones[1].color.set(this.#theme.joint);
+      if (this.#shading === "matt") tones[1].emissive.set(this.#theme.joint);
     }
     return tones;
   }

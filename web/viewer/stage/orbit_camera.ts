@@ -17,7 +17,7 @@ const FIELD_OF_VIEW = 24;
 /** Height of the target, metres. */
 const TARGET_HEIGHT = 0.83;
 /** The first view: from the character's left front. */
-export const HOME: OrbitState = { azimuth: MathUtils.degToRad(33), elevation: MathUtils.degToRad(7.2), distance: 5.2 };
+export const HOME: OrbitState = { azimuth: MathUtils.degToRad(33), elevation: MathUtils.degToRad(7.2), distance: 5.4 };
 const LIMITS = { elevation: [0.02, MathUtils.degToRad(89)], distance: [1.6, 16] } as const;
 /** Length of a glide between views, seconds. */
 const GLIDE = 0.42;
