@@ -67,6 +67,9 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
+    if !build::RATES_HZ.contains(&args.rate) {
+        return Err(Failure::usage(build::BuildError::Rate(args.rate)));
+    }
     let begin = Instant::now();
     let sources = gather(&args.inputs)?;
     let mut refused = Vec::new();

@@ -206,6 +206,10 @@ fn wrong_usage_has_its_own_exit_code() {
         assert_eq!(output.status.code(), Some(2), "{more:?}");
         assert!(String::from_utf8(output.stderr).unwrap().starts_with("error: "), "{more:?}");
     }
+    for more in [&["--rate", "5"][..], &["--rate", "x"], &["--pattern", "{action}"]] {
+        let output = strut(folder.path(), &[&["build-db", "in.bvh", "-o", "new.strutdb"][..], more].concat());
+        assert_eq!(output.status.code(), Some(2), "{more:?}");
+    }
     assert_eq!(strut(folder.path(), &[]).status.code(), Some(2));
     assert_eq!(strut(folder.path(), &["evaluate"]).status.code(), Some(2));
 }

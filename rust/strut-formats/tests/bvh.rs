@@ -159,6 +159,20 @@ fn a_motion_of_another_hierarchy_is_refused() {
     );
 }
 
+#[test]
+fn a_motion_that_could_not_be_read_back_is_refused() {
+    let file = bvh::parse(WALK.as_bytes()).unwrap();
+    for value in [f32::NAN, f32::INFINITY, 1e30] {
+        let mut motion = file.to_motion().unwrap();
+        motion.translations[2].y = value;
+        let error = file.with_motion(&motion).unwrap_err().to_string();
+        assert!(error.starts_with("frame 1 of the motion moves joint 'Hips' by "), "{error}");
+        let mut motion = file.to_motion().unwrap();
+        motion.rotations[3].x = f32::NAN;
+        assert!(file.with_motion(&motion).is_err());
+    }
+}
+
 fn channels() -> impl Strategy<Value = Vec<Channel>> {
     let axis = || prop_oneof![Just(Axis::X), Just(Axis::Y), Just(Axis::Z)];
     let rotations = prop::collection::vec(axis().prop_map(Channel::Rotation), 0..5);

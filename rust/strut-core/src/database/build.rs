@@ -14,11 +14,13 @@ use crate::humanoid::HumanoidMotion;
 use crate::parallel::ParallelMap;
 use crate::registration::{self, Example};
 use assemble::Kept;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, RangeInclusive};
 use thiserror::Error;
 
 /// Fewest frames of a clip at the database's rate: a search window and its neighbours.
 pub const MIN_CLIP_FRAMES: usize = 8;
+/// Rates that a database may have, frames per second.
+pub const RATES_HZ: RangeInclusive<f32> = 10.0..=480.0;
 
 /// A labelled clip, retargeted to the database's proportions.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,7 +59,7 @@ pub struct Script {
 /// How a database is built.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BuildOptions {
-    /// Frames per second of the database, 10 to 480. The default, 60, is what every threshold of the
+    /// Frames per second of the database, within [`RATES_HZ`]. The default, 60, is what every threshold of the
     /// specification was measured at.
     pub rate_hz: f32,
     /// Name of the neutral style; `None` takes "neutral" or "normal", else the first style.
@@ -148,7 +150,7 @@ pub fn build(
     if clips.is_empty() {
         return Err(BuildError::NoClips);
     }
-    if !(10.0..=480.0).contains(&options.rate_hz) {
+    if !RATES_HZ.contains(&options.rate_hz) {
         return Err(BuildError::Rate(options.rate_hz));
     }
     let mut clips: Vec<&SourceClip> = clips.iter().collect();

@@ -67,4 +67,9 @@ pub enum BvhError {
     /// A motion of another hierarchy.
     #[error("the motion has {found} joints; this file has {needed}")]
     JointCount { found: usize, needed: usize },
+    /// A motion has a value that a file could not be read back with.
+    #[error(
+        "frame {frame} of the motion moves joint '{joint}' by {value}; a number within ±{MAX_ABS_VALUE} was expected"
+    )]
+    Unwritable { frame: usize, joint: String, value: f64 },
 }

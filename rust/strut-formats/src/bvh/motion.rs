@@ -1,7 +1,7 @@
 //! [`Bvh`] ↔ [`Motion`].
 
 use super::euler::{compose, decompose};
-use super::{Axis, Bvh, BvhError, Channel};
+use super::{Axis, Bvh, BvhError, Channel, MAX_ABS_VALUE};
 use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;
 use strut_core::skeleton::{self, Skeleton};
@@ -52,7 +52,8 @@ impl Bvh {
     /// first frame. Values are rounded to six decimals, finer than `f32` resolves.
     ///
     /// # Errors
-    /// [`BvhError::JointCount`] if the motion has another number of joints.
+    /// [`BvhError::JointCount`] if the motion has another number of joints, [`BvhError::Unwritable`] if a
+    /// value is not finite or beyond [`MAX_ABS_VALUE`].
     pub fn with_motion(&self, motion: &Motion) -> Result<Self, BvhError> {
         let (found, needed) = (motion.skeleton.len(), self.joints.len());
         if found != needed {
@@ -68,7 +69,10 @@ impl Bvh {
             for ((joint, t), q) in self.joints.iter().zip(motion.translations_at(f)).zip(motion.rotations_at(f)) {
                 let row = first..first + joint.channels.len();
                 first = row.end;
-                solver.write(&joint.channels, *t, *q, &mut previous[row]);
+                solver.write(&joint.channels, *t, *q, &mut previous[row.clone()]);
+                if let Some(&value) = previous[row].iter().find(|v| v.is_nan() || v.abs() > MAX_ABS_VALUE) {
+                    return Err(BvhError::Unwritable { frame: f, joint: joint.name.clone(), value });
+                }
             }
             values.extend(previous.iter().map(|v| libm::round(v * 1e6) / 1e6));
         }
