@@ -313,7 +313,7 @@ export class App {
       this.#applyTheme();
       this.#show(store.state);
     }, signal);
-    addEventListener("hashchange", () => this.#followLink(), { signal });
+    addEventListener("hashchange", ({ newURL }) => this.#followLink(new URL(newURL).hash), { signal });
     listenToKeys(
       {
         play: () => this.#togglePlay(),
@@ -334,8 +334,9 @@ export class App {
   }
 
   /** Goes to the state of a link that was put into the address bar. */
-  #followLink(): void {
-    const state = fromHash(location.hash);
+  #followLink(hash: string): void {
+    clearTimeout(this.#url);
+    const state = fromHash(hash);
     this.#store.edit(state);
     if (!state.playing) this.#goTo(state.frame);
   }

@@ -1,11 +1,13 @@
 /** Light or dark: the system's choice until the person makes one. */
 import type { Theme } from "./state";
 
-const system = matchMedia("(prefers-color-scheme: dark)");
+const DARK = "(prefers-color-scheme: dark)";
+/** Only listened to: reading `matches` of this very list before it fires would swallow its event (Chromium). */
+const system = matchMedia(DARK);
 
 /** Whether a theme is dark at the moment. */
 export function isDark(theme: Theme): boolean {
-  return theme === "auto" ? system.matches : theme === "dark";
+  return theme === "auto" ? matchMedia(DARK).matches : theme === "dark";
 }
 
 /** The choice that turns light into dark and back; the system's own choice is not written down. */
