@@ -39,8 +39,8 @@ export const VIEWER_DEFAULTS: Required<Omit<ViewerOptions, "quality">> = {
 const FADE_IN = 0.25;
 /** Time after the last change in which glides and fades end, seconds; then the picture is still. */
 const SETTLING = 0.8;
-/** Crown of the head above its joint, metres. */
-const CROWN = 0.206;
+/** Middle of the head above its joint, and its radius, metres. */
+const HEAD = { rise: 0.088, radius: 0.122 };
 /** Room left and right of what the camera follows, metres. */
 const HALF_WIDTH = { alone: 0.75, withGhost: 1.15 };
 
@@ -235,8 +235,13 @@ export class Viewer {
     stage.render(dt, hips);
     const { width, height } = stage.size;
     const { camera } = stage.view;
-    stage.labels.place("styled", crownOf(this.#body), camera, width, height);
-    stage.labels.place("input", crownOf(this.#ghost), camera, width, height);
+    for (const [name, character] of [
+      ["styled", this.#body],
+      ["input", this.#ghost],
+    ] as const) {
+      const radius = HEAD.radius * character.fit.stature;
+      stage.labels.place(name, headOf(character), radius, camera, width, height);
+    }
   }
 
   /** Frees everything; the viewer cannot be used afterwards. */
@@ -318,7 +323,7 @@ const point = new Vector3();
 const hips = new Vector3();
 const ghostHips = new Vector3();
 const followed = new Vector3();
-const crown = new Vector3();
+const head = new Vector3();
 const rotation = new Quaternion();
 
 /** Whether any number differs. */
@@ -327,9 +332,9 @@ function differ(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   return false;
 }
 
-/** The crown of a mannequin's head. */
-function crownOf({ world, fit }: Mannequin<BodyLook> | Mannequin<GhostLook>): Vector3 {
+/** The middle of a mannequin's head. */
+function headOf({ world, fit }: Mannequin<BodyLook> | Mannequin<GhostLook>): Vector3 {
   rotation.fromArray(world.rotations, 4 * JOINT.head);
-  crown.set(0, CROWN * fit.stature, 0).applyQuaternion(rotation);
-  return crown.add(point.fromArray(world.positions, 3 * JOINT.head));
+  head.set(0, HEAD.rise * fit.stature, 0).applyQuaternion(rotation);
+  return head.add(point.fromArray(world.positions, 3 * JOINT.head));
 }

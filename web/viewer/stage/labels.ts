@@ -1,9 +1,9 @@
 /** Names above the heads, as page text over the canvas, so that they are sharp and follow the page's type. */
 
-import { type Camera, Vector3 } from "three";
+import { type PerspectiveCamera, Vector3 } from "three";
 
-/** Gap between the crown of a head and the middle of its name, pixels. */
-const GAP = 20;
+/** Gap between a head and the middle of its name, pixels. */
+const GAP = 17;
 
 /** A layer of names over the canvas. */
 export class Labels {
@@ -37,15 +37,17 @@ export class Labels {
     name.style.color = colour;
   }
 
-  /** Puts a name above the crown of a head (metres, world), or hides it if that is not in the picture. */
-  place(key: string, crown: Vector3, camera: Camera, width: number, height: number): void {
+  /** Puts a name above a head, a sphere in the world (metres), or hides it if the head is not in the picture. */
+  place(key: string, head: Vector3, radius: number, camera: PerspectiveCamera, width: number, height: number): void {
     const name = this.#names.get(key);
     if (!name) return;
-    const p = this.#point.copy(crown).project(camera);
+    const p = this.#point.copy(head).applyMatrix4(camera.matrixWorldInverse);
+    const pixelsPerMetre = (camera.projectionMatrix.elements[5]! * height) / (2 * Math.max(camera.near, -p.z));
+    p.applyMatrix4(camera.projectionMatrix);
     const visible = p.z < 1 && Math.abs(p.x) < 1.1 && Math.abs(p.y) < 1.1;
     name.style.visibility = visible ? "visible" : "hidden";
     const x = ((p.x + 1) / 2) * width;
-    const y = ((1 - p.y) / 2) * height - GAP;
+    const y = ((1 - p.y) / 2) * height - radius * pixelsPerMetre - GAP;
     name.style.transform = `translate(${x.toFixed(1)}px,${y.toFixed(1)}px) translate(-50%,-50%)`;
   }
 

@@ -21,7 +21,7 @@ export interface QualityLevel {
 
 /** Levels from the best to the cheapest. */
 export const QUALITY_LEVELS: readonly QualityLevel[] = [
-  level(8e6, 1024, 640, { search: 16, filter: 24 }, 1, "physical", 45),
+  level(8e6, 1024, 640, { search: 16, filter: 32 }, 1, "physical", 45),
   level(2e6, 1024, 512, { search: 12, filter: 20 }, 1, "physical", 45),
   level(8e5, 512, 192, { search: 8, filter: 16 }, 0.6, "matt", 24),
   level(4.5e5, 512, 160, { search: 6, filter: 10 }, 0.5, "matt", 15),

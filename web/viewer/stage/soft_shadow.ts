@@ -43,9 +43,9 @@ function shader({ depth, width }: ShadowFrustum): string {
     receiver.z += bias;
     vec2 slope = receiverSlope(receiver);
     if (any(lessThan(receiver.xy, vec2(0.0))) || any(greaterThan(receiver.xy, vec2(1.0))) || receiver.z > 1.0) return 1.0;
-    // A full turn would trade the disk's bands for grain; the angle between samples only dissolves them, and with few
+    // A full turn would trade the disk's bands for grain; half the angle between samples only dissolves them, and with few
     // samples even that is grain.
-    float turn = SHADOW_TAPS < 20 ? 0.0 : shadowNoise(gl_FragCoord.xy) * (6.283185307179586 / float(SHADOW_TAPS));
+    float turn = SHADOW_TAPS < 20 ? 0.0 : shadowNoise(gl_FragCoord.xy) * (3.141592653589793 / float(SHADOW_TAPS));
     const float spread = ${(LIGHT_TANGENT * (depth / width)).toFixed(6)};
     float search = min(spread * receiver.z, ${(0.3 / width).toFixed(6)});
     float blockers = 0.0;

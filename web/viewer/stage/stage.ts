@@ -56,9 +56,8 @@ export class Stage {
   /** `level` of {@link QUALITY_LEVELS} to begin with; by default what the renderer suggests. */
   constructor(container: HTMLElement, level?: number) {
     this.#root.style.cssText = "position:relative;width:100%;height:100%;overflow:hidden";
-    const software = isSoftware();
     this.#renderer = new WebGLRenderer({
-      antialias: level === 0 || !software,
+      antialias: level === 0 || !isSoftware(),
       stencil: true,
       powerPreference: "high-performance",
     });
@@ -67,6 +66,8 @@ export class Stage {
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.type = BasicShadowMap;
     renderer.shadowMap.autoUpdate = false;
+    // A frame is two passes; both count.
+    renderer.info.autoReset = false;
     this.canvas = renderer.domElement;
     this.canvas.style.cssText = "display:block;position:absolute;inset:0;touch-action:pan-y";
     this.canvas.setAttribute("role", "img");
@@ -75,7 +76,7 @@ export class Stage {
     container.append(this.#root);
 
     this.view = new OrbitCamera(this.canvas);
-    this.governor = new QualityGovernor(level ?? (software ? SOFTWARE_LEVEL : 0));
+    this.governor = new QualityGovernor(level ?? (isSoftware() ? SOFTWARE_LEVEL : 0));
     this.scene.add(
       this.#background.object,
       this.#lights.object,
@@ -156,6 +157,7 @@ export class Stage {
   /** Draws the scene; `dtSecs` since the last frame, the light on `subject`. */
   render(dtSecs: number, subject: Vector3): void {
     if (!this.#still && this.governor.frame(dtSecs)) this.applyQuality();
+    this.#renderer.info.reset();
     this.#lights.follow(subject, this.view.azimuth);
     // The shade map's pass draws the light's shadow map too; the picture's pass finds it there.
     this.#renderer.shadowMap.needsUpdate = true;
@@ -221,8 +223,15 @@ export class Stage {
 const projected = new Vector3();
 const middle = new Vector3();
 
-/** Whether WebGL runs on the processor; asked of a context of its own, since multisampling must be chosen before. */
+let software: boolean | undefined;
+
+/** Whether WebGL runs on the processor; asked once, of a context of its own, as multisampling must be chosen before. */
 function isSoftware(): boolean {
+  software ??= detectSoftware();
+  return software;
+}
+
+function detectSoftware(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return true;
   const info = gl.getExtension("WEBGL_debug_renderer_info");
