@@ -200,7 +200,7 @@ mod tests {
         fn finds_what_brute_force_finds(lean in 0.0f32..0.6, period in 40.0f32..90.0, turn in -0.5f32..0.5, k in 1usize..50) {
             let db = sine_walk::database();
             let index = Index::build(&db);
-            let gait = Gait { lean, period, turn, ..if lean > 0.3 { BENT } else { NEUTRAL } };
+            let gait = Gait { period, lean, turn, ..if lean > 0.3 { BENT } else { NEUTRAL } };
             let (mut window, mut filter, mut scratch) = (QueryWindow::default(), HeadingFilter::default(), Scratch::default());
             let mut found = [Neighbours::default(), Neighbours::default()];
             for pose in &sine_walk::walk(&gait, 40, 0.1).poses {

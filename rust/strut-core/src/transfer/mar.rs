@@ -152,21 +152,15 @@ impl Mixture {
             for s in styles.iter_mut() {
                 let targets = &model.target_table(s.style).pose;
                 let samples = Samples { inputs: &db.pose, targets, neighbours };
-                let row = match &moments {
-                    Some(moments) => {
-                        // A style that begins takes the neighbours' mean for its past.
-                        let start = if s.started { s.previous } else { bias.put_on(interpolate_before(samples)) };
-                        let u = Regressors {
-                            previous_input: input.previous,
-                            input: input.current,
-                            previous_output: &start,
-                        };
-                        predict(u, moments, samples, ridge, db.sigma(), &bias)
-                    }
-                    None => {
-                        let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
-                        interpolate(targets, &neighbours[..nearest])
-                    }
+                let row = if let Some(moments) = &moments {
+                    // A style that begins takes the neighbours' mean for its past.
+                    let start = if s.started { s.previous } else { bias.put_on(interpolate_before(samples)) };
+                    let u =
+                        Regressors { previous_input: input.previous, input: input.current, previous_output: &start };
+                    predict(u, moments, samples, ridge, db.sigma(), &bias)
+                } else {
+                    let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
+                    interpolate(targets, &neighbours[..nearest])
                 };
                 s.current.iter_mut().zip(&row).for_each(|(sum, v)| *sum += weight * v);
             }
