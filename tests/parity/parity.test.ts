@@ -70,7 +70,8 @@ describe("native and WASM", () => {
   test("a change of one bit in one frame does not go unnoticed", { timeout: 600_000 }, async () => {
     const mutated = await wasmReport([], 100);
     expect(firstDifference(native, mutated)).toEqual({ stage: "neutral-walk/retargeted", frame: 100 });
-    const hashes = (report: string) => /^neutral-walk\/search (.*)$/m.exec(report)![1]!.split(" ");
+    // Height is a degree of freedom, so its last bit must arrive; a distance may round it away.
+    const hashes = (report: string) => /^neutral-walk\/rows (.*)$/m.exec(report)![1]!.split(" ");
     const [before, after] = [hashes(native), hashes(mutated)];
     expect(after.slice(0, 100), "earlier frames do not depend on it").toEqual(before.slice(0, 100));
     expect(after[100]).not.toBe(before[100]);
