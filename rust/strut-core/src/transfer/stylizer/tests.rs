@@ -1,0 +1,199 @@
+//! The stages together, on the synthetic walks.
+
+use super::*;
+use crate::humanoid::Role;
+use crate::math::Vec3;
+use crate::transfer::sine_walk::{BENT, Gait, NEUTRAL, RATE_HZ, Walk, database, walk};
+use crate::transfer::{Method, ground_clearance};
+
+fn model() -> Arc<Model> {
+    Arc::new(Model::new(Arc::new(database())))
+}
+
+fn stylizer(model: &Arc<Model>, bent: f32) -> Stylizer {
+    let mut s = Stylizer::new(Arc::clone(model), Options::DEFAULT).unwrap();
+    s.set_styles(&[0.0, bent]).unwrap();
+    s
+}
+
+fn unseen_walk() -> Walk {
+    walk(&Gait { period: 63.0, swing: 0.41, ..NEUTRAL }, 240, 0.15)
+}
+
+fn run(stylizer: &mut Stylizer, poses: &[Pose]) -> Vec<StyledFrame> {
+    poses.iter().map(|p| *stylizer.push(p)).collect()
+}
+
+fn chest_lean(frame: &StyledFrame) -> f32 {
+    let up = frame.pose.rotations[Role::Chest.index()] * Vec3::Y;
+    crate::math::float_funcs::atan2(up.z, up.y)
+}
+
+#[test]
+fn an_unlabelled_walk_becomes_the_style_and_takes_its_time() {
+    let mut s = stylizer(&model(), 1.0);
+    let input = unseen_walk();
+    let frames = run(&mut s, &input.poses);
+    let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
+    assert!((lean - BENT.lean).abs() < 0.05, "lean {lean}");
+    let ratio = frames[239].time_out_secs / frames[239].time_in_secs;
+    let expected = f64::from((BENT.period + 1.0) / (NEUTRAL.period + 1.0));
+    assert!((ratio - expected).abs() < 0.04, "ratio {ratio}, expected {expected}");
+    assert!(s.trace().class_weights[0] > 0.9, "{:?}", s.trace().class_weights);
+    assert!((s.trace().class_weights.iter().sum::<f32>() - 1.0).abs() < 1e-5);
+    assert_eq!(s.trace().neighbours().count(), 40);
+}
+
+#[test]
+fn every_method_styles() {
+    let model = model();
+    for method in [Method::Mar, Method::LocalAr, Method::NearestNeighbour, Method::Knn] {
+        let options = Options { method, action: Some(0), input_style: Some(0), ..Options::DEFAULT };
+        let mut s = Stylizer::new(Arc::clone(&model), options).unwrap();
+        s.set_styles(&[0.0, 1.0]).unwrap();
+        let frames = run(&mut s, &unseen_walk().poses);
+        let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
+        assert!((lean - BENT.lean).abs() < 0.06, "{method:?}: lean {lean}");
+    }
+}
+
+#[test]
+fn half_a_style_is_half_way() {
+    let model = model();
+    let mean = |bent: f32| {
+        let frames = run(&mut stylizer(&model, bent), &unseen_walk().poses);
+        let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
+        (lean, frames[239].time_out_secs as f32)
+    };
+    let (none, half, full) = (mean(0.0), mean(0.5), mean(1.0));
+    assert!((half.0 - 0.5 * (none.0 + full.0)).abs() < 0.01);
+    assert!((half.1 - 0.5 * (none.1 + full.1)).abs() < 0.01);
+    assert!(mean(1.4).0 > full.0 + 0.05, "exaggeration");
+}
+
+#[test]
+fn a_ramp_of_weights_makes_no_jump() {
+    let model = model();
+    let input = unseen_walk();
+    let largest_step = |frames: &[StyledFrame]| {
+        let turn = |w: &[StyledFrame]| {
+            let pairs = w[0].pose.rotations.iter().zip(&w[1].pose.rotations);
+            pairs.map(|(a, b)| a.inv_mul(*b).angle()).fold(0.0, f32::max)
+        };
+        frames.windows(2).map(turn).fold(0.0, f32::max)
+    };
+    let mut s = stylizer(&model, 0.0);
+    let ramp: Vec<StyledFrame> = input
+        .poses
+        .iter()
+        .enumerate()
+        .map(|(i, p)| {
+            s.set_styles(&[0.0, ((i as f32 - 60.0) / 60.0).clamp(0.0, 1.0)]).unwrap();
+            *s.push(p)
+        })
+        .collect();
+    let constant = run(&mut stylizer(&model, 0.0), &input.poses);
+    assert!(largest_step(&ramp) < 1.3 * largest_step(&constant) + 0.01);
+}
+
+#[test]
+fn parts_take_different_styles() {
+    let model = model();
+    let mut s = stylizer(&model, 0.0);
+    s.set_part_styles(BodyPart::Torso, Some(&[0.0, 1.0])).unwrap();
+    let input = unseen_walk();
+    let frames = run(&mut s, &input.poses);
+    let neutral = run(&mut stylizer(&model, 0.0), &input.poses);
+    let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
+    assert!((lean - BENT.lean).abs() < 0.05, "lean {lean}");
+    assert_eq!(frames[200].time_out_secs, neutral[200].time_out_secs);
+    let knee = Role::LeftLowerLeg.index();
+    assert!(frames[200].pose.rotations[knee].dot(neutral[200].pose.rotations[knee]) > 0.9999);
+}
+
+#[test]
+fn heading_passes_through() {
+    let mut s = stylizer(&model(), 1.0);
+    let input = walk(&Gait { turn: 0.8, ..NEUTRAL }, 180, 0.0);
+    run(&mut s, &input.poses);
+    let facing = s.frame().pose.rotations[0] * Vec3::Z;
+    let turned = crate::math::float_funcs::atan2(facing.x, facing.z);
+    assert!((wrap_angle(turned - 0.8 * 3.0)).abs() < 0.1, "{turned}");
+}
+
+#[test]
+fn bad_frames_are_repaired_and_forgotten() {
+    let model = model();
+    let good = unseen_walk().poses;
+    let mut bad = good.clone();
+    bad[80].root.x = f32::NAN;
+    bad[120].rotations[5].y = f32::INFINITY;
+    bad[121].root.y = 1e30;
+    let (mut s, mut t) = (stylizer(&model, 1.0), stylizer(&model, 1.0));
+    let clean = run(&mut s, &good);
+    let frames = run(&mut t, &bad);
+    assert!(frames.iter().all(|f| f.pose.is_finite() && f.time_out_secs.is_finite()));
+    assert_eq!(frames[239].repaired_total, 3);
+    assert_eq!(frames.iter().filter(|f| f.repaired).count(), 3);
+    let apart = clean[239].pose.rotations.iter().zip(&frames[239].pose.rotations).map(|(a, b)| a.inv_mul(*b).angle());
+    assert!(apart.fold(0.0, f32::max) < 0.01, "the state recovers");
+    let mut all_bad = stylizer(&model, 1.0);
+    let nan = Pose { root: Vec3::NAN, ..Pose::default() };
+    assert!(run(&mut all_bad, &[nan; 20]).iter().all(|f| f.pose.is_finite()));
+}
+
+#[test]
+fn the_same_input_gives_the_same_bits_and_reset_forgets() {
+    let model = model();
+    let input = unseen_walk();
+    let first = run(&mut stylizer(&model, 0.7), &input.poses);
+    let mut s = stylizer(&model, 0.7);
+    run(&mut s, &input.poses[50..90]);
+    s.reset(None);
+    assert_eq!(run(&mut s, &input.poses), first);
+    s.reset(Some(Placement { x: 5.0, z: -3.0, heading: 1.0 }));
+    let moved = run(&mut s, &input.poses);
+    assert!((moved[0].pose.root - Vec3::new(5.0, first[0].pose.root.y, -3.0)).length() < 1e-5);
+    assert!((moved[200].pose.rotations[4].dot(first[200].pose.rotations[4])) > 0.999_99);
+}
+
+#[test]
+fn feet_neither_slide_nor_sink() {
+    let model = model();
+    let frames = run(&mut stylizer(&model, 1.0), &unseen_walk().poses);
+    let db = model.database();
+    let soles = crate::transfer::Soles::new(&db.proportions);
+    let (mut travel, mut secs) = (0.0, 0.0);
+    for w in frames[10..].windows(2) {
+        let worlds = [0, 1].map(|i| world_from_local(&db.proportions, &w[i].pose));
+        for side in 0..2 {
+            if w[0].planted[side] && w[1].planted[side] {
+                travel += soles.of(&worlds[1], side).pivot_travel(&soles.of(&worlds[0], side)).length();
+                secs += 1.0 / RATE_HZ;
+            }
+        }
+        assert!(ground_clearance(&db.proportions, &w[1].pose) > -1e-3);
+    }
+    assert!(secs > 2.0, "feet are planted half of the time at least: {secs} s");
+    assert!(travel / secs < 0.02, "{} m/s", travel / secs);
+}
+
+#[test]
+fn nothing_is_allocated_after_the_first_frames() {
+    let mut s = stylizer(&model(), 0.6);
+    s.set_part_styles(BodyPart::LeftArm, Some(&[0.5, 0.2])).unwrap();
+    let input = unseen_walk();
+    run(&mut s, &input.poses[..10]);
+    let counted = allocation_counter::measure(|| {
+        for pose in &input.poses[10..] {
+            s.push(pose);
+        }
+    });
+    assert_eq!(counted.count_total, 0);
+}
+
+#[test]
+fn a_label_that_no_class_has_is_refused() {
+    let options = Options { action: Some(7), ..Options::DEFAULT };
+    assert!(matches!(Stylizer::new(model(), options), Err(OptionsError::NoClass { .. })));
+}
