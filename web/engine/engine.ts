@@ -1,4 +1,4 @@
-/** The engine on the present thread: what the worker serves and what `loadStrut` offers in Node. */
+/** The engine on the present thread: what the worker serves. */
 import { ClipJob } from "./clip_job";
 import { Database, type DatabaseSource } from "./database";
 import { Input, type InputSource } from "./input";
