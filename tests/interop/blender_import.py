@@ -3,11 +3,16 @@
 Prints one JSON line a file: bones, frames, frame rate, and how far the first bone's head travels.
 """
 
+import builtins
 import json
 import sys
 
 import bpy
 from mathutils import Vector
+
+# Blender 3.4 opens BVH files in mode "rU", which Debian's Python 3.11 no longer knows: there no BVH opens at all.
+python_open = builtins.open
+builtins.open = lambda file, mode="r", *args, **kwargs: python_open(file, mode.replace("U", ""), *args, **kwargs)
 
 for path in sys.argv[sys.argv.index("--") + 1 :]:
     bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -15,9 +20,10 @@ for path in sys.argv[sys.argv.index("--") + 1 :]:
     armature = next(o for o in bpy.context.scene.objects if o.type == "ARMATURE")
     scene = bpy.context.scene
     tip = next(b for b in armature.pose.bones if not b.children)
+    first_frame, last_frame = (round(frame) for frame in armature.animation_data.action.frame_range)
     first = None
     travel = 0.0
-    for frame in (scene.frame_start, scene.frame_end):
+    for frame in (first_frame, last_frame):
         scene.frame_set(frame)
         position = armature.matrix_world @ Vector(tip.head)
         travel = 0.0 if first is None else (position - first).length
@@ -27,7 +33,7 @@ for path in sys.argv[sys.argv.index("--") + 1 :]:
             {
                 "file": path,
                 "bones": [b.name for b in armature.data.bones],
-                "frames": scene.frame_end - scene.frame_start + 1,
+                "frames": last_frame - first_frame + 1,
                 "fps": scene.render.fps / scene.render.fps_base,
                 "travel": travel,
             }
