@@ -107,6 +107,7 @@ export class Viewer {
   }
 
   set theme(theme: ThemeName) {
+    if (theme === this.#theme) return;
     this.#theme = theme;
     this.#applyTheme();
   }
@@ -117,6 +118,7 @@ export class Viewer {
   }
 
   set ghost(mode: GhostMode) {
+    if (mode === this.#ghostMode) return;
     this.#ghostMode = mode;
     this.#applyGhost();
   }
