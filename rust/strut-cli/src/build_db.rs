@@ -1,29 +1,22 @@
 //! `strut build-db`: labelled clips become a database.
 
 use crate::GENERATOR;
-use crate::clip::Clip;
+use crate::corpus::{self, RefusedFile};
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print, print_warnings};
-use crate::gather::{Source, gather};
-use crate::labels;
-use crate::pattern::{Labels, Pattern};
+use crate::gather::gather;
+use crate::pattern::Pattern;
 use crate::progress::Bar;
 use crate::threads::ThreadPool;
-use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::Instant;
 use strut_core::database::Database;
-use strut_core::database::build::{self, BuildOptions, BuildReport, SourceClip, Stage};
-use strut_core::humanoid::Proportions;
-use strut_core::retarget::to_humanoid;
+use strut_core::database::build::{self, BuildOptions, BuildReport, Stage};
 use strut_formats::strutdb;
-
-/// What files are called unless a pattern or a table says otherwise.
-const DEFAULT_PATTERN: &str = "{action}_{style}_{take}.bvh";
 
 /// What `--json` writes.
 const JSON_HELP: &str = "\
@@ -73,8 +66,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let begin = Instant::now();
     let sources = gather(&args.inputs)?;
     let mut refused = Vec::new();
-    let labelled = label(args, &sources, &mut refused)?;
-    let clips = read_clips(args, labelled, &mut refused)?;
+    let labelled = corpus::label(&sources, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
+    let clips = corpus::read_clips(args.neutral.as_deref(), labelled, &mut refused)?;
     let options = BuildOptions { rate_hz: args.rate, neutral: args.neutral.clone(), ..BuildOptions::default() };
     let (db, report) = {
         let bar = Bar::new("preparing", clips.len());
@@ -101,94 +94,6 @@ pub(crate) fn run(args: &Args) -> Outcome {
     print_warnings(&report.warnings());
     print(&report.summary());
     Ok(())
-}
-
-/// A file that did not enter the database.
-#[derive(Debug, Serialize)]
-struct RefusedFile {
-    file: String,
-    reason: String,
-}
-
-/// The sources that have labels; a take that the labels leave out is counted within its class.
-fn label<'a>(args: &Args, sources: &'a [Source], refused: &mut Vec<RefusedFile>) -> Outcome<Vec<(&'a Source, Labels)>> {
-    let paths: Vec<String> = sources.iter().map(|s| s.path.clone()).collect();
-    let default = args.labels.is_none().then(|| DEFAULT_PATTERN.parse().map_err(Failure::new)).transpose()?;
-    let labels = labels::assign(&paths, args.pattern.as_ref().or(default.as_ref()), args.labels.as_deref())?;
-    let mut takes: BTreeMap<(String, String), u32> = BTreeMap::new();
-    let mut labelled = Vec::new();
-    for (source, labels) in sources.iter().zip(labels) {
-        match labels {
-            Ok(mut labels) => {
-                let counted = takes.entry((labels.action.clone(), labels.style.clone())).or_default();
-                *counted += 1;
-                labels.take.get_or_insert(*counted);
-                labelled.push((source, labels));
-            }
-            Err(reason) => refused.push(RefusedFile { file: source.path.clone(), reason }),
-        }
-    }
-    if labelled.is_empty() {
-        let advice = "say how clips are labelled with --pattern or --labels";
-        let RefusedFile { file, reason } = &refused[0];
-        return Err(Failure::new(format_args!("{file}: {reason}; {advice}")));
-    }
-    Ok(labelled)
-}
-
-/// Reads all clips and brings them to the body of the first clip in the neutral style.
-fn read_clips(
-    args: &Args,
-    labelled: Vec<(&Source, Labels)>,
-    refused: &mut Vec<RefusedFile>,
-) -> Outcome<Vec<SourceClip>> {
-    let bar = Bar::new("reading", labelled.len());
-    let read = |(source, labels): (_, Labels)| {
-        let source: &Source = source;
-        let clip = source.bytes().and_then(|bytes| Clip::parse(&bytes));
-        bar.step();
-        (source, labels, clip)
-    };
-    let results: Vec<_> = labelled.into_par_iter().map(read).collect();
-    let mut clips = Vec::new();
-    for (source, labels, clip) in results {
-        match clip {
-            Ok(clip) => clips.push((source, labels, clip)),
-            Err(reason) => refused.push(RefusedFile { file: source.path.clone(), reason }),
-        }
-    }
-    if clips.is_empty() {
-        let RefusedFile { file, reason } = &refused[0];
-        return Err(Failure::new(format_args!("{file}: {reason}")));
-    }
-    let is_neutral = |style: &str| match &args.neutral {
-        Some(name) => style == name,
-        None => matches!(style, "neutral" | "normal"),
-    };
-    let body = clips.iter().find(|(_, labels, _)| is_neutral(&labels.style)).unwrap_or(&clips[0]);
-    let body: Proportions = body.2.binding.proportions;
-    let names = distinct_names(&clips.iter().map(|(source, ..)| *source).collect::<Vec<_>>());
-    let convert = |((source, labels, clip), name): (&(&Source, Labels, Clip), &String)| SourceClip {
-        name: name.clone(),
-        action: labels.action.clone(),
-        style: labels.style.clone(),
-        take: labels.take.unwrap_or(0),
-        motion: to_humanoid(&clip.motion, &clip.binding, &body),
-        source: source.path.clone(),
-        licence: source.licence(),
-        script: None,
-    };
-    Ok(clips.par_iter().zip(&names).map(convert).collect())
-}
-
-/// The stem of every file; the path of those that share theirs, so that reports can name them.
-fn distinct_names(sources: &[&Source]) -> Vec<String> {
-    let mut count: HashMap<&str, usize> = HashMap::new();
-    for source in sources {
-        *count.entry(source.stem()).or_default() += 1;
-    }
-    let name = |s: &&Source| if count[s.stem()] == 1 { s.stem().to_owned() } else { s.path.clone() };
-    sources.iter().map(name).collect()
 }
 
 #[derive(Serialize)]

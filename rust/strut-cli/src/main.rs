@@ -6,6 +6,7 @@
 
 mod build_db;
 mod clip;
+mod corpus;
 mod demo_db;
 mod failure;
 mod files;

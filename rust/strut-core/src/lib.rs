@@ -7,6 +7,8 @@
 
 pub mod contact;
 pub mod database;
+#[cfg(feature = "offline")]
+pub mod evaluation;
 pub mod humanoid;
 pub mod kinematics;
 pub mod math;

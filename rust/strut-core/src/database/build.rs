@@ -4,7 +4,7 @@
 //! computes it and in whatever order the clips are given.
 
 mod assemble;
-mod prepare;
+pub(crate) mod prepare;
 mod report;
 
 pub use report::{ActionReport, BuildReport, ClipReport, Refusal};

@@ -65,7 +65,9 @@ pub(super) fn prepare(
     );
     let examples = executor.map(clips.len(), &|i| {
         let style = labels.styles.binary_search(&clips[i].style).unwrap_or(0) as u16;
-        resampled[i].as_ref().map(|r| example(r, style, &chart)).map_err(Clone::clone)
+        let encoded =
+            |r: &Resampled| Example { script: r.script.clone(), ..encode(&r.motion, &r.headings, style, &chart) };
+        resampled[i].as_ref().map(encoded).map_err(Clone::clone)
     });
     Ok(Prepared { labels, chart, examples })
 }
@@ -98,10 +100,15 @@ fn resample(clip: &SourceClip, first: &SourceClip, rate_hz: f32) -> Result<Resam
     if motion.poses.len() < MIN_CLIP_FRAMES {
         return Err(Refusal::TooShort(motion.poses.len()));
     }
-    let mut filter = HeadingFilter::default();
-    let headings =
-        motion.poses.iter().map(|p| filter.update(&world_from_local(&motion.proportions, p), 1.0 / rate_hz)).collect();
+    let headings = headings(&motion);
     Ok(Resampled { motion, headings, script })
+}
+
+/// The smoothed heading of every frame.
+pub(crate) fn headings(motion: &HumanoidMotion) -> Vec<f32> {
+    let mut filter = HeadingFilter::default();
+    let dt = 1.0 / motion.rate_hz;
+    motion.poses.iter().map(|p| filter.update(&world_from_local(&motion.proportions, p), dt)).collect()
 }
 
 /// Frame values at another rate, as [`HumanoidMotion::resampled`] does with poses.
@@ -119,8 +126,8 @@ fn resampled_times(times: &[f32], from_hz: f32, to_hz: f32) -> Vec<f32> {
         .collect()
 }
 
-fn example(clip: &Resampled, style: u16, chart: &PoseChart) -> Example {
-    let Resampled { motion, headings, script } = clip;
+/// A clip at the database's rate as registration sees it, without a script. `headings` has one entry a frame.
+pub(crate) fn encode(motion: &HumanoidMotion, headings: &[f32], style: u16, chart: &PoseChart) -> Example {
     let mut previous = None;
     let mut pose: Vec<PoseRow> = Vec::with_capacity(motion.poses.len());
     for (p, &heading) in motion.poses.iter().zip(headings) {
@@ -135,7 +142,7 @@ fn example(clip: &Resampled, style: u16, chart: &PoseChart) -> Example {
     }
     let clouds =
         motion.poses.iter().zip(headings).map(|(p, &heading)| point_cloud(&motion.proportions, p, heading)).collect();
-    Example { style, pose, point_cloud: clouds, contact: contact::label(motion), script: script.clone() }
+    Example { style, pose, point_cloud: clouds, contact: contact::label(motion), script: None }
 }
 
 /// Labels of the clips that can be used.

@@ -1,0 +1,1 @@
+//! How good the transfer is, measured on real performances (specification §12; the paper's section 7).
