@@ -1,0 +1,184 @@
+//! Motion that the database does not hold: the protocol of the specification, §12, second table.
+//!
+//! There is no truth to compare with, so three numbers say together how well a clip came through: how much
+//! rougher it became, how much of its own content is left, and how far it moved towards the style.
+
+use crate::humanoid::HumanoidMotion;
+use crate::kinematics::world_from_local;
+use crate::math::Vec3;
+use crate::metrics::{Points, pose_error};
+use crate::pose_vector::{HeadingFilter, point_cloud};
+use crate::transfer::{Model, NoClock, Options, OptionsError, StyleError, Stylizer, stylize_clip};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use thiserror::Error;
+
+/// Length of the moving average that [`content_correlation`] takes off, seconds.
+pub const HIGH_PASS_SECS: f32 = 0.5;
+
+/// What became of a clip that the database does not hold.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct OffDatabase {
+    /// [`mean_acceleration`] of the output over the input's: 1 is as smooth as the input.
+    pub acceleration_ratio: f32,
+    /// [`content_correlation`] of output and input: 1 is all of the input's own content.
+    pub correlation: f32,
+    /// [`pose_error`] between output and input, metres: 0 is no style at all.
+    pub distance: f32,
+}
+
+/// Why a clip could not be styled.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum OffDatabaseError {
+    /// An option is out of range.
+    #[error(transparent)]
+    Options(#[from] OptionsError),
+    /// There is no such target style.
+    #[error(transparent)]
+    Style(#[from] StyleError),
+}
+
+/// Styles `input` (on the database's proportions and at its rate) wholly to the style `target`, without
+/// footplant, and compares output and input frame by frame: frame i of the output is what frame i of the
+/// input became, whenever it is due. Options but the footplant are taken as they are; the protocol's input
+/// is unlabelled.
+///
+/// # Errors
+/// If an option is out of range, or the database has no style `target`.
+pub fn off_database(
+    model: &Arc<Model>,
+    options: Options,
+    input: &HumanoidMotion,
+    target: usize,
+) -> Result<OffDatabase, OffDatabaseError> {
+    let mut stylizer = Stylizer::new(Arc::clone(model), Options { footplant: false, ..options })?;
+    let mut weights = vec![0.0; model.database().styles.len().max(target + 1)];
+    weights[target] = 1.0;
+    stylizer.set_styles(&weights)?;
+    let styled = stylize_clip(&stylizer, &input.poses, &mut NoClock, |_, _| ControlFlow::Continue(()));
+    let poses = styled.map_or_else(Vec::new, |s| s.frames.iter().map(|f| f.pose).collect());
+    Ok(compare(input, &HumanoidMotion { poses, ..*input }))
+}
+
+/// The three numbers of two clips whose frames correspond.
+pub fn compare(input: &HumanoidMotion, output: &HumanoidMotion) -> OffDatabase {
+    let (before, after) = (heading_free_points(input), heading_free_points(output));
+    let window = (HIGH_PASS_SECS * input.rate_hz) as usize | 1;
+    OffDatabase {
+        acceleration_ratio: mean_acceleration(&after) / mean_acceleration(&before).max(f32::MIN_POSITIVE),
+        correlation: content_correlation(&before, &after, window),
+        distance: pose_error(&before, &after),
+    }
+}
+
+/// The joints of every frame with the hips above the origin and the heading removed, metres.
+pub fn heading_free_points(motion: &HumanoidMotion) -> Vec<Points> {
+    let mut filter = HeadingFilter::default();
+    let dt_secs = 1.0 / motion.rate_hz;
+    let points = |pose| {
+        let heading = filter.update(&world_from_local(&motion.proportions, pose), dt_secs);
+        point_cloud(&motion.proportions, pose, heading)
+    };
+    motion.poses.iter().map(points).collect()
+}
+
+/// Mean magnitude over joints and frames of the second difference, metres a squared frame; 0 for fewer than
+/// 3 frames.
+pub fn mean_acceleration(points: &[Points]) -> f32 {
+    let accelerations = points
+        .windows(3)
+        .flat_map(|w| w[0].iter().zip(&w[1]).zip(&w[2]).map(|((a, b), c)| f64::from((*c - 2.0 * *b + *a).length())));
+    let (sum, count) = accelerations.fold((0.0, 0_usize), |(sum, count), a| (sum + a, count + 1));
+    (sum / count.max(1) as f64) as f32
+}
+
+/// How much of the faster content of `input` is in `output`: both are high-passed (every joint relative to
+/// the hips, less its centred moving average over `window` frames, an odd number; shorter at the ends),
+/// and the correlation coefficient is taken over all joints, axes and frames together.
+///
+/// A high-passed track has no mean to speak of, so that the coefficient is Σab / √(Σa² Σb²); 0 if either
+/// does not move.
+pub fn content_correlation(input: &[Points], output: &[Points], window: usize) -> f32 {
+    let (a, b) = (high_passed(input, window), high_passed(output, window));
+    let (mut ab, mut aa, mut bb) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
+        ab += f64::from(a.dot(*b));
+        aa += f64::from(a.length_squared());
+        bb += f64::from(b.length_squared());
+    }
+    let scale = (aa * bb).sqrt();
+    if scale > 0.0 { (ab / scale) as f32 } else { 0.0 }
+}
+
+/// Joints relative to the hips, less their centred moving average.
+fn high_passed(points: &[Points], window: usize) -> Vec<Points> {
+    let relative: Vec<Points> = points.iter().map(|p| p.map(|joint| joint - p[0])).collect();
+    let reach = window / 2;
+    (0..relative.len())
+        .map(|i| {
+            let around = &relative[i.saturating_sub(reach)..(i + reach + 1).min(relative.len())];
+            let share = 1.0 / around.len() as f32;
+            std::array::from_fn(|j| relative[i][j] - around.iter().map(|p| p[j]).sum::<Vec3>() * share)
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::float_funcs::sin;
+    use crate::transfer::sine_walk::{Gait, NEUTRAL, RATE_HZ, database, walk};
+
+    fn clip(gait: &Gait) -> HumanoidMotion {
+        let proportions = crate::humanoid::Proportions::default();
+        HumanoidMotion { proportions, rate_hz: RATE_HZ, poses: walk(gait, 180, 0.0).poses }
+    }
+
+    #[test]
+    fn a_clip_is_itself() {
+        let walk = clip(&NEUTRAL);
+        let same = compare(&walk, &walk);
+        assert_eq!((same.acceleration_ratio, same.distance), (1.0, 0.0));
+        assert!((same.correlation - 1.0).abs() < 1e-6);
+    }
+
+    /// One joint that swings in the rhythm of `frames`, about `rest`.
+    fn swinging(frames: f32, phase: f32, rest: f32) -> Vec<Points> {
+        let track = |i: usize| {
+            let mut points = [Vec3::ZERO; crate::humanoid::JOINTS];
+            points[4].y = rest + sin(std::f32::consts::TAU * (i as f32 / frames + phase));
+            points
+        };
+        (0..300).map(track).collect()
+    }
+
+    #[test]
+    fn rest_and_slow_drift_are_no_content_and_rhythm_is() {
+        let fast = swinging(15.0, 0.0, 0.3);
+        assert!((content_correlation(&fast, &swinging(15.0, 0.0, -2.0), 31) - 1.0).abs() < 1e-3);
+        assert!(content_correlation(&fast, &swinging(15.0, 0.25, 0.3), 31).abs() < 0.02, "a quarter out of step");
+        let drifting: Vec<Points> =
+            fast.iter().zip(swinging(600.0, 0.0, 0.0)).map(|(a, b)| std::array::from_fn(|j| a[j] + b[j])).collect();
+        assert!(content_correlation(&fast, &drifting, 31) > 0.99);
+        assert_eq!(content_correlation(&fast, &[[Vec3::ONE; crate::humanoid::JOINTS]; 300], 31), 0.0);
+    }
+
+    #[test]
+    fn acceleration_of_a_parabola_is_constant() {
+        let fall = |i: usize| [Vec3::new(0.0, 0.5 * (i * i) as f32, 0.0); crate::humanoid::JOINTS];
+        assert!((mean_acceleration(&(0..20).map(fall).collect::<Vec<_>>()) - 1.0).abs() < 1e-4);
+        assert_eq!(mean_acceleration(&[fall(0), fall(1)]), 0.0);
+    }
+
+    #[test]
+    fn foreign_content_survives_with_rho_and_the_style_is_seen() {
+        let model = Arc::new(Model::new(Arc::new(database())));
+        // Arms that swing three times as far as any walk of the database, and a deeper bend.
+        let input = clip(&Gait { arms: 1.4, knee: 1.4, ..NEUTRAL });
+        let run = |rho| off_database(&model, Options { rho, ..Options::DEFAULT }, &input, 1).unwrap();
+        let (none, most) = (run(0.0), run(1.0));
+        assert!(most.correlation > none.correlation + 0.01, "{none:?} {most:?}");
+        assert!(most.distance < none.distance && most.distance > 0.02, "{none:?} {most:?}");
+        assert!(matches!(off_database(&model, Options::DEFAULT, &input, 9), Err(OffDatabaseError::Style(_))));
+    }
+}
