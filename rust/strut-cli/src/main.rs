@@ -8,6 +8,7 @@ mod build_db;
 mod clip;
 mod corpus;
 mod demo_db;
+mod evaluate;
 mod failure;
 mod files;
 mod gather;
@@ -41,6 +42,7 @@ enum Command {
     Inspect(inspect::Args),
     BuildDb(build_db::Args),
     Stylize(Box<stylize::Args>),
+    Evaluate(Box<evaluate::Args>),
     DemoDb(demo_db::Args),
 }
 
@@ -49,6 +51,7 @@ fn run(args: Args) -> Outcome {
         Command::Inspect(args) => inspect::run(&args),
         Command::BuildDb(args) => build_db::run(&args),
         Command::Stylize(args) => stylize::run(&args),
+        Command::Evaluate(args) => evaluate::run(&args),
         Command::DemoDb(args) => demo_db::run(&args),
     }
 }

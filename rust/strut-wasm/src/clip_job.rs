@@ -34,10 +34,10 @@ impl ClipJob {
     /// result is there.
     pub fn run(&mut self, frames: usize) -> usize {
         let State::Running(job) = &mut self.state else { return self.poses.len() };
-        for pose in self.poses.iter().skip(job.frames()).take(frames) {
+        for pose in self.poses.iter().skip(job.frames().len()).take(frames) {
             job.push(pose, &mut NoClock);
         }
-        let done = job.frames();
+        let done = job.frames().len();
         if done == self.poses.len() {
             self.state = State::Finished(job.clone().finish());
         }
@@ -92,7 +92,7 @@ impl ClipJob {
             State::Finished(styled) => Ok(styled),
             State::Running(job) => Err(EngineError::bad_input(format!(
                 "{} of {} frames are styled; all must be before there is a result",
-                job.frames(),
+                job.frames().len(),
                 self.poses.len()
             ))),
         }

@@ -160,7 +160,7 @@ mod tests {
         let drifting: Vec<Points> =
             fast.iter().zip(swinging(600.0, 0.0, 0.0)).map(|(a, b)| std::array::from_fn(|j| a[j] + b[j])).collect();
         assert!(content_correlation(&fast, &drifting, 31) > 0.99);
-        assert_eq!(content_correlation(&fast, &[[Vec3::ONE; crate::humanoid::JOINTS]; 300], 31), 0.0);
+        assert_eq!(content_correlation(&fast, &vec![[Vec3::ONE; crate::humanoid::JOINTS]; 300], 31), 0.0);
     }
 
     #[test]

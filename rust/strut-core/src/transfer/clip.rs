@@ -47,9 +47,9 @@ impl ClipJob {
         self.stylizer.trace()
     }
 
-    /// Number of frames so far.
-    pub fn frames(&self) -> usize {
-        self.frames.len()
+    /// The frames so far, before contacts are smoothed and feet planted.
+    pub fn frames(&self) -> &[StyledFrame] {
+        &self.frames
     }
 
     /// Ends the clip: contacts are smoothed and feet planted with a view of what comes after.

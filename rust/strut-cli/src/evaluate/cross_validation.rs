@@ -1,0 +1,110 @@
+//! Leave-one-out cross-validation, fold by fold.
+
+use super::Args;
+use super::checkpoint::Checkpoint;
+use super::results::Sample;
+use super::settings::{Build, Grid, PassMode, Setting};
+use crate::failure::{Failure, Outcome};
+use crate::progress::Bar;
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use std::sync::Arc;
+use std::time::Instant;
+use strut_core::database::build::SourceClip;
+use strut_core::evaluation::leave_one_out::{LeaveOneOut, Trial};
+use strut_core::evaluation::quality::style;
+use strut_core::evaluation::truth::Errors;
+use strut_core::transfer::Model;
+
+/// All samples of all folds, in an order that does not depend on how work was spread.
+pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &Checkpoint) -> Outcome<Vec<Sample>> {
+    let plain = grid.builds[0].options(&args.source);
+    let takes = protocol(args, clips, grid.builds[0], &plain).takes();
+    let units: Vec<(usize, u32)> =
+        (0..grid.builds.len()).flat_map(|build| takes.iter().map(move |&take| (build, take))).collect();
+    let bar = Bar::new("folds", units.len());
+    let samples: Vec<Vec<Sample>> = units
+        .into_par_iter()
+        .map(|(build, take)| {
+            let unit = format!("{build} {take}");
+            if let Some(samples) = checkpoint.done(&unit) {
+                bar.step();
+                return Ok(samples.clone());
+            }
+            let samples = fold(args, grid, clips, build, take)?;
+            checkpoint.keep(&unit, &samples)?;
+            bar.step();
+            Ok(samples)
+        })
+        .collect::<Outcome<_>>()?;
+    Ok(samples.into_iter().flatten().collect())
+}
+
+/// The protocol that the arguments ask for, with a way of building databases.
+pub(super) fn protocol<'a>(
+    args: &'a Args,
+    clips: &'a [SourceClip],
+    build: Build,
+    options: &'a strut_core::database::build::BuildOptions,
+) -> LeaveOneOut<'a> {
+    LeaveOneOut {
+        clips,
+        source: &args.source,
+        actions: &args.actions,
+        database_actions: &args.database_actions,
+        targets: &args.targets,
+        target_takes: build.takes,
+        build: options,
+    }
+}
+
+fn fold(args: &Args, grid: &Grid, clips: &[SourceClip], build: usize, take: u32) -> Outcome<Vec<Sample>> {
+    let options = grid.builds[build].options(&args.source);
+    let protocol = protocol(args, clips, grid.builds[build], &options);
+    let trials = protocol.trials(take);
+    if trials.is_empty() {
+        return Ok(Vec::new());
+    }
+    let model = protocol.model_without(take).map_err(Failure::new)?;
+    let trials: Vec<&Trial> = trials.iter().filter(|t| model.database().style_index(&t.target).is_some()).collect();
+    let jobs: Vec<(&Trial, usize)> =
+        trials.iter().flat_map(|t| (0..grid.settings.len()).map(move |s| (*t, s))).collect();
+    jobs.par_iter()
+        .map(|&(trial, s)| {
+            sample(trial, &grid.settings[s], &model).map(|v| Sample::new(&trial.action, &trial.target, build, s, v))
+        })
+        .collect()
+}
+
+/// What one setting makes of a trial.
+fn sample(trial: &Trial, setting: &Setting, model: &Arc<Model>) -> Outcome<Vec<(&'static str, f64)>> {
+    let stylizer = setting.stylizer(model, Some(&trial.action), &trial.target)?;
+    let begin = Instant::now();
+    let styled = style(&stylizer, &trial.input, setting.mode.mode());
+    let passes = if setting.mode == PassMode::Online { 2.0 } else { 1.0 };
+    let frames = trial.input.poses.len() as f64;
+    let ms_per_frame = begin.elapsed().as_secs_f64() * 1e3 / frames / passes;
+    let measured = trial.measure(&styled);
+    let quality = measured.quality;
+    let errors = |names: [&'static str; 3], e: Errors| {
+        let values = [e.pose * 100.0, e.timing * 1000.0, e.velocity * 100.0];
+        names.into_iter().zip(values)
+    };
+    let mut values = vec![
+        ("frames", measured.errors.frames as f64),
+        ("finished_pose_error_cm", measured.finished_errors.pose * 100.0),
+        ("skate_cm_s_in", quality.skate_in * 100.0),
+        ("skate_cm_s_out", quality.skate_out * 100.0),
+        ("sole_depth_cm", quality.sole_depth * 100.0),
+        ("jerk_ratio", quality.jerk_ratio),
+        ("acceleration_ratio", quality.acceleration_ratio),
+        ("content_correlation", quality.content_correlation),
+        ("ms_per_frame", ms_per_frame),
+    ];
+    values.extend(errors(["pose_error_cm", "timing_error_ms", "velocity_error_cm_s"], measured.errors));
+    values.extend(errors(["input_cm", "input_ms", "input_cm_s"], trial.unchanged));
+    if let Some(floor) = trial.floor {
+        values.extend(errors(["floor_cm", "floor_ms", "floor_cm_s"], floor.best_take));
+        values.extend(errors(["mean_floor_cm", "mean_floor_ms", "mean_floor_cm_s"], floor.mean_of_takes));
+    }
+    Ok(values)
+}

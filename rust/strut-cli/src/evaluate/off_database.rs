@@ -1,0 +1,101 @@
+//! Motion that the database does not hold, clip by clip.
+
+use super::Args;
+use super::checkpoint::Checkpoint;
+use super::cross_validation::protocol;
+use super::results::Sample;
+use super::settings::{Grid, PassMode};
+use crate::clip::Clip;
+use crate::failure::{Failure, Outcome};
+use crate::files::print_warnings;
+use crate::gather::gather;
+use crate::progress::Bar;
+use crate::threads::ThreadPool;
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::Instant;
+use strut_core::database::build::{MIN_CLIP_FRAMES, SourceClip, build};
+use strut_core::evaluation::quality::{quality, style};
+use strut_core::humanoid::HumanoidMotion;
+use strut_core::retarget::to_humanoid;
+use strut_core::transfer::Model;
+
+/// All samples: builds × inputs × targets × settings.
+pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &Checkpoint) -> Outcome<Vec<Sample>> {
+    let sources = gather(&args.inputs)?;
+    let mut samples = Vec::new();
+    for (b, &of) in grid.builds.iter().enumerate() {
+        let options = of.options(&args.source);
+        let targets = protocol(args, clips, of, &options).targets();
+        let (db, _) = build(clips, &options, &ThreadPool, &mut |_| ControlFlow::Continue(())).map_err(Failure::new)?;
+        let model = Arc::new(Model::new(Arc::new(db)));
+        let bar = Bar::new("clips", sources.len());
+        let of_clips: Vec<Vec<Sample>> = sources
+            .par_iter()
+            .map(|source| {
+                let unit = format!("{b} {}", source.path);
+                if let Some(samples) = checkpoint.done(&unit) {
+                    bar.step();
+                    return Ok(samples.clone());
+                }
+                let samples = match source.bytes().and_then(|b| Clip::parse(&b)).and_then(|c| input_of(&c, &model)) {
+                    Ok(input) => of_input(&input, grid, b, &model, &targets)?,
+                    Err(reason) => {
+                        print_warnings(&format!("warning: left out {}: {reason}\n", source.path));
+                        Vec::new()
+                    }
+                };
+                checkpoint.keep(&unit, &samples)?;
+                bar.step();
+                Ok(samples)
+            })
+            .collect::<Outcome<_>>()?;
+        samples.extend(of_clips.into_iter().flatten());
+    }
+    Ok(samples)
+}
+
+/// The clip on the database's body and at its rate.
+fn input_of(clip: &Clip, model: &Model) -> Result<HumanoidMotion, String> {
+    let db = model.database();
+    let input = to_humanoid(&clip.motion, &clip.binding, &db.proportions).resampled(db.rate_hz);
+    if input.poses.len() < MIN_CLIP_FRAMES { Err("it is too short".into()) } else { Ok(input) }
+}
+
+fn of_input(
+    input: &HumanoidMotion,
+    grid: &Grid,
+    build: usize,
+    model: &Arc<Model>,
+    targets: &[&str],
+) -> Outcome<Vec<Sample>> {
+    let jobs: Vec<(&str, usize)> =
+        targets.iter().flat_map(|t| (0..grid.settings.len()).map(move |s| (*t, s))).collect();
+    jobs.into_par_iter()
+        .map(|(target, s)| {
+            let setting = &grid.settings[s];
+            let stylizer = setting.stylizer(model, None, target)?;
+            let begin = Instant::now();
+            let styled = style(&stylizer, input, setting.mode.mode());
+            let passes = if setting.mode == PassMode::Online { 2.0 } else { 1.0 };
+            let frames = input.poses.len() as f64;
+            let ms_per_frame = begin.elapsed().as_secs_f64() * 1e3 / frames / passes;
+            let q = quality(input, &styled);
+            let worse = if q.skate_out > q.skate_in { 100.0 } else { 0.0 };
+            let values = [
+                ("frames", frames),
+                ("acceleration_ratio", q.acceleration_ratio),
+                ("content_correlation", q.content_correlation),
+                ("distance_cm", q.distance * 100.0),
+                ("jerk_ratio", q.jerk_ratio),
+                ("skate_cm_s_in", q.skate_in * 100.0),
+                ("skate_cm_s_out", q.skate_out * 100.0),
+                ("worse_skate_percent", worse),
+                ("sole_depth_cm", q.sole_depth * 100.0),
+                ("ms_per_frame", ms_per_frame),
+            ];
+            Ok(Sample::new("any", target, build, s, values))
+        })
+        .collect()
+}

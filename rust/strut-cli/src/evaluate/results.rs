@@ -1,0 +1,206 @@
+//! Samples, their means, and how they are shown.
+
+use super::settings::{Build, Grid, Setting};
+use crate::GENERATOR;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+/// The rate of all databases, frames per second.
+const RATE_HZ: f32 = 60.0;
+/// Values whose standard deviation over the samples is given.
+const SPREAD: [&str; 3] = ["pose_error_cm", "timing_error_ms", "velocity_error_cm_s"];
+
+/// What was measured of one clip with one setting.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Sample {
+    action: String,
+    target: String,
+    /// Number in [`Grid::builds`].
+    build: usize,
+    /// Number in [`Grid::settings`].
+    setting: usize,
+    values: BTreeMap<String, f64>,
+}
+
+impl Sample {
+    pub(super) fn new(
+        action: &str,
+        target: &str,
+        build: usize,
+        setting: usize,
+        values: impl IntoIterator<Item = (&'static str, f64)>,
+    ) -> Self {
+        let values = values.into_iter().map(|(name, v)| (name.to_owned(), v)).collect();
+        Self { action: action.to_owned(), target: target.to_owned(), build, setting, values }
+    }
+}
+
+/// What `--json` writes.
+#[derive(Serialize)]
+pub(super) struct Report {
+    protocol: &'static str,
+    rate: f32,
+    generator: &'static str,
+    command: String,
+    results: Vec<Row>,
+}
+
+/// Names and values of all that a setting may vary.
+type Description = Vec<(&'static str, String)>;
+
+/// Means over the samples of an action, a target and a setting.
+#[derive(Serialize)]
+struct Row {
+    action: String,
+    source: String,
+    target: String,
+    #[serde(flatten)]
+    setting: Setting,
+    #[serde(flatten)]
+    build: Build,
+    samples: usize,
+    #[serde(flatten)]
+    values: BTreeMap<String, f64>,
+}
+
+impl Report {
+    pub(super) fn new(protocol: &'static str, source: &str, grid: &Grid, samples: &[Sample], command: &str) -> Self {
+        let mut groups: BTreeMap<(&str, &str, usize, usize), Vec<&Sample>> = BTreeMap::new();
+        for s in samples {
+            groups.entry((&s.action, &s.target, s.build, s.setting)).or_default().push(s);
+        }
+        let row = |((action, target, build, setting), group): ((&str, &str, usize, usize), Vec<&Sample>)| Row {
+            action: action.to_owned(),
+            source: source.to_owned(),
+            target: target.to_owned(),
+            setting: grid.settings[setting].clone(),
+            build: grid.builds[build],
+            samples: group.len(),
+            values: means(&group.iter().map(|s| &s.values).collect::<Vec<_>>()),
+        };
+        Self {
+            protocol,
+            rate: RATE_HZ,
+            generator: GENERATOR,
+            command: command.to_owned(),
+            results: groups.into_iter().map(row).collect(),
+        }
+    }
+
+    /// A table of the means over actions and targets, a line a setting, with what varies between them.
+    pub(super) fn markdown(&self) -> String {
+        let cross_validation = self.results.iter().any(|r| r.values.contains_key("pose_error_cm"));
+        let columns: &[(&str, &str, usize)] = if cross_validation {
+            &[
+                ("pose cm", "pose_error_cm", 3),
+                ("timing ms", "timing_error_ms", 1),
+                ("velocity cm/s", "velocity_error_cm_s", 1),
+                ("skate in", "skate_cm_s_in", 2),
+                ("out cm/s", "skate_cm_s_out", 2),
+                ("acceleration ×", "acceleration_ratio", 2),
+                ("content", "content_correlation", 2),
+                ("ms/frame", "ms_per_frame", 2),
+            ]
+        } else {
+            &[
+                ("acceleration ×", "acceleration_ratio", 2),
+                ("content", "content_correlation", 2),
+                ("distance cm", "distance_cm", 1),
+                ("jerk ×", "jerk_ratio", 2),
+                ("skate in", "skate_cm_s_in", 2),
+                ("out cm/s", "skate_cm_s_out", 2),
+                ("worse skate %", "worse_skate_percent", 0),
+                ("sole depth cm", "sole_depth_cm", 2),
+                ("ms/frame", "ms_per_frame", 2),
+            ]
+        };
+        let mut lines: Vec<(Description, Vec<&Row>)> = Vec::new();
+        for row in &self.results {
+            let name = row.description();
+            match lines.iter_mut().find(|(n, _)| *n == name) {
+                Some((_, rows)) => rows.push(row),
+                None => lines.push((name, vec![row])),
+            }
+        }
+        let varies: Vec<usize> = (0..lines[0].0.len())
+            .filter(|&i| i == 0 || lines.iter().map(|(n, _)| &n[i].1).collect::<BTreeSet<_>>().len() > 1)
+            .collect();
+        let header = varies.iter().map(|&i| lines[0].0[i].0).chain(columns.iter().map(|c| c.0));
+        let mut out = table_row(header.map(str::to_owned));
+        let rule = varies.iter().map(|_| "---").chain(columns.iter().map(|_| "---:"));
+        out += &table_row(rule.map(str::to_owned));
+        let cell = |rows: &[&Row], name: &str, digits: usize| {
+            let known: Vec<f64> = rows.iter().filter_map(|r| r.values.get(name)).copied().collect();
+            if known.is_empty() { "–".to_owned() } else { format!("{:.digits$}", mean(&known)) }
+        };
+        if cross_validation {
+            let all: Vec<&Row> = self.results.iter().collect();
+            for (title, prefix) in [
+                ("input unchanged", "input"),
+                ("floor: best other take", "floor"),
+                ("floor: mean of three other takes", "mean_floor"),
+            ] {
+                let names = ["cm", "ms", "cm_s"].map(|unit| format!("{prefix}_{unit}"));
+                let first = std::iter::once(title.to_owned()).chain(varies.iter().skip(1).map(|_| String::new()));
+                let cells =
+                    columns.iter().enumerate().map(|(i, c)| names.get(i).map_or(String::new(), |n| cell(&all, n, c.2)));
+                out += &table_row(first.chain(cells));
+            }
+        }
+        for (name, rows) in &lines {
+            let first = varies.iter().map(|&i| name[i].1.clone());
+            out += &table_row(first.chain(columns.iter().map(|c| cell(rows, c.1, c.2))));
+        }
+        out
+    }
+}
+
+impl Row {
+    /// Everything that a setting may vary, for people.
+    fn description(&self) -> Description {
+        let Setting { method, labels, mode, knobs } = &self.setting;
+        let text = |v: &dyn std::fmt::Debug| format!("{v:?}").to_lowercase();
+        vec![
+            ("method", method.clone()),
+            ("labels", text(labels)),
+            ("mode", text(mode)),
+            ("K", knobs.k.to_string()),
+            ("δ", knobs.delta.to_string()),
+            ("λ", knobs.lambda.to_string()),
+            ("κ", knobs.kappa.to_string()),
+            ("ρ", knobs.rho.to_string()),
+            ("registration", text(&self.build.registration)),
+            ("takes", if self.build.takes == 0 { "all".to_owned() } else { self.build.takes.to_string() }),
+        ]
+    }
+}
+
+fn table_row(cells: impl Iterator<Item = String>) -> String {
+    let mut out = String::from("|");
+    for cell in cells {
+        // Writing to a string cannot fail.
+        let _ = write!(out, " {cell} |");
+    }
+    out + "\n"
+}
+
+/// The mean of every value, the sum of frames, and the spread of some.
+fn means(samples: &[&BTreeMap<String, f64>]) -> BTreeMap<String, f64> {
+    let names: BTreeSet<&String> = samples.iter().flat_map(|s| s.keys()).collect();
+    let mut out = BTreeMap::new();
+    for name in names {
+        let values: Vec<f64> = samples.iter().filter_map(|s| s.get(name)).copied().collect();
+        let value = if name == "frames" { values.iter().sum() } else { mean(&values) };
+        out.insert(name.clone(), value);
+        if SPREAD.contains(&name.as_str()) {
+            let variance = values.iter().map(|v| (v - value) * (v - value)).sum::<f64>() / values.len() as f64;
+            out.insert(format!("{name}_sd"), variance.sqrt());
+        }
+    }
+    out
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}

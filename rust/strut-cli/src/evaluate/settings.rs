@@ -1,0 +1,165 @@
+//! The settings that an evaluation varies.
+
+use super::Args;
+use crate::failure::{Failure, Outcome};
+use clap::ValueEnum;
+use serde::Serialize;
+use std::sync::Arc;
+use strut_core::database::build::BuildOptions;
+use strut_core::evaluation::quality::Mode;
+use strut_core::registration::{self, WarpMethod};
+use strut_core::transfer::{Method, Model, Options, Stylizer};
+
+/// What the engine is told of the input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Labels {
+    Both,
+    Action,
+    Style,
+    None,
+}
+
+/// Whether clips pass as a whole or frame by frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum PassMode {
+    Offline,
+    Online,
+}
+
+impl PassMode {
+    /// The core's name for it.
+    pub(super) fn mode(self) -> Mode {
+        match self {
+            Self::Offline => Mode::Offline,
+            Self::Online => Mode::Online,
+        }
+    }
+}
+
+/// How the databases are registered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Registration {
+    Dtw,
+    Imw,
+    Linear,
+}
+
+/// A database to build.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub(super) struct Build {
+    pub(super) registration: Registration,
+    /// Takes of each target class at most; 0 for all.
+    pub(super) takes: usize,
+}
+
+impl Build {
+    /// The core's options for it.
+    pub(super) fn options(self, source: &str) -> BuildOptions {
+        let warp = match self.registration {
+            Registration::Dtw => WarpMethod::Dtw,
+            Registration::Imw => WarpMethod::Imw,
+            Registration::Linear => WarpMethod::Linear,
+        };
+        let registration = registration::Options { warp, ..registration::Options::default() };
+        BuildOptions { neutral: Some(source.to_owned()), registration, ..BuildOptions::default() }
+    }
+}
+
+/// How an input is styled with a database.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Setting {
+    pub(super) method: String,
+    pub(super) labels: Labels,
+    pub(super) mode: PassMode,
+    #[serde(flatten)]
+    pub(super) knobs: Knobs,
+}
+
+/// Numbers of the engine.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub(super) struct Knobs {
+    pub(super) k: usize,
+    pub(super) delta: f32,
+    pub(super) lambda: f32,
+    #[serde(serialize_with = "finite_or_text")]
+    pub(super) kappa: f32,
+    pub(super) rho: f32,
+}
+
+/// JSON has no infinity.
+#[allow(clippy::trivially_copy_pass_by_ref)] // What serde calls.
+fn finite_or_text<S: serde::Serializer>(value: &f32, to: S) -> Result<S::Ok, S::Error> {
+    if value.is_finite() { to.serialize_f32(*value) } else { to.serialize_str("inf") }
+}
+
+impl Setting {
+    /// A stylizer that turns inputs of an action, if the database has it, wholly into a target style.
+    pub(super) fn stylizer(&self, model: &Arc<Model>, action: Option<&str>, target: &str) -> Outcome<Stylizer> {
+        let db = model.database();
+        let mut options = self.options()?;
+        if matches!(self.labels, Labels::Both | Labels::Action) {
+            options.action = action.and_then(|a| db.action_index(a));
+        }
+        if matches!(self.labels, Labels::Both | Labels::Style) {
+            options.input_style = Some(db.neutral);
+        }
+        let mut stylizer = Stylizer::new(Arc::clone(model), options).map_err(Failure::new)?;
+        let missing = || Failure::new(format_args!("a database without the held-out take has no style '{target}'"));
+        let mut weights = vec![0.0; db.styles.len()];
+        weights[usize::from(db.style_index(target).ok_or_else(missing)?)] = 1.0;
+        stylizer.set_styles(&weights).map_err(Failure::new)?;
+        Ok(stylizer)
+    }
+
+    fn options(&self) -> Outcome<Options> {
+        let Knobs { k, delta, lambda, kappa, rho } = self.knobs;
+        let method = Method::from_name(&self.method).ok_or_else(|| {
+            Failure::usage(format_args!(
+                "there is no method '{}'; nn, knn, lar, mar, gar, lti or gp was expected",
+                self.method
+            ))
+        })?;
+        let options = Options { k, delta, lambda, kappa, rho, method, ..Options::DEFAULT };
+        options.validate().map_err(Failure::usage)?;
+        Ok(options)
+    }
+}
+
+/// All combinations.
+pub(super) struct Grid {
+    pub(super) builds: Vec<Build>,
+    pub(super) settings: Vec<Setting>,
+}
+
+impl Grid {
+    /// What the arguments ask for.
+    pub(super) fn new(args: &Args) -> Outcome<Self> {
+        let mut builds = Vec::new();
+        for &registration in &args.registration {
+            builds.extend(args.takes.iter().map(|&takes| Build { registration, takes }));
+        }
+        let mut knobs = Vec::new();
+        for &k in &args.k {
+            for &delta in &args.delta {
+                for &lambda in &args.lambda {
+                    for &kappa in &args.kappa {
+                        knobs.extend(args.rho.iter().map(|&rho| Knobs { k, delta, lambda, kappa, rho }));
+                    }
+                }
+            }
+        }
+        let mut settings = Vec::new();
+        for method in &args.methods {
+            for &labels in &args.labels {
+                for &mode in &args.mode {
+                    settings.extend(knobs.iter().map(|&knobs| Setting { method: method.clone(), labels, mode, knobs }));
+                }
+            }
+        }
+        settings.iter().try_for_each(|s| s.options().map(|_| ()))?;
+        Ok(Self { builds, settings })
+    }
+}

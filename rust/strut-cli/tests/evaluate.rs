@@ -1,0 +1,90 @@
+//! `strut evaluate` on the built-in motions, which need no data.
+
+mod common;
+
+use common::{strut, strut_ok};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+/// A folder with the built-in motions as BVH files, in `bvh`.
+fn demo() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    strut_ok(folder.path(), &["demo-db", "-o", "demo.strutdb", "--bvh", "bvh"]);
+    folder
+}
+
+const WALK: [&str; 7] = ["evaluate", "--data", "bvh", "--source", "neutral", "--actions", "walk"];
+
+fn json(folder: &Path, name: &str) -> Value {
+    serde_json::from_slice(&fs::read(folder.join(name)).unwrap()).unwrap()
+}
+
+#[test]
+fn held_out_takes_are_predicted_better_than_by_doing_nothing() {
+    let folder = demo();
+    let args = ["--targets", "proud,old", "--methods", "knn,mar", "--json", "out.json", "--curves", "curves.json"];
+    strut_ok(folder.path(), &[&WALK[..], &args].concat());
+    let out = json(folder.path(), "out.json");
+    assert_eq!((out["protocol"].as_str(), out["rate"].as_f64()), (Some("loo"), Some(60.0)));
+    let results = out["results"].as_array().unwrap();
+    assert_eq!(results.len(), 4, "two targets, two methods");
+    for row in results {
+        let value = |name: &str| row[name].as_f64().unwrap_or_else(|| panic!("no {name} in {row}"));
+        assert_eq!((row["action"].as_str(), row["source"].as_str()), (Some("walk"), Some("neutral")));
+        assert_eq!((value("samples"), row["labels"].as_str()), (2.0, Some("none")));
+        assert!(value("pose_error_cm") < 0.7 * value("input_cm"), "{row}");
+        for name in ["timing_error_ms", "floor_cm", "skate_cm_s_in", "skate_cm_s_out", "jerk_ratio", "ms_per_frame"] {
+            assert!(value(name) >= 0.0);
+        }
+        assert!(value("frames") > 100.0);
+    }
+    let curves = json(folder.path(), "curves.json");
+    let first = &curves[0];
+    let names: Vec<&str> = first["curves"].as_array().unwrap().iter().map(|c| c["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["input", "truth", "knn", "mar"]);
+    let lengths = |name: &str| -> Vec<usize> {
+        first["curves"].as_array().unwrap().iter().map(|c| c[name].as_array().unwrap().len()).collect()
+    };
+    assert!(lengths("left_knee_degrees").windows(2).all(|w| w[0] == w[1]));
+    assert_eq!(lengths("left_knee_degrees"), lengths("time_secs"));
+}
+
+#[test]
+fn every_combination_is_measured_and_named() {
+    let folder = demo();
+    let args = ["--targets", "proud", "--methods", "mar", "--labels", "none,both", "--rho", "0,1", "--kappa", "inf"];
+    let table = strut_ok(folder.path(), &[&WALK[..], &args, &["--json", "out.json"]].concat());
+    assert_eq!(json(folder.path(), "out.json")["results"].as_array().unwrap().len(), 4);
+    assert!(table.starts_with("| method | labels | ρ | pose cm |"), "{table}");
+    assert!(table.contains("\n| mar | both | 1 | "), "{table}");
+}
+
+#[test]
+fn foreign_motion_is_compared_with_itself() {
+    let folder = demo();
+    let args = ["--protocol", "off-database", "--inputs", "bvh/run_neutral_001.bvh", "--targets", "old"];
+    strut_ok(folder.path(), &[&WALK[..], &args, &["--methods", "mar", "--json", "out.json"]].concat());
+    let row = &json(folder.path(), "out.json")["results"][0];
+    assert!(row["distance_cm"].as_f64().unwrap() > 1.0, "{row}");
+    assert!(row["content_correlation"].as_f64().unwrap() > 0.2, "{row}");
+}
+
+#[test]
+fn wrong_questions_get_a_sentence() {
+    let folder = demo();
+    for (args, code, expected) in [
+        (vec!["--methods", "magic"], 2, "there is no method 'magic'"),
+        (vec!["--rho", "2"], 2, "rho is 2"),
+        (vec!["--targets", "prod"], 1, "proud"),
+        (vec!["--protocol", "off-database"], 2, "needs --inputs"),
+        (vec!["--inputs", "bvh"], 2, "goes with --protocol off-database"),
+    ] {
+        let output = strut(folder.path(), &[&WALK[..], &args].concat());
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{said}");
+        assert!(said.starts_with("error: ") && said.contains(expected), "{said}");
+    }
+    let output = strut(folder.path(), &["evaluate", "--data", "bvh", "--source", "normal"]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("no clip has the style 'normal'"));
+}

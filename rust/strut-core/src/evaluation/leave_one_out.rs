@@ -1,0 +1,195 @@
+//! Leave-one-out cross-validation over takes (specification §12).
+//!
+//! Fold k removes take k of every style and action from the database. Take k of the source style is styled,
+//! and compared with take k of the target style: what is trained on and what is compared with never share a
+//! take.
+
+use super::quality::{Quality, Styled, quality};
+use super::truth::{Aligned, Alignment, Errors, align, root_free};
+use crate::database::build::{self, BuildError, BuildOptions, SourceClip};
+use crate::humanoid::HumanoidMotion;
+use crate::parallel::Sequential;
+use crate::pose_vector::point_cloud;
+use crate::transfer::{Model, StyledFrame};
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::{ControlFlow, Range};
+use std::sync::Arc;
+
+/// What is cross-validated.
+#[derive(Clone, Copy, Debug)]
+pub struct LeaveOneOut<'a> {
+    /// All clips.
+    pub clips: &'a [SourceClip],
+    /// Style of the inputs; the databases' neutral style.
+    pub source: &'a str,
+    /// Actions to predict; empty for all.
+    pub actions: &'a [String],
+    /// Actions of the databases; empty for the actions to predict.
+    pub database_actions: &'a [String],
+    /// Styles to predict; empty for all but the source.
+    pub targets: &'a [String],
+    /// Takes of each (action, style) but the source style's that a database holds at most, the first ones; 0
+    /// for all.
+    pub target_takes: usize,
+    /// How the databases are built; the neutral style is the source.
+    pub build: &'a BuildOptions,
+}
+
+/// A performance held out, and what it should become.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    /// Name of the action.
+    pub action: String,
+    /// Name of the target style.
+    pub target: String,
+    /// Number of the take.
+    pub take: u32,
+    /// The source take at the database's rate.
+    pub input: HumanoidMotion,
+    /// Where it is compared: whole gait cycles, or all of a clip that has none.
+    pub segments: Vec<Range<usize>>,
+    /// The target style's take.
+    pub truth: Aligned,
+    /// Errors of doing nothing: the ceiling.
+    pub unchanged: Errors,
+    /// Errors of the target style's other takes: the floor.
+    pub floor: Option<Floor>,
+}
+
+/// How well other real takes of the target style stand in for the one held out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Floor {
+    /// Errors of the best one.
+    pub best_take: Errors,
+    /// Errors of the mean of the first three (of all, if there are fewer).
+    pub mean_of_takes: Errors,
+}
+
+/// What a method makes of a trial.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measurement {
+    /// Prediction against the truth, before feet are planted.
+    pub errors: Errors,
+    /// Finished output against the truth.
+    pub finished_errors: Errors,
+    /// What does not depend on the truth.
+    pub quality: Quality,
+}
+
+/// Takes averaged for the second floor.
+const TAKES_OF_MEAN: usize = 3;
+
+impl<'a> LeaveOneOut<'a> {
+    fn predicted(&self, action: &str) -> bool {
+        self.actions.is_empty() || self.actions.iter().any(|a| a == action)
+    }
+
+    fn in_database(&self, action: &str) -> bool {
+        if self.database_actions.is_empty() {
+            self.predicted(action)
+        } else {
+            self.database_actions.iter().any(|a| a == action)
+        }
+    }
+
+    /// The takes that the source style has of the actions to predict, in order.
+    pub fn takes(&self) -> Vec<u32> {
+        let source = self.clips.iter().filter(|c| c.style == self.source && self.predicted(&c.action));
+        source.map(|c| c.take).collect::<BTreeSet<_>>().into_iter().collect()
+    }
+
+    /// The target styles, in order.
+    pub fn targets(&self) -> Vec<&'a str> {
+        let wanted = |s: &&str| *s != self.source && (self.targets.is_empty() || self.targets.iter().any(|t| t == s));
+        let predicted = self.clips.iter().filter(|c| self.predicted(&c.action));
+        predicted.map(|c| c.style.as_str()).filter(wanted).collect::<BTreeSet<_>>().into_iter().collect()
+    }
+
+    /// The database that holds no clip of a take, ready to be searched.
+    ///
+    /// # Errors
+    /// If nothing is left to build a database from.
+    pub fn model_without(&self, take: u32) -> Result<Arc<Model>, BuildError> {
+        let options = BuildOptions { neutral: Some(self.source.to_owned()), ..self.build.clone() };
+        let mut clips: Vec<&SourceClip> =
+            self.clips.iter().filter(|c| c.take != take && self.in_database(&c.action)).collect();
+        clips.sort_by_key(|c| c.take);
+        let mut takes: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+        let kept: Vec<SourceClip> = clips
+            .into_iter()
+            .filter(|c| {
+                let count = takes.entry((&c.action, &c.style)).or_default();
+                *count += 1;
+                self.target_takes == 0 || c.style == self.source || *count <= self.target_takes
+            })
+            .cloned()
+            .collect();
+        let (db, _) = build::build(&kept, &options, &Sequential, &mut |_| ControlFlow::Continue(()))?;
+        Ok(Arc::new(Model::new(Arc::new(db))))
+    }
+
+    /// What is predicted in the fold of a take: one trial an action and target style. A take that cannot be
+    /// registered makes no trial.
+    pub fn trials(&self, take: u32) -> Vec<Trial> {
+        let actions: BTreeSet<&str> =
+            self.clips.iter().map(|c| c.action.as_str()).filter(|a| self.predicted(a)).collect();
+        actions
+            .into_iter()
+            .flat_map(|action| self.targets().into_iter().filter_map(move |target| self.trial(action, target, take)))
+            .collect()
+    }
+
+    fn trial(&self, action: &str, target: &str, take: u32) -> Option<Trial> {
+        let of = |style: &str| -> Vec<&SourceClip> {
+            let mut clips: Vec<&SourceClip> =
+                self.clips.iter().filter(|c| c.action == action && c.style == style).collect();
+            clips.sort_by_key(|c| c.take);
+            clips
+        };
+        let at_rate = |c: &SourceClip| c.motion.resampled(self.build.rate_hz);
+        let input = at_rate(of(self.source).into_iter().find(|c| c.take == take)?);
+        let takes = of(target);
+        let held_out = takes.iter().position(|c| c.take == take)?;
+        let motions: Vec<HumanoidMotion> = takes.iter().map(|c| at_rate(c)).collect();
+        let Alignment { segments, others: aligned } = align(&input, &motions.iter().collect::<Vec<_>>())?;
+        let truth = aligned[held_out].clone()?;
+        let errors = |a: &Aligned| a.errors(&truth, &segments, input.rate_hz);
+        let others: Vec<&Aligned> =
+            aligned.iter().enumerate().filter(|(i, _)| *i != held_out).filter_map(|(_, a)| a.as_ref()).collect();
+        let best = others.iter().map(|a| errors(a)).min_by(|a, b| a.pose.total_cmp(&b.pose));
+        let mean = Aligned::mean(&others[..others.len().min(TAKES_OF_MEAN)]);
+        Some(Trial {
+            unchanged: errors(&Aligned::unchanged(&input)),
+            floor: best.zip(mean).map(|(best_take, mean)| Floor { best_take, mean_of_takes: errors(&mean) }),
+            action: action.to_owned(),
+            target: target.to_owned(),
+            take,
+            input,
+            segments,
+            truth,
+        })
+    }
+}
+
+impl Trial {
+    /// Measures what [`super::quality::style`] made of the input.
+    pub fn measure(&self, styled: &Styled) -> Measurement {
+        let errors = |frames| self.aligned(frames).errors(&self.truth, &self.segments, self.input.rate_hz);
+        Measurement {
+            errors: errors(&styled.predicted),
+            finished_errors: errors(&styled.finished.frames),
+            quality: quality(&self.input, styled),
+        }
+    }
+
+    /// Styled frames, one an input frame, as a performance beside the input.
+    pub fn aligned(&self, frames: &[StyledFrame]) -> Aligned {
+        // The heading passes from input to output unchanged.
+        let headings = build::prepare::headings(&self.input);
+        let points = |(f, h): (&StyledFrame, f32)| root_free(&point_cloud(&self.input.proportions, &f.pose, h));
+        Aligned {
+            points: frames.iter().zip(headings).map(points).collect(),
+            time_secs: frames.iter().map(|f| f.time_out_secs).collect(),
+        }
+    }
+}

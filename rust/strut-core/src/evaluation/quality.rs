@@ -1,0 +1,83 @@
+//! What can be measured of any output without knowing what it should be.
+
+use super::off_database::compare;
+use crate::contact;
+use crate::humanoid::HumanoidMotion;
+use crate::metrics::{foot_skate, mean_jerk};
+use crate::transfer::{ClipJob, NoClock, StyledFrame, StyledMotion, Stylizer, ground_clearance};
+
+/// How a clip goes through the engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Mode {
+    /// As a whole: contacts and footplant see what comes after.
+    #[default]
+    Offline,
+    /// Frame by frame, as a live input.
+    Online,
+}
+
+/// A styled clip, before and after its feet were planted.
+#[derive(Clone, Debug)]
+pub struct Styled {
+    /// What the mixture predicts, one frame an input frame.
+    pub predicted: Vec<StyledFrame>,
+    /// The finished clip.
+    pub finished: StyledMotion,
+}
+
+/// Numbers of one styled clip.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Quality {
+    /// Mean acceleration of the joints, prediction over input, frame by frame.
+    pub acceleration_ratio: f64,
+    /// Mean jerk of the joints in the world, finished output at an even rate over input.
+    pub jerk_ratio: f64,
+    /// Correlation of the fast content of prediction and input: [`super::off_database::content_correlation`].
+    pub content_correlation: f64,
+    /// Mean joint distance of prediction and input, heading and place removed, metres.
+    pub distance: f64,
+    /// Skate of the input, m/s, while its own contact labels show a foot planted.
+    pub skate_in: f64,
+    /// Skate of the finished output at an even rate, m/s, while its own labels show a foot planted.
+    pub skate_out: f64,
+    /// Greatest depth of a sole of the finished output below the ground, metres; 0 if none is below.
+    pub sole_depth: f64,
+}
+
+/// Styles a clip at the database's rate with the styles and options of a stylizer.
+pub fn style(stylizer: &Stylizer, input: &HumanoidMotion, mode: Mode) -> Styled {
+    match mode {
+        Mode::Offline => {
+            let mut job = ClipJob::new(stylizer.clone());
+            for pose in &input.poses {
+                job.push(pose, &mut NoClock);
+            }
+            Styled { predicted: job.frames().to_vec(), finished: job.finish() }
+        }
+        Mode::Online => {
+            let mut live = stylizer.clone();
+            live.reset(None);
+            let finished = input.poses.iter().map(|p| *live.push(p)).collect();
+            let predicted = style(stylizer, input, Mode::Offline).predicted;
+            Styled { predicted, finished: StyledMotion { proportions: input.proportions, frames: finished } }
+        }
+    }
+}
+
+/// Measures a styled clip beside its input.
+pub fn quality(input: &HumanoidMotion, styled: &Styled) -> Quality {
+    let motion = |frames: &[StyledFrame]| HumanoidMotion { poses: frames.iter().map(|f| f.pose).collect(), ..*input };
+    let predicted = compare(input, &motion(&styled.predicted));
+    let finished = styled.finished.resampled(input.rate_hz).motion;
+    let skate = |m: &HumanoidMotion| f64::from(foot_skate(m, &contact::label(m)));
+    let lowest = finished.poses.iter().map(|p| ground_clearance(&finished.proportions, p)).fold(0.0, f32::min);
+    Quality {
+        acceleration_ratio: predicted.acceleration_ratio.into(),
+        jerk_ratio: f64::from(mean_jerk(&finished)) / f64::from(mean_jerk(input)).max(1e-9),
+        content_correlation: predicted.correlation.into(),
+        distance: predicted.distance.into(),
+        skate_in: skate(input),
+        skate_out: skate(&finished),
+        sole_depth: f64::from(-lowest),
+    }
+}

@@ -1,0 +1,136 @@
+//! What a performance should become: the target style's own take, registered to it.
+
+use crate::database::build::prepare::{encode, headings};
+use crate::humanoid::{HumanoidMotion, JOINTS};
+use crate::math::Vec3;
+use crate::metrics::Points;
+use crate::parallel::Sequential;
+use crate::pose_vector::{PoseChart, point_cloud};
+use crate::registration::{Example, Job, Options};
+use std::ops::{ControlFlow, Range};
+
+/// Another performance of the same action, frame by frame beside a source.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Aligned {
+    /// Joint positions at every frame of the source, root and heading removed, metres.
+    pub points: Vec<Points>,
+    /// The performance's own time at every frame of the source, seconds; it runs on within a segment only.
+    pub time_secs: Vec<f64>,
+}
+
+/// Other performances beside a source.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Alignment {
+    /// Stretches of the source over which to compare: whole gait cycles, or all of a clip that has none.
+    pub segments: Vec<Range<usize>>,
+    /// The others in their order; `None` where one cannot be registered.
+    pub others: Vec<Option<Aligned>>,
+}
+
+/// Errors of a prediction against an [`Aligned`] truth, means over the frames of the segments.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Errors {
+    /// Mean joint distance, root and heading removed, metres.
+    pub pose: f64,
+    /// Mean difference of the time since the segment's first frame, seconds.
+    pub timing: f64,
+    /// Mean distance of the joints' velocities, root and heading removed, per second of input; m/s.
+    pub velocity: f64,
+    /// Frames compared.
+    pub frames: usize,
+}
+
+/// Root-free joint positions of every frame.
+pub(super) fn points_of(motion: &HumanoidMotion) -> Vec<Points> {
+    let headings = headings(motion);
+    motion.poses.iter().zip(headings).map(|(p, h)| root_free(&point_cloud(&motion.proportions, p, h))).collect()
+}
+
+/// Positions relative to the hips.
+pub(super) fn root_free(points: &Points) -> Points {
+    points.map(|p| p - points[0])
+}
+
+/// Registers every other performance to the source, each on its own: the cycle (or clip) of least cost is its
+/// counterpart. All motions are at one rate and on one body.
+///
+/// `None` if the source cannot be registered.
+pub fn align(source: &HumanoidMotion, others: &[&HumanoidMotion]) -> Option<Alignment> {
+    let chart = PoseChart::from_poses(source.poses.iter().zip(headings(source)));
+    let motions: Vec<&HumanoidMotion> = std::iter::once(source).chain(others.iter().copied()).collect();
+    // Each performance counts as a style of its own, so that each gets counterparts of its own.
+    let examples: Vec<Example> =
+        motions.iter().enumerate().map(|(i, m)| encode(m, &headings(m), i as u16, &chart)).collect();
+    let options = Options { counterparts: 1, ..Options::default() };
+    let job =
+        Job { examples: &examples, styles: motions.len(), neutral: 0, rate_hz: source.rate_hz, options: &options };
+    let outcome = job.run(&Sequential, &mut |_| ControlFlow::Continue(()))?;
+    let of_source = outcome.clips.first()?.as_ref().ok()?;
+    let whole = || std::iter::once(0..examples[0].frames()).collect();
+    let segments = if of_source.cycles.is_empty() { whole() } else { of_source.cycles.clone() };
+    let others = (1..motions.len())
+        .map(|style| {
+            let points = points_of(motions[style]);
+            let mut aligned = Aligned { points: Vec::new(), time_secs: Vec::new() };
+            for frame in 0..examples[0].frames() {
+                let at = of_source.counterparts[frame * motions.len() + style][0]?.frame;
+                aligned.points.push(between(&points, at));
+                aligned.time_secs.push(f64::from(at) / f64::from(source.rate_hz));
+            }
+            Some(aligned)
+        })
+        .collect();
+    Some(Alignment { segments, others })
+}
+
+fn between(points: &[Points], at: f32) -> Points {
+    let i = (at as usize).min(points.len() - 1);
+    let j = (i + 1).min(points.len() - 1);
+    std::array::from_fn(|k| points[i][k].lerp(points[j][k], at - i as f32))
+}
+
+impl Aligned {
+    /// The source as it is: what doing nothing predicts.
+    pub fn unchanged(source: &HumanoidMotion) -> Self {
+        let rate = f64::from(source.rate_hz);
+        Self { points: points_of(source), time_secs: (0..source.poses.len()).map(|i| i as f64 / rate).collect() }
+    }
+
+    /// The frame-by-frame mean of some performances; `None` of none.
+    pub fn mean(of: &[&Self]) -> Option<Self> {
+        let first = of.first()?;
+        let share = 1.0 / of.len() as f32;
+        let points = (0..first.points.len())
+            .map(|f| std::array::from_fn(|j| of.iter().map(|a| a.points[f][j]).sum::<Vec3>() * share))
+            .collect();
+        let time_secs = (0..first.time_secs.len())
+            .map(|f| of.iter().map(|a| a.time_secs[f]).sum::<f64>() * f64::from(share))
+            .collect();
+        Some(Self { points, time_secs })
+    }
+
+    /// How far this is from the truth over the segments of the source. Both have one entry a source frame.
+    pub fn errors(&self, truth: &Self, segments: &[Range<usize>], rate_hz: f32) -> Errors {
+        let (mut pose, mut timing, mut velocity, mut frames) = (0.0, 0.0, 0.0, 0_usize);
+        for segment in segments {
+            let start = segment.start;
+            for f in segment.clone() {
+                frames += 1;
+                let elapsed = |a: &Self| a.time_secs[f] - a.time_secs[start];
+                timing += (elapsed(self) - elapsed(truth)).abs();
+                pose += distance(&self.points[f], &truth.points[f]);
+                if f > start {
+                    let step = |a: &Self| std::array::from_fn(|j| a.points[f][j] - a.points[f - 1][j]);
+                    velocity += distance(&step(self), &step(truth)) * f64::from(rate_hz);
+                }
+            }
+        }
+        let n = frames.max(1) as f64;
+        Errors { pose: pose / n, timing: timing / n, velocity: velocity / n, frames }
+    }
+}
+
+/// Mean distance of corresponding joints but the hips, which are the root that was removed.
+fn distance(a: &Points, b: &Points) -> f64 {
+    a.iter().zip(b).map(|(p, q)| f64::from((*p - *q).length())).sum::<f64>() / (JOINTS - 1) as f64
+}
