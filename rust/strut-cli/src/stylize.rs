@@ -180,7 +180,7 @@ fn input_of(clip: &Clip, db: &Database) -> Result<HumanoidMotion, String> {
 /// The styled clip on the input's skeleton and at its rate.
 fn output_of(clip: &Clip, db: &Database, styled: &StyledMotion) -> Result<bvh::Bvh, bvh::BvhError> {
     let rate_hz = (1.0 / clip.file.frame_time_secs) as f32;
-    let even = styled.resampled(rate_hz);
+    let even = styled.on_body(&clip.binding.proportions, rate_hz);
     let input_frames_per_db_frame = f64::from(rate_hz) / f64::from(db.rate_hz);
     let source_frames: Vec<f64> = even.input_frame.iter().map(|f| f * input_frames_per_db_frame).collect();
     let mut motion = from_humanoid(&even.motion, &clip.motion, &clip.binding, &source_frames);

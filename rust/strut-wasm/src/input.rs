@@ -112,7 +112,7 @@ impl Input {
             None => Bvh::from_humanoid(&styled.resampled(self.humanoid.rate_hz).motion),
             Some(File { bvh, motion, binding }) => {
                 let rate_hz = 1.0 / motion.frame_time_secs;
-                let output = styled.resampled(rate_hz as f32);
+                let output = styled.on_body(&binding.proportions, rate_hz as f32);
                 // Frames of the database's rate → frames of the file.
                 let scale = rate_hz / f64::from(self.humanoid.rate_hz);
                 let source_frames: Vec<f64> = output.input_frame.iter().map(|f| f * scale).collect();

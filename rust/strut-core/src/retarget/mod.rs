@@ -6,6 +6,7 @@
 //! Monzani et al. 2000. [`ToHumanoid`] and [`FromHumanoid`] work frame by frame without allocation;
 //! [`to_humanoid`] and [`from_humanoid`] convert whole clips.
 
+mod between_bodies;
 mod binding;
 mod find_roles;
 mod from_humanoid;
@@ -15,6 +16,7 @@ mod sample;
 mod scale;
 mod to_humanoid;
 
+pub use between_bodies::between_bodies;
 pub use binding::{BindError, Binding};
 pub use from_humanoid::{FromHumanoid, from_humanoid};
 pub use to_humanoid::{ToHumanoid, to_humanoid};

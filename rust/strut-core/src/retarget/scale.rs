@@ -1,7 +1,7 @@
 //! How lengths change between two bodies.
 
-use crate::humanoid::{Proportions, Role};
-use crate::kinematics::Limb;
+use crate::humanoid::{Pose, Proportions, Role};
+use crate::kinematics::{Limb, two_bone_ik, world_from_local};
 use crate::math::Vec3;
 
 /// Extension of a leg, as a share of its length, from which the difference between its own ratio and
@@ -74,6 +74,30 @@ impl BodyScale {
     fn with_extension(self, i: usize, hip_to_ankle: Vec3, map: impl Fn(f32) -> f32, bent: f32) -> Vec3 {
         let extension = hip_to_ankle.length() / self.target_legs[i];
         if extension > bent { hip_to_ankle * (map(extension) / extension) } else { hip_to_ankle }
+    }
+
+    /// Puts the target's body where the file's is and its ankles and wrists where the file's reach, given the
+    /// file's joint positions; `pose` has the rotations.
+    pub(super) fn place(self, target: &Proportions, pose: &mut Pose, file: impl Fn(Role) -> Vec3) {
+        // The body hangs on its hip joints: scaled like the ankles, they leave the legs as bent as they were.
+        let hip_joints = 0.5 * (file(Role::LeftUpperLeg) + file(Role::RightUpperLeg));
+        let from_hips = |r: Role| target.offsets[r.index()];
+        let below = 0.5 * (from_hips(Role::LeftUpperLeg) + from_hips(Role::RightUpperLeg));
+        pose.root = self.to_target(hip_joints) - pose.rotations[0] * below;
+
+        let mut world = world_from_local(target, pose);
+        for (i, leg) in Limb::LEGS.into_iter().enumerate() {
+            let [hip, _, ankle] = leg.roles();
+            let hip = world.positions[hip.index()];
+            let ankle = hip + self.leg_to_target(i, self.to_target(file(ankle)) - hip);
+            two_bone_ik(target, pose, &mut world, leg, ankle);
+        }
+        for (i, arm) in Limb::ARMS.into_iter().enumerate() {
+            let [shoulder, _, wrist] = arm.roles();
+            let reach = (file(wrist) - file(shoulder)) * self.arm(i);
+            let wrist = world.positions[shoulder.index()] + reach;
+            two_bone_ik(target, pose, &mut world, arm, wrist);
+        }
     }
 
     /// Ratio of an arm; `i` counts [`Limb::ARMS`].

@@ -3,7 +3,6 @@
 use super::Binding;
 use super::scale::BodyScale;
 use crate::humanoid::{HumanoidMotion, JOINTS, PARENTS, Pose, Proportions, Role};
-use crate::kinematics::{Limb, two_bone_ik, world_from_local};
 use crate::math::{Quat, Vec3};
 use crate::motion::Motion;
 
@@ -68,25 +67,7 @@ impl ToHumanoid {
         }
         pose.rotations[0] = turns[0].normalized();
 
-        // The body hangs on its hip joints: scaled like the ankles, they leave the legs as bent as they were.
-        let hip_joints = 0.5 * (file(Role::LeftUpperLeg) + file(Role::RightUpperLeg));
-        let from_hips = |r: Role| self.target.offsets[r.index()];
-        let below = 0.5 * (from_hips(Role::LeftUpperLeg) + from_hips(Role::RightUpperLeg));
-        pose.root = self.scale.to_target(hip_joints) - pose.rotations[0] * below;
-
-        let mut world = world_from_local(&self.target, &pose);
-        for (i, leg) in Limb::LEGS.into_iter().enumerate() {
-            let [hip, _, ankle] = leg.roles();
-            let hip = world.positions[hip.index()];
-            let ankle = hip + self.scale.leg_to_target(i, self.scale.to_target(file(ankle)) - hip);
-            two_bone_ik(&self.target, &mut pose, &mut world, leg, ankle);
-        }
-        for (i, arm) in Limb::ARMS.into_iter().enumerate() {
-            let [shoulder, _, wrist] = arm.roles();
-            let reach = (file(wrist) - file(shoulder)) * self.scale.arm(i);
-            let wrist = world.positions[shoulder.index()] + reach;
-            two_bone_ik(&self.target, &mut pose, &mut world, arm, wrist);
-        }
+        self.scale.place(&self.target, &mut pose, file);
         pose
     }
 

@@ -1,10 +1,11 @@
 //! Styling a whole clip: the online engine, with contacts and footplant that may look both ways.
 
-use super::contact_likelihood::smoothed;
-use super::footplant::Footplant;
+use super::clip_footplant::plant_feet;
+use super::contact_likelihood::{smoothed, stands};
 use super::frame::{StageClock, StyledFrame, Trace};
 use super::stylizer::Stylizer;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions};
+use crate::retarget::between_bodies;
 use std::ops::ControlFlow;
 
 /// A styled clip: frames at uneven output times.
@@ -55,16 +56,17 @@ impl ClipJob {
     /// Ends the clip: contacts are smoothed and feet planted with a view of what comes after.
     pub fn finish(self) -> StyledMotion {
         let Self { stylizer, mut frames } = self;
-        let votes: Vec<[f32; 2]> = frames.iter().map(|f| f.contact).collect();
-        let db = stylizer.model().database();
-        let mut footplant = Footplant::new(db.proportions);
-        for (frame, contact) in frames.iter_mut().zip(smoothed(&votes)) {
-            frame.contact = contact;
-            if stylizer.options().footplant {
-                frame.planted = footplant.apply(&mut frame.pose, contact, 1.0 / db.rate_hz);
-            }
+        let of_input = smoothed(&frames.iter().map(|f| f.contact).collect::<Vec<_>>());
+        let of_output = smoothed(&frames.iter().map(|f| f.contact_out).collect::<Vec<_>>());
+        for (frame, (input, output)) in frames.iter_mut().zip(of_input.into_iter().zip(of_output)) {
+            (frame.contact, frame.contact_out) = (input, output);
         }
-        StyledMotion { proportions: db.proportions, frames }
+        let db = stylizer.model().database();
+        let mut styled = StyledMotion { proportions: db.proportions, frames };
+        if stylizer.options().footplant {
+            styled.plant_feet(db.rate_hz);
+        }
+        styled
     }
 }
 
@@ -93,6 +95,42 @@ impl StyledMotion {
     /// with its own.
     pub fn duration_secs(&self) -> f64 {
         self.frames.last().map_or(0.0, |f| f.time_out_secs + f64::from(f.dt_secs))
+    }
+
+    /// The clip on another body and at an even rate: how it is written to a file. Feet that are held here are
+    /// held there as well, where other legs and soles would have let them slide.
+    pub fn on_body(&self, body: &Proportions, rate_hz: f32) -> Resampled {
+        let mut even = self.resampled(rate_hz);
+        if *body != self.proportions {
+            even.motion = between_bodies(&even.motion, body);
+        }
+        let held: Vec<[bool; 2]> = even.input_frame.iter().map(|&f| self.frames[f.round() as usize].planted).collect();
+        if held.iter().flatten().any(|&held| held) {
+            plant_feet(&mut even.motion, &held);
+        }
+        even
+    }
+
+    /// Holds feet while the likelihood says that they stand. Frames count as evenly spaced on the output time
+    /// axis; `rate_hz` is theirs if that has no length.
+    fn plant_feet(&mut self, rate_hz: f32) {
+        let mut state = [false; 2];
+        let stands: Vec<[bool; 2]> = self
+            .frames
+            .iter()
+            .map(|f| {
+                state = std::array::from_fn(|side| stands(state[side], f.contact_out[side]));
+                state
+            })
+            .collect();
+        let span = self.frames.last().map_or(0.0, |f| f.time_out_secs);
+        let rate_hz = if span > 0.0 { ((self.frames.len() - 1) as f64 / span) as f32 } else { rate_hz };
+        let poses = self.frames.iter().map(|f| f.pose).collect();
+        let mut motion = HumanoidMotion { proportions: self.proportions, rate_hz, poses };
+        let held = plant_feet(&mut motion, &stands);
+        for (frame, (pose, held)) in self.frames.iter_mut().zip(motion.poses.into_iter().zip(held)) {
+            (frame.pose, frame.planted) = (pose, held);
+        }
     }
 
     /// The clip at an even rate on the output time axis, from the first frame to the last.
@@ -128,6 +166,8 @@ impl StyledMotion {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::humanoid::Role;
+    use crate::metrics::foot_skate;
     use crate::transfer::sine_walk::{NEUTRAL, database, walk};
     use crate::transfer::{Model, NoClock, Options};
     use std::sync::Arc;
@@ -153,6 +193,23 @@ mod tests {
             let time = n as f64 / 60.0;
             assert!(clip.frames[i].time_out_secs <= time + 1e-9 && time <= clip.frames[i + 1].time_out_secs + 1e-3);
         }
+    }
+
+    #[test]
+    fn feet_stay_on_a_body_with_other_feet_and_at_another_rate() {
+        let clip = styled();
+        let mut body = clip.proportions;
+        for role in [Role::LeftToes, Role::RightToes] {
+            body.offsets[role.index()] *= 1.3;
+        }
+        body.offsets[Role::LeftFoot.index()] *= 1.04;
+        let skate = |motion: &HumanoidMotion| foot_skate(motion, &crate::contact::label(motion));
+        let out = clip.on_body(&body, 30.0);
+        assert_eq!(out.motion.proportions, body);
+        assert_eq!(out.input_frame, clip.resampled(30.0).input_frame);
+        let unplanted = between_bodies(&clip.resampled(30.0).motion, &body);
+        assert!(skate(&out.motion) < 0.02, "{} m/s", skate(&out.motion));
+        assert!(skate(&out.motion) < 0.5 * skate(&unplanted), "{} m/s", skate(&unplanted));
     }
 
     #[test]

@@ -12,6 +12,11 @@ const SIGMA_FRAMES: f32 = 2.0;
 /// Frames on either side that the smoothing reaches (3σ).
 const REACH: usize = 6;
 
+/// A foot stands from this likelihood on …
+const PLANT: f32 = 0.6;
+/// … until it falls below this one.
+const RELEASE: f32 = 0.4;
+
 /// Distances below this count as equal, (1 mm).
 const SAME: f32 = 1e-3;
 
@@ -27,6 +32,11 @@ pub(super) fn vote(db: &Database, neighbours: &[Neighbour]) -> [f32; 2] {
         }
     }
     sum.map(|s| if weights > 0.0 { s / weights } else { 0.0 })
+}
+
+/// Whether a foot stands, given whether it did and its likelihood now.
+pub(super) fn stands(stood: bool, likelihood: f32) -> bool {
+    likelihood >= if stood { RELEASE } else { PLANT }
 }
 
 fn kernel() -> [f32; REACH + 1] {

@@ -1,15 +1,12 @@
-//! Holds planted feet in place and soles above the ground (specification, §11).
+//! Holds planted feet in place and soles above the ground (specification, §11), frame by frame.
 
+use super::contact_likelihood::stands;
 use super::sole::{Sole, Soles};
 use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::{Limb, WorldPose, two_bone_ik, world_from_local};
 use crate::math::Vec3;
 use crate::math::float_funcs::exp;
 
-/// A foot is planted from this likelihood on …
-const PLANT: f32 = 0.6;
-/// … until it falls below this one.
-const RELEASE: f32 = 0.4;
 /// Frames over which the hold sets in.
 const EASE_FRAMES: u32 = 3;
 /// Time constant of the return to the predicted place after release, seconds. The return is a critically
@@ -40,7 +37,7 @@ impl Foot {
 
     /// Accumulates c ← c − travel of the pivot while planted, else lets it decay.
     fn update(&mut self, sole: Sole, likelihood: f32, dt_secs: f32) {
-        let planted = likelihood >= if self.is_planted() { RELEASE } else { PLANT };
+        let planted = stands(self.is_planted(), likelihood);
         self.planted_frames = if planted { self.planted_frames.saturating_add(1) } else { 0 };
         let travel = self.last.map_or(Vec3::ZERO, |last| sole.pivot_travel(&last));
         if planted {
@@ -163,7 +160,7 @@ pub fn ground_clearance(proportions: &Proportions, pose: &Pose) -> f32 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::humanoid::Role;
     use crate::math::Quat;
@@ -172,7 +169,7 @@ mod tests {
     const DT: f32 = 1.0 / 60.0;
 
     /// Both knees bent, soles on the ground.
-    fn crouch() -> Pose {
+    pub(in crate::transfer) fn crouch() -> Pose {
         let p = Proportions::default();
         let mut pose = Pose { root: p.offsets[0], ..Pose::default() };
         for (thigh, shin, foot) in [

@@ -15,8 +15,12 @@ pub struct StyledFrame {
     pub time_out_secs: f64,
     /// Output time since the frame before, seconds; 0 for the first.
     pub dt_secs: f32,
-    /// Likelihood that the left and the right foot is planted.
+    /// Likelihood that the left and the right foot of the input is planted.
     pub contact: [f32; 2],
+    /// The same of the output: mean of the input's and of the registered targets'. Each alone skates more: the
+    /// input's where its phase is not the output's (a stand that becomes a stride), the targets' where the
+    /// neighbours are far off.
+    pub contact_out: [f32; 2],
     /// Whether the left and the right foot is held in place.
     pub planted: [bool; 2],
     /// Whether the input frame was unusable (NaN, a jump) and replaced.

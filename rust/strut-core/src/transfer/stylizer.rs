@@ -41,7 +41,8 @@ pub struct Stylizer {
     start: Option<Placement>,
     /// Place of the last output frame before the footplant.
     place: Option<Placement>,
-    smoother: CausalSmoother,
+    /// Of the input's and the output's contacts.
+    smoothers: [CausalSmoother; 2],
     footplant: Footplant,
     frames: u64,
     frame: StyledFrame,
@@ -70,7 +71,7 @@ impl Stylizer {
             last_input: None,
             start: None,
             place: None,
-            smoother: CausalSmoother::default(),
+            smoothers: Default::default(),
             footplant: Footplant::new(db.proportions),
             frames: 0,
             frame: StyledFrame::default(),
@@ -127,7 +128,7 @@ impl Stylizer {
         self.guard = InputGuard::default();
         self.start = placement;
         self.place = None;
-        self.smoother = CausalSmoother::default();
+        self.smoothers = Default::default();
         self.footplant.reset();
         self.frames = 0;
         self.frame = StyledFrame::default();
@@ -142,10 +143,11 @@ impl Stylizer {
     /// [`Stylizer::push`], telling a clock when each stage ends.
     pub fn push_timed(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
         self.predict_frame(pose, clock);
-        self.frame.contact = self.smoother.push(self.frame.contact);
+        self.frame.contact = self.smoothers[0].push(self.frame.contact);
+        self.frame.contact_out = self.smoothers[1].push(self.frame.contact_out);
         if self.options.footplant {
             let moved_secs = self.frame_secs();
-            self.frame.planted = self.footplant.apply(&mut self.frame.pose, self.frame.contact, moved_secs);
+            self.frame.planted = self.footplant.apply(&mut self.frame.pose, self.frame.contact_out, moved_secs);
         }
         clock.end(Stage::Footplant);
         &self.frame
@@ -181,7 +183,7 @@ impl Stylizer {
         1.0 / self.model.database().rate_hz
     }
 
-    /// Everything but contact smoothing and footplant; `frame.contact` is not smoothed yet.
+    /// Everything but contact smoothing and footplant; its contacts are not smoothed yet.
     pub(super) fn predict_frame(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
         clock.start();
         let model = Arc::clone(&self.model);
@@ -206,7 +208,8 @@ impl Stylizer {
         clock.end(Stage::Blend);
 
         self.mixture.search_contacts(&model, &self.window, VOTERS, &mut self.contacts);
-        self.frame.contact = self.contact_likelihood(vote(model.database(), self.contacts.as_slice()));
+        self.frame.contact = vote(model.database(), self.contacts.as_slice());
+        self.frame.contact_out = self.output_contact(self.frame.contact);
         clock.end(Stage::Contact);
         &self.frame
     }
@@ -285,16 +288,14 @@ impl Stylizer {
         self.frames += 1;
     }
 
-    /// Mean of what the input's legs say and of the registered targets' contacts. Each alone skates more: the
-    /// input's where its phase is not the output's (a stand that becomes a stride), the targets' where the
-    /// neighbours are far off.
-    fn contact_likelihood(&self, of_input: [f32; 2]) -> [f32; 2] {
-        let mut of_output = [0.0; 2];
+    /// Mean of the input's contacts and of the registered targets'.
+    fn output_contact(&self, of_input: [f32; 2]) -> [f32; 2] {
+        let mut of_targets = [0.0; 2];
         for s in &self.styles {
             let weight = self.blend.weight(BodyPart::Legs, s.style);
-            of_output.iter_mut().zip(s.contact).for_each(|(sum, c)| *sum += weight * c);
+            of_targets.iter_mut().zip(s.contact).for_each(|(sum, c)| *sum += weight * c);
         }
-        std::array::from_fn(|side| 0.5 * (of_input[side] + of_output[side].clamp(0.0, 1.0)))
+        std::array::from_fn(|side| 0.5 * (of_input[side] + of_targets[side].clamp(0.0, 1.0)))
     }
 
     /// Forgets what came before, but not where the output is.

@@ -1,0 +1,381 @@
+//! Plants the feet of a whole clip, with a view of what comes after (specification, §11).
+//!
+//! A foot is held while it stands: where the caller says so, and where it is low and slow after that by the
+//! rule of §3, so that what looks planted is. What standing feet slide by is shared out. Its slow part is a
+//! mistake of the root's velocity and moves the root; the rest moves the foot under the root, each hold about
+//! the middle of its slide, and the swing leads smoothly from one hold's correction to the next.
+
+use super::sole::{Sole, Soles};
+use crate::contact;
+use crate::humanoid::{HumanoidMotion, Proportions};
+use crate::kinematics::{Limb, SOFT_SHARE, WorldPose, two_bone_ik, world_from_local};
+use crate::math::Vec3;
+use crate::math::float_funcs::exp;
+use std::ops::Range;
+
+/// Around a hold what the foot slides by fades in over this time, seconds.
+const EASE_SECS: f32 = 0.034;
+/// What a hold has displaced returns within this time, or within the swing if that is shorter; seconds.
+const RETURN_SECS: f32 = 0.35;
+/// Standard deviation of the low-pass that gives the root its share of the slide, seconds.
+const ROOT_SIGMA_SECS: f32 = 0.12;
+/// At the ends of a hold the foot rolls on or off: over this time its slide counts less for the root, seconds.
+const ROLL_SECS: f32 = 0.15;
+/// How far around a frame feet are lifted and hips lowered for it, seconds.
+const ENVELOPE_SECS: f32 = 0.1;
+/// Depth of a sole below the ground that is left alone, metres.
+const TOLERATED_DEPTH: f32 = 0.003;
+/// A foot whose sole is higher than this is in the air, whatever is said of it; metres.
+const MAX_HELD_HEIGHT: f32 = 0.08;
+/// A hold begins and ends only with a foot slower than this, m/s …
+const MAX_TOUCH_SPEED: f32 = 1.5;
+/// … but is shortened by no more than this at either end, seconds.
+const MAX_TRIM_SECS: f32 = 0.1;
+/// Most that the hips are lowered to let a foot reach its place, metres.
+const MAX_DROP: f32 = 0.15;
+
+/// Holds the feet of a clip in place while they stand, left and right, and keeps soles above the ground; tells
+/// which feet are held.
+///
+/// # Panics
+/// If `stands` has fewer entries than the clip has frames.
+pub fn plant_feet(motion: &mut HumanoidMotion, stands: &[[bool; 2]]) -> Vec<[bool; 2]> {
+    let steps = Steps::of(motion);
+    let mut held = steps.plausible(&stands[..motion.poses.len()]);
+    // Held feet stop the body, and what it stops stands. Further rounds add next to nothing.
+    let labels = contact::label(&steps.corrected(motion, &held));
+    for (held, label) in held.iter_mut().zip(labels) {
+        *held = [held[0] || label[0], held[1] || label[1]];
+    }
+    *motion = steps.corrected(motion, &held);
+    held
+}
+
+/// What the correction asks of the motion as it was.
+struct Steps {
+    worlds: Vec<WorldPose>,
+    soles: [Vec<Sole>; 2],
+    rate_hz: f32,
+}
+
+impl Steps {
+    fn of(motion: &HumanoidMotion) -> Self {
+        let worlds: Vec<WorldPose> = motion.poses.iter().map(|p| world_from_local(&motion.proportions, p)).collect();
+        let points = Soles::new(&motion.proportions);
+        let soles = [0, 1].map(|side| worlds.iter().map(|w| points.of(w, side)).collect());
+        Self { worlds, soles, rate_hz: motion.rate_hz }
+    }
+
+    fn frames(&self, secs: f32) -> usize {
+        ((secs * self.rate_hz).round() as usize).max(1)
+    }
+
+    /// The holds without frames in which the foot is in the air, and without what of their first and last moments
+    /// would bring a fast foot to a sudden stand.
+    fn plausible(&self, stands: &[[bool; 2]]) -> Vec<[bool; 2]> {
+        let on_ground = |side: usize, f: usize| self.soles[side][f].lowest() < MAX_HELD_HEIGHT;
+        let mut held: Vec<[bool; 2]> =
+            (0..stands.len()).map(|f| std::array::from_fn(|side| stands[f][side] && on_ground(side, f))).collect();
+        let most = self.frames(MAX_TRIM_SECS);
+        for side in 0..2 {
+            let is_fast = |f: usize| self.travel(side, f).length() * self.rate_hz > MAX_TOUCH_SPEED;
+            for hold in runs(&held, side) {
+                let late = hold.clone().take(most).take_while(|&f| is_fast(f)).count();
+                let early = hold.clone().rev().take(most).take_while(|&f| is_fast(f)).count();
+                held[hold.start..hold.start + late].iter_mut().for_each(|h| h[side] = false);
+                held[hold.end - early..hold.end].iter_mut().for_each(|h| h[side] = false);
+            }
+        }
+        held
+    }
+
+    /// Horizontal travel of a foot's pivot from the frame before.
+    fn travel(&self, side: usize, frame: usize) -> Vec3 {
+        match frame.checked_sub(1) {
+            Some(before) => self.soles[side][frame].pivot_travel(&self.soles[side][before]),
+            None => Vec3::ZERO,
+        }
+    }
+
+    /// The motion with these feet held.
+    fn corrected(&self, motion: &HumanoidMotion, held: &[[bool; 2]]) -> HumanoidMotion {
+        let root = self.root_path(held);
+        let feet = [0, 1].map(|side| self.foot_path(side, held, &root));
+        let drop = self.drop(&motion.proportions, held, &root, &feet);
+        let mut out = motion.clone();
+        for (f, pose) in out.poses.iter_mut().enumerate() {
+            pose.root += root[f] - Vec3::Y * drop[f];
+            let mut world = world_from_local(&motion.proportions, pose);
+            for (side, leg) in Limb::LEGS.into_iter().enumerate() {
+                let target = self.ankle(side, f) + feet[side][f];
+                two_bone_ik(&motion.proportions, pose, &mut world, leg, target);
+            }
+        }
+        out
+    }
+
+    fn ankle(&self, side: usize, frame: usize) -> Vec3 {
+        self.worlds[frame].positions[Soles::JOINTS[side][0].index()]
+    }
+
+    /// The root's share: the slow part of the held feet's slide, summed.
+    fn root_path(&self, held: &[[bool; 2]]) -> Vec<Vec3> {
+        let mut slides = vec![(Vec3::ZERO, 0.0_f32); held.len()];
+        let roll = self.frames(ROLL_SECS) as f32;
+        for side in 0..2 {
+            for hold in runs(held, side) {
+                for f in hold.clone().skip(1) {
+                    let weight = ((f - hold.start).min(hold.end - f) as f32 / roll).min(1.0);
+                    slides[f].0 -= self.travel(side, f) * weight;
+                    slides[f].1 += weight;
+                }
+            }
+        }
+        let sigma = ROOT_SIGMA_SECS * self.rate_hz;
+        let reach = (3.0 * sigma) as usize;
+        let kernel: Vec<f32> = (0..=reach).map(|i| exp(-0.5 * (i as f32 / sigma) * (i as f32 / sigma))).collect();
+        let mut path = Vec3::ZERO;
+        (0..held.len())
+            .map(|f| {
+                // The 1: where no foot is held for long, the root keeps its own way.
+                let (mut sum, mut weights) = (Vec3::ZERO, 1.0);
+                for i in f.saturating_sub(reach)..(f + reach + 1).min(held.len()) {
+                    sum += slides[i].0 * kernel[f.abs_diff(i)];
+                    weights += slides[i].1 * kernel[f.abs_diff(i)];
+                }
+                path += sum / weights;
+                path
+            })
+            .collect()
+    }
+
+    /// By how much a foot is moved from its place in the motion, ground included.
+    fn foot_path(&self, side: usize, held: &[[bool; 2]], root: &[Vec3]) -> Vec<Vec3> {
+        let holds = runs(held, side);
+        let shares = self.shares(&holds, held.len());
+        // Slide against the root's path.
+        let mut slid = Vec3::ZERO;
+        let slides: Vec<Vec3> = (0..held.len())
+            .map(|f| {
+                let root_step = if f > 0 { root[f] - root[f - 1] } else { Vec3::ZERO };
+                slid += (self.travel(side, f) + root_step) * shares[f];
+                slid
+            })
+            .collect();
+        let depths: Vec<f32> = self.soles[side].iter().map(|s| (-s.lowest() - TOLERATED_DEPTH).max(0.0)).collect();
+        let lift = envelope(&depths, self.frames(ENVELOPE_SECS));
+        let middles = self.middles(&holds, &slides);
+        (0..held.len()).map(|f| root[f] + middles[f] - slides[f] + Vec3::Y * lift[f]).collect()
+    }
+
+    /// Share of a foot's slide that is undone: all of it in holds, fading out around them.
+    fn shares(&self, holds: &[Range<usize>], frames: usize) -> Vec<f32> {
+        let ease = self.frames(EASE_SECS);
+        let mut shares = vec![0.0_f32; frames];
+        for hold in holds {
+            let first = hold.start.saturating_sub(ease);
+            for (f, share) in shares.iter_mut().enumerate().take(hold.end + ease).skip(first) {
+                let outside = hold.start.saturating_sub(f).max((f + 1).saturating_sub(hold.end));
+                *share = share.max(1.0 - outside as f32 / ease as f32);
+            }
+        }
+        shares
+    }
+
+    /// What the slides are counted from: in each hold their mean, in a long swing the slide itself, so that
+    /// the foot is where the motion had it; smoothly from one to the next.
+    fn middles(&self, holds: &[Range<usize>], slides: &[Vec3]) -> Vec<Vec3> {
+        let (frames, back) = (slides.len(), self.frames(RETURN_SECS));
+        let mut keys: Vec<(Range<usize>, Vec3)> = Vec::new();
+        let mut swing_start = 0;
+        for hold in holds.iter().cloned().chain(std::iter::once(frames + back..frames + back)) {
+            let swing_end = hold.start - back.min(hold.start);
+            if swing_start < swing_end {
+                keys.push((swing_start..swing_end, slides[swing_start]));
+            }
+            if !hold.is_empty() {
+                let sum = slides[hold.clone()].iter().fold(Vec3::ZERO, |sum, s| sum + *s);
+                swing_start = hold.end + back;
+                keys.push((hold.clone(), sum / hold.len() as f32));
+            }
+        }
+        let mut middles = Vec::with_capacity(frames);
+        let mut next = keys.iter().peekable();
+        let mut last: Option<&(Range<usize>, Vec3)> = None;
+        for f in 0..frames {
+            while let Some(key) = next.next_if(|(range, _)| range.start <= f) {
+                last = Some(key);
+            }
+            middles.push(match (last, next.peek()) {
+                (Some((range, middle)), None) if f >= range.end => *middle,
+                (Some((range, a)), Some((to, b))) if f >= range.end => {
+                    let t = (f + 1 - range.end) as f32 / (to.start + 1 - range.end) as f32;
+                    *a + (*b - *a) * smooth_step(t)
+                }
+                (Some((_, middle)), _) | (None, Some((_, middle))) => *middle,
+                (None, None) => Vec3::ZERO,
+            });
+        }
+        middles
+    }
+
+    /// How far the hips are lowered, so that both legs reach the places of held feet without being straighter
+    /// than they were.
+    fn drop(&self, proportions: &Proportions, held: &[[bool; 2]], root: &[Vec3], feet: &[Vec<Vec3>; 2]) -> Vec<f32> {
+        let mut needed = vec![0.0_f32; held.len()];
+        for (side, leg) in Limb::LEGS.into_iter().enumerate() {
+            let [hip, knee, ankle] = leg.roles();
+            let length = proportions.offsets[knee.index()].length() + proportions.offsets[ankle.index()].length();
+            for (f, needed) in needed.iter_mut().enumerate().filter(|(f, _)| held[*f][side]) {
+                let hip = self.worlds[f].positions[hip.index()];
+                let was = self.ankle(side, f) - hip;
+                let reach = was.length().max(length * (1.0 - SOFT_SHARE));
+                let wanted = was + feet[side][f] - root[f];
+                let across = wanted.x * wanted.x + wanted.z * wanted.z;
+                let below = (reach * reach - across).max(0.0).sqrt();
+                *needed = needed.max(-wanted.y - below).min(MAX_DROP);
+            }
+        }
+        envelope(&needed, self.frames(ENVELOPE_SECS))
+    }
+}
+
+/// A smooth curve that is nowhere below the values.
+fn envelope(values: &[f32], reach: usize) -> Vec<f32> {
+    let around = |f: usize, n: usize| f.saturating_sub(n)..(f + n + 1).min(values.len());
+    let peaks: Vec<f32> =
+        (0..values.len()).map(|f| values[around(f, reach)].iter().copied().fold(0.0, f32::max)).collect();
+    (0..values.len())
+        .map(|f| {
+            let (mut sum, mut weights) = (0.0, 0.0);
+            for i in around(f, reach) {
+                // A bell that ends where the peaks do.
+                let weight = smooth_step(1.0 - f.abs_diff(i) as f32 / (reach + 1) as f32);
+                sum += weight * peaks[i];
+                weights += weight;
+            }
+            sum / weights
+        })
+        .collect()
+}
+
+/// From 0 to 1 with level ends, without a jump in acceleration.
+fn smooth_step(t: f32) -> f32 {
+    let t = t.clamp(0.0, 1.0);
+    t * t * t * (t * (6.0 * t - 15.0) + 10.0)
+}
+
+/// Maximal runs of frames in which a foot is held.
+fn runs(held: &[[bool; 2]], side: usize) -> Vec<Range<usize>> {
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for f in (0..held.len()).filter(|&f| held[f][side]) {
+        match runs.last_mut() {
+            Some(run) if run.end == f => run.end = f + 1,
+            _ => runs.push(f..f + 1),
+        }
+    }
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::metrics::foot_skate;
+    use crate::transfer::footplant::tests::crouch;
+    use crate::transfer::ground_clearance;
+    use crate::transfer::sine_walk::{NEUTRAL, walk};
+    use proptest::prelude::*;
+
+    /// A crouching figure, changed in each frame.
+    fn crouching(frames: usize, change: impl Fn(&mut crate::humanoid::Pose, f32)) -> HumanoidMotion {
+        let poses = (0..frames)
+            .map(|f| {
+                let mut pose = crouch();
+                change(&mut pose, f as f32 / 60.0);
+                pose
+            })
+            .collect();
+        HumanoidMotion { proportions: Proportions::default(), rate_hz: 60.0, poses }
+    }
+
+    fn skate(motion: &HumanoidMotion) -> f32 {
+        foot_skate(motion, &contact::label(motion))
+    }
+
+    proptest! {
+        #[test]
+        fn a_body_that_glides_on_both_feet_stays(speed in -1.2f32..1.2) {
+            let mut motion = crouching(120, |pose, t| pose.root.x += speed * t);
+            let held = plant_feet(&mut motion, &[[true; 2]; 120]);
+            prop_assert!(held.iter().all(|h| *h == [true; 2]));
+            prop_assert!(skate(&motion) < 1e-3);
+            let travelled = motion.poses[119].root - motion.poses[0].root;
+            prop_assert!(travelled.length() < 0.2, "{travelled}");
+        }
+
+        #[test]
+        fn an_envelope_is_nowhere_below(values in prop::collection::vec(0.0f32..1.0, 0..40), reach in 1usize..8) {
+            for (e, v) in envelope(&values, reach).iter().zip(&values) {
+                prop_assert!(e + 1e-5 >= *v);
+            }
+        }
+
+        #[test]
+        fn soles_come_up_to_the_ground(depth in 0.0f32..0.12) {
+            let mut motion = crouching(30, |pose, t| if t > 0.2 { pose.root.y -= depth });
+            plant_feet(&mut motion, &[[false; 2]; 30]);
+            for pose in &motion.poses {
+                prop_assert!(ground_clearance(&motion.proportions, pose) > -TOLERATED_DEPTH - 1e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn a_walk_that_glides_too_far_is_held_back_without_jerks() {
+        let truth = walk(&NEUTRAL, 240, 0.0);
+        let stands: Vec<[bool; 2]> = truth.contact.iter().map(|c| c.map(|c| c == 1)).collect();
+        let mut motion = HumanoidMotion { proportions: Proportions::default(), rate_hz: 60.0, poses: truth.poses };
+        for (f, pose) in motion.poses.iter_mut().enumerate() {
+            pose.root.z += 0.2 * f as f32 / 60.0;
+        }
+        let glides = motion.clone();
+        plant_feet(&mut motion, &stands);
+        assert!(skate(&glides) > 0.15 && skate(&motion) < 0.01, "{} {}", skate(&glides), skate(&motion));
+        let acceleration = |m: &HumanoidMotion| crate::metrics::mean_acceleration(m);
+        assert!(acceleration(&motion) < 1.1 * acceleration(&glides));
+    }
+
+    #[test]
+    fn what_neither_stands_nor_sinks_is_not_touched() {
+        let flight = crouching(60, |pose, t| {
+            pose.root.y += 0.2;
+            pose.root.z += 2.0 * t;
+        });
+        let mut motion = flight.clone();
+        // Feet this high are not held, whatever is said of them.
+        let held = plant_feet(&mut motion, &[[true; 2]; 60]);
+        assert!(held.iter().all(|h| *h == [false; 2]));
+        for (a, b) in motion.poses.iter().zip(&flight.poses) {
+            assert!((a.root - b.root).length() < 1e-6);
+            assert!(a.rotations.iter().zip(&b.rotations).all(|(a, b)| a.dot(*b) > 1.0 - 1e-5));
+        }
+    }
+
+    #[test]
+    fn a_foot_that_lands_fast_is_held_once_it_has_slowed_down() {
+        // From 4 m/s to rest within the first 0.15 s.
+        let mut motion = crouching(60, |pose, t| {
+            let left = (0.15 - t).max(0.0);
+            pose.root.z -= 4.0 * left * left / 0.3;
+        });
+        let mut stands = [[true; 2]; 60];
+        stands[0] = [false; 2];
+        let held = plant_feet(&mut motion, &stands);
+        assert!(!held[2][0] && held[9][0], "{held:?}");
+    }
+
+    #[test]
+    fn a_clip_without_frames_has_no_feet() {
+        assert!(plant_feet(&mut crouching(0, |_, _| ()), &[]).is_empty());
+    }
+}
