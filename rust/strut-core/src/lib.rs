@@ -5,6 +5,8 @@
 //! functions go through [`math::float_funcs`], reductions have a fixed order, nothing contracts to FMA.
 #![deny(unsafe_code)]
 
+#[cfg(feature = "offline")]
+mod baselines;
 pub mod contact;
 pub mod database;
 #[cfg(feature = "offline")]

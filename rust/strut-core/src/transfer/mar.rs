@@ -6,6 +6,7 @@ use super::model::Model;
 use super::options::{Method, Options};
 use super::regression::{InputMoments, Regressors, Samples, interpolate, interpolate_before, predict};
 use super::timing::{Moment, duration};
+use super::trained::Trained;
 use crate::pose_vector::{PoseRow, ROW};
 use crate::search::{Metric, Neighbours, QueryWindow, Scratch};
 
@@ -32,12 +33,19 @@ pub(super) struct StylePrediction {
     pub(super) step_secs: f32,
     /// Likelihood that each foot of the registered targets is planted.
     pub(super) contact: [f32; 2],
+    /// What predicts, if the method is one that is trained.
+    trained: Option<Trained>,
 }
 
 impl StylePrediction {
-    /// Not started.
-    pub(super) fn new(style: usize) -> Self {
-        Self { style, started: false, previous: [0.0; ROW], current: [0.0; ROW], step_secs: 0.0, contact: [0.0; 2] }
+    /// The row that a trained method predicts; `None` if the method is none.
+    fn trained_row(&mut self, model: &Model, input: Input<'_>, samples: Samples<'_>) -> Option<PoseRow> {
+        let trained = self.trained.as_mut()?;
+        if self.started {
+            return Some(trained.predict(input, &self.previous));
+        }
+        trained.start(model, samples.neighbours.first().map(|n| n.row as usize));
+        Some(trained.predict(input, &interpolate_before(samples)))
     }
 }
 
@@ -81,7 +89,7 @@ impl Mixture {
         let components: Vec<Component> = match options.method {
             _ if classes.is_empty() => return None,
             Method::Mar => classes.into_iter().map(|c| component(vec![c])).collect(),
-            Method::LocalAr | Method::NearestNeighbour | Method::Knn => vec![component(classes)],
+            _ => vec![component(classes)],
         };
         Some(Self {
             distances: vec![f32::INFINITY; components.len()],
@@ -93,6 +101,20 @@ impl Mixture {
             bias: 0.0,
             components,
         })
+    }
+
+    /// A prediction of a style, not started. A method that is trained beforehand is trained here.
+    pub(super) fn prediction_of(&self, model: &Model, options: &Options, style: usize) -> StylePrediction {
+        let classes: Vec<usize> = self.components.iter().flat_map(|c| c.classes.iter().copied()).collect();
+        StylePrediction {
+            style,
+            started: false,
+            previous: [0.0; ROW],
+            current: [0.0; ROW],
+            step_secs: 0.0,
+            contact: [0.0; 2],
+            trained: Trained::new(model, options, &classes, style),
+        }
     }
 
     /// Finds the neighbours of the input in every class.
@@ -152,7 +174,9 @@ impl Mixture {
             for s in styles.iter_mut() {
                 let targets = &model.target_table(s.style).pose;
                 let samples = Samples { inputs: &db.pose, targets, neighbours };
-                let row = if let Some(moments) = &moments {
+                let row = if let Some(row) = s.trained_row(model, input, samples) {
+                    row
+                } else if let Some(moments) = &moments {
                     // A style that begins takes the neighbours' mean for its past.
                     let start = if s.started { s.previous } else { bias.put_on(interpolate_before(samples)) };
                     let u =
@@ -198,7 +222,7 @@ impl Mixture {
                 let contact_of_class: [f32; 2] = interpolate(&table.contact, samples.neighbours);
                 contact.iter_mut().zip(contact_of_class).for_each(|(sum, c)| *sum += weight * c);
             }
-            s.step_secs = secs;
+            s.step_secs = s.trained.as_ref().map_or(secs, Trained::step_secs);
             s.contact = contact;
         }
     }

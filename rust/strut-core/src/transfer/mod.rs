@@ -23,6 +23,8 @@ pub(crate) mod sine_walk;
 mod sole;
 mod stylizer;
 mod timing;
+#[cfg_attr(not(feature = "offline"), path = "untrained.rs")]
+mod trained;
 
 pub use blend::{MAX_WEIGHT, StyleError};
 pub use body_part::{BodyPart, PARTS};

@@ -14,6 +14,8 @@ pub struct Model {
     index: Index,
     tables: Box<[OnceLock<TargetTable>]>,
     scales: Scales,
+    #[cfg(feature = "offline")]
+    baselines: crate::baselines::Baselines,
 }
 
 impl Model {
@@ -22,7 +24,14 @@ impl Model {
         let index = Index::build(&db);
         let scales = Scales::new(db.sigma(), &step_deviation(&db));
         let tables = db.styles.iter().map(|_| OnceLock::new()).collect();
-        Self { db, index, tables, scales }
+        Self {
+            db,
+            index,
+            tables,
+            scales,
+            #[cfg(feature = "offline")]
+            baselines: crate::baselines::Baselines::default(),
+        }
     }
 
     /// The database.
@@ -41,6 +50,12 @@ impl Model {
     /// If there is no such style.
     pub fn target_table(&self, style: usize) -> &TargetTable {
         self.tables[style].get_or_init(|| TargetTable::build(&self.db, style as u16))
+    }
+
+    /// The predictors that were trained for the methods of [`super::Method`] that need it.
+    #[cfg(feature = "offline")]
+    pub(super) fn baselines(&self) -> &crate::baselines::Baselines {
+        &self.baselines
     }
 
     pub(super) fn scales(&self) -> &Scales {

@@ -14,17 +14,50 @@ pub enum Method {
     NearestNeighbour,
     /// Inverse-distance mean of the registered targets of the K nearest of all allowed classes.
     Knn,
+    /// One autoregression a degree of freedom, fitted to all rows of the allowed classes.
+    #[cfg(feature = "offline")]
+    GlobalAr,
+    /// A linear time-invariant system for each degree of freedom (Hsu, Pulli, Popović 2005).
+    #[cfg(feature = "offline")]
+    Lti,
+    /// A linear time-invariant system for the principal components of all degrees of freedom.
+    #[cfg(feature = "offline")]
+    LtiJoint,
+    /// Gaussian processes from the input to the change of pose (Ikemoto, Arikan, Forsyth 2009).
+    #[cfg(feature = "offline")]
+    Gp,
 }
 
 impl Method {
     /// The method of a command-line name.
     pub fn from_name(name: &str) -> Option<Self> {
         match name {
+            #[cfg(feature = "offline")]
+            "gar" => Some(Self::GlobalAr),
+            #[cfg(feature = "offline")]
+            "lti" => Some(Self::Lti),
+            #[cfg(feature = "offline")]
+            "lti-joint" => Some(Self::LtiJoint),
+            #[cfg(feature = "offline")]
+            "gp" => Some(Self::Gp),
             "mar" => Some(Self::Mar),
             "lar" => Some(Self::LocalAr),
             "nn" => Some(Self::NearestNeighbour),
             "knn" => Some(Self::Knn),
             _ => None,
+        }
+    }
+
+    /// Which trained predictor the method runs, if any.
+    #[cfg(feature = "offline")]
+    pub(super) fn baseline(self) -> Option<crate::baselines::Baseline> {
+        use crate::baselines::Baseline;
+        match self {
+            Self::Mar | Self::LocalAr | Self::NearestNeighbour | Self::Knn => None,
+            Self::GlobalAr => Some(Baseline::GlobalAr),
+            Self::Lti => Some(Baseline::Lti),
+            Self::LtiJoint => Some(Baseline::LtiJoint),
+            Self::Gp => Some(Baseline::Gp),
         }
     }
 }

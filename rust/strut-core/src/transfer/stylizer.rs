@@ -116,9 +116,10 @@ impl Stylizer {
         if !same_search {
             self.mixture = Mixture::new(&self.model, &options)
                 .ok_or(OptionsError::NoClass { action: options.action, style: options.input_style })?;
-            self.styles.iter_mut().for_each(|s| s.started = false);
+            self.styles.clear();
         }
         self.options = options;
+        self.activate_styles();
         Ok(())
     }
 
@@ -313,7 +314,7 @@ impl Stylizer {
         for style in 0..self.model.database().styles.len() {
             if blend.is_active(style) && self.styles.iter().all(|s| s.style != style) {
                 self.model.target_table(style);
-                self.styles.push(StylePrediction::new(style));
+                self.styles.push(self.mixture.prediction_of(&self.model, &self.options, style));
             }
         }
         self.styles.sort_by_key(|s| s.style);

@@ -47,14 +47,66 @@ fn an_unlabelled_walk_becomes_the_style_and_takes_its_time() {
 #[test]
 fn every_method_styles() {
     let model = model();
-    for method in [Method::Mar, Method::LocalAr, Method::NearestNeighbour, Method::Knn] {
+    let methods = [
+        Method::Mar,
+        Method::LocalAr,
+        Method::NearestNeighbour,
+        Method::Knn,
+        #[cfg(feature = "offline")]
+        Method::GlobalAr,
+        #[cfg(feature = "offline")]
+        Method::Lti,
+        #[cfg(feature = "offline")]
+        Method::LtiJoint,
+        #[cfg(feature = "offline")]
+        Method::Gp,
+    ];
+    for method in methods {
         let options = Options { method, action: Some(0), input_style: Some(0), ..Options::DEFAULT };
         let mut s = Stylizer::new(Arc::clone(&model), options).unwrap();
         s.set_styles(&[0.0, 1.0]).unwrap();
         let frames = run(&mut s, &unseen_walk().poses);
         let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
         assert!((lean - BENT.lean).abs() < 0.06, "{method:?}: lean {lean}");
+        let ratio = frames[239].time_out_secs / frames[239].time_in_secs;
+        let expected = f64::from((BENT.period + 1.0) / (NEUTRAL.period + 1.0));
+        assert!((ratio - expected).abs() < 0.04, "{method:?}: ratio {ratio}, expected {expected}");
     }
+}
+
+/// A trained method keeps its memory in the stylizer and learns nothing new on the way.
+#[cfg(feature = "offline")]
+#[test]
+fn trained_methods_give_the_same_bits_and_allocate_nothing() {
+    let input = unseen_walk();
+    for method in [Method::GlobalAr, Method::Lti, Method::LtiJoint, Method::Gp] {
+        let fresh = || {
+            let mut s = Stylizer::new(model(), Options { method, ..Options::DEFAULT }).unwrap();
+            s.set_styles(&[0.0, 0.8]).unwrap();
+            s
+        };
+        let first = run(&mut fresh(), &input.poses);
+        let mut s = fresh();
+        run(&mut s, &input.poses[50..90]);
+        s.reset(None);
+        assert_eq!(s.push(&input.poses[0]), &first[0], "{method:?}");
+        let mut frames = vec![first[0]];
+        frames.reserve(input.poses.len());
+        let counted = allocation_counter::measure(|| frames.extend(input.poses[1..].iter().map(|p| *s.push(p))));
+        assert_eq!((counted.count_total, frames == first), (0, true), "{method:?}");
+    }
+}
+
+#[test]
+fn another_method_takes_over_in_the_middle() {
+    let model = model();
+    let input = unseen_walk().poses;
+    let mut s = stylizer(&model, 1.0);
+    run(&mut s, &input[..100]);
+    s.set_options(Options { method: Method::Knn, ..Options::DEFAULT }).unwrap();
+    let frames = run(&mut s, &input[100..]);
+    let lean = frames[60..].iter().map(chest_lean).sum::<f32>() / 80.0;
+    assert!((lean - BENT.lean).abs() < 0.05, "lean {lean}");
 }
 
 #[test]

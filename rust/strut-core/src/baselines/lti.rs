@@ -1,0 +1,209 @@
+//! Linear time-invariant systems: Hsu, Pulli, Popović, "Style Translation for Human Motion", 2005.
+//!
+//! A state-space model translates the input's degrees of freedom into the output's. Its pairs are registered
+//! rows, as the paper's are warped clips. Two variants: one system of order 8 for each degree of freedom (the
+//! specification's figures are of this one), or one system for the leading principal components of all.
+//! Timing is one more output: the log duration, from the input's leading components. The paper smooths it
+//! afterwards, and so do we; feet are planted by the stylizer as for every method.
+
+use super::principal::Principal;
+use super::subspace::{Recording, Shape, StateSpace};
+use super::{Now, Pairs, Prediction, Predictor};
+use crate::math::float_funcs::exp;
+use crate::pose_vector::{DOFS, PoseRow, ROW};
+
+/// Shape of the systems of one degree of freedom: the specification's order, and lags of a third of a second at
+/// 60 Hz, enough to tell a step's phase.
+const SINGLE: Shape = Shape { inputs: 1, outputs: 1, order: 8, lags: 20 };
+/// Principal components of the input and of the output that the joint system sees.
+const COMPONENTS: usize = 16;
+/// Shape of the joint system: with more outputs fewer lags tell as much of the state.
+const JOINT: Shape = Shape { inputs: COMPONENTS, outputs: COMPONENTS, order: 32, lags: 8 };
+/// Shape of the system that predicts the log duration from the leading components of the input.
+const TIMING: Shape = Shape { inputs: 6, outputs: 1, order: 8, lags: 12 };
+/// Least deviation of a degree of freedom that is taken for motion.
+const STILL: f64 = 1e-5;
+
+/// A system for each degree of freedom, or one for all.
+#[derive(Clone, Debug)]
+enum Systems {
+    /// One entry a degree of freedom; `None` where the input stands still.
+    Single(Vec<Option<StateSpace>>),
+    Joint {
+        system: StateSpace,
+        output: Principal,
+    },
+}
+
+/// See the module documentation.
+#[derive(Clone, Debug)]
+pub(super) struct Lti {
+    systems: Systems,
+    /// Components of the input's rows.
+    components: Principal,
+    /// From the components to the log duration.
+    timing: StateSpace,
+    input_mean: Vec<f64>,
+    input_deviation: Vec<f64>,
+    output_mean: Vec<f64>,
+    frame_secs: f32,
+}
+
+impl Lti {
+    /// One system for each degree of freedom.
+    pub(super) fn train(pairs: &Pairs<'_>) -> Self {
+        let (x, y) = (&pairs.db.pose, &pairs.targets.pose);
+        let mut lti = Self::timing_only(pairs);
+        let system = |d: usize| {
+            // Both in deviations of the input, so that they are of similar size.
+            let deviation = lti.input_deviation[d];
+            let standard = |row: &PoseRow, mean: f64| (f64::from(row[d]) - mean) / deviation;
+            let recordings =
+                recordings(pairs, |t| [standard(&x[t], lti.input_mean[d])], |t| [standard(&y[t], lti.output_mean[d])]);
+            (deviation > STILL).then(|| StateSpace::identify(&recordings, SINGLE))
+        };
+        lti.systems = Systems::Single((0..DOFS).map(system).collect());
+        lti
+    }
+
+    /// One system for the principal components of all degrees of freedom.
+    pub(super) fn train_joint(pairs: &Pairs<'_>) -> Self {
+        let mut lti = Self::timing_only(pairs);
+        let output = principal(pairs, &pairs.targets.pose);
+        let recordings = recordings(
+            pairs,
+            |t| projected(&lti.components, &pairs.db.pose[t]),
+            |t| projected(&output, &pairs.targets.pose[t]),
+        );
+        lti.systems = Systems::Joint { system: StateSpace::identify(&recordings, JOINT), output };
+        lti
+    }
+
+    /// Everything but the systems for the pose.
+    fn timing_only(pairs: &Pairs<'_>) -> Self {
+        let [input_mean, input_deviation] = pairs.moments(&pairs.db.pose);
+        let [output_mean, _] = pairs.moments(&pairs.targets.pose);
+        let components = principal(pairs, &pairs.db.pose);
+        let recordings = recordings(
+            pairs,
+            |t| timing_input(&projected(&components, &pairs.db.pose[t])),
+            |t| [pairs.log_duration(t)],
+        );
+        Self {
+            systems: Systems::Single(Vec::new()),
+            timing: StateSpace::identify(&recordings, TIMING),
+            components,
+            input_mean,
+            input_deviation,
+            output_mean,
+            frame_secs: 1.0 / pairs.db.rate_hz,
+        }
+    }
+
+    /// Runs `f` for every system with its memory and its input for a row, and with what to do with the output.
+    fn for_each(&self, memory: &mut [f64], row: &PoseRow, mut f: impl FnMut(Part, &StateSpace, &mut [f64], &[f64])) {
+        let components = projected(&self.components, row);
+        let (timing, mut rest) = memory.split_at_mut(2 * self.timing.order());
+        f(Part::Duration, &self.timing, timing, &timing_input(&components));
+        match &self.systems {
+            Systems::Single(systems) => {
+                for (d, system) in systems.iter().enumerate() {
+                    let Some(system) = system else { continue };
+                    let (own, others) = rest.split_at_mut(2 * system.order());
+                    rest = others;
+                    let u = (f64::from(row[d]) - self.input_mean[d]) / self.input_deviation[d];
+                    f(Part::Dof(d), system, own, &[u]);
+                }
+            }
+            Systems::Joint { system, .. } => f(Part::Body, system, rest, &components),
+        }
+    }
+}
+
+/// What a system predicts.
+#[derive(Clone, Copy, Debug)]
+enum Part {
+    Duration,
+    Dof(usize),
+    Body,
+}
+
+impl Predictor for Lti {
+    fn memory_len(&self) -> usize {
+        let systems = match &self.systems {
+            Systems::Single(systems) => systems.iter().flatten().map(StateSpace::order).sum(),
+            Systems::Joint { system, .. } => system.order(),
+        };
+        2 * (self.timing.order() + systems)
+    }
+
+    fn start(&self, memory: &mut [f64], past: &[PoseRow]) {
+        memory.fill(0.0);
+        if let Some(first) = past.first() {
+            self.for_each(memory, first, |_, system, memory, u| system.rest(memory, u));
+        }
+        for row in past {
+            self.for_each(memory, row, |_, system, memory, u| system.step(memory, u));
+        }
+    }
+
+    fn predict(&self, memory: &mut [f64], now: Now<'_>) -> Prediction {
+        let mut pose: [f64; DOFS] = std::array::from_fn(|d| self.output_mean[d]);
+        let mut log_duration = [0.0];
+        self.for_each(memory, now.input, |part, system, memory, u| {
+            match part {
+                Part::Duration => system.output(memory, u, &mut log_duration),
+                Part::Dof(d) => {
+                    let mut y = [0.0];
+                    system.output(memory, u, &mut y);
+                    pose[d] += self.input_deviation[d] * y[0];
+                }
+                Part::Body => {
+                    let mut y = [0.0; COMPONENTS];
+                    system.output(memory, u, &mut y);
+                    if let Systems::Joint { output, .. } = &self.systems {
+                        output.reconstruct(&y[..output.len()], &mut pose);
+                    }
+                }
+            }
+            system.step(memory, u);
+        });
+        let mut output = [0.0; ROW];
+        output.iter_mut().zip(pose).for_each(|(o, v)| *o = v as f32);
+        Prediction { output, step_secs: self.frame_secs * exp(log_duration[0] as f32) }
+    }
+}
+
+/// Inputs and outputs of a system at the pairs' rows, a recording for each segment.
+fn recordings<const M: usize, const L: usize>(
+    pairs: &Pairs<'_>,
+    input: impl Fn(usize) -> [f64; M],
+    output: impl Fn(usize) -> [f64; L],
+) -> Vec<Recording> {
+    let recording = |rows: &std::ops::Range<usize>| Recording {
+        inputs: rows.clone().flat_map(&input).collect(),
+        outputs: rows.clone().flat_map(&output).collect(),
+    };
+    pairs.segments.iter().map(recording).collect()
+}
+
+/// Components of some rows at the pairs.
+fn principal(pairs: &Pairs<'_>, rows: &[PoseRow]) -> Principal {
+    let data: Vec<f64> = pairs.segments.iter().cloned().flatten().flat_map(|t| wide(&rows[t])).collect();
+    Principal::new(&data, DOFS, COMPONENTS)
+}
+
+fn wide(row: &PoseRow) -> [f64; DOFS] {
+    std::array::from_fn(|d| f64::from(row[d]))
+}
+
+/// The components of a row; those that there are not are zero.
+fn projected(principal: &Principal, row: &PoseRow) -> [f64; COMPONENTS] {
+    let mut out = [0.0; COMPONENTS];
+    principal.project(&wide(row), &mut out);
+    out
+}
+
+fn timing_input(components: &[f64; COMPONENTS]) -> [f64; TIMING.inputs] {
+    std::array::from_fn(|i| components[i])
+}

@@ -1,0 +1,75 @@
+//! Trained predictors, kept as long as the model they belong to.
+
+use super::global_ar::GlobalAr;
+use super::gp::{Features, Gp};
+use super::lti::Lti;
+use super::{Baseline, Pairs, Predictor};
+use std::ops::Range;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// What a predictor depends on, for one database.
+#[derive(Clone, Debug, PartialEq)]
+struct Key {
+    baseline: Baseline,
+    style: u16,
+    /// Only global autoregression has a ridge.
+    lambda: f32,
+    segments: Vec<Range<usize>>,
+}
+
+/// Predictors trained so far, and what those of several styles share.
+#[derive(Debug, Default)]
+pub(crate) struct Baselines {
+    predictors: Memo<Key, Arc<dyn Predictor>>,
+    features: Memo<Vec<Range<usize>>, Arc<Features>>,
+}
+
+impl Baselines {
+    /// The predictor for some pairs: trained when it is first asked for. Threads that ask for others at the same
+    /// time do not wait.
+    pub(crate) fn predictor(&self, baseline: Baseline, pairs: &Pairs<'_>, lambda: f32) -> Arc<dyn Predictor> {
+        let key = Key {
+            baseline,
+            style: pairs.targets.style,
+            lambda: if baseline == Baseline::GlobalAr { lambda } else { 0.0 },
+            segments: pairs.segments.clone(),
+        };
+        self.predictors.get(key, || match baseline {
+            Baseline::GlobalAr => Arc::new(GlobalAr::train(pairs, f64::from(lambda))),
+            Baseline::Lti => Arc::new(Lti::train(pairs)),
+            Baseline::LtiJoint => Arc::new(Lti::train_joint(pairs)),
+            Baseline::Gp => {
+                let features = self.features.get(pairs.segments.clone(), || Arc::new(Features::new(pairs)));
+                Arc::new(Gp::train(pairs, &features))
+            }
+        })
+    }
+}
+
+/// Values by key; there are few.
+#[derive(Debug)]
+struct Memo<K, V> {
+    entries: Mutex<Vec<(K, Arc<OnceLock<V>>)>>,
+}
+
+impl<K, V> Default for Memo<K, V> {
+    fn default() -> Self {
+        Self { entries: Mutex::default() }
+    }
+}
+
+impl<K: PartialEq, V: Clone> Memo<K, V> {
+    fn get(&self, key: K, make: impl FnOnce() -> V) -> V {
+        let entry = {
+            let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some((_, entry)) = entries.iter().find(|(k, _)| *k == key) {
+                Arc::clone(entry)
+            } else {
+                let entry = Arc::new(OnceLock::new());
+                entries.push((key, Arc::clone(&entry)));
+                entry
+            }
+        };
+        entry.get_or_init(make).clone()
+    }
+}

@@ -1,0 +1,61 @@
+//! The pairs that the baselines learn from.
+
+use crate::database::{Database, TargetTable};
+use crate::math::float_funcs::ln;
+use crate::pose_vector::{DOFS, PoseRow};
+use std::ops::Range;
+
+/// Rows of some classes of a database and what they become in one style.
+#[derive(Clone, Debug)]
+pub(crate) struct Pairs<'a> {
+    /// The rows x and their rate.
+    pub(crate) db: &'a Database,
+    /// The targets y and their durations.
+    pub(crate) targets: &'a TargetTable,
+    /// Rows that follow each other in time: one range a clip, of two rows at least.
+    pub(crate) segments: Vec<Range<usize>>,
+}
+
+impl<'a> Pairs<'a> {
+    /// The pairs of some classes. Classes without the style are left out, unless that leaves none: their
+    /// targets are their own rows.
+    pub(crate) fn new(db: &'a Database, targets: &'a TargetTable, classes: &[usize]) -> Self {
+        let any = classes.iter().any(|&c| targets.class_has_target[c]);
+        let segments = classes
+            .iter()
+            .filter(|&&c| targets.class_has_target[c] || !any)
+            .flat_map(|&c| db.clips[db.classes()[c].clips.clone()].iter())
+            .map(crate::database::Clip::rows)
+            .filter(|rows| rows.len() >= 2)
+            .collect();
+        Self { db, targets, segments }
+    }
+
+    /// Rows that have a row before them, in order: the t of xₜ₋₁, xₜ, yₜ₋₁, yₜ.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = usize> + Clone + '_ {
+        self.segments.iter().flat_map(|s| s.start + 1..s.end)
+    }
+
+    /// Logarithm of the target's duration in frames at a row: 0 where the style keeps the input's tempo.
+    pub(crate) fn log_duration(&self, row: usize) -> f64 {
+        f64::from(ln((self.targets.step_secs[row] * self.db.rate_hz).max(1e-3)))
+    }
+
+    /// Mean and standard deviation of each degree of freedom of some rows over the pairs.
+    pub(crate) fn moments(&self, rows: &[PoseRow]) -> [Vec<f64>; 2] {
+        let (mut mean, mut deviation) = (vec![0.0; DOFS], vec![0.0; DOFS]);
+        let n = self.segments.iter().map(Range::len).sum::<usize>().max(1) as f64;
+        for row in self.segments.iter().cloned().flatten() {
+            mean.iter_mut().zip(&rows[row]).for_each(|(m, v)| *m += f64::from(*v) / n);
+        }
+        for row in self.segments.iter().cloned().flatten() {
+            for ((s, m), v) in deviation.iter_mut().zip(&mean).zip(&rows[row]) {
+                *s += (f64::from(*v) - m) * (f64::from(*v) - m) / n;
+            }
+        }
+        for s in &mut deviation {
+            *s = s.sqrt();
+        }
+        [mean, deviation]
+    }
+}

@@ -1,0 +1,469 @@
+//! Subspace identification of linear time-invariant systems from recordings of their inputs and outputs
+//! (Van Overschee and De Moor, "Subspace Identification for Linear Systems", 1996).
+//!
+//! xₜ₊₁ = A xₜ + B uₜ,  yₜ = C xₜ + D uₜ + e. With i lags, the past wₜ = [uₜ₋ᵢ, yₜ₋ᵢ, …, uₜ₋₁, yₜ₋₁] and the
+//! future inputs predict the future outputs by least squares; the part Γ xₜ = L wₜ that comes from the past has
+//! rank n, and its leading directions (weighted as in MOESP, by the past that the future inputs do not explain)
+//! give the states as xₜ = T wₜ. Regressing xₜ₊₁ on xₜ and uₜ gives A and B. Since the system will run without
+//! ever seeing y, C, D and the offset are those of least error along the states that it reaches by itself from
+//! each recording's first.
+//!
+//! Everything but that last step needs only the lagged products of the recordings, a block Hankel Gram matrix
+//! whose blocks follow from their upper left neighbours.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Schur, SymmetricEigen};
+
+/// Greatest spectral radius of A: a memory of about 1 s at 60 Hz.
+const MAX_RADIUS: f64 = 0.985;
+/// Added to the diagonals of Gram matrices, as a share of their mean: recordings of a periodic motion hardly
+/// tell the lags apart.
+const RIDGE: f64 = 1e-7;
+
+/// A stretch of frames that follow each other in time.
+#[derive(Clone, Debug)]
+pub(super) struct Recording {
+    /// uₜ, one frame after the other.
+    pub(super) inputs: Vec<f64>,
+    /// yₜ likewise.
+    pub(super) outputs: Vec<f64>,
+}
+
+/// Numbers of inputs m and outputs l, order n of the state, and lags i.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Shape {
+    pub(super) inputs: usize,
+    pub(super) outputs: usize,
+    pub(super) order: usize,
+    pub(super) lags: usize,
+}
+
+/// A stable linear system; matrices are stored by rows.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct StateSpace {
+    order: usize,
+    /// [A B], n rows.
+    transition: Vec<f64>,
+    /// [C D offset], l rows.
+    output: Vec<f64>,
+    /// (I − A)⁻¹ B, n rows: the state at rest per unit of constant input.
+    rest: Vec<f64>,
+}
+
+impl StateSpace {
+    /// The system of a shape that explains some recordings. Where they are too short or too poor for dynamics the
+    /// order is lower, down to a static map; without any frame it gives zeros.
+    pub(super) fn identify(recordings: &[Recording], shape: Shape) -> Self {
+        let mean = mean(recordings, shape);
+        let Dynamics { a, b, state_from_past } =
+            Dynamics::identify(recordings, &mean, shape).unwrap_or_else(|| Dynamics::none(shape));
+        let order = a.nrows();
+        let rest = match order {
+            0 => None,
+            _ => (DMatrix::identity(order, order) - &a).lu().solve(&b),
+        };
+        let rest = rest.unwrap_or_else(|| DMatrix::zeros(order, shape.inputs));
+        let mut system = Self {
+            order,
+            transition: by_rows(&DMatrix::from_fn(order, order + shape.inputs, |i, j| {
+                if j < order { a[(i, j)] } else { b[(i, j - order)] }
+            })),
+            output: vec![0.0; shape.outputs * (order + shape.inputs + 1)],
+            rest: by_rows(&rest),
+        };
+        system.fit_output(recordings, shape, &mean, &state_from_past);
+        system
+    }
+
+    /// Size of the state; [`StateSpace::step`] needs twice as many numbers of memory.
+    pub(super) fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Sets the state to that of an input that has always been `u`.
+    pub(super) fn rest(&self, state: &mut [f64], u: &[f64]) {
+        for (x, row) in state.iter_mut().zip(self.rest.chunks_exact(u.len())) {
+            *x = dot(row, u);
+        }
+    }
+
+    /// yₜ for the state and input at t.
+    pub(super) fn output(&self, state: &[f64], u: &[f64], y: &mut [f64]) {
+        let n = self.order;
+        for (y, row) in y.iter_mut().zip(self.output.chunks_exact(n + u.len() + 1)) {
+            *y = dot(&row[..n], state) + dot(&row[n..n + u.len()], u) + row[n + u.len()];
+        }
+    }
+
+    /// Moves on by one frame. `memory` holds the state and room for another.
+    pub(super) fn step(&self, memory: &mut [f64], u: &[f64]) {
+        let n = self.order;
+        let (state, next) = memory.split_at_mut(n);
+        for (x, row) in next.iter_mut().zip(self.transition.chunks_exact(n + u.len())) {
+            *x = dot(&row[..n], state) + dot(&row[n..], u);
+        }
+        state.copy_from_slice(&next[..n]);
+    }
+
+    /// Fits C, D and the offset to the states that the recordings' inputs give. Each recording begins with the
+    /// state that its first frames tell; if it is too short for that, at rest.
+    fn fit_output(&mut self, recordings: &[Recording], shape: Shape, mean: &[f64], state_from_past: &DMatrix<f64>) {
+        let Shape { inputs: m, outputs: l, lags, .. } = shape;
+        let width = self.order + m + 1;
+        let mut gram = DMatrix::<f64>::zeros(width, width);
+        let mut right = DMatrix::<f64>::zeros(width, l);
+        let mut memory = vec![0.0; 2 * self.order];
+        let mut regressors = vec![1.0; width];
+        let mut count = 0.0;
+        for r in recordings {
+            let skip = if r.inputs.len() > 2 * lags * m { lags } else { 0 };
+            if skip > 0 {
+                // Samples are centred for T, so its states are relative to the rest at the mean input.
+                self.rest(&mut memory, &mean[..m]);
+                for (v, past) in r.centred(mean, shape).take(lags * (m + l)).zip(state_from_past.column_iter()) {
+                    memory.iter_mut().zip(past.iter()).for_each(|(x, t)| *x += t * v);
+                }
+            } else {
+                self.rest(&mut memory, &r.inputs[..m]);
+            }
+            for (u, y) in r.inputs.chunks_exact(m).zip(r.outputs.chunks_exact(l)).skip(skip) {
+                regressors[..self.order].copy_from_slice(&memory[..self.order]);
+                regressors[self.order..width - 1].copy_from_slice(u);
+                count += 1.0;
+                for (j, &v) in regressors.iter().enumerate() {
+                    let column = &mut gram.as_mut_slice()[j * width..(j + 1) * width];
+                    column[j..].iter_mut().zip(&regressors[j..]).for_each(|(sum, w)| *sum += v * w);
+                }
+                for (sums, y) in right.as_mut_slice().chunks_exact_mut(width).zip(y) {
+                    sums.iter_mut().zip(&regressors).for_each(|(sum, v)| *sum += v * y);
+                }
+                self.step(&mut memory, u);
+            }
+        }
+        gram.fill_upper_triangle_with_lower_triangle();
+        // Each regressor by its own size: states may be much smaller than inputs.
+        for i in 0..width {
+            gram[(i, i)] += RIDGE * gram[(i, i)] + f64::MIN_POSITIVE.max(1e-12 * count);
+        }
+        if let Some(cholesky) = Cholesky::new(gram) {
+            self.output = by_rows(&cholesky.solve(&right).transpose());
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn by_rows(matrix: &DMatrix<f64>) -> Vec<f64> {
+    matrix.transpose().as_slice().to_vec()
+}
+
+impl Recording {
+    /// uₜ, yₜ, uₜ₊₁, … less their means.
+    fn centred<'a>(&'a self, mean: &'a [f64], shape: Shape) -> impl Iterator<Item = f64> + 'a {
+        let frames = self.inputs.chunks_exact(shape.inputs).zip(self.outputs.chunks_exact(shape.outputs));
+        frames.flat_map(move |(u, y)| u.iter().chain(y).zip(mean).map(|(v, m)| v - m))
+    }
+}
+
+/// Mean of [uₜ, yₜ].
+fn mean(recordings: &[Recording], shape: Shape) -> Vec<f64> {
+    let width = shape.inputs + shape.outputs;
+    let zero = vec![0.0; width];
+    let mut sum = zero.clone();
+    let mut count = 0_usize;
+    for r in recordings {
+        for (i, v) in r.centred(&zero, shape).enumerate() {
+            sum[i % width] += v;
+        }
+        count += r.inputs.len() / shape.inputs;
+    }
+    sum.iter().map(|s| s / count.max(1) as f64).collect()
+}
+
+/// The part of a system that makes its states.
+struct Dynamics {
+    a: DMatrix<f64>,
+    b: DMatrix<f64>,
+    /// T: from the centred frames of the past, oldest first.
+    state_from_past: DMatrix<f64>,
+}
+
+impl Dynamics {
+    /// Those of a static map.
+    fn none(shape: Shape) -> Self {
+        let past = shape.lags * (shape.inputs + shape.outputs);
+        Self { a: DMatrix::zeros(0, 0), b: DMatrix::zeros(0, shape.inputs), state_from_past: DMatrix::zeros(0, past) }
+    }
+
+    /// Those that the recordings tell, if they do.
+    fn identify(recordings: &[Recording], mean: &[f64], shape: Shape) -> Option<Self> {
+        let Shape { inputs: m, outputs: l, lags, .. } = shape;
+        let p = m + l;
+        let mut gram = hankel_gram(recordings, mean, shape)?;
+        let ridge = RIDGE * gram.diagonal().mean();
+        for i in 0..gram.nrows() {
+            gram[(i, i)] += ridge;
+        }
+        let past: Vec<usize> = (0..lags * p).collect();
+        let past_next: Vec<usize> = past.iter().map(|i| i + p).collect();
+        let now: Vec<usize> = (lags * p..lags * p + m).collect();
+        let future = |component: std::ops::Range<usize>| -> Vec<usize> {
+            (lags..2 * lags).flat_map(|k| component.clone().map(move |c| k * p + c)).collect()
+        };
+        let (future_inputs, future_outputs) = (future(0..m), future(m..p));
+        let known: Vec<usize> = past.iter().chain(&future_inputs).copied().collect();
+        let block = |rows: &[usize], columns: &[usize]| gram.select_rows(rows).select_columns(columns);
+
+        // Γ xₜ = L wₜ.
+        let coefficients = Cholesky::new(block(&known, &known))?.solve(&block(&known, &future_outputs));
+        let from_past = coefficients.rows(0, past.len()).transpose();
+        let explained = Cholesky::new(block(&future_inputs, &future_inputs))?.solve(&block(&future_inputs, &past));
+        let unexplained = block(&past, &past) - product(&block(&past, &future_inputs), &explained);
+        let eigen = SymmetricEigen::new(product(&product(&from_past, &unexplained), &from_past.transpose()));
+        let mut leading: Vec<usize> = (0..eigen.eigenvalues.len()).collect();
+        leading.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]).then(a.cmp(&b)));
+        let least = 1e-12 * eigen.eigenvalues[leading[0]];
+        leading.retain(|&i| eigen.eigenvalues[i] > least.max(f64::MIN_POSITIVE));
+        leading.truncate(shape.order);
+        let mut directions = eigen.eigenvectors.select_columns(&leading);
+        for (mut column, &i) in directions.column_iter_mut().zip(&leading) {
+            column /= eigen.eigenvalues[i].sqrt();
+        }
+        let state_from_past = product(&directions.transpose(), &from_past);
+
+        // xₜ₊₁ on xₜ and uₜ.
+        let n = leading.len();
+        let states = |rows: &[usize], columns: &[usize]| product(&state_from_past, &block(rows, columns));
+        let transposed = state_from_past.transpose();
+        let mut of_state = DMatrix::zeros(n + m, n + m);
+        of_state.view_mut((0, 0), (n, n)).copy_from(&product(&states(&past, &past), &transposed));
+        of_state.view_mut((0, n), (n, m)).copy_from(&states(&past, &now));
+        of_state.view_mut((n, 0), (m, n)).copy_from(&states(&past, &now).transpose());
+        of_state.view_mut((n, n), (m, m)).copy_from(&block(&now, &now));
+        let mut next = DMatrix::zeros(n + m, n);
+        next.view_mut((0, 0), (n, n)).copy_from(&product(&states(&past_next, &past), &transposed).transpose());
+        next.view_mut((n, 0), (m, n)).copy_from(&states(&past_next, &now).transpose());
+        let transition = Cholesky::new(of_state)?.solve(&next).transpose();
+        let a = stabilised(transition.columns(0, n).into_owned())?;
+        let b = transition.columns(n, m).into_owned();
+        (a.iter().chain(b.iter()).all(|v| v.is_finite())).then_some(Self { a, b, state_from_past })
+    }
+}
+
+/// A scaled to a spectral radius of at most [`MAX_RADIUS`].
+fn stabilised(a: DMatrix<f64>) -> Option<DMatrix<f64>> {
+    if a.is_empty() {
+        return Some(a);
+    }
+    let eigenvalues: DVector<_> = Schur::try_new(a.clone(), f64::EPSILON, 10_000)?.complex_eigenvalues();
+    let radius = eigenvalues.iter().map(|z| z.re.hypot(z.im)).fold(0.0, f64::max);
+    Some(if radius > MAX_RADIUS { a * (MAX_RADIUS / radius) } else { a })
+}
+
+/// Σ sₜ sₜᵀ over all windows sₜ = [uₜ, yₜ, uₜ₊₁, yₜ₊₁, …] of 2·lags centred frames; `None` if there are fewer windows
+/// than numbers in one.
+fn hankel_gram(recordings: &[Recording], mean: &[f64], shape: Shape) -> Option<DMatrix<f64>> {
+    let Shape { inputs: m, outputs: l, lags, .. } = shape;
+    let (p, length) = (m + l, 2 * lags);
+    let mut gram = DMatrix::<f64>::zeros(length * p, length * p);
+    let mut count = 0;
+    for r in recordings {
+        let frames = r.inputs.len() / m;
+        if frames < length {
+            continue;
+        }
+        let windows = frames + 1 - length;
+        count += windows;
+        let rows: Vec<f64> = r.centred(mean, shape).collect();
+        let row = |t: usize| &rows[t * p..(t + 1) * p];
+        // Products of one lag at a time: of the first frame of the windows with the one `lag` later, then of the
+        // second with the one after that, which loses the first window's and gains one behind the last's.
+        let mut products = vec![0.0; p * p];
+        for lag in 0..length {
+            products.fill(0.0);
+            for t in 0..windows {
+                add_outer(&mut products, row(t), row(t + lag), 1.0);
+            }
+            for first in 0..length - lag {
+                let (a, b) = (first * p, (first + lag) * p);
+                for (i, row) in products.chunks_exact(p).enumerate() {
+                    for (j, v) in row.iter().enumerate() {
+                        gram[(b + j, a + i)] += v;
+                    }
+                }
+                if first + lag + 1 < length {
+                    add_outer(&mut products, row(first), row(first + lag), -1.0);
+                    add_outer(&mut products, row(first + windows), row(first + lag + windows), 1.0);
+                }
+            }
+        }
+    }
+    gram.fill_upper_triangle_with_lower_triangle();
+    (count > length * p).then_some(gram)
+}
+
+fn add_outer(sum: &mut [f64], a: &[f64], b: &[f64], scale: f64) {
+    for (row, a) in sum.chunks_exact_mut(b.len()).zip(a) {
+        row.iter_mut().zip(b).for_each(|(s, b)| *s += scale * a * b);
+    }
+}
+
+/// a · b, summed in order: nalgebra's own product depends on the processor.
+fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut out = DMatrix::zeros(a.nrows(), b.ncols());
+    for j in 0..b.ncols() {
+        let mut column = out.column_mut(j);
+        for k in 0..a.ncols() {
+            column.axpy(b[(k, j)], &a.column(k), 1.0);
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers between −1 and 1 (Numerical Recipes' linear congruence).
+    fn noise(seed: u32) -> impl Iterator<Item = f64> {
+        let next = |s: &u32| Some(s.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
+        std::iter::successors(Some(seed), next).skip(1).map(|s| f64::from(s >> 8) / f64::from(1 << 23) - 1.0)
+    }
+
+    /// A damped swing (eigenvalues 0.8 ± 0.4i) and a slow decay, seen through one output, at rest before.
+    fn planted(inputs: &[f64]) -> Vec<f64> {
+        let mut x = [0.0; 3];
+        inputs
+            .iter()
+            .map(|u| {
+                let y = x[0] - 0.5 * x[1] + 0.3 * x[2] + 0.7 * u;
+                x = [0.8 * x[0] - 0.4 * x[1] + u, 0.4 * x[0] + 0.8 * x[1], 0.95 * x[2] + 0.2 * u];
+                y
+            })
+            .collect()
+    }
+
+    fn impulse_response(system: &StateSpace, frames: usize) -> Vec<f64> {
+        let mut memory = vec![0.0; 2 * system.order()];
+        let (mut still, mut y) = ([0.0], [0.0]);
+        system.output(&memory, &[0.0], &mut still);
+        let respond = |t: usize| {
+            let u = [if t == 0 { 1.0 } else { 0.0 }];
+            system.output(&memory, &u, &mut y);
+            system.step(&mut memory, &u);
+            y[0] - still[0]
+        };
+        (0..frames).map(respond).collect()
+    }
+
+    const SHAPE: Shape = Shape { inputs: 1, outputs: 1, order: 3, lags: 8 };
+
+    #[test]
+    fn the_impulse_response_of_a_planted_system_is_recovered() {
+        let expected = planted(&std::iter::once(1.0).chain([0.0; 39]).collect::<Vec<_>>());
+        let recordings: Vec<Recording> = [3, 4]
+            .map(|seed| {
+                let inputs: Vec<f64> = noise(seed).take(600).collect();
+                let errors = noise(seed + 10);
+                let outputs = planted(&inputs).iter().zip(errors).map(|(y, e)| y + 0.02 * e + 0.4).collect();
+                Recording { inputs, outputs }
+            })
+            .into();
+        let system = StateSpace::identify(&recordings, SHAPE);
+        assert_eq!(system.order(), 3);
+        let mut y = [0.0];
+        system.output(&[0.0; 3], &[0.0], &mut y);
+        assert!((y[0] - 0.4).abs() < 0.01, "{y:?}");
+        for (t, (y, e)) in impulse_response(&system, 40).iter().zip(&expected).enumerate() {
+            assert!((y - e).abs() < 0.02, "frame {t}: {y} for {e}");
+        }
+    }
+
+    /// Two inputs cross over to two outputs, each with its own decay.
+    #[test]
+    fn systems_with_several_inputs_and_outputs_are_recovered() {
+        let (u, v): (Vec<f64>, Vec<f64>) = noise(5).zip(noise(6)).take(800).unzip();
+        let mut x = [0.0; 2];
+        let mut r = Recording { inputs: Vec::new(), outputs: Vec::new() };
+        for (u, v) in u.into_iter().zip(v) {
+            r.inputs.extend([u, v]);
+            r.outputs.extend([x[0] + 0.2 * v, x[1] - 0.5 * x[0]]);
+            x = [0.9 * x[0] + v, 0.6 * x[1] + u];
+        }
+        let shape = Shape { inputs: 2, outputs: 2, order: 2, lags: 5 };
+        let system = StateSpace::identify(std::slice::from_ref(&r), shape);
+        let mut memory = vec![0.0; 4];
+        let mut y = [0.0; 2];
+        for (t, (u, e)) in r.inputs.chunks_exact(2).zip(r.outputs.chunks_exact(2)).enumerate() {
+            system.output(&memory, u, &mut y);
+            system.step(&mut memory, u);
+            assert!(t < 100 || (y[0] - e[0]).abs().max((y[1] - e[1]).abs()) < 3e-3, "frame {t}: {y:?} for {e:?}");
+        }
+    }
+
+    #[test]
+    fn an_unstable_system_is_made_stable() {
+        let inputs: Vec<f64> = noise(7).take(300).collect();
+        let mut x = 0.0;
+        let outputs = inputs
+            .iter()
+            .map(|u| {
+                let y = x;
+                x = 1.02 * x + u;
+                y
+            })
+            .collect();
+        let system = StateSpace::identify(&[Recording { inputs, outputs }], Shape { order: 1, ..SHAPE });
+        let response = impulse_response(&system, 400);
+        assert!(response[399].abs() < 0.01 * response[1].abs(), "{} {}", response[1], response[399]);
+    }
+
+    #[test]
+    fn a_constant_input_keeps_the_state_at_rest() {
+        let inputs: Vec<f64> = noise(8).take(400).collect();
+        let system = StateSpace::identify(&[Recording { outputs: planted(&inputs), inputs }], SHAPE);
+        let mut memory = [0.0; 6];
+        system.rest(&mut memory, &[0.8]);
+        let before = memory;
+        system.step(&mut memory, &[0.8]);
+        assert!(before.iter().zip(memory).take(3).all(|(a, b)| (a - b).abs() < 1e-9));
+    }
+
+    #[test]
+    fn too_little_for_dynamics_gives_a_static_map() {
+        let inputs: Vec<f64> = noise(9).take(12).collect();
+        let outputs = inputs.iter().map(|u| 2.0 * u + 1.0).collect();
+        let system = StateSpace::identify(&[Recording { inputs, outputs }], SHAPE);
+        assert_eq!(system.order(), 0);
+        let mut y = [0.0];
+        system.output(&[], &[0.5], &mut y);
+        assert!((y[0] - 2.0).abs() < 1e-5, "{y:?}");
+        system.step(&mut [], &[0.5]);
+        let nothing = StateSpace::identify(&[], SHAPE);
+        nothing.output(&[], &[0.5], &mut y);
+        assert_eq!(y, [0.0]);
+    }
+
+    #[test]
+    fn lagged_products_are_those_of_all_windows() {
+        let recordings: Vec<Recording> = [(11, 40), (12, 55)]
+            .map(|(seed, frames)| Recording {
+                inputs: noise(seed).take(2 * frames).collect(),
+                outputs: noise(seed + 5).take(frames).collect(),
+            })
+            .into();
+        let shape = Shape { inputs: 2, outputs: 1, order: 1, lags: 3 };
+        let gram = hankel_gram(&recordings, &[0.0; 3], shape).unwrap();
+        let mut expected = DMatrix::<f64>::zeros(18, 18);
+        for r in &recordings {
+            let frames: Vec<[f64; 3]> =
+                r.inputs.chunks_exact(2).zip(&r.outputs).map(|(u, y)| [u[0], u[1], *y]).collect();
+            for window in frames.windows(6) {
+                let s = DVector::from_iterator(18, window.iter().flatten().copied());
+                expected += &s * s.transpose();
+            }
+        }
+        assert!((gram - expected).abs().max() < 1e-10);
+    }
+}
