@@ -17,6 +17,9 @@ use strut_core::retarget::{from_humanoid, to_humanoid};
 use strut_core::transfer::{ClipJob, Method, Model, Options, StyledMotion, Stylizer};
 use strut_formats::bvh;
 
+/// Names that [`Method::from_name`] knows.
+const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-joint", "gp"];
+
 /// Give a BVH file another style
 ///
 /// The output keeps the input's skeleton, names, units, channel order and frame rate. Without --action and
@@ -64,8 +67,9 @@ pub(crate) struct Args {
     #[arg(long, default_value = "on")]
     footplant: Switch,
     /// mar: mixture of autoregressive models; lar: one local autoregression; nn: nearest neighbour; knn: mean
-    /// of the K nearest
-    #[arg(long, default_value = "mar", value_parser = ["mar", "lar", "nn", "knn"])]
+    /// of the K nearest; gar: one autoregression for all; lti: linear time-invariant system a degree of freedom;
+    /// lti-joint: one for the whole body; gp: Gaussian process
+    #[arg(long, default_value = "mar", value_parser = METHODS)]
     method: String,
     /// Other weights for a part of the body: head, torso, left-arm, right-arm, arms or legs
     #[arg(long, value_name = "PART:NAME=W[,…]")]

@@ -111,3 +111,17 @@ fn the_same_command_gives_the_same_bytes() {
     let first = stylize(folder.path(), "old", &[]);
     assert_eq!(first, stylize(folder.path(), "old", &[]));
 }
+
+#[test]
+fn every_method_styles_and_none_gives_the_same_as_another() {
+    let folder = folder();
+    let mut outputs: Vec<(&str, bvh::Bvh)> = Vec::new();
+    for method in ["mar", "lar", "nn", "knn", "gar", "lti", "lti-joint", "gp"] {
+        let output = stylize(folder.path(), "old", &["--method", method, "--action", "walk"]);
+        assert!(output.frames > 60 && output.frames < 240, "{method}: {} frames", output.frames);
+        if let Some((other, _)) = outputs.iter().find(|(_, o)| *o == output) {
+            panic!("{method} gives what {other} gives");
+        }
+        outputs.push((method, output));
+    }
+}
