@@ -45,6 +45,13 @@ impl ClipJob {
     /// Styles the next frame of the clip, which is at the database's rate.
     pub fn push(&mut self, pose: &Pose, clock: &mut impl StageClock) -> Trace<'_> {
         self.frames.push(*self.stylizer.predict_frame(pose, clock));
+        if let [.., before, _] = self.frames.as_mut_slice() {
+            let contact = self.stylizer.contact_before();
+            // Half of the output's likelihood is the input's.
+            let gained = contact.iter().zip(before.contact).map(|(c, was)| c - was);
+            before.contact_out.iter_mut().zip(gained).for_each(|(out, gained)| *out += 0.5 * gained);
+            before.contact = contact;
+        }
         self.stylizer.trace()
     }
 

@@ -27,6 +27,8 @@ const ENVELOPE_SECS: f32 = 0.1;
 const TOLERATED_DEPTH: f32 = 0.003;
 /// A foot whose sole is higher than this is in the air, whatever is said of it; metres.
 const MAX_HELD_HEIGHT: f32 = 0.08;
+/// Swings shorter than this are part of the hold: the rule of §3 hardly sees them. Seconds.
+const MIN_SWING_SECS: f32 = 0.15;
 /// A hold begins and ends only with a foot slower than this, m/s …
 const MAX_TOUCH_SPEED: f32 = 1.5;
 /// … but is shortened by no more than this at either end, seconds.
@@ -46,6 +48,12 @@ pub fn plant_feet(motion: &mut HumanoidMotion, stands: &[[bool; 2]]) -> Vec<[boo
     let labels = contact::label(&steps.corrected(motion, &held));
     for (held, label) in held.iter_mut().zip(labels) {
         *held = [held[0] || label[0], held[1] || label[1]];
+    }
+    let shortest = steps.frames(MIN_SWING_SECS);
+    for side in 0..2 {
+        for gap in runs(&held, side).windows(2).map(|w| w[0].end..w[1].start).filter(|gap| gap.len() < shortest) {
+            held[gap].iter_mut().for_each(|h| h[side] = true);
+        }
     }
     *motion = steps.corrected(motion, &held);
     held
@@ -78,10 +86,12 @@ impl Steps {
             (0..stands.len()).map(|f| std::array::from_fn(|side| stands[f][side] && on_ground(side, f))).collect();
         let most = self.frames(MAX_TRIM_SECS);
         for side in 0..2 {
-            let is_fast = |f: usize| self.travel(side, f).length() * self.rate_hz > MAX_TOUCH_SPEED;
+            let is_fast = |f: &usize| self.travel(side, *f).length() * self.rate_hz > MAX_TOUCH_SPEED;
             for hold in runs(&held, side) {
-                let late = hold.clone().take(most).take_while(|&f| is_fast(f)).count();
-                let early = hold.clone().rev().take(most).take_while(|&f| is_fast(f)).count();
+                // At the clip's ends no foot comes or goes.
+                let late = if hold.start > 0 { hold.clone().take(most).take_while(is_fast).count() } else { 0 };
+                let leaves = hold.end < held.len();
+                let early = if leaves { hold.clone().rev().take(most).take_while(is_fast).count() } else { 0 };
                 held[hold.start..hold.start + late].iter_mut().for_each(|h| h[side] = false);
                 held[hold.end - early..hold.end].iter_mut().for_each(|h| h[side] = false);
             }

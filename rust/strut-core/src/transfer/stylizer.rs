@@ -2,7 +2,7 @@
 
 use super::blend::{JointLimits, StyleBlend, StyleError, blended};
 use super::body_part::BodyPart;
-use super::contact_likelihood::{CausalSmoother, VOTERS, vote};
+use super::contact_likelihood::{CausalSmoother, RecentFeet, VOTERS, Votes, vote};
 use super::footplant::Footplant;
 use super::frame::{NoClock, Stage, StageClock, StyledFrame, Trace};
 use super::input_guard::{Admitted, InputGuard};
@@ -31,10 +31,12 @@ pub struct Stylizer {
     mixture: Mixture,
     styles: Vec<StylePrediction>,
     contacts: Neighbours,
+    votes: Votes,
 
     guard: InputGuard,
     heading: HeadingFilter,
     window: QueryWindow,
+    feet: RecentFeet,
     /// Row and place of the last input frame.
     last_input: Option<(PoseRow, Placement)>,
     /// Where the output begins; the input's place if `None`.
@@ -65,9 +67,11 @@ impl Stylizer {
             mixture,
             styles: Vec::with_capacity(db.styles.len()),
             contacts: Neighbours::default(),
+            votes: Votes::default(),
             guard: InputGuard::default(),
             heading: HeadingFilter::default(),
             window: QueryWindow::default(),
+            feet: RecentFeet::default(),
             last_input: None,
             start: None,
             place: None,
@@ -209,10 +213,16 @@ impl Stylizer {
         clock.end(Stage::Blend);
 
         self.mixture.search_contacts(&model, &self.window, VOTERS, &mut self.contacts);
-        self.frame.contact = vote(model.database(), self.contacts.as_slice());
+        self.votes = vote(model.database(), self.contacts.as_slice(), &self.feet);
+        self.frame.contact = self.votes.now;
         self.frame.contact_out = self.output_contact(self.frame.contact);
         clock.end(Stage::Contact);
         &self.frame
+    }
+
+    /// Likelihood that the feet of the input were planted in the frame before the last, now that the last is known.
+    pub(super) fn contact_before(&self) -> [f32; 2] {
+        self.votes.before
     }
 
     /// Checks the input frame and turns it into degrees of freedom, a place and a window.
@@ -232,7 +242,9 @@ impl Stylizer {
             }
         };
         let db = self.model.database();
-        let heading = self.heading.update(&world_from_local(&db.proportions, &pose), dt);
+        let world = world_from_local(&db.proportions, &pose);
+        self.feet.push(&world);
+        let heading = self.heading.update(&world, dt);
         let at = Placement { x: pose.root.x, z: pose.root.z, heading };
         let row = db.chart.encode(&pose, heading, self.last_input.map(|(_, p)| p), dt);
         if self.window.frames() == 1 {
@@ -303,6 +315,7 @@ impl Stylizer {
     fn forget_input(&mut self) {
         self.heading = HeadingFilter::default();
         self.window.clear();
+        self.feet = RecentFeet::default();
         self.last_input = None;
         self.styles.iter_mut().for_each(|s| s.started = false);
     }
