@@ -51,7 +51,8 @@ impl Dtw {
             }
         }
         let last_row = &self.total[(n - 1) * m..];
-        let end = if ends.open_end { (0..m).min_by(|&a, &b| last_row[a].total_cmp(&last_row[b]))? } else { m - 1 };
+        let first_end = (m - 1).saturating_sub(ends.open_end);
+        let end = (first_end..m).min_by(|&a, &b| last_row[a].total_cmp(&last_row[b]))?;
         let cost = last_row[end];
         cost.is_finite().then(|| Warp { at: self.trace(n, m, end), cost: cost / n as f32 })
     }
@@ -60,8 +61,7 @@ impl Dtw {
     fn relax(&mut self, i: usize, j: usize, m: usize, ends: Ends) {
         let here = i * m + j;
         let local = self.local[here];
-        let (mut best, mut step) =
-            if i == 0 && (j == 0 || ends.open_begin) { (0.0, START) } else { (UNREACHED, START) };
+        let (mut best, mut step) = if i == 0 && j <= ends.open_begin { (0.0, START) } else { (UNREACHED, START) };
         if i > 0 && j > 0 {
             let mut consider = |before: f32, by: u8| {
                 if before < best {
@@ -106,18 +106,13 @@ impl Dtw {
     }
 }
 
-/// The frames of b that the slope limit lets frame i of a reach, from the ends that are closed.
+/// The frames of b that the slope limit lets frame i of a reach.
 fn reachable(i: usize, n: usize, m: usize, ends: Ends) -> std::ops::Range<usize> {
     let left = n - 1 - i;
-    let (mut low, mut high) = (0, m);
-    if !ends.open_begin {
-        low = low.max(i.div_ceil(MAX_SLOPE));
-        high = high.min(i * MAX_SLOPE + 1);
-    }
-    if !ends.open_end {
-        low = low.max((m - 1).saturating_sub(left * MAX_SLOPE));
-        high = high.min(m.saturating_sub(left.div_ceil(MAX_SLOPE)));
-    }
+    let last_begin = ends.open_begin.min(m - 1);
+    let first_end = (m - 1).saturating_sub(ends.open_end);
+    let low = i.div_ceil(MAX_SLOPE).max(first_end.saturating_sub(left * MAX_SLOPE));
+    let high = (last_begin + i * MAX_SLOPE + 1).min(m.saturating_sub(left.div_ceil(MAX_SLOPE)));
     low..high.max(low)
 }
 
@@ -136,7 +131,7 @@ mod tests {
         (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])
     }
 
-    const CLOSED: Ends = Ends { open_begin: false, open_end: false };
+    const CLOSED: Ends = Ends { open_begin: 0, open_end: 0 };
 
     #[test]
     fn a_planted_warp_is_recovered_to_a_frame() {
@@ -158,10 +153,10 @@ mod tests {
     fn open_ends_find_a_piece_in_the_whole() {
         let b: Vec<[f32; 2]> = (0..100).map(|j| curve(j as f32 * 0.06)).collect();
         let a: Vec<[f32; 2]> = b[37..70].to_vec();
-        let open = Ends { open_begin: true, open_end: true };
+        let open = Ends { open_begin: Ends::OPEN, open_end: Ends::OPEN };
         let warp = Dtw::default().warp(a.len(), b.len(), open, |i, j| distance(a[i], b[j])).unwrap();
         assert_eq!((warp.at[0], warp.at[32], warp.cost), (37.0, 69.0, 0.0));
-        let begin = Ends { open_begin: true, open_end: false };
+        let begin = Ends { open_begin: Ends::OPEN, open_end: 0 };
         let warp = Dtw::default().warp(a.len(), 70, begin, |i, j| distance(a[i], b[j])).unwrap();
         assert_eq!(warp.at[0], 37.0);
     }

@@ -8,22 +8,32 @@ use super::{Options, WarpMethod};
 
 /// Warps are smoothed over this time: frame steps go, the timing of steps and strikes stays.
 const SMOOTHING_SECS: f32 = 0.03;
+/// Warps of gait cycles go on beyond the strikes for this time: a strike that was labelled a frame early or
+/// late bends them less, and neighbouring segments share a stretch where one can give way to the other.
+const MARGIN_SECS: f32 = 0.1;
 /// Longer sequences are warped on every second, third … frame: the tables grow with the product of lengths.
 const MAX_TABLE_SIDE: usize = 1024;
 /// Instants at which segments are compared in linear time.
 const LINEAR_SAMPLES: usize = 12;
 
-/// A stretch of feature frames that a segment may be warped to.
-#[derive(Clone, Copy, Debug)]
+/// A stretch of an example's features that a segment may be warped to, or that is to be warped.
+#[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
     /// Number of the example that it is from.
     pub(super) example: usize,
-    /// Frame of the example that the features begin at.
+    /// The features of the whole example.
+    pub(super) all: &'a [Feature],
+    /// The piece's frames, the last included.
     pub(super) first: usize,
-    /// The features.
-    pub(super) features: &'a [Feature],
+    pub(super) last: usize,
     /// Which ends need not be met.
     pub(super) ends: Ends,
+}
+
+impl<'a> Piece<'a> {
+    fn features(&self) -> &'a [Feature] {
+        &self.all[self.first..=self.last]
+    }
 }
 
 /// A segment warped to a frame of another example at every frame.
@@ -33,12 +43,23 @@ pub(super) struct Match {
     pub(super) example: usize,
     /// Frames of the example; its cost is a squared feature distance per frame.
     pub(super) warp: Warp,
+    /// Frames before the segment that the warp begins at.
+    pub(super) before: usize,
+}
+
+impl Match {
+    /// The example's frame for a frame counted from the segment's start; outside the warp it goes on with its
+    /// mean slope.
+    pub(super) fn at(&self, frame: isize) -> f32 {
+        self.warp.extrapolated(frame + self.before as isize)
+    }
 }
 
 /// Warps by the method of the options; holds the tables, to be used again.
 pub(super) struct Warper {
     method: WarpMethod,
     sigma_frames: f32,
+    margin: usize,
     dtw: Dtw,
     imw: Imw,
 }
@@ -48,9 +69,15 @@ impl Warper {
         Self {
             method: options.warp,
             sigma_frames: SMOOTHING_SECS * rate_hz,
+            margin: if options.warp == WarpMethod::Linear { 0 } else { (MARGIN_SECS * rate_hz).round() as usize },
             dtw: Dtw::default(),
             imw: Imw::new(rate_hz),
         }
+    }
+
+    /// Frames by which warps go on beyond the ends of a segment; 0 in linear time.
+    pub(super) fn margin(&self) -> usize {
+        self.margin
     }
 
     /// The smoothed warp of a segment to other frames; `None` if the slope limit allows none.
@@ -86,12 +113,13 @@ impl Warper {
 
     /// The matches of least cost among the pieces, best first, at most `count`. The pieces are first ranked
     /// in linear time, and the best `candidates` warped.
-    pub(super) fn best(&mut self, a: &[Feature], pieces: &[Piece], candidates: usize, count: usize) -> Vec<Match> {
+    pub(super) fn best(&mut self, a: &Piece, pieces: &[Piece], candidates: usize, count: usize) -> Vec<Match> {
+        let features = a.features();
         let mut ranked: Vec<(f32, &Piece)> = pieces
             .iter()
             .filter_map(|p| {
-                let (first, last) = linear_span(a.len(), p.features.len(), p.ends)?;
-                Some((linear_cost(a, p.features, first, last), p))
+                let (first, last) = linear_span(features.len(), p.features().len(), p.ends)?;
+                Some((linear_cost(features, p.features(), first, last), p))
             })
             .collect();
         ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -99,16 +127,49 @@ impl Warper {
             .iter()
             .take(candidates.max(count))
             .filter_map(|(_, piece)| {
-                let mut warp = self.warp(a, piece.features, piece.ends)?;
-                for at in &mut warp.at {
-                    *at += piece.first as f32;
-                }
-                Some(Match { example: piece.example, warp })
+                let (warp, before) = self.warp_across(a, piece)?;
+                Some(Match { example: piece.example, warp, before })
             })
             .collect();
         matches.sort_by(|a, b| a.warp.cost.total_cmp(&b.warp.cost));
+        // One of each clip before a second of any: clips that differ make the better mean.
+        let mut rank: Vec<(usize, usize)> = Vec::with_capacity(matches.len());
+        for (i, m) in matches.iter().enumerate() {
+            rank.push((matches[..i].iter().filter(|o| o.example == m.example).count(), i));
+        }
+        rank.sort_unstable();
+        let mut found: Vec<Option<Match>> = matches.into_iter().map(Some).collect();
+        let mut matches: Vec<Match> = rank.into_iter().filter_map(|(_, i)| found[i].take()).collect();
         matches.truncate(count);
         matches
+    }
+
+    /// The warp of a segment to frames of a piece's example, and how many frames before the segment it begins.
+    /// Where both go on beyond an end, so does the warp, and the end is open: a heel strike that was labelled
+    /// a frame early does not bend the warp.
+    pub(super) fn warp_across(&mut self, a: &Piece, b: &Piece) -> Option<(Warp, usize)> {
+        let margin = self.margin;
+        let (mut a_first, mut a_last, mut b_first, mut b_last) = (a.first, a.last, b.first, b.last);
+        let mut ends = b.ends;
+        if ends.open_begin == 0 {
+            let both = margin.min(a_first).min(b_first);
+            a_first -= both;
+            let more = (2 * both).min(b_first);
+            b_first -= more;
+            ends.open_begin = 2 * more;
+        }
+        if ends.open_end == 0 {
+            let both = margin.min(a.all.len() - 1 - a_last).min(b.all.len() - 1 - b_last);
+            a_last += both;
+            let more = (2 * both).min(b.all.len() - 1 - b_last);
+            b_last += more;
+            ends.open_end = 2 * more;
+        }
+        let mut warp = self.warp(&a.all[a_first..=a_last], &b.all[b_first..=b_last], ends)?;
+        for at in &mut warp.at {
+            *at += b_first as f32;
+        }
+        Some((warp, a.first - a_first))
     }
 }
 
@@ -129,7 +190,7 @@ fn thinned(features: &[Feature], stride: usize) -> Vec<Feature> {
 fn linear_span(n: usize, m: usize, ends: Ends) -> Option<(f32, f32)> {
     let last = m.checked_sub(1)? as f32;
     let length = (n.checked_sub(1)? as f32).min(last);
-    Some(match (ends.open_begin, ends.open_end) {
+    Some(match (ends.open_begin > 0, ends.open_end > 0) {
         (false, false) => (0.0, last),
         (true, false) => (last - length, last),
         (false, true) => (0.0, length),

@@ -246,13 +246,14 @@ impl Job<'_> {
         }
         let features = self.features(&refusals, executor);
         let reference = self.reference(&refusals, &cuts, &features, locomotion);
-        let times = self.canonical_times(&mut refusals, &cuts, &features, reference.as_ref(), executor);
+        let mut times = self.canonical_times(&mut refusals, &cuts, &features, reference.as_ref(), executor);
         let parts: Vec<pairing::Part> = (0..self.examples.len())
             .filter(|&i| refusals[i].is_none())
             .map(|i| pairing::Part {
                 example: i,
                 style: self.examples[i].style,
                 features: &features[i],
+                point_cloud: &self.examples[i].point_cloud,
                 segments: &cuts[i].0,
             })
             .collect();
@@ -264,6 +265,20 @@ impl Job<'_> {
             }));
             if progress(paired.len()).is_break() {
                 return None;
+            }
+        }
+        if let Some(reference) = &reference {
+            let neutral = usize::from(self.neutral);
+            let agreed: Vec<Option<CanonicalTime>> = parts
+                .iter()
+                .zip(&paired)
+                .map(|(part, paired)| {
+                    let neutral = paired.counterparts.iter().skip(neutral).step_by(self.styles);
+                    Some(timeline::agreed(times[part.example].as_ref()?, neutral, &times, reference, self.rate_hz))
+                })
+                .collect();
+            for (part, time) in parts.iter().zip(agreed) {
+                times[part.example] = time;
             }
         }
         let mut paired = paired.into_iter();

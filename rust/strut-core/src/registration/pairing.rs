@@ -6,6 +6,8 @@ use super::matching::{Match, Piece, Warper};
 use super::warp::{Ends, Warp};
 use super::{Counterpart, Counterparts, Options};
 use crate::database::MAX_COUNTERPARTS;
+use crate::humanoid::JOINTS;
+use crate::math::Vec3;
 
 /// A lead-in or lead-out may be stretched by this much on its way to the open end.
 const OPEN_REACH: usize = 2;
@@ -19,6 +21,8 @@ pub(super) struct Part<'a> {
     pub(super) style: u16,
     /// Features of its frames.
     pub(super) features: &'a [Feature],
+    /// Heading-free joint positions of its frames, metres.
+    pub(super) point_cloud: &'a [[Vec3; JOINTS]],
     /// Its segments.
     pub(super) segments: &'a [Segment],
 }
@@ -40,45 +44,38 @@ pub(super) fn pair(part: &Part, all: &[Part], styles: usize, options: &Options, 
         if others.is_empty() {
             continue;
         }
-        let matches: Vec<Vec<Match>> =
+        let mut matches: Vec<Vec<Match>> =
             part.segments.iter().map(|s| matches_of(s, part, &others, options, warper)).collect();
         for m in matches.iter().flatten() {
             cost_sum += m.warp.cost;
             cost_count += 1;
         }
-        fill(
-            part,
-            &matches,
-            options.counterparts(),
-            |example| last_frame(all, example),
-            |frame, found| {
-                counterparts[frame * styles + style] = found;
-            },
-        );
+        let changes = changes(part, &mut matches, &others, warper.margin());
+        let last_frame = |example| others.iter().find(|o| o.example == example).map_or(0, |o| o.features.len() - 1);
+        fill(part, &matches, &changes, last_frame, |frame, found| counterparts[frame * styles + style] = found);
     }
     Paired { counterparts, cost: (cost_count > 0).then(|| cost_sum / cost_count as f32) }
-}
-
-fn last_frame(all: &[Part], example: usize) -> f32 {
-    all.iter().find(|p| p.example == example).map_or(0.0, |p| (p.features.len() - 1) as f32)
 }
 
 /// The best matches of a segment in one style: at least one, if the style has any example.
 fn matches_of(segment: &Segment, part: &Part, others: &[&Part], options: &Options, warper: &mut Warper) -> Vec<Match> {
     // A cycle is compared up to and with the strike that ends it.
     let last = segment.frames.end.min(part.features.len() - 1);
-    let a = &part.features[segment.frames.start..=last];
-    let pieces: Vec<Piece> = others.iter().flat_map(|o| pieces_for(segment, a.len(), o)).collect();
-    let mut best = |pieces: &[Piece]| warper.best(a, pieces, options.candidates, options.counterparts());
+    let a =
+        Piece { example: part.example, all: part.features, first: segment.frames.start, last, ends: Ends::default() };
+    let frames = last + 1 - segment.frames.start;
+    let pieces: Vec<Piece> = others.iter().flat_map(|o| pieces_for(segment, frames, o)).collect();
+    let mut best = |pieces: &[Piece]| warper.best(&a, pieces, options.candidates, options.counterparts());
     let mut matches = best(&pieces);
     if matches.is_empty() {
         let anywhere: Vec<Piece> = others
             .iter()
             .map(|o| Piece {
                 example: o.example,
+                all: o.features,
                 first: 0,
-                features: o.features,
-                ends: Ends { open_begin: true, open_end: true },
+                last: o.features.len() - 1,
+                ends: Ends { open_begin: Ends::OPEN, open_end: Ends::OPEN },
             })
             .collect();
         matches = best(&anywhere);
@@ -87,7 +84,8 @@ fn matches_of(segment: &Segment, part: &Part, others: &[&Part], options: &Option
         // Longer than anything in the style by more than the slope limit: linear time is all there is.
         matches.extend(others.iter().max_by_key(|o| o.features.len()).map(|o| Match {
             example: o.example,
-            warp: Warp::linear(a.len(), 0.0, (o.features.len() - 1) as f32, 0.0),
+            warp: Warp::linear(frames, 0.0, (o.features.len() - 1) as f32, 0.0),
+            before: 0,
         }));
     }
     matches
@@ -98,8 +96,9 @@ fn pieces_for<'a>(segment: &Segment, n: usize, other: &Part<'a>) -> Vec<Piece<'a
     let end = other.features.len() - 1;
     let piece = |first: usize, last: usize, ends: Ends| Piece {
         example: other.example,
+        all: other.features,
         first,
-        features: &other.features[first..=last],
+        last,
         ends,
     };
     let strikes = || {
@@ -119,54 +118,99 @@ fn pieces_for<'a>(segment: &Segment, n: usize, other: &Part<'a>) -> Vec<Piece<'a
             .map(|s| piece(s.frames.start, s.frames.end, Ends::default()))
             .collect(),
         SegmentKind::LeadIn => {
-            let open = Ends { open_begin: true, open_end: false };
+            let open = Ends { open_begin: Ends::OPEN, open_end: 0 };
             // Too short a run-up would be stretched to fill the lead-in.
             strikes().filter(|s| s + 1 >= n).map(|s| piece(s.saturating_sub(reach), s, open)).collect()
         }
         SegmentKind::LeadOut => {
-            let open = Ends { open_begin: false, open_end: true };
+            let open = Ends { open_begin: 0, open_end: Ends::OPEN };
             strikes().filter(|s| end - s + 1 >= n).map(|s| piece(s, (s + reach).min(end), open)).collect()
         }
-        SegmentKind::Faulty => vec![piece(0, end, Ends { open_begin: true, open_end: true })],
+        SegmentKind::Faulty => vec![piece(0, end, Ends { open_begin: Ends::OPEN, open_end: Ends::OPEN })],
     }
 }
 
-/// Hands every frame its counterparts. Around a border between segments the matches of the one give way to
-/// those of the other over three frames: since all count alike in the mean, a share of one is a share of
-/// the slots.
+/// Where the matches of a segment give way to those of the next: for every border and slot the frames after
+/// the border (or before, if negative). All count alike in the mean, so that one match cannot fade into
+/// another; but it can take its place where both are most alike. The matches of the later segment are
+/// brought into the order of the slots that they take.
+fn changes(part: &Part, matches: &mut [Vec<Match>], others: &[&Part], reach: usize) -> Vec<Vec<isize>> {
+    let reach = reach as isize;
+    let points = |m: &Match, segment: &Segment, frame: isize| -> Option<&[Vec3; JOINTS]> {
+        let of = others.iter().find(|o| o.example == m.example)?;
+        of.point_cloud.get(m.at(frame - segment.frames.start as isize).max(0.0).round() as usize)
+    };
+    let mut changes = Vec::with_capacity(matches.len());
+    for (k, segments) in part.segments.windows(2).enumerate() {
+        let border = segments[1].frames.start as isize;
+        let (before, after) = (&matches[k], &matches[k + 1]);
+        let mut options: Vec<(f32, usize, usize, isize)> = Vec::with_capacity(before.len() * after.len());
+        for (slot, old) in before.iter().enumerate() {
+            for (number, new) in after.iter().enumerate() {
+                let distance_at = |&after: &isize| {
+                    let (a, b) = (points(old, &segments[0], border + after), points(new, &segments[1], border + after));
+                    let apart = |(a, b): (&[Vec3; JOINTS], &[Vec3; JOINTS])| -> f32 {
+                        a.iter().zip(b).map(|(a, b)| (*a - *b).length_squared()).sum()
+                    };
+                    a.zip(b).map_or(f32::INFINITY, apart)
+                };
+                // Of equal instants the one nearest to the border.
+                let nearest_first = (0..=reach).flat_map(|d| [d, -d]);
+                let least = nearest_first.map(|d| (distance_at(&d), d)).min_by(|a, b| a.0.total_cmp(&b.0));
+                options.extend(least.map(|(distance, d)| (distance, slot, number, d)));
+            }
+        }
+        options.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut slot_of: Vec<Option<usize>> = vec![None; after.len()];
+        let mut change = vec![0; before.len().max(after.len())];
+        let mut taken = vec![false; change.len()];
+        for (_, slot, number, d) in options {
+            if !taken[slot] && slot_of[number].is_none() {
+                (taken[slot], slot_of[number], change[slot]) = (true, Some(slot), d);
+            }
+        }
+        // A segment that has more matches than the one before fills up the slots.
+        let mut free = (0..taken.len()).filter(|&slot| !taken[slot]);
+        let mut ordered: Vec<(usize, Match)> = slot_of
+            .into_iter()
+            .zip(std::mem::take(&mut matches[k + 1]))
+            .map(|(slot, m)| (slot.or_else(|| free.next()).unwrap_or(usize::MAX), m))
+            .collect();
+        ordered.sort_by_key(|(slot, _)| *slot);
+        matches[k + 1] = ordered.into_iter().map(|(_, m)| m).collect();
+        changes.push(change);
+    }
+    changes
+}
+
+/// Hands every frame its counterparts: in each slot the match of its segment, or of a neighbouring segment
+/// near a border.
 fn fill(
     part: &Part,
     matches: &[Vec<Match>],
-    slots: usize,
-    last_frame: impl Fn(usize) -> f32,
+    changes: &[Vec<isize>],
+    last_frame: impl Fn(usize) -> usize,
     mut put: impl FnMut(usize, Counterparts),
 ) {
     for (k, segment) in part.segments.iter().enumerate() {
         for frame in segment.frames.clone() {
-            let from_start = frame - segment.frames.start;
-            let to_end = segment.frames.end - frame;
-            // Shares of the previous and of the next segment: 1/4 past a border, 1/2 on it, 1/4 before it.
-            let neighbour = match (from_start, to_end) {
-                (0, _) if k > 0 => Some((k - 1, 0.5)),
-                (1, _) if k > 0 => Some((k - 1, 0.25)),
-                (_, 1) if k + 1 < matches.len() => Some((k + 1, 0.25)),
-                _ => None,
-            };
             let mut found: Counterparts = [None; MAX_COUNTERPARTS];
             let mut used = 0;
-            let mut take = |k: usize, count: usize| {
-                for m in matches[k].iter().take(count.min(slots - used)) {
-                    let at = m.warp.extrapolated(frame as isize - part.segments[k].frames.start as isize);
-                    let at = at.clamp(0.0, last_frame(m.example));
-                    found[used] = Some(Counterpart { example: m.example as u32, frame: at });
-                    used += 1;
-                }
-            };
-            let borrowed = neighbour.map_or(0, |(k, share)| (share * slots.min(matches[k].len()) as f32) as usize);
-            if let Some((k, _)) = neighbour {
-                take(k, borrowed);
+            for slot in 0..MAX_COUNTERPARTS {
+                let change = |border: usize| changes.get(border).and_then(|c| c.get(slot)).copied().unwrap_or(0);
+                let of = if k > 0 && ((frame - segment.frames.start) as isize) < change(k - 1) {
+                    k - 1
+                } else if k + 1 < matches.len() && (frame as isize - segment.frames.end as isize) >= change(k) {
+                    k + 1
+                } else {
+                    k
+                };
+                let Some(m) = matches[of].get(slot) else { continue };
+                let at = m.at(frame as isize - part.segments[of].frames.start as isize);
+                let at = at.clamp(0.0, last_frame(m.example) as f32);
+                found[used] = Some(Counterpart { example: m.example as u32, frame: at });
+                used += 1;
             }
-            take(k, slots - borrowed);
             put(frame, found);
         }
     }

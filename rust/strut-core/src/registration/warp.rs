@@ -2,13 +2,18 @@
 
 use super::smooth::gaussian_with_fixed_ends;
 
-/// Which ends of a segment need not meet the ends of what it is warped to.
+/// How far the ends of a segment may stay away from the ends of what it is warped to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Ends {
-    /// The first frame may fall on any frame.
-    pub open_begin: bool,
-    /// The last frame may fall on any frame.
-    pub open_end: bool,
+    /// The first frame may fall on any of the first frames, as many after the very first.
+    pub open_begin: usize,
+    /// The last frame may fall on any of the last frames, as many before the very last.
+    pub open_end: usize,
+}
+
+impl Ends {
+    /// Anywhere.
+    pub const OPEN: usize = usize::MAX;
 }
 
 /// For every frame of a the fractional frame of b: strictly increasing.
