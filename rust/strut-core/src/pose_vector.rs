@@ -130,11 +130,17 @@ impl PoseChart {
         row
     }
 
+    /// Rotation of one joint in a row; the hips' without the heading.
+    pub fn rotation(&self, role: Role, row: &PoseRow) -> Quat {
+        let j = role.index();
+        self.means[j] * exp_map::exp(Vec3::new(row[3 * j], row[3 * j + 1], row[3 * j + 2]))
+    }
+
     /// The pose of a row at a placement.
     pub fn decode(&self, row: &PoseRow, at: Placement) -> Pose {
         let mut pose = Pose { root: Vec3::new(at.x, row[HIP_HEIGHT], at.z), rotations: [Quat::IDENTITY; JOINTS] };
-        for j in 0..JOINTS {
-            pose.rotations[j] = self.means[j] * exp_map::exp(Vec3::new(row[3 * j], row[3 * j + 1], row[3 * j + 2]));
+        for role in Role::ALL {
+            pose.rotations[role.index()] = self.rotation(role, row);
         }
         pose.rotations[0] = Quat::from_rotation_y(at.heading) * pose.rotations[0];
         pose

@@ -1,6 +1,7 @@
 //! Several styles at once: s(t) of the specification, §10.
 
 use super::body_part::{BodyPart, PARTS};
+use super::joint_limits::JointLimits;
 use crate::pose_vector::{DOFS, PoseRow, ROW};
 use thiserror::Error;
 
@@ -90,28 +91,6 @@ fn validate(weights: &[f32], styles: usize) -> Result<(), StyleError> {
     match weights.iter().position(|w| w.is_nan() || w.abs() > MAX_WEIGHT) {
         Some(style) => Err(StyleError::Weight { style, weight: weights[style] }),
         None => Ok(()),
-    }
-}
-
-/// What extrapolation may not leave.
-#[derive(Clone, Debug)]
-pub(super) struct JointLimits {
-    range: [PoseRow; 2],
-}
-
-/// Share of the observed range by which the limits are wider on either side.
-const WIDENING: f32 = 0.1;
-
-impl JointLimits {
-    /// From the least and greatest values observed.
-    pub(super) fn new(observed: &[PoseRow; 2]) -> Self {
-        let mut range = *observed;
-        for d in 0..ROW {
-            let margin = WIDENING * (observed[1][d] - observed[0][d]);
-            range[0][d] -= margin;
-            range[1][d] += margin;
-        }
-        Self { range }
     }
 }
 

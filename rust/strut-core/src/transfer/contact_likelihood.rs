@@ -103,9 +103,9 @@ pub(super) fn vote(db: &Database, neighbours: &[Neighbour], feet: &RecentFeet) -
     let (mut votes, mut voices) = (Votes::default(), [0.0_f32; 2]);
     for row in neighbours.iter().map(|n| n.row as usize) {
         let state = FeetState::of_row(db, row);
-        for side in 0..2 {
+        for (side, voices) in voices.iter_mut().enumerate() {
             let voice = 1.0 / (state.difference(&input, side) + SAME);
-            voices[side] += voice;
+            *voices += voice;
             votes.now[side] += voice * f32::from(db.contact[row][side]);
             votes.before[side] += voice * f32::from(db.contact[row - 1][side]);
         }

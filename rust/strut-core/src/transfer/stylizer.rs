@@ -1,11 +1,12 @@
 //! The online stylizer: one input frame in, one styled frame out. The only place where the stages meet.
 
-use super::blend::{JointLimits, StyleBlend, StyleError, blended};
+use super::blend::{StyleBlend, StyleError, blended};
 use super::body_part::BodyPart;
 use super::contact_likelihood::{CausalSmoother, RecentFeet, VOTERS, Votes, vote};
 use super::footplant::Footplant;
 use super::frame::{NoClock, Stage, StageClock, StyledFrame, Trace};
 use super::input_guard::{Admitted, InputGuard};
+use super::joint_limits::JointLimits;
 use super::mar::{Input, Mixture, StylePrediction};
 use super::model::Model;
 use super::options::{Options, OptionsError};
@@ -290,7 +291,9 @@ impl Stylizer {
             s.previous = s.current;
         }
         let frame_secs = self.frame_secs();
-        self.frame.pose = self.model.database().chart.decode(&row, place);
+        let chart = &self.model.database().chart;
+        self.frame.pose = chart.decode(&row, place);
+        self.limits.apply(chart, &row, input, &mut self.frame.pose);
         self.frame.dt_secs = match (first, self.options.timing) {
             (true, _) => 0.0,
             (false, true) => step_secs,
