@@ -8,9 +8,8 @@ use super::{Options, WarpMethod};
 
 /// Warps are smoothed over this time: frame steps go, the timing of steps and strikes stays.
 const SMOOTHING_SECS: f32 = 0.03;
-/// Warps of gait cycles go on beyond the strikes for this time: a strike that was labelled a frame early or
-/// late bends them less, and neighbouring segments share a stretch where one can give way to the other.
-const MARGIN_SECS: f32 = 0.1;
+/// Time around a heel strike within which the counterparts of one cycle give way to those of the next.
+const CHANGE_SECS: f32 = 0.1;
 /// Longer sequences are warped on every second, third … frame: the tables grow with the product of lengths.
 const MAX_TABLE_SIDE: usize = 1024;
 /// Instants at which segments are compared in linear time.
@@ -43,23 +42,13 @@ pub(super) struct Match {
     pub(super) example: usize,
     /// Frames of the example; its cost is a squared feature distance per frame.
     pub(super) warp: Warp,
-    /// Frames before the segment that the warp begins at.
-    pub(super) before: usize,
-}
-
-impl Match {
-    /// The example's frame for a frame counted from the segment's start; outside the warp it goes on with its
-    /// mean slope.
-    pub(super) fn at(&self, frame: isize) -> f32 {
-        self.warp.extrapolated(frame + self.before as isize)
-    }
 }
 
 /// Warps by the method of the options; holds the tables, to be used again.
 pub(super) struct Warper {
     method: WarpMethod,
     sigma_frames: f32,
-    margin: usize,
+    reach: usize,
     dtw: Dtw,
     imw: Imw,
 }
@@ -69,15 +58,15 @@ impl Warper {
         Self {
             method: options.warp,
             sigma_frames: SMOOTHING_SECS * rate_hz,
-            margin: if options.warp == WarpMethod::Linear { 0 } else { (MARGIN_SECS * rate_hz).round() as usize },
+            reach: (CHANGE_SECS * rate_hz).round() as usize,
             dtw: Dtw::default(),
             imw: Imw::new(rate_hz),
         }
     }
 
-    /// Frames by which warps go on beyond the ends of a segment; 0 in linear time.
-    pub(super) fn margin(&self) -> usize {
-        self.margin
+    /// Frames around a border between segments within which one may give way to the other.
+    pub(super) fn reach(&self) -> usize {
+        self.reach
     }
 
     /// The smoothed warp of a segment to other frames; `None` if the slope limit allows none.
@@ -127,8 +116,11 @@ impl Warper {
             .iter()
             .take(candidates.max(count))
             .filter_map(|(_, piece)| {
-                let (warp, before) = self.warp_across(a, piece)?;
-                Some(Match { example: piece.example, warp, before })
+                let mut warp = self.warp(features, piece.features(), piece.ends)?;
+                for at in &mut warp.at {
+                    *at += piece.first as f32;
+                }
+                Some(Match { example: piece.example, warp })
             })
             .collect();
         matches.sort_by(|a, b| a.warp.cost.total_cmp(&b.warp.cost));
@@ -142,34 +134,6 @@ impl Warper {
         let mut matches: Vec<Match> = rank.into_iter().filter_map(|(_, i)| found[i].take()).collect();
         matches.truncate(count);
         matches
-    }
-
-    /// The warp of a segment to frames of a piece's example, and how many frames before the segment it begins.
-    /// Where both go on beyond an end, so does the warp, and the end is open: a heel strike that was labelled
-    /// a frame early does not bend the warp.
-    pub(super) fn warp_across(&mut self, a: &Piece, b: &Piece) -> Option<(Warp, usize)> {
-        let margin = self.margin;
-        let (mut a_first, mut a_last, mut b_first, mut b_last) = (a.first, a.last, b.first, b.last);
-        let mut ends = b.ends;
-        if ends.open_begin == 0 {
-            let both = margin.min(a_first).min(b_first);
-            a_first -= both;
-            let more = (2 * both).min(b_first);
-            b_first -= more;
-            ends.open_begin = 2 * more;
-        }
-        if ends.open_end == 0 {
-            let both = margin.min(a.all.len() - 1 - a_last).min(b.all.len() - 1 - b_last);
-            a_last += both;
-            let more = (2 * both).min(b.all.len() - 1 - b_last);
-            b_last += more;
-            ends.open_end = 2 * more;
-        }
-        let mut warp = self.warp(&a.all[a_first..=a_last], &b.all[b_first..=b_last], ends)?;
-        for at in &mut warp.at {
-            *at += b_first as f32;
-        }
-        Some((warp, a.first - a_first))
     }
 }
 

@@ -50,7 +50,7 @@ pub(super) fn pair(part: &Part, all: &[Part], styles: usize, options: &Options, 
             cost_sum += m.warp.cost;
             cost_count += 1;
         }
-        let changes = changes(part, &mut matches, &others, warper.margin());
+        let changes = changes(part, &mut matches, &others, warper.reach());
         let last_frame = |example| others.iter().find(|o| o.example == example).map_or(0, |o| o.features.len() - 1);
         fill(part, &matches, &changes, last_frame, |frame, found| counterparts[frame * styles + style] = found);
     }
@@ -85,7 +85,6 @@ fn matches_of(segment: &Segment, part: &Part, others: &[&Part], options: &Option
         matches.extend(others.iter().max_by_key(|o| o.features.len()).map(|o| Match {
             example: o.example,
             warp: Warp::linear(frames, 0.0, (o.features.len() - 1) as f32, 0.0),
-            before: 0,
         }));
     }
     matches
@@ -138,7 +137,7 @@ fn changes(part: &Part, matches: &mut [Vec<Match>], others: &[&Part], reach: usi
     let reach = reach as isize;
     let points = |m: &Match, segment: &Segment, frame: isize| -> Option<&[Vec3; JOINTS]> {
         let of = others.iter().find(|o| o.example == m.example)?;
-        of.point_cloud.get(m.at(frame - segment.frames.start as isize).max(0.0).round() as usize)
+        of.point_cloud.get(m.warp.extrapolated(frame - segment.frames.start as isize).max(0.0).round() as usize)
     };
     let mut changes = Vec::with_capacity(matches.len());
     for (k, segments) in part.segments.windows(2).enumerate() {
@@ -206,7 +205,7 @@ fn fill(
                     k
                 };
                 let Some(m) = matches[of].get(slot) else { continue };
-                let at = m.at(frame as isize - part.segments[of].frames.start as isize);
+                let at = m.warp.extrapolated(frame as isize - part.segments[of].frames.start as isize);
                 let at = at.clamp(0.0, last_frame(m.example) as f32);
                 found[used] = Some(Counterpart { example: m.example as u32, frame: at });
                 used += 1;

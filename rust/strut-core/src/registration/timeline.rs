@@ -2,7 +2,7 @@
 
 use super::features::Feature;
 use super::gait::{Segment, SegmentKind};
-use super::matching::{Piece, Warper, linear_distance};
+use super::matching::{Warper, linear_distance};
 use super::smooth::gaussian;
 use super::warp::{Ends, Warp};
 use super::{Counterpart, Counterparts};
@@ -87,44 +87,39 @@ pub(super) fn canonical_time(
     let length = reference.canonical_frames();
     let of_example = &all_features[reference.example];
     let reference_features = &of_example[reference.frames.start..=reference.frames.end.min(of_example.len() - 1)];
-    // For every segment the canonical times of its frames, from `before` frames ahead of it, cycles counted on.
-    let mut pieces: Vec<(Warp, usize)> = Vec::with_capacity(segments.len());
+    // For every segment the canonical times of its frames, cycles counted on.
+    let mut warps: Vec<Warp> = Vec::with_capacity(segments.len());
     let mut cycles = 0.0;
     for segment in segments {
         let last = segment.frames.end.min(features.len() - 1);
-        let a = Piece { example: 0, all: features, first: segment.frames.start, last, ends: Ends::default() };
-        let frames = last + 1 - segment.frames.start;
-        let (mut warp, before, ahead) = if segment.kind == SegmentKind::Clip {
-            (warper.warp(&features[segment.frames.clone()], reference_features, Ends::default())?, 0, 0.0)
-        } else {
-            let period = reference_features.len() - 1;
-            let around = 1 + (2 * frames).div_ceil(period);
-            let tiled = tiled(reference_features, (2 * around + 1) * period);
-            let first = around * period;
-            let (first, last, ends) = match segment.kind {
-                SegmentKind::LeadIn => (0, first, Ends { open_begin: Ends::OPEN, open_end: 0 }),
-                SegmentKind::LeadOut => (first, tiled.len() - 1, Ends { open_begin: 0, open_end: Ends::OPEN }),
-                _ => (first, first + period, Ends::default()),
-            };
-            let (warp, before) = warper
-                .warp_across(&a, &Piece { example: 0, all: &tiled, first, last, ends })
-                .unwrap_or_else(|| (Warp::linear(frames, first as f32, last as f32, 0.0), 0));
-            (warp, before, (around * period) as f32)
+        let piece = &features[segment.frames.start..=last];
+        let (target, ends) = match segment.kind {
+            SegmentKind::LeadIn => {
+                (tiled(reference_features, 2 * piece.len()), Ends { open_begin: Ends::OPEN, open_end: 0 })
+            }
+            SegmentKind::LeadOut => {
+                (tiled(reference_features, 2 * piece.len()), Ends { open_begin: 0, open_end: Ends::OPEN })
+            }
+            _ => (reference_features.to_vec(), Ends::default()),
         };
+        let last = (target.len() - 1) as f32;
+        let found = warper.warp(piece, &target, ends);
+        let mut warp = match segment.kind {
+            SegmentKind::Clip => found?,
+            _ => found.unwrap_or_else(|| Warp::linear(piece.len(), 0.0, last, 0.0)),
+        };
+        let ahead = if segment.kind == SegmentKind::LeadIn { last } else { 0.0 };
         for at in &mut warp.at {
             *at += cycles * length - ahead;
         }
-        pieces.push((warp, before));
+        warps.push(warp);
         if matches!(segment.kind, SegmentKind::Cycle | SegmentKind::Faulty) {
             cycles += 1.0;
         }
     }
     // On a border both segments' times count alike; where they differ, one gives way to the other.
-    let reach = warper.margin().max(1) as f32;
-    let at = |k: usize, frame: usize| {
-        let (warp, before) = &pieces[k];
-        warp.extrapolated((frame + before) as isize - segments[k].frames.start as isize)
-    };
+    let reach = warper.reach().max(1) as f32;
+    let at = |k: usize, frame: usize| warps[k].extrapolated(frame as isize - segments[k].frames.start as isize);
     let mut unwrapped: Vec<f32> = Vec::with_capacity(features.len());
     for (k, segment) in segments.iter().enumerate() {
         for frame in segment.frames.clone() {
