@@ -5,6 +5,7 @@
 //! the samples, the mean at a is k(a, Z) w with `(σ² K_ZZ + K_ZX K_XZ) w = K_ZX Y`. Far from all points it
 //! falls back to the prior's zero.
 
+use super::products::dot;
 use libm::exp;
 use nalgebra::{Cholesky, DMatrix};
 
@@ -54,7 +55,7 @@ impl Basis {
         let values: Vec<f64> =
             (0..count).flat_map(|i| inputs.chunks_exact(width).map(move |x| kernel.value(point(i), x))).collect();
         let samples = inputs.len() / width;
-        let mut gram = products(&values, samples, &values, samples, true);
+        let mut gram = products(&values, &values, samples, true);
         for j in 0..count {
             for i in j..count {
                 gram[(i, j)] += kernel.noise * kernel.value(point(i), point(j));
@@ -69,7 +70,7 @@ impl Basis {
     pub(super) fn fit(&self, outputs: &[Vec<f64>]) -> Process {
         let samples = outputs.first().map_or(0, Vec::len);
         let flat: Vec<f64> = outputs.iter().flatten().copied().collect();
-        let weights = self.cholesky.solve(&products(&self.values, samples, &flat, samples, false));
+        let weights = self.cholesky.solve(&products(&self.values, &flat, samples, false));
         Process {
             kernel: self.kernel,
             width: self.width,
@@ -80,38 +81,21 @@ impl Basis {
     }
 }
 
-/// Products of rows of `length` numbers: the matrix of aᵢ · bⱼ, of which `lower` asks for i ≥ j only.
-fn products(a: &[f64], length_a: usize, b: &[f64], length_b: usize, lower: bool) -> DMatrix<f64> {
-    let length = length_a.min(length_b).max(1);
-    let (rows, columns) = (a.len() / length, b.len() / length);
+/// The matrix of aᵢ · bⱼ for rows of `length` numbers; `lower` asks for i ≥ j only.
+fn products(a: &[f64], b: &[f64], length: usize, lower: bool) -> DMatrix<f64> {
+    let (rows, columns) = (a.len() / length.max(1), b.len() / length.max(1));
     let mut out = DMatrix::zeros(rows, columns);
     for begin in (0..length).step_by(BLOCK) {
-        let block = begin..(begin + BLOCK).min(length);
-        let part = |m: &'_ [f64], i: usize| -> std::ops::Range<usize> {
-            debug_assert!(m.len() >= (i + 1) * length);
-            i * length + block.start..i * length + block.end
-        };
+        let end = (begin + BLOCK).min(length);
+        let part = |row: usize| row * length + begin..row * length + end;
         for j in 0..columns {
-            let bj = &b[part(b, j)];
+            let column = &b[part(j)];
             for i in if lower { j } else { 0 }..rows {
-                out[(i, j)] += dot(&a[part(a, i)], bj);
+                out[(i, j)] += dot(&a[part(i)], column);
             }
         }
     }
     out
-}
-
-/// Sum of products in eight lanes.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
-    let (a_lanes, b_lanes) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest: f64 = a_lanes.remainder().iter().zip(b_lanes.remainder()).map(|(a, b)| a * b).sum();
-    for (a, b) in a_lanes.zip(b_lanes) {
-        for i in 0..8 {
-            lanes[i] += a[i] * b[i];
-        }
-    }
-    lanes.iter().sum::<f64>() + rest
 }
 
 /// A trained process.

@@ -3,8 +3,8 @@
 //! From kinematic features of the input (pose and velocity, by their principal components) a process
 //! predicts the difference between target and input, and the log duration. Predicted frame by frame on its own
 //! the difference flickers where training frames of similar features differ; so a second process also sees the
-//! last difference. It is trained on last differences half of which are the first process's predictions and
-//! half the true ones: having seen errors as it will make them itself, it returns from them instead of drifting.
+//! last difference. It is trained on the first process's predictions in place of the true last differences: having
+//! seen errors as it will make them itself, it returns from them instead of drifting.
 
 use super::gaussian_process::{Basis, Kernel, Process, farthest_points};
 use super::principal::Principal;
@@ -22,7 +22,7 @@ const WIDTH: usize = COMPONENTS + DIFFERENCE_COMPONENTS;
 /// Differences of all degrees of freedom and the log duration.
 const OUTPUTS: usize = DOFS + 1;
 /// Variance of the velocity features as a share of the pose features'.
-const VELOCITY_SHARE: f64 = 0.5;
+const VELOCITY_SHARE: f64 = 0.2;
 /// Variance of the last difference's features as a share of the input's.
 const DIFFERENCE_SHARE: f64 = 0.25;
 /// Training rows at most: at 60 Hz neighbours in time say nearly the same.
@@ -30,7 +30,7 @@ const MAX_ROWS: usize = 6000;
 /// Inducing points at most.
 const POINTS: usize = 256;
 /// ℓ in standard deviations of the features taken together, and σ².
-const KERNEL: Kernel = Kernel { length: 1.0, noise: 0.05 };
+const KERNEL: Kernel = Kernel { length: 1.0, noise: 0.2 };
 
 /// What the processes of all target styles share: features of the input, and the first process's basis.
 #[derive(Clone, Debug)]
@@ -173,17 +173,13 @@ impl Gp {
         gp.process = features.basis.as_ref().and_then(|basis| {
             let first = basis.fit(&outputs);
             let pose = &pairs.db.pose;
-            let last_difference = |(i, t): (usize, usize)| {
-                if i % 2 == 0 {
-                    return difference(t - 1);
-                }
+            let last_difference = |t: usize| {
                 let mut predicted = [0.0; OUTPUTS];
                 first.mean(&features.of(&pose[t - 1], &pose[t - 2]), &mut predicted);
                 std::array::from_fn(|d| gp.mean[d] + predicted[d])
             };
             let rows = features.rows.iter().copied().enumerate();
-            let inputs: Vec<f64> =
-                rows.flat_map(|(i, t)| gp.input(features.input(i), &last_difference((i, t)))).collect();
+            let inputs: Vec<f64> = rows.flat_map(|(i, t)| gp.input(features.input(i), &last_difference(t))).collect();
             let points = features.points.iter().flat_map(|&i| inputs[i * WIDTH..(i + 1) * WIDTH].iter().copied());
             Some(Basis::new(KERNEL, WIDTH, &inputs, points.collect())?.fit(&outputs))
         });

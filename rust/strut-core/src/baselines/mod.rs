@@ -13,6 +13,7 @@ mod lti;
 mod memo;
 mod pairs;
 mod principal;
+mod products;
 mod subspace;
 
 pub(crate) use memo::Baselines;
@@ -66,3 +67,6 @@ pub(crate) trait Predictor: Debug + Send + Sync {
     /// Predicts the next frame. Allocates nothing.
     fn predict(&self, memory: &mut [f64], now: Now<'_>) -> Prediction;
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,19 +5,22 @@
 //! future inputs predict the future outputs by least squares; the part Γ xₜ = L wₜ that comes from the past has
 //! rank n, and its leading directions (weighted as in MOESP, by the past that the future inputs do not explain)
 //! give the states as xₜ = T wₜ. Regressing xₜ₊₁ on xₜ and uₜ gives A and B. Since the system will run without
-//! ever seeing y, C, D and the offset are those of least error along the states that it reaches by itself from
-//! each recording's first.
+//! ever seeing y, C, D and the offset are those of least error along the states that it reaches by itself, which
+//! after a while do not depend on the first.
 //!
 //! Everything but that last step needs only the lagged products of the recordings, a block Hankel Gram matrix
 //! whose blocks follow from their upper left neighbours.
 
+use super::products::{dot, product};
 use nalgebra::{Cholesky, DMatrix, DVector, Schur, SymmetricEigen};
 
 /// Greatest spectral radius of A: a memory of about 1 s at 60 Hz.
 const MAX_RADIUS: f64 = 0.985;
 /// Added to the diagonals of Gram matrices, as a share of their mean: recordings of a periodic motion hardly
 /// tell the lags apart.
-const RIDGE: f64 = 1e-7;
+const RIDGE: f64 = 1e-5;
+/// Added to each diagonal entry of the regression of C and D, as a share of itself: inputs may be collinear.
+const OUTPUT_RIDGE: f64 = 1e-7;
 
 /// A stretch of frames that follow each other in time.
 #[derive(Clone, Debug)]
@@ -53,9 +56,8 @@ impl StateSpace {
     /// The system of a shape that explains some recordings. Where they are too short or too poor for dynamics the
     /// order is lower, down to a static map; without any frame it gives zeros.
     pub(super) fn identify(recordings: &[Recording], shape: Shape) -> Self {
-        let mean = mean(recordings, shape);
-        let Dynamics { a, b, state_from_past } =
-            Dynamics::identify(recordings, &mean, shape).unwrap_or_else(|| Dynamics::none(shape));
+        let none = || (DMatrix::zeros(0, 0), DMatrix::zeros(0, shape.inputs));
+        let (a, b) = dynamics(recordings, shape).unwrap_or_else(none);
         let order = a.nrows();
         let rest = match order {
             0 => None,
@@ -70,7 +72,7 @@ impl StateSpace {
             output: vec![0.0; shape.outputs * (order + shape.inputs + 1)],
             rest: by_rows(&rest),
         };
-        system.fit_output(recordings, shape, &mean, &state_from_past);
+        system.fit_output(recordings, shape);
         system
     }
 
@@ -104,9 +106,9 @@ impl StateSpace {
         state.copy_from_slice(&next[..n]);
     }
 
-    /// Fits C, D and the offset to the states that the recordings' inputs give. Each recording begins with the
-    /// state that its first frames tell; if it is too short for that, at rest.
-    fn fit_output(&mut self, recordings: &[Recording], shape: Shape, mean: &[f64], state_from_past: &DMatrix<f64>) {
+    /// Fits C, D and the offset to the states that the recordings' inputs give. A recording begins at rest with its
+    /// first input; its first frames do not count, unless that leaves few.
+    fn fit_output(&mut self, recordings: &[Recording], shape: Shape) {
         let Shape { inputs: m, outputs: l, lags, .. } = shape;
         let width = self.order + m + 1;
         let mut gram = DMatrix::<f64>::zeros(width, width);
@@ -115,17 +117,13 @@ impl StateSpace {
         let mut regressors = vec![1.0; width];
         let mut count = 0.0;
         for r in recordings {
-            let skip = if r.inputs.len() > 2 * lags * m { lags } else { 0 };
-            if skip > 0 {
-                // Samples are centred for T, so its states are relative to the rest at the mean input.
-                self.rest(&mut memory, &mean[..m]);
-                for (v, past) in r.centred(mean, shape).take(lags * (m + l)).zip(state_from_past.column_iter()) {
-                    memory.iter_mut().zip(past.iter()).for_each(|(x, t)| *x += t * v);
+            let skip = if r.inputs.len() > 3 * lags * m { lags } else { 0 };
+            self.rest(&mut memory, &r.inputs[..m]);
+            for (t, (u, y)) in r.inputs.chunks_exact(m).zip(r.outputs.chunks_exact(l)).enumerate() {
+                if t < skip {
+                    self.step(&mut memory, u);
+                    continue;
                 }
-            } else {
-                self.rest(&mut memory, &r.inputs[..m]);
-            }
-            for (u, y) in r.inputs.chunks_exact(m).zip(r.outputs.chunks_exact(l)).skip(skip) {
                 regressors[..self.order].copy_from_slice(&memory[..self.order]);
                 regressors[self.order..width - 1].copy_from_slice(u);
                 count += 1.0;
@@ -142,7 +140,7 @@ impl StateSpace {
         gram.fill_upper_triangle_with_lower_triangle();
         // Each regressor by its own size: states may be much smaller than inputs.
         for i in 0..width {
-            gram[(i, i)] += RIDGE * gram[(i, i)] + f64::MIN_POSITIVE.max(1e-12 * count);
+            gram[(i, i)] += OUTPUT_RIDGE * gram[(i, i)] + f64::MIN_POSITIVE.max(1e-12 * count);
         }
         if let Some(cholesky) = Cholesky::new(gram) {
             self.output = by_rows(&cholesky.solve(&right).transpose());
@@ -150,105 +148,83 @@ impl StateSpace {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 fn by_rows(matrix: &DMatrix<f64>) -> Vec<f64> {
     matrix.transpose().as_slice().to_vec()
 }
 
-impl Recording {
-    /// uₜ, yₜ, uₜ₊₁, … less their means.
-    fn centred<'a>(&'a self, mean: &'a [f64], shape: Shape) -> impl Iterator<Item = f64> + 'a {
-        let frames = self.inputs.chunks_exact(shape.inputs).zip(self.outputs.chunks_exact(shape.outputs));
-        frames.flat_map(move |(u, y)| u.iter().chain(y).zip(mean).map(|(v, m)| v - m))
+/// The series of all components of all recordings, [recording][component][frame], less the components' means.
+fn centred(recordings: &[Recording], shape: Shape) -> Vec<Vec<Vec<f64>>> {
+    let Shape { inputs: m, outputs: l, .. } = shape;
+    let series = |r: &Recording, c: usize| -> Vec<f64> {
+        if c < m {
+            r.inputs.iter().skip(c).step_by(m).copied().collect()
+        } else {
+            r.outputs.iter().skip(c - m).step_by(l).copied().collect()
+        }
+    };
+    let mut all: Vec<Vec<Vec<f64>>> = recordings.iter().map(|r| (0..m + l).map(|c| series(r, c)).collect()).collect();
+    let frames = all.iter().map(|r| r[0].len()).sum::<usize>().max(1) as f64;
+    for c in 0..m + l {
+        let mean = all.iter().flat_map(|r| &r[c]).sum::<f64>() / frames;
+        for v in all.iter_mut().flat_map(|r| &mut r[c]) {
+            *v -= mean;
+        }
     }
+    all
 }
 
-/// Mean of [uₜ, yₜ].
-fn mean(recordings: &[Recording], shape: Shape) -> Vec<f64> {
-    let width = shape.inputs + shape.outputs;
-    let zero = vec![0.0; width];
-    let mut sum = zero.clone();
-    let mut count = 0_usize;
-    for r in recordings {
-        for (i, v) in r.centred(&zero, shape).enumerate() {
-            sum[i % width] += v;
-        }
-        count += r.inputs.len() / shape.inputs;
+/// A and B, or `None` if the recordings do not tell.
+fn dynamics(recordings: &[Recording], shape: Shape) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
+    let Shape { inputs: m, outputs: l, lags, .. } = shape;
+    let p = m + l;
+    let mut gram = hankel_gram(&centred(recordings, shape), lags)?;
+    let ridge = RIDGE * gram.diagonal().mean();
+    for i in 0..gram.nrows() {
+        gram[(i, i)] += ridge;
     }
-    sum.iter().map(|s| s / count.max(1) as f64).collect()
-}
+    let past: Vec<usize> = (0..lags * p).collect();
+    let past_next: Vec<usize> = past.iter().map(|i| i + p).collect();
+    let now: Vec<usize> = (lags * p..lags * p + m).collect();
+    let future = |component: std::ops::Range<usize>| -> Vec<usize> {
+        (lags..2 * lags).flat_map(|k| component.clone().map(move |c| k * p + c)).collect()
+    };
+    let (future_inputs, future_outputs) = (future(0..m), future(m..p));
+    let known: Vec<usize> = past.iter().chain(&future_inputs).copied().collect();
+    let block = |rows: &[usize], columns: &[usize]| gram.select_rows(rows).select_columns(columns);
 
-/// The part of a system that makes its states.
-struct Dynamics {
-    a: DMatrix<f64>,
-    b: DMatrix<f64>,
-    /// T: from the centred frames of the past, oldest first.
-    state_from_past: DMatrix<f64>,
-}
-
-impl Dynamics {
-    /// Those of a static map.
-    fn none(shape: Shape) -> Self {
-        let past = shape.lags * (shape.inputs + shape.outputs);
-        Self { a: DMatrix::zeros(0, 0), b: DMatrix::zeros(0, shape.inputs), state_from_past: DMatrix::zeros(0, past) }
+    // Γ xₜ = L wₜ.
+    let coefficients = Cholesky::new(block(&known, &known))?.solve(&block(&known, &future_outputs));
+    let from_past = coefficients.rows(0, past.len()).transpose();
+    let explained = Cholesky::new(block(&future_inputs, &future_inputs))?.solve(&block(&future_inputs, &past));
+    let unexplained = block(&past, &past) - product(&block(&past, &future_inputs), &explained);
+    let eigen = SymmetricEigen::new(product(&product(&from_past, &unexplained), &from_past.transpose()));
+    let mut leading: Vec<usize> = (0..eigen.eigenvalues.len()).collect();
+    leading.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]).then(a.cmp(&b)));
+    let least = 1e-12 * eigen.eigenvalues[leading[0]];
+    leading.retain(|&i| eigen.eigenvalues[i] > least.max(f64::MIN_POSITIVE));
+    leading.truncate(shape.order);
+    let mut directions = eigen.eigenvectors.select_columns(&leading);
+    for (mut column, &i) in directions.column_iter_mut().zip(&leading) {
+        column /= eigen.eigenvalues[i].sqrt();
     }
+    let state_from_past = product(&directions.transpose(), &from_past);
 
-    /// Those that the recordings tell, if they do.
-    fn identify(recordings: &[Recording], mean: &[f64], shape: Shape) -> Option<Self> {
-        let Shape { inputs: m, outputs: l, lags, .. } = shape;
-        let p = m + l;
-        let mut gram = hankel_gram(recordings, mean, shape)?;
-        let ridge = RIDGE * gram.diagonal().mean();
-        for i in 0..gram.nrows() {
-            gram[(i, i)] += ridge;
-        }
-        let past: Vec<usize> = (0..lags * p).collect();
-        let past_next: Vec<usize> = past.iter().map(|i| i + p).collect();
-        let now: Vec<usize> = (lags * p..lags * p + m).collect();
-        let future = |component: std::ops::Range<usize>| -> Vec<usize> {
-            (lags..2 * lags).flat_map(|k| component.clone().map(move |c| k * p + c)).collect()
-        };
-        let (future_inputs, future_outputs) = (future(0..m), future(m..p));
-        let known: Vec<usize> = past.iter().chain(&future_inputs).copied().collect();
-        let block = |rows: &[usize], columns: &[usize]| gram.select_rows(rows).select_columns(columns);
-
-        // Γ xₜ = L wₜ.
-        let coefficients = Cholesky::new(block(&known, &known))?.solve(&block(&known, &future_outputs));
-        let from_past = coefficients.rows(0, past.len()).transpose();
-        let explained = Cholesky::new(block(&future_inputs, &future_inputs))?.solve(&block(&future_inputs, &past));
-        let unexplained = block(&past, &past) - product(&block(&past, &future_inputs), &explained);
-        let eigen = SymmetricEigen::new(product(&product(&from_past, &unexplained), &from_past.transpose()));
-        let mut leading: Vec<usize> = (0..eigen.eigenvalues.len()).collect();
-        leading.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]).then(a.cmp(&b)));
-        let least = 1e-12 * eigen.eigenvalues[leading[0]];
-        leading.retain(|&i| eigen.eigenvalues[i] > least.max(f64::MIN_POSITIVE));
-        leading.truncate(shape.order);
-        let mut directions = eigen.eigenvectors.select_columns(&leading);
-        for (mut column, &i) in directions.column_iter_mut().zip(&leading) {
-            column /= eigen.eigenvalues[i].sqrt();
-        }
-        let state_from_past = product(&directions.transpose(), &from_past);
-
-        // xₜ₊₁ on xₜ and uₜ.
-        let n = leading.len();
-        let states = |rows: &[usize], columns: &[usize]| product(&state_from_past, &block(rows, columns));
-        let transposed = state_from_past.transpose();
-        let mut of_state = DMatrix::zeros(n + m, n + m);
-        of_state.view_mut((0, 0), (n, n)).copy_from(&product(&states(&past, &past), &transposed));
-        of_state.view_mut((0, n), (n, m)).copy_from(&states(&past, &now));
-        of_state.view_mut((n, 0), (m, n)).copy_from(&states(&past, &now).transpose());
-        of_state.view_mut((n, n), (m, m)).copy_from(&block(&now, &now));
-        let mut next = DMatrix::zeros(n + m, n);
-        next.view_mut((0, 0), (n, n)).copy_from(&product(&states(&past_next, &past), &transposed).transpose());
-        next.view_mut((n, 0), (m, n)).copy_from(&states(&past_next, &now).transpose());
-        let transition = Cholesky::new(of_state)?.solve(&next).transpose();
-        let a = stabilised(transition.columns(0, n).into_owned())?;
-        let b = transition.columns(n, m).into_owned();
-        (a.iter().chain(b.iter()).all(|v| v.is_finite())).then_some(Self { a, b, state_from_past })
-    }
+    // xₜ₊₁ on xₜ and uₜ.
+    let n = leading.len();
+    let states = |rows: &[usize], columns: &[usize]| product(&state_from_past, &block(rows, columns));
+    let transposed = state_from_past.transpose();
+    let mut of_state = DMatrix::zeros(n + m, n + m);
+    of_state.view_mut((0, 0), (n, n)).copy_from(&product(&states(&past, &past), &transposed));
+    of_state.view_mut((0, n), (n, m)).copy_from(&states(&past, &now));
+    of_state.view_mut((n, 0), (m, n)).copy_from(&states(&past, &now).transpose());
+    of_state.view_mut((n, n), (m, m)).copy_from(&block(&now, &now));
+    let mut next = DMatrix::zeros(n + m, n);
+    next.view_mut((0, 0), (n, n)).copy_from(&product(&states(&past_next, &past), &transposed).transpose());
+    next.view_mut((n, 0), (m, n)).copy_from(&states(&past_next, &now).transpose());
+    let transition = Cholesky::new(of_state)?.solve(&next).transpose();
+    let a = stabilised(transition.columns(0, n).into_owned())?;
+    let b = transition.columns(n, m).into_owned();
+    (a.iter().chain(b.iter()).all(|v| v.is_finite())).then_some((a, b))
 }
 
 /// A scaled to a spectral radius of at most [`MAX_RADIUS`].
@@ -261,64 +237,39 @@ fn stabilised(a: DMatrix<f64>) -> Option<DMatrix<f64>> {
     Some(if radius > MAX_RADIUS { a * (MAX_RADIUS / radius) } else { a })
 }
 
-/// Σ sₜ sₜᵀ over all windows sₜ = [uₜ, yₜ, uₜ₊₁, yₜ₊₁, …] of 2·lags centred frames; `None` if there are fewer windows
-/// than numbers in one.
-fn hankel_gram(recordings: &[Recording], mean: &[f64], shape: Shape) -> Option<DMatrix<f64>> {
-    let Shape { inputs: m, outputs: l, lags, .. } = shape;
-    let (p, length) = (m + l, 2 * lags);
+/// Σ sₜ sₜᵀ over all windows sₜ = [uₜ, yₜ, uₜ₊₁, yₜ₊₁, …] of 2·`lags` frames of some recordings, given by their
+/// components' series; `None` if there are fewer windows than numbers in one.
+fn hankel_gram(recordings: &[Vec<Vec<f64>>], lags: usize) -> Option<DMatrix<f64>> {
+    let p = recordings.first()?.len();
+    let length = 2 * lags;
     let mut gram = DMatrix::<f64>::zeros(length * p, length * p);
     let mut count = 0;
-    for r in recordings {
-        let frames = r.inputs.len() / m;
+    for series in recordings {
+        let frames = series[0].len();
         if frames < length {
             continue;
         }
         let windows = frames + 1 - length;
         count += windows;
-        let rows: Vec<f64> = r.centred(mean, shape).collect();
-        let row = |t: usize| &rows[t * p..(t + 1) * p];
         // Products of one lag at a time: of the first frame of the windows with the one `lag` later, then of the
         // second with the one after that, which loses the first window's and gains one behind the last's.
-        let mut products = vec![0.0; p * p];
         for lag in 0..length {
-            products.fill(0.0);
-            for t in 0..windows {
-                add_outer(&mut products, row(t), row(t + lag), 1.0);
-            }
-            for first in 0..length - lag {
-                let (a, b) = (first * p, (first + lag) * p);
-                for (i, row) in products.chunks_exact(p).enumerate() {
-                    for (j, v) in row.iter().enumerate() {
-                        gram[(b + j, a + i)] += v;
+            for (i, x) in series.iter().enumerate() {
+                for (j, y) in series.iter().enumerate() {
+                    let mut sum = dot(&x[..windows], &y[lag..lag + windows]);
+                    for first in 0..length - lag {
+                        gram[((first + lag) * p + j, first * p + i)] += sum;
+                        if first + lag + 1 < length {
+                            let (begin, end) = (first, first + windows);
+                            sum += x[end] * y[end + lag] - x[begin] * y[begin + lag];
+                        }
                     }
-                }
-                if first + lag + 1 < length {
-                    add_outer(&mut products, row(first), row(first + lag), -1.0);
-                    add_outer(&mut products, row(first + windows), row(first + lag + windows), 1.0);
                 }
             }
         }
     }
     gram.fill_upper_triangle_with_lower_triangle();
     (count > length * p).then_some(gram)
-}
-
-fn add_outer(sum: &mut [f64], a: &[f64], b: &[f64], scale: f64) {
-    for (row, a) in sum.chunks_exact_mut(b.len()).zip(a) {
-        row.iter_mut().zip(b).for_each(|(s, b)| *s += scale * a * b);
-    }
-}
-
-/// a · b, summed in order: nalgebra's own product depends on the processor.
-fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut out = DMatrix::zeros(a.nrows(), b.ncols());
-    for j in 0..b.ncols() {
-        let mut column = out.column_mut(j);
-        for k in 0..a.ncols() {
-            column.axpy(b[(k, j)], &a.column(k), 1.0);
-        }
-    }
-    out
 }
 
 #[cfg(test)]
@@ -329,6 +280,11 @@ mod tests {
     fn noise(seed: u32) -> impl Iterator<Item = f64> {
         let next = |s: &u32| Some(s.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
         std::iter::successors(Some(seed), next).skip(1).map(|s| f64::from(s >> 8) / f64::from(1 << 23) - 1.0)
+    }
+
+    /// Inputs that are at rest in the first frame.
+    fn from_rest(seed: u32, frames: usize) -> Vec<f64> {
+        std::iter::once(0.0).chain(noise(seed)).take(frames).collect()
     }
 
     /// A damped swing (eigenvalues 0.8 ± 0.4i) and a slow decay, seen through one output, at rest before.
@@ -364,7 +320,7 @@ mod tests {
         let expected = planted(&std::iter::once(1.0).chain([0.0; 39]).collect::<Vec<_>>());
         let recordings: Vec<Recording> = [3, 4]
             .map(|seed| {
-                let inputs: Vec<f64> = noise(seed).take(600).collect();
+                let inputs = from_rest(seed, 600);
                 let errors = noise(seed + 10);
                 let outputs = planted(&inputs).iter().zip(errors).map(|(y, e)| y + 0.02 * e + 0.4).collect();
                 Recording { inputs, outputs }
@@ -383,7 +339,7 @@ mod tests {
     /// Two inputs cross over to two outputs, each with its own decay.
     #[test]
     fn systems_with_several_inputs_and_outputs_are_recovered() {
-        let (u, v): (Vec<f64>, Vec<f64>) = noise(5).zip(noise(6)).take(800).unzip();
+        let (u, v) = (from_rest(5, 800), from_rest(6, 800));
         let mut x = [0.0; 2];
         let mut r = Recording { inputs: Vec::new(), outputs: Vec::new() };
         for (u, v) in u.into_iter().zip(v) {
@@ -454,11 +410,11 @@ mod tests {
             })
             .into();
         let shape = Shape { inputs: 2, outputs: 1, order: 1, lags: 3 };
-        let gram = hankel_gram(&recordings, &[0.0; 3], shape).unwrap();
+        let series = centred(&recordings, shape);
+        let gram = hankel_gram(&series, 3).unwrap();
         let mut expected = DMatrix::<f64>::zeros(18, 18);
-        for r in &recordings {
-            let frames: Vec<[f64; 3]> =
-                r.inputs.chunks_exact(2).zip(&r.outputs).map(|(u, y)| [u[0], u[1], *y]).collect();
+        for r in &series {
+            let frames: Vec<[f64; 3]> = (0..r[0].len()).map(|t| [r[0][t], r[1][t], r[2][t]]).collect();
             for window in frames.windows(6) {
                 let s = DVector::from_iterator(18, window.iter().flatten().copied());
                 expected += &s * s.transpose();

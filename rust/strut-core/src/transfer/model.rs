@@ -54,7 +54,7 @@ impl Model {
 
     /// The predictors that were trained for the methods of [`super::Method`] that need it.
     #[cfg(feature = "offline")]
-    pub(super) fn baselines(&self) -> &crate::baselines::Baselines {
+    pub(crate) fn baselines(&self) -> &crate::baselines::Baselines {
         &self.baselines
     }
 
