@@ -60,6 +60,9 @@ pub(crate) struct Args {
     /// How far classes less near than the nearest take part
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.delta)]
     delta: f32,
+    /// Whether the output is kept from trembling where the database does not know the input
+    #[arg(long, default_value = "on")]
+    coherence: Switch,
     /// Whether the style changes durations
     #[arg(long, default_value = "on")]
     timing: Switch,
@@ -131,6 +134,7 @@ fn numbers(args: &Args) -> Options {
         lambda: args.lambda,
         kappa: args.kappa,
         rho: args.rho,
+        coherence: args.coherence == Switch::On,
         timing: args.timing == Switch::On,
         footplant: args.footplant == Switch::On,
         method: Method::from_name(&args.method).unwrap_or_default(),

@@ -1,12 +1,14 @@
 //! The mixture of autoregressive models of one frame: neighbours → classes → styles (Eq. 2–7).
 
 use super::bias::Bias;
+use super::coherence::{Expectation, HALF_LIFE_SECS, taper};
 use super::mixture::class_weights;
 use super::model::Model;
 use super::options::{Method, Options};
-use super::regression::{InputMoments, Regressors, Samples, interpolate, interpolate_before, predict};
+use super::regression::{InputMoments, Prediction, Regressors, Samples, interpolate, interpolate_before, predict};
 use super::timing::{Moment, duration};
 use super::trained::Trained;
+use crate::math::float_funcs::half_life_share;
 use crate::pose_vector::{PoseRow, ROW};
 use crate::search::{Metric, Neighbours, QueryWindow, Scratch};
 
@@ -16,6 +18,8 @@ struct Component {
     classes: Vec<usize>,
     k: usize,
     neighbours: Neighbours,
+    /// How much each neighbour counts in regressions and durations.
+    neighbour_weights: Vec<f32>,
 }
 
 /// Prediction of one target style.
@@ -29,6 +33,8 @@ pub(super) struct StylePrediction {
     pub(super) previous: PoseRow,
     /// yₜ.
     pub(super) current: PoseRow,
+    /// How yₜ is expected to differ from yₜ₋₁.
+    expectation: Expectation,
     /// How long the frame lasts, seconds.
     pub(super) step_secs: f32,
     /// Likelihood that each foot of the registered targets is planted.
@@ -84,7 +90,12 @@ impl Mixture {
             .collect();
         let component = |classes: Vec<usize>| {
             let windows = classes.iter().map(|&c| model.index().windows_in_class(c)).sum();
-            Component { classes, k: class_k(options, windows), neighbours: Neighbours::default() }
+            Component {
+                classes,
+                k: class_k(options, windows),
+                neighbours: Neighbours::default(),
+                neighbour_weights: Vec::with_capacity(options.k),
+            }
         };
         let components: Vec<Component> = match options.method {
             _ if classes.is_empty() => return None,
@@ -111,6 +122,7 @@ impl Mixture {
             started: false,
             previous: [0.0; ROW],
             current: [0.0; ROW],
+            expectation: Expectation::NONE,
             step_secs: 0.0,
             contact: [0.0; 2],
             trained: Trained::new(model, options, &classes, style),
@@ -118,11 +130,17 @@ impl Mixture {
     }
 
     /// Finds the neighbours of the input in every class.
-    pub(super) fn search(&mut self, model: &Model, window: &QueryWindow) {
+    pub(super) fn search(&mut self, model: &Model, options: &Options, window: &QueryWindow) {
         for (c, d) in self.components.iter_mut().zip(&mut self.distances) {
             let out = &mut c.neighbours;
             model.index().query_classes(window, Metric::FullBody, &c.classes, c.k, &mut self.scratch, out);
             *d = out.mean_distance();
+            if is_coherent(options) {
+                taper(out.as_slice(), &mut c.neighbour_weights);
+            } else {
+                c.neighbour_weights.clear();
+                c.neighbour_weights.resize(out.as_slice().len(), 1.0);
+            }
         }
     }
 
@@ -152,6 +170,7 @@ impl Mixture {
         let db = model.database();
         for s in styles.iter_mut() {
             s.current = [0.0; ROW];
+            s.expectation = Expectation::of_input(input, options.rho);
         }
         let heaviest = self.heaviest();
         for (i, (component, &weight)) in self.components.iter().zip(&self.weights).enumerate() {
@@ -159,9 +178,10 @@ impl Mixture {
                 continue;
             }
             let neighbours = component.neighbours.as_slice();
-            let ridge = options.lambda * neighbours.len() as f32;
+            let weights = component.neighbour_weights.as_slice();
+            let ridge = options.lambda * weights.iter().sum::<f32>();
             let regresses = matches!(options.method, Method::Mar | Method::LocalAr);
-            let moments = regresses.then(|| InputMoments::new(&db.pose, neighbours));
+            let moments = regresses.then(|| InputMoments::new(&db.pose, neighbours, weights));
             let bias = match (&moments, options.method) {
                 (Some(m), Method::Mar) => {
                     Bias::new(input.current, &m.statistics, db.sigma(), options.kappa, options.rho)
@@ -173,7 +193,7 @@ impl Mixture {
             }
             for s in styles.iter_mut() {
                 let targets = &model.target_table(s.style).pose;
-                let samples = Samples { inputs: &db.pose, targets, neighbours };
+                let samples = Samples { inputs: &db.pose, targets, neighbours, weights };
                 let row = if let Some(row) = s.trained_row(model, input, samples) {
                     row
                 } else if let Some(moments) = &moments {
@@ -181,12 +201,20 @@ impl Mixture {
                     let start = if s.started { s.previous } else { bias.put_on(interpolate_before(samples)) };
                     let u =
                         Regressors { previous_input: input.previous, input: input.current, previous_output: &start };
-                    predict(u, moments, samples, ridge, db.sigma(), &bias)
+                    let Prediction { output, target_step } = predict(u, moments, samples, ridge, db.sigma(), &bias);
+                    s.expectation.add(weight, options.rho, &moments.input_step(), &target_step);
+                    output
                 } else {
                     let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
                     interpolate(targets, &neighbours[..nearest])
                 };
                 s.current.iter_mut().zip(&row).for_each(|(sum, v)| *sum += weight * v);
+            }
+        }
+        if is_coherent(options) && heaviest.is_some() {
+            let share = half_life_share(1.0 / db.rate_hz, HALF_LIFE_SECS);
+            for s in styles.iter_mut().filter(|s| s.started) {
+                s.expectation.correct(&s.previous, share, &mut s.current);
             }
         }
     }
@@ -216,7 +244,8 @@ impl Mixture {
                     output: &s.current,
                     previous_output: if s.started { &s.previous } else { &s.current },
                 };
-                let samples = Samples { inputs: &db.pose, targets: &table.pose, neighbours: &neighbours[..nearest] };
+                let (neighbours, weights) = (&neighbours[..nearest], component.neighbour_weights.as_slice());
+                let samples = Samples { inputs: &db.pose, targets: &table.pose, neighbours, weights };
                 let secs_of_class = duration(model.scales(), now, samples, &table.step_secs, &mut self.kernel);
                 secs += weight * secs_of_class.unwrap_or(frame_secs);
                 let contact_of_class: [f32; 2] = interpolate(&table.contact, samples.neighbours);
@@ -253,6 +282,12 @@ impl Mixture {
             .filter(|&i| self.weights[i] > 0.0)
             .reduce(|best, i| if self.weights[i] > self.weights[best] { i } else { best })
     }
+}
+
+/// Whether the measures of [`super::coherence`] are taken: they belong to the product, not to what it is
+/// compared with.
+fn is_coherent(options: &Options) -> bool {
+    options.coherence && options.method == Method::Mar
 }
 
 /// K of a class: small classes take a quarter of their windows, so that neighbours stay near.

@@ -9,6 +9,7 @@ mod blend;
 mod body_part;
 mod clip;
 mod clip_footplant;
+mod coherence;
 mod contact_likelihood;
 mod footplant;
 mod frame;

@@ -77,6 +77,10 @@ pub struct Options {
     /// ρ of Eq. 7: share of the bias that returns in the output. More keeps more of the input's own
     /// content, less gives more of the style.
     pub rho: f32,
+    /// Whether the output of [`Method::Mar`] is kept from trembling where the database does not know the input:
+    /// neighbours weigh less the farther they are, and predictions correct an expectation. Not in the paper; the
+    /// acceleration ratio outside the database falls from 1.59 to 1.24, inside nothing changes.
+    pub coherence: bool,
     /// Whether output frames last as long as predicted; otherwise as long as the input's.
     pub timing: bool,
     /// Whether planted feet are held in place.
@@ -97,6 +101,7 @@ impl Options {
         lambda: 0.1,
         kappa: 3.0,
         rho: 0.7,
+        coherence: true,
         timing: true,
         footplant: true,
         action: None,

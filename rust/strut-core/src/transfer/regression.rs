@@ -23,24 +23,30 @@ pub(super) struct InputMoments {
 }
 
 impl InputMoments {
-    /// Of the database rows at the neighbours and just before them.
-    pub(super) fn new(rows: &[PoseRow], neighbours: &[Neighbour]) -> Self {
-        let mean_previous = mean(neighbours.iter().map(|n| &rows[n.row as usize - 1]));
-        let mean_current = mean(neighbours.iter().map(|n| &rows[n.row as usize]));
+    /// Of the database rows at the neighbours, as far as each counts, and just before them.
+    pub(super) fn new(rows: &[PoseRow], neighbours: &[Neighbour], weights: &[f32]) -> Self {
+        let mean_previous = mean(rows, neighbours, weights, 1);
+        let mean_current = mean(rows, neighbours, weights, 0);
         let (mut pp, mut pc, mut cc) = ([0.0; ROW], [0.0; ROW], [0.0; ROW]);
-        for n in neighbours {
+        for (n, &w) in neighbours.iter().zip(weights) {
             let (previous, current) = (&rows[n.row as usize - 1], &rows[n.row as usize]);
             for d in 0..ROW {
                 let p = previous[d] - mean_previous[d];
                 let c = current[d] - mean_current[d];
-                pp[d] += p * p;
-                pc[d] += p * c;
-                cc[d] += c * c;
+                let (wp, wc) = (w * p, w * c);
+                pp[d] += wp * p;
+                pc[d] += wp * c;
+                cc[d] += wc * c;
             }
         }
-        let count = neighbours.len().max(1) as f32;
+        let count = weights.iter().sum::<f32>().max(f32::MIN_POSITIVE);
         let statistics = InputStatistics { mean: mean_current, deviation: cc.map(|v| (v / count).sqrt()) };
         Self { mean_previous, statistics, pp, pc, cc }
+    }
+
+    /// Mean change of the neighbours' inputs from t−1 to t.
+    pub(super) fn input_step(&self) -> PoseRow {
+        std::array::from_fn(|d| self.statistics.mean[d] - self.mean_previous[d])
     }
 }
 
@@ -53,6 +59,8 @@ pub(super) struct Samples<'a> {
     pub(super) targets: &'a [PoseRow],
     /// Which of them count. Their rows are never the first of a clip.
     pub(super) neighbours: &'a [Neighbour],
+    /// How much each of them counts: 0 to 1, not all 0.
+    pub(super) weights: &'a [f32],
 }
 
 /// What is known when a frame is predicted.
@@ -66,9 +74,18 @@ pub(super) struct Regressors<'a> {
     pub(super) previous_output: &'a PoseRow,
 }
 
+/// What the regression gives.
+#[derive(Clone, Debug)]
+pub(super) struct Prediction {
+    /// yₜ.
+    pub(super) output: PoseRow,
+    /// Mean change of the neighbours' targets from t−1 to t.
+    pub(super) target_step: PoseRow,
+}
+
 /// Predicts yₜ of one style from the registered target rows of the neighbours.
 ///
-/// `ridge` is λ·K in squared standard deviations; `sigma` the global standard deviation of each degree of
+/// `ridge` is λ·K (the sum of the weights stands for K) in squared standard deviations; `sigma` the global standard deviation of each degree of
 /// freedom. The bias is taken off the regressors and its share ρ put back on the result (Eq. 6–7).
 pub(super) fn predict(
     u: Regressors<'_>,
@@ -77,14 +94,14 @@ pub(super) fn predict(
     ridge: f32,
     sigma: &PoseRow,
     bias: &Bias,
-) -> PoseRow {
-    let Samples { inputs, targets, neighbours } = samples;
-    let mean_before = mean(neighbours.iter().map(|n| &targets[n.row as usize - 1]));
-    let mean_target = mean(neighbours.iter().map(|n| &targets[n.row as usize]));
+) -> Prediction {
+    let Samples { inputs, targets, neighbours, weights } = samples;
+    let mean_before = mean(targets, neighbours, weights, 1);
+    let mean_target = mean(targets, neighbours, weights, 0);
     // Products with the previous target (`b`) and with the target (`t`).
     let (mut pb, mut cb, mut bb) = ([0.0; ROW], [0.0; ROW], [0.0; ROW]);
     let (mut pt, mut ct, mut bt) = ([0.0; ROW], [0.0; ROW], [0.0; ROW]);
-    for n in neighbours {
+    for (n, &w) in neighbours.iter().zip(weights) {
         let at = n.row as usize;
         let (x0, x1, y0, y1) = (&inputs[at - 1], &inputs[at], &targets[at - 1], &targets[at]);
         for d in 0..ROW {
@@ -92,15 +109,16 @@ pub(super) fn predict(
             let c = x1[d] - moments.statistics.mean[d];
             let b = y0[d] - mean_before[d];
             let t = y1[d] - mean_target[d];
-            pb[d] += p * b;
-            cb[d] += c * b;
-            bb[d] += b * b;
+            let (wb, t) = (w * b, w * t);
+            pb[d] += p * wb;
+            cb[d] += c * wb;
+            bb[d] += b * wb;
             pt[d] += p * t;
             ct[d] += c * t;
             bt[d] += b * t;
         }
     }
-    let mut out = [0.0; ROW];
+    let mut output = [0.0; ROW];
     for d in 0..ROW {
         let ridge = ridge * sigma[d] * sigma[d];
         let gram = Gram {
@@ -112,13 +130,13 @@ pub(super) fn predict(
             bb: bb[d] + ridge,
         };
         let beta = gram.solve([pt[d], ct[d], bt[d]]);
-        out[d] = mean_target[d]
+        output[d] = mean_target[d]
             + beta.previous_input * (u.previous_input[d] - bias.input[d] - moments.mean_previous[d])
             + beta.input * (u.input[d] - bias.input[d] - moments.statistics.mean[d])
             + beta.previous_output * (u.previous_output[d] - bias.output[d] - mean_before[d])
             + bias.output[d];
     }
-    out
+    Prediction { output, target_step: std::array::from_fn(|d| mean_target[d] - mean_before[d]) }
 }
 
 /// Normal equations of one degree of freedom, ridge included: regressors p = xₜ₋₁, c = xₜ, b = yₜ₋₁.
@@ -157,17 +175,17 @@ impl Gram {
     }
 }
 
-/// Mean of rows, summed in order; zero if there are none.
-fn mean<'a>(rows: impl Iterator<Item = &'a PoseRow>) -> PoseRow {
+/// Weighted mean of the rows `before` the neighbours, summed in order; zero if there are none.
+fn mean(rows: &[PoseRow], neighbours: &[Neighbour], weights: &[f32], before: usize) -> PoseRow {
     let mut sum = [0.0; ROW];
     let mut count = 0.0;
-    for row in rows {
-        for (s, v) in sum.iter_mut().zip(row) {
-            *s += v;
+    for (n, &w) in neighbours.iter().zip(weights) {
+        for (s, v) in sum.iter_mut().zip(&rows[n.row as usize - before]) {
+            *s += w * v;
         }
-        count += 1.0;
+        count += w;
     }
-    sum.map(|s| s / f32::max(count, 1.0))
+    sum.map(|s| s / f32::max(count, f32::MIN_POSITIVE))
 }
 
 /// Distance below which neighbours are taken as equally near, (3 mm)².
@@ -228,10 +246,11 @@ mod tests {
                 targets.push([a * inputs[t - 1][0] + b * targets[t - 1][0] + c * inputs[t][0] + 0.5; ROW]);
             }
             let list = neighbours(inputs.len());
-            let moments = InputMoments::new(&inputs, &list);
+            let weights: Vec<f32> = list.iter().map(|n| 1.0 - n.row as f32 / 60.0).collect();
+            let moments = InputMoments::new(&inputs, &list, &weights);
             let (x0, x1, y0) = ([0.2; ROW], [-0.4; ROW], [0.7; ROW]);
             let u = Regressors { previous_input: &x0, input: &x1, previous_output: &y0 };
-            let y = predict(u, &moments, Samples { inputs: &inputs, targets: &targets, neighbours: &list }, 1e-4, &[1.0; ROW], &Bias::NONE);
+            let y = predict(u, &moments, Samples { inputs: &inputs, targets: &targets, neighbours: &list, weights: &weights }, 1e-4, &[1.0; ROW], &Bias::NONE).output;
             let expected = a * 0.2 + b * 0.7 + c * -0.4 + 0.5;
             prop_assert!((y[0] - expected).abs() < 5e-3, "{} {expected}", y[0]);
             prop_assert!(y.iter().all(|v| *v == y[0]));
@@ -258,18 +277,19 @@ mod tests {
     #[test]
     fn identical_neighbours_give_their_target() {
         let (inputs, targets) = (vec![[0.5; ROW]; 10], vec![[0.8; ROW]; 10]);
-        let list = neighbours(10);
-        let moments = InputMoments::new(&inputs, &list);
+        let (list, weights) = (neighbours(10), [1.0; 9]);
+        let moments = InputMoments::new(&inputs, &list, &weights);
         let (x, y0) = ([0.9; ROW], [0.1; ROW]);
         let u = Regressors { previous_input: &x, input: &x, previous_output: &y0 };
         let y = predict(
             u,
             &moments,
-            Samples { inputs: &inputs, targets: &targets, neighbours: &list },
+            Samples { inputs: &inputs, targets: &targets, neighbours: &list, weights: &weights },
             4.0,
             &[0.3; ROW],
             &Bias::NONE,
-        );
+        )
+        .output;
         assert!(y.iter().all(|v| (v - 0.8).abs() < 1e-6));
         assert!(interpolate(&targets, &list).iter().all(|v| (v - 0.8).abs() < 1e-6));
     }

@@ -198,7 +198,7 @@ impl Stylizer {
         let previous = self.last_input.map_or(row, |(r, _)| r);
         clock.end(Stage::Features);
 
-        self.mixture.search(&model, &self.window);
+        self.mixture.search(&model, &self.options, &self.window);
         self.mixture.weigh(&model, self.options.delta);
         clock.end(Stage::Search);
 

