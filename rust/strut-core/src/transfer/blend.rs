@@ -148,6 +148,18 @@ mod tests {
         }
     }
 
+    proptest! {
+        #[test]
+        fn three_styles_make_a_plane(a in 0.0f32..1.0, b in 0.0f32..1.0) {
+            let mut blend = StyleBlend::new(3, 0);
+            blend.set_whole(&[0.0, a, b]).unwrap();
+            let limits = JointLimits::new(&[[-9.0; ROW], [9.0; ROW]]);
+            let rows = [[0.1; ROW], [1.0; ROW], [-2.0; ROW]];
+            let row = blended(&blend, &BodyPart::of_row(), &limits, &[0.0; ROW], rows.iter().enumerate());
+            prop_assert!((row[7] - (0.1 + 0.9 * a - 2.1 * b)).abs() < 1e-5);
+        }
+    }
+
     #[test]
     fn extrapolation_stops_at_the_widened_limits() {
         assert!((blend_of([0.0, 9.0])[7] - 2.3).abs() < 1e-5);

@@ -283,3 +283,93 @@ fn coherence_smooths_foreign_input_and_leaves_known_input_alone() {
     let largest = with[30..].iter().zip(&without[30..]).map(apart).fold(0.0, f32::max);
     assert!(largest < 0.03, "{largest} rad");
 }
+
+#[test]
+fn labels_restrict_the_classes_one_by_one() {
+    let model = model();
+    let input = unseen_walk();
+    for (action, input_style) in [(None, None), (Some(0), None), (None, Some(0)), (Some(0), Some(0))] {
+        let mut s = Stylizer::new(Arc::clone(&model), Options { action, input_style, ..Options::DEFAULT }).unwrap();
+        s.set_styles(&[0.0, 1.0]).unwrap();
+        let mut lean = 0.0;
+        for (i, pose) in input.poses.iter().enumerate() {
+            let frame = *s.push(pose);
+            lean += if i < 60 { 0.0 } else { chest_lean(&frame) / 180.0 };
+            for (class, &weight) in model.database().classes().iter().zip(s.trace().class_weights) {
+                let allowed = action.is_none_or(|a| a == class.action) && input_style.is_none_or(|x| x == class.style);
+                assert!(allowed || weight == 0.0, "{action:?} {input_style:?}: {class:?} weighs {weight}");
+            }
+        }
+        assert!((lean - BENT.lean).abs() < 0.05, "{action:?} {input_style:?}: lean {lean}");
+    }
+}
+
+#[test]
+fn distances_are_linear_and_durations_monotone_in_the_weight() {
+    let model = model();
+    let input = unseen_walk();
+    let passes: Vec<Vec<StyledFrame>> =
+        [0.0, 0.25, 0.5, 0.75, 1.0].map(|w| run(&mut stylizer(&model, w), &input.poses)).into();
+    let lean = |frames: &[StyledFrame]| frames[60..].iter().map(chest_lean).sum::<f32>() / 180.0;
+    let whole = lean(&passes[4]) - lean(&passes[0]);
+    for (quarter, frames) in passes.iter().enumerate() {
+        let part = lean(frames) - lean(&passes[0]);
+        assert!((part / whole - 0.25 * quarter as f32).abs() < 0.02, "{quarter} quarters: {part} of {whole}");
+    }
+    assert!(passes.windows(2).all(|p| p[0][239].time_out_secs < p[1][239].time_out_secs));
+}
+
+#[test]
+fn durations_of_classes_mix_like_their_poses() {
+    let model = model();
+    let secs = |action, delta| {
+        let options = Options { action, delta, input_style: Some(0), ..Options::DEFAULT };
+        let mut s = Stylizer::new(Arc::clone(&model), options).unwrap();
+        s.set_styles(&[0.0, 1.0]).unwrap();
+        run(&mut s, &unseen_walk().poses)[239].time_out_secs
+    };
+    let (walk, fast) = (secs(Some(0), 0.7), secs(Some(1), 0.7));
+    let (sure, torn) = (secs(None, 0.7), secs(None, 100.0));
+    assert!(fast < walk, "the bent run is less slow than the bent walk: {fast} {walk}");
+    assert!((sure - walk).abs() < 0.1 * (walk - fast), "{sure} is the walk's {walk}");
+    assert!(fast < torn && torn < sure, "{fast} {torn} {sure}");
+}
+
+/// A style known from one clip of 80 frames, and input that neither clip resembles.
+#[test]
+fn sparse_data_and_foreign_input_do_not_diverge() {
+    let full = database();
+    let mut parts = crate::database::DatabaseParts::clone(&full);
+    let kept: Vec<_> = [0, 2].map(|c| full.clips[c].first_frame..full.clips[c].first_frame + 80).into();
+    let rows = || kept.iter().cloned().flatten();
+    parts.clips = [0, 2].map(|c| full.clips[c].clone()).into();
+    for (clip, first_frame) in parts.clips.iter_mut().zip([0, 80]) {
+        (clip.first_frame, clip.frames) = (first_frame, 80);
+    }
+    parts.actions.truncate(1);
+    parts.pose = rows().map(|r| full.pose[r]).collect();
+    parts.point_cloud = rows().map(|r| full.point_cloud[r]).collect();
+    parts.canonical_time = rows().map(|r| full.canonical_time[r]).collect();
+    parts.time_step = rows().map(|r| full.time_step[r]).collect();
+    parts.contact = rows().map(|r| full.contact[r]).collect();
+    parts.counterparts_per_style = 1;
+    parts.counterpart = rows()
+        .flat_map(|row| [0, 1].map(|style| (row, style)))
+        .map(|(row, style)| {
+            let at = full.counterparts(row, style).next().unwrap();
+            let clip = usize::from(style);
+            (at - kept[clip].start as f32).min(79.0) + 80.0 * clip as f32
+        })
+        .collect();
+    let model = Arc::new(Model::new(Arc::new(crate::database::Database::new(parts).unwrap())));
+    let wild = Gait { period: 30.0, swing: 0.9, knee: 1.8, lean: -0.4, arms: 1.5, turn: 1.5 };
+    let input = walk(&wild, 300, 0.4);
+    for bent in [1.0, -1.0, 2.0] {
+        let frames = run(&mut stylizer(&model, bent), &input.poses);
+        for (frame, pose) in frames.iter().zip(&input.poses) {
+            let pairs = frame.pose.rotations.iter().zip(&pose.rotations).skip(1);
+            let apart = pairs.map(|(a, b)| a.inv_mul(*b).angle()).fold(0.0, f32::max);
+            assert!(frame.pose.is_finite() && apart < 2.5, "{bent}: {apart} rad from the input");
+        }
+    }
+}
