@@ -4,6 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
+use strut_core::humanoid::HumanoidMotion;
+use strut_core::retarget::{Binding, to_humanoid};
 use strut_formats::{bvh, strutdb};
 
 /// Runs `strut` with these arguments in a folder.
@@ -48,6 +50,23 @@ pub(crate) fn demo_walk() -> String {
     let mut motion = strut_demo::input_clips().remove(0).motion;
     motion.poses.truncate(120);
     bvh::write(&bvh::Bvh::from_humanoid(&motion).unwrap())
+}
+
+/// Whether tests on real clips take all of them instead of a sample.
+pub(crate) fn all_clips() -> bool {
+    std::env::var_os("STRUT_ALL_CLIPS").is_some()
+}
+
+/// A file that must be BVH.
+pub(crate) fn read_bvh(path: &Path) -> bvh::Bvh {
+    bvh::parse(&std::fs::read(path).unwrap()).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// The motion of a file as a humanoid of its own proportions.
+pub(crate) fn body_of(file: &bvh::Bvh) -> HumanoidMotion {
+    let motion = file.to_motion().unwrap();
+    let binding = Binding::detect(&motion).unwrap();
+    to_humanoid(&motion, &binding, &binding.proportions)
 }
 
 /// The folder of real clips: `$STRUT_MOCAP`, else `shared/data` beside the repository. Says so if there is none.
