@@ -6,16 +6,13 @@
 /// Four numbers side by side.
 pub(super) type Lane = [f32; 4];
 
-/// Inner product of two windows of `W` frames of `N` lanes, with `SUMS` running sums (a divisor of `N`) so
+/// Inner product of two windows of equally many frames of `N` lanes, with `SUMS` running sums (a divisor of `N`) so
 /// that additions need not wait for each other.
 ///
 /// Called for every window of a class: a function call would be half of its time.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-pub(super) fn inner_product<const W: usize, const N: usize, const SUMS: usize>(
-    a: &[[Lane; N]; W],
-    b: &[[Lane; N]; W],
-) -> f32 {
+pub(super) fn inner_product<const N: usize, const SUMS: usize>(a: &[[Lane; N]], b: &[[Lane; N]]) -> f32 {
     let mut sums = [[0.0; 4]; SUMS];
     for (a, b) in a.iter().zip(b) {
         for first in (0..N).step_by(SUMS) {

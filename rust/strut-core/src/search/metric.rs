@@ -1,6 +1,6 @@
 //! The window metric: Eq. 1 of Xia et al. 2015 in the closed form of the search specification, §1.
 //!
-//! A window is a point cloud: the joints of [`WINDOW`] successive frames in one common frame of
+//! A window is a point cloud: the joints of s successive frames ([`WINDOW`]) in one common frame of
 //! reference, so that travel within the window counts. Two windows are compared after the best motion
 //! of one over the ground plane, a turn θ about the vertical and a shift (x₀, z₀):
 //!
@@ -16,8 +16,21 @@ use crate::math::Vec3;
 use crate::math::float_funcs::sin_cos;
 use crate::pose_vector::Placement;
 
-/// Frames of a window (s in the specification: 67 ms at 60 Hz). The figures are flat from 1 to 15.
+/// Frames of a window unless asked otherwise (s in the specification: 67 ms at 60 Hz). The figures are flat
+/// from 1 to 15.
 pub const WINDOW: usize = 5;
+/// Most frames of a window: only experiments need others than the default.
+pub const MAX_WINDOW: usize = if cfg!(feature = "offline") { 15 } else { WINDOW };
+
+/// Frames of a window: `S`, which the compiler knows and unrolls its loops for, or `frames` if `S` is
+/// [`ANY`].
+#[inline]
+pub(super) const fn frames_of<const S: usize>(frames: usize) -> usize {
+    if S == ANY { frames } else { S }
+}
+
+/// For a length that only the running program knows.
+pub(super) const ANY: usize = 0;
 
 /// Joints that count.
 pub(super) const POINTS: usize = 20;
@@ -124,24 +137,25 @@ impl FramePoints {
 /// need not be centred, is that of the weighted window vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct CentredWindow {
-    height: [HeightRow; WINDOW],
+    frames: usize,
+    height: [HeightRow; MAX_WINDOW],
     /// z, for the real part of ⟨z, z'⟩ …
-    ground: [GroundRow; WINDOW],
+    ground: [GroundRow; MAX_WINDOW],
     /// … and −i·z, for its imaginary part.
-    turned: [GroundRow; WINDOW],
+    turned: [GroundRow; MAX_WINDOW],
     /// |y|² + |z|².
     norm: f32,
 }
 
 impl CentredWindow {
     /// Of the frames of a window; sums in double precision, as this happens once a query or a stored window.
-    fn new(frames: &[FramePoints; WINDOW], metric: Metric) -> Self {
+    fn new(frames: &[FramePoints], metric: Metric) -> Self {
         let (points, share) = match metric {
             Metric::FullBody => (POINTS, 1.0),
             Metric::LowerBody => (LEG_POINTS, leg_share()),
         };
         let roots = point_weights().map(|w| f64::from(w.sqrt()));
-        let scale = 1.0 / (WINDOW as f64 * f64::from(share));
+        let scale = 1.0 / (frames.len() as f64 * f64::from(share));
         let (mut cx, mut cz) = (0.0_f64, 0.0_f64);
         for frame in frames {
             for (i, root) in roots.iter().enumerate().take(points) {
@@ -150,7 +164,7 @@ impl CentredWindow {
                 cz += scale * root * z;
             }
         }
-        let mut window = Self::default();
+        let mut window = Self { frames: frames.len(), ..Self::default() };
         let mut norm = 0.0_f64;
         for (f, frame) in frames.iter().enumerate() {
             let (mut straight, mut turned) = (FramePoints::default(), FramePoints::default());
@@ -173,88 +187,111 @@ impl CentredWindow {
     /// D to the stored window of these points and norm.
     #[allow(clippy::inline_always)] // see `inner_product`
     #[inline(always)]
-    fn distance(&self, height: &[HeightRow; WINDOW], ground: &[GroundRow; WINDOW], norm: f32) -> f32 {
-        let heights = inner_product::<WINDOW, LANES, LANES>(&self.height, height);
-        let real = inner_product::<WINDOW, { 2 * LANES }, LANES>(&self.ground, ground);
-        let imaginary = inner_product::<WINDOW, { 2 * LANES }, LANES>(&self.turned, ground);
+    fn distance<const S: usize>(&self, height: &[HeightRow], ground: &[GroundRow], norm: f32) -> f32 {
+        let frames = frames_of::<S>(self.frames);
+        let heights = inner_product::<LANES, LANES>(&self.height[..frames], height);
+        let real = inner_product::<{ 2 * LANES }, LANES>(&self.ground[..frames], ground);
+        let imaginary = inner_product::<{ 2 * LANES }, LANES>(&self.turned[..frames], ground);
         let turned = (real * real + imaginary * imaginary).sqrt();
         ((self.norm + norm) - 2.0 * (heights + turned)).max(0.0)
     }
 }
 
 /// |y|² + |z|² of a stored window after centring.
-pub(super) fn window_norm(frames: &[FramePoints; WINDOW], metric: Metric) -> f32 {
+pub(super) fn window_norm(frames: &[FramePoints], metric: Metric) -> f32 {
     CentredWindow::new(frames, metric).norm
 }
 
-/// The last [`WINDOW`] frames of a moving figure, ready to be compared with stored windows.
+/// The last s frames of a moving figure, ready to be compared with stored windows.
 ///
 /// While fewer frames have been pushed, the missing earlier ones are extrapolated at constant velocity
 /// (one frame alone counts as standing still).
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct QueryWindow {
-    clouds: [[Vec3; JOINTS]; WINDOW],
-    places: [Placement; WINDOW],
+    length: usize,
+    clouds: [[Vec3; JOINTS]; MAX_WINDOW],
+    places: [Placement; MAX_WINDOW],
     pushed: usize,
     full: CentredWindow,
     lower: CentredWindow,
 }
 
+impl Default for QueryWindow {
+    /// Of [`WINDOW`] frames.
+    fn default() -> Self {
+        Self::new(WINDOW)
+    }
+}
+
 impl QueryWindow {
+    /// An empty window of `length` frames; the nearest of 1 to [`MAX_WINDOW`] is taken.
+    pub fn new(length: usize) -> Self {
+        Self {
+            length: length.clamp(1, MAX_WINDOW),
+            clouds: [[Vec3::ZERO; JOINTS]; MAX_WINDOW],
+            places: [Placement::default(); MAX_WINDOW],
+            pushed: 0,
+            full: CentredWindow::default(),
+            lower: CentredWindow::default(),
+        }
+    }
+
     /// Forgets all frames.
     pub fn clear(&mut self) {
         self.pushed = 0;
     }
 
-    /// Frames held, at most [`WINDOW`].
+    /// Frames pushed since the window was empty.
     pub fn frames(&self) -> usize {
         self.pushed
     }
 
     /// Adds a frame: its heading-free point cloud (metres) and its place on the ground.
     pub fn push(&mut self, cloud: &[Vec3; JOINTS], at: Placement) {
-        self.clouds.rotate_left(1);
-        self.places.rotate_left(1);
-        self.clouds[WINDOW - 1] = *cloud;
-        self.places[WINDOW - 1] = at;
-        self.pushed = (self.pushed + 1).min(WINDOW);
+        let length = self.length;
+        let (clouds, places) = (&mut self.clouds[..length], &mut self.places[..length]);
+        clouds.rotate_left(1);
+        places.rotate_left(1);
+        clouds[length - 1] = *cloud;
+        places[length - 1] = at;
+        self.pushed = self.pushed.saturating_add(1);
 
         // Positions relative to the newest hips keep the numbers small wherever the figure walks.
-        let mut frames = [FramePoints::default(); WINDOW];
-        for (points, (cloud, p)) in frames.iter_mut().zip(self.clouds.iter().zip(&self.places)) {
+        let mut frames = [FramePoints::default(); MAX_WINDOW];
+        for (points, (cloud, p)) in frames.iter_mut().zip(clouds.iter().zip(&*places)) {
             *points = FramePoints::new(cloud, Placement { x: p.x - at.x, z: p.z - at.z, heading: p.heading });
         }
-        let first = WINDOW - self.pushed;
-        let next = (first + 1).min(WINDOW - 1);
+        let first = length.saturating_sub(self.pushed);
+        let next = (first + 1).min(length - 1);
         for missing in 0..first {
             frames[missing] = frames[first].extrapolated_back(&frames[next], (first - missing) as f32);
         }
-        self.full = CentredWindow::new(&frames, Metric::FullBody);
-        self.lower = CentredWindow::new(&frames, Metric::LowerBody);
+        self.full = CentredWindow::new(&frames[..length], Metric::FullBody);
+        self.lower = CentredWindow::new(&frames[..length], Metric::LowerBody);
     }
 
     /// A stored window as a query.
-    pub(super) fn from_points(frames: &[FramePoints; WINDOW]) -> Self {
+    pub(super) fn from_points(frames: &[FramePoints]) -> Self {
         let (full, lower) =
             (CentredWindow::new(frames, Metric::FullBody), CentredWindow::new(frames, Metric::LowerBody));
-        Self { pushed: WINDOW, full, lower, ..Self::default() }
+        Self { pushed: frames.len(), full, lower, ..Self::new(frames.len()) }
     }
 
     /// D between this window and the stored one of these points and norm.
     #[allow(clippy::inline_always)] // see `inner_product`
     #[inline(always)]
-    pub(super) fn distance(
+    pub(super) fn distance<const S: usize>(
         &self,
         metric: Metric,
-        height: &[HeightRow; WINDOW],
-        ground: &[GroundRow; WINDOW],
+        height: &[HeightRow],
+        ground: &[GroundRow],
         norm: f32,
     ) -> f32 {
         let query = match metric {
             Metric::FullBody => &self.full,
             Metric::LowerBody => &self.lower,
         };
-        query.distance(height, ground, norm)
+        query.distance::<S>(height, ground, norm)
     }
 }
 
@@ -280,7 +317,7 @@ mod tests {
         }
         let points: [FramePoints; WINDOW] = std::array::from_fn(|i| FramePoints::new(&stored[i].0, stored[i].1));
         let (height, ground) = (points.map(|p| p.height), points.map(|p| p.ground));
-        window.distance(metric, &height, &ground, window_norm(&points, metric))
+        window.distance::<WINDOW>(metric, &height, &ground, window_norm(&points, metric))
     }
 
     fn moved(frames: &Frames, by: Placement) -> Frames {

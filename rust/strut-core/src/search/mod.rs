@@ -1,7 +1,7 @@
 //! Exact search for the stored windows that resemble the last frames of the input.
 //!
-//! A window ends at a row and holds it and the four rows before it in the same clip; the first rows of a
-//! clip end no window. Rows are kept once, in a frame of reference of their clip that is rebuilt by
+//! A window ends at a row and holds it and the rows before it in the same clip, [`WINDOW`] in all; the first
+//! rows of a clip end no window. Rows are kept once, in a frame of reference of their clip that is rebuilt by
 //! integrating the rows' velocities and heading rates, so that overlapping windows share them.
 
 #[cfg(test)]
@@ -11,18 +11,20 @@ mod metric;
 mod neighbours;
 mod path_bound;
 
-pub use metric::{Metric, QueryWindow, WINDOW};
+pub use metric::{MAX_WINDOW, Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};
 
 use crate::database::Database;
 use crate::pose_vector::{HEADING_RATE, Placement};
-use metric::{FramePoints, GroundRow, HeightRow, window_norm};
+use metric::{ANY, FramePoints, GroundRow, HeightRow, frames_of, window_norm};
 use path_bound::{limit_from_last, step_length};
 use std::ops::Range;
 
 /// All windows of a database, ready to be searched.
 #[derive(Clone, Debug)]
 pub struct Index {
+    /// Frames of a window.
+    length: usize,
     heights: Vec<HeightRow>,
     ground: Vec<GroundRow>,
     /// |y|² + |z|² of the window that ends at each row; unused where none does.
@@ -46,7 +48,14 @@ pub struct Scratch {
 impl Index {
     /// The windows of a database. One pass over the rows; 250 bytes a row.
     pub fn build(db: &Database) -> Self {
+        Self::with_window(db, WINDOW)
+    }
+
+    /// The windows of `length` frames; the nearest of 1 to [`MAX_WINDOW`] is taken.
+    pub fn with_window(db: &Database, length: usize) -> Self {
+        let length = length.clamp(1, MAX_WINDOW);
         let mut index = Self {
+            length,
             heights: Vec::with_capacity(db.frames()),
             ground: Vec::with_capacity(db.frames()),
             full_norms: vec![0.0; db.frames()],
@@ -58,12 +67,11 @@ impl Index {
         };
         for (clip, rows) in db.clips.iter().map(|c| (c, c.rows())) {
             let points: Vec<FramePoints> = clip_points(db, clip.rows()).collect();
-            for last in windows_of_clip(&rows) {
+            for last in index.windows_of_clip(&rows) {
                 let end = last + 1 - rows.start;
-                if let Some(frames) = points[..end].last_chunk::<WINDOW>() {
-                    index.full_norms[last] = window_norm(frames, Metric::FullBody);
-                    index.lower_norms[last] = window_norm(frames, Metric::LowerBody);
-                }
+                let frames = &points[end - length..end];
+                index.full_norms[last] = window_norm(frames, Metric::FullBody);
+                index.lower_norms[last] = window_norm(frames, Metric::LowerBody);
             }
             index.heights.extend(points.iter().map(|p| p.height));
             index.ground.extend(points.iter().map(|p| p.ground));
@@ -74,16 +82,20 @@ impl Index {
 
     /// Fills in the path lengths of a clip, whose points and norms are there already.
     fn measure_paths(&mut self, rows: Range<usize>, points: &[FramePoints]) {
-        let windows = windows_of_clip(&rows);
+        let windows = self.windows_of_clip(&rows);
         for last in windows.start..windows.end.saturating_sub(1) {
             let end = last + 1 - rows.start;
-            let Some(frames) = points[..end].last_chunk::<WINDOW>() else { continue };
-            let query = QueryWindow::from_points(frames);
-            let full = step_length(self.distance(&query, Metric::FullBody, last + 1));
-            let lower = step_length(self.distance(&query, Metric::LowerBody, last + 1));
+            let query = QueryWindow::from_points(&points[end - self.length..end]);
+            let full = step_length(self.distance::<ANY>(&query, Metric::FullBody, last + 1));
+            let lower = step_length(self.distance::<ANY>(&query, Metric::LowerBody, last + 1));
             self.full_path[last + 1] = self.full_path[last] + full;
             self.lower_path[last + 1] = self.lower_path[last] + lower;
         }
+    }
+
+    /// Frames of a window.
+    pub fn window_length(&self) -> usize {
+        self.length
     }
 
     /// Number of classes.
@@ -96,7 +108,7 @@ impl Index {
     /// # Panics
     /// If there is no such class.
     pub fn windows_in_class(&self, class: usize) -> usize {
-        self.clips[self.classes[class].clone()].iter().map(|c| windows_of_clip(c).len()).sum()
+        self.clips[self.classes[class].clone()].iter().map(|c| self.windows_of_clip(c).len()).sum()
     }
 
     /// The `k` windows of a class that are nearest by the full-body metric; fewer if the class has fewer.
@@ -109,6 +121,7 @@ impl Index {
 
     /// The `k` nearest windows of several classes together by either metric.
     ///
+    /// `query` is as long as [`Index::window_length`].
     /// What `out` holds beforehand is taken as the result for the frame before: if it is, the search is
     /// faster; the result does not depend on it.
     ///
@@ -123,27 +136,50 @@ impl Index {
         scratch: &mut Scratch,
         out: &mut Neighbours,
     ) {
+        if self.length == WINDOW || MAX_WINDOW == WINDOW {
+            self.query_sized::<WINDOW>(query, metric, classes, k, scratch, out);
+        } else {
+            self.query_sized::<ANY>(query, metric, classes, k, scratch, out);
+        }
+    }
+
+    /// [`Index::query_classes`] with windows of `S` frames.
+    fn query_sized<const S: usize>(
+        &self,
+        query: &QueryWindow,
+        metric: Metric,
+        classes: &[usize],
+        k: usize,
+        scratch: &mut Scratch,
+        out: &mut Neighbours,
+    ) {
         scratch.found.begin(k);
-        let limit = limit_from_last(self, query, metric, classes, out, &mut scratch.found);
+        let limit = limit_from_last::<S>(self, query, metric, classes, out, &mut scratch.found);
         scratch.found.begin(k);
         for &class in classes {
-            path_bound::offer_class(self, query, metric, class, limit, &mut scratch.found);
+            path_bound::offer_class::<S>(self, query, metric, class, limit, &mut scratch.found);
         }
         std::mem::swap(&mut scratch.found, out);
     }
 
     /// D between the query and the window that ends at row `last`.
     #[inline]
-    fn distance(&self, query: &QueryWindow, metric: Metric, last: usize) -> f32 {
-        let (height, ground) = self.window(last);
-        query.distance(metric, height, ground, self.norms(metric)[last])
+    fn distance<const S: usize>(&self, query: &QueryWindow, metric: Metric, last: usize) -> f32 {
+        let (height, ground) = self.window::<S>(last);
+        query.distance::<S>(metric, height, ground, self.norms(metric)[last])
     }
 
-    /// The points of the window that ends at row `last`, which is at least the fifth of its clip.
+    /// The points of the window that ends at row `last`, one of [`Index::windows_of_clip`].
     #[inline]
-    fn window(&self, last: usize) -> (&[HeightRow; WINDOW], &[GroundRow; WINDOW]) {
-        let (height, ground) = (self.heights[..=last].last_chunk(), self.ground[..=last].last_chunk());
-        height.zip(ground).expect("windows end at the fifth row of a clip or later")
+    fn window<const S: usize>(&self, last: usize) -> (&[HeightRow], &[GroundRow]) {
+        let frames = frames_of::<S>(self.length);
+        let first = last + 1 - frames;
+        (&self.heights[first..][..frames], &self.ground[first..][..frames])
+    }
+
+    /// Rows of a clip at which a window ends; never its first, which has no row before it to regress on.
+    fn windows_of_clip(&self, clip: &Range<usize>) -> Range<usize> {
+        (clip.start + self.length.max(2) - 1).min(clip.end)..clip.end
     }
 
     fn norms(&self, metric: Metric) -> &[f32] {
@@ -159,11 +195,6 @@ impl Index {
             Metric::LowerBody => &self.lower_path,
         }
     }
-}
-
-/// Rows of a clip at which a window ends.
-fn windows_of_clip(clip: &Range<usize>) -> Range<usize> {
-    (clip.start + WINDOW - 1).min(clip.end)..clip.end
 }
 
 /// The points of a clip in a frame of reference with the middle of the path at the origin: small numbers
@@ -197,11 +228,11 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(24))]
         #[test]
-        fn finds_what_brute_force_finds(lean in 0.0f32..0.6, period in 40.0f32..90.0, turn in -0.5f32..0.5, k in 1usize..50) {
+        fn finds_what_brute_force_finds(lean in 0.0f32..0.6, period in 40.0f32..90.0, turn in -0.5f32..0.5, k in 1usize..50, length in prop::sample::select(vec![WINDOW, 1, MAX_WINDOW])) {
             let db = sine_walk::database();
-            let index = Index::build(&db);
+            let index = Index::with_window(&db, length);
             let gait = Gait { period, lean, turn, ..if lean > 0.3 { BENT } else { NEUTRAL } };
-            let (mut window, mut filter, mut scratch) = (QueryWindow::default(), HeadingFilter::default(), Scratch::default());
+            let (mut window, mut filter, mut scratch) = (QueryWindow::new(length), HeadingFilter::default(), Scratch::default());
             let mut found = [Neighbours::default(), Neighbours::default()];
             for pose in &sine_walk::walk(&gait, 40, 0.1).poses {
                 let heading = filter.update(&world_from_local(&db.proportions, pose), 1.0 / db.rate_hz);

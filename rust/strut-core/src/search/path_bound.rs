@@ -6,9 +6,9 @@
 //! windows need not be evaluated. Successive windows of a clip are about a centimetre apart, distances
 //! to the query mostly ten times that, so that most windows are passed over.
 
+use super::Index;
 use super::metric::{Metric, QueryWindow};
 use super::neighbours::{Neighbour, Neighbours};
-use super::{Index, windows_of_clip};
 
 /// Bound on the rounding error of a computed D, m². Its terms are of the order of 1 m² (heights above
 /// the ground), of which single precision keeps seven digits; on real windows no error exceeded 2e-6.
@@ -21,7 +21,7 @@ pub(super) fn step_length(distance: f32) -> f32 {
 
 /// Adds to `out` every window of a class that can be among the nearest. `limit` is a D that the K-th
 /// nearest is known not to exceed; infinity if nothing is known.
-pub(super) fn offer_class(
+pub(super) fn offer_class<const S: usize>(
     index: &Index,
     query: &QueryWindow,
     metric: Metric,
@@ -31,10 +31,10 @@ pub(super) fn offer_class(
 ) {
     let path = index.path(metric);
     for clip in &index.clips[index.classes[class].clone()] {
-        let windows = windows_of_clip(clip);
+        let windows = index.windows_of_clip(clip);
         let mut last = windows.start;
         while last < windows.end {
-            let distance = index.distance(query, metric, last);
+            let distance = index.distance::<S>(query, metric, last);
             out.offer(Neighbour { distance, row: last as u32 });
             let nearest = (distance - ROUNDING).max(0.0).sqrt();
             let passed = path[last] + nearest - (out.threshold().min(limit) + ROUNDING).sqrt();
@@ -48,7 +48,7 @@ pub(super) fn offer_class(
 
 /// A D that the K-th nearest window of these classes does not exceed, from K windows that are likely to be
 /// near: the successors of the last query's neighbours. Infinity if there are fewer than K of them.
-pub(super) fn limit_from_last(
+pub(super) fn limit_from_last<const S: usize>(
     index: &Index,
     query: &QueryWindow,
     metric: Metric,
@@ -70,7 +70,7 @@ pub(super) fn limit_from_last(
             continue;
         }
         let next = if ends { row } else { row + 1 };
-        scratch.offer(Neighbour { distance: index.distance(query, metric, next), row: next as u32 });
+        scratch.offer(Neighbour { distance: index.distance::<S>(query, metric, next), row: next as u32 });
     }
     scratch.threshold()
 }

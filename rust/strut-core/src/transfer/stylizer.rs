@@ -71,7 +71,7 @@ impl Stylizer {
             votes: Votes::default(),
             guard: InputGuard::default(),
             heading: HeadingFilter::default(),
-            window: QueryWindow::default(),
+            window: QueryWindow::new(model.index().window_length()),
             feet: RecentFeet::default(),
             last_input: None,
             start: None,
