@@ -46,7 +46,7 @@ fn one_short_clip_a_class_gives_finite_motion_for_any_input() {
         let model = Arc::new(Model::new(Arc::new(sparse(frames))));
         for method in METHODS {
             for (action, input_style) in [(None, None), (Some(0), Some(0)), (Some(1), Some(1))] {
-                let options = Options { method, action, input_style, ..Options::DEFAULT };
+                let options = Options { action, input_style, method, ..Options::DEFAULT };
                 let mut s = Stylizer::new(Arc::clone(&model), options).unwrap();
                 for weights in [[0.0, 1.0], [1.0, 0.0], [-0.5, 1.5]] {
                     s.set_styles(&weights).unwrap();
