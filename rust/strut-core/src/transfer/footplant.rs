@@ -7,6 +7,12 @@ use crate::kinematics::{Limb, WorldPose, two_bone_ik, world_from_local};
 use crate::math::Vec3;
 use crate::math::float_funcs::exp;
 
+/// A foot that is lower and slower than this stands as well (§3), metres and m/s …
+const ON_HEIGHT: f32 = 0.03;
+const ON_SPEED: f32 = 0.45;
+/// … until it is higher or faster than this.
+const OFF_HEIGHT: f32 = 0.06;
+const OFF_SPEED: f32 = 0.9;
 /// Frames over which the hold sets in.
 const EASE_FRAMES: u32 = 3;
 /// Time constant of the return to the predicted place after release, seconds. The return is a critically
@@ -35,11 +41,17 @@ impl Foot {
         self.planted_frames > 0
     }
 
+    /// Whether a foot is as low and slow as one that stands, whatever is said of it.
+    fn is_still(&self, sole: Sole, speed: f32) -> bool {
+        let [height, limit] = if self.is_planted() { [OFF_HEIGHT, OFF_SPEED] } else { [ON_HEIGHT, ON_SPEED] };
+        self.last.is_some() && sole.lowest() < height && speed < limit
+    }
+
     /// Accumulates c ← c − travel of the pivot while planted, else lets it decay.
     fn update(&mut self, sole: Sole, likelihood: f32, dt_secs: f32) {
-        let planted = stands(self.is_planted(), likelihood);
-        self.planted_frames = if planted { self.planted_frames.saturating_add(1) } else { 0 };
         let travel = self.last.map_or(Vec3::ZERO, |last| sole.pivot_travel(&last));
+        let planted = stands(self.is_planted(), likelihood) || self.is_still(sole, travel.length() / dt_secs);
+        self.planted_frames = if planted { self.planted_frames.saturating_add(1) } else { 0 };
         if planted {
             let step = travel * (self.planted_frames.min(EASE_FRAMES) as f32 / EASE_FRAMES as f32);
             self.correction -= step;
@@ -200,7 +212,7 @@ pub(super) mod tests {
                 let mut pose = crouch();
                 pose.root.z += speed * DT * i as f32;
                 let planted = filter.apply(&mut pose, likelihood, DT);
-                prop_assert!(planted[side] && !planted[1 - side]);
+                prop_assert!(planted[side]);
                 places.push(sole(&pose, side).ball);
             }
             for p in &places[4..] {
@@ -240,13 +252,26 @@ pub(super) mod tests {
             pose.root.x += 0.005 * i as f32;
             filter.apply(&mut pose, [1.0, 0.0], DT);
         }
-        let mut pose = crouch();
+        let lifted = Pose { root: crouch().root + 0.1 * Vec3::Y, ..crouch() };
+        let mut pose = lifted;
         for _ in 0..60 {
-            pose = crouch();
+            pose = lifted;
             filter.apply(&mut pose, [0.0; 2], DT);
         }
-        for (a, b) in pose.rotations.iter().zip(&crouch().rotations) {
+        for (a, b) in pose.rotations.iter().zip(&lifted.rotations) {
             assert!(a.dot(*b).abs() > 1.0 - 1e-5);
         }
+    }
+
+    #[test]
+    fn a_foot_that_hardly_moves_is_held_whatever_is_said_of_it() {
+        let mut filter = Footplant::new(Proportions::default());
+        let mut planted = [false; 2];
+        for i in 0..30 {
+            let mut pose = crouch();
+            pose.root.x += 0.005 * i as f32;
+            planted = filter.apply(&mut pose, [0.0; 2], DT);
+        }
+        assert_eq!(planted, [true; 2]);
     }
 }
