@@ -109,7 +109,7 @@ impl Input {
     /// If the styled motion is not finite, which the engine prevents.
     pub(crate) fn export(&self, styled: &StyledMotion) -> Result<String, EngineError> {
         let bvh = match &self.file {
-            None => Bvh::from_humanoid(&styled.resampled(self.humanoid.rate_hz).motion),
+            None => Bvh::from_humanoid(&styled.on_body(&self.humanoid.proportions, self.humanoid.rate_hz).motion),
             Some(File { bvh, motion, binding }) => {
                 let rate_hz = 1.0 / motion.frame_time_secs;
                 let output = styled.on_body(&binding.proportions, rate_hz as f32);
