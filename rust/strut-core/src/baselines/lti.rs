@@ -23,6 +23,8 @@ const JOINT: Shape = Shape { inputs: COMPONENTS, outputs: COMPONENTS, order: 32,
 const TIMING: Shape = Shape { inputs: 6, outputs: 1, order: 8, lags: 12 };
 /// Least deviation of a degree of freedom that is taken for motion.
 const STILL: f64 = 1e-5;
+/// Half-life of the smoothing of log durations, seconds: a tempo changes over a step, not within it.
+const TIMING_HALF_LIFE_SECS: f64 = 0.1;
 
 /// A system for each degree of freedom, or one for all.
 #[derive(Clone, Debug)]
@@ -47,6 +49,8 @@ pub(super) struct Lti {
     input_deviation: Vec<f64>,
     output_mean: Vec<f64>,
     frame_secs: f32,
+    /// Share of a new log duration in the smoothed one.
+    timing_share: f64,
 }
 
 impl Lti {
@@ -97,6 +101,7 @@ impl Lti {
             input_deviation,
             output_mean,
             frame_secs: 1.0 / pairs.db.rate_hz,
+            timing_share: 1.0 - libm::exp2(-1.0 / (TIMING_HALF_LIFE_SECS * f64::from(pairs.db.rate_hz))),
         }
     }
 
@@ -134,23 +139,38 @@ impl Predictor for Lti {
             Systems::Single(systems) => systems.iter().flatten().map(StateSpace::order).sum(),
             Systems::Joint { system, .. } => system.order(),
         };
-        2 * (self.timing.order() + systems)
+        1 + 2 * (self.timing.order() + systems)
     }
 
     fn start(&self, memory: &mut [f64], past: &[PoseRow]) {
         memory.fill(0.0);
+        let Some((log_duration, states)) = memory.split_first_mut() else { return };
+        let mut timing = [0.0];
         if let Some(first) = past.first() {
-            self.for_each(memory, first, |_, system, memory, u| system.rest(memory, u));
+            self.for_each(states, first, |part, system, state, u| {
+                system.rest(state, u);
+                if let Part::Duration = part {
+                    system.output(state, u, &mut timing);
+                }
+            });
+            *log_duration = timing[0];
         }
         for row in past {
-            self.for_each(memory, row, |_, system, memory, u| system.step(memory, u));
+            self.for_each(states, row, |part, system, state, u| {
+                if let Part::Duration = part {
+                    system.output(state, u, &mut timing);
+                }
+                system.step(state, u);
+            });
+            *log_duration += self.timing_share * (timing[0] - *log_duration);
         }
     }
 
     fn predict(&self, memory: &mut [f64], now: Now<'_>) -> Prediction {
         let mut pose: [f64; DOFS] = std::array::from_fn(|d| self.output_mean[d]);
+        let (smoothed, states) = memory.split_at_mut(1);
         let mut log_duration = [0.0];
-        self.for_each(memory, now.input, |part, system, memory, u| {
+        self.for_each(states, now.input, |part, system, memory, u| {
             match part {
                 Part::Duration => system.output(memory, u, &mut log_duration),
                 Part::Dof(d) => {
@@ -170,7 +190,8 @@ impl Predictor for Lti {
         });
         let mut output = [0.0; ROW];
         output.iter_mut().zip(pose).for_each(|(o, v)| *o = v as f32);
-        Prediction { output, step_secs: self.frame_secs * exp(log_duration[0] as f32) }
+        smoothed[0] += self.timing_share * (log_duration[0] - smoothed[0]);
+        Prediction { output, step_secs: self.frame_secs * exp(smoothed[0] as f32) }
     }
 }
 
