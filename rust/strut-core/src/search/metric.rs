@@ -29,6 +29,9 @@ pub(super) const fn frames_of<const S: usize>(frames: usize) -> usize {
     if S == ANY { frames } else { S }
 }
 
+/// The length where nothing else is known of it: without experiments there is only one.
+pub(super) const LENGTH: usize = if MAX_WINDOW == WINDOW { WINDOW } else { ANY };
+
 /// For a length that only the running program knows.
 pub(super) const ANY: usize = 0;
 
@@ -248,7 +251,7 @@ impl QueryWindow {
 
     /// Adds a frame: its heading-free point cloud (metres) and its place on the ground.
     pub fn push(&mut self, cloud: &[Vec3; JOINTS], at: Placement) {
-        let length = self.length;
+        let length = frames_of::<LENGTH>(self.length);
         let (clouds, places) = (&mut self.clouds[..length], &mut self.places[..length]);
         clouds.rotate_left(1);
         places.rotate_left(1);

@@ -16,7 +16,7 @@ pub use neighbours::{Neighbour, Neighbours};
 
 use crate::database::Database;
 use crate::pose_vector::{HEADING_RATE, Placement};
-use metric::{ANY, FramePoints, GroundRow, HeightRow, frames_of, window_norm};
+use metric::{FramePoints, GroundRow, HeightRow, LENGTH, frames_of, window_norm};
 use path_bound::{limit_from_last, step_length};
 use std::ops::Range;
 
@@ -86,8 +86,8 @@ impl Index {
         for last in windows.start..windows.end.saturating_sub(1) {
             let end = last + 1 - rows.start;
             let query = QueryWindow::from_points(&points[end - self.length..end]);
-            let full = step_length(self.distance::<ANY>(&query, Metric::FullBody, last + 1));
-            let lower = step_length(self.distance::<ANY>(&query, Metric::LowerBody, last + 1));
+            let full = step_length(self.distance::<LENGTH>(&query, Metric::FullBody, last + 1));
+            let lower = step_length(self.distance::<LENGTH>(&query, Metric::LowerBody, last + 1));
             self.full_path[last + 1] = self.full_path[last] + full;
             self.lower_path[last + 1] = self.lower_path[last] + lower;
         }
@@ -136,10 +136,10 @@ impl Index {
         scratch: &mut Scratch,
         out: &mut Neighbours,
     ) {
-        if self.length == WINDOW || MAX_WINDOW == WINDOW {
+        if self.length == WINDOW || LENGTH == WINDOW {
             self.query_sized::<WINDOW>(query, metric, classes, k, scratch, out);
         } else {
-            self.query_sized::<ANY>(query, metric, classes, k, scratch, out);
+            self.query_sized::<LENGTH>(query, metric, classes, k, scratch, out);
         }
     }
 
@@ -179,7 +179,7 @@ impl Index {
 
     /// Rows of a clip at which a window ends; never its first, which has no row before it to regress on.
     fn windows_of_clip(&self, clip: &Range<usize>) -> Range<usize> {
-        (clip.start + self.length.max(2) - 1).min(clip.end)..clip.end
+        (clip.start + frames_of::<LENGTH>(self.length).max(2) - 1).min(clip.end)..clip.end
     }
 
     fn norms(&self, metric: Metric) -> &[f32] {
