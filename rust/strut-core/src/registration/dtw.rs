@@ -193,5 +193,31 @@ mod tests {
                 }
             }
         }
+
+        /// Twelve joints that swing in their own ways, seen through any smooth warp of slope 0.5 to 2.
+        #[test]
+        fn any_planted_smooth_warp_of_many_joints_is_recovered(
+            bend in -0.07f32..0.07, second in -0.015f32..0.015, stretch in 0.8f32..1.25, seed in 0.0f32..6.0,
+        ) {
+            let n = 80_usize;
+            let m = (n as f32 * stretch) as usize;
+            let joint = |t: f32, j: usize| {
+                let k = j as f32;
+                sin(t * (1.0 + k % 3.0) + k + seed) + 0.4 * cos(2.0 * t + 0.7 * k)
+            };
+            let planted = |i: usize| {
+                let t = i as f32 / (n - 1) as f32;
+                let turn = std::f32::consts::TAU * t;
+                (t + bend * sin(turn) + second * sin(2.0 * turn)) * (m - 1) as f32
+            };
+            let point = |at: f32| -> Vec<f32> { (0..12).map(|j| joint(7.0 * at / (m - 1) as f32, j)).collect() };
+            let a: Vec<Vec<f32>> = (0..n).map(|i| point(planted(i))).collect();
+            let b: Vec<Vec<f32>> = (0..m).map(|j| point(j as f32)).collect();
+            let apart = |i: usize, j: usize| a[i].iter().zip(&b[j]).map(|(x, y)| (x - y) * (x - y)).sum::<f32>();
+            let warp = Dtw::default().warp(n, m, CLOSED, apart).unwrap().smoothed(1.8);
+            for (i, at) in warp.at.iter().enumerate() {
+                prop_assert!((at - planted(i)).abs() <= 1.5, "frame {}: {} for {}", i, at, planted(i));
+            }
+        }
     }
 }

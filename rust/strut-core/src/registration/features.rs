@@ -9,6 +9,7 @@ use super::smooth::gaussian;
 use crate::humanoid::{JOINTS, Role};
 use crate::parallel::ParallelMap;
 use crate::pose_vector::{HEADING_RATE, VELOCITY_X, VELOCITY_Z};
+use std::ops::Range;
 
 /// Legs tell the phase of most actions best.
 const LEG_WEIGHT: f32 = 3.0;
@@ -24,6 +25,10 @@ const POSITION_FLOOR: f32 = 0.01;
 const VELOCITY_FLOOR: f32 = 0.1;
 const SPEED_FLOOR: f32 = 0.1;
 const TURNING_FLOOR: f32 = 0.3;
+/// Who waves or bows stands meanwhile, and how he sways tells nothing: higher floors for whole clips, metres and
+/// m/s, and legs that count like arms. Leave-one-out error of waving: 2.81 → 2.16 cm.
+const WHOLE_CLIP_POSITION_FLOOR: f32 = 0.05;
+const WHOLE_CLIP_VELOCITY_FLOOR: f32 = 0.5;
 
 const VELOCITIES: usize = 3 * JOINTS;
 const SPEED: usize = 6 * JOINTS;
@@ -54,16 +59,19 @@ pub(super) fn squared_distance(a: &Feature, b: &Feature) -> f32 {
     ((a + e) + (b + f)) + ((c + g) + (d + h))
 }
 
-/// The features of every frame of every example.
+/// The features of every frame of every example. What is usual in a style is taken from the frames of `compared`:
+/// how long a clip stands before it moves would shift it.
 pub(super) fn of_examples(
     examples: &[&Example],
+    compared: &[Range<usize>],
     styles: usize,
     rate_hz: f32,
+    cyclic: bool,
     executor: &impl ParallelMap,
 ) -> Vec<Vec<Feature>> {
     let mut raw = executor.map(examples.len(), &|i| raw_features(examples[i], rate_hz));
     for style in 0..styles {
-        normalise(examples, &mut raw, style as u16);
+        normalise(examples, compared, &mut raw, style as u16, cyclic);
     }
     let axes = principal_axes(&raw);
     executor.map(raw.len(), &|i| raw[i].iter().map(|r| project(&axes, r)).collect())
@@ -98,35 +106,39 @@ fn raw_features(example: &Example, rate_hz: f32) -> Vec<RawFeature> {
 }
 
 /// Replaces every feature but the contacts by its weighted z-score within the style.
-fn normalise(examples: &[&Example], raw: &mut [Vec<RawFeature>], style: u16) {
-    let mut of_style: Vec<&mut Vec<RawFeature>> =
-        examples.iter().zip(raw).filter(|(e, _)| e.style == style).map(|(_, r)| r).collect();
-    let count = of_style.iter().map(|r| r.len()).sum::<usize>();
+fn normalise(examples: &[&Example], compared: &[Range<usize>], raw: &mut [Vec<RawFeature>], style: u16, cyclic: bool) {
+    let of_style: Vec<usize> = (0..examples.len()).filter(|&i| examples[i].style == style).collect();
+    let count = of_style.iter().map(|&i| compared[i].len()).sum::<usize>();
     if count == 0 {
         return;
     }
     for d in 0..CONTACTS {
         let mean_of = |g: &dyn Fn(f64) -> f64| {
-            of_style.iter().flat_map(|r| r.iter()).map(|r| g(f64::from(r[d]))).sum::<f64>() / count as f64
+            of_style.iter().flat_map(|&i| &raw[i][compared[i].clone()]).map(|r| g(f64::from(r[d]))).sum::<f64>()
+                / count as f64
         };
         let mean = mean_of(&|v| v);
         let deviation = mean_of(&|v| (v - mean) * (v - mean)).sqrt() as f32;
-        let (floor, weight) = floor_and_weight(d);
+        let (floor, weight) = floor_and_weight(d, cyclic);
         let (mean, scale) = (mean as f32, weight / deviation.max(floor));
-        for row in of_style.iter_mut().flat_map(|r| r.iter_mut()) {
-            row[d] = (row[d] - mean) * scale;
+        for &i in &of_style {
+            for row in &mut raw[i] {
+                row[d] = (row[d] - mean) * scale;
+            }
         }
     }
 }
 
-fn floor_and_weight(d: usize) -> (f32, f32) {
+fn floor_and_weight(d: usize, cyclic: bool) -> (f32, f32) {
     let leg = (Role::LeftUpperLeg.index()..=Role::RightToes.index()).contains(&(d % VELOCITIES / 3));
-    let leg_weight = if leg { LEG_WEIGHT } else { 1.0 };
+    let leg_weight = if leg && cyclic { LEG_WEIGHT } else { 1.0 };
+    let (position_floor, velocity_floor) =
+        if cyclic { (POSITION_FLOOR, VELOCITY_FLOOR) } else { (WHOLE_CLIP_POSITION_FLOOR, WHOLE_CLIP_VELOCITY_FLOOR) };
     match d {
         SPEED => (SPEED_FLOOR, TRAVEL_WEIGHT),
         TURNING => (TURNING_FLOOR, TRAVEL_WEIGHT),
-        d if d >= VELOCITIES => (VELOCITY_FLOOR, VELOCITY_WEIGHT * leg_weight),
-        _ => (POSITION_FLOOR, leg_weight),
+        d if d >= VELOCITIES => (velocity_floor, VELOCITY_WEIGHT * leg_weight),
+        _ => (position_floor, leg_weight),
     }
 }
 

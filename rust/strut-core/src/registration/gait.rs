@@ -29,7 +29,7 @@ pub struct Segment {
 /// What a [`Segment`] is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SegmentKind {
-    /// The whole clip.
+    /// The whole clip but for standing at its ends.
     Clip,
     /// From the clip's start to the first strike.
     LeadIn,
@@ -39,6 +39,22 @@ pub enum SegmentKind {
     Faulty,
     /// From the last strike to the clip's end.
     LeadOut,
+}
+
+impl Segment {
+    /// The last frame that is compared, in an example of `total`: for a cycle the strike that ends it.
+    pub(super) fn last(&self, total: usize) -> usize {
+        match self.kind {
+            SegmentKind::Clip => self.frames.end - 1,
+            _ => self.frames.end.min(total - 1),
+        }
+    }
+}
+
+/// The frames of an example of `total` that segment `k` speaks for: standing at the ends goes with the motion.
+pub(super) fn covered(segments: &[Segment], k: usize, total: usize) -> Range<usize> {
+    let first = if k == 0 { 0 } else { segments[k].frames.start };
+    first..if k + 1 == segments.len() { total } else { segments[k].frames.end }
 }
 
 /// Frames at which a foot (0 left, 1 right) touches down.

@@ -12,6 +12,7 @@ pub mod gait;
 mod imw;
 mod matching;
 mod pairing;
+mod rest;
 mod script;
 mod smooth;
 mod timeline;
@@ -244,7 +245,7 @@ impl Job<'_> {
                 *refusal = Some(Refusal::NoHeelStrikes);
             }
         }
-        let features = self.features(&refusals, executor);
+        let features = self.features(&refusals, &cuts, locomotion, executor);
         let reference = self.reference(&refusals, &cuts, &features, locomotion);
         let mut times = self.canonical_times(&mut refusals, &cuts, &features, reference.as_ref(), executor);
         let parts: Vec<pairing::Part> = (0..self.examples.len())
@@ -327,17 +328,30 @@ impl Job<'_> {
             .collect()
     }
 
-    /// Every clip as one segment.
+    /// What moves of every clip as one segment.
     fn uncut(&self) -> Vec<(Vec<Segment>, Vec<FaultyCycle>)> {
-        let whole = |e: &Example| vec![Segment { frames: 0..e.frames(), kind: SegmentKind::Clip }];
+        let whole =
+            |e: &Example| vec![Segment { frames: rest::moving(&e.point_cloud, self.rate_hz), kind: SegmentKind::Clip }];
         self.examples.iter().map(|e| (whole(e), Vec::new())).collect()
     }
 
     /// Features of the examples not refused, empty for the others.
-    fn features(&self, refusals: &[Option<Refusal>], executor: &impl ParallelMap) -> Vec<Vec<Feature>> {
+    fn features(
+        &self,
+        refusals: &[Option<Refusal>],
+        cuts: &[(Vec<Segment>, Vec<FaultyCycle>)],
+        cyclic: bool,
+        executor: &impl ParallelMap,
+    ) -> Vec<Vec<Feature>> {
         let used: Vec<&Example> =
             self.examples.iter().zip(refusals).filter(|(_, r)| r.is_none()).map(|(e, _)| e).collect();
-        let mut features = features::of_examples(&used, self.styles, self.rate_hz, executor).into_iter();
+        let whole = |(segments, _): &(Vec<Segment>, _)| {
+            segments.first().map_or(0, |s| s.frames.start)..segments.last().map_or(0, |s| s.frames.end)
+        };
+        let compared: Vec<Range<usize>> =
+            cuts.iter().zip(refusals).filter(|(_, r)| r.is_none()).map(|(cut, _)| whole(cut)).collect();
+        let mut features =
+            features::of_examples(&used, &compared, self.styles, self.rate_hz, cyclic, executor).into_iter();
         let mut next = |r: &Option<Refusal>| if r.is_none() { features.next() } else { None };
         refusals.iter().map(|r| next(r).unwrap_or_default()).collect()
     }

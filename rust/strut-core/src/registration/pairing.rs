@@ -1,7 +1,7 @@
 //! Counterparts: each segment is registered to the pieces of a style that fit it best (specification §4).
 
 use super::features::Feature;
-use super::gait::{Segment, SegmentKind};
+use super::gait::{Segment, SegmentKind, covered};
 use super::matching::{Match, Piece, Warper};
 use super::warp::{Ends, Warp};
 use super::{Counterpart, Counterparts, Options};
@@ -59,8 +59,7 @@ pub(super) fn pair(part: &Part, all: &[Part], styles: usize, options: &Options, 
 
 /// The best matches of a segment in one style: at least one, if the style has any example.
 fn matches_of(segment: &Segment, part: &Part, others: &[&Part], options: &Options, warper: &mut Warper) -> Vec<Match> {
-    // A cycle is compared up to and with the strike that ends it.
-    let last = segment.frames.end.min(part.features.len() - 1);
+    let last = segment.last(part.features.len());
     let a =
         Piece { example: part.example, all: part.features, first: segment.frames.start, last, ends: Ends::default() };
     let frames = last + 1 - segment.frames.start;
@@ -109,7 +108,10 @@ fn pieces_for<'a>(segment: &Segment, n: usize, other: &Part<'a>) -> Vec<Piece<'a
     };
     let reach = OPEN_REACH * n;
     match segment.kind {
-        SegmentKind::Clip => vec![piece(0, end, Ends::default())],
+        SegmentKind::Clip => {
+            let whole = other.segments.iter().filter(|s| s.kind == SegmentKind::Clip);
+            whole.map(|s| piece(s.frames.start, s.frames.end - 1, Ends::default())).collect()
+        }
         SegmentKind::Cycle => other
             .segments
             .iter()
@@ -192,12 +194,12 @@ fn fill(
     mut put: impl FnMut(usize, Counterparts),
 ) {
     for (k, segment) in part.segments.iter().enumerate() {
-        for frame in segment.frames.clone() {
+        for frame in covered(part.segments, k, part.features.len()) {
             let mut found: Counterparts = [None; MAX_COUNTERPARTS];
             let mut used = 0;
             for slot in 0..MAX_COUNTERPARTS {
                 let change = |border: usize| changes.get(border).and_then(|c| c.get(slot)).copied().unwrap_or(0);
-                let of = if k > 0 && ((frame - segment.frames.start) as isize) < change(k - 1) {
+                let of = if k > 0 && (frame as isize - segment.frames.start as isize) < change(k - 1) {
                     k - 1
                 } else if k + 1 < matches.len() && (frame as isize - segment.frames.end as isize) >= change(k) {
                     k + 1

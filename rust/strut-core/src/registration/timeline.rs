@@ -1,7 +1,7 @@
 //! The canonical timeline of an action: the time of its neutral reference cycle or clip (specification §4).
 
 use super::features::Feature;
-use super::gait::{Segment, SegmentKind};
+use super::gait::{Segment, SegmentKind, covered};
 use super::matching::{Warper, linear_distance};
 use super::smooth::gaussian;
 use super::warp::{Ends, Warp};
@@ -31,6 +31,11 @@ impl Reference {
     /// Frames of the canonical timeline: of a cycle until it begins again.
     pub(super) fn canonical_frames(&self) -> f32 {
         if self.cyclic { self.frames.len() as f32 } else { self.frames.len().saturating_sub(1) as f32 }
+    }
+
+    /// The last frame that is compared, in an example of `total`: of a cycle the strike that ends it.
+    fn last(&self, total: usize) -> usize {
+        if self.cyclic { self.frames.end.min(total - 1) } else { self.frames.end - 1 }
     }
 
     /// The segment most like all others among candidates (example, frames) of about the median length.
@@ -86,12 +91,12 @@ pub(super) fn canonical_time(
 ) -> Option<CanonicalTime> {
     let length = reference.canonical_frames();
     let of_example = &all_features[reference.example];
-    let reference_features = &of_example[reference.frames.start..=reference.frames.end.min(of_example.len() - 1)];
+    let reference_features = &of_example[reference.frames.start..=reference.last(of_example.len())];
     // For every segment the canonical times of its frames, cycles counted on.
     let mut warps: Vec<Warp> = Vec::with_capacity(segments.len());
     let mut cycles = 0.0;
     for segment in segments {
-        let last = segment.frames.end.min(features.len() - 1);
+        let last = segment.last(features.len());
         let piece = &features[segment.frames.start..=last];
         let (target, ends) = match segment.kind {
             SegmentKind::LeadIn => {
@@ -122,7 +127,7 @@ pub(super) fn canonical_time(
     let at = |k: usize, frame: usize| warps[k].extrapolated(frame as isize - segments[k].frames.start as isize);
     let mut unwrapped: Vec<f32> = Vec::with_capacity(features.len());
     for (k, segment) in segments.iter().enumerate() {
-        for frame in segment.frames.clone() {
+        for frame in covered(segments, k, features.len()) {
             let share = |distance: usize| 0.5 * (1.0 - distance as f32 / reach).max(0.0);
             let here = at(k, frame);
             let mut time = here;

@@ -243,3 +243,35 @@ fn actions_without_steps_are_registered_as_whole_clips() {
         assert!((db.pose[row][arm] - db.pose[at.round() as usize][arm]).abs() < 0.15, "row {row} at {at}");
     }
 }
+
+/// Stands, raises the arm along a curve of its own that no instant shares, and stands.
+fn raising(style: &str, still_before: f32, raise_secs: f32, still_after: f32) -> SourceClip {
+    let frames = ((still_before + raise_secs + still_after) * 60.0) as usize;
+    let poses = (0..frames)
+        .map(|f| {
+            let part = ((f as f32 / 60.0 - still_before) / raise_secs).clamp(0.0, 1.0);
+            let mut pose = Pose::default();
+            pose.rotations[Role::LeftUpperArm.index()] = Quat::from_rotation_z(1.5 * part);
+            pose.rotations[Role::RightUpperArm.index()] = Quat::from_rotation_z(-0.8 * sin(3.0 * part));
+            pose
+        })
+        .collect();
+    let motion = HumanoidMotion { proportions: Proportions::default(), rate_hz: 60.0, poses };
+    clip("raise", style, 1, motion)
+}
+
+#[test]
+fn standing_of_different_length_is_not_stretched_onto_the_motion() {
+    let (pause, secs, pace) = (0.2, 1.5, 1.2);
+    let clips = [raising("neutral", pause, secs, 0.2), raising("slow", 2.5, secs * pace, 1.5)];
+    let (db, _) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    let (neutral, slow) = (&db.clips[0], &db.clips[1]);
+    for row in neutral.rows() {
+        let part = ((row - neutral.first_frame) as f32 / 60.0 - pause) / secs;
+        if (0.1..0.9).contains(&part) {
+            let planted = slow.first_frame as f32 + (2.5 + part * secs * pace) * 60.0;
+            let at = db.counterparts(row, slow.style).next().unwrap();
+            assert!((at - planted).abs() <= 4.0, "{part} of the motion: {at}, planted {planted}");
+        }
+    }
+}
