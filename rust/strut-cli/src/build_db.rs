@@ -14,8 +14,9 @@ use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::Instant;
-use strut_core::database::Database;
 use strut_core::database::build::{self, BuildOptions, BuildReport, Stage};
+use strut_core::database::{Database, residuals};
+use strut_core::registration::{self, WarpMethod};
 use strut_formats::strutdb;
 
 /// What `--json` writes.
@@ -25,7 +26,7 @@ The report of --json:
   actions  [{action, method, reference_clip, canonical_frames}]
   totals   {clips, frames, cycles, refused, bytes}
   clips    [{file, name, action, style, take, frames, cycles, mean_cycle_secs, turn_degrees, registration_cost,
-            faulty_cycles [{first_frame, frames, fault}]}]
+            residual_cm, residual_ratio (to the action's median), faulty_cycles [{first_frame, frames, fault}]}]
   refused  [{file, reason}]";
 
 /// Build a database from labelled clips
@@ -53,13 +54,40 @@ pub(crate) struct Args {
     /// Frames per second of the database
     #[arg(long, value_name = "HZ", default_value_t = 60.0)]
     rate: f32,
+    /// How clips are registered
+    #[arg(long, value_enum, default_value_t = Registration::Dtw)]
+    registration: Registration,
+    /// Write a table of how well every clip registered, worst first, as Markdown
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
     /// Write a report as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
 
+/// How clips are warped onto each other.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Registration {
+    /// Dynamic time warping
+    Dtw,
+    /// Iterative motion warping
+    Imw,
+    /// Linear time between strikes: the baseline
+    Linear,
+}
+
+impl From<Registration> for WarpMethod {
+    fn from(registration: Registration) -> Self {
+        match registration {
+            Registration::Dtw => Self::Dtw,
+            Registration::Imw => Self::Imw,
+            Registration::Linear => Self::Linear,
+        }
+    }
+}
+
 pub(crate) fn run(args: &Args) -> Outcome {
-    Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
+    Outputs::check([Some(args.output.as_path()), args.json.as_deref(), args.report.as_deref()].into_iter().flatten())?;
     if !build::RATES_HZ.contains(&args.rate) {
         return Err(Failure::usage(build::BuildError::Rate(args.rate)));
     }
@@ -68,7 +96,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let mut refused = Vec::new();
     let labelled = corpus::label(&sources, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
     let clips = corpus::read_clips(args.neutral.as_deref(), labelled, &mut refused)?;
-    let options = BuildOptions { rate_hz: args.rate, neutral: args.neutral.clone(), ..BuildOptions::default() };
+    let registration = registration::Options { warp: args.registration.into(), ..registration::Options::default() };
+    let options = BuildOptions { rate_hz: args.rate, neutral: args.neutral.clone(), registration };
     let (db, report) = {
         let bar = Bar::new("preparing", clips.len());
         let mut progress = |p: build::Progress| {
@@ -89,6 +118,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     outputs.stage(&args.output, &bytes)?;
     if let Some(target) = &args.json {
         outputs.stage(target, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
+    }
+    if let Some(target) = &args.report {
+        outputs.stage(target, report.markdown().as_bytes())?;
     }
     outputs.commit()?;
     print_warnings(&report.warnings());
@@ -138,6 +170,8 @@ struct ClipEntry {
     mean_cycle_secs: Option<f32>,
     turn_degrees: f32,
     registration_cost: Option<f32>,
+    residual_cm: f32,
+    residual_ratio: f32,
     faulty_cycles: Vec<FaultyCycle>,
 }
 
@@ -163,7 +197,22 @@ impl Report {
             let reason = clip.refused.as_ref().map(ToString::to_string).unwrap_or_default();
             refused.push(RefusedFile { file: file(&clip.name), reason });
         }
+        let residual_cm: Vec<f32> = residuals(db).iter().map(|r| 100.0 * r).collect();
+        let residual_of: HashMap<&str, (f32, f32)> = db
+            .clips
+            .iter()
+            .zip(&residual_cm)
+            .map(|(clip, &here)| {
+                let others = db.clips.iter().zip(&residual_cm).filter(|(c, _)| c.action == clip.action);
+                let mut of_action: Vec<f32> = others.map(|(_, r)| *r).collect();
+                of_action.sort_by(f32::total_cmp);
+                (clip.name.as_str(), (here, here / of_action[of_action.len() / 2].max(1e-6)))
+            })
+            .collect();
+        let residual = |name: &str| residual_of.get(name).copied().unwrap_or_default();
         let entry = |c: &build::ClipReport| ClipEntry {
+            residual_cm: residual(&c.name).0,
+            residual_ratio: residual(&c.name).1,
             file: file(&c.name),
             name: c.name.clone(),
             action: c.action.clone(),
@@ -208,6 +257,32 @@ impl Report {
             let _ = writeln!(out, "warning: refused {}: {}", r.file, r.reason);
             out
         })
+    }
+
+    /// What was refused and why, then every clip and its faulty cycles, worst first.
+    fn markdown(&self) -> String {
+        let mut out = format!("# Registration of {}\n\n## Refused\n\n", self.database);
+        // Writing to a string cannot fail.
+        if self.refused.is_empty() {
+            out.push_str("Nothing.\n");
+        }
+        for r in &self.refused {
+            let _ = writeln!(out, "- `{}`: {}", r.file, r.reason);
+        }
+        out.push_str(
+            "\n## Clips\n\nResidual: mean distance of the joints from those of the counterparts in all styles, without the\n\
+             style's mean offset; and as a multiple of the action's median. Worst first.\n\n\
+             | clip | residual cm | × median | cycles | faulty cycles |\n|---|---:|---:|---:|---|\n",
+        );
+        let mut clips: Vec<&ClipEntry> = self.clips.iter().collect();
+        clips.sort_by(|a, b| b.residual_ratio.total_cmp(&a.residual_ratio));
+        for c in clips {
+            let fault = |f: &FaultyCycle| format!("frames {}–{}: {}", f.first_frame, f.first_frame + f.frames, f.fault);
+            let faults: Vec<String> = c.faulty_cycles.iter().map(fault).collect();
+            let (cm, ratio) = (c.residual_cm, c.residual_ratio);
+            let _ = writeln!(out, "| {} | {cm:.2} | {ratio:.2} | {} | {} |", c.name, c.cycles, faults.join("; "));
+        }
+        out
     }
 
     fn summary(&self) -> String {

@@ -4,8 +4,12 @@
 //! is a contiguous range of rows. The layout follows the `.strutdb` file (DESIGN §5).
 
 pub mod build;
+#[cfg(feature = "offline")]
+mod residual;
 mod target_table;
 
+#[cfg(feature = "offline")]
+pub use residual::residuals;
 pub use target_table::TargetTable;
 
 use crate::humanoid::{JOINTS, Proportions};
