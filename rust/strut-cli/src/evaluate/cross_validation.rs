@@ -18,7 +18,10 @@ use strut_core::transfer::Model;
 /// All samples of all folds, in an order that does not depend on how work was spread.
 pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &Checkpoint) -> Outcome<Vec<Sample>> {
     let plain = grid.builds[0].options(&args.source);
-    let takes = protocol(args, clips, grid.builds[0], &plain).takes();
+    let mut takes = protocol(args, clips, grid.builds[0], &plain).takes();
+    if args.folds > 0 {
+        takes.truncate(args.folds);
+    }
     let units: Vec<(usize, u32)> =
         (0..grid.builds.len()).flat_map(|build| takes.iter().map(move |&take| (build, take))).collect();
     let bar = Bar::new("folds", units.len());

@@ -108,6 +108,9 @@ pub(crate) struct Args {
     /// How far classes less near than the nearest take part
     #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.delta])]
     delta: Vec<f32>,
+    /// loo: folds at most, the first ones; 0 for all
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    folds: usize,
     /// Write the results as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,

@@ -1,0 +1,123 @@
+// The experiments of docs/evaluation.md: the paper's section 7 and its components, each one command.
+
+const BN1 = "--data $MOCAP/bandai-namco-1 --source normal";
+const BN2 = "--data $MOCAP/bandai-namco-2 --source normal";
+const ALL_METHODS = "nn,knn,lar,mar,gar,lti,gp";
+const FOREIGN = "--protocol off-database --inputs $MOCAP/cmu,$MOCAP/xia";
+
+/**
+ * Each: `id` names its files, `title` and `question` go above its table, `args` follow `strut evaluate`; `$MOCAP`
+ * stands for the folder of real clips and `$DEMO` for the built-in motions as BVH files. `set` puts it into the
+ * figure of error bars, `curves` writes curves over time too.
+ */
+export const experiments = [
+  {
+    id: "walk",
+    title: "One action, every method",
+    question:
+      "Walking in seven styles, eight takes each; 8 folds × 6 targets. The paper's Table 3 and Figure 6, homogeneous.",
+    args: `${BN2} --actions walk --methods ${ALL_METHODS}`,
+    set: "walk, 7 styles",
+  },
+  {
+    id: "heterogeneous",
+    title: "Four actions in one database, nothing known of the input",
+    question: "Walk, run and turns in one database. The engine finds action and style itself.",
+    args: `${BN2} --actions walk,run,walk-turn-left,walk-turn-right --methods ${ALL_METHODS} --folds 2`,
+    set: "4 actions, 7 styles",
+  },
+  {
+    id: "labels",
+    title: "What labels are worth",
+    question: "The same data with action and style known, one of them, or neither.",
+    args: `${BN2} --actions walk,run,walk-turn-left,walk-turn-right --methods knn,lar,mar --labels both,action,style --folds 2`,
+  },
+  {
+    id: "one-take",
+    title: "One example of each style",
+    question: "Walking in fifteen acted styles, two takes each: one is held out, one is all the database knows.",
+    args: `${BN1} --actions walk --methods ${ALL_METHODS}`,
+    set: "walk, 15 styles, 1 take",
+  },
+  {
+    id: "takes",
+    title: "Number of target takes",
+    question: "How many performances of a style does the database need? The neutral style keeps all of its own.",
+    args: `${BN2} --actions walk --methods knn,mar --takes 1,2,4,0 --folds 2`,
+  },
+  {
+    id: "foreign-methods",
+    title: "Motion that the database does not hold: methods",
+    question:
+      "Every clip of two other collections, styled unlabelled with walking and running: how rough it becomes against the input (1 is as smooth), how much of its own fast content is left (1 is all), and how far it moved.",
+    args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly,active --methods nn,knn,lar,mar`,
+  },
+  {
+    id: "foreign-bias",
+    title: "Motion that the database does not hold: bias",
+    question:
+      "Without the bias term (κ inf), with it, and for ρ from all style to all content (the paper's section 5.4).",
+    args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly --methods mar --kappa 3 --rho 0,0.3,0.7,1`,
+  },
+  {
+    id: "foreign-kappa",
+    title: "Motion that the database does not hold: κ",
+    question: "How many standard deviations of the neighbours the database is taken to know.",
+    args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly --methods mar --kappa 1,inf`,
+  },
+  {
+    id: "cross-action",
+    title: "An action that the database does not have",
+    question: "Running styled with a database of walking.",
+    args: `${BN2} --actions run --database-actions walk --methods nn,knn,lar,mar --kappa 3,1 --folds 2`,
+  },
+  {
+    id: "bias-inside",
+    title: "What the bias costs where it is not needed",
+    question: "Held-out walking, with and without the bias term.",
+    args: `${BN2} --actions walk --methods mar --kappa 1,3,inf --folds 2`,
+  },
+  {
+    id: "k",
+    title: "K",
+    question: "Neighbours in each class.",
+    args: `${BN2} --actions walk --methods mar -k 5,10,20,40,80,160 --folds 2`,
+  },
+  {
+    id: "delta",
+    title: "δ",
+    question: "How far classes less near than the nearest take part, where there are many classes.",
+    args: `${BN2} --actions walk,run --methods mar --delta 0.2,0.7,3 --folds 1`,
+  },
+  {
+    id: "lambda",
+    title: "λ",
+    question: "Ridge of the regressions, as a share of K.",
+    args: `${BN2} --actions walk --methods mar --lambda 0.001,0.01,0.1,1,10 --folds 2`,
+  },
+  {
+    id: "registration",
+    title: "Registration",
+    question: "Dynamic time warping, iterative motion warping and linear time within gait cycles.",
+    args: `${BN2} --actions walk --methods mar --registration dtw,imw,linear --folds 2`,
+  },
+  {
+    id: "online",
+    title: "Live and whole clips",
+    question: "Frame by frame, or with a view of what comes after when contacts are smoothed and feet planted.",
+    args: `${BN2} --actions walk,run --methods mar --mode offline,online --folds 2`,
+  },
+  {
+    id: "paper-database",
+    title: "The paper's own database",
+    question: "Eight styles, one clip each of walking and running, styling the walks of another performer.",
+    args: "--data $MOCAP/xia --source neutral --protocol off-database --inputs $MOCAP/bandai-namco-2/dataset-2_walk_normal_001.bvh,$MOCAP/bandai-namco-2/dataset-2_run_normal_001.bvh,$MOCAP/cmu --methods nn,knn,mar",
+  },
+  {
+    id: "demo",
+    title: "The built-in motions",
+    question: "Synthetic walking: what needs no data to repeat, and what the curves below show.",
+    args: `--data $DEMO --source neutral --actions walk --targets old --methods ${ALL_METHODS}`,
+    curves: true,
+  },
+];

@@ -1,0 +1,113 @@
+// npm run evaluate [-- ID …] [--fresh]: runs the experiments and writes docs/evaluation.md with its figures.
+//
+// Results are kept in evaluation/results; an experiment that is there already is not run again, one that was
+// stopped goes on where it was. Figures of real motion are never committed: curves come from the built-in motions.
+import { spawnSync } from "node:child_process";
+import { existsSync } from "node:fs";
+import { mkdir, readFile, rm, writeFile } from "node:fs/promises";
+import { cpus } from "node:os";
+import { join } from "node:path";
+import { setupRust } from "../scripts/setup.mjs";
+import { main, root, run, Sentence, step } from "../scripts/steps.mjs";
+import { experiments } from "./experiments.mjs";
+import { errorBars, jointCurve, timeWarp } from "./figures.mjs";
+
+const results = join(root, "evaluation", "results");
+const pictures = join(root, "docs", "evaluation");
+const demo = join(results, "demo-motions");
+const file = (id, kind) => join(results, `${id}.${kind}`);
+
+/** Folder of real motion capture. */
+function mocap() {
+  const folder = process.env.STRUT_MOCAP ?? join(root, "..", "shared", "data");
+  if (!existsSync(folder)) throw new Sentence(`there is no motion capture in ${folder}; set STRUT_MOCAP to its folder`);
+  return folder;
+}
+
+const words = (args, places) =>
+  args
+    .split(" ")
+    .map((word) => Object.entries(places).reduce((w, [name, path]) => w.replaceAll(`$${name}`, path), word));
+
+/** Runs one experiment; its table and results are kept. */
+async function measure(strut, { id, title, args, curves }, places) {
+  const more = curves ? ["--curves", file(id, "curves.json")] : [];
+  const command = ["evaluate", ...words(args, places), "--json", file(id, "json"), ...more];
+  const { status, stdout: table } = spawnSync(strut, command, {
+    stdio: ["ignore", "pipe", "inherit"],
+    encoding: "utf8",
+  });
+  if (status !== 0) throw new Sentence(`${title} could not be measured.`);
+  await writeFile(file(id, "md"), table);
+}
+
+const json = async (path) => JSON.parse(await readFile(path, "utf8"));
+
+/** One experiment as Markdown. */
+async function section({ id, title, question, args, curves }) {
+  const table = await readFile(file(id, "md"), "utf8");
+  const command = `strut evaluate ${args}`.replaceAll("$MOCAP", "../shared/data").replaceAll("$DEMO", "demo");
+  const figures = curves
+    ? [
+        "![A knee over time, by method](evaluation/joint-curve.svg)",
+        "![Output time against input time, by method](evaluation/time-warp.svg)",
+      ].join("\n\n")
+    : "";
+  return `## ${title}\n\n${question}\n\n\`\`\`\n${command}\n\`\`\`\n\n${table}\n\n${figures}`.trimEnd();
+}
+
+const INTRODUCTION = `# Evaluation
+
+Written by \`npm run evaluate\`; every table comes from the command above it. Pose error is the mean distance of 20
+joints (hips and heading removed) over whole gait cycles of the held-out take, before feet are planted; timing error the
+mean difference of the time since the cycle began; velocity error the mean difference of joint velocities per second of
+input. Input unchanged is what doing nothing gives; the floors are what other real takes of the target style give.
+Skate is the mean speed of the point a foot turns on while the finished motion's own contact labels show it planted.
+Methods: nn nearest neighbour, knn mean of the K nearest, lar one local autoregression, mar mixture of autoregressive
+models, gar global autoregression, lti linear time-invariant systems (Hsu et al. 2005), gp Gaussian process (Ikemoto et
+al. 2009).`;
+
+await main(async () => {
+  const args = process.argv.slice(2);
+  const fresh = args.includes("--fresh");
+  const wanted = args.filter((a) => a !== "--fresh");
+  const unknown = wanted.find((id) => experiments.every((e) => e.id !== id));
+  if (unknown)
+    throw new Sentence(`there is no experiment '${unknown}'; ${experiments.map((e) => e.id).join(", ")} are`);
+  const places = { MOCAP: mocap(), DEMO: demo };
+  const rust = await setupRust();
+  await step("Building the command", () =>
+    run(rust.CARGO ?? "cargo", ["build", "--release", "--quiet", "-p", "strut-cli"], {
+      env: rust,
+      cwd: join(root, "rust"),
+    }),
+  );
+  const strut = join(root, "rust", "target", "release", "strut");
+  await mkdir(results, { recursive: true });
+  await mkdir(pictures, { recursive: true });
+  await run(strut, ["demo-db", "-o", file("demo-motions", "strutdb"), "--bvh", demo]);
+  for (const experiment of experiments) {
+    const asked = wanted.includes(experiment.id) || (wanted.length === 0 && fresh);
+    if (asked) await rm(file(experiment.id, "md"), { force: true });
+    if (!existsSync(file(experiment.id, "md")) && (asked || wanted.length === 0))
+      await step(experiment.title, () => measure(strut, experiment, places));
+  }
+  const done = experiments.filter((e) => existsSync(file(e.id, "md")));
+  await step("Figures and docs/evaluation.md", async () => {
+    const sets = [];
+    for (const e of done) if (e.set) sets.push({ set: e.set, results: (await json(file(e.id, "json"))).results });
+    if (sets.length > 0) await writeFile(join(pictures, "error-bars.svg"), await errorBars(sets));
+    for (const e of done.filter((e) => e.curves)) {
+      const [trial] = await json(file(e.id, "curves.json"));
+      await writeFile(join(pictures, "joint-curve.svg"), await jointCurve(trial));
+      await writeFile(join(pictures, "time-warp.svg"), await timeWarp(trial));
+    }
+    const machine = `Measured on ${cpus().length} × ${cpus()[0]?.model.trim() ?? "unknown processor"}; times hold for it only.`;
+    const bars = "![Errors by method and data set](evaluation/error-bars.svg)";
+    const sections = await Promise.all(done.map(section));
+    await writeFile(
+      join(root, "docs", "evaluation.md"),
+      `${[INTRODUCTION, machine, bars, ...sections].join("\n\n")}\n`,
+    );
+  });
+});
