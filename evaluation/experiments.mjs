@@ -66,6 +66,19 @@ export const experiments = [
     args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly --methods mar --kappa 1,inf`,
   },
   {
+    id: "foreign-coherence",
+    title: "Motion that the database does not hold: coherence",
+    question:
+      "Beyond the paper: neighbours weigh less the farther they are, and predictions correct an expectation (`--coherence`, on by default).",
+    args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly --methods mar --coherence on,off`,
+  },
+  {
+    id: "coherence-inside",
+    title: "What coherence costs where it is not needed",
+    question: "Held-out walking and running.",
+    args: `${BN2} --actions walk,run --methods mar --coherence on,off --folds 2`,
+  },
+  {
     id: "cross-action",
     title: "An action that the database does not have",
     question: "Running styled with a database of walking.",

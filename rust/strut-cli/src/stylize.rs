@@ -8,6 +8,7 @@ use crate::suggestion::unknown;
 use crate::trace::{StageTimer, TraceLog, class_names};
 use crate::weights::{PartWeights, StyleWeights};
 use clap::ValueEnum;
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use strut_core::database::Database;
@@ -82,8 +83,10 @@ pub(crate) struct Args {
     trace: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Switch {
+/// On or off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Switch {
     On,
     Off,
 }

@@ -12,6 +12,7 @@ use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print, print_warnings};
 use crate::gather::gather;
 use crate::pattern::Pattern;
+use crate::stylize::Switch;
 use crate::suggestion::unknown;
 use checkpoint::Checkpoint;
 use clap::ValueEnum;
@@ -108,6 +109,9 @@ pub(crate) struct Args {
     /// How far classes less near than the nearest take part
     #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.delta])]
     delta: Vec<f32>,
+    /// Whether what the database does not know is kept from trembling
+    #[arg(long, value_delimiter = ',', default_value = "on")]
+    coherence: Vec<Switch>,
     /// loo: folds at most, the first ones; 0 for all
     #[arg(long, value_name = "N", default_value_t = 0)]
     folds: usize,

@@ -170,6 +170,7 @@ impl Row {
             ("λ", knobs.lambda.to_string()),
             ("κ", knobs.kappa.to_string()),
             ("ρ", knobs.rho.to_string()),
+            ("coherence", text(&knobs.coherence)),
             ("registration", text(&self.build.registration)),
             ("takes", if self.build.takes == 0 { "all".to_owned() } else { self.build.takes.to_string() }),
         ]

@@ -2,6 +2,7 @@
 
 use super::Args;
 use crate::failure::{Failure, Outcome};
+use crate::stylize::Switch;
 use clap::ValueEnum;
 use serde::Serialize;
 use std::sync::Arc;
@@ -87,6 +88,7 @@ pub(super) struct Knobs {
     #[serde(serialize_with = "finite_or_text")]
     pub(super) kappa: f32,
     pub(super) rho: f32,
+    pub(super) coherence: Switch,
 }
 
 /// JSON has no infinity.
@@ -115,14 +117,15 @@ impl Setting {
     }
 
     fn options(&self) -> Outcome<Options> {
-        let Knobs { k, delta, lambda, kappa, rho } = self.knobs;
+        let Knobs { k, delta, lambda, kappa, rho, coherence } = self.knobs;
+        let coherence = coherence == Switch::On;
         let method = Method::from_name(&self.method).ok_or_else(|| {
             Failure::usage(format_args!(
                 "there is no method '{}'; nn, knn, lar, mar, gar, lti or gp was expected",
                 self.method
             ))
         })?;
-        let options = Options { k, delta, lambda, kappa, rho, method, ..Options::DEFAULT };
+        let options = Options { k, delta, lambda, kappa, rho, coherence, method, ..Options::DEFAULT };
         options.validate().map_err(Failure::usage)?;
         Ok(options)
     }
@@ -146,7 +149,10 @@ impl Grid {
             for &delta in &args.delta {
                 for &lambda in &args.lambda {
                     for &kappa in &args.kappa {
-                        knobs.extend(args.rho.iter().map(|&rho| Knobs { k, delta, lambda, kappa, rho }));
+                        for &rho in &args.rho {
+                            let knob = |&coherence| Knobs { k, delta, lambda, kappa, rho, coherence };
+                            knobs.extend(args.coherence.iter().map(knob));
+                        }
                     }
                 }
             }

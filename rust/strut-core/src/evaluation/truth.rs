@@ -9,6 +9,10 @@ use crate::pose_vector::{PoseChart, point_cloud};
 use crate::registration::{Example, Job, Options};
 use std::ops::{ControlFlow, Range};
 
+/// Frames that a warp passes in one frame at most (its slope limit, and a little for smoothing); more is another
+/// cycle.
+const GREATEST_PACE: f64 = 4.0;
+
 /// Another performance of the same action, frame by frame beside a source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Aligned {
@@ -71,16 +75,29 @@ pub fn align(source: &HumanoidMotion, others: &[&HumanoidMotion]) -> Option<Alig
     let others = (1..motions.len())
         .map(|style| {
             let points = points_of(motions[style]);
-            let mut aligned = Aligned { points: Vec::new(), time_secs: Vec::new() };
-            for frame in 0..examples[0].frames() {
-                let at = of_source.counterparts[frame * motions.len() + style][0]?.frame;
-                aligned.points.push(between(&points, at));
-                aligned.time_secs.push(f64::from(at) / f64::from(source.rate_hz));
-            }
-            Some(aligned)
+            let counterpart = |frame: usize| of_source.counterparts[frame * motions.len() + style][0].map(|c| c.frame);
+            let frames: Vec<f32> = (0..examples[0].frames()).map(counterpart).collect::<Option<_>>()?;
+            Some(Aligned {
+                points: frames.iter().map(|&at| between(&points, at)).collect(),
+                time_secs: running_time(&frames, source.rate_hz),
+            })
         })
         .collect();
     Some(Alignment { segments, others })
+}
+
+/// The time that passes along counterparts, seconds. Where one gives way to another, in another cycle, time goes
+/// on at the pace it had.
+fn running_time(frames: &[f32], rate_hz: f32) -> Vec<f64> {
+    let (mut time, mut pace) = (0.0, 1.0);
+    let mut elapsed = vec![0.0; frames.len().min(1)];
+    for pair in frames.windows(2) {
+        let step = f64::from(pair[1] - pair[0]);
+        pace = if (0.0..=GREATEST_PACE).contains(&step) { step } else { pace };
+        time += pace;
+        elapsed.push(time / f64::from(rate_hz));
+    }
+    elapsed
 }
 
 fn between(points: &[Points], at: f32) -> Points {
@@ -133,4 +150,31 @@ impl Aligned {
 /// Mean distance of corresponding joints but the hips, which are the root that was removed.
 fn distance(a: &Points, b: &Points) -> f64 {
     a.iter().zip(b).map(|(p, q)| f64::from((*p - *q).length())).sum::<f64>() / (JOINTS - 1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn time_runs_on_where_another_cycle_takes_over() {
+        // Half pace, then the same phase of a cycle 60 frames earlier, at half pace again.
+        let frames = [100.0, 100.5, 101.0, 41.5, 42.0];
+        assert_eq!(running_time(&frames, 50.0), [0.0, 0.01, 0.02, 0.03, 0.04]);
+        assert!(running_time(&[], 50.0).is_empty());
+    }
+
+    #[test]
+    fn errors_are_means_over_the_segments() {
+        let still = |x: f32, pace: f64| Aligned {
+            points: vec![std::array::from_fn(|j| if j == 0 { Vec3::ZERO } else { Vec3::new(x, 0.0, 0.0) }); 10],
+            time_secs: (0..10).map(|i| f64::from(i) * pace).collect(),
+        };
+        let errors = still(0.03, 0.02).errors(&still(0.0, 0.01), &[2..5, 7..9], 60.0);
+        assert!((errors.pose - 0.03).abs() < 1e-6 && errors.velocity == 0.0, "{errors:?}");
+        // 0, 10 and 20 ms, then 0 and 10 ms: time counts from the start of each segment.
+        assert!((errors.timing - 0.008).abs() < 1e-9 && errors.frames == 5, "{errors:?}");
+        assert_eq!(Aligned::mean(&[&still(1.0, 0.1), &still(3.0, 0.3)]), Some(still(2.0, 0.2)));
+        assert_eq!(Aligned::mean(&[]), None);
+    }
 }
