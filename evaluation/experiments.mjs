@@ -2,7 +2,7 @@
 
 const BN1 = "--data $MOCAP/bandai-namco-1 --source normal";
 const BN2 = "--data $MOCAP/bandai-namco-2 --source normal";
-const ALL_METHODS = "nn,knn,lar,mar,gar,lti,gp";
+const ALL_METHODS = "nn,knn,lar,mar,gar,lti,lti-dof,gp";
 const FOREIGN = "--protocol off-database --inputs $MOCAP/cmu,$MOCAP/xia";
 
 /**
@@ -95,6 +95,12 @@ export const experiments = [
     title: "K",
     question: "Neighbours in each class.",
     args: `${BN2} --actions walk --methods mar -k 5,10,20,40,80,160 --folds 2`,
+  },
+  {
+    id: "window",
+    title: "s",
+    question: "Frames that are compared in the search for neighbours.",
+    args: `${BN2} --actions walk --methods mar --window 1,5,9,15 --folds 2`,
   },
   {
     id: "delta",

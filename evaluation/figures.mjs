@@ -3,9 +3,20 @@
 import * as vega from "vega";
 import { compile } from "vega-lite";
 
-const METHODS = ["input", "truth", "nn", "knn", "lar", "mar", "gar", "lti", "gp"];
+const METHODS = ["input", "truth", "nn", "knn", "lar", "mar", "gar", "lti", "lti-dof", "gp"];
 // Okabe and Ito's palette: told apart by the colour-blind too.
-const COLOURS = ["#999999", "#000000", "#E69F00", "#56B4E9", "#009E73", "#D55E00", "#CC79A7", "#0072B2", "#B8A600"];
+const COLOURS = [
+  "#999999",
+  "#000000",
+  "#E69F00",
+  "#56B4E9",
+  "#009E73",
+  "#D55E00",
+  "#CC79A7",
+  "#0072B2",
+  "#8FB8DE",
+  "#B8A600",
+];
 const colour = {
   field: "method",
   type: "nominal",

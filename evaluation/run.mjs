@@ -64,8 +64,8 @@ mean difference of the time since the cycle began; velocity error the mean diffe
 input. Input unchanged is what doing nothing gives; the floors are what other real takes of the target style give.
 Skate is the mean speed of the point a foot turns on while the finished motion's own contact labels show it planted.
 Methods: nn nearest neighbour, knn mean of the K nearest, lar one local autoregression, mar mixture of autoregressive
-models, gar global autoregression, lti linear time-invariant systems (Hsu et al. 2005), gp Gaussian process (Ikemoto et
-al. 2009).`;
+models, gar global autoregression, lti a linear time-invariant system (Hsu et al. 2005; lti-dof: one for each degree of
+freedom), gp Gaussian process (Ikemoto et al. 2009).`;
 
 await main(async () => {
   const args = process.argv.slice(2);

@@ -19,7 +19,7 @@ use strut_core::transfer::{ClipJob, Method, Model, Options, StyledMotion, Styliz
 use strut_formats::bvh;
 
 /// Names that [`Method::from_name`] knows.
-const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-joint", "gp"];
+const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"];
 
 /// Give a BVH file another style
 ///
@@ -71,8 +71,8 @@ pub(crate) struct Args {
     #[arg(long, default_value = "on")]
     footplant: Switch,
     /// mar: mixture of autoregressive models; lar: one local autoregression; nn: nearest neighbour; knn: mean
-    /// of the K nearest; gar: one autoregression for all; lti: linear time-invariant system a degree of freedom;
-    /// lti-joint: one for the whole body; gp: Gaussian process
+    /// of the K nearest; gar: one autoregression for all; lti: linear time-invariant system for the whole
+    /// body; lti-dof: one a degree of freedom; gp: Gaussian process
     #[arg(long, default_value = "mar", value_parser = METHODS)]
     method: String,
     /// Other weights for a part of the body: head, torso, left-arm, right-arm, arms or legs

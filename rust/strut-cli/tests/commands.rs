@@ -116,7 +116,7 @@ fn the_same_command_gives_the_same_bytes() {
 fn every_method_styles_and_none_gives_the_same_as_another() {
     let folder = folder();
     let mut outputs: Vec<(&str, bvh::Bvh)> = Vec::new();
-    for method in ["mar", "lar", "nn", "knn", "gar", "lti", "lti-joint", "gp"] {
+    for method in ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"] {
         let output = stylize(folder.path(), "old", &["--method", method, "--action", "walk"]);
         assert!(output.frames > 60 && output.frames < 240, "{method}: {} frames", output.frames);
         if let Some((other, _)) = outputs.iter().find(|(_, o)| *o == output) {

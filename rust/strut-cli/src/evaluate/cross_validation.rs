@@ -56,6 +56,7 @@ pub(super) fn protocol<'a>(
         database_actions: &args.database_actions,
         targets: &args.targets,
         target_takes: build.takes,
+        window: build.window,
         build: options,
     }
 }

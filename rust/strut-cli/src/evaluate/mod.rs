@@ -21,6 +21,7 @@ use settings::{Grid, Labels, PassMode, Registration};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use strut_core::database::build::SourceClip;
+use strut_core::search::WINDOW;
 use strut_core::transfer::Options;
 
 /// What files are called, tried in this order unless a pattern is given.
@@ -34,15 +35,15 @@ const PATTERNS: [&str; 4] = [
 /// What `--json` writes.
 const JSON_HELP: &str = "\
 Methods: nn nearest neighbour, knn mean of the K nearest, lar one local autoregression, mar mixture of autoregressive
-models, gar global autoregression, lti linear time-invariant systems (Hsu et al. 2005), gp Gaussian process (Ikemoto et
-al. 2009).
+models, gar global autoregression, lti a linear time-invariant system (Hsu et al. 2005; lti-dof: one for each degree of
+freedom), gp Gaussian process (Ikemoto et al. 2009).
 
 Every option that takes a list is varied: all combinations are measured.
 
 The results of --json:
   protocol, rate, generator, command
-  results  [{action, source, target, method, labels, mode, k, delta, lambda, kappa, rho, coherence, registration, takes,
-            samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s, floor_cm, input_cm, …, skate_cm_s_in,
+  results  [{action, source, target, method, labels, mode, k, delta, lambda, kappa, rho, coherence, window,
+            registration, takes, samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s, floor_cm, input_cm, …, skate_cm_s_in,
             skate_cm_s_out, jerk_ratio, acceleration_ratio, content_correlation, ms_per_frame}]
   Means over the samples (folds, or input clips); NAME_sd is the standard deviation of NAME over them.
 A run that is stopped goes on where it was, if --json names the same file.";
@@ -94,6 +95,9 @@ pub(crate) struct Args {
     /// Takes of each target class in a database at most; 0 for all
     #[arg(long, value_name = "N", value_delimiter = ',', default_value = "0")]
     takes: Vec<usize>,
+    /// Frames that are compared in the search for neighbours
+    #[arg(long, value_name = "S", value_delimiter = ',', default_values_t = [WINDOW])]
+    window: Vec<usize>,
     /// Neighbours in each class
     #[arg(short, value_delimiter = ',', default_values_t = [Options::DEFAULT.k])]
     k: Vec<usize>,

@@ -171,6 +171,7 @@ impl Row {
             ("κ", knobs.kappa.to_string()),
             ("ρ", knobs.rho.to_string()),
             ("coherence", text(&knobs.coherence)),
+            ("window", self.build.window.to_string()),
             ("registration", text(&self.build.registration)),
             ("takes", if self.build.takes == 0 { "all".to_owned() } else { self.build.takes.to_string() }),
         ]

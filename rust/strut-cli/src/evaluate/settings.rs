@@ -9,6 +9,7 @@ use std::sync::Arc;
 use strut_core::database::build::BuildOptions;
 use strut_core::evaluation::quality::Mode;
 use strut_core::registration::{self, WarpMethod};
+use strut_core::search::MAX_WINDOW;
 use strut_core::transfer::{Method, Model, Options, Stylizer};
 
 /// What the engine is told of the input.
@@ -54,6 +55,8 @@ pub(super) struct Build {
     pub(super) registration: Registration,
     /// Takes of each target class at most; 0 for all.
     pub(super) takes: usize,
+    /// Frames of a search window.
+    pub(super) window: usize,
 }
 
 impl Build {
@@ -121,7 +124,7 @@ impl Setting {
         let coherence = coherence == Switch::On;
         let method = Method::from_name(&self.method).ok_or_else(|| {
             Failure::usage(format_args!(
-                "there is no method '{}'; nn, knn, lar, mar, gar, lti or gp was expected",
+                "there is no method '{}'; nn, knn, lar, mar, gar, lti, lti-dof or gp was expected",
                 self.method
             ))
         })?;
@@ -140,9 +143,14 @@ pub(super) struct Grid {
 impl Grid {
     /// What the arguments ask for.
     pub(super) fn new(args: &Args) -> Outcome<Self> {
+        if let Some(window) = args.window.iter().find(|&&w| !(1..=MAX_WINDOW).contains(&w)) {
+            return Err(Failure::usage(format_args!("a window has {window} frames; 1 to {MAX_WINDOW} were expected")));
+        }
         let mut builds = Vec::new();
         for &registration in &args.registration {
-            builds.extend(args.takes.iter().map(|&takes| Build { registration, takes }));
+            for &takes in &args.takes {
+                builds.extend(args.window.iter().map(|&window| Build { registration, takes, window }));
+            }
         }
         let mut knobs = Vec::new();
         for &k in &args.k {

@@ -31,6 +31,8 @@ pub struct LeaveOneOut<'a> {
     /// Takes of each (action, style) but the source style's that a database holds at most, the first ones; 0
     /// for all.
     pub target_takes: usize,
+    /// Frames of a search window.
+    pub window: usize,
     /// How the databases are built; the neutral style is the source.
     pub build: &'a BuildOptions,
 }
@@ -125,7 +127,7 @@ impl<'a> LeaveOneOut<'a> {
             .cloned()
             .collect();
         let (db, _) = build::build(&kept, &options, &Sequential, &mut |_| ControlFlow::Continue(()))?;
-        Ok(Arc::new(Model::new(Arc::new(db))))
+        Ok(Arc::new(Model::with_window(Arc::new(db), self.window)))
     }
 
     /// What is predicted in the fold of a take: one trial an action and target style. A take that cannot be

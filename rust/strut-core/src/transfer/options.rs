@@ -35,9 +35,9 @@ impl Method {
             #[cfg(feature = "offline")]
             "gar" => Some(Self::GlobalAr),
             #[cfg(feature = "offline")]
-            "lti" => Some(Self::Lti),
+            "lti" => Some(Self::LtiJoint),
             #[cfg(feature = "offline")]
-            "lti-joint" => Some(Self::LtiJoint),
+            "lti-dof" => Some(Self::Lti),
             #[cfg(feature = "offline")]
             "gp" => Some(Self::Gp),
             "mar" => Some(Self::Mar),
