@@ -78,7 +78,7 @@ fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
     let mut command = Command::new(cargo);
     command
         .current_dir(workspace)
-        .args(["build", "--release", "--lib", "--package", "strut-wasm", "--target", TARGET])
+        .args(["build", "--profile", "web", "--lib", "--package", "strut-wasm", "--target", TARGET])
         .args(["--features", package.features])
         // The encoded form has precedence over RUSTFLAGS, so that no flag of the user's can change results.
         .env("CARGO_ENCODED_RUSTFLAGS", "-Ctarget-feature=+simd128");
@@ -89,7 +89,7 @@ fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
         command.args(more.split_whitespace());
     }
     run(command, "cargo build of strut-wasm")?;
-    Ok(target_dir.join(TARGET).join("release").join(format!("{NAME}.wasm")))
+    Ok(target_dir.join(TARGET).join("web").join(format!("{NAME}.wasm")))
 }
 
 /// Writes the JavaScript glue, its types and the module without the binding sections to `folder`.
