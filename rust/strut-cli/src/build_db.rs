@@ -1,6 +1,7 @@
 //! `strut build-db`: labelled clips become a database.
 
 use crate::GENERATOR;
+use crate::annotation::CanonicalContact;
 use crate::corpus::{self, RefusedFile};
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print, print_warnings};
@@ -16,17 +17,19 @@ use std::path::PathBuf;
 use std::time::Instant;
 use strut_core::database::build::{self, BuildOptions, BuildReport, Stage};
 use strut_core::database::{Database, residuals};
-use strut_core::registration::{self, WarpMethod};
+use strut_core::registration::{self, Method, WarpMethod};
 use strut_formats::strutdb;
 
 /// What `--json` writes.
 const JSON_HELP: &str = "\
 The report of --json:
   database, seconds, rate_hz, neutral, styles
-  actions  [{action, method, reference_clip, canonical_frames}]
+  actions  [{action, method, reference_clip, canonical_frames, canonical_contact {left, right}: the share of clips or
+            cycles that have the foot planted, for every canonical frame}]
   totals   {clips, frames, cycles, refused, bytes}
   clips    [{file, name, action, style, take, frames, cycles, mean_cycle_secs, turn_degrees, registration_cost,
-            residual_cm, residual_ratio (to the action's median), faulty_cycles [{first_frame, frames, fault}]}]
+            residual_cm, residual_ratio (to the median of its action and style, or of the action if that has fewer than 3
+            clips), contact_agreement_percent (with canonical_contact), faulty_cycles [{first_frame, frames, fault}]}]
   refused  [{file, reason}]";
 
 /// Build a database from labelled clips
@@ -64,6 +67,9 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
+
+/// A class with as many clips has a median residual of its own: an extreme style is farther from all others.
+const MIN_CLASS_CLIPS: usize = 3;
 
 /// How clips are warped onto each other.
 #[derive(Clone, Copy, clap::ValueEnum)]
@@ -147,6 +153,7 @@ struct ActionEntry {
     method: &'static str,
     reference_clip: String,
     canonical_frames: f32,
+    canonical_contact: CanonicalContact,
 }
 
 #[derive(Serialize)]
@@ -172,6 +179,7 @@ struct ClipEntry {
     registration_cost: Option<f32>,
     residual_cm: f32,
     residual_ratio: f32,
+    contact_agreement_percent: f32,
     faulty_cycles: Vec<FaultyCycle>,
 }
 
@@ -197,22 +205,38 @@ impl Report {
             let reason = clip.refused.as_ref().map(ToString::to_string).unwrap_or_default();
             refused.push(RefusedFile { file: file(&clip.name), reason });
         }
-        let residual_cm: Vec<f32> = residuals(db).iter().map(|r| 100.0 * r).collect();
-        let residual_of: HashMap<&str, (f32, f32)> = db
+        let action = |a: &build::ActionReport| {
+            let (frames, cyclic) = (a.canonical_frames, a.method == Method::Cycles);
+            // Every reported action is in the database: its reference clip is.
+            let index = db.action_index(&a.action).unwrap_or_default();
+            ActionEntry {
+                action: a.action.clone(),
+                method: a.method.name(),
+                reference_clip: a.reference_clip.clone(),
+                canonical_frames: frames,
+                canonical_contact: CanonicalContact::of(db, index, frames, cyclic),
+            }
+        };
+        let actions: Vec<ActionEntry> = report.actions.iter().map(action).collect();
+        let residuals = Residuals::of(db);
+        let figures: HashMap<&str, (f32, f32, f32)> = db
             .clips
             .iter()
-            .zip(&residual_cm)
-            .map(|(clip, &here)| {
-                let others = db.clips.iter().zip(&residual_cm).filter(|(c, _)| c.action == clip.action);
-                let mut of_action: Vec<f32> = others.map(|(_, r)| *r).collect();
-                of_action.sort_by(f32::total_cmp);
-                (clip.name.as_str(), (here, here / of_action[of_action.len() / 2].max(1e-6)))
+            .enumerate()
+            .map(|(i, clip)| {
+                let of_action = actions.iter().find(|a| a.action == db.actions[usize::from(clip.action)]);
+                let agreement = of_action.map_or(0.0, |a| {
+                    let cyclic = a.method == Method::Cycles.name();
+                    a.canonical_contact.agreement(db, clip.rows(), a.canonical_frames, cyclic)
+                });
+                (clip.name.as_str(), (residuals.cm[i], residuals.ratio(db, i), agreement))
             })
             .collect();
-        let residual = |name: &str| residual_of.get(name).copied().unwrap_or_default();
+        let figures = |name: &str| figures.get(name).copied().unwrap_or_default();
         let entry = |c: &build::ClipReport| ClipEntry {
-            residual_cm: residual(&c.name).0,
-            residual_ratio: residual(&c.name).1,
+            residual_cm: figures(&c.name).0,
+            residual_ratio: figures(&c.name).1,
+            contact_agreement_percent: figures(&c.name).2,
             file: file(&c.name),
             name: c.name.clone(),
             action: c.action.clone(),
@@ -225,19 +249,13 @@ impl Report {
             registration_cost: c.registration_cost,
             faulty_cycles: c.faulty_cycles.iter().map(FaultyCycle::of).collect(),
         };
-        let action = |a: &build::ActionReport| ActionEntry {
-            action: a.action.clone(),
-            method: a.method.name(),
-            reference_clip: a.reference_clip.clone(),
-            canonical_frames: a.canonical_frames,
-        };
         Self {
             database: args.output.display().to_string(),
             seconds,
             rate_hz: db.rate_hz,
             neutral: db.styles[usize::from(db.neutral)].clone(),
             styles: db.styles.clone(),
-            actions: report.actions.iter().map(action).collect(),
+            actions,
             totals: Totals {
                 clips: db.clips.len(),
                 frames: db.frames(),
@@ -270,17 +288,28 @@ impl Report {
             let _ = writeln!(out, "- `{}`: {}", r.file, r.reason);
         }
         out.push_str(
+            "\n## Actions\n\nDuty: per cent of the canonical timeline that a foot is planted. Planted: where most clips or cycles\n\
+             have it planted, in per cent of the timeline.\n\n\
+             | action | registered by | left duty % | left planted % | right duty % | right planted % |\n\
+             |---|---|---:|---|---:|---|\n",
+        );
+        for a in &self.actions {
+            let _ = writeln!(out, "| {} | {} {}|", a.action, a.method, a.canonical_contact.cells());
+        }
+        out.push_str(
             "\n## Clips\n\nResidual: mean distance of the joints from those of the counterparts in all styles, without the\n\
-             style's mean offset; and as a multiple of the action's median. Worst first.\n\n\
-             | clip | residual cm | × median | cycles | faulty cycles |\n|---|---:|---:|---:|---|\n",
+             style's mean offset; and as a multiple of the median of its action and style (of the action, if that has\n\
+             fewer than 3 clips). Contacts: per cent of its labels that agree with the action's. Worst first.\n\n\
+             | clip | residual cm | × median | contacts % | cycles | faulty cycles |\n|---|---:|---:|---:|---:|---|\n",
         );
         let mut clips: Vec<&ClipEntry> = self.clips.iter().collect();
         clips.sort_by(|a, b| b.residual_ratio.total_cmp(&a.residual_ratio));
         for c in clips {
             let fault = |f: &FaultyCycle| format!("frames {}–{}: {}", f.first_frame, f.first_frame + f.frames, f.fault);
             let faults: Vec<String> = c.faulty_cycles.iter().map(fault).collect();
-            let (cm, ratio) = (c.residual_cm, c.residual_ratio);
-            let _ = writeln!(out, "| {} | {cm:.2} | {ratio:.2} | {} | {} |", c.name, c.cycles, faults.join("; "));
+            let (cm, ratio, contacts) = (c.residual_cm, c.residual_ratio, c.contact_agreement_percent);
+            let faults = faults.join("; ");
+            let _ = writeln!(out, "| {} | {cm:.2} | {ratio:.2} | {contacts:.1} | {} | {faults} |", c.name, c.cycles);
         }
         out
     }
@@ -301,6 +330,32 @@ impl Report {
             t.bytes as f64 / 1e6,
             self.seconds
         )
+    }
+}
+
+/// How far every clip remains from its counterparts.
+struct Residuals {
+    cm: Vec<f32>,
+}
+
+impl Residuals {
+    fn of(db: &Database) -> Self {
+        Self { cm: residuals(db).iter().map(|r| 100.0 * r).collect() }
+    }
+
+    /// A clip's residual as a multiple of the median of its class, or of its action if the class is small.
+    fn ratio(&self, db: &Database, clip: usize) -> f32 {
+        let here = &db.clips[clip];
+        let sorted = |same_style: bool| {
+            let peers = db.clips.iter().zip(&self.cm);
+            let peers = peers.filter(|(c, _)| c.action == here.action && (!same_style || c.style == here.style));
+            let mut cm: Vec<f32> = peers.map(|(_, cm)| *cm).collect();
+            cm.sort_by(f32::total_cmp);
+            cm
+        };
+        let of_class = sorted(true);
+        let peers = if of_class.len() >= MIN_CLASS_CLIPS { of_class } else { sorted(false) };
+        self.cm[clip] / peers[peers.len() / 2].max(1e-6)
     }
 }
 

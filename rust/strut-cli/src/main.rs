@@ -4,6 +4,7 @@
 //! usage. Results go to stdout and to the files named; progress to stderr, and only to a terminal.
 #![forbid(unsafe_code)]
 
+mod annotation;
 mod build_db;
 mod clip;
 mod corpus;

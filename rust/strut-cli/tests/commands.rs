@@ -40,7 +40,8 @@ fn the_built_in_database_is_written_and_can_be_built_from_its_own_files() {
         }
     }
     fs::write(at.join("clips/notes_of_1.bvh"), "no motion").unwrap();
-    let out = strut_ok(at, &["build-db", "clips", "-o", "built.strutdb", "--json", "build.json"]);
+    let outputs = ["-o", "built.strutdb", "--json", "build.json", "--report", "build.md"];
+    let out = strut_ok(at, &[&["build-db", "clips"], &outputs[..]].concat());
     assert!(out.starts_with("built.strutdb: 4 clips (1 refused), "), "{out}");
     let report = json(&at.join("build.json"));
     assert_eq!(report["totals"]["clips"], 4);
@@ -48,6 +49,29 @@ fn the_built_in_database_is_written_and_can_be_built_from_its_own_files() {
     assert_eq!(report["refused"][0]["file"], "clips/notes_of_1.bvh");
     assert!(report["clips"][0]["cycles"].as_u64().unwrap() > 5, "{}", report["clips"][0]);
     assert!(report["clips"][0]["registration_cost"].as_f64().unwrap() > 0.0);
+
+    // A cycle begins where the left foot strikes; the right foot strikes half a cycle later.
+    let contact = &report["actions"][0]["canonical_contact"];
+    let planted = |side: &str, part: f64| {
+        let shares = contact[side].as_array().unwrap();
+        shares[(part * shares.len() as f64) as usize].as_f64().unwrap()
+    };
+    for (left, right, part) in [(1.0, 0.0, 0.25), (0.0, 1.0, 0.75)] {
+        assert!(
+            (planted("left", part) - left).abs() < 0.2 && (planted("right", part) - right).abs() < 0.2,
+            "{contact}"
+        );
+    }
+    for clip in report["clips"].as_array().unwrap() {
+        assert!(clip["contact_agreement_percent"].as_f64().unwrap() > 85.0, "{clip}");
+        assert!(
+            clip["residual_cm"].as_f64().unwrap() > 0.0 && clip["residual_ratio"].as_f64().unwrap() > 0.0,
+            "{clip}"
+        );
+    }
+    let table = fs::read_to_string(at.join("build.md")).unwrap();
+    assert!(table.contains("- `clips/notes_of_1.bvh`: ") && table.contains("\n| walk | cycles | "), "{table}");
+    assert_eq!(table.lines().filter(|l| l.starts_with("| walk_")).count(), 4, "{table}");
 
     strut_ok(at, &["inspect", "built.strutdb", "--json", "inspect.json"]);
     let inspected = json(&at.join("inspect.json"));
