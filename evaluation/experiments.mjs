@@ -23,19 +23,20 @@ export const experiments = [
     id: "heterogeneous",
     title: "Four actions in one database, nothing known of the input",
     question: "Walk, run and turns in one database. The engine finds action and style itself.",
-    args: `${BN2} --actions walk,run,walk-turn-left,walk-turn-right --methods ${ALL_METHODS} --folds 2`,
+    args: `${BN2} --actions walk,run,walk-turn-left,walk-turn-right --methods ${ALL_METHODS} --folds 4`,
     set: "4 actions, 7 styles",
   },
   {
     id: "labels",
     title: "What labels are worth",
     question: "The same data with action and style known, one of them, or neither.",
-    args: `${BN2} --actions walk,run,walk-turn-left,walk-turn-right --methods knn,lar,mar --labels both,action,style --folds 2`,
+    args: `${BN2} --actions walk,run,walk-turn-left,walk-turn-right --methods knn,lar,mar --labels both,action,style --folds 4`,
   },
   {
     id: "one-take",
     title: "One example of each style",
-    question: "Walking in fifteen acted styles, two takes each: one is held out, one is all the database knows.",
+    question:
+      "Walking in fifteen acted styles, two takes each: one is held out, one is all the database knows. The second neutral take is one second long, so that in one of the two folds there is hardly a neutral step to go by.",
     args: `${BN1} --actions walk --methods ${ALL_METHODS}`,
     set: "walk, 15 styles, 1 take",
   },
@@ -50,7 +51,7 @@ export const experiments = [
     title: "Motion that the database does not hold: methods",
     question:
       "Every clip of two other collections, styled unlabelled with walking and running: how rough it becomes against the input (1 is as smooth), how much of its own fast content is left (1 is all), and how far it moved.",
-    args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly,active --methods nn,knn,lar,mar`,
+    args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly,active,exhausted,feminine --methods nn,knn,lar,mar`,
   },
   {
     id: "foreign-bias",

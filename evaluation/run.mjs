@@ -1,10 +1,10 @@
 // npm run evaluate [-- ID …] [--fresh]: runs the experiments and writes docs/evaluation.md with its figures.
 //
-// Results are kept in evaluation/results; an experiment that is there already is not run again, one that was
-// stopped goes on where it was. Figures of real motion are never committed: curves come from the built-in motions.
+// Results are kept in evaluation/results; an experiment that is there already is not run again unless it is named or
+// --fresh is given, one that was stopped goes on where it was. Figures of real motion are never committed: curves come from the built-in motions.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
-import { mkdir, readFile, rm, writeFile } from "node:fs/promises";
+import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { cpus } from "node:os";
 import { join } from "node:path";
 import { setupRust } from "../scripts/setup.mjs";
@@ -29,16 +29,28 @@ const words = (args, places) =>
     .split(" ")
     .map((word) => Object.entries(places).reduce((w, [name, path]) => w.replaceAll(`$${name}`, path), word));
 
+/** Arguments of an experiment's command. */
+const commandOf = ({ id, args, curves }, places) => [
+  "evaluate",
+  ...words(args, places),
+  ...["--json", file(id, "json")],
+  ...(curves ? ["--curves", file(id, "curves.json")] : []),
+];
+
+/** Whether the results of this very command are there. */
+async function isDone(experiment, places) {
+  if (!existsSync(file(experiment.id, "md"))) return false;
+  return (await json(file(experiment.id, "json"))).command === ["strut", ...commandOf(experiment, places)].join(" ");
+}
+
 /** Runs one experiment; its table and results are kept. */
-async function measure(strut, { id, title, args, curves }, places) {
-  const more = curves ? ["--curves", file(id, "curves.json")] : [];
-  const command = ["evaluate", ...words(args, places), "--json", file(id, "json"), ...more];
-  const { status, stdout: table } = spawnSync(strut, command, {
+async function measure(strut, experiment, places) {
+  const { status, stdout } = spawnSync(strut, commandOf(experiment, places), {
     stdio: ["ignore", "pipe", "inherit"],
     encoding: "utf8",
   });
-  if (status !== 0) throw new Sentence(`${title} could not be measured.`);
-  await writeFile(file(id, "md"), table);
+  if (status !== 0) throw new Sentence(`${experiment.title} could not be measured.`);
+  await writeFile(file(experiment.id, "md"), stdout);
 }
 
 const json = async (path) => JSON.parse(await readFile(path, "utf8"));
@@ -88,8 +100,7 @@ await main(async () => {
   await run(strut, ["demo-db", "-o", file("demo-motions", "strutdb"), "--bvh", demo]);
   for (const experiment of experiments) {
     const asked = wanted.includes(experiment.id) || (wanted.length === 0 && fresh);
-    if (asked) await rm(file(experiment.id, "md"), { force: true });
-    if (!existsSync(file(experiment.id, "md")) && (asked || wanted.length === 0))
+    if (asked || (wanted.length === 0 && !(await isDone(experiment, places))))
       await step(experiment.title, () => measure(strut, experiment, places));
   }
   const done = experiments.filter((e) => existsSync(file(e.id, "md")));

@@ -68,7 +68,7 @@ pub fn style(stylizer: &Stylizer, input: &HumanoidMotion, mode: Mode) -> Styled 
 pub fn quality(input: &HumanoidMotion, styled: &Styled) -> Quality {
     let motion = |frames: &[StyledFrame]| HumanoidMotion { poses: frames.iter().map(|f| f.pose).collect(), ..*input };
     let predicted = compare(input, &motion(&styled.predicted));
-    let finished = styled.finished.resampled(input.rate_hz).motion;
+    let finished = styled.finished.on_body(&input.proportions, input.rate_hz).motion;
     let skate = |m: &HumanoidMotion| f64::from(foot_skate(m, &contact::label(m)));
     let lowest = finished.poses.iter().map(|p| ground_clearance(&finished.proportions, p)).fold(0.0, f32::min);
     Quality {
