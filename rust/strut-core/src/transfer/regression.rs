@@ -85,8 +85,8 @@ pub(super) struct Prediction {
 
 /// Predicts yₜ of one style from the registered target rows of the neighbours.
 ///
-/// `ridge` is λ·K (the sum of the weights stands for K) in squared standard deviations; `sigma` the global standard deviation of each degree of
-/// freedom. The bias is taken off the regressors and its share ρ put back on the result (Eq. 6–7).
+/// `ridge` is λ·K (the sum of the weights stands for K) in squared standard deviations; `sigma` the global standard
+/// deviation of each degree of freedom. The bias is taken off the regressors and its share ρ put back on the result (Eq. 6–7).
 pub(super) fn predict(
     u: Regressors<'_>,
     moments: &InputMoments,
@@ -250,7 +250,7 @@ mod tests {
             let moments = InputMoments::new(&inputs, &list, &weights);
             let (x0, x1, y0) = ([0.2; ROW], [-0.4; ROW], [0.7; ROW]);
             let u = Regressors { previous_input: &x0, input: &x1, previous_output: &y0 };
-            let y = predict(u, &moments, Samples { inputs: &inputs, targets: &targets, neighbours: &list, weights: &weights }, 1e-4, &[1.0; ROW], &Bias::NONE).output;
+            let y = predict(u, &moments, Samples { inputs: &inputs, targets: &targets, neighbours: &list, weights: &weights }, 1e-5, &[1.0; ROW], &Bias::NONE).output;
             let expected = a * 0.2 + b * 0.7 + c * -0.4 + 0.5;
             prop_assert!((y[0] - expected).abs() < 5e-3, "{} {expected}", y[0]);
             prop_assert!(y.iter().all(|v| *v == y[0]));
