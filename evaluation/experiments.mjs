@@ -130,7 +130,7 @@ export const experiments = [
   {
     id: "paper-database",
     title: "The paper's own database",
-    question: "Eight styles, one clip each of walking and running, styling the walks of another performer.",
+    question: "Eight styles, one clip each of five actions, styling other performers.",
     args: "--data $MOCAP/xia --source neutral --protocol off-database --inputs $MOCAP/bandai-namco-2/dataset-2_walk_normal_001.bvh,$MOCAP/bandai-namco-2/dataset-2_run_normal_001.bvh,$MOCAP/cmu --methods nn,knn,mar",
   },
   {

@@ -23,6 +23,8 @@ pub struct Styled {
     pub predicted: Vec<StyledFrame>,
     /// The finished clip.
     pub finished: StyledMotion,
+    /// The finished clip at an even rate, as it is written or shown.
+    pub output: HumanoidMotion,
 }
 
 /// Numbers of one styled clip.
@@ -46,20 +48,24 @@ pub struct Quality {
 
 /// Styles a clip at the database's rate with the styles and options of a stylizer.
 pub fn style(stylizer: &Stylizer, input: &HumanoidMotion, mode: Mode) -> Styled {
+    let mut job = ClipJob::new(stylizer.clone());
+    for pose in &input.poses {
+        job.push(pose, &mut NoClock);
+    }
+    let predicted = job.frames().to_vec();
     match mode {
         Mode::Offline => {
-            let mut job = ClipJob::new(stylizer.clone());
-            for pose in &input.poses {
-                job.push(pose, &mut NoClock);
-            }
-            Styled { predicted: job.frames().to_vec(), finished: job.finish() }
+            let finished = job.finish();
+            let output = finished.on_body(&input.proportions, input.rate_hz).motion;
+            Styled { predicted, finished, output }
         }
         Mode::Online => {
             let mut live = stylizer.clone();
             live.reset(None);
-            let finished = input.poses.iter().map(|p| *live.push(p)).collect();
-            let predicted = style(stylizer, input, Mode::Offline).predicted;
-            Styled { predicted, finished: StyledMotion { proportions: input.proportions, frames: finished } }
+            let frames = input.poses.iter().map(|p| *live.push(p)).collect();
+            let finished = StyledMotion { proportions: input.proportions, frames };
+            let output = finished.resampled(input.rate_hz).motion;
+            Styled { predicted, finished, output }
         }
     }
 }
@@ -68,16 +74,16 @@ pub fn style(stylizer: &Stylizer, input: &HumanoidMotion, mode: Mode) -> Styled 
 pub fn quality(input: &HumanoidMotion, styled: &Styled) -> Quality {
     let motion = |frames: &[StyledFrame]| HumanoidMotion { poses: frames.iter().map(|f| f.pose).collect(), ..*input };
     let predicted = compare(input, &motion(&styled.predicted));
-    let finished = styled.finished.on_body(&input.proportions, input.rate_hz).motion;
+    let output = &styled.output;
     let skate = |m: &HumanoidMotion| f64::from(foot_skate(m, &contact::label(m)));
-    let lowest = finished.poses.iter().map(|p| ground_clearance(&finished.proportions, p)).fold(0.0, f32::min);
+    let lowest = output.poses.iter().map(|p| ground_clearance(&output.proportions, p)).fold(0.0, f32::min);
     Quality {
         acceleration_ratio: predicted.acceleration_ratio.into(),
-        jerk_ratio: f64::from(mean_jerk(&finished)) / f64::from(mean_jerk(input)).max(1e-9),
+        jerk_ratio: f64::from(mean_jerk(output)) / f64::from(mean_jerk(input)).max(1e-9),
         content_correlation: predicted.correlation.into(),
         distance: predicted.distance.into(),
         skate_in: skate(input),
-        skate_out: skate(&finished),
+        skate_out: skate(output),
         sole_depth: f64::from(-lowest),
     }
 }
