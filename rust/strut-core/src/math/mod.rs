@@ -2,7 +2,9 @@
 
 pub mod exp_map;
 pub mod float_funcs;
+mod order;
 mod quat;
 
 pub use glam::{Vec2, Vec3};
+pub use order::sort_by_number;
 pub use quat::Quat;

@@ -7,6 +7,7 @@
 use super::Example;
 use super::smooth::gaussian;
 use crate::humanoid::{JOINTS, Role};
+use crate::math::sort_by_number;
 use crate::parallel::ParallelMap;
 use crate::pose_vector::{HEADING_RATE, VELOCITY_X, VELOCITY_Z};
 use std::ops::Range;
@@ -157,7 +158,7 @@ fn principal_axes(raw: &[Vec<RawFeature>]) -> Vec<RawFeature> {
     }
     // Start from the coordinate axes of greatest variance.
     let mut order: Vec<usize> = (0..RAW).collect();
-    order.sort_by(|&a, &b| covariance[b][b].total_cmp(&covariance[a][a]).then(a.cmp(&b)));
+    sort_by_number(&mut order, |&d| -covariance[d][d]);
     let mut axes: Vec<RawFeature> = order[..DIMS]
         .iter()
         .map(|&d| {

@@ -5,6 +5,7 @@ use super::features::{Feature, squared_distance};
 use super::imw::Imw;
 use super::warp::{Ends, Warp};
 use super::{Options, WarpMethod};
+use crate::math::sort_by_number;
 
 /// Warps are smoothed over this time: frame steps go, the timing of steps and strikes stays.
 const SMOOTHING_SECS: f32 = 0.03;
@@ -111,7 +112,7 @@ impl Warper {
                 Some((linear_cost(features, p.features(), first, last), p))
             })
             .collect();
-        ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut ranked, |(cost, _)| *cost);
         let mut matches: Vec<Match> = ranked
             .iter()
             .take(candidates.max(count))
@@ -123,17 +124,14 @@ impl Warper {
                 Some(Match { example: piece.example, warp })
             })
             .collect();
-        matches.sort_by(|a, b| a.warp.cost.total_cmp(&b.warp.cost));
+        sort_by_number(&mut matches, |m| m.warp.cost);
         // One of each clip before a second of any: clips that differ make the better mean.
-        let mut rank: Vec<(usize, usize)> = Vec::with_capacity(matches.len());
-        for (i, m) in matches.iter().enumerate() {
-            rank.push((matches[..i].iter().filter(|o| o.example == m.example).count(), i));
+        let mut ranked: Vec<(usize, Match)> = Vec::with_capacity(matches.len());
+        for m in matches {
+            ranked.push((ranked.iter().filter(|(_, o)| o.example == m.example).count(), m));
         }
-        rank.sort_unstable();
-        let mut found: Vec<Option<Match>> = matches.into_iter().map(Some).collect();
-        let mut matches: Vec<Match> = rank.into_iter().filter_map(|(_, i)| found[i].take()).collect();
-        matches.truncate(count);
-        matches
+        sort_by_number(&mut ranked, |(rank, _)| *rank as f32);
+        ranked.into_iter().take(count).map(|(_, m)| m).collect()
     }
 }
 

@@ -7,7 +7,7 @@ use super::warp::{Ends, Warp};
 use super::{Counterpart, Counterparts, Options};
 use crate::database::MAX_COUNTERPARTS;
 use crate::humanoid::JOINTS;
-use crate::math::Vec3;
+use crate::math::{Vec3, sort_by_number};
 
 /// A lead-in or lead-out may be stretched by this much on its way to the open end.
 const OPEN_REACH: usize = 2;
@@ -161,7 +161,7 @@ fn changes(part: &Part, matches: &mut [Vec<Match>], others: &[&Part], reach: usi
                 options.extend(least.map(|(distance, d)| (distance, slot, number, d)));
             }
         }
-        options.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut options, |(distance, ..)| *distance);
         let mut slot_of: Vec<Option<usize>> = vec![None; after.len()];
         let mut change = vec![0; before.len().max(after.len())];
         let mut taken = vec![false; change.len()];
@@ -177,7 +177,7 @@ fn changes(part: &Part, matches: &mut [Vec<Match>], others: &[&Part], reach: usi
             .zip(std::mem::take(&mut matches[k + 1]))
             .map(|(slot, m)| (slot.or_else(|| free.next()).unwrap_or(usize::MAX), m))
             .collect();
-        ordered.sort_by_key(|(slot, _)| *slot);
+        sort_by_number(&mut ordered, |(slot, _)| *slot as f32);
         matches[k + 1] = ordered.into_iter().map(|(_, m)| m).collect();
         changes.push(change);
     }

@@ -8,7 +8,7 @@
 use super::names::{NameHint, Part, Side};
 use super::sample::Sample;
 use crate::humanoid::{JOINTS, Role};
-use crate::math::Vec3;
+use crate::math::{Vec3, sort_by_number};
 use crate::skeleton::Skeleton;
 
 /// Joint of each role, and how sure we are (0 to 1).
@@ -183,7 +183,9 @@ fn limbs_by_shape(tree: &Tree, sample: &Sample) -> Option<([LimbJoints; 2], [Lim
     let longest = pairs.iter().map(|p| p.length).fold(0.0, f32::max);
     // Fingers, toes and ears come in pairs too.
     pairs.retain(|p| p.length > 0.4 * longest);
-    pairs.sort_by(|a, b| tree.depth(a.joint).cmp(&tree.depth(b.joint)).then(b.length.total_cmp(&a.length)));
+    // By depth, and of equal depth the longest first.
+    sort_by_number(&mut pairs, |p| -p.length);
+    sort_by_number(&mut pairs, |p| tree.depth(p.joint) as f32);
     let legs = pairs.first()?;
     let arms = pairs
         .iter()

@@ -330,10 +330,10 @@ impl Stylizer {
         for style in 0..self.model.database().styles.len() {
             if blend.is_active(style) && self.styles.iter().all(|s| s.style != style) {
                 self.model.target_table(style);
-                self.styles.push(self.mixture.prediction_of(&self.model, &self.options, style));
+                let at = self.styles.partition_point(|s| s.style < style);
+                self.styles.insert(at, self.mixture.prediction_of(&self.model, &self.options, style));
             }
         }
-        self.styles.sort_by_key(|s| s.style);
     }
 }
 

@@ -1,0 +1,34 @@
+//! Sorting by a number.
+
+/// Puts items into ascending order of a number; items of equal numbers keep their order.
+///
+/// One sort serves every type: each further instantiation of the standard library's adds 2 kB to what visitors
+/// of the page download, and these lists are short.
+pub fn sort_by_number<T>(items: &mut Vec<T>, number: impl Fn(&T) -> f32) {
+    let mut order: Vec<(f32, usize)> = items.iter().enumerate().map(|(i, item)| (number(item), i)).collect();
+    sort_pairs(&mut order);
+    let mut unsorted: Vec<Option<T>> = items.drain(..).map(Some).collect();
+    items.extend(order.into_iter().filter_map(|(_, i)| unsorted[i].take()));
+}
+
+#[inline(never)]
+fn sort_pairs(pairs: &mut [(f32, usize)]) {
+    pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn it_is_a_stable_sort(numbers in prop::collection::vec(-3i8..3, 0..40)) {
+            let mut items: Vec<(i8, usize)> = numbers.into_iter().enumerate().map(|(i, n)| (n, i)).collect();
+            let mut expected = items.clone();
+            expected.sort_by_key(|(n, _)| *n);
+            sort_by_number(&mut items, |(n, _)| f32::from(*n));
+            prop_assert_eq!(items, expected);
+        }
+    }
+}
