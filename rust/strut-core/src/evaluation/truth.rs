@@ -174,7 +174,7 @@ mod tests {
         assert!((errors.pose - 0.03).abs() < 1e-6 && errors.velocity == 0.0, "{errors:?}");
         // 0, 10 and 20 ms, then 0 and 10 ms: time counts from the start of each segment.
         assert!((errors.timing - 0.008).abs() < 1e-9 && errors.frames == 5, "{errors:?}");
-        assert_eq!(Aligned::mean(&[&still(1.0, 0.1), &still(3.0, 0.3)]), Some(still(2.0, 0.2)));
+        assert_eq!(Aligned::mean(&[&still(1.0, 0.25), &still(3.0, 0.75)]), Some(still(2.0, 0.5)));
         assert_eq!(Aligned::mean(&[]), None);
     }
 }
