@@ -2,16 +2,14 @@
 
 use super::Args;
 use super::checkpoint::Checkpoint;
-use super::results::Sample;
-use super::settings::{Build, Grid, PassMode, Setting};
+use super::results::{Sample, quality_values};
+use super::settings::{Build, Grid, Setting};
 use crate::failure::{Failure, Outcome};
 use crate::progress::Bar;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use std::sync::Arc;
-use std::time::Instant;
 use strut_core::database::build::SourceClip;
 use strut_core::evaluation::leave_one_out::{LeaveOneOut, Trial};
-use strut_core::evaluation::quality::style;
 use strut_core::evaluation::truth::Errors;
 use strut_core::transfer::Model;
 
@@ -82,28 +80,18 @@ fn fold(args: &Args, grid: &Grid, clips: &[SourceClip], build: usize, take: u32)
 /// What one setting makes of a trial.
 fn sample(trial: &Trial, setting: &Setting, model: &Arc<Model>) -> Outcome<Vec<(&'static str, f64)>> {
     let stylizer = setting.stylizer(model, Some(&trial.action), &trial.target)?;
-    let begin = Instant::now();
-    let styled = style(&stylizer, &trial.input, setting.mode.mode());
-    let passes = if setting.mode == PassMode::Online { 2.0 } else { 1.0 };
-    let frames = trial.input.poses.len() as f64;
-    let ms_per_frame = begin.elapsed().as_secs_f64() * 1e3 / frames / passes;
+    let (styled, ms_per_frame) = setting.styled(&stylizer, &trial.input);
     let measured = trial.measure(&styled);
-    let quality = measured.quality;
     let errors = |names: [&'static str; 3], e: Errors| {
         let values = [e.pose * 100.0, e.timing * 1000.0, e.velocity * 100.0];
         names.into_iter().zip(values)
     };
     let mut values = vec![
         ("frames", measured.errors.frames as f64),
-        ("finished_pose_error_cm", measured.finished_errors.pose * 100.0),
-        ("skate_cm_s_in", quality.skate_in * 100.0),
-        ("skate_cm_s_out", quality.skate_out * 100.0),
-        ("sole_depth_cm", quality.sole_depth * 100.0),
-        ("jerk_ratio", quality.jerk_ratio),
-        ("acceleration_ratio", quality.acceleration_ratio),
-        ("content_correlation", quality.content_correlation),
         ("ms_per_frame", ms_per_frame),
+        ("finished_pose_error_cm", measured.finished_errors.pose * 100.0),
     ];
+    values.extend(quality_values(&measured.quality));
     values.extend(errors(["pose_error_cm", "timing_error_ms", "velocity_error_cm_s"], measured.errors));
     values.extend(errors(["input_cm", "input_ms", "input_cm_s"], trial.unchanged));
     if let Some(floor) = trial.floor {

@@ -7,7 +7,6 @@ use crate::failure::{Failure, Outcome};
 use serde::Serialize;
 use strut_core::database::build::SourceClip;
 use strut_core::evaluation::leave_one_out::Trial;
-use strut_core::evaluation::quality::style;
 use strut_core::evaluation::truth::Aligned;
 use strut_core::humanoid::Role;
 use strut_core::metrics::Points;
@@ -49,7 +48,7 @@ pub(super) fn of_first_fold(args: &Args, grid: &Grid, clips: &[SourceClip]) -> O
         ];
         for setting in &grid.settings {
             let stylizer = setting.stylizer(&model, Some(&trial.action), &trial.target)?;
-            let predicted = style(&stylizer, &trial.input, setting.mode.mode()).predicted;
+            let predicted = setting.styled(&stylizer, &trial.input).0.predicted;
             curves.push(curve(setting.method.clone(), Some(setting.clone()), &trial.aligned(&predicted)));
         }
         Ok(TrialCurves {

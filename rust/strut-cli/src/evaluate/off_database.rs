@@ -3,8 +3,8 @@
 use super::Args;
 use super::checkpoint::Checkpoint;
 use super::cross_validation::protocol;
-use super::results::Sample;
-use super::settings::{Grid, PassMode};
+use super::results::{Sample, quality_values};
+use super::settings::Grid;
 use crate::clip::Clip;
 use crate::failure::{Failure, Outcome};
 use crate::files::print_warnings;
@@ -14,9 +14,8 @@ use crate::threads::ThreadPool;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::time::Instant;
 use strut_core::database::build::{MIN_CLIP_FRAMES, SourceClip, build};
-use strut_core::evaluation::quality::{quality, style};
+use strut_core::evaluation::quality::quality;
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::retarget::to_humanoid;
 use strut_core::transfer::Model;
@@ -76,25 +75,12 @@ fn of_input(
         .map(|(target, s)| {
             let setting = &grid.settings[s];
             let stylizer = setting.stylizer(model, None, target)?;
-            let begin = Instant::now();
-            let styled = style(&stylizer, input, setting.mode.mode());
-            let passes = if setting.mode == PassMode::Online { 2.0 } else { 1.0 };
-            let frames = input.poses.len() as f64;
-            let ms_per_frame = begin.elapsed().as_secs_f64() * 1e3 / frames / passes;
-            let q = quality(input, &styled);
-            let worse = if q.skate_out > q.skate_in { 100.0 } else { 0.0 };
-            let values = [
-                ("frames", frames),
-                ("acceleration_ratio", q.acceleration_ratio),
-                ("content_correlation", q.content_correlation),
-                ("distance_cm", q.distance * 100.0),
-                ("jerk_ratio", q.jerk_ratio),
-                ("skate_cm_s_in", q.skate_in * 100.0),
-                ("skate_cm_s_out", q.skate_out * 100.0),
-                ("worse_skate_percent", worse),
-                ("sole_depth_cm", q.sole_depth * 100.0),
-                ("ms_per_frame", ms_per_frame),
-            ];
+            let (styled, ms_per_frame) = setting.styled(&stylizer, input);
+            let quality = quality(input, &styled);
+            let worse = if quality.skate_out > quality.skate_in { 100.0 } else { 0.0 };
+            let own =
+                [("frames", input.poses.len() as f64), ("ms_per_frame", ms_per_frame), ("worse_skate_percent", worse)];
+            let values = own.into_iter().chain(quality_values(&quality));
             Ok(Sample::new("any", target, build, s, values))
         })
         .collect()

@@ -5,9 +5,9 @@ use crate::GENERATOR;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
+use strut_core::database::build::BuildOptions;
+use strut_core::evaluation::quality::Quality;
 
-/// The rate of all databases, frames per second.
-const RATE_HZ: f32 = 60.0;
 /// Values whose standard deviation over the samples is given.
 const SPREAD: [&str; 3] = ["pose_error_cm", "timing_error_ms", "velocity_error_cm_s"];
 
@@ -34,6 +34,19 @@ impl Sample {
         let values = values.into_iter().map(|(name, v)| (name.to_owned(), v)).collect();
         Self { action: action.to_owned(), target: target.to_owned(), build, setting, values }
     }
+}
+
+/// What does not depend on a truth, under the names of the results.
+pub(super) fn quality_values(quality: &Quality) -> [(&'static str, f64); 7] {
+    [
+        ("acceleration_ratio", quality.acceleration_ratio),
+        ("content_correlation", quality.content_correlation),
+        ("distance_cm", quality.distance * 100.0),
+        ("jerk_ratio", quality.jerk_ratio),
+        ("skate_cm_s_in", quality.skate_in * 100.0),
+        ("skate_cm_s_out", quality.skate_out * 100.0),
+        ("sole_depth_cm", quality.sole_depth * 100.0),
+    ]
 }
 
 /// What `--json` writes.
@@ -81,7 +94,7 @@ impl Report {
         };
         Self {
             protocol,
-            rate: RATE_HZ,
+            rate: BuildOptions::default().rate_hz,
             generator: GENERATOR,
             command: command.to_owned(),
             results: groups.into_iter().map(row).collect(),

@@ -6,8 +6,10 @@ use crate::stylize::Switch;
 use clap::ValueEnum;
 use serde::Serialize;
 use std::sync::Arc;
+use std::time::Instant;
 use strut_core::database::build::BuildOptions;
-use strut_core::evaluation::quality::Mode;
+use strut_core::evaluation::quality::{Mode, Styled, style};
+use strut_core::humanoid::HumanoidMotion;
 use strut_core::registration::{self, WarpMethod};
 use strut_core::search::MAX_WINDOW;
 use strut_core::transfer::{Method, Model, Options, Stylizer};
@@ -32,7 +34,7 @@ pub(super) enum PassMode {
 
 impl PassMode {
     /// The core's name for it.
-    pub(super) fn mode(self) -> Mode {
+    fn mode(self) -> Mode {
         match self {
             Self::Offline => Mode::Offline,
             Self::Online => Mode::Online,
@@ -117,6 +119,16 @@ impl Setting {
         weights[usize::from(db.style_index(target).ok_or_else(missing)?)] = 1.0;
         stylizer.set_styles(&weights).map_err(Failure::new)?;
         Ok(stylizer)
+    }
+
+    /// Styles an input; what came of it, and milliseconds a frame.
+    pub(super) fn styled(&self, stylizer: &Stylizer, input: &HumanoidMotion) -> (Styled, f64) {
+        let begin = Instant::now();
+        let styled = style(stylizer, input, self.mode.mode());
+        // Frame by frame, the prediction before feet are planted takes a pass of its own.
+        let passes = if self.mode == PassMode::Online { 2.0 } else { 1.0 };
+        let ms = begin.elapsed().as_secs_f64() * 1e3 / passes;
+        (styled, ms / input.poses.len().max(1) as f64)
     }
 
     fn options(&self) -> Outcome<Options> {

@@ -1,11 +1,12 @@
 //! What a performance should become: the target style's own take, registered to it.
 
+use super::off_database::heading_free_points;
 use crate::database::build::prepare::{encode, headings};
 use crate::humanoid::{HumanoidMotion, JOINTS};
 use crate::math::Vec3;
 use crate::metrics::Points;
 use crate::parallel::Sequential;
-use crate::pose_vector::{PoseChart, point_cloud};
+use crate::pose_vector::PoseChart;
 use crate::registration::{Example, Job, Options};
 use std::ops::{ControlFlow, Range};
 
@@ -46,8 +47,7 @@ pub struct Errors {
 
 /// Root-free joint positions of every frame.
 pub(super) fn points_of(motion: &HumanoidMotion) -> Vec<Points> {
-    let headings = headings(motion);
-    motion.poses.iter().zip(headings).map(|(p, h)| root_free(&point_cloud(&motion.proportions, p, h))).collect()
+    heading_free_points(motion).iter().map(root_free).collect()
 }
 
 /// Positions relative to the hips.
