@@ -63,6 +63,14 @@ describe("a wide screen", () => {
       await screenshot(page, `wide-${theme}`);
     });
 
+  it("keeps the read-out clear of the buttons in a small window", async () => {
+    await showAt({ width: 960, height: 640 }, "dark");
+    const box = async (selector: string) => (await page.locator(selector).boundingBox()) ?? expect.fail(selector);
+    const [readOut, controls] = [await box(".read-out"), await box(".stage-controls")];
+    expect(readOut.y + readOut.height < controls.y || readOut.x > controls.x + controls.width).toBe(true);
+    await screenshot(page, "small-window");
+  });
+
   it("follows the system's theme until one is chosen", async () => {
     await showAt(WIDE, "dark");
     const background = () => page.locator("#app").evaluate((e) => getComputedStyle(e).backgroundColor);
