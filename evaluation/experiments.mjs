@@ -74,6 +74,20 @@ export const experiments = [
     args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly --methods mar --coherence on,off`,
   },
   {
+    id: "extrapolation",
+    title: "More of a style than was performed, and its opposite",
+    question:
+      "Weights of the target style beyond 0 to 1, kept within the joints' limits: how far any joint ends up beyond what anatomy allows where its input was not.",
+    args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly,active --methods mar --intensity=-0.5,0,0.5,1,1.5,2`,
+  },
+  {
+    id: "parts",
+    title: "A style for a part of the body",
+    question:
+      "The rest is neutral. A part turns against the input by as much as when the whole body takes the style, the others by as much as without it.",
+    args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly,active --methods mar --part whole,head,torso,arms,legs`,
+  },
+  {
     id: "coherence-inside",
     title: "What coherence costs where it is not needed",
     question: "Held-out walking and running.",

@@ -71,11 +71,33 @@ fn foreign_motion_is_compared_with_itself() {
 }
 
 #[test]
+fn a_part_of_the_body_takes_the_style_alone_and_more_of_it_goes_farther() {
+    let folder = demo();
+    let args = ["--protocol", "off-database", "--inputs", "bvh/walk_neutral_001.bvh", "--targets", "old"];
+    let vary = ["--methods", "mar", "--intensity", "0,1,1.5", "--part", "whole,arms", "--json", "out.json"];
+    let table = strut_ok(folder.path(), &[&WALK[..], &args, &vary].concat());
+    assert!(table.starts_with("| method | intensity | part | acceleration × |"), "{table}");
+    let results = json(folder.path(), "out.json")["results"].clone();
+    let value = |intensity: f64, part: &str, name: &str| {
+        let is = |row: &&Value| row["intensity"].as_f64() == Some(intensity) && row["part"].as_str() == Some(part);
+        results.as_array().unwrap().iter().find(is).unwrap()[name].as_f64().unwrap()
+    };
+    for joints in ["head_turned_deg", "torso_turned_deg", "legs_turned_deg"] {
+        assert_eq!(value(1.0, "arms", joints), value(0.0, "whole", joints), "{joints}");
+    }
+    assert_eq!(value(1.0, "arms", "arms_turned_deg"), value(1.0, "whole", "arms_turned_deg"));
+    let distances = [0.0, 1.0, 1.5].map(|intensity| value(intensity, "whole", "distance_cm"));
+    assert!(distances.is_sorted(), "{distances:?}");
+    assert!(value(1.5, "whole", "beyond_anatomy_deg") < 1.0);
+}
+
+#[test]
 fn wrong_questions_get_a_sentence() {
     let folder = demo();
     for (args, code, expected) in [
         (vec!["--methods", "magic"], 2, "there is no method 'magic'"),
         (vec!["--rho", "2"], 2, "rho is 2"),
+        (vec!["--intensity", "99"], 2, "the intensity is 99"),
         (vec!["--targets", "prod"], 1, "proud"),
         (vec!["--protocol", "off-database"], 2, "needs --inputs"),
         (vec!["--inputs", "bvh"], 2, "goes with --protocol off-database"),

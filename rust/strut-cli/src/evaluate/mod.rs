@@ -17,7 +17,7 @@ use crate::suggestion::unknown;
 use checkpoint::Checkpoint;
 use clap::ValueEnum;
 use results::{Report, Sample};
-use settings::{Grid, Labels, PassMode, Registration};
+use settings::{Grid, Labels, Part, PassMode, Registration};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use strut_core::database::build::SourceClip;
@@ -42,9 +42,10 @@ Every option that takes a list is varied: all combinations are measured.
 
 The results of --json:
   protocol, rate, generator, command
-  results  [{action, source, target, method, labels, mode, k, delta, lambda, kappa, rho, coherence, window,
-            registration, takes, samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s, floor_cm, input_cm, …, skate_cm_s_in,
-            skate_cm_s_out, jerk_ratio, acceleration_ratio, content_correlation, ms_per_frame}]
+  results  [{action, source, target, method, labels, mode, k, delta, lambda, kappa, rho, coherence, intensity, part,
+            window, registration, takes, samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s,
+            floor_cm, input_cm, …, skate_cm_s_in, skate_cm_s_out, jerk_ratio, acceleration_ratio,
+            content_correlation, ms_per_frame}]
   Means over the samples (folds, or input clips); NAME_sd is the standard deviation of NAME over them.
 A run that is stopped goes on where it was, if --json names the same file.";
 
@@ -116,6 +117,12 @@ pub(crate) struct Args {
     /// Whether what the database does not know is kept from trembling
     #[arg(long, value_delimiter = ',', default_value = "on")]
     coherence: Vec<Switch>,
+    /// Weight of the target style: 0 is neutral, more than 1 exaggerates
+    #[arg(long, value_name = "F", value_delimiter = ',', default_value = "1")]
+    intensity: Vec<f32>,
+    /// What of the body takes the target style; the rest is neutral
+    #[arg(long, value_delimiter = ',', default_value = "whole")]
+    part: Vec<Part>,
     /// loo: folds at most, the first ones; 0 for all
     #[arg(long, value_name = "N", default_value_t = 0)]
     folds: usize,

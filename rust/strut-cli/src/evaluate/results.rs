@@ -1,15 +1,52 @@
 //! Samples, their means, and how they are shown.
 
-use super::settings::{Build, Grid, Setting};
+use super::settings::{Build, Grid, Part, Setting};
 use crate::GENERATOR;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use strut_core::database::build::BuildOptions;
 use strut_core::evaluation::quality::Quality;
+use strut_core::transfer::BodyPart;
 
 /// Values whose standard deviation over the samples is given.
 const SPREAD: [&str; 3] = ["pose_error_cm", "timing_error_ms", "velocity_error_cm_s"];
+
+/// Title, name of the value, digits after the point.
+type Column = (&'static str, &'static str, usize);
+
+const CROSS_VALIDATION_COLUMNS: &[Column] = &[
+    ("pose cm", "pose_error_cm", 3),
+    ("timing ms", "timing_error_ms", 1),
+    ("velocity cm/s", "velocity_error_cm_s", 1),
+    ("skate in", "skate_cm_s_in", 2),
+    ("out cm/s", "skate_cm_s_out", 2),
+    ("acceleration ×", "acceleration_ratio", 2),
+    ("content", "content_correlation", 2),
+    ("ms/frame", "ms_per_frame", 2),
+];
+const OFF_DATABASE_COLUMNS: &[Column] = &[
+    ("acceleration ×", "acceleration_ratio", 2),
+    ("content", "content_correlation", 2),
+    ("distance cm", "distance_cm", 1),
+    ("jerk ×", "jerk_ratio", 2),
+    ("skate in", "skate_cm_s_in", 2),
+    ("out cm/s", "skate_cm_s_out", 2),
+    ("worse skate %", "worse_skate_percent", 0),
+    ("sole depth cm", "sole_depth_cm", 2),
+    ("beyond anatomy °", "beyond_anatomy_deg", 1),
+    ("ms/frame", "ms_per_frame", 2),
+];
+const PART_COLUMNS: &[Column] = &[
+    ("acceleration ×", "acceleration_ratio", 2),
+    ("content", "content_correlation", 2),
+    ("head turned °", "head_turned_deg", 1),
+    ("torso °", "torso_turned_deg", 1),
+    ("arms °", "arms_turned_deg", 1),
+    ("legs °", "legs_turned_deg", 1),
+    ("out cm/s", "skate_cm_s_out", 2),
+    ("beyond anatomy °", "beyond_anatomy_deg", 1),
+];
 
 /// What was measured of one clip with one setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -37,7 +74,8 @@ impl Sample {
 }
 
 /// What does not depend on a truth, under the names of the results.
-pub(super) fn quality_values(quality: &Quality) -> [(&'static str, f64); 7] {
+pub(super) fn quality_values(quality: &Quality) -> [(&'static str, f64); 12] {
+    let turned = |part: BodyPart| quality.turned[part as usize].to_degrees();
     [
         ("acceleration_ratio", quality.acceleration_ratio),
         ("content_correlation", quality.content_correlation),
@@ -46,6 +84,11 @@ pub(super) fn quality_values(quality: &Quality) -> [(&'static str, f64); 7] {
         ("skate_cm_s_in", quality.skate_in * 100.0),
         ("skate_cm_s_out", quality.skate_out * 100.0),
         ("sole_depth_cm", quality.sole_depth * 100.0),
+        ("beyond_anatomy_deg", quality.beyond_anatomy.to_degrees()),
+        ("head_turned_deg", turned(BodyPart::Head)),
+        ("torso_turned_deg", turned(BodyPart::Torso)),
+        ("arms_turned_deg", 0.5 * (turned(BodyPart::LeftArm) + turned(BodyPart::RightArm))),
+        ("legs_turned_deg", turned(BodyPart::Legs)),
     ]
 }
 
@@ -104,29 +147,11 @@ impl Report {
     /// A table of the means over actions and targets, a line a setting, with what varies between them.
     pub(super) fn markdown(&self) -> String {
         let cross_validation = self.results.iter().any(|r| r.values.contains_key("pose_error_cm"));
-        let columns: &[(&str, &str, usize)] = if cross_validation {
-            &[
-                ("pose cm", "pose_error_cm", 3),
-                ("timing ms", "timing_error_ms", 1),
-                ("velocity cm/s", "velocity_error_cm_s", 1),
-                ("skate in", "skate_cm_s_in", 2),
-                ("out cm/s", "skate_cm_s_out", 2),
-                ("acceleration ×", "acceleration_ratio", 2),
-                ("content", "content_correlation", 2),
-                ("ms/frame", "ms_per_frame", 2),
-            ]
-        } else {
-            &[
-                ("acceleration ×", "acceleration_ratio", 2),
-                ("content", "content_correlation", 2),
-                ("distance cm", "distance_cm", 1),
-                ("jerk ×", "jerk_ratio", 2),
-                ("skate in", "skate_cm_s_in", 2),
-                ("out cm/s", "skate_cm_s_out", 2),
-                ("worse skate %", "worse_skate_percent", 0),
-                ("sole depth cm", "sole_depth_cm", 2),
-                ("ms/frame", "ms_per_frame", 2),
-            ]
+        let by_part = self.results.iter().any(|r| r.setting.part != Part::Whole);
+        let columns = match (cross_validation, by_part) {
+            (true, _) => CROSS_VALIDATION_COLUMNS,
+            (false, false) => OFF_DATABASE_COLUMNS,
+            (false, true) => PART_COLUMNS,
         };
         let mut lines: Vec<(Description, Vec<&Row>)> = Vec::new();
         for row in &self.results {
@@ -172,18 +197,20 @@ impl Report {
 impl Row {
     /// Everything that a setting may vary, for people.
     fn description(&self) -> Description {
-        let Setting { method, labels, mode, knobs } = &self.setting;
+        let s = &self.setting;
         let text = |v: &dyn std::fmt::Debug| format!("{v:?}").to_lowercase();
         vec![
-            ("method", method.clone()),
-            ("labels", text(labels)),
-            ("mode", text(mode)),
-            ("K", knobs.k.to_string()),
-            ("δ", knobs.delta.to_string()),
-            ("λ", knobs.lambda.to_string()),
-            ("κ", knobs.kappa.to_string()),
-            ("ρ", knobs.rho.to_string()),
-            ("coherence", text(&knobs.coherence)),
+            ("method", s.method.clone()),
+            ("labels", text(&s.labels)),
+            ("mode", text(&s.mode)),
+            ("K", s.k.to_string()),
+            ("δ", s.delta.to_string()),
+            ("λ", s.lambda.to_string()),
+            ("κ", s.kappa.to_string()),
+            ("ρ", s.rho.to_string()),
+            ("coherence", text(&s.coherence)),
+            ("intensity", s.intensity.to_string()),
+            ("part", text(&s.part)),
             ("window", self.build.window.to_string()),
             ("registration", text(&self.build.registration)),
             ("takes", if self.build.takes == 0 { "all".to_owned() } else { self.build.takes.to_string() }),

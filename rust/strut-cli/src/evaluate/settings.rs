@@ -12,7 +12,7 @@ use strut_core::evaluation::quality::{Mode, Styled, style};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::registration::{self, WarpMethod};
 use strut_core::search::MAX_WINDOW;
-use strut_core::transfer::{Method, Model, Options, Stylizer};
+use strut_core::transfer::{BodyPart, MAX_WEIGHT, Method, Model, Options, Stylizer};
 
 /// What the engine is told of the input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
@@ -80,13 +80,6 @@ pub(super) struct Setting {
     pub(super) method: String,
     pub(super) labels: Labels,
     pub(super) mode: PassMode,
-    #[serde(flatten)]
-    pub(super) knobs: Knobs,
-}
-
-/// Numbers of the engine.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub(super) struct Knobs {
     pub(super) k: usize,
     pub(super) delta: f32,
     pub(super) lambda: f32,
@@ -94,6 +87,34 @@ pub(super) struct Knobs {
     pub(super) kappa: f32,
     pub(super) rho: f32,
     pub(super) coherence: Switch,
+    /// Weight of the target style.
+    pub(super) intensity: f32,
+    /// What of the body takes it; the rest is neutral.
+    pub(super) part: Part,
+}
+
+/// What of the body takes the target style.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Part {
+    Whole,
+    Head,
+    Torso,
+    Arms,
+    Legs,
+}
+
+impl Part {
+    /// The core's names for it; `None` is the whole body.
+    fn parts(self) -> Option<&'static [BodyPart]> {
+        match self {
+            Self::Whole => None,
+            Self::Head => Some(&[BodyPart::Head]),
+            Self::Torso => Some(&[BodyPart::Torso]),
+            Self::Arms => Some(&[BodyPart::LeftArm, BodyPart::RightArm]),
+            Self::Legs => Some(&[BodyPart::Legs]),
+        }
+    }
 }
 
 /// JSON has no infinity.
@@ -103,6 +124,24 @@ fn finite_or_text<S: serde::Serializer>(value: &f32, to: S) -> Result<S::Ok, S::
 }
 
 impl Setting {
+    /// The defaults, of which the others are variations.
+    fn of_method(method: &str) -> Self {
+        let Options { k, delta, lambda, kappa, rho, .. } = Options::DEFAULT;
+        Self {
+            method: method.to_owned(),
+            labels: Labels::None,
+            mode: PassMode::Offline,
+            k,
+            delta,
+            lambda,
+            kappa,
+            rho,
+            coherence: Switch::On,
+            intensity: 1.0,
+            part: Part::Whole,
+        }
+    }
+
     /// A stylizer that turns inputs of an action, if the database has it, wholly into a target style.
     pub(super) fn stylizer(&self, model: &Arc<Model>, action: Option<&str>, target: &str) -> Outcome<Stylizer> {
         let db = model.database();
@@ -116,8 +155,15 @@ impl Setting {
         let mut stylizer = Stylizer::new(Arc::clone(model), options).map_err(Failure::new)?;
         let missing = || Failure::new(format_args!("a database without the held-out take has no style '{target}'"));
         let mut weights = vec![0.0; db.styles.len()];
-        weights[usize::from(db.style_index(target).ok_or_else(missing)?)] = 1.0;
-        stylizer.set_styles(&weights).map_err(Failure::new)?;
+        weights[usize::from(db.style_index(target).ok_or_else(missing)?)] = self.intensity;
+        match self.part.parts() {
+            None => stylizer.set_styles(&weights).map_err(Failure::new)?,
+            Some(parts) => {
+                for &part in parts {
+                    stylizer.set_part_styles(part, Some(&weights)).map_err(Failure::new)?;
+                }
+            }
+        }
         Ok(stylizer)
     }
 
@@ -132,8 +178,8 @@ impl Setting {
     }
 
     fn options(&self) -> Outcome<Options> {
-        let Knobs { k, delta, lambda, kappa, rho, coherence } = self.knobs;
-        let coherence = coherence == Switch::On;
+        let &Self { k, delta, lambda, kappa, rho, .. } = self;
+        let coherence = self.coherence == Switch::On;
         let method = Method::from_name(&self.method).ok_or_else(|| {
             Failure::usage(format_args!(
                 "there is no method '{}'; nn, knn, lar, mar, gar, lti, lti-dof or gp was expected",
@@ -142,6 +188,10 @@ impl Setting {
         })?;
         let options = Options { k, delta, lambda, kappa, rho, coherence, method, ..Options::DEFAULT };
         options.validate().map_err(Failure::usage)?;
+        if self.intensity.is_nan() || self.intensity.abs() > MAX_WEIGHT {
+            let expected = format_args!("a number from -{MAX_WEIGHT} to {MAX_WEIGHT} was expected");
+            return Err(Failure::usage(format_args!("the intensity is {}; {expected}", self.intensity)));
+        }
         Ok(options)
     }
 }
@@ -164,28 +214,28 @@ impl Grid {
                 builds.extend(args.window.iter().map(|&window| Build { registration, takes, window }));
             }
         }
-        let mut knobs = Vec::new();
-        for &k in &args.k {
-            for &delta in &args.delta {
-                for &lambda in &args.lambda {
-                    for &kappa in &args.kappa {
-                        for &rho in &args.rho {
-                            let knob = |&coherence| Knobs { k, delta, lambda, kappa, rho, coherence };
-                            knobs.extend(args.coherence.iter().map(knob));
-                        }
-                    }
-                }
-            }
-        }
-        let mut settings = Vec::new();
-        for method in &args.methods {
-            for &labels in &args.labels {
-                for &mode in &args.mode {
-                    settings.extend(knobs.iter().map(|&knobs| Setting { method: method.clone(), labels, mode, knobs }));
-                }
-            }
-        }
+        let mut settings: Vec<Setting> = args.methods.iter().map(|method| Setting::of_method(method)).collect();
+        vary(&mut settings, &args.labels, |s, labels| s.labels = labels);
+        vary(&mut settings, &args.mode, |s, mode| s.mode = mode);
+        vary(&mut settings, &args.k, |s, k| s.k = k);
+        vary(&mut settings, &args.delta, |s, delta| s.delta = delta);
+        vary(&mut settings, &args.lambda, |s, lambda| s.lambda = lambda);
+        vary(&mut settings, &args.kappa, |s, kappa| s.kappa = kappa);
+        vary(&mut settings, &args.rho, |s, rho| s.rho = rho);
+        vary(&mut settings, &args.coherence, |s, coherence| s.coherence = coherence);
+        vary(&mut settings, &args.intensity, |s, intensity| s.intensity = intensity);
+        vary(&mut settings, &args.part, |s, part| s.part = part);
         settings.iter().try_for_each(|s| s.options().map(|_| ()))?;
         Ok(Self { builds, settings })
     }
+}
+
+/// Takes every setting once with each value.
+fn vary<T: Copy>(settings: &mut Vec<Setting>, values: &[T], set: fn(&mut Setting, T)) {
+    let with_each = |setting: &Setting| {
+        let mut varied = vec![setting.clone(); values.len()];
+        varied.iter_mut().zip(values).for_each(|(s, &value)| set(s, value));
+        varied
+    };
+    *settings = settings.iter().flat_map(with_each).collect();
 }

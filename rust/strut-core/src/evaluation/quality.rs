@@ -2,9 +2,11 @@
 
 use super::off_database::compare;
 use crate::contact;
-use crate::humanoid::HumanoidMotion;
+use crate::humanoid::{HumanoidMotion, Role};
 use crate::metrics::{foot_skate, mean_jerk};
-use crate::transfer::{ClipJob, NoClock, StyledFrame, StyledMotion, Stylizer, ground_clearance};
+use crate::transfer::{
+    BodyPart, ClipJob, NoClock, PARTS, StyledFrame, StyledMotion, Stylizer, beyond_anatomy, ground_clearance,
+};
 
 /// How a clip goes through the engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -44,6 +46,11 @@ pub struct Quality {
     pub skate_out: f64,
     /// Greatest depth of a sole of the finished output below the ground, metres; 0 if none is below.
     pub sole_depth: f64,
+    /// Mean angle between prediction and input of the joints of each [`BodyPart`] but the hips, radians.
+    pub turned: [f64; PARTS],
+    /// How far any joint of the finished output is beyond what anatomy allows, at most, less what the input itself
+    /// is, radians.
+    pub beyond_anatomy: f64,
 }
 
 /// Styles a clip at the database's rate with the styles and options of a stylizer.
@@ -85,5 +92,25 @@ pub fn quality(input: &HumanoidMotion, styled: &Styled) -> Quality {
         skate_in: skate(input),
         skate_out: skate(output),
         sole_depth: f64::from(-lowest),
+        turned: turned(input, &styled.predicted),
+        beyond_anatomy: f64::from((most_beyond_anatomy(output) - most_beyond_anatomy(input)).max(0.0)),
     }
+}
+
+/// Mean angle between output and input of the joints of each part, radians.
+fn turned(input: &HumanoidMotion, output: &[StyledFrame]) -> [f64; PARTS] {
+    let (mut sum, mut count) = ([0.0; PARTS], [0_usize; PARTS]);
+    for (before, after) in input.poses.iter().zip(output) {
+        for role in Role::ALL.into_iter().filter(|&r| r != Role::Hips) {
+            let (part, joint) = (BodyPart::of(role) as usize, role.index());
+            sum[part] += f64::from(before.rotations[joint].inv_mul(after.pose.rotations[joint]).angle());
+            count[part] += 1;
+        }
+    }
+    std::array::from_fn(|part| sum[part] / count[part].max(1) as f64)
+}
+
+fn most_beyond_anatomy(motion: &HumanoidMotion) -> f32 {
+    let joints = motion.poses.iter().flat_map(|p| Role::ALL.map(|r| beyond_anatomy(r, p.rotations[r.index()])));
+    joints.fold(0.0, f32::max)
 }
