@@ -6,22 +6,36 @@ import { root, run, step } from "./steps.mjs";
 /** Path of vite's command. */
 export const vite = join(root, "node_modules", "vite", "bin", "vite.js");
 
+/** Builds one of xtask's packages for WebAssembly. */
+async function xtask(wasm, word) {
+  await run(wasm.CARGO ?? "cargo", ["run", "--profile", "tool", "--quiet", "-p", "xtask", "--", word], {
+    env: wasm,
+    cwd: join(root, "rust"),
+  });
+}
+
 /**
- * Sets up what the build needs and builds the WASM package.
+ * Sets up what the build needs.
  * @returns the environments in which cargo builds natively (`rust`) and for WebAssembly (`wasm`).
  */
-export async function buildWasm() {
+async function setup() {
   checkNode();
   await setupPackages();
   const rust = await setupRust();
-  const wasm = await setupWasm(rust);
-  await step("Building the engine for WebAssembly", () =>
-    run(wasm.CARGO ?? "cargo", ["run", "--profile", "tool", "--quiet", "-p", "xtask", "--", "wasm"], {
-      env: wasm,
-      cwd: join(root, "rust"),
-    }),
-  );
-  return { rust, wasm };
+  return { rust, wasm: await setupWasm(rust) };
+}
+
+/** Builds the WASM package; returns what {@link setup} does. */
+export async function buildWasm() {
+  const environments = await setup();
+  await step("Building the engine for WebAssembly", () => xtask(environments.wasm, "wasm"));
+  return environments;
+}
+
+/** Builds the engine with what benchmarks need, with and without SIMD. */
+export async function buildBench() {
+  const { wasm } = await setup();
+  await step("Building the benchmarks for WebAssembly", () => xtask(wasm, "bench"));
 }
 
 /** Builds the static site; returns what {@link buildWasm} does. */

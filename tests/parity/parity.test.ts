@@ -1,6 +1,7 @@
 /**
- * The engine gives the same bits natively and in WebAssembly: `rust/strut-wasm/src/parity.rs` compiled both ways, over
- * whole clips and every stage. The module is built as the one that the page loads is, plus the report.
+ * The engine gives the same bits natively, in WebAssembly with SIMD and without: `rust/strut-wasm/src/parity.rs` compiled
+ * all three ways, over whole clips and every stage. The modules are built as the one that the page loads is, plus the
+ * report.
  */
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
@@ -41,10 +42,11 @@ interface ParityGlue {
   };
 }
 
-/** The report of the module; `nudgedFrame` changes the input of that frame by the least there is. */
-async function wasmReport(files: string[], nudgedFrame?: number): Promise<string> {
-  const glue: ParityGlue = await import(/* @vite-ignore */ new URL("./pkg/strut_wasm.js", import.meta.url).href);
-  glue.initSync({ module: readFileSync(new URL("./pkg/strut_wasm_bg.wasm", import.meta.url)) });
+/** The report of a build; `nudgedFrame` changes the input of that frame by the least there is. */
+async function wasmReport(build: "simd" | "scalar", files: string[], nudgedFrame?: number): Promise<string> {
+  const folder = new URL(`../../bench/pkg/${build}/`, import.meta.url);
+  const glue: ParityGlue = await import(/* @vite-ignore */ new URL("strut_wasm.js", folder).href);
+  glue.initSync({ module: readFileSync(new URL("strut_wasm_bg.wasm", folder)) });
   const report = new glue.ParityReport();
   try {
     for (const path of files) report.addFile(basename(path), readFileSync(path));
@@ -57,18 +59,22 @@ async function wasmReport(files: string[], nudgedFrame?: number): Promise<string
 describe("native and WASM", () => {
   let native: string;
   beforeAll(() => {
-    cargoRun("--profile", "tool", "-p", "xtask", "--", "parity");
+    cargoRun("--profile", "tool", "-p", "xtask", "--", "bench");
     native = cargoRun("--release", "-p", "strut-wasm", "--features", "parity", "--example", "parity", "--", ...clips);
   }, 900_000);
 
   test("give the same bits at every stage of every frame", { timeout: 600_000 }, async () => {
     const stages = native.trimEnd().split("\n");
     expect(stages.length).toBeGreaterThanOrEqual(9 * (2 + clips.length) + 6 * (clips.length ? 3 : 2));
-    expect(firstDifference(native, await wasmReport(clips))).toBeUndefined();
+    expect(firstDifference(native, await wasmReport("simd", clips))).toBeUndefined();
+  });
+
+  test("give the same bits without SIMD as well", { timeout: 600_000 }, async () => {
+    expect(firstDifference(native, await wasmReport("scalar", clips))).toBeUndefined();
   });
 
   test("a change of one bit in one frame does not go unnoticed", { timeout: 600_000 }, async () => {
-    const mutated = await wasmReport([], 100);
+    const mutated = await wasmReport("simd", [], 100);
     expect(firstDifference(native, mutated)).toEqual({ stage: "neutral-walk/retargeted", frame: 100 });
     // Height is a degree of freedom, so its last bit must arrive; a distance may round it away.
     const hashes = (report: string) => /^neutral-walk\/rows (.*)$/m.exec(report)![1]!.split(" ");

@@ -5,6 +5,7 @@
 #![forbid(unsafe_code)]
 
 mod annotation;
+mod bench;
 mod build_db;
 mod clip;
 mod corpus;
@@ -44,6 +45,7 @@ enum Command {
     BuildDb(build_db::Args),
     Stylize(Box<stylize::Args>),
     Evaluate(Box<evaluate::Args>),
+    Bench(bench::Args),
     DemoDb(demo_db::Args),
 }
 
@@ -53,6 +55,7 @@ fn run(args: Args) -> Outcome {
         Command::BuildDb(args) => build_db::run(&args),
         Command::Stylize(args) => stylize::run(&args),
         Command::Evaluate(args) => evaluate::run(&args),
+        Command::Bench(args) => bench::run(&args),
         Command::DemoDb(args) => demo_db::run(&args),
     }
 }

@@ -9,6 +9,7 @@
 #![forbid(unsafe_code)]
 
 mod action;
+pub mod benchmark;
 mod database;
 mod feet;
 mod jet;

@@ -47,13 +47,17 @@ impl Noise {
     /// An independent number in [−1, 1] for every step (two a stride), which repeats with the script.
     pub(crate) fn step(self, channel: Channel, index: i64) -> f32 {
         let index = index.rem_euclid(2 * i64::from(self.strides)) as u64;
-        let bits = split_mix(split_mix(self.seed ^ (channel as u64) << 48) ^ index);
-        (bits >> 40) as f32 / (1_u32 << 23) as f32 - 1.0
+        within_one(split_mix(split_mix(self.seed ^ (channel as u64) << 48) ^ index))
     }
 }
 
+/// A number in [−1, 1] from random bits.
+pub(crate) fn within_one(bits: u64) -> f32 {
+    (bits >> 40) as f32 / (1_u32 << 23) as f32 - 1.0
+}
+
 /// One output of the `SplitMix64` generator (Steele, Lea and Flood 2014).
-fn split_mix(seed: u64) -> u64 {
+pub(crate) fn split_mix(seed: u64) -> u64 {
     let mut z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -76,7 +76,7 @@ impl Script {
     }
 }
 
-const fn passage(strides: u32, speed: f32, turn_degrees: f32) -> Passage {
+pub(crate) const fn passage(strides: u32, speed: f32, turn_degrees: f32) -> Passage {
     Passage { strides, speed, turn_degrees }
 }
 

@@ -4,6 +4,8 @@
 //! view of this memory outlives a call. Errors are values ([`EngineError`]); a panic, which is a bug, ends
 //! as a JavaScript exception with its message, and the instance must then be thrown away.
 
+#[cfg(feature = "bench")]
+mod bench;
 mod clip_job;
 mod database;
 mod error;
@@ -13,6 +15,8 @@ mod parity;
 mod poses;
 mod stylizer;
 
+#[cfg(feature = "bench")]
+pub use bench::{Naive, Workload, joint_weights, positions_of, rows_of, stage_names};
 pub use clip_job::ClipJob;
 pub use database::Database;
 pub use error::EngineError;

@@ -96,6 +96,11 @@ impl Stylizer {
     pub(crate) fn core(&self) -> &transfer::Stylizer {
         &self.stylizer
     }
+
+    #[cfg(feature = "bench")]
+    pub(crate) fn core_mut(&mut self) -> &mut transfer::Stylizer {
+        &mut self.stylizer
+    }
 }
 
 /// Planted feet, left and right interleaved.

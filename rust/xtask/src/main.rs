@@ -7,16 +7,19 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let package = match &arguments[..] {
-        [word] if word == "wasm" => wasm::Package::ENGINE,
-        [word] if word == "parity" => wasm::Package::PARITY,
+    let packages: &[wasm::Package] = match &arguments[..] {
+        [word] if word == "wasm" => &[wasm::Package::ENGINE],
+        [word] if word == "bench" => &[wasm::Package::BENCH, wasm::Package::BENCH_SCALAR],
         _ => {
-            eprintln!("usage: xtask wasm      builds {} from strut-wasm", wasm::Package::ENGINE.folder);
-            eprintln!("       xtask parity    builds {}, the same with a report", wasm::Package::PARITY.folder);
+            let [engine, bench] = [wasm::Package::ENGINE, wasm::Package::BENCH].map(|package| package.folder);
+            eprintln!("usage: xtask wasm     builds {engine} from strut-wasm");
+            eprintln!(
+                "       xtask bench    builds {bench}, the same with reports and yardsticks, and its scalar twin"
+            );
             return ExitCode::from(2);
         }
     };
-    match wasm::build(&package) {
+    match packages.iter().try_for_each(wasm::build) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("error: {message}");

@@ -34,13 +34,24 @@ pub(crate) struct Package {
     pub(crate) folder: &'static str,
     /// Features of `strut-wasm`.
     features: &'static str,
+    /// Whether the module uses SIMD.
+    simd: bool,
+    /// Further settings of cargo.
+    config: &'static [&'static str],
 }
+
+/// The yardsticks in `strut-wasm` are optimised as the core is.
+const FAST_YARDSTICKS: &[&str] = &["--config", "profile.web.package.strut-wasm.opt-level=2"];
 
 impl Package {
     /// What the page loads.
-    pub(crate) const ENGINE: Self = Self { folder: "web/engine/pkg", features: "" };
-    /// The same with the report that `tests/parity` compares; visitors need not download it.
-    pub(crate) const PARITY: Self = Self { folder: "tests/parity/pkg", features: "parity" };
+    pub(crate) const ENGINE: Self = Self { folder: "web/engine/pkg", features: "", simd: true, config: &[] };
+    /// The same with what visitors need not download: the report that `tests/parity` compares and the yardsticks of
+    /// `bench/` …
+    pub(crate) const BENCH: Self =
+        Self { folder: "bench/pkg/simd", features: "bench parity", simd: true, config: FAST_YARDSTICKS };
+    /// … and without SIMD, whose bits must be the same.
+    pub(crate) const BENCH_SCALAR: Self = Self { folder: "bench/pkg/scalar", simd: false, ..Self::BENCH };
 }
 
 /// Builds a package, or does nothing if it is up to date. Errors are sentences for people.
@@ -63,7 +74,7 @@ pub(crate) fn build(package: &Package) -> Result<(), String> {
     let output = folder.join(format!("{NAME}_bg.wasm"));
     let bound = size_of(&output)?;
     match &wasm_opt {
-        Some(tool) => optimise(tool, &output)?,
+        Some(tool) => optimise(tool, &output, package.simd)?,
         None => println!("wasm-opt not found (npm install brings it): the package stays larger and slower"),
     }
     println!("wasm: {} kB from rustc, {} kB bound, {} kB final", input.len() / 1000, bound, size_of(&output)?);
@@ -80,8 +91,9 @@ fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
         .current_dir(workspace)
         .args(["build", "--profile", "web", "--lib", "--package", "strut-wasm", "--target", TARGET])
         .args(["--features", package.features])
+        .args(package.config)
         // The encoded form has precedence over RUSTFLAGS, so that no flag of the user's can change results.
-        .env("CARGO_ENCODED_RUSTFLAGS", "-Ctarget-feature=+simd128");
+        .env("CARGO_ENCODED_RUSTFLAGS", if package.simd { "-Ctarget-feature=+simd128" } else { "" });
     if env::var_os("STRUT_BUILD_STD").is_some_and(|v| v == "1") {
         command.arg("-Zbuild-std=std,panic_abort").env("RUSTC_BOOTSTRAP", "1");
     }
@@ -112,9 +124,10 @@ fn run_bindgen(wasm: &Path, folder: &Path) -> Result<(), String> {
 }
 
 /// Runs wasm-opt on `module` in place.
-fn optimise(tool: &Path, module: &Path) -> Result<(), String> {
+fn optimise(tool: &Path, module: &Path, simd: bool) -> Result<(), String> {
     let mut command = Command::new("node");
-    command.arg(tool).args(WASM_OPT_FLAGS).arg(module).arg("-o").arg(module);
+    let flags = WASM_OPT_FLAGS.into_iter().filter(|flag| simd || *flag != "--enable-simd");
+    command.arg(tool).args(flags).arg(module).arg("-o").arg(module);
     run(command, "wasm-opt")
 }
 

@@ -7,6 +7,7 @@ pub mod build;
 #[cfg(feature = "offline")]
 mod residual;
 mod target_table;
+mod without_clips;
 
 #[cfg(feature = "offline")]
 pub use residual::residuals;

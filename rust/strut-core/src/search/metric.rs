@@ -36,7 +36,7 @@ pub(super) const LENGTH: usize = if MAX_WINDOW == WINDOW { WINDOW } else { ANY }
 pub(super) const ANY: usize = 0;
 
 /// Joints that count.
-pub(super) const POINTS: usize = 20;
+pub(super) const POINTS: usize = JOINT_WEIGHTS.len();
 /// Joints that count in the lower-body metric: the first of [`POINTS`].
 const LEG_POINTS: usize = 8;
 /// 4-float lanes of a frame's heights (and of x, and of z).
@@ -44,7 +44,7 @@ const LANES: usize = POINTS / 4;
 
 /// Relative weight of each joint: by size and visibility. The spine joint follows from hips and chest
 /// and is left out, which makes five whole lanes. Legs come first.
-const JOINT_WEIGHTS: [(Role, f32); POINTS] = [
+pub const JOINT_WEIGHTS: [(Role, f32); 20] = [
     (Role::LeftUpperLeg, 1.0),
     (Role::RightUpperLeg, 1.0),
     (Role::LeftLowerLeg, 1.5),

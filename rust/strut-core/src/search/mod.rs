@@ -11,7 +11,7 @@ mod metric;
 mod neighbours;
 mod path_bound;
 
-pub use metric::{MAX_WINDOW, Metric, QueryWindow, WINDOW};
+pub use metric::{JOINT_WEIGHTS, MAX_WINDOW, Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};
 
 use crate::database::Database;

@@ -175,6 +175,12 @@ impl Stylizer {
         }
     }
 
+    /// The degrees of freedom predicted for a style in the last frame, before styles are blended; `None` for a style
+    /// without weight.
+    pub fn predicted_row(&self, style: usize) -> Option<&PoseRow> {
+        self.styles.iter().find(|s| s.style == style).map(|s| &s.current)
+    }
+
     /// The options.
     pub fn options(&self) -> &Options {
         &self.options

@@ -1,0 +1,51 @@
+/** The engine compiled two ways, and what a yardstick must be able to do. */
+
+import * as scalar from "./pkg/scalar/strut_wasm.js";
+import * as simd from "./pkg/simd/strut_wasm.js";
+
+/** The generated bindings of the packages that `xtask bench` builds. */
+export type Glue = typeof simd;
+
+/** An open database, and a stream of frames. */
+export type Database = ReturnType<Glue["Database"]["fromBytes"]>;
+export type Stylizer = simd.Stylizer;
+
+/** The bindings of a package and the memory of its instance. */
+export interface Instance {
+  glue: Glue;
+  memory: WebAssembly.Memory;
+}
+
+/** One instance of each package. */
+export interface Instances {
+  simd: Instance;
+  scalar: Instance;
+}
+
+/** Finds neighbours and predicts a row from them, frame by frame, with no memory in between. */
+export interface Yardstick {
+  /**
+   * Finds the nearest windows of the classes from `fromClass` up to `toClass`.
+   * @param frames positions of the joints in the last five frames, 5 × 21 × 3
+   */
+  search(frames: Float32Array, fromClass: number, toClass: number): void;
+  /** The next row from xₜ, xₜ₋₁ and yₜ₋₁ and the neighbours found last; `delta` is the mixture's sharpness. */
+  predict(x: Float32Array, xBefore: Float32Array, yBefore: Float32Array, delta: number): Float32Array;
+  /** Rows of a class's neighbours, nearest first, … */
+  neighbours(label: number): ArrayLike<number>;
+  /** … and their distances, m². */
+  distances(label: number): ArrayLike<number>;
+}
+
+/** Loads both packages. @param compile makes a module of the file at an address */
+export async function loadInstances(compile: (url: URL) => Promise<WebAssembly.Module>): Promise<Instances> {
+  const modules = await Promise.all([
+    compile(new URL("./pkg/simd/strut_wasm_bg.wasm", import.meta.url)),
+    compile(new URL("./pkg/scalar/strut_wasm_bg.wasm", import.meta.url)),
+  ]);
+  return {
+    simd: { glue: simd, memory: simd.initSync({ module: modules[0] }).memory },
+    // Built from the same source: the types differ in nothing but where they were declared.
+    scalar: { glue: scalar as unknown as Glue, memory: scalar.initSync({ module: modules[1] }).memory },
+  };
+}

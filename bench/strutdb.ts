@@ -1,0 +1,48 @@
+/** The tensors of a `.strutdb` file, which is a safetensors file (`rust/strut-formats/src/strutdb/mod.rs`). */
+
+/** As much of a database as the yardstick needs. */
+export interface Tensors {
+  rateHz: number;
+  frames: number;
+  /** frames × `dofs` degrees of freedom. */
+  pose: Float32Array;
+  dofs: number;
+  /** frames × 21 × 3, heading-free, metres. */
+  pointCloud: Float32Array;
+  /** frames × styles × `counterpartsPerStyle` fractional rows, −1 where there is none. */
+  counterpart: Float32Array;
+  counterpartsPerStyle: number;
+  styles: string[];
+  clips: { action: string; style: string; frames: number; first_frame: number }[];
+}
+
+interface Entry {
+  shape: number[];
+  data_offsets: [number, number];
+}
+
+/** Reads a file that the engine has opened before, and so trusts it. */
+export function readStrutdb(bytes: Uint8Array): Tensors {
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
+  const headerLength = Number(view.getBigUint64(0, true));
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(8, 8 + headerLength)));
+  const info = JSON.parse(header.__metadata__.strut);
+  const floats = (name: string) => {
+    const [from, to] = (header[name] as Entry).data_offsets;
+    // Copied, as the offset in the file need not be a multiple of four.
+    const start = 8 + headerLength;
+    return new Float32Array(bytes.slice(start + from, start + to).buffer);
+  };
+  const [frames, dofs] = (header.pose as Entry).shape as [number, number];
+  return {
+    rateHz: info.rate_hz,
+    frames,
+    pose: floats("pose"),
+    dofs,
+    pointCloud: floats("point_cloud"),
+    counterpart: floats("counterpart"),
+    counterpartsPerStyle: (header.counterpart as Entry).shape[2]!,
+    styles: info.styles,
+    clips: info.clips,
+  };
+}

@@ -1,0 +1,103 @@
+/** A report for people. */
+import { ENGINES, type EngineName, MODES, type Report, speedUp } from "./report";
+
+/** Milliseconds of Table 2 of Xia et al. 2015 at 79,829 frames; the search ran on a graphics card. */
+export const PAPER_MS: Readonly<Record<string, number>> = {
+  frame: 18.1,
+  search: 7.31,
+  regression: 9.7,
+  footplant: 1.09,
+};
+
+/** A line of cells. */
+export type Cells = string[];
+
+const milliseconds = (ms: number) => (ms >= 100 ? ms.toFixed(0) : ms >= 10 ? ms.toFixed(1) : ms.toFixed(3));
+
+/** Stage × mode of one engine: a heading, then a line a stage with median and 95th percentile. */
+export function stageTable(report: Report, engine: EngineName | "native"): Cells[] {
+  const rows = report.rows.filter((row) => row.engine === engine);
+  const stages = [...new Set(rows.map((row) => row.stage))];
+  const cell = (stage: string, mode: string) => {
+    const row = rows.find((r) => r.stage === stage && r.mode === mode);
+    return row ? [milliseconds(row.median_ms), milliseconds(row.p95_ms)] : ["", ""];
+  };
+  return [
+    ["stage", ...MODES.flatMap((mode) => [mode, "p95"]), "paper"],
+    ...stages.map((stage) => [
+      stage,
+      ...MODES.flatMap((mode) => cell(stage, mode)),
+      stage in PAPER_MS ? String(PAPER_MS[stage]) : "",
+    ]),
+  ];
+}
+
+/** How many times faster than each yardstick the engine with SIMD is. */
+export function ratioTable(report: Report): Cells[] {
+  const yardsticks = ENGINES.filter((engine) => engine !== "wasm-simd");
+  const stages = ["frame", "search", "regression"];
+  return [
+    ["faster than", "stage", ...MODES],
+    ...yardsticks.flatMap((engine) =>
+      stages.map((stage) => [
+        engine,
+        stage,
+        ...MODES.map((mode) => `${speedUp(report, engine, mode, stage).toFixed(1)} ×`),
+      ]),
+    ),
+  ];
+}
+
+/** What the yardsticks have in common with the engine. */
+export function agreementTable(report: Report): Cells[] {
+  return [
+    ["yardstick", "mode", "neighbour sets", "identical", "tied", "largest difference"],
+    ...report.agreement.map((a) => [
+      a.engine,
+      a.mode,
+      String(a.neighbour_sets),
+      String(a.identical),
+      String(a.tied),
+      a.largest_difference.toExponential(1),
+    ]),
+  ];
+}
+
+/** Megabytes of WASM memory. */
+export function memoryTable(report: Report): Cells[] {
+  return [
+    ["memory, MB", "database open", "three styles"],
+    ...report.memory.map((m) => [m.engine, m.one_style_mb.toFixed(0), m.three_styles_mb.toFixed(0)]),
+  ];
+}
+
+/** Cells in columns, the first to the left, the others to the right. */
+export function aligned(table: Cells[]): string {
+  const widths = table[0]!.map((_, column) => Math.max(...table.map((line) => line[column]!.length)));
+  const pad = (cell: string, column: number) =>
+    column === 0 ? cell.padEnd(widths[0]!) : cell.padStart(widths[column]!);
+  return table.map((line) => line.map(pad).join("  ").trimEnd()).join("\n");
+}
+
+/** Cells as a table of Markdown. */
+export function markdown(table: Cells[]): string {
+  const [heading, ...lines] = table.map((line) => `| ${line.join(" | ")} |`);
+  const rule = `| --- |${" ---: |".repeat(table[0]!.length - 1)}`;
+  return [heading, rule, ...lines].join("\n");
+}
+
+/** Everything as plain text. */
+export function text(report: Report): string {
+  const { frames, classes } = report.rows[0]!;
+  const engines = ENGINES.flatMap((engine) => [`\n${engine}, milliseconds`, aligned(stageTable(report, engine))]);
+  return [
+    `${report.machine}: ${frames} frames, ${classes} classes`,
+    ...engines,
+    "\nwasm-simd is",
+    aligned(ratioTable(report)),
+    "",
+    aligned(agreementTable(report)),
+    "",
+    aligned(memoryTable(report)),
+  ].join("\n");
+}

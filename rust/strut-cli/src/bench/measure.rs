@@ -1,0 +1,175 @@
+//! The engine under a stop-watch.
+
+use serde::Serialize;
+use std::sync::Arc;
+use std::time::Instant;
+use strut_core::transfer::{Model, Options, Stage, StageClock, Stylizer};
+use strut_demo::benchmark::Query;
+
+/// What the engine is told of the input, and how many classes take part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    /// Action and style of the input are known: one class.
+    Labelled,
+    /// Nothing is known; classes that cannot matter are passed over.
+    Unlabelled,
+    /// Nothing is known; every class takes part.
+    All,
+}
+
+impl Mode {
+    pub(crate) const ALL: [Self; 3] = [Self::Labelled, Self::Unlabelled, Self::All];
+
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Labelled => "labelled",
+            Self::Unlabelled => "unlabelled",
+            Self::All => "all",
+        }
+    }
+
+    fn options(self, query: &Query) -> Options {
+        match self {
+            Self::Labelled => {
+                Options { action: Some(query.action), input_style: Some(query.style), ..Options::DEFAULT }
+            }
+            Self::Unlabelled => Options::DEFAULT,
+            // So flat a mixture that no class's share is negligible.
+            Self::All => Options { delta: 100.0, ..Options::DEFAULT },
+        }
+    }
+}
+
+/// One line of the report: a stage's times over all frames.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Row {
+    pub(crate) stage: &'static str,
+    pub(crate) mode: &'static str,
+    engine: &'static str,
+    frames: usize,
+    classes: usize,
+    pub(crate) median_ms: f64,
+    pub(crate) p95_ms: f64,
+}
+
+impl Row {
+    pub(crate) fn new(
+        stage: &'static str,
+        mode: &'static str,
+        frames: usize,
+        classes: usize,
+        mut samples_ms: Vec<f64>,
+    ) -> Self {
+        samples_ms.sort_by(f64::total_cmp);
+        let [median_ms, p95_ms] = [0.5, 0.95].map(|share| percentile(&samples_ms, share));
+        Self { stage, mode, engine: "native", frames, classes, median_ms, p95_ms }
+    }
+}
+
+/// The value that this share of the samples does not exceed; NaN without samples.
+fn percentile(sorted: &[f64], share: f64) -> f64 {
+    let rank = (share * sorted.len() as f64).ceil() as usize;
+    sorted.get(rank.max(1) - 1).copied().unwrap_or(f64::NAN)
+}
+
+/// Frames of every query that are measured.
+const FRAMES_OF_QUERY: usize = 80;
+/// Frames at the beginning of a query that are not: the search has no frame before to learn from.
+const WARM_UP: usize = 20;
+/// Frames between two at which a search starts cold.
+const COLD_STRIDE: usize = 20;
+
+/// The times of one mode over several queries.
+pub(crate) struct Run<'a> {
+    model: &'a Arc<Model>,
+    mode: Mode,
+    frame: Vec<f64>,
+    stages: [Vec<f64>; Stage::ALL.len()],
+    cold_search: Vec<f64>,
+}
+
+impl<'a> Run<'a> {
+    pub(crate) fn new(model: &'a Arc<Model>, mode: Mode) -> Self {
+        Self { model, mode, frame: Vec::new(), stages: Default::default(), cold_search: Vec::new() }
+    }
+
+    /// Styles a query: once for the whole frames, once with a look at every stage, and here and there from a
+    /// cold start. The target is the neutral style, as good as any.
+    pub(crate) fn add(&mut self, query: &Query) {
+        let Ok(stylizer) = Stylizer::new(Arc::clone(self.model), self.mode.options(query)) else {
+            return; // No class has these labels.
+        };
+        let poses = &query.motion.poses[..query.motion.poses.len().min(WARM_UP + FRAMES_OF_QUERY)];
+        let mut whole = stylizer.clone();
+        for (i, pose) in poses.iter().enumerate() {
+            let started = Instant::now();
+            whole.push(pose);
+            if i >= WARM_UP {
+                self.frame.push(ms_since(started));
+            }
+        }
+        let mut staged = stylizer.clone();
+        for (i, pose) in poses.iter().enumerate() {
+            let mut clock = StopWatch::default();
+            staged.push_timed(pose, &mut clock);
+            if i >= WARM_UP {
+                self.stages.iter_mut().zip(clock.stages_ms).for_each(|(all, ms)| all.push(ms));
+            }
+        }
+        for pose in poses.iter().step_by(COLD_STRIDE) {
+            let mut clock = StopWatch::default();
+            stylizer.clone().push_timed(pose, &mut clock);
+            self.cold_search.push(clock.stages_ms[Stage::Search as usize]);
+        }
+    }
+
+    /// One row for the frame, the stages and the cold start.
+    pub(crate) fn rows(self) -> Vec<Row> {
+        let db = self.model.database();
+        let row = |stage, samples| Row::new(stage, self.mode.name(), db.frames(), db.classes().len(), samples);
+        let stages = Stage::ALL.into_iter().map(Stage::name).zip(self.stages);
+        let rows = [("frame", self.frame)].into_iter().chain(stages).chain([("cold search", self.cold_search)]);
+        rows.filter(|(_, samples)| !samples.is_empty()).map(|(stage, samples)| row(stage, samples)).collect()
+    }
+}
+
+/// Milliseconds of every stage of one frame.
+struct StopWatch {
+    last: Instant,
+    stages_ms: [f64; Stage::ALL.len()],
+}
+
+impl Default for StopWatch {
+    fn default() -> Self {
+        Self { last: Instant::now(), stages_ms: [0.0; Stage::ALL.len()] }
+    }
+}
+
+impl StageClock for StopWatch {
+    fn start(&mut self) {
+        self.last = Instant::now();
+    }
+
+    fn end(&mut self, stage: Stage) {
+        let now = Instant::now();
+        self.stages_ms[stage as usize] = (now - self.last).as_secs_f64() * 1e3;
+        self.last = now;
+    }
+}
+
+fn ms_since(started: Instant) -> f64 {
+    started.elapsed().as_secs_f64() * 1e3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_hold_the_median_and_the_95th_percentile() {
+        let row = Row::new("frame", "all", 1, 1, (1..=100).rev().map(f64::from).collect());
+        assert_eq!((row.median_ms, row.p95_ms), (50.0, 95.0));
+        assert_eq!(Row::new("open", "all", 1, 1, vec![7.0]).p95_ms, 7.0);
+        assert!(Row::new("open", "all", 1, 1, vec![]).median_ms.is_nan());
+    }
+}

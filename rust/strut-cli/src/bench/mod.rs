@@ -1,0 +1,106 @@
+//! `strut bench`: how long the engine takes for a frame, stage by stage.
+
+mod measure;
+mod table;
+
+use crate::clip::read_database;
+use crate::failure::{Failure, Outcome};
+use crate::files::{Outputs, print};
+use crate::progress::Bar;
+use measure::{Mode, Row, Run};
+use serde::Serialize;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Instant;
+use strut_core::database::{Database, MAX_FRAMES};
+use strut_core::transfer::Model;
+use strut_demo::benchmark::{self, LEAST_FRAMES, PAPER_FRAMES, Query};
+use strut_formats::strutdb;
+
+/// Measure how long a frame takes
+///
+/// Styles motion that the database does not hold, on one thread, and prints the median and the 95th percentile of
+/// every stage beside the figures of the paper's Table 2.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// A database to measure on; some of its clips are taken out of it and styled
+    #[arg(long, value_name = "DB", conflicts_with = "frames")]
+    db: Option<PathBuf>,
+    /// Frames of the procedural databases to measure on instead, one after the other
+    #[arg(long, value_name = "N[,N…]", value_delimiter = ',', default_values_t = [PAPER_FRAMES])]
+    frames: Vec<usize>,
+    /// Write the figures to this file
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// What `--json` writes; `npm run bench` writes the same.
+#[derive(Serialize)]
+struct Report {
+    machine: String,
+    rows: Vec<Row>,
+}
+
+/// Most frames whose database is also written and opened: more would not fit beside their own file.
+const MOST_TO_OPEN: usize = 500_000;
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    Outputs::check(args.json.as_deref())?;
+    let wrong = args.frames.iter().find(|n| !(LEAST_FRAMES..=MAX_FRAMES).contains(n));
+    if let Some(n) = wrong {
+        return Err(Failure::usage(format!("--frames is {n}; {LEAST_FRAMES} to {MAX_FRAMES} was expected")));
+    }
+    let mut report = Report { machine: machine(), rows: Vec::new() };
+    print(&format!("{}, one thread\n", report.machine));
+    if let Some(path) = &args.db {
+        let (database, queries) =
+            benchmark::hold_out(&read_database(path)?).map_err(|reason| Failure::in_file(path, reason))?;
+        measure_on(database, &queries, &mut report.rows);
+    } else {
+        let queries = benchmark::queries();
+        for &frames in &args.frames {
+            measure_on(benchmark::database(frames).map_err(Failure::new)?, &queries, &mut report.rows);
+        }
+    }
+    let mut outputs = Outputs::default();
+    if let Some(path) = &args.json {
+        outputs.stage(path, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
+    }
+    outputs.commit()
+}
+
+/// Measures on a database, prints the table and adds its rows.
+fn measure_on(database: Database, queries: &[Query], rows: &mut Vec<Row>) {
+    let first = rows.len();
+    let file = (database.frames() <= MOST_TO_OPEN).then(|| strutdb::write(&database, crate::GENERATOR));
+    // Opened from its file where there is one, so that what is measured is what was opened.
+    let started = Instant::now();
+    let database = file.and_then(|bytes| strutdb::read(&bytes).ok()).unwrap_or(database);
+    let (frames, classes) = (database.frames(), database.classes().len());
+    let model = Arc::new(Model::new(Arc::new(database)));
+    let opened_ms = started.elapsed().as_secs_f64() * 1e3;
+    if frames <= MOST_TO_OPEN {
+        rows.push(Row::new("open", "all", frames, classes, vec![opened_ms]));
+    }
+    let bar = Bar::new("measuring", Mode::ALL.len() * queries.len());
+    for mode in Mode::ALL {
+        let mut run = Run::new(&model, mode);
+        for query in queries {
+            run.add(query);
+            bar.step();
+        }
+        rows.extend(run.rows());
+    }
+    drop(bar);
+    print(&table::text(&rows[first..], frames, classes));
+}
+
+/// Name of the processor and number of its threads.
+fn machine() -> String {
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let cpu = std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| {
+        let line = text.lines().find(|l| l.starts_with("model name"))?;
+        Some(line.split_once(':')?.1.trim().to_owned())
+    });
+    format!("{}, {threads} threads, {}", cpu.unwrap_or_else(|| std::env::consts::ARCH.into()), std::env::consts::OS)
+}

@@ -1,0 +1,34 @@
+//! The figures for people, beside the paper's.
+
+use super::measure::{Mode, Row};
+use std::fmt::Write;
+
+/// Milliseconds of Table 2 of Xia et al. 2015, at 79,829 frames; the search ran on a graphics card. Its
+/// post-processing is what we call footplant.
+const PAPER_MS: [(&str, f64); 4] = [("frame", 18.1), ("search", 7.31), ("regression", 9.7), ("footplant", 1.09)];
+
+/// A line a stage, median and 95th percentile in every mode.
+pub(super) fn text(rows: &[Row], frames: usize, classes: usize) -> String {
+    let mut out = format!("\n{frames} frames, {classes} classes; milliseconds, median and 95th percentile\n\n");
+    let mut line = |stage: &str, cells: [String; 3], paper: &str| {
+        let cells = cells.map(|cell| format!("{cell:>17}")).concat();
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "{stage:<13}{cells}{paper:>9}");
+    };
+    line("", Mode::ALL.map(|mode| mode.name().to_owned()), "paper");
+    let mut stages: Vec<&str> = Vec::new();
+    for row in rows {
+        if !stages.contains(&row.stage) {
+            stages.push(row.stage);
+        }
+    }
+    for stage in stages {
+        let cells = Mode::ALL.map(|mode| {
+            let row = rows.iter().find(|r| r.stage == stage && r.mode == mode.name());
+            row.map_or(String::new(), |r| format!("{:.4} {:8.4}", r.median_ms, r.p95_ms))
+        });
+        let paper = PAPER_MS.iter().find(|(name, _)| *name == stage).map_or(String::new(), |(_, ms)| ms.to_string());
+        line(stage, cells, &paper);
+    }
+    out
+}

@@ -1,0 +1,65 @@
+//! A database less some of its clips: what is held out for evaluation or measurement.
+
+use super::{Clip, Database, DatabaseError, DatabaseParts};
+use crate::humanoid::HumanoidMotion;
+use crate::pose_vector::{HEADING_RATE, Placement};
+
+impl Database {
+    /// The database without the clips of these indices; counterparts in them are lost.
+    ///
+    /// # Errors
+    /// If no clip is left.
+    pub fn without_clips(&self, indices: &[usize]) -> Result<Self, DatabaseError> {
+        let kept: Vec<&Clip> =
+            self.clips.iter().enumerate().filter(|(i, _)| !indices.contains(i)).map(|(_, c)| c).collect();
+        let mut parts = DatabaseParts {
+            clips: Vec::with_capacity(kept.len()),
+            pose: Vec::new(),
+            point_cloud: Vec::new(),
+            canonical_time: Vec::new(),
+            time_step: Vec::new(),
+            contact: Vec::new(),
+            counterpart: Vec::new(),
+            actions: self.actions.clone(),
+            styles: self.styles.clone(),
+            ..self.parts
+        };
+        for clip in &kept {
+            parts.clips.push(Clip { first_frame: parts.pose.len(), ..(*clip).clone() });
+            parts.pose.extend_from_slice(&self.pose[clip.rows()]);
+            parts.point_cloud.extend_from_slice(&self.point_cloud[clip.rows()]);
+            parts.canonical_time.extend_from_slice(&self.canonical_time[clip.rows()]);
+            parts.time_step.extend_from_slice(&self.time_step[clip.rows()]);
+            parts.contact.extend_from_slice(&self.contact[clip.rows()]);
+        }
+        let moved = |at: f32| {
+            let new = kept.iter().position(|c| c.rows().contains(&(at as usize)))?;
+            let (from, to) = (kept[new].first_frame, parts.clips[new].first_frame);
+            // A row number between two clips would be interpolated with a stranger.
+            Some((to as f32 + (at - from as f32)).min((to + kept[new].frames - 1) as f32))
+        };
+        for row in kept.iter().flat_map(|c| c.rows()) {
+            for style in 0..self.styles.len() as u16 {
+                let end = parts.counterpart.len() + self.counterparts_per_style;
+                parts.counterpart.extend(self.counterparts(row, style).filter_map(moved));
+                parts.counterpart.resize(end, -1.0);
+            }
+        }
+        Self::new(parts)
+    }
+
+    /// A clip as motion, beginning above the origin towards +Z.
+    ///
+    /// # Panics
+    /// If there is no such clip.
+    pub fn motion_of_clip(&self, clip: usize) -> HumanoidMotion {
+        let dt = 1.0 / self.rate_hz;
+        let mut at: Option<Placement> = None;
+        let poses = self.pose[self.clips[clip].rows()].iter().map(|row| {
+            let place = at.map_or(Placement::default(), |at| at.advanced(row, dt, row[HEADING_RATE] * dt));
+            at = Some(place);
+            self.chart.decode(row, place)
+        });
+        HumanoidMotion { proportions: self.proportions, rate_hz: self.rate_hz, poses: poses.collect() }
+    }
+}

@@ -1,0 +1,140 @@
+//! What `npm run bench` and `bench.html` need beside the engine: motion to work on, a look at the stages of a frame,
+//! and a yardstick. Visitors need not download it.
+
+mod naive;
+mod workload;
+
+pub use naive::Naive;
+pub use workload::Workload;
+
+use crate::database::Database;
+use crate::error::EngineError;
+use crate::poses::poses_of;
+use crate::stylizer::Stylizer;
+use strut_core::kinematics::world_from_local;
+use strut_core::math::Vec3;
+use strut_core::pose_vector::{HeadingFilter, Placement, point_cloud};
+use strut_core::search::{JOINT_WEIGHTS, Metric, Neighbours, QueryWindow, Scratch};
+use strut_core::transfer::{Options, Stage, StageClock};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen]
+extern "C" {
+    /// Milliseconds of JavaScript's clock; the core has none.
+    #[wasm_bindgen(js_namespace = performance)]
+    fn now() -> f64;
+}
+
+/// Milliseconds of every stage, summed over frames.
+#[derive(Default)]
+struct StopWatch {
+    last: f64,
+    stages_ms: [f64; Stage::ALL.len()],
+}
+
+impl StageClock for StopWatch {
+    fn start(&mut self) {
+        self.last = now();
+    }
+
+    fn end(&mut self, stage: Stage) {
+        let end = now();
+        self.stages_ms[stage as usize] += end - self.last;
+        self.last = end;
+    }
+}
+
+/// Names of the stages in the order of [`Stylizer::push_timed`].
+#[wasm_bindgen(js_name = stageNames)]
+pub fn stage_names() -> Vec<String> {
+    Stage::ALL.into_iter().map(|stage| stage.name().to_owned()).collect()
+}
+
+/// For every joint its weight in the full-body metric; 0 for one that does not count. The sum is arbitrary.
+#[wasm_bindgen(js_name = jointWeights)]
+pub fn joint_weights() -> Vec<f32> {
+    let mut weights = vec![0.0; strut_core::humanoid::JOINTS];
+    for (role, weight) in JOINT_WEIGHTS {
+        weights[role.index()] = weight;
+    }
+    weights
+}
+
+/// The poses as a database's degrees of freedom, a row after the other, and …
+///
+/// # Errors
+/// If the array is not a whole number of poses.
+#[wasm_bindgen(js_name = rowsOf)]
+pub fn rows_of(database: &Database, poses: &[f32]) -> Result<Vec<f32>, EngineError> {
+    let db = database.model().database();
+    let dt = 1.0 / db.rate_hz;
+    let (mut filter, mut previous) = (HeadingFilter::default(), None);
+    let row = |pose: strut_core::humanoid::Pose| {
+        let heading = filter.update(&world_from_local(&db.proportions, &pose), dt);
+        let row = db.chart.encode(&pose, heading, previous, dt);
+        previous = Some(Placement { x: pose.root.x, z: pose.root.z, heading });
+        row
+    };
+    Ok(poses_of(poses)?.flat_map(row).collect())
+}
+
+/// … as positions of the joints in the world, metres.
+///
+/// # Errors
+/// If the array is not a whole number of poses.
+#[wasm_bindgen(js_name = positionsOf)]
+pub fn positions_of(database: &Database, poses: &[f32]) -> Result<Vec<f32>, EngineError> {
+    let proportions = &database.model().database().proportions;
+    let positions = |pose| world_from_local(proportions, &pose).positions;
+    Ok(poses_of(poses)?.flat_map(positions).flat_map(|p: Vec3| p.to_array()).collect())
+}
+
+#[wasm_bindgen]
+impl Stylizer {
+    /// Says which class the input is of; −1 for what is not known. The stream goes on.
+    ///
+    /// # Errors
+    /// If the database has no such class.
+    #[wasm_bindgen(js_name = setLabels)]
+    pub fn set_labels(&mut self, action: i32, input_style: i32) -> Result<(), EngineError> {
+        let [action, input_style] = [action, input_style].map(|label| u16::try_from(label).ok());
+        let options = Options { action, input_style, ..*self.core().options() };
+        self.core_mut().set_options(options).map_err(EngineError::bad_input)
+    }
+
+    /// [`Stylizer::push`] with a clock: milliseconds of each stage over all poses.
+    ///
+    /// # Errors
+    /// If the array is not a whole number of poses.
+    #[wasm_bindgen(js_name = pushTimed)]
+    pub fn push_timed(&mut self, poses: &[f32]) -> Result<Vec<f64>, EngineError> {
+        let mut clock = StopWatch::default();
+        for pose in poses_of(poses)? {
+            self.core_mut().push_timed(&pose, &mut clock);
+        }
+        Ok(clock.stages_ms.to_vec())
+    }
+
+    /// What was predicted for a style in the last frame: its degrees of freedom; empty if it has no weight.
+    pub fn predicted(&self, style: usize) -> Vec<f32> {
+        self.core().predicted_row(style).map(|row| row.to_vec()).unwrap_or_default()
+    }
+
+    /// The rows of a class that the search finds from a cold start for the last of these poses, nearest first.
+    ///
+    /// # Errors
+    /// If the array is not a whole number of poses.
+    #[wasm_bindgen(js_name = neighboursIn)]
+    pub fn neighbours_in(&self, class: usize, k: usize, poses: &[f32]) -> Result<Vec<u32>, EngineError> {
+        let (db, index) = (self.core().model().database(), self.core().model().index());
+        let (mut window, mut filter) = (QueryWindow::new(index.window_length()), HeadingFilter::default());
+        for pose in poses_of(poses)? {
+            let heading = filter.update(&world_from_local(&db.proportions, &pose), 1.0 / db.rate_hz);
+            let at = Placement { x: pose.root.x, z: pose.root.z, heading };
+            window.push(&point_cloud(&db.proportions, &pose, heading), at);
+        }
+        let (mut scratch, mut found) = (Scratch::default(), Neighbours::default());
+        index.query_classes(&window, Metric::FullBody, &[class], k, &mut scratch, &mut found);
+        Ok(found.as_slice().iter().map(|n| n.row).collect())
+    }
+}

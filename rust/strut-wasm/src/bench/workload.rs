@@ -1,0 +1,63 @@
+//! Handle of a database and of motion that it does not hold.
+
+use crate::error::EngineError;
+use crate::poses::floats_of;
+use strut_core::database::Database;
+use strut_demo::benchmark::{self, Query};
+use strut_formats::strutdb;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// What is measured on.
+#[wasm_bindgen]
+pub struct Workload {
+    database: Database,
+    queries: Vec<Query>,
+}
+
+#[wasm_bindgen]
+impl Workload {
+    /// The procedural database of so many frames.
+    ///
+    /// # Errors
+    /// None.
+    pub fn procedural(frames: usize) -> Result<Self, EngineError> {
+        let database = benchmark::database(frames).map_err(EngineError::bad_input)?;
+        Ok(Self { database, queries: benchmark::queries() })
+    }
+
+    /// A `.strutdb` file, some clips of which become the queries.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes.
+    #[wasm_bindgen(js_name = heldOutOf)]
+    pub fn held_out_of(bytes: &[u8]) -> Result<Self, EngineError> {
+        let whole = strutdb::read(bytes).map_err(|e| EngineError::bad_file(e, ""))?;
+        let (database, queries) = benchmark::hold_out(&whole).map_err(EngineError::bad_input)?;
+        Ok(Self { database, queries })
+    }
+
+    /// The database as a `.strutdb` file.
+    pub fn database(&self) -> Vec<u8> {
+        strutdb::write(&self.database, concat!("strut ", env!("CARGO_PKG_VERSION")))
+    }
+
+    /// Number of queries.
+    pub fn queries(&self) -> usize {
+        self.queries.len()
+    }
+
+    /// Index of a query's action.
+    pub fn action(&self, query: usize) -> u16 {
+        self.queries[query].action
+    }
+
+    /// Index of a query's style.
+    pub fn style(&self, query: usize) -> u16 {
+        self.queries[query].style
+    }
+
+    /// A query's poses.
+    pub fn poses(&self, query: usize) -> Vec<f32> {
+        floats_of(self.queries[query].motion.poses.iter())
+    }
+}
