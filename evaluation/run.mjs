@@ -97,7 +97,7 @@ await main(async () => {
   const strut = join(root, "rust", "target", "release", "strut");
   await mkdir(results, { recursive: true });
   await mkdir(pictures, { recursive: true });
-  await run(strut, ["demo-db", "-o", file("demo-motions", "strutdb"), "--bvh", demo]);
+  await run(strut, ["demo-db", "--page", "-o", file("demo-motions", "strutdb"), "--bvh", demo]);
   for (const experiment of experiments) {
     const asked = wanted.includes(experiment.id) || (wanted.length === 0 && fresh);
     if (asked || (wanted.length === 0 && !(await isDone(experiment, places))))

@@ -17,7 +17,7 @@ const pairs: { name: string; input: string; output: string }[] = [];
 
 beforeAll(() => {
   const db = join(folder, "demo.strutdb");
-  execFileSync(strut, ["demo-db", "-o", db, "--bvh", join(folder, "demo")]);
+  execFileSync(strut, ["demo-db", "--page", "-o", db, "--bvh", join(folder, "demo")]);
   const demo = readdirSync(join(folder, "demo")).filter((file) => file.includes("neutral"));
   const inputs = [
     join(folder, "demo", demo[0]!),

@@ -16,16 +16,19 @@ pub(crate) struct Args {
     /// Also write the clips as BVH files named {action}_{style}_{take}.bvh into this folder
     #[arg(long, value_name = "DIR")]
     bvh: Option<PathBuf>,
+    /// The smaller set at 60 Hz that the page generates: walking and running
+    #[arg(long)]
+    page: bool,
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([args.output.as_path()])?;
-    let db = strut_demo::database().map_err(Failure::new)?;
+    let db = if args.page { strut_demo::database() } else { strut_demo::full_database() }.map_err(Failure::new)?;
     let mut outputs = Outputs::default();
     let mut clips = 0;
     if let Some(folder) = &args.bvh {
         std::fs::create_dir_all(folder).map_err(|e| Failure::in_file(folder, files::reason(&e)))?;
-        for clip in strut_demo::clips() {
+        for clip in if args.page { strut_demo::clips() } else { strut_demo::full_clips() } {
             let path = folder.join(format!("{}_{}_{:03}.bvh", clip.action, clip.style, clip.take));
             let file = Bvh::from_humanoid(&clip.motion).map_err(|e| Failure::in_file(&path, e))?;
             outputs.stage(&path, bvh::write(&file).as_bytes())?;

@@ -30,7 +30,10 @@ fn stylize(folder: &Path, style: &str, more: &[&str]) -> bvh::Bvh {
 fn the_built_in_database_is_written_and_can_be_built_from_its_own_files() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    assert!(strut_ok(at, &["demo-db", "-o", "demo.strutdb", "--bvh", "clips"]).contains("styles angry, childlike"));
+    assert!(
+        strut_ok(at, &["demo-db", "--page", "-o", "demo.strutdb", "--bvh", "clips"])
+            .contains("styles angry, childlike")
+    );
     let clips = names(&at.join("clips")).len();
     assert_eq!(clips, strut_demo::clips().len());
     // Two styles suffice.

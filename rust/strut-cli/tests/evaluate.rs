@@ -10,7 +10,7 @@ use std::path::Path;
 /// A folder with the built-in motions as BVH files, in `bvh`.
 fn demo() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    strut_ok(folder.path(), &["demo-db", "-o", "demo.strutdb", "--bvh", "bvh"]);
+    strut_ok(folder.path(), &["demo-db", "--page", "-o", "demo.strutdb", "--bvh", "bvh"]);
     folder
 }
 

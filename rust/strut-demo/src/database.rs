@@ -1,4 +1,4 @@
-//! The built-in database and the page's inputs.
+//! The page's database and its inputs.
 
 use crate::perform::{Performance, perform};
 use crate::script::{INPUT_TAKES, RUN_TAKES, Script, WALK_TAKES};
@@ -22,41 +22,57 @@ pub struct NamedMotion {
     pub motion: HumanoidMotion,
 }
 
-/// Every take of the built-in database in every style, with its exact correspondence: as input of
+/// Every take of the page's database in every style, with its exact correspondence: as input of
 /// [`build::build`], or to be written to files.
 pub fn clips() -> Vec<SourceClip> {
     let takes = || (1..).zip(&WALK_TAKES).chain((1..).zip(&RUN_TAKES));
-    STYLES.iter().flat_map(|style| takes().map(move |(take, script)| clip(style, take, script))).collect()
+    STYLES.iter().flat_map(|style| takes().map(move |(take, script)| gait_clip(style, take, script, RATE_HZ))).collect()
 }
 
-fn clip(style: &Style, take: u32, script: &Script) -> SourceClip {
-    let Performance { motion, phase, .. } = perform(script, style, &Proportions::default(), RATE_HZ);
+/// A script performed in a style.
+pub(crate) fn gait_clip(style: &Style, take: u32, script: &Script, rate_hz: f32) -> SourceClip {
     // Script time counts seconds of the neutral style at its preferred speed: two steps a stride.
     let secs_per_stride = 120.0 / script.action.style(&STYLES[0]).cadence;
-    let time = phase.iter().map(|p| p * secs_per_stride).collect();
+    let performance = perform(script, style, &Proportions::default(), rate_hz);
+    source_clip([script.action.name(), script.name, style.name], take, performance, |phase| phase * secs_per_stride)
+}
+
+/// A performance as input of a database, with the time that all styles share at its phases. The names are those of
+/// action, take and style.
+pub(crate) fn source_clip(
+    [action, name, style]: [&str; 3],
+    take: u32,
+    performance: Performance,
+    script_secs: impl Fn(f32) -> f32,
+) -> SourceClip {
+    let Performance { motion, phase, .. } = performance;
     SourceClip {
-        name: format!("{}-{}_{}", script.action.name(), script.name, style.name),
-        action: script.action.name().into(),
-        style: style.name.into(),
+        name: format!("{action}-{name}_{style}"),
+        action: action.into(),
+        style: style.into(),
         take,
         motion,
         source: "procedural, strut-demo".into(),
         licence: env!("CARGO_PKG_LICENSE").into(),
-        script: Some(build::Script { id: take, time }),
+        script: Some(build::Script { id: take, time: phase.into_iter().map(script_secs).collect() }),
     }
 }
 
-/// The built-in database: every style of [`STYLES`], neutral among them, with one counterpart a style.
+/// The page's database: every style of [`STYLES`], neutral among them, with one counterpart a style.
 ///
 /// # Errors
 /// Never for the clips that this crate makes; the error is passed on so that the caller need not panic.
 pub fn database() -> Result<Database, BuildError> {
+    build(&clips(), RATE_HZ)
+}
+
+pub(crate) fn build(clips: &[SourceClip], rate_hz: f32) -> Result<Database, BuildError> {
     let options = BuildOptions {
-        rate_hz: RATE_HZ,
+        rate_hz,
         neutral: Some(STYLES[0].name.into()),
         registration: registration::Options { counterparts: 1, ..registration::Options::default() },
     };
-    let (database, _) = build::build(&clips(), &options, &Sequential, &mut |_| ControlFlow::Continue(()))?;
+    let (database, _) = build::build(clips, &options, &Sequential, &mut |_| ControlFlow::Continue(()))?;
     Ok(database)
 }
 

@@ -20,8 +20,8 @@ const HEEL_BEHIND_ANKLE: f32 = 0.058;
 /// Ahead of the toe joint, the point of the sole that leaves the ground last.
 const TIP_AHEAD_OF_TOES: f32 = 0.060;
 
-/// Share of the stance after which the foot is flat: at 10 % of a walking cycle.
-const FLAT_AFTER: f32 = 0.164;
+/// Greatest deceleration of a foot before it strikes, m/s².
+const HARDEST_BRAKING: f32 = 75.0;
 /// Scales t³(1 − t)⁸, greatest a little after a quarter of the swing, to a height of 1.
 const EARLY_ARCH: f32 = 629.848;
 /// Scales t³(1 − t)³ to a height of 1.
@@ -61,7 +61,7 @@ pub(crate) struct Feet<'a> {
 
 /// Points of the foot in its own frame, from the ankle, in the flat foot.
 #[derive(Clone, Copy, Debug)]
-struct FootGeometry {
+pub(crate) struct FootGeometry {
     ankle_height: f32,
     heel: Vec3,
     ball: Vec3,
@@ -69,7 +69,7 @@ struct FootGeometry {
 }
 
 impl FootGeometry {
-    fn of(proportions: &Proportions) -> Self {
+    pub(crate) fn of(proportions: &Proportions) -> Self {
         let at = |r: Role| proportions.offsets[r.index()];
         let leg =
             [Role::Hips, Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot].iter().map(|&r| at(r).y).sum::<f32>();
@@ -84,7 +84,7 @@ impl FootGeometry {
 
     /// The ankle of a foot on the ground, from the ankle's projection in the flat foot, in the frame of the
     /// footprint. Pitches in radians, toes up; whichever point carries the foot stays where it is.
-    fn ankle_on_ground(&self, foot_pitch: f32, toe_pitch: f32) -> Vec3 {
+    pub(crate) fn ankle_on_ground(&self, foot_pitch: f32, toe_pitch: f32) -> Vec3 {
         let flat = Vec3::new(0.0, self.ankle_height, 0.0);
         if foot_pitch >= 0.0 {
             return flat + self.heel - pitched(foot_pitch) * self.heel;
@@ -96,7 +96,7 @@ impl FootGeometry {
 }
 
 /// Rotation that lifts the toes by an angle.
-fn pitched(angle: f32) -> Quat {
+pub(crate) fn pitched(angle: f32) -> Quat {
     Quat::from_rotation_x(-angle)
 }
 
@@ -137,7 +137,7 @@ impl<'a> Feet<'a> {
         };
         let foot = Quat::from_rotation_y(heading) * pitched(foot_pitch);
         let swung = (cycle - self.style.duty) / (1.0 - self.style.duty);
-        let freedom = smooth_step(0.0, 0.3, swung) - smooth_step(0.86, 1.0, swung);
+        let freedom = smooth_step(0.0, 0.3, swung) - smooth_step(0.75, 1.0, swung);
         FootPose { ankle, foot, toes: pitched(toe_pitch - foot_pitch), planted, cycle, heading, freedom }
     }
 
@@ -164,15 +164,17 @@ impl<'a> Feet<'a> {
                 * Vec3::Z
                 * (strides * self.path.stride_length(phase) * length * length)
         };
-        start.acceleration += impulse(from, self.mechanics.push_off_acceleration);
-        end.acceleration -= impulse(to, self.mechanics.strike_deceleration);
+        let strides_per_sec = self.style.cadence / 120.0 * stretch(self.script.speed(phase));
+        let hardest = HARDEST_BRAKING / (self.path.stride_length(phase) * strides_per_sec * strides_per_sec);
+        start.acceleration += impulse(from, self.mechanics.push_off_acceleration.min(0.55 * hardest));
+        end.acceleration -= impulse(to, self.mechanics.strike_deceleration.min(hardest));
 
         let mut ankle = Jet::quintic(&start, &end, t);
         let rest = 1.0 - t;
         let early = t * t * t * (rest * rest) * (rest * rest) * (rest * rest) * (rest * rest) * EARLY_ARCH;
         let middle = t * t * t * rest * rest * rest * MIDDLE_ARCH;
         let push_off = self.style.push_off_pitch / 60.0;
-        let vigour = push_off * push_off * stretch(self.script.speed(phase));
+        let vigour = push_off * push_off;
         ankle.y += self.mechanics.fold * vigour * early + (self.mechanics.clearance + self.style.foot_lift) * middle;
         let turn = smooth_step(0.0, 1.0, t);
         (ankle, from.heading + (to.heading - from.heading) * turn)
@@ -187,22 +189,22 @@ fn on_print(print: &Footprint, local: Vec3) -> Vec3 {
 /// leave, and trailing in swing.
 fn foot_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
     let swing = |share: f32| s.duty + share * (1.0 - s.duty);
-    let flat = FLAT_AFTER * s.duty;
+    let flat = m.flat_after * s.duty;
     let rise = |share: f32| s.heel_off + share * (s.duty - s.heel_off);
     let [a, b, c] = m.trailing_foot.map(|(share, pitch)| (swing(share), pitch * s.push_off_pitch));
     PeriodicCurve::through(
         &[
             (0.0, s.strike_pitch),
-            (0.5 * flat, 0.38 * s.strike_pitch),
+            (0.5 * flat, m.landing * s.strike_pitch),
             (flat, 0.0),
             (s.heel_off, 0.0),
-            (rise(0.35), -0.16 * s.push_off_pitch),
-            (rise(0.62), -0.45 * s.push_off_pitch),
+            (rise(0.35), -m.heel_rise[0] * s.push_off_pitch),
+            (rise(0.62), -m.heel_rise[1] * s.push_off_pitch),
             (s.duty, -s.push_off_pitch),
             a,
             b,
             c,
-            (swing(0.90), 1.08 * s.strike_pitch),
+            (swing(0.90), m.poise * s.strike_pitch),
         ],
         0.010,
     )
@@ -212,7 +214,7 @@ fn foot_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
 /// the strike. The toe joint bends most at push-off (Perry & Burnfield 2010).
 fn toe_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
     let swing = |share: f32| s.duty + share * (1.0 - s.duty);
-    let flat = 0.9 * FLAT_AFTER * s.duty;
+    let flat = 0.9 * m.flat_after * s.duty;
     let bends = [0.42 * s.push_off_pitch, 0.16 * s.push_off_pitch, 4.0 + 0.05 * s.push_off_pitch];
     let trailing = |i: usize| (swing(m.trailing_foot[i].0), m.trailing_foot[i].1 * s.push_off_pitch + bends[i]);
     PeriodicCurve::through(

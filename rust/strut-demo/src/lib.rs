@@ -11,8 +11,13 @@
 mod action;
 pub mod benchmark;
 mod database;
+mod drill;
+mod drills;
 mod feet;
+mod full;
 mod jet;
+mod keys;
+pub mod measure;
 mod noise;
 mod normative;
 mod path;
@@ -25,6 +30,10 @@ mod upper_body;
 
 pub use action::Action;
 pub use database::{NamedMotion, RATE_HZ, clips, database, input_clips};
+pub use drill::{Drill, Move, keys_of, perform_drill};
+pub use drills::{JUMPS, KICKS, PUNCHES};
+pub use full::{FULL_RATE_HZ, TABLE_1, full_clips, full_database};
+pub use normative::{Band, WALKING_BANDS};
 pub use perform::{Performance, perform};
 pub use script::{INPUT_TAKES, Passage, RUN_TAKES, Script, WALK_TAKES};
 pub use style::{STYLES, Style};

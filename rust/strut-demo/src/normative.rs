@@ -13,21 +13,20 @@
 pub(crate) type Knots = &'static [(f32, f32)];
 
 /// Share of the cycle that a foot is on the ground at natural cadence (P: 62 %, W: 60–62 %).
-pub(crate) const NATURAL_DUTY: f32 = 0.61;
+pub(crate) const NATURAL_DUTY: f32 = 0.608;
 
-/// Knee flexion of the supporting leg: loading wave of 18 at 13 %, least at 40 %, and yielding into pre-swing (P,
-/// W). Kept 2 to 3 above the published least of 5, where a small change of height swings the knee
-/// through many degrees. Swing is left out: there the foot's path decides.
+/// Knee flexion that the supporting leg asks of the height of the pelvis. It comes out softer: where legs cannot reach,
+/// the pelvis is lower, and its path is smoothed. What comes out is held against [`WALKING_BANDS`].
 pub(crate) const STANCE_KNEE: Knots = &[
-    (0.0, 7.0),
-    (0.05, 13.0),
-    (0.13, 18.0),
-    (0.25, 12.0),
-    (0.36, 7.5),
-    (0.46, 10.0),
-    (0.52, 16.0),
-    (0.61, 40.0),
-    (0.8, 40.0),
+    (0.0, 3.6),
+    (0.05, 21.2),
+    (0.13, 20.5),
+    (0.25, 10.0),
+    (0.36, 8.4),
+    (0.46, 5.2),
+    (0.52, 11.6),
+    (0.61, 33.9),
+    (0.8, 30.6),
 ];
 
 /// Knee flexion of the supporting leg in running at an easy speed: some 20 at the strike, 45 in mid stance, 20 when
@@ -49,3 +48,85 @@ pub(crate) const ARM_SWING: Knots = &[(0.02, -1.0), (0.28, 0.05), (0.52, 1.0), (
 
 /// Flexion of the elbow as a share of its half range: most just after the arm is furthest forward (M 1967).
 pub(crate) const ELBOW_SWING: Knots = &[(0.08, -1.0), (0.34, 0.1), (0.57, 1.0), (0.82, -0.15)];
+
+/// A published mean with its standard deviation between people, over the cycle.
+#[derive(Clone, Copy, Debug)]
+pub struct Band {
+    /// What the angle is.
+    pub name: &'static str,
+    /// (phase, mean, standard deviation), phases ascending in [0, 1), degrees.
+    knots: &'static [(f32, f32, f32)],
+}
+
+impl Band {
+    /// Mean and standard deviation at a phase, linear between knots.
+    pub fn at(&self, phase: f32) -> (f32, f32) {
+        let phase = phase - phase.floor();
+        let n = self.knots.len();
+        let next = self.knots.iter().position(|k| k.0 > phase).unwrap_or(n);
+        let (a, b) = (self.knots[(next + n - 1) % n], self.knots[next % n]);
+        let span = if next == n { 1.0 + b.0 - a.0 } else { b.0 - a.0 };
+        let t = (phase - a.0) / span;
+        (a.1 + (b.1 - a.1) * t, a.2 + (b.2 - a.2) * t)
+    }
+}
+
+/// Bands of natural walking that the neutral style is judged by: hip (thigh against the vertical), knee, ankle. Means
+/// and standard deviations between 19 adults at natural cadence after W, rounded to whole degrees at the events of the
+/// cycle; P and Kadaba, Ramakrishnan & Wootten 1990 ("Measurement of lower extremity kinematics during level walking",
+/// J. Orthop. Res. 8) have the same shapes within these deviations.
+pub const WALKING_BANDS: [Band; 3] = [
+    Band {
+        name: "hip",
+        knots: &[
+            (0.00, 20.0, 6.5),
+            (0.10, 17.0, 6.5),
+            (0.20, 9.0, 6.0),
+            (0.30, 1.0, 6.0),
+            (0.40, -6.0, 6.0),
+            (0.52, -11.0, 6.5),
+            (0.60, -6.0, 7.0),
+            (0.70, 9.0, 7.0),
+            (0.80, 19.0, 6.5),
+            (0.86, 22.0, 6.5),
+            (0.95, 20.0, 6.5),
+        ],
+    },
+    Band {
+        name: "knee",
+        knots: &[
+            (0.00, 4.0, 4.0),
+            (0.06, 13.0, 5.0),
+            (0.14, 19.0, 6.0),
+            (0.20, 17.0, 6.0),
+            (0.30, 11.0, 5.5),
+            (0.41, 6.5, 5.0),
+            (0.50, 12.0, 5.5),
+            (0.55, 23.0, 7.0),
+            (0.60, 38.0, 8.0),
+            (0.66, 56.0, 7.0),
+            (0.72, 64.0, 5.5),
+            (0.80, 53.0, 7.0),
+            (0.90, 20.0, 8.0),
+            (0.96, 3.0, 4.5),
+        ],
+    },
+    Band {
+        name: "ankle",
+        knots: &[
+            (0.00, 0.0, 4.0),
+            (0.06, -5.0, 4.0),
+            (0.14, 1.0, 4.0),
+            (0.20, 4.0, 3.5),
+            (0.30, 6.5, 3.5),
+            (0.44, 9.5, 4.0),
+            (0.50, 7.0, 5.0),
+            (0.54, 0.0, 6.0),
+            (0.63, -20.0, 6.5),
+            (0.70, -11.0, 5.5),
+            (0.80, 0.0, 4.0),
+            (0.86, 1.0, 4.0),
+            (0.95, -1.0, 4.0),
+        ],
+    },
+];

@@ -12,25 +12,24 @@ use strut_core::humanoid::{Proportions, Role};
 use strut_core::math::float_funcs::{cos, exp};
 use strut_core::math::{Quat, Vec3};
 
-/// Largest extension of a leg as a share of its length: a knee flexion of about 6°, so that the knee neither
-/// locks nor snaps.
-const LONGEST_REACH: f32 = 0.9988;
+/// Largest extension of a leg as a share of its length: a knee flexion of some 4°, so that the knee does not lock.
+const LONGEST_REACH: f32 = 0.9995;
 
 /// Acceleration of free fall, m/s².
 pub(crate) const GRAVITY: f32 = 9.81;
 /// Share of free fall that a runner's sinusoidal bounce has at its top.
 const SMOOTH_FLIGHT: f32 = 0.85;
 
-/// Metres over which the limit of the legs' reach takes hold of the pelvis' height.
-const LIMIT_SOFTNESS: f32 = 0.004;
-
 /// Standard deviations of the smoothing by which the limit is widened in time.
-const LIMIT_WIDENING: f32 = 1.2;
+const LIMIT_WIDENING: f32 = 0.88;
+
+/// Metres over which the limit of the legs' reach takes hold of the pelvis' height.
+const LIMIT_SOFTNESS: f32 = 0.0011;
 /// Metres over which a swinging leg is kept from straightening fully.
-const SWING_SOFTNESS: f32 = 0.006;
+const SWING_SOFTNESS: f32 = 0.016;
 
 /// The smaller of two values with the corner rounded; half of `softness` below them where they are equal.
-fn soft_min(a: f32, b: f32, softness: f32) -> f32 {
+pub(crate) fn soft_min(a: f32, b: f32, softness: f32) -> f32 {
     let excess = a - b;
     a - 0.5 * (excess + (excess * excess + softness * softness).sqrt())
 }
@@ -141,6 +140,16 @@ impl Legs {
         (self.thigh * self.thigh + self.shin * self.shin + 2.0 * self.thigh * self.shin * c).max(0.0).sqrt()
     }
 
+    /// Height of the pelvis of someone who stands with bent knees.
+    pub(crate) fn standing_with(&self, knee_degrees: f32) -> f32 {
+        self.standing - (self.thigh + self.shin - self.reach(knee_degrees))
+    }
+
+    /// Greatest height of the pelvis, at this place on the ground plan, at which the leg reaches its ankle.
+    pub(crate) fn highest(&self, side: Side, pelvis: Vec3, rotation: Quat, ankle: Vec3) -> f32 {
+        self.pelvis_height(side, pelvis, rotation, ankle, self.longest())
+    }
+
     fn longest(&self) -> f32 {
         LONGEST_REACH * (self.thigh + self.shin)
     }
@@ -177,8 +186,9 @@ impl Legs {
             if !runs {
                 let weight = smooth_step(0.0, style.duty - 0.5, foot.cycle) - smooth_step(0.5, style.duty, foot.cycle);
                 heights.supported += weight * height(self.reach(curves.knee.at(foot.cycle)));
-                // The supporting leg has its height already; only a leg that comes or goes may need a lower one.
-                limit += 0.05 * weight;
+                // A free foot gives way and the supporting leg has its height already: only a leg that comes or goes
+                // may need a lower one.
+                limit += 0.05 * (2.0 * foot.freedom * foot.freedom + weight * weight * weight * weight);
             }
             heights.limit = heights.limit.min(limit);
         }
@@ -189,7 +199,7 @@ impl Legs {
     /// acceleration at the top of the bounce is that of gravity, less what the smooth curve takes.
     fn running_height(&self, curves: &PelvisCurves, style: &Style, support: &Support) -> f32 {
         let mid_stance = 0.5 * style.duty;
-        let lowest = self.standing - (self.thigh + self.shin - self.reach(curves.knee.at(mid_stance)));
+        let lowest = self.standing_with(curves.knee.at(mid_stance));
         let steps_per_sec = style.cadence / 60.0 * support.stretch;
         let rate = TAU * steps_per_sec;
         let half_range = SMOOTH_FLIGHT * GRAVITY / (rate * rate);

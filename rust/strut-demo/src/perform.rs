@@ -6,7 +6,7 @@ use crate::path::{Path, Side, stretch};
 use crate::pelvis::{GRAVITY, Heights, Legs, PelvisCurves, smooth_heights};
 use crate::script::Script;
 use crate::style::Style;
-use crate::upper_body::{Support, UpperBody, yaw_pitch_roll};
+use crate::upper_body::{Gait, Support, Turn, UpperBody};
 use std::f32::consts::TAU;
 use strut_core::humanoid::{HumanoidMotion, Pose, Proportions, Role};
 use strut_core::math::float_funcs::{sin, wrap_angle};
@@ -27,7 +27,7 @@ pub struct Performance {
 /// Performed before the beginning, so that the springs of the arms have settled.
 const WARM_UP_STRIDES: f32 = 1.5;
 /// Standard deviation in seconds of the smoothing of the pelvis' height.
-const HEIGHT_SMOOTHING_SECS: f32 = 0.026;
+const HEIGHT_SMOOTHING_SECS: f32 = 0.0243;
 /// Phases by which the chest and the head see a turn ahead (Imai et al. 2001, "Interaction of the
 /// body, head, and eyes during walking and turning": the head turns before the body).
 const CHEST_LEADS: f32 = 0.10;
@@ -66,14 +66,15 @@ pub fn perform(script: &Script, style: &Style, proportions: &Proportions, rate_h
         plans.iter().map(|p| legs.heights(&curves, style, &p.support, p.pelvis, &p.feet)).collect();
     let heights = smooth_heights(&heights, HEIGHT_SMOOTHING_SECS * rate_hz);
 
-    let mut upper_body = UpperBody::new(style, noise);
+    let gait = Gait::new(style, noise);
+    let mut upper_body = UpperBody::new(style);
     let mut poses = Vec::with_capacity(phases.len());
     for (plan, height) in plans.iter().zip(heights) {
         let mut pose = Pose { root: Vec3::new(plan.pelvis.x, height, plan.pelvis.z), ..Pose::default() };
         pose.rotations[Role::Hips.index()] = plan.support.pelvis;
-        upper_body.pose(&plan.support, 1.0 / rate_hz, &mut pose);
+        upper_body.pose(&gait.posture(&plan.support), plan.support.turn, plan.support.pelvis, 1.0 / rate_hz, &mut pose);
         for (side, foot) in Side::BOTH.into_iter().zip(&plan.feet) {
-            place_leg(&legs, side, foot, &plan.support, &mut pose);
+            place_leg(&legs, side, foot, plan.support.turn.yaw, &mut pose);
         }
         poses.push(pose);
     }
@@ -134,6 +135,7 @@ fn plan_pelvis(
 
     let pelvis_yaw = stretch * style.pelvis_yaw.to_radians() * curves.yaw.at(phase);
     let pelvis_roll = stretch * style.pelvis_roll.to_radians() * curves.roll.at(phase);
+    let turn = Turn { yaw: heading + pelvis_yaw, pitch: style.pelvis_tilt.to_radians(), roll: pelvis_roll + lean };
     let support = Support {
         phase,
         strides: script.strides(),
@@ -141,32 +143,34 @@ fn plan_pelvis(
         chest_lead: 0.6 * (path.heading(phase + CHEST_LEADS) - heading),
         head_lead: 0.8 * (path.heading(phase + HEAD_LEADS) - heading),
         lean,
-        pelvis_yaw,
-        pelvis_roll,
         stretch,
-        pelvis: yaw_pitch_roll(heading + pelvis_yaw, style.pelvis_tilt.to_radians(), pelvis_roll + lean),
+        turn,
+        pelvis: turn.quat(),
     };
-    // Over the left foot a quarter stride after its strike; slowest in mid stance, twice a stride.
+    // Over the left foot a quarter stride after its strike; slowest before mid stance, twice a stride.
     let sway =
         style.sway * (sin(TAU * (phase - 0.04)) + 0.25 * style.irregularity * noise.smooth(Channel::Sway, phase));
     let inwards = -lean * 0.9;
-    let surge = style.surge * sin(2.0 * TAU * (phase - 0.03));
+    let surge = style.surge * sin(2.0 * TAU * (phase + 0.053));
     let pelvis = path.position(phase) + Quat::from_rotation_y(heading) * Vec3::new(sway + inwards, 0.0, surge);
     (support, pelvis)
 }
 
-/// Solves a leg from the pelvis in `pose` to its foot. The knee points between pelvis and foot.
-fn place_leg(legs: &Legs, side: Side, foot: &FootPose, support: &Support, pose: &mut Pose) {
-    let hip = pose.root + support.pelvis * legs.hip(side);
-    let pelvis_heading = support.heading + support.pelvis_yaw;
-    let knee_heading = foot.heading + 0.35 * wrap_angle(pelvis_heading - foot.heading);
-    let pole = Quat::from_rotation_y(knee_heading) * Vec3::Z;
+/// Solves a leg from the pelvis in `pose`, turned by `pelvis_yaw`, to its foot. The knee points between the two.
+pub(crate) fn place_leg(legs: &Legs, side: Side, foot: &FootPose, pelvis_yaw: f32, pose: &mut Pose) {
+    let pelvis = pose.rotations[Role::Hips.index()];
+    let hip = pose.root + pelvis * legs.hip(side);
+    let knee_heading = foot.heading + 0.35 * wrap_angle(pelvis_yaw - foot.heading);
+    let ahead = Quat::from_rotation_y(knee_heading) * Vec3::Z;
+    let line = foot.ankle - hip;
+    // Square to the leg, so that the knee of a raised one points up.
+    let pole = Vec3::Y * line.dot(ahead) - ahead * line.y;
     let [thigh, shin] = legs.solve(hip, foot, pole);
     let roles = match side {
         Side::Left => [Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot, Role::LeftToes],
         Side::Right => [Role::RightUpperLeg, Role::RightLowerLeg, Role::RightFoot, Role::RightToes],
     };
-    let rotations = [support.pelvis.inv_mul(thigh), thigh.inv_mul(shin), shin.inv_mul(foot.foot), foot.toes];
+    let rotations = [pelvis.inv_mul(thigh), thigh.inv_mul(shin), shin.inv_mul(foot.foot), foot.toes];
     for (role, q) in roles.into_iter().zip(rotations) {
         pose.rotations[role.index()] = q;
     }

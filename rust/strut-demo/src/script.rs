@@ -103,6 +103,23 @@ pub const WALK_TAKES: [Script; 2] = [
     },
 ];
 
+/// The take that makes the walking database of full size long enough: step sizes, speeds and turns of every sharpness.
+pub(crate) const LONG_WALK: [Script; 1] = [Script {
+    name: "stroll",
+    action: Action::Walk,
+    passages: &[
+        passage(3, 1.0, 0.0),
+        passage(3, 1.15, 35.0),
+        passage(2, 0.8, 90.0),
+        passage(3, 1.0, 0.0),
+        passage(3, 0.6, 0.0),
+        passage(3, 1.2, -45.0),
+        passage(2, 0.85, -110.0),
+        passage(4, 1.05, 10.0),
+    ],
+    seed: 13,
+}];
+
 /// The take of the running database.
 pub const RUN_TAKES: [Script; 1] = [Script {
     name: "loop",

@@ -96,6 +96,15 @@ pub struct Style {
     pub pronation: f32,
     /// Mean flexion of the wrist; negative bends it up.
     pub wrist: f32,
+
+    /// Height by which a jump lifts the body.
+    pub jump_rise: f32,
+    /// Speed of jumps, punches and kicks, 1 for neutral: Laban's time, sudden or sustained.
+    pub strike_speed: f32,
+    /// Amplitude of jumps, punches and kicks, 1 for neutral: Laban's weight, strong or light.
+    pub strike_size: f32,
+    /// Height that a kick lifts the ankle.
+    pub kick_height: f32,
 }
 
 /// Natural walking of adults: Perry & Burnfield 2010 (62 % stance, 8 cm base), Winter 1991 (105–115 steps/min,
@@ -108,16 +117,16 @@ const NEUTRAL: Style = Style {
     duty: NATURAL_DUTY,
     toe_out: 7.0,
     irregularity: 1.0,
-    strike_pitch: 19.0,
-    heel_off: 0.32,
-    push_off_pitch: 58.0,
+    strike_pitch: 17.0,
+    heel_off: 0.30,
+    push_off_pitch: 61.6,
     foot_lift: 0.0,
     foot_lead: 0.0,
     crouch: 0.0,
     knee_give: 1.0,
-    bounce: 0.003,
+    bounce: 0.0,
     sway: 0.020,
-    surge: 0.008,
+    surge: 0.007,
     pelvis_tilt: 5.0,
     pelvis_yaw: 5.0,
     pelvis_roll: 4.0,
@@ -142,6 +151,10 @@ const NEUTRAL: Style = Style {
     elbow_swing: 9.0,
     pronation: 16.0,
     wrist: 5.0,
+    jump_rise: 0.30,
+    strike_speed: 1.00,
+    strike_size: 1.00,
+    kick_height: 0.75,
 };
 
 /// All styles; the first is the neutral one.
@@ -151,8 +164,8 @@ pub const STYLES: [Style; 8] = [
     // long, strong strides and wide arm swing (Montepare et al. 1987; Gross et al. 2012, Effort-Shape: strong, direct).
     Style {
         name: "proud",
-        cadence: 106.0,
-        step_length: 0.72,
+        cadence: 104.0,
+        step_length: 0.70,
         step_width: 0.10,
         toe_out: 10.0,
         strike_pitch: 24.0,
@@ -175,23 +188,28 @@ pub const STYLES: [Style; 8] = [
         elbow: 30.0,
         elbow_swing: 20.0,
         wrist: 0.0,
+        jump_rise: 0.40,
+        strike_speed: 0.95,
+        strike_size: 1.15,
+        kick_height: 0.84,
         ..NEUTRAL
     },
     // Fast, heavy-footed, long strides, forward lean, elbows bent, jerky (Montepare et al. 1987; Roether et al.
     // 2009: trunk and elbow flexion, amplitude; Laban: strong, sudden, direct).
     Style {
         name: "angry",
-        cadence: 124.0,
+        cadence: 121.0,
         step_length: 0.70,
         step_width: 0.13,
         duty: 0.60,
         toe_out: 9.0,
         strike_pitch: 15.0,
+        push_off_pitch: 64.0,
         heel_off: 0.36,
-        foot_lift: 0.03,
-        foot_lead: 0.015,
-        crouch: 4.0,
-        knee_give: 1.35,
+        foot_lift: 0.02,
+        foot_lead: 0.03,
+        crouch: 2.0,
+        knee_give: 1.1,
         bounce: 0.005,
         sway: 0.026,
         pelvis_tilt: 8.0,
@@ -215,6 +233,10 @@ pub const STYLES: [Style; 8] = [
         elbow_swing: 12.0,
         pronation: 45.0,
         wrist: 12.0,
+        jump_rise: 0.38,
+        strike_speed: 1.18,
+        strike_size: 1.15,
+        kick_height: 0.84,
         ..NEUTRAL
     },
     // Slow, little arm swing and vertical movement, more sideways sway, slumped with head down (Michalak et al.
@@ -261,6 +283,10 @@ pub const STYLES: [Style; 8] = [
         elbow_swing: 4.0,
         pronation: 55.0,
         wrist: 10.0,
+        jump_rise: 0.16,
+        strike_speed: 0.70,
+        strike_size: 0.65,
+        kick_height: 0.45,
     },
     // A swagger: shoulders roll against the hips, arms swing wide round the body, weight is thrown from leg to
     // leg (Johnson & Tassinary 2005: shoulder swagger; Mather & Murdoch 1994: lateral body sway of men).
@@ -299,26 +325,30 @@ pub const STYLES: [Style; 8] = [
         elbow_swing: 12.0,
         pronation: 60.0,
         wrist: 8.0,
+        jump_rise: 0.28,
+        strike_speed: 0.92,
+        strike_size: 1.05,
+        kick_height: 0.80,
         ..NEUTRAL
     },
     // Quick short steps on a wide base, bouncing high on the toes, arms held up and swinging freely (Sutherland
     // et al. 1988, "The development of mature walking": cadence, base, guard position of the arms).
     Style {
         name: "childlike",
-        cadence: 134.0,
+        cadence: 130.0,
         step_length: 0.53,
         step_width: 0.14,
         duty: 0.58,
         toe_out: 4.0,
-        irregularity: 2.2,
-        strike_pitch: 9.0,
+        irregularity: 1.8,
+        strike_pitch: 12.0,
         heel_off: 0.24,
-        push_off_pitch: 66.0,
-        foot_lift: 0.07,
-        foot_lead: 0.0,
-        crouch: 5.0,
-        knee_give: 1.5,
-        bounce: 0.022,
+        push_off_pitch: 60.0,
+        foot_lift: 0.045,
+        foot_lead: 0.02,
+        crouch: 2.0,
+        knee_give: 1.1,
+        bounce: 0.014,
         sway: 0.022,
         pelvis_tilt: 7.0,
         pelvis_yaw: 7.0,
@@ -342,6 +372,10 @@ pub const STYLES: [Style; 8] = [
         elbow_swing: 20.0,
         pronation: 70.0,
         wrist: -12.0,
+        jump_rise: 0.26,
+        strike_speed: 1.12,
+        strike_size: 0.90,
+        kick_height: 0.50,
         ..NEUTRAL
     },
     // Short flat-footed steps with weak push-off, wide base, long double support, flexed hips, knees and elbows,
@@ -389,6 +423,10 @@ pub const STYLES: [Style; 8] = [
         elbow_swing: 5.0,
         pronation: 45.0,
         wrist: 14.0,
+        jump_rise: 0.06,
+        strike_speed: 0.70,
+        strike_size: 0.60,
+        kick_height: 0.35,
     },
     // Feet on one line, large roll and turn of the pelvis with the hips carried over the supporting leg, quiet
     // chest, arms close and behind (Cutting, Proffitt & Kozlowski 1978; Troje 2002; Johnson & Tassinary 2005).
@@ -426,6 +464,10 @@ pub const STYLES: [Style; 8] = [
         elbow_swing: 12.0,
         pronation: 10.0,
         wrist: -28.0,
+        jump_rise: 0.27,
+        strike_speed: 0.88,
+        strike_size: 0.90,
+        kick_height: 0.70,
         ..NEUTRAL
     },
 ];

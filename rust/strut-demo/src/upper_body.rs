@@ -33,13 +33,11 @@ pub(crate) struct Support {
     pub(crate) head_lead: f32,
     /// Lean into the curve, positive to the right.
     pub(crate) lean: f32,
-    /// Turn of the pelvis relative to the heading.
-    pub(crate) pelvis_yaw: f32,
-    /// Obliquity of the pelvis.
-    pub(crate) pelvis_roll: f32,
     /// How much longer than preferred the strides are, 1 at preferred speed.
     pub(crate) stretch: f32,
-    /// Rotation of the pelvis in the world.
+    /// Angles of the pelvis in the world.
+    pub(crate) turn: Turn,
+    /// The rotation that they make.
     pub(crate) pelvis: Quat,
 }
 
@@ -65,10 +63,30 @@ impl Spring {
     }
 }
 
+/// Where an arm is wanted, degrees.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ArmTarget {
+    /// Flexion of the upper arm: 0 hanging, 90 forward.
+    pub(crate) flexion: f32,
+    /// Flexion of the elbow.
+    pub(crate) elbow: f32,
+    /// Distance of the upper arm from the body.
+    pub(crate) spread: f32,
+    /// Inward twist of the upper arm.
+    pub(crate) twist: f32,
+    /// Shoulder drawn forward.
+    pub(crate) protraction: f32,
+    /// Shoulder raised.
+    pub(crate) raise: f32,
+}
+
+/// An arm on its way to its target.
 #[derive(Clone, Copy, Debug, Default)]
 struct ArmState {
-    swing: Spring,
+    flexion: Spring,
     elbow: Spring,
+    spread: Spring,
+    twist: Spring,
     wrist: Spring,
 }
 
@@ -76,23 +94,30 @@ struct ArmState {
 #[derive(Clone, Debug)]
 pub(crate) struct UpperBody<'a> {
     style: &'a Style,
-    noise: Noise,
-    arm_swing: PeriodicCurve,
-    elbow_swing: PeriodicCurve,
     arms: [ArmState; 2],
 }
 
+/// How the upper body goes along with walking and running.
+#[derive(Clone, Debug)]
+pub(crate) struct Gait<'a> {
+    style: &'a Style,
+    noise: Noise,
+    arm_swing: PeriodicCurve,
+    elbow_swing: PeriodicCurve,
+}
+
 /// Angles about the vertical, the side axis and the forward axis.
-#[derive(Clone, Copy, Debug)]
-struct Turn {
-    yaw: f32,
-    pitch: f32,
-    roll: f32,
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Turn {
+    pub(crate) yaw: f32,
+    pub(crate) pitch: f32,
+    pub(crate) roll: f32,
 }
 
 impl Turn {
-    fn quat(self) -> Quat {
-        yaw_pitch_roll(self.yaw, self.pitch, self.roll)
+    /// Heading, then forward tilt, then obliquity.
+    pub(crate) fn quat(self) -> Quat {
+        Quat::from_rotation_y(self.yaw) * Quat::from_rotation_x(self.pitch) * Quat::from_rotation_z(self.roll)
     }
 
     fn mix(self, o: Self, t: f32) -> Self {
@@ -101,37 +126,36 @@ impl Turn {
     }
 }
 
-/// Heading, then forward tilt, then obliquity; radians.
-pub(crate) fn yaw_pitch_roll(yaw: f32, pitch: f32, roll: f32) -> Quat {
-    Quat::from_rotation_y(yaw) * Quat::from_rotation_x(pitch) * Quat::from_rotation_z(roll)
+/// What the upper body is to do at a frame. Turns are in the world.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Posture {
+    pub(crate) chest: Turn,
+    pub(crate) head: Turn,
+    /// Pitch of the lower spine.
+    pub(crate) spine_pitch: f32,
+    /// Left and right arm.
+    pub(crate) arms: [ArmTarget; 2],
 }
 
-impl<'a> UpperBody<'a> {
+impl<'a> Gait<'a> {
     pub(crate) fn new(style: &'a Style, noise: Noise) -> Self {
         Self {
             style,
             noise,
             arm_swing: PeriodicCurve::through(ARM_SWING, 0.04),
             elbow_swing: PeriodicCurve::through(ELBOW_SWING, 0.04),
-            arms: [ArmState::default(); 2],
         }
     }
 
-    /// Sets the upper body's joints of the next frame, `dt_secs` after the last.
-    pub(crate) fn pose(&mut self, support: &Support, dt_secs: f32, pose: &mut Pose) {
+    pub(crate) fn posture(&self, support: &Support) -> Posture {
         let s = self.style;
-        let wobble =
-            |channel, degrees: f32| (degrees * s.irregularity * self.noise.smooth(channel, support.phase)).to_radians();
+        let wobble = |channel, degrees| self.wobble(channel, degrees, support.phase).to_radians();
         let strides = support.strides as f32;
         let breaths = (strides / STRIDES_PER_BREATH).round().max(1.0);
         let breath = sin(TAU * support.phase * breaths / strides);
         let stride_wave = |lag: f32| cos(TAU * (support.phase - lag));
 
-        let pelvis = Turn {
-            yaw: support.heading + support.pelvis_yaw,
-            pitch: s.pelvis_tilt.to_radians(),
-            roll: support.pelvis_roll + support.lean,
-        };
+        let pelvis_pitch = s.pelvis_tilt.to_radians();
         // The trunk bends forward most just after each heel strike, when the legs brake it.
         let nod = s.trunk_nod.to_radians() * cos(2.0 * TAU * (support.phase - 0.06));
         let bend = s.spine_pitch.to_radians();
@@ -140,12 +164,10 @@ impl<'a> UpperBody<'a> {
                 + support.chest_lead
                 + support.stretch * s.chest_yaw.to_radians() * stride_wave(0.03)
                 + wobble(Channel::TrunkYaw, 1.5),
-            pitch: pelvis.pitch + bend + s.chest_pitch.to_radians() + nod + wobble(Channel::TrunkPitch, 1.2)
+            pitch: pelvis_pitch + bend + s.chest_pitch.to_radians() + nod + wobble(Channel::TrunkPitch, 1.2)
                 - 0.5_f32.to_radians() * breath,
             roll: -s.chest_roll.to_radians() * stride_wave(0.27) + 1.4 * support.lean + wobble(Channel::TrunkRoll, 1.0),
         };
-        let mut spine = pelvis.mix(chest, 0.45);
-        spine.pitch = pelvis.pitch + bend + 0.4 * nod;
         let head = Turn {
             yaw: support.heading
                 + support.head_lead
@@ -154,82 +176,89 @@ impl<'a> UpperBody<'a> {
             pitch: s.gaze_pitch.to_radians() + s.head_follow * nod + wobble(Channel::HeadPitch, 2.0),
             roll: s.head_follow * chest.roll + s.head_roll.to_radians() * stride_wave(0.30) + 0.4 * support.lean,
         };
-        let mut neck = chest.mix(head, 0.5);
-        neck.pitch = chest.pitch + s.neck_pitch.to_radians();
+        let arms = Side::BOTH.map(|side| self.arm(side, support, breath));
+        Posture { chest, head, spine_pitch: pelvis_pitch + bend + 0.4 * nod, arms }
+    }
 
+    fn wobble(&self, channel: Channel, degrees: f32, phase: f32) -> f32 {
+        degrees * self.style.irregularity * self.noise.smooth(channel, phase)
+    }
+
+    fn arm(&self, side: Side, support: &Support, breath: f32) -> ArmTarget {
+        let s = self.style;
+        let [arm_channel, elbow_channel, spread_channel] = match side {
+            Side::Left => [Channel::LeftArm, Channel::LeftElbow, Channel::LeftSpread],
+            Side::Right => [Channel::RightArm, Channel::RightElbow, Channel::RightSpread],
+        };
+        let wobble = |channel, degrees| self.wobble(channel, degrees, support.phase);
+        let cycle = support.phase - side.strike_phase();
+        // Arms swing further the faster one walks (Murray 1967).
+        let vigour = support.stretch * support.stretch;
+        let swing = vigour * s.arm_swing * self.arm_swing.at(cycle) + wobble(arm_channel, 2.5);
+        let elbow = vigour * s.elbow_swing * self.elbow_swing.at(cycle) + wobble(elbow_channel, 2.5);
+        let forward_share = swing / s.arm_swing.max(1.0);
+        ArmTarget {
+            flexion: s.arm_forward + swing,
+            elbow: s.elbow + elbow,
+            spread: s.arm_spread + s.arm_round * forward_share * forward_share + wobble(spread_channel, 1.5),
+            // Arms that swing round the body cross in front of it.
+            twist: s.arm_twist + s.arm_round * forward_share,
+            protraction: s.shoulder_forward + 0.15 * swing,
+            raise: s.shoulder_raise + 0.8 * breath,
+        }
+    }
+}
+
+impl<'a> UpperBody<'a> {
+    pub(crate) fn new(style: &'a Style) -> Self {
+        Self { style, arms: [ArmState::default(); 2] }
+    }
+
+    /// Sets the upper body's joints of the next frame, `dt_secs` after the last, above the pelvis: `turn` its angles
+    /// and `pelvis` the rotation that they make.
+    pub(crate) fn pose(&mut self, posture: &Posture, turn: Turn, pelvis: Quat, dt_secs: f32, pose: &mut Pose) {
+        let Posture { chest, head, spine_pitch, arms } = *posture;
+        let spine = Turn { pitch: spine_pitch, ..turn.mix(chest, 0.45) };
+        let neck = Turn { pitch: chest.pitch + self.style.neck_pitch.to_radians(), ..chest.mix(head, 0.5) };
         let [spine, chest_world, neck, head] = [spine, chest, neck, head].map(Turn::quat);
         let mut set = |role: Role, q: Quat| pose.rotations[role.index()] = q;
-        set(Role::Spine, support.pelvis.inv_mul(spine));
+        set(Role::Spine, pelvis.inv_mul(spine));
         set(Role::Chest, spine.inv_mul(chest_world));
         set(Role::Neck, chest_world.inv_mul(neck));
         set(Role::Head, neck.inv_mul(head));
 
         let frame =
             Turn { yaw: chest.yaw, pitch: ARMS_FOLLOW_TRUNK * chest.pitch, roll: ARMS_FOLLOW_TRUNK * chest.roll };
-        for side in Side::BOTH {
-            self.arm(side, support, frame, chest_world, breath, dt_secs, pose);
+        for (side, target) in Side::BOTH.into_iter().zip(arms) {
+            self.arm(side, target, frame.quat(), chest_world, dt_secs, pose);
         }
     }
 
-    #[allow(clippy::too_many_arguments)]
-    fn arm(
-        &mut self,
-        side: Side,
-        support: &Support,
-        frame: Turn,
-        chest: Quat,
-        breath: f32,
-        dt_secs: f32,
-        pose: &mut Pose,
-    ) {
+    fn arm(&mut self, side: Side, target: ArmTarget, frame: Quat, chest: Quat, dt_secs: f32, pose: &mut Pose) {
         let s = self.style;
-        let (arm_channel, elbow_channel, spread_channel, roles) = match side {
-            Side::Left => (
-                Channel::LeftArm,
-                Channel::LeftElbow,
-                Channel::LeftSpread,
-                [Role::LeftShoulder, Role::LeftUpperArm, Role::LeftLowerArm, Role::LeftHand],
-            ),
-            Side::Right => (
-                Channel::RightArm,
-                Channel::RightElbow,
-                Channel::RightSpread,
-                [Role::RightShoulder, Role::RightUpperArm, Role::RightLowerArm, Role::RightHand],
-            ),
-        };
-        let wobble = |channel, degrees: f32| degrees * s.irregularity * self.noise.smooth(channel, support.phase);
-        let cycle = support.phase - side.strike_phase();
-        // Arms swing further the faster one walks (Murray 1967).
-        let vigour = support.stretch * support.stretch;
-        let wanted_swing = vigour * s.arm_swing * self.arm_swing.at(cycle) + wobble(arm_channel, 2.5);
-        let wanted_elbow = vigour * s.elbow_swing * self.elbow_swing.at(cycle) + wobble(elbow_channel, 2.5);
-
         let state = &mut self.arms[usize::from(side == Side::Right)];
-        let swing = state.swing.follow(wanted_swing, s.arm_drag, dt_secs);
-        let elbow = state.elbow.follow(wanted_elbow, 1.5 * s.arm_drag, dt_secs);
+        let flexion = state.flexion.follow(target.flexion, s.arm_drag, dt_secs);
+        let elbow = state.elbow.follow(target.elbow, 1.5 * s.arm_drag, dt_secs);
+        let spread = state.spread.follow(target.spread, s.arm_drag, dt_secs);
+        let twist = state.twist.follow(target.twist, s.arm_drag, dt_secs);
         // The hand trails the forearm: it bends back while the elbow bends, and swings through after.
-        let trail = state.wrist.follow(-0.035 * (state.elbow.velocity + state.swing.velocity), 0.05, dt_secs);
+        let trail = state.wrist.follow(-0.035 * (state.elbow.velocity + state.flexion.velocity), 0.05, dt_secs);
 
         let out = side.sign();
-        let forward_share = swing / s.arm_swing.max(1.0);
-        let protraction = s.shoulder_forward + 0.15 * swing;
-        let raise = s.shoulder_raise + 0.8 * breath;
-        let shoulder =
-            Quat::from_rotation_y(-out * protraction.to_radians()) * Quat::from_rotation_z(out * raise.to_radians());
-
-        let spread = s.arm_spread + s.arm_round * forward_share * forward_share + wobble(spread_channel, 1.5);
-        // Arms that swing round the body cross in front of it.
-        let across = s.arm_twist + s.arm_round * forward_share;
-        let hanging = Quat::from_rotation_x(-(s.arm_forward + swing).to_radians())
+        let shoulder = Quat::from_rotation_y(-out * target.protraction.to_radians())
+            * Quat::from_rotation_z(out * target.raise.to_radians());
+        let hanging = Quat::from_rotation_x(-flexion.to_radians())
             * Quat::from_rotation_z(-out * (90.0 - spread).to_radians())
-            * Quat::from_rotation_x(across.to_radians());
-        let upper = frame.quat() * hanging;
-
+            * Quat::from_rotation_x(twist.to_radians());
+        let upper = frame * hanging;
         let pronation = 0.5 * s.pronation.to_radians();
-        let bend = (s.elbow + elbow).max(4.0).to_radians();
-        let lower = Quat::from_rotation_y(-out * bend) * Quat::from_rotation_x(pronation);
+        let lower = Quat::from_rotation_y(-out * elbow.max(4.0).to_radians()) * Quat::from_rotation_x(pronation);
         let hand = Quat::from_rotation_x(pronation) * Quat::from_rotation_z(-out * (s.wrist + trail).to_radians());
 
+        let roles = match side {
+            Side::Left => [Role::LeftShoulder, Role::LeftUpperArm, Role::LeftLowerArm, Role::LeftHand],
+            Side::Right => [Role::RightShoulder, Role::RightUpperArm, Role::RightLowerArm, Role::RightHand],
+        };
         let rotations = [shoulder, (chest * shoulder).inv_mul(upper), lower, hand];
         for (role, q) in roles.into_iter().zip(rotations) {
             pose.rotations[role.index()] = q;

@@ -1,6 +1,6 @@
 //! The built-in database.
 
-use strut_demo::{RUN_TAKES, STYLES, WALK_TAKES, clips, database};
+use strut_demo::{RUN_TAKES, STYLES, TABLE_1, WALK_TAKES, clips, database, full_clips};
 
 #[test]
 fn every_frame_has_its_exact_counterpart_in_every_style() {
@@ -30,4 +30,15 @@ fn slow_styles_take_longer_for_the_same_script() {
         |style: &str| -> usize { clips.iter().filter(|c| c.style == style).map(|c| c.motion.poses.len()).sum() };
     assert!(length("depressed") > length("old") && length("old") > length("neutral"));
     assert!(length("neutral") > length("childlike"));
+}
+
+#[test]
+fn the_full_set_is_composed_as_table_1_of_the_paper() {
+    let clips = full_clips();
+    for (action, frames) in TABLE_1 {
+        let counted: usize = clips.iter().filter(|c| c.action == action).map(|c| c.motion.poses.len()).sum();
+        if action != "transition" {
+            assert_eq!(counted, frames, "{action}");
+        }
+    }
 }

@@ -4,8 +4,11 @@ use strut_core::contact;
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions, Role};
 use strut_core::kinematics::{WorldPose, world_from_local};
 use strut_core::math::{Vec3, exp_map};
+use strut_core::transfer::beyond_anatomy;
+use strut_demo::measure::{self, cycles_between};
 use strut_demo::{
-    Action, Passage, Performance, RATE_HZ, RUN_TAKES, STYLES, Script, Style, WALK_TAKES, input_clips, perform,
+    Action, Drill, JUMPS, KICKS, PUNCHES, Passage, Performance, RATE_HZ, RUN_TAKES, STYLES, Script, Style, WALK_TAKES,
+    WALKING_BANDS, input_clips, perform, perform_drill,
 };
 
 /// A sole's points that can carry the foot: joint, and position in its frame (heel, ball, tip of the toes).
@@ -22,10 +25,25 @@ const SOLE: [[(Role, Vec3); 3]; 2] = [
     ],
 ];
 
+/// Walking and running in every style.
 fn takes() -> impl Iterator<Item = (&'static Style, &'static Script, Performance)> {
     STYLES.iter().flat_map(|style| {
         WALK_TAKES.iter().chain(&RUN_TAKES).map(move |script| (style, script, performed(script, style)))
     })
+}
+
+const DRILLS: [&Drill; 3] = [&JUMPS, &PUNCHES, &KICKS];
+
+/// Jumps, punches and kicks in every style.
+fn drills() -> impl Iterator<Item = (&'static Style, &'static Drill, Performance)> {
+    let perform = |drill, style| perform_drill(drill, style, &Proportions::default(), RATE_HZ);
+    STYLES.iter().flat_map(move |style| DRILLS.into_iter().map(move |drill| (style, drill, perform(drill, style))))
+}
+
+/// Everything that is performed, with a name for messages.
+fn everything() -> impl Iterator<Item = (String, Performance)> {
+    let gaits = takes().map(|(style, script, take)| (format!("{} {}", style.name, script.name), take));
+    gaits.chain(drills().map(|(style, drill, take)| (format!("{} {}", style.name, drill.name), take)))
 }
 
 fn performed(script: &Script, style: &Style) -> Performance {
@@ -51,7 +69,7 @@ fn mean(values: impl Iterator<Item = f32>) -> f32 {
 
 #[test]
 fn a_planted_foot_rests_on_a_point_that_does_not_slide() {
-    for (style, script, take) in takes() {
+    for (name, take) in everything() {
         let worlds = worlds(&take.motion);
         for (side, sole) in SOLE.iter().enumerate() {
             // Where each point of the sole touched down in the present stance.
@@ -67,9 +85,9 @@ fn a_planted_foot_rests_on_a_point_that_does_not_slide() {
                     carried = true;
                     let first = *touched.get_or_insert(p);
                     let slid = (p - first).with_y(0.0).length();
-                    assert!(slid <= 1e-3, "{} {}: {slid} m", style.name, script.name);
+                    assert!(slid <= 1e-3, "{name}: {slid} m");
                 }
-                assert!(carried || !planted[side], "{} {}: a planted foot floats", style.name, script.name);
+                assert!(carried || !planted[side], "{name}: a planted foot floats");
             }
         }
     }
@@ -77,29 +95,97 @@ fn a_planted_foot_rests_on_a_point_that_does_not_slide() {
 
 #[test]
 fn soles_stay_above_the_ground() {
-    for (style, script, take) in takes() {
+    for (name, take) in everything() {
         let edges = [(Role::LeftFoot, -0.066), (Role::RightFoot, -0.066)].map(|(r, z)| (r, Vec3::new(0.0, -0.118, z)));
         for world in worlds(&take.motion) {
             for &point in SOLE.iter().flatten().chain(&edges) {
                 let height = at(&world, point).y;
-                assert!(height > -0.005, "{} {}: {height} m", style.name, script.name);
+                assert!(height > -0.005, "{name}: {height} m");
             }
         }
     }
 }
 
 #[test]
-fn no_joint_turns_faster_than_people_do_and_none_pops() {
+fn no_joint_of_a_gait_turns_faster_than_people_do_and_none_pops() {
     for (style, script, take) in takes() {
-        let velocity = |a: &Pose, b: &Pose, j: usize| exp_map::log(a.rotations[j].inv_mul(b.rotations[j])) * RATE_HZ;
-        for w in take.motion.poses.windows(3) {
+        assert_no_pop(&format!("{} {}", style.name, script.name), &take, 15.0, 750.0);
+    }
+}
+
+/// A fist reaches 10 m/s and a foot more: joints turn faster than in any gait.
+#[test]
+fn no_joint_of_a_drill_turns_faster_than_people_do_and_none_pops() {
+    for (style, drill, take) in drills() {
+        assert_no_pop(&format!("{} {}", style.name, drill.name), &take, 25.0, 1100.0);
+    }
+}
+
+fn assert_no_pop(name: &str, take: &Performance, fastest: f32, hardest: f32) {
+    let velocity = |a: &Pose, b: &Pose, j: usize| exp_map::log(a.rotations[j].inv_mul(b.rotations[j])) * RATE_HZ;
+    for w in take.motion.poses.windows(3) {
+        for role in Role::ALL {
+            let (v, next) = (velocity(&w[0], &w[1], role.index()), velocity(&w[1], &w[2], role.index()));
+            let (speed, acceleration) = (v.length(), (next - v).length() * RATE_HZ);
+            assert!(speed < fastest, "{name} {role:?}: {speed} rad/s");
+            assert!(acceleration < hardest, "{name} {role:?}: {acceleration} rad/s²");
+        }
+    }
+}
+
+#[test]
+fn no_joint_is_beyond_what_anatomy_allows() {
+    for (name, take) in everything() {
+        for pose in &take.motion.poses {
             for role in Role::ALL {
-                let (v, next) = (velocity(&w[0], &w[1], role.index()), velocity(&w[1], &w[2], role.index()));
-                let (speed, acceleration) = (v.length(), (next - v).length() * RATE_HZ);
-                assert!(speed < 15.0, "{} {} {role:?}: {speed} rad/s", style.name, script.name);
-                assert!(acceleration < 750.0, "{} {} {role:?}: {acceleration} rad/s²", style.name, script.name);
+                let beyond = beyond_anatomy(role, pose.rotations[role.index()]).to_degrees();
+                assert!(beyond == 0.0, "{name} {role:?}: {beyond}°");
             }
         }
+    }
+}
+
+#[test]
+fn jumpers_fall_freely_between_take_off_and_landing() {
+    for style in &STYLES {
+        let take = perform_drill(&JUMPS, style, &Proportions::default(), 120.0);
+        let mut longest = 0;
+        let mut flight: Vec<f32> = vec![];
+        for (pose, planted) in take.motion.poses.iter().zip(&take.planted) {
+            if planted[0] || planted[1] {
+                flight.clear();
+                continue;
+            }
+            flight.push(pose.root.y);
+            longest = longest.max(flight.len());
+            if let [.., a, b, c] = flight[..] {
+                let acceleration = (a - 2.0 * b + c) * 120.0 * 120.0;
+                assert!((acceleration + 9.81).abs() < 0.5, "{}: {acceleration} m/s²", style.name);
+            }
+        }
+        let secs = longest as f32 / 120.0;
+        let wanted = (8.0 * style.jump_rise / 9.81).sqrt();
+        assert!((0.8..1.35).contains(&(secs / wanted)), "{}: {secs} s in the air, {wanted} wanted", style.name);
+    }
+}
+
+#[test]
+fn fists_and_feet_strike_ahead_in_bell_shaped_bursts() {
+    for (style, drill, take) in drills().filter(|(_, drill, _)| drill.name != JUMPS.name) {
+        let strikers = if drill.name == PUNCHES.name {
+            [Role::LeftHand, Role::RightHand]
+        } else {
+            [Role::LeftFoot, Role::RightFoot]
+        };
+        let worlds = worlds(&take.motion);
+        let reach = |w: &WorldPose| strikers.map(|r| w.positions[r.index()].z).into_iter().fold(f32::MIN, f32::max);
+        let furthest = worlds.iter().map(reach).fold(f32::MIN, f32::max);
+        assert!(furthest > 0.3, "{} {}: {furthest} m", style.name, drill.name);
+        let fastest = worlds
+            .windows(2)
+            .flat_map(|w| strikers.map(|r| (w[1].positions[r.index()] - w[0].positions[r.index()]).length() * RATE_HZ))
+            .fold(0.0, f32::max);
+        assert!((1.0..14.0).contains(&fastest), "{} {}: {fastest} m/s", style.name, drill.name);
     }
 }
 
@@ -244,5 +330,27 @@ fn inputs_can_be_repeated() {
             let gap = last.rotations[role.index()].inv_mul(first.rotations[role.index()]).angle();
             assert!(gap < 0.2, "{} {role:?}: {gap}", input.name);
         }
+    }
+}
+
+/// Fractional frames at which the left and the right foot strike.
+fn strikes(take: &Performance) -> [Vec<f32>; 2] {
+    [0.0, 0.5].map(|of_side| {
+        let since = |phase: f32| phase - of_side;
+        let crossed = |w: &[f32]| since(w[0]).floor() < since(w[1]).floor();
+        let frame = |i: usize, w: &[f32]| i as f32 + (since(w[1]).floor() - since(w[0])) / (w[1] - w[0]);
+        take.phase.windows(2).enumerate().filter(|(_, w)| crossed(w)).map(|(i, w)| frame(i, w)).collect()
+    })
+}
+
+#[test]
+fn joint_angles_of_neutral_walking_lie_within_the_normative_bands() {
+    let passages = &[Passage { strides: 12, speed: 1.0, turn_degrees: 0.0 }];
+    let take = performed(&Script { name: "straight", action: Action::Walk, passages, seed: 4 }, &STYLES[0]);
+    let cycles = cycles_between(&take.motion, &strikes(&take));
+    for (angle, band) in WALKING_BANDS.iter().enumerate() {
+        let curve = measure::mean_and_sd(&cycles, angle);
+        let share = measure::share_within(band, &curve);
+        assert!(share >= 0.9, "{}: {share}", band.name);
     }
 }
