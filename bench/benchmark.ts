@@ -2,10 +2,10 @@
 import { EngineBench } from "./engine_bench";
 import type { Instances } from "./engines";
 import { NaiveTransfer } from "./naive";
-import { ENGINES, MODES, type Report } from "./report";
+import { ENGINES, type EngineName, MODES, type Mode, type Report } from "./report";
 import { readStrutdb } from "./strutdb";
 import { makeWorkload, type Source } from "./workload";
-import { measureYardstick } from "./yardstick_bench";
+import { YardstickBench } from "./yardstick_bench";
 
 /** Frames of the database that the paper's Table 2 was measured on. */
 export const PAPER_FRAMES = 79_829;
@@ -15,37 +15,25 @@ export interface Options {
   machine: string;
   /** Hears what is being done and which share of the work is behind it. */
   onProgress?: (what: string, done: number) => void;
-  /** Stops the run, which then rejects with the signal's reason. */
-  signal?: AbortSignal;
 }
 
-/** Runs it. */
-export async function benchmark(instances: Instances, source: Source, options: Options): Promise<Report> {
-  const { machine, onProgress = () => {}, signal } = options;
-  let turns = 0;
-  let work = 1;
-  /** Tells how far it is, and lets the thread hear whether this is still wanted. */
-  const turn = async (what: string) => {
-    onProgress(what, turns++ / work);
-    await new Promise((resolve) => setTimeout(resolve));
-    signal?.throwIfAborted();
-  };
-
-  await turn("Making a database");
+/** Runs it: minutes. Who wants to stop it ends its thread. */
+export function benchmark(instances: Instances, source: Source, { machine, onProgress }: Options): Report {
+  onProgress?.("Making a database", 0);
   const workload = makeWorkload(instances.simd.glue, source);
-  work = workload.queries.length * MODES.length * ENGINES.length;
   const report: Report = { machine, rows: [], agreement: [], memory: [] };
+  const work = ENGINES.length * MODES.length * workload.queries.length;
+  let turns = 0;
+  const turn = (engine: EngineName, mode: Mode) => onProgress?.(`${engine}, ${mode}`, turns++ / work);
+
   for (const [engine, instance] of [
     ["wasm-simd", instances.simd],
     ["wasm-scalar", instances.scalar],
   ] as const) {
     const bench = new EngineBench(instance, engine, workload, report);
-    try {
-      for (const mode of MODES) await bench.measure(mode, () => turn(`${engine}, ${mode}`));
-      bench.measureMemory();
-    } finally {
-      bench.free();
-    }
+    for (const mode of MODES) bench.measure(mode, () => turn(engine, mode));
+    bench.measureMemory();
+    bench.free();
   }
 
   const { glue } = instances.simd;
@@ -56,11 +44,8 @@ export async function benchmark(instances: Instances, source: Source, options: O
     "js-naive": () => new NaiveTransfer(readStrutdb(workload.bytes), target, glue.jointWeights()),
   } as const;
   for (const engine of ["wasm-naive", "js-naive"] as const) {
-    const yardstick = yardsticks[engine]();
-    for (const mode of MODES)
-      await measureYardstick(yardstick, engine, mode, instances.simd, database, workload, report, () =>
-        turn(`${engine}, ${mode}`),
-      );
+    const bench = new YardstickBench(yardsticks[engine](), engine, instances.simd, database, workload, report);
+    for (const mode of MODES) bench.measure(mode, () => turn(engine, mode));
   }
   database.free();
   return report;

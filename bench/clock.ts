@@ -26,3 +26,16 @@ export function timed(work: () => void): number {
   work();
   return performance.now() - started;
 }
+
+/** Milliseconds that a call takes; it is repeated until the clock can tell. */
+export function timedOften(work: () => void, resolutionMs: number): number {
+  const started = performance.now();
+  let calls = 0;
+  let elapsed = 0;
+  do {
+    work();
+    calls++;
+    elapsed = performance.now() - started;
+  } while (elapsed < STEPS * resolutionMs);
+  return elapsed / calls;
+}

@@ -1,7 +1,7 @@
 /** The engine compiled two ways, and what a yardstick must be able to do. */
 
-import * as scalar from "./pkg/scalar/strut_wasm.js";
-import * as simd from "./pkg/simd/strut_wasm.js";
+import * as scalar from "./pkg/scalar/strut_bench.js";
+import * as simd from "./pkg/simd/strut_bench.js";
 
 /** The generated bindings of the packages that `xtask bench` builds. */
 export type Glue = typeof simd;
@@ -40,8 +40,8 @@ export interface Yardstick {
 /** Loads both packages. @param compile makes a module of the file at an address */
 export async function loadInstances(compile: (url: URL) => Promise<WebAssembly.Module>): Promise<Instances> {
   const modules = await Promise.all([
-    compile(new URL("./pkg/simd/strut_wasm_bg.wasm", import.meta.url)),
-    compile(new URL("./pkg/scalar/strut_wasm_bg.wasm", import.meta.url)),
+    compile(new URL("./pkg/simd/strut_bench_bg.wasm", import.meta.url)),
+    compile(new URL("./pkg/scalar/strut_bench_bg.wasm", import.meta.url)),
   ]);
   return {
     simd: { glue: simd, memory: simd.initSync({ module: modules[0] }).memory },

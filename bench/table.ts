@@ -12,7 +12,8 @@ export const PAPER_MS: Readonly<Record<string, number>> = {
 /** A line of cells. */
 export type Cells = string[];
 
-const milliseconds = (ms: number) => (ms >= 100 ? ms.toFixed(0) : ms >= 10 ? ms.toFixed(1) : ms.toFixed(3));
+/** Milliseconds with three digits or so. */
+export const milliseconds = (ms: number) => (ms >= 100 ? ms.toFixed(0) : ms >= 10 ? ms.toFixed(1) : ms.toFixed(3));
 
 /** Stage × mode of one engine: a heading, then a line a stage with median and 95th percentile. */
 export function stageTable(report: Report, engine: EngineName | "native"): Cells[] {

@@ -5,7 +5,7 @@
  * It searches and regresses, and does nothing else, while the engine's frame also takes features, timing, contacts
  * and feet: ratios are understated.
  */
-import { timed } from "./clock";
+import { clockResolution, timedOften } from "./clock";
 import { DELTA, stylizerFor, WARM_UP } from "./engine_bench";
 import type { Database, Instance, Yardstick } from "./engines";
 import { type Agreement, type EngineName, type Mode, type Report, summarise } from "./report";
@@ -24,25 +24,44 @@ const ROUNDING = 2e-5;
 /** Most that rounding may change an angle, radians, or a height, metres. */
 const TOLERANCE = 1e-3;
 
-/** Measures a yardstick in a mode. Throws if its results are not the engine's. */
-export async function measureYardstick(
-  yardstick: Yardstick,
-  engine: EngineName,
-  mode: Mode,
-  { glue }: Instance,
-  database: Database,
-  workload: Workload,
-  report: Report,
-  turn: () => Promise<void>,
-): Promise<void> {
-  const table = database.classes();
-  const classes = table.length / 3;
-  const agreement: Agreement = { engine, mode, neighbour_sets: 0, identical: 0, tied: 0, largest_difference: 0 };
-  const times = { frame: [] as number[], search: [] as number[], regression: [] as number[] };
-  const target = database.neutral();
-  for (const query of workload.queries) {
-    await turn();
-    const [from, to] = mode === "labelled" ? rangeOf(table, query) : [0, classes];
+/** A yardstick beside an engine with the workload's database open. */
+export class YardstickBench {
+  private readonly classes: Uint32Array;
+  private readonly resolution = clockResolution();
+
+  constructor(
+    private readonly yardstick: Yardstick,
+    private readonly engine: EngineName,
+    private readonly instance: Instance,
+    private readonly database: Database,
+    private readonly workload: Workload,
+    private readonly report: Report,
+  ) {
+    this.classes = database.classes();
+  }
+
+  /** Measures it on every query. Throws if its results are not the engine's. */
+  measure(mode: Mode, turn: () => void): void {
+    const { engine, database, report } = this;
+    const classes = this.classes.length / 3;
+    const agreement: Agreement = { engine, mode, neighbour_sets: 0, identical: 0, tied: 0, largest_difference: 0 };
+    const times: Times = { frame: [], search: [], regression: [] };
+    for (const query of this.workload.queries) {
+      turn();
+      this.follow(query, mode, times, agreement);
+    }
+    for (const [stage, samples] of Object.entries(times))
+      report.rows.push({ stage, mode, engine, frames: database.frames(), classes, ...summarise(samples) });
+    report.agreement.push(agreement);
+    if (agreement.identical + agreement.tied < agreement.neighbour_sets || !(agreement.largest_difference < TOLERANCE))
+      throw new Error(`The yardstick computes something else than the engine: ${JSON.stringify(agreement)}`);
+  }
+
+  /** Lets the engine style a query, and the yardstick do some of its frames. */
+  private follow(query: Query, mode: Mode, times: Times, agreement: Agreement): void {
+    const { yardstick, database, resolution } = this;
+    const { glue } = this.instance;
+    const [from, to] = mode === "labelled" ? rangeOf(this.classes, query) : [0, this.classes.length / 3];
     const rows = glue.rowsOf(database, query.poses);
     const positions = glue.positionsOf(database, query.poses);
     const row = (frame: number) => rows.subarray(frame * ROW, (frame + 1) * ROW);
@@ -51,23 +70,23 @@ export async function measureYardstick(
     let before: Float32Array = new Float32Array();
     for (let frame = 0; frame <= last; frame++) {
       reference.push(query.poses.subarray(frame * POSE_FLOATS, (frame + 1) * POSE_FLOATS));
-      const expected = reference.predicted(target);
+      const expected = reference.predicted(database.neutral());
       if (frame >= WARM_UP && (frame - WARM_UP) % STRIDE === 0) {
         const window = positions.subarray((frame + 1 - WINDOW) * POSITIONS, (frame + 1) * POSITIONS);
         let found: Float32Array = new Float32Array();
-        const search = timed(() => yardstick.search(window, from, to));
-        const regression = timed(() => {
+        const search = timedOften(() => yardstick.search(window, from, to), resolution);
+        const regression = timedOften(() => {
           found = yardstick.predict(row(frame), row(frame - 1), before, DELTA[mode]);
-        });
+        }, resolution);
         times.search.push(search);
         times.regression.push(regression);
         times.frame.push(search + regression);
 
+        const recent = query.poses.subarray((frame + 1 - WINDOW) * POSE_FLOATS, (frame + 1) * POSE_FLOATS);
         for (let label = from; label < to; label++) {
-          const rows = yardstick.neighbours(label);
-          const recent = query.poses.subarray((frame + 1 - WINDOW) * POSE_FLOATS, (frame + 1) * POSE_FLOATS);
-          const wanted = new Set(reference.neighboursIn(label, rows.length, recent));
-          compareSets(agreement, rows, yardstick.distances(label), wanted);
+          const neighbours = yardstick.neighbours(label);
+          const wanted = new Set(reference.neighboursIn(label, neighbours.length, recent));
+          compareSets(agreement, neighbours, yardstick.distances(label), wanted);
         }
         for (let d = 0; d < ANGLES_AND_HEIGHT; d++) {
           const difference = Math.abs(found[d]! - expected[d]!);
@@ -78,12 +97,10 @@ export async function measureYardstick(
     }
     reference.free();
   }
-  for (const [stage, samples] of Object.entries(times))
-    report.rows.push({ stage, mode, engine, frames: database.frames(), classes, ...summarise(samples) });
-  report.agreement.push(agreement);
-  if (agreement.identical + agreement.tied < agreement.neighbour_sets || !(agreement.largest_difference < TOLERANCE))
-    throw new Error(`The yardstick computes something else than the engine: ${JSON.stringify(agreement)}`);
 }
+
+/** Milliseconds by stage. */
+type Times = Record<"frame" | "search" | "regression", number[]>;
 
 /** Counts a set of neighbours as the engine's, as one that differs by rounding alone, or neither. */
 function compareSets(

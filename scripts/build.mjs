@@ -1,5 +1,8 @@
 // npm run build: the static site in dist/, which works from any folder of any host.
-import { buildSite } from "./site.mjs";
+import { buildBench, buildSite } from "./site.mjs";
 import { main } from "./steps.mjs";
 
-await main(buildSite);
+await main(async () => {
+  await buildBench();
+  await buildSite();
+});

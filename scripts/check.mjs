@@ -20,8 +20,8 @@ async function setupLints(env) {
 
 await main(async () => {
   await step("Architecture", checkArchitecture);
-  const { rust: env } = await buildSite();
   await buildBench();
+  const { rust: env } = await buildSite();
   await setupLints(env);
   const rust = { env, cwd: join(root, "rust") };
   await step("Rust formatting", () => run("cargo", ["fmt", "--all", "--check"], rust));

@@ -45,8 +45,8 @@ interface ParityGlue {
 /** The report of a build; `nudgedFrame` changes the input of that frame by the least there is. */
 async function wasmReport(build: "simd" | "scalar", files: string[], nudgedFrame?: number): Promise<string> {
   const folder = new URL(`../../bench/pkg/${build}/`, import.meta.url);
-  const glue: ParityGlue = await import(/* @vite-ignore */ new URL("strut_wasm.js", folder).href);
-  glue.initSync({ module: readFileSync(new URL("strut_wasm_bg.wasm", folder)) });
+  const glue: ParityGlue = await import(/* @vite-ignore */ new URL("strut_bench.js", folder).href);
+  glue.initSync({ module: readFileSync(new URL("strut_bench_bg.wasm", folder)) });
   const report = new glue.ParityReport();
   try {
     for (const path of files) report.addFile(basename(path), readFileSync(path));

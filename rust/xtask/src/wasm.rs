@@ -32,6 +32,8 @@ const WASM_OPT_FLAGS: [&str; 9] = [
 pub(crate) struct Package {
     /// Where it goes, from the root of the repository.
     pub(crate) folder: &'static str,
+    /// Beginning of its files' names.
+    name: &'static str,
     /// Features of `strut-wasm`.
     features: &'static str,
     /// Whether the module uses SIMD.
@@ -45,11 +47,17 @@ const FAST_YARDSTICKS: &[&str] = &["--config", "profile.web.package.strut-wasm.o
 
 impl Package {
     /// What the page loads.
-    pub(crate) const ENGINE: Self = Self { folder: "web/engine/pkg", features: "", simd: true, config: &[] };
+    pub(crate) const ENGINE: Self =
+        Self { folder: "web/engine/pkg", name: NAME, features: "", simd: true, config: &[] };
     /// The same with what visitors need not download: the report that `tests/parity` compares and the yardsticks of
     /// `bench/` …
-    pub(crate) const BENCH: Self =
-        Self { folder: "bench/pkg/simd", features: "bench parity", simd: true, config: FAST_YARDSTICKS };
+    pub(crate) const BENCH: Self = Self {
+        folder: "bench/pkg/simd",
+        name: "strut_bench",
+        features: "bench parity",
+        simd: true,
+        config: FAST_YARDSTICKS,
+    };
     /// … and without SIMD, whose bits must be the same.
     pub(crate) const BENCH_SCALAR: Self = Self { folder: "bench/pkg/scalar", simd: false, ..Self::BENCH };
 }
@@ -63,15 +71,15 @@ pub(crate) fn build(package: &Package) -> Result<(), String> {
     let wasm = run_cargo(workspace, package)?;
     let wasm_opt = Some(repository.join("node_modules/binaryen/bin/wasm-opt")).filter(|path| path.is_file());
     let input = fs::read(&wasm).map_err(|e| format!("cannot read {}: {e}", wasm.display()))?;
-    let stamp = stamp_of(&input, wasm_opt.as_deref());
+    let stamp = stamp_of(package, &input, wasm_opt.as_deref());
     let stamp_file = folder.join("stamp");
     if fs::read_to_string(&stamp_file).is_ok_and(|old| old == stamp) {
         println!("{} is up to date", folder.display());
         return Ok(());
     }
 
-    run_bindgen(&wasm, &folder)?;
-    let output = folder.join(format!("{NAME}_bg.wasm"));
+    run_bindgen(&wasm, &folder, package.name)?;
+    let output = folder.join(format!("{}_bg.wasm", package.name));
     let bound = size_of(&output)?;
     match &wasm_opt {
         Some(tool) => optimise(tool, &output, package.simd)?,
@@ -105,13 +113,14 @@ fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
 }
 
 /// Writes the JavaScript glue, its types and the module without the binding sections to `folder`.
-fn run_bindgen(wasm: &Path, folder: &Path) -> Result<(), String> {
+fn run_bindgen(wasm: &Path, folder: &Path, name: &str) -> Result<(), String> {
     let _ = fs::remove_dir_all(folder);
     let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();
     bindgen
         .web(true)
         .and_then(|b| {
             b.input_path(wasm)
+                .out_name(name)
                 .typescript(true)
                 // `web/engine` finds the module itself, in Node as in a browser.
                 .omit_default_module_path(true)
@@ -141,8 +150,9 @@ fn run(mut command: Command, what: &str) -> Result<(), String> {
 
 /// What the package depends on: the module, the tools and their settings. Not a promise of equality between
 /// versions of the standard library, which only makes for one build too many.
-fn stamp_of(input: &[u8], wasm_opt: Option<&Path>) -> String {
+fn stamp_of(package: &Package, input: &[u8], wasm_opt: Option<&Path>) -> String {
     let mut hasher = DefaultHasher::new();
+    hasher.write(package.name.as_bytes());
     hasher.write(input);
     for flag in WASM_OPT_FLAGS {
         hasher.write(flag.as_bytes());

@@ -1,0 +1,108 @@
+/** The page: starts the benchmark, shows how far it is, and prints what it found. */
+import "../../web/playground/styles/tokens.css";
+import "../../web/playground/styles/controls.css";
+import "./bench.css";
+import { html } from "../../web/playground/dom";
+import { PAPER_FRAMES } from "../benchmark";
+import { medianOf, type Report, speedUp } from "../report";
+import type { Job, Message } from "./bench_worker";
+import { tables } from "./tables";
+
+const SIZES: readonly [frames: number, name: string][] = [
+  [4_800, "4,800 frames"],
+  [20_000, "20,000 frames"],
+  [PAPER_FRAMES, "79,829 frames, as in the paper"],
+  [400_000, "400,000 frames"],
+];
+
+const size = html("select", {}, ...SIZES.map(([frames, name]) => html("option", { value: frames }, name)));
+size.value = String(PAPER_FRAMES);
+const start = html("button", { class: "button outlined first", type: "button" }, "Measure");
+const cancel = html("button", { class: "button outlined", type: "button", hidden: true }, "Cancel");
+const copy = html("button", { class: "button outlined", type: "button", hidden: true }, "Copy as JSON");
+const bar = html("progress", { max: 1, "aria-label": "Progress" });
+const doing = html("p", { role: "status" });
+const progress = html("div", { class: "progress", hidden: true }, bar, doing);
+const error = html("p", { class: "error", role: "alert" });
+const results = html("div", { class: "results" });
+
+document
+  .getElementById("bench")!
+  .replaceChildren(
+    html("h1", {}, "How long a frame takes"),
+    html(
+      "p",
+      {},
+      "A procedural database in 48 classes and motion that it does not hold are made in this page. The engine styles it, compiled with SIMD and without; so do the loops one would write down from the paper, in Rust and in JavaScript, which must come to the same result. It takes a few minutes; leave the tab in front.",
+    ),
+    html("div", { class: "controls" }, html("label", {}, "Database", size), start, cancel, copy),
+    progress,
+    error,
+    results,
+  );
+
+let worker: Worker | undefined;
+
+function stop(): void {
+  worker?.terminate();
+  worker = undefined;
+  progress.hidden = cancel.hidden = true;
+  start.disabled = size.disabled = false;
+}
+
+function show(report: Report): void {
+  const frame = medianOf(report, "wasm-simd", "unlabelled", "frame")!;
+  const figure = (value: string, what: string) => html("div", {}, html("dt", {}, what), html("dd", {}, value));
+  results.replaceChildren(
+    html(
+      "dl",
+      { class: "figures" },
+      figure(`${frame.toFixed(frame < 1 ? 2 : 1)} ms`, "a frame, unlabelled"),
+      figure(`${speedUp(report, "wasm-naive", "unlabelled").toFixed(1)} ×`, "faster than plain Rust"),
+      figure(`${speedUp(report, "js-naive", "unlabelled").toFixed(1)} ×`, "faster than plain JavaScript"),
+    ),
+    ...tables(report),
+    html("p", { class: "caption" }, report.machine),
+  );
+  copy.hidden = false;
+  copy.onclick = () => void navigator.clipboard.writeText(JSON.stringify(report, null, 2)).then(confirmCopy, denyCopy);
+}
+
+function confirmCopy(): void {
+  copy.textContent = "Copied";
+  setTimeout(() => {
+    copy.textContent = "Copy as JSON";
+  }, 2000);
+}
+
+function denyCopy(): void {
+  error.textContent = "The browser does not let this page use the clipboard.";
+}
+
+start.onclick = () => {
+  error.textContent = "";
+  results.replaceChildren();
+  copy.hidden = true;
+  progress.hidden = cancel.hidden = false;
+  start.disabled = size.disabled = true;
+  bar.value = 0;
+  doing.textContent = "Loading";
+  worker = new Worker(new URL("./bench_worker.ts", import.meta.url), { type: "module" });
+  worker.onmessage = ({ data }: MessageEvent<Message>) => {
+    if (data.kind === "progress") {
+      bar.value = data.done;
+      doing.textContent = `${data.what}, ${Math.round(100 * data.done)} %`;
+      return;
+    }
+    stop();
+    if (data.kind === "report") show(data.report);
+    else error.textContent = data.reason;
+  };
+  worker.onerror = ({ message }) => {
+    stop();
+    error.textContent = message || "The benchmark could not be started. Reload the page.";
+  };
+  const machine = `${navigator.userAgent}, ${navigator.hardwareConcurrency} threads`;
+  worker.postMessage({ frames: Number(size.value), machine } satisfies Job);
+};
+cancel.onclick = stop;
