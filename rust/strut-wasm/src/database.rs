@@ -27,10 +27,13 @@ impl Database {
     /// # Errors
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromBytes)]
-    pub fn from_bytes(bytes: &[u8]) -> Result<Self, EngineError> {
-        strut_formats::strutdb::read(bytes).map(Self::new).map_err(|e| {
+    pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, EngineError> {
+        let database = strut_formats::strutdb::read(&bytes).map_err(|e| {
             EngineError::bad_file(e, "Copy the file once more, or build the database again with 'strut build-db'.")
-        })
+        })?;
+        // This memory never shrinks: the index takes the file's place.
+        drop(bytes);
+        Ok(Self::new(database))
     }
 
     /// Number of rows.

@@ -283,11 +283,11 @@ fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseError> {
 
     let bad = |tensor, frame, value, expected| Err(DatabaseError::Value { tensor, frame, value, expected });
     for frame in 0..n {
-        if let Some(&v) = parts.pose[frame].iter().find(|&&v| !within(v, 1e4)) {
+        if let Some(v) = first_beyond(&parts.pose[frame], 1e4) {
             return bad("pose", frame, v, "a number below 10 000");
         }
-        if let Some(v) = parts.point_cloud[frame].iter().flat_map(Vec3::as_ref).find(|&&v| !within(v, 1e3)) {
-            return bad("point_cloud", frame, *v, "a position within 1 km");
+        if let Some(v) = first_beyond(parts.point_cloud[frame].map(|p| p.to_array()).as_flattened(), 1e3) {
+            return bad("point_cloud", frame, v, "a position within 1 km");
         }
         let (t, w) = (parts.canonical_time[frame], parts.time_step[frame]);
         if !t.is_finite() {
@@ -310,20 +310,30 @@ fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseError> {
     Ok(())
 }
 
-/// Whether `v` is a number whose size is below `limit`.
-fn within(v: f32, limit: f32) -> bool {
-    v.is_finite() && v.abs() < limit
+/// The first value that is no number or whose size is not below `limit`.
+fn first_beyond(values: &[f32], limit: f32) -> Option<f32> {
+    let within = |v: f32| v.abs() < limit;
+    // Good values are the rule: without a way out of the loop, several are looked at together.
+    if values.iter().fold(true, |good, &v| good & within(v)) {
+        return None;
+    }
+    values.iter().copied().find(|&v| !within(v))
 }
 
 fn standard_deviation(rows: &[PoseRow]) -> PoseRow {
     let n = rows.len().max(1) as f64;
-    let mut sigma = [1.0; ROW];
-    for (d, out) in sigma.iter_mut().enumerate().take(DOFS) {
-        let mean = rows.iter().map(|r| f64::from(r[d])).sum::<f64>() / n;
-        let variance = rows.iter().map(|r| (f64::from(r[d]) - mean) * (f64::from(r[d]) - mean)).sum::<f64>() / n;
-        *out = (variance.sqrt() as f32).max(1e-4);
+    let (mut mean, mut variance) = ([0.0_f64; ROW], [0.0_f64; ROW]);
+    for row in rows {
+        mean.iter_mut().zip(row).for_each(|(sum, &v)| *sum += f64::from(v));
     }
-    sigma
+    let mean = mean.map(|sum| sum / n);
+    for row in rows {
+        for ((sum, mean), &v) in variance.iter_mut().zip(&mean).zip(row) {
+            let difference = f64::from(v) - mean;
+            *sum += difference * difference;
+        }
+    }
+    std::array::from_fn(|d| if d < DOFS { ((variance[d] / n).sqrt() as f32).max(1e-4) } else { 1.0 })
 }
 
 fn observed_range(rows: &[PoseRow]) -> [PoseRow; 2] {

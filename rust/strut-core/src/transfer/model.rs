@@ -72,22 +72,18 @@ impl Model {
 /// Standard deviation of each degree of freedom's change from one frame to the next, floored like
 /// [`Database::sigma`]; padding is 1.
 fn step_deviation(db: &Database) -> PoseRow {
-    let mut sums = [[0.0_f64; 2]; DOFS];
-    let mut count = 0.0_f64;
+    let (mut sums, mut squares, mut count) = ([0.0_f64; ROW], [0.0_f64; ROW], 0.0_f64);
     for clip in &db.clips {
-        for row in clip.rows().skip(1) {
+        for pair in db.pose[clip.rows()].windows(2) {
             count += 1.0;
-            for (d, s) in sums.iter_mut().enumerate() {
-                let step = f64::from(db.pose[row][d]) - f64::from(db.pose[row - 1][d]);
-                s[0] += step;
-                s[1] += step * step;
+            for (d, (sum, square)) in sums.iter_mut().zip(&mut squares).enumerate() {
+                let step = f64::from(pair[1][d]) - f64::from(pair[0][d]);
+                *sum += step;
+                *square += step * step;
             }
         }
     }
     let n = count.max(1.0);
-    let mut deviation = [1.0; ROW];
-    for (out, [sum, squares]) in deviation.iter_mut().zip(sums) {
-        *out = ((squares / n - (sum / n) * (sum / n)).max(0.0).sqrt() as f32).max(1e-5);
-    }
-    deviation
+    let deviation = |d: usize| (squares[d] / n - (sums[d] / n) * (sums[d] / n)).max(0.0).sqrt() as f32;
+    std::array::from_fn(|d| if d < DOFS { deviation(d).max(1e-5) } else { 1.0 })
 }

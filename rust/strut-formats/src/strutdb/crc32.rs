@@ -30,13 +30,24 @@ impl Crc32 {
     }
 
     pub(super) fn update(&mut self, bytes: &[u8]) {
+        let tables = &self.tables;
         let (strides, rest) = bytes.as_chunks::<STRIDE>();
-        for stride in strides {
-            let [a, b, c, d] = self.state.to_le_bytes();
-            let mixed = [stride[0] ^ a, stride[1] ^ b, stride[2] ^ c, stride[3] ^ d];
-            let bytes = mixed.iter().chain(&stride[4..]);
-            let tables = self.tables.iter().rev();
-            self.state = bytes.zip(tables).fold(0, |crc, (&byte, table)| crc ^ table[usize::from(byte)]);
+        for &[a, b, c, d, e, f, g, h] in strides {
+            // Written out, as the module is built for size and its loops are not unrolled.
+            let [w, x, y, z] = (self.state ^ u32::from_le_bytes([a, b, c, d])).to_le_bytes();
+            let [w, x, y, z] = [
+                tables[7][usize::from(w)],
+                tables[6][usize::from(x)],
+                tables[5][usize::from(y)],
+                tables[4][usize::from(z)],
+            ];
+            let [e, f, g, h] = [
+                tables[3][usize::from(e)],
+                tables[2][usize::from(f)],
+                tables[1][usize::from(g)],
+                tables[0][usize::from(h)],
+            ];
+            self.state = ((w ^ x) ^ (y ^ z)) ^ ((e ^ f) ^ (g ^ h));
         }
         for &byte in rest {
             self.state = (self.state >> 8) ^ self.tables[0][usize::from(self.state as u8 ^ byte)];
