@@ -14,8 +14,8 @@ const LAMBDA = 0.1;
 const KAPPA = 3;
 const RHO = 0.7;
 const MAX_FEEDBACK = 0.9;
-/** Classes with less of the weight are passed over. */
-const LEAST_SHARE = 1e-3;
+/** Classes with less than this share of the largest weight are passed over. */
+const LEAST_WEIGHT = 1e-4;
 /** Least of the distances of classes, m². */
 const LEAST_DISTANCE = 1e-6;
 /** Half-life of what separates expectation and prediction, seconds. */
@@ -176,8 +176,7 @@ export class NaiveTransfer implements Yardstick {
     );
     const least = Math.max(Math.min(...distances), LEAST_DISTANCE);
     const weights = distances.map((distance) => Math.exp(Math.min(least - distance, 0) / (delta * least)));
-    const sum = weights.reduce((a, b) => a + b, 0);
-    const kept = weights.map((weight) => (weight / sum < LEAST_SHARE ? 0 : weight));
+    const kept = weights.map((weight) => (weight < LEAST_WEIGHT ? 0 : weight));
     const keptSum = kept.reduce((a, b) => a + b, 0);
     return kept.map((weight) => weight / keptSum);
   }

@@ -8,12 +8,15 @@
 use crate::humanoid::{JOINTS, Pose, Proportions, Role};
 use crate::kinematics::{WorldPose, world_from_local};
 use crate::math::float_funcs::{atan2, half_life_share, wrap_angle};
+use crate::math::lanes::WIDTH;
 use crate::math::{Quat, Vec3, exp_map};
 
 /// Degrees of freedom of a pose.
 pub const DOFS: usize = 3 * JOINTS + 4;
 /// Floats of a row in memory: [`DOFS`] padded to whole 4-float lanes; the padding is zero.
-pub const ROW: usize = DOFS.next_multiple_of(4);
+pub const ROW: usize = DOFS.next_multiple_of(WIDTH);
+/// Lanes of a row.
+pub(crate) const LANES: usize = ROW / WIDTH;
 /// Index of the hip height.
 pub const HIP_HEIGHT: usize = 3 * JOINTS;
 /// Index of the sideways (leftward) velocity.
@@ -154,10 +157,14 @@ fn heading_free(pose: &Pose, heading: f32) -> Quat {
 /// Joint positions with the heading removed and the hips above the origin, metres (`point_cloud` of
 /// the database file).
 pub fn point_cloud(proportions: &Proportions, pose: &Pose, heading: f32) -> [Vec3; JOINTS] {
-    let mut local = *pose;
-    local.root = Vec3::new(0.0, pose.root.y, 0.0);
-    local.rotations[0] = heading_free(pose, heading);
-    world_from_local(proportions, &local).positions
+    heading_free_positions(&world_from_local(proportions, pose), heading)
+}
+
+/// [`point_cloud`] of a pose whose world positions are known.
+pub fn heading_free_positions(world: &WorldPose, heading: f32) -> [Vec3; JOINTS] {
+    let hips = world.positions[0] * Vec3::new(1.0, 0.0, 1.0);
+    let facing = Quat::from_rotation_y(-heading);
+    world.positions.map(|p| facing * (p - hips))
 }
 
 #[cfg(test)]

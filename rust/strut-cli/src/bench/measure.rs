@@ -34,8 +34,7 @@ impl Mode {
                 Options { action: Some(query.action), input_style: Some(query.style), ..Options::DEFAULT }
             }
             Self::Unlabelled => Options::DEFAULT,
-            // So flat a mixture that no class's share is negligible.
-            Self::All => Options { delta: 100.0, ..Options::DEFAULT },
+            Self::All => Options { least_weight: 0.0, ..Options::DEFAULT },
         }
     }
 }

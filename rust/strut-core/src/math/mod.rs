@@ -2,6 +2,7 @@
 
 pub mod exp_map;
 pub mod float_funcs;
+pub(crate) mod lanes;
 mod order;
 mod quat;
 

@@ -6,7 +6,7 @@ use crate::database::Database;
 use crate::kinematics::WorldPose;
 use crate::math::float_funcs::exp;
 use crate::math::{Quat, Vec3};
-use crate::pose_vector::{HEADING_RATE, Placement};
+use crate::pose_vector::{HEADING_RATE, VELOCITY_X, VELOCITY_Z};
 use crate::search::Neighbour;
 
 /// Neighbours that vote, by the lower-body metric.
@@ -50,17 +50,17 @@ impl FeetState {
         }))
     }
 
-    /// Of a row and the two before it in its clip.
+    /// Of a row and the two before it in its clip, seen from the middle one.
     fn of_row(db: &Database, row: usize) -> Self {
-        let mut at = Placement::default();
-        let frames = std::array::from_fn(|i| {
-            let row = row + i - 2;
-            if i > 0 {
-                at = at.advanced(&db.pose[row], 1.0 / db.rate_hz, db.pose[row][HEADING_RATE] / db.rate_hz);
-            }
-            let facing = Quat::from_rotation_y(at.heading);
-            foot_points(|joint| facing * db.point_cloud[row][joint] + Vec3::new(at.x, 0.0, at.z))
-        });
+        let dt = 1.0 / db.rate_hz;
+        let travel = |row: usize| Vec3::new(db.pose[row][VELOCITY_X], 0.0, db.pose[row][VELOCITY_Z]) * dt;
+        let turn = |row: usize| Quat::from_rotation_y(db.pose[row][HEADING_RATE] * dt);
+        let (travels, turns) = ([travel(row - 1), travel(row)], [turn(row - 1).inverse(), turn(row)]);
+        let frames = [
+            foot_points(|joint| turns[0] * db.point_cloud[row - 2][joint] - travels[0]),
+            foot_points(|joint| db.point_cloud[row - 1][joint]),
+            foot_points(|joint| turns[1] * (db.point_cloud[row][joint] + travels[1])),
+        ];
         Self::new(&frames, db.rate_hz)
     }
 

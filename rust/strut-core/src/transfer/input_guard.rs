@@ -1,7 +1,9 @@
 //! Keeps NaN and jumps of the input out of the model's state.
 
 use crate::humanoid::{JOINTS, Pose};
+use crate::math::float_funcs::cos;
 use crate::math::{Quat, Vec3};
+use std::f32::consts::FRAC_PI_2;
 
 /// Faster than any person, vehicles included: a jump of the hips.
 const MAX_SPEED: f32 = 25.0;
@@ -53,11 +55,10 @@ impl InputGuard {
         }
         let mut admitted = Pose { root: pose.root, ..last };
         let mut repaired = false;
+        let least_dot = cos((0.5 * MAX_TURN_RATE * dt_secs).min(FRAC_PI_2));
         for (j, (rotation, new)) in admitted.rotations.iter_mut().zip(&pose.rotations).enumerate() {
             match usable(*new) {
-                Some(new)
-                    if self.held_joints[j] >= MAX_HELD || rotation.inv_mul(new).angle() <= MAX_TURN_RATE * dt_secs =>
-                {
+                Some(new) if self.held_joints[j] >= MAX_HELD || rotation.dot(new).abs() >= least_dot => {
                     *rotation = new;
                     self.held_joints[j] = 0;
                 }

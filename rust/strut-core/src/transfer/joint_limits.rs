@@ -9,6 +9,7 @@ use crate::humanoid::{Pose, Role};
 use crate::math::float_funcs::{atan2, wrap_angle};
 use crate::math::{Quat, Vec3, exp_map};
 use crate::pose_vector::{PoseChart, PoseRow, ROW};
+use std::f32::consts::PI;
 
 /// Share of the observed range by which the limits are wider on either side.
 const WIDENING: f32 = 0.1;
@@ -80,6 +81,13 @@ fn measure(role: Role, rotation: Quat) -> Angles {
 /// By how much a joint is beyond what anatomy allows, radians; 0 within it and for the hips.
 pub fn beyond_anatomy(role: Role, rotation: Quat) -> f32 {
     let Some(limit) = anatomical(role) else { return 0.0 };
+    // None of the angles exceeds the whole turn, and that is at most π sin(turn / 2): enough for most joints.
+    let backwards = if hinge(role).is_some() { limit.backwards } else { PI };
+    let least = limit.swing.min(limit.twist).min(backwards);
+    let sine = Vec3::new(rotation.x, rotation.y, rotation.z);
+    if PI * PI * sine.length_squared() < least * least {
+        return 0.0;
+    }
     let is = measure(role, rotation);
     (is.swing - limit.swing).max(is.twist - limit.twist).max(is.backwards - limit.backwards).max(0.0)
 }

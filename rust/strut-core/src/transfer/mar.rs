@@ -5,12 +5,14 @@ use super::coherence::{Expectation, HALF_LIFE_SECS, taper};
 use super::mixture::class_weights;
 use super::model::Model;
 use super::options::{Method, Options};
-use super::regression::{InputMoments, Prediction, Regressors, Samples, interpolate, interpolate_before, predict};
+use super::regression::{
+    Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, interpolate_before, predict,
+};
 use super::timing::{Moment, duration};
 use super::trained::Trained;
 use crate::math::float_funcs::half_life_share;
 use crate::pose_vector::{PoseRow, ROW};
-use crate::search::{Metric, Neighbours, QueryWindow, Scratch};
+use crate::search::{Metric, Neighbour, Neighbours, QueryWindow, Scratch};
 
 /// One term of the mixture: a class, or for the baselines all allowed classes pooled.
 #[derive(Clone, Debug)]
@@ -45,13 +47,14 @@ pub(super) struct StylePrediction {
 
 impl StylePrediction {
     /// The row that a trained method predicts; `None` if the method is none.
-    fn trained_row(&mut self, model: &Model, input: Input<'_>, samples: Samples<'_>) -> Option<PoseRow> {
+    fn trained_row(&mut self, model: &Model, input: Input<'_>, neighbours: &[Neighbour]) -> Option<PoseRow> {
         let trained = self.trained.as_mut()?;
         if self.started {
             return Some(trained.predict(input, &self.previous));
         }
-        trained.start(model, samples.neighbours.first().map(|n| n.row as usize));
-        Some(trained.predict(input, &interpolate_before(samples)))
+        trained.start(model, neighbours.first().map(|n| n.row as usize));
+        let targets = &model.target_table(self.style).pose;
+        Some(trained.predict(input, &interpolate_before(targets, neighbours)))
     }
 }
 
@@ -70,7 +73,11 @@ pub(super) struct Mixture {
     weights: Vec<f32>,
     class_weights: Vec<f32>,
     active_classes: Vec<usize>,
-    kernel: Vec<f32>,
+    /// Rows of a class's neighbours, and what they become in a style.
+    inputs: Gathered,
+    targets: Gathered,
+    /// Squared distances of the neighbours' inputs and outputs.
+    timing_distances: [Vec<f32>; 2],
     scratch: Scratch,
     /// Largest |Δx| of the heaviest class, in σ.
     pub(super) bias: f32,
@@ -107,7 +114,9 @@ impl Mixture {
             weights: vec![0.0; components.len()],
             class_weights: vec![0.0; model.database().classes().len()],
             active_classes: Vec::with_capacity(model.database().classes().len()),
-            kernel: Vec::with_capacity(options.k),
+            inputs: Gathered::with_capacity(options.k),
+            targets: Gathered::with_capacity(options.k),
+            timing_distances: [(); 2].map(|()| Vec::with_capacity(options.k)),
             scratch: Scratch::default(),
             bias: 0.0,
             components,
@@ -145,10 +154,17 @@ impl Mixture {
     }
 
     /// Weighs the classes by their distances.
-    pub(super) fn weigh(&mut self, model: &Model, delta: f32) {
-        class_weights(&self.distances, delta, &mut self.weights);
+    pub(super) fn weigh(&mut self, model: &Model, options: &Options) {
+        class_weights(&self.distances, options.delta, options.least_weight, &mut self.weights);
         self.class_weights.fill(0.0);
         for (component, &weight) in self.components.iter().zip(&self.weights) {
+            if weight == 0.0 {
+                continue;
+            }
+            if let [class] = component.classes[..] {
+                self.class_weights[class] = weight;
+                continue;
+            }
             let neighbours = component.neighbours.as_slice();
             for n in neighbours {
                 let class = model.database().class_of_row(n.row as usize);
@@ -181,7 +197,10 @@ impl Mixture {
             let weights = component.neighbour_weights.as_slice();
             let ridge = options.lambda * weights.iter().sum::<f32>();
             let regresses = matches!(options.method, Method::Mar | Method::LocalAr);
-            let moments = regresses.then(|| InputMoments::new(&db.pose, neighbours, weights));
+            let moments = regresses.then(|| {
+                self.inputs.fill(&db.pose, neighbours);
+                InputMoments::new(&self.inputs, weights)
+            });
             let bias = match (&moments, options.method) {
                 (Some(m), Method::Mar) => {
                     Bias::new(input.current, &m.statistics, db.sigma(), options.kappa, options.rho)
@@ -193,12 +212,14 @@ impl Mixture {
             }
             for s in styles.iter_mut() {
                 let targets = &model.target_table(s.style).pose;
-                let samples = Samples { inputs: &db.pose, targets, neighbours, weights };
-                let row = if let Some(row) = s.trained_row(model, input, samples) {
+                let row = if let Some(row) = s.trained_row(model, input, neighbours) {
                     row
                 } else if let Some(moments) = &moments {
                     // A style that begins takes the neighbours' mean for its past.
-                    let start = if s.started { s.previous } else { bias.put_on(interpolate_before(samples)) };
+                    let start =
+                        if s.started { s.previous } else { bias.put_on(interpolate_before(targets, neighbours)) };
+                    self.targets.fill(targets, neighbours);
+                    let samples = Samples { inputs: &self.inputs, targets: &self.targets, weights };
                     let u =
                         Regressors { previous_input: input.previous, input: input.current, previous_output: &start };
                     let Prediction { output, target_step } = predict(u, moments, samples, ridge, db.sigma(), &bias);
@@ -229,30 +250,33 @@ impl Mixture {
     ) {
         let db = model.database();
         let frame_secs = 1.0 / db.rate_hz;
-        for s in styles {
-            let table = model.target_table(s.style);
-            let (mut secs, mut contact) = (0.0, [0.0; 2]);
-            for (component, &weight) in self.components.iter().zip(&self.weights) {
-                if weight == 0.0 {
-                    continue;
-                }
-                let neighbours = component.neighbours.as_slice();
-                let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
-                let now = Moment {
-                    input: input.current,
-                    previous_input: input.previous,
-                    output: &s.current,
-                    previous_output: if s.started { &s.previous } else { &s.current },
-                };
-                let (neighbours, weights) = (&neighbours[..nearest], component.neighbour_weights.as_slice());
-                let samples = Samples { inputs: &db.pose, targets: &table.pose, neighbours, weights };
-                let secs_of_class = duration(model.scales(), now, samples, &table.step_secs, &mut self.kernel);
-                secs += weight * secs_of_class.unwrap_or(frame_secs);
-                let contact_of_class: [f32; 2] = interpolate(&table.contact, samples.neighbours);
-                contact.iter_mut().zip(contact_of_class).for_each(|(sum, c)| *sum += weight * c);
+        for s in styles.iter_mut() {
+            (s.step_secs, s.contact) = (0.0, [0.0; 2]);
+        }
+        let now = Moment { pose: input.current, previous: input.previous };
+        let [of_inputs, of_outputs] = &mut self.timing_distances;
+        for (component, &weight) in self.components.iter().zip(&self.weights) {
+            if weight == 0.0 {
+                continue;
             }
-            s.step_secs = s.trained.as_ref().map_or(secs, Trained::step_secs);
-            s.contact = contact;
+            let neighbours = component.neighbours.as_slice();
+            let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
+            let (neighbours, weights) = (&neighbours[..nearest], component.neighbour_weights.as_slice());
+            model.scales().squared_distances(now, &db.pose, neighbours, of_inputs);
+            for s in styles.iter_mut() {
+                let table = model.target_table(s.style);
+                let now = Moment { pose: &s.current, previous: if s.started { &s.previous } else { &s.current } };
+                model.scales().squared_distances(now, &table.pose, neighbours, of_outputs);
+                let secs = duration(of_inputs, of_outputs, neighbours, weights, &table.step_secs);
+                s.step_secs += weight * secs.unwrap_or(frame_secs);
+                let contact: [f32; 2] = interpolate(&table.contact, neighbours);
+                s.contact.iter_mut().zip(contact).for_each(|(sum, c)| *sum += weight * c);
+            }
+        }
+        for s in styles {
+            if let Some(trained) = &s.trained {
+                s.step_secs = trained.step_secs();
+            }
         }
     }
 
@@ -268,7 +292,7 @@ impl Mixture {
     }
 
     /// Neighbours in the heaviest class.
-    pub(super) fn heaviest_neighbours(&self) -> &[crate::search::Neighbour] {
+    pub(super) fn heaviest_neighbours(&self) -> &[Neighbour] {
         self.heaviest().map_or(&[], |i| self.components[i].neighbours.as_slice())
     }
 

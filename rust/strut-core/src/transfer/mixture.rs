@@ -2,33 +2,23 @@
 
 use crate::math::float_funcs::exp;
 
-/// Classes whose share of the weights is below this are skipped: they change the output by less than
-/// 1e-5 m and are most of the work.
-pub const LEAST_SHARE: f32 = 1e-3;
-
 /// Least of the distances, (1 mm)²: below it the measurement is noise and one class would take all.
 const FLOOR: f32 = 1e-6;
 
+/// Least weight before they are made to sum to 1, so that no class drops out by underflow.
+const LEAST_WEIGHT: f32 = 1e-30;
+
 /// Fills `weights` with λⱼ ∝ exp(−Dⱼ / (δ · min D)) from the classes' mean squared neighbour distances
-/// (m²; infinite for a class that takes no part). Shares below [`LEAST_SHARE`] become zero; the rest sums
-/// to 1, or all is zero if no class takes part.
-pub fn class_weights(distances: &[f32], delta: f32, weights: &mut [f32]) {
+/// (m²; infinite for a class that takes no part). Those below `least_weight` times the largest become zero; the
+/// rest sums to 1, or all is zero if no class takes part.
+pub fn class_weights(distances: &[f32], delta: f32, least_weight: f32, weights: &mut [f32]) {
     let least = distances.iter().copied().fold(f32::INFINITY, f32::min).max(FLOOR);
     let scale = 1.0 / (delta * least);
     for (w, &d) in weights.iter_mut().zip(distances) {
-        // Relative to the nearest class, so that a small δ cannot underflow all of them.
-        *w = if d.is_finite() { exp((least - d).min(0.0) * scale) } else { 0.0 };
+        // Relative to the nearest class, whose weight is 1.
+        let weight = if d.is_finite() { exp((least - d).min(0.0) * scale).max(LEAST_WEIGHT) } else { 0.0 };
+        *w = if weight < least_weight { 0.0 } else { weight };
     }
-    normalise(weights);
-    for w in weights.iter_mut() {
-        if *w < LEAST_SHARE {
-            *w = 0.0;
-        }
-    }
-    normalise(weights);
-}
-
-fn normalise(weights: &mut [f32]) {
     let sum: f32 = weights.iter().sum();
     if sum > 0.0 {
         for w in weights {
@@ -45,11 +35,13 @@ mod tests {
     proptest! {
         #[test]
         fn weights_sum_to_one_and_fall_with_distance(
-            distances in prop::collection::vec(0.0f32..1.0, 1..50), delta in 0.01f32..10.0,
+            distances in prop::collection::vec(0.0f32..1.0, 1..50), delta in 0.01f32..10.0, skip in any::<bool>(),
         ) {
             let mut weights = vec![0.0; distances.len()];
-            class_weights(&distances, delta, &mut weights);
+            let least_weight = if skip { 1e-4 } else { 0.0 };
+            class_weights(&distances, delta, least_weight, &mut weights);
             prop_assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-5);
+            prop_assert!(skip || weights.iter().all(|w| *w > 0.0));
             for (i, j) in (0..distances.len()).flat_map(|i| (0..distances.len()).map(move |j| (i, j))) {
                 if distances[i] <= distances[j] {
                     prop_assert!(weights[i] >= weights[j]);
@@ -61,9 +53,9 @@ mod tests {
     #[test]
     fn classes_without_neighbours_take_no_part() {
         let mut weights = [9.0; 3];
-        class_weights(&[f32::INFINITY, 0.0, f32::NAN], 0.7, &mut weights);
+        class_weights(&[f32::INFINITY, 0.0, f32::NAN], 0.7, 1e-4, &mut weights);
         assert_eq!(weights, [0.0, 1.0, 0.0]);
-        class_weights(&[f32::INFINITY; 3], 0.7, &mut weights);
+        class_weights(&[f32::INFINITY; 3], 0.7, 1e-4, &mut weights);
         assert_eq!(weights, [0.0; 3]);
     }
 }

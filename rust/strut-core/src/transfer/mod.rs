@@ -35,7 +35,7 @@ pub use clip_footplant::plant_feet;
 pub use footplant::{Footplant, ground_clearance};
 pub use frame::{NoClock, Stage, StageClock, StyledFrame, Trace, TracedNeighbour};
 pub use joint_limits::beyond_anatomy;
-pub use mixture::{LEAST_SHARE, class_weights};
+pub use mixture::class_weights;
 pub use model::Model;
 pub use options::{MAX_K, Method, Options, OptionsError};
 pub use regression::MAX_FEEDBACK;

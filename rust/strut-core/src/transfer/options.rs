@@ -69,6 +69,10 @@ pub struct Options {
     pub k: usize,
     /// δ of Eq. 4: how fast a class's weight falls with its distance. 0.2 to 0.7 are equal, 3 is worse.
     pub delta: f32,
+    /// Classes whose weight is below this share of the largest are skipped, with δ 0.7 those whose D is more than
+    /// 7.4 times the least; 0 skips none. Of 35 classes 6 remain on held-out walks, whose joints move by 6e-6 m at
+    /// most; 22 on walks of another data set: 3e-5 m at most, 6e-7 m in the mean.
+    pub least_weight: f32,
     /// λ: ridge of the regressions as a share of K, on variables in global standard deviations.
     pub lambda: f32,
     /// κ of Eq. 6: the input is taken as it is within μ ± κσ of its neighbours; beyond, as bias. 3 costs
@@ -98,6 +102,7 @@ impl Options {
     pub const DEFAULT: Self = Self {
         k: 40,
         delta: 0.7,
+        least_weight: 1e-4,
         lambda: 0.1,
         kappa: 3.0,
         rho: 0.7,
@@ -153,6 +158,7 @@ impl Options {
         };
         check("k", self.k as f32, (1..=MAX_K).contains(&self.k), "1 to 1000")?;
         check("delta", self.delta, self.delta >= 0.01 && self.delta <= 100.0, "0.01 to 100")?;
+        check("least_weight", self.least_weight, (0.0..=1.0).contains(&self.least_weight), "0 to 1")?;
         check("lambda", self.lambda, self.lambda >= 1e-4 && self.lambda <= 1e4, "0.0001 to 10000")?;
         check("kappa", self.kappa, self.kappa >= 0.0, "0 or more")?;
         check("rho", self.rho, (0.0..=1.0).contains(&self.rho), "0 to 1")
@@ -169,6 +175,7 @@ mod tests {
         for bad in [
             Options { k: 0, ..Options::DEFAULT },
             Options { delta: f32::NAN, ..Options::DEFAULT },
+            Options { least_weight: f32::NAN, ..Options::DEFAULT },
             Options { lambda: 0.0, ..Options::DEFAULT },
             Options { kappa: f32::NAN, ..Options::DEFAULT },
             Options { rho: 1.5, ..Options::DEFAULT },

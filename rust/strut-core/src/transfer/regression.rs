@@ -1,15 +1,48 @@
 //! Local autoregression of one class: Eq. 2 and the specification, §6.
 //!
 //! Each degree of freedom is predicted on its own as yₜ = uᵀβ with u = [xₜ₋₁, yₜ₋₁, xₜ, 1], β fitted
-//! by ridge to the class's neighbours. Everything runs over whole rows, so that the compiler works on
-//! several degrees of freedom at once, and sums over neighbours in their order.
+//! by ridge to the class's neighbours. The neighbours' rows are gathered first; then four degrees of freedom at
+//! once go through all neighbours in their order, with their sums in registers.
 
 use super::bias::{Bias, InputStatistics};
-use crate::pose_vector::{PoseRow, ROW};
+use crate::math::lanes::Lane;
+use crate::pose_vector::{LANES, PoseRow, ROW};
 use crate::search::Neighbour;
 
 /// Greatest weight of the previous output: more feeds errors back faster than they die out.
 pub const MAX_FEEDBACK: f32 = 0.9;
+
+/// Rows at the neighbours and just before them, in the order in which the sums need them: for four degrees of
+/// freedom after the other, of all neighbours, xₜ₋₁ and xₜ. Keeps its memory.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Gathered {
+    pairs: Vec<[Lane; 2]>,
+    count: usize,
+}
+
+impl Gathered {
+    /// Room for the rows of `k` neighbours.
+    pub(super) fn with_capacity(k: usize) -> Self {
+        Self { pairs: Vec::with_capacity(LANES * k), count: 0 }
+    }
+
+    /// Takes these rows in place of those before. The neighbours' rows are never the first of a clip.
+    pub(super) fn fill(&mut self, rows: &[PoseRow], neighbours: &[Neighbour]) {
+        self.count = neighbours.len();
+        self.pairs.resize(LANES * self.count, Default::default());
+        for (k, n) in neighbours.iter().enumerate() {
+            let (before, at) = (&rows[n.row as usize - 1], &rows[n.row as usize]);
+            for (l, pair) in self.pairs[k..].iter_mut().step_by(self.count).enumerate() {
+                *pair = [Lane::of(before, l), Lane::of(at, l)];
+            }
+        }
+    }
+
+    /// Four degrees of freedom of every neighbour.
+    fn lane(&self, l: usize) -> &[[Lane; 2]] {
+        &self.pairs[l * self.count..][..self.count]
+    }
+}
 
 /// Sums over the neighbours of products of the centred inputs xₜ₋₁ (`p`) and xₜ (`c`): the part of the
 /// normal equations that all target styles share.
@@ -23,25 +56,35 @@ pub(super) struct InputMoments {
 }
 
 impl InputMoments {
-    /// Of the database rows at the neighbours, as far as each counts, and just before them.
-    pub(super) fn new(rows: &[PoseRow], neighbours: &[Neighbour], weights: &[f32]) -> Self {
-        let mean_previous = mean(rows, neighbours, weights, 1);
-        let mean_current = mean(rows, neighbours, weights, 0);
-        let (mut pp, mut pc, mut cc) = ([0.0; ROW], [0.0; ROW], [0.0; ROW]);
-        for (n, &w) in neighbours.iter().zip(weights) {
-            let (previous, current) = (&rows[n.row as usize - 1], &rows[n.row as usize]);
-            for d in 0..ROW {
-                let p = previous[d] - mean_previous[d];
-                let c = current[d] - mean_current[d];
+    /// Of the neighbours' inputs, as far as each counts.
+    pub(super) fn new(inputs: &Gathered, weights: &[f32]) -> Self {
+        let zero = [0.0; ROW];
+        let mut moments = Self {
+            mean_previous: zero,
+            statistics: InputStatistics { mean: zero, deviation: zero },
+            pp: zero,
+            pc: zero,
+            cc: zero,
+        };
+        let count = Lane::splat(weights.iter().sum::<f32>().max(f32::MIN_POSITIVE));
+        for l in 0..LANES {
+            let [mean_previous, mean] = means(inputs.lane(l), weights);
+            let (mut pp, mut pc, mut cc) = (Lane::default(), Lane::default(), Lane::default());
+            for (&[p, c], &w) in inputs.lane(l).iter().zip(weights) {
+                let (p, c, w) = (p - mean_previous, c - mean, Lane::splat(w));
                 let (wp, wc) = (w * p, w * c);
-                pp[d] += wp * p;
-                pc[d] += wp * c;
-                cc[d] += wc * c;
+                pp += wp * p;
+                pc += wp * c;
+                cc += wc * c;
             }
+            mean_previous.write(&mut moments.mean_previous, l);
+            mean.write(&mut moments.statistics.mean, l);
+            (cc / count).map(f32::sqrt).write(&mut moments.statistics.deviation, l);
+            pp.write(&mut moments.pp, l);
+            pc.write(&mut moments.pc, l);
+            cc.write(&mut moments.cc, l);
         }
-        let count = weights.iter().sum::<f32>().max(f32::MIN_POSITIVE);
-        let statistics = InputStatistics { mean: mean_current, deviation: cc.map(|v| (v / count).sqrt()) };
-        Self { mean_previous, statistics, pp, pc, cc }
+        moments
     }
 
     /// Mean change of the neighbours' inputs from t−1 to t.
@@ -50,15 +93,13 @@ impl InputMoments {
     }
 }
 
-/// The registered examples of a class for one style: rows are looked up at the neighbours and just before.
+/// The registered examples of a class for one style.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Samples<'a> {
-    /// All rows of the database: x.
-    pub(super) inputs: &'a [PoseRow],
+    /// x.
+    pub(super) inputs: &'a Gathered,
     /// What they become in the style: y.
-    pub(super) targets: &'a [PoseRow],
-    /// Which of them count. Their rows are never the first of a clip.
-    pub(super) neighbours: &'a [Neighbour],
+    pub(super) targets: &'a Gathered,
     /// How much each of them counts: 0 to 1, not all 0.
     pub(super) weights: &'a [f32],
 }
@@ -95,97 +136,87 @@ pub(super) fn predict(
     sigma: &PoseRow,
     bias: &Bias,
 ) -> Prediction {
-    let Samples { inputs, targets, neighbours, weights } = samples;
-    let mean_before = mean(targets, neighbours, weights, 1);
-    let mean_target = mean(targets, neighbours, weights, 0);
-    // Products with the previous target (`b`) and with the target (`t`).
-    let (mut pb, mut cb, mut bb) = ([0.0; ROW], [0.0; ROW], [0.0; ROW]);
-    let (mut pt, mut ct, mut bt) = ([0.0; ROW], [0.0; ROW], [0.0; ROW]);
-    for (n, &w) in neighbours.iter().zip(weights) {
-        let at = n.row as usize;
-        let (x0, x1, y0, y1) = (&inputs[at - 1], &inputs[at], &targets[at - 1], &targets[at]);
-        for d in 0..ROW {
-            let p = x0[d] - moments.mean_previous[d];
-            let c = x1[d] - moments.statistics.mean[d];
-            let b = y0[d] - mean_before[d];
-            let t = y1[d] - mean_target[d];
+    let Samples { inputs, targets, weights } = samples;
+    let mut prediction = Prediction { output: [0.0; ROW], target_step: [0.0; ROW] };
+    for l in 0..LANES {
+        let at = |row: &PoseRow| Lane::of(row, l);
+        let (mean_previous, mean_input) = (at(&moments.mean_previous), at(&moments.statistics.mean));
+        let [mean_before, mean_target] = means(targets.lane(l), weights);
+        // Products with the previous target (`b`) and with the target (`t`).
+        let (mut pb, mut cb, mut bb) = (Lane::default(), Lane::default(), Lane::default());
+        let (mut pt, mut ct, mut bt) = (Lane::default(), Lane::default(), Lane::default());
+        for ((&[p, c], &[b, t]), &w) in inputs.lane(l).iter().zip(targets.lane(l)).zip(weights) {
+            let (p, c, b, t) = (p - mean_previous, c - mean_input, b - mean_before, t - mean_target);
+            let w = Lane::splat(w);
             let (wb, t) = (w * b, w * t);
-            pb[d] += p * wb;
-            cb[d] += c * wb;
-            bb[d] += b * wb;
-            pt[d] += p * t;
-            ct[d] += c * t;
-            bt[d] += b * t;
+            pb += p * wb;
+            cb += c * wb;
+            bb += b * wb;
+            pt += p * t;
+            ct += c * t;
+            bt += b * t;
         }
+        let ridge = Lane::splat(ridge) * at(sigma) * at(sigma);
+        let (pp, pc, cc) = (at(&moments.pp) + ridge, at(&moments.pc), at(&moments.cc) + ridge);
+        let beta = Gram { pp, pc, cc, pb, cb, bb: bb + ridge }.solve([pt, ct, bt]);
+        let output = mean_target
+            + beta.previous_input * (at(u.previous_input) - at(&bias.input) - mean_previous)
+            + beta.input * (at(u.input) - at(&bias.input) - mean_input)
+            + beta.previous_output * (at(u.previous_output) - at(&bias.output) - mean_before)
+            + at(&bias.output);
+        output.write(&mut prediction.output, l);
+        (mean_target - mean_before).write(&mut prediction.target_step, l);
     }
-    let mut output = [0.0; ROW];
-    for d in 0..ROW {
-        let ridge = ridge * sigma[d] * sigma[d];
-        let gram = Gram {
-            pp: moments.pp[d] + ridge,
-            pc: moments.pc[d],
-            cc: moments.cc[d] + ridge,
-            pb: pb[d],
-            cb: cb[d],
-            bb: bb[d] + ridge,
-        };
-        let beta = gram.solve([pt[d], ct[d], bt[d]]);
-        output[d] = mean_target[d]
-            + beta.previous_input * (u.previous_input[d] - bias.input[d] - moments.mean_previous[d])
-            + beta.input * (u.input[d] - bias.input[d] - moments.statistics.mean[d])
-            + beta.previous_output * (u.previous_output[d] - bias.output[d] - mean_before[d])
-            + bias.output[d];
-    }
-    Prediction { output, target_step: std::array::from_fn(|d| mean_target[d] - mean_before[d]) }
+    prediction
 }
 
-/// Normal equations of one degree of freedom, ridge included: regressors p = xₜ₋₁, c = xₜ, b = yₜ₋₁.
+/// Normal equations of four degrees of freedom, ridge included: regressors p = xₜ₋₁, c = xₜ, b = yₜ₋₁.
 #[derive(Clone, Copy, Debug)]
 struct Gram {
-    pp: f32,
-    pc: f32,
-    cc: f32,
-    pb: f32,
-    cb: f32,
-    bb: f32,
+    pp: Lane,
+    pc: Lane,
+    cc: Lane,
+    pb: Lane,
+    cb: Lane,
+    bb: Lane,
 }
 
 /// Weights of the regressors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Beta {
-    previous_input: f32,
-    input: f32,
-    previous_output: f32,
+    previous_input: Lane,
+    input: Lane,
+    previous_output: Lane,
 }
 
 impl Gram {
     /// Solves for the right-hand side [p·t, c·t, b·t]. The weight of yₜ₋₁ is found first (the Schur
     /// complement of the input part), limited to ± [`MAX_FEEDBACK`], and the other two solved for it.
     #[inline]
-    fn solve(&self, rhs: [f32; 3]) -> Beta {
-        let inverse_det = 1.0 / (self.pp * self.cc - self.pc * self.pc);
+    fn solve(&self, rhs: [Lane; 3]) -> Beta {
+        let inverse_det = Lane::splat(1.0) / (self.pp * self.cc - self.pc * self.pc);
         let solve_input =
-            |p: f32, c: f32| ((self.cc * p - self.pc * c) * inverse_det, (self.pp * c - self.pc * p) * inverse_det);
+            |p: Lane, c: Lane| ((self.cc * p - self.pc * c) * inverse_det, (self.pp * c - self.pc * p) * inverse_det);
         let (bp, bc) = solve_input(self.pb, self.cb);
         let schur = self.bb - (self.pb * bp + self.cb * bc);
         let feedback = (rhs[2] - (rhs[0] * bp + rhs[1] * bc)) / schur;
-        let b = feedback.clamp(-MAX_FEEDBACK, MAX_FEEDBACK);
+        let b = feedback.map(|b| b.clamp(-MAX_FEEDBACK, MAX_FEEDBACK));
         let (previous_input, input) = solve_input(rhs[0] - b * self.pb, rhs[1] - b * self.cb);
         Beta { previous_input, input, previous_output: b }
     }
 }
 
-/// Weighted mean of the rows `before` the neighbours, summed in order; zero if there are none.
-fn mean(rows: &[PoseRow], neighbours: &[Neighbour], weights: &[f32], before: usize) -> PoseRow {
-    let mut sum = [0.0; ROW];
-    let mut count = 0.0;
-    for (n, &w) in neighbours.iter().zip(weights) {
-        for (s, v) in sum.iter_mut().zip(&rows[n.row as usize - before]) {
-            *s += w * v;
-        }
+/// Weighted means over the neighbours; zero if there are none.
+#[inline]
+fn means(pairs: &[[Lane; 2]], weights: &[f32]) -> [Lane; 2] {
+    let (mut before, mut at, mut count) = (Lane::default(), Lane::default(), 0.0);
+    for (&[b, a], &w) in pairs.iter().zip(weights) {
+        before += Lane::splat(w) * b;
+        at += Lane::splat(w) * a;
         count += w;
     }
-    sum.map(|s| s / f32::max(count, f32::MIN_POSITIVE))
+    let count = Lane::splat(f32::max(count, f32::MIN_POSITIVE));
+    [before / count, at / count]
 }
 
 /// Distance below which neighbours are taken as equally near, (3 mm)².
@@ -196,9 +227,9 @@ pub(super) fn interpolate<const N: usize>(values: &[[f32; N]], neighbours: &[Nei
     inverse_distance_mean(neighbours.iter().map(|n| (n.distance, &values[n.row as usize])))
 }
 
-/// The same of the targets one frame earlier.
-pub(super) fn interpolate_before(samples: Samples<'_>) -> PoseRow {
-    inverse_distance_mean(samples.neighbours.iter().map(|n| (n.distance, &samples.targets[n.row as usize - 1])))
+/// The same of the rows one frame earlier.
+pub(super) fn interpolate_before(rows: &[PoseRow], neighbours: &[Neighbour]) -> PoseRow {
+    inverse_distance_mean(neighbours.iter().map(|n| (n.distance, &rows[n.row as usize - 1])))
 }
 
 fn inverse_distance_mean<'a, const N: usize>(values: impl Iterator<Item = (f32, &'a [f32; N])>) -> [f32; N] {
@@ -218,6 +249,12 @@ fn inverse_distance_mean<'a, const N: usize>(values: impl Iterator<Item = (f32, 
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    fn gathered(rows: &[PoseRow]) -> Gathered {
+        let mut gathered = Gathered::default();
+        gathered.fill(rows, &neighbours(rows.len()));
+        gathered
+    }
 
     fn neighbours(rows: usize) -> Vec<Neighbour> {
         (1..rows).map(|row| Neighbour { distance: 0.0, row: row as u32 }).collect()
@@ -245,12 +282,13 @@ mod tests {
             for t in 1..inputs.len() {
                 targets.push([a * inputs[t - 1][0] + b * targets[t - 1][0] + c * inputs[t][0] + 0.5; ROW]);
             }
-            let list = neighbours(inputs.len());
-            let weights: Vec<f32> = list.iter().map(|n| 1.0 - n.row as f32 / 60.0).collect();
-            let moments = InputMoments::new(&inputs, &list, &weights);
+            let weights: Vec<f32> = (1..inputs.len()).map(|row| 1.0 - row as f32 / 60.0).collect();
+            let (inputs, targets) = (gathered(&inputs), gathered(&targets));
+            let moments = InputMoments::new(&inputs, &weights);
             let (x0, x1, y0) = ([0.2; ROW], [-0.4; ROW], [0.7; ROW]);
             let u = Regressors { previous_input: &x0, input: &x1, previous_output: &y0 };
-            let y = predict(u, &moments, Samples { inputs: &inputs, targets: &targets, neighbours: &list, weights: &weights }, 1e-5, &[1.0; ROW], &Bias::NONE).output;
+            let samples = Samples { inputs: &inputs, targets: &targets, weights: &weights };
+            let y = predict(u, &moments, samples, 1e-5, &[1.0; ROW], &Bias::NONE).output;
             let expected = a * 0.2 + b * 0.7 + c * -0.4 + 0.5;
             prop_assert!((y[0] - expected).abs() < 5e-3, "{} {expected}", y[0]);
             prop_assert!(y.iter().all(|v| *v == y[0]));
@@ -260,16 +298,18 @@ mod tests {
         fn feedback_is_limited_and_the_rest_solved_for_it(
             rows in prop::collection::vec(prop::array::uniform4(-1.0f32..1.0), 4..40), gain in 0.95f32..3.0,
         ) {
-            let mut g = Gram { pp: 0.1, pc: 0.0, cc: 0.1, pb: 0.0, cb: 0.0, bb: 0.1 };
-            let mut rhs = [0.0; 3];
+            let [mut pp, mut pc, mut cc, mut pb, mut cb, mut bb] = [0.1_f32, 0.0, 0.1, 0.0, 0.0, 0.1];
+            let mut rhs = [0.0_f32; 3];
             for [p, c, b, e] in &rows {
                 let t = gain * b * 2.0 + 0.1 * e;
-                g.pp += p * p; g.pc += p * c; g.cc += c * c; g.pb += p * b; g.cb += c * b; g.bb += b * b;
+                pp += p * p; pc += p * c; cc += c * c; pb += p * b; cb += c * b; bb += b * b;
                 rhs[0] += p * t; rhs[1] += c * t; rhs[2] += b * t;
             }
-            let beta = g.solve(rhs);
-            prop_assert!(beta.previous_output.abs() <= MAX_FEEDBACK);
-            let residual = g.pp * beta.previous_input + g.pc * beta.input + g.pb * beta.previous_output - rhs[0];
+            let [pp, pc, cc, pb, cb, bb] = [pp, pc, cc, pb, cb, bb].map(Lane::splat);
+            let beta = Gram { pp, pc, cc, pb, cb, bb }.solve(rhs.map(Lane::splat));
+            let residual = pp * beta.previous_input + pc * beta.input + pb * beta.previous_output;
+            let residual = residual.to_array()[0] - rhs[0];
+            prop_assert!(beta.previous_output.to_array().iter().all(|b| b.abs() <= MAX_FEEDBACK));
             prop_assert!(residual.abs() < 1e-2, "{residual}");
         }
     }
@@ -277,20 +317,13 @@ mod tests {
     #[test]
     fn identical_neighbours_give_their_target() {
         let (inputs, targets) = (vec![[0.5; ROW]; 10], vec![[0.8; ROW]; 10]);
-        let (list, weights) = (neighbours(10), [1.0; 9]);
-        let moments = InputMoments::new(&inputs, &list, &weights);
+        assert!(interpolate(&targets, &neighbours(10)).iter().all(|v| (v - 0.8).abs() < 1e-6));
+        let (inputs, targets) = (gathered(&inputs), gathered(&targets));
+        let moments = InputMoments::new(&inputs, &[1.0; 9]);
         let (x, y0) = ([0.9; ROW], [0.1; ROW]);
         let u = Regressors { previous_input: &x, input: &x, previous_output: &y0 };
-        let y = predict(
-            u,
-            &moments,
-            Samples { inputs: &inputs, targets: &targets, neighbours: &list, weights: &weights },
-            4.0,
-            &[0.3; ROW],
-            &Bias::NONE,
-        )
-        .output;
+        let samples = Samples { inputs: &inputs, targets: &targets, weights: &[1.0; 9] };
+        let y = predict(u, &moments, samples, 4.0, &[0.3; ROW], &Bias::NONE).output;
         assert!(y.iter().all(|v| (v - 0.8).abs() < 1e-6));
-        assert!(interpolate(&targets, &list).iter().all(|v| (v - 0.8).abs() < 1e-6));
     }
 }

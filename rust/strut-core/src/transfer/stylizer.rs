@@ -13,7 +13,7 @@ use super::options::{Options, OptionsError};
 use crate::humanoid::Pose;
 use crate::kinematics::world_from_local;
 use crate::math::float_funcs::wrap_angle;
-use crate::pose_vector::{HeadingFilter, Placement, PoseRow, ROW, VELOCITY_X, point_cloud};
+use crate::pose_vector::{HeadingFilter, Placement, PoseRow, ROW, VELOCITY_X, heading_free_positions};
 use crate::search::{Neighbours, QueryWindow};
 use std::sync::Arc;
 
@@ -205,7 +205,7 @@ impl Stylizer {
         clock.end(Stage::Features);
 
         self.mixture.search(&model, &self.options, &self.window);
-        self.mixture.weigh(&model, self.options.delta);
+        self.mixture.weigh(&model, &self.options);
         clock.end(Stage::Search);
 
         let input = Input { current: &row, previous: &previous };
@@ -260,7 +260,7 @@ impl Stylizer {
                 first[VELOCITY_X..].copy_from_slice(&row[VELOCITY_X..]);
             }
         }
-        self.window.push(&point_cloud(&db.proportions, &pose, heading), at);
+        self.window.push(&heading_free_positions(&world, heading), at);
         (row, at)
     }
 

@@ -1,19 +1,18 @@
 //! How long an output frame lasts (specification, §9).
 
-use super::regression::Samples;
 use crate::math::float_funcs::exp;
-use crate::pose_vector::{PoseRow, ROW};
+use crate::math::lanes::Lane;
+use crate::pose_vector::{LANES, PoseRow};
+use crate::search::Neighbour;
 
-/// What a neighbour's duration is weighed by: pose and step of the input and of the output.
+/// A pose and the one before it, of the input or of the output: half of what a neighbour's duration is weighed by.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moment<'a> {
-    pub(super) input: &'a PoseRow,
-    pub(super) previous_input: &'a PoseRow,
-    pub(super) output: &'a PoseRow,
-    pub(super) previous_output: &'a PoseRow,
+    pub(super) pose: &'a PoseRow,
+    pub(super) previous: &'a PoseRow,
 }
 
-/// The four features' scales: inverse variances of poses and of steps from one frame to the next.
+/// The features' scales: inverse variances of poses and of steps from one frame to the next.
 #[derive(Clone, Debug)]
 pub(super) struct Scales {
     pose: PoseRow,
@@ -27,50 +26,52 @@ impl Scales {
         Self { pose: inverse(sigma), step: inverse(step_sigma) }
     }
 
+    /// Of pose and step.
     fn squared_distance(&self, a: Moment<'_>, b: Moment<'_>) -> f32 {
-        let mut sums = [0.0; 4];
-        for d in 0..ROW {
-            let input = a.input[d] - b.input[d];
-            let output = a.output[d] - b.output[d];
-            let input_step = input - (a.previous_input[d] - b.previous_input[d]);
-            let output_step = output - (a.previous_output[d] - b.previous_output[d]);
-            sums[0] += self.pose[d] * input * input;
-            sums[1] += self.step[d] * input_step * input_step;
-            sums[2] += self.pose[d] * output * output;
-            sums[3] += self.step[d] * output_step * output_step;
+        let (mut poses, mut steps) = (Lane::default(), Lane::default());
+        for l in 0..LANES {
+            let at = |row: &PoseRow| Lane::of(row, l);
+            let pose = at(a.pose) - at(b.pose);
+            let step = pose - (at(a.previous) - at(b.previous));
+            poses += at(&self.pose) * pose * pose;
+            steps += at(&self.step) * step * step;
         }
-        (sums[0] + sums[1]) + (sums[2] + sums[3])
+        poses.sum() + steps.sum()
+    }
+
+    /// Fills `out` with the squared distances between a moment and those of the neighbours among `rows`.
+    pub(super) fn squared_distances(
+        &self,
+        now: Moment<'_>,
+        rows: &[PoseRow],
+        neighbours: &[Neighbour],
+        out: &mut Vec<f32>,
+    ) {
+        out.clear();
+        out.extend(neighbours.iter().map(|n| {
+            let at = n.row as usize;
+            self.squared_distance(now, Moment { pose: &rows[at], previous: &rows[at - 1] })
+        }));
     }
 }
 
-/// Gaussian-kernel mean of the neighbours' durations in seconds; the bandwidth is the mean distance.
-/// `distances` is working memory. `None` without neighbours.
+/// Gaussian-kernel mean of the neighbours' durations in seconds, given the squared distances of their inputs and
+/// of their outputs; the bandwidth is the mean distance. `None` without neighbours.
 pub(super) fn duration(
-    scales: &Scales,
-    now: Moment<'_>,
-    samples: Samples<'_>,
+    of_inputs: &[f32],
+    of_outputs: &[f32],
+    neighbours: &[Neighbour],
+    weights: &[f32],
     step_secs: &[f32],
-    distances: &mut Vec<f32>,
 ) -> Option<f32> {
-    let Samples { inputs, targets, neighbours, weights } = samples;
-    distances.clear();
-    distances.extend(neighbours.iter().map(|n| {
-        let at = n.row as usize;
-        let then = Moment {
-            input: &inputs[at],
-            previous_input: &inputs[at - 1],
-            output: &targets[at],
-            previous_output: &targets[at - 1],
-        };
-        scales.squared_distance(now, then).sqrt()
-    }));
-    let bandwidth = distances.iter().sum::<f32>() / distances.len().max(1) as f32;
+    let squares = || of_inputs.iter().zip(of_outputs).map(|(x, y)| x + y);
+    let bandwidth = squares().map(f32::sqrt).sum::<f32>() / neighbours.len().max(1) as f32;
     let scale = 0.5 / (bandwidth * bandwidth).max(1e-12);
-    let nearest = distances.iter().copied().fold(f32::INFINITY, f32::min);
+    let nearest = squares().fold(f32::INFINITY, f32::min);
     let (mut sum, mut total) = (0.0, 0.0);
-    for ((n, d), &weight) in neighbours.iter().zip(distances.iter()).zip(weights) {
+    for ((n, square), &weight) in neighbours.iter().zip(squares()).zip(weights) {
         // Relative to the nearest, so that far-off input cannot underflow every weight.
-        let w = weight * exp((nearest * nearest - d * d) * scale);
+        let w = weight * exp((nearest - square) * scale);
         sum += w * step_secs[n.row as usize];
         total += w;
     }
@@ -80,7 +81,7 @@ pub(super) fn duration(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::Neighbour;
+    use crate::pose_vector::ROW;
 
     /// Rows 1 … 9 with poses 0.1·row; the target lasts 0.01·row.
     fn duration_at(pose: f32) -> f32 {
@@ -88,10 +89,10 @@ mod tests {
         let secs: Vec<f32> = (0..10).map(|i| 0.01 * i as f32).collect();
         let list: Vec<Neighbour> = (1..10).map(|row| Neighbour { distance: 0.0, row }).collect();
         let (x, x0) = ([pose; ROW], [pose - 0.1; ROW]);
-        let now = Moment { input: &x, previous_input: &x0, output: &x, previous_output: &x0 };
+        let mut distances = Vec::new();
         let scales = Scales::new(&[1.0; ROW], &[1.0; ROW]);
-        let samples = Samples { inputs: &rows, targets: &rows, neighbours: &list, weights: &[1.0; 9] };
-        duration(&scales, now, samples, &secs, &mut Vec::new()).unwrap()
+        scales.squared_distances(Moment { pose: &x, previous: &x0 }, &rows, &list, &mut distances);
+        duration(&distances, &distances, &list, &[1.0; 9], &secs).unwrap()
     }
 
     #[test]
@@ -109,18 +110,6 @@ mod tests {
 
     #[test]
     fn there_is_none_without_neighbours() {
-        let x = [0.0; ROW];
-        let now = Moment { input: &x, previous_input: &x, output: &x, previous_output: &x };
-        let scales = Scales::new(&[1.0; ROW], &[1.0; ROW]);
-        assert_eq!(
-            duration(
-                &scales,
-                now,
-                Samples { inputs: &[], targets: &[], neighbours: &[], weights: &[] },
-                &[],
-                &mut Vec::new()
-            ),
-            None
-        );
+        assert_eq!(duration(&[], &[], &[], &[], &[]), None);
     }
 }

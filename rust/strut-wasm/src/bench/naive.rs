@@ -10,7 +10,7 @@ use strut_core::humanoid::JOINTS;
 use strut_core::math::float_funcs::{exp, half_life_share, sin_cos};
 use strut_core::pose_vector::{DOFS, HEADING_RATE, Placement, ROW};
 use strut_core::search::{JOINT_WEIGHTS, WINDOW};
-use strut_core::transfer::{LEAST_SHARE, MAX_FEEDBACK, Model, Options};
+use strut_core::transfer::{MAX_FEEDBACK, Model, Options};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Points of a frame.
@@ -186,9 +186,8 @@ impl Naive {
         let distances: Vec<f32> =
             self.nearest.iter().map(|n| if n.is_empty() { f32::INFINITY } else { mean(n) }).collect();
         let least = distances.iter().copied().fold(f32::INFINITY, f32::min).max(LEAST_DISTANCE);
-        let weights: Vec<f32> = distances.iter().map(|d| exp((least - d).min(0.0) / (delta * least))).collect();
-        let sum: f32 = weights.iter().sum();
-        let kept: Vec<f32> = weights.iter().map(|w| if w / sum < LEAST_SHARE { 0.0 } else { *w }).collect();
+        let weights = distances.iter().map(|d| exp((least - d).min(0.0) / (delta * least)));
+        let kept: Vec<f32> = weights.map(|w| if w < Options::DEFAULT.least_weight { 0.0 } else { w }).collect();
         let sum: f32 = kept.iter().sum();
         kept.iter().map(|w| w / sum).collect()
     }

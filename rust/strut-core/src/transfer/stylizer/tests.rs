@@ -45,6 +45,31 @@ fn an_unlabelled_walk_becomes_the_style_and_takes_its_time() {
 }
 
 #[test]
+fn skipped_classes_would_have_changed_nothing() {
+    let model = model();
+    let input = unseen_walk().poses;
+    let run = |least_weight| {
+        let mut s = Stylizer::new(Arc::clone(&model), Options { least_weight, ..Options::DEFAULT }).unwrap();
+        s.set_styles(&[0.0, 1.0]).unwrap();
+        let mut classes = 0;
+        let mut frames = Vec::new();
+        for pose in &input {
+            let pose = s.push(pose).pose;
+            classes += s.trace().class_weights.iter().filter(|w| **w > 0.0).count();
+            frames.push(world_from_local(&model.database().proportions, &pose).positions);
+        }
+        (frames, classes)
+    };
+    let (skipping, few) = run(Options::DEFAULT.least_weight);
+    let (complete, all) = run(0.0);
+    assert_eq!(all, 4 * input.len());
+    assert!(4 * few < 3 * all, "{few} of {all}");
+    for (a, b) in skipping.iter().flatten().zip(complete.iter().flatten()) {
+        assert!((*a - *b).length() < 3e-5, "{a} {b}");
+    }
+}
+
+#[test]
 fn every_method_styles() {
     let model = model();
     let methods = [
