@@ -1,12 +1,15 @@
 //! Dynamic time warping with limited slope (specification §4; Sakoe and Chiba 1978).
 //!
 //! Steps (1, 1), (1, s) and (s, 1) with s ≤ 3; every cell that a step crosses is charged, so that a slope
-//! costs what it covers. The warp is read off as a piecewise linear function through the steps' ends.
+//! costs what it covers. The warp is read off as a piecewise linear function through the steps' ends. Frames at the
+//! ends may be skipped, free of cost ([`Ends::open_begin`], [`Ends::open_end`]) or at one ([`Ends::skip`]).
 
 use super::warp::{Ends, Warp};
 
 /// Most frames of one sequence that one frame of the other may be stretched to.
 pub const MAX_SLOPE: usize = 3;
+/// A quarter of the shorter sequence may be skipped at either end.
+const SKIPPED_PART: usize = 4;
 
 /// A cell that no warp passes through.
 const UNREACHED: f32 = f32::INFINITY;
@@ -29,11 +32,19 @@ impl Dtw {
     /// The warp of least cost from `n` frames of a to `m` frames of b, where `distance(i, j)` is the cost of
     /// showing frame i of a as frame j of b; not smoothed. `None` if the slope limit allows none.
     ///
-    /// The warp's cost is the path's, divided by `n`.
+    /// The warp's cost is the path's, skipped frames included, divided by `n`.
     pub fn warp(&mut self, n: usize, m: usize, ends: Ends, distance: impl Fn(usize, usize) -> f32) -> Option<Warp> {
         if n == 0 || m == 0 {
             return None;
         }
+        // Frames of a are skipped by falling on frames beyond b's ends, each at the cost of a skip; frames of b by
+        // starting after them, or ending before.
+        let (skip, beyond) = ends.skip.map_or((0.0, 0), |cost| (cost, n.min(m) / SKIPPED_PART));
+        let skipped = |passed: usize, open: usize| skip * passed.saturating_sub(open.saturating_add(beyond)) as f32;
+        let real = beyond..beyond + m;
+        let m = m + 2 * beyond;
+        let last_begin = ends.open_begin.saturating_add(2 * beyond).min(m - 1);
+        let first_end = (m - 1).saturating_sub(ends.open_end.saturating_add(2 * beyond));
         self.local.clear();
         self.local.resize(n * m, UNREACHED);
         self.total.clear();
@@ -41,27 +52,30 @@ impl Dtw {
         self.step.clear();
         self.step.resize(n * m, START);
         for i in 0..n {
-            let nodes = reachable(i, n, m, ends);
+            let nodes = reachable(i, n, m, last_begin, first_end);
             // Steps cross cells that no step may end on.
             for j in nodes.start.saturating_sub(MAX_SLOPE - 1)..(nodes.end + MAX_SLOPE - 1).min(m) {
-                self.local[i * m + j] = distance(i, j);
+                self.local[i * m + j] = if real.contains(&j) { distance(i, j - beyond) } else { skip };
             }
             for j in nodes {
-                self.relax(i, j, m, ends);
+                let start = if i == 0 && j <= last_begin { skipped(j, ends.open_begin) } else { UNREACHED };
+                self.relax(i, j, m, start);
             }
         }
         let last_row = &self.total[(n - 1) * m..];
-        let first_end = (m - 1).saturating_sub(ends.open_end);
-        let end = (first_end..m).min_by(|&a, &b| last_row[a].total_cmp(&last_row[b]))?;
-        let cost = last_row[end];
-        cost.is_finite().then(|| Warp { at: self.trace(n, m, end), cost: cost / n as f32 })
+        let ends_at = |j: usize| (last_row[j] + skipped(m - 1 - j, ends.open_end), j);
+        let (cost, end) = (first_end..m).map(ends_at).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        cost.is_finite().then(|| {
+            let at = self.trace(n, m, end).into_iter().map(|at| at - beyond as f32);
+            Warp { at: at.collect(), cost: cost / n as f32 }
+        })
     }
 
-    /// Finds the best step into cell (i, j). Ties go to the diagonal, then to short steps.
-    fn relax(&mut self, i: usize, j: usize, m: usize, ends: Ends) {
+    /// Finds the best step into cell (i, j), or starts there at a cost. Ties go to the diagonal, then to short steps.
+    fn relax(&mut self, i: usize, j: usize, m: usize, start: f32) {
         let here = i * m + j;
         let local = self.local[here];
-        let (mut best, mut step) = if i == 0 && j <= ends.open_begin { (0.0, START) } else { (UNREACHED, START) };
+        let (mut best, mut step) = (start, START);
         if i > 0 && j > 0 {
             let mut consider = |before: f32, by: u8| {
                 if before < best {
@@ -106,11 +120,10 @@ impl Dtw {
     }
 }
 
-/// The frames of b that the slope limit lets frame i of a reach.
-fn reachable(i: usize, n: usize, m: usize, ends: Ends) -> std::ops::Range<usize> {
+/// The frames of b that the slope limit lets frame i of a reach, in a warp that begins no later than at `last_begin`
+/// and ends no sooner than at `first_end`.
+fn reachable(i: usize, n: usize, m: usize, last_begin: usize, first_end: usize) -> std::ops::Range<usize> {
     let left = n - 1 - i;
-    let last_begin = ends.open_begin.min(m - 1);
-    let first_end = (m - 1).saturating_sub(ends.open_end);
     let low = i.div_ceil(MAX_SLOPE).max(first_end.saturating_sub(left * MAX_SLOPE));
     let high = (last_begin + i * MAX_SLOPE + 1).min(m.saturating_sub(left.div_ceil(MAX_SLOPE)));
     low..high.max(low)
@@ -131,7 +144,7 @@ mod tests {
         (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])
     }
 
-    const CLOSED: Ends = Ends { open_begin: 0, open_end: 0 };
+    const CLOSED: Ends = Ends { open_begin: 0, open_end: 0, skip: None };
 
     #[test]
     fn a_planted_warp_is_recovered_to_a_frame() {
@@ -153,12 +166,31 @@ mod tests {
     fn open_ends_find_a_piece_in_the_whole() {
         let b: Vec<[f32; 2]> = (0..100).map(|j| curve(j as f32 * 0.06)).collect();
         let a: Vec<[f32; 2]> = b[37..70].to_vec();
-        let open = Ends { open_begin: Ends::OPEN, open_end: Ends::OPEN };
+        let open = Ends { open_begin: Ends::OPEN, open_end: Ends::OPEN, skip: None };
         let warp = Dtw::default().warp(a.len(), b.len(), open, |i, j| distance(a[i], b[j])).unwrap();
         assert_eq!((warp.at[0], warp.at[32], warp.cost), (37.0, 69.0, 0.0));
-        let begin = Ends { open_begin: Ends::OPEN, open_end: 0 };
+        let begin = Ends { open_begin: Ends::OPEN, open_end: 0, skip: None };
         let warp = Dtw::default().warp(a.len(), 70, begin, |i, j| distance(a[i], b[j])).unwrap();
         assert_eq!(warp.at[0], 37.0);
+    }
+
+    #[test]
+    fn ends_are_skipped_where_that_costs_less_than_to_warp_them() {
+        let b: Vec<[f32; 2]> = (0..60).map(|j| curve(j as f32 * 0.1)).collect();
+        let a: Vec<[f32; 2]> = b[9..52].to_vec();
+        let warp = |a: &[[f32; 2]], b: &[[f32; 2]], cost: f32| {
+            let ends = Ends { skip: Some(cost), ..CLOSED };
+            Dtw::default().warp(a.len(), b.len(), ends, |i, j| distance(a[i], b[j])).unwrap()
+        };
+        // Nine and eight frames of b, then of a, have no counterpart.
+        let (short, long) = (warp(&a, &b, 1e-4), warp(&b, &a, 1e-4));
+        assert_eq!((short.at[0], short.at[42]), (9.0, 51.0));
+        assert_eq!((long.at[9], long.at[51]), (0.0, 42.0));
+        assert!(long.at[8] < 0.0 && long.at[52] > 42.0);
+        assert!((short.cost - 0.0017 / 43.0).abs() < 1e-6 && (long.cost - 0.0017 / 60.0).abs() < 1e-6);
+        let met = warp(&a, &b, 1e3);
+        assert_eq!((met.at[0], met.at[42]), (0.0, 59.0));
+        assert_eq!(warp(&b[..20], &b[..20], 0.0).at[10], 10.0, "half is compared in any case");
     }
 
     #[test]

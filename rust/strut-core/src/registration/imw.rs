@@ -53,12 +53,17 @@ impl Imw {
     fn fit(&mut self, a: &[Feature], b: &[Feature], warp: &Warp) {
         let mut x = vec![0.0; a.len()];
         let mut y = vec![0.0; a.len()];
+        let last = (b.len() - 1) as f32;
         for d in 0..DIMS {
             for (i, &at) in warp.at.iter().enumerate() {
-                let j = (at as usize).min(b.len() - 1);
-                let next = (j + 1).min(b.len() - 1);
                 x[i] = a[i][d];
-                y[i] = b[j][d] + (b[next][d] - b[j][d]) * (at - j as f32);
+                y[i] = if (0.0..=last).contains(&at) {
+                    let (j, next) = (at as usize, at.ceil() as usize);
+                    b[j][d] + (b[next][d] - b[j][d]) * (at - j as f32)
+                } else {
+                    // Skipped: there is nothing to fit.
+                    x[i]
+                };
             }
             for (i, [scale, offset]) in smooth_affine_fit(&x, &y, self.smoothness, PULL).into_iter().enumerate() {
                 self.moved[i][d] = scale * x[i] + offset;

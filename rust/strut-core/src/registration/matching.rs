@@ -16,6 +16,10 @@ const MAX_TABLE_SIDE: usize = 1024;
 /// Instants at which segments are compared in linear time.
 const LINEAR_SAMPLES: usize = 12;
 
+/// Whole clips are warped from start to end, but one may have been cut sooner than the other: what has no
+/// counterpart costs more than what has one usually does (about 20).
+pub(super) const WHOLE_CLIP: Ends = Ends { open_begin: 0, open_end: 0, skip: Some(30.0) };
+
 /// A stretch of an example's features that a segment may be warped to, or that is to be warped.
 #[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
@@ -70,7 +74,8 @@ impl Warper {
         self.reach
     }
 
-    /// The smoothed warp of a segment to other frames; `None` if the slope limit allows none.
+    /// The smoothed warp of a segment to other frames; `None` if the slope limit allows none. Linear time leaves
+    /// no frames out.
     pub(super) fn warp(&mut self, a: &[Feature], b: &[Feature], ends: Ends) -> Option<Warp> {
         let stride = a.len().max(b.len()).div_ceil(MAX_TABLE_SIDE);
         if stride <= 1 {

@@ -1,8 +1,9 @@
 //! Finds which frames of differently styled clips of an action show the same instant (specification §4).
 //!
 //! Every example becomes a sequence of feature vectors ([`features`]) and is cut into segments: gait cycles
-//! for actions that walk or run ([`gait`]), else the whole clip. Segments are matched by a slope-limited
-//! time warp ([`dtw`], [`imw`] or linear time), once to the action's reference cycle, which gives canonical
+//! for actions that walk or run ([`gait`]), else the clip from its first motion to its last ([`rest`]). Segments
+//! are matched by a slope-limited time warp ([`dtw`], [`imw`] or linear time; what one clip shows of an action
+//! and the other does not is left out, at a cost), once to the action's reference cycle, which gives canonical
 //! time ([`timeline`]), and once to the segments of every style that fit best, which gives counterparts
 //! ([`pairing`]). Known correspondence ([`script`]) replaces all of this.
 
@@ -399,3 +400,6 @@ impl Job<'_> {
         times
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,7 +2,7 @@
 
 use super::features::Feature;
 use super::gait::{Segment, SegmentKind, covered};
-use super::matching::{Match, Piece, Warper};
+use super::matching::{Match, Piece, WHOLE_CLIP, Warper};
 use super::warp::{Ends, Warp};
 use super::{Counterpart, Counterparts, Options};
 use crate::database::MAX_COUNTERPARTS;
@@ -74,7 +74,7 @@ fn matches_of(segment: &Segment, part: &Part, others: &[&Part], options: &Option
                 all: o.features,
                 first: 0,
                 last: o.features.len() - 1,
-                ends: Ends { open_begin: Ends::OPEN, open_end: Ends::OPEN },
+                ends: Ends { open_begin: Ends::OPEN, open_end: Ends::OPEN, skip: None },
             })
             .collect();
         matches = best(&anywhere);
@@ -110,7 +110,7 @@ fn pieces_for<'a>(segment: &Segment, n: usize, other: &Part<'a>) -> Vec<Piece<'a
     match segment.kind {
         SegmentKind::Clip => {
             let whole = other.segments.iter().filter(|s| s.kind == SegmentKind::Clip);
-            whole.map(|s| piece(s.frames.start, s.frames.end - 1, Ends::default())).collect()
+            whole.map(|s| piece(s.frames.start, s.frames.end - 1, WHOLE_CLIP)).collect()
         }
         SegmentKind::Cycle => other
             .segments
@@ -119,15 +119,15 @@ fn pieces_for<'a>(segment: &Segment, n: usize, other: &Part<'a>) -> Vec<Piece<'a
             .map(|s| piece(s.frames.start, s.frames.end, Ends::default()))
             .collect(),
         SegmentKind::LeadIn => {
-            let open = Ends { open_begin: Ends::OPEN, open_end: 0 };
+            let open = Ends { open_begin: Ends::OPEN, open_end: 0, skip: None };
             // Too short a run-up would be stretched to fill the lead-in.
             strikes().filter(|s| s + 1 >= n).map(|s| piece(s.saturating_sub(reach), s, open)).collect()
         }
         SegmentKind::LeadOut => {
-            let open = Ends { open_begin: 0, open_end: Ends::OPEN };
+            let open = Ends { open_begin: 0, open_end: Ends::OPEN, skip: None };
             strikes().filter(|s| end - s + 1 >= n).map(|s| piece(s, (s + reach).min(end), open)).collect()
         }
-        SegmentKind::Faulty => vec![piece(0, end, Ends { open_begin: Ends::OPEN, open_end: Ends::OPEN })],
+        SegmentKind::Faulty => vec![piece(0, end, Ends { open_begin: Ends::OPEN, open_end: Ends::OPEN, skip: None })],
     }
 }
 

@@ -4,8 +4,9 @@ use crate::humanoid::{JOINTS, Role};
 use crate::math::Vec3;
 use std::ops::Range;
 
-/// What moves in an action: hands, feet and hips.
-const EFFECTORS: [Role; 5] = [Role::Hips, Role::LeftHand, Role::RightHand, Role::LeftFoot, Role::RightFoot];
+/// What moves in an action: hips, head, hands and feet.
+pub(super) const EFFECTORS: [Role; 6] =
+    [Role::Hips, Role::Head, Role::LeftHand, Role::RightHand, Role::LeftFoot, Role::RightFoot];
 /// A clip stands until its fastest effector reaches this share of the speed that it has in a fast moment.
 const ONSET_SHARE: f32 = 0.1;
 /// A fast moment: this share of the frames is slower.

@@ -2,7 +2,7 @@
 
 use super::features::Feature;
 use super::gait::{Segment, SegmentKind, covered};
-use super::matching::{Warper, linear_distance};
+use super::matching::{WHOLE_CLIP, Warper, linear_distance};
 use super::smooth::gaussian;
 use super::warp::{Ends, Warp};
 use super::{Counterpart, Counterparts};
@@ -100,11 +100,12 @@ pub(super) fn canonical_time(
         let piece = &features[segment.frames.start..=last];
         let (target, ends) = match segment.kind {
             SegmentKind::LeadIn => {
-                (tiled(reference_features, 2 * piece.len()), Ends { open_begin: Ends::OPEN, open_end: 0 })
+                (tiled(reference_features, 2 * piece.len()), Ends { open_begin: Ends::OPEN, open_end: 0, skip: None })
             }
             SegmentKind::LeadOut => {
-                (tiled(reference_features, 2 * piece.len()), Ends { open_begin: 0, open_end: Ends::OPEN })
+                (tiled(reference_features, 2 * piece.len()), Ends { open_begin: 0, open_end: Ends::OPEN, skip: None })
             }
+            SegmentKind::Clip => (reference_features.to_vec(), WHOLE_CLIP),
             _ => (reference_features.to_vec(), Ends::default()),
         };
         let last = (target.len() - 1) as f32;

@@ -3,12 +3,15 @@
 use super::smooth::gaussian_with_fixed_ends;
 
 /// How far the ends of a segment may stay away from the ends of what it is warped to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ends {
     /// The first frame may fall on any of the first frames, as many after the very first.
     pub open_begin: usize,
     /// The last frame may fall on any of the last frames, as many before the very last.
     pub open_end: usize,
+    /// Where frames at the ends of both, up to a quarter of the shorter, need no counterpart: what each costs, in
+    /// place of a distance. The segment's are warped to frames beyond what it is warped to: below 0, after the last.
+    pub skip: Option<f32>,
 }
 
 impl Ends {
