@@ -7,6 +7,7 @@ import type { Report } from "./report";
 import type { Source } from "./workload";
 
 export { PAPER_FRAMES } from "./benchmark";
+export { document } from "./document";
 export { text } from "./table";
 
 /** Runs it with everything in this process, telling `onProgress` what is being done. */

@@ -1,31 +1,77 @@
-// npm run bench -- [--frames N | --db DB] [--json FILE]: builds what is measured and measures it in Node.
-import { existsSync, readFileSync, writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+// npm run bench -- [--frames N | --db DB] [--json FILE] [--write]: builds what is measured and measures it in Node.
+// With --write it also measures natively at several sizes, on both sources if --db is given, and writes
+// docs/performance.md.
+import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join, resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { runnerImport } from "vite";
+import { setupRust } from "../scripts/setup.mjs";
 import { buildBench } from "../scripts/site.mjs";
-import { main, root, Sentence } from "../scripts/steps.mjs";
+import { main, root, run, Sentence, step } from "../scripts/steps.mjs";
+
+/** Fewest frames of a procedural database. */
+const LEAST_FRAMES = 4800;
+/** Sizes that are measured natively for the page. */
+const SIZES = "20000,79829,400000,1600000";
 
 /** A path as the person who typed it meant it. */
 const path = (name) => resolve(process.env.INIT_CWD ?? ".", name);
 
+/** Builds the command and measures with it. */
+async function measureNatively() {
+  const rust = await setupRust();
+  const env = { env: rust, cwd: join(root, "rust") };
+  await step("Building the command", () =>
+    run(rust.CARGO ?? "cargo", ["build", "--release", "--quiet", "-p", "strut-cli"], env),
+  );
+  const json = join(mkdtempSync(join(tmpdir(), "strut-bench-")), "native.json");
+  const command = ["bench", "--frames", SIZES];
+  await step("Measuring natively", () =>
+    run(join(root, "rust", "target", "release", "strut"), [...command, "--json", json]),
+  );
+  return { command: ["strut", ...command].join(" "), report: JSON.parse(readFileSync(json, "utf8")) };
+}
+
 await main(async () => {
   const { values } = parseArgs({
-    options: { frames: { type: "string" }, db: { type: "string" }, json: { type: "string" } },
+    options: {
+      frames: { type: "string" },
+      db: { type: "string" },
+      json: { type: "string" },
+      write: { type: "boolean", default: false },
+    },
   });
   if (values.db && values.frames) throw new Sentence("--db and --frames exclude each other.");
   if (values.db && !existsSync(path(values.db))) throw new Sentence(`${values.db}: there is no such file.`);
   await buildBench();
   const { module: bench } = await runnerImport(join(root, "bench", "node.ts"));
   const frames = Number(values.frames ?? bench.PAPER_FRAMES);
-  if (!Number.isInteger(frames) || frames < 4800)
-    throw new Sentence(`--frames is '${values.frames}'; a whole number of at least 4800 was expected.`);
-  const source = values.db ? { database: new Uint8Array(readFileSync(path(values.db))) } : { frames };
+  if (!Number.isInteger(frames) || frames < LEAST_FRAMES)
+    throw new Sentence(`--frames is '${values.frames}'; a whole number of at least ${LEAST_FRAMES} was expected.`);
+
   let last = "";
-  const report = await bench.benchmarkInNode(source, (what) => {
+  const onProgress = (what) => {
     if (what !== last) console.log(`  ${what}`);
     last = what;
-  });
-  console.log(`\n${bench.text(report)}\n`);
-  if (values.json) writeFileSync(path(values.json), `${JSON.stringify(report, null, 2)}\n`);
+  };
+  const measure = async (command, source) => {
+    const report = await bench.benchmarkInNode(source, onProgress);
+    console.log(`\n${bench.text(report)}\n`);
+    return { command, report };
+  };
+  const recorded =
+    values.db &&
+    (await measure(`npm run bench -- --db ${basename(values.db)}`, { database: readFileSync(path(values.db)) }));
+  const procedural = (values.write || !recorded) && (await measure(`npm run bench -- --frames ${frames}`, { frames }));
+  if (values.json) {
+    const { report } = recorded || procedural;
+    writeFileSync(path(values.json), `${JSON.stringify(report, null, 2)}\n`);
+  }
+  if (values.write) {
+    const date = new Date().toISOString().slice(0, 10);
+    const page = bench.document(date, procedural, recorded, await measureNatively());
+    writeFileSync(join(root, "docs", "performance.md"), page);
+    console.log("docs/performance.md is written");
+  }
 });

@@ -11,7 +11,7 @@ const PAPER_MS: [(&str, f64); 4] = [("frame", 18.1), ("search", 7.31), ("regress
 pub(super) fn text(rows: &[Row], frames: usize, classes: usize) -> String {
     let mut out = format!("\n{frames} frames, {classes} classes; milliseconds, median and 95th percentile\n\n");
     let mut line = |stage: &str, cells: [String; 3], paper: &str| {
-        let cells = cells.map(|cell| format!("{cell:>17}")).concat();
+        let cells = cells.map(|cell| format!("{cell:>19}")).concat();
         // Writing to a string cannot fail.
         let _ = writeln!(out, "{stage:<13}{cells}{paper:>9}");
     };
@@ -25,10 +25,22 @@ pub(super) fn text(rows: &[Row], frames: usize, classes: usize) -> String {
     for stage in stages {
         let cells = Mode::ALL.map(|mode| {
             let row = rows.iter().find(|r| r.stage == stage && r.mode == mode.name());
-            row.map_or(String::new(), |r| format!("{:.4} {:8.4}", r.median_ms, r.p95_ms))
+            row.map_or(String::new(), |r| format!("{} {:>8}", short(r.median_ms), short(r.p95_ms)))
         });
         let paper = PAPER_MS.iter().find(|(name, _)| *name == stage).map_or(String::new(), |(_, ms)| ms.to_string());
         line(stage, cells, &paper);
     }
     out
+}
+
+/// Milliseconds with four digits or so.
+fn short(ms: f64) -> String {
+    let decimals = if ms < 1.0 {
+        4
+    } else if ms < 100.0 {
+        2
+    } else {
+        0
+    };
+    format!("{ms:.decimals$}")
 }

@@ -1,0 +1,68 @@
+/** docs/performance.md: every figure with the machine and the command that gave it. */
+import { MODES, type Report, type Row } from "./report";
+import { agreementTable, type Cells, markdown, memoryTable, milliseconds, ratioTable, stageTable } from "./table";
+
+/** A report and the command that made it. */
+export interface Measured<R> {
+  command: string;
+  report: R;
+}
+
+/** What `strut bench --json` writes. */
+export type NativeReport = Pick<Report, "machine" | "rows">;
+
+const thousands = (n: number) => n.toLocaleString("en-US");
+
+/** Median of the whole frame and of the search over the size of the database. */
+function growthTable(rows: Row[]): Cells[] {
+  const sizes = [...new Set(rows.map((row) => row.frames))];
+  const median = (frames: number, mode: string, stage: string) => {
+    const row = rows.find((r) => r.frames === frames && r.mode === mode && r.stage === stage);
+    return row ? milliseconds(row.median_ms) : "";
+  };
+  const stages = ["frame", "search", "cold search"];
+  return [
+    ["frames", ...stages.flatMap((stage) => MODES.map((mode) => `${stage}, ${mode}`))],
+    ...sizes.map((frames) => [
+      thousands(frames),
+      ...stages.flatMap((stage) => MODES.map((mode) => median(frames, mode, stage))),
+    ]),
+  ];
+}
+
+function wasmSection(title: string, { command, report }: Measured<Report>): string[] {
+  const { frames, classes } = report.rows[0]!;
+  return [
+    `## ${title}`,
+    `${thousands(frames)} frames in ${classes} classes; ${report.machine}; \`${command}\`.`,
+    "Strut (WASM with SIMD), milliseconds, beside the paper's Table 2, whose search ran on a graphics card:",
+    markdown(stageTable(report, "wasm-simd")),
+    "How many times faster that is than the same engine without SIMD and than the plain loops:",
+    markdown(ratioTable(report)),
+    "The plain loops find the engine's neighbours; a set is *tied* where it differs in windows as far away as the last, but for rounding. The largest difference of a predicted joint angle is in radians:",
+    markdown(agreementTable(report)),
+    "WASM memory with the file read into it, the database open and target styles selected:",
+    markdown(memoryTable(report)),
+  ];
+}
+
+/** The whole page. */
+export function document(
+  date: string,
+  procedural: Measured<Report>,
+  recorded: Measured<Report> | undefined,
+  native: Measured<NativeReport>,
+): string {
+  const parts = [
+    "# Performance",
+    `Written by \`npm run bench -- --write\` on ${date}. Times are medians and 95th percentiles of single frames on one thread; compare them within a table, not between machines.`,
+    "*Labelled*: action and style of the input are known, so that one class is searched. *Unlabelled*: every class is searched, and those that cannot matter are left out of the regression. *All*: every class takes part. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/bench/naive.rs`) only search and regress, while the engine's frame includes features, timing, contacts and feet: ratios of whole frames are understated.",
+    ...wasmSection("In WebAssembly", procedural),
+    ...(recorded ? wasmSection("In WebAssembly, on recorded motion", recorded) : []),
+    "## Natively, by the size of the database",
+    `${native.report.machine}; \`${native.command}\`. Medians in milliseconds.`,
+    markdown(growthTable(native.report.rows)),
+    "",
+  ];
+  return parts.join("\n\n").replace(/\n+$/, "\n");
+}
