@@ -1,11 +1,14 @@
 //! A BVH file as the engine sees it.
 
 use crate::failure::{Failure, Outcome};
-use crate::files;
+use crate::files::{self, print_warnings};
 use std::path::Path;
-use strut_core::database::Database;
+use std::sync::Arc;
+use std::time::Instant;
 use strut_core::motion::Motion;
 use strut_core::retarget::Binding;
+use strut_core::search::Index;
+use strut_core::transfer::Model;
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::strutdb;
 
@@ -31,7 +34,19 @@ impl Clip {
     }
 }
 
-/// The database in a file.
-pub(crate) fn read_database(path: &Path) -> Outcome<Database> {
-    strutdb::read(&files::read(path, strutdb::MAX_BYTES)?).map_err(|reason| Failure::in_file(path, reason))
+/// The database in a file, ready for use; says so if its search index had to be made.
+pub(crate) fn read_model(path: &Path) -> Outcome<Model> {
+    let bytes = files::read(path, strutdb::MAX_BYTES)?;
+    let database = strutdb::read(&bytes).map_err(|reason| Failure::in_file(path, reason))?;
+    let index = strutdb::read_plan(&bytes).and_then(|plan| Index::from_plan(&database, &plan).ok());
+    let index = index.unwrap_or_else(|| {
+        let begin = Instant::now();
+        let index = Index::build(&database);
+        let (path, ms) = (path.display(), begin.elapsed().as_millis());
+        print_warnings(&format!(
+            "note: {path} has no search index of this version; it was built in {ms} ms. 'strut build-db' stores one.\n"
+        ));
+        index
+    });
+    Ok(Model::with_index(Arc::new(database), index))
 }

@@ -1,6 +1,6 @@
 //! `strut stylize`: a BVH file in another style.
 
-use crate::clip::{Clip, read_database};
+use crate::clip::{Clip, read_model};
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print};
 use crate::progress::Bar;
@@ -95,7 +95,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.trace.as_deref()].into_iter().flatten())?;
     numbers(args).validate().map_err(Failure::usage)?;
     let clip = Clip::read(&args.input)?;
-    let model = Arc::new(Model::new(Arc::new(read_database(&args.db)?)));
+    let model = Arc::new(read_model(&args.db)?);
     let db = model.database();
     let stylizer = stylizer(args, &model)?;
     let input = input_of(&clip, db).map_err(|reason| Failure::in_file(&args.input, reason))?;

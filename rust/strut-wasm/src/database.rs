@@ -3,7 +3,9 @@
 use crate::error::EngineError;
 use std::sync::Arc;
 use strut_core::math::Vec3;
+use strut_core::search::Index;
 use strut_core::transfer::Model;
+use strut_formats::strutdb;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A database with its search index; shared with all that was made from it.
@@ -22,18 +24,21 @@ impl Database {
         strut_demo::database().map(Self::new).map_err(EngineError::bad_input)
     }
 
-    /// A `.strutdb` file.
+    /// A `.strutdb` file. Its search index is made here if the file has none.
     ///
     /// # Errors
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromBytes)]
     pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, EngineError> {
-        let database = strut_formats::strutdb::read(&bytes).map_err(|e| {
+        let database = strutdb::read(&bytes).map_err(|e| {
             EngineError::bad_file(e, "Copy the file once more, or build the database again with 'strut build-db'.")
         })?;
+        let plan = strutdb::read_plan(&bytes);
         // This memory never shrinks: the index takes the file's place.
         drop(bytes);
-        Ok(Self::new(database))
+        let index = plan.and_then(|plan| Index::from_plan(&database, &plan).ok());
+        let index = index.unwrap_or_else(|| Index::build(&database));
+        Ok(Self { model: Arc::new(Model::with_index(Arc::new(database), index)) })
     }
 
     /// Number of rows.

@@ -3,7 +3,7 @@
 pub mod exp_map;
 pub mod float_funcs;
 pub(crate) mod lanes;
-mod order;
+pub(crate) mod order;
 mod quat;
 
 pub use glam::{Vec2, Vec3};

@@ -11,8 +11,9 @@ pub fn sort_by_number<T>(items: &mut Vec<T>, number: impl Fn(&T) -> f32) {
     items.extend(order.into_iter().filter_map(|(_, i)| unsorted[i].take()));
 }
 
+/// Sorts by the number, then by the index.
 #[inline(never)]
-fn sort_pairs(pairs: &mut [(f32, usize)]) {
+pub(crate) fn sort_pairs(pairs: &mut [(f32, usize)]) {
     pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
 }
 

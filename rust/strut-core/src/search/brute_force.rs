@@ -1,15 +1,28 @@
 //! Every window of a class, one after the other: the definition that the search must equal.
 
-use super::Index;
-use super::metric::{ANY, Metric, QueryWindow};
-use super::neighbours::{Neighbour, Neighbours};
+use super::metric::{LENGTH, WINDOW};
+use super::{Index, Neighbour, Neighbours, Query};
 
-/// Adds the windows of a class to `out`, which keeps the nearest.
-pub(super) fn offer_class(index: &Index, query: &QueryWindow, metric: Metric, class: usize, out: &mut Neighbours) {
-    for clip in &index.clips[index.classes[class].clone()] {
-        for last in index.windows_of_clip(clip) {
-            let distance = index.distance::<{ ANY }>(query, metric, last);
-            out.offer(Neighbour { distance, row: last as u32 });
+impl Index {
+    /// What [`Index::nearest`] finds, without any means of finding it sooner.
+    ///
+    /// # Panics
+    /// If there is no such class.
+    pub fn nearest_by_brute_force(&self, query: &Query<'_>, classes: &[usize], k: usize, out: &mut Neighbours) {
+        if self.windows.length == WINDOW {
+            self.compare_all::<WINDOW>(query, classes, k, out);
+        } else {
+            self.compare_all::<LENGTH>(query, classes, k, out);
+        }
+    }
+
+    fn compare_all<const S: usize>(&self, query: &Query<'_>, classes: &[usize], k: usize, out: &mut Neighbours) {
+        out.begin(k);
+        for &class in classes {
+            for last in self.windows.of_class(class) {
+                let distance = self.distance::<S>(query, last);
+                out.offer(Neighbour { distance, row: last as u32 });
+            }
         }
     }
 }

@@ -1,10 +1,19 @@
-//! Explicit 4-lane arithmetic: the one place that decides the order of floating-point sums in a search.
+//! Explicit lanes of arithmetic: the one place that decides the order of floating-point sums in a search.
 //!
-//! Plain arrays of four that the compiler turns into SIMD registers where there are any. The additions
-//! are the same, in the same order, with and without SIMD, so the bits are too.
+//! [`Floats`] and [`Integers`] are four numbers in a register of WebAssembly, where compilers keep plain arrays in
+//! single numbers, and plain arrays elsewhere, which they do turn into registers. The operations are the same, in the
+//! same order, with and without SIMD, so the bits are too.
 
 /// Four numbers side by side.
 pub(super) type Lane = [f32; 4];
+
+/// Four pairs of integers side by side.
+pub(super) type Pairs = [i16; 8];
+
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+pub(super) use arrays::{Floats, Integers};
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+pub(super) use registers::{Floats, Integers};
 
 /// Inner product of two windows of equally many frames of `N` lanes, with `SUMS` running sums (a divisor of `N`) so
 /// that additions need not wait for each other.
@@ -13,22 +22,212 @@ pub(super) type Lane = [f32; 4];
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn inner_product<const N: usize, const SUMS: usize>(a: &[[Lane; N]], b: &[[Lane; N]]) -> f32 {
-    let mut sums = [[0.0; 4]; SUMS];
+    let mut sums = [Floats::splat(0.0); SUMS];
     for (a, b) in a.iter().zip(b) {
         for first in (0..N).step_by(SUMS) {
             for (l, sum) in sums.iter_mut().enumerate() {
-                let (a, b) = (&a[first + l], &b[first + l]);
-                for i in 0..4 {
-                    sum[i] += a[i] * b[i];
-                }
+                *sum = sum.plus(Floats::of(&a[first + l]).times(Floats::of(&b[first + l])));
             }
         }
     }
-    let mut total = [0.0; 4];
-    for sum in sums {
-        for i in 0..4 {
-            total[i] += sum[i];
+    let total = sums.into_iter().fold(Floats::splat(0.0), Floats::plus).array();
+    (total[0] + total[1]) + (total[2] + total[3])
+}
+
+/// [`inner_product`] of two windows with a third, whose numbers are read once.
+#[allow(clippy::inline_always)] // see `inner_product`
+#[inline(always)]
+pub(super) fn inner_products<const N: usize, const SUMS: usize>(
+    a: [&[[Lane; N]]; 2],
+    b: &[[Lane; N]],
+) -> [f32; 2] {
+    let mut sums = [[Floats::splat(0.0); SUMS]; 2];
+    for ((a0, a1), b) in a[0].iter().zip(a[1]).zip(b) {
+        for first in (0..N).step_by(SUMS) {
+            for l in 0..SUMS {
+                let b = Floats::of(&b[first + l]);
+                sums[0][l] = sums[0][l].plus(Floats::of(&a0[first + l]).times(b));
+                sums[1][l] = sums[1][l].plus(Floats::of(&a1[first + l]).times(b));
+            }
         }
     }
-    (total[0] + total[1]) + (total[2] + total[3])
+    sums.map(|sums| {
+        let total = sums.into_iter().fold(Floats::splat(0.0), Floats::plus).array();
+        (total[0] + total[1]) + (total[2] + total[3])
+    })
+}
+
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+#[allow(clippy::inline_always)] // single instructions
+mod arrays {
+    use super::{Lane, Pairs};
+    use std::array::from_fn;
+
+    #[derive(Clone, Copy)]
+    pub(in super::super) struct Floats(Lane);
+
+    impl Floats {
+        #[inline(always)]
+        pub(in super::super) fn of(lane: &Lane) -> Self {
+            Self(*lane)
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn splat(v: f32) -> Self {
+            Self([v; 4])
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn array(self) -> Lane {
+            self.0
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn plus(self, other: Self) -> Self {
+            Self(from_fn(|i| self.0[i] + other.0[i]))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn minus(self, other: Self) -> Self {
+            Self(from_fn(|i| self.0[i] - other.0[i]))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn times(self, other: Self) -> Self {
+            Self(from_fn(|i| self.0[i] * other.0[i]))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn root(self) -> Self {
+            Self(self.0.map(f32::sqrt))
+        }
+
+        /// Bit i is set if number i is greater; never where either is not a number.
+        #[inline(always)]
+        pub(in super::super) fn greater_than(self, other: Self) -> u32 {
+            (0..4).map(|i| u32::from(self.0[i] > other.0[i]) << i).sum()
+        }
+    }
+
+    #[derive(Clone, Copy)]
+    pub(in super::super) struct Integers([i32; 4]);
+
+    impl Integers {
+        #[inline(always)]
+        pub(in super::super) fn zero() -> Self {
+            Self([0; 4])
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn plus(self, other: Self) -> Self {
+            Self(from_fn(|i| self.0[i].wrapping_add(other.0[i])))
+        }
+
+        /// Inner product of each pair. Compilers do not see that there is an instruction for it.
+        #[cfg(target_arch = "x86_64")]
+        #[allow(unsafe_code)]
+        #[inline(always)]
+        pub(in super::super) fn products(a: &Pairs, b: &Pairs) -> Self {
+            use std::arch::x86_64::{_mm_loadu_si128, _mm_madd_epi16};
+            // SAFETY: every x86-64 processor has SSE2; both pointers are those of 16 bytes, and so large is the result.
+            unsafe {
+                let [a, b] = [a, b].map(|v| _mm_loadu_si128(v.as_ptr().cast()));
+                Self(std::mem::transmute::<std::arch::x86_64::__m128i, [i32; 4]>(_mm_madd_epi16(a, b)))
+            }
+        }
+
+        /// Inner product of each pair.
+        #[cfg(not(target_arch = "x86_64"))]
+        #[inline(always)]
+        pub(in super::super) fn products(a: &Pairs, b: &Pairs) -> Self {
+            let product = |j: usize| i32::from(a[j]) * i32::from(b[j]);
+            Self(from_fn(|i| product(2 * i).wrapping_add(product(2 * i + 1))))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn floats(self) -> Floats {
+            Floats(self.0.map(|v| v as f32))
+        }
+    }
+}
+
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+#[allow(clippy::inline_always, unsafe_code)] // single instructions
+mod registers {
+    use super::{Lane, Pairs};
+    use std::arch::wasm32 as simd;
+
+    #[derive(Clone, Copy)]
+    pub(in super::super) struct Floats(simd::v128);
+
+    impl Floats {
+        #[inline(always)]
+        pub(in super::super) fn of(lane: &Lane) -> Self {
+            // SAFETY: the pointer is that of 16 bytes. (From four numbers compilers would load four times.)
+            Self(unsafe { simd::v128_load(lane.as_ptr().cast()) })
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn splat(v: f32) -> Self {
+            Self(simd::f32x4_splat(v))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn array(self) -> Lane {
+            // SAFETY: both are 16 bytes.
+            unsafe { std::mem::transmute::<simd::v128, Lane>(self.0) }
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn plus(self, other: Self) -> Self {
+            Self(simd::f32x4_add(self.0, other.0))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn minus(self, other: Self) -> Self {
+            Self(simd::f32x4_sub(self.0, other.0))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn times(self, other: Self) -> Self {
+            Self(simd::f32x4_mul(self.0, other.0))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn root(self) -> Self {
+            Self(simd::f32x4_sqrt(self.0))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn greater_than(self, other: Self) -> u32 {
+            simd::i32x4_bitmask(simd::f32x4_gt(self.0, other.0)).into()
+        }
+    }
+
+    #[derive(Clone, Copy)]
+    pub(in super::super) struct Integers(simd::v128);
+
+    impl Integers {
+        #[inline(always)]
+        pub(in super::super) fn zero() -> Self {
+            Self(simd::i32x4_splat(0))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn plus(self, other: Self) -> Self {
+            Self(simd::i32x4_add(self.0, other.0))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn products(a: &Pairs, b: &Pairs) -> Self {
+            // SAFETY: both pointers are those of 16 bytes.
+            let [a, b] = [a, b].map(|v| unsafe { simd::v128_load(v.as_ptr().cast()) });
+            Self(simd::i32x4_dot_i16x8(a, b))
+        }
+
+        #[inline(always)]
+        pub(in super::super) fn floats(self) -> Floats {
+            Floats(simd::f32x4_convert_i32x4(self.0))
+        }
+    }
 }

@@ -10,7 +10,7 @@
 //! and the ground plane as a complex one z = x + i·z:  D = |y − y'|² + |z|² + |z'|² − 2 |⟨z, z'⟩|.
 //! As the weights sum to 1, D is a mean squared distance in m².
 
-use super::lanes::{Lane, inner_product};
+use super::lanes::{Lane, inner_product, inner_products};
 use crate::humanoid::{JOINTS, Role};
 use crate::math::Vec3;
 use crate::math::float_funcs::sin_cos;
@@ -40,7 +40,7 @@ pub(super) const POINTS: usize = JOINT_WEIGHTS.len();
 /// Joints that count in the lower-body metric: the first of [`POINTS`].
 const LEG_POINTS: usize = 8;
 /// 4-float lanes of a frame's heights (and of x, and of z).
-const LANES: usize = POINTS / 4;
+pub(super) const LANES: usize = POINTS / 4;
 
 /// Relative weight of each joint: by size and visibility. The spine joint follows from hips and chest
 /// and is left out, which makes five whole lanes. Legs come first.
@@ -76,15 +76,28 @@ pub enum Metric {
     LowerBody,
 }
 
+impl Metric {
+    /// Number of points that count, the first ones.
+    fn points(self) -> usize {
+        match self {
+            Self::FullBody => POINTS,
+            Self::LowerBody => LEG_POINTS,
+        }
+    }
+
+    /// Share of those in the weights of the whole body.
+    pub(super) fn share(self) -> f32 {
+        match self {
+            Self::FullBody => 1.0,
+            Self::LowerBody => point_weights()[..LEG_POINTS].iter().sum(),
+        }
+    }
+}
+
 /// Weights of the points of one frame; they sum to 1 over the whole body.
 fn point_weights() -> [f32; POINTS] {
     let sum: f32 = JOINT_WEIGHTS.iter().map(|(_, w)| w).sum();
     JOINT_WEIGHTS.map(|(_, w)| w / sum)
-}
-
-/// Share of the legs in the weights of the whole body.
-fn leg_share() -> f32 {
-    point_weights()[..LEG_POINTS].iter().sum()
 }
 
 /// The points of one frame, √w folded in.
@@ -110,6 +123,12 @@ impl FramePoints {
             points.set(i, w * p.y, w * (at.x + cos * p.x + sin * p.z), w * (at.z - sin * p.x + cos * p.z));
         }
         points
+    }
+
+    /// Squared length of all.
+    pub(super) fn norm(&self) -> f32 {
+        let heights = inner_product::<LANES, LANES>(&[self.height], &[self.height]);
+        heights + inner_product::<{ 2 * LANES }, LANES>(&[self.ground], &[self.ground])
     }
 
     fn get(&self, point: usize) -> [f32; 3] {
@@ -139,24 +158,23 @@ impl FramePoints {
 /// A window's vector in one metric: zero where a joint does not count, centred, and scaled so that its inner product with stored points, which
 /// need not be centred, is that of the weighted window vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct CentredWindow {
-    frames: usize,
-    height: [HeightRow; MAX_WINDOW],
+pub(super) struct CentredWindow {
+    pub(super) frames: usize,
+    /// Weight of a frame, which is folded in once too often.
+    pub(super) scale: f32,
+    pub(super) height: [HeightRow; MAX_WINDOW],
     /// z, for the real part of ⟨z, z'⟩ …
-    ground: [GroundRow; MAX_WINDOW],
+    pub(super) ground: [GroundRow; MAX_WINDOW],
     /// … and −i·z, for its imaginary part.
-    turned: [GroundRow; MAX_WINDOW],
+    pub(super) turned: [GroundRow; MAX_WINDOW],
     /// |y|² + |z|².
-    norm: f32,
+    pub(super) norm: f32,
 }
 
 impl CentredWindow {
     /// Of the frames of a window; sums in double precision, as this happens once a query or a stored window.
-    fn new(frames: &[FramePoints], metric: Metric) -> Self {
-        let (points, share) = match metric {
-            Metric::FullBody => (POINTS, 1.0),
-            Metric::LowerBody => (LEG_POINTS, leg_share()),
-        };
+    pub(super) fn new(frames: &[FramePoints], metric: Metric) -> Self {
+        let (points, share) = (metric.points(), metric.share());
         let roots = point_weights().map(|w| f64::from(w.sqrt()));
         let scale = 1.0 / (frames.len() as f64 * f64::from(share));
         let (mut cx, mut cz) = (0.0_f64, 0.0_f64);
@@ -167,7 +185,7 @@ impl CentredWindow {
                 cz += scale * root * z;
             }
         }
-        let mut window = Self { frames: frames.len(), ..Self::default() };
+        let mut window = Self { frames: frames.len(), scale: scale as f32, ..Self::default() };
         let mut norm = 0.0_f64;
         for (f, frame) in frames.iter().enumerate() {
             let (mut straight, mut turned) = (FramePoints::default(), FramePoints::default());
@@ -190,19 +208,14 @@ impl CentredWindow {
     /// D to the stored window of these points and norm.
     #[allow(clippy::inline_always)] // see `inner_product`
     #[inline(always)]
-    fn distance<const S: usize>(&self, height: &[HeightRow], ground: &[GroundRow], norm: f32) -> f32 {
+    pub(super) fn distance<const S: usize>(&self, height: &[HeightRow], ground: &[GroundRow], norm: f32) -> f32 {
         let frames = frames_of::<S>(self.frames);
         let heights = inner_product::<LANES, LANES>(&self.height[..frames], height);
-        let real = inner_product::<{ 2 * LANES }, LANES>(&self.ground[..frames], ground);
-        let imaginary = inner_product::<{ 2 * LANES }, LANES>(&self.turned[..frames], ground);
+        let [real, imaginary] =
+            inner_products::<{ 2 * LANES }, LANES>([&self.ground[..frames], &self.turned[..frames]], ground);
         let turned = (real * real + imaginary * imaginary).sqrt();
         ((self.norm + norm) - 2.0 * (heights + turned)).max(0.0)
     }
-}
-
-/// |y|² + |z|² of a stored window after centring.
-pub(super) fn window_norm(frames: &[FramePoints], metric: Metric) -> f32 {
-    CentredWindow::new(frames, metric).norm
 }
 
 /// The last s frames of a moving figure, ready to be compared with stored windows.
@@ -273,28 +286,12 @@ impl QueryWindow {
         self.lower = CentredWindow::new(&frames[..length], Metric::LowerBody);
     }
 
-    /// A stored window as a query.
-    pub(super) fn from_points(frames: &[FramePoints]) -> Self {
-        let (full, lower) =
-            (CentredWindow::new(frames, Metric::FullBody), CentredWindow::new(frames, Metric::LowerBody));
-        Self { pushed: frames.len(), full, lower, ..Self::new(frames.len()) }
-    }
-
-    /// D between this window and the stored one of these points and norm.
-    #[allow(clippy::inline_always)] // see `inner_product`
-    #[inline(always)]
-    pub(super) fn distance<const S: usize>(
-        &self,
-        metric: Metric,
-        height: &[HeightRow],
-        ground: &[GroundRow],
-        norm: f32,
-    ) -> f32 {
-        let query = match metric {
+    /// The window's vector in a metric.
+    pub(super) fn centred(&self, metric: Metric) -> &CentredWindow {
+        match metric {
             Metric::FullBody => &self.full,
             Metric::LowerBody => &self.lower,
-        };
-        query.distance::<S>(height, ground, norm)
+        }
     }
 }
 
@@ -320,7 +317,7 @@ mod tests {
         }
         let points: [FramePoints; WINDOW] = std::array::from_fn(|i| FramePoints::new(&stored[i].0, stored[i].1));
         let (height, ground) = (points.map(|p| p.height), points.map(|p| p.ground));
-        window.distance::<WINDOW>(metric, &height, &ground, window_norm(&points, metric))
+        window.centred(metric).distance::<WINDOW>(&height, &ground, CentredWindow::new(&points, metric).norm)
     }
 
     fn moved(frames: &Frames, by: Placement) -> Frames {

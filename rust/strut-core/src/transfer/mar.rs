@@ -140,9 +140,10 @@ impl Mixture {
 
     /// Finds the neighbours of the input in every class.
     pub(super) fn search(&mut self, model: &Model, options: &Options, window: &QueryWindow) {
+        let query = model.index().prepare(window, Metric::FullBody);
         for (c, d) in self.components.iter_mut().zip(&mut self.distances) {
             let out = &mut c.neighbours;
-            model.index().query_classes(window, Metric::FullBody, &c.classes, c.k, &mut self.scratch, out);
+            model.index().nearest(&query, &c.classes, c.k, &mut self.scratch, out);
             *d = out.mean_distance();
             if is_coherent(options) {
                 taper(out.as_slice(), &mut c.neighbour_weights);
@@ -282,8 +283,8 @@ impl Mixture {
 
     /// Nearest windows by the lower-body metric within the classes that the input reads as.
     pub(super) fn search_contacts(&mut self, model: &Model, window: &QueryWindow, k: usize, out: &mut Neighbours) {
-        let classes = &self.active_classes;
-        model.index().query_classes(window, Metric::LowerBody, classes, k, &mut self.scratch, out);
+        let query = model.index().prepare(window, Metric::LowerBody);
+        model.index().nearest(&query, &self.active_classes, k, &mut self.scratch, out);
     }
 
     /// Weight of every class of the database.

@@ -28,6 +28,11 @@ impl Model {
     /// nearest of 1 to [`crate::search::MAX_WINDOW`] is taken.
     pub fn with_window(db: Arc<Database>, frames: usize) -> Self {
         let index = Index::with_window(&db, frames);
+        Self::with_index(db, index)
+    }
+
+    /// A database and its index.
+    pub fn with_index(db: Arc<Database>, index: Index) -> Self {
         let scales = Scales::new(db.sigma(), &step_deviation(&db));
         let tables = db.styles.iter().map(|_| OnceLock::new()).collect();
         Self {

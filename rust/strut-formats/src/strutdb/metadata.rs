@@ -5,6 +5,7 @@ use strut_core::database::Database;
 use strut_core::humanoid::{JOINTS, Proportions, Role};
 use strut_core::math::Vec3;
 use strut_core::pose_vector::DOFS;
+use strut_core::search::Plan;
 
 /// The JSON object of the metadata entry `strut`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -29,6 +30,9 @@ pub struct Metadata {
     pub neutral: String,
     /// Clips in order of their frames.
     pub clips: Vec<ClipInfo>,
+    /// [`Plan::VERSION`] of the search index; none in files without one.
+    #[serde(default)]
+    pub search_version: Option<u32>,
 }
 
 /// The canonical humanoid's joints, parents first.
@@ -89,6 +93,7 @@ impl Metadata {
             styles: db.styles.clone(),
             neutral: db.styles[usize::from(db.neutral)].clone(),
             clips: clips.collect(),
+            search_version: Some(Plan::VERSION),
         }
     }
 }

@@ -13,6 +13,11 @@
 //! | `class_of_clip` | clips, 2 | u16 | indices of action and style |
 //! | `counterpart` | N, S, M | f32 | registered frames of each style; −1 where there is none |
 //! | `chart` | J, 4 | f32 | mean rotations x y z w: centres of the exponential maps |
+//! | `search_order` | W | u32 | rows at which windows end, near ones together; may be absent |
+//! | `search_basis` | 2, L | f32 | mean and principal directions of windows by both metrics; may be absent |
+//!
+//! The last two are a [`Plan`] of the search index, of the version `search_version` of the metadata. They save the time
+//! to make one; searches find the same without.
 //!
 //! Further tensors are ignored. The metadata entry `strut` is a JSON object; see [`Metadata`] for its
 //! fields. In Python:
@@ -28,6 +33,7 @@
 //!
 //! [`DOFS`]: strut_core::pose_vector::DOFS
 //! [`JOINTS`]: strut_core::humanoid::JOINTS
+//! [`Plan`]: strut_core::search::Plan
 
 mod checksum;
 mod crc32;
@@ -36,7 +42,7 @@ mod read;
 mod write;
 
 pub use metadata::{ClipInfo, Metadata, SkeletonInfo};
-pub use read::{read, read_metadata};
+pub use read::{read, read_metadata, read_plan};
 pub use write::write;
 
 use strut_core::database::DatabaseError;

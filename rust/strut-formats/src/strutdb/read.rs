@@ -9,6 +9,7 @@ use strut_core::database::{Clip, Database, DatabaseError, DatabaseParts, MAX_COU
 use strut_core::humanoid::JOINTS;
 use strut_core::math::{Quat, Vec3};
 use strut_core::pose_vector::{DOFS, PoseChart, ROW};
+use strut_core::search::Plan;
 
 /// Reads a file.
 ///
@@ -61,6 +62,22 @@ pub fn read(bytes: &[u8]) -> Result<Database, StrutdbError> {
         counterpart: counterpart.floats().collect(),
     };
     Ok(Database::new(parts)?)
+}
+
+/// The plan of the search index in a file that [`read`] accepts; `None` if there is none of this version. Whether it is
+/// one for the database [`Index::from_plan`](strut_core::search::Index::from_plan) finds out.
+pub fn read_plan(bytes: &[u8]) -> Option<Plan> {
+    let (_, header) = SafeTensors::read_metadata(bytes).ok()?;
+    let metadata: Metadata = serde_json::from_str(header.metadata().as_ref()?.get("strut")?).ok()?;
+    metadata.search_version.filter(|&v| v == Plan::VERSION)?;
+    let tensors = SafeTensors::deserialize(bytes).ok()?;
+    let order = tensor(&tensors, "search_order", Dtype::U32, &[None]).ok()?;
+    let basis = tensor(&tensors, "search_basis", Dtype::F32, &[Some(2), Some(Plan::BASIS_LENGTH)]).ok()?;
+    let (full, lower) = basis.data.split_at(basis.data.len() / 2);
+    Some(Plan {
+        order: order.data.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect(),
+        bases: [full, lower].map(|data| floats(data).collect()),
+    })
 }
 
 fn container_error(error: SafeTensorError) -> StrutdbError {

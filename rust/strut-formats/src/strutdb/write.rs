@@ -7,8 +7,9 @@ use strut_core::database::Database;
 use strut_core::humanoid::JOINTS;
 use strut_core::math::{Quat, Vec3};
 use strut_core::pose_vector::DOFS;
+use strut_core::search::{Index, Plan};
 
-/// The file of a database; `generator` names the program and version that made it.
+/// The file of a database and of the plan of its search index; `generator` names the program and version that made it.
 ///
 /// # Panics
 /// Never for a [`Database`], whose shapes were checked when it was made.
@@ -22,6 +23,9 @@ pub fn write(db: &Database, generator: &str) -> Vec<u8> {
     let contact: Vec<u8> = db.contact.iter().flatten().copied().collect();
     let class_of_clip: Vec<u8> = db.clips.iter().flat_map(|c| [c.action, c.style]).flat_map(u16::to_le_bytes).collect();
     let counterpart = floats(&mut db.counterpart.iter().copied());
+    let plan = Index::build(db).plan();
+    let search_order: Vec<u8> = plan.order.iter().flat_map(|row| row.to_le_bytes()).collect();
+    let search_basis = floats(&mut plan.bases.iter().flatten().copied());
     let chart = floats(&mut db.chart.means.iter().copied().flat_map(Quat::to_array));
 
     let (f32s, styles) = (Dtype::F32, db.styles.len());
@@ -34,6 +38,8 @@ pub fn write(db: &Database, generator: &str) -> Vec<u8> {
         ("class_of_clip", Dtype::U16, vec![db.clips.len(), 2], &class_of_clip),
         ("counterpart", f32s, vec![n, styles, db.counterparts_per_style], &counterpart),
         ("chart", f32s, vec![JOINTS, 4], &chart),
+        ("search_order", Dtype::U32, vec![plan.order.len()], &search_order),
+        ("search_basis", f32s, vec![2, Plan::BASIS_LENGTH], &search_basis),
     ];
     let views = tensors
         .into_iter()

@@ -134,7 +134,7 @@ impl Stylizer {
             window.push(&point_cloud(&db.proportions, &pose, heading), at);
         }
         let (mut scratch, mut found) = (Scratch::default(), Neighbours::default());
-        index.query_classes(&window, Metric::FullBody, &[class], k, &mut scratch, &mut found);
+        index.nearest(&index.prepare(&window, Metric::FullBody), &[class], k, &mut scratch, &mut found);
         Ok(found.as_slice().iter().map(|n| n.row).collect())
     }
 }

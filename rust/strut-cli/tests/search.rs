@@ -1,0 +1,59 @@
+//! The search finds what brute force finds, on real motion capture that the database does not hold, where it is present
+//! (`STRUT_MOCAP`): for a sample of frames and clips, or for 10 000 frames and all clips with `STRUT_ALL_CLIPS=1`.
+
+mod common;
+#[path = "../../strut-core/benches/grown/mod.rs"]
+mod grown;
+
+use common::{all_clips, mocap_folder, strut_ok};
+use rayon::prelude::*;
+use std::fs;
+use strut_core::search::{Index, Metric, Neighbours, Scratch};
+use strut_formats::strutdb;
+
+/// Frames of one run: neighbours of one frame help to find those of the next.
+const RUN: usize = 20;
+
+#[test]
+fn neighbours_of_unseen_motion_are_those_of_brute_force_at_every_size() {
+    let Some(mocap) = mocap_folder() else { return };
+    let (every, frames, sizes) =
+        if all_clips() { (1, 10_000, [20_000, 80_000, 400_000]) } else { (8, 200, [5_000, 20_000, 80_000]) };
+    let folder = tempfile::tempdir().unwrap();
+    let mut clips: Vec<_> = fs::read_dir(mocap.join("bandai-namco-2")).unwrap().map(|e| e.unwrap().path()).collect();
+    clips.retain(|p| p.extension().is_some_and(|e| e == "bvh"));
+    clips.sort();
+    let mut args =
+        vec!["build-db", "-o", "db", "--neutral", "normal", "--pattern", "{set}_{action}_{style}_{take}.bvh"];
+    args.extend(clips.iter().step_by(every).map(|p| p.to_str().unwrap()));
+    strut_ok(folder.path(), &args);
+    let db = strutdb::read(&fs::read(folder.path().join("db")).unwrap()).unwrap();
+
+    let windows = grown::held_out(&db);
+    let step = (windows.len() * RUN / frames).max(RUN);
+    let runs: Vec<_> = windows.chunks(step).map(|run| &run[..RUN.min(run.len())]).collect();
+    for size in sizes {
+        let index = Index::build(&grown::grown(&db, size, 48));
+        let differing: usize = runs.par_iter().map(|run| differing(&index, run)).sum();
+        let compared: usize = runs.iter().map(|run| run.len()).sum();
+        println!("{size} frames: {differing} differing neighbour sets of 48 classes in {compared} frames");
+        assert_eq!(differing, 0);
+    }
+}
+
+/// How many neighbour sets of a run of frames are not those of brute force.
+fn differing(index: &Index, run: &[strut_core::search::QueryWindow]) -> usize {
+    let (mut scratch, mut expected, mut differing) = (Scratch::default(), Neighbours::default(), 0);
+    for metric in [Metric::FullBody, Metric::LowerBody] {
+        let mut found = vec![Neighbours::default(); index.classes()];
+        for window in run {
+            let query = index.prepare(window, metric);
+            for (class, out) in found.iter_mut().enumerate() {
+                index.nearest(&query, &[class], 40, &mut scratch, out);
+                index.nearest_by_brute_force(&query, &[class], 40, &mut expected);
+                differing += usize::from(out.as_slice() != expected.as_slice());
+            }
+        }
+    }
+    differing
+}

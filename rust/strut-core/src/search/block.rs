@@ -1,0 +1,127 @@
+//! Sixteen windows, quantised: lower bounds of their distances to a query in a few hundred instructions.
+//!
+//! Coordinates in the [subspace](super::subspace) are 16-bit integers. No vector is longer than [`MAX_LENGTH`] by more
+//! than rounding, so that by the inequality of Cauchy and Schwarz no inner product leaves 32 bits.
+
+use super::lanes::{Floats, Integers, Lane, Pairs};
+use super::subspace::{COORDINATES, GROUND_DIMENSIONS, Projection, REAL};
+
+/// Windows of a block.
+pub(super) const BLOCK: usize = 16;
+/// Blocks are computed four windows at a time.
+pub(super) const QUADS: usize = BLOCK / 4;
+const REAL_PAIRS: usize = REAL / 2;
+const PAIRS: usize = COORDINATES / 2;
+
+/// Integers to a metre.
+pub(super) const PER_METRE: f32 = 32_760.0;
+/// Greatest length of a vector in metres, twice what a person reaches.
+const MAX_LENGTH: f32 = 1.0;
+/// Bound on what rounding to integers does to a vector, √40 · 0.51, and on what else is rounded when lengths of this
+/// size are compared.
+pub(super) const QUANTISATION: f32 = 4.0;
+/// Bound on the rounding error of [`Block::within`]: integers below 2³⁰ become floats (32 each), and sums, a root
+/// and differences are made of them; 1 120 in all.
+pub(super) const ERROR: f32 = 2048.0;
+
+/// A window as integers.
+pub(super) type Point = [i16; COORDINATES];
+
+/// The integers of a vector; one that is too long is shortened.
+///
+/// That is the projection onto a ball, which takes no two vectors further apart: bounds remain bounds.
+pub(super) fn quantise(of: &Projection) -> Point {
+    let scale = if of.length <= MAX_LENGTH { PER_METRE } else { PER_METRE * MAX_LENGTH / of.length };
+    // Rounded to the nearest by cutting off a positive number, for which there is an instruction everywhere.
+    of.coordinates.map(|c| ((c * scale + 65_536.5) as i32 - 65_536) as i16)
+}
+
+/// Squared length, below 2³¹.
+pub(super) fn squared_length(point: &Point) -> i32 {
+    point.iter().map(|&v| i32::from(v) * i32::from(v)).sum()
+}
+
+/// ⟨a, b⟩ of the complex parts.
+pub(super) fn complex_product(a: &Point, b: &Point) -> [i32; 2] {
+    let (mut re, mut im) = (0_i32, 0_i32);
+    for (a, b) in a[REAL..].chunks_exact(2).zip(b[REAL..].chunks_exact(2)) {
+        let [a, b] = [a, b].map(|v| [i32::from(v[0]), i32::from(v[1])]);
+        re += a[0] * b[0] + a[1] * b[1];
+        im += a[1] * b[0] - a[0] * b[1];
+    }
+    [re, im]
+}
+
+/// A query as a block wants it: every pair four times.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Probe {
+    straight: [Pairs; PAIRS],
+    /// −i times the complex part.
+    turned: [Pairs; GROUND_DIMENSIONS],
+    squared_length: f32,
+}
+
+impl Probe {
+    pub(super) fn new(point: &Point) -> Self {
+        let splat = |a: i16, b: i16| [a, b, a, b, a, b, a, b];
+        Self {
+            straight: std::array::from_fn(|p| splat(point[2 * p], point[2 * p + 1])),
+            turned: std::array::from_fn(|p| splat(point[REAL + 2 * p + 1], -point[REAL + 2 * p])),
+            squared_length: squared_length(point) as f32,
+        }
+    }
+}
+
+/// Sixteen windows.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    pairs: [[Pairs; PAIRS]; QUADS],
+    squared_lengths: [Lane; QUADS],
+}
+
+impl Block {
+    /// Of at most sixteen; the others are zero.
+    pub(super) fn new(points: &[Point]) -> Self {
+        let mut block = Self { pairs: [[[0; 8]; PAIRS]; QUADS], squared_lengths: [[0.0; 4]; QUADS] };
+        for (i, point) in points.iter().enumerate() {
+            for (p, pair) in point.chunks_exact(2).enumerate() {
+                block.pairs[i / 4][p][2 * (i % 4)..][..2].copy_from_slice(pair);
+            }
+            block.squared_lengths[i / 4][i % 4] = squared_length(point) as f32;
+        }
+        block
+    }
+
+    /// Bit i is set unless the squared distance of window i to the query, modulo the phase of the complex part and within
+    /// [`ERROR`], is greater than limit i. It is set where the limit is not a number.
+    #[inline]
+    pub(super) fn within(&self, probe: &Probe, limits: &[Lane; QUADS]) -> u32 {
+        (0..QUADS).fold(0, |bits, quad| {
+            let greater = self.separations(probe, quad).greater_than(Floats::of(&limits[quad]));
+            bits | ((greater ^ 15) << (4 * quad))
+        })
+    }
+
+    /// Those squared distances.
+    pub(super) fn all_separations(&self, probe: &Probe) -> [Lane; QUADS] {
+        std::array::from_fn(|quad| self.separations(probe, quad).array())
+    }
+
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn separations(&self, probe: &Probe, quad: usize) -> Floats {
+        let pairs = &self.pairs[quad];
+        let (mut real, mut re, mut im) = (Integers::zero(), Integers::zero(), Integers::zero());
+        for p in 0..REAL_PAIRS {
+            real = real.plus(Integers::products(&pairs[p], &probe.straight[p]));
+        }
+        for p in 0..GROUND_DIMENSIONS {
+            re = re.plus(Integers::products(&pairs[REAL_PAIRS + p], &probe.straight[REAL_PAIRS + p]));
+            im = im.plus(Integers::products(&pairs[REAL_PAIRS + p], &probe.turned[p]));
+        }
+        let [re, im] = [re, im].map(Integers::floats);
+        let product = real.floats().plus(re.times(re).plus(im.times(im)).root());
+        let lengths = Floats::splat(probe.squared_length).plus(Floats::of(&self.squared_lengths[quad]));
+        lengths.minus(product.plus(product))
+    }
+}

@@ -1,0 +1,205 @@
+//! Leaves: blocks of near windows of a class, each in a ball, by one metric.
+//!
+//! Distances in a [subspace](Subspace) bound those of windows from below, and are those of a metric themselves. So they
+//! rule out whole leaves, whose centres stand in blocks like the windows' own, and single windows of the other leaves.
+//!
+//! Bounds hold for the D that is computed, not only for the exact one: whatever is rounded on the way has a bound of
+//! its own, and what is not a number rules nothing out.
+
+use super::block::{BLOCK, Block, ERROR, PER_METRE, Point, Probe, QUADS, QUANTISATION, complex_product, quantise};
+use super::metric::CentredWindow;
+use super::subspace::{COORDINATES, REAL, Subspace};
+use std::ops::Range;
+
+/// Bound on the rounding error of a computed D = |q|² + |p|² − 2 (h + t): a share of (length of the query) × (length of
+/// the other before it is centred). h is a sum that rounds 2 s + 8 times for windows of s frames, and so is each part of
+/// t: 2 ((2 s + 8) (1 + √2) + 5) · 2⁻²⁴.
+fn product_rounding(frames: usize) -> f32 {
+    (5 * (2 * frames + 8) + 10) as f32 / 16_777_216.0
+}
+
+/// A share of |q|² + |p|²: norms and the last sums round 8 times, and the result twice when it is compared.
+const NORM_ROUNDING: f32 = 16.0 / 16_777_216.0;
+
+/// All leaves of a database by one metric; in the order of its windows.
+#[derive(Clone, Debug)]
+pub(super) struct Leaves {
+    subspace: Subspace,
+    /// One for every leaf.
+    blocks: Vec<Block>,
+    /// Greatest distance of a leaf's windows from its centre, in integers.
+    radii: Vec<f32>,
+    /// Sixteen leaves' centres each.
+    centres: Vec<Block>,
+    classes: Vec<Class>,
+}
+
+/// What is common to the leaves of a class.
+#[derive(Clone, Debug, Default)]
+struct Class {
+    leaves: Range<usize>,
+    /// Blocks of centres.
+    centres: Range<usize>,
+    /// Bound on the error of a projection, metres.
+    error: f32,
+    /// Greatest squared length of a window, and greatest length of one before it is centred, metres.
+    norm: f32,
+    uncentred_length: f32,
+}
+
+/// What a computed D says about distances of integers, and the reverse, for a query in a class.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Margins {
+    /// Bound on the error of a distance, in integers.
+    slack: f32,
+    /// Bound on the rounding error of a computed D, m².
+    rounding: f32,
+}
+
+impl Margins {
+    /// Distance in integers beyond which no window has a computed D of at most `threshold`.
+    fn limit(self, threshold: f32) -> f32 {
+        (threshold + self.rounding).sqrt() * PER_METRE + self.slack
+    }
+
+    /// A computed D that no window at this distance in integers, or further away, is below.
+    fn least(self, distance: f32) -> f32 {
+        let metres = (distance - self.slack).max(0.0) / PER_METRE;
+        metres * metres - self.rounding
+    }
+}
+
+impl Leaves {
+    /// With room for so many.
+    pub(super) fn new(subspace: Subspace, leaves: usize) -> Self {
+        Self {
+            subspace,
+            blocks: Vec::with_capacity(leaves),
+            radii: Vec::with_capacity(leaves),
+            centres: Vec::new(),
+            classes: Vec::new(),
+        }
+    }
+
+    pub(super) fn subspace(&self) -> &Subspace {
+        &self.subspace
+    }
+
+    /// Begins a class with these windows, none of which is longer than `uncentred_length` before it is centred. Their
+    /// integers are returned, to be put into order and into leaves.
+    pub(super) fn begin_class(
+        &mut self,
+        windows: impl Iterator<Item = CentredWindow>,
+        uncentred_length: f32,
+    ) -> Vec<Point> {
+        let (mut error, mut norm) = (0.0_f32, 0.0_f32);
+        let points = windows
+            .map(|window| {
+                let projection = self.subspace.project(&window);
+                error = error.max(projection.error);
+                norm = norm.max(window.norm);
+                quantise(&projection)
+            })
+            .collect();
+        let (leaves, centres) = (self.blocks.len()..self.blocks.len(), self.centres.len()..self.centres.len());
+        self.classes.push(Class { leaves, centres, error, norm, uncentred_length });
+        points
+    }
+
+    /// Ends a class with its windows in the order of leaves.
+    pub(super) fn end_class(&mut self, points: &[Point]) {
+        let mut centres = Vec::with_capacity(points.len().div_ceil(BLOCK));
+        for members in points.chunks(BLOCK) {
+            let (centre, block) = (centre(members), Block::new(members));
+            let greatest = block.all_separations(&Probe::new(&centre));
+            let greatest = greatest.as_flattened()[..members.len()].iter().copied().fold(0.0, f32::max);
+            self.radii.push((greatest + ERROR).sqrt());
+            self.blocks.push(block);
+            centres.push(centre);
+        }
+        self.centres.extend(centres.chunks(BLOCK).map(Block::new));
+        if let Some(class) = self.classes.last_mut() {
+            class.leaves.end = self.blocks.len();
+            class.centres.end = self.centres.len();
+        }
+    }
+
+    /// Leaves of a class.
+    pub(super) fn of_class(&self, class: usize) -> Range<usize> {
+        self.classes[class].leaves.clone()
+    }
+
+    /// Where a window lies in the subspace, and how far that may be off in metres.
+    pub(super) fn probe(&self, window: &CentredWindow) -> (Probe, f32) {
+        let projection = self.subspace.project(window);
+        (Probe::new(&quantise(&projection)), projection.error)
+    }
+
+    /// For a window that may be off by so much.
+    pub(super) fn margins(&self, class: usize, window: &CentredWindow, error: f32) -> Margins {
+        let class = &self.classes[class];
+        Margins {
+            slack: 2.0 * QUANTISATION + PER_METRE * (class.error + error),
+            rounding: product_rounding(window.frames) * window.norm.sqrt() * class.uncentred_length
+                + NORM_ROUNDING * (window.norm + class.norm),
+        }
+    }
+
+    /// The leaves of a class that may hold a window with a computed D of at most `threshold`, each after the least D
+    /// that it may hold.
+    pub(super) fn candidates(
+        &self,
+        class: usize,
+        probe: &Probe,
+        margins: Margins,
+        threshold: f32,
+        out: &mut Vec<(f32, usize)>,
+    ) {
+        let class = &self.classes[class];
+        let limit = margins.limit(threshold);
+        for (first, centres) in class.leaves.clone().step_by(BLOCK).zip(&self.centres[class.centres.clone()]) {
+            let leaves = first..class.leaves.end.min(first + BLOCK);
+            let mut limits = [[0.0; 4]; QUADS];
+            for (l, r) in limits.as_flattened_mut().iter_mut().zip(&self.radii[leaves.clone()]) {
+                *l = (limit + r) * (limit + r) + ERROR;
+            }
+            let mut bits = centres.within(probe, &limits) & ((1 << leaves.len()) - 1);
+            if bits == 0 {
+                continue;
+            }
+            let separations = centres.all_separations(probe);
+            while bits != 0 {
+                let i = bits.trailing_zeros() as usize;
+                bits &= bits - 1;
+                let distance = (separations[i / 4][i % 4] - ERROR).max(0.0).sqrt() - self.radii[first + i];
+                out.push((margins.least(distance), first + i));
+            }
+        }
+    }
+
+    /// Which windows of a leaf may have a computed D of at most `threshold`, as bits.
+    #[inline]
+    pub(super) fn windows_within(&self, leaf: usize, probe: &Probe, margins: Margins, threshold: f32) -> u32 {
+        let limit = margins.limit(threshold);
+        self.blocks[leaf].within(probe, &[[limit * limit + ERROR; 4]; QUADS])
+    }
+}
+
+/// A point amid others: their mean, once all are turned like the first.
+fn centre(members: &[Point]) -> Point {
+    let mut sums = [0.0_f32; COORDINATES];
+    for point in members {
+        let [re, im] = complex_product(point, &members[0]).map(|v| v as f32);
+        let size = (re * re + im * im).sqrt();
+        let [cos, sin] = if size > 0.0 { [re / size, im / size] } else { [1.0, 0.0] };
+        for (sum, v) in sums[..REAL].iter_mut().zip(point) {
+            *sum += f32::from(*v);
+        }
+        for (sum, v) in sums[REAL..].chunks_exact_mut(2).zip(point[REAL..].chunks_exact(2)) {
+            let [x, y] = [v[0], v[1]].map(f32::from);
+            sum[0] += cos * x + sin * y;
+            sum[1] += cos * y - sin * x;
+        }
+    }
+    sums.map(|sum| (sum / members.len() as f32) as i16)
+}

@@ -1,0 +1,196 @@
+//! The search against brute force.
+
+use super::*;
+use crate::database::{Clip, Database, DatabaseParts};
+use crate::humanoid::JOINTS;
+use crate::kinematics::world_from_local;
+use crate::math::Vec3;
+use crate::pose_vector::{HEADING_RATE, HeadingFilter, Placement, VELOCITY_Z, point_cloud};
+use crate::transfer::sine_walk::{self, BENT, Gait, NEUTRAL};
+use proptest::prelude::*;
+use std::sync::OnceLock;
+
+/// What is found by the metric in classes, and what should be.
+fn both(
+    index: &Index,
+    window: &QueryWindow,
+    metric: Metric,
+    classes: &[usize],
+    k: usize,
+    scratch: &mut Scratch,
+    out: &mut Neighbours,
+) -> Neighbours {
+    let query = index.prepare(window, metric);
+    index.nearest(&query, classes, k, scratch, out);
+    let mut expected = Neighbours::default();
+    index.nearest_by_brute_force(&query, classes, k, &mut expected);
+    expected
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    #[test]
+    fn a_walk_finds_what_brute_force_finds(
+        lean in 0.0f32..0.6, period in 40.0f32..90.0, turn in -0.5f32..0.5, k in 1usize..50, length in 0usize..3,
+    ) {
+        static INDICES: OnceLock<[Index; 3]> = OnceLock::new();
+        let db = sine_walk::database();
+        let index = &INDICES.get_or_init(|| [WINDOW, 1, MAX_WINDOW].map(|l| Index::with_window(&db, l)))[length];
+        let gait = Gait { period, lean, turn, ..if lean > 0.3 { BENT } else { NEUTRAL } };
+        let (mut window, mut filter, mut scratch) =
+            (QueryWindow::new(index.window_length()), HeadingFilter::default(), Scratch::default());
+        let mut found = [Neighbours::default(), Neighbours::default()];
+        for pose in &sine_walk::walk(&gait, 40, 0.1).poses {
+            let heading = filter.update(&world_from_local(&db.proportions, pose), 1.0 / db.rate_hz);
+            let at = Placement { x: pose.root.x, z: pose.root.z, heading };
+            window.push(&point_cloud(&db.proportions, pose, heading), at);
+            for (metric, out) in [Metric::FullBody, Metric::LowerBody].into_iter().zip(&mut found) {
+                let expected = both(index, &window, metric, &[0, index.classes() - 1], k, &mut scratch, out);
+                prop_assert_eq!(out.as_slice(), expected.as_slice());
+            }
+        }
+    }
+}
+
+/// What a recording may hold that a search would rather not meet.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Walk,
+    /// The same frame again and again.
+    Frozen,
+    /// Every joint at one point.
+    Collapsed,
+    /// A figure as large as a house, far above the ground.
+    Giant,
+    /// Hundreds of metres a frame.
+    Fast,
+}
+
+fn cloud(kind: Kind, row: usize, of: &Database) -> [Vec3; JOINTS] {
+    let row = if matches!(kind, Kind::Frozen) { 7 } else { row % of.frames() };
+    of.point_cloud[row].map(|p| match kind {
+        Kind::Collapsed => Vec3::ZERO,
+        Kind::Giant => p * 12.0 + Vec3::new(3.0, 700.0, -20.0),
+        _ => p,
+    })
+}
+
+/// A class of each kind and number of frames; clips of at most 30 frames.
+fn database(classes: &[(Kind, usize)]) -> Database {
+    let walk = sine_walk::database();
+    let mut parts = DatabaseParts {
+        actions: (0..classes.len()).map(|i| i.to_string()).collect(),
+        styles: vec!["only".into()],
+        neutral: 0,
+        clips: Vec::new(),
+        pose: Vec::new(),
+        point_cloud: Vec::new(),
+        counterparts_per_style: 1,
+        ..(*walk).clone()
+    };
+    for (action, &(kind, frames)) in classes.iter().enumerate() {
+        for first in (0..frames).step_by(30) {
+            let clip = Clip { action: action as u16, style: 0, first_frame: parts.pose.len(), ..walk.clips[0].clone() };
+            parts.clips.push(Clip { frames: (frames - first).min(30), ..clip });
+            for row in first..frames.min(first + 30) {
+                let mut pose = walk.pose[row % walk.frames()];
+                if matches!(kind, Kind::Fast) {
+                    (pose[VELOCITY_Z], pose[HEADING_RATE]) = (9000.0, 1.0);
+                }
+                parts.pose.push(pose);
+                parts.point_cloud.push(cloud(kind, row, &walk));
+            }
+        }
+    }
+    let n = parts.pose.len();
+    (parts.canonical_time, parts.time_step) = (vec![0.0; n], vec![0.1; n]);
+    (parts.contact, parts.counterpart) = (vec![[0; 2]; n], vec![-1.0; n]);
+    Database::new(parts).unwrap()
+}
+
+fn kind() -> impl Strategy<Value = Kind> {
+    prop::sample::select(vec![Kind::Walk, Kind::Frozen, Kind::Collapsed, Kind::Giant, Kind::Fast])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+    #[test]
+    fn anything_finds_what_brute_force_finds(
+        classes in prop::collection::vec((kind(), 1usize..90), 1..5),
+        queries in prop::collection::vec((kind(), 0usize..200), 1..12),
+        spoilt in prop::option::of(prop::sample::select(vec![f32::NAN, f32::INFINITY, 1e30, -1e12, 1e6])),
+        k in 0usize..50,
+    ) {
+        let (walk, db) = (sine_walk::database(), database(&classes));
+        let index = Index::build(&db);
+        let all: Vec<usize> = (0..index.classes()).collect();
+        let (mut window, mut scratch) = (QueryWindow::default(), Scratch::default());
+        let mut found = [Neighbours::default(), Neighbours::default()];
+        for (i, (kind, row)) in queries.into_iter().enumerate() {
+            let mut points = cloud(kind, row, &walk);
+            if let Some(v) = spoilt.filter(|_| i == 3) {
+                points[5].x = v;
+            }
+            window.push(&points, Placement { x: 0.1 * i as f32, z: 0.0, heading: 0.2 });
+            for (metric, out) in [Metric::FullBody, Metric::LowerBody].into_iter().zip(&mut found) {
+                let expected = both(&index, &window, metric, &all, k, &mut scratch, out);
+                prop_assert_eq!(out.as_slice(), expected.as_slice());
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_found_does_not_depend_on_the_plan(seed in any::<u64>(), row in 0usize..500, k in 1usize..50) {
+        let db = sine_walk::database();
+        static INDEX: OnceLock<Index> = OnceLock::new();
+        let index = INDEX.get_or_init(|| Index::build(&db));
+        let mut plan = index.plan();
+        let mut random = seed;
+        for class in 0..index.classes() {
+            let rows = &mut plan.order[(0..class).map(|c| index.windows_in_class(c)).sum()..][..index.windows_in_class(class)];
+            for i in (1..rows.len()).rev() {
+                random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                rows.swap(i, (random >> 33) as usize % (i + 1));
+            }
+        }
+        for basis in &mut plan.bases {
+            // Coordinates change places: orthonormal still, but no longer the directions of greatest variance.
+            let heights = &mut basis[..Plan::BASIS_LENGTH * 15 / 39];
+            heights.chunks_exact_mut(20).for_each(|frame| frame.rotate_left(4 * (random as usize % 3)));
+        }
+        let shuffled = Index::from_plan(&db, &plan).unwrap();
+        let window = {
+            let mut window = QueryWindow::default();
+            window.push(&db.point_cloud[row], Placement::default());
+            window
+        };
+        for metric in [Metric::FullBody, Metric::LowerBody] {
+            let (mut scratch, mut out) = (Scratch::default(), Neighbours::default());
+            let expected = both(&shuffled, &window, metric, &[0, 1], k, &mut scratch, &mut out);
+            prop_assert_eq!(out.as_slice(), expected.as_slice());
+            index.nearest(&index.prepare(&window, metric), &[0, 1], k, &mut scratch, &mut out);
+            prop_assert_eq!(out.as_slice(), expected.as_slice());
+        }
+    }
+}
+
+#[test]
+fn a_plan_gives_its_index_and_others_are_refused() {
+    let db = sine_walk::database();
+    let plan = Index::build(&db).plan();
+    assert_eq!(Index::from_plan(&db, &plan).unwrap().plan(), plan);
+    let refused = |change: &dyn Fn(&mut Plan)| {
+        let mut changed = plan.clone();
+        change(&mut changed);
+        Index::from_plan(&db, &changed).unwrap_err()
+    };
+    assert_eq!(refused(&|p| p.order[1] = p.order[0]), PlanError::Order);
+    assert_eq!(refused(&|p| p.order[0] = 0), PlanError::Order);
+    assert_eq!(refused(&|p| p.order[0] = u32::MAX), PlanError::Order);
+    assert_eq!(refused(&|p| p.order.truncate(5)), PlanError::Order);
+    assert_eq!(refused(&|p| p.order.push(0)), PlanError::Order);
+    assert_eq!(refused(&|p| p.order.reverse()), PlanError::Order);
+    assert_eq!(refused(&|p| p.bases[0].truncate(5)), PlanError::Basis);
+    assert_eq!(refused(&|p| p.bases[1][200] += 0.01), PlanError::Basis);
+    assert_eq!(refused(&|p| p.bases[1][0] = f32::NAN), PlanError::Basis);
+}

@@ -1,0 +1,103 @@
+//! The stored windows.
+
+use super::metric::{CentredWindow, FramePoints, GroundRow, HeightRow, LENGTH, MAX_WINDOW, Metric, frames_of};
+use crate::database::{Clip, Database};
+use crate::pose_vector::{HEADING_RATE, Placement};
+use std::ops::Range;
+
+/// All windows of a database, row by row.
+#[derive(Clone, Debug)]
+pub(super) struct Windows {
+    /// Frames of a window.
+    pub(super) length: usize,
+    heights: Vec<HeightRow>,
+    ground: Vec<GroundRow>,
+    /// Greatest squared length of a frame's points in each class, metres².
+    greatest_norms: Vec<f32>,
+    /// Rows of each clip.
+    clips: Vec<Range<usize>>,
+    /// Clips of each class.
+    pub(super) classes: Vec<Range<usize>>,
+}
+
+impl Windows {
+    /// The windows of `length` frames, 1 to [`MAX_WINDOW`].
+    pub(super) fn new(db: &Database, length: usize) -> Self {
+        let mut windows = Self {
+            length,
+            heights: Vec::with_capacity(db.frames()),
+            ground: Vec::with_capacity(db.frames()),
+            greatest_norms: Vec::new(),
+            clips: db.clips.iter().map(Clip::rows).collect(),
+            classes: db.classes().iter().map(|c| c.clips.clone()).collect(),
+        };
+        for class in db.classes() {
+            let mut greatest = 0.0_f32;
+            for points in db.clips[class.clips.clone()].iter().flat_map(|clip| clip_points(db, clip.rows())) {
+                greatest = greatest.max(points.norm());
+                windows.heights.push(points.height);
+                windows.ground.push(points.ground);
+            }
+            windows.greatest_norms.push(greatest);
+        }
+        windows
+    }
+
+    /// Number of rows.
+    pub(super) fn rows(&self) -> usize {
+        self.heights.len()
+    }
+
+    /// Rows at which the windows of a class end, ascending.
+    pub(super) fn of_class(&self, class: usize) -> impl Iterator<Item = usize> + '_ {
+        self.clips[self.classes[class].clone()].iter().flat_map(|c| self.of_clip(c))
+    }
+
+    /// Rows of a clip at which a window ends; never its first, which has no row before it to regress on.
+    fn of_clip(&self, clip: &Range<usize>) -> Range<usize> {
+        (clip.start + frames_of::<LENGTH>(self.length).max(2) - 1).min(clip.end)..clip.end
+    }
+
+    /// The points of the window that ends at row `last`.
+    #[inline]
+    pub(super) fn points<const S: usize>(&self, last: usize) -> (&[HeightRow], &[GroundRow]) {
+        let frames = frames_of::<S>(self.length);
+        let first = last + 1 - frames;
+        (&self.heights[first..][..frames], &self.ground[first..][..frames])
+    }
+
+    /// A length that no window of a class exceeds before it is centred, metres.
+    pub(super) fn uncentred_length(&self, class: usize, metric: Metric) -> f32 {
+        (self.greatest_norms[class] / metric.share()).sqrt()
+    }
+
+    /// The vector of the window that ends at row `last`.
+    pub(super) fn centred(&self, last: usize, metric: Metric) -> CentredWindow {
+        let (heights, ground) = self.points::<LENGTH>(last);
+        let mut frames = [FramePoints::default(); MAX_WINDOW];
+        for (frame, (height, ground)) in frames.iter_mut().zip(heights.iter().zip(ground)) {
+            *frame = FramePoints { height: *height, ground: *ground };
+        }
+        CentredWindow::new(&frames[..self.length], metric)
+    }
+}
+
+/// The points of a clip in a frame of reference with the middle of the path at the origin: small numbers
+/// leave more digits to the differences.
+fn clip_points(db: &Database, rows: Range<usize>) -> impl Iterator<Item = FramePoints> + '_ {
+    let dt = 1.0 / db.rate_hz;
+    let mut at = Placement::default();
+    let places: Vec<Placement> = rows
+        .clone()
+        .map(|row| {
+            if row > rows.start {
+                at = at.advanced(&db.pose[row], dt, db.pose[row][HEADING_RATE] * dt);
+            }
+            at
+        })
+        .collect();
+    let middle = places.get(places.len() / 2).copied().unwrap_or_default();
+    rows.zip(places).map(move |(row, p)| {
+        FramePoints::new(&db.point_cloud[row], Placement { x: p.x - middle.x, z: p.z - middle.z, heading: p.heading })
+    })
+}
