@@ -5,6 +5,7 @@ use crate::files::{self, print_warnings};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
+use strut_core::database::Database;
 use strut_core::motion::Motion;
 use strut_core::retarget::Binding;
 use strut_core::search::Index;
@@ -34,12 +35,21 @@ impl Clip {
     }
 }
 
+/// The database in a file.
+pub(crate) fn read_database(path: &Path) -> Outcome<Database> {
+    strutdb::read(&files::read(path, strutdb::MAX_BYTES)?).map_err(|reason| Failure::in_file(path, reason))
+}
+
+/// The search index of the plan in a database's file, if there is a good one.
+pub(crate) fn stored_index(bytes: &[u8], database: &Database) -> Option<Index> {
+    Index::from_plan(database, &strutdb::read_plan(bytes)?).ok()
+}
+
 /// The database in a file, ready for use; says so if its search index had to be made.
 pub(crate) fn read_model(path: &Path) -> Outcome<Model> {
     let bytes = files::read(path, strutdb::MAX_BYTES)?;
     let database = strutdb::read(&bytes).map_err(|reason| Failure::in_file(path, reason))?;
-    let index = strutdb::read_plan(&bytes).and_then(|plan| Index::from_plan(&database, &plan).ok());
-    let index = index.unwrap_or_else(|| {
+    let index = stored_index(&bytes, &database).unwrap_or_else(|| {
         let begin = Instant::now();
         let index = Index::build(&database);
         let (path, ms) = (path.display(), begin.elapsed().as_millis());

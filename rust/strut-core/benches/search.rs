@@ -2,6 +2,8 @@
 //! `STRUT_DB=FILE cargo bench -p strut-core --bench search [-- FILTER]`. The database in the file is held out in part for
 //! queries and grown to each size; `FRAMES=20000,1600000` chooses other sizes.
 
+#![allow(missing_docs)] // of the function that criterion makes
+
 mod grown;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};

@@ -3,7 +3,7 @@
 mod measure;
 mod table;
 
-use crate::clip::read_database;
+use crate::clip::{read_database, stored_index};
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print};
 use crate::progress::Bar;
@@ -13,6 +13,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 use strut_core::database::{Database, MAX_FRAMES};
+use strut_core::search::Index;
 use strut_core::transfer::Model;
 use strut_demo::benchmark::{self, LEAST_FRAMES, PAPER_FRAMES, Query};
 use strut_formats::strutdb;
@@ -75,9 +76,13 @@ fn measure_on(database: Database, queries: &[Query], rows: &mut Vec<Row>) {
     let file = (database.frames() <= MOST_TO_OPEN).then(|| strutdb::write(&database, crate::GENERATOR));
     // Opened from its file where there is one, so that what is measured is what was opened.
     let started = Instant::now();
-    let database = file.and_then(|bytes| strutdb::read(&bytes).ok()).unwrap_or(database);
+    let opened = file.and_then(|bytes| {
+        let database = strutdb::read(&bytes).ok()?;
+        Some((stored_index(&bytes, &database)?, database))
+    });
+    let (index, database) = opened.unwrap_or_else(|| (Index::build(&database), database));
     let (frames, classes) = (database.frames(), database.classes().len());
-    let model = Arc::new(Model::new(Arc::new(database)));
+    let model = Arc::new(Model::with_index(Arc::new(database), index));
     let opened_ms = started.elapsed().as_secs_f64() * 1e3;
     if frames <= MOST_TO_OPEN {
         rows.push(Row::new("open", "all", frames, classes, vec![opened_ms]));

@@ -110,17 +110,14 @@ impl Block {
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn separations(&self, probe: &Probe, quad: usize) -> Floats {
-        let pairs = &self.pairs[quad];
-        let (mut real, mut re, mut im) = (Integers::zero(), Integers::zero(), Integers::zero());
-        for p in 0..REAL_PAIRS {
-            real = real.plus(Integers::products(&pairs[p], &probe.straight[p]));
-        }
-        for p in 0..GROUND_DIMENSIONS {
-            re = re.plus(Integers::products(&pairs[REAL_PAIRS + p], &probe.straight[REAL_PAIRS + p]));
-            im = im.plus(Integers::products(&pairs[REAL_PAIRS + p], &probe.turned[p]));
-        }
-        let [re, im] = [re, im].map(Integers::floats);
-        let product = real.floats().plus(re.times(re).plus(im.times(im)).root());
+        let (real, complex) = self.pairs[quad].split_at(REAL_PAIRS);
+        let product = |a: &[Pairs], b: &[Pairs]| {
+            let sum = a.iter().zip(b).fold(Integers::zero(), |sum, (a, b)| sum.plus(Integers::products(a, b)));
+            sum.floats()
+        };
+        let re = product(complex, &probe.straight[REAL_PAIRS..]);
+        let im = product(complex, &probe.turned);
+        let product = product(real, &probe.straight).plus(re.times(re).plus(im.times(im)).root());
         let lengths = Floats::splat(probe.squared_length).plus(Floats::of(&self.squared_lengths[quad]));
         lengths.minus(product.plus(product))
     }

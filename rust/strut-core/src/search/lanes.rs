@@ -37,10 +37,7 @@ pub(super) fn inner_product<const N: usize, const SUMS: usize>(a: &[[Lane; N]], 
 /// [`inner_product`] of two windows with a third, whose numbers are read once.
 #[allow(clippy::inline_always)] // see `inner_product`
 #[inline(always)]
-pub(super) fn inner_products<const N: usize, const SUMS: usize>(
-    a: [&[[Lane; N]]; 2],
-    b: &[[Lane; N]],
-) -> [f32; 2] {
+pub(super) fn inner_products<const N: usize, const SUMS: usize>(a: [&[[Lane; N]]; 2], b: &[[Lane; N]]) -> [f32; 2] {
     let mut sums = [[Floats::splat(0.0); SUMS]; 2];
     for ((a0, a1), b) in a[0].iter().zip(a[1]).zip(b) {
         for first in (0..N).step_by(SUMS) {

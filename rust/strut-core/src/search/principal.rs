@@ -107,7 +107,9 @@ mod tests {
         #[test]
         fn they_capture_what_there_is(mut vectors in vectors(), scale in 0.001f64..0.1) {
             // Two strong axes and three weak ones.
-            vectors.iter_mut().for_each(|v| v[2..].iter_mut().flatten().for_each(|x| *x *= scale));
+            for x in vectors.iter_mut().flat_map(|v| v[2..].iter_mut().flatten()) {
+                *x *= scale;
+            }
             let axes = |n: usize| (0..n).map(|i| (0..5).map(|j| [f64::from(u8::from(i == j)), 0.0]).collect()).collect::<Vec<_>>();
             let found = captured(&vectors, &principal_directions(&vectors, 5, 2));
             prop_assert!(found >= captured(&vectors, &axes(2)) * (1.0 - 1e-6));

@@ -9,7 +9,7 @@
 //! The right-hand side is the squared distance of two short vectors modulo the phase of their complex parts: a metric
 //! too. The bound is tightest where the basis holds the directions of greatest variance.
 
-use super::lanes::{Floats, Lane, inner_product};
+use super::lanes::{Floats, inner_product};
 use super::metric::{CentredWindow, GroundRow, HeightRow, LANES, POINTS};
 use super::principal::{Complex, inner, principal_directions};
 
@@ -33,7 +33,7 @@ const ROUNDING: f32 = 1.0 / 16_384.0;
 /// Bound on what rounding does to the window itself, as a share of its length before the mean is taken off.
 const INPUT_ROUNDING: f32 = 1.0 / 4_194_304.0;
 
-/// Greatest departure from orthonormality (Frobenius norm of BᵀB − 1): what rounding to single precision makes.
+/// Greatest departure from orthonormality (Frobenius norm): what rounding to single precision makes.
 const MAX_SKEW: f64 = 1e-6;
 
 /// A mean of heights, and orthonormal directions.
@@ -210,7 +210,7 @@ fn complex_product(z: &[GroundRow], b: &[GroundRow]) -> [f32; 2] {
     })
 }
 
-/// Frobenius norm of BᴴB − 1.
+/// How far directions are from orthonormal: Frobenius norm of the difference of their inner products from 0 and 1.
 fn skew(directions: &[Vec<Complex>]) -> f64 {
     let mut sum = 0.0;
     for (i, a) in directions.iter().enumerate() {

@@ -141,8 +141,8 @@ proptest! {
 
     #[test]
     fn what_is_found_does_not_depend_on_the_plan(seed in any::<u64>(), row in 0usize..500, k in 1usize..50) {
-        let db = sine_walk::database();
         static INDEX: OnceLock<Index> = OnceLock::new();
+        let db = sine_walk::database();
         let index = INDEX.get_or_init(|| Index::build(&db));
         let mut plan = index.plan();
         let mut random = seed;
