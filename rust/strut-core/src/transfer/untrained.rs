@@ -23,7 +23,7 @@ impl Trained {
         match *self {}
     }
 
-    pub(super) fn step_secs(&self) -> f32 {
-        match *self {}
+    pub(super) fn step_secs(self) -> f32 {
+        match self {}
     }
 }
