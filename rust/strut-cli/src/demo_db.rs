@@ -27,8 +27,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let mut outputs = Outputs::default();
     let mut clips = 0;
     if let Some(folder) = &args.bvh {
+        let full = || strut_demo::full_clips().into_iter().map(|c| c.clip).collect();
+        let motions = if args.page { strut_demo::clips() } else { full() };
         std::fs::create_dir_all(folder).map_err(|e| Failure::in_file(folder, files::reason(&e)))?;
-        for clip in if args.page { strut_demo::clips() } else { strut_demo::full_clips() } {
+        for clip in motions {
             let path = folder.join(format!("{}_{}_{:03}.bvh", clip.action, clip.style, clip.take));
             let file = Bvh::from_humanoid(&clip.motion).map_err(|e| Failure::in_file(&path, e))?;
             outputs.stage(&path, bvh::write(&file).as_bytes())?;

@@ -337,7 +337,7 @@ mod tests {
 
     #[test]
     fn what_is_held_out_of_a_database_is_not_in_what_is_left() {
-        let whole = database(20_000).unwrap();
+        let whole = database(28_000).unwrap();
         let (rest, queries) = hold_out(&whole).unwrap();
         let frames: usize = queries.iter().map(|q| q.motion.poses.len()).sum();
         assert_eq!((rest.frames(), rest.classes().len()), (whole.frames() - frames, 48));

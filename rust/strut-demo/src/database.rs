@@ -26,15 +26,20 @@ pub struct NamedMotion {
 /// [`build::build`], or to be written to files.
 pub fn clips() -> Vec<SourceClip> {
     let takes = || (1..).zip(&WALK_TAKES).chain((1..).zip(&RUN_TAKES));
-    STYLES.iter().flat_map(|style| takes().map(move |(take, script)| gait_clip(style, take, script, RATE_HZ))).collect()
+    STYLES.iter().flat_map(|style| takes().map(move |(take, script)| gait_clip(style, take, script))).collect()
 }
 
 /// A script performed in a style.
-pub(crate) fn gait_clip(style: &Style, take: u32, script: &Script, rate_hz: f32) -> SourceClip {
-    // Script time counts seconds of the neutral style at its preferred speed: two steps a stride.
+fn gait_clip(style: &Style, take: u32, script: &Script) -> SourceClip {
+    let performance = perform(script, style, &Proportions::default(), RATE_HZ);
+    source_clip([script.action.name(), script.name, style.name], take, performance, neutral_secs(script))
+}
+
+/// The time that all styles share at a phase of a script: seconds of the neutral style at its preferred speed, which
+/// takes two steps a stride.
+pub(crate) fn neutral_secs(script: &Script) -> impl Fn(f32) -> f32 + use<> {
     let secs_per_stride = 120.0 / script.action.style(&STYLES[0]).cadence;
-    let performance = perform(script, style, &Proportions::default(), rate_hz);
-    source_clip([script.action.name(), script.name, style.name], take, performance, |phase| phase * secs_per_stride)
+    move |phase| phase * secs_per_stride
 }
 
 /// A performance as input of a database, with the time that all styles share at its phases. The names are those of

@@ -5,7 +5,7 @@
 //! flat foot). The touching point is fixed, so that a planted foot cannot slide. In swing the ankle follows a
 //! quintic that continues position, velocity and acceleration of the stances before and after.
 
-use crate::action::Mechanics;
+use crate::action::{Action, Mechanics};
 use crate::jet::Jet;
 use crate::noise::Noise;
 use crate::path::{Footprint, Path, Side, stretch};
@@ -20,6 +20,8 @@ const HEEL_BEHIND_ANKLE: f32 = 0.058;
 /// Ahead of the toe joint, the point of the sole that leaves the ground last.
 const TIP_AHEAD_OF_TOES: f32 = 0.060;
 
+/// Phase since its strike at which it is decided which action a stance belongs to.
+const WEIGHED_AT: f32 = 0.25;
 /// Greatest deceleration of a foot before it strikes, m/s².
 const HARDEST_BRAKING: f32 = 75.0;
 /// Scales t³(1 − t)⁸, greatest a little after a quarter of the swing, to a height of 1.
@@ -46,17 +48,41 @@ pub(crate) struct FootPose {
     pub(crate) freedom: f32,
 }
 
-/// Plans both feet of a performance.
+/// How the feet of an action roll in a style.
 #[derive(Clone, Debug)]
-pub(crate) struct Feet<'a> {
-    script: &'a Script,
+struct Row<'a> {
     style: &'a Style,
     mechanics: &'static Mechanics,
+    foot_pitch: PeriodicCurve,
+    toe_pitch: PeriodicCurve,
+}
+
+impl<'a> Row<'a> {
+    fn new(action: Action, style: &'a Style) -> Self {
+        let mechanics = action.mechanics();
+        let (foot_pitch, toe_pitch) = (foot_pitch_curve(style, mechanics), toe_pitch_curve(style, mechanics));
+        Self { style, mechanics, foot_pitch, toe_pitch }
+    }
+}
+
+/// Plans both feet of a performance. Each stance is that of one action or of the other, or between the two.
+#[derive(Clone, Debug)]
+pub(crate) struct Feet<'a, W> {
+    script: &'a Script,
     path: &'a Path,
     noise: Noise,
     geometry: FootGeometry,
-    foot_pitch: PeriodicCurve,
-    toe_pitch: PeriodicCurve,
+    rows: [Row<'a>; 2],
+    weight: W,
+}
+
+/// Where in its cycle a foot is.
+#[derive(Clone, Copy, Debug)]
+enum Part {
+    /// Share of the stance.
+    Stance(f32),
+    /// Share of the swing.
+    Swing(f32),
 }
 
 /// Points of the foot in its own frame, from the ankle, in the flat foot.
@@ -100,25 +126,19 @@ pub(crate) fn pitched(angle: f32) -> Quat {
     Quat::from_rotation_x(-angle)
 }
 
-impl<'a> Feet<'a> {
+impl<'a, W: Fn(f32) -> f32> Feet<'a, W> {
+    /// The feet of a script on its path. `gaits` are two actions with their rows; `weight` gives the share of the second
+    /// by phase.
     pub(crate) fn new(
         proportions: &Proportions,
         script: &'a Script,
-        style: &'a Style,
+        gaits: [(Action, &'a Style); 2],
         path: &'a Path,
         noise: Noise,
+        weight: W,
     ) -> Self {
-        let mechanics = script.action.mechanics();
-        Self {
-            script,
-            style,
-            mechanics,
-            path,
-            noise,
-            geometry: FootGeometry::of(proportions),
-            foot_pitch: foot_pitch_curve(style, mechanics),
-            toe_pitch: toe_pitch_curve(style, mechanics),
-        }
+        let rows = gaits.map(|(action, style)| Row::new(action, style));
+        Self { script, path, noise, geometry: FootGeometry::of(proportions), rows, weight }
     }
 
     /// The foot of a side at a phase of the script.
@@ -126,58 +146,97 @@ impl<'a> Feet<'a> {
         let since_first = phase - side.strike_phase();
         let stride = since_first.floor();
         let cycle = since_first - stride;
-        let here = self.path.footprint(self.style, self.noise, side, stride as i64);
-        let (foot_pitch, toe_pitch) = self.pitches(cycle, phase);
-        let planted = cycle < self.style.duty;
-        let (ankle, heading) = if planted {
-            (on_print(&here, self.geometry.ankle_on_ground(foot_pitch, toe_pitch)), here.heading)
+        let weights = [0.0, 1.0].map(|later| (self.weight)(stride + later + side.strike_phase() + WEIGHED_AT));
+        let duty = self.mixed(weights[0], |row| row.style.duty);
+        let swung = (cycle - duty) / (1.0 - duty);
+        let planted = cycle < duty;
+        let here = self.footprint(weights[0], side, stride as i64);
+        let ((foot_pitch, toe_pitch), ankle, heading) = if planted {
+            let pitches = self.pitches(weights[0], Part::Stance(cycle / duty), phase);
+            (pitches, on_print(&here, self.geometry.ankle_on_ground(pitches.0, pitches.1)), here.heading)
         } else {
-            let next = self.path.footprint(self.style, self.noise, side, stride as i64 + 1);
-            self.swing(&here, &next, cycle, phase)
+            let turned = smooth_step(0.0, 1.0, swung);
+            let weight = weights[0] + (weights[1] - weights[0]) * turned;
+            let next = self.footprint(weights[1], side, stride as i64 + 1);
+            let ankle = self.swing([&here, &next], weights, swung, phase);
+            let heading = here.heading + (next.heading - here.heading) * turned;
+            (self.pitches(weight, Part::Swing(swung), phase), ankle, heading)
         };
         let foot = Quat::from_rotation_y(heading) * pitched(foot_pitch);
-        let swung = (cycle - self.style.duty) / (1.0 - self.style.duty);
         let freedom = smooth_step(0.0, 0.3, swung) - smooth_step(0.75, 1.0, swung);
         FootPose { ankle, foot, toes: pitched(toe_pitch - foot_pitch), planted, cycle, heading, freedom }
     }
 
-    /// Pitch of foot and toes against the ground in radians, toes up. Longer strides need more of both.
-    fn pitches(&self, cycle: f32, phase: f32) -> (f32, f32) {
-        let scale = stretch(self.script.speed(phase)).to_radians();
-        (self.foot_pitch.at(cycle) * scale, self.toe_pitch.at(cycle) * scale)
+    fn mixed(&self, weight: f32, of: impl Fn(&Row) -> f32) -> f32 {
+        let first = of(&self.rows[0]);
+        if weight == 0.0 { first } else { first + (of(&self.rows[1]) - first) * weight }
     }
 
-    fn swing(&self, from: &Footprint, to: &Footprint, cycle: f32, phase: f32) -> (Vec3, f32) {
-        let duty = self.style.duty;
-        let length = 1.0 - duty;
-        let t = (cycle - duty) / length;
-        let lift_off = phase - (cycle - duty);
+    fn footprint(&self, weight: f32, side: Side, stride: i64) -> Footprint {
+        let of = |row: &Row| self.path.footprint(row.style, row.mechanics, self.noise, side, stride);
+        let first = of(&self.rows[0]);
+        if weight == 0.0 {
+            return first;
+        }
+        let second = of(&self.rows[1]);
+        Footprint {
+            position: first.position.lerp(second.position, weight),
+            heading: first.heading + (second.heading - first.heading) * weight,
+        }
+    }
+
+    /// Pitch of foot and toes against the ground in radians, toes up. Longer strides need more of both.
+    fn pitches(&self, weight: f32, part: Part, phase: f32) -> (f32, f32) {
+        let scale = stretch(self.script.speed(phase)).to_radians();
+        let cycle = |row: &Row| match part {
+            Part::Stance(share) => share * row.style.duty,
+            Part::Swing(share) => row.style.duty + share * (1.0 - row.style.duty),
+        };
+        let foot = self.mixed(weight, |row| row.foot_pitch.at(cycle(row)));
+        let toes = self.mixed(weight, |row| row.toe_pitch.at(cycle(row)));
+        (foot * scale, toes * scale)
+    }
+
+    /// The ankle on its way between two footprints of rows in these weights.
+    fn swing(&self, prints: [&Footprint; 2], weights: [f32; 2], t: f32, phase: f32) -> Vec3 {
+        let [from, to] = prints;
+        let duties = weights.map(|weight| self.mixed(weight, |row| row.style.duty));
+        let length = 1.0 - duties[0];
+        let lift_off = phase - t * length;
         let strike = lift_off + length;
-        let ground = |print: &Footprint, cycle: f32, phase: f32| {
-            let (foot_pitch, toe_pitch) = self.pitches(cycle, phase);
+        let ground = |print: &Footprint, weight: f32, share: f32, phase: f32| {
+            let (foot_pitch, toe_pitch) = self.pitches(weight, Part::Stance(share), phase);
             Quat::from_rotation_y(print.heading) * self.geometry.ankle_on_ground(foot_pitch, toe_pitch)
         };
-        let mut start = Jet::backward(|d| ground(from, duty - d, lift_off - d)).shifted(from.position).over(length);
-        let mut end = Jet::forward(|d| ground(to, d, strike + d)).shifted(to.position).over(length);
+        let mut start = Jet::backward(|d| ground(from, weights[0], 1.0 - d / duties[0], lift_off - d))
+            .shifted(from.position)
+            .over(length);
+        let mut end =
+            Jet::forward(|d| ground(to, weights[1], d / duties[1], strike + d)).shifted(to.position).over(length);
         let impulse = |print: &Footprint, strides: f32| {
             Quat::from_rotation_y(print.heading)
                 * Vec3::Z
                 * (strides * self.path.stride_length(phase) * length * length)
         };
-        let strides_per_sec = self.style.cadence / 120.0 * stretch(self.script.speed(phase));
+        let weight = 0.5 * (weights[0] + weights[1]);
+        let strides_per_sec = self.mixed(weight, |row| row.style.cadence) / 120.0 * stretch(self.script.speed(phase));
         let hardest = HARDEST_BRAKING / (self.path.stride_length(phase) * strides_per_sec * strides_per_sec);
-        start.acceleration += impulse(from, self.mechanics.push_off_acceleration.min(0.55 * hardest));
-        end.acceleration -= impulse(to, self.mechanics.strike_deceleration.min(hardest));
+        let push_off = self.mixed(weights[0], |row| row.mechanics.push_off_acceleration).min(0.55 * hardest);
+        let braking = self.mixed(weights[1], |row| row.mechanics.strike_deceleration).min(hardest);
+        start.acceleration += impulse(from, push_off);
+        end.acceleration -= impulse(to, braking);
 
         let mut ankle = Jet::quintic(&start, &end, t);
         let rest = 1.0 - t;
         let early = t * t * t * (rest * rest) * (rest * rest) * (rest * rest) * (rest * rest) * EARLY_ARCH;
         let middle = t * t * t * rest * rest * rest * MIDDLE_ARCH;
-        let push_off = self.style.push_off_pitch / 60.0;
-        let vigour = push_off * push_off;
-        ankle.y += self.mechanics.fold * vigour * early + (self.mechanics.clearance + self.style.foot_lift) * middle;
-        let turn = smooth_step(0.0, 1.0, t);
-        (ankle, from.heading + (to.heading - from.heading) * turn)
+        let fold = |row: &Row| {
+            let push_off = row.style.push_off_pitch / 60.0;
+            row.mechanics.fold * push_off * push_off
+        };
+        ankle.y += self.mixed(weight, fold) * early
+            + self.mixed(weight, |row| row.mechanics.clearance + row.style.foot_lift) * middle;
+        ankle
     }
 }
 

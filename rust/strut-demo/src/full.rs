@@ -1,9 +1,10 @@
 //! The database in full size: composed as Table 1 of Xia et al. 2015, which counts 79,829 frames at 120 Hz.
 
-use crate::database::{build, gait_clip, source_clip};
+use crate::database::{build, neutral_secs, source_clip};
 use crate::drill::{Drill, perform_drill, script_secs};
 use crate::drills::{JUMPS, KICKS, PUNCHES};
-use crate::script::{LONG_WALK, RUN_TAKES, Script, WALK_TAKES};
+use crate::perform::{Performance, Transition, perform, perform_transition};
+use crate::script::{LONG_WALK, RUN_TAKES, Script, TRANSITIONS, WALK_TAKES};
 use crate::style::{STYLES, Style};
 use strut_core::database::Database;
 use strut_core::database::build::{BuildError, SourceClip};
@@ -20,42 +21,65 @@ pub const TABLE_1: [(&str, usize); 6] =
 enum Take {
     Gait(&'static Script),
     Drill(&'static Drill),
+    Transition(&'static Transition),
 }
 
-/// The takes of an action, more than its frames need.
-fn takes(action: &str) -> Vec<Take> {
+/// A clip of the full database with what its plan knows.
+#[derive(Clone, Debug)]
+pub struct PlannedClip {
+    /// The clip as input of a database.
+    pub clip: SourceClip,
+    /// For each frame whether the left and the right foot is planted.
+    pub planted: Vec<[bool; 2]>,
+}
+
+/// The takes of an action with the most frames that each may have; more than the action needs.
+fn takes(action: &str) -> Vec<(Take, usize)> {
+    let gait = |script| (Take::Gait(script), usize::MAX);
     match action {
-        "walk" => WALK_TAKES.iter().chain(&LONG_WALK).map(Take::Gait).collect(),
-        "run" => RUN_TAKES.iter().map(Take::Gait).collect(),
-        "jump" => vec![Take::Drill(&JUMPS)],
-        "punch" => vec![Take::Drill(&PUNCHES)],
-        "kick" => vec![Take::Drill(&KICKS)],
-        _ => vec![],
+        "walk" => WALK_TAKES.iter().chain(&LONG_WALK).map(gait).collect(),
+        "run" => RUN_TAKES.iter().map(gait).collect(),
+        "jump" => vec![(Take::Drill(&JUMPS), usize::MAX)],
+        "punch" => vec![(Take::Drill(&PUNCHES), usize::MAX)],
+        "kick" => vec![(Take::Drill(&KICKS), usize::MAX)],
+        // Both directions get the same share.
+        _ => TRANSITIONS.iter().map(|t| (Take::Transition(t), 1_073)).collect(),
     }
 }
 
-fn clip(take: &Take, number: u32, style: &Style) -> SourceClip {
-    match take {
-        Take::Gait(script) => gait_clip(style, number, script, FULL_RATE_HZ),
+fn clip(take: &Take, number: u32, style: &Style) -> PlannedClip {
+    let body = Proportions::default();
+    let (performance, names, secs): (Performance, [&str; 2], Box<dyn Fn(f32) -> f32>) = match take {
+        Take::Gait(script) => (
+            perform(script, style, &body, FULL_RATE_HZ),
+            [script.action.name(), script.name],
+            Box::new(neutral_secs(script)),
+        ),
         Take::Drill(drill) => {
-            let performance = perform_drill(drill, style, &Proportions::default(), FULL_RATE_HZ);
-            source_clip([drill.action, drill.name, style.name], number, performance, script_secs(drill))
+            (perform_drill(drill, style, &body, FULL_RATE_HZ), [drill.action, drill.name], Box::new(script_secs(drill)))
         }
-    }
+        Take::Transition(t) => (
+            perform_transition(t, style, &body, FULL_RATE_HZ),
+            ["transition", t.script.name],
+            Box::new(neutral_secs(&t.script)),
+        ),
+    };
+    let planted = performance.planted.clone();
+    PlannedClip { clip: source_clip([names[0], names[1], style.name], number, performance, secs), planted }
 }
 
 /// Every take of the full database in every style, with its exact correspondence. The last take of an action ends, in
 /// every style at the same moment of its script, where the action has the frames that [`TABLE_1`] counts.
-pub fn full_clips() -> Vec<SourceClip> {
+pub fn full_clips() -> Vec<PlannedClip> {
     TABLE_1.iter().flat_map(|&(action, frames)| action_clips(action, frames)).collect()
 }
 
-fn action_clips(action: &str, mut frames: usize) -> Vec<SourceClip> {
+fn action_clips(action: &str, mut frames: usize) -> Vec<PlannedClip> {
     let mut clips = Vec::new();
-    for (number, take) in (1..).zip(takes(action)) {
-        let mut performed: Vec<SourceClip> = STYLES.iter().map(|style| clip(&take, number, style)).collect();
-        cut(&mut performed, frames);
-        frames -= performed.iter().map(|c| c.motion.poses.len()).sum::<usize>();
+    for (number, (take, most)) in (1..).zip(takes(action)) {
+        let mut performed: Vec<PlannedClip> = STYLES.iter().map(|style| clip(&take, number, style)).collect();
+        cut(&mut performed, frames.min(most));
+        frames -= performed.iter().map(|c| c.planted.len()).sum::<usize>();
         clips.append(&mut performed);
         if frames == 0 {
             break;
@@ -65,14 +89,15 @@ fn action_clips(action: &str, mut frames: usize) -> Vec<SourceClip> {
 }
 
 /// Ends all clips at one moment of their script so that they have at most so many frames together.
-fn cut(clips: &mut [SourceClip], frames: usize) {
-    let times = |clip: &SourceClip| clip.script.as_ref().map_or(vec![], |s| s.time.clone());
+fn cut(clips: &mut [PlannedClip], frames: usize) {
+    let times = |c: &PlannedClip| c.clip.script.as_ref().map_or(vec![], |s| s.time.clone());
     let mut moments: Vec<(f32, usize)> =
         clips.iter().enumerate().flat_map(|(i, clip)| times(clip).into_iter().map(move |t| (t, i))).collect();
     moments.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     moments.truncate(frames);
-    for (i, clip) in clips.iter_mut().enumerate() {
+    for (i, PlannedClip { clip, planted }) in clips.iter_mut().enumerate() {
         let kept = moments.iter().filter(|m| m.1 == i).count();
+        planted.truncate(kept);
         clip.motion.poses.truncate(kept);
         if let Some(script) = &mut clip.script {
             script.time.truncate(kept);
@@ -85,5 +110,6 @@ fn cut(clips: &mut [SourceClip], frames: usize) {
 /// # Errors
 /// Never for the clips that this crate makes; the error is passed on so that the caller need not panic.
 pub fn full_database() -> Result<Database, BuildError> {
-    build(&full_clips(), FULL_RATE_HZ)
+    let clips: Vec<SourceClip> = full_clips().into_iter().map(|c| c.clip).collect();
+    build(&clips, FULL_RATE_HZ)
 }

@@ -1,5 +1,6 @@
 //! The line that the body follows, and the footprints beside it.
 
+use crate::action::Mechanics;
 use crate::noise::{Channel, Noise};
 use crate::script::Script;
 use crate::style::Style;
@@ -54,7 +55,6 @@ pub(crate) struct Path {
     positions: Vec<Vec3>,
     headings: Vec<f32>,
     velocities: Vec<Vec3>,
-    ankle_behind_stance: f32,
 }
 
 /// How the amplitudes of a stride change with speed: steps lengthen and quicken alike, because the ratio of
@@ -65,22 +65,18 @@ pub(crate) fn stretch(speed: f32) -> f32 {
 }
 
 impl Path {
-    /// The line of a script walked in a style, heading +Z at phase 0 where it passes the origin.
-    pub(crate) fn plan(script: &Script, style: &Style) -> Self {
+    /// The line of a script with steps of a length, which may change with the phase; heading +Z at phase 0 where it
+    /// passes the origin.
+    pub(crate) fn plan(script: &Script, step_length: impl Fn(f32) -> f32) -> Self {
         let step = 1.0 / SAMPLES_PER_STRIDE as f32;
         let margin = MARGIN_STRIDES as usize * SAMPLES_PER_STRIDE;
         let count = script.strides() as usize * SAMPLES_PER_STRIDE + 2 * margin + 1;
         let phase = |i: usize| i as f32 * step - MARGIN_STRIDES as f32;
         let velocity = |phase: f32, heading: f32| {
             let (s, c) = sin_cos(heading);
-            Vec3::new(s, 0.0, c) * (2.0 * style.step_length * stretch(script.speed(phase)))
+            Vec3::new(s, 0.0, c) * (2.0 * step_length(phase) * stretch(script.speed(phase)))
         };
-        let mut path = Self {
-            positions: vec![Vec3::ZERO],
-            headings: vec![0.0],
-            velocities: vec![],
-            ankle_behind_stance: script.action.mechanics().ankle_behind_stance,
-        };
+        let mut path = Self { positions: vec![Vec3::ZERO], headings: vec![0.0], velocities: vec![] };
         path.velocities.push(velocity(phase(0), 0.0));
         for i in 1..count {
             let (position, heading) = (path.positions[i - 1], path.headings[i - 1]);
@@ -139,14 +135,21 @@ impl Path {
 
     /// Where `side` stands in its stance of stride number `stride`: beside the point of the line that the
     /// body passes in the middle of that stance.
-    pub(crate) fn footprint(&self, style: &Style, noise: Noise, side: Side, stride: i64) -> Footprint {
+    pub(crate) fn footprint(
+        &self,
+        style: &Style,
+        mechanics: &Mechanics,
+        noise: Noise,
+        side: Side,
+        stride: i64,
+    ) -> Footprint {
         let strike = stride as f32 + side.strike_phase();
         let passed = strike + 0.5 * style.duty;
         let heading = self.heading(passed);
         let index = 2 * stride + i64::from(side == Side::Right);
         let jitter = |channel, size: f32| size * style.irregularity * noise.step(channel, index);
         let aside = side.sign() * (0.5 * style.step_width + jitter(Channel::StepWidth, 0.008));
-        let ahead = style.foot_lead - self.ankle_behind_stance + jitter(Channel::StepLength, 0.009);
+        let ahead = style.foot_lead - mechanics.ankle_behind_stance + jitter(Channel::StepLength, 0.009);
         let toe_out = side.sign() * (style.toe_out + jitter(Channel::ToeOut, 1.5)).to_radians();
         let position = self.position(passed) + Quat::from_rotation_y(heading) * Vec3::new(aside, 0.0, ahead);
         Footprint { position, heading: heading + toe_out }
@@ -156,12 +159,13 @@ impl Path {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::action::Action;
     use crate::script::WALK_TAKES;
     use crate::style::STYLES;
 
     #[test]
     fn a_straight_stride_is_two_steps_long() {
-        let path = Path::plan(&WALK_TAKES[0], &STYLES[0]);
+        let path = Path::plan(&WALK_TAKES[0], |_| STYLES[0].step_length);
         let step = path.position(2.5) - path.position(2.0);
         assert!((step - Vec3::new(0.0, 0.0, STYLES[0].step_length)).length() < 1e-4, "{step}");
         assert!(path.position(0.0).length() < 1e-6);
@@ -169,10 +173,10 @@ mod tests {
 
     #[test]
     fn footprints_lie_on_their_side_and_one_step_apart() {
-        let path = Path::plan(&WALK_TAKES[0], &STYLES[0]);
+        let path = Path::plan(&WALK_TAKES[0], |_| STYLES[0].step_length);
         let noise = Noise::new(1, 13);
-        let left = path.footprint(&STYLES[0], noise, Side::Left, 2);
-        let right = path.footprint(&STYLES[0], noise, Side::Right, 2);
+        let left = path.footprint(&STYLES[0], Action::Walk.mechanics(), noise, Side::Left, 2);
+        let right = path.footprint(&STYLES[0], Action::Walk.mechanics(), noise, Side::Right, 2);
         assert!(left.position.x > 0.0 && right.position.x < 0.0);
         assert!((right.position.z - left.position.z - STYLES[0].step_length).abs() < 0.03);
     }

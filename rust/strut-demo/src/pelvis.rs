@@ -25,6 +25,8 @@ const LIMIT_WIDENING: f32 = 0.88;
 
 /// Metres over which the limit of the legs' reach takes hold of the pelvis' height.
 const LIMIT_SOFTNESS: f32 = 0.0011;
+/// Metres by which the body is lowered half way from one gait to another.
+const TRANSITION_DIP: f32 = 0.045;
 /// Metres over which a swinging leg is kept from straightening fully.
 const SWING_SOFTNESS: f32 = 0.016;
 
@@ -73,6 +75,16 @@ pub(crate) struct Heights {
     pub(crate) supported: f32,
     /// What no leg must exceed.
     pub(crate) limit: f32,
+}
+
+impl Heights {
+    /// From these heights to others, `t` in [0, 1]. On the way no leg is granted more than either grants.
+    pub(crate) fn mix(self, o: &Self, t: f32) -> Self {
+        let supported = self.supported + (o.supported - self.supported) * t - 4.0 * TRANSITION_DIP * t * (1.0 - t);
+        let (nearer, share) = if t < 0.5 { (self.limit, t) } else { (o.limit, 1.0 - t) };
+        let limit = nearer + (self.limit.min(o.limit) - nearer) * smooth_step(0.0, 0.25, share);
+        Self { supported, limit }
+    }
 }
 
 /// Heights of the pelvis over a motion: as supported, below the limit, and smooth. The limit is widened in time

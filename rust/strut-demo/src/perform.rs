@@ -1,9 +1,11 @@
 //! A script performed in a style: puts feet, pelvis, legs and upper body together, frame by frame.
 
+use crate::action::Action;
 use crate::feet::{Feet, FootPose};
 use crate::noise::{Channel, Noise};
 use crate::path::{Path, Side, stretch};
 use crate::pelvis::{GRAVITY, Heights, Legs, PelvisCurves, smooth_heights};
+use crate::periodic::smooth_step;
 use crate::script::Script;
 use crate::style::Style;
 use crate::upper_body::{Gait, Support, Turn, UpperBody};
@@ -47,34 +49,88 @@ struct Plan {
 /// The motion begins in the origin, walking towards +Z, with a heel strike of the left foot, and ends one frame
 /// or less before the same pose of the next repetition. The same arguments give the same bits.
 pub fn perform(script: &Script, style: &Style, proportions: &Proportions, rate_hz: f32) -> Performance {
-    let style = &script.action.style(style);
+    perform_gaits(script, [script.action; 2], style, |_| 0.0, proportions, rate_hz)
+}
+
+/// A script that begins in its action and becomes another one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transition {
+    /// What is performed, and the action that it begins in.
+    pub script: Script,
+    /// The action that it ends in.
+    pub to: Action,
+    /// Phases between which the one becomes the other.
+    pub over: [f32; 2],
+}
+
+/// Performs a transition as [`perform`] does a script. The plans of both actions are blended, not their poses: feet stay
+/// planted where they stand, and each stance has its own share of either action.
+pub fn perform_transition(transition: &Transition, style: &Style, body: &Proportions, rate_hz: f32) -> Performance {
+    let Transition { script, to, over: [begin, end] } = transition;
+    perform_gaits(script, [script.action, *to], style, |phase| smooth_step(*begin, *end, phase), body, rate_hz)
+}
+
+fn perform_gaits(
+    script: &Script,
+    actions: [Action; 2],
+    style: &Style,
+    weight: impl Fn(f32) -> f32,
+    proportions: &Proportions,
+    rate_hz: f32,
+) -> Performance {
+    let styles = actions.map(|action| action.style(style));
+    let gaits = [(actions[0], &styles[0]), (actions[1], &styles[1])];
     let noise = Noise::new(script.seed, script.strides());
-    let path = Path::plan(script, style);
-    let feet = Feet::new(proportions, script, style, &path, noise);
-    let curves = PelvisCurves::new(style, script.action.mechanics());
+    let mixed = |phase: f32, of: fn(&Style) -> f32| {
+        let [first, second] = [of(&styles[0]), of(&styles[1])];
+        first + (second - first) * weight(phase)
+    };
+    let path = Path::plan(script, |phase| mixed(phase, |s| s.step_length));
+    let feet = Feet::new(proportions, script, gaits, &path, noise, &weight);
+    let curves = gaits.map(|(action, style)| PelvisCurves::new(style, action.mechanics()));
     let legs = Legs::of(proportions);
 
-    let (phases, begin, end) = phases_of_frames(script, style, noise, rate_hz);
+    let (phases, begin, end) = phases_of_frames(script, |phase| mixed(phase, |s| s.cadence), style, noise, rate_hz);
     let plans: Vec<Plan> = phases
         .iter()
         .map(|&phase| {
-            let (support, pelvis) = plan_pelvis(script, style, &path, &curves, noise, phase);
+            let plan = |i: usize| plan_pelvis(script, &styles[i], &path, &curves[i], noise, phase);
+            let (mut support, mut pelvis) = plan(0);
+            let share = weight(phase);
+            if share > 0.0 {
+                let (other, place) = plan(1);
+                pelvis = pelvis.lerp(place, share);
+                support.turn = support.turn.mix(other.turn, share);
+                support.pelvis = support.turn.quat();
+            }
             Plan { support, pelvis, feet: Side::BOTH.map(|side| feet.at(side, phase)) }
         })
         .collect();
-    let heights: Vec<Heights> =
-        plans.iter().map(|p| legs.heights(&curves, style, &p.support, p.pelvis, &p.feet)).collect();
+    let heights: Vec<Heights> = plans
+        .iter()
+        .map(|p| {
+            let of = |i: usize| legs.heights(&curves[i], &styles[i], &p.support, p.pelvis, &p.feet);
+            let share = weight(p.support.phase);
+            if share > 0.0 { of(0).mix(&of(1), share) } else { of(0) }
+        })
+        .collect();
     let heights = smooth_heights(&heights, HEIGHT_SMOOTHING_SECS * rate_hz);
 
-    let gait = Gait::new(style, noise);
-    let mut upper_body = UpperBody::new(style);
+    let upper = gaits.map(|(_, style)| Gait::new(style, noise));
+    let mut upper_body = UpperBody::new(&styles[0]);
     let mut poses = Vec::with_capacity(phases.len());
     for (plan, height) in plans.iter().zip(heights) {
+        let support = &plan.support;
         let mut pose = Pose { root: Vec3::new(plan.pelvis.x, height, plan.pelvis.z), ..Pose::default() };
-        pose.rotations[Role::Hips.index()] = plan.support.pelvis;
-        upper_body.pose(&gait.posture(&plan.support), plan.support.turn, plan.support.pelvis, 1.0 / rate_hz, &mut pose);
+        pose.rotations[Role::Hips.index()] = support.pelvis;
+        let mut posture = upper[0].posture(support);
+        let share = weight(support.phase);
+        if share > 0.0 {
+            posture = posture.mix(&upper[1].posture(support), share);
+        }
+        upper_body.pose(&posture, support.turn, support.pelvis, 1.0 / rate_hz, &mut pose);
         for (side, foot) in Side::BOTH.into_iter().zip(&plan.feet) {
-            place_leg(&legs, side, foot, plan.support.turn.yaw, &mut pose);
+            place_leg(&legs, side, foot, support.turn.yaw, &mut pose);
         }
         poses.push(pose);
     }
@@ -87,12 +143,18 @@ pub fn perform(script: &Script, style: &Style, proportions: &Proportions, rate_h
 }
 
 /// The phase of every frame, warm-up and end included, and the range of the script itself.
-fn phases_of_frames(script: &Script, style: &Style, noise: Noise, rate_hz: f32) -> (Vec<f32>, usize, usize) {
+fn phases_of_frames(
+    script: &Script,
+    cadence: impl Fn(f32) -> f32,
+    style: &Style,
+    noise: Noise,
+    rate_hz: f32,
+) -> (Vec<f32>, usize, usize) {
     let dt = 1.0 / rate_hz;
     // Stride times of adults vary by 1 to 2 % (Winter 1991).
     let strides_per_sec = |phase: f32| {
         let irregular = 1.0 + 0.04 * style.irregularity * noise.smooth(Channel::Tempo, phase);
-        style.cadence / 120.0 * stretch(script.speed(phase)) * irregular
+        cadence(phase) / 120.0 * stretch(script.speed(phase)) * irregular
     };
     let next = |phase: f32, dt: f32| {
         let middle = phase + 0.5 * dt * strides_per_sec(phase);

@@ -1,6 +1,7 @@
 //! What a take performs, the same in every style: so many strides at a speed, turning so much.
 
 use crate::action::Action;
+use crate::perform::Transition;
 use crate::periodic::smooth_step;
 use strut_core::math::float_funcs::wrap_angle;
 
@@ -133,6 +134,20 @@ pub const RUN_TAKES: [Script; 1] = [Script {
     ],
     seed: 21,
 }];
+
+/// The takes of the transition database.
+pub const TRANSITIONS: [Transition; 2] = [
+    Transition {
+        script: Script { name: "walk to run", action: Action::Walk, passages: &[passage(2, 1.0, 0.0)], seed: 61 },
+        to: Action::Run,
+        over: [-0.1, 1.4],
+    },
+    Transition {
+        script: Script { name: "run to walk", action: Action::Run, passages: &[passage(2, 1.0, 0.0)], seed: 62 },
+        to: Action::Walk,
+        over: [-0.1, 1.4],
+    },
+];
 
 /// What the page offers as input: not the takes of the database.
 pub const INPUT_TAKES: [Script; 3] = [

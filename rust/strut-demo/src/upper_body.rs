@@ -120,7 +120,7 @@ impl Turn {
         Quat::from_rotation_y(self.yaw) * Quat::from_rotation_x(self.pitch) * Quat::from_rotation_z(self.roll)
     }
 
-    fn mix(self, o: Self, t: f32) -> Self {
+    pub(crate) fn mix(self, o: Self, t: f32) -> Self {
         let mix = |a: f32, b: f32| a + (b - a) * t;
         Self { yaw: mix(self.yaw, o.yaw), pitch: mix(self.pitch, o.pitch), roll: mix(self.roll, o.roll) }
     }
@@ -135,6 +135,30 @@ pub(crate) struct Posture {
     pub(crate) spine_pitch: f32,
     /// Left and right arm.
     pub(crate) arms: [ArmTarget; 2],
+}
+
+impl Posture {
+    /// From this posture to another one, `t` in [0, 1].
+    pub(crate) fn mix(self, o: &Self, t: f32) -> Self {
+        let mix = |a: f32, b: f32| a + (b - a) * t;
+        let arm = |i: usize| {
+            let (a, b) = (&self.arms[i], &o.arms[i]);
+            ArmTarget {
+                flexion: mix(a.flexion, b.flexion),
+                elbow: mix(a.elbow, b.elbow),
+                spread: mix(a.spread, b.spread),
+                twist: mix(a.twist, b.twist),
+                protraction: mix(a.protraction, b.protraction),
+                raise: mix(a.raise, b.raise),
+            }
+        };
+        Self {
+            chest: self.chest.mix(o.chest, t),
+            head: self.head.mix(o.head, t),
+            spine_pitch: mix(self.spine_pitch, o.spine_pitch),
+            arms: [arm(0), arm(1)],
+        }
+    }
 }
 
 impl<'a> Gait<'a> {

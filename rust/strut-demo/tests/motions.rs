@@ -7,8 +7,8 @@ use strut_core::math::{Vec3, exp_map};
 use strut_core::transfer::beyond_anatomy;
 use strut_demo::measure::{self, cycles_between};
 use strut_demo::{
-    Action, Drill, JUMPS, KICKS, PUNCHES, Passage, Performance, RATE_HZ, RUN_TAKES, STYLES, Script, Style, WALK_TAKES,
-    WALKING_BANDS, input_clips, perform, perform_drill,
+    Action, Drill, JUMPS, KICKS, PUNCHES, Passage, Performance, RATE_HZ, RUN_TAKES, STYLES, Script, Style, TRANSITIONS,
+    Transition, WALK_TAKES, WALKING_BANDS, input_clips, perform, perform_drill, perform_transition,
 };
 
 /// A sole's points that can carry the foot: joint, and position in its frame (heel, ball, tip of the toes).
@@ -40,10 +40,19 @@ fn drills() -> impl Iterator<Item = (&'static Style, &'static Drill, Performance
     STYLES.iter().flat_map(move |style| DRILLS.into_iter().map(move |drill| (style, drill, perform(drill, style))))
 }
 
+/// From walking to running and back in every style.
+fn transitions() -> impl Iterator<Item = (&'static Style, &'static Transition, Performance)> {
+    let perform = |transition, style| perform_transition(transition, style, &Proportions::default(), RATE_HZ);
+    STYLES.iter().flat_map(move |style| TRANSITIONS.iter().map(move |t| (style, t, perform(t, style))))
+}
+
 /// Everything that is performed, with a name for messages.
 fn everything() -> impl Iterator<Item = (String, Performance)> {
     let gaits = takes().map(|(style, script, take)| (format!("{} {}", style.name, script.name), take));
-    gaits.chain(drills().map(|(style, drill, take)| (format!("{} {}", style.name, drill.name), take)))
+    let transitions = transitions().map(|(style, t, take)| (format!("{} {}", style.name, t.script.name), take));
+    gaits
+        .chain(transitions)
+        .chain(drills().map(|(style, drill, take)| (format!("{} {}", style.name, drill.name), take)))
 }
 
 fn performed(script: &Script, style: &Style) -> Performance {
@@ -110,6 +119,9 @@ fn soles_stay_above_the_ground() {
 fn no_joint_of_a_gait_turns_faster_than_people_do_and_none_pops() {
     for (style, script, take) in takes() {
         assert_no_pop(&format!("{} {}", style.name, script.name), &take, 15.0, 750.0);
+    }
+    for (style, transition, take) in transitions() {
+        assert_no_pop(&format!("{} {}", style.name, transition.script.name), &take, 15.0, 900.0);
     }
 }
 
@@ -352,5 +364,20 @@ fn joint_angles_of_neutral_walking_lie_within_the_normative_bands() {
         let curve = measure::mean_and_sd(&cycles, angle);
         let share = measure::share_within(band, &curve);
         assert!(share >= 0.9, "{}: {share}", band.name);
+    }
+}
+
+#[test]
+fn a_transition_begins_as_one_gait_and_ends_as_the_other() {
+    for (style, transition, take) in transitions() {
+        let speed = |frames: &[Pose]| {
+            let way: f32 = frames.windows(2).map(|w| (w[1].root - w[0].root).with_y(0.0).length()).sum();
+            way * RATE_HZ / (frames.len() - 1) as f32
+        };
+        let poses = &take.motion.poses;
+        let (begins, ends) = (speed(&poses[..12]), speed(&poses[poses.len() - 12..]));
+        let runs_at_last = transition.to == Action::Run;
+        assert_eq!(ends > 1.25 * begins, runs_at_last, "{}: {begins} m/s, then {ends} m/s", style.name);
+        assert_eq!(begins > 1.25 * ends, !runs_at_last, "{}: {begins} m/s, then {ends} m/s", style.name);
     }
 }
