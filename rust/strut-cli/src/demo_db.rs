@@ -1,6 +1,7 @@
 //! `strut demo-db`: the built-in motions as files.
 
 use crate::GENERATOR;
+use crate::demo_report;
 use crate::failure::{Failure, Outcome};
 use crate::files::{self, Outputs, print};
 use std::path::PathBuf;
@@ -19,10 +20,16 @@ pub(crate) struct Args {
     /// The smaller set at 60 Hz that the page generates: walking and running
     #[arg(long)]
     page: bool,
+    /// Write how the motions measure up as Markdown into this file
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+    /// A folder with `xia/` and `bandai-namco-2/`, with which the report compares
+    #[arg(long, value_name = "DIR", requires = "report")]
+    recordings: Option<PathBuf>,
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    Outputs::check([args.output.as_path()])?;
+    Outputs::check([Some(args.output.as_path()), args.report.as_deref()].into_iter().flatten())?;
     let db = if args.page { strut_demo::database() } else { strut_demo::full_database() }.map_err(Failure::new)?;
     let mut outputs = Outputs::default();
     let mut clips = 0;
@@ -36,6 +43,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
             outputs.stage(&path, bvh::write(&file).as_bytes())?;
             clips += 1;
         }
+    }
+    if let Some(path) = &args.report {
+        outputs.stage(path, demo_report::report(args.recordings.as_deref())?.as_bytes())?;
     }
     outputs.stage(&args.output, &strutdb::write(&db, GENERATOR))?;
     outputs.commit()?;

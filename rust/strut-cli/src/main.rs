@@ -10,6 +10,7 @@ mod build_db;
 mod clip;
 mod corpus;
 mod demo_db;
+mod demo_report;
 mod evaluate;
 mod failure;
 mod files;

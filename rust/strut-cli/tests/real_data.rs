@@ -117,3 +117,20 @@ fn clips_of_every_kind_are_styled() {
         assert_eq!(output.frame_time_secs, input.frame_time_secs, "{}", path.display());
     });
 }
+
+#[test]
+fn the_built_in_motions_are_as_smooth_as_recorded_ones() {
+    let Some(mocap) = mocap_folder() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = mocap.to_str().unwrap();
+    let args = ["demo-db", "-o", "demo.strutdb", "--report", "report.md", "--recordings", recordings];
+    strut_ok(folder.path(), &args);
+    let report = fs::read_to_string(folder.path().join("report.md")).unwrap();
+    println!("{report}");
+    let jerk = report.split("## Skate, anatomy, jerk").nth(1).unwrap();
+    for action in ["walk", "run", "jump", "punch", "kick"] {
+        let row = jerk.lines().find(|l| l.starts_with(&format!("| {action} |"))).unwrap();
+        let ratio: f32 = row.split('|').nth_back(1).unwrap().trim().parse().unwrap();
+        assert!((0.5..2.0).contains(&ratio), "{row}");
+    }
+}

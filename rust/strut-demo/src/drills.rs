@@ -39,7 +39,7 @@ const JUMP: &[Key] = &[
         airborne: true,
         body: Body { drop: 0.0, ahead: 0.03, pitch: 6.0, bend: 4.0, ..UPRIGHT },
         arms: [arm(112.0, 14.0, 20.0, 55.0); 2],
-        feet: [foot(0.02, -0.06, -48.0); 2],
+        feet: [foot(0.02, -0.11, -48.0); 2],
         ..STANDING
     },
     Key {
@@ -150,40 +150,40 @@ pub const PUNCHES: Drill = Drill {
 /// (Falco et al. 2009; Sørensen et al. 1996, "Dynamics of the martial arts high front kick": thigh, then shin).
 const KICK: &[Key] = &[
     Key {
-        secs: 0.34,
+        secs: 0.28,
         body: Body { aside: 0.075, drop: 0.015, yaw: -6.0, pitch: 2.0, chest_yaw: 4.0, ..UPRIGHT },
         arms: [arm(16.0, 16.0, 15.0, 42.0), arm(-8.0, 18.0, 15.0, 38.0)],
         feet: [FLAT, foot(0.0, 0.0, -24.0)],
         ..STANDING
     },
     Key {
-        secs: 0.28,
+        secs: 0.21,
         body: Body { aside: 0.085, ahead: -0.01, drop: 0.012, pitch: -8.0, chest_yaw: -4.0, bend: 4.0, ..UPRIGHT },
         arms: [arm(22.0, 22.0, 15.0, 62.0), arm(4.0, 26.0, 15.0, 52.0)],
         feet: [FLAT, foot(0.16, 0.42, -35.0)],
         ..STANDING
     },
     Key {
-        secs: 0.24,
+        secs: 0.17,
         body: Body { aside: 0.085, ahead: -0.03, drop: 0.015, yaw: 12.0, pitch: -22.0, chest_yaw: -16.0, bend: 6.0 },
         arms: [arm(34.0, 26.0, 15.0, 60.0), arm(-26.0, 30.0, 15.0, 36.0)],
         feet: [FLAT, foot(0.68, 0.75, 62.0)],
         ..STANDING
     },
     Key {
-        secs: 0.24,
+        secs: 0.18,
         body: Body { aside: 0.08, ahead: -0.01, drop: 0.012, yaw: 2.0, pitch: -8.0, chest_yaw: -4.0, bend: 4.0 },
         arms: [arm(22.0, 22.0, 15.0, 58.0), arm(0.0, 24.0, 15.0, 48.0)],
         feet: [FLAT, foot(0.20, 0.38, -22.0)],
         ..STANDING
     },
     Key {
-        secs: 0.32,
+        secs: 0.26,
         body: Body { aside: 0.045, drop: 0.02, pitch: 1.0, bend: 2.0, ..UPRIGHT },
         arms: [arm(6.0, 14.0, 15.0, 34.0), arm(4.0, 16.0, 15.0, 32.0)],
         ..STANDING
     },
-    Key { secs: 0.36, ..STANDING },
+    Key { secs: 0.30, ..STANDING },
 ];
 
 const fn kick(side: Side, size: f32) -> Move {
@@ -202,6 +202,8 @@ pub const KICKS: Drill = Drill {
         kick(Side::Right, 1.08),
         kick(Side::Left, 0.92),
         kick(Side::Left, 1.0),
+        kick(Side::Right, 1.0),
+        kick(Side::Left, 0.88),
     ],
     seed: 51,
 };

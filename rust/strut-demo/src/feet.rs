@@ -108,6 +108,11 @@ impl FootGeometry {
         }
     }
 
+    /// Points of the sole that can carry the foot: the heel in the foot's frame, ball and tip in that of the toes.
+    pub(crate) fn sole(&self) -> [Vec3; 3] {
+        [self.heel, self.tip_from_ball.with_z(0.0), self.tip_from_ball]
+    }
+
     /// The ankle of a foot on the ground, from the ankle's projection in the flat foot, in the frame of the
     /// footprint. Pitches in radians, toes up; whichever point carries the foot stays where it is.
     pub(crate) fn ankle_on_ground(&self, foot_pitch: f32, toe_pitch: f32) -> Vec3 {

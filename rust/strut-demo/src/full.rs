@@ -49,23 +49,24 @@ fn takes(action: &str) -> Vec<(Take, usize)> {
 
 fn clip(take: &Take, number: u32, style: &Style) -> PlannedClip {
     let body = Proportions::default();
-    let (performance, names, secs): (Performance, [&str; 2], Box<dyn Fn(f32) -> f32>) = match take {
-        Take::Gait(script) => (
-            perform(script, style, &body, FULL_RATE_HZ),
-            [script.action.name(), script.name],
-            Box::new(neutral_secs(script)),
-        ),
-        Take::Drill(drill) => {
-            (perform_drill(drill, style, &body, FULL_RATE_HZ), [drill.action, drill.name], Box::new(script_secs(drill)))
-        }
-        Take::Transition(t) => (
-            perform_transition(t, style, &body, FULL_RATE_HZ),
-            ["transition", t.script.name],
-            Box::new(neutral_secs(&t.script)),
-        ),
+    let planned = |performance: Performance, action: &str, name: &str, secs: &dyn Fn(f32) -> f32| {
+        let planted = performance.planted.clone();
+        PlannedClip { clip: source_clip([action, name, style.name], number, performance, secs), planted }
     };
-    let planted = performance.planted.clone();
-    PlannedClip { clip: source_clip([names[0], names[1], style.name], number, performance, secs), planted }
+    match take {
+        Take::Gait(script) => {
+            let performance = perform(script, style, &body, FULL_RATE_HZ);
+            planned(performance, script.action.name(), script.name, &neutral_secs(script))
+        }
+        Take::Drill(drill) => {
+            let performance = perform_drill(drill, style, &body, FULL_RATE_HZ);
+            planned(performance, drill.action, drill.name, &script_secs(drill))
+        }
+        Take::Transition(transition) => {
+            let performance = perform_transition(transition, style, &body, FULL_RATE_HZ);
+            planned(performance, "transition", transition.script.name, &neutral_secs(&transition.script))
+        }
+    }
 }
 
 /// Every take of the full database in every style, with its exact correspondence. The last take of an action ends, in

@@ -1,6 +1,8 @@
 //! Measures of a gait: joint angles over the cycle as gait laboratories report them.
 
+use crate::feet::FootGeometry;
 use crate::normative::Band;
+use crate::path::Side;
 use std::f32::consts::PI;
 use strut_core::humanoid::{HumanoidMotion, Role};
 use strut_core::kinematics::{WorldPose, world_from_local};
@@ -60,6 +62,40 @@ pub fn cycles_between(motion: &HumanoidMotion, strikes: &[Vec<f32>; 2]) -> Vec<C
         cycles.extend(strikes.windows(2).map(|pair| sampled(&angles, pair[0], pair[1])));
     }
     cycles
+}
+
+/// Fractional frames at which the left and the right foot strike in a performance with these phases.
+pub fn strikes(phases: &[f32]) -> [Vec<f32>; 2] {
+    Side::BOTH.map(|side| {
+        let since = |phase: f32| phase - side.strike_phase();
+        let crossed = |w: &[f32]| since(w[0]).floor() < since(w[1]).floor();
+        let frame = |i: usize, w: &[f32]| i as f32 + (since(w[1]).floor() - since(w[0])) / (w[1] - w[0]);
+        phases.windows(2).enumerate().filter(|(_, w)| crossed(w)).map(|(i, w)| frame(i, w)).collect()
+    })
+}
+
+/// Mean horizontal speed in m/s of what carries a planted foot: heel, ball or tip of the toes, whichever is lowest.
+pub fn skate(motion: &HumanoidMotion, planted: &[[bool; 2]]) -> f32 {
+    let worlds: Vec<WorldPose> = motion.poses.iter().map(|p| world_from_local(&motion.proportions, p)).collect();
+    let geometry = FootGeometry::of(&motion.proportions);
+    let (mut travel, mut steps) = (0.0, 0_usize);
+    for (side, leg) in LEGS.into_iter().enumerate() {
+        let sole = |world: &WorldPose| {
+            let point = |role: Role, local| world.positions[role.index()] + world.rotations[role.index()] * local;
+            let [heel, ball, tip] = geometry.sole();
+            [point(leg[2], heel), point(leg[3], ball), point(leg[3], tip)]
+        };
+        for (pair, planted) in worlds.windows(2).zip(planted.windows(2)) {
+            if planted[0][side] && planted[1][side] {
+                let (before, after) = (sole(&pair[0]), sole(&pair[1]));
+                let height = |&i: &usize| before[i].y.max(after[i].y);
+                let carrying = (0..3).min_by(|a, b| height(a).total_cmp(&height(b))).unwrap_or(0);
+                travel += (after[carrying] - before[carrying]).with_y(0.0).length();
+                steps += 1;
+            }
+        }
+    }
+    travel * motion.rate_hz / steps.max(1) as f32
 }
 
 /// Mean and standard deviation of an angle (0 hip, 1 knee, 2 ankle) at every sample of the cycle.

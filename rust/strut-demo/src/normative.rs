@@ -74,7 +74,8 @@ impl Band {
 /// Bands of natural walking that the neutral style is judged by: hip (thigh against the vertical), knee, ankle. Means
 /// and standard deviations between 19 adults at natural cadence after W, rounded to whole degrees at the events of the
 /// cycle; P and Kadaba, Ramakrishnan & Wootten 1990 ("Measurement of lower extremity kinematics during level walking",
-/// J. Orthop. Res. 8) have the same shapes within these deviations.
+/// J. Orthop. Res. 8) have the same shapes within these deviations. The books were not at hand: the values were checked
+/// against second-hand tables of P and W, and the ankle's against the bands of Schwartz, Rozumalski & Trost 2008.
 pub const WALKING_BANDS: [Band; 3] = [
     Band {
         name: "hip",

@@ -79,7 +79,7 @@ pub(crate) struct Heights {
 
 impl Heights {
     /// From these heights to others, `t` in [0, 1]. On the way no leg is granted more than either grants.
-    pub(crate) fn mix(self, o: &Self, t: f32) -> Self {
+    pub(crate) fn mix(self, o: Self, t: f32) -> Self {
         let supported = self.supported + (o.supported - self.supported) * t - 4.0 * TRANSITION_DIP * t * (1.0 - t);
         let (nearer, share) = if t < 0.5 { (self.limit, t) } else { (o.limit, 1.0 - t) };
         let limit = nearer + (self.limit.min(o.limit) - nearer) * smooth_step(0.0, 0.25, share);
@@ -90,7 +90,7 @@ impl Heights {
 /// Heights of the pelvis over a motion: as supported, below the limit, and smooth. The limit is widened in time
 /// before the smoothing, so that smoothing does not exceed it again. `sigma` in frames.
 pub(crate) fn smooth_heights(heights: &[Heights], sigma: f32) -> Vec<f32> {
-    let radius = (LIMIT_WIDENING * sigma).round() as usize;
+    let radius = (LIMIT_WIDENING * sigma) as usize;
     let limited: Vec<f32> = heights
         .iter()
         .enumerate()

@@ -111,7 +111,7 @@ fn perform_gaits(
         .map(|p| {
             let of = |i: usize| legs.heights(&curves[i], &styles[i], &p.support, p.pelvis, &p.feet);
             let share = weight(p.support.phase);
-            if share > 0.0 { of(0).mix(&of(1), share) } else { of(0) }
+            if share > 0.0 { of(0).mix(of(1), share) } else { of(0) }
         })
         .collect();
     let heights = smooth_heights(&heights, HEIGHT_SMOOTHING_SECS * rate_hz);

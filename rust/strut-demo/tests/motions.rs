@@ -103,6 +103,14 @@ fn a_planted_foot_rests_on_a_point_that_does_not_slide() {
 }
 
 #[test]
+fn feet_in_contact_do_not_skate() {
+    for (name, take) in everything() {
+        let skate = 100.0 * measure::skate(&take.motion, &take.planted);
+        assert!(skate <= 0.2, "{name}: {skate} cm/s");
+    }
+}
+
+#[test]
 fn soles_stay_above_the_ground() {
     for (name, take) in everything() {
         let edges = [(Role::LeftFoot, -0.066), (Role::RightFoot, -0.066)].map(|(r, z)| (r, Vec3::new(0.0, -0.118, z)));
@@ -345,21 +353,11 @@ fn inputs_can_be_repeated() {
     }
 }
 
-/// Fractional frames at which the left and the right foot strike.
-fn strikes(take: &Performance) -> [Vec<f32>; 2] {
-    [0.0, 0.5].map(|of_side| {
-        let since = |phase: f32| phase - of_side;
-        let crossed = |w: &[f32]| since(w[0]).floor() < since(w[1]).floor();
-        let frame = |i: usize, w: &[f32]| i as f32 + (since(w[1]).floor() - since(w[0])) / (w[1] - w[0]);
-        take.phase.windows(2).enumerate().filter(|(_, w)| crossed(w)).map(|(i, w)| frame(i, w)).collect()
-    })
-}
-
 #[test]
 fn joint_angles_of_neutral_walking_lie_within_the_normative_bands() {
     let passages = &[Passage { strides: 12, speed: 1.0, turn_degrees: 0.0 }];
     let take = performed(&Script { name: "straight", action: Action::Walk, passages, seed: 4 }, &STYLES[0]);
-    let cycles = cycles_between(&take.motion, &strikes(&take));
+    let cycles = cycles_between(&take.motion, &measure::strikes(&take.phase));
     for (angle, band) in WALKING_BANDS.iter().enumerate() {
         let curve = measure::mean_and_sd(&cycles, angle);
         let share = measure::share_within(band, &curve);
