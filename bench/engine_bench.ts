@@ -14,14 +14,14 @@ const FINE_CLOCK_MS = 0.001;
 /** Times a database is opened. */
 const OPENINGS = 3;
 
-/** How sharp the mixture is: the default, or so flat that no class's share is negligible. */
-export const DELTA: Record<Mode, number> = { labelled: 0.7, unlabelled: 0.7, all: 100 };
+/** Share of the largest weight from which on a class takes part. */
+export const LEAST_WEIGHT: Record<Mode, number> = { labelled: 1e-4, unlabelled: 1e-4, all: 0 };
 
 /** A stylizer set up for a query: towards the neutral style, as good a target as any. */
 export function stylizerFor(glue: Glue, database: Database, mode: Mode, query: Query): Stylizer {
   const stylizer = new glue.Stylizer(database);
-  stylizer.configure(40, 0.1, 0.7, 3, DELTA[mode], true, true);
-  if (mode === "labelled") stylizer.setLabels(query.action, query.style);
+  const [action, style] = mode === "labelled" ? [query.action, query.style] : [-1, -1];
+  stylizer.setClasses(action, style, LEAST_WEIGHT[mode]);
   return stylizer;
 }
 

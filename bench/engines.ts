@@ -29,8 +29,11 @@ export interface Yardstick {
    * @param frames positions of the joints in the last five frames, 5 × 21 × 3
    */
   search(frames: Float32Array, fromClass: number, toClass: number): void;
-  /** The next row from xₜ, xₜ₋₁ and yₜ₋₁ and the neighbours found last; `delta` is the mixture's sharpness. */
-  predict(x: Float32Array, xBefore: Float32Array, yBefore: Float32Array, delta: number): Float32Array;
+  /**
+   * The next row from xₜ, xₜ₋₁ and yₜ₋₁ and the neighbours found last.
+   * @param leastWeight share of the largest weight from which on a class takes part
+   */
+  predict(x: Float32Array, xBefore: Float32Array, yBefore: Float32Array, leastWeight: number): Float32Array;
   /** Rows of a class's neighbours, nearest first, … */
   neighbours(label: number): ArrayLike<number>;
   /** … and their distances, m². */

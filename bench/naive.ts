@@ -14,8 +14,7 @@ const LAMBDA = 0.1;
 const KAPPA = 3;
 const RHO = 0.7;
 const MAX_FEEDBACK = 0.9;
-/** Classes with less than this share of the largest weight are passed over. */
-const LEAST_WEIGHT = 1e-4;
+const DELTA = 0.7;
 /** Least of the distances of classes, m². */
 const LEAST_DISTANCE = 1e-6;
 /** Half-life of what separates expectation and prediction, seconds. */
@@ -107,10 +106,10 @@ export class NaiveTransfer implements Yardstick {
     return nearest;
   }
 
-  predict(x: Float32Array, xBefore: Float32Array, yBefore: Float32Array, delta: number): Float32Array {
+  predict(x: Float32Array, xBefore: Float32Array, yBefore: Float32Array, leastWeight: number): Float32Array {
     const { dofs, pose, rateHz } = this.db;
     const { targets } = this;
-    const weights = this.classWeights(delta);
+    const weights = this.classWeights(leastWeight);
     const y = new Float32Array(dofs);
     const step = new Float32Array(dofs);
     for (let d = 0; d < dofs; d++) step[d] = RHO * (x[d]! - xBefore[d]!);
@@ -170,13 +169,13 @@ export class NaiveTransfer implements Yardstick {
     return this.nearest[label]!.map((n) => n.distance);
   }
 
-  private classWeights(delta: number): number[] {
+  private classWeights(leastWeight: number): number[] {
     const distances = this.nearest.map((nearest) =>
       nearest.length > 0 ? nearest.reduce((sum, n) => sum + n.distance, 0) / nearest.length : Infinity,
     );
     const least = Math.max(Math.min(...distances), LEAST_DISTANCE);
-    const weights = distances.map((distance) => Math.exp(Math.min(least - distance, 0) / (delta * least)));
-    const kept = weights.map((weight) => (weight < LEAST_WEIGHT ? 0 : weight));
+    const weights = distances.map((distance) => Math.exp(Math.min(least - distance, 0) / (DELTA * least)));
+    const kept = weights.map((weight) => (weight < leastWeight ? 0 : weight));
     const keptSum = kept.reduce((a, b) => a + b, 0);
     return kept.map((weight) => weight / keptSum);
   }

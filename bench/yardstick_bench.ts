@@ -6,7 +6,7 @@
  * and feet: ratios are understated.
  */
 import { clockResolution, timedOften } from "./clock";
-import { DELTA, stylizerFor, WARM_UP } from "./engine_bench";
+import { LEAST_WEIGHT, stylizerFor, WARM_UP } from "./engine_bench";
 import type { Database, Instance, Yardstick } from "./engines";
 import { type Agreement, type EngineName, type Mode, type Report, summarise } from "./report";
 import { POSE_FLOATS, type Query, type Workload } from "./workload";
@@ -76,7 +76,7 @@ export class YardstickBench {
         let found: Float32Array = new Float32Array();
         const search = timedOften(() => yardstick.search(window, from, to), resolution);
         const regression = timedOften(() => {
-          found = yardstick.predict(row(frame), row(frame - 1), before, DELTA[mode]);
+          found = yardstick.predict(row(frame), row(frame - 1), before, LEAST_WEIGHT[mode]);
         }, resolution);
         times.search.push(search);
         times.regression.push(regression);

@@ -13,8 +13,7 @@ fn frame(c: &mut Criterion) {
     let queries = benchmark::queries();
     let query = &queries[0];
     let labelled = Options { action: Some(query.action), input_style: Some(query.style), ..Options::DEFAULT };
-    // So flat a mixture that no class's share is negligible.
-    let all = Options { delta: 100.0, ..Options::DEFAULT };
+    let all = Options { least_weight: 0.0, ..Options::DEFAULT };
     let mut group = c.benchmark_group("frame");
     for (name, options, styles) in [
         ("labelled", labelled, 1),

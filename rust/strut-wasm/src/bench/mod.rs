@@ -91,14 +91,15 @@ pub fn positions_of(database: &Database, poses: &[f32]) -> Result<Vec<f32>, Engi
 
 #[wasm_bindgen]
 impl Stylizer {
-    /// Says which class the input is of; −1 for what is not known. The stream goes on.
+    /// Says which class the input is of, −1 for what is not known, and from which share of the largest weight on a
+    /// class takes part. The stream goes on.
     ///
     /// # Errors
     /// If the database has no such class.
-    #[wasm_bindgen(js_name = setLabels)]
-    pub fn set_labels(&mut self, action: i32, input_style: i32) -> Result<(), EngineError> {
+    #[wasm_bindgen(js_name = setClasses)]
+    pub fn set_classes(&mut self, action: i32, input_style: i32, least_weight: f32) -> Result<(), EngineError> {
         let [action, input_style] = [action, input_style].map(|label| u16::try_from(label).ok());
-        let options = Options { action, input_style, ..*self.core().options() };
+        let options = Options { action, input_style, least_weight, ..*self.core().options() };
         self.core_mut().set_options(options).map_err(EngineError::bad_input)
     }
 

@@ -53,15 +53,19 @@ impl Naive {
         let db = model.database();
         let mut points = Vec::new();
         for clip in &db.clips {
-            let mut at = Placement::default();
-            for row in clip.rows() {
-                if row > clip.first_frame {
-                    at = at.advanced(&db.pose[row], 1.0 / db.rate_hz, db.pose[row][HEADING_RATE] / db.rate_hz);
-                }
+            let mut places = vec![Placement::default()];
+            for row in clip.rows().skip(1) {
+                let turn = db.pose[row][HEADING_RATE] / db.rate_hz;
+                places.push(places[places.len() - 1].advanced(&db.pose[row], 1.0 / db.rate_hz, turn));
+            }
+            // Around the origin numbers are small and their products precise.
+            let middle = places[places.len() / 2];
+            for (row, at) in clip.rows().zip(places) {
                 let (sin, cos) = sin_cos(at.heading);
                 points.push(weighted(|joint| {
                     let p = db.point_cloud[row][joint];
-                    [at.x + cos * p.x + sin * p.z, p.y, at.z - sin * p.x + cos * p.z]
+                    let (x, z) = (at.x - middle.x, at.z - middle.z);
+                    [x + cos * p.x + sin * p.z, p.y, z - sin * p.x + cos * p.z]
                 }));
             }
         }
@@ -106,14 +110,15 @@ impl Naive {
         }
     }
 
-    /// The next row of the style from xₜ, xₜ₋₁ and yₜ₋₁, after [`Naive::search`].
-    pub fn predict(&self, x: &[f32], x_before: &[f32], y_before: &[f32], delta: f32) -> Vec<f32> {
+    /// The next row of the style from xₜ, xₜ₋₁ and yₜ₋₁, after [`Naive::search`]. Classes below `least_weight` times
+    /// the largest weight are left out.
+    pub fn predict(&self, x: &[f32], x_before: &[f32], y_before: &[f32], least_weight: f32) -> Vec<f32> {
         let db = self.model.database();
         let Options { lambda, kappa, rho, .. } = Options::DEFAULT;
         let (inputs, targets) = (&db.pose, &self.model.target_table(self.style).pose);
         let mut y = vec![0.0; ROW];
         let mut step: Vec<f32> = (0..ROW).map(|d| rho * (x[d] - x_before[d])).collect();
-        for (nearest, weight) in self.nearest.iter().zip(self.class_weights(delta)) {
+        for (nearest, weight) in self.nearest.iter().zip(self.class_weights(least_weight)) {
             if weight == 0.0 {
                 continue;
             }
@@ -180,14 +185,14 @@ impl Naive {
         self.nearest[class].iter().map(|n| n.distance).collect()
     }
 
-    /// Weights of the classes by the mean distance of their neighbours.
-    fn class_weights(&self, delta: f32) -> Vec<f32> {
+    /// Weights of the classes by the mean distance of their neighbours; 0 below a share of the largest.
+    fn class_weights(&self, least_weight: f32) -> Vec<f32> {
         let mean = |n: &Vec<Near>| n.iter().map(|n| n.distance).sum::<f32>() / n.len() as f32;
         let distances: Vec<f32> =
             self.nearest.iter().map(|n| if n.is_empty() { f32::INFINITY } else { mean(n) }).collect();
         let least = distances.iter().copied().fold(f32::INFINITY, f32::min).max(LEAST_DISTANCE);
-        let weights = distances.iter().map(|d| exp((least - d).min(0.0) / (delta * least)));
-        let kept: Vec<f32> = weights.map(|w| if w < Options::DEFAULT.least_weight { 0.0 } else { w }).collect();
+        let weights = distances.iter().map(|d| exp((least - d).min(0.0) / (Options::DEFAULT.delta * least)));
+        let kept: Vec<f32> = weights.map(|w| if w < least_weight { 0.0 } else { w }).collect();
         let sum: f32 = kept.iter().sum();
         kept.iter().map(|w| w / sum).collect()
     }
