@@ -143,6 +143,8 @@ fn styled(key: &Key, rest: &Key, style: &Style, size: f32) -> Key {
         let kicks = plain.lift > 0.0;
         foot.pitch = plain.pitch * if kicks { height } else { 1.0 };
         foot.lift = plain.lift * if kicks { height } else { 1.0 };
+        // No leg is longer for a larger kick.
+        foot.ahead = if kicks { foot.ahead.min(plain.ahead) } else { foot.ahead };
     }
     if key.airborne || key.body.drop < rest.body.drop {
         styled.body.drop = key.body.drop;

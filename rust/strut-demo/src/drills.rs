@@ -164,14 +164,14 @@ const KICK: &[Key] = &[
         ..STANDING
     },
     Key {
-        secs: 0.17,
+        secs: 0.19,
         body: Body { aside: 0.085, ahead: -0.03, drop: 0.015, yaw: 12.0, pitch: -22.0, chest_yaw: -16.0, bend: 6.0 },
         arms: [arm(34.0, 26.0, 15.0, 60.0), arm(-26.0, 30.0, 15.0, 36.0)],
-        feet: [FLAT, foot(0.68, 0.75, 62.0)],
+        feet: [FLAT, foot(0.82, 0.75, 60.0)],
         ..STANDING
     },
     Key {
-        secs: 0.18,
+        secs: 0.20,
         body: Body { aside: 0.08, ahead: -0.01, drop: 0.012, yaw: 2.0, pitch: -8.0, chest_yaw: -4.0, bend: 4.0 },
         arms: [arm(22.0, 22.0, 15.0, 58.0), arm(0.0, 24.0, 15.0, 48.0)],
         feet: [FLAT, foot(0.20, 0.38, -22.0)],
