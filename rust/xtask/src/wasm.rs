@@ -16,8 +16,9 @@ const NAME: &str = "strut_wasm";
 
 /// Features that every browser with WASM SIMD has (Chrome 91, Firefox 89, Safari 16.4) and that rustc emits.
 /// Relaxed SIMD stays off: its results differ between machines.
-const WASM_OPT_FLAGS: [&str; 9] = [
-    "-O3",
+const WASM_OPT_FLAGS: [&str; 10] = [
+    "-Os",
+    "--converge",
     "--enable-simd",
     "--enable-bulk-memory",
     "--enable-bulk-memory-opt",
@@ -27,6 +28,10 @@ const WASM_OPT_FLAGS: [&str; 9] = [
     "--enable-reference-types",
     "--enable-multivalue",
 ];
+
+/// LLVM inlines for speed until the module is a twentieth larger than visitors should have to load. What a frame needs
+/// inlined says so itself.
+const INLINE_LESS: &str = "-Cllvm-args=-inline-threshold=25";
 
 /// One of the packages.
 pub(crate) struct Package {
@@ -94,6 +99,7 @@ pub(crate) fn build(package: &Package) -> Result<(), String> {
 fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
     let cargo = env::var_os("STRUT_WASM_CARGO").or_else(|| env::var_os("CARGO")).unwrap_or_else(|| "cargo".into());
     let target_dir = env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), PathBuf::from);
+    let simd = if package.simd { "-Ctarget-feature=+simd128" } else { "-Ctarget-feature=-simd128" };
     let mut command = Command::new(cargo);
     command
         .current_dir(workspace)
@@ -101,7 +107,7 @@ fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
         .args(["--features", package.features])
         .args(package.config)
         // The encoded form has precedence over RUSTFLAGS, so that no flag of the user's can change results.
-        .env("CARGO_ENCODED_RUSTFLAGS", if package.simd { "-Ctarget-feature=+simd128" } else { "" });
+        .env("CARGO_ENCODED_RUSTFLAGS", [INLINE_LESS, simd].join("\x1f"));
     if env::var_os("STRUT_BUILD_STD").is_some_and(|v| v == "1") {
         command.arg("-Zbuild-std=std,panic_abort").env("RUSTC_BOOTSTRAP", "1");
     }

@@ -105,8 +105,10 @@ fn limited(role: Role, rotation: Quat, limit: Angles) -> Quat {
 /// The limits of a database.
 #[derive(Clone, Debug)]
 pub(super) struct JointLimits {
-    /// Least and greatest value of each degree of freedom.
+    /// Least and greatest value of each degree of freedom that was observed, a little widened.
     pub(super) range: [PoseRow; 2],
+    /// The same, not widened.
+    observed: [PoseRow; 2],
 }
 
 impl JointLimits {
@@ -118,7 +120,7 @@ impl JointLimits {
             range[0][d] -= margin;
             range[1][d] += margin;
         }
-        Self { range }
+        Self { range, observed: *observed }
     }
 
     /// Brings the joints of a pose, which `row` encodes, back into what anatomy, the database or the input
@@ -132,7 +134,7 @@ impl JointLimits {
             }
             let mut observed = *row;
             for (d, v) in observed.iter_mut().enumerate().skip(3 * role.index()).take(3) {
-                *v = v.clamp(self.range[0][d], self.range[1][d]);
+                *v = v.clamp(self.observed[0][d], self.observed[1][d]);
             }
             for allowed in [&observed, input] {
                 let is = measure(role, chart.rotation(role, allowed));
