@@ -14,6 +14,7 @@ const HELD_OUT: usize = 8;
 /// needed again with their points moved smoothly by a few centimetres.
 pub(crate) fn grown(db: &Database, frames: usize, classes: usize) -> Database {
     let kept: Vec<&Clip> = db.clips.iter().enumerate().filter(|(i, _)| i % HELD_OUT != 0).map(|(_, c)| c).collect();
+    assert!(kept.len() >= classes, "{} clips are too few for {classes} classes", kept.len());
     // Classes of many clips are divided until there are enough.
     let mut groups: Vec<Vec<&Clip>> = db
         .classes()
