@@ -14,7 +14,7 @@ use strut_formats::bvh::Bvh;
 
 /// Mean horizontal speed of planted feet, cm/s, as the file's own motion shows them planted.
 fn skate_cm_s(file: &Bvh) -> f32 {
-    let body = body_of(file);
+    let body = body_of(&file.to_motion().unwrap());
     100.0 * metrics::foot_skate(&body, &contact::label(&body))
 }
 

@@ -1,16 +1,21 @@
-//! Feet and joints of styled files on real motion capture, where it is present (`STRUT_MOCAP`): a sample of all
-//! pairs of clip and style, or all of them with `STRUT_ALL_CLIPS=1`.
+//! Feet and joints of styled clips on real motion capture, where it is present (`STRUT_MOCAP`): a sample of all
+//! pairs of clip and style, or all of them with `STRUT_ALL_CLIPS=1`. The clips go through what `strut stylize` does with
+//! them, but for the text of the file.
 
 mod common;
 
 use common::{all_clips, body_of, mocap_folder, read_bvh, strut_ok};
 use rayon::prelude::*;
 use std::fs;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use strut_core::database::Database;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Role};
 use strut_core::kinematics::world_from_local;
-use strut_core::transfer::{beyond_anatomy, ground_clearance};
+use strut_core::math::Quat;
+use strut_core::retarget::{Binding, from_humanoid, to_humanoid};
+use strut_core::transfer::{Model, NoClock, Options, Stylizer, beyond_anatomy, ground_clearance, stylize_clip};
 use strut_core::{contact, metrics};
 use strut_formats::strutdb;
 
@@ -23,39 +28,58 @@ fn clips(mocap: &Path, set: &str, containing: &str) -> Vec<PathBuf> {
     clips
 }
 
-fn build(folder: &Path, inputs: &[PathBuf], name: &str, neutral: &str, pattern: &str) -> Database {
-    let mut args = vec!["build-db", "-o", name, "--neutral", neutral, "--pattern", pattern];
+fn build(inputs: &[PathBuf], [neutral, pattern]: [&str; 2]) -> Arc<Model> {
+    let folder = tempfile::tempdir().unwrap();
+    let mut args = vec!["build-db", "-o", "db", "--neutral", neutral, "--pattern", pattern];
     args.extend(inputs.iter().map(|p| p.to_str().unwrap()));
-    strut_ok(folder, &args);
-    strutdb::read(&fs::read(folder.join(name)).unwrap()).unwrap()
+    strut_ok(folder.path(), &args);
+    Arc::new(Model::new(Arc::new(strutdb::read(&fs::read(folder.path().join("db")).unwrap()).unwrap())))
 }
 
 const BANDAI_NAMCO: [&str; 2] = ["normal", "{set}_{action}_{style}_{take}.bvh"];
 const XIA: [&str; 2] = ["neutral", "{style}_{action}_{take}.bvh"];
 
-/// A clip before and after.
+/// A clip before and after, each read off its own skeleton.
 struct Styled {
     name: String,
     input: HumanoidMotion,
     output: HumanoidMotion,
-    trace: PathBuf,
+    /// Whether the left and right foot of the input was taken to be planted, by frame at the database's rate.
+    contact: Vec<[bool; 2]>,
 }
 
-/// Styles clips with a database, each in the styles that `wanted` says for its number, and reads what was written.
-fn styled(folder: &Path, db: &str, clips: &[PathBuf], wanted: impl Fn(usize) -> Vec<String> + Sync) -> Vec<Styled> {
+/// Styles clips, each in the styles that `wanted` says for its number, and hands each pair to `check`.
+fn for_each_styled(
+    model: &Arc<Model>,
+    clips: &[PathBuf],
+    wanted: impl Fn(usize) -> Vec<String> + Sync,
+    check: impl Fn(&Styled) + Sync,
+) {
     let pairs: Vec<(usize, String)> =
         (0..clips.len()).flat_map(|i| wanted(i).into_iter().map(move |s| (i, s))).collect();
-    let style = |(i, style): &(usize, String)| {
-        let input = &clips[*i];
-        let stem = input.file_stem().unwrap().to_str().unwrap();
-        let (output, trace) = (format!("{db}-{stem}-{style}.bvh"), format!("{db}-{stem}-{style}.jsonl"));
-        let args = ["stylize", "--db", db, "--input", input.to_str().unwrap(), "--style", style, "-o", &output];
-        strut_ok(folder, &[&args[..], &["--trace", &trace]].concat());
-        let bodies = [input, &folder.join(&output)].map(|path| body_of(&read_bvh(path)));
-        let [input, output] = bodies;
-        Styled { name: format!("{db} {stem} → {style}"), input, output, trace: folder.join(trace) }
-    };
-    pairs.par_iter().map(style).collect()
+    pairs.par_iter().for_each(|(i, style)| check(&styled(model, &clips[*i], style)));
+}
+
+fn styled(model: &Arc<Model>, clip: &Path, style: &str) -> Styled {
+    let db = model.database();
+    let motion = read_bvh(clip).to_motion().unwrap();
+    let binding = Binding::detect(&motion).unwrap();
+    let mut stylizer = Stylizer::new(Arc::clone(model), Options::DEFAULT).unwrap();
+    let weights: Vec<f32> = db.styles.iter().map(|s| f32::from(u8::from(s == style))).collect();
+    stylizer.set_styles(&weights).unwrap();
+    let input = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz);
+    let styled = stylize_clip(&stylizer, &input.poses, &mut NoClock, |_, _| ControlFlow::Continue(())).unwrap();
+    let rate_hz = (1.0 / motion.frame_time_secs) as f32;
+    let even = styled.on_body(&binding.proportions, rate_hz);
+    let frames_per_db_frame = f64::from(rate_hz) / f64::from(db.rate_hz);
+    let source_frames: Vec<f64> = even.input_frame.iter().map(|f| f * frames_per_db_frame).collect();
+    let output = from_humanoid(&even.motion, &motion, &binding, &source_frames);
+    Styled {
+        name: format!("{} → {style}", clip.file_stem().unwrap().to_str().unwrap()),
+        input: body_of(&motion),
+        output: body_of(&output),
+        contact: styled.frames.iter().map(|f| f.contact.map(|c| c > 0.5)).collect(),
+    }
 }
 
 /// One of `styles` for each number, in turn; all of them if all are asked for.
@@ -85,52 +109,44 @@ fn peak_acceleration(motion: &HumanoidMotion) -> f32 {
 #[test]
 fn no_style_skates_more_than_its_input_or_sinks() {
     let Some(mocap) = mocap_folder() else { return };
-    let folder = tempfile::tempdir().unwrap();
     let mut inputs = clips(&mocap, "cmu", "");
     inputs.extend(clips(&mocap, "xia", "").into_iter().step_by(if all_clips() { 1 } else { 3 }));
-    for (name, set, [neutral, pattern]) in
-        [("bn2.strutdb", "bandai-namco-2", BANDAI_NAMCO), ("xia.strutdb", "xia", XIA)]
-    {
-        let db = build(folder.path(), &clips(&mocap, set, ""), name, neutral, pattern);
-        for s in styled(folder.path(), name, &inputs, in_turn(&db.styles)) {
+    for (set, naming) in [("bandai-namco-2", BANDAI_NAMCO), ("xia", XIA)] {
+        let model = build(&clips(&mocap, set, ""), naming);
+        for_each_styled(&model, &inputs, in_turn(&model.database().styles), |s| {
             let (before, after) = (skate_cm_s(&s.input), skate_cm_s(&s.output));
             let lowest = lowest_sole_cm(&s.output);
             let peaks = [&s.input, &s.output].map(peak_acceleration);
             println!(
-                "{:<50} skate {before:5.2} → {after:5.2} cm/s, sole {lowest:5.2} cm, peak {:4.0} → {:4.0} m/s²",
+                "{set}: {:<40} skate {before:5.2} → {after:5.2} cm/s, sole {lowest:5.2} cm, peak {:4.0} → {:4.0} m/s²",
                 s.name, peaks[0], peaks[1]
             );
-            assert!(after <= before, "{}: {after} cm/s, input {before}", s.name);
-            assert!(lowest >= -1.0, "{}: {lowest} cm", s.name);
-        }
+            assert!(after <= before, "{set}: {}: {after} cm/s, input {before}", s.name);
+            assert!(lowest >= -1.0, "{set}: {}: {lowest} cm", s.name);
+        });
     }
 }
 
 #[test]
 fn contacts_of_unseen_takes_are_recognised_and_their_feet_held() {
     let Some(mocap) = mocap_folder() else { return };
-    let folder = tempfile::tempdir().unwrap();
     let (held_out, known): (Vec<PathBuf>, Vec<PathBuf>) =
         clips(&mocap, "bandai-namco-2", "").into_iter().partition(|p| p.to_str().unwrap().ends_with("_001.bvh"));
-    let [neutral, pattern] = BANDAI_NAMCO;
-    let db = build(folder.path(), &known, "known.strutdb", neutral, pattern);
+    let model = build(&known, BANDAI_NAMCO);
+    let db = model.database();
     let is = |p: &&PathBuf, what: &str| p.to_str().unwrap().contains(what);
 
     let walks: Vec<PathBuf> = held_out.iter().filter(|p| is(p, "_walk_")).cloned().collect();
-    let (mut alike, mut all) = (0, 0);
-    for s in styled(folder.path(), "known.strutdb", &walks, in_turn(&db.styles)) {
+    let (alike, all) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    for_each_styled(&model, &walks, in_turn(&db.styles), |s| {
         let labels = contact::label(&s.input.resampled(db.rate_hz));
-        let trace = fs::read_to_string(&s.trace).unwrap();
-        let (mut own, mut frames) = (0, 0);
-        for (line, label) in trace.lines().zip(&labels) {
-            let line: serde_json::Value = serde_json::from_str(line).unwrap();
-            own += (0..2).filter(|&side| (line["contact"][side].as_f64().unwrap() > 0.5) == label[side]).count();
-            frames += 2;
-        }
+        let feet = s.contact.iter().flatten().zip(labels.iter().flatten());
+        let (frames, own) = (feet.clone().count(), feet.filter(|(seen, label)| seen == label).count());
         println!("{}: contacts agree in {:.2} %", s.name, 100.0 * own as f32 / frames as f32);
-        (alike, all) = (alike + own, all + frames);
-    }
-    let agreement = alike as f32 / all as f32;
+        alike.fetch_add(own, Relaxed);
+        all.fetch_add(frames, Relaxed);
+    });
+    let agreement = alike.into_inner() as f32 / all.into_inner() as f32;
     println!("contacts of held-out walks agree in {:.2} %", 100.0 * agreement);
     assert!(agreement >= 0.99, "{agreement}");
 
@@ -138,15 +154,15 @@ fn contacts_of_unseen_takes_are_recognised_and_their_feet_held() {
     assert_eq!(normal.len(), 4, "walk, run and two turns");
     let others: Vec<String> = db.styles.iter().filter(|s| *s != "normal").cloned().collect();
     let two = |i: usize| if all_clips() { others.clone() } else { others[i % 3 * 2..][..2].to_vec() };
-    for s in styled(folder.path(), "known.strutdb", &normal, two) {
+    for_each_styled(&model, &normal, two, |s| {
         let skate = skate_cm_s(&s.output);
         println!("{}: skate {:.2} → {skate:.2} cm/s", s.name, skate_cm_s(&s.input));
         assert!(skate <= 1.4, "{}: {skate} cm/s", s.name);
-    }
+    });
 }
 
 /// For each joint how far a motion goes beyond what anatomy allows, radians.
-fn beyond(rotations: impl Iterator<Item = [strut_core::math::Quat; JOINTS]>) -> [f32; JOINTS] {
+fn beyond(rotations: impl Iterator<Item = [Quat; JOINTS]>) -> [f32; JOINTS] {
     let mut most = [0.0_f32; JOINTS];
     for rotations in rotations {
         for role in Role::ALL {
@@ -159,30 +175,28 @@ fn beyond(rotations: impl Iterator<Item = [strut_core::math::Quat; JOINTS]>) -> 
 #[test]
 fn one_take_a_class_is_enough_to_stay_within_limits() {
     let Some(mocap) = mocap_folder() else { return };
-    let folder = tempfile::tempdir().unwrap();
     let sets = ["cmu", "xia", "bandai-namco-1"];
     let inputs: Vec<PathBuf> = sets.iter().flat_map(|set| clips(&mocap, set, "")).collect();
     let inputs: Vec<PathBuf> = inputs.into_iter().step_by(if all_clips() { 1 } else { 13 }).collect();
-    for (name, set, [neutral, pattern]) in
-        [("xia.strutdb", "xia", XIA), ("bn1.strutdb", "bandai-namco-1", BANDAI_NAMCO)]
-    {
-        let db = build(folder.path(), &clips(&mocap, set, ""), name, neutral, pattern);
+    for (set, naming) in [("xia", XIA), ("bandai-namco-1", BANDAI_NAMCO)] {
+        let model = build(&clips(&mocap, set, ""), naming);
+        let db = model.database();
         let known = beyond(db.pose.iter().map(|row| Role::ALL.map(|role| db.chart.rotation(role, row))));
-        for s in styled(folder.path(), name, &inputs, in_turn(&db.styles)) {
-            // Reading has refused numbers that are not finite.
+        for_each_styled(&model, &inputs, in_turn(&db.styles), |s| {
             let (before, after) =
                 (beyond(s.input.poses.iter().map(|p| p.rotations)), beyond(s.output.poses.iter().map(|p| p.rotations)));
             for role in Role::ALL {
                 let allowed = before[role.index()].max(known[role.index()]);
                 // Legs bend a little more where feet are held.
                 let excess = after[role.index()] - allowed;
-                assert!(excess < 0.1, "{}: {} is {excess} rad beyond its limits", s.name, role.name());
+                assert!(excess < 0.1, "{set}: {}: {} is {excess} rad beyond its limits", s.name, role.name());
             }
             let (hips, legs) = (Role::Hips.index(), s.output.proportions.leg_length());
             for pose in &s.output.poses {
+                assert!(pose.rotations.iter().all(|q| q.is_finite()), "{set}: {}: a turn is no number", s.name);
                 let height = world_from_local(&s.output.proportions, pose).positions[hips].y;
-                assert!((0.0..3.0 * legs).contains(&height), "{}: hips at {height} m", s.name);
+                assert!((0.0..3.0 * legs).contains(&height), "{set}: {}: hips at {height} m", s.name);
             }
-        }
+        });
     }
 }

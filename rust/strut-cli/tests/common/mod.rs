@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 use strut_core::humanoid::HumanoidMotion;
+use strut_core::motion::Motion;
 use strut_core::retarget::{Binding, to_humanoid};
 use strut_formats::{bvh, strutdb};
 
@@ -62,11 +63,10 @@ pub(crate) fn read_bvh(path: &Path) -> bvh::Bvh {
     bvh::parse(&std::fs::read(path).unwrap()).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// The motion of a file as a humanoid of its own proportions.
-pub(crate) fn body_of(file: &bvh::Bvh) -> HumanoidMotion {
-    let motion = file.to_motion().unwrap();
-    let binding = Binding::detect(&motion).unwrap();
-    to_humanoid(&motion, &binding, &binding.proportions)
+/// A motion as a humanoid of its own proportions.
+pub(crate) fn body_of(motion: &Motion) -> HumanoidMotion {
+    let binding = Binding::detect(motion).unwrap();
+    to_humanoid(motion, &binding, &binding.proportions)
 }
 
 /// The folder of real clips: `$STRUT_MOCAP`, else `shared/data` beside the repository. Says so if there is none.
