@@ -2,6 +2,7 @@
 
 use crate::failure::{Failure, Outcome};
 use crate::files::{self, print_warnings};
+use crate::search::Search;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
@@ -45,8 +46,8 @@ pub(crate) fn stored_index(bytes: &[u8], database: &Database) -> Option<Index> {
     Index::from_plan(database, &strutdb::read_plan(bytes)?).ok()
 }
 
-/// The database in a file, ready for use; says so if its search index had to be made.
-pub(crate) fn read_model(path: &Path) -> Outcome<Model> {
+/// The database in a file, ready for use and to be searched so; says so if its search index had to be made.
+pub(crate) fn read_model(path: &Path, search: Search) -> Outcome<Model> {
     let bytes = files::read(path, strutdb::MAX_BYTES)?;
     let database = strutdb::read(&bytes).map_err(|reason| Failure::in_file(path, reason))?;
     let index = stored_index(&bytes, &database).unwrap_or_else(|| {
@@ -58,5 +59,5 @@ pub(crate) fn read_model(path: &Path) -> Outcome<Model> {
         ));
         index
     });
-    Ok(Model::with_index(Arc::new(database), index))
+    Ok(Model::with_index(Arc::new(database), search.of(index)))
 }

@@ -19,6 +19,7 @@ mod inspect;
 mod labels;
 mod pattern;
 mod progress;
+mod search;
 mod stylize;
 mod suggestion;
 mod threads;

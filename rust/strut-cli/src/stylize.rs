@@ -4,6 +4,7 @@ use crate::clip::{Clip, read_model};
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print};
 use crate::progress::Bar;
+use crate::search::Search;
 use crate::suggestion::unknown;
 use crate::trace::{StageTimer, TraceLog, class_names};
 use crate::weights::{PartWeights, StyleWeights};
@@ -78,6 +79,9 @@ pub(crate) struct Args {
     /// Other weights for a part of the body: head, torso, left-arm, right-arm, arms or legs
     #[arg(long, value_name = "PART:NAME=W[,…]")]
     part: Vec<PartWeights>,
+    /// How neighbours are found: exact, or kdtree:M, among M candidates of a kd-tree in each class
+    #[arg(long, value_name = "SEARCH", default_value = "exact")]
+    search: Search,
     /// Write how every frame came about, as JSON lines
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
@@ -95,7 +99,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.trace.as_deref()].into_iter().flatten())?;
     numbers(args).validate().map_err(Failure::usage)?;
     let clip = Clip::read(&args.input)?;
-    let model = Arc::new(read_model(&args.db)?);
+    let model = Arc::new(read_model(&args.db, args.search)?);
     let db = model.database();
     let stylizer = stylizer(args, &model)?;
     let input = input_of(&clip, db).map_err(|reason| Failure::in_file(&args.input, reason))?;

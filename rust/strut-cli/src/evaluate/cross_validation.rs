@@ -54,7 +54,6 @@ pub(super) fn protocol<'a>(
         database_actions: &args.database_actions,
         targets: &args.targets,
         target_takes: build.takes,
-        window: build.window,
         build: options,
     }
 }
@@ -66,7 +65,7 @@ fn fold(args: &Args, grid: &Grid, clips: &[SourceClip], build: usize, take: u32)
     if trials.is_empty() {
         return Ok(Vec::new());
     }
-    let model = protocol.model_without(take).map_err(Failure::new)?;
+    let model = grid.builds[build].model(protocol.database_without(take).map_err(Failure::new)?);
     let trials: Vec<&Trial> = trials.iter().filter(|t| model.database().style_index(&t.target).is_some()).collect();
     let jobs: Vec<(&Trial, usize)> =
         trials.iter().flat_map(|t| (0..grid.settings.len()).map(move |s| (*t, s))).collect();

@@ -12,6 +12,7 @@ use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print, print_warnings};
 use crate::gather::gather;
 use crate::pattern::Pattern;
+use crate::search::Search;
 use crate::stylize::Switch;
 use crate::suggestion::unknown;
 use checkpoint::Checkpoint;
@@ -43,7 +44,7 @@ Every option that takes a list is varied: all combinations are measured.
 The results of --json:
   protocol, rate, generator, command
   results  [{action, source, target, method, labels, mode, k, delta, lambda, kappa, rho, coherence, intensity, part,
-            window, registration, takes, samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s,
+            window, search, registration, takes, samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s,
             floor_cm, input_cm, …, skate_cm_s_in, skate_cm_s_out, jerk_ratio, acceleration_ratio,
             content_correlation, ms_per_frame}]
   Means over the samples (folds, or input clips); NAME_sd is the standard deviation of NAME over them.
@@ -99,6 +100,9 @@ pub(crate) struct Args {
     /// Frames that are compared in the search for neighbours
     #[arg(long, value_name = "S", value_delimiter = ',', default_values_t = [WINDOW])]
     window: Vec<usize>,
+    /// How neighbours are found: exact, or kdtree:M, among M candidates of a kd-tree in each class
+    #[arg(long, value_name = "SEARCH", value_delimiter = ',', default_value = "exact")]
+    search: Vec<Search>,
     /// Neighbours in each class
     #[arg(short, value_delimiter = ',', default_values_t = [Options::DEFAULT.k])]
     k: Vec<usize>,

@@ -28,7 +28,7 @@ pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &C
         let options = of.options(&args.source);
         let targets = protocol(args, clips, of, &options).targets();
         let (db, _) = build(clips, &options, &ThreadPool, &mut |_| ControlFlow::Continue(())).map_err(Failure::new)?;
-        let model = Arc::new(Model::with_window(Arc::new(db), of.window));
+        let model = of.model(db);
         let bar = Bar::new("clips", sources.len());
         let of_clips: Vec<Vec<Sample>> = sources
             .par_iter()

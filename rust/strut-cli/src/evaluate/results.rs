@@ -212,6 +212,7 @@ impl Row {
             ("intensity", s.intensity.to_string()),
             ("part", text(&s.part)),
             ("window", self.build.window.to_string()),
+            ("search", self.build.search.to_string()),
             ("registration", text(&self.build.registration)),
             ("takes", if self.build.takes == 0 { "all".to_owned() } else { self.build.takes.to_string() }),
         ]

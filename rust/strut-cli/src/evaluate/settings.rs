@@ -2,16 +2,18 @@
 
 use super::Args;
 use crate::failure::{Failure, Outcome};
+use crate::search::Search;
 use crate::stylize::Switch;
 use clap::ValueEnum;
 use serde::Serialize;
 use std::sync::Arc;
 use std::time::Instant;
+use strut_core::database::Database;
 use strut_core::database::build::BuildOptions;
 use strut_core::evaluation::quality::{Mode, Styled, style};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::registration::{self, WarpMethod};
-use strut_core::search::MAX_WINDOW;
+use strut_core::search::{Index, MAX_WINDOW};
 use strut_core::transfer::{BodyPart, MAX_WEIGHT, Method, Model, Options, Stylizer};
 
 /// What the engine is told of the input.
@@ -59,6 +61,7 @@ pub(super) struct Build {
     pub(super) takes: usize,
     /// Frames of a search window.
     pub(super) window: usize,
+    pub(super) search: Search,
 }
 
 impl Build {
@@ -71,6 +74,12 @@ impl Build {
         };
         let registration = registration::Options { warp, ..registration::Options::default() };
         BuildOptions { neutral: Some(source.to_owned()), registration, ..BuildOptions::default() }
+    }
+
+    /// A database that was built so, to be searched so.
+    pub(super) fn model(self, database: Database) -> Arc<Model> {
+        let index = self.search.of(Index::with_window(&database, self.window));
+        Arc::new(Model::with_index(Arc::new(database), index))
     }
 }
 
@@ -211,7 +220,9 @@ impl Grid {
         let mut builds = Vec::new();
         for &registration in &args.registration {
             for &takes in &args.takes {
-                builds.extend(args.window.iter().map(|&window| Build { registration, takes, window }));
+                for &window in &args.window {
+                    builds.extend(args.search.iter().map(|&search| Build { registration, takes, window, search }));
+                }
             }
         }
         let mut settings: Vec<Setting> = args.methods.iter().map(|method| Setting::of_method(method)).collect();

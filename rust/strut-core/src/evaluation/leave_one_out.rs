@@ -6,14 +6,14 @@
 
 use super::quality::{Quality, Styled, quality};
 use super::truth::{Aligned, Alignment, Errors, align, root_free};
+use crate::database::Database;
 use crate::database::build::{self, BuildError, BuildOptions, SourceClip};
 use crate::humanoid::HumanoidMotion;
 use crate::parallel::Sequential;
 use crate::pose_vector::point_cloud;
-use crate::transfer::{Model, StyledFrame};
+use crate::transfer::StyledFrame;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{ControlFlow, Range};
-use std::sync::Arc;
 
 /// What is cross-validated.
 #[derive(Clone, Copy, Debug)]
@@ -31,8 +31,6 @@ pub struct LeaveOneOut<'a> {
     /// Takes of each (action, style) but the source style's that a database holds at most, the first ones; 0
     /// for all.
     pub target_takes: usize,
-    /// Frames of a search window.
-    pub window: usize,
     /// How the databases are built; the neutral style is the source.
     pub build: &'a BuildOptions,
 }
@@ -107,11 +105,11 @@ impl<'a> LeaveOneOut<'a> {
         predicted.map(|c| c.style.as_str()).filter(wanted).collect::<BTreeSet<_>>().into_iter().collect()
     }
 
-    /// The database that holds no clip of a take, ready to be searched.
+    /// The database that holds no clip of a take.
     ///
     /// # Errors
     /// If nothing is left to build a database from.
-    pub fn model_without(&self, take: u32) -> Result<Arc<Model>, BuildError> {
+    pub fn database_without(&self, take: u32) -> Result<Database, BuildError> {
         let options = BuildOptions { neutral: Some(self.source.to_owned()), ..self.build.clone() };
         let mut clips: Vec<&SourceClip> =
             self.clips.iter().filter(|c| c.take != take && self.in_database(&c.action)).collect();
@@ -126,8 +124,7 @@ impl<'a> LeaveOneOut<'a> {
             })
             .cloned()
             .collect();
-        let (db, _) = build::build(&kept, &options, &Sequential, &mut |_| ControlFlow::Continue(()))?;
-        Ok(Arc::new(Model::with_window(Arc::new(db), self.window)))
+        build::build(&kept, &options, &Sequential, &mut |_| ControlFlow::Continue(())).map(|(db, _)| db)
     }
 
     /// What is predicted in the fold of a take: one trial an action and target style. A take that cannot be

@@ -7,6 +7,8 @@
 mod block;
 #[cfg(any(test, feature = "offline"))]
 mod brute_force;
+#[cfg(feature = "offline")]
+mod kd_trees;
 mod lanes;
 mod leaves;
 mod metric;
@@ -40,6 +42,8 @@ pub struct Index {
     rows: Vec<[u32; BLOCK]>,
     /// Where each row's window stands in `rows`; [`NO_ROW`] where none ends.
     slots: Vec<u32>,
+    #[cfg(feature = "offline")]
+    kd_trees: Option<kd_trees::KdTrees>,
 }
 
 const NO_ROW: u32 = u32::MAX;
@@ -124,6 +128,10 @@ impl Index {
         scratch: &mut Scratch,
         out: &mut Neighbours,
     ) {
+        #[cfg(feature = "offline")]
+        if let (Some(trees), Metric::FullBody) = (&self.kd_trees, query.metric) {
+            return self.nearest_of_candidates::<S>(trees, query, classes, k, out);
+        }
         let Scratch { found, done, candidates } = scratch;
         let leaves = &self.leaves[query.metric as usize];
         found.begin(k);

@@ -108,6 +108,8 @@ impl Index {
             leaves: subspaces.map(|s| Leaves::new(s, leaves)),
             rows: Vec::with_capacity(leaves),
             slots: vec![NO_ROW; rows],
+            #[cfg(feature = "offline")]
+            kd_trees: None,
         }
     }
 

@@ -8,6 +8,7 @@ use crate::math::Vec3;
 use crate::pose_vector::{HEADING_RATE, HeadingFilter, Placement, VELOCITY_Z, point_cloud};
 use crate::transfer::sine_walk::{self, BENT, Gait, NEUTRAL};
 use proptest::prelude::*;
+use std::num::NonZero;
 use std::sync::OnceLock;
 
 /// What is found by the metric in classes, and what should be.
@@ -136,6 +137,28 @@ proptest! {
                 let expected = both(&index, &window, metric, &all, k, &mut scratch, out);
                 prop_assert_eq!(out.as_slice(), expected.as_slice());
             }
+        }
+    }
+
+    #[test]
+    fn kd_trees_find_real_windows_and_all_of_them_if_all_are_candidates(
+        classes in prop::collection::vec((kind(), 1usize..90), 1..5),
+        query in (kind(), 0usize..200), candidates in 1usize..90, k in 1usize..50,
+    ) {
+        let (walk, db) = (sine_walk::database(), database(&classes));
+        let mut window = QueryWindow::default();
+        window.push(&cloud(query.0, query.1, &walk), Placement::default());
+        let all: Vec<usize> = (0..classes.len()).collect();
+        let found_by = |candidates| {
+            let index = Index::build(&db).with_kd_trees(NonZero::new(candidates).unwrap());
+            let (mut scratch, mut out) = (Scratch::default(), Neighbours::default());
+            (both(&index, &window, Metric::FullBody, &all, k, &mut scratch, &mut out), out)
+        };
+        let (expected, out) = found_by(90);
+        prop_assert_eq!(out.as_slice(), expected.as_slice());
+        let (expected, out) = found_by(candidates);
+        for (found, nearest) in out.as_slice().iter().zip(expected.as_slice()) {
+            prop_assert!(found.distance >= nearest.distance);
         }
     }
 

@@ -3,7 +3,7 @@
 use super::timing::Scales;
 use crate::database::{Database, TargetTable};
 use crate::pose_vector::{DOFS, PoseRow, ROW};
-use crate::search::{Index, WINDOW};
+use crate::search::Index;
 use std::sync::{Arc, OnceLock};
 
 /// A database with its search index and the target tables of the styles used so far. Share it in an
@@ -21,13 +21,7 @@ pub struct Model {
 impl Model {
     /// Indexes a database.
     pub fn new(db: Arc<Database>) -> Self {
-        Self::with_window(db, WINDOW)
-    }
-
-    /// Indexes a database by windows of `frames` frames instead of [`WINDOW`] (s in the specification); the
-    /// nearest of 1 to [`crate::search::MAX_WINDOW`] is taken.
-    pub fn with_window(db: Arc<Database>, frames: usize) -> Self {
-        let index = Index::with_window(&db, frames);
+        let index = Index::build(&db);
         Self::with_index(db, index)
     }
 
