@@ -1,12 +1,10 @@
 //! `strut build-db`: labelled clips become a database.
 
-use crate::GENERATOR;
 use crate::annotation::CanonicalContact;
 use crate::corpus::{self, RefusedFile};
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print, print_warnings};
 use crate::gather::gather;
-use crate::pattern::Pattern;
 use crate::progress::Bar;
 use crate::threads::ThreadPool;
 use serde::Serialize;
@@ -18,6 +16,7 @@ use std::time::Instant;
 use strut_core::database::build::{self, BuildOptions, BuildReport, Stage};
 use strut_core::database::{Database, residuals};
 use strut_core::registration::{self, Method, WarpMethod};
+use strut_formats::corpus::Pattern;
 use strut_formats::strutdb;
 
 /// What `--json` writes.
@@ -116,7 +115,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         };
         build::build(&clips, &options, &ThreadPool, &mut progress).map_err(Failure::new)?
     };
-    let bytes = strutdb::write(&db, GENERATOR);
+    let bytes = strutdb::write(&db, strutdb::GENERATOR);
     let files: HashMap<&str, &str> = clips.iter().map(|c| (c.name.as_str(), c.source.as_str())).collect();
     let report = Report::new(args, &db, &report, &files, refused, bytes.len(), begin.elapsed().as_secs_f64());
 

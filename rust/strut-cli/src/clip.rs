@@ -1,4 +1,4 @@
-//! A BVH file as the engine sees it.
+//! Clips and databases in files.
 
 use crate::failure::{Failure, Outcome};
 use crate::files::{self, print_warnings};
@@ -7,33 +7,14 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 use strut_core::database::Database;
-use strut_core::motion::Motion;
-use strut_core::retarget::Binding;
 use strut_core::search::Index;
 use strut_core::transfer::Model;
-use strut_formats::bvh::{self, Bvh};
-use strut_formats::strutdb;
+use strut_formats::corpus::Clip;
+use strut_formats::{bvh, strutdb};
 
-/// A file, its motion, and which of its joints are which.
-pub(crate) struct Clip {
-    pub(crate) file: Bvh,
-    pub(crate) motion: Motion,
-    pub(crate) binding: Binding,
-}
-
-impl Clip {
-    /// The clip in a file.
-    pub(crate) fn read(path: &Path) -> Outcome<Self> {
-        Self::parse(&files::read(path, bvh::MAX_BYTES)?).map_err(|reason| Failure::in_file(path, reason))
-    }
-
-    /// The clip in these bytes, or why there is none.
-    pub(crate) fn parse(bytes: &[u8]) -> Result<Self, String> {
-        let file = bvh::parse(bytes).map_err(|e| e.to_string())?;
-        let motion = file.to_motion().map_err(|e| e.to_string())?;
-        let binding = Binding::detect(&motion).map_err(|e| e.to_string())?;
-        Ok(Self { file, motion, binding })
-    }
+/// The clip in a BVH file.
+pub(crate) fn read_clip(path: &Path) -> Outcome<Clip> {
+    Clip::parse(&files::read(path, bvh::MAX_BYTES)?).map_err(|reason| Failure::in_file(path, reason))
 }
 
 /// The database in a file.

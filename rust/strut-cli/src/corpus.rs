@@ -1,21 +1,17 @@
 //! Labelled clips, read and brought to one body: what a database is built from and an evaluation run on.
 
-use crate::clip::Clip;
 use crate::failure::{Failure, Outcome};
+use crate::files;
 use crate::gather::Source;
-use crate::labels;
-use crate::pattern::{Labels, Pattern};
 use crate::progress::Bar;
-use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
-use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 use strut_core::database::build::SourceClip;
-use strut_core::humanoid::Proportions;
-use strut_core::retarget::to_humanoid;
+use strut_formats::corpus::{self, Clip, DEFAULT_PATTERN, Entry, Labels, Pattern, Table};
 
-/// What files are called unless a pattern or a table says otherwise.
-pub(crate) const DEFAULT_PATTERN: &str = "{action}_{style}_{take}.bvh";
+/// Most bytes of a table.
+const MAX_TABLE_BYTES: usize = 64 << 20;
 
 /// A file that did not enter the database.
 #[derive(Debug, Serialize)]
@@ -34,18 +30,18 @@ pub(crate) fn label<'a>(
 ) -> Outcome<Vec<(&'a Source, Labels)>> {
     let paths: Vec<String> = sources.iter().map(|s| s.path.clone()).collect();
     let default = table.is_none().then(|| DEFAULT_PATTERN.parse().map_err(Failure::new)).transpose()?;
-    let labels = labels::assign(&paths, pattern.or(default.as_ref()), table)?;
-    let mut takes: BTreeMap<(String, String), u32> = BTreeMap::new();
+    let pattern = pattern.or(default.as_ref());
+    let labels = match table {
+        None => corpus::assign(&paths, pattern, None).map_err(Failure::new)?,
+        Some(path) => Table::parse(&files::read(path, MAX_TABLE_BYTES)?)
+            .and_then(|table| corpus::assign(&paths, pattern, Some(&table)))
+            .map_err(|e| Failure::in_file(path, e))?,
+    };
     let mut labelled = Vec::new();
     for (source, labels) in sources.iter().zip(labels) {
         match labels {
-            Ok(mut labels) => {
-                let counted = takes.entry((labels.action.clone(), labels.style.clone())).or_default();
-                *counted += 1;
-                labels.take.get_or_insert(*counted);
-                labelled.push((source, labels));
-            }
-            Err(reason) => refused.push(RefusedFile { file: source.path.clone(), reason }),
+            Ok(labels) => labelled.push((source, labels)),
+            Err(reason) => refused.push(RefusedFile { file: source.path.clone(), reason: reason.to_string() }),
         }
     }
     if labelled.is_empty() {
@@ -53,6 +49,7 @@ pub(crate) fn label<'a>(
         let RefusedFile { file, reason } = &refused[0];
         return Err(Failure::new(format_args!("{file}: {reason}; {advice}")));
     }
+    corpus::count_takes(labelled.iter_mut().map(|(_, labels)| labels));
     Ok(labelled)
 }
 
@@ -62,51 +59,31 @@ pub(crate) fn read_clips(
     labelled: Vec<(&Source, Labels)>,
     refused: &mut Vec<RefusedFile>,
 ) -> Outcome<Vec<SourceClip>> {
-    let bar = Bar::new("reading", labelled.len());
-    let read = |(source, labels): (_, Labels)| {
-        let source: &Source = source;
-        let clip = source.bytes().and_then(|bytes| Clip::parse(&bytes));
-        bar.step();
-        (source, labels, clip)
+    let read = |source: &Source| source.bytes().and_then(|b| Clip::parse(&b).map_err(|e| e.to_string()));
+    let styles: Vec<&str> = labelled.iter().map(|(_, labels)| labels.style.as_str()).collect();
+    let first = corpus::body_order(&styles, neutral).into_iter().find_map(|i| read(labelled[i].0).ok());
+    let Some(first) = first else {
+        let (source, _) = &labelled[0];
+        return Err(Failure::new(format_args!("{}: {}", source.path, read(source).err().unwrap_or_default())));
     };
-    let results: Vec<_> = labelled.into_par_iter().map(read).collect();
+    let body = first.binding.proportions;
+    let bar = Bar::new("reading", labelled.len());
+    let convert = |(source, labels): &(&Source, Labels)| {
+        let clip = read(source).map(|clip| {
+            let entry = Entry { path: source.path.clone(), labels: labels.clone(), licence: source.licence() };
+            entry.source_clip(&clip, &body)
+        });
+        bar.step();
+        clip.map_err(|reason| RefusedFile { file: source.path.clone(), reason })
+    };
+    let results: Vec<_> = labelled.par_iter().map(convert).collect();
     let mut clips = Vec::new();
-    for (source, labels, clip) in results {
-        match clip {
-            Ok(clip) => clips.push((source, labels, clip)),
-            Err(reason) => refused.push(RefusedFile { file: source.path.clone(), reason }),
+    for result in results {
+        match result {
+            Ok(clip) => clips.push(clip),
+            Err(fault) => refused.push(fault),
         }
     }
-    if clips.is_empty() {
-        let RefusedFile { file, reason } = &refused[0];
-        return Err(Failure::new(format_args!("{file}: {reason}")));
-    }
-    let is_neutral = |style: &str| match neutral {
-        Some(name) => style == name,
-        None => matches!(style, "neutral" | "normal"),
-    };
-    let body = clips.iter().find(|(_, labels, _)| is_neutral(&labels.style)).unwrap_or(&clips[0]);
-    let body: Proportions = body.2.binding.proportions;
-    let names = distinct_names(&clips.iter().map(|(source, ..)| *source).collect::<Vec<_>>());
-    let convert = |((source, labels, clip), name): (&(&Source, Labels, Clip), &String)| SourceClip {
-        name: name.clone(),
-        action: labels.action.clone(),
-        style: labels.style.clone(),
-        take: labels.take.unwrap_or(0),
-        motion: to_humanoid(&clip.motion, &clip.binding, &body),
-        source: source.path.clone(),
-        licence: source.licence(),
-        script: None,
-    };
-    Ok(clips.par_iter().zip(&names).map(convert).collect())
-}
-
-/// The stem of every file; the path of those that share theirs, so that reports can name them.
-fn distinct_names(sources: &[&Source]) -> Vec<String> {
-    let mut count: HashMap<&str, usize> = HashMap::new();
-    for source in sources {
-        *count.entry(source.stem()).or_default() += 1;
-    }
-    let name = |s: &&Source| if count[s.stem()] == 1 { s.stem().to_owned() } else { s.path.clone() };
-    sources.iter().map(name).collect()
+    corpus::name_apart(&mut clips);
+    Ok(clips)
 }

@@ -1,6 +1,5 @@
 //! `strut demo-db`: the built-in motions as files.
 
-use crate::GENERATOR;
 use crate::demo_report;
 use crate::failure::{Failure, Outcome};
 use crate::files::{self, Outputs, print};
@@ -47,7 +46,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if let Some(path) = &args.report {
         outputs.stage(path, demo_report::report(args.recordings.as_deref())?.as_bytes())?;
     }
-    outputs.stage(&args.output, &strutdb::write(&db, GENERATOR))?;
+    outputs.stage(&args.output, &strutdb::write(&db, strutdb::GENERATOR))?;
     outputs.commit()?;
     print(&format!(
         "{}: {} clips, {} frames at {} Hz, styles {}\n",

@@ -1,6 +1,6 @@
 //! The report `docs/demo-motions.md`: what the built-in motions are and how they measure up.
 
-use crate::clip::Clip;
+use crate::clip::read_clip;
 use crate::failure::Outcome;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -116,7 +116,7 @@ fn recorded_walks(folder: &Path) -> Outcome<Vec<Cycle>> {
 }
 
 fn recorded(path: &Path) -> Outcome<HumanoidMotion> {
-    let clip = Clip::read(path)?;
+    let clip = read_clip(path)?;
     Ok(to_humanoid(&clip.motion, &clip.binding, &clip.binding.proportions))
 }
 

@@ -5,12 +5,14 @@ use crate::files;
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
-use strut_formats::{bvh, strutdb};
+use strut_formats::{bvh, corpus, strutdb};
 
 /// Folders within folders at most.
 const MAX_DEPTH: usize = 16;
 /// Most bytes of an archive, and of all that it unpacks to: as much as a database may hold.
 const MAX_ARCHIVE_BYTES: usize = strutdb::MAX_BYTES;
+/// Most bytes of a licence file.
+const MAX_LICENCE_BYTES: usize = 1 << 20;
 
 /// A file to read.
 pub(crate) struct Source {
@@ -21,7 +23,7 @@ pub(crate) struct Source {
 
 enum Content {
     OnDisk(PathBuf),
-    Unpacked(Vec<u8>),
+    Unpacked { bytes: Vec<u8>, licence: String },
 }
 
 impl Source {
@@ -29,25 +31,21 @@ impl Source {
     pub(crate) fn bytes(&self) -> Result<std::borrow::Cow<'_, [u8]>, String> {
         match &self.content {
             Content::OnDisk(path) => files::contents(path, bvh::MAX_BYTES).map(Into::into),
-            Content::Unpacked(bytes) => Ok(bytes.into()),
+            Content::Unpacked { bytes, .. } => Ok(bytes.into()),
         }
     }
 
-    /// Name without folders and extension.
-    pub(crate) fn stem(&self) -> &str {
-        let name = self.path.rsplit('/').next().unwrap_or(&self.path);
-        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
-    }
-
-    /// First line of a licence file beside the file, if it is short enough to be a title; else empty.
+    /// Title of the licence file beside the file; empty if there is none.
     pub(crate) fn licence(&self) -> String {
-        let Content::OnDisk(path) = &self.content else { return String::new() };
-        let title = |name: &&str| {
-            let text = files::contents(&path.with_file_name(name), 1 << 20).ok()?;
-            let line = String::from_utf8(text).ok()?.lines().map(str::trim).find(|l| !l.is_empty())?.to_owned();
-            (line.chars().count() <= 100).then_some(line)
+        let path = match &self.content {
+            Content::OnDisk(path) => path,
+            Content::Unpacked { licence, .. } => return licence.clone(),
         };
-        ["LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE"].iter().find_map(title).unwrap_or_default()
+        let title = |name: &&str| {
+            let text = files::contents(&path.with_file_name(name), MAX_LICENCE_BYTES).ok()?;
+            Some(corpus::licence_title(&text)).filter(|title| !title.is_empty())
+        };
+        corpus::LICENCE_NAMES.iter().find_map(title).unwrap_or_default()
     }
 }
 
@@ -97,6 +95,7 @@ fn unpack(archive: &Path, found: &mut BTreeMap<String, Content>) -> Outcome {
     let bytes = files::read(archive, MAX_ARCHIVE_BYTES)?;
     let fail = |e: &dyn std::fmt::Display| Failure::in_file(archive, format_args!("the archive cannot be read: {e}"));
     let mut zip = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| fail(&e))?;
+    let licences = licences_in(&mut zip);
     let mut left = MAX_ARCHIVE_BYTES;
     for index in 0..zip.len() {
         let file = zip.by_index(index).map_err(|e| fail(&e))?;
@@ -114,9 +113,37 @@ fn unpack(archive: &Path, found: &mut BTreeMap<String, Content>) -> Outcome {
             return Err(fail(&format_args!("'{name}' unpacks to more than {} MiB", most >> 20)));
         }
         left -= content.len();
-        found.insert(format!("{}/{name}", shown(archive)), Content::Unpacked(content));
+        let licence = licences.get(folder_of(&name)).cloned().unwrap_or_default();
+        found.insert(format!("{}/{name}", shown(archive)), Content::Unpacked { bytes: content, licence });
     }
     Ok(())
+}
+
+/// Titles of the licences in an archive by their folders; those that cannot be read are none.
+fn licences_in(zip: &mut zip::ZipArchive<Cursor<Vec<u8>>>) -> BTreeMap<String, String> {
+    let mut titles = BTreeMap::new();
+    for licence in corpus::LICENCE_NAMES {
+        for index in 0..zip.len() {
+            let Ok(file) = zip.by_index(index) else { continue };
+            let Some(name) = file.name().ok().map(|name| name.replace('\\', "/")) else { continue };
+            let folder = folder_of(&name).to_owned();
+            if name[folder.len()..] != *licence || titles.contains_key(&folder) {
+                continue;
+            }
+            let mut text = Vec::new();
+            let is_whole = file.take(MAX_LICENCE_BYTES as u64).read_to_end(&mut text).is_ok();
+            let title = corpus::licence_title(&text);
+            if is_whole && !title.is_empty() {
+                titles.insert(folder, title);
+            }
+        }
+    }
+    titles
+}
+
+/// The folder of a path in an archive, with its slash.
+fn folder_of(name: &str) -> &str {
+    &name[..name.rfind('/').map_or(0, |at| at + 1)]
 }
 
 fn has_extension(path: &Path, extension: &str) -> bool {
@@ -142,17 +169,17 @@ mod tests {
         }
         std::fs::write(at("LICENSE"), "\nCC BY 4.0\n\nmore").unwrap();
         let mut zip = zip::ZipWriter::new(std::fs::File::create(at("c.zip")).unwrap());
-        for name in ["x/d.bvh", "__MACOSX/x/d.bvh", "readme.md"] {
+        for name in ["x/d.bvh", "__MACOSX/x/d.bvh", "x/LICENSE"] {
             zip.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
             zip.write_all(b"zipped").unwrap();
         }
         zip.finish().unwrap();
 
         let sources = gather(&[folder.path().to_owned(), at("c.zip"), at("b.bvh")]).unwrap();
-        let stems: Vec<&str> = sources.iter().map(Source::stem).collect();
+        let stems: Vec<&str> = sources.iter().map(|s| corpus::stem(&s.path)).collect();
         assert_eq!(stems, ["b", "d", "a"]);
         assert_eq!(sources[1].bytes().unwrap().as_ref(), b"zipped");
-        assert_eq!((sources[0].licence().as_str(), sources[1].licence().as_str()), ("CC BY 4.0", ""));
+        assert_eq!((sources[0].licence().as_str(), sources[1].licence().as_str()), ("CC BY 4.0", "zipped"));
     }
 
     #[test]

@@ -16,8 +16,6 @@ mod failure;
 mod files;
 mod gather;
 mod inspect;
-mod labels;
-mod pattern;
 mod progress;
 mod search;
 mod stylize;
@@ -30,9 +28,6 @@ use clap::{Parser, Subcommand};
 use failure::Outcome;
 use std::io::Write;
 use std::process::ExitCode;
-
-/// Program and version, as files record it.
-const GENERATOR: &str = concat!("strut ", env!("CARGO_PKG_VERSION"));
 
 #[derive(Parser)]
 #[command(name = "strut", version, about = "Motion style transfer for BVH files", max_term_width = 110)]

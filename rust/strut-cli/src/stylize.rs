@@ -1,6 +1,6 @@
 //! `strut stylize`: a BVH file in another style.
 
-use crate::clip::{Clip, read_model};
+use crate::clip::{read_clip, read_model};
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print};
 use crate::progress::Bar;
@@ -18,6 +18,7 @@ use strut_core::humanoid::HumanoidMotion;
 use strut_core::retarget::{from_humanoid, to_humanoid};
 use strut_core::transfer::{ClipJob, Method, Model, Options, StyledMotion, Stylizer};
 use strut_formats::bvh;
+use strut_formats::corpus::Clip;
 
 /// Names that [`Method::from_name`] knows.
 const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"];
@@ -98,7 +99,7 @@ pub(crate) enum Switch {
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.trace.as_deref()].into_iter().flatten())?;
     numbers(args).validate().map_err(Failure::usage)?;
-    let clip = Clip::read(&args.input)?;
+    let clip = read_clip(&args.input)?;
     let model = Arc::new(read_model(&args.db, args.search)?);
     let db = model.database();
     let stylizer = stylizer(args, &model)?;

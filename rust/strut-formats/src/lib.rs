@@ -2,4 +2,5 @@
 #![forbid(unsafe_code)]
 
 pub mod bvh;
+pub mod corpus;
 pub mod strutdb;

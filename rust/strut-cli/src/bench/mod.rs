@@ -73,7 +73,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 /// Measures on a database, prints the table and adds its rows.
 fn measure_on(database: Database, queries: &[Query], rows: &mut Vec<Row>) {
     let first = rows.len();
-    let file = (database.frames() <= MOST_TO_OPEN).then(|| strutdb::write(&database, crate::GENERATOR));
+    let file = (database.frames() <= MOST_TO_OPEN).then(|| strutdb::write(&database, strutdb::GENERATOR));
     // Opened from its file where there is one, so that what is measured is what was opened.
     let started = Instant::now();
     let opened = file.and_then(|bytes| {

@@ -1,7 +1,6 @@
 //! Samples kept while an evaluation runs, so that one that was stopped goes on where it was.
 
 use super::results::Sample;
-use crate::GENERATOR;
 use crate::failure::{Failure, Outcome};
 use crate::files;
 use serde::{Deserialize, Serialize};
@@ -10,6 +9,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use strut_formats::strutdb::GENERATOR;
 
 /// Most bytes of a checkpoint.
 const MAX_BYTES: usize = 1 << 30;

@@ -11,7 +11,6 @@ use crate::corpus;
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print, print_warnings};
 use crate::gather::gather;
-use crate::pattern::Pattern;
 use crate::search::Search;
 use crate::stylize::Switch;
 use crate::suggestion::unknown;
@@ -24,10 +23,11 @@ use std::path::PathBuf;
 use strut_core::database::build::SourceClip;
 use strut_core::search::WINDOW;
 use strut_core::transfer::Options;
+use strut_formats::corpus::{DEFAULT_PATTERN, Pattern};
 
 /// What files are called, tried in this order unless a pattern is given.
 const PATTERNS: [&str; 4] = [
-    corpus::DEFAULT_PATTERN,
+    DEFAULT_PATTERN,
     "{set}_{action}_{style}_{take}.bvh",
     "{style}_{action}_{take}.bvh",
     "{set}_{style}_{action}_{take}.bvh",
@@ -217,7 +217,7 @@ fn read(args: &Args) -> Outcome<Vec<SourceClip>> {
                 Failure::in_file(&args.data, format_args!("no clip has the style '{}'; {advice}", args.source))
             })?,
     };
-    let known = |name: fn(&crate::pattern::Labels) -> &String| -> Vec<String> {
+    let known = |name: fn(&strut_formats::corpus::Labels) -> &String| -> Vec<String> {
         labelled.iter().map(|(_, l)| name(l).clone()).collect::<BTreeSet<_>>().into_iter().collect()
     };
     let (actions, styles) = (known(|l| &l.action), known(|l| &l.style));

@@ -5,7 +5,6 @@ use super::checkpoint::Checkpoint;
 use super::cross_validation::protocol;
 use super::results::{Sample, quality_values};
 use super::settings::Grid;
-use crate::clip::Clip;
 use crate::failure::{Failure, Outcome};
 use crate::files::print_warnings;
 use crate::gather::gather;
@@ -19,6 +18,7 @@ use strut_core::evaluation::quality::quality;
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::retarget::to_humanoid;
 use strut_core::transfer::Model;
+use strut_formats::corpus::Clip;
 
 /// All samples: builds × inputs × targets × settings.
 pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &Checkpoint) -> Outcome<Vec<Sample>> {
@@ -38,7 +38,7 @@ pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &C
                     bar.step();
                     return Ok(samples.clone());
                 }
-                let samples = match source.bytes().and_then(|b| Clip::parse(&b)).and_then(|c| input_of(&c, &model)) {
+                let samples = match source.bytes().and_then(|bytes| input_of(&bytes, &model)) {
                     Ok(input) => of_input(&input, grid, b, &model, &targets)?,
                     Err(reason) => {
                         print_warnings(&format!("warning: left out {}: {reason}\n", source.path));
@@ -56,8 +56,9 @@ pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &C
 }
 
 /// The clip on the database's body and at its rate.
-fn input_of(clip: &Clip, model: &Model) -> Result<HumanoidMotion, String> {
+fn input_of(bytes: &[u8], model: &Model) -> Result<HumanoidMotion, String> {
     let db = model.database();
+    let clip = Clip::parse(bytes).map_err(|e| e.to_string())?;
     let input = to_humanoid(&clip.motion, &clip.binding, &db.proportions).resampled(db.rate_hz);
     if input.poses.len() < MIN_CLIP_FRAMES { Err("it is too short".into()) } else { Ok(input) }
 }

@@ -1,13 +1,13 @@
 //! Samples, their means, and how they are shown.
 
 use super::settings::{Build, Grid, Part, Setting};
-use crate::GENERATOR;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use strut_core::database::build::BuildOptions;
 use strut_core::evaluation::quality::Quality;
 use strut_core::transfer::BodyPart;
+use strut_formats::strutdb::GENERATOR;
 
 /// Values whose standard deviation over the samples is given.
 const SPREAD: [&str; 3] = ["pose_error_cm", "timing_error_ms", "velocity_error_cm_s"];

@@ -139,6 +139,13 @@ impl Binding {
         Self::of(&motion.skeleton, &sample, &found.joint_of_role, found.confidence)
     }
 
+    /// The joint of each role as far as names and shape tell: what a person corrects where [`Binding::detect`] is unsure
+    /// or fails. All `None` for a clip without frames.
+    pub fn likely_roles(motion: &Motion) -> [Option<usize>; JOINTS] {
+        let sample = Sample::of(motion);
+        if sample.is_empty() { [None; JOINTS] } else { find_roles(&motion.skeleton, &sample).joint_of_role }
+    }
+
     /// A binding with joints chosen by a person; confidence 1.
     ///
     /// # Errors

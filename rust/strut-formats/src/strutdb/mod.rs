@@ -52,6 +52,8 @@ use thiserror::Error;
 pub const MAX_BYTES: usize = 1 << 30;
 /// Most clips a database may have.
 pub const MAX_CLIPS: usize = 100_000;
+/// Program and version, as files that Strut writes record it.
+pub const GENERATOR: &str = concat!("strut ", env!("CARGO_PKG_VERSION"));
 /// Version that is written, and whose major part is read.
 pub const VERSION: &str = "1.0";
 

@@ -1,13 +1,46 @@
-//! Labels from file names: `--pattern '{set}_{action}_{style}_{take}.bvh'`.
+//! Labels from file names: `{set}_{action}_{style}_{take}.bvh`.
 
+use std::fmt::{self, Display};
 use std::str::FromStr;
+use thiserror::Error;
 
 /// What a file name says.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Labels {
-    pub(crate) action: String,
-    pub(crate) style: String,
-    pub(crate) take: Option<u32>,
+pub struct Labels {
+    /// Name of the action.
+    pub action: String,
+    /// Name of the style.
+    pub style: String,
+    /// Number of the take, where there is one.
+    pub take: Option<u32>,
+}
+
+/// Why a file has no labels.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum LabelError {
+    /// The pattern is about other names.
+    #[error("its name does not match '{0}'")]
+    NoMatch(String),
+    /// What should be the take is no number.
+    #[error("its take is '{0}'; a number was expected")]
+    Take(String),
+    /// There is no pattern, and the table leaves it out.
+    #[error("it is not in the table of labels")]
+    NotListed,
+}
+
+/// Why a text is no pattern.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum PatternError {
+    /// A field that does not end.
+    #[error("a '{{' has no '}}'")]
+    Unclosed,
+    /// Nothing tells where the field before ends.
+    #[error("'{{{0}}}' follows another field; text between them was expected")]
+    Adjacent(String),
+    /// A label is missing or there twice.
+    #[error("'{{{0}}}' was expected once, as in '{{action}}_{{style}}_{{take}}.bvh'")]
+    NotOnce(&'static str),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,23 +64,29 @@ enum Part {
 ///
 /// A pattern with `/` is compared with as many folders of a path; `.bvh` at its end may be left out.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Pattern {
+pub struct Pattern {
     text: String,
     parts: Vec<Part>,
     slashes: usize,
 }
 
-impl FromStr for Pattern {
-    type Err = String;
+impl Display for Pattern {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
 
-    fn from_str(text: &str) -> Result<Self, String> {
+impl FromStr for Pattern {
+    type Err = PatternError;
+
+    fn from_str(text: &str) -> Result<Self, PatternError> {
         let mut parts = Vec::new();
         let mut rest = without_extension(text);
         while !rest.is_empty() {
             if let Some(field) = rest.strip_prefix('{') {
-                let (name, after) = field.split_once('}').ok_or("a '{' has no '}'")?;
+                let (name, after) = field.split_once('}').ok_or(PatternError::Unclosed)?;
                 if matches!(parts.last(), Some(Part::Field(_))) {
-                    return Err(format!("'{{{name}}}' follows another field; text between them was expected"));
+                    return Err(PatternError::Adjacent(name.to_owned()));
                 }
                 parts.push(Part::Field(match name {
                     "action" => Field::Action,
@@ -64,7 +103,7 @@ impl FromStr for Pattern {
         }
         for (name, field) in [("action", Field::Action), ("style", Field::Style)] {
             if parts.iter().filter(|p| **p == Part::Field(field)).count() != 1 {
-                return Err(format!("'{{{name}}}' was expected once, as in '{{action}}_{{style}}_{{take}}.bvh'"));
+                return Err(PatternError::NotOnce(name));
             }
         }
         Ok(Self { text: text.to_owned(), parts, slashes: text.matches('/').count() })
@@ -72,9 +111,12 @@ impl FromStr for Pattern {
 }
 
 impl Pattern {
-    /// The labels of a file, or why it has none.
-    pub(crate) fn labels(&self, path: &str) -> Result<Labels, String> {
-        let no_match = || format!("its name does not match '{}'", self.text);
+    /// The labels of a file.
+    ///
+    /// # Errors
+    /// If its name is none that the pattern is about.
+    pub fn labels(&self, path: &str) -> Result<Labels, LabelError> {
+        let no_match = || LabelError::NoMatch(self.text.clone());
         let mut rest = tail(without_extension(path), self.slashes);
         let mut before = "";
         let (mut action, mut style, mut take) = (String::new(), String::new(), None);
@@ -108,8 +150,8 @@ impl Pattern {
 }
 
 /// The number of a take.
-pub(crate) fn parse_take(text: &str) -> Result<u32, String> {
-    text.parse().map_err(|_| format!("its take is '{text}'; a number was expected"))
+pub(super) fn parse_take(text: &str) -> Result<u32, LabelError> {
+    text.parse().map_err(|_| LabelError::Take(text.to_owned()))
 }
 
 /// The end of a path from the last but `slashes` folder on.
@@ -117,7 +159,8 @@ fn tail(path: &str, slashes: usize) -> &str {
     path.rmatch_indices('/').nth(slashes).map_or(path, |(at, _)| &path[at + 1..])
 }
 
-fn without_extension(path: &str) -> &str {
+/// The path without `.bvh` at its end, in any case.
+pub(super) fn without_extension(path: &str) -> &str {
     let stem =
         path.len().checked_sub(4).filter(|&at| path.is_char_boundary(at) && path[at..].eq_ignore_ascii_case(".bvh"));
     stem.map_or(path, |at| &path[..at])
@@ -127,7 +170,7 @@ fn without_extension(path: &str) -> &str {
 mod tests {
     use super::*;
 
-    fn labels(pattern: &str, path: &str) -> Result<Labels, String> {
+    fn labels(pattern: &str, path: &str) -> Result<Labels, LabelError> {
         pattern.parse::<Pattern>().unwrap().labels(path)
     }
 
@@ -146,18 +189,25 @@ mod tests {
 
     #[test]
     fn other_names_do_not_match() {
-        let no_match = Err("its name does not match '{action}_{style}.bvh'".to_owned());
+        let no_match = Err(LabelError::NoMatch("{action}_{style}.bvh".to_owned()));
         for path in ["walk.bvh", "walk_.bvh", "_old.bvh", "walk_old_001.bvh"] {
             assert_eq!(labels("{action}_{style}.bvh", path), no_match, "{path}");
         }
-        let take = labels("{action}_{style}_{take}", "walk_old_x.bvh");
-        assert_eq!(take, Err("its take is 'x'; a number was expected".into()));
+        let take = labels("{action}_{style}_{take}", "walk_old_x.bvh").unwrap_err();
+        assert_eq!(take.to_string(), "its take is 'x'; a number was expected");
     }
 
     #[test]
     fn patterns_need_both_labels_and_text_between_fields() {
-        for bad in ["", "{action}", "{action}{style}", "{action_{style}", "{action}_{style}_{action}"] {
-            assert!(bad.parse::<Pattern>().is_err(), "{bad}");
+        for (bad, expected) in [
+            ("", "'{action}' was expected once"),
+            ("{action}", "'{style}' was expected once, as in '{action}_{style}_{take}.bvh'"),
+            ("{action}{style}", "'{style}' follows another field; text between them was expected"),
+            ("{action_{style", "a '{' has no '}'"),
+            ("{action}_{style}_{action}", "'{action}' was expected once"),
+        ] {
+            let error = bad.parse::<Pattern>().unwrap_err().to_string();
+            assert!(error.starts_with(expected), "{bad}: {error}");
         }
     }
 }

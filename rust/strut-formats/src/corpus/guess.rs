@@ -1,0 +1,237 @@
+//! Finds the pattern that a set of file names follows.
+//!
+//! Names are cut into columns at a delimiter, folders being columns too. A column whose values are known words for
+//! actions, or for styles, is most likely that; a last column of numbers counts takes. Where no word is known, columns
+//! that vary go before those that do not, and the action before the style, as in most published sets.
+
+use super::pattern::{Pattern, without_extension};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What names are cut at, the usual one first.
+const DELIMITERS: [char; 4] = ['_', '-', ' ', '.'];
+/// Folders above a file that may hold a label.
+const MAX_FOLDERS: usize = 2;
+
+/// Beginnings of words for what people do; of two letters, whole words …
+const ACTIONS: [&str; 44] = [
+    "walk", "run", "jog", "sprint", "jump", "hop", "leap", "skip", "kick", "punch", "box", "fight", "slash", "throw",
+    "catch", "dance", "wave", "bow", "greet", "call", "respond", "turn", "sit", "stand", "idle", "crawl", "climb",
+    "march", "step", "stair", "sneak", "lift", "push", "pull", "reach", "guide", "fw", "bw", "fr", "br", "sw", "sr",
+    "tr1", "tr2",
+];
+/// … and for how they do it.
+const STYLES: [&str; 60] = [
+    "neutral",
+    "normal",
+    "angry",
+    "anger",
+    "happy",
+    "happi",
+    "sad",
+    "proud",
+    "depress",
+    "strut",
+    "child",
+    "old",
+    "elder",
+    "young",
+    "youth",
+    "sexy",
+    "femini",
+    "masculin",
+    "female",
+    "male",
+    "active",
+    "exhaust",
+    "tired",
+    "fatigue",
+    "drunk",
+    "afraid",
+    "fear",
+    "scared",
+    "disgust",
+    "surpris",
+    "shy",
+    "confiden",
+    "relax",
+    "lazy",
+    "heavy",
+    "zombie",
+    "robot",
+    "swagger",
+    "polite",
+    "hurt",
+    "injur",
+    "limp",
+    "joy",
+    "excit",
+    "nervous",
+    "calm",
+    "aggress",
+    "gentle",
+    "enthusias",
+    "giant",
+    "musical",
+    "chimp",
+    "cat",
+    "dinosaur",
+    "elated",
+    "graceful",
+    "stiff",
+    "crouch",
+    "tiptoe",
+    "style",
+];
+
+/// The values of one place in every name.
+struct Column<'a> {
+    values: BTreeSet<&'a str>,
+    names: usize,
+    is_folder: bool,
+}
+
+impl Column<'_> {
+    fn varies(&self) -> bool {
+        self.values.len() > 1
+    }
+
+    fn is_numeric(&self) -> bool {
+        self.values.iter().all(|v| !v.is_empty() && v.bytes().all(|b| b.is_ascii_digit()))
+    }
+
+    /// Share of the values with a word that begins as one of these.
+    fn share_of(&self, beginnings: &[&str]) -> f32 {
+        let known = |value: &&&str| {
+            let lower = value.to_lowercase();
+            let mut words = lower.split(|c: char| !c.is_alphanumeric());
+            words.any(|word| beginnings.iter().any(|b| word == *b || (b.len() > 2 && word.starts_with(b))))
+        };
+        self.values.iter().filter(known).count() as f32 / self.values.len() as f32
+    }
+
+    /// How well the column is what these words are for.
+    fn fits(&self, beginnings: &[&str]) -> f32 {
+        // Known words decide; then variation, but labels repeat; a name says more than a folder, which often holds a
+        // whole set.
+        let varies = if self.varies() { 0.3 } else { 0.0 };
+        let repeats = 0.2 * (1.0 - self.values.len() as f32 / self.names as f32);
+        self.share_of(beginnings) + varies + repeats - if self.is_folder { 0.1 } else { 0.0 }
+    }
+}
+
+/// The most likely pattern of these paths; `None` if no delimiter gives both an action and a style.
+pub fn guess_pattern<P: AsRef<str>>(paths: &[P]) -> Option<Pattern> {
+    let best = DELIMITERS.into_iter().filter_map(|delimiter| candidate(paths, delimiter));
+    // The first of equals: the more usual delimiter.
+    best.reduce(|a, b| if b.0 > a.0 { b } else { a }).map(|(_, pattern)| pattern)
+}
+
+/// The pattern for one delimiter and how good it is.
+fn candidate<P: AsRef<str>>(paths: &[P], delimiter: char) -> Option<(f32, Pattern)> {
+    let cut: Vec<(Vec<&str>, Vec<&str>)> = paths.iter().map(|path| columns_of(path.as_ref(), delimiter)).collect();
+    let mut counts: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+    for (folders, parts) in &cut {
+        *counts.entry((parts.len(), folders.len())).or_default() += 1;
+    }
+    let (&(parts, folders), &agreeing) = counts.iter().max_by_key(|(_, count)| **count)?;
+    let usual: Vec<Vec<&str>> =
+        cut.into_iter().filter(|(f, p)| p.len() == parts && f.len() == folders).map(|(f, p)| [f, p].concat()).collect();
+    let columns: Vec<Column> = (0..folders + parts)
+        .map(|i| Column {
+            values: usual.iter().map(|row| row[i]).collect(),
+            names: usual.len(),
+            is_folder: i < folders,
+        })
+        .collect();
+
+    let take = (columns.len() > 2).then_some(columns.len() - 1).filter(|&i| columns[i].is_numeric());
+    let free = || (0..columns.len()).filter(move |i| Some(*i) != take);
+    let mut best: Option<(f32, usize, usize)> = None;
+    for (action, style) in free().flat_map(|a| free().map(move |s| (a, s))).filter(|(a, s)| a != s) {
+        let numeric_style = if columns[style].is_numeric() { 0.2 } else { 0.0 };
+        let order = if action < style { 0.01 } else { 0.0 };
+        let score = columns[action].fits(&ACTIONS) + columns[style].fits(&STYLES) - numeric_style + order;
+        if best.is_none_or(|(s, ..)| score > s) {
+            best = Some((score, action, style));
+        }
+    }
+    let (score, action, style) = best?;
+
+    let mut text = String::new();
+    // Folders above the first label say nothing.
+    for (i, column) in columns.iter().enumerate().skip(action.min(style).min(folders)) {
+        if !text.is_empty() {
+            text.push(if i <= folders { '/' } else { delimiter });
+        }
+        match column.values.first() {
+            _ if i == action => text.push_str("{action}"),
+            _ if i == style => text.push_str("{style}"),
+            _ if Some(i) == take => text.push_str("{take}"),
+            Some(value) if !column.varies() && !value.is_empty() && !value.contains(['{', '}']) => text.push_str(value),
+            _ => text.push_str("{any}"),
+        }
+    }
+    let share = agreeing as f32 / paths.len() as f32;
+    Some((score + 2.0 * share, (text + ".bvh").parse().ok()?))
+}
+
+/// The folders next above a file and the parts of its name.
+fn columns_of(path: &str, delimiter: char) -> (Vec<&str>, Vec<&str>) {
+    let mut components = without_extension(path).rsplit('/');
+    let parts = components.next().unwrap_or_default().split(delimiter).collect();
+    let mut folders: Vec<&str> = components.take(MAX_FOLDERS).collect();
+    folders.reverse();
+    (folders, parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn guessed(paths: &[&str]) -> String {
+        guess_pattern(paths).map(|p| p.to_string()).unwrap_or_default()
+    }
+
+    #[test]
+    fn published_sets_are_recognised() {
+        let bandai = ["a.zip/dataset-2_walk-turn-left_normal_001.bvh", "a.zip/dataset-2_run_elderly_002.bvh"];
+        assert_eq!(guessed(&bandai), "dataset-2_{action}_{style}_{take}.bvh");
+        assert_eq!(guessed(&["angry_01_000.bvh", "old_13_000.bvh", "old_01_001.bvh"]), "{style}_{action}_{take}.bvh");
+        assert_eq!(guessed(&["Angry_FW.bvh", "Old_BR.bvh", "Zombie_FW.bvh"]), "{style}_{action}.bvh");
+    }
+
+    #[test]
+    fn a_label_may_be_a_folder_or_the_same_everywhere() {
+        let folders = ["set/old/walk 1.bvh", "set/angry/walk 2.bvh", "set/angry/run 3.bvh"];
+        assert_eq!(guessed(&folders), "{style}/{action} {take}.bvh");
+        assert_eq!(guessed(&["walk-old-1.bvh", "walk-sad-1.bvh"]), "{action}-{style}-{take}.bvh");
+    }
+
+    #[test]
+    fn a_few_odd_names_do_not_hide_the_pattern() {
+        let paths = ["walk_old_1.bvh", "run_old_1.bvh", "test.bvh", "walk_sad_1.bvh", "a_b_c_d.bvh"];
+        assert_eq!(guessed(&paths), "{action}_{style}_{take}.bvh");
+    }
+
+    #[test]
+    fn words_that_are_not_known_fall_back_on_the_usual_order() {
+        assert_eq!(guessed(&["歩く_怒り_1.bvh", "走る_普通_2.bvh"]), "{action}_{style}_{take}.bvh");
+        assert_eq!(guessed(&["x{y_{style_1.bvh", "z_w_2.bvh"]), "{action}_{style}_{take}.bvh");
+    }
+
+    #[test]
+    fn names_without_two_parts_have_no_pattern() {
+        assert_eq!(guess_pattern(&["walk.bvh", "run.bvh"]), None);
+        assert_eq!(guess_pattern::<&str>(&[]), None);
+    }
+
+    #[test]
+    fn what_is_guessed_matches_what_it_was_guessed_from() {
+        for paths in [["a/b/c.bvh", "a/d/e.bvh"], ["a_b.bvh", "c_d.bvh"], ["s/1_2_3_4.bvh", "t/1_2_3_5.bvh"]] {
+            let pattern = guess_pattern(&paths).unwrap();
+            for path in paths {
+                assert!(pattern.labels(path).is_ok(), "{pattern} and {path}");
+            }
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Labelled BVH files as the clips of a build: which action, style and take a file is, and its motion on the body that
+//! all clips of a database share.
+//!
+//! The command and the page read files differently, one from a disk on all processors, the other from archives one
+//! after another. What they make of the same files is decided here, so that both give the same database.
+
+mod guess;
+mod pattern;
+mod table;
+
+pub use guess::guess_pattern;
+pub use pattern::{LabelError, Labels, Pattern, PatternError};
+pub use table::{Table, TableError, assign};
+
+use crate::bvh::{self, Bvh, BvhError};
+use std::collections::{BTreeMap, HashMap};
+use strut_core::database::build::SourceClip;
+use strut_core::humanoid::Proportions;
+use strut_core::motion::Motion;
+use strut_core::retarget::{BindError, Binding, to_humanoid};
+use thiserror::Error;
+
+/// What files are called unless a pattern or a table says otherwise.
+pub const DEFAULT_PATTERN: &str = "{action}_{style}_{take}.bvh";
+/// Names of the files beside clips that hold their licence.
+pub const LICENCE_NAMES: [&str; 4] = ["LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE"];
+/// Most characters of a licence's title.
+const MAX_TITLE_CHARS: usize = 100;
+
+/// A BVH file, its motion, and which of its joints are which.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Clip {
+    /// The file.
+    pub file: Bvh,
+    /// Its motion, in the file's units.
+    pub motion: Motion,
+    /// Its skeleton as humanoid.
+    pub binding: Binding,
+}
+
+/// Why bytes are no clip; both sentences are for people.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ClipError {
+    /// They are no BVH.
+    #[error(transparent)]
+    Bvh(#[from] BvhError),
+    /// Its skeleton is no humanoid.
+    #[error(transparent)]
+    Bind(#[from] BindError),
+}
+
+impl Clip {
+    /// The clip in these bytes.
+    ///
+    /// # Errors
+    /// See [`ClipError`].
+    pub fn parse(bytes: &[u8]) -> Result<Self, ClipError> {
+        Self::with_binding(bytes, Binding::detect)
+    }
+
+    /// The clip in these bytes, bound by `bind` instead of by detection.
+    ///
+    /// # Errors
+    /// See [`ClipError`].
+    pub fn with_binding(
+        bytes: &[u8],
+        bind: impl FnOnce(&Motion) -> Result<Binding, BindError>,
+    ) -> Result<Self, ClipError> {
+        let file = bvh::parse(bytes)?;
+        let motion = file.to_motion()?;
+        let binding = bind(&motion)?;
+        Ok(Self { file, motion, binding })
+    }
+}
+
+/// A file and what is known of it before it is read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Path with `/`; for a file in an archive the archive's path, then the path in it.
+    pub path: String,
+    /// What it shows.
+    pub labels: Labels,
+    /// Title of its licence, empty if unknown.
+    pub licence: String,
+}
+
+impl Entry {
+    /// The clip that was read from this file, for a build. Its name is the file's until [`name_apart`] was called.
+    pub fn source_clip(&self, clip: &Clip, body: &Proportions) -> SourceClip {
+        SourceClip {
+            name: stem(&self.path).to_owned(),
+            action: self.labels.action.clone(),
+            style: self.labels.style.clone(),
+            take: self.labels.take.unwrap_or(0),
+            motion: to_humanoid(&clip.motion, &clip.binding, body),
+            source: self.path.clone(),
+            licence: self.licence.clone(),
+            script: None,
+        }
+    }
+}
+
+/// Gives clips without a take the number that they are of their class, in the order given: that of the paths.
+pub fn count_takes<'a>(labels: impl IntoIterator<Item = &'a mut Labels>) {
+    let mut counts: BTreeMap<(String, String), u32> = BTreeMap::new();
+    for labels in labels {
+        let count = counts.entry((labels.action.clone(), labels.style.clone())).or_default();
+        *count += 1;
+        labels.take.get_or_insert(*count);
+    }
+}
+
+/// The order in which files, given in the order of their paths, are tried for the body of the database: the skeleton of
+/// the first that can be read is the one that all clips are brought to. Those in the neutral style come first.
+pub fn body_order(styles: &[&str], neutral: Option<&str>) -> Vec<usize> {
+    let is_neutral = |style: &str| match neutral {
+        Some(name) => style == name,
+        None => matches!(style, "neutral" | "normal"),
+    };
+    let (mut order, others): (Vec<usize>, Vec<usize>) = (0..styles.len()).partition(|&i| is_neutral(styles[i]));
+    order.extend(others);
+    order
+}
+
+/// Names clips that share a name by their paths, so that reports can tell them apart.
+pub fn name_apart(clips: &mut [SourceClip]) {
+    let mut count: HashMap<String, usize> = HashMap::new();
+    for clip in &*clips {
+        *count.entry(clip.name.clone()).or_default() += 1;
+    }
+    for clip in clips.iter_mut().filter(|clip| count[&clip.name] > 1) {
+        clip.name.clone_from(&clip.source);
+    }
+}
+
+/// First line of a licence's text, if it is short enough to be a title; else empty.
+pub fn licence_title(text: &[u8]) -> String {
+    let text = std::str::from_utf8(text).unwrap_or_default();
+    let line = text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or_default();
+    if line.chars().count() <= MAX_TITLE_CHARS { line.to_owned() } else { String::new() }
+}
+
+/// Name of a file without folders and extension.
+pub fn stem(path: &str) -> &str {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn takes_are_counted_within_their_class_where_they_are_missing() {
+        let of = |style: &str, take| Labels { action: "walk".into(), style: style.into(), take };
+        let mut labels = [of("old", None), of("sad", None), of("old", Some(7)), of("old", None)];
+        count_takes(&mut labels);
+        assert_eq!(labels.map(|l| l.take), [Some(1), Some(1), Some(7), Some(3)]);
+    }
+
+    #[test]
+    fn the_body_is_sought_among_neutral_clips_first() {
+        let styles = ["angry", "normal", "old", "normal"];
+        assert_eq!(body_order(&styles, None), [1, 3, 0, 2]);
+        assert_eq!(body_order(&styles, Some("old")), [2, 0, 1, 3]);
+        assert_eq!(body_order(&styles, Some("proud")), [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn a_licence_is_named_by_its_title() {
+        assert_eq!(licence_title(b"\n  CC BY 4.0 \n\nlong text"), "CC BY 4.0");
+        assert_eq!(licence_title("x".repeat(101).as_bytes()), "");
+        assert_eq!(licence_title(&[0xff, 0xfe]), "");
+    }
+
+    #[test]
+    fn the_stem_is_the_name_alone() {
+        assert_eq!(["a/b.c/d.e.bvh", "d", ".bvh", "a/"].map(stem), ["d.e", "d", "", ""]);
+    }
+}
