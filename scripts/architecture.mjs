@@ -10,6 +10,7 @@ const CRATES = {
   "strut-formats": ["strut-core"],
   "strut-demo": ["strut-core"],
   "strut-wasm": ["strut-core", "strut-formats", "strut-demo"],
+  "strut-wasm-build": ["strut-core", "strut-formats"],
   "strut-cli": ["strut-core", "strut-formats", "strut-demo"],
   xtask: [],
 };

@@ -1,6 +1,7 @@
-/** Loads the WASM package, in a browser and in Node. */
+/** The WASM package that styles motion, loaded once for a thread. */
 
 import { StrutError, toStrutError } from "./errors";
+import { compileModule } from "./module";
 import * as glue from "./pkg/strut_wasm.js";
 
 /** The generated bindings. */
@@ -48,29 +49,6 @@ export function guarded<T>(call: () => T): T {
 }
 
 async function instantiate(): Promise<Glue> {
-  const url = new URL("./pkg/strut_wasm_bg.wasm", import.meta.url);
-  glue.initSync({ module: await (url.protocol === "file:" ? fromFile(url) : fromNetwork(url)) });
+  glue.initSync({ module: await compileModule(new URL("./pkg/strut_wasm_bg.wasm", import.meta.url)) });
   return glue;
-}
-
-async function fromFile(url: URL): Promise<WebAssembly.Module> {
-  // Node only; the bundler must not look for it.
-  const fs: typeof import("node:fs/promises") = await import(/* @vite-ignore */ `node:${"fs/promises"}`);
-  return WebAssembly.compile(new Uint8Array(await fs.readFile(url)));
-}
-
-async function fromNetwork(url: URL): Promise<WebAssembly.Module> {
-  const response = await fetch(url);
-  if (!response.ok) {
-    throw new StrutError({
-      code: "bad-file",
-      message: `The engine could not be loaded: the server answered ${response.status} for ${url.pathname}.`,
-      hint: "Reload the page; if that does not help, the site was not deployed completely.",
-    });
-  }
-  const type = response.headers.get("Content-Type") ?? "";
-  // Some static hosts do not know the type that streaming compilation insists on.
-  return type.startsWith("application/wasm")
-    ? WebAssembly.compileStreaming(response)
-    : WebAssembly.compile(await response.arrayBuffer());
 }

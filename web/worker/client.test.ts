@@ -149,7 +149,7 @@ describe("refusals", () => {
     const before = await client.step(0.1);
     const bytes = new TextEncoder().encode("not what it should be").buffer;
     for (const refused of [
-      client.openDatabase({ kind: "strutdb", name: "x", bytes }),
+      client.openDatabase({ kind: "strutdb", name: "x", file: new Blob([bytes]) }),
       client.openInput({ kind: "bvh", name: "x", bytes }),
     ]) {
       const error = await refused.catch((e: unknown) => e);

@@ -33,7 +33,7 @@ export interface LiveFrame {
 }
 
 /** Where a database comes from. */
-export type DatabaseSource = { kind: "demo" } | { kind: "strutdb"; name: string; bytes: ArrayBuffer };
+export type DatabaseSource = { kind: "demo" } | { kind: "strutdb"; name: string; file: Blob };
 /** Where an input comes from. */
 export type InputSource = { kind: "built-in"; name: string } | { kind: "bvh"; name: string; bytes: ArrayBuffer };
 

@@ -83,7 +83,9 @@ class Server implements Handlers {
   openDatabase(caller: Caller, source: DatabaseSource): Promise<Result<"openDatabase">> {
     return this.inTurn(async () => {
       await stage(caller, "Opening the database", 0);
-      const database = this.engine.openDatabase(source);
+      const database = this.engine.openDatabase(
+        source.kind === "demo" ? source : { ...source, bytes: await source.file.arrayBuffer() },
+      );
       try {
         await stage(caller, "Opening the database", 0.9);
         // The input stays: its poses move to the new database's humanoid.

@@ -8,11 +8,12 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let packages: &[wasm::Package] = match &arguments[..] {
-        [word] if word == "wasm" => &[wasm::Package::ENGINE],
+        [word] if word == "wasm" => &[wasm::Package::ENGINE, wasm::Package::BUILD],
         [word] if word == "bench" => &[wasm::Package::BENCH, wasm::Package::BENCH_SCALAR],
         _ => {
-            let [engine, bench] = [wasm::Package::ENGINE, wasm::Package::BENCH].map(|package| package.folder);
-            eprintln!("usage: xtask wasm     builds {engine} from strut-wasm");
+            let folders = [wasm::Package::ENGINE, wasm::Package::BUILD, wasm::Package::BENCH].map(|p| p.folder);
+            let [engine, build, bench] = folders;
+            eprintln!("usage: xtask wasm     builds {engine} from strut-wasm and {build} from strut-wasm-build");
             eprintln!(
                 "       xtask bench    builds {bench}, the same with reports and yardsticks, and its scalar twin"
             );

@@ -1,4 +1,4 @@
-//! `strut-wasm` → a package for JavaScript: cargo, wasm-bindgen and wasm-opt, one after the other.
+//! `strut-wasm` and `strut-wasm-build` → packages for JavaScript: cargo, wasm-bindgen and wasm-opt, one after the other.
 //!
 //! The environment steers it (DESIGN §3):
 //! - `STRUT_BUILD_STD=1` builds the standard library from source, for a toolchain that lacks the target;
@@ -12,7 +12,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";
-const NAME: &str = "strut_wasm";
 
 /// Features that every browser with WASM SIMD has (Chrome 91, Firefox 89, Safari 16.4) and that rustc emits.
 /// Relaxed SIMD stays off: its results differ between machines.
@@ -37,9 +36,11 @@ const INLINE_LESS: &str = "-Cllvm-args=-inline-threshold=25";
 pub(crate) struct Package {
     /// Where it goes, from the root of the repository.
     pub(crate) folder: &'static str,
+    /// The crate that it is made of.
+    crate_name: &'static str,
     /// Beginning of its files' names.
     name: &'static str,
-    /// Features of `strut-wasm`.
+    /// Features of the crate.
     features: &'static str,
     /// Whether the module uses SIMD.
     simd: bool,
@@ -47,17 +48,35 @@ pub(crate) struct Package {
     config: &'static [&'static str],
 }
 
+/// A build reads hundreds of files, the engine one at a time.
+const FAST_READING: &[&str] = &["--config", "profile.web.package.strut-formats.opt-level=2"];
+
 /// The yardsticks in `strut-wasm` are optimised as the core is.
 const FAST_YARDSTICKS: &[&str] = &["--config", "profile.web.package.strut-wasm.opt-level=2"];
 
 impl Package {
     /// What the page loads.
-    pub(crate) const ENGINE: Self =
-        Self { folder: "web/engine/pkg", name: NAME, features: "", simd: true, config: &[] };
+    pub(crate) const ENGINE: Self = Self {
+        folder: "web/engine/pkg",
+        crate_name: "strut-wasm",
+        name: "strut_wasm",
+        features: "",
+        simd: true,
+        config: &[],
+    };
+    /// What it loads for those who build a database of their own clips.
+    pub(crate) const BUILD: Self = Self {
+        folder: "web/engine/build/pkg",
+        crate_name: "strut-wasm-build",
+        name: "strut_wasm_build",
+        config: FAST_READING,
+        ..Self::ENGINE
+    };
     /// The same with what visitors need not download: the report that `tests/parity` compares and the yardsticks of
     /// `bench/` …
     pub(crate) const BENCH: Self = Self {
         folder: "bench/pkg/simd",
+        crate_name: "strut-wasm",
         name: "strut_bench",
         features: "bench parity",
         simd: true,
@@ -95,7 +114,7 @@ pub(crate) fn build(package: &Package) -> Result<(), String> {
     fs::write(&stamp_file, stamp).map_err(|e| format!("cannot write {}: {e}", stamp_file.display()))
 }
 
-/// Compiles `strut-wasm` and gives the path of the module.
+/// Compiles the crate and gives the path of the module.
 fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
     let cargo = env::var_os("STRUT_WASM_CARGO").or_else(|| env::var_os("CARGO")).unwrap_or_else(|| "cargo".into());
     let target_dir = env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), PathBuf::from);
@@ -103,7 +122,7 @@ fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
     let mut command = Command::new(cargo);
     command
         .current_dir(workspace)
-        .args(["build", "--profile", "web", "--lib", "--package", "strut-wasm", "--target", TARGET])
+        .args(["build", "--profile", "web", "--lib", "--package", package.crate_name, "--target", TARGET])
         .args(["--features", package.features])
         .args(package.config)
         // The encoded form has precedence over RUSTFLAGS, so that no flag of the user's can change results.
@@ -114,8 +133,8 @@ fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
     if let Ok(more) = env::var("STRUT_WASM_CARGO_ARGS") {
         command.args(more.split_whitespace());
     }
-    run(command, "cargo build of strut-wasm")?;
-    Ok(target_dir.join(TARGET).join("web").join(format!("{NAME}.wasm")))
+    run(command, &format!("cargo build of {}", package.crate_name))?;
+    Ok(target_dir.join(TARGET).join("web").join(format!("{}.wasm", package.crate_name.replace('-', "_"))))
 }
 
 /// Writes the JavaScript glue, its types and the module without the binding sections to `folder`.

@@ -1,0 +1,151 @@
+//! Handle of a build: clips go in one at a time, a database comes out.
+
+use crate::clip::bind;
+use crate::labels::text;
+use std::ops::ControlFlow;
+use strut_core::database::Database;
+use strut_core::database::build::{self, BuildOptions, BuildReport, SourceClip, Stage};
+use strut_core::humanoid::Proportions;
+use strut_core::parallel::Sequential;
+use strut_formats::corpus::{self, Clip, Entry, Labels};
+use strut_formats::strutdb;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen]
+extern "C" {
+    /// Who is told how far a build has come: an object with a method `progress(stage, done, total)`.
+    pub type Progress;
+    #[wasm_bindgen(method)]
+    fn progress(this: &Progress, stage: &str, done: usize, total: usize);
+}
+
+/// A build that takes its clips one at a time: what a file has besides its motion is gone when [`Builder::add`] returns.
+#[wasm_bindgen]
+pub struct Builder {
+    entries: Vec<Entry>,
+    neutral: Option<String>,
+    body: Option<Proportions>,
+    clips: Vec<SourceClip>,
+}
+
+#[wasm_bindgen]
+impl Builder {
+    /// A build of these files; `takes` below 0 are counted. Without `neutral` the style is found by its name.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        paths: Vec<String>,
+        actions: Vec<String>,
+        styles: Vec<String>,
+        takes: Vec<i32>,
+        licences: Vec<String>,
+        neutral: Option<String>,
+    ) -> Self {
+        let labels = actions.into_iter().zip(styles).zip(takes);
+        let labels = labels.map(|((action, style), take)| Labels { action, style, take: u32::try_from(take).ok() });
+        let entry = |((path, labels), licence)| Entry { path, labels, licence };
+        let mut entries: Vec<Entry> = paths.into_iter().zip(labels).zip(licences).map(entry).collect();
+        entries.sort_by(|a, b| a.path.cmp(&b.path));
+        corpus::count_takes(entries.iter_mut().map(|e| &mut e.labels));
+        Self { entries, neutral, body: None, clips: Vec::new() }
+    }
+
+    /// Paths in the order in which the files must be added: the first that can be read gives the database its body.
+    pub fn order(&self) -> Vec<String> {
+        let styles: Vec<&str> = self.entries.iter().map(|e| e.labels.style.as_str()).collect();
+        let order = corpus::body_order(&styles, self.neutral.as_deref());
+        order.into_iter().map(|i| self.entries[i].path.clone()).collect()
+    }
+
+    /// Adds a file. `roles` as for `Clip`.
+    ///
+    /// # Errors
+    /// With why it cannot be used; the others can still be built without it.
+    pub fn add(&mut self, path: &str, bytes: &[u8], roles: Option<Vec<i32>>) -> Result<(), String> {
+        let at = self.entries.binary_search_by(|e| e.path.as_str().cmp(path));
+        let entry = &self.entries[at.map_err(|_| format!("'{path}' is not among the files of this build"))?];
+        let clip = Clip::with_binding(bytes, |motion| bind(motion, roles.as_deref())).map_err(text)?;
+        let body = self.body.get_or_insert(clip.binding.proportions);
+        self.clips.push(entry.source_clip(&clip, body));
+        Ok(())
+    }
+
+    /// Builds the database of what was added.
+    ///
+    /// # Errors
+    /// If nothing can be built from it.
+    pub fn build(mut self, rate_hz: f32, listener: &Progress) -> Result<Built, String> {
+        // As the command reads them: by their paths.
+        self.clips.sort_by(|a, b| a.source.cmp(&b.source));
+        corpus::name_apart(&mut self.clips);
+        let options = BuildOptions { rate_hz, neutral: self.neutral, ..BuildOptions::default() };
+        let mut progress = |p: build::Progress| {
+            let stage = match p.stage {
+                Stage::Preparing => "preparing",
+                Stage::Registering => "registering",
+            };
+            listener.progress(stage, p.done, p.total);
+            ControlFlow::Continue(())
+        };
+        let (database, report) = build::build(&self.clips, &options, &Sequential, &mut progress).map_err(text)?;
+        let refused = refused(&report, &self.clips);
+        drop(self.clips);
+        listener.progress("indexing", 0, 1);
+        let bytes = strutdb::write(&database, strutdb::GENERATOR);
+        listener.progress("indexing", 1, 1);
+        Ok(Built { database, bytes, refused })
+    }
+}
+
+/// Path of and reason for every clip that the build left out.
+fn refused(report: &BuildReport, clips: &[SourceClip]) -> Vec<String> {
+    let path = |name: &str| clips.iter().find(|c| c.name == name).map_or(name, |c| c.source.as_str()).to_owned();
+    let entry = |clip: &build::ClipReport| Some([path(&clip.name), clip.refused.as_ref()?.to_string()]);
+    report.refused().filter_map(entry).flatten().collect()
+}
+
+/// A database that was built.
+#[wasm_bindgen]
+pub struct Built {
+    database: Database,
+    bytes: Vec<u8>,
+    refused: Vec<String>,
+}
+
+#[wasm_bindgen]
+impl Built {
+    /// The `.strutdb` file; empty the second time.
+    #[wasm_bindgen(js_name = takeBytes)]
+    pub fn take_bytes(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.bytes)
+    }
+
+    /// Number of clips.
+    pub fn clips(&self) -> usize {
+        self.database.clips.len()
+    }
+
+    /// Number of frames.
+    pub fn frames(&self) -> usize {
+        self.database.frames()
+    }
+
+    /// Names of the actions.
+    pub fn actions(&self) -> Vec<String> {
+        self.database.actions.clone()
+    }
+
+    /// Names of the styles.
+    pub fn styles(&self) -> Vec<String> {
+        self.database.styles.clone()
+    }
+
+    /// Name of the neutral style.
+    pub fn neutral(&self) -> String {
+        self.database.styles[usize::from(self.database.neutral)].clone()
+    }
+
+    /// Path of and reason for every clip that the build left out, in turn.
+    pub fn refused(&self) -> Vec<String> {
+        self.refused.clone()
+    }
+}

@@ -1,0 +1,111 @@
+//! Handle of a clip: what is said of it before a build, and its preview.
+
+use crate::labels::text;
+use strut_core::humanoid::{JOINTS, POSE_FLOATS};
+use strut_core::math::Vec3;
+use strut_core::motion::Motion;
+use strut_core::retarget::{BindError, Binding, to_humanoid};
+use strut_formats::bvh;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// A BVH file with its skeleton as humanoid, as far as that could be found.
+#[wasm_bindgen]
+pub struct Clip {
+    motion: Motion,
+    binding: Result<Binding, BindError>,
+}
+
+#[wasm_bindgen]
+impl Clip {
+    /// The clip in these bytes. `roles` has the joint of each of the 21 roles, −1 where there is none; without it they
+    /// are found.
+    ///
+    /// # Errors
+    /// With what is wrong with the file; a skeleton that is no humanoid is a [`Clip::fault`].
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: &[u8], roles: Option<Vec<i32>>) -> Result<Self, String> {
+        let motion = bvh::parse(bytes).and_then(|file| file.to_motion()).map_err(text)?;
+        let binding = bind(&motion, roles.as_deref());
+        Ok(Self { motion, binding })
+    }
+
+    /// Number of frames.
+    pub fn frames(&self) -> usize {
+        self.motion.frames()
+    }
+
+    /// Frames per second.
+    #[wasm_bindgen(js_name = rateHz)]
+    pub fn rate_hz(&self) -> f64 {
+        1.0 / self.motion.frame_time_secs
+    }
+
+    /// Names of the joints, parents first.
+    pub fn joints(&self) -> Vec<String> {
+        self.motion.skeleton.joints().iter().map(|j| j.name.clone()).collect()
+    }
+
+    /// Index of each joint's parent; −1 for the root.
+    pub fn parents(&self) -> Vec<i32> {
+        self.motion.skeleton.joints().iter().map(|j| index(j.parent)).collect()
+    }
+
+    /// The joint of each role, −1 where there is none.
+    pub fn roles(&self) -> Vec<i32> {
+        let likely = || Binding::likely_roles(&self.motion);
+        let roles = self.binding.as_ref().map_or_else(|_| likely(), |binding| binding.joint_of_role);
+        roles.map(index).to_vec()
+    }
+
+    /// How sure the roles are, 0 to 1.
+    pub fn confidence(&self) -> f32 {
+        self.binding.as_ref().map_or(0.0, |binding| binding.confidence)
+    }
+
+    /// Why the skeleton is no humanoid; empty if it is one.
+    pub fn fault(&self) -> String {
+        self.binding.as_ref().err().map(ToString::to_string).unwrap_or_default()
+    }
+
+    /// What people should know about the match; empty if there is nothing to say.
+    pub fn note(&self) -> String {
+        self.binding.as_ref().map(|binding| binding.notes.join(" ")).unwrap_or_default()
+    }
+
+    /// Bone offsets of the clip's own body, 21 × xyz, metres.
+    ///
+    /// # Errors
+    /// If the skeleton is no humanoid.
+    pub fn proportions(&self) -> Result<Vec<f32>, String> {
+        let binding = self.binding.as_ref().map_err(text)?;
+        Ok(binding.proportions.offsets.iter().flat_map(Vec3::to_array).collect())
+    }
+
+    /// Poses on the clip's own body, [`POSE_FLOATS`] numbers each.
+    ///
+    /// # Errors
+    /// If the skeleton is no humanoid.
+    pub fn poses(&self) -> Result<Vec<f32>, String> {
+        let binding = self.binding.as_ref().map_err(text)?;
+        let motion = to_humanoid(&self.motion, binding, &binding.proportions);
+        let mut floats = vec![0.0; motion.poses.len() * POSE_FLOATS];
+        for (pose, out) in motion.poses.iter().zip(floats.as_chunks_mut::<POSE_FLOATS>().0) {
+            pose.write_to(out);
+        }
+        Ok(floats)
+    }
+}
+
+/// The skeleton as humanoid, with the roles found or those given.
+pub(crate) fn bind(motion: &Motion, roles: Option<&[i32]>) -> Result<Binding, BindError> {
+    let Some(roles) = roles else { return Binding::detect(motion) };
+    let mut joint_of_role = [None; JOINTS];
+    for (joint, role) in joint_of_role.iter_mut().zip(roles) {
+        *joint = usize::try_from(*role).ok();
+    }
+    Binding::with_roles(motion, &joint_of_role)
+}
+
+fn index(joint: Option<usize>) -> i32 {
+    joint.map_or(-1, |j| j as i32)
+}

@@ -1,0 +1,38 @@
+//! Labels of files.
+
+use strut_formats::corpus::{self, Labels, Pattern, Table};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// The most likely pattern of these paths; none if their names have no two parts.
+#[wasm_bindgen(js_name = guessPattern)]
+pub fn guess_pattern(paths: Vec<String>) -> Option<String> {
+    corpus::guess_pattern(&paths).map(|pattern| pattern.to_string())
+}
+
+/// Four strings for each path: action, style, take, and why it has none of them; what does not apply is empty.
+///
+/// # Errors
+/// If the pattern is none, or with the line of the table that is wrong.
+#[wasm_bindgen(js_name = labelsOf)]
+pub fn labels_of(paths: Vec<String>, pattern: Option<String>, table: Option<Vec<u8>>) -> Result<Vec<String>, String> {
+    let pattern: Option<Pattern> = pattern.map(|p| p.parse()).transpose().map_err(text)?;
+    let table = table.map(|bytes| Table::parse(&bytes)).transpose().map_err(text)?;
+    let labels = corpus::assign(&paths, pattern.as_ref(), table.as_ref()).map_err(text)?;
+    let row = |labels| match labels {
+        Ok(Labels { action, style, take }) => {
+            [action, style, take.map(|t| t.to_string()).unwrap_or_default(), String::new()]
+        }
+        Err(reason) => [String::new(), String::new(), String::new(), text(reason)],
+    };
+    Ok(labels.into_iter().flat_map(row).collect())
+}
+
+/// Title of a licence's text; empty if it has none.
+#[wasm_bindgen(js_name = licenceTitle)]
+pub fn licence_title(text: &[u8]) -> String {
+    corpus::licence_title(text)
+}
+
+pub(crate) fn text(error: impl ToString) -> String {
+    error.to_string()
+}

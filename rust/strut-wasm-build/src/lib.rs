@@ -1,0 +1,22 @@
+//! Database building for JavaScript; no algorithm. A package of its own: visitors load it when they bring their own
+//! clips.
+//!
+//! JavaScript owns every object and frees it. What is wrong with a file is thrown as a string, a sentence; a panic, which
+//! is a bug, is thrown as an `Error`, and the instance must then be thrown away.
+
+mod builder;
+mod clip;
+mod labels;
+
+pub use builder::{Builder, Built, Progress};
+pub use clip::Clip;
+pub use labels::{guess_pattern, labels_of, licence_title};
+
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsError, throw_val};
+
+/// Makes a panic throw its message instead of the bare "unreachable" of a trap.
+#[wasm_bindgen(start)]
+fn throw_panics() {
+    std::panic::set_hook(Box::new(|panic| throw_val(JsError::new(&panic.to_string()).into())));
+}

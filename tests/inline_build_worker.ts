@@ -1,0 +1,31 @@
+/** The build worker on this thread, with the real module; messages arrive later, as from a real one. */
+import type { BuildWorkerPort } from "../web/worker/build/client";
+import type { BuildReply, BuildRequest } from "../web/worker/build/messages";
+import { type BuildPort, serveBuilds } from "../web/worker/build/server";
+
+export class InlineBuildWorker implements BuildWorkerPort {
+  onmessage: ((event: MessageEvent<BuildReply>) => void) | null = null;
+  onerror: ((event: ErrorEvent) => void) | null = null;
+  /** Everything the worker was asked. */
+  readonly received: BuildRequest[] = [];
+  terminated = false;
+  private readonly port: BuildPort;
+
+  constructor() {
+    this.port = {
+      onmessage: null,
+      postMessage: (data) =>
+        setTimeout(() => !this.terminated && this.onmessage?.({ data } as MessageEvent<BuildReply>), 0),
+    };
+    serveBuilds(this.port);
+  }
+
+  postMessage(data: BuildRequest): void {
+    this.received.push(data);
+    setTimeout(() => !this.terminated && this.port.onmessage?.({ data } as MessageEvent<BuildRequest>), 0);
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+}

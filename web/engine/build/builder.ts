@@ -1,0 +1,201 @@
+/** Databases from labelled clips, on the present thread: what the build worker serves. */
+import { type BuildGlue, guarded, loadBuildWasm, sentence } from "./wasm";
+
+/** What a file shows. */
+export interface Labels {
+  action: string;
+  style: string;
+  /** Number of the take; undefined to have it counted. */
+  take: number | undefined;
+}
+
+/** The labels of a file, or why it has none. */
+export type Labelled = Labels | { reason: string };
+
+/** A file of a build. */
+export interface BuildFile extends Labels {
+  /** Path with `/`; for a file in an archive the archive's path, then the path in it. */
+  path: string;
+  /** Title of its licence, empty if unknown. */
+  licence: string;
+}
+
+/** Joint of each of the 21 humanoid roles, −1 where there is none. */
+export type Roles = Int32Array;
+
+/** What is said of a clip before a build. */
+export interface ClipInfo {
+  frames: number;
+  rateHz: number;
+  /** Names of the joints, parents first, and the index of each one's parent, −1 for the root. */
+  joints: string[];
+  parents: Int32Array;
+  roles: Roles;
+  /** How sure the roles are, 0 to 1. */
+  confidence: number;
+  /** Why the skeleton is no humanoid; empty if it is one. */
+  fault: string;
+  /** What people should know about the match of the skeletons. */
+  note: string;
+}
+
+/** A clip on its own body, to be looked at. */
+export interface Preview extends ClipInfo {
+  /** Bone offsets, 21 × xyz, metres; empty where the skeleton is no humanoid. */
+  proportions: Float32Array;
+  /** `frames` poses; empty where the skeleton is no humanoid. */
+  poses: Float32Array;
+}
+
+/** A file that did not enter the database. */
+export interface RefusedFile {
+  path: string;
+  reason: string;
+}
+
+/** A stage of {@link Build.finish}. */
+export type BuildStage = "preparing" | "registering" | "indexing";
+
+/** A database that was built. */
+export interface BuiltDatabase {
+  /** The `.strutdb` file. */
+  bytes: Uint8Array<ArrayBuffer>;
+  clips: number;
+  frames: number;
+  actions: string[];
+  styles: string[];
+  neutral: string;
+  refused: RefusedFile[];
+}
+
+/** Frames per second of databases. */
+export const DATABASE_HZ = 60;
+
+/** Builds databases. */
+export class DatabaseBuilder {
+  private constructor(private readonly glue: BuildGlue) {}
+
+  /** @throws StrutError if the module cannot be had */
+  static async load(): Promise<DatabaseBuilder> {
+    return new DatabaseBuilder(await loadBuildWasm());
+  }
+
+  /** The most likely pattern of these paths. */
+  guessPattern(paths: string[]): string | undefined {
+    return guarded(() => this.glue.guessPattern(paths));
+  }
+
+  /**
+   * The labels of every path, from a table or else a pattern.
+   * @throws StrutError with what is wrong with the pattern or the table
+   */
+  labelsOf(paths: string[], pattern: string | undefined, table: Uint8Array | undefined): Labelled[] {
+    const flat = guarded(() => this.glue.labelsOf(paths, pattern, table));
+    return paths.map((_, i) => {
+      const [action, style, take, reason] = flat.slice(4 * i, 4 * i + 4) as [string, string, string, string];
+      return reason ? { reason: sentence(reason) } : { action, style, take: take ? Number(take) : undefined };
+    });
+  }
+
+  licenceTitle(text: Uint8Array): string {
+    return guarded(() => this.glue.licenceTitle(text));
+  }
+
+  /** @throws StrutError with what is wrong with the file */
+  inspect(bytes: Uint8Array, roles?: Roles): ClipInfo {
+    const clip = guarded(() => new this.glue.Clip(bytes, roles));
+    try {
+      return guarded(() => infoOf(clip));
+    } finally {
+      clip.free();
+    }
+  }
+
+  /** @throws StrutError with what is wrong with the file */
+  preview(bytes: Uint8Array, roles?: Roles): Preview {
+    const clip = guarded(() => new this.glue.Clip(bytes, roles));
+    try {
+      return guarded(() => {
+        const info = infoOf(clip);
+        const bound = info.fault === "";
+        const none = new Float32Array();
+        return { ...info, proportions: bound ? clip.proportions() : none, poses: bound ? clip.poses() : none };
+      });
+    } finally {
+      clip.free();
+    }
+  }
+
+  /** Begins a build; without `neutral` that style is found by its name. */
+  begin(files: readonly BuildFile[], neutral: string | undefined): Build {
+    return new Build(this.glue, files, neutral);
+  }
+}
+
+/** A build that takes its files one at a time. */
+export class Build {
+  /** Paths in the order in which they must be added. */
+  readonly order: string[];
+  private readonly raw: InstanceType<BuildGlue["Builder"]>;
+
+  constructor(glue: BuildGlue, files: readonly BuildFile[], neutral: string | undefined) {
+    this.raw = guarded(
+      () =>
+        new glue.Builder(
+          files.map((f) => f.path),
+          files.map((f) => f.action),
+          files.map((f) => f.style),
+          Int32Array.from(files, (f) => f.take ?? -1),
+          files.map((f) => f.licence),
+          neutral,
+        ),
+    );
+    this.order = guarded(() => this.raw.order());
+  }
+
+  /** @throws StrutError with why the file cannot be used; the others can still be built without it */
+  add(path: string, bytes: Uint8Array, roles?: Roles): void {
+    guarded(() => this.raw.add(path, bytes, roles));
+  }
+
+  /**
+   * Builds the database of what was added; afterwards this object is used up.
+   * @throws StrutError if nothing can be built from it
+   */
+  finish(onProgress: (stage: BuildStage, done: number, total: number) => void): BuiltDatabase {
+    const progress = (stage: string, done: number, total: number) => onProgress(stage as BuildStage, done, total);
+    const built = guarded(() => this.raw.build(DATABASE_HZ, { progress }));
+    try {
+      return guarded(() => {
+        const refused = built.refused();
+        return {
+          bytes: built.takeBytes() as Uint8Array<ArrayBuffer>,
+          clips: built.clips(),
+          frames: built.frames(),
+          actions: built.actions(),
+          styles: built.styles(),
+          neutral: built.neutral(),
+          refused: Array.from({ length: refused.length / 2 }, (_, i) => ({
+            path: refused[2 * i]!,
+            reason: sentence(refused[2 * i + 1]!),
+          })),
+        };
+      });
+    } finally {
+      built.free();
+    }
+  }
+}
+
+function infoOf(clip: InstanceType<BuildGlue["Clip"]>): ClipInfo {
+  return {
+    frames: clip.frames(),
+    rateHz: clip.rateHz(),
+    joints: clip.joints(),
+    parents: clip.parents(),
+    roles: clip.roles(),
+    confidence: clip.confidence(),
+    fault: clip.fault(),
+    note: clip.note(),
+  };
+}

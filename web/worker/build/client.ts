@@ -1,0 +1,155 @@
+/** The page's side: {@link BuildClient} over a worker that lives as long as its work. */
+import { cancelled, disposed, StrutError } from "../../engine/errors";
+import type { CallOptions } from "../../engine/types";
+import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
+import type {
+  BuildClient,
+  Built,
+  ChosenFile,
+  DroppedFile,
+  Found,
+  Labelled,
+  Preview,
+  ReadNews,
+  Roles,
+} from "./protocol";
+
+/** As much of a `Worker` as the client needs. */
+export interface BuildWorkerPort {
+  postMessage(message: BuildRequest): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<BuildReply>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+/** @param spawn starts a worker; the default is `build_worker.ts` in a module worker */
+export function createBuildClient(spawn: () => BuildWorkerPort = spawnWorker): BuildClient {
+  return new WorkerBuildClient(spawn);
+}
+
+function spawnWorker(): BuildWorkerPort {
+  return new Worker(new URL("./build_worker.ts", import.meta.url), { type: "module", name: "strut build" });
+}
+
+interface Pending {
+  resolve(value: BuildResults[BuildCall["method"]]): void;
+  reject(error: StrutError): void;
+  options: CallOptions;
+  onNews: ((news: ReadNews) => void) | undefined;
+}
+
+class WorkerBuildClient implements BuildClient {
+  private worker: BuildWorkerPort | undefined;
+  private readonly pending = new Map<number, Pending>();
+  private lastId = 0;
+  /** What a new worker must be told to have the same clips; it is only named here, the browser holds the files. */
+  private files: DroppedFile[] = [];
+
+  constructor(private readonly spawn: () => BuildWorkerPort) {}
+
+  async open(files: DroppedFile[], options?: CallOptions): Promise<Found> {
+    this.stop(cancelled());
+    this.files = files;
+    return this.call({ method: "open", files }, options);
+  }
+
+  label(pattern: string | undefined, table: File | undefined): Promise<Labelled[]> {
+    return this.call({ method: "label", pattern, table });
+  }
+
+  async readAll(onNews: (news: ReadNews) => void, options?: CallOptions): Promise<void> {
+    await this.call({ method: "readAll" }, options, onNews);
+  }
+
+  preview(index: number, roles: Roles | undefined): Promise<Preview> {
+    return this.call({ method: "preview", index, roles });
+  }
+
+  async build(files: ChosenFile[], neutral: string, options?: CallOptions): Promise<Built> {
+    try {
+      return await this.call({ method: "build", files, neutral }, options);
+    } finally {
+      // A module's memory never shrinks: the build's goes with its worker.
+      this.stop(cancelled());
+    }
+  }
+
+  dispose(): void {
+    this.stop(disposed("build client"));
+    this.files = [];
+  }
+
+  private call<C extends BuildCall>(
+    call: C,
+    options: CallOptions = {},
+    onNews?: (news: ReadNews) => void,
+  ): Promise<BuildResults[C["method"]]> {
+    const { signal } = options;
+    if (signal?.aborted) return Promise.reject(cancelled());
+    // A worker that is new has to be shown the files first; it answers in order.
+    if (!this.worker && call.method !== "open")
+      this.post({ method: "open", files: this.files }, {}, undefined).catch(() => {});
+    const cancel = () => this.stop(cancelled());
+    signal?.addEventListener("abort", cancel, { once: true });
+    const answer = this.post(call, options, onNews);
+    return answer.finally(() => signal?.removeEventListener("abort", cancel)) as Promise<BuildResults[C["method"]]>;
+  }
+
+  private post(
+    call: BuildCall,
+    options: CallOptions,
+    onNews: ((news: ReadNews) => void) | undefined,
+  ): Promise<BuildResults[BuildCall["method"]]> {
+    this.worker ??= this.start();
+    const { worker } = this;
+    const id = ++this.lastId;
+    return new Promise((resolve, reject) => {
+      this.pending.set(id, { resolve, reject, options, onNews });
+      worker.postMessage({ ...call, id });
+    });
+  }
+
+  private start(): BuildWorkerPort {
+    const worker = this.spawn();
+    worker.onmessage = ({ data }) => {
+      if (this.worker === worker) this.receive(data);
+    };
+    worker.onerror = (event) => {
+      if (this.worker === worker) this.stop(fault(event.message || "its worker could not be started"));
+    };
+    return worker;
+  }
+
+  private receive(reply: BuildReply): void {
+    const call = this.pending.get(reply.id);
+    if (!call) return;
+    if (reply.kind === "progress") call.options.onProgress?.(reply.progress);
+    else if (reply.kind === "news") call.onNews?.(reply.news);
+    else {
+      this.pending.delete(reply.id);
+      if (reply.kind === "result") call.resolve(reply.value);
+      else {
+        const error = new StrutError(reply.error);
+        call.reject(error);
+        // The instance that failed takes no more calls.
+        if (error.code === "fault") this.stop(error);
+      }
+    }
+  }
+
+  /** Ends the worker; all that it had not answered is rejected. */
+  private stop(error: StrutError): void {
+    this.worker?.terminate();
+    this.worker = undefined;
+    for (const call of this.pending.values()) call.reject(error);
+    this.pending.clear();
+  }
+}
+
+function fault(message: string): StrutError {
+  return new StrutError({
+    code: "fault",
+    message: `Building failed: ${message}.`,
+    hint: "This is a bug in Strut; please report it with the files that caused it.",
+  });
+}

@@ -1,0 +1,43 @@
+/** The wire format between the build worker and its client; the page sees only `protocol.ts`. */
+import type { ErrorParts } from "../../engine/errors";
+import type { Progress } from "../../engine/types";
+import type {
+  BuildClient,
+  Built,
+  ChosenFile,
+  DroppedFile,
+  Found,
+  Labelled,
+  Preview,
+  ReadNews,
+  Roles,
+} from "./protocol";
+
+/** What is asked, with its arguments; the client numbers its calls. */
+export type BuildCall =
+  | { method: "open"; files: DroppedFile[] }
+  | { method: "label"; pattern: string | undefined; table: File | undefined }
+  | { method: "readAll" }
+  | { method: "preview"; index: number; roles: Roles | undefined }
+  | { method: "build"; files: ChosenFile[]; neutral: string };
+
+/** What each call is answered with. */
+export interface BuildResults {
+  open: Found;
+  label: Labelled[];
+  readAll: undefined;
+  preview: Preview;
+  build: Built;
+}
+
+export type BuildRequest = BuildCall & { id: number };
+
+/** Every call is answered by one `result` or `failure`, after any number of `progress` and `news`. */
+export type BuildReply =
+  | { kind: "progress"; id: number; progress: Progress }
+  | { kind: "news"; id: number; news: ReadNews }
+  | { kind: "result"; id: number; value: BuildResults[BuildCall["method"]] }
+  | { kind: "failure"; id: number; error: ErrorParts };
+
+/** Every method but `dispose` is a call. */
+export type Answered = Exclude<keyof BuildClient, "dispose"> & BuildCall["method"];

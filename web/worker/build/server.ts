@@ -1,0 +1,185 @@
+/** The build worker's side of the wire: the files that are open, and what is made of them. */
+import { DatabaseBuilder } from "../../engine/build/builder";
+import { toStrutError } from "../../engine/errors";
+import type { Progress } from "../../engine/types";
+import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
+import type { Built, ChosenFile, DroppedFile, Found, Labelled, ReadClip, ReadNews, Skeleton } from "./protocol";
+import { findSources, folderOf, LICENCE_NAMES, reasonOf, type Source } from "./sources";
+
+/** As much of a worker's global scope as the server needs. */
+export interface BuildPort {
+  postMessage(message: BuildReply, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<BuildRequest>) => void) | null;
+}
+
+/** Most bytes of a table of labels. */
+const MAX_TABLE_BYTES = 64 << 20;
+/** News of clips that were read go out this often. */
+const NEWS_MS = 150;
+/** Shares of a build's time: reading, preparing, registering; the index has the rest. */
+const SHARES = { reading: 0.2, preparing: 0.15, registering: 0.6 };
+
+/** Who asked, as far as long work must know. */
+interface Caller {
+  report(progress: Progress): void;
+  tell(news: ReadNews): void;
+}
+
+/** Answers the calls that arrive at `port`. */
+export function serveBuilds(port: BuildPort): void {
+  const server = new BuildServer(DatabaseBuilder.load());
+  port.onmessage = async ({ data: call }) => {
+    const { id } = call;
+    const caller: Caller = {
+      report: (progress) => port.postMessage({ kind: "progress", id, progress }, []),
+      tell: (news) => port.postMessage({ kind: "news", id, news }, []),
+    };
+    try {
+      const value = await server.answer(call, caller);
+      port.postMessage({ kind: "result", id, value }, []);
+    } catch (thrown) {
+      port.postMessage({ kind: "failure", id, error: toStrutError(thrown).parts() }, []);
+    }
+  };
+}
+
+class BuildServer {
+  private clips: Source[] = [];
+  /** Every other call is about the files that were opened before it. */
+  private opening: Promise<Found> | undefined;
+
+  constructor(private readonly loading: Promise<DatabaseBuilder>) {
+    // Whoever calls first hears of it.
+    loading.catch(() => {});
+  }
+
+  async answer(call: BuildCall, caller: Caller): Promise<BuildResults[BuildCall["method"]]> {
+    if (call.method === "open") {
+      this.opening = this.loading.then((builder) => this.open(builder, call.files));
+      return this.opening;
+    }
+    const [builder] = await Promise.all([this.loading, this.opening]);
+    switch (call.method) {
+      case "label":
+        return this.label(builder, call.pattern, call.table);
+      case "readAll":
+        return this.readAll(builder, caller);
+      case "preview":
+        return builder.preview(await this.clips[call.index]!.read(), call.roles);
+      case "build":
+        return this.build(builder, call.files, call.neutral, caller);
+    }
+  }
+
+  private async open(builder: DatabaseBuilder, files: DroppedFile[]): Promise<Found> {
+    const { clips, licences, notes } = await findSources(files);
+    this.clips = clips;
+    const titles = await titlesOf(builder, licences);
+    return {
+      clips: clips.map(({ path }) => ({ path, licence: titles.get(folderOf(path)) ?? "" })),
+      pattern: builder.guessPattern(clips.map(({ path }) => path)),
+      notes,
+    };
+  }
+
+  private async label(
+    builder: DatabaseBuilder,
+    pattern: string | undefined,
+    table: File | undefined,
+  ): Promise<Labelled[]> {
+    const bytes = table && new Uint8Array(await table.slice(0, MAX_TABLE_BYTES).arrayBuffer());
+    return builder.labelsOf(
+      this.clips.map(({ path }) => path),
+      pattern,
+      bytes,
+    );
+  }
+
+  private async readAll(builder: DatabaseBuilder, caller: Caller): Promise<undefined> {
+    const known = new Map<string, number>();
+    let news: ReadNews = { clips: [], skeletons: [] };
+    let told = performance.now();
+    const tell = (done: number) => {
+      const total = this.clips.length;
+      caller.tell(news);
+      caller.report({ label: `Reading ${total} clips, ${done} done.`, fraction: done / total });
+      news = { clips: [], skeletons: [] };
+      told = performance.now();
+    };
+    for (const [index, clip] of this.clips.entries()) {
+      news.clips.push(await readClip(builder, clip, index, known, news.skeletons));
+      if (performance.now() - told > NEWS_MS) tell(index + 1);
+    }
+    tell(this.clips.length);
+    return undefined;
+  }
+
+  private async build(builder: DatabaseBuilder, files: ChosenFile[], neutral: string, caller: Caller): Promise<Built> {
+    const total = files.length;
+    const byPath = new Map(files.map((file) => [file.path, file]));
+    const build = builder.begin(files, neutral);
+    const unread: Built["refused"] = [];
+    for (const [done, path] of build.order.entries()) {
+      caller.report({ label: `Reading ${total} clips, ${done} done.`, fraction: (SHARES.reading * done) / total });
+      const { index, roles } = byPath.get(path)!;
+      try {
+        build.add(path, await this.clips[index]!.read(), roles);
+      } catch (thrown) {
+        unread.push({ path, reason: reasonOf(thrown) });
+      }
+    }
+    const { bytes, ...database } = build.finish((stage, done, of) => caller.report(buildProgress(stage, done, of)));
+    return { ...database, refused: [...unread, ...database.refused], file: new Blob([bytes]) };
+  }
+}
+
+/** The title of the licence in every folder that has one. */
+async function titlesOf(builder: DatabaseBuilder, licences: readonly Source[]): Promise<Map<string, string>> {
+  const titles = new Map<string, string>();
+  for (const name of LICENCE_NAMES)
+    for (const { path, read } of licences) {
+      const folder = folderOf(path);
+      if (path !== folder + name || titles.has(folder)) continue;
+      // A licence that cannot be read is none.
+      const text = await read().catch(() => new Uint8Array());
+      const title = builder.licenceTitle(text);
+      if (title) titles.set(folder, title);
+    }
+  return titles;
+}
+
+/** What is to be known of a clip; a skeleton that `known` lacks is added to it and to `skeletons`. */
+async function readClip(
+  builder: DatabaseBuilder,
+  clip: Source,
+  index: number,
+  known: Map<string, number>,
+  skeletons: Skeleton[],
+): Promise<ReadClip> {
+  try {
+    const { frames, rateHz, ...skeleton } = builder.inspect(await clip.read());
+    const key = JSON.stringify([skeleton.joints, [...skeleton.parents]]);
+    let number = known.get(key);
+    if (number === undefined) {
+      number = known.size;
+      known.set(key, number);
+      skeletons.push(skeleton);
+    }
+    return { index, frames, rateHz, skeleton: number };
+  } catch (thrown) {
+    return { index, fault: reasonOf(thrown) };
+  }
+}
+
+function buildProgress(stage: "preparing" | "registering" | "indexing", done: number, total: number): Progress {
+  const { reading, preparing, registering } = SHARES;
+  const share = total > 0 ? done / total : 1;
+  if (stage === "preparing")
+    return { label: `Preparing ${total} clips, ${done} done.`, fraction: reading + preparing * share };
+  if (stage === "registering")
+    return {
+      label: `Registering ${total} clips, ${done} done.`,
+      fraction: reading + preparing + registering * share,
+    };
+  return { label: "Sorting the frames for the search.", fraction: reading + preparing + registering };
+}
