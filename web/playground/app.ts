@@ -1,4 +1,5 @@
 /** The playground: builds the page from its panels and keeps engine, state, URL and picture in step. */
+import type { DroppedFile } from "../worker/build/protocol";
 import type { Analysis, DatabaseInfo, DatabaseSource, InputInfo, LiveFrame, StrutClient } from "../worker/protocol";
 import { html } from "./dom";
 import { DropZone } from "./drop";
@@ -20,7 +21,8 @@ import { Store } from "./store";
 import { applyTheme, isDark, onSystemTheme, opposite } from "./theme";
 import { plantedStretches } from "./timeline/curves";
 import { Timeline } from "./timeline/timeline";
-import { exportName, stageCaption, stageTitle } from "./words";
+import { Views } from "./views";
+import { exportName, grouped, stageCaption, stageTitle } from "./words";
 
 /** The URL is written when nothing has changed for so long: browsers limit how often it may change. */
 const URL_MS = 200;
@@ -45,11 +47,15 @@ export class App {
   readonly #tabs: Tabs;
   readonly #transport: Transport;
   readonly #timeline: Timeline;
+  readonly #views: Views;
   readonly #root: HTMLElement;
   readonly #listening = new AbortController();
   #session: Session | undefined;
   #frame: LiveFrame | undefined;
   #analysed = false;
+  /** Styled poses of the whole input, whose path the picture shows. */
+  #path: Float32Array | undefined;
+  #databaseName = "";
   #action = "walk";
   #actionAt = 0;
   #scrubbing = false;
@@ -60,6 +66,7 @@ export class App {
     applyTheme(store.state.theme);
     this.#root = root;
     this.#topBar = new TopBar({
+      onView: (view) => store.edit({ view }),
       onUndo: () => store.undo(),
       onRedo: () => store.redo(),
       onShare: () => void this.#share(),
@@ -87,8 +94,10 @@ export class App {
     });
     this.#timeline = new Timeline({ ...scrub, onCurve: (curve) => store.edit({ curve }) });
     this.#drop = new DropZone({
+      viewTakesAll: () => store.state.view !== "play",
       onMotion: (name, bytes) => void this.#takeMotion(name, bytes),
-      onDatabase: (name, bytes) => void this.#openDatabase({ kind: "strutdb", name, bytes }),
+      onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
+      onClips: (files) => void this.#takeClips(files),
       onRefused: (sentence) => this.#notices.error(sentence),
     });
     const panels = html(
@@ -105,9 +114,18 @@ export class App {
       this.#transport.element,
       this.#timeline.element,
     );
-    this.#stage.element.append(this.#notices.element);
     root.append(this.#topBar.element, this.#stage.element, this.#tabs.element, panels, transport);
-    root.append(this.#drop.element, this.#help.element);
+    root.append(this.#notices.element, this.#drop.element, this.#help.element);
+    this.#views = new Views(root, {
+      store,
+      notices: this.#notices,
+      openDatabase: (name, file) => this.#openDatabase({ kind: "strutdb", name, file }, name),
+      borrowPicture: (container) => ({
+        viewer: this.#stage.lend(container),
+        invalidate: () => this.#stage.invalidate(),
+      }),
+      openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),
+    });
     this.#topBar.canExport = false;
     store.subscribe((state, changed) => this.#onChange(state, changed));
     this.#show(store.state);
@@ -128,7 +146,7 @@ export class App {
     });
     this.#session = session;
     const wanted = this.#store.state.input;
-    await session.openDatabase({ kind: "demo" }, wanted);
+    await session.openDatabase(await this.#databaseOfLink(), wanted);
     if (wanted && session.input && session.inputName !== wanted) {
       this.#store.adopt({ input: "" });
       this.#notices.note(`This link was made with “${wanted}”, a file that is not part of it. Drop the file here.`);
@@ -170,6 +188,7 @@ export class App {
     clearTimeout(this.#url);
     this.#session?.dispose();
     this.#stage.dispose();
+    this.#views.dispose();
     this.#root.replaceChildren();
   }
 
@@ -177,7 +196,7 @@ export class App {
 
   #onDatabase(database: DatabaseInfo): void {
     this.#style.database = database;
-    this.#stage.viewer.setProportions(database.proportions);
+    if (this.#store.state.view === "play") this.#stage.viewer.setProportions(database.proportions);
     this.#completeStyles(database);
     this.#show(this.#store.state);
     this.#configure();
@@ -195,6 +214,7 @@ export class App {
 
   #onInput(input: InputInfo): void {
     this.#analysed = false;
+    this.#path = undefined;
     this.#stage.viewer.setPath(null);
     this.#stage.viewer.resetTrail();
     this.#input.list(this.#session!.library, this.#session!.inputName);
@@ -210,7 +230,8 @@ export class App {
     this.#analysed = true;
     this.#timeline.analysis = analysis;
     this.#transport.contacts = [plantedStretches(analysis.planted, 0), plantedStretches(analysis.planted, 1)];
-    this.#stage.viewer.setPath(analysis.poses);
+    this.#path = analysis.poses;
+    if (this.#store.state.view === "play") this.#stage.viewer.setPath(analysis.poses);
     this.#stage.invalidate();
   }
 
@@ -245,6 +266,8 @@ export class App {
     if (any(changed, "styles", "intensity", "k", "lambda", "rho", "kappa", "delta", "timing", "footplant"))
       this.#configure();
     if (session?.input && changed.has("input")) this.#followInput(state.input);
+    if (session?.database && changed.has("database") && state.database !== this.#databaseName)
+      void this.#followDatabase();
     this.#show(state, changed);
     clearTimeout(this.#url);
     this.#url = setTimeout(() => {
@@ -263,7 +286,13 @@ export class App {
 
   #show(state: Readonly<PlayState>, changed?: Changed): void {
     const { canUndo, canRedo } = this.#store;
-    this.#topBar.show({ canUndo, canRedo, dark: isDark(state.theme) });
+    this.#topBar.show({ view: state.view, canUndo, canRedo, dark: isDark(state.theme) });
+    if (!changed || changed.has("view")) {
+      this.#root.dataset.view = state.view;
+      void this.#views.show(state.view).then((view) => {
+        if (changed && !view && this.#store.state.view === "play") this.#takePictureBack();
+      });
+    }
     if (!changed || any(changed, "camera", "follow", "ghost")) this.#stage.show(state);
     if (!changed || any(changed, "styles", "wholePolygon", "intensity")) {
       this.#style.show(state, changed !== undefined);
@@ -276,7 +305,7 @@ export class App {
     this.#root.dataset.tab = state.tab;
     this.#root.classList.toggle("bare", !state.panels);
     if (this.#session) {
-      this.#session.playback.playing = state.playing && !this.#scrubbing;
+      this.#session.playback.playing = state.playing && state.view === "play" && !this.#scrubbing;
       this.#session.playback.speed = state.speed;
     }
   }
@@ -294,6 +323,16 @@ export class App {
         rateHz,
       ),
     };
+  }
+
+  /** Shows in the picture what it showed before another view borrowed it. */
+  #takePictureBack(): void {
+    const { database } = this.#session ?? {};
+    this.#stage.takeBack();
+    if (database) this.#stage.viewer.setProportions(database.proportions);
+    if (this.#path) this.#stage.viewer.setPath(this.#path);
+    this.#stage.show(this.#store.state);
+    if (this.#frame) this.#stage.take(this.#frame);
   }
 
   #applyTheme(): void {
@@ -329,6 +368,7 @@ export class App {
         undo: () => store.undo(),
         redo: () => store.redo(),
       },
+      () => store.state.view === "play",
       signal,
     );
   }
@@ -414,11 +454,44 @@ export class App {
     if (name !== undefined) this.#store.edit({ input: name });
   }
 
-  async #openDatabase(source: DatabaseSource): Promise<void> {
+  /** Opens a database and shows it; `kept` is its name on this device, empty if it is not kept here. */
+  async #openDatabase(source: DatabaseSource, kept: string): Promise<boolean> {
     const session = this.#session;
-    if (!session || (await session.openDatabase(source, session.inputName)) !== "done" || !session.database) return;
+    if (!session) return false;
+    const opening = session.openDatabase(source, session.inputName);
+    this.#store.edit({ view: "play" });
+    if ((await opening) !== "done" || !session.database) return false;
+    this.#databaseName = kept;
+    this.#store.edit({ database: kept });
     const { styles, frames } = session.database;
-    this.#notices.note(`${styles.length} styles ready. ${frames.toLocaleString("en").replace(/,/g, " ")} frames.`);
+    this.#notices.note(`${styles.length} styles ready. ${grouped(frames)} frames.`);
+    return true;
+  }
+
+  /** What the state asks for: a database that is kept on this device, or the built-in one. */
+  async #databaseOfLink(): Promise<DatabaseSource> {
+    const { database: name } = this.#store.state;
+    if (name === "") return { kind: "demo" };
+    const { fromShelf } = await import("./data/shelf");
+    const kept = await fromShelf(name).catch(() => undefined);
+    if (kept) {
+      this.#databaseName = name;
+      return { kind: "strutdb", name, file: kept.file };
+    }
+    this.#store.adopt({ database: "" });
+    this.#notices.note(`This link was made with the database “${name}”, which is not on this device.`);
+    return { kind: "demo" };
+  }
+
+  /** Opens the database that a link brought. */
+  async #followDatabase(): Promise<void> {
+    const source = await this.#databaseOfLink();
+    await this.#openDatabase(source, this.#store.state.database);
+  }
+
+  async #takeClips(files: DroppedFile[]): Promise<void> {
+    this.#store.edit({ view: "data" });
+    (await this.#views.show("data"))?.takeFiles(files);
   }
 
   async #share(): Promise<void> {

@@ -1,22 +1,30 @@
 /** Files dropped anywhere on the page or chosen with a button. */
+
+import type { DroppedFile } from "../worker/build/protocol";
 import { icon } from "./controls/icons";
 import { html } from "./dom";
+import { filesOfDialog, filesOfDrop } from "./dropped";
 
 /** Larger files are refused before they are read into memory. */
 const MOST_BYTES = 512 * 1024 * 1024;
 
 export interface FileListeners {
+  /** Whether files go to the view that is shown, whatever they are. */
+  viewTakesAll: () => boolean;
   onMotion: (name: string, bytes: ArrayBuffer) => void;
-  onDatabase: (name: string, bytes: ArrayBuffer) => void;
+  onDatabase: (name: string, file: File) => void;
+  /** Several files, folders and archives are clips of a database to be. */
+  onClips: (files: DroppedFile[]) => void;
   onRefused: (sentence: string) => void;
 }
 
-/** Reads files and sends them where their ending says. */
-async function take(files: readonly File[], listeners: FileListeners): Promise<void> {
-  const [file, ...others] = files;
-  if (!file) return;
-  if (others.length > 0) {
-    listeners.onRefused(`${files.length} files were dropped; one at a time works. Drop the one that you want.`);
+/** Sends files where their number and their ending say. */
+async function take(files: DroppedFile[], listeners: FileListeners): Promise<void> {
+  const [first, ...others] = files;
+  if (!first) return;
+  const { path, file } = first;
+  if (listeners.viewTakesAll() || others.length > 0 || path.includes("/") || /\.zip$/i.test(path)) {
+    listeners.onClips(files);
     return;
   }
   if (file.size > MOST_BYTES) {
@@ -29,10 +37,12 @@ async function take(files: readonly File[], listeners: FileListeners): Promise<v
     listeners.onRefused(`“${file.name}” is neither a .bvh motion nor a .strutdb database. Drop one of those.`);
     return;
   }
+  if (isDatabase) {
+    listeners.onDatabase(file.name, file);
+    return;
+  }
   try {
-    const bytes = await file.arrayBuffer();
-    if (isDatabase) listeners.onDatabase(file.name, bytes);
-    else listeners.onMotion(file.name, bytes);
+    listeners.onMotion(file.name, await file.arrayBuffer());
   } catch {
     listeners.onRefused(`“${file.name}” could not be read. Drop it again.`);
   }
@@ -46,7 +56,7 @@ export class DropZone {
     "div",
     { class: "drop-overlay", hidden: true },
     icon("drop", 24),
-    html("p", {}, "Drop a BVH here. Any humanoid skeleton works."),
+    html("p", {}, "Drop a BVH, or a folder or zip of clips in several styles. Any humanoid skeleton works."),
   );
   readonly #picker = html("input", {
     type: "file",
@@ -80,10 +90,14 @@ export class DropZone {
       if (!carriesFiles(event)) return;
       event.preventDefault();
       reset();
-      void take([...(event.dataTransfer?.files ?? [])], listeners);
+      if (!event.dataTransfer) return;
+      filesOfDrop(event.dataTransfer).then(
+        (files) => take(files, listeners),
+        () => listeners.onRefused("A file could not be read. Drop it again."),
+      );
     });
     this.#picker.addEventListener("change", () => {
-      void take([...(this.#picker.files ?? [])], listeners);
+      void take(filesOfDialog(this.#picker.files ?? []), listeners);
       this.#picker.value = "";
     });
   }

@@ -26,8 +26,8 @@ function takesSpace(element: Element | null): boolean {
   return element?.matches("button, a, select, [role=button], input[type=text], input[type=radio]") ?? false;
 }
 
-/** Listens to the page's keys until the signal aborts. */
-export function listenToKeys(actions: KeyActions, signal: AbortSignal): void {
+/** Listens to the page's keys until the signal aborts; while `active` is false to none but those of help and undo. */
+export function listenToKeys(actions: KeyActions, active: () => boolean, signal: AbortSignal): void {
   const plain: Readonly<Record<string, () => void>> = {
     ArrowLeft: () => actions.frame(-1),
     ArrowRight: () => actions.frame(1),
@@ -52,6 +52,7 @@ export function listenToKeys(actions: KeyActions, signal: AbortSignal): void {
       return;
     }
     if (event.altKey) return;
+    if (!active() && event.key !== "?") return;
     if (event.key === " ") {
       if (takesSpace(focused)) return;
       event.preventDefault();

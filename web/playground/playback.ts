@@ -78,6 +78,11 @@ export class Playback {
     this.#stale = true;
   }
 
+  /** Forgets the style that the engine has now, which another database knows nothing of: the next one is there at once. */
+  forgetStyle(): void {
+    this.#weights = undefined;
+  }
+
   /** Keeps the engine free of questions while `task` runs, such as opening another database. */
   async hold<T>(task: () => Promise<T>): Promise<T> {
     this.#held += 1;

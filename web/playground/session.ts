@@ -81,6 +81,7 @@ export class Session {
         );
         this.library.builtIn = await this.#client.builtInInputs();
         this.database = database;
+        this.playback.forgetStyle();
         this.#listeners.onDatabase(database);
         await this.#open(this.library.has(inputName) ? inputName : this.library.first);
       }),

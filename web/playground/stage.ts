@@ -1,6 +1,6 @@
 /** The stage: the 3-D view with its title, camera buttons and read-out. */
 
-import { type Role, Viewer } from "../viewer";
+import { type Role, VIEWER_DEFAULTS, Viewer } from "../viewer";
 import type { LiveFrame } from "../worker/protocol";
 import { button, Segment } from "./controls/buttons";
 import { formatNumber, html, setAttributes, setText } from "./dom";
@@ -26,6 +26,7 @@ const GHOST_NAMES: Readonly<Record<GhostMode, string>> = {
 export class Stage {
   readonly element: HTMLElement;
   readonly viewer: Viewer;
+  readonly #view = html("div", { class: "stage-view" });
   readonly #title = html("h1", { class: "stage-title" });
   readonly #caption = html("p", { class: "caption" });
   readonly #camera: Segment<CameraPreset>;
@@ -33,11 +34,12 @@ export class Stage {
   readonly #ghost: HTMLButtonElement;
   readonly #fps = html("span");
   readonly #cost = html("span");
+  #lent = false;
   #drawUntil = 0;
   #readOutAt = 0;
 
   constructor(theme: "dark" | "light", listeners: StageListeners) {
-    const view = html("div", { class: "stage-view" });
+    const view = this.#view;
     this.#camera = new Segment<CameraPreset>(
       "Camera",
       [
@@ -74,6 +76,7 @@ export class Stage {
 
   /** Shows the fields of the state that concern the view. */
   show(state: Readonly<PlayState>): void {
+    if (this.#lent) return;
     this.#camera.value = state.camera;
     if (this.viewer.view !== state.camera) this.viewer.camera(state.camera);
     this.viewer.follow = state.follow;
@@ -86,8 +89,35 @@ export class Stage {
     this.invalidate();
   }
 
+  /**
+   * Moves the picture to another view, which shows in it what it wants, with {@link invalidate} after every change: one
+   * viewer is enough, and a second one would compile its shaders again.
+   */
+  lend(container: HTMLElement): Viewer {
+    this.#lent = true;
+    container.append(this.#view);
+    this.viewer.labels = { styled: "", input: "" };
+    this.viewer.setInput(null);
+    this.viewer.setPath(null);
+    this.viewer.setPlanted([false, false]);
+    this.viewer.follow = true;
+    this.viewer.camera("orbit");
+    this.viewer.resetTrail();
+    this.invalidate();
+    return this.viewer;
+  }
+
+  /** Takes the picture back; what it is of has to be shown again. */
+  takeBack(): void {
+    this.#lent = false;
+    this.element.prepend(this.#view);
+    this.viewer.labels = VIEWER_DEFAULTS.labels;
+    this.viewer.resetTrail();
+  }
+
   /** Takes a new frame of the engine. */
   take(frame: LiveFrame): void {
+    if (this.#lent) return;
     const { viewer } = this;
     if (frame.looped) viewer.resetTrail();
     viewer.setStyled(frame.pose);

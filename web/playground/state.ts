@@ -7,6 +7,10 @@ import { engineWeights, type Selection } from "./polygon/selection";
 
 /** Everything that a link brings back. */
 export interface PlayState {
+  /** The view that is shown. */
+  view: ViewName;
+  /** Name of the database on this device that is open; empty for the built-in one. */
+  database: string;
   /** Selected styles and weights; empty until a database says which styles there are. */
   styles: Selection;
   /** Whether the whole polygon is mixed instead of a triangle of it. */
@@ -39,6 +43,8 @@ export interface PlayState {
   tab: Tab;
 }
 
+export const VIEW_NAMES = ["play", "data"] as const;
+export type ViewName = (typeof VIEW_NAMES)[number];
 export const CAMERA_PRESETS = ["orbit", "front", "side", "top"] as const;
 export type CameraPreset = (typeof CAMERA_PRESETS)[number];
 export const GHOST_MODES = ["beside", "overlay", "off"] as const;
@@ -136,6 +142,8 @@ function selection(key: string): Field<Selection> {
 
 /** The table. */
 export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = {
+  view: choice("view", "play", VIEW_NAMES),
+  database: text("db", "", false),
   styles: selection("styles"),
   wholePolygon: flag("all", false, true),
   intensity: number("intensity", 1, RANGES.intensity, true),

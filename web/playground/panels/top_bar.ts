@@ -1,9 +1,12 @@
 /** The top bar: what this is, undo and redo, share, export, theme, help; on a narrow screen partly in a menu. */
 import { button } from "../controls/buttons";
 import { icon, mark } from "../controls/icons";
-import { html } from "../dom";
+import { html, setAttributes } from "../dom";
+import type { ViewName } from "../state";
+import { VIEWS } from "../views";
 
 export interface TopBarListeners {
+  onView: (view: ViewName) => void;
   onUndo: () => void;
   onRedo: () => void;
   onShare: () => void;
@@ -18,6 +21,8 @@ export class TopBar {
   readonly #redo: HTMLButtonElement[];
   readonly #theme: HTMLButtonElement;
   readonly #export: HTMLButtonElement;
+  /** The tabs, and the same in the menu of a narrow screen. */
+  readonly #views: { name: ViewName; element: HTMLElement }[];
 
   constructor(listeners: TopBarListeners) {
     const divider = () => html("span", { class: "bar-divider" });
@@ -32,7 +37,23 @@ export class TopBar {
     const menuRedo = button("Redo", listeners.onRedo, { icon: "redo", label: true, class: "menu-item" });
     const menuTheme = button("Light or dark", listeners.onTheme, { icon: "moon", label: true, class: "menu-item" });
     const menuHelp = button("Help", listeners.onHelp, { icon: "help", label: true, class: "menu-item" });
-    const menu = html("div", { id: "menu", class: "menu", popover: "auto" }, menuUndo, menuRedo, menuTheme, menuHelp);
+    const tabs = VIEWS.map(({ name, title }) => {
+      const element = html("a", { href: `#view=${name}`, class: "tab" }, title);
+      element.addEventListener("click", (event) => {
+        if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+        event.preventDefault();
+        listeners.onView(name);
+      });
+      return { name, element };
+    });
+    const menuViews = VIEWS.map(({ name, title }) => {
+      const element = button(title, () => listeners.onView(name), { label: true, class: "menu-item" });
+      element.addEventListener("click", () => menu.hidePopover());
+      return { name, element };
+    });
+    this.#views = [...tabs, ...menuViews];
+    const menu = html("div", { id: "menu", class: "menu", popover: "auto" });
+    menu.append(...menuViews.map(({ element }) => element), menuUndo, menuRedo, menuTheme, menuHelp);
     for (const item of [menuTheme, menuHelp]) item.addEventListener("click", () => menu.hidePopover());
     const menuButton = button("Menu", () => {}, { icon: "menu", class: "menu-button" });
     menuButton.setAttribute("popovertarget", "menu");
@@ -42,7 +63,7 @@ export class TopBar {
       "header",
       { class: "bar" },
       html("a", { class: "wordmark", href: "./", "aria-label": "Strut, start again" }, mark(), "Strut"),
-      html("nav", { "aria-label": "Views" }, html("a", { href: "./", "aria-current": "page", class: "tab" }, "Play")),
+      html("nav", { "aria-label": "Views" }, ...tabs.map(({ element }) => element)),
       html(
         "div",
         { class: "bar-actions" },
@@ -56,7 +77,8 @@ export class TopBar {
     );
   }
 
-  show({ canUndo, canRedo, dark }: { canUndo: boolean; canRedo: boolean; dark: boolean }): void {
+  show({ view, canUndo, canRedo, dark }: { view: ViewName; canUndo: boolean; canRedo: boolean; dark: boolean }): void {
+    for (const { name, element } of this.#views) setAttributes(element, { "aria-current": name === view && "page" });
     for (const undo of this.#undo) undo.disabled = !canUndo;
     for (const redo of this.#redo) redo.disabled = !canRedo;
     const name = dark ? "Light theme" : "Dark theme";

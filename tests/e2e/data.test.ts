@@ -1,0 +1,302 @@
+/** Anyone's data: clips are dropped, labelled, built, kept, opened and styled with, in the page. */
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import axe from "axe-core";
+import type { Browser, Page } from "playwright-core";
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import { everyNth, playedAt, walksIn } from "../clips";
+import { recordings } from "../recordings";
+import { zipOf } from "../zip";
+import { closePage, dropFile, eventually, launchBrowser, openPage, screenshot, serveSite } from "./browser";
+
+declare const window: { strut: StrutHook; axe: typeof axe };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+let page: Page;
+let folder: string;
+let walks: Record<"neutral" | "old" | "proud", string>;
+
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), "strut-data-"));
+  [browser, site, walks] = await Promise.all([launchBrowser(), serveSite(), walksIn(["neutral", "old", "proud"])]);
+});
+afterAll(async () => {
+  rmSync(folder, { recursive: true, force: true });
+  await browser.close();
+  await site.close();
+});
+beforeEach(async () => {
+  page = await openPage(browser, site.url, { hash: "view=data", size: { width: 1440, height: 900 } });
+  await page.getByRole("heading", { name: "Your own styles" }).waitFor();
+});
+afterEach(() => closePage(page));
+
+/** Writes a file into the tests' folder and gives its path. */
+function written(name: string, content: string | Uint8Array): string {
+  const path = join(folder, name);
+  writeFileSync(path, content);
+  return path;
+}
+
+const choose = (...paths: string[]) => page.locator("input[type=file][multiple]").last().setInputFiles(paths);
+/** All clips have been read. */
+const read = () => page.locator('.data[aria-busy="false"]').waitFor();
+const heading = () => page.locator(".data-clips h1").textContent();
+const alert = () => page.getByRole("alert").textContent();
+const buildButton = () => page.getByRole("button", { name: "Build the database" });
+const shelf = () => page.locator(".shelf-name").allTextContents();
+
+/** Builds, and gives what the page says of it. */
+async function build(): Promise<string> {
+  await buildButton().click();
+  const said = page.getByRole("status").filter({ hasText: "ready" });
+  await eventually(() => said.count()).toBe(1);
+  return (await said.textContent())!;
+}
+
+async function faults(): Promise<string[]> {
+  await page.addScriptTag({ content: axe.source });
+  const { violations } = await page.evaluate(() => window.axe.run());
+  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
+}
+
+/** A small set of three styles. */
+function smallSet() {
+  return zipOf([
+    { name: "walk_neutral_1.bvh", content: walks.neutral },
+    { name: "walk_neutral_2.bvh", content: playedAt(walks.neutral, 66) },
+    { name: "walk_old_1.bvh", content: walks.old },
+    { name: "walk_old_2.bvh", content: everyNth(walks.old, 2) },
+    { name: "walk_proud_1.bvh", content: walks.proud },
+  ]);
+}
+
+describe("a zip of clips", () => {
+  it("becomes a database that is kept, opened, exported and deleted", async () => {
+    await choose(written("small.zip", smallSet()));
+    await read();
+    expect(await heading()).toBe("5 clips, 3 styles");
+    expect(await page.getByLabel("Pattern of the file names").inputValue()).toBe("{action}_{style}_{take}.bvh");
+    expect(await page.getByRole("radio", { name: "neutral is neutral" }).isChecked()).toBe(true);
+    expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\.$/);
+    expect(await shelf()).toEqual(["Built-in", "small"]);
+
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: "Export small" }).click(),
+    ]);
+    expect(download.suggestedFilename()).toBe("small.strutdb");
+    expect(
+      readFileSync(await download.path())
+        .subarray(8, 9)
+        .toString(),
+    ).toBe("{");
+
+    await page.getByRole("button", { name: "Open small" }).click();
+    await eventually(() => page.evaluate(() => window.strut.state.database)).toBe("small");
+    const vertices = () =>
+      page.locator(".vertex").evaluateAll((v) => v.map((e) => e.getAttribute("data-style")).sort());
+    expect(await vertices()).toEqual(["neutral", "old", "proud"]);
+    expect(await page.locator(".stage-title").isVisible()).toBe(true);
+    expect(await alert()).toBe("");
+
+    await page.reload();
+    await page.waitForFunction(() => window.strut?.frame !== undefined);
+    expect(await vertices()).toEqual(["neutral", "old", "proud"]);
+    expect(page.url()).toContain("db=small");
+
+    await page.getByRole("link", { name: "Data" }).click();
+    await page.getByRole("button", { name: "Delete small" }).click();
+    await eventually(shelf).toEqual(["Built-in"]);
+    await page.getByRole("button", { name: "Open" }).click();
+    await eventually(() => vertices()).toContain("strutting");
+    expect(await page.evaluate(() => window.strut.state.database)).toBe("");
+  });
+
+  it("may be dropped on the playground, where it brings its view", async () => {
+    await page.getByRole("link", { name: "Play" }).click();
+    await dropFile(page, "small.zip", smallSet());
+    await eventually(heading).toBe("5 clips, 3 styles");
+    await read();
+    expect(await page.evaluate(() => window.strut.state.view)).toBe("data");
+  });
+});
+
+describe("labels", () => {
+  it("are corrected by pattern, by hand and by a table", async () => {
+    mkdirSync(join(folder, "takes"), { recursive: true });
+    for (const [name, text] of [
+      ["a-walk (old).bvh", walks.old],
+      ["a-walk (plain).bvh", walks.neutral],
+      ["odd.bvh", walks.proud],
+    ] as const)
+      writeFileSync(join(folder, "takes", name), text);
+    await page.locator("input[webkitdirectory]").setInputFiles(join(folder, "takes"));
+    await read();
+    const pattern = page.getByLabel("Pattern of the file names");
+    await pattern.fill("{any}-{action} ({style}).bvh");
+    await pattern.press("Enter");
+    await eventually(heading).toBe("2 clips, 2 styles");
+    await page.getByRole("button", { name: "1 left out" }).click();
+    expect(
+      await page
+        .locator(".clip-note")
+        .filter({ hasText: /^Its name does not match/ })
+        .count(),
+    ).toBe(1);
+    expect(await faults()).toEqual([]);
+
+    await page.getByLabel("action of takes/odd.bvh").fill("walk");
+    await page.getByLabel("action of takes/odd.bvh").press("Tab");
+    await page.getByLabel("style of takes/odd.bvh").fill("proud");
+    await page.getByLabel("style of takes/odd.bvh").press("Tab");
+    await eventually(heading).toBe("3 clips, 3 styles");
+    expect(await page.getByRole("radio", { name: "plain is neutral" }).isChecked()).toBe(true);
+
+    await choose(written("labels.csv", "file,action,style\na-walk (old).bvh,stroll,ancient\n"));
+    await eventually(() => page.getByRole("radio", { name: "ancient is neutral" }).count()).toBe(1);
+    await choose(written("labels.csv", "file,action\na,b\n"));
+    await eventually(() => page.locator(".data-names .caption").textContent()).toMatch(/^Line 1 is 'file,action'; /);
+  });
+
+  it("keep clips of unknown skeletons out until a person has chosen the joints", async () => {
+    const nameless = (bvh: string) => {
+      let joint = 0;
+      return bvh.replace(/(ROOT|JOINT) \S+/g, (_, kind) => `${kind} J${joint++}`);
+    };
+    await choose(
+      written("walk_neutral_1.bvh", nameless(walks.neutral)),
+      written("walk_old_1.bvh", nameless(walks.old)),
+    );
+    await read();
+    const joints = page.getByRole("button", { name: "Joints of skeleton 1" });
+    expect(await joints.textContent()).toBe("Check joints");
+    await joints.click();
+    const dialog = page.getByRole("dialog");
+    expect(await dialog.getByRole("combobox").count()).toBe(21);
+    expect(await faults()).toEqual([]);
+    await screenshot(page, "data-joints");
+    await dialog.getByRole("button", { name: "Use these joints" }).click();
+    await eventually(() => joints.textContent()).toBe("Joints");
+    expect(await build()).toMatch(/^Two styles ready/);
+  });
+});
+
+describe("hostile input", () => {
+  it("gets a sentence, and what is good in it is built", async () => {
+    const style = `<img src=x onerror=document.title="bad"> "it's" 怒り`;
+    await choose(
+      written(
+        "hostile.zip",
+        zipOf([
+          { name: "../../walk_evil_1.bvh", content: walks.old },
+          { name: "walk_bomb_1.bvh", content: new Uint8Array(40 << 20), claimedBytes: 7 },
+          { name: "walk_empty_1.bvh", content: "" },
+          { name: "walk_neutral_1.bvh", content: walks.neutral },
+          { name: "walk_neutral_2.bvh", content: playedAt(walks.neutral, 120) },
+          { name: `walk_${style}_1.bvh`, content: playedAt(walks.old, 24) },
+          { name: "歩く_neutral_1.bvh", content: walks.proud.replaceAll("Hips", "Pelvis") },
+        ]),
+      ),
+    );
+    await read();
+    expect(await alert()).toContain("leads out of the archive and was left out.");
+    expect(await heading()).toBe("4 clips, 2 styles");
+    expect(await page.locator(".matrix tbody th").allTextContents()).toContain(style);
+    expect(await page.locator("main img").count()).toBe(0);
+    await page.getByRole("button", { name: "2 left out" }).click();
+    expect(await page.locator(".clip-note").allTextContents()).toEqual([
+      "It unpacks to more than 200 times its size, as no motion does.",
+      "The file is empty; a BVH file begins with HIERARCHY.",
+    ]);
+    await screenshot(page, "data-hostile");
+    const concerns = await page.locator(".concerns").textContent();
+    expect(concerns).toContain("has one clip");
+    expect(concerns).toContain("has no “歩く”");
+    expect(await build()).toMatch(/^Two styles ready/);
+    expect(await page.title()).not.toBe("bad");
+  });
+
+  it("of ten thousand empty files is listed and refused without a stall", async () => {
+    const many = Array.from({ length: 10_000 }, (_, i) => ({ name: `walk_old_${i}.bvh`, content: "" }));
+    await choose(written("many.zip", zipOf(many)));
+    await read();
+    expect(await heading()).toBe("0 clips, 0 styles");
+    expect(await page.getByRole("button", { name: "10\u202f000 left out" }).count()).toBe(1);
+    expect(await page.locator(".clip-row").count()).toBeLessThan(60);
+    expect(await buildButton().isDisabled()).toBe(true);
+  });
+
+  it("that is no archive, or holds no clip, gets a sentence", async () => {
+    await choose(written("broken.zip", "not a zip"));
+    await eventually(alert).toContain("This is no zip archive, or its end is missing.");
+    await choose(written("letters.zip", zipOf([{ name: "a.txt", content: "x" }])));
+    await eventually(alert).toContain("There is no BVH among these files.");
+  });
+});
+
+describe("building", () => {
+  it("can be cancelled, and done again", async () => {
+    const styles = ["neutral", "old", "proud"] as const;
+    const takes = styles.flatMap((style) =>
+      Array.from({ length: 20 }, (_, i) => ({
+        name: `walk_${style}_${i}.bvh`,
+        content: playedAt(walks[style], 60 + i),
+      })),
+    );
+    await choose(written("takes.zip", zipOf(takes)));
+    await read();
+    await buildButton().click();
+    await page.locator(".build .progress").getByRole("button", { name: "Cancel" }).click();
+    await eventually(() => buildButton().isEnabled()).toBe(true);
+    expect(await shelf()).toEqual(["Built-in"]);
+    expect(await alert()).toBe("");
+    expect(await build()).toMatch(/^Three styles ready/);
+  });
+});
+
+const data = recordings();
+
+describe.skipIf(!data)("recordings", () => {
+  it("of another skeleton and rate are built and styled with", async () => {
+    const names = readdirSync(join(data!, "bandai-namco-2")).filter((n) =>
+      /_walk_(normal|elderly)_00[123]|LICENSE/.test(n),
+    );
+    const packed = names.map((name) => ({ name, content: readFileSync(join(data!, "bandai-namco-2", name)) }));
+    await choose(written("bandai.zip", zipOf(packed)));
+    await read();
+    expect(await page.getByLabel("Pattern of the file names").inputValue()).toBe(
+      "dataset-2_{action}_{style}_{take}.bvh",
+    );
+    expect(await build()).toMatch(/^Two styles ready/);
+    await page.getByRole("button", { name: "Open bandai" }).click();
+    await eventually(() => page.evaluate(() => window.strut.state.database)).toBe("bandai");
+    await eventually(() => page.locator(".stage-title").textContent()).toMatch(/^Walk, /);
+  });
+});
+
+describe("the view", () => {
+  for (const theme of ["dark", "light"] as const)
+    for (const [name, width, height] of [
+      ["wide", 1440, 900],
+      ["narrow", 390, 844],
+    ] as const)
+      it(`fits and is for everybody (${name}, ${theme})`, async () => {
+        await page.setViewportSize({ width, height });
+        await page.emulateMedia({ colorScheme: theme });
+        await screenshot(page, `data-${name}-${theme}-empty`);
+        expect(await faults()).toEqual([]);
+        await choose(written("small.zip", smallSet()));
+        await read();
+        await page.waitForTimeout(500);
+        const { scrollWidth, scrollHeight, clientWidth, clientHeight } = await page.evaluate(
+          () => document.documentElement,
+        );
+        expect([scrollWidth, scrollHeight]).toEqual([clientWidth, clientHeight]);
+        expect(await faults()).toEqual([]);
+        await screenshot(page, `data-${name}-${theme}`);
+      });
+});

@@ -1,0 +1,97 @@
+/** What is to be built of the clips: the skeletons, the name, what will be lacking, and the button. */
+import { button } from "../controls/buttons";
+import { html, setText } from "../dom";
+import { ProgressLine } from "../progress";
+import { counted } from "../words";
+import { type KnownSkeleton, SURE } from "./corpus";
+
+/** Most sentences about what is lacking. */
+const MOST_CONCERNS = 3;
+
+export interface BuildPanelListeners {
+  onBuild: (name: string) => void;
+  onRoles: (skeleton: number) => void;
+}
+
+/** What the panel shows. */
+export interface BuildPlan {
+  usable: number;
+  styles: number;
+  skeletons: readonly KnownSkeleton[];
+  /** Clips of each skeleton. */
+  clipsOf: readonly number[];
+  concerns: readonly string[];
+}
+
+export class BuildPanel {
+  readonly element: HTMLElement;
+  readonly progress = new ProgressLine();
+  readonly #name = html("input", { type: "text", class: "text", "aria-label": "Name of the database", maxlength: 80 });
+  readonly #skeletons = html("div");
+  readonly #concerns = html("ul", { class: "concerns" });
+  readonly #build: HTMLButtonElement;
+  readonly #listeners: BuildPanelListeners;
+
+  constructor(listeners: BuildPanelListeners) {
+    this.#listeners = listeners;
+    this.#build = button("Build the database", () => listeners.onBuild(this.#name.value.trim() || "My clips"), {
+      label: true,
+      class: "primary",
+    });
+    this.element = html(
+      "section",
+      { class: "section build", "aria-labelledby": "build-heading" },
+      this.progress.element,
+      html("div", { class: "section-heading" }, html("h2", { id: "build-heading" }, "Database")),
+      this.#skeletons,
+      html("label", { class: "row" }, html("span", { class: "label" }, "Name"), this.#name),
+      this.#concerns,
+      this.#build,
+    );
+  }
+
+  set name(name: string) {
+    this.#name.value = name;
+  }
+
+  set busy(busy: boolean) {
+    this.#build.disabled = busy;
+    setText(this.#build.firstElementChild!, busy ? "Building" : "Build the database");
+  }
+
+  show({ usable, styles, skeletons, clipsOf, concerns }: BuildPlan): void {
+    this.#skeletons.replaceChildren(...skeletons.map((s, i) => this.#skeleton(s, i, clipsOf[i] ?? 0)));
+    const shown = concerns.slice(0, MOST_CONCERNS);
+    const more = concerns.length - shown.length;
+    this.#concerns.replaceChildren(
+      ...shown.map((text) => html("li", { class: "caption" }, text)),
+      ...(more > 0 ? [html("li", { class: "caption" }, `${counted(more, "more remark")} like these.`)] : []),
+    );
+    this.#build.disabled = usable === 0;
+    this.#build.title = `${counted(usable, "clip")}, ${counted(styles, "style")}`;
+  }
+
+  /** A skeleton, how sure its roles are, and the way to correct them. */
+  #skeleton(skeleton: KnownSkeleton, number: number, clips: number): HTMLElement {
+    const { joints, confidence, chosen, fault } = skeleton;
+    const unsure = !chosen && (fault !== "" || confidence < SURE);
+    const roles = button(unsure ? "Check joints" : "Joints", () => this.#listeners.onRoles(number), {
+      label: true,
+      class: unsure ? "outlined" : "",
+    });
+    roles.setAttribute("aria-label", `Joints of skeleton ${number + 1}`);
+    const sure = chosen ? "chosen by you" : fault ? "not matched" : `matched, ${Math.round(100 * confidence)} % sure`;
+    return html(
+      "div",
+      { class: "row skeleton" },
+      html("span", { class: "label" }, `Skeleton${number > 0 ? ` ${number + 1}` : ""}`),
+      html(
+        "span",
+        { class: "reading", title: fault || skeleton.note },
+        `${counted(joints.length, "joint")}, ${counted(clips, "clip")}`,
+        html("span", { class: "caption" }, sure),
+      ),
+      roles,
+    );
+  }
+}

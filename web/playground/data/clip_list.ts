@@ -1,0 +1,154 @@
+/** The table of clips. Only the rows in sight are in the page, so that thousands of clips cost as much as twenty. */
+import { formatNumber, html, setAttributes, setText } from "../dom";
+import { counted } from "../words";
+import { type KnownSkeleton, type LabelField, obstacle, type Row } from "./corpus";
+
+/** Height of a row, as `data.css` has it: one line, two on a narrow screen. */
+const ROW = { wide: 30, narrow: 92 };
+/** Rows beyond the edges that are in the page too. */
+const MARGIN = 6;
+const NARROW = matchMedia("(width < 900px)");
+
+const COLUMNS = ["File", "Action", "Style", "Take", "Length", "Rate", "Note"];
+
+export interface ClipListListeners {
+  onSelect: (row: Row) => void;
+  onEdit: (row: Row, field: LabelField, value: string) => void;
+}
+
+interface ShownRow {
+  element: HTMLElement;
+  file: HTMLButtonElement;
+  inputs: Record<LabelField, HTMLInputElement>;
+  length: HTMLElement;
+  rate: HTMLElement;
+  note: HTMLElement;
+}
+
+export class ClipList {
+  readonly element: HTMLElement;
+  readonly #table: HTMLElement;
+  readonly #body = html("div", { role: "rowgroup", class: "clip-rows" });
+  readonly #actions = html("datalist", { id: "actions" });
+  readonly #styles = html("datalist", { id: "styles" });
+  readonly #listeners: ClipListListeners;
+  readonly #shown = new Map<number, ShownRow>();
+  #rows: readonly Row[] = [];
+  #skeletons: readonly KnownSkeleton[] = [];
+  #selected: number | undefined;
+  #asked = 0;
+
+  constructor(listeners: ClipListListeners) {
+    this.#listeners = listeners;
+    const head = COLUMNS.map((name) => html("span", { role: "columnheader" }, name));
+    this.#table = html(
+      "div",
+      { role: "table", class: "clips", "aria-label": "Clips" },
+      html("div", { role: "rowgroup" }, html("div", { role: "row", class: "clip-row clip-head" }, ...head)),
+      this.#body,
+    );
+    this.element = html("div", { class: "clip-list" }, this.#table, this.#actions, this.#styles);
+    this.element.addEventListener("scroll", () => this.#soon(), { passive: true });
+    new ResizeObserver(() => this.#soon()).observe(this.element);
+  }
+
+  /** Shows these rows; `names` are what the labels' fields suggest. */
+  show(
+    rows: readonly Row[],
+    skeletons: readonly KnownSkeleton[],
+    selected: number | undefined,
+    names: { actions: readonly string[]; styles: readonly string[] },
+  ): void {
+    this.#rows = rows;
+    this.#skeletons = skeletons;
+    this.#selected = selected;
+    for (const [list, values] of [
+      [this.#actions, names.actions],
+      [this.#styles, names.styles],
+    ] as const)
+      list.replaceChildren(...values.slice(0, 200).map((value) => html("option", { value })));
+    setAttributes(this.#table, { "aria-rowcount": rows.length + 1 });
+    this.#fill();
+  }
+
+  #soon(): void {
+    cancelAnimationFrame(this.#asked);
+    this.#asked = requestAnimationFrame(() => this.#fill());
+  }
+
+  /** Brings the rows in sight into the page and takes the others out. */
+  #fill(): void {
+    const height = NARROW.matches ? ROW.narrow : ROW.wide;
+    this.#body.style.height = `${height * this.#rows.length}px`;
+    const first = Math.max(0, Math.floor(this.element.scrollTop / height) - MARGIN);
+    const last = Math.min(this.#rows.length, first + Math.ceil(this.element.clientHeight / height) + 2 * MARGIN);
+    const wanted = new Map<number, number>();
+    for (let i = first; i < last; i++) wanted.set(this.#rows[i]!.index, i);
+    for (const [index, { element }] of this.#shown) {
+      if (wanted.has(index)) continue;
+      element.remove();
+      this.#shown.delete(index);
+    }
+    for (const [index, place] of wanted) {
+      const row = this.#rows[place]!;
+      const shown = this.#shown.get(index) ?? this.#make(row);
+      if (!this.#shown.has(index)) this.#body.append(shown.element);
+      this.#shown.set(index, shown);
+      shown.element.style.transform = `translateY(${place * height}px)`;
+      setAttributes(shown.element, { "aria-rowindex": place + 2 });
+      this.#update(shown, row);
+    }
+  }
+
+  #make(row: Row): ShownRow {
+    const file = html("button", { type: "button", class: "clip-file", title: row.path });
+    file.append(html("bdi", {}, row.path.slice(row.path.lastIndexOf("/") + 1)));
+    file.addEventListener("click", () => this.#listeners.onSelect(row));
+    const input = (field: LabelField, attributes: Record<string, string>) => {
+      const made = html("input", { type: "text", "aria-label": `${field} of ${row.path}`, ...attributes });
+      made.addEventListener("change", () => this.#listeners.onEdit(row, field, made.value));
+      return made;
+    };
+    const inputs = {
+      action: input("action", { list: "actions" }),
+      style: input("style", { list: "styles" }),
+      take: input("take", { inputmode: "numeric" }),
+    };
+    const cell = (name: string, ...children: Node[]) => html("span", { role: "cell", class: name }, ...children);
+    const [length, rate, note] = [cell("clip-length"), cell("clip-rate"), cell("clip-note")];
+    const element = html(
+      "div",
+      { role: "row", class: "clip-row" },
+      cell("clip-name", file),
+      cell("clip-action", inputs.action),
+      cell("clip-style", inputs.style),
+      cell("clip-take", inputs.take),
+      length,
+      rate,
+      note,
+    );
+    return { element, file, inputs, length, rate, note };
+  }
+
+  #update({ element, file, inputs, length, rate, note }: ShownRow, row: Row): void {
+    const reason = obstacle(row, this.#skeletons);
+    element.classList.toggle("unusable", reason !== "");
+    setAttributes(file, { "aria-pressed": String(row.index === this.#selected) });
+    for (const field of ["action", "style", "take"] as const) {
+      const text = String(row[field] ?? "");
+      if (document.activeElement !== inputs[field] && inputs[field].value !== text) inputs[field].value = text;
+    }
+    const { read } = row;
+    setText(length, read ? `${formatNumber(read.frames / read.rateHz, 1)} s` : "");
+    setText(rate, read ? `${formatNumber(read.rateHz, 0)} Hz` : "");
+    const text = reason || this.#skeletonNote(row);
+    setText(note, text);
+    setAttributes(note, { title: text });
+  }
+
+  /** Which skeleton a clip has, where there are several. */
+  #skeletonNote({ read }: Row): string {
+    const skeleton = read && this.#skeletons.length > 1 ? this.#skeletons[read.skeleton] : undefined;
+    return skeleton ? `skeleton ${read!.skeleton + 1}, ${counted(skeleton.joints.length, "joint")}` : "";
+  }
+}

@@ -1,0 +1,139 @@
+/** The clips of the Data view and their labels: plain data and what follows from it. */
+import type { FoundClip, Labelled, ReadNews, Roles, Skeleton } from "../../worker/build/protocol";
+
+/** A skeleton is shown to be checked when its roles are less sure than this: names give 1, shape alone 0.6. */
+export const SURE = 0.8;
+
+/** A clip with its labels. */
+export interface Row {
+  /** Number among the clips that were found. */
+  readonly index: number;
+  readonly path: string;
+  readonly licence: string;
+  action: string;
+  style: string;
+  take: number | undefined;
+  /** Whether a person typed the labels. */
+  edited: boolean;
+  /** Why the name gives no labels; empty if it does. */
+  unlabelled: string;
+  /** Why the file cannot be used; empty if it can, as far as is known. */
+  fault: string;
+  /** Undefined until the file was read. */
+  read: { frames: number; rateHz: number; skeleton: number } | undefined;
+}
+
+/** A skeleton, and the joints that a person chose for its roles. */
+export interface KnownSkeleton extends Skeleton {
+  chosen: Roles | undefined;
+}
+
+/** How many clips every action has in every style. */
+export interface ClassTable {
+  actions: string[];
+  styles: string[];
+  count(action: string, style: string): number;
+}
+
+/** A field of a row that a person may type. */
+export type LabelField = "action" | "style" | "take";
+
+/** The row of a clip that was found. */
+export function rowOf({ path, licence }: FoundClip, index: number): Row {
+  return {
+    index,
+    path,
+    licence,
+    action: "",
+    style: "",
+    take: undefined,
+    edited: false,
+    unlabelled: "",
+    fault: "",
+    read: undefined,
+  };
+}
+
+/** Takes labels from names or a table; what a person typed stays. */
+export function applyLabels(rows: readonly Row[], labels: readonly Labelled[]): void {
+  for (const row of rows) {
+    const found = labels[row.index];
+    if (row.edited || !found) continue;
+    if ("reason" in found) Object.assign(row, { action: "", style: "", take: undefined, unlabelled: found.reason });
+    else Object.assign(row, { ...found, unlabelled: "" });
+  }
+}
+
+/** Takes what was read of some clips. */
+export function applyNews(rows: readonly Row[], skeletons: KnownSkeleton[], news: ReadNews): void {
+  skeletons.push(...news.skeletons.map((skeleton) => ({ ...skeleton, chosen: undefined })));
+  for (const { index, ...read } of news.clips) {
+    const row = rows[index];
+    if (!row) continue;
+    if ("fault" in read) row.fault = read.fault;
+    else row.read = read;
+  }
+}
+
+/** Why a clip will not be part of the database; empty if it will. */
+export function obstacle(row: Row, skeletons: readonly KnownSkeleton[]): string {
+  if (row.fault) return row.fault;
+  if (!row.action.trim() || !row.style.trim()) return row.unlabelled || "It needs an action and a style.";
+  const skeleton = row.read && skeletons[row.read.skeleton];
+  return skeleton && !skeleton.chosen ? skeleton.fault : "";
+}
+
+/** The clips of every class, in the order of the database. */
+export function classTable(rows: readonly Row[]): ClassTable {
+  const counts = new Map<string, Map<string, number>>();
+  const styles = new Set<string>();
+  for (const { action, style } of rows) {
+    const ofAction = counts.get(action) ?? new Map<string, number>();
+    counts.set(action, ofAction.set(style, (ofAction.get(style) ?? 0) + 1));
+    styles.add(style);
+  }
+  return {
+    actions: [...counts.keys()].sort(),
+    styles: [...styles].sort(),
+    count: (action, style) => counts.get(action)?.get(style) ?? 0,
+  };
+}
+
+/** The style that is most likely the neutral one. */
+export function likelyNeutral(styles: readonly string[]): string {
+  const known = ["neutral", "normal", "natural", "plain", "普通", "ニュートラル"];
+  const named = known.map((name) => styles.find((style) => style.toLowerCase() === name)).find(Boolean);
+  return named ?? styles[0] ?? "";
+}
+
+/** Sentences about what the database will lack. */
+export function concerns({ actions, styles, count }: ClassTable): string[] {
+  const sentences: string[] = [];
+  if (styles.length === 1) sentences.push("There is one style; a second one gives something to mix it with.");
+  const single = styles.filter((style) => actions.reduce((sum, action) => sum + count(action, style), 0) === 1);
+  if (single.length > 0 && styles.length > 1)
+    sentences.push(`${listed(single)} ${single.length === 1 ? "has" : "have"} one clip; more would make it steadier.`);
+  for (const action of actions) {
+    const missing = styles.filter((style) => count(action, style) === 0);
+    if (missing.length === 0) continue;
+    const [last] = missing;
+    const names = missing.length === 1 ? `“${last}” has` : `${listed(missing)} have`;
+    sentences.push(`${names} no “${action}”; there the style is a guess from other actions.`);
+  }
+  return sentences;
+}
+
+/** Names in quotes; of many the first few. */
+function listed(names: readonly string[]): string {
+  const quoted = names.slice(0, 3).map((name) => `“${name}”`);
+  const more = names.length - quoted.length;
+  return more > 0 ? `${quoted.join(", ")} and ${more} more` : quoted.join(" and ");
+}
+
+/** Name of the database to be made of these paths: the first folder's or archive's. */
+export function databaseName(paths: readonly string[]): string {
+  const [first = ""] = paths;
+  const slash = first.indexOf("/");
+  const top = slash > 0 ? first.slice(0, slash).replace(/\.zip$/i, "") : "";
+  return top || "My clips";
+}

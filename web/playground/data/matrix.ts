@@ -1,0 +1,68 @@
+/** The classes of the clips: a row for every style, a column for every action, and which style is neutral. */
+import { html } from "../dom";
+import type { ClassTable } from "./corpus";
+
+/** A class that the list is narrowed to. */
+export interface ClassFilter {
+  action: string;
+  style: string;
+}
+
+export interface MatrixListeners {
+  onNeutral: (style: string) => void;
+  /** `undefined` to show all again. */
+  onFilter: (filter: ClassFilter | undefined) => void;
+}
+
+export class Matrix {
+  readonly element = html("div", { class: "matrix", tabindex: 0, role: "region", "aria-label": "Styles and actions" });
+  readonly #listeners: MatrixListeners;
+
+  constructor(listeners: MatrixListeners) {
+    this.#listeners = listeners;
+  }
+
+  show(table: ClassTable, neutral: string, filter: ClassFilter | undefined): void {
+    const { actions, styles } = table;
+    const head = html(
+      "tr",
+      {},
+      html("th", { scope: "col" }, "Style"),
+      ...actions.map((action) => html("th", { scope: "col", class: "number", title: action }, action)),
+      html("th", { scope: "col", class: "neutral" }, "Neutral"),
+    );
+    const rows = styles.map((style) =>
+      html(
+        "tr",
+        {},
+        html("th", { scope: "row", title: style }, style),
+        ...actions.map((action) => this.#cell(action, style, table.count(action, style), filter)),
+        html("td", { class: "neutral" }, this.#radio(style, style === neutral)),
+      ),
+    );
+    this.element.replaceChildren(html("table", {}, html("thead", {}, head), html("tbody", {}, ...rows)));
+  }
+
+  #cell(action: string, style: string, count: number, filter: ClassFilter | undefined): HTMLElement {
+    if (count === 0) return html("td", { class: "number missing" }, "–");
+    const pressed = filter?.action === action && filter.style === style;
+    const button = html(
+      "button",
+      {
+        type: "button",
+        class: "button cell",
+        "aria-pressed": String(pressed),
+        "aria-label": `${action}, ${style}: ${count}`,
+      },
+      String(count),
+    );
+    button.addEventListener("click", () => this.#listeners.onFilter(pressed ? undefined : { action, style }));
+    return html("td", { class: "number" }, button);
+  }
+
+  #radio(style: string, checked: boolean): HTMLElement {
+    const radio = html("input", { type: "radio", name: "neutral", "aria-label": `${style} is neutral`, checked });
+    radio.addEventListener("change", () => this.#listeners.onNeutral(style));
+    return html("label", { class: "target" }, radio);
+  }
+}

@@ -1,0 +1,69 @@
+/** The databases of this device: opened, exported, deleted. */
+import { button } from "../controls/buttons";
+import { html, setText } from "../dom";
+import { counted, megabytes } from "../words";
+import type { Shelved } from "./shelf";
+
+export interface ShelfListeners {
+  onOpen: (database: Shelved) => void;
+  onBuiltIn: () => void;
+  onExport: (database: Shelved) => void;
+  onDelete: (database: Shelved) => void;
+}
+
+export class ShelfPanel {
+  readonly element: HTMLElement;
+  readonly #list = html("ul", { class: "shelf" });
+  readonly #note = html("p", { class: "caption" });
+  readonly #listeners: ShelfListeners;
+
+  constructor(listeners: ShelfListeners) {
+    this.#listeners = listeners;
+    this.element = html(
+      "section",
+      { class: "section", "aria-labelledby": "shelf-heading" },
+      html("div", { class: "section-heading" }, html("h2", { id: "shelf-heading" }, "Databases")),
+      this.#list,
+      this.#note,
+    );
+  }
+
+  /** Lists them; `open` is the name of the playground's, empty for the built-in one. */
+  show(databases: readonly Shelved[], open: string): void {
+    this.#list.replaceChildren(this.#builtIn(open === ""), ...databases.map((d) => this.#item(d, d.name === open)));
+    setText(
+      this.#note,
+      databases.length > 0 ? "Kept by this browser, on this device." : "What you build is kept here.",
+    );
+  }
+
+  #builtIn(isOpen: boolean): HTMLElement {
+    const open = button("Open", this.#listeners.onBuiltIn, { label: true, class: "outlined" });
+    return item("Built-in", "comes with the page", isOpen, [open]);
+  }
+
+  #item(database: Shelved, isOpen: boolean): HTMLElement {
+    const { name, styles, clips, file } = database;
+    const open = button("Open", () => this.#listeners.onOpen(database), { label: true, class: "outlined" });
+    const save = button("Export", () => this.#listeners.onExport(database), { icon: "export" });
+    const remove = button("Delete", () => this.#listeners.onDelete(database), { icon: "remove" });
+    for (const [made, does] of [
+      [open, "Open"],
+      [save, "Export"],
+      [remove, "Delete"],
+    ] as const)
+      made.setAttribute("aria-label", `${does} ${name}`);
+    const caption = `${counted(styles.length, "style")}, ${counted(clips, "clip")}, ${megabytes(file.size)}`;
+    return item(name, caption, isOpen, [save, remove, open]);
+  }
+}
+
+function item(name: string, caption: string, isOpen: boolean, buttons: HTMLButtonElement[]): HTMLElement {
+  const words = html(
+    "div",
+    { class: "shelf-words" },
+    html("p", { class: "shelf-name", title: name }, html("bdi", {}, name)),
+    html("p", { class: "caption" }, isOpen ? `open · ${caption}` : caption),
+  );
+  return html("li", isOpen ? { "aria-current": "true" } : {}, words, ...buttons);
+}
