@@ -2,51 +2,87 @@
 
 use super::checksum;
 use super::metadata::Metadata;
-use safetensors::tensor::{Dtype, TensorView};
+use safetensors::View;
+use safetensors::tensor::Dtype;
+use std::borrow::Cow;
 use strut_core::database::Database;
 use strut_core::humanoid::JOINTS;
 use strut_core::math::{Quat, Vec3};
 use strut_core::pose_vector::DOFS;
 use strut_core::search::{Index, Plan};
 
+/// A tensor whose bytes are made when they are written: all of them at once would need the file's size a second time,
+/// which browsers have not to spare.
+struct Tensor<'a> {
+    dtype: Dtype,
+    shape: Vec<usize>,
+    bytes: Box<dyn Fn() -> Vec<u8> + 'a>,
+}
+
+impl View for &Tensor<'_> {
+    fn dtype(&self) -> Dtype {
+        self.dtype
+    }
+
+    fn shape(&self) -> &[usize] {
+        &self.shape
+    }
+
+    fn data(&self) -> Cow<'_, [u8]> {
+        (self.bytes)().into()
+    }
+
+    fn data_len(&self) -> usize {
+        self.shape.iter().product::<usize>() * self.dtype.bitsize() / 8
+    }
+}
+
 /// The file of a database and of the plan of its search index; `generator` names the program and version that made it.
 ///
 /// # Panics
 /// Never for a [`Database`], whose shapes were checked when it was made.
 pub fn write(db: &Database, generator: &str) -> Vec<u8> {
-    let n = db.frames();
-    let floats = |values: &mut dyn Iterator<Item = f32>| values.flat_map(f32::to_le_bytes).collect::<Vec<u8>>();
-    let pose = floats(&mut db.pose.iter().flat_map(|row| row[..DOFS].iter().copied()));
-    let point_cloud = floats(&mut db.point_cloud.iter().flatten().flat_map(Vec3::to_array));
-    let canonical_time = floats(&mut db.canonical_time.iter().copied());
-    let time_step = floats(&mut db.time_step.iter().copied());
-    let contact: Vec<u8> = db.contact.iter().flatten().copied().collect();
-    let class_of_clip: Vec<u8> = db.clips.iter().flat_map(|c| [c.action, c.style]).flat_map(u16::to_le_bytes).collect();
-    let counterpart = floats(&mut db.counterpart.iter().copied());
+    let (n, styles) = (db.frames(), db.styles.len());
     let plan = Index::build(db).plan();
-    let search_order: Vec<u8> = plan.order.iter().flat_map(|row| row.to_le_bytes()).collect();
-    let search_basis = floats(&mut plan.bases.iter().flatten().copied());
-    let chart = floats(&mut db.chart.means.iter().copied().flat_map(Quat::to_array));
-
-    let (f32s, styles) = (Dtype::F32, db.styles.len());
     let tensors = [
-        ("pose", f32s, vec![n, DOFS], &pose),
-        ("point_cloud", f32s, vec![n, JOINTS, 3], &point_cloud),
-        ("canonical_time", f32s, vec![n], &canonical_time),
-        ("time_step", f32s, vec![n], &time_step),
-        ("contact", Dtype::U8, vec![n, 2], &contact),
-        ("class_of_clip", Dtype::U16, vec![db.clips.len(), 2], &class_of_clip),
-        ("counterpart", f32s, vec![n, styles, db.counterparts_per_style], &counterpart),
-        ("chart", f32s, vec![JOINTS, 4], &chart),
-        ("search_order", Dtype::U32, vec![plan.order.len()], &search_order),
-        ("search_basis", f32s, vec![2, Plan::BASIS_LENGTH], &search_basis),
+        ("pose", floats(vec![n, DOFS], || db.pose.iter().flat_map(|row| row[..DOFS].iter().copied()))),
+        ("point_cloud", floats(vec![n, JOINTS, 3], || db.point_cloud.iter().flatten().flat_map(Vec3::to_array))),
+        ("canonical_time", floats(vec![n], || db.canonical_time.iter().copied())),
+        ("time_step", floats(vec![n], || db.time_step.iter().copied())),
+        ("contact", tensor(Dtype::U8, vec![n, 2], || db.contact.iter().flatten().copied().collect())),
+        (
+            "class_of_clip",
+            tensor(Dtype::U16, vec![db.clips.len(), 2], || {
+                db.clips.iter().flat_map(|c| [c.action, c.style]).flat_map(u16::to_le_bytes).collect()
+            }),
+        ),
+        ("counterpart", floats(vec![n, styles, db.counterparts_per_style], || db.counterpart.iter().copied())),
+        ("chart", floats(vec![JOINTS, 4], || db.chart.means.iter().copied().flat_map(Quat::to_array))),
+        (
+            "search_order",
+            tensor(Dtype::U32, vec![plan.order.len()], || {
+                plan.order.iter().flat_map(|row| row.to_le_bytes()).collect()
+            }),
+        ),
+        ("search_basis", floats(vec![2, Plan::BASIS_LENGTH], || plan.bases.iter().flatten().copied())),
     ];
-    let views = tensors
-        .into_iter()
-        .map(|(name, dtype, shape, bytes)| (name, TensorView::new(dtype, shape, bytes).expect("bytes fill the shape")));
     let metadata = serde_json::to_string(&Metadata::of(db, generator)).expect("strings and numbers are JSON");
     let metadata = std::iter::once(("strut".to_owned(), metadata)).collect();
+    let views = tensors.iter().map(|(name, tensor)| (*name, tensor));
     let mut file = safetensors::serialize(views, Some(metadata)).expect("tensors have distinct names");
     checksum::enter(&mut file);
     file
+}
+
+fn tensor<'a>(dtype: Dtype, shape: Vec<usize>, bytes: impl Fn() -> Vec<u8> + 'a) -> Tensor<'a> {
+    Tensor { dtype, shape, bytes: Box::new(bytes) }
+}
+
+fn floats<'a, I: Iterator<Item = f32>>(shape: Vec<usize>, values: impl Fn() -> I + 'a) -> Tensor<'a> {
+    let length = 4 * shape.iter().product::<usize>();
+    tensor(Dtype::F32, shape, move || {
+        let mut bytes = Vec::with_capacity(length);
+        bytes.extend(values().flat_map(f32::to_le_bytes));
+        bytes
+    })
 }
