@@ -103,10 +103,10 @@ describe("a zip of clips", () => {
     expect(await page.locator(".stage-title").isVisible()).toBe(true);
     expect(await alert()).toBe("");
 
+    await eventually(() => page.url()).toContain("db=small");
     await page.reload();
     await page.waitForFunction(() => window.strut?.frame !== undefined);
     expect(await vertices()).toEqual(["neutral", "old", "proud"]);
-    expect(page.url()).toContain("db=small");
 
     await page.getByRole("link", { name: "Data" }).click();
     await page.getByRole("button", { name: "Delete small" }).click();

@@ -113,10 +113,16 @@ pub struct Built {
 
 #[wasm_bindgen]
 impl Built {
-    /// The `.strutdb` file; empty the second time.
-    #[wasm_bindgen(js_name = takeBytes)]
-    pub fn take_bytes(&mut self) -> Vec<u8> {
-        std::mem::take(&mut self.bytes)
+    /// Where the `.strutdb` file lies in this memory: it is large, and whoever keeps it makes a copy anyhow.
+    #[wasm_bindgen(js_name = fileAddress)]
+    pub fn file_address(&self) -> *const u8 {
+        self.bytes.as_ptr()
+    }
+
+    /// Bytes of the file.
+    #[wasm_bindgen(js_name = fileLength)]
+    pub fn file_length(&self) -> usize {
+        self.bytes.len()
     }
 
     /// Number of clips.

@@ -1,5 +1,5 @@
 /** Databases from labelled clips, on the present thread: what the build worker serves. */
-import { type BuildGlue, guarded, loadBuildWasm, sentence } from "./wasm";
+import { type BuildGlue, fileAt, guarded, loadBuildWasm, sentence } from "./wasm";
 
 /** What a file shows. */
 export interface Labels {
@@ -59,7 +59,7 @@ export type BuildStage = "preparing" | "registering" | "indexing";
 /** A database that was built. */
 export interface BuiltDatabase {
   /** The `.strutdb` file. */
-  bytes: Uint8Array<ArrayBuffer>;
+  file: Blob;
   clips: number;
   frames: number;
   actions: string[];
@@ -169,7 +169,7 @@ export class Build {
       return guarded(() => {
         const refused = built.refused();
         return {
-          bytes: built.takeBytes() as Uint8Array<ArrayBuffer>,
+          file: fileAt(built.fileAddress(), built.fileLength()),
           clips: built.clips(),
           frames: built.frames(),
           actions: built.actions(),

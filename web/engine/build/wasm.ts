@@ -7,6 +7,7 @@ import * as glue from "./pkg/strut_wasm_build.js";
 export type BuildGlue = typeof glue;
 
 let loading: Promise<BuildGlue> | undefined;
+let memory: WebAssembly.Memory;
 
 /**
  * The bindings, loaded once for a thread.
@@ -36,7 +37,13 @@ export function sentence(message: string): string {
   return ended.charAt(0).toUpperCase() + ended.slice(1);
 }
 
+/** A copy of a part of the module's memory as a file, without a second one on the way there. */
+export function fileAt(address: number, length: number): Blob {
+  return new Blob([new Uint8Array(memory.buffer as ArrayBuffer, address, length)]);
+}
+
 async function instantiate(): Promise<BuildGlue> {
-  glue.initSync({ module: await compileModule(new URL("./pkg/strut_wasm_build_bg.wasm", import.meta.url)) });
+  const module = await compileModule(new URL("./pkg/strut_wasm_build_bg.wasm", import.meta.url));
+  memory = glue.initSync({ module }).memory;
   return glue;
 }

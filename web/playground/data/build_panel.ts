@@ -31,6 +31,8 @@ export class BuildPanel {
   readonly #concerns = html("ul", { class: "concerns" });
   readonly #build: HTMLButtonElement;
   readonly #listeners: BuildPanelListeners;
+  /** What is shown, to know whether anything else is to be. */
+  #shown = "";
 
   constructor(listeners: BuildPanelListeners) {
     this.#listeners = listeners;
@@ -60,6 +62,11 @@ export class BuildPanel {
   }
 
   show({ usable, styles, skeletons, clipsOf, concerns }: BuildPlan): void {
+    this.#build.disabled = usable === 0;
+    this.#build.title = `${counted(usable, "clip")}, ${counted(styles, "style")}`;
+    const wanted = JSON.stringify([skeletons.map(({ chosen }) => chosen !== undefined), clipsOf, concerns]);
+    if (wanted === this.#shown) return;
+    this.#shown = wanted;
     this.#skeletons.replaceChildren(...skeletons.map((s, i) => this.#skeleton(s, i, clipsOf[i] ?? 0)));
     const shown = concerns.slice(0, MOST_CONCERNS);
     const more = concerns.length - shown.length;
@@ -67,8 +74,6 @@ export class BuildPanel {
       ...shown.map((text) => html("li", { class: "caption" }, text)),
       ...(more > 0 ? [html("li", { class: "caption" }, `${counted(more, "more remark")} like these.`)] : []),
     );
-    this.#build.disabled = usable === 0;
-    this.#build.title = `${counted(usable, "clip")}, ${counted(styles, "style")}`;
   }
 
   /** A skeleton, how sure its roles are, and the way to correct them. */

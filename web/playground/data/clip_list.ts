@@ -9,6 +9,9 @@ const ROW = { wide: 30, narrow: 92 };
 const MARGIN = 6;
 const NARROW = matchMedia("(width < 900px)");
 
+/** Names that the labels' fields suggest at most. */
+const MOST_SUGGESTED = 200;
+
 const COLUMNS = ["File", "Action", "Style", "Take", "Length", "Rate", "Note"];
 
 export interface ClipListListeners {
@@ -37,6 +40,9 @@ export class ClipList {
   #skeletons: readonly KnownSkeleton[] = [];
   #selected: number | undefined;
   #asked = 0;
+  /** Asking the page for them at every change would make it lay itself out each time. */
+  #top = 0;
+  #height = 0;
 
   constructor(listeners: ClipListListeners) {
     this.#listeners = listeners;
@@ -48,8 +54,15 @@ export class ClipList {
       this.#body,
     );
     this.element = html("div", { class: "clip-list" }, this.#table, this.#actions, this.#styles);
-    this.element.addEventListener("scroll", () => this.#soon(), { passive: true });
-    new ResizeObserver(() => this.#soon()).observe(this.element);
+    const moved = () => {
+      this.#top = this.element.scrollTop;
+      this.#soon();
+    };
+    this.element.addEventListener("scroll", moved, { passive: true });
+    new ResizeObserver(([entry]) => {
+      this.#height = entry!.contentRect.height;
+      moved();
+    }).observe(this.element);
   }
 
   /** Shows these rows; `names` are what the labels' fields suggest. */
@@ -66,7 +79,7 @@ export class ClipList {
       [this.#actions, names.actions],
       [this.#styles, names.styles],
     ] as const)
-      list.replaceChildren(...values.slice(0, 200).map((value) => html("option", { value })));
+      suggest(list, values.slice(0, MOST_SUGGESTED));
     setAttributes(this.#table, { "aria-rowcount": rows.length + 1 });
     this.#fill();
   }
@@ -80,8 +93,8 @@ export class ClipList {
   #fill(): void {
     const height = NARROW.matches ? ROW.narrow : ROW.wide;
     this.#body.style.height = `${height * this.#rows.length}px`;
-    const first = Math.max(0, Math.floor(this.element.scrollTop / height) - MARGIN);
-    const last = Math.min(this.#rows.length, first + Math.ceil(this.element.clientHeight / height) + 2 * MARGIN);
+    const first = Math.max(0, Math.floor(this.#top / height) - MARGIN);
+    const last = Math.min(this.#rows.length, first + Math.ceil(this.#height / height) + 2 * MARGIN);
     const wanted = new Map<number, number>();
     for (let i = first; i < last; i++) wanted.set(this.#rows[i]!.index, i);
     for (const [index, { element }] of this.#shown) {
@@ -151,4 +164,10 @@ export class ClipList {
     const skeleton = read && this.#skeletons.length > 1 ? this.#skeletons[read.skeleton] : undefined;
     return skeleton ? `skeleton ${read!.skeleton + 1}, ${counted(skeleton.joints.length, "joint")}` : "";
   }
+}
+
+/** Fills a list of suggestions, if it has others. */
+function suggest(list: HTMLDataListElement, values: readonly string[]): void {
+  const same = list.options.length === values.length && values.every((value, i) => list.options[i]!.value === value);
+  if (!same) list.replaceChildren(...values.map((value) => html("option", { value })));
 }

@@ -17,6 +17,8 @@ export interface MatrixListeners {
 export class Matrix {
   readonly element = html("div", { class: "matrix", tabindex: 0, role: "region", "aria-label": "Styles and actions" });
   readonly #listeners: MatrixListeners;
+  /** What is shown, to know whether anything else is to be. */
+  #shown = "";
 
   constructor(listeners: MatrixListeners) {
     this.#listeners = listeners;
@@ -24,6 +26,10 @@ export class Matrix {
 
   show(table: ClassTable, neutral: string, filter: ClassFilter | undefined): void {
     const { actions, styles } = table;
+    const counts = styles.map((style) => actions.map((action) => table.count(action, style)));
+    const wanted = JSON.stringify([actions, styles, counts, neutral, filter]);
+    if (wanted === this.#shown) return;
+    this.#shown = wanted;
     const head = html(
       "tr",
       {},
@@ -40,7 +46,10 @@ export class Matrix {
         html("td", { class: "neutral" }, this.#radio(style, style === neutral)),
       ),
     );
+    const focused = this.element.contains(document.activeElement) && document.activeElement?.getAttribute("aria-label");
     this.element.replaceChildren(html("table", {}, html("thead", {}, head), html("tbody", {}, ...rows)));
+    // What was pressed is a new element now.
+    if (focused) this.element.querySelector<HTMLElement>(`[aria-label="${CSS.escape(focused)}"]`)?.focus();
   }
 
   #cell(action: string, style: string, count: number, filter: ClassFilter | undefined): HTMLElement {

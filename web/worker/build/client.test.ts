@@ -3,7 +3,7 @@ import { everyNth, playedAt, walksIn } from "../../../tests/clips";
 import { InlineBuildWorker } from "../../../tests/inline_build_worker";
 import { zipOf } from "../../../tests/zip";
 import { createBuildClient } from "./client";
-import type { BuildClient, Built, ChosenFile, DroppedFile, ReadClip, ReadNews, Skeleton } from "./protocol";
+import type { BuildClient, BuiltDatabase, ChosenFile, DroppedFile, ReadClip, ReadNews, Skeleton } from "./protocol";
 
 let walks: Record<"neutral" | "old" | "proud", string>;
 beforeAll(async () => {
@@ -41,7 +41,7 @@ async function readAll(): Promise<{ clips: ReadClip[]; skeletons: Skeleton[] }> 
 }
 
 /** Opens, labels and builds. */
-async function build(files: DroppedFile[], neutral = "neutral"): Promise<Built> {
+async function build(files: DroppedFile[], neutral = "neutral"): Promise<BuiltDatabase> {
   connect();
   const { clips, pattern } = await client.open(files);
   const labels = await client.label(pattern, undefined);

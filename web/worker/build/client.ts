@@ -4,7 +4,7 @@ import type { CallOptions } from "../../engine/types";
 import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
 import type {
   BuildClient,
-  Built,
+  BuiltDatabase,
   ChosenFile,
   DroppedFile,
   Found,
@@ -65,7 +65,7 @@ class WorkerBuildClient implements BuildClient {
     return this.call({ method: "preview", index, roles });
   }
 
-  async build(files: ChosenFile[], neutral: string, options?: CallOptions): Promise<Built> {
+  async build(files: ChosenFile[], neutral: string, options?: CallOptions): Promise<BuiltDatabase> {
     try {
       return await this.call({ method: "build", files, neutral }, options);
     } finally {

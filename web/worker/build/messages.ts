@@ -3,7 +3,7 @@ import type { ErrorParts } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
 import type {
   BuildClient,
-  Built,
+  BuiltDatabase,
   ChosenFile,
   DroppedFile,
   Found,
@@ -27,7 +27,7 @@ export interface BuildResults {
   label: Labelled[];
   readAll: undefined;
   preview: Preview;
-  build: Built;
+  build: BuiltDatabase;
 }
 
 export type BuildRequest = BuildCall & { id: number };

@@ -57,11 +57,6 @@ export interface ChosenFile extends BuildFile {
   roles: Roles | undefined;
 }
 
-/** A database that was built, its file as a blob. */
-export interface Built extends Omit<BuiltDatabase, "bytes"> {
-  file: Blob;
-}
-
 /**
  * Database building as the page sees it. One set of files is open at a time. Rejections are `StrutError`s whose messages
  * are sentences for people. Cancelling ends the worker, whatever it is doing, and another takes its place.
@@ -74,7 +69,7 @@ export interface BuildClient {
   /** Reads every clip once, to know its length, rate and skeleton. */
   readAll(onNews: (news: ReadNews) => void, options?: CallOptions): Promise<void>;
   preview(index: number, roles: Roles | undefined): Promise<Preview>;
-  build(files: ChosenFile[], neutral: string, options?: CallOptions): Promise<Built>;
+  build(files: ChosenFile[], neutral: string, options?: CallOptions): Promise<BuiltDatabase>;
   dispose(): void;
 }
 

@@ -3,7 +3,7 @@ import { DatabaseBuilder } from "../../engine/build/builder";
 import { toStrutError } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
 import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
-import type { Built, ChosenFile, DroppedFile, Found, Labelled, ReadClip, ReadNews, Skeleton } from "./protocol";
+import type { BuiltDatabase, ChosenFile, DroppedFile, Found, Labelled, ReadClip, ReadNews, Skeleton } from "./protocol";
 import { findSources, folderOf, LICENCE_NAMES, reasonOf, type Source } from "./sources";
 
 /** As much of a worker's global scope as the server needs. */
@@ -15,7 +15,7 @@ export interface BuildPort {
 /** Most bytes of a table of labels. */
 const MAX_TABLE_BYTES = 64 << 20;
 /** News of clips that were read go out this often. */
-const NEWS_MS = 150;
+const NEWS_MS = 300;
 /** Shares of a build's time: reading, preparing, registering; the index has the rest. */
 const SHARES = { reading: 0.2, preparing: 0.15, registering: 0.6 };
 
@@ -114,11 +114,16 @@ class BuildServer {
     return undefined;
   }
 
-  private async build(builder: DatabaseBuilder, files: ChosenFile[], neutral: string, caller: Caller): Promise<Built> {
+  private async build(
+    builder: DatabaseBuilder,
+    files: ChosenFile[],
+    neutral: string,
+    caller: Caller,
+  ): Promise<BuiltDatabase> {
     const total = files.length;
     const byPath = new Map(files.map((file) => [file.path, file]));
     const build = builder.begin(files, neutral);
-    const unread: Built["refused"] = [];
+    const unread: BuiltDatabase["refused"] = [];
     for (const [done, path] of build.order.entries()) {
       caller.report({ label: `Reading ${total} clips, ${done} done.`, fraction: (SHARES.reading * done) / total });
       const { index, roles } = byPath.get(path)!;
@@ -128,8 +133,8 @@ class BuildServer {
         unread.push({ path, reason: reasonOf(thrown) });
       }
     }
-    const { bytes, ...database } = build.finish((stage, done, of) => caller.report(buildProgress(stage, done, of)));
-    return { ...database, refused: [...unread, ...database.refused], file: new Blob([bytes]) };
+    const database = build.finish((stage, done, of) => caller.report(buildProgress(stage, done, of)));
+    return { ...database, refused: [...unread, ...database.refused] };
   }
 }
 
