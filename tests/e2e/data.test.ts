@@ -287,6 +287,8 @@ describe("the view", () => {
       it(`fits and is for everybody (${name}, ${theme})`, async () => {
         await page.setViewportSize({ width, height });
         await page.emulateMedia({ colorScheme: theme });
+        // The change of theme takes its time.
+        await page.waitForTimeout(500);
         await screenshot(page, `data-${name}-${theme}-empty`);
         expect(await faults()).toEqual([]);
         await choose(written("small.zip", smallSet()));

@@ -119,7 +119,7 @@ export class App {
     this.#views = new Views(root, {
       store,
       notices: this.#notices,
-      openDatabase: (name, file) => this.#openDatabase({ kind: "strutdb", name, file }, name),
+      openDatabase: (name, file, kept) => this.#openDatabase({ kind: "strutdb", name, file }, kept ? name : ""),
       borrowPicture: (container) => ({
         viewer: this.#stage.lend(container),
         invalidate: () => this.#stage.invalidate(),

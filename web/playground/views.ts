@@ -13,8 +13,8 @@ import { errorText } from "./words";
 export interface ViewHost {
   readonly store: Store;
   readonly notices: Notices;
-  /** Makes a database the playground's and shows it; whether that worked. */
-  openDatabase(name: string, file: Blob): Promise<boolean>;
+  /** Makes a database the playground's and shows it, by its name in the URL if it is kept here; whether that worked. */
+  openDatabase(name: string, file: Blob, kept: boolean): Promise<boolean>;
   /** Moves the 3-D picture into a container of the view's until it is hidden; see `Stage.lend`. */
   borrowPicture(container: HTMLElement): Picture;
   /** Goes back to the built-in database. */

@@ -85,7 +85,7 @@ class DataOfAnyone implements View {
       onRoles: (skeleton) => void this.#chooseRoles(skeleton),
     });
     this.#shelf = new ShelfPanel({
-      onOpen: (database) => void host.openDatabase(database.name, database.file),
+      onOpen: ({ name, file }) => void host.openDatabase(name, file, !this.#unkept.has(name)),
       onBuiltIn: () => void host.openBuiltIn(),
       onExport: ({ name, file }) => save(`${name}.strutdb`, file),
       onDelete: (database) => void this.#delete(database),
@@ -120,7 +120,7 @@ class DataOfAnyone implements View {
 
   takeFiles(files: DroppedFile[]): void {
     for (const { path, file } of files.filter(({ path }) => /\.strutdb$/i.test(path)))
-      void this.#host.openDatabase(path.replace(/\.strutdb$/i, ""), file);
+      void this.#host.openDatabase(path.replace(/\.strutdb$/i, ""), file, false);
     const tables = files.filter(({ path }) => /\.csv$/i.test(path));
     if (tables.length > 0) this.#table = tables.at(-1)!.file;
     const clips = files.filter(({ path }) => /\.(bvh|zip)$/i.test(path));
@@ -423,6 +423,7 @@ class DataOfAnyone implements View {
       if (filter === "left out") return obstacle(row, this.#skeletons) !== "";
       return row.action === filter.action && row.style === filter.style;
     });
+    this.#list.element.classList.toggle("left-out", filter === "left out");
     this.#list.show(rows, this.#skeletons, this.#selected, names);
   }
 
