@@ -154,6 +154,10 @@ describe("labels", () => {
     await page.getByLabel("style of takes/odd.bvh").fill("proud");
     await page.getByLabel("style of takes/odd.bvh").press("Tab");
     await eventually(heading).toBe("3 clips, 3 styles");
+    await page.getByRole("button", { name: "Undo", exact: true }).first().click();
+    await eventually(heading).toBe("2 clips, 2 styles");
+    await page.getByRole("button", { name: "Redo", exact: true }).first().click();
+    await eventually(heading).toBe("3 clips, 3 styles");
     expect(await page.getByRole("radio", { name: "plain is neutral" }).isChecked()).toBe(true);
 
     await choose(written("labels.csv", "file,action,style\na-walk (old).bvh,stroll,ancient\n"));

@@ -1,7 +1,7 @@
 /** The playground: builds the page from its panels and keeps engine, state, URL and picture in step. */
 import type { DroppedFile } from "../worker/build/protocol";
 import type { Analysis, DatabaseInfo, DatabaseSource, InputInfo, LiveFrame, StrutClient } from "../worker/protocol";
-import { html } from "./dom";
+import { html, saveFile } from "./dom";
 import { DropZone } from "./drop";
 import { listenToKeys } from "./keys";
 import { Notices } from "./notices";
@@ -17,7 +17,7 @@ import { ProgressLine } from "./progress";
 import { Session } from "./session";
 import { Stage } from "./stage";
 import { engineOptions, fromHash, GHOST_MODES, type PlayState, toHash } from "./state";
-import { Store } from "./store";
+import { type History, Store } from "./store";
 import { applyTheme, isDark, onSystemTheme, opposite } from "./theme";
 import { plantedStretches } from "./timeline/curves";
 import { Timeline } from "./timeline/timeline";
@@ -67,8 +67,8 @@ export class App {
     this.#root = root;
     this.#topBar = new TopBar({
       onView: (view) => store.edit({ view }),
-      onUndo: () => store.undo(),
-      onRedo: () => store.redo(),
+      onUndo: () => this.#history.undo(),
+      onRedo: () => this.#history.redo(),
       onShare: () => void this.#share(),
       onExport: () => void this.#export(),
       onTheme: () => store.edit({ theme: opposite(store.state.theme) }),
@@ -124,6 +124,7 @@ export class App {
         viewer: this.#stage.lend(container),
         invalidate: () => this.#stage.invalidate(),
       }),
+      historyChanged: () => this.#showTopBar(),
       openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),
     });
     this.#topBar.canExport = false;
@@ -285,12 +286,12 @@ export class App {
   }
 
   #show(state: Readonly<PlayState>, changed?: Changed): void {
-    const { canUndo, canRedo } = this.#store;
-    this.#topBar.show({ view: state.view, canUndo, canRedo, dark: isDark(state.theme) });
+    this.#showTopBar();
     if (!changed || changed.has("view")) {
       this.#root.dataset.view = state.view;
       void this.#views.show(state.view).then((view) => {
         if (changed && !view && this.#store.state.view === "play") this.#takePictureBack();
+        this.#showTopBar();
       });
     }
     if (!changed || any(changed, "camera", "follow", "ghost")) this.#stage.show(state);
@@ -308,6 +309,16 @@ export class App {
       this.#session.playback.playing = state.playing && state.view === "play" && !this.#scrubbing;
       this.#session.playback.speed = state.speed;
     }
+  }
+
+  #showTopBar(): void {
+    const { view, theme } = this.#store.state;
+    const { canUndo, canRedo } = this.#history;
+    this.#topBar.show({ view, canUndo, canRedo, dark: isDark(theme) });
+  }
+
+  get #history(): History {
+    return this.#views.shown?.history ?? this.#store;
   }
 
   #showHeading(): void {
@@ -365,8 +376,8 @@ export class App {
         panels: () => store.edit({ panels: !store.state.panels }),
         style: (number) => this.#style.polygon.takeAllOf(this.#style.vertices[number - 1] ?? ""),
         help: () => this.#help.open(),
-        undo: () => store.undo(),
-        redo: () => store.redo(),
+        undo: () => this.#history.undo(),
+        redo: () => this.#history.redo(),
       },
       () => store.state.view === "play",
       signal,
@@ -514,11 +525,8 @@ export class App {
     const text = await session.exportBvh();
     this.#topBar.canExport = true;
     if (text === undefined) return;
-    const url = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
     const name = exportName(session.inputName, this.#store.state.styles);
-    html("a", { href: url, download: name }).click();
-    // The download has the data once the click is through.
-    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+    saveFile(name, new Blob([text], { type: "text/plain" }));
     this.#notices.note(`Saved ${name}.`);
   }
 }

@@ -41,6 +41,14 @@ export function setText(target: Element, text: string): void {
   if (target.textContent !== text) target.textContent = text;
 }
 
+/** Saves a file as a download. */
+export function saveFile(name: string, file: Blob): void {
+  const url = URL.createObjectURL(file);
+  html("a", { href: url, download: name }).click();
+  // The download has the data once the click is through.
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
 /** Whether the person asked for less motion. */
 export function prefersReducedMotion(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -13,7 +13,15 @@ const DEPTH = 200;
 /** Two values of a field that draw the same picture. */
 const same = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);
 
-export class Store {
+/** What undo and redo act upon. */
+export interface History {
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  undo(): void;
+  redo(): void;
+}
+
+export class Store implements History {
   #state: PlayState;
   #past: Snapshot[] = [];
   #future: Snapshot[] = [];

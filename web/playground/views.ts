@@ -6,7 +6,7 @@ import type { Viewer } from "../viewer";
 import type { DroppedFile } from "../worker/build/protocol";
 import type { Notices } from "./notices";
 import type { ViewName } from "./state";
-import type { Store } from "./store";
+import type { History, Store } from "./store";
 import { errorText } from "./words";
 
 /** What a view may ask of the page. */
@@ -17,6 +17,8 @@ export interface ViewHost {
   openDatabase(name: string, file: Blob, kept: boolean): Promise<boolean>;
   /** Moves the 3-D picture into a container of the view's until it is hidden; see `Stage.lend`. */
   borrowPicture(container: HTMLElement): Picture;
+  /** Says that {@link View.history} has other things to undo or redo. */
+  historyChanged(): void;
   /** Goes back to the built-in database. */
   openBuiltIn(): Promise<boolean>;
 }
@@ -31,6 +33,8 @@ export interface Picture {
 export interface View {
   /** Fills the page below the top bar. */
   readonly element: HTMLElement;
+  /** What undo and redo act upon while the view is shown. */
+  readonly history: History;
   show(): void;
   /** Afterwards the page takes its picture back. */
   hide(): void;
@@ -75,6 +79,11 @@ export class Views {
       view.show();
     }
     return view;
+  }
+
+  /** The view that is shown; `undefined` for Play. */
+  get shown(): View | undefined {
+    return this.#shown;
   }
 
   dispose(): void {

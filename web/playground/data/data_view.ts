@@ -4,7 +4,7 @@ import { createBuildClient } from "../../worker/build/client";
 import type { BuildClient, DroppedFile } from "../../worker/build/protocol";
 import { button } from "../controls/buttons";
 import { icon } from "../controls/icons";
-import { html, setAttributes, setText } from "../dom";
+import { html, saveFile, setAttributes, setText } from "../dom";
 import { filesOfDialog } from "../dropped";
 import { ProgressLine } from "../progress";
 import type { View, ViewHost } from "../views";
@@ -24,6 +24,7 @@ import {
   type Row,
   rowOf,
 } from "./corpus";
+import { Edits } from "./edits";
 import { type ClassFilter, Matrix } from "./matrix";
 import { ClipPreview } from "./preview";
 import { askForRoles } from "./roles_dialog";
@@ -39,6 +40,7 @@ type Filter = ClassFilter | "left out" | undefined;
 
 class DataOfAnyone implements View {
   readonly element: HTMLElement;
+  readonly history: Edits;
   readonly #host: ViewHost;
   readonly #client: BuildClient = createBuildClient();
   readonly #reading = new ProgressLine();
@@ -68,6 +70,11 @@ class DataOfAnyone implements View {
 
   constructor(host: ViewHost) {
     this.#host = host;
+    this.history = new Edits(() => {
+      this.#chooseNeutral();
+      this.#show();
+      host.historyChanged();
+    });
     this.#preview = new ClipPreview((container) => host.borrowPicture(container));
     this.#matrix = new Matrix({
       onNeutral: (style) => {
@@ -87,7 +94,7 @@ class DataOfAnyone implements View {
     this.#shelf = new ShelfPanel({
       onOpen: ({ name, file }) => void host.openDatabase(name, file, !this.#unkept.has(name)),
       onBuiltIn: () => void host.openBuiltIn(),
-      onExport: ({ name, file }) => save(`${name}.strutdb`, file),
+      onExport: ({ name, file }) => saveFile(`${name}.strutdb`, file),
       onDelete: (database) => void this.#delete(database),
     });
     this.#leftOut = button("Left out", () => this.#narrow(this.#filter === "left out" ? undefined : "left out"), {
@@ -205,6 +212,8 @@ class DataOfAnyone implements View {
     const edits = new Map(this.#rows.filter((row) => row.edited).map((row) => [row.path, row]));
     const chosenBefore = this.#rows.length > 0;
     this.#dropped = files;
+    this.history.forget();
+    this.#host.historyChanged();
     this.#skeletons = [];
     this.#selected = undefined;
     this.#filter = undefined;
@@ -265,20 +274,20 @@ class DataOfAnyone implements View {
       this.#table = undefined;
       setText(this.#patternNote, errorText(error));
     }
-    const { styles } = this.#classes();
-    if (!styles.includes(this.#neutral)) this.#neutral = likelyNeutral(styles);
+    this.#chooseNeutral();
     this.#show();
   }
 
   #edit(row: Row, field: LabelField, value: string): void {
     const text = value.trim();
-    if (field === "take") row.take = /^\d{1,9}$/.test(text) ? Number(text) : undefined;
-    else row[field] = text;
-    row.edited = true;
-    row.unlabelled = "";
+    const take = /^\d{1,9}$/.test(text) ? Number(text) : undefined;
+    this.history.edit(row, field === "take" ? { take } : { [field]: text });
+  }
+
+  /** Where the neutral style has gone, another takes its place. */
+  #chooseNeutral(): void {
     const { styles } = this.#classes();
     if (!styles.includes(this.#neutral)) this.#neutral = likelyNeutral(styles);
-    this.#show();
   }
 
   #narrow(filter: Filter): void {
@@ -434,12 +443,4 @@ class DataOfAnyone implements View {
       if (!isCancellation(error)) this.#host.notices.error(errorText(error));
     }
   }
-}
-
-/** Saves a file as a download. */
-function save(name: string, file: Blob): void {
-  const url = URL.createObjectURL(file);
-  html("a", { href: url, download: name }).click();
-  // The download has the data once the click is through.
-  setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }

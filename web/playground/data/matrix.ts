@@ -34,16 +34,16 @@ export class Matrix {
       "tr",
       {},
       html("th", { scope: "col" }, "Style"),
-      ...actions.map((action) => html("th", { scope: "col", class: "number", title: action }, action)),
       html("th", { scope: "col", class: "neutral" }, "Neutral"),
+      ...actions.map((action) => html("th", { scope: "col", class: "number", title: action }, action)),
     );
     const rows = styles.map((style) =>
       html(
         "tr",
         {},
         html("th", { scope: "row", title: style }, style),
-        ...actions.map((action) => this.#cell(action, style, table.count(action, style), filter)),
         html("td", { class: "neutral" }, this.#radio(style, style === neutral)),
+        ...actions.map((action) => this.#cell(action, style, table.count(action, style), filter)),
       ),
     );
     const focused = this.element.contains(document.activeElement) && document.activeElement?.getAttribute("aria-label");

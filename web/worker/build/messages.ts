@@ -1,17 +1,7 @@
 /** The wire format between the build worker and its client; the page sees only `protocol.ts`. */
 import type { ErrorParts } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
-import type {
-  BuildClient,
-  BuiltDatabase,
-  ChosenFile,
-  DroppedFile,
-  Found,
-  Labelled,
-  Preview,
-  ReadNews,
-  Roles,
-} from "./protocol";
+import type { BuiltDatabase, ChosenFile, DroppedFile, Found, Labelled, Preview, ReadNews, Roles } from "./protocol";
 
 /** What is asked, with its arguments; the client numbers its calls. */
 export type BuildCall =
@@ -38,6 +28,3 @@ export type BuildReply =
   | { kind: "news"; id: number; news: ReadNews }
   | { kind: "result"; id: number; value: BuildResults[BuildCall["method"]] }
   | { kind: "failure"; id: number; error: ErrorParts };
-
-/** Every method but `dispose` is a call. */
-export type Answered = Exclude<keyof BuildClient, "dispose"> & BuildCall["method"];

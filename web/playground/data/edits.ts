@@ -1,0 +1,66 @@
+/** What a person typed into the table of clips, to be taken back and done again. */
+import type { History } from "../store";
+import type { Row } from "./corpus";
+
+/** The fields of a row that an edit changes. */
+type Written = Pick<Row, "action" | "style" | "take" | "edited" | "unlabelled">;
+
+interface Edit {
+  row: Row;
+  before: Written;
+  after: Written;
+}
+
+export class Edits implements History {
+  readonly #onChange: () => void;
+  #past: Edit[] = [];
+  #future: Edit[] = [];
+
+  /** @param onChange is called after everything but {@link forget} */
+  constructor(onChange: () => void) {
+    this.#onChange = onChange;
+  }
+
+  get canUndo(): boolean {
+    return this.#past.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#future.length > 0;
+  }
+
+  /** Changes the labels of a row. */
+  edit(row: Row, change: Partial<Pick<Row, "action" | "style" | "take">>): void {
+    const before = written(row);
+    Object.assign(row, change, { edited: true, unlabelled: "" });
+    this.#past.push({ row, before, after: written(row) });
+    this.#future = [];
+    this.#onChange();
+  }
+
+  undo(): void {
+    const edit = this.#past.pop();
+    if (!edit) return;
+    this.#future.push(edit);
+    Object.assign(edit.row, edit.before);
+    this.#onChange();
+  }
+
+  redo(): void {
+    const edit = this.#future.pop();
+    if (!edit) return;
+    this.#past.push(edit);
+    Object.assign(edit.row, edit.after);
+    this.#onChange();
+  }
+
+  /** Forgets everything: the rows are others now. */
+  forget(): void {
+    this.#past = [];
+    this.#future = [];
+  }
+}
+
+function written({ action, style, take, edited, unlabelled }: Row): Written {
+  return { action, style, take, edited, unlabelled };
+}
