@@ -123,6 +123,9 @@ export class App {
       borrowPicture: (container) => ({
         viewer: this.#stage.lend(container),
         invalidate: () => this.#stage.invalidate(),
+        freeze: (frozen) => {
+          this.#stage.frozen = frozen;
+        },
       }),
       historyChanged: () => this.#showTopBar(),
       openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),

@@ -35,6 +35,8 @@ export class Stage {
   readonly #fps = html("span");
   readonly #cost = html("span");
   #lent = false;
+  /** Whether nothing is drawn: not even the finer picture of what stands still, which takes its time. */
+  frozen = false;
   #drawUntil = 0;
   #readOutAt = 0;
 
@@ -110,6 +112,7 @@ export class Stage {
   /** Takes the picture back; what it is of has to be shown again. */
   takeBack(): void {
     this.#lent = false;
+    this.frozen = false;
     this.element.prepend(this.#view);
     this.viewer.labels = VIEWER_DEFAULTS.labels;
     this.viewer.resetTrail();
@@ -138,6 +141,7 @@ export class Stage {
 
   /** Draws if anything may have changed, and until the viewer has drawn its still picture. */
   draw(now: number): void {
+    if (this.frozen) return;
     if (now < this.#drawUntil || !this.viewer.still) this.viewer.render(now / 1000);
   }
 

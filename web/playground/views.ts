@@ -27,6 +27,8 @@ export interface ViewHost {
 export interface Picture {
   readonly viewer: Viewer;
   invalidate(): void;
+  /** Leaves the picture as it is, while something else needs the processor. */
+  freeze(frozen: boolean): void;
 }
 
 /** A view of the page. */

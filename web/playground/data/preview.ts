@@ -15,8 +15,7 @@ export class ClipPreview {
   #clip: Preview | undefined;
   #request = 0;
   #started = 0;
-  /** Whether the picture moves: not while something else needs the processor. */
-  playing = true;
+  #playing = true;
 
   constructor(borrow: (container: HTMLElement) => Picture) {
     this.#borrow = borrow;
@@ -28,6 +27,12 @@ export class ClipPreview {
       this.#note,
     );
     this.clear();
+  }
+
+  /** Whether the picture moves: not while something else needs the processor. */
+  set playing(playing: boolean) {
+    this.#playing = playing;
+    this.#picture?.freeze(!playing);
   }
 
   /** Shows a clip, or why there is no picture of it. */
@@ -59,6 +64,7 @@ export class ClipPreview {
     cancelAnimationFrame(this.#request);
     if (!this.#clip) return;
     this.#picture ??= this.#borrow(this.#view);
+    this.#picture.freeze(!this.#playing);
     this.#picture.viewer.setProportions(this.#clip.proportions);
     this.#picture.viewer.resetTrail();
     this.#started = performance.now();
@@ -75,7 +81,7 @@ export class ClipPreview {
     const [clip, picture] = [this.#clip, this.#picture];
     if (!clip || !picture) return;
     this.#request = requestAnimationFrame(this.#tick);
-    if (!this.playing) return;
+    if (!this.#playing) return;
     const frame = Math.max(0, Math.floor(((now - this.#started) / 1000) * clip.rateHz));
     if (frame >= clip.frames) {
       this.#started = now;
