@@ -42,14 +42,21 @@ pub(crate) struct Package {
     name: &'static str,
     /// Features of the crate.
     features: &'static str,
+    /// Further flags of the compiler.
+    flags: &'static [&'static str],
     /// Whether the module uses SIMD.
     simd: bool,
     /// Further settings of cargo.
     config: &'static [&'static str],
 }
 
-/// A build reads hundreds of files, the engine one at a time.
-const FAST_READING: &[&str] = &["--config", "profile.web.package.strut-formats.opt-level=2"];
+/// A build takes seconds of work: whoever waits for it would rather load more.
+const FAST_BUILDING: &[&str] = &[
+    "--config",
+    "profile.web.package.strut-core.opt-level=3",
+    "--config",
+    "profile.web.package.strut-formats.opt-level=3",
+];
 
 /// The yardsticks in `strut-wasm` are optimised as the core is.
 const FAST_YARDSTICKS: &[&str] = &["--config", "profile.web.package.strut-wasm.opt-level=2"];
@@ -61,6 +68,7 @@ impl Package {
         crate_name: "strut-wasm",
         name: "strut_wasm",
         features: "",
+        flags: &[INLINE_LESS],
         simd: true,
         config: &[],
     };
@@ -69,7 +77,8 @@ impl Package {
         folder: "web/engine/build/pkg",
         crate_name: "strut-wasm-build",
         name: "strut_wasm_build",
-        config: FAST_READING,
+        flags: &[],
+        config: FAST_BUILDING,
         ..Self::ENGINE
     };
     /// The same with what visitors need not download: the report that `tests/parity` compares and the yardsticks of
@@ -79,6 +88,7 @@ impl Package {
         crate_name: "strut-wasm",
         name: "strut_bench",
         features: "bench parity",
+        flags: &[INLINE_LESS],
         simd: true,
         config: FAST_YARDSTICKS,
     };
@@ -126,7 +136,7 @@ fn run_cargo(workspace: &Path, package: &Package) -> Result<PathBuf, String> {
         .args(["--features", package.features])
         .args(package.config)
         // The encoded form has precedence over RUSTFLAGS, so that no flag of the user's can change results.
-        .env("CARGO_ENCODED_RUSTFLAGS", [INLINE_LESS, simd].join("\x1f"));
+        .env("CARGO_ENCODED_RUSTFLAGS", [package.flags, &[simd]].concat().join("\x1f"));
     if env::var_os("STRUT_BUILD_STD").is_some_and(|v| v == "1") {
         command.arg("-Zbuild-std=std,panic_abort").env("RUSTC_BOOTSTRAP", "1");
     }
