@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { createBuildClient } from "../../web/worker/build/client";
-import type { BuildClient, ChosenFile, DroppedFile } from "../../web/worker/build/protocol";
+import type { ChosenFile, DroppedFile } from "../../web/worker/build/protocol";
 import { InlineBuildWorker } from "../inline_build_worker";
 import { recordings, root } from "../recordings";
 import { zipOf } from "../zip";
@@ -13,14 +13,12 @@ import { zipOf } from "../zip";
 const COMMAND = join(root, "rust/target/release/strut");
 
 let folder: string;
-let client: BuildClient;
 beforeAll(() => {
   const cargo = process.env.CARGO ?? "cargo";
   execFileSync(cargo, ["build", "--release", "--quiet", "-p", "strut-cli"], { cwd: join(root, "rust") });
   folder = mkdtempSync(join(tmpdir(), "strut-parity-"));
 }, 900_000);
 afterAll(() => {
-  client?.dispose();
   rmSync(folder, { recursive: true, force: true });
 });
 
@@ -44,7 +42,7 @@ function byCommand(input: string, ...more: string[]): Uint8Array {
 
 /** What the page makes of these files. */
 async function byPage(files: DroppedFile[], neutral: string, pattern?: string, table?: File): Promise<Uint8Array> {
-  client = createBuildClient(() => new InlineBuildWorker());
+  const client = createBuildClient(() => new InlineBuildWorker());
   const { clips } = await client.open(files);
   const labels = await client.label(pattern, table);
   const chosen = clips.flatMap(({ path, licence }, index): ChosenFile[] => {
