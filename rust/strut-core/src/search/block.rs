@@ -20,7 +20,7 @@ const MAX_LENGTH: f32 = 1.0;
 /// Bound on what rounding to integers does to a vector, √40 · 0.51, and on what else is rounded when lengths of this
 /// size are compared.
 pub(super) const QUANTISATION: f32 = 4.0;
-/// Bound on the rounding error of [`Block::within`]: integers below 2³⁰ become floats (32 each), and sums, a root
+/// Bound on the rounding error of [`Block::separations`]: integers below 2³⁰ become floats (32 each), and sums, a root
 /// and differences are made of them; 1 120 in all.
 pub(super) const ERROR: f32 = 2048.0;
 
@@ -72,6 +72,19 @@ impl Probe {
     }
 }
 
+/// Squared distances of sixteen windows, four at a time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Separations(pub(super) [Lane; QUADS]);
+
+impl Separations {
+    /// Bit i is set unless number i is greater than limit i. It is set where the limit is not a number.
+    #[inline]
+    pub(super) fn within(&self, limits: &[Lane; QUADS]) -> u32 {
+        let pairs = self.0.iter().zip(limits).rev();
+        pairs.fold(0, |bits, (s, limit)| (bits << 4) | (Floats::of(s).greater_than(Floats::of(limit)) ^ 15))
+    }
+}
+
 /// Sixteen windows.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
@@ -92,24 +105,15 @@ impl Block {
         block
     }
 
-    /// Bit i is set unless the squared distance of window i to the query, modulo the phase of the complex part and within
-    /// [`ERROR`], is greater than limit i. It is set where the limit is not a number.
-    #[inline]
-    pub(super) fn within(&self, probe: &Probe, limits: &[Lane; QUADS]) -> u32 {
-        (0..QUADS).fold(0, |bits, quad| {
-            let greater = self.separations(probe, quad).greater_than(Floats::of(&limits[quad]));
-            bits | ((greater ^ 15) << (4 * quad))
-        })
-    }
-
-    /// Those squared distances.
-    pub(super) fn all_separations(&self, probe: &Probe) -> [Lane; QUADS] {
-        std::array::from_fn(|quad| self.separations(probe, quad).array())
+    /// Squared distances of the windows to the query, modulo the phase of the complex part and within [`ERROR`].
+    #[inline(never)]
+    pub(super) fn separations(&self, probe: &Probe) -> Separations {
+        Separations(std::array::from_fn(|quad| self.separations_of_quad(probe, quad).array()))
     }
 
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn separations(&self, probe: &Probe, quad: usize) -> Floats {
+    fn separations_of_quad(&self, probe: &Probe, quad: usize) -> Floats {
         let (real, complex) = self.pairs[quad].split_at(REAL_PAIRS);
         let product = |a: &[Pairs], b: &[Pairs]| {
             let sum = a.iter().zip(b).fold(Integers::zero(), |sum, (a, b)| sum.plus(Integers::products(a, b)));

@@ -15,10 +15,17 @@ pub(super) use arrays::{Floats, Integers};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub(super) use registers::{Floats, Integers};
 
+/// The sum of the four, always in this order.
+#[inline]
+pub(super) fn total(sum: Floats) -> f32 {
+    let [a, b, c, d] = sum.array();
+    (a + b) + (c + d)
+}
+
 /// Inner product of two windows of equally many frames of `N` lanes, with `SUMS` running sums (a divisor of `N`) so
 /// that additions need not wait for each other.
 ///
-/// Called for every window of a class: a function call would be half of its time.
+/// Called for every window that is looked at: a function call would be half of its time.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn inner_product<const N: usize, const SUMS: usize>(a: &[[Lane; N]], b: &[[Lane; N]]) -> f32 {
@@ -30,8 +37,7 @@ pub(super) fn inner_product<const N: usize, const SUMS: usize>(a: &[[Lane; N]], 
             }
         }
     }
-    let total = sums.into_iter().fold(Floats::splat(0.0), Floats::plus).array();
-    (total[0] + total[1]) + (total[2] + total[3])
+    total(sums.into_iter().fold(Floats::splat(0.0), Floats::plus))
 }
 
 /// [`inner_product`] of two windows with a third, whose numbers are read once.
@@ -48,10 +54,7 @@ pub(super) fn inner_products<const N: usize, const SUMS: usize>(a: [&[[Lane; N]]
             }
         }
     }
-    sums.map(|sums| {
-        let total = sums.into_iter().fold(Floats::splat(0.0), Floats::plus).array();
-        (total[0] + total[1]) + (total[2] + total[3])
-    })
+    sums.map(|sums| total(sums.into_iter().fold(Floats::splat(0.0), Floats::plus)))
 }
 
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]

@@ -6,7 +6,9 @@
 //! Bounds hold for the D that is computed, not only for the exact one: whatever is rounded on the way has a bound of
 //! its own, and what is not a number rules nothing out.
 
-use super::block::{BLOCK, Block, ERROR, PER_METRE, Point, Probe, QUADS, QUANTISATION, complex_product, quantise};
+use super::block::{
+    BLOCK, Block, ERROR, PER_METRE, Point, Probe, QUADS, QUANTISATION, Separations, complex_product, quantise,
+};
 use super::metric::CentredWindow;
 use super::subspace::{COORDINATES, REAL, Subspace};
 use std::ops::Range;
@@ -20,6 +22,9 @@ fn product_rounding(frames: usize) -> f32 {
 
 /// A share of |q|² + |p|²: norms and the last sums round 8 times, and the result twice when it is compared.
 const NORM_ROUNDING: f32 = 16.0 / 16_777_216.0;
+
+/// Multiples of a mean at which windows are counted to find out whether that of the nearest exceeds it.
+const LEVELS: [f32; 6] = [0.4, 0.7, 1.0, 1.3, 1.7, 2.2];
 
 /// All leaves of a database by one metric; in the order of its windows.
 #[derive(Clone, Debug)]
@@ -38,6 +43,7 @@ pub(super) struct Leaves {
 #[derive(Clone, Debug, Default)]
 struct Class {
     leaves: Range<usize>,
+    windows: usize,
     /// Blocks of centres.
     centres: Range<usize>,
     /// Bound on the error of a projection, metres.
@@ -93,7 +99,7 @@ impl Leaves {
         uncentred_length: f32,
     ) -> Vec<Point> {
         let (mut error, mut norm) = (0.0_f32, 0.0_f32);
-        let points = windows
+        let points: Vec<Point> = windows
             .map(|window| {
                 let projection = self.subspace.project(&window);
                 error = error.max(projection.error);
@@ -102,7 +108,7 @@ impl Leaves {
             })
             .collect();
         let (leaves, centres) = (self.blocks.len()..self.blocks.len(), self.centres.len()..self.centres.len());
-        self.classes.push(Class { leaves, centres, error, norm, uncentred_length });
+        self.classes.push(Class { leaves, windows: points.len(), centres, error, norm, uncentred_length });
         points
     }
 
@@ -111,8 +117,8 @@ impl Leaves {
         let mut centres = Vec::with_capacity(points.len().div_ceil(BLOCK));
         for members in points.chunks(BLOCK) {
             let (centre, block) = (centre(members), Block::new(members));
-            let greatest = block.all_separations(&Probe::new(&centre));
-            let greatest = greatest.as_flattened()[..members.len()].iter().copied().fold(0.0, f32::max);
+            let greatest = block.separations(&Probe::new(&centre));
+            let greatest = greatest.0.as_flattened()[..members.len()].iter().copied().fold(0.0, f32::max);
             self.radii.push((greatest + ERROR).sqrt());
             self.blocks.push(block);
             centres.push(centre);
@@ -155,33 +161,82 @@ impl Leaves {
         threshold: f32,
         out: &mut Vec<(f32, usize)>,
     ) {
+        for (first, separations, mut bits) in self.leaves_within(class, probe, margins.limit(threshold)) {
+            while bits != 0 {
+                let i = bits.trailing_zeros() as usize;
+                bits &= bits - 1;
+                let distance = (separations.0[i / 4][i % 4] - ERROR).max(0.0).sqrt() - self.radii[first + i];
+                out.push((margins.least(distance), first + i));
+            }
+        }
+    }
+
+    /// Sixteen leaves of a class after the other: the index of the first, the separations of their centres and, as bits, which of them may
+    /// hold a window at a distance of at most `limit` in integers.
+    fn leaves_within(
+        &self,
+        class: usize,
+        probe: &Probe,
+        limit: f32,
+    ) -> impl Iterator<Item = (usize, Separations, u32)> {
         let class = &self.classes[class];
-        let limit = margins.limit(threshold);
-        for (first, centres) in class.leaves.clone().step_by(BLOCK).zip(&self.centres[class.centres.clone()]) {
+        class.leaves.clone().step_by(BLOCK).zip(&self.centres[class.centres.clone()]).map(move |(first, centres)| {
             let leaves = first..class.leaves.end.min(first + BLOCK);
             let mut limits = [[0.0; 4]; QUADS];
             for (l, r) in limits.as_flattened_mut().iter_mut().zip(&self.radii[leaves.clone()]) {
                 *l = (limit + r) * (limit + r) + ERROR;
             }
-            let mut bits = centres.within(probe, &limits) & ((1 << leaves.len()) - 1);
-            if bits == 0 {
-                continue;
+            let separations = centres.separations(probe);
+            (first, separations, separations.within(&limits) & ((1 << leaves.len()) - 1))
+        })
+    }
+
+    /// Squared distance from the nearest centre of a class's leaves, m²; infinite without leaves.
+    pub(super) fn nearest_centre(&self, class: usize, probe: &Probe) -> f32 {
+        let Class { leaves, centres, .. } = &self.classes[class];
+        let blocks = self.centres[centres.clone()].iter();
+        let distances = blocks.flat_map(|block| block.separations(probe).0).flatten().take(leaves.len());
+        distances.fold(f32::INFINITY, f32::min) / (PER_METRE * PER_METRE)
+    }
+
+    /// Whether the mean of the `k` least computed D of a class certainly exceeds `mean`.
+    ///
+    /// If n of a class's windows have a D of at most t, k − n of its k nearest have a greater one. Summed over levels of
+    /// t, each with its distance from the one below, that is a lower bound of the sum of their D.
+    pub(super) fn mean_exceeds(&self, class: usize, probe: &Probe, margins: Margins, k: usize, mean: f32) -> bool {
+        let nearest = k.min(self.classes[class].windows) as f32;
+        let limits = LEVELS.map(|level| margins.limit(level * mean));
+        let squares = limits.map(|limit| [[limit * limit + ERROR; 4]; QUADS]);
+        let mut counts = [0; LEVELS.len()];
+        let exceeds = |counts: &[u32; LEVELS.len()]| {
+            let (mut sum, mut below) = (0.0, 0.0);
+            for (level, count) in LEVELS.iter().zip(counts) {
+                sum += (level - below) * (nearest - *count as f32).max(0.0);
+                below = *level;
             }
-            let separations = centres.all_separations(probe);
+            sum > nearest
+        };
+        for (first, _, mut bits) in self.leaves_within(class, probe, limits[LEVELS.len() - 1]) {
             while bits != 0 {
-                let i = bits.trailing_zeros() as usize;
+                let leaf = first + bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let distance = (separations[i / 4][i % 4] - ERROR).max(0.0).sqrt() - self.radii[first + i];
-                out.push((margins.least(distance), first + i));
+                let separations = self.blocks[leaf].separations(probe);
+                for (count, limit) in counts.iter_mut().zip(&squares) {
+                    *count += separations.within(limit).count_ones();
+                }
+                if !exceeds(&counts) {
+                    return false;
+                }
             }
         }
+        exceeds(&counts)
     }
 
     /// Which windows of a leaf may have a computed D of at most `threshold`, as bits.
     #[inline]
     pub(super) fn windows_within(&self, leaf: usize, probe: &Probe, margins: Margins, threshold: f32) -> u32 {
         let limit = margins.limit(threshold);
-        self.blocks[leaf].within(probe, &[[limit * limit + ERROR; 4]; QUADS])
+        self.blocks[leaf].separations(probe).within(&[[limit * limit + ERROR; 4]; QUADS])
     }
 }
 

@@ -119,6 +119,25 @@ impl Index {
         }
     }
 
+    /// Whether the mean D of the `k` windows of a class that are nearest by the query's metric certainly exceeds `mean`;
+    /// `false` says nothing. It takes a fraction of the time of finding them.
+    ///
+    /// # Panics
+    /// If there is no such class.
+    pub fn mean_exceeds(&self, query: &Query<'_>, class: usize, k: usize, mean: f32) -> bool {
+        let leaves = &self.leaves[query.metric as usize];
+        let margins = leaves.margins(class, query.window, query.error);
+        mean.is_finite() && leaves.mean_exceeds(class, &query.probe, margins, k, mean)
+    }
+
+    /// Roughly the D of the nearest windows of a class, m²: what is known soonest about it.
+    ///
+    /// # Panics
+    /// If there is no such class.
+    pub fn rough_distance(&self, query: &Query<'_>, class: usize) -> f32 {
+        self.leaves[query.metric as usize].nearest_centre(class, &query.probe)
+    }
+
     /// [`Index::nearest`] with windows of `S` frames.
     fn nearest_sized<const S: usize>(
         &self,

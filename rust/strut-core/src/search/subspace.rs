@@ -9,7 +9,7 @@
 //! The right-hand side is the squared distance of two short vectors modulo the phase of their complex parts: a metric
 //! too. The bound is tightest where the basis holds the directions of greatest variance.
 
-use super::lanes::{Floats, inner_product};
+use super::lanes::{Floats, inner_product, total};
 use super::metric::{CentredWindow, GroundRow, HeightRow, LANES, POINTS};
 use super::principal::{Complex, inner, principal_directions};
 
@@ -24,10 +24,9 @@ pub(super) const COORDINATES: usize = REAL + 2 * GROUND_DIMENSIONS;
 
 /// Bound on what rounding does to a projection, as a share of the window's length, for windows of at most 15 frames.
 ///
-/// Directions are taken away one after the other. Each of 38 real coordinates is a sum that rounds at most 82 times (75
-/// products a running sum, and the sums of those), and what remains is off by as much in the direction taken away:
-/// √(2 · 38) · 82 · 2⁻²⁴ of the length. Taking 26 directions away rounds thrice each. With 1e-6 for bases that are
-/// orthonormal to so much ([`Subspace::from_floats`]) it is 5e-5.
+/// Each of 38 real coordinates is a sum that rounds at most 82 times (75 products a running sum, and the sums of those),
+/// and what remains is off by as much in every direction: √(2 · 38) · 82 · 2⁻²⁴ of the length. Taking a direction away
+/// rounds thrice. With 1e-6 for bases that are orthonormal to so much ([`Subspace::from_floats`]) it is 5e-5.
 const ROUNDING: f32 = 1.0 / 16_384.0;
 
 /// Bound on what rounding does to the window itself, as a share of its length before the mean is taken off.
@@ -150,28 +149,28 @@ impl Subspace {
         let (mut height, mut ground) = (window.height, window.ground);
         let (height, ground) = (&mut height[..frames], &mut ground[..frames]);
         add_multiple(height, &self.mean, -1.0);
-        // Window vectors carry a factor √scale too much.
-        let metres = 1.0 / window.scale.sqrt();
-        let lengths = |height: &[HeightRow], ground: &[GroundRow]| {
-            let squared =
-                [inner_product::<LANES, LANES>(height, height), inner_product::<{ 2 * LANES }, LANES>(ground, ground)];
-            squared.map(|v| metres * v.sqrt())
-        };
-        let [of_height, of_ground] = lengths(height, ground);
         let mut coordinates = [0.0; COORDINATES];
         let (real, complex) = coordinates.split_at_mut(REAL);
-        for (c, direction) in real.iter_mut().zip(self.height.chunks_exact(frames)) {
+        let (of_height, outside) = real.split_at_mut(HEIGHT_DIMENSIONS);
+        // All coordinates before anything is taken away: none need wait for another.
+        for (c, direction) in of_height.iter_mut().zip(self.height.chunks_exact(frames)) {
             *c = inner_product::<LANES, LANES>(height, direction);
-            add_multiple(height, direction, -*c);
         }
         for (c, direction) in complex.chunks_exact_mut(2).zip(self.ground.chunks_exact(frames)) {
-            let [re, im] = complex_product(ground, direction);
-            c.copy_from_slice(&[re, im]);
-            add_complex_multiple(ground, direction, [-re, -im]);
+            c.copy_from_slice(&complex_product(ground, direction));
         }
-        real[HEIGHT_DIMENSIONS..].copy_from_slice(&lengths(height, ground));
-        real[..HEIGHT_DIMENSIONS].iter_mut().chain(complex).for_each(|c| *c *= metres);
-        let length = (of_height * of_height + of_ground * of_ground).sqrt();
+        for (c, direction) in of_height.iter().zip(self.height.chunks_exact(frames)) {
+            add_multiple(height, direction, -c);
+        }
+        for (c, direction) in complex.chunks_exact(2).zip(self.ground.chunks_exact(frames)) {
+            add_complex_multiple(ground, direction, [-c[0], -c[1]]);
+        }
+        outside[0] = inner_product::<LANES, LANES>(height, height).sqrt();
+        outside[1] = inner_product::<{ 2 * LANES }, LANES>(ground, ground).sqrt();
+        // Window vectors carry a factor √scale too much.
+        let metres = 1.0 / window.scale.sqrt();
+        let coordinates = coordinates.map(|c| c * metres);
+        let length = coordinates.iter().map(|c| c * c).sum::<f32>().sqrt();
         Projection { coordinates, length, error: ROUNDING * length + INPUT_ROUNDING * window.norm.sqrt() }
     }
 }
@@ -204,10 +203,7 @@ fn complex_product(z: &[GroundRow], b: &[GroundRow]) -> [f32; 2] {
             *sum = sum.plus(product);
         }
     }
-    [sums[0].plus(sums[1]), sums[2].minus(sums[3])].map(|sum| {
-        let [a, b, c, d] = sum.array();
-        (a + b) + (c + d)
-    })
+    [sums[0].plus(sums[1]), sums[2].minus(sums[3])].map(total)
 }
 
 /// How far directions are from orthonormal: Frobenius norm of the difference of their inner products from 0 and 1.

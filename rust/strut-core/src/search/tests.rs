@@ -163,6 +163,25 @@ proptest! {
     }
 
     #[test]
+    fn a_mean_that_is_said_to_be_exceeded_is(
+        classes in prop::collection::vec((kind(), 1usize..90), 1..5),
+        (kind, row) in (kind(), 0usize..200), k in 1usize..50, share in 0.2f32..1.5,
+    ) {
+        let (walk, db) = (sine_walk::database(), database(&classes));
+        let index = Index::build(&db);
+        let mut window = QueryWindow::default();
+        window.push(&cloud(kind, row, &walk), Placement::default());
+        for (metric, class) in [Metric::FullBody, Metric::LowerBody].into_iter().zip(0..index.classes()) {
+            let (query, mut nearest) = (index.prepare(&window, metric), Neighbours::default());
+            index.nearest_by_brute_force(&query, &[class], k, &mut nearest);
+            let mean = nearest.mean_distance();
+            // But for the rounding of the sum of at most 50.
+            prop_assert!(!index.mean_exceeds(&query, class, k, mean * share) || share < 1.0 + 1e-5);
+            prop_assert!(!index.mean_exceeds(&query, class, k, f32::INFINITY));
+        }
+    }
+
+    #[test]
     fn what_is_found_does_not_depend_on_the_plan(seed in any::<u64>(), row in 0usize..500, k in 1usize..50) {
         static INDEX: OnceLock<Index> = OnceLock::new();
         let db = sine_walk::database();
@@ -195,6 +214,23 @@ proptest! {
             prop_assert_eq!(out.as_slice(), expected.as_slice());
         }
     }
+}
+
+#[test]
+fn classes_that_are_far_are_known_to_be() {
+    let db = sine_walk::database();
+    let index = Index::build(&db);
+    let mut window = QueryWindow::default();
+    window.push(&db.point_cloud[100], Placement::default());
+    let query = index.prepare(&window, Metric::FullBody);
+    let mean = |class: usize| {
+        let mut nearest = Neighbours::default();
+        index.nearest_by_brute_force(&query, &[class], 40, &mut nearest);
+        nearest.mean_distance()
+    };
+    let far = (0..index.classes()).max_by(|a, b| mean(*a).total_cmp(&mean(*b))).unwrap();
+    assert!(index.mean_exceeds(&query, far, 40, 0.5 * mean(far)));
+    assert!(index.rough_distance(&query, far) > index.rough_distance(&query, db.class_of_row(100)));
 }
 
 #[test]

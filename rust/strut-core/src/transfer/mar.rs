@@ -2,7 +2,7 @@
 
 use super::bias::Bias;
 use super::coherence::{Expectation, HALF_LIFE_SECS, taper};
-use super::mixture::class_weights;
+use super::mixture::{class_weights, greatest_distance};
 use super::model::Model;
 use super::options::{Method, Options};
 use super::regression::{
@@ -11,6 +11,7 @@ use super::regression::{
 use super::timing::{Moment, duration};
 use super::trained::Trained;
 use crate::math::float_funcs::half_life_share;
+use crate::math::order::sort_pairs;
 use crate::pose_vector::{PoseRow, ROW};
 use crate::search::{Metric, Neighbour, Neighbours, QueryWindow, Scratch};
 
@@ -70,6 +71,8 @@ pub(super) struct Input<'a> {
 pub(super) struct Mixture {
     components: Vec<Component>,
     distances: Vec<f32>,
+    /// The order in which the components are searched, each after the distance that it is expected to have.
+    order: Vec<(f32, usize)>,
     weights: Vec<f32>,
     class_weights: Vec<f32>,
     active_classes: Vec<usize>,
@@ -111,6 +114,7 @@ impl Mixture {
         };
         Some(Self {
             distances: vec![f32::INFINITY; components.len()],
+            order: Vec::with_capacity(components.len()),
             weights: vec![0.0; components.len()],
             class_weights: vec![0.0; model.database().classes().len()],
             active_classes: Vec::with_capacity(model.database().classes().len()),
@@ -138,13 +142,34 @@ impl Mixture {
         }
     }
 
-    /// Finds the neighbours of the input in every class.
+    /// Finds the neighbours of the input in every class that can have a weight; others are infinitely far.
     pub(super) fn search(&mut self, model: &Model, options: &Options, window: &QueryWindow) {
-        let query = model.index().prepare(window, Metric::FullBody);
-        for (c, d) in self.components.iter_mut().zip(&mut self.distances) {
+        let index = model.index();
+        let query = index.prepare(window, Metric::FullBody);
+        if !self.found_any() {
+            for (c, d) in self.components.iter().zip(&mut self.distances) {
+                *d = c.classes.iter().map(|&class| index.rough_distance(&query, class)).fold(f32::INFINITY, f32::min);
+            }
+        }
+        // The nearest of the last frame first: the sooner the least distance is known, the more can be passed over.
+        self.order.clear();
+        self.order.extend(self.distances.iter().copied().zip(0..));
+        sort_pairs(&mut self.order);
+        let mut least = f32::INFINITY;
+        for &(_, i) in &self.order {
+            let (c, d) = (&mut self.components[i], &mut self.distances[i]);
             let out = &mut c.neighbours;
-            model.index().nearest(&query, &c.classes, c.k, &mut self.scratch, out);
+            if let ([class], true) = (&c.classes[..], self.weights[i] == 0.0) {
+                let greatest = greatest_distance(least, options.delta, options.least_weight);
+                if index.mean_exceeds(&query, *class, c.k, greatest) {
+                    out.begin(0);
+                    *d = f32::INFINITY;
+                    continue;
+                }
+            }
+            index.nearest(&query, &c.classes, c.k, &mut self.scratch, out);
             *d = out.mean_distance();
+            least = least.min(*d);
             if is_coherent(options) {
                 taper(out.as_slice(), &mut c.neighbour_weights);
             } else {

@@ -1,6 +1,6 @@
 //! Mixture over classes: Eq. 3–5 and the specification, §7.
 
-use crate::math::float_funcs::exp;
+use crate::math::float_funcs::{exp, ln};
 
 /// Least of the distances, (1 mm)²: below it the measurement is noise and one class would take all.
 const FLOOR: f32 = 1e-6;
@@ -27,6 +27,12 @@ pub fn class_weights(distances: &[f32], delta: f32, least_weight: f32, weights: 
     }
 }
 
+/// A distance from which on [`class_weights`] are certainly zero, if the least distance is at most `least`.
+pub(super) fn greatest_distance(least: f32, delta: f32, least_weight: f32) -> f32 {
+    // A thousandth is more than anything rounds by.
+    1.001 * least.max(FLOOR) * (1.0 - delta * ln(least_weight))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -40,6 +46,9 @@ mod tests {
             let mut weights = vec![0.0; distances.len()];
             let least_weight = if skip { 1e-4 } else { 0.0 };
             class_weights(&distances, delta, least_weight, &mut weights);
+            let least = distances.iter().copied().fold(f32::INFINITY, f32::min);
+            let greatest = greatest_distance(least, delta, least_weight);
+            prop_assert!(distances.iter().zip(&weights).all(|(d, w)| *w == 0.0 || *d < greatest));
             prop_assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-5);
             prop_assert!(skip || weights.iter().all(|w| *w > 0.0));
             for (i, j) in (0..distances.len()).flat_map(|i| (0..distances.len()).map(move |j| (i, j))) {
