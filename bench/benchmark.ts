@@ -2,7 +2,7 @@
 import { EngineBench } from "./engine_bench";
 import type { Instances } from "./engines";
 import { NaiveTransfer } from "./naive";
-import { ENGINES, type EngineName, MODES, type Mode, type Report } from "./report";
+import { ENGINES, type EngineName, MODES, type Report } from "./report";
 import { readStrutdb } from "./strutdb";
 import { makeWorkload, type Source } from "./workload";
 import { YardstickBench } from "./yardstick_bench";
@@ -22,31 +22,30 @@ export function benchmark(instances: Instances, source: Source, { machine, onPro
   onProgress?.("Making a database", 0);
   const workload = makeWorkload(instances.simd.glue, source);
   const report: Report = { machine, rows: [], agreement: [], memory: [] };
-  const work = ENGINES.length * MODES.length * workload.queries.length;
-  let turns = 0;
-  const turn = (engine: EngineName, mode: Mode) => onProgress?.(`${engine}, ${mode}`, turns++ / work);
-
-  for (const [engine, instance] of [
-    ["wasm-simd", instances.simd],
-    ["wasm-scalar", instances.scalar],
-  ] as const) {
-    const bench = new EngineBench(instance, engine, workload, report);
-    for (const mode of MODES) bench.measure(mode, () => turn(engine, mode));
-    bench.measureMemory();
-    bench.free();
-  }
-
   const { glue } = instances.simd;
+  const engines = {
+    "wasm-simd": new EngineBench(instances.simd, "wasm-simd", workload, report),
+    "wasm-scalar": new EngineBench(instances.scalar, "wasm-scalar", workload, report),
+  };
   const database = glue.Database.fromBytes(workload.bytes);
   const target = database.neutral();
-  const yardsticks = {
-    "wasm-naive": () => new glue.Naive(database, target),
-    "js-naive": () => new NaiveTransfer(readStrutdb(workload.bytes), target, glue.jointWeights()),
-  } as const;
-  for (const engine of ["wasm-naive", "js-naive"] as const) {
-    const bench = new YardstickBench(yardsticks[engine](), engine, instances.simd, database, workload, report);
-    for (const mode of MODES) bench.measure(mode, () => turn(engine, mode));
-  }
+  const naive = new NaiveTransfer(readStrutdb(workload.bytes), target, glue.jointWeights());
+  const benches = {
+    ...engines,
+    "wasm-naive": new YardstickBench(new glue.Naive(database, target), "wasm-naive", instances.simd, database, report),
+    "js-naive": new YardstickBench(naive, "js-naive", instances.simd, database, report),
+  } satisfies Record<EngineName, unknown>;
+
+  // In turn, so that whatever else the machine does hits them alike.
+  const work = ENGINES.length * MODES.length * workload.queries.length;
+  let turns = 0;
+  for (const mode of MODES)
+    for (const query of workload.queries)
+      for (const engine of ENGINES) {
+        onProgress?.(`${mode}: ${engine}`, turns++ / work);
+        benches[engine].measure(mode, query);
+      }
+  for (const engine of ENGINES) benches[engine].finish();
   database.free();
   return report;
 }

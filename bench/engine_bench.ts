@@ -14,6 +14,10 @@ const FINE_CLOCK_MS = 0.001;
 /** Times a database is opened. */
 const OPENINGS = 3;
 
+/** Stage of a frame with this many target styles. */
+const STYLES = 3;
+const STYLED_FRAME = `frame, ${STYLES} styles`;
+
 /** Share of the largest weight from which on a class takes part. */
 export const LEAST_WEIGHT: Record<Mode, number> = { labelled: 1e-4, unlabelled: 1e-4, all: 0 };
 
@@ -30,12 +34,13 @@ export class EngineBench {
   private readonly database: Database;
   private readonly classes: number;
   private readonly resolution = clockResolution();
+  private readonly samples = new Map<Mode, Map<string, number[]>>();
 
   /** Opens the database and says how long it took and how much memory it needs. */
   constructor(
     private readonly instance: Instance,
     private readonly engine: EngineName,
-    private readonly workload: Workload,
+    workload: Workload,
     private readonly report: Report,
   ) {
     const { glue } = instance;
@@ -52,64 +57,75 @@ export class EngineBench {
     this.database = opened!;
     this.classes = this.database.classes().length / 3;
     this.add("open", "all", openings);
+    this.measureMemory();
   }
 
-  /** Styles every query: for the whole frames, with a look at each stage, and here and there from a cold start. */
-  measure(mode: Mode, turn: () => void): void {
+  /** Styles a query: for the whole frames, with a look at each stage, and here and there from a cold start. */
+  measure(mode: Mode, query: Query): void {
     const { glue } = this.instance;
     const names = glue.stageNames();
-    const samples = new Map<string, number[]>(["frame", ...names, "cold search"].map((stage) => [stage, []]));
-    for (const query of this.workload.queries) {
-      turn();
-      const poses = (from: number, to: number) => query.poses.subarray(from * POSE_FLOATS, to * POSE_FLOATS);
-      const end = Math.min(query.frames, WARM_UP + FRAMES);
-      const whole = stylizerFor(glue, this.database, mode, query);
-      const warm = timed(() => whole.push(poses(0, WARM_UP)));
+    const all = this.samples.get(mode) ?? new Map<string, number[]>();
+    this.samples.set(mode, all);
+    const add = (stage: string, ms: number) => {
+      const times = all.get(stage);
+      if (times) times.push(ms);
+      else all.set(stage, [ms]);
+    };
+    const poses = (from: number, to: number) => query.poses.subarray(from * POSE_FLOATS, to * POSE_FLOATS);
+    const end = Math.min(query.frames, WARM_UP + FRAMES);
+    const wholeFrames = (stage: string, stylizer: Stylizer) => {
+      const warm = timed(() => stylizer.push(poses(0, WARM_UP)));
       const batch = batchFor(warm / WARM_UP, this.resolution);
       for (let frame = WARM_UP; frame < end; frame += batch) {
         const next = Math.min(frame + batch, end);
-        const ms = timed(() => whole.push(poses(frame, next)));
-        samples.get("frame")!.push(ms / (next - frame));
+        add(stage, timed(() => stylizer.push(poses(frame, next))) / (next - frame));
       }
-      whole.free();
+      stylizer.free();
+    };
+    wholeFrames("frame", stylizerFor(glue, this.database, mode, query));
+    const styled = stylizerFor(glue, this.database, mode, query);
+    this.setStyles(styled);
+    wholeFrames(STYLED_FRAME, styled);
 
-      const staged = stylizerFor(glue, this.database, mode, query);
-      staged.push(poses(0, WARM_UP));
-      // Where the clock is too coarse for a stage, only their sum over many frames says anything.
-      const stageBatch = this.resolution > FINE_CLOCK_MS ? FRAMES : 1;
-      for (let frame = WARM_UP; frame < end; frame += stageBatch) {
-        const next = Math.min(frame + stageBatch, end);
-        const costs = staged.pushTimed(poses(frame, next));
-        names.forEach((name, i) => {
-          samples.get(name)!.push(costs[i]! / (next - frame));
-        });
-      }
-      staged.free();
-
-      for (let frame = 0; frame < end; frame += COLD_STRIDE) {
-        const cold = stylizerFor(glue, this.database, mode, query);
-        samples.get("cold search")!.push(cold.pushTimed(poses(frame, frame + 1))[names.indexOf("search")]!);
-        cold.free();
-      }
+    const staged = stylizerFor(glue, this.database, mode, query);
+    staged.push(poses(0, WARM_UP));
+    // Where the clock is too coarse for a stage, only their sum over many frames says anything.
+    const stageBatch = this.resolution > FINE_CLOCK_MS ? FRAMES : 1;
+    for (let frame = WARM_UP; frame < end; frame += stageBatch) {
+      const next = Math.min(frame + stageBatch, end);
+      const costs = staged.pushTimed(poses(frame, next));
+      names.forEach((name, i) => {
+        add(name, costs[i]! / (next - frame));
+      });
     }
-    for (const [stage, times] of samples) this.add(stage, mode, times);
+    staged.free();
+
+    for (let frame = 0; frame < end; frame += COLD_STRIDE) {
+      const cold = stylizerFor(glue, this.database, mode, query);
+      add("cold search", cold.pushTimed(poses(frame, frame + 1))[names.indexOf("search")]!);
+      cold.free();
+    }
   }
 
-  /** Memory with one and with three target styles selected; it never shrinks, so this comes last. */
-  measureMemory(): void {
-    const { glue, memory } = this.instance;
-    const megabytes = () => memory.buffer.byteLength / 1e6;
+  /** Adds what was measured to the report. */
+  finish(): void {
+    for (const [mode, samples] of this.samples) for (const [stage, times] of samples) this.add(stage, mode, times);
+    this.database.free();
+  }
+
+  /** Memory with one and with more target styles selected; it never shrinks, so this comes first. */
+  private measureMemory(): void {
+    const megabytes = () => this.instance.memory.buffer.byteLength / 1e6;
+    const stylizer = new this.instance.glue.Stylizer(this.database);
     const one_style_mb = megabytes();
-    const stylizer = new glue.Stylizer(this.database);
-    const styles = this.database.styles().length;
-    stylizer.setStyles(Float32Array.from({ length: styles }, (_, style) => (style < 3 ? 1 / 3 : 0)));
-    stylizer.push(this.workload.queries[0]!.poses.subarray(0, POSE_FLOATS));
+    this.setStyles(stylizer);
     this.report.memory.push({ engine: this.engine, one_style_mb, three_styles_mb: megabytes() });
     stylizer.free();
   }
 
-  free(): void {
-    this.database.free();
+  private setStyles(stylizer: Stylizer): void {
+    const styles = this.database.styles().length;
+    stylizer.setStyles(Float32Array.from({ length: styles }, (_, style) => (style < STYLES ? 1 / STYLES : 0)));
   }
 
   private add(stage: string, mode: Mode, samples: number[]): void {

@@ -9,7 +9,7 @@ import { clockResolution, timedOften } from "./clock";
 import { LEAST_WEIGHT, stylizerFor, WARM_UP } from "./engine_bench";
 import type { Database, Instance, Yardstick } from "./engines";
 import { type Agreement, type EngineName, type Mode, type Report, summarise } from "./report";
-import { POSE_FLOATS, type Query, type Workload } from "./workload";
+import { POSE_FLOATS, type Query } from "./workload";
 
 /** Frames of every query that a yardstick sees, and the distance between them. */
 const FRAMES = 4;
@@ -28,33 +28,39 @@ const TOLERANCE = 1e-3;
 export class YardstickBench {
   private readonly classes: Uint32Array;
   private readonly resolution = clockResolution();
+  private readonly found = new Map<Mode, { times: Times; agreement: Agreement }>();
 
   constructor(
     private readonly yardstick: Yardstick,
     private readonly engine: EngineName,
     private readonly instance: Instance,
     private readonly database: Database,
-    private readonly workload: Workload,
     private readonly report: Report,
   ) {
     this.classes = database.classes();
   }
 
-  /** Measures it on every query. Throws if its results are not the engine's. */
-  measure(mode: Mode, turn: () => void): void {
-    const { engine, database, report } = this;
-    const classes = this.classes.length / 3;
-    const agreement: Agreement = { engine, mode, neighbour_sets: 0, identical: 0, tied: 0, largest_difference: 0 };
-    const times: Times = { frame: [], search: [], regression: [] };
-    for (const query of this.workload.queries) {
-      turn();
-      this.follow(query, mode, times, agreement);
-    }
-    for (const [stage, samples] of Object.entries(times))
-      report.rows.push({ stage, mode, engine, frames: database.frames(), classes, ...summarise(samples) });
-    report.agreement.push(agreement);
+  /** Measures it on a query. Throws if its results are not the engine's. */
+  measure(mode: Mode, query: Query): void {
+    const { times, agreement } = this.found.get(mode) ?? {
+      agreement: { engine: this.engine, mode, neighbour_sets: 0, identical: 0, tied: 0, largest_difference: 0 },
+      times: { frame: [], search: [], regression: [] },
+    };
+    this.found.set(mode, { times, agreement });
+    this.follow(query, mode, times, agreement);
     if (agreement.identical + agreement.tied < agreement.neighbour_sets || !(agreement.largest_difference < TOLERANCE))
       throw new Error(`The yardstick computes something else than the engine: ${JSON.stringify(agreement)}`);
+  }
+
+  /** Adds what was measured to the report. */
+  finish(): void {
+    const { engine, database, report } = this;
+    const [frames, classes] = [database.frames(), this.classes.length / 3];
+    for (const [mode, { times, agreement }] of this.found) {
+      for (const [stage, samples] of Object.entries(times))
+        report.rows.push({ stage, mode, engine, frames, classes, ...summarise(samples) });
+      report.agreement.push(agreement);
+    }
   }
 
   /** Lets the engine style a query, and the yardstick do some of its frames. */
