@@ -19,7 +19,7 @@ const STYLES = 3;
 const STYLED_FRAME = `frame, ${STYLES} styles`;
 
 /** Share of the largest weight from which on a class takes part. */
-export const LEAST_WEIGHT: Record<Mode, number> = { labelled: 1e-4, unlabelled: 1e-4, all: 0 };
+export const LEAST_WEIGHT: Record<Mode, number> = { labelled: 2e-5, unlabelled: 2e-5, all: 0 };
 
 /** A stylizer set up for a query: towards the neutral style, as good a target as any. */
 export function stylizerFor(glue: Glue, database: Database, mode: Mode, query: Query): Stylizer {
