@@ -118,6 +118,13 @@ export const experiments = [
     args: `${BN2} --actions walk --methods mar --window 1,5,9,15 --folds 2`,
   },
   {
+    id: "search",
+    title: "Exact search and kd-trees",
+    question:
+      "Neighbours found exactly, or among so many candidates of a kd-tree in each class, as libraries offer it.",
+    args: `${BN2} --actions walk,run --methods mar --search exact,kdtree:40,kdtree:160,kdtree:320 --folds 1`,
+  },
+  {
     id: "delta",
     title: "δ",
     question: "How far classes less near than the nearest take part, where there are many classes.",
