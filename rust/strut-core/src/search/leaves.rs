@@ -171,8 +171,8 @@ impl Leaves {
         }
     }
 
-    /// Sixteen leaves of a class after the other: the index of the first, the separations of their centres and, as bits, which of them may
-    /// hold a window at a distance of at most `limit` in integers.
+    /// The leaves of a class, sixteen at a time: the index of the first, the separations of their centres and, as bits,
+    /// which of them may hold a window at a distance of at most `limit` in integers.
     fn leaves_within(
         &self,
         class: usize,
