@@ -97,6 +97,17 @@ impl Index {
         self.windows.of_class(class).count()
     }
 
+    /// Working memory that no search for `k` windows outgrows.
+    pub fn scratch(&self, k: usize) -> Scratch {
+        let greatest =
+            self.leaves.iter().flat_map(|leaves| (0..self.classes()).map(|c| leaves.of_class(c).len())).max();
+        Scratch {
+            found: Neighbours::with_capacity(k),
+            done: vec![0; self.rows.len()],
+            candidates: Vec::with_capacity(greatest.unwrap_or(0)),
+        }
+    }
+
     /// A window to be looked for by a metric. It is as long as [`Index::window_length`].
     pub fn prepare<'a>(&self, window: &'a QueryWindow, metric: Metric) -> Query<'a> {
         let window = window.centred(metric);

@@ -25,6 +25,11 @@ pub struct Neighbours {
 }
 
 impl Neighbours {
+    /// None, with room for `k`.
+    pub fn with_capacity(k: usize) -> Self {
+        Self { entries: Vec::with_capacity(k), capacity: k }
+    }
+
     /// Empties the list and makes room for `k`.
     pub fn begin(&mut self, k: usize) {
         self.entries.clear();

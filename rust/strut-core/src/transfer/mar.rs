@@ -103,7 +103,7 @@ impl Mixture {
             Component {
                 classes,
                 k: class_k(options, windows),
-                neighbours: Neighbours::default(),
+                neighbours: Neighbours::with_capacity(options.k),
                 neighbour_weights: Vec::with_capacity(options.k),
             }
         };
@@ -121,7 +121,7 @@ impl Mixture {
             inputs: Gathered::with_capacity(options.k),
             targets: Gathered::with_capacity(options.k),
             timing_distances: [(); 2].map(|()| Vec::with_capacity(options.k)),
-            scratch: Scratch::default(),
+            scratch: model.index().scratch(options.k),
             bias: 0.0,
             components,
         })
