@@ -13,7 +13,7 @@ use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::Instant;
-use strut_core::database::build::{self, BuildOptions, BuildReport, Stage};
+use strut_core::database::build::{self, BuildOptions, BuildReport};
 use strut_core::database::{Database, residuals};
 use strut_core::registration::{self, Method, WarpMethod};
 use strut_formats::corpus::Pattern;
@@ -106,11 +106,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let (db, report) = {
         let bar = Bar::new("preparing", clips.len());
         let mut progress = |p: build::Progress| {
-            let what = match p.stage {
-                Stage::Preparing => "preparing",
-                Stage::Registering => "registering",
-            };
-            bar.show(what, p.done, p.total);
+            bar.show(p.stage.name(), p.done, p.total);
             ControlFlow::Continue(())
         };
         build::build(&clips, &options, &ThreadPool, &mut progress).map_err(Failure::new)?

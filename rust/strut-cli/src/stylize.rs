@@ -15,7 +15,7 @@ use std::sync::Arc;
 use strut_core::database::Database;
 use strut_core::database::build::MIN_CLIP_FRAMES;
 use strut_core::humanoid::HumanoidMotion;
-use strut_core::retarget::{from_humanoid, to_humanoid};
+use strut_core::retarget::to_humanoid;
 use strut_core::transfer::{ClipJob, Method, Model, Options, StyledMotion, Stylizer};
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
@@ -195,14 +195,7 @@ fn input_of(clip: &Clip, db: &Database) -> Result<HumanoidMotion, String> {
 
 /// The styled clip on the input's skeleton and at its rate.
 fn output_of(clip: &Clip, db: &Database, styled: &StyledMotion) -> Result<bvh::Bvh, bvh::BvhError> {
-    let rate_hz = (1.0 / clip.file.frame_time_secs) as f32;
-    let even = styled.on_body(&clip.binding.proportions, rate_hz);
-    let input_frames_per_db_frame = f64::from(rate_hz) / f64::from(db.rate_hz);
-    let source_frames: Vec<f64> = even.input_frame.iter().map(|f| f * input_frames_per_db_frame).collect();
-    let mut motion = from_humanoid(&even.motion, &clip.motion, &clip.binding, &source_frames);
-    // Exactly the file's own, which f32 cannot hold.
-    motion.frame_time_secs = clip.file.frame_time_secs;
-    clip.file.with_motion(&motion)
+    clip.file.with_motion(&styled.on_skeleton(db.rate_hz, &clip.motion, &clip.binding))
 }
 
 /// What is said at the end.

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Role};
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Quat;
-use strut_core::retarget::{Binding, from_humanoid, to_humanoid};
+use strut_core::retarget::{Binding, to_humanoid};
 use strut_core::transfer::{Model, NoClock, Options, Stylizer, beyond_anatomy, ground_clearance, stylize_clip};
 use strut_core::{contact, metrics};
 use strut_formats::strutdb;
@@ -69,11 +69,7 @@ fn styled(model: &Arc<Model>, clip: &Path, style: &str) -> Styled {
     stylizer.set_styles(&weights).unwrap();
     let input = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz);
     let styled = stylize_clip(&stylizer, &input.poses, &mut NoClock, |_, _| ControlFlow::Continue(())).unwrap();
-    let rate_hz = (1.0 / motion.frame_time_secs) as f32;
-    let even = styled.on_body(&binding.proportions, rate_hz);
-    let frames_per_db_frame = f64::from(rate_hz) / f64::from(db.rate_hz);
-    let source_frames: Vec<f64> = even.input_frame.iter().map(|f| f * frames_per_db_frame).collect();
-    let output = from_humanoid(&even.motion, &motion, &binding, &source_frames);
+    let output = styled.on_skeleton(db.rate_hz, &motion, &binding);
     Styled {
         name: format!("{} → {style}", clip.file_stem().unwrap().to_str().unwrap()),
         input: body_of(&motion),

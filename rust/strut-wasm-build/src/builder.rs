@@ -4,7 +4,7 @@ use crate::clip::bind;
 use crate::labels::text;
 use std::ops::ControlFlow;
 use strut_core::database::Database;
-use strut_core::database::build::{self, BuildOptions, BuildReport, SourceClip, Stage};
+use strut_core::database::build::{self, BuildOptions, BuildReport, SourceClip};
 use strut_core::humanoid::Proportions;
 use strut_core::parallel::Sequential;
 use strut_formats::corpus::{self, Clip, Entry, Labels};
@@ -79,11 +79,7 @@ impl Builder {
         corpus::name_apart(&mut self.clips);
         let options = BuildOptions { rate_hz, neutral: self.neutral, ..BuildOptions::default() };
         let mut progress = |p: build::Progress| {
-            let stage = match p.stage {
-                Stage::Preparing => "preparing",
-                Stage::Registering => "registering",
-            };
-            listener.progress(stage, p.done, p.total);
+            listener.progress(p.stage.name(), p.done, p.total);
             ControlFlow::Continue(())
         };
         let (database, report) = build::build(&self.clips, &options, &Sequential, &mut progress).map_err(text)?;

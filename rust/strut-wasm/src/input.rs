@@ -6,7 +6,7 @@ use crate::poses::floats_of;
 use strut_core::contact;
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::motion::Motion;
-use strut_core::retarget::{Binding, from_humanoid, to_humanoid};
+use strut_core::retarget::{Binding, to_humanoid};
 use strut_core::transfer::StyledMotion;
 use strut_formats::bvh::{self, Bvh, BvhError};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -111,14 +111,7 @@ impl Input {
         let bvh = match &self.file {
             None => Bvh::from_humanoid(&styled.on_body(&self.humanoid.proportions, self.humanoid.rate_hz).motion),
             Some(File { bvh, motion, binding }) => {
-                let rate_hz = 1.0 / motion.frame_time_secs;
-                let output = styled.on_body(&binding.proportions, rate_hz as f32);
-                // Frames of the database's rate → frames of the file.
-                let scale = rate_hz / f64::from(self.humanoid.rate_hz);
-                let source_frames: Vec<f64> = output.input_frame.iter().map(|f| f * scale).collect();
-                let mut exported = from_humanoid(&output.motion, motion, binding, &source_frames);
-                exported.frame_time_secs = motion.frame_time_secs;
-                bvh.with_motion(&exported)
+                bvh.with_motion(&styled.on_skeleton(self.humanoid.rate_hz, motion, binding))
             }
         };
         bvh.map(|bvh| bvh::write(&bvh)).map_err(unreadable)

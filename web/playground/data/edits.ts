@@ -39,25 +39,26 @@ export class Edits implements History {
   }
 
   undo(): void {
-    const edit = this.#past.pop();
-    if (!edit) return;
-    this.#future.push(edit);
-    Object.assign(edit.row, edit.before);
-    this.#onChange();
+    this.#move(this.#past, this.#future, "before");
   }
 
   redo(): void {
-    const edit = this.#future.pop();
-    if (!edit) return;
-    this.#past.push(edit);
-    Object.assign(edit.row, edit.after);
-    this.#onChange();
+    this.#move(this.#future, this.#past, "after");
   }
 
   /** Forgets everything: the rows are others now. */
   forget(): void {
     this.#past = [];
     this.#future = [];
+  }
+
+  /** Takes the last edit of one list to the other, and its row to how it was on that side of it. */
+  #move(from: Edit[], to: Edit[], side: "before" | "after"): void {
+    const edit = from.pop();
+    if (!edit) return;
+    to.push(edit);
+    Object.assign(edit.row, edit[side]);
+    this.#onChange();
   }
 }
 

@@ -94,6 +94,16 @@ pub enum Stage {
     Registering,
 }
 
+impl Stage {
+    /// What is said to people while it lasts.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Preparing => "preparing",
+            Self::Registering => "registering",
+        }
+    }
+}
+
 /// Why nothing could be built.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum BuildError {

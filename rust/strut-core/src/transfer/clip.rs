@@ -5,7 +5,8 @@ use super::contact_likelihood::{smoothed, stands};
 use super::frame::{StageClock, StyledFrame, Trace};
 use super::stylizer::Stylizer;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions};
-use crate::retarget::between_bodies;
+use crate::motion::Motion;
+use crate::retarget::{Binding, between_bodies, from_humanoid};
 use std::ops::ControlFlow;
 
 /// A styled clip: frames at uneven output times.
@@ -116,6 +117,17 @@ impl StyledMotion {
             plant_feet(&mut even.motion, &held);
         }
         even
+    }
+
+    /// The clip on the skeleton and at the rate of the file that it was made of; `rate_hz` is that of the frames which
+    /// were styled. Joints without a role keep the file's motion.
+    pub fn on_skeleton(&self, rate_hz: f32, file: &Motion, binding: &Binding) -> Motion {
+        let file_rate_hz = 1.0 / file.frame_time_secs;
+        let even = self.on_body(&binding.proportions, file_rate_hz as f32);
+        let file_frames_per_frame = file_rate_hz / f64::from(rate_hz);
+        let file_frames: Vec<f64> = even.input_frame.iter().map(|f| f * file_frames_per_frame).collect();
+        // Exactly the file's own frame time, which f32 cannot hold.
+        Motion { frame_time_secs: file.frame_time_secs, ..from_humanoid(&even.motion, file, binding, &file_frames) }
     }
 
     /// Holds feet while the likelihood says that they stand. Frames count as evenly spaced on the output time
