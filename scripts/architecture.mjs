@@ -12,7 +12,7 @@ const CRATES = {
   "strut-wasm": ["strut-core", "strut-formats", "strut-demo"],
   "strut-wasm-build": ["strut-core", "strut-formats"],
   "strut-cli": ["strut-core", "strut-formats", "strut-demo"],
-  xtask: [],
+  xtask: ["strut-demo", "strut-formats"],
 };
 
 /** Which folders of web/ each folder may import from; a file after a slash narrows it. */

@@ -25,10 +25,11 @@ async function setup() {
   return { rust, wasm: await setupWasm(rust) };
 }
 
-/** Builds the WASM package; returns what {@link setup} does. */
+/** Builds the WASM packages and the built-in motions; returns what {@link setup} does. */
 export async function buildWasm() {
   const environments = await setup();
   await step("Building the engine for WebAssembly", () => xtask(environments.wasm, "wasm"));
+  await step("Performing the built-in motions", () => xtask(environments.wasm, "motions"));
   return environments;
 }
 

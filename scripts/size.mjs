@@ -5,7 +5,7 @@ import { gzipSync } from "node:zlib";
 import { root, Sentence } from "./steps.mjs";
 
 /** Most kilobytes after gzip. */
-const BUDGET_KB = { js: 300, wasm: 300 };
+const BUDGET_KB = { js: 300, wasm: 300, bin: 1500 };
 
 /** What nobody waits for who wants to see the character move: by the beginnings of its files' names. */
 const LATER = [

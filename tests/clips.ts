@@ -1,4 +1,5 @@
 /** Clips for tests that need several styles: the built-in walk, styled by the engine and written as BVH. */
+import { loadBuiltIn } from "../web/engine/built_in";
 import { Engine } from "../web/engine/engine";
 import { DEFAULT_OPTIONS } from "../web/engine/stylizer";
 
@@ -7,9 +8,9 @@ const FRAMES = 150;
 
 /** BVH text of a walk of some frames in each of these styles of the built-in database, at 60 Hz. */
 export async function walksIn<S extends string>(styles: readonly S[], frames = FRAMES): Promise<Record<S, string>> {
-  const engine = await Engine.load();
-  const database = engine.openDatabase({ kind: "demo" });
-  const input = engine.openInput(database, { kind: "built-in", name: engine.builtInInputs()[0]! });
+  const [engine, motions] = await Promise.all([Engine.load(), loadBuiltIn()]);
+  const database = engine.openDatabase({ kind: "demo", motions });
+  const input = engine.openInput(database, { kind: "built-in", name: engine.inputsOf(motions)[0]!, motions });
   const walk = (style: S) => {
     const stylizer = engine.createStylizer(database, { ...DEFAULT_OPTIONS, styles: { [style]: 1 } });
     const job = engine.createClipJob(input, stylizer);

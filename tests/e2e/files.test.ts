@@ -122,3 +122,15 @@ describe("a file that cannot be used", () => {
     await eventually(async () => turnBetween(before, await styledPose(page))).toBeGreaterThan(1);
   });
 });
+
+describe("without a network", () => {
+  it("the page says what it could not load", async () => {
+    const context = await browser.newContext();
+    await context.route("**/built_in*.bin", (route) => route.abort());
+    const offline = await context.newPage();
+    await offline.goto(site.url);
+    const said = () => offline.getByRole("alert").textContent();
+    await eventually(said).toContain("The built-in motions could not be loaded: the server cannot be reached.");
+    await context.close();
+  });
+});

@@ -4,6 +4,7 @@
  */
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
+import { loadBuiltIn } from "../../web/engine/built_in";
 import { POSE_FLOATS } from "../../web/engine/types";
 
 const FRAMES = Number(process.env.STRUT_MEMORY_FRAMES ?? 10_000);
@@ -17,8 +18,9 @@ test("memory does not grow while frames are styled", { timeout: 3_600_000 }, asy
   const folder = new URL("../../web/engine/pkg/", import.meta.url);
   const glue: Glue = await import(/* @vite-ignore */ new URL("strut_wasm.js", folder).href);
   const { memory } = glue.initSync({ module: readFileSync(new URL("strut_wasm_bg.wasm", folder)) });
-  const database = glue.Database.demo();
-  const input = glue.Input.builtIn(database, glue.builtInInputs()[0]!);
+  const motions = await loadBuiltIn();
+  const database = glue.Database.fromPacked(motions);
+  const input = glue.Input.fromPacked(database, motions, glue.packedInputs(motions)[0]!);
   const poses = input.poses();
   const stylizer = new glue.Stylizer(database);
   stylizer.setStyles(Float32Array.from(database.styles(), (_, style) => (style < 3 ? 1 / 3 : 0)));

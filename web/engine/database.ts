@@ -1,11 +1,14 @@
 /** An open database. */
+import type { PackedMotions } from "./built_in";
 import { Handle } from "./handle";
 import type { Database as RawDatabase } from "./pkg/strut_wasm.js";
 import type { DatabaseInfo } from "./types";
 import { type Glue, guarded } from "./wasm";
 
 /** Where a database comes from. */
-export type DatabaseSource = { kind: "demo" } | { kind: "strutdb"; name: string; bytes: ArrayBuffer };
+export type DatabaseSource =
+  | { kind: "demo"; motions: PackedMotions }
+  | { kind: "strutdb"; name: string; bytes: ArrayBuffer };
 
 /** A database with its search index. */
 export class Database extends Handle<RawDatabase> {
@@ -14,7 +17,9 @@ export class Database extends Handle<RawDatabase> {
   /** @throws StrutError `bad-file` with what is wrong with the bytes */
   constructor(glue: Glue, source: DatabaseSource) {
     const raw = guarded(() =>
-      source.kind === "demo" ? glue.Database.demo() : glue.Database.fromBytes(new Uint8Array(source.bytes)),
+      source.kind === "demo"
+        ? glue.Database.fromPacked(source.motions)
+        : glue.Database.fromBytes(new Uint8Array(source.bytes)),
     );
     super(raw, "database");
     this.info = guarded(() => describe(raw, source.kind === "demo" ? "built-in" : source.name));

@@ -1,4 +1,5 @@
 /** The engine on the present thread: what the worker serves. */
+import type { PackedMotions } from "./built_in";
 import { ClipJob } from "./clip_job";
 import { Database, type DatabaseSource } from "./database";
 import { Input, type InputSource } from "./input";
@@ -22,9 +23,9 @@ export class Engine {
     return new Database(this.glue, source);
   }
 
-  /** Names of the built-in inputs, the default first. */
-  builtInInputs(): string[] {
-    return guarded(() => this.glue.builtInInputs());
+  /** Names of the inputs among packed motions, the default first. */
+  inputsOf(motions: PackedMotions): string[] {
+    return guarded(() => this.glue.packedInputs(motions));
   }
 
   openInput(database: Database, source: InputSource): Input {

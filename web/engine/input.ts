@@ -1,4 +1,5 @@
 /** An open input motion. */
+import type { PackedMotions } from "./built_in";
 import type { Database } from "./database";
 import { Handle } from "./handle";
 import type { Input as RawInput } from "./pkg/strut_wasm.js";
@@ -6,7 +7,9 @@ import type { InputInfo } from "./types";
 import { type Glue, guarded } from "./wasm";
 
 /** Where an input comes from. */
-export type InputSource = { kind: "built-in"; name: string } | { kind: "bvh"; name: string; bytes: ArrayBuffer };
+export type InputSource =
+  | { kind: "built-in"; name: string; motions: PackedMotions }
+  | { kind: "bvh"; name: string; bytes: ArrayBuffer };
 
 /** A motion on a database's humanoid, with the file that it came from. */
 export class Input extends Handle<RawInput> {
@@ -19,7 +22,7 @@ export class Input extends Handle<RawInput> {
   constructor(glue: Glue, database: Database, source: InputSource) {
     const raw = guarded(() =>
       source.kind === "built-in"
-        ? glue.Input.builtIn(database.raw, source.name)
+        ? glue.Input.fromPacked(database.raw, source.motions, source.name)
         : glue.Input.fromBvh(database.raw, new Uint8Array(source.bytes)),
     );
     super(raw, "input");

@@ -1,4 +1,5 @@
 /** The worker's side of the wire: one engine with one database, one input and one live session. */
+import { loadBuiltIn, type PackedMotions } from "../engine/built_in";
 import type { ClipJob } from "../engine/clip_job";
 import type { Database } from "../engine/database";
 import { Engine } from "../engine/engine";
@@ -10,6 +11,9 @@ import { type Caller, runToEnd, stage } from "./portions";
 import type { DatabaseSource, InputSource, StylizeOptions } from "./protocol";
 import { LiveSession } from "./session";
 
+/** Share of opening that is downloading, as far as people are told. */
+const DOWNLOAD_SHARE = 0.8;
+
 /** As much of a worker's global scope as the server needs. */
 export interface ServerPort {
   postMessage(message: Reply, transfer: Transferable[]): void;
@@ -19,7 +23,8 @@ export interface ServerPort {
 /** Loads the engine and answers the calls that arrive at `port`. */
 export async function serve(port: ServerPort): Promise<void> {
   const cancelledCalls = new Set<number>();
-  const answering = Engine.load().then((engine) => new Server(engine));
+  const motions = new BuiltInMotions();
+  const answering = Engine.load().then((engine) => new Server(engine, motions));
 
   const answer = async (call: Call) => {
     const { id } = call;
@@ -52,6 +57,43 @@ function buffersOf(value: unknown): Transferable[] {
   return Object.values(value).flatMap((field) => (ArrayBuffer.isView(field) ? [field.buffer as ArrayBuffer] : []));
 }
 
+/** The built-in motions, which begin to load with the engine. A load that failed is tried again when they are needed. */
+class BuiltInMotions {
+  private fraction = 0;
+  private loading: Promise<PackedMotions> | undefined;
+  private readonly waiting = new Set<Caller>();
+
+  constructor() {
+    void this.start().catch(() => {});
+  }
+
+  async load(caller: Caller): Promise<PackedMotions> {
+    this.waiting.add(caller);
+    try {
+      this.tell(caller);
+      return await this.start();
+    } finally {
+      this.waiting.delete(caller);
+    }
+  }
+
+  private start(): Promise<PackedMotions> {
+    this.loading ??= loadBuiltIn((fraction) => {
+      this.fraction = fraction;
+      this.waiting.forEach((caller) => void this.tell(caller));
+    }).catch((thrown) => {
+      this.loading = undefined;
+      throw thrown;
+    });
+    return this.loading;
+  }
+
+  private tell(caller: Caller): void {
+    if (this.fraction < 1)
+      caller.report({ label: "Loading the built-in motions", fraction: this.fraction * DOWNLOAD_SHARE });
+  }
+}
+
 type Handlers = { [M in Method]: (caller: Caller, ...args: Arguments<M>) => Promise<Result<M>> };
 
 /** All that belongs to one input in one database. */
@@ -72,7 +114,10 @@ class Server implements Handlers {
   /** Openings happen one after another, so that the last one asked for is the one that stays. */
   private opening: Promise<unknown> = Promise.resolve();
 
-  constructor(private readonly engine: Engine) {}
+  constructor(
+    private readonly engine: Engine,
+    private readonly builtIn: BuiltInMotions,
+  ) {}
 
   answer(call: Call, caller: Caller): Promise<Result<Method>> {
     // A call pairs each method with its own arguments; TypeScript does not follow that through the index.
@@ -84,12 +129,14 @@ class Server implements Handlers {
     return this.inTurn(async () => {
       await stage(caller, "Opening the database", 0);
       const database = this.engine.openDatabase(
-        source.kind === "demo" ? source : { ...source, bytes: await source.file.arrayBuffer() },
+        source.kind === "demo"
+          ? { kind: "demo", motions: await this.builtIn.load(caller) }
+          : { ...source, bytes: await source.file.arrayBuffer() },
       );
       try {
         await stage(caller, "Opening the database", 0.9);
         // The input stays: its poses move to the new database's humanoid.
-        const scene = this.scene && this.openScene(database, this.scene.source);
+        const scene = this.scene && (await this.openScene(database, this.scene.source, caller));
         this.close(this.scene);
         this.database?.dispose();
         this.database = database;
@@ -102,14 +149,14 @@ class Server implements Handlers {
     });
   }
 
-  async builtInInputs(): Promise<string[]> {
-    return this.engine.builtInInputs();
+  async builtInInputs(caller: Caller): Promise<string[]> {
+    return this.engine.inputsOf(await this.builtIn.load(caller));
   }
 
   openInput(caller: Caller, source: InputSource): Promise<Result<"openInput">> {
     return this.inTurn(async () => {
       await stage(caller, "Reading the motion", 0);
-      const scene = this.openScene(this.openedDatabase(), source);
+      const scene = await this.openScene(this.openedDatabase(), source, caller);
       this.close(this.scene);
       this.scene = scene;
       const { info } = scene.input;
@@ -163,12 +210,13 @@ class Server implements Handlers {
     return job;
   }
 
-  private openScene(database: Database, source: InputSource): Scene {
+  private async openScene(database: Database, source: InputSource, caller: Caller): Promise<Scene> {
+    const found = source.kind === "bvh" ? source : { ...source, motions: await this.builtIn.load(caller) };
     // A style that only the database before had is no reason to refuse this one.
     const known = Object.entries(this.options.styles).filter(([name]) => database.info.styles.includes(name));
     if (known.length < Object.keys(this.options.styles).length)
       this.options = { ...this.options, styles: Object.fromEntries(known) };
-    const input = this.engine.openInput(database, source);
+    const input = this.engine.openInput(database, found);
     let stylizer: Stylizer | undefined;
     try {
       stylizer = this.engine.createStylizer(database, this.options);

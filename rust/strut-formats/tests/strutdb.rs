@@ -184,3 +184,116 @@ proptest! {
         prop_assert!(strutdb::read(&bytes).is_err());
     }
 }
+
+mod packed {
+    use super::small;
+    use proptest::prelude::*;
+    use strut_core::database::{Database, DatabaseParts};
+    use strut_core::humanoid::{HumanoidMotion, Pose, Proportions, Role};
+    use strut_core::math::{Quat, Vec3};
+    use strut_core::pose_vector::{Placement, point_cloud};
+    use strut_formats::strutdb::packed::{self, MAGIC, NamedMotion, ROW_STEP, STEP};
+    use strut_formats::strutdb::{self, StrutdbError};
+
+    /// The same with point clouds that follow from the rows, as in every database that was built.
+    fn built() -> Database {
+        let db = small();
+        let cloud = |row| point_cloud(&db.proportions, &db.chart.decode(row, Placement::default()), 0.0);
+        Database::new(DatabaseParts { point_cloud: db.pose.iter().map(cloud).collect(), ..(*db).clone() }).unwrap()
+    }
+
+    /// Turns about itself while it travels: angles beyond half a turn are among them.
+    fn input(name: &str, frames: u16) -> NamedMotion {
+        let pose = |f: u16| {
+            let t = f32::from(f) * 0.2;
+            let mut pose = Pose { root: Vec3::new(t, 0.9, -t * t), ..Pose::default() };
+            pose.rotations[0] = Quat::from_rotation_y(t);
+            pose.rotations[Role::Chest.index()] = Quat::from_rotation_x(0.3 * t);
+            pose
+        };
+        let poses = (0..frames).map(pose).collect();
+        NamedMotion {
+            name: name.into(),
+            motion: HumanoidMotion { proportions: Proportions::default(), rate_hz: 60.0, poses },
+        }
+    }
+
+    fn file() -> Vec<u8> {
+        packed::write(&built(), &[input("a", 40), input("“b”", 3)], "test 1")
+    }
+
+    #[test]
+    fn a_database_comes_back_to_within_half_a_step() {
+        let (db, back) = (built(), packed::read_database(&file()).unwrap());
+        assert_eq!((&back.clips, &back.actions, &back.styles), (&db.clips, &db.actions, &db.styles));
+        assert_eq!((back.neutral, &back.contact, back.chart), (db.neutral, &db.contact, db.chart));
+        assert_eq!((back.rate_hz, &back.canonical_time), (db.rate_hz, &db.canonical_time));
+        for (a, b) in db.pose.iter().flatten().zip(back.pose.iter().flatten()) {
+            assert!((a - b).abs() <= 0.501 * STEP, "{a} {b}");
+        }
+        for (a, b) in db.counterpart.iter().zip(&back.counterpart) {
+            assert!((a - b).abs() <= 0.501 * ROW_STEP && (*a < 0.0) == (*b < 0.0), "{a} {b}");
+        }
+        for (a, b) in db.point_cloud.iter().flatten().zip(back.point_cloud.iter().flatten()) {
+            assert!((*a - *b).length() < 2e-3, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn motions_come_back_by_name() {
+        let file = file();
+        assert_eq!(packed::input_names(&file).unwrap(), ["a", "“b”"]);
+        assert_eq!(packed::read_input(&file, "c").unwrap(), None);
+        for input in [input("a", 40), input("“b”", 3)] {
+            let back = packed::read_input(&file, &input.name).unwrap().unwrap();
+            assert_eq!((back.poses.len(), back.proportions), (input.motion.poses.len(), input.motion.proportions));
+            for (a, b) in input.motion.poses.iter().zip(&back.poses) {
+                assert!((a.root - b.root).length() < STEP);
+                assert!(a.rotations.iter().zip(&b.rotations).all(|(a, b)| a.dot(*b).abs() > 1.0 - 1e-6));
+            }
+        }
+    }
+
+    #[test]
+    fn another_file_is_refused_with_a_sentence() {
+        assert_eq!(packed::read_database(&strutdb::write(&built(), "test 1")).unwrap_err(), StrutdbError::NotPacked);
+        assert_eq!(packed::input_names(b"").unwrap_err(), StrutdbError::NotPacked);
+        let newer = String::from_utf8_lossy(&file()).into_owned();
+        let at = newer.find("\"version\":\"1").unwrap() + 11;
+        let mut bytes = file();
+        bytes[at] = b'2';
+        assert_eq!(packed::read_database(&bytes).unwrap_err(), StrutdbError::Version { found: "2.0".into() });
+    }
+
+    /// What says that it is larger than it is makes no room for it.
+    #[test]
+    fn claimed_frames_need_bytes() {
+        let mut bytes = MAGIC.to_vec();
+        let file = file();
+        let length = u32::from_le_bytes(file[8..12].try_into().unwrap()) as usize;
+        let header = String::from_utf8(file[12..12 + length].to_vec()).unwrap();
+        let header = header.replace("\"frames\":4,", "\"frames\":3999999,").replace("\"frames\":40}", "\"frames\":0}");
+        bytes.extend((header.len() as u32).to_le_bytes());
+        bytes.extend(header.bytes());
+        bytes.extend(&file[12 + length..]);
+        assert!(packed::read_database(&bytes).is_err());
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        #[test]
+        fn damage_never_panics(at: prop::sample::Index, change in 1_u8..) {
+            let mut file = file();
+            let at = at.index(file.len());
+            file[at] ^= change;
+            let _ = (packed::read_database(&file), packed::read_input(&file, "a"));
+        }
+
+        #[test]
+        fn every_cut_is_noticed(length: prop::sample::Index) {
+            let file = file();
+            prop_assert!(packed::read_database(&file[..length.index(file.len())]).is_err());
+        }
+    }
+}

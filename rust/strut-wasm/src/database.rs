@@ -5,7 +5,7 @@ use std::sync::Arc;
 use strut_core::math::Vec3;
 use strut_core::search::Index;
 use strut_core::transfer::Model;
-use strut_formats::strutdb;
+use strut_formats::strutdb::{self, StrutdbError, packed};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A database with its search index; shared with all that was made from it.
@@ -16,12 +16,13 @@ pub struct Database {
 
 #[wasm_bindgen]
 impl Database {
-    /// The built-in procedural database.
+    /// The database of packed motions.
     ///
     /// # Errors
-    /// None: the built-in clips are valid.
-    pub fn demo() -> Result<Self, EngineError> {
-        strut_demo::database().map(Self::new).map_err(EngineError::bad_input)
+    /// With what is wrong with the bytes.
+    #[wasm_bindgen(js_name = fromPacked)]
+    pub fn from_packed(bytes: Vec<u8>) -> Result<Self, EngineError> {
+        packed::read_database(&bytes).map(Self::new).map_err(unpackable)
     }
 
     /// A `.strutdb` file. Its search index is made here if the file has none.
@@ -87,4 +88,9 @@ impl Database {
     pub(crate) fn model(&self) -> &Arc<Model> {
         &self.model
     }
+}
+
+/// Packed motions that cannot be read.
+pub(crate) fn unpackable(error: StrutdbError) -> EngineError {
+    EngineError::bad_file(error, "Reload the page; if that does not help, the site was not deployed completely.")
 }

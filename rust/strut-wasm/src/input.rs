@@ -1,6 +1,6 @@
 //! Handle of an input motion.
 
-use crate::database::Database;
+use crate::database::{Database, unpackable};
 use crate::error::EngineError;
 use crate::poses::floats_of;
 use strut_core::contact;
@@ -9,6 +9,7 @@ use strut_core::motion::Motion;
 use strut_core::retarget::{Binding, to_humanoid};
 use strut_core::transfer::StyledMotion;
 use strut_formats::bvh::{self, Bvh, BvhError};
+use strut_formats::strutdb::packed;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A motion on a database's humanoid and at its rate, with the file that it came from.
@@ -27,27 +28,30 @@ struct File {
     binding: Binding,
 }
 
-/// Names of the built-in inputs, the default first.
-#[wasm_bindgen(js_name = builtInInputs)]
-pub fn built_in_inputs() -> Vec<String> {
-    strut_demo::input_clips().into_iter().map(|c| c.name.into()).collect()
+/// Names of the inputs among packed motions, the default first.
+///
+/// # Errors
+/// With what is wrong with the bytes.
+#[wasm_bindgen(js_name = packedInputs)]
+pub fn packed_inputs(bytes: &[u8]) -> Result<Vec<String>, EngineError> {
+    packed::input_names(bytes).map_err(unpackable)
 }
 
 #[wasm_bindgen]
 impl Input {
-    /// A built-in input.
+    /// An input among packed motions.
     ///
     /// # Errors
-    /// If there is none of this name.
-    #[wasm_bindgen(js_name = builtIn)]
-    pub fn built_in(database: &Database, name: &str) -> Result<Self, EngineError> {
-        let clip = strut_demo::input_clips().into_iter().find(|c| c.name == name);
-        let clip = clip.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))?;
+    /// If there is none of this name, or with what is wrong with the bytes.
+    #[wasm_bindgen(js_name = fromPacked)]
+    pub fn from_packed(database: &Database, bytes: &[u8], name: &str) -> Result<Self, EngineError> {
+        let motion = packed::read_input(bytes, name).map_err(unpackable)?;
+        let motion = motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))?;
         let db = database.model().database();
-        let humanoid = if clip.motion.proportions == db.proportions {
-            clip.motion.resampled(db.rate_hz)
+        let humanoid = if motion.proportions == db.proportions {
+            motion.resampled(db.rate_hz)
         } else {
-            let bvh = Bvh::from_humanoid(&clip.motion).map_err(unreadable)?;
+            let bvh = Bvh::from_humanoid(&motion).map_err(unreadable)?;
             Self::from_file(database, bvh)?.humanoid
         };
         Ok(Self { humanoid, file: None })

@@ -20,7 +20,7 @@ pub use bench::{Naive, Workload, joint_weights, positions_of, rows_of, stage_nam
 pub use clip_job::ClipJob;
 pub use database::Database;
 pub use error::EngineError;
-pub use input::{Input, built_in_inputs};
+pub use input::{Input, packed_inputs};
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;
 pub use poses::interpolate_poses;

@@ -6,7 +6,7 @@
 use crate::clip_job::ClipJob;
 use crate::database::Database;
 use crate::error::EngineError;
-use crate::input::{Input, built_in_inputs};
+use crate::input::{Input, packed_inputs};
 use crate::poses::floats_of;
 use crate::stylizer::Stylizer;
 use std::fmt::Write;
@@ -18,6 +18,7 @@ use strut_core::math::Vec3;
 use strut_core::parallel::Sequential;
 use strut_core::pose_vector::{HeadingFilter, Placement};
 use strut_core::transfer::{self, NoClock, StyledFrame};
+use strut_formats::strutdb::packed::{self, NamedMotion};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Takes of the built-in walk that are registered anew, as if their correspondence were not known.
@@ -55,10 +56,13 @@ impl ParityReport {
     /// If a file cannot be read or nothing can be built from the files.
     pub fn run(&self, nudged_frame: Option<usize>) -> Result<String, EngineError> {
         let mut report = String::new();
-        let database = Database::demo()?;
+        let synthesised = strut_demo::database().map_err(EngineError::bad_input)?;
+        let packed = packed::write(&synthesised, &built_in_inputs(), "parity");
+        database_stages(&mut report, "synthesised database", &Database::new(synthesised));
+        let database = Database::from_packed(packed.clone())?;
         database_stages(&mut report, "built-in database", &database);
-        for name in built_in_inputs() {
-            let input = Input::built_in(&database, &name)?;
+        for name in packed_inputs(&packed)? {
+            let input = Input::from_packed(&database, &packed, &name)?;
             clip_stages(&mut report, &name, &database, &input, nudged_frame)?;
         }
         database_stages(&mut report, "registered database", &registered(built_in_clips())?);
@@ -160,6 +164,11 @@ fn row_hashes(database: &Database, poses: &[Pose]) -> Vec<u64> {
         float_hash(&row)
     };
     poses.iter().map(row_hash).collect()
+}
+
+fn built_in_inputs() -> Vec<NamedMotion> {
+    let named = |clip: strut_demo::NamedMotion| NamedMotion { name: clip.name.into(), motion: clip.motion };
+    strut_demo::input_clips().into_iter().map(named).collect()
 }
 
 fn built_in_clips() -> Vec<SourceClip> {

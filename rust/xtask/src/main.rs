@@ -1,26 +1,30 @@
-//! Builds the WASM packages: `cargo run --profile tool -p xtask -- wasm`.
+//! Builds the WASM packages and the file of the built-in motions: `cargo run --profile tool -p xtask -- wasm`.
 #![forbid(unsafe_code)]
 
+mod motions;
 mod wasm;
 
 use std::process::ExitCode;
+use wasm::Package;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let packages: &[wasm::Package] = match &arguments[..] {
-        [word] if word == "wasm" => &[wasm::Package::ENGINE, wasm::Package::BUILD],
-        [word] if word == "bench" => &[wasm::Package::BENCH, wasm::Package::BENCH_SCALAR],
+    let packages = |packages: &[Package]| packages.iter().try_for_each(wasm::build);
+    let built = match &arguments[..] {
+        [word] if word == "wasm" => packages(&[Package::ENGINE, Package::BUILD]),
+        [word] if word == "bench" => packages(&[Package::BENCH, Package::BENCH_SCALAR]),
+        [word] if word == "motions" => motions::build(),
         _ => {
-            let folders = [wasm::Package::ENGINE, wasm::Package::BUILD, wasm::Package::BENCH].map(|p| p.folder);
-            let [engine, build, bench] = folders;
+            let [engine, build, bench] = [Package::ENGINE, Package::BUILD, Package::BENCH].map(|p| p.folder);
             eprintln!("usage: xtask wasm     builds {engine} from strut-wasm and {build} from strut-wasm-build");
             eprintln!(
                 "       xtask bench    builds {bench}, the same with reports and yardsticks, and its scalar twin"
             );
+            eprintln!("       xtask motions  makes {}, the built-in motions that the page loads", motions::FILE);
             return ExitCode::from(2);
         }
     };
-    match packages.iter().try_for_each(wasm::build) {
+    match built {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("error: {message}");

@@ -38,6 +38,7 @@
 mod checksum;
 mod crc32;
 mod metadata;
+pub mod packed;
 mod read;
 mod write;
 
@@ -67,6 +68,9 @@ pub enum StrutdbError {
     /// No safetensors header, or a damaged one.
     #[error("this is no Strut database, or its beginning is damaged; a safetensors header was expected")]
     NotSafetensors,
+    /// No packed motions ([`packed`]).
+    #[error("these are no packed motions, or their beginning is damaged")]
+    NotPacked,
     /// The tensors do not fill the file exactly.
     #[error("the file is cut short or damaged: its length does not agree with its header")]
     Length,

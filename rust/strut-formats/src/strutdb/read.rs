@@ -26,8 +26,7 @@ pub fn read(bytes: &[u8]) -> Result<Database, StrutdbError> {
         return Err(StrutdbError::Layout("degrees of freedom"));
     }
     let clips = clips(&metadata)?;
-    let frames = clips.iter().try_fold(0_usize, |n, c| n.checked_add(c.frames).filter(|&n| n <= MAX_FRAMES));
-    let frames = frames.ok_or_else(|| invalid(format!("more than {MAX_FRAMES} frames")))?;
+    let frames = frames_of(&clips)?;
     let classes = tensor(&tensors, "class_of_clip", Dtype::U16, &[Some(clips.len()), Some(2)])?;
     let agree = clips.iter().zip(classes.data.chunks_exact(4)).all(|(clip, c)| {
         (clip.action, clip.style) == (u16::from_le_bytes([c[0], c[1]]), u16::from_le_bytes([c[2], c[3]]))
@@ -116,7 +115,7 @@ pub fn read_metadata(bytes: &[u8]) -> Result<Metadata, StrutdbError> {
     Ok(metadata)
 }
 
-fn clips(metadata: &Metadata) -> Result<Vec<Clip>, StrutdbError> {
+pub(super) fn clips(metadata: &Metadata) -> Result<Vec<Clip>, StrutdbError> {
     if metadata.clips.len() > MAX_CLIPS {
         return Err(invalid(format!("{} clips; at most {MAX_CLIPS} are supported", metadata.clips.len())));
     }
@@ -135,7 +134,13 @@ fn clips(metadata: &Metadata) -> Result<Vec<Clip>, StrutdbError> {
     metadata.clips.iter().map(clip).collect()
 }
 
-fn index_of(names: &[String], name: &str, what: &str) -> Result<u16, StrutdbError> {
+/// Frames of all clips.
+pub(super) fn frames_of(clips: &[Clip]) -> Result<usize, StrutdbError> {
+    let frames = clips.iter().try_fold(0_usize, |n, c| n.checked_add(c.frames).filter(|&n| n <= MAX_FRAMES));
+    frames.ok_or_else(|| invalid(format!("more than {MAX_FRAMES} frames")))
+}
+
+pub(super) fn index_of(names: &[String], name: &str, what: &str) -> Result<u16, StrutdbError> {
     let index = names.iter().position(|n| n == name).and_then(|i| u16::try_from(i).ok());
     index.ok_or_else(|| invalid(format!("{what} '{name}' is not in its list")))
 }
@@ -201,7 +206,7 @@ fn point_clouds(bytes: &[u8]) -> Vec<[Vec3; JOINTS]> {
     bytes.chunks_exact(12 * JOINTS).map(cloud).collect()
 }
 
-fn unit_chart(floats: &[f32]) -> Result<PoseChart, StrutdbError> {
+pub(super) fn unit_chart(floats: &[f32]) -> Result<PoseChart, StrutdbError> {
     let mut chart = PoseChart::default();
     for (mean, q) in chart.means.iter_mut().zip(floats.chunks_exact(4)) {
         *mean = Quat::from_xyzw(q[0], q[1], q[2], q[3]);

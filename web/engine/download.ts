@@ -1,0 +1,34 @@
+/** Files of the site, in a browser and in Node. */
+import { StrutError } from "./errors";
+
+/** The bytes of a file on disk: Node only. */
+export async function readFile(url: URL): Promise<Uint8Array<ArrayBuffer>> {
+  // The bundler must not look for it.
+  const fs: typeof import("node:fs/promises") = await import(/* @vite-ignore */ `node:${"fs/promises"}`);
+  return new Uint8Array(await fs.readFile(url));
+}
+
+/**
+ * A server's answer that is good.
+ * @param what for messages: the part of Strut that it is
+ * @throws StrutError if there is none
+ */
+export async function download(url: URL, what: string): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(url);
+  } catch {
+    throw unloadable(what, "the server cannot be reached", "Check the connection, then reload the page.");
+  }
+  if (!response.ok) throw incomplete(what, `the server answered ${response.status} for ${url.pathname}`);
+  return response;
+}
+
+/** The error of a file that is not whole. */
+export function incomplete(what: string, why: string): StrutError {
+  return unloadable(what, why, "Reload the page; if that does not help, the site was not deployed completely.");
+}
+
+function unloadable(what: string, why: string, hint: string): StrutError {
+  return new StrutError({ code: "bad-file", message: `The ${what} could not be loaded: ${why}.`, hint });
+}
