@@ -2,8 +2,9 @@
 import { Handle } from "./handle";
 import type { Input } from "./input";
 import type { ClipJob as RawClipJob } from "./pkg/strut_wasm.js";
+import { type WeightKey, weightsAt } from "./style_track";
 import type { Stylizer } from "./stylizer";
-import type { Analysis } from "./types";
+import type { Analysis, StyleKey } from "./types";
 import { type Glue, guarded } from "./wasm";
 
 /** An input on its way through the engine. Unlike live playback it may look ahead for its foot contacts. */
@@ -11,24 +12,42 @@ export class ClipJob extends Handle<RawClipJob> {
   /** Frames done. */
   done = 0;
   readonly frames: number;
+  private readonly track: WeightKey[];
 
-  /** @param stylizer gives its styles and options; it is free for other uses afterwards */
+  /**
+   * @param stylizer gives its styles and options; it is free for other uses afterwards
+   * @param track styles over time; without keys they are the stylizer's
+   */
   constructor(
     glue: Glue,
     private readonly input: Input,
     stylizer: Stylizer,
+    track: readonly StyleKey[] = [],
   ) {
     super(
       guarded(() => new glue.ClipJob(stylizer.raw, input.raw)),
       "clip job",
     );
     this.frames = input.info.frames;
+    this.track = track.map(({ frame, styles }) => ({ frame, weights: stylizer.weightsOf(styles) }));
   }
 
   /** Styles up to `frames` more frames; true once all are done. */
   run(frames: number): boolean {
-    this.done = guarded(() => this.raw.run(frames));
+    this.done = guarded(() => (this.track.length > 0 ? this.runTrack(frames) : this.raw.run(frames)));
     return this.done >= this.frames;
+  }
+
+  private runTrack(frames: number): number {
+    const weights = this.track[0]!.weights.slice();
+    const end = Math.min(this.done + frames, this.frames);
+    let { done } = this;
+    while (done < end) {
+      weightsAt(this.track, done, weights);
+      this.raw.setStyles(weights);
+      done = this.raw.run(1);
+    }
+    return done;
   }
 
   /** What was styled; call it after {@link run} gave true. */
@@ -37,6 +56,7 @@ export class ClipJob extends Handle<RawClipJob> {
       poses: this.raw.poses(),
       timeOut: this.raw.timeOut(),
       planted: this.raw.planted(),
+      classWeights: this.raw.classWeights(),
       durationOutSecs: this.raw.durationSecs(),
     }));
   }

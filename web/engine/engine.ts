@@ -4,7 +4,7 @@ import { ClipJob } from "./clip_job";
 import { Database, type DatabaseSource } from "./database";
 import { Input, type InputSource } from "./input";
 import { Stylizer } from "./stylizer";
-import type { StylizeOptions } from "./types";
+import type { StyleKey, StylizeOptions } from "./types";
 import { type Glue, guarded, loadWasm } from "./wasm";
 
 /** Opens things; every object it gives belongs to the caller, who disposes it. Calls are synchronous. */
@@ -36,8 +36,8 @@ export class Engine {
     return new Stylizer(this.glue, database, options);
   }
 
-  createClipJob(input: Input, stylizer: Stylizer): ClipJob {
-    return new ClipJob(this.glue, input, stylizer);
+  createClipJob(input: Input, stylizer: Stylizer, track: readonly StyleKey[] = []): ClipJob {
+    return new ClipJob(this.glue, input, stylizer, track);
   }
 
   /** The pose between two, `t` from 0 to 1: the root linearly, rotations spherically. */

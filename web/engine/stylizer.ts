@@ -3,22 +3,26 @@ import type { Database } from "./database";
 import { StrutError } from "./errors";
 import { Handle } from "./handle";
 import type { Stylizer as RawStylizer } from "./pkg/strut_wasm.js";
-import type { DatabaseInfo, StylizeOptions } from "./types";
+import { BODY_PARTS, type BodyPart, type DatabaseInfo, type StyleWeights, type StylizeOptions } from "./types";
 import { type Glue, guarded } from "./wasm";
 
 /** Options without the styles. */
-export type ModelOptions = Omit<StylizeOptions, "styles">;
+export type ModelOptions = Omit<StylizeOptions, "styles" | "parts" | "track">;
 
 /** The engine's defaults (`rust/strut-core/src/transfer/options.rs` says why), in the neutral style. */
 export const DEFAULT_OPTIONS: Readonly<StylizeOptions> = {
   styles: {},
+  parts: {},
+  track: [],
   k: 40,
   lambda: 0.1,
   rho: 0.7,
   kappa: 3,
   delta: 0.7,
+  coherence: true,
   timing: true,
   footplant: true,
+  method: "mar",
 };
 
 /** A batch of styled frames, one an input frame. */
@@ -47,19 +51,23 @@ export class Stylizer extends Handle<RawStylizer> {
     this.classes = database.info.classes;
     this.styles = database.info.styles;
     this.configure(options);
-    this.setStyles(options.styles);
+    this.setWeights(this.weightsOf(options.styles));
+    for (const part of BODY_PARTS) {
+      const own = options.parts[part];
+      if (own) this.setPartWeights(part, this.weightsOf(own));
+    }
   }
 
   /**
    * Replaces everything but the styles; the stream goes on.
    * @throws StrutError `bad-input` for an option outside its range
    */
-  configure({ k, lambda, rho, kappa, delta, timing, footplant }: ModelOptions): void {
-    guarded(() => this.raw.configure(k, lambda, rho, kappa, delta, timing, footplant));
+  configure({ k, lambda, rho, kappa, delta, coherence, timing, footplant, method }: ModelOptions): void {
+    guarded(() => this.raw.configure(k, lambda, rho, kappa, delta, coherence, timing, footplant, method));
   }
 
   /** One weight a style of the database. @throws StrutError `bad-input` for a style that the database lacks */
-  weightsOf(styles: Record<string, number>): Float32Array {
+  weightsOf(styles: StyleWeights): Float32Array {
     const weights = new Float32Array(this.styles.length);
     for (const [name, weight] of Object.entries(styles)) {
       const index = this.styles.indexOf(name);
@@ -80,9 +88,9 @@ export class Stylizer extends Handle<RawStylizer> {
     guarded(() => this.raw.setStyles(weights));
   }
 
-  /** Sets weights by name; the remainder to 1 belongs to the neutral style. */
-  setStyles(styles: Record<string, number>): void {
-    this.setWeights(this.weightsOf(styles));
+  /** Gives a part of the body weights of its own; `undefined` lets it follow the whole body again. */
+  setPartWeights(part: BodyPart, weights: Float32Array | undefined): void {
+    guarded(() => this.raw.setPartStyles(BODY_PARTS.indexOf(part), weights ?? new Float32Array(0)));
   }
 
   /** Starts anew where the next input frame is, as after a cut. */

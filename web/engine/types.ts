@@ -40,10 +40,31 @@ export interface InputInfo {
   contacts: Uint8Array;
 }
 
+/** Parts of the body that may take styles of their own, in the engine's order (`transfer/body_part.rs`). */
+export const BODY_PARTS = ["head", "torso", "left_arm", "right_arm", "legs"] as const;
+export type BodyPart = (typeof BODY_PARTS)[number];
+
+/** How the neighbours become a prediction (`transfer/options.rs`): the mixture of autoregressive models is the product. */
+export const METHODS = ["mar", "lar", "knn", "nn"] as const;
+export type Method = (typeof METHODS)[number];
+
+/** Weight of each style by name; the remainder to 1 belongs to the neutral style. */
+export type StyleWeights = Readonly<Record<string, number>>;
+
+/** The styles that a style track has reached at an input frame. */
+export interface StyleKey {
+  frame: number;
+  styles: StyleWeights;
+}
+
 /** Everything that changes the output; the defaults are the engine's. */
 export interface StylizeOptions {
-  /** Weight of each style by name; the remainder to 1 belongs to the neutral style. */
-  styles: Record<string, number>;
+  /** Styles of the whole body. */
+  styles: StyleWeights;
+  /** Styles of the parts of the body that have their own. */
+  parts: Readonly<Partial<Record<BodyPart, StyleWeights>>>;
+  /** Styles of the whole body over time, in the order of frames; without keys they are {@link styles} throughout. */
+  track: readonly StyleKey[];
   /** Neighbours in each class. */
   k: number;
   /** Ridge regularisation, in units of K. */
@@ -54,10 +75,13 @@ export interface StylizeOptions {
   kappa: number;
   /** Sharpness of the mixture. */
   delta: number;
+  /** Whether the output is kept from trembling where the database does not know the input; method `mar` only. */
+  coherence: boolean;
   /** Whether the output has its own timing. */
   timing: boolean;
   /** Whether planted feet are held. */
   footplant: boolean;
+  method: Method;
 }
 
 /** One class of the database and how much the engine reads the input as it. */
@@ -75,6 +99,8 @@ export interface Analysis {
   timeOut: Float32Array;
   /** Planted feet of the output, left and right interleaved, one pair an input frame. */
   planted: Uint8Array;
+  /** Weight of each class of the database in each frame. */
+  classWeights: Float32Array;
   durationOutSecs: number;
 }
 

@@ -1,6 +1,7 @@
 /** The playground: builds the page from its panels and keeps engine, state, URL and picture in step. */
 import type { DroppedFile } from "../worker/build/protocol";
 import type { Analysis, DatabaseInfo, DatabaseSource, InputInfo, LiveFrame, StrutClient } from "../worker/protocol";
+import { Databases } from "./databases";
 import { html, saveFile } from "./dom";
 import { DropZone } from "./drop";
 import { listenToKeys } from "./keys";
@@ -12,23 +13,39 @@ import { StylePanel } from "./panels/style_panel";
 import { Tabs } from "./panels/tabs";
 import { TopBar } from "./panels/top_bar";
 import { Transport } from "./panels/transport";
-import { firstSelection, normalised } from "./polygon/selection";
+import { Playhead } from "./playhead";
+import { firstSelection } from "./polygon/selection";
 import { ProgressLine } from "./progress";
 import { Session } from "./session";
 import { Stage } from "./stage";
-import { engineOptions, fromHash, GHOST_MODES, type PlayState, toHash } from "./state";
+import { ENGINE_FIELDS, fromHash, GHOST_MODES, type PlayState, toHash } from "./state";
 import { type History, Store } from "./store";
+import {
+  addKey,
+  chooseKey,
+  chosenKey,
+  engineOptions,
+  moveKey,
+  otherSide,
+  partOf,
+  removeKey,
+  withKnownStyles,
+} from "./style_settings";
 import { applyTheme, isDark, onSystemTheme, opposite } from "./theme";
 import { plantedStretches } from "./timeline/curves";
 import { Timeline } from "./timeline/timeline";
+import { TrackKeys } from "./timeline/track_keys";
 import { Views } from "./views";
-import { exportName, grouped, stageCaption, stageTitle } from "./words";
+import { exportName, manner, stageCaption, stageTitle } from "./words";
 
 /** The URL is written when nothing has changed for so long: browsers limit how often it may change. */
 const URL_MS = 200;
 /** The title takes another action only when the engine is this sure, and no more often than this. */
 const SURE = 0.5;
 const TITLE_MS = 600;
+
+/** What the Style panel and the title show. */
+const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon", "intensity", "side"] as const;
 
 type Changed = ReadonlySet<keyof PlayState>;
 const any = (changed: Changed, ...names: (keyof PlayState)[]): boolean => names.some((name) => changed.has(name));
@@ -47,24 +64,26 @@ export class App {
   readonly #tabs: Tabs;
   readonly #transport: Transport;
   readonly #timeline: Timeline;
+  readonly #keys: TrackKeys;
   readonly #views: Views;
+  readonly #playhead: Playhead;
+  readonly #databases: Databases;
   readonly #root: HTMLElement;
   readonly #listening = new AbortController();
   #session: Session | undefined;
-  #frame: LiveFrame | undefined;
   #analysed = false;
   /** Styled poses of the whole input, whose path the picture shows. */
   #path: Float32Array | undefined;
-  #databaseName = "";
   #action = "walk";
   #actionAt = 0;
-  #scrubbing = false;
   #url: ReturnType<typeof setTimeout> | undefined;
 
   constructor(root: HTMLElement) {
     const store = this.#store;
     applyTheme(store.state.theme);
     this.#root = root;
+    this.#databases = new Databases(store, this.#notices);
+    this.#playhead = new Playhead(store, (frame) => this.#onScrub(frame));
     this.#topBar = new TopBar({
       onView: (view) => store.edit({ view }),
       onUndo: () => this.#history.undo(),
@@ -78,6 +97,7 @@ export class App {
       onCamera: (camera) => store.edit({ camera }),
       onFollow: () => store.edit({ follow: !store.state.follow }),
       onGhost: () => this.#nextGhost(),
+      onJoint: (role) => store.edit({ part: partOf(role), tab: "style" }),
     });
     this.#style = new StylePanel(store, this.#progress.database.element);
     this.#input = new InputPanel(
@@ -86,13 +106,34 @@ export class App {
     );
     this.#model = new ModelPanel(store);
     this.#tabs = new Tabs((tab) => store.edit({ tab }));
-    const scrub = { onScrub: (frame: number) => this.#scrub(frame), onScrubEnd: () => this.#endScrub() };
+    const playhead = this.#playhead;
+    const scrub = { onScrub: (frame: number) => playhead.scrub(frame), onScrubEnd: () => playhead.endScrub() };
     this.#transport = new Transport(store, {
-      onPlay: () => this.#togglePlay(),
-      onFrame: (by) => this.#stepFrame(by),
+      onPlay: () => playhead.togglePlay(),
+      onFrame: (by) => playhead.step(by),
+      onKey: () => this.#addKey(),
       ...scrub,
     });
-    this.#timeline = new Timeline({ ...scrub, onCurve: (curve) => store.edit({ curve }) });
+    this.#keys = new TrackKeys({
+      onChoose: (key) => {
+        store.edit(chooseKey(store.state, key));
+        this.#playhead.goTo(store.state.track[key]?.frame ?? 0);
+      },
+      onMove: (key, frame) => store.edit(moveKey(store.state, key, frame), `key ${key}`),
+      onSettle: () => store.endGesture(),
+      onRemove: (key) => store.edit(removeKey(store.state, key)),
+    });
+    this.#timeline = new Timeline(
+      {
+        ...scrub,
+        onHover: (frame) => playhead.preview(frame),
+        onRange: (range) => store.edit({ range }),
+        onCurve: (curve) => store.edit({ curve }),
+      },
+      this.#keys.element,
+    );
+    this.#timeline.onLayout = () => this.#keys.layOut();
+    this.#keys.places = this.#timeline;
     this.#drop = new DropZone({
       viewTakesAll: () => store.state.view !== "play",
       onMotion: (name, bytes) => void this.#takeMotion(name, bytes),
@@ -149,14 +190,15 @@ export class App {
       onNote: (sentence) => this.#notices.note(sentence),
     });
     this.#session = session;
+    this.#playhead.session = session;
     const wanted = this.#store.state.input;
-    await session.openDatabase(await this.#databaseOfLink(), wanted);
+    await session.openDatabase(await this.#databases.wanted(), wanted);
     if (wanted && session.input && session.inputName !== wanted) {
       this.#store.adopt({ input: "" });
       this.#notices.note(`This link was made with “${wanted}”, a file that is not part of it. Drop the file here.`);
     }
-    const { loop, frame, playing } = this.#store.state;
-    session.setLoop(loop);
+    const { loop, range, frame, playing } = this.#store.state;
+    session.setLoop(loop, range);
     if (!playing && frame > 0) session.playback.seek(frame);
     session.playback.start();
   }
@@ -168,7 +210,7 @@ export class App {
 
   /** What {@link StrutHook} shows. */
   get frame(): LiveFrame | undefined {
-    return this.#frame;
+    return this.#playhead.frame;
   }
 
   get state(): Readonly<PlayState> {
@@ -200,6 +242,7 @@ export class App {
 
   #onDatabase(database: DatabaseInfo): void {
     this.#style.database = database;
+    this.#timeline.classes = database.classes;
     if (this.#store.state.view === "play") this.#stage.viewer.setProportions(database.proportions);
     this.#completeStyles(database);
     this.#show(this.#store.state);
@@ -208,12 +251,10 @@ export class App {
 
   /** Drops styles that the database does not have, and chooses some where none is left; whether it had to. */
   #completeStyles(database: DatabaseInfo): boolean {
-    const { styles } = this.#store.state;
-    const known = styles.filter((s) => database.styles.includes(s.name));
-    if (known.length === styles.length && known.length > 0) return false;
     const first = firstSelection(database.styles, database.neutral);
-    this.#store.adopt({ styles: known.length > 0 ? normalised(known) : first, wholePolygon: false });
-    return true;
+    const known = withKnownStyles(this.#store.state, database.styles, first);
+    if (known) this.#store.adopt(known);
+    return known !== undefined;
   }
 
   #onInput(input: InputInfo): void {
@@ -225,6 +266,7 @@ export class App {
     this.#input.input = input;
     this.#transport.input = input;
     this.#timeline.input = input;
+    this.#keys.input = input;
     this.#topBar.canExport = true;
     this.#notices.clearErrors();
     this.#showHeading();
@@ -240,12 +282,14 @@ export class App {
   }
 
   #onFrame(frame: LiveFrame, sought: boolean): void {
-    this.#frame = frame;
+    this.#playhead.frame = frame;
     if (sought) this.#stage.viewer.resetTrail();
     this.#stage.take(frame);
     this.#input.read(frame.reads);
-    this.#transport.frame = frame.inputFrame;
-    if (!this.#scrubbing) this.#timeline.frame = frame.inputFrame;
+    if (!this.#playhead.previewing) {
+      this.#transport.frame = frame.inputFrame;
+      if (!this.#playhead.scrubbing) this.#timeline.frame = frame.inputFrame;
+    }
     const [read] = frame.reads;
     const now = performance.now();
     if (read && read.weight >= SURE && read.action !== this.#action && now - this.#actionAt > TITLE_MS) {
@@ -253,7 +297,7 @@ export class App {
       this.#actionAt = now;
       this.#showHeading();
     }
-    if (frame.ended && this.#store.state.playing) this.#pauseAt(frame.inputFrame);
+    if (frame.ended && this.#store.state.playing) this.#playhead.pauseAt(frame.inputFrame);
   }
 
   // --- from the state ---
@@ -261,18 +305,20 @@ export class App {
   #onChange(state: Readonly<PlayState>, changed: Changed): void {
     const session = this.#session;
     // Adopting the missing styles is a change of its own, which shows the rest too.
-    if (session?.database && changed.has("styles") && this.#completeStyles(session.database)) {
+    if (session?.database && any(changed, "styles", "parts", "track") && this.#completeStyles(session.database)) {
       this.#onChange(this.#store.state, changed);
       return;
     }
     if (changed.has("theme")) this.#applyTheme();
-    if (session && changed.has("loop")) session.setLoop(state.loop);
-    if (any(changed, "styles", "intensity", "k", "lambda", "rho", "kappa", "delta", "timing", "footplant"))
-      this.#configure();
+    if (session && any(changed, "loop", "range")) session.setLoop(state.loop, state.range);
+    if (any(changed, ...ENGINE_FIELDS)) this.#configure();
     if (session?.input && changed.has("input")) this.#followInput(state.input);
-    if (session?.database && changed.has("database") && state.database !== this.#databaseName)
-      void this.#followDatabase();
+    if (session?.database && changed.has("database")) void this.#databases.follow(session);
     this.#show(state, changed);
+    this.#writeUrlSoon();
+  }
+
+  #writeUrlSoon(): void {
     clearTimeout(this.#url);
     this.#url = setTimeout(() => {
       const hash = toHash(this.#store.state);
@@ -298,10 +344,12 @@ export class App {
       });
     }
     if (!changed || any(changed, "camera", "follow", "ghost")) this.#stage.show(state);
-    if (!changed || any(changed, "styles", "wholePolygon", "intensity")) {
+    if (!changed || any(changed, ...STYLE_FIELDS)) {
       this.#style.show(state, changed !== undefined);
+      this.#showTrack(state);
       this.#showHeading();
     }
+    if (!changed || changed.has("range")) this.#timeline.range = state.range;
     if (!changed || changed.has("curve")) this.#timeline.curve = state.curve;
     this.#model.show(state);
     this.#transport.show(state);
@@ -309,9 +357,14 @@ export class App {
     this.#root.dataset.tab = state.tab;
     this.#root.classList.toggle("bare", !state.panels);
     if (this.#session) {
-      this.#session.playback.playing = state.playing && state.view === "play" && !this.#scrubbing;
+      this.#session.playback.playing = state.playing && state.view === "play" && !this.#playhead.scrubbing;
       this.#session.playback.speed = state.speed;
     }
+  }
+
+  #showTrack(state: Readonly<PlayState>): void {
+    const neutral = this.#session?.database?.neutral ?? "";
+    this.#keys.show(state.track, chosenKey(state), (key) => manner(key.styles, state.intensity, neutral));
   }
 
   #showTopBar(): void {
@@ -346,7 +399,7 @@ export class App {
     if (database) this.#stage.viewer.setProportions(database.proportions);
     if (this.#path) this.#stage.viewer.setPath(this.#path);
     this.#stage.show(this.#store.state);
-    if (this.#frame) this.#stage.take(this.#frame);
+    if (this.#playhead.frame) this.#stage.take(this.#playhead.frame);
   }
 
   #applyTheme(): void {
@@ -369,14 +422,20 @@ export class App {
     addEventListener("hashchange", ({ newURL }) => this.#followLink(new URL(newURL).hash), { signal });
     listenToKeys(
       {
-        play: () => this.#togglePlay(),
-        frame: (by) => this.#stepFrame(by),
-        first: () => this.#goTo(0),
-        last: () => this.#goTo(Number.MAX_SAFE_INTEGER),
+        play: () => this.#playhead.togglePlay(),
+        frame: (by) => this.#playhead.step(by),
+        first: () => this.#playhead.goTo(0),
+        last: () => this.#playhead.goTo(Number.MAX_SAFE_INTEGER),
         loop: () => store.edit({ loop: !store.state.loop }),
         ghost: () => this.#nextGhost(),
         follow: () => store.edit({ follow: !store.state.follow }),
         panels: () => store.edit({ panels: !store.state.panels }),
+        other: () => store.edit(otherSide(store.state)),
+        key: () => this.#addKey(),
+        rangeFirst: () => this.#cutRange("first"),
+        rangeLast: () => this.#cutRange("last"),
+        noRange: () => store.edit({ range: undefined }),
+        random: () => this.#style.mixByChance(),
         style: (number) => this.#style.polygon.takeAllOf(this.#style.vertices[number - 1] ?? ""),
         help: () => this.#help.open(),
         undo: () => this.#history.undo(),
@@ -392,7 +451,8 @@ export class App {
     clearTimeout(this.#url);
     const state = fromHash(hash);
     this.#store.edit(state);
-    if (!state.playing) this.#goTo(state.frame);
+    this.#writeUrlSoon();
+    if (!state.playing) this.#playhead.goTo(state.frame);
   }
 
   #nextGhost(): void {
@@ -400,48 +460,24 @@ export class App {
     this.#store.edit({ ghost: GHOST_MODES[next]! });
   }
 
-  #togglePlay(): void {
-    const { playing, loop } = this.#store.state;
-    if (playing) {
-      this.#pauseAt(this.#frame?.inputFrame ?? 0);
-      return;
-    }
-    if (!loop && this.#frame?.ended) this.#session?.playback.seek(0);
-    this.#store.edit({ playing: true, frame: 0 });
+  #onScrub(frame: number | undefined): void {
+    if (frame !== undefined) this.#timeline.frame = frame;
+    else this.#show(this.#store.state, new Set());
   }
 
-  #pauseAt(frame: number): void {
-    this.#store.edit({ playing: false, frame: Math.round(frame) });
+  /** Puts a key of the style track under the playhead, or chooses the one that is there. */
+  #addKey(): void {
+    const { state } = this.#store;
+    const at = this.#playhead.previewing ? state.frame : (this.#playhead.frame?.inputFrame ?? 0);
+    this.#store.edit(addKey(state, at));
   }
 
-  #goTo(frame: number): void {
-    const input = this.#session?.input;
-    if (!input) return;
-    const at = Math.min(Math.max(0, frame), input.frames - 1);
-    this.#session?.playback.seek(at);
-    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(at) });
-  }
-
-  #stepFrame(by: number): void {
-    const input = this.#session?.input;
-    if (!input || !this.#frame) return;
-    const at = Math.round(this.#frame.inputFrame) + by;
-    const wrapped = this.#store.state.loop ? (at + input.frames) % input.frames : at;
-    this.#store.edit({ playing: false });
-    this.#goTo(wrapped);
-  }
-
-  #scrub(frame: number): void {
-    this.#scrubbing = true;
-    if (this.#session) this.#session.playback.playing = false;
-    this.#timeline.frame = frame;
-    this.#session?.playback.seek(frame);
-  }
-
-  #endScrub(): void {
-    this.#scrubbing = false;
-    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(this.#frame?.inputFrame ?? 0) });
-    this.#show(this.#store.state, new Set());
+  /** Lets the range begin or end at the playhead. */
+  #cutRange(edge: "first" | "last"): void {
+    const frames = this.#session?.input?.frames ?? 2;
+    const at = Math.round(this.#playhead.frame?.inputFrame ?? 0);
+    const range = { first: 0, last: frames - 1, ...this.#store.state.range, [edge]: at };
+    if (range.first < range.last) this.#store.edit({ range });
   }
 
   async #choose(name: string): Promise<void> {
@@ -468,39 +504,9 @@ export class App {
     if (name !== undefined) this.#store.edit({ input: name });
   }
 
-  /** Opens a database and shows it; `kept` is its name on this device, empty if it is not kept here. */
-  async #openDatabase(source: DatabaseSource, kept: string): Promise<boolean> {
+  #openDatabase(source: DatabaseSource, kept: string): Promise<boolean> {
     const session = this.#session;
-    if (!session) return false;
-    const opening = session.openDatabase(source, session.inputName);
-    this.#store.edit({ view: "play" });
-    if ((await opening) !== "done" || !session.database) return false;
-    this.#databaseName = kept;
-    this.#store.edit({ database: kept });
-    const { styles, frames } = session.database;
-    this.#notices.note(`${styles.length} styles ready. ${grouped(frames)} frames.`);
-    return true;
-  }
-
-  /** What the state asks for: a database that is kept on this device, or the built-in one. */
-  async #databaseOfLink(): Promise<DatabaseSource> {
-    const { database: name } = this.#store.state;
-    if (name === "") return { kind: "demo" };
-    const { fromShelf } = await import("./data/shelf");
-    const kept = await fromShelf(name).catch(() => undefined);
-    if (kept) {
-      this.#databaseName = name;
-      return { kind: "strutdb", name, file: kept.file };
-    }
-    this.#store.adopt({ database: "" });
-    this.#notices.note(`This link was made with the database “${name}”, which is not on this device.`);
-    return { kind: "demo" };
-  }
-
-  /** Opens the database that a link brought. */
-  async #followDatabase(): Promise<void> {
-    const source = await this.#databaseOfLink();
-    await this.#openDatabase(source, this.#store.state.database);
+    return session ? this.#databases.open(session, source, kept) : Promise.resolve(false);
   }
 
   async #takeClips(files: DroppedFile[]): Promise<void> {

@@ -1,6 +1,18 @@
 /** The colour tokens of `styles/tokens.css` as a canvas needs them: resolved for the theme that is shown. */
 
-const TOKENS = ["ink", "ink2", "ink3", "line", "line2", "track", "signal", "weight", "input", "panel"] as const;
+const TOKENS = [
+  "ink",
+  "ink2",
+  "ink3",
+  "line",
+  "line2",
+  "track",
+  "signal",
+  "weight",
+  "input",
+  "panel",
+  "raised",
+] as const;
 
 /** A colour for each token, as CSS text. */
 export type Colours = Readonly<Record<(typeof TOKENS)[number] | "contact", string>>;

@@ -9,6 +9,15 @@ export interface KeyActions {
   ghost(): void;
   follow(): void;
   panels(): void;
+  /** The other of two settings. */
+  other(): void;
+  random(): void;
+  /** A key of the style track at the playhead. */
+  key(): void;
+  /** The range begins, or ends, at the playhead, or there is none. */
+  rangeFirst(): void;
+  rangeLast(): void;
+  noRange(): void;
   /** All of the style with this number, from 1. */
   style(number: number): void;
   help(): void;
@@ -37,6 +46,12 @@ export function listenToKeys(actions: KeyActions, active: () => boolean, signal:
     g: actions.ghost,
     f: actions.follow,
     h: actions.panels,
+    x: actions.other,
+    r: actions.random,
+    k: actions.key,
+    i: actions.rangeFirst,
+    o: actions.rangeLast,
+    u: actions.noRange,
     "?": actions.help,
   };
   const onKeyDown = (event: KeyboardEvent): void => {

@@ -2,7 +2,15 @@
  * What is open in the engine: one database, one input, and the analysis of that input in the present style. Opens,
  * replaces and exports; what fails leaves what was open as it is.
  */
-import type { Analysis, DatabaseInfo, DatabaseSource, InputInfo, LiveFrame, StrutClient } from "../worker/protocol";
+import type {
+  Analysis,
+  DatabaseInfo,
+  DatabaseSource,
+  FrameRange,
+  InputInfo,
+  LiveFrame,
+  StrutClient,
+} from "../worker/protocol";
 import { InputLibrary } from "./library";
 import { Playback } from "./playback";
 import type { ProgressLine } from "./progress";
@@ -101,8 +109,8 @@ export class Session {
     return outcome === "done" ? name : undefined;
   }
 
-  setLoop(loop: boolean): void {
-    void this.#attempt(() => this.#client.setLoop(loop));
+  setLoop(loop: boolean, range: FrameRange | undefined): void {
+    void this.#attempt(() => this.#client.setLoop(loop, range));
   }
 
   /** Analyses the input anew once nothing has changed for a moment. */

@@ -15,7 +15,12 @@ export interface StageListeners {
   onCamera: (preset: CameraPreset) => void;
   onFollow: () => void;
   onGhost: () => void;
+  /** A joint of the styled character was clicked. */
+  onJoint: (joint: Role) => void;
 }
+
+/** A click moves no farther than this, in pixels; a drag turns the camera. */
+const CLICK_PX = 4;
 
 const GHOST_NAMES: Readonly<Record<GhostMode, string>> = {
   beside: "Ghost of the input: beside",
@@ -68,6 +73,20 @@ export class Stage {
     for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
       view.addEventListener(type, () => this.invalidate(), { passive: true });
     new ResizeObserver(() => this.invalidate()).observe(view);
+    this.#listenToClicks(listeners.onJoint);
+  }
+
+  #listenToClicks(onJoint: (joint: Role) => void): void {
+    let down: { x: number; y: number } | undefined;
+    this.#view.addEventListener("pointerdown", ({ button, clientX: x, clientY: y }) => {
+      down = button === 0 ? { x, y } : undefined;
+    });
+    this.#view.addEventListener("click", ({ clientX: x, clientY: y }) => {
+      if (this.#lent || !down || Math.hypot(x - down.x, y - down.y) > CLICK_PX) return;
+      const box = this.viewer.canvas.getBoundingClientRect();
+      const joint = this.viewer.jointAt(x - box.left, y - box.top);
+      if (joint) onJoint(joint);
+    });
   }
 
   /** The words over the picture. */

@@ -1,7 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { engineOptions, fromHash, initialState, type PlayState, RANGES, toHash } from "./state";
+import { fromHash, initialState, type PlayState, RANGES, toHash } from "./state";
 import { Store } from "./store";
+import { engineOptions } from "./style_settings";
 
 const state = (patch: Partial<PlayState>): PlayState => ({ ...initialState(), ...patch });
 
@@ -21,15 +22,25 @@ describe("state ↔ URL", () => {
 
   it("comes back from the URL whatever is chosen", () => {
     const digits = (n: number, d: number) => Number(n.toFixed(d));
-    const name = fc.stringMatching(/^[^:,]+$/);
+    const name = fc.stringMatching(/^[^:,;~]+$/);
     const styles = fc.uniqueArray(
       fc.record({ name, weight: fc.double({ min: -1, max: 2, noNaN: true }).map((w) => digits(w, 3) + 0) }),
-      { maxLength: 9, selector: (s) => s.name },
+      { minLength: 1, maxLength: 9, selector: (s) => s.name },
     );
+    const track = fc
+      .uniqueArray(fc.record({ frame: fc.nat(9999), styles }), { maxLength: 4, selector: (key) => key.frame })
+      .map((keys) => keys.sort((a, b) => a.frame - b.frame));
     const inRange = ({ min, max, digits: d }: { min: number; max: number; digits: number }) =>
       fc.double({ min, max, noNaN: true }).map((n) => digits(n, d) + 0);
     const patch = fc.record({
       styles,
+      parts: fc.dictionary(fc.constantFrom("head", "legs"), styles, { noNullPrototype: true }),
+      track,
+      range: fc.option(
+        fc.tuple(fc.nat(500), fc.integer({ min: 1, max: 500 })).map(([first, n]) => ({ first, last: first + n })),
+        { nil: undefined },
+      ),
+      other: fc.string(),
       input: fc.string(),
       intensity: inRange(RANGES.intensity),
       lambda: inRange(RANGES.lambda),
@@ -55,13 +66,17 @@ describe("what the engine is asked for", () => {
   it("has the specification's defaults", () => {
     expect(engineOptions(state({ styles: [{ name: "old", weight: 1 }], intensity: 0.5 }), "neutral")).toEqual({
       styles: { old: 0.5 },
+      parts: {},
+      track: [],
       k: 40,
       lambda: 0.1,
       rho: 0.7,
       kappa: 3,
       delta: 0.7,
+      coherence: true,
       timing: true,
       footplant: true,
+      method: "mar",
     });
   });
 });

@@ -2,8 +2,29 @@
  * The playground's state: one table of fields, each with its key in the URL, its default and its two translations.
  * Everything that changes the picture is here and nowhere else; the URL's hash is this table written out.
  */
-import type { StylizeOptions } from "../worker/protocol";
-import { engineWeights, type Selection } from "./polygon/selection";
+import { BODY_PARTS, type BodyPart, type FrameRange, METHODS, type Method } from "../worker/protocol";
+import {
+  choice,
+  decodeSelection,
+  encodeSelection,
+  type Field,
+  flag,
+  listed,
+  number,
+  optional,
+  type Range,
+  selection,
+  text,
+} from "./fields";
+import type { Selection } from "./polygon/selection";
+
+/** Styles of the parts of the body that have their own. */
+export type Parts = Readonly<Partial<Record<BodyPart, Selection>>>;
+/** A key of the style track: the styles at an input frame. */
+export interface TrackKey {
+  frame: number;
+  styles: Selection;
+}
 
 /** Everything that a link brings back. */
 export interface PlayState {
@@ -15,6 +36,13 @@ export interface PlayState {
   styles: Selection;
   /** Whether the whole polygon is mixed instead of a triangle of it. */
   wholePolygon: boolean;
+  parts: Parts;
+  /** The part of the body whose styles the polygon shows; empty for the whole body. */
+  part: BodyPart | "";
+  /** Styles over time, in the order of frames; while there are keys {@link styles} are those of the chosen one. */
+  track: readonly TrackKey[];
+  /** Number of the chosen key. */
+  key: number;
   /** What the styles' weights are multiplied by: 0 is neutral, above 1 exaggerates, below 0 is the opposite. */
   intensity: number;
   /** Name of the input; empty for the first built-in one. */
@@ -26,11 +54,18 @@ export interface PlayState {
   delta: number;
   timing: boolean;
   footplant: boolean;
+  coherence: boolean;
+  method: Method;
+  /** Which of two settings is shown, and the other one as the URL has it; empty while there is only one. */
+  side: Side;
+  other: string;
   camera: CameraPreset;
   follow: boolean;
   ghost: GhostMode;
   theme: Theme;
   loop: boolean;
+  /** The part of the input that is played. */
+  range: FrameRange | undefined;
   speed: number;
   playing: boolean;
   /** Input frame at which a paused motion stands. */
@@ -51,18 +86,12 @@ export const GHOST_MODES = ["beside", "overlay", "off"] as const;
 export type GhostMode = (typeof GHOST_MODES)[number];
 export const THEMES = ["auto", "dark", "light"] as const;
 export type Theme = (typeof THEMES)[number];
+export const SIDES = ["a", "b"] as const;
+export type Side = (typeof SIDES)[number];
 export const TABS = ["style", "input", "model", "curves"] as const;
 export type Tab = (typeof TABS)[number];
 /** Playback speeds on offer. */
-export const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2] as const;
-
-/** Range of a number that a person can turn, and how it is written. */
-export interface Range {
-  min: number;
-  max: number;
-  /** Decimals. */
-  digits: number;
-}
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2, 3, 4] as const;
 
 /** Ranges of everything with a knob or a slider; the model's defaults are the specification's (§1, §7, §8). */
 export const RANGES = {
@@ -74,70 +103,54 @@ export const RANGES = {
   delta: { min: 0.1, max: 3, digits: 2 },
 } as const satisfies Record<string, Range>;
 
-interface Field<T> {
-  /** Key in the URL. */
-  key: string;
-  initial: T;
-  /** Whether undo takes it back. */
-  undoable: boolean;
-  encode(value: T): string;
-  /** The value, or `undefined` where the text is not one. */
-  decode(text: string): T | undefined;
+/** Entries of a list stand behind each other with `;`, and a name before what it names with `~`. */
+const SEPARATOR = { entry: ";", name: "~" };
+
+function encodeEntries(entries: readonly (readonly [name: string, styles: Selection])[]): string {
+  return entries.map(([name, styles]) => `${name}${SEPARATOR.name}${encodeSelection(styles)}`).join(SEPARATOR.entry);
 }
 
-function number(key: string, initial: number, { min, max, digits }: Range, undoable: boolean): Field<number> {
-  return {
-    key,
-    initial,
-    undoable,
-    encode: (value) => String(Number(value.toFixed(digits))),
-    decode: (text) => {
-      const value = Number(text);
-      return text.trim() !== "" && Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : undefined;
-    },
-  };
+/** The entries of {@link encodeEntries}; `undefined` where one of them is none. */
+function decodeEntries(text: string): [name: string, styles: Selection][] | undefined {
+  const entries = text.split(SEPARATOR.entry).map((entry): [string, Selection | undefined] => {
+    const at = entry.indexOf(SEPARATOR.name);
+    return [entry.slice(0, at), decodeSelection(entry.slice(at + 1))];
+  });
+  return entries.every((entry): entry is [string, Selection] => entry[1] !== undefined) ? entries : undefined;
 }
 
-function flag(key: string, initial: boolean, undoable: boolean): Field<boolean> {
-  return {
-    key,
-    initial,
-    undoable,
-    encode: (value) => (value ? "1" : "0"),
-    decode: (text) => (text === "1" ? true : text === "0" ? false : undefined),
-  };
+function encodeParts(parts: Parts): string {
+  return encodeEntries(Object.entries(parts));
 }
 
-function choice<T extends string>(key: string, initial: T, options: readonly T[]): Field<T> {
-  return {
-    key,
-    initial,
-    undoable: false,
-    encode: (value) => value,
-    decode: (text) => options.find((option) => option === text),
-  };
+function decodeParts(text: string): Parts | undefined {
+  const entries = decodeEntries(text);
+  const known = entries?.every(([name]) => BODY_PARTS.some((part) => part === name));
+  return known ? Object.fromEntries(entries!) : undefined;
 }
 
-function text(key: string, initial: string, undoable: boolean): Field<string> {
-  return { key, initial, undoable, encode: (value) => value, decode: (value) => value };
+function encodeTrack(track: readonly TrackKey[]): string {
+  return encodeEntries(track.map(({ frame, styles }) => [String(frame), styles]));
 }
 
-function selection(key: string): Field<Selection> {
-  return {
-    key,
-    initial: [],
-    undoable: true,
-    encode: (value) => value.map((s) => `${s.name.replace(/[:,]/g, " ")}:${Number(s.weight.toFixed(3))}`).join(","),
-    decode: (value) => {
-      const parts = value.split(",").map((part) => {
-        const colon = part.lastIndexOf(":");
-        return { name: part.slice(0, colon), weight: Number(part.slice(colon + 1)) };
-      });
-      const names = new Set(parts.map((s) => s.name));
-      const valid = parts.every((s) => s.name !== "" && Number.isFinite(s.weight) && Math.abs(s.weight) <= 4);
-      return valid && names.size === parts.length ? parts : undefined;
-    },
-  };
+function decodeTrack(text: string): TrackKey[] | undefined {
+  const keys = decodeEntries(text)?.map(([name, styles]) => ({
+    frame: name === "" ? Number.NaN : Number(name),
+    styles,
+  }));
+  const inOrder = keys?.every(
+    ({ frame }, i) => Number.isInteger(frame) && frame >= 0 && (i === 0 || frame > keys[i - 1]!.frame),
+  );
+  return inOrder ? keys : undefined;
+}
+
+function encodeRange({ first, last }: FrameRange): string {
+  return `${first}-${last}`;
+}
+
+function decodeRange(text: string): FrameRange | undefined {
+  const [, first, last] = /^(\d{1,7})-(\d{1,7})$/.exec(text) ?? [];
+  return first !== undefined && Number(first) < Number(last) ? { first: Number(first), last: Number(last) } : undefined;
 }
 
 /** The table. */
@@ -145,6 +158,10 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
   view: choice("view", "play", VIEW_NAMES),
   database: text("db", "", false),
   styles: selection("styles"),
+  parts: listed("parts", {}, encodeParts, decodeParts),
+  part: choice("part", "", ["", ...BODY_PARTS]),
+  track: listed("track", [], encodeTrack, decodeTrack),
+  key: number("key", 0, { min: 0, max: 999, digits: 0 }, false),
   wholePolygon: flag("all", false, true),
   intensity: number("intensity", 1, RANGES.intensity, true),
   input: text("input", "", true),
@@ -155,12 +172,17 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
   delta: number("delta", 0.7, RANGES.delta, true),
   timing: flag("timing", true, true),
   footplant: flag("footplant", true, true),
+  coherence: flag("coherence", true, true),
+  method: choice("method", "mar", METHODS, true),
+  side: choice("side", "a", SIDES, true),
+  other: text("other", "", true),
   camera: choice("camera", "orbit", CAMERA_PRESETS),
   follow: flag("follow", true, false),
   ghost: choice("ghost", "beside", GHOST_MODES),
   theme: choice("theme", "auto", THEMES),
   loop: flag("loop", true, false),
-  speed: number("speed", 1, { min: 0.1, max: 2, digits: 2 }, false),
+  range: optional("range", encodeRange, decodeRange),
+  speed: number("speed", 1, { min: 0.1, max: 4, digits: 2 }, false),
   playing: flag("play", true, false),
   frame: number("frame", 0, { min: 0, max: 1e7, digits: 0 }, false),
   curve: text("curve", "knee L", false),
@@ -169,6 +191,23 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
 };
 
 const KEYS = Object.keys(FIELDS) as (keyof PlayState)[];
+
+/** Names of the fields that the engine's output depends on. */
+export const ENGINE_FIELDS = [
+  "styles",
+  "parts",
+  "track",
+  "intensity",
+  "k",
+  "lambda",
+  "rho",
+  "kappa",
+  "delta",
+  "coherence",
+  "timing",
+  "footplant",
+  "method",
+] as const satisfies readonly (keyof PlayState)[];
 
 /** Names of the fields that undo takes back. */
 export const UNDOABLE = KEYS.filter((name) => FIELDS[name].undoable);
@@ -197,19 +236,4 @@ export function fromHash(hash: string): PlayState {
   };
   KEYS.forEach(read);
   return state;
-}
-
-/** What the engine is asked for in this state. */
-export function engineOptions(state: PlayState, neutral: string): StylizeOptions {
-  const { k, lambda, rho, kappa, delta, timing, footplant } = state;
-  return {
-    styles: engineWeights(state.styles, state.intensity, neutral),
-    k,
-    lambda,
-    rho,
-    kappa,
-    delta,
-    timing,
-    footplant,
-  };
 }

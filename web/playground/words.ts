@@ -52,7 +52,8 @@ export function stageTitle(action: string, selection: Selection, intensity: numb
   return `${capitalised(spoken(action))}, ${manner(selection, intensity, neutral)}`;
 }
 
-function manner(selection: Selection, intensity: number, neutral: string): string {
+/** How something is done, “mostly proud”. */
+export function manner(selection: Selection, intensity: number, neutral: string): string {
   const sorted = [...selection].sort((a, b) => b.weight - a.weight);
   const [first, second] = sorted;
   if (!first || Math.abs(intensity) < 0.05) return spoken(neutral);

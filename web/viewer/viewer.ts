@@ -41,6 +41,23 @@ const FADE_IN = 0.25;
 const SETTLING = 0.8;
 /** Middle of the head above its joint, and its radius, metres. */
 const HEAD = { rise: 0.088, radius: 0.122 };
+/** Bones that can be clicked: the joint that turns each one, and its ends. */
+const BONES: readonly [Role, Role, Role][] = [
+  ["hips", "hips", "hips"],
+  ["spine", "spine", "chest"],
+  ["chest", "chest", "neck"],
+  ["head", "neck", "head"],
+  ...(["left", "right"] as const).flatMap((side): [Role, Role, Role][] => [
+    [`${side}_upper_arm`, `${side}_upper_arm`, `${side}_lower_arm`],
+    [`${side}_lower_arm`, `${side}_lower_arm`, `${side}_hand`],
+    [`${side}_hand`, `${side}_hand`, `${side}_hand`],
+    [`${side}_upper_leg`, `${side}_upper_leg`, `${side}_lower_leg`],
+    [`${side}_lower_leg`, `${side}_lower_leg`, `${side}_foot`],
+    [`${side}_foot`, `${side}_foot`, `${side}_toes`],
+  ]),
+];
+/** A click this near to a bone is on it, however small the character is. */
+const LEAST_REACH_PX = 10;
 /** Room left and right of what the camera follows, metres. */
 const HALF_WIDTH = { alone: 0.75, withGhost: 1.15 };
 
@@ -215,6 +232,22 @@ export class Viewer {
   /** Place of a joint of the styled character in the picture, CSS pixels from the canvas's top left. */
   jointScreenPosition(role: Role): { x: number; y: number } {
     return this.#stage.project(point.fromArray(this.#body.world.positions, 3 * JOINT[role]));
+  }
+
+  /** The joint of the styled character whose bone is at a place of the picture, CSS pixels; `undefined` beside it. */
+  jointAt(x: number, y: number): Role | undefined {
+    let nearest: { role: Role; distance: number } | undefined;
+    for (const [bone, from, to] of BONES) {
+      const [a, b] = [this.jointScreenPosition(from), this.jointScreenPosition(to)];
+      const length = Math.hypot(b.x - a.x, b.y - a.y) || 1;
+      const along = MathUtils.clamp(((x - a.x) * (b.x - a.x) + (y - a.y) * (b.y - a.y)) / length ** 2, 0, 1);
+      const distance = Math.hypot(x - a.x - along * (b.x - a.x), y - a.y - along * (b.y - a.y));
+      if (!nearest || distance < nearest.distance) nearest = { role: bone, distance };
+    }
+    // The trunk is half as wide as it is long.
+    const [neck, hips] = [this.jointScreenPosition("neck"), this.jointScreenPosition("hips")];
+    const reach = Math.max(LEAST_REACH_PX, Math.hypot(neck.x - hips.x, neck.y - hips.y) / 4);
+    return nearest && nearest.distance <= reach ? nearest.role : undefined;
   }
 
   /**

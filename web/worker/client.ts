@@ -6,6 +6,7 @@ import type {
   CallOptions,
   DatabaseInfo,
   DatabaseSource,
+  FrameRange,
   InputInfo,
   InputSource,
   LiveFrame,
@@ -48,7 +49,7 @@ interface Memory {
   database: DatabaseSource | undefined;
   input: InputSource | undefined;
   options: StylizeOptions | undefined;
-  loop: boolean | undefined;
+  loop: [loop: boolean, range: FrameRange | undefined] | undefined;
   inputFrame: number;
 }
 
@@ -91,9 +92,9 @@ class WorkerClient implements StrutClient {
     this.memory.options = options;
   }
 
-  async setLoop(loop: boolean): Promise<void> {
-    await this.call("setLoop", [loop]);
-    this.memory.loop = loop;
+  async setLoop(loop: boolean, range?: FrameRange): Promise<void> {
+    await this.call("setLoop", [loop, range]);
+    this.memory.loop = [loop, range];
   }
 
   async step(dtSecs: number): Promise<LiveFrame> {
@@ -106,6 +107,10 @@ class WorkerClient implements StrutClient {
 
   analyse(options?: CallOptions): Promise<Analysis> {
     return this.call("analyse", [], options);
+  }
+
+  style(options: StylizeOptions, call?: CallOptions): Promise<Analysis & { frameMs: number }> {
+    return this.call("style", [options], call);
   }
 
   exportBvh(options?: CallOptions): Promise<string> {
@@ -210,7 +215,7 @@ class WorkerClient implements StrutClient {
     const { database, input, options, loop, inputFrame } = this.memory;
     if (database) await this.post("openDatabase", [database]);
     if (options) await this.post("configure", [options]);
-    if (loop !== undefined) await this.post("setLoop", [loop]);
+    if (loop !== undefined) await this.post("setLoop", loop);
     if (!database || !input) return;
     await this.post("openInput", [input]);
     await this.post("seek", [inputFrame]);

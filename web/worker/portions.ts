@@ -37,17 +37,26 @@ export async function stage(caller: Caller, label: string, fraction: number): Pr
 }
 
 /**
- * Runs a job to its end.
+ * Runs a job to its end and gives the median cost of a frame, milliseconds.
  * @throws StrutError `cancelled`
  */
-export async function runToEnd(job: ClipJob, caller: Caller): Promise<void> {
+export async function runToEnd(job: ClipJob, caller: Caller): Promise<number> {
   let frames = 1;
+  const costsMs: number[] = [];
   for (;;) {
     const before = job.done;
     const started = performance.now();
-    if (job.run(frames)) return;
+    const ended = job.run(frames);
     const frameMs = (performance.now() - started) / (job.done - before);
+    if (ended) return median(costsMs.length > 0 ? costsMs : [frameMs]);
+    costsMs.push(frameMs);
     frames = Math.max(1, Math.floor(PORTION_MS / Math.max(frameMs, 0.01)));
     await stage(caller, "Styling the clip", job.done / job.frames);
   }
+}
+
+/** The middle one of some values; 0 without any. */
+export function median(values: readonly number[]): number {
+  const sorted = values.toSorted((a, b) => a - b);
+  return sorted[sorted.length >> 1] ?? 0;
 }

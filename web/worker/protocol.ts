@@ -32,6 +32,12 @@ export interface LiveFrame {
   ended: boolean;
 }
 
+/** The input frames from `first` to `last`, both of them included. */
+export interface FrameRange {
+  first: number;
+  last: number;
+}
+
 /** Where a database comes from. */
 export type DatabaseSource = { kind: "demo" } | { kind: "strutdb"; name: string; file: Blob };
 /** Where an input comes from. */
@@ -50,12 +56,16 @@ export interface StrutClient {
   openInput(source: InputSource, options?: CallOptions): Promise<InputInfo>;
   /** Takes effect with the next frame. */
   configure(options: StylizeOptions): Promise<void>;
-  setLoop(loop: boolean): Promise<void>;
+  /** Whether playing begins anew at its end; `range` is the part of the input that is played. */
+  setLoop(loop: boolean, range?: FrameRange): Promise<void>;
   /** Advances the output clock by `dtSecs` (≥ 0; 0 repeats the present content in the present style). */
   step(dtSecs: number): Promise<LiveFrame>;
   /** Jumps to an input frame; the engine is warmed up on the frames before it. */
   seek(inputFrame: number): Promise<LiveFrame>;
+  /** The whole input in the present options. */
   analyse(options?: CallOptions): Promise<Analysis>;
+  /** The whole input in other options, as fast as the engine can; what plays is not touched. */
+  style(options: StylizeOptions, call?: CallOptions): Promise<Analysis & { frameMs: number }>;
   /** The styled input as BVH text, on the input's own skeleton. */
   exportBvh(options?: CallOptions): Promise<string>;
   onRestart: ((message: string) => void) | undefined;

@@ -8,7 +8,7 @@ import type { Input } from "../engine/input";
 import { DEFAULT_OPTIONS, type Stylizer } from "../engine/stylizer";
 import type { Arguments, Call, Method, Reply, Request, Result } from "./messages";
 import { type Caller, runToEnd, stage } from "./portions";
-import type { DatabaseSource, InputSource, StylizeOptions } from "./protocol";
+import type { DatabaseSource, FrameRange, InputSource, StyleWeights, StylizeOptions } from "./protocol";
 import { LiveSession } from "./session";
 
 /** Share of opening that is downloading, as far as people are told. */
@@ -111,6 +111,7 @@ class Server implements Handlers {
   private scene: Scene | undefined;
   private options: StylizeOptions = DEFAULT_OPTIONS;
   private loop = true;
+  private range: FrameRange | undefined;
   /** Openings happen one after another, so that the last one asked for is the one that stays. */
   private opening: Promise<unknown> = Promise.resolve();
 
@@ -169,9 +170,10 @@ class Server implements Handlers {
     this.options = options;
   }
 
-  async setLoop(_: Caller, loop: boolean): Promise<void> {
+  async setLoop(_: Caller, loop: boolean, range?: FrameRange): Promise<void> {
     this.loop = loop;
-    if (this.scene) this.scene.session.loop = loop;
+    this.range = range;
+    if (this.scene) Object.assign(this.scene.session, { loop, range });
   }
 
   async step(_: Caller, dtSecs: number): Promise<Result<"step">> {
@@ -186,6 +188,15 @@ class Server implements Handlers {
     return (await this.styledClip(caller)).result();
   }
 
+  async style(caller: Caller, options: StylizeOptions): Promise<Result<"style">> {
+    const { job, frameMs } = await this.runClip(this.openedScene(), options, caller);
+    try {
+      return { ...job.result(), frameMs };
+    } finally {
+      job.dispose();
+    }
+  }
+
   async exportBvh(caller: Caller): Promise<string> {
     return (await this.styledClip(caller)).toBvh();
   }
@@ -195,33 +206,41 @@ class Server implements Handlers {
     const scene = this.openedScene();
     const { options } = this;
     if (scene.styled?.options === options) return scene.styled.job;
-    const stylizer = this.engine.createStylizer(this.openedDatabase(), options);
-    const job = this.engine.createClipJob(scene.input, stylizer);
-    stylizer.dispose();
-    try {
-      const isCancelled = () => caller.isCancelled() || this.scene !== scene;
-      await runToEnd(job, { ...caller, isCancelled });
-    } catch (thrown) {
-      job.dispose();
-      throw thrown;
-    }
+    const { job } = await this.runClip(scene, options, caller);
     scene.styled?.job.dispose();
     scene.styled = { options, job };
     return job;
   }
 
+  /** Styles a scene's input as a whole; `frameMs` is what a frame cost. */
+  private async runClip(
+    scene: Scene,
+    options: StylizeOptions,
+    caller: Caller,
+  ): Promise<{ job: ClipJob; frameMs: number }> {
+    const stylizer = this.engine.createStylizer(this.openedDatabase(), options);
+    const job = this.engine.createClipJob(scene.input, stylizer, options.track);
+    stylizer.dispose();
+    try {
+      const isCancelled = () => caller.isCancelled() || this.scene !== scene;
+      return { job, frameMs: await runToEnd(job, { ...caller, isCancelled }) };
+    } catch (thrown) {
+      job.dispose();
+      throw thrown;
+    }
+  }
+
   private async openScene(database: Database, source: InputSource, caller: Caller): Promise<Scene> {
     const found = source.kind === "bvh" ? source : { ...source, motions: await this.builtIn.load(caller) };
     // A style that only the database before had is no reason to refuse this one.
-    const known = Object.entries(this.options.styles).filter(([name]) => database.info.styles.includes(name));
-    if (known.length < Object.keys(this.options.styles).length)
-      this.options = { ...this.options, styles: Object.fromEntries(known) };
+    this.options = knownTo(database, this.options);
     const input = this.engine.openInput(database, found);
     let stylizer: Stylizer | undefined;
     try {
       stylizer = this.engine.createStylizer(database, this.options);
       const session = new LiveSession(stylizer, input.info, this.options, this.engine.interpolate.bind(this.engine));
       session.loop = this.loop;
+      session.range = this.range;
       return { input, source, stylizer, session, styled: undefined };
     } catch (thrown) {
       stylizer?.dispose();
@@ -252,6 +271,22 @@ class Server implements Handlers {
     this.opening = turn;
     return turn;
   }
+}
+
+/** Options without the styles that a database lacks; the same object where it has all of them. */
+function knownTo(database: Database, options: StylizeOptions): StylizeOptions {
+  const { styles } = database.info;
+  const { parts, track } = options;
+  const all = [options.styles, ...Object.values(parts), ...track.map((key) => key.styles)];
+  if (all.every((weights) => Object.keys(weights).every((name) => styles.includes(name)))) return options;
+  const known = (weights: StyleWeights) =>
+    Object.fromEntries(Object.entries(weights).filter(([name]) => styles.includes(name)));
+  return {
+    ...options,
+    styles: known(options.styles),
+    parts: Object.fromEntries(Object.entries(parts).map(([part, weights]) => [part, known(weights)])),
+    track: track.map(({ frame, styles }) => ({ frame, styles: known(styles) })),
+  };
 }
 
 function notOpen(what: string): StrutError {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { DEFAULT_OPTIONS, type Styled } from "../engine/stylizer";
-import { POSE_FLOATS, type StylizeOptions } from "./protocol";
+import { type BodyPart, POSE_FLOATS, type StyleWeights, type StylizeOptions } from "./protocol";
 import { heaviest, LiveSession, MAX_STEP_SECS, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
 
 const RATE_HZ = 60;
@@ -34,7 +34,12 @@ class FakeStylizer implements OnlineStylizer {
   setWeights(weights: Float32Array) {
     this.weights = weights.slice();
   }
-  weightsOf(styles: Record<string, number>) {
+  parts = new Map<BodyPart, Float32Array>();
+  setPartWeights(part: BodyPart, weights: Float32Array | undefined) {
+    if (weights) this.parts.set(part, weights.slice());
+    else this.parts.delete(part);
+  }
+  weightsOf(styles: StyleWeights) {
     return new Float32Array([styles.neutral ?? 0, styles.old ?? 0]);
   }
   reset() {
@@ -141,6 +146,28 @@ describe("the end of the clip", () => {
   });
 });
 
+describe("a range", () => {
+  test("begins anew at its first frame", () => {
+    const { session } = open();
+    session.range = { first: 30, last: 40 };
+    expect(session.step(0).inputFrame).toBe(30);
+    expect(session.step(9.5 * FRAME_SECS).inputFrame).toBeCloseTo(39.5, 4);
+    const again = session.step(FRAME_SECS);
+    expect(again.looped).toBe(true);
+    expect(again.inputFrame).toBeCloseTo(30.5, 4);
+  });
+
+  test("ends at its last frame when looping is off; scrubbing may leave it", () => {
+    const { session } = open();
+    session.range = { first: 30, last: 40 };
+    session.loop = false;
+    session.seek(35);
+    const end = session.step(1);
+    expect([end.inputFrame, end.ended]).toEqual([40, true]);
+    expect(session.seek(80.5).inputFrame).toBeCloseTo(80.5, 4);
+  });
+});
+
 describe("a seek", () => {
   test("warms up on the second before it and stands where the input does", () => {
     const { session, stylizer } = open();
@@ -205,5 +232,57 @@ describe("a change of style", () => {
     };
     expect(() => session.configure(old(1))).toThrow("no such style");
     expect(session.step(0).pose[1]).toBeCloseTo(0.5, 6);
+  });
+});
+
+describe("a part of the body", () => {
+  const legs = (weight: number): StylizeOptions => ({ ...old(0), parts: { legs: { old: weight } } });
+
+  test("has its own styles from the start", () => {
+    const { stylizer } = open(legs(1));
+    expect([...stylizer.parts]).toEqual([["legs", new Float32Array([0, 1])]]);
+  });
+
+  test("takes up its own styles from those of the whole body, and follows it again at once", () => {
+    const { session, stylizer } = open(old(0));
+    session.step(FRAME_SECS);
+    session.configure(legs(1));
+    session.step(FRAME_SECS);
+    const early = stylizer.parts.get("legs")![1]!;
+    expect(early).toBeGreaterThan(0);
+    expect(early).toBeLessThan(0.5);
+    for (let i = 0; i < 60; i++) session.step(FRAME_SECS);
+    expect(stylizer.parts.get("legs")![1]).toBe(1);
+    session.configure(old(0));
+    session.step(FRAME_SECS);
+    expect(stylizer.parts.size).toBe(0);
+  });
+});
+
+describe("a style track", () => {
+  const track: StylizeOptions = {
+    ...old(0),
+    track: [
+      { frame: 40, styles: {} },
+      { frame: 60, styles: { old: 1 } },
+    ],
+  };
+
+  test("is followed frame by frame while playing", () => {
+    const { session, stylizer } = open(track);
+    const height = (frames: number) => {
+      session.step(frames * FRAME_SECS);
+      return stylizer.weights[1]!;
+    };
+    expect(height(39)).toBe(0);
+    // The engine is a frame ahead of what is shown.
+    expect(height(11)).toBeCloseTo(11 / 20, 5);
+    expect(height(20)).toBe(1);
+  });
+
+  test("shows the styles of the frame that is sought", () => {
+    const { session } = open(track);
+    expect(session.seek(50).pose[1]).toBeCloseTo(0.5, 5);
+    expect(session.seek(10).pose[1]).toBe(0);
   });
 });

@@ -1,22 +1,27 @@
 /** Live playback: an output clock that pulls input frames through the online engine. */
 import type { Styled, Stylizer } from "../engine/stylizer";
-import { type InputInfo, type LiveFrame, POSE_FLOATS, type Reading, type StylizeOptions } from "./protocol";
+import { EasedStyles, type StyledStream } from "./eased_styles";
+import { median } from "./portions";
+import {
+  type FrameRange,
+  type InputInfo,
+  type LiveFrame,
+  POSE_FLOATS,
+  type Reading,
+  type StylizeOptions,
+} from "./protocol";
 
 /** As much of the engine's stylizer as a session needs. */
-export type OnlineStylizer = Pick<Stylizer, "classes" | "configure" | "setWeights" | "weightsOf" | "reset" | "push">;
+export type OnlineStylizer = Pick<Stylizer, "classes" | "configure" | "reset" | "push"> & StyledStream;
 
 /** Frames pushed before the one that a seek shows: about a second, after which nothing of the start is left. */
 export const WARM_UP_FRAMES = 60;
-/** Half-life with which a change of style is taken up. */
-export const STYLE_HALF_LIFE_SECS = 0.1;
 /** Most that the clock advances at once: a tab that slept does not catch up. */
 export const MAX_STEP_SECS = 1;
 /** Classes that {@link LiveFrame.reads} names. */
 const READS = 3;
 /** Frames over which the cost of a frame is measured. */
 const COST_FRAMES = 61;
-/** Weights nearer to their target than this are there. */
-const WEIGHT_EPSILON = 1e-3;
 
 /** One styled frame on the output's clock. */
 interface Moment {
@@ -33,15 +38,15 @@ interface Moment {
 export class LiveSession {
   /** Whether the clip begins anew at its end. */
   loop = true;
+  /** The input frames that are played; all of them if there is none. */
+  range: FrameRange | undefined;
 
   private previous: Moment | undefined;
   private current: Moment | undefined;
   private clockSecs = 0;
   /** Added to the horizontal root, so that restyling a resting character leaves it where it stands. */
   private place: [x: number, z: number] = [0, 0];
-  /** The engine's weights now, and those wanted. */
-  private weights: Float32Array;
-  private wanted: Float32Array;
+  private readonly styles: EasedStyles;
   /** Whether the shown frame was made with other options than the present ones. */
   private stale = false;
   private reads: Reading[] = [];
@@ -59,22 +64,19 @@ export class LiveSession {
     private readonly nowMs: () => number = () => performance.now(),
   ) {
     stylizer.configure(options);
-    this.wanted = stylizer.weightsOf(options.styles);
-    this.weights = this.wanted.slice();
-    stylizer.setWeights(this.weights);
+    this.styles = new EasedStyles(stylizer, options);
   }
 
   /** Takes effect with the next frame; a change of the styles fades in. */
   configure(options: StylizeOptions): void {
-    const wanted = this.stylizer.weightsOf(options.styles);
+    this.styles.want(options);
     this.stylizer.configure(options);
-    this.wanted = wanted;
     this.stale = true;
   }
 
   /** See `StrutClient.step`. */
   step(dtSecs: number): LiveFrame {
-    if (!this.current) this.begin(0);
+    if (!this.current) this.begin(this.firstFrame());
     if (!(dtSecs > 0)) {
       if (this.stale) this.restyle();
       return this.show(false);
@@ -86,11 +88,11 @@ export class LiveSession {
       if (this.advance()) continue;
       const overshoot = this.clockSecs - this.last().timeSecs;
       // A clip of one frame has no duration to wrap the clock by.
-      if (!this.loop || this.input.frames < 2) {
+      if (!this.loop || this.lastFrame() <= this.firstFrame()) {
         this.clockSecs = this.last().timeSecs;
         break;
       }
-      this.begin(0);
+      this.begin(this.firstFrame());
       this.clockSecs = overshoot;
       looped = true;
     }
@@ -124,11 +126,10 @@ export class LiveSession {
     const last = this.input.frames - 1;
     const frame = Math.min(Math.max(Number.isFinite(inputFrame) ? inputFrame : 0, 0), last);
     const whole = Math.floor(frame);
-    this.weights.set(this.wanted);
-    this.stylizer.setWeights(this.weights);
+    this.styles.arrive(whole);
     this.stale = false;
     this.begin(whole);
-    if (frame > whole && this.advance()) this.clockSecs = (frame - whole) * this.last().timeSecs;
+    if (frame > whole && this.advance(last)) this.clockSecs = (frame - whole) * this.last().timeSecs;
   }
 
   /** Starts the engine anew so that `frame` is shown at time 0. */
@@ -137,17 +138,28 @@ export class LiveSession {
     this.stylizer.reset();
     this.place = [0, 0];
     this.clockSecs = 0;
-    const styled = this.push(first, frame - first + 1);
+    const styled = this.warmUp(first, frame);
     this.current = { ...lastMoment(styled), inputFrame: frame, timeSecs: 0 };
     this.previous = this.current;
   }
 
-  /** Styles one more input frame; false at the end of the clip. */
-  private advance(): boolean {
+  /** Styles the frames before the one that is shown; with a style track each in its own styles. */
+  private warmUp(first: number, frame: number): Styled {
+    if (!this.styles.changesOverTime) return this.push(first, frame - first + 1);
+    for (let i = first; i < frame; i++) {
+      this.styles.arrive(i);
+      this.push(i, 1);
+    }
+    this.styles.arrive(frame);
+    return this.push(frame, 1);
+  }
+
+  /** Styles one more input frame; false where the last one is reached. */
+  private advance(last = this.lastFrame()): boolean {
     const before = this.last();
     const frame = before.inputFrame + 1;
-    if (frame >= this.input.frames) return false;
-    this.easeWeights();
+    if (frame > last) return false;
+    this.styles.ease(frame, 1 / this.input.rateHz);
     const styled = this.push(frame, 1);
     const moment = lastMoment(styled);
     moment.pose[0]! += this.place[0];
@@ -166,17 +178,12 @@ export class LiveSession {
     return styled;
   }
 
-  /** Moves the weights towards the wanted ones by one input frame's share. */
-  private easeWeights(): void {
-    const share = 1 - 0.5 ** (1 / this.input.rateHz / STYLE_HALF_LIFE_SECS);
-    let changed = false;
-    for (const [i, wanted] of this.wanted.entries()) {
-      const now = this.weights[i]!;
-      if (now === wanted) continue;
-      changed = true;
-      this.weights[i] = Math.abs(wanted - now) < WEIGHT_EPSILON ? wanted : now + (wanted - now) * share;
-    }
-    if (changed) this.stylizer.setWeights(this.weights);
+  private firstFrame(): number {
+    return Math.min(Math.max(this.range?.first ?? 0, 0), this.input.frames - 1);
+  }
+
+  private lastFrame(): number {
+    return Math.min(this.range?.last ?? this.input.frames - 1, this.input.frames - 1);
   }
 
   private moveBy(x: number, z: number): void {
@@ -225,7 +232,7 @@ export class LiveSession {
       reads: this.reads,
       frameMs: median(this.costsMs),
       looped,
-      ended: !this.loop && inputFrame >= this.input.frames - 1,
+      ended: !this.loop && inputFrame >= this.lastFrame(),
     };
   }
 }
@@ -246,9 +253,4 @@ export function heaviest(classes: Stylizer["classes"], weights: Float32Array): R
     .filter(({ weight }) => weight > 0)
     .sort((a, b) => b.weight - a.weight)
     .slice(0, READS);
-}
-
-function median(values: readonly number[]): number {
-  const sorted = values.toSorted((a, b) => a - b);
-  return sorted[sorted.length >> 1] ?? 0;
 }

@@ -12,6 +12,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen]
 pub struct ClipJob {
     poses: Vec<Pose>,
+    /// Weight of every class in each frame so far.
+    class_weights: Vec<f32>,
     state: State,
 }
 
@@ -27,7 +29,19 @@ impl ClipJob {
     #[wasm_bindgen(constructor)]
     pub fn new(stylizer: &Stylizer, input: &Input) -> Self {
         let job = transfer::ClipJob::new(stylizer.core().clone());
-        Self { poses: input.humanoid().poses.clone(), state: State::Running(job) }
+        Self { poses: input.humanoid().poses.clone(), class_weights: Vec::new(), state: State::Running(job) }
+    }
+
+    /// Changes the styles of the whole body from the next frame on; nothing happens once all frames are styled.
+    ///
+    /// # Errors
+    /// As [`Stylizer::set_styles`].
+    #[wasm_bindgen(js_name = setStyles)]
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), EngineError> {
+        match &mut self.state {
+            State::Running(job) => job.set_styles(weights).map_err(EngineError::bad_input),
+            State::Finished(_) => Ok(()),
+        }
     }
 
     /// Styles up to `frames` more frames and gives the number done; once that is all of the input's, the
@@ -35,7 +49,7 @@ impl ClipJob {
     pub fn run(&mut self, frames: usize) -> usize {
         let State::Running(job) = &mut self.state else { return self.poses.len() };
         for pose in self.poses.iter().skip(job.frames().len()).take(frames) {
-            job.push(pose, &mut NoClock);
+            self.class_weights.extend_from_slice(job.push(pose, &mut NoClock).class_weights);
         }
         let done = job.frames().len();
         if done == self.poses.len() {
@@ -50,6 +64,12 @@ impl ClipJob {
     /// If frames are still missing.
     pub fn poses(&self) -> Result<Vec<f32>, EngineError> {
         Ok(floats_of(self.styled()?.frames.iter().map(|f| &f.pose)))
+    }
+
+    /// Weight of each class of the database, frame after frame.
+    #[wasm_bindgen(js_name = classWeights)]
+    pub fn class_weights(&self) -> Vec<f32> {
+        self.class_weights.clone()
     }
 
     /// Output time of each frame, seconds.

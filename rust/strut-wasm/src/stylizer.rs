@@ -4,7 +4,7 @@ use crate::database::Database;
 use crate::error::EngineError;
 use crate::poses::{floats_of, poses_of};
 use std::sync::Arc;
-use strut_core::transfer::{self, Options, StyledFrame};
+use strut_core::transfer::{self, BodyPart, Method, Options, StyledFrame};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// One character's stream of frames. The results of the last batch stay here until the next and are copied
@@ -40,12 +40,17 @@ impl Stylizer {
         rho: f32,
         kappa: f32,
         delta: f32,
+        coherence: bool,
         timing: bool,
         footplant: bool,
+        method: &str,
     ) -> Result<(), EngineError> {
+        let method = Method::from_name(method)
+            .ok_or_else(|| EngineError::bad_input(String::from("the method is none of mar, lar, knn and nn")))?;
         // The cast saturates: what is no count becomes 0 or too large, and is refused as such.
+        let k = k as usize;
         let options =
-            Options { k: k as usize, lambda, rho, kappa, delta, timing, footplant, ..*self.stylizer.options() };
+            Options { k, lambda, rho, kappa, delta, coherence, timing, footplant, method, ..*self.stylizer.options() };
         self.stylizer.set_options(options).map_err(EngineError::bad_input)
     }
 
@@ -56,6 +61,19 @@ impl Stylizer {
     #[wasm_bindgen(js_name = setStyles)]
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), EngineError> {
         self.stylizer.set_styles(weights).map_err(EngineError::bad_input)
+    }
+
+    /// Gives a part of the body, by its number among [`BodyPart::ALL`], weights of its own; without weights it
+    /// follows the whole body again.
+    ///
+    /// # Errors
+    /// As [`Stylizer::set_styles`], or if there is no such part.
+    #[wasm_bindgen(js_name = setPartStyles)]
+    pub fn set_part_styles(&mut self, part: usize, weights: &[f32]) -> Result<(), EngineError> {
+        let part = BodyPart::ALL.get(part);
+        let part = part.ok_or_else(|| EngineError::bad_input(String::from("there is no such part of the body")))?;
+        let weights = Some(weights).filter(|w| !w.is_empty());
+        self.stylizer.set_part_styles(*part, weights).map_err(EngineError::bad_input)
     }
 
     /// Starts anew where the next input frame is.

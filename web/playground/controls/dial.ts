@@ -1,5 +1,5 @@
 /** How a dial's 270° of travel map to its values: linear, or logarithmic for values that act by ratio. Pure. */
-import type { Range } from "../state";
+import type { Range } from "../fields";
 
 export interface DialRange extends Range {
   scale: "linear" | "log";

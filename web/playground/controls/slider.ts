@@ -1,12 +1,13 @@
 /** A labelled slider over `<input type="range">` with its value beside it and a tick at the default. */
 import { formatNumber, html } from "../dom";
-import type { Range } from "../state";
+import type { Range } from "../fields";
 
 export class Slider {
   readonly element: HTMLElement;
   readonly #input: HTMLInputElement;
   readonly #value: HTMLOutputElement;
   readonly #range: Range;
+  readonly #track: HTMLElement;
 
   constructor(
     name: string,
@@ -18,15 +19,30 @@ export class Slider {
     const step = 10 ** -range.digits;
     this.#input = html("input", { type: "range", min: range.min, max: range.max, step, "aria-label": name });
     this.#value = html("output", { class: "value" });
-    const track = html("div", { class: "slider-track" }, this.#input);
-    track.style.setProperty("--default", String((initial - range.min) / (range.max - range.min)));
-    this.element = html("div", { class: "row slider" }, html("span", { class: "label" }, name), track, this.#value);
+    this.#track = html("div", { class: "slider-track" }, this.#input);
+    this.#track.style.setProperty("--default", String((initial - range.min) / (range.max - range.min)));
+    this.element = html(
+      "div",
+      { class: "row slider" },
+      html("span", { class: "label" }, name),
+      this.#track,
+      this.#value,
+    );
     this.#input.addEventListener("input", () => listeners.onInput(Number(this.#input.value)));
     this.#input.addEventListener("change", () => listeners.onSettle());
     this.#input.addEventListener("dblclick", () => {
       listeners.onInput(initial);
       listeners.onSettle();
     });
+  }
+
+  /** Marks the part of the range that makes sense. */
+  set plausible({ least, most }: { least: number; most: number }) {
+    const { min, max } = this.#range;
+    const share = (value: number) => String(Math.min(1, Math.max(0, (value - min) / (max - min))));
+    this.#track.style.setProperty("--least", share(least));
+    this.#track.style.setProperty("--most", share(most));
+    this.#track.classList.add("ranged");
   }
 
   set value(value: number) {

@@ -1,6 +1,8 @@
 /** The Model panel: the knobs of the regression, and what is switched on behind it. */
+import { METHODS, type Method } from "../../worker/protocol";
 import { button, Toggle } from "../controls/buttons";
 import type { DialRange } from "../controls/dial";
+import { icon } from "../controls/icons";
 import { Knob } from "../controls/knob";
 import { html } from "../dom";
 import { FIELDS, type PlayState, RANGES } from "../state";
@@ -48,14 +50,35 @@ const KNOBS: readonly {
 ];
 
 const TOGGLES = [
-  { field: "timing", name: "Timing" },
-  { field: "footplant", name: "Footplant" },
+  {
+    field: "timing",
+    name: "Timing",
+    description: "Whether the style has its own timing: watch the ticks of the timeline",
+  },
+  { field: "footplant", name: "Footplant", description: "Whether planted feet are held: without it watch them slide" },
+  {
+    field: "coherence",
+    name: "Coherence",
+    description: "Whether the output is kept from trembling where the database does not know the input",
+  },
 ] as const;
+
+/** All fields of this panel. */
+const FIELDS_HERE = [...[...KNOBS, ...TOGGLES].map(({ field }) => field), "method"] as const;
+
+/** Names of the methods, as people choose them. */
+export const METHOD_NAMES: Readonly<Record<Method, string>> = {
+  mar: "mixture of regressions",
+  lar: "one regression",
+  knn: "mean of the neighbours",
+  nn: "nearest neighbour",
+};
 
 export class ModelPanel {
   readonly element: HTMLElement;
   readonly #knobs: { field: KnobField; knob: Knob }[];
   readonly #toggles: { field: (typeof TOGGLES)[number]["field"]; toggle: Toggle }[];
+  readonly #method = html("select", { "aria-label": "Method" });
   readonly #reset: HTMLButtonElement;
 
   constructor(store: Store) {
@@ -66,18 +89,23 @@ export class ModelPanel {
         onSettle: () => store.endGesture(),
       }),
     }));
-    this.#toggles = TOGGLES.map(({ field, name }) => ({
-      field,
-      toggle: new Toggle(name, (on) => store.edit({ [field]: on })),
-    }));
-    const fields = [...KNOBS, ...TOGGLES].map(({ field }) => field);
+    this.#toggles = TOGGLES.map(({ field, name, description }) => {
+      const toggle = new Toggle(name, (on) => store.edit({ [field]: on }));
+      toggle.element.title = description;
+      return { field, toggle };
+    });
+    this.#method.append(...METHODS.map((method) => html("option", { value: method }, METHOD_NAMES[method])));
+    this.#method.addEventListener("change", () => store.edit({ method: this.#method.value as Method }));
+    const fields = FIELDS_HERE;
     const defaults = Object.fromEntries(fields.map((field) => [field, FIELDS[field].initial])) as Partial<PlayState>;
     this.#reset = button("Reset", () => store.edit(defaults), { label: true, class: "plain" });
     this.#reset.setAttribute("aria-label", "Reset the model");
+    const method = html("div", { class: "select plain-select" }, this.#method, icon("chevron"));
+    method.title = "How the neighbours become a prediction; a knob that a method does not use has no effect";
     this.element = html(
       "section",
       { class: "section model", "aria-labelledby": "model-heading" },
-      html("div", { class: "section-heading" }, html("h2", { id: "model-heading" }, "Model"), this.#reset),
+      html("div", { class: "section-heading" }, html("h2", { id: "model-heading" }, "Model"), method, this.#reset),
       html("div", { class: "knobs" }, ...this.#knobs.map(({ knob }) => knob.element)),
       html("div", { class: "toggles" }, ...this.#toggles.map(({ toggle }) => toggle.element)),
     );
@@ -86,7 +114,7 @@ export class ModelPanel {
   show(state: Readonly<PlayState>): void {
     for (const { field, knob } of this.#knobs) knob.value = state[field];
     for (const { field, toggle } of this.#toggles) toggle.on = state[field];
-    const fields = [...this.#knobs, ...this.#toggles].map(({ field }) => field);
-    this.#reset.disabled = fields.every((field) => state[field] === FIELDS[field].initial);
+    this.#method.value = state.method;
+    this.#reset.disabled = FIELDS_HERE.every((field) => state[field] === FIELDS[field].initial);
   }
 }

@@ -1,13 +1,24 @@
 /** The Style panel: the polygon, triangle or whole, and the intensity. */
-import type { DatabaseInfo } from "../../worker/protocol";
-import { Segment } from "../controls/buttons";
+import { BODY_PARTS, type BodyPart, type DatabaseInfo } from "../../worker/protocol";
+import { button, Segment } from "../controls/buttons";
+import { icon } from "../controls/icons";
 import { Slider } from "../controls/slider";
 import { html, setText } from "../dom";
 import { Polygon } from "../polygon/polygon";
 import { isBeyondData, type Selection, toTriangle, vertexOrder } from "../polygon/selection";
-import { FIELDS, type PlayState, RANGES } from "../state";
+import { FIELDS, type PlayState, RANGES, type Side } from "../state";
 import type { Store } from "../store";
-import { numberWord } from "../words";
+import {
+  otherSide,
+  ownParts,
+  PART_NAMES,
+  plausibleIntensity,
+  randomStyles,
+  shownStyles,
+  withoutPart,
+  withStyles,
+} from "../style_settings";
+import { manner, numberWord } from "../words";
 
 const HINT = "Drag the point. Arrow keys move it; double-click a corner for all of it.";
 const BEYOND = "Beyond the data: joints are held at their limits.";
@@ -36,16 +47,21 @@ export class StylePanel {
   readonly polygon: Polygon;
   readonly #mode: Segment<"triangle" | "whole">;
   readonly #intensity: Slider;
+  readonly #side: Segment<Side>;
+  readonly #part = html("select", { "aria-label": "Body part" });
+  readonly #follow: HTMLButtonElement;
+  readonly #store: Store;
   readonly #caption = html("p", { class: "caption polygon-caption" });
   #database: DatabaseInfo | undefined;
   #vertices: readonly string[] = [];
   #hint = !hintWasTaken();
 
   constructor(store: Store, top: HTMLElement) {
+    this.#store = store;
     this.polygon = new Polygon({
       onChange: (styles, gesture) => {
         this.#takeHint();
-        store.edit({ styles }, gesture);
+        store.edit(withStyles(store.state, styles), gesture);
       },
       onSettle: () => store.endGesture(),
     });
@@ -55,8 +71,24 @@ export class StylePanel {
         { value: "triangle", label: "Three" },
         { value: "whole", label: "All" },
       ],
-      (mode) => store.edit({ wholePolygon: mode === "whole", styles: this.#stylesFor(mode, store.state.styles) }),
+      (mode) => {
+        const styles = this.#stylesFor(mode, shownStyles(store.state));
+        store.edit({ wholePolygon: mode === "whole", ...withStyles(store.state, styles) });
+      },
     );
+    this.#side = new Segment<Side>(
+      "Setting",
+      [
+        { value: "a", label: "A" },
+        { value: "b", label: "B" },
+      ],
+      () => store.edit(otherSide(store.state)),
+    );
+    this.#side.element.title = "Two settings to compare: B begins as a copy of A (X)";
+    const random = button("Random styles", () => this.mixByChance(), { icon: "random", keys: "R" });
+    this.#part.addEventListener("change", () => store.edit({ part: this.#part.value as BodyPart | "" }));
+    this.#follow = button("As the whole body", () => this.#letPartFollow(), { label: true, class: "plain" });
+    this.#follow.title = "Let this part follow the whole body again";
     this.#intensity = new Slider("Intensity", RANGES.intensity, FIELDS.intensity.initial, {
       onInput: (intensity) => store.edit({ intensity }, "intensity"),
       onSettle: () => store.endGesture(),
@@ -65,11 +97,32 @@ export class StylePanel {
       "section",
       { class: "section style", "aria-labelledby": "style-heading" },
       top,
-      html("div", { class: "section-heading" }, html("h2", { id: "style-heading" }, "Style"), this.#mode.element),
+      html(
+        "div",
+        { class: "section-heading" },
+        html("h2", { id: "style-heading" }, "Style"),
+        this.#side.element,
+        random,
+        this.#mode.element,
+      ),
       this.polygon.element,
       this.#caption,
       this.#intensity.element,
+      html(
+        "div",
+        { class: "row body-parts" },
+        html("span", { class: "label", "aria-hidden": "true" }, "Body part"),
+        html("div", { class: "select plain-select" }, this.#part, icon("chevron")),
+        this.#follow,
+      ),
     );
+  }
+
+  /** Takes three styles by chance. */
+  mixByChance(): void {
+    if (!this.#database) return;
+    const styles = randomStyles(this.#vertices);
+    this.#store.edit({ ...withStyles(this.#store.state, styles), wholePolygon: false });
   }
 
   /** Styles clockwise from the top, as the number keys count them. */
@@ -91,12 +144,34 @@ export class StylePanel {
 
   /** Shows the state; `glide` where the handle shall travel instead of jumping. */
   show(state: Readonly<PlayState>, glide: boolean): void {
-    const { styles: selection, wholePolygon: whole, intensity } = state;
+    const { wholePolygon: whole, intensity, side } = state;
+    const selection = shownStyles(state);
     const beyond = isBeyondData(selection, intensity);
     this.polygon.show({ vertices: this.#vertices, selection, whole, beyond }, glide);
     this.#mode.value = whole ? "whole" : "triangle";
     this.#intensity.value = intensity;
+    this.#intensity.plausible = plausibleIntensity(selection);
+    this.#side.value = side;
+    this.#showParts(state);
     setText(this.#caption, beyond ? BEYOND : this.#hint && this.#database ? HINT : "");
+  }
+
+  #showParts(state: Readonly<PlayState>): void {
+    const own = ownParts(state);
+    const neutral = this.#database?.neutral ?? "";
+    const described = (part: BodyPart | "") => {
+      const styles = part && state.parts[part];
+      return styles ? `${PART_NAMES[part]}: ${manner(styles, state.intensity, neutral)}` : PART_NAMES[part];
+    };
+    const names = ["", ...BODY_PARTS] as const;
+    this.#part.replaceChildren(...names.map((part) => html("option", { value: part }, described(part))));
+    this.#part.value = state.part;
+    this.#follow.hidden = !own.some((part) => part === state.part);
+  }
+
+  #letPartFollow(): void {
+    const { state } = this.#store;
+    if (state.part) this.#store.edit(withoutPart(state, state.part));
   }
 
   #stylesFor(mode: "triangle" | "whole", styles: Selection): Selection {

@@ -12,6 +12,8 @@ export interface TransportListeners {
   onPlay: () => void;
   /** One frame back (−1) or on (+1). */
   onFrame: (by: number) => void;
+  /** A key of the style track at the playhead. */
+  onKey: () => void;
   onScrub: (frame: number) => void;
   onScrubEnd: () => void;
 }
@@ -33,6 +35,7 @@ export class Transport {
     const previous = button("Previous frame", () => listeners.onFrame(-1), { icon: "previous", keys: "←" });
     const next = button("Next frame", () => listeners.onFrame(1), { icon: "next", keys: "→" });
     this.#loop = button("Loop", () => store.edit({ loop: !store.state.loop }), { icon: "loop", keys: "L" });
+    const key = button("Style key here", listeners.onKey, { icon: "key", keys: "K" });
     this.#speed = html("select", { class: "speed", "aria-label": "Speed", title: "Speed" });
     for (const speed of SPEEDS) this.#speed.append(html("option", { value: speed }, `${speed}×`));
     this.#speed.addEventListener("change", () => store.edit({ speed: Number(this.#speed.value) }));
@@ -43,7 +46,7 @@ export class Transport {
       "div",
       { class: "transport-controls" },
       this.#play,
-      html("div", { class: "transport-buttons" }, previous, next, this.#loop, this.#speed),
+      html("div", { class: "transport-buttons" }, previous, next, this.#loop, key, this.#speed),
       html("div", { class: "scrub" }, this.#scrub, this.#contacts),
       html("p", { class: "time" }, this.#clock, this.#duration),
     );

@@ -1,6 +1,16 @@
 import { describe, expect, it } from "vitest";
 import { JOINTS, POSE_FLOATS } from "../../worker/protocol";
-import { angleAt, CURVES, curveOf, plantedStretches, spanOf, tickSpacing, timingTicks } from "./curves";
+import {
+  CURVES,
+  curveOf,
+  plantedStretches,
+  readStretches,
+  spanOf,
+  tickSpacing,
+  timingMap,
+  unitOf,
+  valueAt,
+} from "./curves";
 
 /** A T-pose with one joint turned by `degrees` about an axis. */
 function turned(joint: number, axis: [number, number, number], degrees: number): Float32Array {
@@ -13,13 +23,21 @@ function turned(joint: number, axis: [number, number, number], degrees: number):
 
 describe("joint angles", () => {
   it("are the bend of knees and elbows", () => {
-    expect(angleAt(turned(14, [1, 0, 0], 60), 0, CURVES["knee L"]!)).toBeCloseTo(60, 3);
-    expect(angleAt(turned(11, [0, 1, 0], 90), 0, CURVES["elbow R"]!)).toBeCloseTo(90, 3);
+    expect(valueAt(turned(14, [1, 0, 0], 60), 0, CURVES["knee L"]!)).toBeCloseTo(60, 3);
+    expect(valueAt(turned(11, [0, 1, 0], 90), 0, CURVES["elbow R"]!)).toBeCloseTo(90, 3);
   });
 
   it("are positive forward for hips and leans", () => {
-    expect(angleAt(turned(13, [1, 0, 0], -30), 0, CURVES["hip L"]!)).toBeCloseTo(30, 3);
-    expect(angleAt(turned(2, [1, 0, 0], 20), 0, CURVES["chest lean"]!)).toBeCloseTo(20, 3);
+    expect(valueAt(turned(13, [1, 0, 0], -30), 0, CURVES["hip L"]!)).toBeCloseTo(30, 3);
+    expect(valueAt(turned(2, [1, 0, 0], 20), 0, CURVES["chest lean"]!)).toBeCloseTo(20, 3);
+  });
+
+  it("are the components of every joint's rotation vector", () => {
+    const y = CURVES["left hand y"]!;
+    expect(valueAt(turned(8, [0, 1, 0], 170), 0, y)).toBeCloseTo(170, 3);
+    expect(valueAt(turned(8, [0, 1, 0], 200), 0, y), "the short way").toBeCloseTo(-160, 3);
+    expect(valueAt(turned(8, [0, 1, 0], 0), 0, y)).toBe(0);
+    expect([unitOf(y), unitOf(CURVES["hips height"]!)]).toEqual(["°", "cm"]);
   });
 
   it("come one a frame", () => {
@@ -50,13 +68,23 @@ describe("the rows of the timeline", () => {
     expect(plantedStretches(new Uint8Array(0), 0)).toEqual([]);
   });
 
-  it("tick densely where the output is slow", () => {
-    const slowThenQuick = Float32Array.from([0, 0.2, 0.4, 0.5, 0.6]);
-    const ticks = timingTicks(slowThenQuick, 0.1);
-    [0, 0.5, 1, 1.5, 2, 3].forEach((frame, i) => {
-      expect(ticks[i]).toBeCloseTo(frame, 4);
-    });
-    expect(timingTicks(new Float32Array(0), 0.1)).toEqual([]);
+  it("join the times of input and output at even distances of the input", () => {
+    const timeOut = Float32Array.from([0, 0.25, 0.5, 0.75, 1]);
+    expect(timingMap(timeOut, 2)).toEqual([
+      { frame: 0, timeOut: 0 },
+      { frame: 2, timeOut: 0.5 },
+      { frame: 4, timeOut: 1 },
+    ]);
+    expect(timingMap(new Float32Array(0), 2)).toEqual([]);
+  });
+
+  it("hold a stretch for each class that the input is read as", () => {
+    const weights = Float32Array.from([0.75, 0.25, 1, 0, 0.25, 0.75]);
+    expect(readStretches(weights, 2)).toEqual([
+      { from: 0, to: 2, class: 0, weight: 0.875 },
+      { from: 2, to: 3, class: 1, weight: 0.75 },
+    ]);
+    expect(readStretches(new Float32Array(0), 0)).toEqual([]);
   });
 
   it("label seconds at round distances", () => {

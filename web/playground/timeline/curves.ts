@@ -2,25 +2,28 @@
  * Joint angles over time, from poses of the canonical humanoid (`rust/strut-core/src/humanoid.rs`): what the
  * timeline draws. Pure.
  */
+import { ROLES } from "../../viewer";
 import { POSE_FLOATS } from "../../worker/protocol";
 
 type Vector = readonly [number, number, number];
 
-/** How a joint's rotation becomes one angle, in degrees, of the bone that hangs on it. */
-interface Measure {
-  /** Index of the joint. */
-  joint: number;
-  /** Direction of its bone in the T-pose, +X left, +Y up, +Z forward. */
-  bone: Vector;
-  /** `bend`: how far the bone turned, 0–180; `swing`: forward of hanging down; `lean`: forward of upright. */
-  kind: "bend" | "swing" | "lean";
-}
+/** How a pose becomes one number. */
+type Measure =
+  /**
+   * The angle, in degrees, of the bone that hangs on a joint. `bone` is its direction in the T-pose, +X left, +Y up, +Z
+   * forward; `bend`: how far the bone turned, 0–180; `swing`: forward of hanging down; `lean`: forward of upright.
+   */
+  | { kind: "bend" | "swing" | "lean"; joint: number; bone: Vector }
+  /** One component of a joint's rotation vector, degrees: a degree of freedom as the engine has it. */
+  | { kind: "turn"; joint: number; axis: 0 | 1 | 2 }
+  /** Height of the hips, centimetres. */
+  | { kind: "height" };
 
 const DOWN: Vector = [0, -1, 0];
 const UP: Vector = [0, 1, 0];
 
-/** Joints that the timeline offers, by name. */
-export const CURVES: Readonly<Record<string, Measure>> = {
+/** Measures that say most, by name. */
+const CHOSEN: Readonly<Record<string, Measure>> = {
   "knee L": { joint: 14, bone: DOWN, kind: "bend" },
   "knee R": { joint: 18, bone: DOWN, kind: "bend" },
   "hip L": { joint: 13, bone: DOWN, kind: "swing" },
@@ -31,7 +34,32 @@ export const CURVES: Readonly<Record<string, Measure>> = {
   "shoulder R": { joint: 10, bone: [-1, 0, 0], kind: "swing" },
   "chest lean": { joint: 2, bone: UP, kind: "lean" },
   "head lean": { joint: 4, bone: UP, kind: "lean" },
+  "hips height": { kind: "height" },
 };
+
+/** Every degree of freedom of every joint, by name: “left foot x”. */
+const DEGREES_OF_FREEDOM: Readonly<Record<string, Measure>> = Object.fromEntries(
+  ROLES.flatMap((role, joint) =>
+    ([0, 1, 2] as const).map((axis) => [
+      `${role.replaceAll("_", " ")} ${"xyz"[axis]}`,
+      { kind: "turn", joint, axis } satisfies Measure,
+    ]),
+  ),
+);
+
+/** What the timeline offers, in groups. */
+export const CURVE_GROUPS: readonly { title: string; names: readonly string[] }[] = [
+  { title: "Angles", names: Object.keys(CHOSEN) },
+  { title: "Degrees of freedom", names: Object.keys(DEGREES_OF_FREEDOM) },
+];
+
+/** All curves by name. */
+export const CURVES: Readonly<Record<string, Measure>> = { ...CHOSEN, ...DEGREES_OF_FREEDOM };
+
+/** Unit of a curve. */
+export function unitOf(measure: Measure): string {
+  return measure.kind === "height" ? "cm" : "°";
+}
 
 const DEGREES = 180 / Math.PI;
 
@@ -44,10 +72,21 @@ function rotated(q: ArrayLike<number>, offset: number, v: Vector): Vector {
   return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
 }
 
-/** The angle of one pose that begins at `start` in `poses`, degrees. */
-export function angleAt(poses: ArrayLike<number>, start: number, { joint, bone, kind }: Measure): number {
-  const [x, y, z] = rotated(poses, start + 3 + 4 * joint, bone);
-  switch (kind) {
+/** The value of one pose that begins at `start` in `poses`, in the measure's unit. */
+export function valueAt(poses: ArrayLike<number>, start: number, measure: Measure): number {
+  if (measure.kind === "height") return 100 * poses[start + 1]!;
+  const offset = start + 3 + 4 * measure.joint;
+  if (measure.kind === "turn") {
+    const sign = poses[offset + 3]! < 0 ? -1 : 1;
+    const [x, y, z] = [0, 1, 2].map((i) => sign * poses[offset + i]!) as [number, number, number];
+    const sine = Math.hypot(x, y, z);
+    // Near no rotation the vector is twice the quaternion's.
+    const scale = sine > 1e-6 ? (2 * Math.atan2(sine, sign * poses[offset + 3]!)) / sine : 2;
+    return [x, y, z][measure.axis]! * scale * DEGREES;
+  }
+  const { bone } = measure;
+  const [x, y, z] = rotated(poses, offset, bone);
+  switch (measure.kind) {
     case "bend":
       return Math.acos(Math.min(1, Math.max(-1, x * bone[0] + y * bone[1] + z * bone[2]))) * DEGREES;
     case "swing":
@@ -57,10 +96,10 @@ export function angleAt(poses: ArrayLike<number>, start: number, { joint, bone, 
   }
 }
 
-/** The angle of every pose of a clip, degrees. */
+/** The value of every pose of a clip. */
 export function curveOf(poses: Float32Array, measure: Measure): Float32Array {
   const frames = Math.floor(poses.length / POSE_FLOATS);
-  return Float32Array.from({ length: frames }, (_, i) => angleAt(poses, i * POSE_FLOATS, measure));
+  return Float32Array.from({ length: frames }, (_, i) => valueAt(poses, i * POSE_FLOATS, measure));
 }
 
 /** Least and greatest value of several curves, with some air, at least `least` apart; `undefined` without values. */
@@ -92,21 +131,38 @@ export function plantedStretches(contacts: Uint8Array, foot: 0 | 1): [number, nu
   return stretches;
 }
 
-/**
- * Input frames (fractional) at which the output passes multiples of `everySecs`: dense ticks where the style takes
- * longer than the input, wide ones where it is quicker.
- */
-export function timingTicks(timeOut: Float32Array, everySecs: number): number[] {
-  const ticks: number[] = [];
-  let next = timeOut.length > 0 ? timeOut[0]! : 0;
-  for (let i = 1; i < timeOut.length; i++) {
-    const [before, after] = [timeOut[i - 1]!, timeOut[i]!];
-    while (next <= after && after > before) {
-      ticks.push(i - 1 + (next - before) / (after - before));
-      next += everySecs;
-    }
+/** Pairs of an input frame and the output time it is shown at, one pair every `everyFrames`: lines of the timing map. */
+export function timingMap(timeOut: Float32Array, everyFrames: number): { frame: number; timeOut: number }[] {
+  const pairs: { frame: number; timeOut: number }[] = [];
+  for (let frame = 0; frame < timeOut.length; frame += everyFrames) pairs.push({ frame, timeOut: timeOut[frame]! });
+  return pairs;
+}
+
+/** A stretch of frames, [from, to), that is read as one class, and the mean weight of that class in it. */
+export interface ReadStretch {
+  from: number;
+  to: number;
+  /** Number of the class. */
+  class: number;
+  weight: number;
+}
+
+/** Which class each frame is read as: the heaviest one, frame after frame. */
+export function readStretches(weights: Float32Array, classes: number): ReadStretch[] {
+  const stretches: ReadStretch[] = [];
+  const frames = classes > 0 ? weights.length / classes : 0;
+  for (let i = 0; i < frames; i++) {
+    let heaviest = 0;
+    for (let c = 1; c < classes; c++) if (weights[i * classes + c]! > weights[i * classes + heaviest]!) heaviest = c;
+    const weight = weights[i * classes + heaviest]!;
+    const last = stretches.at(-1);
+    if (last && last.class === heaviest) {
+      const length = last.to - last.from;
+      last.weight = (last.weight * length + weight) / (length + 1);
+      last.to = i + 1;
+    } else stretches.push({ from: i, to: i + 1, class: heaviest, weight });
   }
-  return ticks;
+  return stretches;
 }
 
 /** Spacing of labelled ticks in seconds so that they stand at least `minPx` apart: 1, 2 or 5 times a power of ten. */

@@ -2,16 +2,22 @@
  * Paints the timeline's rows on canvases: what stays until the next analysis, and over it what moves with the
  * playhead. All rows share one x: the input's time.
  */
+
+import type { FrameRange } from "../../worker/protocol";
 import type { Colours } from "../colours";
-import { tickSpacing } from "./curves";
+import { formatNumber } from "../dom";
+import { type ReadStretch, tickSpacing } from "./curves";
 
 /** Rows from the top, in CSS pixels of a timeline 135 high. */
 export const ROWS = {
   ruler: 21,
-  contacts: [34, 45],
+  /** Middle of the lane of style keys, which stands on the ruler's line. */
+  keys: 28,
+  contacts: [36, 45],
   contactHeight: 6,
-  curve: { top: 60, bottom: 99 },
-  timing: { top: 115, bottom: 124 },
+  reads: { top: 55, height: 5 },
+  curve: { top: 66, bottom: 101 },
+  timing: { top: 107, bottom: 121 },
   height: 135,
 } as const;
 
@@ -28,8 +34,22 @@ export interface TimelineData {
   span: { low: number; high: number } | undefined;
   /** Planted stretches, left and right, in frames. */
   planted: [[number, number][], [number, number][]];
-  /** Frames at which a tenth of a second of output has passed. */
-  ticks: number[];
+  /** Which class the input is read as. */
+  reads: readonly ReadStretch[];
+  /** Lines between the input's and the output's time. */
+  timing: readonly { frame: number; timeOut: number }[];
+  durationOutSecs: number;
+}
+
+/** What is over the still layer at a moment, in input frames. */
+export interface Overlay {
+  /** The playhead. */
+  frame: number;
+  /** Where the pointer is over the rows. */
+  hover: number | undefined;
+  range: FrameRange | undefined;
+  /** Unit of the curves. */
+  unit: string;
 }
 
 /** Maps frames to pixels and back. */
@@ -73,13 +93,55 @@ export function paintStill(c: CanvasRenderingContext2D, axis: Axis, data: Timeli
     paintCurve(c, axis, data.inputCurve, data.span, colours.input, 1.25);
     paintCurve(c, axis, data.styledCurve, data.span, colours.signal, 1.75);
   }
-  c.fillStyle = colours.ink3;
+  paintReads(c, axis, data.reads, colours);
+  paintTiming(c, axis, data, colours);
+}
+
+/** What the input is read as: a bar for each class, as strong as its weight. */
+function paintReads(c: CanvasRenderingContext2D, axis: Axis, reads: readonly ReadStretch[], colours: Colours): void {
+  const { top, height } = ROWS.reads;
+  c.fillStyle = colours.track;
+  c.fillRect(INSET, top, axis.width - 2 * INSET, height);
+  c.fillStyle = colours.weight;
+  for (const { from, to, weight } of reads) {
+    const x = axis.x(from);
+    c.globalAlpha = Math.min(1, Math.max(0.12, weight));
+    c.fillRect(x, top, Math.max(1, axis.x(to) - x - 1), height);
+  }
+  c.globalAlpha = 1;
+}
+
+/** The output's time under the input's, joined by lines that lean where the style takes its own time. */
+function paintTiming(c: CanvasRenderingContext2D, axis: Axis, data: TimelineData, colours: Colours): void {
   const { top, bottom } = ROWS.timing;
-  const spacing = data.ticks.length > 1 ? (axis.width - 2 * INSET) / data.ticks.length : axis.width;
-  const every = Math.ceil(5 / spacing);
-  data.ticks.forEach((frame, i) => {
-    if (i % every === 0) c.fillRect(Math.round(axis.x(frame)), top, 1, bottom - top);
+  const duration = data.durationOutSecs;
+  if (data.timing.length < 2 || duration <= 0) return;
+  const xOut = (secs: number) => INSET + (secs / duration) * (axis.width - 2 * INSET);
+  c.strokeStyle = colours.ink3;
+  c.lineWidth = 1;
+  c.globalAlpha = 0.7;
+  c.beginPath();
+  const every = Math.ceil((5 * data.timing.length) / axis.width);
+  data.timing.forEach(({ frame, timeOut }, i) => {
+    if (i % every !== 0) return;
+    c.moveTo(axis.x(frame), top);
+    c.lineTo(xOut(timeOut), bottom);
   });
+  c.stroke();
+  c.globalAlpha = 1;
+  c.fillStyle = colours.line2;
+  c.fillRect(INSET, bottom, axis.width - 2 * INSET, 1);
+  c.fillStyle = colours.ink3;
+  c.font = `10.5px ${getComputedStyle(c.canvas).fontFamily}`;
+  const step = tickSpacing(duration, axis.width, 80);
+  const digits = Math.max(0, -Math.floor(Math.log10(step)));
+  for (let secs = 0; secs <= duration + 1e-6; secs += step) {
+    const x = xOut(secs);
+    c.fillRect(Math.round(x), bottom, 1, 4);
+    if (axis.width - x < 14) continue;
+    c.textAlign = secs === 0 ? "left" : "center";
+    c.fillText(secs === 0 ? "0 s" : secs.toFixed(digits), secs === 0 ? x - 0.5 : x, bottom + 13);
+  }
 }
 
 function paintRuler(c: CanvasRenderingContext2D, axis: Axis, rateHz: number, colours: Colours): void {
@@ -155,14 +217,15 @@ function paintCurve(
   c.stroke();
 }
 
-/** The playhead with its flag, the contact that is under it, and its points on the curves. */
+/** The range, the playhead with its flag, the contact that is under it, and what the curves say where the pointer is. */
 export function paintMoving(
   c: CanvasRenderingContext2D,
   axis: Axis,
   data: TimelineData,
-  frame: number,
+  { frame, hover, range, unit }: Overlay,
   colours: Colours,
 ): void {
+  if (range) paintRange(c, axis, range, colours);
   const x = axis.x(frame);
   data.planted.forEach((stretches, foot) => {
     const under = stretches.find(([from, to]) => frame >= from && frame < to);
@@ -171,13 +234,42 @@ export function paintMoving(
     bar(c, axis.x(under[0]), axis.x(under[1]) - axis.x(under[0]), ROWS.contacts[foot as 0 | 1]);
   });
   c.fillStyle = colours.ink;
-  c.fillRect(x - 0.75, 8, 1.5, ROWS.height - 14);
+  c.fillRect(x - 0.75, 8, 1.5, ROWS.timing.bottom - 8);
   c.beginPath();
   c.roundRect(x - 6, 8, 12, 7, [2, 2, 0, 0]);
   c.moveTo(x - 6, 15);
   c.lineTo(x + 6, 15);
   c.lineTo(x, 20);
   c.fill();
+  paintPoints(c, axis, data, frame, colours);
+  if (hover === undefined) return;
+  c.fillStyle = colours.ink3;
+  c.fillRect(axis.x(hover) - 0.5, ROWS.ruler, 1, ROWS.timing.bottom - ROWS.ruler);
+  paintPoints(c, axis, data, hover, colours);
+  paintReadOut(c, axis, data, hover, unit, colours);
+}
+
+/** Everything outside the range is veiled. */
+function paintRange(c: CanvasRenderingContext2D, axis: Axis, range: FrameRange, colours: Colours): void {
+  const [from, to] = [axis.x(range.first), axis.x(range.last)];
+  c.globalAlpha = 0.62;
+  c.fillStyle = colours.panel;
+  c.fillRect(0, 0, from, ROWS.height);
+  c.fillRect(to, 0, axis.width - to, ROWS.height);
+  c.globalAlpha = 1;
+  c.fillStyle = colours.ink2;
+  c.fillRect(from, ROWS.ruler - 1, to - from, 2);
+  for (const edge of [from, to]) c.fillRect(edge - 1, ROWS.ruler - 6, 2, 11);
+}
+
+/** The points of both curves at a frame. */
+function paintPoints(
+  c: CanvasRenderingContext2D,
+  axis: Axis,
+  data: TimelineData,
+  frame: number,
+  colours: Colours,
+): void {
   const { span } = data;
   if (!span) return;
   for (const [curve, colour] of [
@@ -187,11 +279,51 @@ export function paintMoving(
     const value = curve[Math.round(frame)];
     if (value === undefined) continue;
     c.beginPath();
-    c.arc(x, yOf(value, span), 3, 0, 2 * Math.PI);
+    c.arc(axis.x(frame), yOf(value, span), 3, 0, 2 * Math.PI);
     c.fillStyle = colour;
     c.fill();
     c.lineWidth = 1.5;
     c.strokeStyle = colours.panel;
     c.stroke();
   }
+}
+
+/** The values of both curves in words beside the pointer. */
+function paintReadOut(
+  c: CanvasRenderingContext2D,
+  axis: Axis,
+  data: TimelineData,
+  frame: number,
+  unit: string,
+  colours: Colours,
+): void {
+  const at = Math.round(frame);
+  const values = [
+    { text: `${formatNumber(at / data.rateHz, 2)} s`, colour: colours.ink },
+    { text: describe(data.inputCurve[at], unit), colour: colours.input },
+    { text: describe(data.styledCurve[at], unit), colour: colours.signal },
+  ].filter(({ text }) => text !== "");
+  c.font = `11px ${getComputedStyle(c.canvas).fontFamily}`;
+  c.textAlign = "left";
+  c.textBaseline = "alphabetic";
+  const widths = values.map(({ text }) => c.measureText(text).width);
+  const width = widths.reduce((sum, w) => sum + w + 10, 8);
+  const x = Math.min(axis.x(frame) + 10, axis.width - width - 2);
+  c.beginPath();
+  c.roundRect(x, ROWS.curve.top - 8, width, 18, 4);
+  c.fillStyle = colours.raised;
+  c.fill();
+  c.lineWidth = 1;
+  c.strokeStyle = colours.line2;
+  c.stroke();
+  let left = x + 9;
+  for (const [i, { text, colour }] of values.entries()) {
+    c.fillStyle = colour;
+    c.fillText(text, left, ROWS.curve.top + 5);
+    left += widths[i]! + 10;
+  }
+}
+
+function describe(value: number | undefined, unit: string): string {
+  return value === undefined ? "" : `${formatNumber(value, 1)}${unit === "°" ? "" : " "}${unit}`;
 }

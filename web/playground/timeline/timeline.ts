@@ -1,19 +1,26 @@
 /** The timeline: ruler, contacts, a joint's curve and the timing, with one playhead that can be dragged. */
-import type { Analysis, InputInfo } from "../../worker/protocol";
+import type { Analysis, DatabaseInfo, FrameRange, InputInfo } from "../../worker/protocol";
 import { type Colours, readColours } from "../colours";
 import { formatNumber, html, setAttributes } from "../dom";
-import { CURVES, curveOf, plantedStretches, spanOf, timingTicks } from "./curves";
+import { spoken } from "../words";
+import { CURVE_GROUPS, CURVES, curveOf, plantedStretches, readStretches, spanOf, timingMap, unitOf } from "./curves";
 import { Axis, paintMoving, paintStill, prepare, ROWS, type TimelineData } from "./paint";
 
 /** Least span of the curve row, degrees: a still joint stays a flat line. */
 const LEAST_SPAN = 20;
-/** Output time between two ticks of the timing row. */
-const TICK_SECS = 0.1;
+/** Input time between two lines of the timing map. */
+const MAP_SECS = 0.1;
+/** Pixels that a press in the ruler moves before it selects a range, and around the playhead, which is dragged there. */
+const SELECT_PX = 4;
+const FLAG_PX = 9;
 
 export interface TimelineListeners {
   /** The playhead was put at an input frame. */
   onScrub: (frame: number) => void;
   onScrubEnd: () => void;
+  /** The pointer is over an input frame, or has left. */
+  onHover: (frame: number | undefined) => void;
+  onRange: (range: FrameRange | undefined) => void;
   onCurve: (name: string) => void;
 }
 
@@ -32,10 +39,18 @@ export class Timeline {
   #colours: Colours | undefined;
   #frame = 0;
 
-  constructor(listeners: TimelineListeners) {
+  #hover: number | undefined;
+  #range: FrameRange | undefined;
+  #classes: DatabaseInfo["classes"] = [];
+
+  /** `keys` stands over the rows: the keys of the style track. */
+  constructor(listeners: TimelineListeners, keys: HTMLElement) {
     this.#listeners = listeners;
     this.#menu = html("select", { "aria-label": "Joint of the curve" });
-    for (const name of Object.keys(CURVES)) this.#menu.append(html("option", { value: name }, name));
+    for (const { title, names } of CURVE_GROUPS)
+      this.#menu.append(
+        html("optgroup", { label: title }, ...names.map((name) => html("option", { value: name }, name))),
+      );
     this.#menu.addEventListener("change", () => listeners.onCurve(this.#menu.value));
     this.#rows = html(
       "div",
@@ -55,17 +70,22 @@ export class Timeline {
           "contacts",
         ),
         html("span", { class: "timeline-feet", "aria-hidden": "true" }, html("i", {}, "L"), html("i", {}, "R")),
+        html(
+          "span",
+          { class: "timeline-reads", title: "What the input is read as, the heaviest class of each frame" },
+          "reads as",
+        ),
         html("span", { class: "timeline-curve" }, this.#menu),
         html(
           "span",
           {
             class: "timeline-timing",
-            title: "A tick every tenth of a second of the styled motion: dense where it takes longer than the input",
+            title: "The input's time above, the styled motion's below: lines lean where the style takes its own time",
           },
           "timing",
         ),
       ),
-      this.#rows,
+      html("div", { class: "timeline-stage" }, this.#rows, keys),
     );
     this.#listenToPointer();
     new ResizeObserver(() => this.#repaint()).observe(this.#rows);
@@ -88,6 +108,30 @@ export class Timeline {
     this.#menu.value = this.#curve;
     this.#rebuild();
   }
+
+  /** The classes that the input is read as. */
+  set classes(classes: DatabaseInfo["classes"]) {
+    this.#classes = classes;
+  }
+
+  /** The part of the input that is played. */
+  set range(range: FrameRange | undefined) {
+    this.#range = range;
+    this.#paintMoving();
+  }
+
+  /** Place of an input frame in the rows, CSS pixels. */
+  x(frame: number): number {
+    return this.#axis.x(frame);
+  }
+
+  /** Input frame at a place of the page. */
+  frameAt(clientX: number): number {
+    return this.#axis.frame(clientX - this.#rows.getBoundingClientRect().left);
+  }
+
+  /** Called when frames have other places. */
+  onLayout: (() => void) | undefined;
 
   /** Moves the playhead to an input frame. */
   set frame(frame: number) {
@@ -122,7 +166,9 @@ export class Timeline {
       styledCurve,
       span: spanOf([inputCurve, styledCurve], LEAST_SPAN),
       planted: [plantedStretches(planted, 0), plantedStretches(planted, 1)],
-      ticks: this.#analysis ? timingTicks(this.#analysis.timeOut, TICK_SECS) : [],
+      reads: this.#analysis ? readStretches(this.#analysis.classWeights, this.#classes.length) : [],
+      timing: this.#analysis ? timingMap(this.#analysis.timeOut, Math.round(MAP_SECS * input.rateHz)) : [],
+      durationOutSecs: this.#analysis?.durationOutSecs ?? 0,
     };
     this.#repaint();
   }
@@ -134,33 +180,73 @@ export class Timeline {
     this.#colours ??= readColours(this.#rows);
     paintStill(prepare(this.#still, width, ROWS.height), this.#axis, this.#data, this.#colours);
     this.#paintMoving();
+    this.onLayout?.();
   }
 
   #paintMoving(): void {
     if (!this.#data || !this.#colours || this.#axis.width === 0) return;
     const context = prepare(this.#moving, this.#axis.width, ROWS.height);
-    paintMoving(context, this.#axis, this.#data, this.#frame, this.#colours);
+    const overlay = {
+      frame: this.#frame,
+      hover: this.#hover,
+      range: this.#range,
+      unit: unitOf(CURVES[this.#curve]!),
+    };
+    paintMoving(context, this.#axis, this.#data, overlay, this.#colours);
   }
 
   #listenToPointer(): void {
     const rows = this.#rows;
-    let dragging: number | undefined;
-    const scrub = (event: PointerEvent) =>
-      this.#listeners.onScrub(this.#axis.frame(event.clientX - rows.getBoundingClientRect().left));
+    const listeners = this.#listeners;
+    let dragging: { pointerId: number; from: number; x: number; selects: boolean } | undefined;
     rows.addEventListener("pointerdown", (event) => {
       if (event.button !== 0 || !this.#data) return;
-      dragging = event.pointerId;
+      const box = rows.getBoundingClientRect();
+      const onFlag = Math.abs(event.clientX - box.left - this.#axis.x(this.#frame)) < FLAG_PX;
+      const inRuler = event.clientY - box.top < ROWS.ruler && !onFlag;
+      const from = this.frameAt(event.clientX);
+      dragging = { pointerId: event.pointerId, from, x: event.clientX, selects: inRuler };
       rows.setPointerCapture(event.pointerId);
-      scrub(event);
+      this.#hoverAt(undefined);
+      listeners.onScrub(from);
     });
     rows.addEventListener("pointermove", (event) => {
-      if (event.pointerId === dragging) scrub(event);
+      const at = this.frameAt(event.clientX);
+      if (event.pointerId !== dragging?.pointerId) {
+        if (event.pointerType === "mouse") this.#hoverAt(at);
+      } else if (!dragging.selects) listeners.onScrub(at);
+      else if (Math.abs(event.clientX - dragging.x) > SELECT_PX) listeners.onRange(rangeBetween(dragging.from, at));
+    });
+    rows.addEventListener("pointerleave", () => this.#hoverAt(undefined));
+    rows.addEventListener("dblclick", (event) => {
+      if (event.clientY - rows.getBoundingClientRect().top < ROWS.ruler) listeners.onRange(undefined);
     });
     for (const type of ["pointerup", "pointercancel"] as const)
       rows.addEventListener(type, (event) => {
-        if (event.pointerId !== dragging) return;
+        if (event.pointerId !== dragging?.pointerId) return;
         dragging = undefined;
-        this.#listeners.onScrubEnd();
+        listeners.onScrubEnd();
       });
   }
+
+  #hoverAt(frame: number | undefined): void {
+    if (frame === undefined && this.#hover === undefined) return;
+    this.#hover = frame;
+    this.#listeners.onHover(frame);
+    this.#rows.title = frame === undefined ? "" : this.#readAt(frame);
+    this.#paintMoving();
+  }
+
+  /** What the engine reads the input as at a frame, in words. */
+  #readAt(frame: number): string {
+    const stretch = this.#data?.reads.find(({ from, to }) => frame >= from && frame < to);
+    const read = stretch && this.#classes[stretch.class];
+    return read ? `Read as ${spoken(read.action)}, ${spoken(read.style)}` : "";
+  }
+}
+
+/** The range between two places, at least two frames long. */
+function rangeBetween(a: number, b: number): FrameRange {
+  const [first, last] = [Math.round(Math.min(a, b)), Math.round(Math.max(a, b))];
+  return { first, last: Math.max(last, first + 1) };
 }

@@ -1,5 +1,6 @@
 //! Styling a whole clip: the online engine, with contacts and footplant that may look both ways.
 
+use super::blend::StyleError;
 use super::clip_footplant::plant_feet;
 use super::contact_likelihood::{smoothed, stands};
 use super::frame::{StageClock, StyledFrame, Trace};
@@ -41,6 +42,14 @@ impl ClipJob {
     pub fn new(mut stylizer: Stylizer) -> Self {
         stylizer.reset(None);
         Self { stylizer, frames: Vec::new() }
+    }
+
+    /// Changes the styles of the whole body from the next frame on: so a style track is played.
+    ///
+    /// # Errors
+    /// As [`Stylizer::set_styles`].
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), StyleError> {
+        self.stylizer.set_styles(weights)
     }
 
     /// Styles the next frame of the clip, which is at the database's rate.
@@ -229,6 +238,39 @@ mod tests {
         let unplanted = between_bodies(&clip.resampled(30.0).motion, &body);
         assert!(skate(&out.motion) < 0.02, "{} m/s", skate(&out.motion));
         assert!(skate(&out.motion) < 0.5 * skate(&unplanted), "{} m/s", skate(&unplanted));
+    }
+
+    /// A clip whose styles are set anew before every frame.
+    fn tracked(weight: impl Fn(usize) -> f32) -> StyledMotion {
+        let s = Stylizer::new(Arc::new(Model::new(Arc::new(database()))), Options::DEFAULT).unwrap();
+        let mut job = ClipJob::new(s);
+        for (i, pose) in walk(&NEUTRAL, 120, 0.0).poses.iter().enumerate() {
+            job.set_styles(&[0.0, weight(i)]).unwrap();
+            job.push(pose, &mut NoClock);
+        }
+        job.finish()
+    }
+
+    #[test]
+    fn a_track_that_stands_still_is_the_style_itself() {
+        assert_eq!(tracked(|_| 1.0), styled());
+    }
+
+    /// Largest turn of a joint between two frames, radians.
+    fn turn(a: &StyledFrame, b: &StyledFrame) -> f32 {
+        let joints = a.pose.rotations.iter().zip(&b.pose.rotations);
+        joints.map(|(a, b)| a.inv_mul(*b).angle()).fold(0.0, f32::max)
+    }
+
+    #[test]
+    fn a_track_acts_from_its_frame_on_and_without_a_jump() {
+        let (still, turned) = (tracked(|_| 0.0), tracked(|i| ((i as f32 - 30.0) / 60.0).clamp(0.0, 1.0)));
+        let apart = |i: usize| turn(&still.frames[i], &turned.frames[i]);
+        // Feet may be held a few frames ahead of the change.
+        assert!((0..20).all(|i| apart(i) < 1e-3));
+        assert!((100..120).any(|i| apart(i) > 0.05));
+        let fastest = |m: &StyledMotion| m.frames.windows(2).map(|w| turn(&w[0], &w[1])).fold(0.0, f32::max);
+        assert!(fastest(&turned) < 1.5 * fastest(&styled()).max(fastest(&still)));
     }
 
     #[test]

@@ -1,0 +1,143 @@
+/** Beyond the triangle: parts of the body with styles of their own, two settings, chance. */
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import { JOINT, type Role } from "../../web/viewer";
+import {
+  closePage,
+  eventually,
+  launchBrowser,
+  openPage,
+  screenshot,
+  serveSite,
+  settledPose,
+  turnBetween,
+  visit,
+} from "./browser";
+
+declare const window: { strut: StrutHook };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+let page: Page;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
+  page = await openPage(browser, site.url, { size: { width: 1440, height: 900 } });
+});
+afterAll(async () => {
+  await closePage(page).finally(async () => {
+    await browser.close();
+    await site.close();
+  });
+});
+
+const PAUSED = "play=0&frame=60&footplant=0&styles=proud:1,old:0,depressed:0";
+const state = () => page.evaluate(() => window.strut.state);
+const part = () => page.getByLabel("Body part");
+
+/** Turn of one joint between two poses, degrees. */
+function turnOf(role: Role, a: readonly number[], b: readonly number[]): number {
+  const at = 3 + 4 * JOINT[role];
+  const dot = [0, 1, 2, 3].reduce((sum, k) => sum + a[at + k]! * b[at + k]!, 0);
+  return (2 * Math.acos(Math.min(1, Math.abs(dot))) * 180) / Math.PI;
+}
+
+describe("a part of the body", () => {
+  it("takes a style of its own from the list, and only it changes", async () => {
+    await visit(page, PAUSED);
+    const proud = await settledPose(page);
+    await part().selectOption("left_arm");
+    await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
+    const mixed = await settledPose(page);
+    expect(turnOf("left_upper_arm", proud, mixed)).toBeGreaterThan(3);
+    expect(turnOf("right_upper_arm", proud, mixed)).toBeLessThan(0.1);
+    expect(turnOf("left_lower_leg", proud, mixed)).toBeLessThan(0.1);
+    expect(await part().locator("option:checked").textContent()).toBe("left arm: depressed");
+    await screenshot(page, "body-part");
+    await page.keyboard.press("Control+z");
+    expect(turnBetween(proud, await settledPose(page))).toBeLessThan(0.1);
+    await page.keyboard.press("Control+Shift+z");
+    await page.getByRole("button", { name: "As the whole body" }).click();
+    expect(turnBetween(proud, await settledPose(page))).toBeLessThan(0.1);
+  });
+
+  it("is chosen by a click on the body", async () => {
+    await visit(page, `${PAUSED}&camera=front`);
+    await settledPose(page);
+    await page.waitForTimeout(1500);
+    for (const [role, expected] of [
+      ["left_lower_arm", "left_arm"],
+      ["head", "head"],
+      ["right_lower_leg", "legs"],
+    ] as const) {
+      const at = await page.evaluate((role) => window.strut.jointScreenPosition(role), role);
+      await page.mouse.click(at.x, at.y);
+      expect((await state()).part).toBe(expected);
+    }
+    const box = (await page.locator(".stage").boundingBox())!;
+    await page.mouse.click(box.x + 30, box.y + 300);
+    expect((await state()).part, "beside the body nothing is chosen").toBe("legs");
+  });
+
+  it("is in the link", async () => {
+    await visit(page, `${PAUSED}&part=legs&parts=legs~old:1`);
+    const pose = await settledPose(page);
+    const other = await openPage(browser, page.url());
+    expect((await other.evaluate(() => window.strut.state)).parts).toEqual({ legs: [{ name: "old", weight: 1 }] });
+    expect(turnBetween(pose, await settledPose(other))).toBeLessThan(0.2);
+    await closePage(other);
+  });
+});
+
+describe("A and B", () => {
+  it("keep a setting each, by pointer and by key", async () => {
+    await visit(page, PAUSED);
+    const a = await settledPose(page);
+    await page.getByRole("radio", { name: "B" }).check({ force: true });
+    await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
+    const b = await settledPose(page);
+    expect(turnBetween(a, b)).toBeGreaterThan(3);
+    await page.keyboard.press("x");
+    expect(turnBetween(a, await settledPose(page))).toBeLessThan(0.1);
+    await page.keyboard.press("x");
+    expect(turnBetween(b, await settledPose(page))).toBeLessThan(0.1);
+    expect(await page.getByRole("radio", { name: "B" }).isChecked()).toBe(true);
+  });
+});
+
+describe("chance", () => {
+  it("takes three styles, and undo takes them back", async () => {
+    await visit(page, PAUSED);
+    const before = (await state()).styles;
+    await page.getByRole("button", { name: "Random styles" }).click();
+    const mixed = (await state()).styles;
+    expect(mixed).toHaveLength(3);
+    expect(mixed).not.toEqual(before);
+    await page.keyboard.press("Control+z");
+    expect((await state()).styles).toEqual(before);
+  });
+});
+
+describe("the intensity", () => {
+  it("marks what the data holds", async () => {
+    await visit(page, "play=0&frame=60&styles=proud:0.5,old:0.5");
+    const most = () =>
+      page.locator(".slider-track").evaluate((e) => Number(getComputedStyle(e).getPropertyValue("--most")));
+    // −1 to 2: the heaviest weight is 1 at an intensity of 2, and at 1 once it is all of one style.
+    await eventually(most).toBeCloseTo(1, 5);
+    await visit(page, PAUSED);
+    await eventually(most).toBeCloseTo(2 / 3, 5);
+  });
+});
+
+describe("the model", () => {
+  it("takes another method at once", async () => {
+    await visit(page, `${PAUSED}&rho=0`);
+    const mar = await settledPose(page);
+    await page.getByLabel("Method").selectOption("nn");
+    expect(turnBetween(mar, await settledPose(page))).toBeGreaterThan(0.2);
+    await page.getByRole("button", { name: "Reset the model" }).click();
+    expect((await state()).method).toBe("mar");
+  });
+});

@@ -1,0 +1,90 @@
+/** Where the motion stands: plays, pauses, steps and scrubs. */
+import type { LiveFrame } from "../worker/protocol";
+import type { Session } from "./session";
+import type { Store } from "./store";
+
+export class Playhead {
+  /** The newest frame of the engine. */
+  frame: LiveFrame | undefined;
+  session: Session | undefined;
+  readonly #store: Store;
+  readonly #onScrub: (frame: number | undefined) => void;
+  #scrubbing = false;
+  #previewing = false;
+
+  /** `onScrub` hears where the playhead is dragged to, and `undefined` when it is let go. */
+  constructor(store: Store, onScrub: (frame: number | undefined) => void) {
+    this.#store = store;
+    this.#onScrub = onScrub;
+  }
+
+  /** Whether the playhead is in somebody's hand. */
+  get scrubbing(): boolean {
+    return this.#scrubbing;
+  }
+
+  /** Whether another frame than the playhead's is looked at. */
+  get previewing(): boolean {
+    return this.#previewing;
+  }
+
+  /** Shows a resting character at the frame under the pointer; `undefined` brings it back to the playhead. */
+  preview(frame: number | undefined): void {
+    const { playing, frame: at } = this.#store.state;
+    if (playing || this.#scrubbing || !this.session?.input) return;
+    if (frame === undefined && !this.#previewing) return;
+    this.#previewing = frame !== undefined;
+    this.session.playback.seek(frame ?? at);
+  }
+
+  togglePlay(): void {
+    const { playing, loop } = this.#store.state;
+    if (playing) {
+      this.pauseAt(this.frame?.inputFrame ?? 0);
+      return;
+    }
+    if (this.#previewing) this.session?.playback.seek(this.#store.state.frame);
+    this.#previewing = false;
+    if (!loop && this.frame?.ended) this.session?.playback.seek(this.#store.state.range?.first ?? 0);
+    this.#store.edit({ playing: true, frame: 0 });
+  }
+
+  pauseAt(frame: number): void {
+    this.#store.edit({ playing: false, frame: Math.round(frame) });
+  }
+
+  /** Goes to an input frame, or as near as there is one. */
+  goTo(frame: number): void {
+    const input = this.session?.input;
+    if (!input) return;
+    const at = Math.min(Math.max(0, frame), input.frames - 1);
+    this.#previewing = false;
+    this.session?.playback.seek(at);
+    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(at) });
+  }
+
+  step(by: number): void {
+    const input = this.session?.input;
+    if (!input || !this.frame) return;
+    const { loop, range } = this.#store.state;
+    const [first, last] = [range?.first ?? 0, Math.min(range?.last ?? input.frames - 1, input.frames - 1)];
+    const from = this.#previewing ? this.#store.state.frame : Math.round(this.frame.inputFrame);
+    const at = from + by;
+    this.#store.edit({ playing: false });
+    this.goTo(loop && at > last ? first : loop && at < first ? last : at);
+  }
+
+  scrub(frame: number): void {
+    this.#scrubbing = true;
+    this.#previewing = false;
+    if (this.session) this.session.playback.playing = false;
+    this.#onScrub(frame);
+    this.session?.playback.seek(frame);
+  }
+
+  endScrub(): void {
+    this.#scrubbing = false;
+    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(this.frame?.inputFrame ?? 0) });
+    this.#onScrub(undefined);
+  }
+}
