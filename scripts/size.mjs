@@ -12,8 +12,9 @@ const LATER = [
   // bench.html and what only it loads.
   "bench",
   "strut_bench",
-  // The Data view and the package that builds databases: loaded when somebody brings clips of their own.
+  // The other views, and the package that builds databases: loaded when somebody brings clips of their own.
   "data_view",
+  "compare_view",
   "shelf",
   "build_worker",
   "strut_wasm_build",

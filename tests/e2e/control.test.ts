@@ -94,7 +94,7 @@ describe("A and B", () => {
   it("keep a setting each, by pointer and by key", async () => {
     await visit(page, PAUSED);
     const a = await settledPose(page);
-    await page.getByRole("radio", { name: "B" }).check({ force: true });
+    await page.getByRole("radio", { name: "B", exact: true }).check({ force: true });
     await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
     const b = await settledPose(page);
     expect(turnBetween(a, b)).toBeGreaterThan(3);
@@ -102,7 +102,7 @@ describe("A and B", () => {
     expect(turnBetween(a, await settledPose(page))).toBeLessThan(0.1);
     await page.keyboard.press("x");
     expect(turnBetween(b, await settledPose(page))).toBeLessThan(0.1);
-    expect(await page.getByRole("radio", { name: "B" }).isChecked()).toBe(true);
+    expect(await page.getByRole("radio", { name: "B", exact: true }).isChecked()).toBe(true);
   });
 });
 

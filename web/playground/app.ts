@@ -135,7 +135,7 @@ export class App {
     this.#timeline.onLayout = () => this.#keys.layOut();
     this.#keys.places = this.#timeline;
     this.#drop = new DropZone({
-      viewTakesAll: () => store.state.view !== "play",
+      viewTakesAll: () => store.state.view === "data",
       onMotion: (name, bytes) => void this.#takeMotion(name, bytes),
       onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
       onClips: (files) => void this.#takeClips(files),
@@ -169,6 +169,9 @@ export class App {
         },
       }),
       historyChanged: () => this.#showTopBar(),
+      session: () => this.#session,
+      chooseInput: (name) => void this.#choose(name),
+      playhead: () => this.#playhead.at,
       openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),
     });
     this.#topBar.canExport = false;
@@ -270,6 +273,7 @@ export class App {
     this.#topBar.canExport = true;
     this.#notices.clearErrors();
     this.#showHeading();
+    this.#views.shown?.refresh?.();
   }
 
   #onAnalysis(analysis: Analysis): void {
@@ -467,15 +471,13 @@ export class App {
 
   /** Puts a key of the style track under the playhead, or chooses the one that is there. */
   #addKey(): void {
-    const { state } = this.#store;
-    const at = this.#playhead.previewing ? state.frame : (this.#playhead.frame?.inputFrame ?? 0);
-    this.#store.edit(addKey(state, at));
+    this.#store.edit(addKey(this.#store.state, this.#playhead.at));
   }
 
   /** Lets the range begin or end at the playhead. */
   #cutRange(edge: "first" | "last"): void {
     const frames = this.#session?.input?.frames ?? 2;
-    const at = Math.round(this.#playhead.frame?.inputFrame ?? 0);
+    const at = Math.round(this.#playhead.at);
     const range = { first: 0, last: frames - 1, ...this.#store.state.range, [edge]: at };
     if (range.first < range.last) this.#store.edit({ range });
   }

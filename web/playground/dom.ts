@@ -61,3 +61,10 @@ export function formatNumber(value: number, digits: number): string {
     .replace(/^-(?=0(\.0*)?$)/, "")
     .replace("-", "−");
 }
+
+/** Seconds as 02.67, minutes as 1:02.67. */
+export function clock(seconds: number): string {
+  const minutes = Math.floor(seconds / 60);
+  const rest = formatNumber(seconds - 60 * minutes, 2).padStart(5, "0");
+  return minutes > 0 ? `${minutes}:${rest}` : rest;
+}

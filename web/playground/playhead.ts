@@ -10,6 +10,8 @@ export class Playhead {
   readonly #store: Store;
   readonly #onScrub: (frame: number | undefined) => void;
   #scrubbing = false;
+  /** Where the playhead was dragged to last; the engine's answer comes later. */
+  #scrubbedTo = 0;
   #previewing = false;
 
   /** `onScrub` hears where the playhead is dragged to, and `undefined` when it is let go. */
@@ -21,6 +23,12 @@ export class Playhead {
   /** Whether the playhead is in somebody's hand. */
   get scrubbing(): boolean {
     return this.#scrubbing;
+  }
+
+  /** Input frame at which the playhead stands; while playing a fractional one. */
+  get at(): number {
+    const { playing, frame } = this.#store.state;
+    return playing ? (this.frame?.inputFrame ?? 0) : frame;
   }
 
   /** Whether another frame than the playhead's is looked at. */
@@ -68,8 +76,7 @@ export class Playhead {
     if (!input || !this.frame) return;
     const { loop, range } = this.#store.state;
     const [first, last] = [range?.first ?? 0, Math.min(range?.last ?? input.frames - 1, input.frames - 1)];
-    const from = this.#previewing ? this.#store.state.frame : Math.round(this.frame.inputFrame);
-    const at = from + by;
+    const at = Math.round(this.at) + by;
     this.#store.edit({ playing: false });
     this.goTo(loop && at > last ? first : loop && at < first ? last : at);
   }
@@ -78,13 +85,14 @@ export class Playhead {
     this.#scrubbing = true;
     this.#previewing = false;
     if (this.session) this.session.playback.playing = false;
+    this.#scrubbedTo = frame;
     this.#onScrub(frame);
     this.session?.playback.seek(frame);
   }
 
   endScrub(): void {
     this.#scrubbing = false;
-    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(this.frame?.inputFrame ?? 0) });
+    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(this.#scrubbedTo) });
     this.#onScrub(undefined);
   }
 }

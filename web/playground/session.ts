@@ -4,12 +4,14 @@
  */
 import type {
   Analysis,
+  CallOptions,
   DatabaseInfo,
   DatabaseSource,
   FrameRange,
   InputInfo,
   LiveFrame,
   StrutClient,
+  StylizeOptions,
 } from "../worker/protocol";
 import { InputLibrary } from "./library";
 import { Playback } from "./playback";
@@ -118,6 +120,11 @@ export class Session {
     clearTimeout(this.#settle);
     this.#progress.analysis.cancel();
     this.#settle = setTimeout(() => void this.#attempt(() => this.#analyse()), SETTLE_MS);
+  }
+
+  /** The whole input in other options; see `StrutClient.style`. */
+  style(options: StylizeOptions, call: CallOptions): Promise<Analysis & { frameMs: number }> {
+    return this.#client.style(options, call);
   }
 
   /** The styled input as BVH text; `undefined` where that failed or was cancelled. */

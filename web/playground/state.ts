@@ -72,13 +72,16 @@ export interface PlayState {
   frame: number;
   /** Joint whose curve the timeline shows. */
   curve: string;
+  /** Columns of the Compare view, and which of them is drawn behind the others. */
+  columns: readonly string[];
+  behind: string;
   /** Whether panels and transport are shown. */
   panels: boolean;
   /** The panel that is open on a narrow screen. */
   tab: Tab;
 }
 
-export const VIEW_NAMES = ["play", "data"] as const;
+export const VIEW_NAMES = ["play", "compare", "data"] as const;
 export type ViewName = (typeof VIEW_NAMES)[number];
 export const CAMERA_PRESETS = ["orbit", "front", "side", "top"] as const;
 export type CameraPreset = (typeof CAMERA_PRESETS)[number];
@@ -186,6 +189,13 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
   playing: flag("play", true, false),
   frame: number("frame", 0, { min: 0, max: 1e7, digits: 0 }, false),
   curve: text("curve", "knee L", false),
+  columns: listed(
+    "columns",
+    ["input", "nn", "lar", "mar"],
+    (names) => names.join(","),
+    (text) => text.split(",").slice(0, 5),
+  ),
+  behind: text("behind", "mar", true),
   panels: flag("panels", true, false),
   tab: choice("tab", "style", TABS),
 };

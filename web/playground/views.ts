@@ -5,6 +5,7 @@
 import type { Viewer } from "../viewer";
 import type { DroppedFile } from "../worker/build/protocol";
 import type { Notices } from "./notices";
+import type { Session } from "./session";
 import type { ViewName } from "./state";
 import type { History, Store } from "./store";
 import { errorText } from "./words";
@@ -19,6 +20,12 @@ export interface ViewHost {
   borrowPicture(container: HTMLElement): Picture;
   /** Says that {@link View.history} has other things to undo or redo. */
   historyChanged(): void;
+  /** What is open in the engine; `undefined` until it is loaded. */
+  session(): Session | undefined;
+  /** Opens an input by its name in the library. */
+  chooseInput(name: string): void;
+  /** Fractional input frame at which the motion stands. */
+  playhead(): number;
   /** Goes back to the built-in database. */
   openBuiltIn(): Promise<boolean>;
 }
@@ -38,6 +45,8 @@ export interface View {
   /** What undo and redo act upon while the view is shown. */
   readonly history: History;
   show(): void;
+  /** Another database or input is open. */
+  refresh?(): void;
   /** Afterwards the page takes its picture back. */
   hide(): void;
   /** Takes files that were dropped while the view is shown, or that are its business. */
@@ -52,6 +61,7 @@ interface ViewModule {
 /** Every view in the order of the tabs; Play is the page itself. */
 export const VIEWS: readonly { name: ViewName; title: string; load?: () => Promise<ViewModule> }[] = [
   { name: "play", title: "Play" },
+  { name: "compare", title: "Compare", load: () => import("./compare/compare_view") },
   { name: "data", title: "Data", load: () => import("./data/data_view") },
 ];
 

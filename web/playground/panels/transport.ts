@@ -2,7 +2,7 @@
 import type { InputInfo } from "../../worker/protocol";
 import { button } from "../controls/buttons";
 import { icon } from "../controls/icons";
-import { formatNumber, html, setText, svg } from "../dom";
+import { clock, html, setText, svg } from "../dom";
 import { type PlayState, SPEEDS } from "../state";
 import type { Store } from "../store";
 
@@ -86,11 +86,4 @@ export class Transport {
     this.#loop.setAttribute("aria-pressed", String(state.loop));
     this.#speed.value = String(state.speed);
   }
-}
-
-/** Seconds as 02.67, minutes as 1:02.67. */
-function clock(seconds: number): string {
-  const minutes = Math.floor(seconds / 60);
-  const rest = formatNumber(seconds - 60 * minutes, 2).padStart(5, "0");
-  return minutes > 0 ? `${minutes}:${rest}` : rest;
 }

@@ -16,8 +16,8 @@ export const ROWS = {
   contacts: [36, 45],
   contactHeight: 6,
   reads: { top: 55, height: 5 },
-  curve: { top: 66, bottom: 101 },
-  timing: { top: 107, bottom: 121 },
+  curve: { top: 65, bottom: 99 },
+  timing: { top: 104, bottom: 116 },
   height: 135,
 } as const;
 

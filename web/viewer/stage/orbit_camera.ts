@@ -133,6 +133,13 @@ export class OrbitCamera {
     return before.elements.some((value, i) => Math.abs(value - now[i]!) > STILLNESS);
   }
 
+  /** Looks at another place from the same side, `x` and `z` metres from the present one. */
+  shift(x: number, z: number): void {
+    this.target.x += x;
+    this.target.z += z;
+    this.#place();
+  }
+
   /** Takes the size of the picture. */
   resize(width: number, height: number): void {
     this.camera.aspect = width / Math.max(1, height);

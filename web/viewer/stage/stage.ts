@@ -50,6 +50,7 @@ export class Stage {
   #theme: Theme | undefined;
   #environment: WebGLRenderTarget | undefined;
   #still = false;
+  #columns = 1;
   #width = 1;
   #height = 1;
 
@@ -154,15 +155,27 @@ export class Stage {
     return this.#still;
   }
 
-  /** Draws the scene; `dtSecs` since the last frame, the light on `subject`. */
-  render(dtSecs: number, subject: Vector3): void {
-    if (!this.#still && this.governor.frame(dtSecs)) this.applyQuality();
+  /** Number of columns that the picture is divided into; the camera's picture fills one of them. */
+  set columns(columns: number) {
+    if (columns === this.#columns) return;
+    this.#columns = columns;
+    this.#resize();
+  }
+
+  /** Draws the scene into a column; `dtSecs` since the last frame, the light on `subject`. */
+  render(dtSecs: number, subject: Vector3, column = 0): void {
+    if (column === 0 && !this.#still && this.governor.frame(dtSecs)) this.applyQuality();
     this.#renderer.info.reset();
     this.#lights.follow(subject, this.view.azimuth);
     // The shade map's pass draws the light's shadow map too; the picture's pass finds it there.
     this.#renderer.shadowMap.needsUpdate = true;
     this.shade.render(this.#renderer, this.scene, middle.lerpVectors(subject, this.view.target, 0.5));
     this.#ground.follow(this.view.target);
+    if (this.#columns > 1) {
+      const width = this.#width / this.#columns;
+      this.#renderer.setViewport(column * width, 0, width, this.#height);
+      this.#renderer.setScissor(column * width, 0, width, this.#height);
+    }
     this.#renderer.render(this.scene, this.view.camera);
   }
 
@@ -216,7 +229,8 @@ export class Stage {
     const ratio = pixelRatio(this.quality, clientWidth * clientHeight, devicePixelRatio, this.#still);
     this.#renderer.setPixelRatio(ratio);
     this.#renderer.setSize(clientWidth, clientHeight);
-    this.view.resize(clientWidth, clientHeight);
+    this.#renderer.setScissorTest(this.#columns > 1);
+    this.view.resize(clientWidth / this.#columns, clientHeight);
   }
 }
 

@@ -1,0 +1,393 @@
+/** The Compare view: the same instant of one motion in several ways, side by side. */
+import "../styles/compare.css";
+import { RowViewer } from "../../viewer/row_viewer";
+import { type InputInfo, POSE_FLOATS } from "../../worker/protocol";
+import { button } from "../controls/buttons";
+import { icon } from "../controls/icons";
+import { html, setText } from "../dom";
+import { allOf } from "../polygon/selection";
+import { ProgressLine } from "../progress";
+import { type PlayState, SPEEDS } from "../state";
+import { isDark } from "../theme";
+import type { View, ViewHost } from "../views";
+import { errorText, isCancellation, manner, numberWord, spoken } from "../words";
+import { CompareColumn } from "./column";
+import {
+  COLUMN_NAMES,
+  COLUMN_TITLES,
+  type ColumnName,
+  columnCaption,
+  columnOptions,
+  LEAST_COLUMNS,
+  MOST_COLUMNS,
+} from "./columns";
+import { figuresAt, type Measured, measure } from "./figures";
+import { CompareTransport } from "./transport";
+
+export function createView(host: ViewHost): View {
+  return new Compare(host);
+}
+
+/** Figures change this often, so that they can be read. */
+const FIGURES_MS = 120;
+/** Styling waits until nothing has changed for so long. */
+const SETTLE_MS = 150;
+/** Longest step of the clock: a hidden tab does not catch up. */
+const LONGEST_STEP_SECS = 0.1;
+
+class Compare implements View {
+  readonly element: HTMLElement;
+  readonly #host: ViewHost;
+  readonly #title = html("h1", { class: "page-title" });
+  readonly #summary = html("p", { class: "compare-summary" });
+  readonly #input = html("select", { "aria-label": "Input motion" });
+  readonly #style = html("select", { "aria-label": "Style" });
+  readonly #behind = html("select", { "aria-label": "Behind" });
+  readonly #add: HTMLButtonElement;
+  readonly #picture = html("div", { class: "compare-picture" });
+  readonly #heads = html("div", { class: "compare-heads" });
+  readonly #tables = html("div", { class: "compare-tables" });
+  readonly #progress = new ProgressLine();
+  readonly #transport: CompareTransport;
+  #columns: CompareColumn[] = [];
+  #viewer: RowViewer | undefined;
+  /** Motions by what they were asked of; those of another input are forgotten. */
+  #styled = new Map<string, Measured>();
+  #measuredInput: Measured | undefined;
+  #of: InputInfo | undefined;
+  #frame = 0;
+  #last = 0;
+  #figuresAt = 0;
+  #request = 0;
+  #settle: ReturnType<typeof setTimeout> | undefined;
+  #listening = new AbortController();
+  #shown = false;
+  #seekedFrame = -1;
+
+  constructor(host: ViewHost) {
+    this.#host = host;
+    const { store } = host;
+    this.#input.addEventListener("change", () => host.chooseInput(this.#input.value));
+    this.#style.addEventListener("change", () => {
+      const name = this.#style.value;
+      if (name) store.edit({ styles: allOf(store.state.styles, name), track: [], parts: {}, part: "" });
+    });
+    this.#behind.addEventListener("change", () => store.edit({ behind: this.#behind.value as ColumnName | "none" }));
+    this.#add = button("Method", () => this.#addColumn(), { icon: "add", label: true, class: "outlined" });
+    this.#transport = new CompareTransport({
+      onPlay: () => store.edit({ playing: !store.state.playing, frame: Math.round(this.#frame) }),
+      onFrame: (by) => this.#step(by),
+      onScrub: (frame) => this.#goTo(frame),
+      onSpeed: (speed) => store.edit({ speed }),
+      speeds: SPEEDS,
+    });
+    const select = (element: HTMLSelectElement) => html("div", { class: "select outlined" }, element, icon("chevron"));
+    this.element = html(
+      "main",
+      { class: "view compare" },
+      html(
+        "header",
+        { class: "compare-head" },
+        this.#progress.element,
+        html("div", {}, this.#title, this.#summary),
+        html(
+          "div",
+          { class: "compare-choice" },
+          select(this.#input),
+          html("span", { class: "compare-to" }, "to"),
+          select(this.#style),
+          this.#add,
+        ),
+      ),
+      html("div", { class: "compare-body" }, this.#heads, this.#picture, this.#tables),
+      html(
+        "footer",
+        { class: "compare-foot" },
+        this.#transport.element,
+        html("label", { class: "compare-behind" }, "Behind", select(this.#behind)),
+      ),
+    );
+    store.subscribe((state, changed) => {
+      if (!this.#shown) return;
+      if (changed.has("theme") && this.#viewer) this.#viewer.theme = isDark(state.theme) ? "dark" : "light";
+      this.refresh();
+    });
+  }
+
+  get history() {
+    return this.#host.store;
+  }
+
+  show(): void {
+    this.#shown = true;
+    this.#listening = new AbortController();
+    addEventListener("keydown", (event) => this.#onKey(event), { signal: this.#listening.signal });
+    this.#frame = this.#host.playhead();
+    this.refresh();
+    this.#last = performance.now();
+    this.#request = requestAnimationFrame(this.#tick);
+  }
+
+  hide(): void {
+    this.#shown = false;
+    this.#listening.abort();
+    clearTimeout(this.#settle);
+    this.#progress.cancel();
+    cancelAnimationFrame(this.#request);
+  }
+
+  takeFiles(): void {
+    // Files go to the page: a motion becomes the input, clips go to the Data view.
+  }
+
+  dispose(): void {
+    this.hide();
+    this.#viewer?.dispose();
+  }
+
+  /** Shows what is open and what the state asks for. */
+  refresh(): void {
+    const session = this.#host.session();
+    const { database, input } = session ?? {};
+    const { state } = this.#host.store;
+    const columns = this.#columnNames();
+    this.#showColumns(columns, state);
+    this.#transport.show({ playing: state.playing, speed: state.speed });
+    if (!session || !database || !input) return;
+    if (this.#of !== input) {
+      this.#of = input;
+      this.#styled.clear();
+      this.#measuredInput = measure(
+        {
+          poses: input.poses,
+          timeOut: Float32Array.from({ length: input.frames }, (_, f) => f / input.rateHz),
+          planted: input.contacts,
+          frameMs: undefined,
+        },
+        database.proportions,
+      );
+      this.#transport.input = input;
+      this.#viewer?.settle();
+    }
+    this.#frame = Math.min(this.#frame, input.frames - 1);
+    const options = (library: typeof session.library) => [...library.builtIn, ...library.dropped];
+    const { library, inputName } = session;
+    this.#input.replaceChildren(
+      ...options(library).map((name) => html("option", { value: name }, library.title(name))),
+    );
+    this.#input.value = inputName;
+    this.#showStyles(state, database.styles, database.neutral);
+    this.#showWords(state, columns, library.title(inputName), database.neutral);
+    clearTimeout(this.#settle);
+    this.#settle = setTimeout(() => void this.#styleAll(), SETTLE_MS);
+  }
+
+  #columnNames(): ColumnName[] {
+    return this.#host.store.state.columns.filter((name): name is ColumnName =>
+      COLUMN_NAMES.some((known) => known === name),
+    );
+  }
+
+  #showColumns(names: readonly ColumnName[], state: Readonly<PlayState>): void {
+    const { store } = this.#host;
+    if (names.join() !== this.#columns.map((column) => column.name).join()) {
+      this.#columns = names.map(
+        (name, i) =>
+          new CompareColumn(name, names.length > LEAST_COLUMNS, {
+            onChange: (to) => store.edit({ columns: names.map((n, k) => (k === i ? to : n)) }),
+            onRemove: () => store.edit({ columns: names.filter((_, k) => k !== i) }),
+          }),
+      );
+      this.#heads.replaceChildren(...this.#columns.map((column) => column.head));
+      this.#tables.replaceChildren(...this.#columns.map((column) => column.table));
+      this.element.style.setProperty("--columns", String(names.length));
+      this.#viewer?.settle();
+    }
+    this.#add.disabled = names.length >= MOST_COLUMNS;
+    this.#behind.replaceChildren(
+      html("option", { value: "none" }, "nothing"),
+      ...[...new Set(names)].map((name) => html("option", { value: name }, COLUMN_TITLES[name])),
+    );
+    this.#behind.value = names.some((name) => name === state.behind) ? state.behind : "none";
+  }
+
+  #showStyles(state: Readonly<PlayState>, styles: readonly string[], neutral: string): void {
+    const all = state.styles.find((s) => Math.abs(s.weight - 1) < 0.005);
+    const plain = all && state.intensity === 1 && state.track.length === 0 && Object.keys(state.parts).length === 0;
+    const mixed = plain ? [] : [html("option", { value: "" }, manner(state.styles, state.intensity, neutral))];
+    this.#style.replaceChildren(...mixed, ...styles.map((name) => html("option", { value: name }, spoken(name))));
+    this.#style.value = plain ? all.name : "";
+  }
+
+  #showWords(state: Readonly<PlayState>, columns: readonly ColumnName[], input: string, neutral: string): void {
+    setText(
+      this.#title,
+      columns.length === 1 ? "The same second" : `The same second, ${numberWord(columns.length)} ways`,
+    );
+    const tinted =
+      this.#behind.value === "none"
+        ? ""
+        : ` The tinted figure is ${COLUMN_TITLES[this.#behind.value as ColumnName]} at the same instant.`;
+    const how = manner(state.styles, state.intensity, neutral);
+    setText(this.#summary, `${input.charAt(0).toUpperCase()}${input.slice(1)} in, ${how} out.${tinted}`);
+    for (const column of this.#columns) column.caption = columnCaption(column.name, input, state);
+    if (this.#viewer) this.#viewer.description = this.#description();
+  }
+
+  #description(): string {
+    return `${this.#columns.map(({ name }) => COLUMN_TITLES[name]).join(", ")}, side by side.`;
+  }
+
+  /** Styles the input in every column that has not been yet. */
+  async #styleAll(): Promise<void> {
+    const session = this.#host.session();
+    const { database, input } = session ?? {};
+    if (!session || !database || !input) return;
+    try {
+      for (const column of this.#columns) {
+        const options = columnOptions(column.name, this.#host.store.state, database.neutral);
+        column.key = options ? JSON.stringify(options) : "";
+        if (!options || this.#styled.has(column.key)) continue;
+        const { key } = column;
+        const analysis = await this.#progress.run(`Styling: ${COLUMN_TITLES[column.name]}.`, (call) =>
+          session.style(options, call),
+        );
+        if (this.#of !== input) return;
+        this.#styled.set(key, measure(analysis, database.proportions));
+      }
+      // Nothing is kept that no column shows: long clips are large.
+      const shown = new Set(this.#columns.map((column) => column.key));
+      for (const key of this.#styled.keys()) if (!shown.has(key)) this.#styled.delete(key);
+    } catch (error) {
+      if (!isCancellation(error)) this.#host.notices.error(errorText(error));
+    }
+    this.#seekedFrame = -1;
+  }
+
+  #motionOf(column: CompareColumn | undefined): Measured | undefined {
+    if (!column) return undefined;
+    return column.name === "input" ? this.#measuredInput : this.#styled.get(column.key);
+  }
+
+  readonly #tick = (now: number): void => {
+    this.#request = requestAnimationFrame(this.#tick);
+    const input = this.#of;
+    const { state } = this.#host.store;
+    if (!input) return;
+    const dt = Math.min((now - this.#last) / 1000, LONGEST_STEP_SECS);
+    this.#last = now;
+    if (state.playing) {
+      const [first, last] = [
+        state.range?.first ?? 0,
+        Math.min(state.range?.last ?? input.frames - 1, input.frames - 1),
+      ];
+      this.#frame += dt * state.speed * input.rateHz;
+      if (this.#frame >= last) {
+        this.#frame = state.loop ? first : last;
+        if (state.loop) this.#viewer?.settle();
+        else this.#host.store.edit({ playing: false, frame: last });
+      }
+    }
+    this.#draw(now);
+  };
+
+  #draw(now: number): void {
+    this.#viewer ??= this.#makeViewer();
+    if (this.#seekedFrame !== this.#frame) {
+      this.#seekedFrame = this.#frame;
+      const behind = this.#motionOf(this.#columns.find((column) => column.name === this.#behind.value));
+      this.#viewer.setFigures(
+        this.#columns.map((column) => {
+          // Until a column is styled it shows the input.
+          const motion = this.#motionOf(column) ?? this.#measuredInput!;
+          const reference = behind && behind !== motion ? poseAt(behind, this.#frame) : null;
+          return { pose: poseAt(motion, this.#frame), reference };
+        }),
+      );
+      this.#transport.frame = this.#frame;
+    }
+    if (!this.#viewer.still) this.#viewer.render(now / 1000);
+    if (now - this.#figuresAt < FIGURES_MS) return;
+    this.#figuresAt = now;
+    this.#showFigures();
+  }
+
+  #showFigures(): void {
+    const input = this.#measuredInput;
+    if (!input) return;
+    const behind = this.#motionOf(this.#columns.find((column) => column.name === this.#behind.value));
+    const figures = this.#columns.map((column) => {
+      const motion = this.#motionOf(column);
+      return motion && figuresAt(motion, input, behind, this.#frame);
+    });
+    for (const [i, column] of this.#columns.entries()) column.showFigures(figures[i], figures);
+  }
+
+  #makeViewer(): RowViewer {
+    const viewer = new RowViewer(
+      this.#picture,
+      isDark(this.#host.store.state.theme) ? "dark" : "light",
+      this.#description(),
+    );
+    const { database } = this.#host.session() ?? {};
+    if (database) viewer.setProportions(database.proportions);
+    return viewer;
+  }
+
+  #addColumn(): void {
+    const names = this.#columnNames();
+    const next = COLUMN_NAMES.find((name) => !names.includes(name));
+    if (next) this.#host.store.edit({ columns: [...names, next] });
+  }
+
+  #goTo(frame: number): void {
+    const input = this.#of;
+    if (!input) return;
+    const far = Math.abs(frame - this.#frame) > input.rateHz / 2;
+    this.#frame = Math.min(Math.max(0, frame), input.frames - 1);
+    if (far) this.#viewer?.settle();
+    if (!this.#host.store.state.playing) this.#host.store.edit({ frame: Math.round(this.#frame) });
+  }
+
+  #step(by: number): void {
+    this.#host.store.edit({ playing: false });
+    this.#goTo(Math.round(this.#frame) + by);
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (document.activeElement?.matches("input, select, button, canvas") && event.key !== " ") return;
+    if (document.activeElement?.matches("button, select") || document.querySelector("dialog[open]")) return;
+    const { store } = this.#host;
+    const act = {
+      " ": () => store.edit({ playing: !store.state.playing, frame: Math.round(this.#frame) }),
+      ArrowLeft: () => this.#step(-1),
+      ArrowRight: () => this.#step(1),
+      Home: () => this.#goTo(0),
+      End: () => this.#goTo(Number.MAX_SAFE_INTEGER),
+    }[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+}
+
+const shownPoses = new WeakMap<Measured, Float32Array>();
+
+/** A motion's pose at a fractional frame; the mannequin normalises what lies between two frames. */
+function poseAt(motion: Measured, frame: number): Float32Array {
+  const out = shownPoses.get(motion) ?? new Float32Array(POSE_FLOATS);
+  shownPoses.set(motion, out);
+  const i = Math.min(Math.floor(frame), motion.frames - 1);
+  const j = Math.min(i + 1, motion.frames - 1);
+  const t = frame - Math.floor(frame);
+  const a = motion.poses.subarray(i * POSE_FLOATS, (i + 1) * POSE_FLOATS);
+  const b = motion.poses.subarray(j * POSE_FLOATS, (j + 1) * POSE_FLOATS);
+  for (let k = 0; k < 3; k++) out[k] = a[k]! + (b[k]! - a[k]!) * t;
+  for (let q = 3; q < POSE_FLOATS; q += 4) {
+    const dot = a[q]! * b[q]! + a[q + 1]! * b[q + 1]! + a[q + 2]! * b[q + 2]! + a[q + 3]! * b[q + 3]!;
+    const sign = dot < 0 ? -1 : 1;
+    for (let k = q; k < q + 4; k++) out[k] = a[k]! * (1 - t) + sign * b[k]! * t;
+  }
+  return out;
+}

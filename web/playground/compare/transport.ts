@@ -1,0 +1,65 @@
+/** The transport of the Compare view: one clock for all columns. */
+import type { InputInfo } from "../../worker/protocol";
+import { button } from "../controls/buttons";
+import { icon } from "../controls/icons";
+import { clock, html, setText } from "../dom";
+
+export interface CompareTransportListeners {
+  onPlay: () => void;
+  onFrame: (by: number) => void;
+  onScrub: (frame: number) => void;
+  onSpeed: (speed: number) => void;
+  speeds: readonly number[];
+}
+
+export class CompareTransport {
+  readonly element: HTMLElement;
+  readonly #play: HTMLButtonElement;
+  readonly #speed = html("select", { class: "speed", "aria-label": "Speed", title: "Speed" });
+  readonly #scrub = html("input", { type: "range", min: 0, step: 1, "aria-label": "Time" });
+  readonly #clock = html("span", { class: "compare-clock" });
+  readonly #duration = html("span", { class: "caption" });
+  #rateHz = 60;
+
+  constructor(listeners: CompareTransportListeners) {
+    this.#play = button("Play", listeners.onPlay, { icon: "play", class: "play", keys: "Space" });
+    const previous = button("Previous frame", () => listeners.onFrame(-1), { icon: "previous", keys: "←" });
+    const next = button("Next frame", () => listeners.onFrame(1), { icon: "next", keys: "→" });
+    for (const speed of listeners.speeds) this.#speed.append(html("option", { value: speed }, `${speed}×`));
+    this.#speed.addEventListener("change", () => listeners.onSpeed(Number(this.#speed.value)));
+    this.#scrub.addEventListener("input", () => listeners.onScrub(Number(this.#scrub.value)));
+    this.element = html(
+      "div",
+      { class: "compare-transport" },
+      this.#play,
+      previous,
+      next,
+      this.#speed,
+      html("div", { class: "slider-track" }, this.#scrub),
+      html("p", { class: "compare-time" }, this.#clock, this.#duration),
+    );
+  }
+
+  set input(input: InputInfo) {
+    this.#rateHz = input.rateHz;
+    this.#scrub.max = String(Math.max(0, input.frames - 1));
+    setText(this.#duration, `of ${clock(input.durationSecs)} s`);
+  }
+
+  set frame(frame: number) {
+    setText(this.#clock, clock(frame / this.#rateHz));
+    this.#scrub.value = String(Math.round(frame));
+    this.#scrub.style.setProperty("--share", String(frame / Math.max(1, Number(this.#scrub.max))));
+    this.#scrub.setAttribute("aria-valuetext", `${clock(frame / this.#rateHz)} seconds`);
+  }
+
+  show({ playing, speed }: { playing: boolean; speed: number }): void {
+    const name = playing ? "Pause" : "Play";
+    if (this.#play.getAttribute("aria-label") !== name) {
+      this.#play.setAttribute("aria-label", name);
+      this.#play.title = `${name} (Space)`;
+      this.#play.replaceChildren(icon(playing ? "pause" : "play", 18));
+    }
+    this.#speed.value = String(speed);
+  }
+}
