@@ -16,6 +16,8 @@ const LATER = [
   "data_view",
   "compare_view",
   "shelf",
+  "outputs",
+  "mannequin_glb",
   "build_worker",
   "strut_wasm_build",
 ];

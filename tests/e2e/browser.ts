@@ -1,5 +1,5 @@
 /** What the end-to-end tests share: the built site behind a server, real Chromium, and a page that runs. */
-import { existsSync, mkdirSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { type Browser, chromium, type Page } from "playwright-core";
 import { preview } from "vite";
@@ -133,6 +133,14 @@ export async function dropFile(page: Page, name: string, content: string | Uint8
   );
   for (const type of ["dragenter", "dragover", "drop"])
     await page.dispatchEvent("body", type, { dataTransfer: transfer });
+}
+
+/** Exports in a format of the menu and returns the file. */
+export async function saved(page: Page, format: string): Promise<{ name: string; bytes: Buffer }> {
+  await page.getByRole("button", { name: "Export" }).click();
+  const item = page.locator(".export-menu").getByRole("button", { name: new RegExp(`^${format}`) });
+  const [download] = await Promise.all([page.waitForEvent("download"), item.click()]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
 /** The input that is open, by the name the page gives it. */

@@ -12,6 +12,7 @@ import {
   inputName,
   launchBrowser,
   openPage,
+  saved,
   screenshot,
   serveSite,
   settledPose,
@@ -42,11 +43,8 @@ const alert = () => page.getByRole("alert");
 
 /** Exports and returns the name and text of the file. */
 async function exported(): Promise<{ name: string; text: string }> {
-  const [download] = await Promise.all([
-    page.waitForEvent("download"),
-    page.getByRole("button", { name: "Export" }).click(),
-  ]);
-  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
+  const { name, bytes } = await saved(page, "BVH");
+  return { name, text: bytes.toString() };
 }
 
 describe("a BVH that is dropped", () => {

@@ -2,10 +2,14 @@
 import type { DroppedFile } from "../worker/build/protocol";
 import type { Analysis, DatabaseInfo, DatabaseSource, InputInfo, LiveFrame, StrutClient } from "../worker/protocol";
 import { Databases } from "./databases";
-import { html, saveFile } from "./dom";
+import { html } from "./dom";
 import { DropZone } from "./drop";
 import { listenToKeys } from "./keys";
+import { Links, linkedFile } from "./links";
 import { Notices } from "./notices";
+import type { OutputFormat } from "./outputs/formats";
+import { launchOutput } from "./outputs/launch";
+import type { VideoSize } from "./outputs/video";
 import { Help } from "./panels/help";
 import { InputPanel } from "./panels/input_panel";
 import { ModelPanel } from "./panels/model_panel";
@@ -16,9 +20,10 @@ import { Transport } from "./panels/transport";
 import { Playhead } from "./playhead";
 import { firstSelection } from "./polygon/selection";
 import { ProgressLine } from "./progress";
+import { ReadAction } from "./read_action";
 import { Session } from "./session";
 import { Stage } from "./stage";
-import { ENGINE_FIELDS, fromHash, GHOST_MODES, type PlayState, toHash } from "./state";
+import { ENGINE_FIELDS, fromHash, GHOST_MODES, type PlayState } from "./state";
 import { type History, Store } from "./store";
 import {
   addKey,
@@ -36,13 +41,7 @@ import { plantedStretches } from "./timeline/curves";
 import { Timeline } from "./timeline/timeline";
 import { TrackKeys } from "./timeline/track_keys";
 import { Views } from "./views";
-import { exportName, manner, stageCaption, stageTitle } from "./words";
-
-/** The URL is written when nothing has changed for so long: browsers limit how often it may change. */
-const URL_MS = 200;
-/** The title takes another action only when the engine is this sure, and no more often than this. */
-const SURE = 0.5;
-const TITLE_MS = 600;
+import { manner, stageCaption, stageTitle } from "./words";
 
 /** What the Style panel and the title show. */
 const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon", "intensity", "side"] as const;
@@ -51,7 +50,9 @@ type Changed = ReadonlySet<keyof PlayState>;
 const any = (changed: Changed, ...names: (keyof PlayState)[]): boolean => names.some((name) => changed.has(name));
 
 export class App {
-  readonly #store = new Store(fromHash(location.hash));
+  /** The link that the page was opened with. */
+  readonly #hash = location.hash;
+  readonly #store = new Store(fromHash(this.#hash));
   readonly #notices = new Notices();
   readonly #progress = { database: new ProgressLine(), input: new ProgressLine(), analysis: new ProgressLine() };
   readonly #help = new Help();
@@ -67,6 +68,7 @@ export class App {
   readonly #keys: TrackKeys;
   readonly #views: Views;
   readonly #playhead: Playhead;
+  readonly #links: Links;
   readonly #databases: Databases;
   readonly #root: HTMLElement;
   readonly #listening = new AbortController();
@@ -74,22 +76,21 @@ export class App {
   #analysed = false;
   /** Styled poses of the whole input, whose path the picture shows. */
   #path: Float32Array | undefined;
-  #action = "walk";
-  #actionAt = 0;
-  #url: ReturnType<typeof setTimeout> | undefined;
+  readonly #action = new ReadAction();
 
   constructor(root: HTMLElement) {
     const store = this.#store;
     applyTheme(store.state.theme);
     this.#root = root;
     this.#databases = new Databases(store, this.#notices);
+    this.#links = new Links(store, this.#notices);
     this.#playhead = new Playhead(store, (frame) => this.#onScrub(frame));
     this.#topBar = new TopBar({
       onView: (view) => store.edit({ view }),
       onUndo: () => this.#history.undo(),
       onRedo: () => this.#history.redo(),
-      onShare: () => void this.#share(),
-      onExport: () => void this.#export(),
+      onShare: () => void this.#links.share(this.#session),
+      onExport: (format, size) => void this.#export(format, size),
       onTheme: () => store.edit({ theme: opposite(store.state.theme) }),
       onHelp: () => this.#help.open(),
     });
@@ -195,8 +196,11 @@ export class App {
     this.#session = session;
     this.#playhead.session = session;
     const wanted = this.#store.state.input;
+    const carried = linkedFile(this.#hash);
     await session.openDatabase(await this.#databases.wanted(), wanted);
-    if (wanted && session.input && session.inputName !== wanted) {
+    const file = await carried;
+    if (file) await this.#takeMotion(file.name, file.bytes);
+    else if (wanted && session.input && session.inputName !== wanted) {
       this.#store.adopt({ input: "" });
       this.#notices.note(`This link was made with “${wanted}”, a file that is not part of it. Drop the file here.`);
     }
@@ -234,7 +238,7 @@ export class App {
 
   dispose(): void {
     this.#listening.abort();
-    clearTimeout(this.#url);
+    this.#links.dispose();
     this.#session?.dispose();
     this.#stage.dispose();
     this.#views.dispose();
@@ -286,7 +290,7 @@ export class App {
   }
 
   #onFrame(frame: LiveFrame, sought: boolean): void {
-    this.#playhead.frame = frame;
+    this.#playhead.take(frame, sought);
     if (sought) this.#stage.viewer.resetTrail();
     this.#stage.take(frame);
     this.#input.read(frame.reads);
@@ -294,13 +298,7 @@ export class App {
       this.#transport.frame = frame.inputFrame;
       if (!this.#playhead.scrubbing) this.#timeline.frame = frame.inputFrame;
     }
-    const [read] = frame.reads;
-    const now = performance.now();
-    if (read && read.weight >= SURE && read.action !== this.#action && now - this.#actionAt > TITLE_MS) {
-      this.#action = read.action;
-      this.#actionAt = now;
-      this.#showHeading();
-    }
+    if (this.#action.take(frame.reads)) this.#showHeading();
     if (frame.ended && this.#store.state.playing) this.#playhead.pauseAt(frame.inputFrame);
   }
 
@@ -319,15 +317,7 @@ export class App {
     if (session?.input && changed.has("input")) this.#followInput(state.input);
     if (session?.database && changed.has("database")) void this.#databases.follow(session);
     this.#show(state, changed);
-    this.#writeUrlSoon();
-  }
-
-  #writeUrlSoon(): void {
-    clearTimeout(this.#url);
-    this.#url = setTimeout(() => {
-      const hash = toHash(this.#store.state);
-      history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
-    }, URL_MS);
+    this.#links.writeSoon();
   }
 
   #configure(): void {
@@ -387,7 +377,7 @@ export class App {
     const { styles, intensity } = this.#store.state;
     const { neutral, rateHz } = session.database;
     this.#stage.heading = {
-      title: stageTitle(this.#action, styles, intensity, neutral),
+      title: stageTitle(this.#action.name, styles, intensity, neutral),
       caption: stageCaption(
         session.library.title(session.inputName),
         styles.filter((s) => s.weight !== 0).length,
@@ -450,13 +440,10 @@ export class App {
     );
   }
 
-  /** Goes to the state of a link that was put into the address bar. */
   #followLink(hash: string): void {
-    clearTimeout(this.#url);
-    const state = fromHash(hash);
-    this.#store.edit(state);
-    this.#writeUrlSoon();
-    if (!state.playing) this.#playhead.goTo(state.frame);
+    this.#links.follow(hash);
+    const { playing, frame } = this.#store.state;
+    if (!playing) this.#playhead.goTo(frame);
   }
 
   #nextGhost(): void {
@@ -516,28 +503,18 @@ export class App {
     (await this.#views.show("data"))?.takeFiles(files);
   }
 
-  async #share(): Promise<void> {
-    const { state } = this.#store;
-    const url = new URL(location.href);
-    url.hash = toHash(state);
-    const dropped = this.#session?.library.isDropped(state.input) ?? false;
-    try {
-      await navigator.clipboard.writeText(url.href);
-      this.#notices.note(dropped ? "Link copied. The dropped file is not part of it." : "Link copied.");
-    } catch {
-      this.#notices.error("The browser does not let this page copy. Copy the address from the address bar.");
-    }
-  }
-
-  async #export(): Promise<void> {
+  async #export(format: OutputFormat, size: VideoSize): Promise<void> {
     const session = this.#session;
     if (!session) return;
     this.#topBar.canExport = false;
-    const text = await session.exportBvh();
+    await launchOutput(format, size, {
+      session,
+      store: this.#store,
+      stage: this.#stage,
+      playhead: this.#playhead,
+      notices: this.#notices,
+      progress: this.#progress.database,
+    });
     this.#topBar.canExport = true;
-    if (text === undefined) return;
-    const name = exportName(session.inputName, this.#store.state.styles);
-    saveFile(name, new Blob([text], { type: "text/plain" }));
-    this.#notices.note(`Saved ${name}.`);
   }
 }

@@ -10,8 +10,8 @@ export class Playhead {
   readonly #store: Store;
   readonly #onScrub: (frame: number | undefined) => void;
   #scrubbing = false;
-  /** Where the playhead was dragged to last; the engine's answer comes later. */
-  #scrubbedTo = 0;
+  /** Where the playhead was put; the engine's answer comes later. */
+  #target: number | undefined;
   #previewing = false;
 
   /** `onScrub` hears where the playhead is dragged to, and `undefined` when it is let go. */
@@ -25,10 +25,15 @@ export class Playhead {
     return this.#scrubbing;
   }
 
-  /** Input frame at which the playhead stands; while playing a fractional one. */
+  /** Takes a new frame of the engine; `sought` where it was asked for by its number. */
+  take(frame: LiveFrame, sought: boolean): void {
+    this.frame = frame;
+    if (sought) this.#target = undefined;
+  }
+
+  /** Fractional input frame at which the playhead stands. */
   get at(): number {
-    const { playing, frame } = this.#store.state;
-    return playing ? (this.frame?.inputFrame ?? 0) : frame;
+    return this.#previewing ? this.#store.state.frame : (this.#target ?? this.frame?.inputFrame ?? 0);
   }
 
   /** Whether another frame than the playhead's is looked at. */
@@ -48,7 +53,7 @@ export class Playhead {
   togglePlay(): void {
     const { playing, loop } = this.#store.state;
     if (playing) {
-      this.pauseAt(this.frame?.inputFrame ?? 0);
+      this.pauseAt(this.at);
       return;
     }
     if (this.#previewing) this.session?.playback.seek(this.#store.state.frame);
@@ -67,6 +72,7 @@ export class Playhead {
     if (!input) return;
     const at = Math.min(Math.max(0, frame), input.frames - 1);
     this.#previewing = false;
+    this.#target = at;
     this.session?.playback.seek(at);
     if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(at) });
   }
@@ -85,14 +91,14 @@ export class Playhead {
     this.#scrubbing = true;
     this.#previewing = false;
     if (this.session) this.session.playback.playing = false;
-    this.#scrubbedTo = frame;
+    this.#target = frame;
     this.#onScrub(frame);
     this.session?.playback.seek(frame);
   }
 
   endScrub(): void {
     this.#scrubbing = false;
-    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(this.#scrubbedTo) });
+    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(this.at) });
     this.#onScrub(undefined);
   }
 }

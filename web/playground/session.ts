@@ -127,6 +127,23 @@ export class Session {
     return this.#client.style(options, call);
   }
 
+  /** The whole input in the present style, once the engine has it; `undefined` where that failed or was cancelled. */
+  async styled(): Promise<Analysis | undefined> {
+    let analysis: Analysis | undefined;
+    await this.#attempt(async () => {
+      await this.#settled();
+      analysis = await this.#progress.database.run("Styling the whole motion.", (options) =>
+        this.#client.analyse(options),
+      );
+    });
+    return analysis;
+  }
+
+  /** Resolves when what was asked for last is on screen. */
+  async shown(): Promise<void> {
+    while (!this.playback.upToDate) await new Promise(requestAnimationFrame);
+  }
+
   /** The styled input as BVH text; `undefined` where that failed or was cancelled. */
   async exportBvh(): Promise<string | undefined> {
     let text: string | undefined;

@@ -153,6 +153,12 @@ export class Stage {
     setText(this.#cost, `${formatNumber(frame.frameMs, 2)} ms per frame`);
   }
 
+  /** The picture, drawn so that it can be read now. */
+  snapshot(): HTMLCanvasElement {
+    this.viewer.redraw(performance.now() / 1000);
+    return this.viewer.canvas;
+  }
+
   /** Asks for the picture to be drawn for a while. */
   invalidate(): void {
     this.#drawUntil = performance.now() + AFTERGLOW_MS;

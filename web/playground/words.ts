@@ -74,8 +74,8 @@ export function stageCaption(input: string, styles: number, rateHz: number): str
   return `${input} in · ${styles} ${styles === 1 ? "style" : "styles"} · ${Math.round(rateHz)} Hz`;
 }
 
-/** Name of the exported file: the input's and the heaviest style's. */
-export function exportName(input: string, selection: Selection): string {
+/** Name of an exported file: the input's and the heaviest style's. */
+export function exportName(input: string, selection: Selection, ending = "bvh"): string {
   const heaviest = selection.reduce(
     (a, b) => (b.weight > a.weight ? b : a),
     selection[0] ?? { name: "styled", weight: 1 },
@@ -85,7 +85,7 @@ export function exportName(input: string, selection: Selection): string {
       .replace(/\.[^.]*$/, "")
       .replace(/[^\p{L}\p{N}]+/gu, "-")
       .replace(/^-+|-+$/g, "");
-  return `${plain(input) || "motion"}-${plain(heaviest.name) || "styled"}.bvh`;
+  return `${plain(input) || "motion"}-${plain(heaviest.name) || "styled"}.${ending}`;
 }
 
 /** What went wrong as one text: the sentence and, where there is one, what to do. */
@@ -99,4 +99,9 @@ export function errorText(error: unknown): string {
 export function isCancellation(error: unknown): boolean {
   const { code, name } = error as { code?: unknown; name?: unknown };
   return code === "cancelled" || name === "AbortError";
+}
+
+/** The rejection of something that was cancelled. */
+export function cancelled(): DOMException {
+  return new DOMException("It was cancelled.", "AbortError");
 }

@@ -279,6 +279,12 @@ export class Viewer {
     }
   }
 
+  /** Draws again what is shown, so that the canvas can be read before the browser clears it. */
+  redraw(timeSecs: number): void {
+    this.#changed = true;
+    this.render(timeSecs);
+  }
+
   /** Frees everything; the viewer cannot be used afterwards. */
   dispose(): void {
     this.#body.dispose();

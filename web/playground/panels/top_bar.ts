@@ -2,15 +2,18 @@
 import { button } from "../controls/buttons";
 import { icon, mark } from "../controls/icons";
 import { html, setAttributes } from "../dom";
+import type { OutputFormat } from "../outputs/formats";
+import type { VideoSize } from "../outputs/video";
 import type { ViewName } from "../state";
 import { VIEWS } from "../views";
+import { ExportMenu } from "./export_menu";
 
 export interface TopBarListeners {
   onView: (view: ViewName) => void;
   onUndo: () => void;
   onRedo: () => void;
   onShare: () => void;
-  onExport: () => void;
+  onExport: (format: OutputFormat, size: VideoSize) => void;
   onTheme: () => void;
   onHelp: () => void;
 }
@@ -20,7 +23,7 @@ export class TopBar {
   readonly #undo: HTMLButtonElement[];
   readonly #redo: HTMLButtonElement[];
   readonly #theme: HTMLButtonElement;
-  readonly #export: HTMLButtonElement;
+  readonly #export: ExportMenu;
   /** The tabs, and the same in the menu of a narrow screen. */
   readonly #views: { name: ViewName; element: HTMLElement }[];
 
@@ -29,8 +32,7 @@ export class TopBar {
     const undo = button("Undo", listeners.onUndo, { icon: "undo", keys: "Ctrl+Z" });
     const redo = button("Redo", listeners.onRedo, { icon: "redo", keys: "Ctrl+Shift+Z" });
     const share = button("Share", listeners.onShare, { icon: "share", label: true, class: "bar-action" });
-    this.#export = button("Export", listeners.onExport, { icon: "export", label: true, class: "bar-action outlined" });
-    this.#export.title = "Export the styled motion as a BVH";
+    this.#export = new ExportMenu(listeners.onExport);
     this.#theme = button("Theme", listeners.onTheme, { icon: "sun" });
     const help = button("Help", listeners.onHelp, { icon: "help", keys: "?" });
     const menuUndo = button("Undo", listeners.onUndo, { icon: "undo", label: true, class: "menu-item" });
@@ -69,7 +71,7 @@ export class TopBar {
         { class: "bar-actions" },
         html("span", { class: "wide" }, undo, redo, divider()),
         share,
-        this.#export,
+        ...this.#export.elements,
         html("span", { class: "wide" }, divider(), this.#theme, help),
         menuButton,
         menu,
@@ -90,6 +92,6 @@ export class TopBar {
 
   /** There is nothing to export before an input is open, and not twice at a time. */
   set canExport(can: boolean) {
-    this.#export.disabled = !can;
+    this.#export.enabled = can;
   }
 }

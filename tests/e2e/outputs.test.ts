@@ -1,0 +1,97 @@
+/** Every file that the page makes, as the browser saves it. */
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import { closePage, launchBrowser, openPage, saved, screenshot, serveSite, settledPose, visit } from "./browser";
+
+declare const window: { strut: StrutHook };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+let page: Page;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
+  page = await openPage(browser, site.url);
+  await visit(page, "play=0&frame=60&styles=old:1,proud:0,childlike:0&range=60-90");
+  await settledPose(page);
+});
+afterAll(async () => {
+  await closePage(page).finally(async () => {
+    await browser.close();
+    await site.close();
+  });
+});
+
+/** What a saved file is, by its first bytes. */
+const head = (bytes: Buffer, n: number) => bytes.subarray(0, n).toString("latin1");
+
+describe("the menu", () => {
+  it("names every format and closes with Escape", async () => {
+    await page.getByRole("button", { name: "Export" }).click();
+    await screenshot(page, "export-menu");
+    const names = await page.locator(".export-menu .menu-item > :first-child").allTextContents();
+    expect(names).toEqual(["BVH", "GLB", "WebM", "PNG", "CSV", "JSON"]);
+    await page.keyboard.press("Escape");
+    expect(await page.locator(".export-menu").isVisible()).toBe(false);
+  });
+});
+
+describe("a saved file", () => {
+  it("is a GLB with the mannequin and one animation", async () => {
+    const { name, bytes } = await saved(page, "GLB");
+    expect(name).toBe("neutral-walk-old.glb");
+    expect(head(bytes, 4)).toBe("glTF");
+    expect(bytes.readUInt32LE(8)).toBe(bytes.length);
+    const gltf = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
+    expect(gltf.animations[0].channels).toHaveLength(22);
+    const frames = Number(await page.locator(".scrub input").getAttribute("max")) + 1;
+    const { input } = gltf.animations[0].samplers[0];
+    expect(gltf.accessors[input].count).toBe(frames);
+    expect(gltf.accessors[input].max[0], "the old walk takes longer").toBeGreaterThan(frames / 60);
+  });
+
+  it("is a picture of the size of the canvas", async () => {
+    const { name, bytes } = await saved(page, "PNG");
+    expect(name).toMatch(/\.png$/);
+    expect(head(bytes, 4)).toBe("\x89PNG");
+    const canvas = await page.locator(".stage canvas").evaluate((e) => (e as HTMLCanvasElement).width);
+    expect(bytes.readUInt32BE(16)).toBe(canvas);
+    // An empty picture compresses to nearly nothing.
+    expect(bytes.length).toBeGreaterThan(20_000);
+  });
+
+  it("is a table of the trace, or lines of JSON", async () => {
+    const csv = (await saved(page, "CSV")).bytes.toString();
+    const [header, first] = csv.split("\n");
+    expect(header).toMatch(/^frame,time_in,time_out,dt,planted_left,planted_right,.*walk\/neutral/);
+    expect(first).toMatch(/^0,0,0,0,/);
+    const json = (await saved(page, "JSON")).bytes.toString();
+    const line = JSON.parse(json.split("\n")[5]!);
+    expect(line).toMatchObject({ frame: 5 });
+    const weights = Object.values(line.class_weights as Record<string, number>);
+    expect(weights.reduce((sum, w) => sum + w, 0)).toBeCloseTo(1, 2);
+  });
+
+  it("is a video of the range, of the chosen size", async () => {
+    await page.getByRole("button", { name: "Export" }).click();
+    await page.getByLabel("Size of the video").selectOption("1280 × 720");
+    await page.keyboard.press("Escape");
+    const { name, bytes } = await saved(page, "WebM");
+    expect(name).toBe("neutral-walk-old.webm");
+    expect(bytes.readUInt32BE(0).toString(16)).toBe("1a45dfa3");
+    const size = await page.evaluate(async (data) => {
+      const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
+      const video = document.createElement("video");
+      video.src = URL.createObjectURL(new Blob([bytes], { type: "video/webm" }));
+      await new Promise((resolve, reject) => {
+        video.onloadeddata = resolve;
+        video.onerror = () => reject(new Error("the video does not play"));
+      });
+      return { width: video.videoWidth, height: video.videoHeight };
+    }, bytes.toString("base64"));
+    expect(size).toEqual({ width: 1280, height: 720 });
+    const { playing, frame } = await page.evaluate(() => window.strut.state);
+    expect([playing, frame], "afterwards all is as it was").toEqual([false, 60]);
+  });
+});

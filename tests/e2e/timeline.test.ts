@@ -1,0 +1,160 @@
+/** The timeline: ranges, curves of every joint, what the pointer reads, and styles over time. */
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import {
+  closePage,
+  eventually,
+  launchBrowser,
+  openPage,
+  screenshot,
+  serveSite,
+  settledPose,
+  turnBetween,
+  visit,
+} from "./browser";
+
+declare const window: { strut: StrutHook };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+let page: Page;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
+  page = await openPage(browser, site.url, { size: { width: 1440, height: 900 } });
+});
+afterAll(async () => {
+  await closePage(page).finally(async () => {
+    await browser.close();
+    await site.close();
+  });
+});
+
+const state = () => page.evaluate(() => window.strut.state);
+const frame = () => page.evaluate(() => window.strut.frame!.inputFrame);
+const rows = async () => (await page.locator(".timeline-rows").boundingBox())!;
+const PAUSED = "play=0&frame=100&styles=proud:1,old:0,depressed:0";
+
+/** Presses, moves and lets go on the timeline, at shares of its width. */
+async function drag(from: number, to: number, y: number): Promise<void> {
+  const box = await rows();
+  await page.mouse.move(box.x + from * box.width, box.y + y);
+  await page.mouse.down();
+  for (let i = 1; i <= 6; i++) await page.mouse.move(box.x + (from + ((to - from) * i) / 6) * box.width, box.y + y);
+  await page.mouse.up();
+}
+
+describe("a range", () => {
+  it("is selected in the ruler and looped", async () => {
+    await visit(page, PAUSED);
+    await settledPose(page);
+    await drag(0.5, 0.6, 6);
+    const { range } = await state();
+    const last = Number(await page.locator(".scrub input").getAttribute("max"));
+    expect(range!.first / last).toBeCloseTo(0.5, 1);
+    expect(range!.last / last).toBeCloseTo(0.6, 1);
+    await screenshot(page, "range");
+    await page.getByLabel("Speed").first().selectOption("4");
+    await page.keyboard.press("Space");
+    const seen: number[] = [];
+    for (let i = 0; i < 12; i++) {
+      await page.waitForTimeout(150);
+      seen.push(await frame());
+    }
+    await page.keyboard.press("Space");
+    expect(Math.min(...seen)).toBeGreaterThanOrEqual(range!.first - 1);
+    expect(Math.max(...seen)).toBeLessThanOrEqual(range!.last + 1);
+    expect(
+      seen.some((f, i) => i > 0 && f < seen[i - 1]!),
+      "it begins anew",
+    ).toBe(true);
+  });
+
+  it("begins and ends at the playhead by key, and goes away", async () => {
+    await visit(page, PAUSED);
+    await settledPose(page);
+    await page.keyboard.press("i");
+    await page.keyboard.press("End");
+    await page.keyboard.press("o");
+    expect((await state()).range?.first).toBe(100);
+    await eventually(() => page.url()).toContain("range=100-");
+    await page.keyboard.press("u");
+    expect((await state()).range).toBeUndefined();
+  });
+});
+
+describe("a curve", () => {
+  it("is of any degree of freedom, and the pointer over it moves the character there and back", async () => {
+    await visit(page, PAUSED);
+    const before = await settledPose(page);
+    await page.getByLabel("Joint of the curve").selectOption("left upper arm x");
+    expect((await state()).curve).toBe("left upper arm x");
+    const box = await rows();
+    await page.mouse.move(box.x + 0.7 * box.width, box.y + 80);
+    const last = Number(await page.locator(".scrub input").getAttribute("max"));
+    await eventually(frame).toBeGreaterThan(0.65 * last);
+    await screenshot(page, "hover");
+    expect((await state()).frame, "the playhead stays").toBe(100);
+    expect(await page.locator(".timeline-rows").getAttribute("title")).toMatch(/^Read as walk, /);
+    await page.mouse.move(box.x + 0.7 * box.width, box.y - 200);
+    await eventually(frame).toBe(100);
+    expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);
+  });
+});
+
+describe("a style track", () => {
+  const keys = () => page.getByRole("slider", { name: /^Style key/ });
+
+  it("gets keys by button, each with its styles, and the styles change between them", async () => {
+    await visit(page, PAUSED);
+    const proud = await settledPose(page);
+    await page.getByRole("button", { name: "Style key here" }).click();
+    await page.keyboard.press("End");
+    await page.keyboard.press("k");
+    await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
+    expect(await keys().count()).toBe(2);
+    expect((await state()).track.map((key) => key.styles.find((s) => s.weight === 1)?.name)).toEqual([
+      "proud",
+      "depressed",
+    ]);
+    await screenshot(page, "track");
+    await page.keyboard.press("Home");
+    for (let i = 0; i < 2; i++) await settledPose(page);
+    await visit(
+      page,
+      `${page
+        .url()
+        .split("#")[1]!
+        .replace(/&frame=\d+/, "")}&frame=100`,
+    );
+    expect(turnBetween(proud, await settledPose(page)), "still proud at the first key").toBeLessThan(0.3);
+    const depressed = await (async () => {
+      await page.keyboard.press("End");
+      return settledPose(page);
+    })();
+    await visit(page, "play=0&frame=9999&styles=proud:0,old:0,depressed:1");
+    await page.keyboard.press("End");
+    expect(turnBetween(depressed, await settledPose(page)), "depressed at the last").toBeLessThan(1.5);
+  });
+
+  it("moves a key with the pointer and with arrow keys, and removes it", async () => {
+    await visit(page, `${PAUSED}&track=60~proud:1,old:0,depressed:0;300~proud:0,old:0,depressed:1`);
+    const first = keys().first();
+    const box = (await first.boundingBox())!;
+    await page.mouse.move(box.x + 9, box.y + 9);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 69, box.y + 9, { steps: 5 });
+    await page.mouse.up();
+    const moved = (await state()).track[0]!.frame;
+    expect(moved).toBeGreaterThan(80);
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Shift+ArrowLeft");
+    expect((await state()).track[0]!.frame).toBe(moved + 1 - 10);
+    expect(await first.getAttribute("aria-valuetext")).toMatch(/^\d+\.\d\d seconds, proud$/);
+    await page.keyboard.press("Delete");
+    expect(await keys().count()).toBe(1);
+    await page.keyboard.press("Control+z");
+    await eventually(() => keys().count()).toBe(2);
+  });
+});

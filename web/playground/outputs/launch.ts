@@ -1,0 +1,16 @@
+/** Makes and saves a file that was asked for, one at a time; what makes them is loaded with the first. */
+import { errorText, isCancellation } from "../words";
+import type { OutputFormat } from "./formats";
+import type { OutputSources } from "./outputs";
+import type { VideoSize } from "./video";
+
+export async function launchOutput(format: OutputFormat, size: VideoSize, sources: OutputSources): Promise<void> {
+  const { notices } = sources;
+  try {
+    const { saveOutput } = await import("./outputs");
+    const name = await saveOutput(format, size, sources);
+    if (name) notices.note(`Saved ${name}.`);
+  } catch (error) {
+    if (!isCancellation(error)) notices.error(errorText(error));
+  }
+}

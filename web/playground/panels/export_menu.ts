@@ -1,0 +1,33 @@
+/** The menu of the files that the page makes. */
+import { button } from "../controls/buttons";
+import { html } from "../dom";
+import { OUTPUT_FORMATS, type OutputFormat, VIDEO_SIZE_NAMES } from "../outputs/formats";
+import type { VideoSize } from "../outputs/video";
+
+export class ExportMenu {
+  /** The button that opens it, and the menu. */
+  readonly elements: readonly [HTMLButtonElement, HTMLElement];
+  readonly #open: HTMLButtonElement;
+
+  constructor(onExport: (format: OutputFormat, size: VideoSize) => void) {
+    const size = html("select", { "aria-label": "Size of the video" });
+    size.append(...VIDEO_SIZE_NAMES.map((name) => html("option", { value: name }, name)));
+    const menu = html("div", { id: "export-menu", class: "menu export-menu", popover: "auto" });
+    for (const { format, name, what } of OUTPUT_FORMATS) {
+      const item = button(name, () => onExport(format, size.value as VideoSize), { label: true, class: "menu-item" });
+      item.append(html("span", { class: "caption" }, what));
+      item.removeAttribute("title");
+      item.addEventListener("click", () => menu.hidePopover());
+      menu.append(format === "webm" ? html("div", { class: "menu-row" }, item, size) : item);
+    }
+    this.#open = button("Export", () => {}, { icon: "export", label: true, class: "bar-action outlined" });
+    this.#open.title = "Save what you made as a file";
+    this.#open.setAttribute("popovertarget", "export-menu");
+    this.elements = [this.#open, menu];
+  }
+
+  /** There is nothing to export before an input is open, and not twice at a time. */
+  set enabled(enabled: boolean) {
+    this.#open.disabled = !enabled;
+  }
+}
