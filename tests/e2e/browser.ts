@@ -119,8 +119,13 @@ export async function settledPose(page: Page): Promise<number[]> {
   return styledPose(page);
 }
 
-/** Drops a file on the page. */
-export async function dropFile(page: Page, name: string, content: string | Uint8Array): Promise<void> {
+/** Drops a file on the page, at a point of it. */
+export async function dropFile(
+  page: Page,
+  name: string,
+  content: string | Uint8Array,
+  at: { clientX: number; clientY: number } = { clientX: 5, clientY: 5 },
+): Promise<void> {
   const bytes = Buffer.from(content).toString("base64");
   const transfer = await page.evaluateHandle(
     ({ name, bytes }) => {
@@ -132,7 +137,7 @@ export async function dropFile(page: Page, name: string, content: string | Uint8
     { name, bytes },
   );
   for (const type of ["dragenter", "dragover", "drop"])
-    await page.dispatchEvent("body", type, { dataTransfer: transfer });
+    await page.dispatchEvent("body", type, { dataTransfer: transfer, ...at });
 }
 
 /** Exports in a format of the menu and returns the file. */

@@ -139,6 +139,9 @@ export class App {
       viewTakesAll: () => store.state.view === "data",
       onMotion: (name, bytes) => void this.#takeMotion(name, bytes),
       onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
+      onStyle: (file) => void this.#takeStyle(file),
+      styleTarget: () =>
+        store.state.view === "play" && this.#session?.database ? this.#style.polygon.element : undefined,
       onClips: (files) => void this.#takeClips(files),
       onRefused: (sentence) => this.#notices.error(sentence),
     });
@@ -306,16 +309,18 @@ export class App {
 
   #onChange(state: Readonly<PlayState>, changed: Changed): void {
     const session = this.#session;
-    // Adopting the missing styles is a change of its own, which shows the rest too.
-    if (session?.database && any(changed, "styles", "parts", "track") && this.#completeStyles(session.database)) {
+    const moving = changed.has("database") && this.#databases.moving;
+    // Adopting the missing styles is a change of its own, which shows the rest too. Another database has other styles.
+    const restyled = !moving && any(changed, "styles", "parts", "track");
+    if (session?.database && restyled && this.#completeStyles(session.database)) {
       this.#onChange(this.#store.state, changed);
       return;
     }
     if (changed.has("theme")) this.#applyTheme();
     if (session && any(changed, "loop", "range")) session.setLoop(state.loop, state.range);
-    if (any(changed, ...ENGINE_FIELDS)) this.#configure();
+    if (!moving && any(changed, ...ENGINE_FIELDS)) this.#configure();
     if (session?.input && changed.has("input")) this.#followInput(state.input);
-    if (session?.database && changed.has("database")) void this.#databases.follow(session);
+    if (session?.database && moving) void this.#databases.follow(session);
     this.#show(state, changed);
     this.#links.writeSoon();
   }
@@ -496,6 +501,10 @@ export class App {
   #openDatabase(source: DatabaseSource, kept: string): Promise<boolean> {
     const session = this.#session;
     return session ? this.#databases.open(session, source, kept) : Promise.resolve(false);
+  }
+
+  async #takeStyle(clip: File): Promise<void> {
+    if (this.#session) await this.#databases.addStyle(this.#session, clip, this.#progress.database);
   }
 
   async #takeClips(files: DroppedFile[]): Promise<void> {

@@ -1,51 +1,87 @@
 /** Which database is open: the built-in one, one that is kept on this device, or one that was dropped. */
 import type { DatabaseSource } from "../worker/protocol";
 import type { Notices } from "./notices";
+import { allOf, type Selection } from "./polygon/selection";
+import type { ProgressLine } from "./progress";
 import type { Session } from "./session";
 import type { Store } from "./store";
-import { grouped } from "./words";
+import { errorText, grouped, isCancellation } from "./words";
 
 export class Databases {
   readonly #store: Store;
   readonly #notices: Notices;
   /** Name on this device of the database that is open; empty for others. */
   #name = "";
+  /** Where the database that is open comes from, … */
+  #source: DatabaseSource = { kind: "demo" };
+  /** … and the last one without a name of its own here. */
+  #unnamed: DatabaseSource = { kind: "demo" };
 
   constructor(store: Store, notices: Notices) {
     this.#store = store;
     this.#notices = notices;
   }
 
-  /** Opens a database and shows it; `kept` is its name on this device, empty if it is not kept here. */
-  async open(session: Session, source: DatabaseSource, kept: string): Promise<boolean> {
+  /** Whether the state asks for another database than the one that is open. */
+  get moving(): boolean {
+    return this.#store.state.database !== this.#name;
+  }
+
+  /**
+   * Opens a database and shows it, in other styles where they are given; `kept` is its name on this device, empty if it
+   * is not kept here.
+   */
+  async open(session: Session, source: DatabaseSource, kept: string, styles?: Selection): Promise<boolean> {
     const opening = session.openDatabase(source, session.inputName);
     this.#store.edit({ view: "play" });
     if ((await opening) !== "done" || !session.database) return false;
     this.#name = kept;
-    this.#store.edit({ database: kept });
-    const { styles, frames } = session.database;
-    this.#notices.note(`${styles.length} styles ready. ${grouped(frames)} frames.`);
+    this.#source = source;
+    if (kept === "") this.#unnamed = source;
+    this.#store.edit({ database: kept, ...(styles && { styles }) });
+    const { styles: all, frames } = session.database;
+    this.#notices.note(`${all.length} styles ready. ${grouped(frames)} frames.`);
     return true;
   }
 
   /** What the state asks for: a database that is kept on this device, or the built-in one. */
   async wanted(): Promise<DatabaseSource> {
     const { database: name } = this.#store.state;
-    if (name === "") return { kind: "demo" };
+    if (name === "") return this.#unnamed;
     const { fromShelf } = await import("./data/shelf");
     const kept = await fromShelf(name).catch(() => undefined);
     if (kept) {
       this.#name = name;
-      return { kind: "strutdb", name, file: kept.file };
+      this.#source = { kind: "strutdb", name, file: kept.file };
+      return this.#source;
     }
     this.#store.adopt({ database: "" });
     this.#notices.note(`This link was made with the database “${name}”, which is not on this device.`);
     return { kind: "demo" };
   }
 
-  /** Opens the database that a link brought, unless it is the one that is open. */
+  /** Makes a clip a style of the database that is open, and shows it. */
+  async addStyle(session: Session, clip: File, progress: ProgressLine): Promise<void> {
+    const known = session.database;
+    if (!known) return;
+    const file = this.#source.kind === "demo" ? undefined : this.#source.file;
+    try {
+      const { styleOfClip } = await import("./data/style_of_clip");
+      const { database, style, lost } = await progress.run(`Registering ${clip.name}.`, (options) =>
+        styleOfClip(known, file, clip, options),
+      );
+      const source = { kind: "strutdb" as const, name: database.name, file: database.file };
+      const styles = allOf(this.#store.state.styles, style);
+      const opened = await this.open(session, source, lost ? "" : database.name, styles);
+      if (opened && lost) this.#notices.error(`“${style}” will not be here after a reload. ${lost}`);
+    } catch (error) {
+      if (!isCancellation(error)) this.#notices.error(errorText(error));
+    }
+  }
+
+  /** Opens the database that a link or undo brought, unless it is the one that is open. */
   async follow(session: Session): Promise<void> {
-    if (this.#store.state.database === this.#name) return;
+    if (!this.moving) return;
     const source = await this.wanted();
     await this.open(session, source, this.#store.state.database);
   }

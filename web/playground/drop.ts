@@ -15,11 +15,15 @@ export interface FileListeners {
   onDatabase: (name: string, file: File) => void;
   /** Several files, folders and archives are clips of a database to be. */
   onClips: (files: DroppedFile[]) => void;
+  /** One motion that fell on {@link styleTarget}. */
+  onStyle: (file: File) => void;
+  /** Where a motion falls that is to be a style; undefined where none can. */
+  styleTarget: () => Element | undefined;
   onRefused: (sentence: string) => void;
 }
 
 /** Sends files where their number and their ending say. */
-async function take(files: DroppedFile[], listeners: FileListeners): Promise<void> {
+async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListeners): Promise<void> {
   const [first, ...others] = files;
   if (!first) return;
   const { path, file } = first;
@@ -41,6 +45,10 @@ async function take(files: DroppedFile[], listeners: FileListeners): Promise<voi
     listeners.onDatabase(file.name, file);
     return;
   }
+  if (asStyle) {
+    listeners.onStyle(file);
+    return;
+  }
   try {
     listeners.onMotion(file.name, await file.arrayBuffer());
   } catch {
@@ -48,7 +56,17 @@ async function take(files: DroppedFile[], listeners: FileListeners): Promise<voi
   }
 }
 
+/** The place for styles ends this far from the edges of the panel. */
+const INSET = 20;
+
 const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
+
+/** Whether the pointer is over the place for styles. */
+function isOverStyles(event: DragEvent, listeners: FileListeners): boolean {
+  const box = listeners.styleTarget()?.getBoundingClientRect();
+  const { clientX: x, clientY: y } = event;
+  return box !== undefined && x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;
+}
 
 /** The overlay that appears while a file is dragged over the page, and what happens when it falls. */
 export class DropZone {
@@ -58,6 +76,8 @@ export class DropZone {
     icon("drop", 24),
     html("p", {}, "Drop a BVH, or a folder or zip of clips in several styles. Any humanoid skeleton works."),
   );
+  /** The place for styles, over the polygon. */
+  readonly #target = html("p", { class: "drop-style", hidden: true }, "Drop a walk here to make it a style.");
   readonly #picker = html("input", {
     type: "file",
     accept: ".bvh,.strutdb",
@@ -66,40 +86,55 @@ export class DropZone {
   });
 
   constructor(listeners: FileListeners) {
-    this.element.append(this.#picker);
+    this.element.append(this.#target, this.#picker);
     // Moving between two elements of the page fires leave after enter: only the last leave is one.
     let depth = 0;
     const reset = () => {
       depth = 0;
       this.element.hidden = true;
+      this.#target.hidden = true;
     };
     addEventListener("dragenter", (event) => {
       if (!carriesFiles(event)) return;
       event.preventDefault();
       depth += 1;
       this.element.hidden = false;
+      this.#showTarget(listeners.styleTarget());
     });
     addEventListener("dragleave", (event) => {
       if (carriesFiles(event)) depth -= 1;
       if (depth <= 0) reset();
     });
     addEventListener("dragover", (event) => {
-      if (carriesFiles(event)) event.preventDefault();
+      if (!carriesFiles(event)) return;
+      event.preventDefault();
+      this.#target.classList.toggle("over", isOverStyles(event, listeners));
     });
     addEventListener("drop", (event) => {
       if (!carriesFiles(event)) return;
       event.preventDefault();
+      const asStyle = isOverStyles(event, listeners);
       reset();
       if (!event.dataTransfer) return;
       filesOfDrop(event.dataTransfer).then(
-        (files) => take(files, listeners),
+        (files) => take(files, asStyle, listeners),
         () => listeners.onRefused("A file could not be read. Drop it again."),
       );
     });
     this.#picker.addEventListener("change", () => {
-      void take(filesOfDialog(this.#picker.files ?? []), listeners);
+      void take(filesOfDialog(this.#picker.files ?? []), false, listeners);
       this.#picker.value = "";
     });
+  }
+
+  #showTarget(target: Element | undefined): void {
+    const box = target?.getBoundingClientRect();
+    this.#target.hidden = !box || box.width === 0;
+    if (!box) return;
+    const { top, height } = box;
+    const [left, width] = [box.left + INSET, box.width - 2 * INSET];
+    for (const [name, value] of Object.entries({ left, top, width, height }))
+      this.#target.style.setProperty(name, `${value}px`);
   }
 
   /** Opens the browser's file dialog. */

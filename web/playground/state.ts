@@ -159,7 +159,7 @@ function decodeRange(text: string): FrameRange | undefined {
 /** The table. */
 export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = {
   view: choice("view", "play", VIEW_NAMES),
-  database: text("db", "", false),
+  database: text("db", "", true),
   styles: selection("styles"),
   parts: listed("parts", {}, encodeParts, decodeParts),
   part: choice("part", "", ["", ...BODY_PARTS]),

@@ -107,7 +107,7 @@ export function withKnownStyles(state: PlayState, known: readonly string[], firs
 }
 
 /** The fields of which A and B each have their own. */
-const SETTING = UNDOABLE.filter((name) => !["input", "side", "other"].includes(name));
+const SETTING = UNDOABLE.filter((name) => !["database", "input", "side", "other"].includes(name));
 
 function setting(state: PlayState): PlayState {
   return { ...initialState(), ...Object.fromEntries(SETTING.map((name) => [name, state[name]])) };

@@ -4,6 +4,7 @@
 //! usage. Results go to stdout and to the files named; progress to stderr, and only to a terminal.
 #![forbid(unsafe_code)]
 
+mod add_style;
 mod annotation;
 mod bench;
 mod build_db;
@@ -40,6 +41,7 @@ struct Args {
 enum Command {
     Inspect(inspect::Args),
     BuildDb(build_db::Args),
+    AddStyle(add_style::Args),
     Stylize(Box<stylize::Args>),
     Evaluate(Box<evaluate::Args>),
     Bench(bench::Args),
@@ -49,6 +51,7 @@ enum Command {
 fn run(args: Args) -> Outcome {
     match args.command {
         Command::Inspect(args) => inspect::run(&args),
+        Command::AddStyle(args) => add_style::run(&args),
         Command::BuildDb(args) => build_db::run(&args),
         Command::Stylize(args) => stylize::run(&args),
         Command::Evaluate(args) => evaluate::run(&args),

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{demo_database, demo_walk, names, strut_ok};
+use common::{assert_refused, demo_database, demo_walk, names, strut_ok};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -151,4 +151,17 @@ fn every_method_styles_and_none_gives_the_same_as_another() {
         }
         outputs.push((method, output));
     }
+}
+
+#[test]
+fn a_clip_becomes_a_style_that_others_can_be_given() {
+    let folder = folder();
+    let at = folder.path();
+    let walk = bvh::Bvh::from_humanoid(&strut_demo::input_clips().remove(0).motion).unwrap();
+    fs::write(at.join("long.bvh"), bvh::write(&walk)).unwrap();
+    let args = ["add-style", "--db", "demo.strutdb", "--input", "long.bvh", "--style"];
+    let said = strut_ok(at, &[&args[..], &["weary", "-o", "more.strutdb"]].concat());
+    assert!(said.starts_with("more.strutdb: style 'weary', from 'walk'"), "{said}");
+    strut_ok(at, &["stylize", "--db", "more.strutdb", "--input", "in.bvh", "--style", "weary", "-o", "out.bvh"]);
+    assert_refused(at, &[&args[..], &["old", "-o", "x.strutdb"]].concat(), "has a style 'old' already");
 }

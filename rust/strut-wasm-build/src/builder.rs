@@ -86,9 +86,9 @@ impl Builder {
         let refused = refused(&report, &self.clips);
         drop(self.clips);
         listener.progress("indexing", 0, 1);
-        let bytes = strutdb::write(&database, strutdb::GENERATOR);
+        let built = Built::new(database, refused);
         listener.progress("indexing", 1, 1);
-        Ok(Built { database, bytes, refused })
+        Ok(built)
     }
 }
 
@@ -105,6 +105,13 @@ pub struct Built {
     database: Database,
     bytes: Vec<u8>,
     refused: Vec<String>,
+}
+
+impl Built {
+    pub(crate) fn new(database: Database, refused: Vec<String>) -> Self {
+        let bytes = strutdb::write(&database, strutdb::GENERATOR);
+        Self { database, bytes, refused }
+    }
 }
 
 #[wasm_bindgen]

@@ -4,10 +4,12 @@
 //! JavaScript owns every object and frees it. What is wrong with a file is thrown as a string, a sentence; a panic, which
 //! is a bug, is thrown as an `Error`, and the instance must then be thrown away.
 
+mod add_style;
 mod builder;
 mod clip;
 mod labels;
 
+pub use add_style::add_style;
 pub use builder::{Builder, Built, Progress};
 pub use clip::Clip;
 pub use labels::{guess_pattern, labels_of, licence_title};

@@ -126,6 +126,15 @@ export class DatabaseBuilder {
     }
   }
 
+  /**
+   * A database with one more style, of one clip.
+   * @param database a `.strutdb` file or packed motions
+   * @throws StrutError with why the clip is no style of it
+   */
+  addStyle(database: Uint8Array, path: string, style: string, bvh: Uint8Array): BuiltDatabase {
+    return databaseOf(guarded(() => this.glue.addStyle(database, path, style, bvh)));
+  }
+
   /** Begins a build; without `neutral` that style is found by its name. */
   begin(files: readonly BuildFile[], neutral: string | undefined): Build {
     return new Build(this.glue, files, neutral);
@@ -164,26 +173,30 @@ export class Build {
    */
   finish(onProgress: (stage: BuildStage, done: number, total: number) => void): BuiltDatabase {
     const progress = (stage: string, done: number, total: number) => onProgress(stage as BuildStage, done, total);
-    const built = guarded(() => this.raw.build(DATABASE_HZ, { progress }));
-    try {
-      return guarded(() => {
-        const refused = built.refused();
-        return {
-          file: fileAt(built.fileAddress(), built.fileLength()),
-          clips: built.clips(),
-          frames: built.frames(),
-          actions: built.actions(),
-          styles: built.styles(),
-          neutral: built.neutral(),
-          refused: Array.from({ length: refused.length / 2 }, (_, i) => ({
-            path: refused[2 * i]!,
-            reason: sentence(refused[2 * i + 1]!),
-          })),
-        };
-      });
-    } finally {
-      built.free();
-    }
+    return databaseOf(guarded(() => this.raw.build(DATABASE_HZ, { progress })));
+  }
+}
+
+/** What was built, which is freed. */
+function databaseOf(built: ReturnType<BuildGlue["addStyle"]>): BuiltDatabase {
+  try {
+    return guarded(() => {
+      const refused = built.refused();
+      return {
+        file: fileAt(built.fileAddress(), built.fileLength()),
+        clips: built.clips(),
+        frames: built.frames(),
+        actions: built.actions(),
+        styles: built.styles(),
+        neutral: built.neutral(),
+        refused: Array.from({ length: refused.length / 2 }, (_, i) => ({
+          path: refused[2 * i]!,
+          reason: sentence(refused[2 * i + 1]!),
+        })),
+      };
+    });
+  } finally {
+    built.free();
   }
 }
 

@@ -74,6 +74,14 @@ class WorkerBuildClient implements BuildClient {
     }
   }
 
+  async addStyle(database: Blob | undefined, clip: File, style: string, options?: CallOptions): Promise<BuiltDatabase> {
+    try {
+      return await this.call({ method: "addStyle", database, clip, style }, options);
+    } finally {
+      this.stop(cancelled());
+    }
+  }
+
   dispose(): void {
     this.stop(disposed("build client"));
     this.files = [];

@@ -9,7 +9,8 @@ export type BuildCall =
   | { method: "label"; pattern: string | undefined; table: File | undefined }
   | { method: "readAll" }
   | { method: "preview"; index: number; roles: Roles | undefined }
-  | { method: "build"; files: ChosenFile[]; neutral: string };
+  | { method: "build"; files: ChosenFile[]; neutral: string }
+  | { method: "addStyle"; database: Blob | undefined; clip: File; style: string };
 
 /** What each call is answered with. */
 export interface BuildResults {
@@ -18,6 +19,7 @@ export interface BuildResults {
   readAll: undefined;
   preview: Preview;
   build: BuiltDatabase;
+  addStyle: BuiltDatabase;
 }
 
 export type BuildRequest = BuildCall & { id: number };

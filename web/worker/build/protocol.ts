@@ -70,6 +70,8 @@ export interface BuildClient {
   readAll(onNews: (news: ReadNews) => void, options?: CallOptions): Promise<void>;
   preview(index: number, roles: Roles | undefined): Promise<Preview>;
   build(files: ChosenFile[], neutral: string, options?: CallOptions): Promise<BuiltDatabase>;
+  /** A database, or the built-in one, with a clip as one more style. */
+  addStyle(database: Blob | undefined, clip: File, style: string, options?: CallOptions): Promise<BuiltDatabase>;
   dispose(): void;
 }
 

@@ -1,5 +1,6 @@
 /** The build worker's side of the wire: the files that are open, and what is made of them. */
 import { DatabaseBuilder } from "../../engine/build/builder";
+import { loadBuiltIn } from "../../engine/built_in";
 import { toStrutError } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
 import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
@@ -68,6 +69,8 @@ class BuildServer {
         return builder.preview(await this.clips[call.index]!.read(), call.roles);
       case "build":
         return this.build(builder, call.files, call.neutral, caller);
+      case "addStyle":
+        return this.addStyle(builder, call.database, call.clip, call.style, caller);
     }
   }
 
@@ -112,6 +115,21 @@ class BuildServer {
     }
     tell(this.clips.length);
     return undefined;
+  }
+
+  private async addStyle(
+    builder: DatabaseBuilder,
+    database: Blob | undefined,
+    clip: File,
+    style: string,
+    caller: Caller,
+  ): Promise<BuiltDatabase> {
+    const [known, bvh] = await Promise.all([
+      database ? database.arrayBuffer().then((bytes) => new Uint8Array(bytes)) : loadBuiltIn(),
+      clip.arrayBuffer(),
+    ]);
+    caller.report({ label: `Registering ${clip.name}.`, fraction: 0.2 });
+    return builder.addStyle(known, clip.name, style, new Uint8Array(bvh));
   }
 
   private async build(

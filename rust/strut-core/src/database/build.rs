@@ -3,10 +3,12 @@
 //! Offline and deterministic: the result is a function of the clips and options alone, whatever executor
 //! computes it and in whatever order the clips are given.
 
+mod add_style;
 mod assemble;
 pub(crate) mod prepare;
 mod report;
 
+pub use add_style::{AddStyleError, AddedStyle, add_style};
 pub use report::{ActionReport, BuildReport, ClipReport, Refusal};
 
 use super::{Database, DatabaseError, MAX_FRAMES};

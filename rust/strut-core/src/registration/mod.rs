@@ -7,6 +7,7 @@
 //! time ([`timeline`]), and once to the segments of every style that fit best, which gives counterparts
 //! ([`pairing`]). Known correspondence ([`script`]) replaces all of this.
 
+mod addition;
 pub mod dtw;
 mod features;
 pub mod gait;
@@ -19,6 +20,8 @@ mod smooth;
 mod timeline;
 pub mod warp;
 
+pub use addition::Addition;
+
 use crate::database::MAX_COUNTERPARTS;
 use crate::humanoid::JOINTS;
 use crate::math::Vec3;
@@ -29,6 +32,7 @@ use gait::{Segment, SegmentKind};
 use matching::Warper;
 use std::ops::{ControlFlow, Range};
 use thiserror::Error;
+pub(crate) use timeline::time_steps;
 use timeline::{CanonicalTime, Reference};
 
 /// One clip of an action, as registration sees it. All arrays have one entry a frame.
@@ -156,6 +160,12 @@ pub enum Refusal {
     /// The action walks or runs, and this clip has no left heel strike to cut it at.
     #[error("no left heel strike was found in it, though the action walks or runs")]
     NoHeelStrikes,
+    /// A clip that is to be a style of a walk or a run has no whole cycle of steps.
+    #[error("no left, right and left step in a row were found in it; a walk of three seconds or more was expected")]
+    NoGait,
+    /// A walk or a run that is to be a style of an action that is neither.
+    #[error("it walks or runs, which the action does not")]
+    Gait,
     /// It turns against the action's usual direction; radians, positive to the left.
     #[error("it turns the other way: {:.0}°, where {:.0}° is usual for the action", turn.to_degrees(), usual.to_degrees())]
     TurnsTheOtherWay {
@@ -263,7 +273,7 @@ impl Job<'_> {
         for batch in parts.chunks(BATCH) {
             paired.extend(executor.map(batch.len(), &|i| {
                 let mut warper = Warper::new(self.options, self.rate_hz);
-                pairing::pair(&batch[i], &parts, self.styles, self.options, &mut warper)
+                pairing::pair(&batch[i], &parts, 0..self.styles, self.options, &mut warper)
             }));
             if progress(paired.len()).is_break() {
                 return None;

@@ -8,6 +8,7 @@ use super::{Counterpart, Counterparts, Options};
 use crate::database::MAX_COUNTERPARTS;
 use crate::humanoid::JOINTS;
 use crate::math::{Vec3, sort_by_number};
+use std::ops::Range;
 
 /// A lead-in or lead-out may be stretched by this much on its way to the open end.
 const OPEN_REACH: usize = 2;
@@ -27,7 +28,7 @@ pub(super) struct Part<'a> {
     pub(super) segments: &'a [Segment],
 }
 
-/// Counterparts of one example: frames × styles.
+/// Counterparts of one example: frames × the styles asked for.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Paired {
     pub(super) counterparts: Vec<Counterparts>,
@@ -35,11 +36,11 @@ pub(super) struct Paired {
     pub(super) cost: Option<f32>,
 }
 
-/// Finds the counterparts of an example among all examples of its action, itself included.
-pub(super) fn pair(part: &Part, all: &[Part], styles: usize, options: &Options, warper: &mut Warper) -> Paired {
-    let mut counterparts: Vec<Counterparts> = vec![[None; MAX_COUNTERPARTS]; part.features.len() * styles];
+/// Finds the counterparts of an example in some styles among all examples of its action, itself included.
+pub(super) fn pair(part: &Part, all: &[Part], styles: Range<usize>, options: &Options, warper: &mut Warper) -> Paired {
+    let mut counterparts: Vec<Counterparts> = vec![[None; MAX_COUNTERPARTS]; part.features.len() * styles.len()];
     let (mut cost_sum, mut cost_count) = (0.0, 0);
-    for style in 0..styles {
+    for (column, style) in styles.clone().enumerate() {
         let others: Vec<&Part> = all.iter().filter(|p| usize::from(p.style) == style).collect();
         if others.is_empty() {
             continue;
@@ -52,7 +53,7 @@ pub(super) fn pair(part: &Part, all: &[Part], styles: usize, options: &Options, 
         }
         let changes = changes(part, &mut matches, &others, warper.reach());
         let last_frame = |example| others.iter().find(|o| o.example == example).map_or(0, |o| o.features.len() - 1);
-        fill(part, &matches, &changes, last_frame, |frame, found| counterparts[frame * styles + style] = found);
+        fill(part, &matches, &changes, last_frame, |frame, found| counterparts[frame * styles.len() + column] = found);
     }
     Paired { counterparts, cost: (cost_count > 0).then(|| cost_sum / cost_count as f32) }
 }

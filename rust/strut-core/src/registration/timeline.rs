@@ -186,7 +186,7 @@ fn tiled(cycle: &[Feature], frames: usize) -> Vec<Feature> {
 }
 
 /// Seconds per canonical frame from increasing canonical times.
-fn time_steps(unwrapped: &[f32], rate_hz: f32) -> Vec<f32> {
+pub(crate) fn time_steps(unwrapped: &[f32], rate_hz: f32) -> Vec<f32> {
     let last = unwrapped.len().saturating_sub(1);
     let pace: Vec<f32> = (0..unwrapped.len())
         .map(|f| {

@@ -68,6 +68,92 @@ fn two_styles() -> Vec<SourceClip> {
     (1..=3).flat_map(|take| [walking("neutral", take, 1.0, 0.0, 0.0), walking("old", take, 1.2, 0.5, 0.0)]).collect()
 }
 
+/// Styles of a gait, of which the last has one clip; and the database without it.
+fn with_and_without_the_last() -> (Vec<SourceClip>, Database) {
+    let mut clips = two_styles();
+    clips.extend((1..=2).map(|take| walking("sad", take, 1.1, 0.2, 0.0)));
+    clips.push(walking("weary", 1, 1.3, 0.35, 0.0));
+    let (db, _) = build(&clips[..clips.len() - 1], &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    (clips, db)
+}
+
+#[test]
+fn a_style_added_later_has_nearly_the_counterparts_that_a_build_gives_it() {
+    let (clips, db) = with_and_without_the_last();
+    let added = add_style(&db, &clips[clips.len() - 1], &registration::Options::default(), &Sequential).unwrap();
+    let (whole, _) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    let found = &added.database;
+    assert_eq!((&found.styles, &found.pose.len()), (&whole.styles, &whole.pose.len()));
+    assert_eq!(
+        found.clips.iter().map(|c| &c.name).collect::<Vec<_>>(),
+        whole.clips.iter().map(|c| &c.name).collect::<Vec<_>>()
+    );
+    // What every row becomes in the new style, and what the new style's rows become in every other.
+    let style = found.style_index("weary").unwrap();
+    let new_rows = found.clips[found.clips.len() - 1].rows();
+    for to in 0..found.styles.len() as u16 {
+        let [a, b] = [found, &whole].map(|db| crate::database::TargetTable::build(db, to));
+        for row in 0..found.frames() {
+            if to != style && !new_rows.contains(&row) {
+                continue;
+            }
+            let apart = a.pose[row].iter().zip(&b.pose[row]).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            assert!(apart < 0.1, "row {row} in style {to}: {apart}");
+            let pace = a.step_secs[row] / b.step_secs[row];
+            assert!((pace - 1.0).abs() < 0.15, "row {row} in style {to}: {pace}");
+        }
+    }
+}
+
+#[test]
+fn adding_a_style_leaves_all_others_as_they_were() {
+    let (clips, db) = with_and_without_the_last();
+    let mut other = vec![waving("neutral", 1.0, 2.0), waving("old", 0.8, 2.0)];
+    other.extend(clips[..clips.len() - 1].iter().cloned());
+    let (two, _) = build(&other, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    for db in [db, two] {
+        let added = add_style(&db, &clips[clips.len() - 1], &registration::Options::default(), &Sequential).unwrap();
+        let (found, new) = (&added.database, added.database.clips.iter().position(|c| c.style == 3).unwrap());
+        let new_rows = found.clips[new].rows();
+        let row_now = |row: f32| if row >= new_rows.start as f32 { row + new_rows.len() as f32 } else { row };
+        for row in 0..db.frames() {
+            let now = row_now(row as f32) as usize;
+            assert_eq!((db.pose[row], db.time_step[row]), (found.pose[now], found.time_step[now]));
+            for style in 0..3 {
+                let before: Vec<f32> = db.counterparts(row, style).map(row_now).collect();
+                assert_eq!(before, found.counterparts(now, style).collect::<Vec<_>>());
+            }
+            let walks = db.actions[usize::from(db.clips[db.clip_of_row(row)].action)] == "walk";
+            let of_new: Vec<f32> = found.counterparts(now, 3).collect();
+            assert_eq!(!of_new.is_empty(), walks);
+            assert!(of_new.iter().all(|at| new_rows.contains(&(at.round() as usize))));
+        }
+    }
+}
+
+#[test]
+fn a_clip_that_is_no_style_is_refused_with_a_sentence() {
+    let (clips, db) = with_and_without_the_last();
+    let add = |clip: &SourceClip| {
+        add_style(&db, clip, &registration::Options::default(), &Sequential).map(|_| ()).unwrap_err().to_string()
+    };
+    let walk = &clips[clips.len() - 1];
+    let cut = |frames: usize| {
+        let mut clip = walk.clone();
+        clip.motion.poses.truncate(frames);
+        clip
+    };
+    assert_eq!(add(&SourceClip { style: "old".into(), ..walk.clone() }), "the database has a style 'old' already");
+    assert_eq!(add(&cut(3)), "it has only 3 frames; at least 8 are needed");
+    let no_gait = "it fits none of the database's actions (walk): no left, right and left step in a row were found in it; \
+                   a walk of three seconds or more was expected";
+    assert_eq!(add(&cut(60)), no_gait);
+    assert_eq!(add(&SourceClip { script: None, ..waving("wave", 1.0, 3.0) }), no_gait);
+    let mut broken = walk.clone();
+    broken.motion.poses[5].root.x = f32::NAN;
+    assert_eq!(add(&broken), "frame 5 holds a value that is not a finite number");
+}
+
 /// Runs pieces in reverse order on as many threads as there are pieces.
 struct Backwards;
 

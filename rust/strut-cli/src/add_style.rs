@@ -1,0 +1,55 @@
+//! `strut add-style`: a clip becomes a style of a database.
+
+use crate::clip::{read_clip, read_database};
+use crate::failure::{Failure, Outcome};
+use crate::files::{Outputs, print};
+use crate::threads::ThreadPool;
+use std::path::PathBuf;
+use strut_core::database::build::{SourceClip, add_style};
+use strut_core::registration;
+use strut_core::retarget::to_humanoid;
+use strut_formats::{corpus, strutdb};
+
+/// Make a single clip a style of a database
+///
+/// The clip is registered with those of the action that it shows; all others stay as they are.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// The database
+    #[arg(long, value_name = "DB")]
+    db: PathBuf,
+    /// The .bvh file, for example of a walk of three seconds or more
+    #[arg(long, value_name = "IN.bvh")]
+    input: PathBuf,
+    /// Name of the style
+    #[arg(long, value_name = "NAME")]
+    style: String,
+    /// The database to write
+    #[arg(short, long, value_name = "DB")]
+    output: PathBuf,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    Outputs::check([args.output.as_path()])?;
+    let db = read_database(&args.db)?;
+    let clip = read_clip(&args.input)?;
+    let path = args.input.display().to_string();
+    let clip = SourceClip {
+        name: corpus::stem(&path).to_owned(),
+        action: String::new(),
+        style: args.style.clone(),
+        take: 1,
+        motion: to_humanoid(&clip.motion, &clip.binding, &db.proportions),
+        source: path,
+        licence: String::new(),
+        script: None,
+    };
+    let added = add_style(&db, &clip, &registration::Options::default(), &ThreadPool)
+        .map_err(|reason| Failure::in_file(&args.input, reason))?;
+    let mut outputs = Outputs::default();
+    outputs.stage(&args.output, &strutdb::write(&added.database, strutdb::GENERATOR))?;
+    outputs.commit()?;
+    let action = &added.database.actions[usize::from(added.action)];
+    print(&format!("{}: style '{}', from '{action}', cost {:.1}\n", args.output.display(), args.style, added.cost));
+    Ok(())
+}

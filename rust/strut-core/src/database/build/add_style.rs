@@ -1,0 +1,238 @@
+//! A style from one clip: the clip joins a database as a style of its own.
+
+use super::prepare::{encode, headings};
+use super::{MIN_CLIP_FRAMES, Refusal, SourceClip};
+use crate::database::{Class, Clip, Database, DatabaseError, DatabaseParts, MAX_COUNTERPARTS};
+use crate::parallel::ParallelMap;
+use crate::registration::{self, Addition, Counterparts, Example, Job, time_steps};
+use thiserror::Error;
+
+/// Clips that fit an action cost less to warp to it (squared feature distance a frame). With the built-in database
+/// recorded walks cost 75 to 166 and runs 118 to 189, a jump of three strides 215, walking backwards 325 to 355.
+const MOST_COST: f32 = 200.0;
+
+/// What became of a clip.
+#[derive(Clone, Debug)]
+pub struct AddedStyle {
+    /// The database with the clip as its last style.
+    pub database: Database,
+    /// The action that the clip shows.
+    pub action: u16,
+    /// Mean cost of its warps to the clips of the action (squared feature distance a frame).
+    pub cost: f32,
+}
+
+/// Why a clip is no style of a database.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum AddStyleError {
+    /// The database has a style of this name.
+    #[error("the database has a style '{0}' already")]
+    Exists(String),
+    /// The clip cannot be used at all.
+    #[error(transparent)]
+    Clip(#[from] Refusal),
+    /// It shows none of the actions; why it does not show the nearest one.
+    #[error("it fits none of the database's actions ({actions}): {reason}")]
+    NoAction {
+        /// Names of the actions.
+        actions: String,
+        /// Why the first of them was not it.
+        reason: Refusal,
+    },
+    /// It is unlike what the database shows.
+    #[error("it fits none of the database's actions ({actions}): it moves too differently from all of them")]
+    Unlike {
+        /// Names of the actions.
+        actions: String,
+    },
+    /// The whole is too large, or holds values outside every reasonable range.
+    #[error("the database with the clip would not be valid: {0}")]
+    Database(#[from] DatabaseError),
+}
+
+/// Adds a clip as a style of its own. It is registered with the clips of the action that it fits best, in the time that
+/// one clip takes; the correspondence of all others stays as it is. The clip's `action` and `script` are not looked at,
+/// its motion is on the database's proportions.
+///
+/// # Errors
+/// See [`AddStyleError`].
+pub fn add_style(
+    db: &Database,
+    clip: &SourceClip,
+    options: &registration::Options,
+    executor: &impl ParallelMap,
+) -> Result<AddedStyle, AddStyleError> {
+    if db.style_index(&clip.style).is_some() {
+        return Err(AddStyleError::Exists(clip.style.clone()));
+    }
+    let example = example_of(db, clip)?;
+    let options =
+        registration::Options { counterparts: db.counterparts_per_style.min(MAX_COUNTERPARTS), ..options.clone() };
+    let mut best: Option<(u16, Addition)> = None;
+    let mut refusal = None;
+    for action in 0..db.actions.len() as u16 {
+        let mut examples: Vec<Example> = clips_of(db, action).map(|i| existing(db, &db.clips[i])).collect();
+        // Without a neutral clip of the action there is no timeline to be brought to.
+        if !db.clips.iter().any(|c| c.action == action && c.style == db.neutral) {
+            continue;
+        }
+        examples.push(example.clone());
+        let (styles, rate_hz) = (db.styles.len() + 1, db.rate_hz);
+        let job = Job { examples: &examples, styles, neutral: db.neutral, rate_hz, options: &options };
+        match job.run_last(executor) {
+            Ok(found) if best.as_ref().is_none_or(|(_, least)| found.cost < least.cost) => best = Some((action, found)),
+            Ok(_) => {}
+            Err(reason) => refusal = refusal.or(Some(reason)),
+        }
+    }
+    let actions = || db.actions.join(", ");
+    match best {
+        Some((_, found)) if found.cost > MOST_COST => Err(AddStyleError::Unlike { actions: actions() }),
+        Some((action, found)) => {
+            let cost = found.cost;
+            let database = Database::new(joined(db, clip, action, &example, &found))?;
+            Ok(AddedStyle { database, action, cost })
+        }
+        None => match refusal {
+            Some(reason) => Err(AddStyleError::NoAction { actions: actions(), reason: reason.into() }),
+            None => Err(AddStyleError::Unlike { actions: actions() }),
+        },
+    }
+}
+
+/// The clip as registration sees it, in the database's chart.
+fn example_of(db: &Database, clip: &SourceClip) -> Result<Example, Refusal> {
+    let motion = &clip.motion;
+    if !(motion.rate_hz.is_finite() && motion.rate_hz > 0.0) {
+        return Err(Refusal::Rate(motion.rate_hz));
+    }
+    if motion.proportions != db.proportions {
+        return Err(Refusal::Proportions);
+    }
+    if let Some(frame) = motion.poses.iter().position(|p| !p.is_finite()) {
+        return Err(Refusal::NotFinite(frame));
+    }
+    let motion = motion.resampled(db.rate_hz);
+    if motion.poses.len() < MIN_CLIP_FRAMES {
+        return Err(Refusal::TooShort(motion.poses.len()));
+    }
+    Ok(encode(&motion, &headings(&motion), db.styles.len() as u16, &db.chart))
+}
+
+/// Clips of an action, as indices.
+fn clips_of(db: &Database, action: u16) -> impl Iterator<Item = usize> + '_ {
+    db.classes().iter().filter(move |c| c.action == action).flat_map(|c: &Class| c.clips.clone())
+}
+
+/// A clip of the database as registration sees it.
+fn existing(db: &Database, clip: &Clip) -> Example {
+    let rows = clip.rows();
+    Example {
+        style: clip.style,
+        pose: db.pose[rows.clone()].to_vec(),
+        point_cloud: db.point_cloud[rows.clone()].to_vec(),
+        contact: db.contact[rows].iter().map(|c| c.map(|planted| planted == 1)).collect(),
+        script: None,
+    }
+}
+
+/// The database's parts with the clip behind those of its action, and its style behind the others.
+fn joined(db: &Database, clip: &SourceClip, action: u16, example: &Example, found: &Addition) -> DatabaseParts {
+    let of_action: Vec<usize> = clips_of(db, action).collect();
+    let at = of_action.last().map_or(0, |&i| i + 1);
+    let first_row = db.clips.get(at).map_or(db.frames(), |c| c.first_frame);
+    let added = example.frames();
+    let moved = |row: f32| if row >= first_row as f32 { row + added as f32 } else { row };
+    let placed = |counterparts: &Counterparts| -> Vec<f32> {
+        let row = |(example, frame): (u32, f32)| {
+            let (first, frames) = match of_action.get(example as usize) {
+                Some(&i) => (db.clips[i].first_frame, db.clips[i].frames),
+                None => (first_row, added),
+            };
+            (first as f32 + frame).min((first + frames - 1) as f32)
+        };
+        let slots = counterparts.iter().take(db.counterparts_per_style);
+        slots.map(|c| c.map_or(-1.0, |c| row((c.example, c.frame)))).collect()
+    };
+    let (styles, slots) = (db.styles.len(), db.counterparts_per_style);
+    let none = vec![-1.0; slots];
+    let mut of_row: Vec<Vec<f32>> = vec![none; db.frames()];
+    for (&i, frames) in of_action.iter().zip(&found.of_others) {
+        db.clips[i].rows().zip(frames).for_each(|(row, counterparts)| of_row[row] = placed(counterparts));
+    }
+    let mut counterpart: Vec<f32> = Vec::with_capacity((db.frames() + added) * (styles + 1) * slots);
+    let own = || found.counterparts.iter().flat_map(placed);
+    for (row, new) in of_row.iter().enumerate() {
+        if row == first_row {
+            counterpart.extend(own());
+        }
+        counterpart.extend(db.counterpart[row * styles * slots..(row + 1) * styles * slots].iter().map(|&c| moved(c)));
+        counterpart.extend(new);
+    }
+    if first_row == db.frames() {
+        counterpart.extend(own());
+    }
+
+    let neutral: Vec<Vec<f32>> =
+        found.counterparts.chunks(styles + 1).map(|frame| placed(&frame[usize::from(db.neutral)])).collect();
+    let mut parts = (**db).clone();
+    insert(&mut parts.pose, first_row, &example.pose);
+    insert(&mut parts.point_cloud, first_row, &example.point_cloud);
+    insert(&mut parts.contact, first_row, &example.contact.iter().map(|c| c.map(u8::from)).collect::<Vec<_>>());
+    insert(&mut parts.canonical_time, first_row, &canonical_times(db, &neutral));
+    insert(&mut parts.time_step, first_row, &durations(db, &neutral));
+    parts.counterpart = counterpart;
+    parts.styles.push(clip.style.clone());
+    parts.clips[at..].iter_mut().for_each(|c| c.first_frame += added);
+    parts.clips.insert(
+        at,
+        Clip {
+            name: clip.name.clone(),
+            action,
+            style: styles as u16,
+            take: clip.take,
+            first_frame: first_row,
+            frames: added,
+            source: clip.source.clone(),
+            licence: clip.licence.clone(),
+        },
+    );
+    parts
+}
+
+fn insert<T: Clone>(all: &mut Vec<T>, at: usize, new: &[T]) {
+    all.splice(at..at, new.iter().cloned());
+}
+
+/// Canonical times of the clip's frames: those of the neutral rows that show the same.
+fn canonical_times(db: &Database, neutral: &[Vec<f32>]) -> Vec<f32> {
+    let at =
+        |frame: &Vec<f32>| frame.iter().find(|row| **row >= 0.0).map(|row| db.canonical_time[row.round() as usize]);
+    let mut last = 0.0;
+    let held = |frame: &Vec<f32>| {
+        last = at(frame).unwrap_or(last);
+        last
+    };
+    neutral.iter().map(held).collect()
+}
+
+/// Seconds of the clip per canonical frame: its pace through the neutral rows, and theirs through canonical time.
+/// Counterparts that give way to others between two frames tell nothing about pace.
+fn durations(db: &Database, neutral: &[Vec<f32>]) -> Vec<f32> {
+    /// Fastest pace through the rows of another clip, frames a frame.
+    const FASTEST: f32 = 10.0;
+    let frames_at = |row: f32| 1.0 / (db.time_step[row.round() as usize] * db.rate_hz);
+    let mut pace = 1.0;
+    let mut time = 0.0;
+    let mut canonical = vec![time];
+    for (before, after) in neutral.iter().zip(&neutral[1..]) {
+        let moves = before.iter().zip(after).filter(|(a, b)| **a >= 0.0 && (0.0..FASTEST).contains(&(*b - *a)));
+        let (sum, count) = moves.fold((0.0, 0.0), |(sum, count), (a, b)| (sum + (b - a) * frames_at(*a), count + 1.0));
+        if count > 0.0 {
+            pace = sum / count;
+        }
+        time += pace;
+        canonical.push(time);
+    }
+    time_steps(&canonical, db.rate_hz)
+}

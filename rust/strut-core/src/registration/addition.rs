@@ -1,0 +1,63 @@
+//! One more clip beside clips that are registered already.
+
+use super::gait::{self, SegmentKind};
+use super::matching::Warper;
+use super::pairing::{self, Part};
+use super::{Counterparts, Job, Refusal};
+use crate::parallel::ParallelMap;
+
+/// How a clip in a style of its own corresponds to the others of its action.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Addition {
+    /// Its counterparts: frames × styles, its own the last.
+    pub counterparts: Vec<Counterparts>,
+    /// Of every other example the counterparts in the clip's style, one entry a frame.
+    pub of_others: Vec<Vec<Counterparts>>,
+    /// Mean cost of its warps to the others (squared feature distance a frame).
+    pub cost: f32,
+}
+
+impl Job<'_> {
+    /// Registers the last example, the only one of the last style, with the others, whose own correspondence is left as
+    /// it is: as [`Job::run`] would, but in the time that one clip takes. Scripts are not looked at.
+    ///
+    /// # Errors
+    /// If the clip does not fit the others. Where they walk or run it needs a whole gait cycle.
+    pub fn run_last(&self, executor: &impl ParallelMap) -> Result<Addition, Refusal> {
+        let (last, style) = (self.examples.len() - 1, self.styles - 1);
+        let mut refusals = self.wrong_turns();
+        if let Some(refusal) = refusals[last].take() {
+            return Err(refusal);
+        }
+        refusals.fill(None);
+        let (clip, others) = (&self.examples[last..], &self.examples[..last]);
+        let locomotion = gait::is_locomotion(others, self.rate_hz);
+        let cuts = if locomotion { gait::cut(self.examples, self.styles, self.rate_hz) } else { self.uncut() };
+        if !locomotion && gait::is_locomotion(clip, self.rate_hz) {
+            return Err(Refusal::Gait);
+        }
+        if locomotion && cuts[last].0.iter().all(|s| s.kind != SegmentKind::Cycle) {
+            return Err(Refusal::NoGait);
+        }
+        let features = self.features(&refusals, &cuts, locomotion, executor);
+        let parts: Vec<Part> = (0..self.examples.len())
+            .map(|i| Part {
+                example: i,
+                style: self.examples[i].style,
+                features: &features[i],
+                point_cloud: &self.examples[i].point_cloud,
+                segments: &cuts[i].0,
+            })
+            .collect();
+        let mut paired = executor.map(parts.len(), &|i| {
+            let styles = if i == last { 0..self.styles } else { style..self.styles };
+            pairing::pair(&parts[i], &parts, styles, self.options, &mut Warper::new(self.options, self.rate_hz))
+        });
+        let own = paired.pop().unwrap_or_default();
+        Ok(Addition {
+            counterparts: own.counterparts,
+            of_others: paired.into_iter().map(|p| p.counterparts).collect(),
+            cost: own.cost.ok_or(Refusal::NoWarp)?,
+        })
+    }
+}

@@ -1,0 +1,72 @@
+/** A style from one clip: what falls on the polygon becomes a vertex of it. */
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import { everyNth, walksIn } from "../clips";
+import { closePage, dropFile, eventually, inputName, launchBrowser, openPage, screenshot, serveSite } from "./browser";
+
+declare const window: { strut: StrutHook };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+let page: Page;
+let walk: string;
+
+beforeAll(async () => {
+  const [launched, served, walks] = await Promise.all([launchBrowser(), serveSite(), walksIn(["old"], 260)]);
+  [browser, site, walk] = [launched, served, walks.old];
+  page = await openPage(browser, site.url, { size: { width: 1280, height: 800 } });
+});
+afterAll(async () => {
+  await closePage(page).finally(async () => {
+    await browser.close();
+    await site.close();
+  });
+});
+
+const vertices = () => page.locator(".vertex").evaluateAll((v) => v.map((e) => e.getAttribute("data-style")!));
+const weights = () => page.evaluate(() => Object.fromEntries(window.strut.state.styles.map((s) => [s.name, s.weight])));
+const alert = () => page.getByRole("alert").textContent();
+const polygon = async () => {
+  const box = (await page.locator(".polygon-box").boundingBox())!;
+  return { clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 };
+};
+
+describe("a walk that falls on the polygon", () => {
+  it("becomes a style, is kept, and goes again", async () => {
+    const input = await inputName(page);
+    const begin = performance.now();
+    await dropFile(page, "walk_weary_01.bvh", walk, await polygon());
+    await eventually(vertices).toContain("weary");
+    const secs = (performance.now() - begin) / 1000;
+    console.log(`a style from a clip of 260 frames: ${secs.toFixed(1)} s`);
+    expect(await vertices()).toHaveLength(9);
+    await eventually(weights).toMatchObject({ weary: 1 });
+    expect(await inputName(page), "the input stays").toBe(input);
+    expect(await alert()).toBe("");
+    await eventually(() => page.locator(".stage-title").textContent()).toContain("weary");
+    await screenshot(page, "style-of-clip");
+    // Another frame of it walks.
+    const before = await page.evaluate(() => window.strut.frame!.inputFrame);
+    await eventually(() => page.evaluate(() => window.strut.frame!.inputFrame)).not.toBe(before);
+
+    await page.getByRole("button", { name: "Undo" }).click();
+    await eventually(vertices).toHaveLength(8);
+    expect(await page.evaluate(() => window.strut.state.database)).toBe("");
+    await page.getByRole("button", { name: "Redo" }).click();
+    await eventually(vertices).toContain("weary");
+    await eventually(weights).toMatchObject({ weary: 1 });
+    expect(await page.evaluate(() => window.strut.state.database)).toBe("Built-in + weary");
+  });
+
+  it("is refused with a sentence where it is too short", async () => {
+    await dropFile(page, "walk_short.bvh", everyNth(walk, 1, 40), await polygon());
+    await eventually(alert).toContain("no left, right and left step in a row were found in it");
+    expect(await vertices()).toContain("weary");
+  });
+
+  it("elsewhere it is the input, as ever", async () => {
+    await dropFile(page, "walk_weary_01.bvh", walk);
+    await eventually(() => inputName(page)).toBe("walk_weary_01");
+  });
+});
