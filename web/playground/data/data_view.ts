@@ -10,6 +10,8 @@ import { ProgressLine } from "../progress";
 import type { View, ViewHost } from "../views";
 import { counted, errorText, grouped, isCancellation, numberWord } from "../words";
 import { BuildPanel } from "./build_panel";
+import type { PublicSet } from "./catalogue";
+import { CataloguePanel } from "./catalogue_panel";
 import { ClipList } from "./clip_list";
 import {
   applyLabels,
@@ -56,6 +58,7 @@ class DataOfAnyone implements View {
   readonly #preview: ClipPreview;
   readonly #build: BuildPanel;
   readonly #shelf: ShelfPanel;
+  readonly #catalogue = new CataloguePanel((set, files) => this.#takeSet(set, files));
   readonly #unsubscribe: () => void;
   #dropped: DroppedFile[] = [];
   #rows: Row[] = [];
@@ -112,6 +115,7 @@ class DataOfAnyone implements View {
 
   show(): void {
     this.#preview.resume();
+    this.#catalogue.show();
     void this.#showShelf();
   }
 
@@ -195,6 +199,7 @@ class DataOfAnyone implements View {
       this.#preview.element,
       this.#build.element,
       this.#shelf.element,
+      this.#catalogue.element,
     );
     return html("main", { class: "view data" }, empty, clips, panels, this.#files, this.#folder);
   }
@@ -207,8 +212,15 @@ class DataOfAnyone implements View {
     this.takeFiles(files);
   }
 
-  /** Lists, labels and reads the clips among the files. */
-  async #open(files: DroppedFile[]): Promise<void> {
+  /** Takes a public data set in the place of what there was. */
+  #takeSet({ name, pattern, labels }: PublicSet, files: DroppedFile[]): void {
+    this.#rows = [];
+    this.#table = labels === undefined ? undefined : new File([labels], `${name}.csv`);
+    void this.#open(files, pattern);
+  }
+
+  /** Lists, labels and reads the clips among the files; without a pattern it is found. */
+  async #open(files: DroppedFile[], pattern?: string): Promise<void> {
     const edits = new Map(this.#rows.filter((row) => row.edited).map((row) => [row.path, row]));
     const chosenBefore = this.#rows.length > 0;
     this.#dropped = files;
@@ -240,7 +252,7 @@ class DataOfAnyone implements View {
           this.#host.notices.error("There is no BVH among these files. Drop BVH files, a folder or a zip of them.");
         if (this.#rows.length === 0) this.#dropped = [];
         if (!chosenBefore) {
-          this.#pattern.value = found.pattern ?? "";
+          this.#pattern.value = pattern ?? found.pattern ?? "";
           this.#build.name = databaseName(this.#rows.map((row) => row.path));
         }
         await this.#label();
