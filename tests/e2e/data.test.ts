@@ -47,7 +47,7 @@ const read = () => page.locator('.data[aria-busy="false"]').waitFor();
 const heading = () => page.locator(".data-clips h1").textContent();
 const alert = () => page.getByRole("alert").textContent();
 const buildButton = () => page.getByRole("button", { name: "Build the database" });
-const shelf = () => page.locator(".shelf-name").allTextContents();
+const shelf = () => page.locator("[aria-labelledby=shelf-heading] .shelf-name").allTextContents();
 
 /** Builds, and gives what the page says of it. */
 async function build(): Promise<string> {
@@ -159,6 +159,11 @@ describe("labels", () => {
     await page.getByRole("button", { name: "Redo", exact: true }).first().click();
     await eventually(heading).toBe("3 clips, 3 styles");
     expect(await page.getByRole("radio", { name: "plain is neutral" }).isChecked()).toBe(true);
+    // A style is renamed wherever it is.
+    await page.getByLabel("Name of the style plain").fill("calm");
+    await page.getByLabel("Name of the style plain").press("Enter");
+    await eventually(() => page.getByRole("radio", { name: "calm is neutral" }).isChecked()).toBe(true);
+    await screenshot(page, "data-rename");
 
     await choose(written("labels.csv", "file,action,style\na-walk (old).bvh,stroll,ancient\n"));
     await eventually(() => page.getByRole("radio", { name: "ancient is neutral" }).count()).toBe(1);
@@ -209,7 +214,10 @@ describe("hostile input", () => {
     await read();
     expect(await alert()).toContain("leads out of the archive and was left out.");
     expect(await heading()).toBe("4 clips, 2 styles");
-    expect(await page.locator(".matrix tbody th").allTextContents()).toContain(style);
+    const names = page.locator(".matrix tbody .class-name");
+    expect(await names.evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value))).toContain(
+      style,
+    );
     expect(await page.locator("main img").count()).toBe(0);
     await page.getByRole("button", { name: "2 left out" }).click();
     expect(await page.locator(".clip-note").allTextContents()).toEqual([

@@ -85,6 +85,7 @@ class DataOfAnyone implements View {
         this.#show();
       },
       onFilter: (filter) => this.#narrow(filter),
+      onRename: (field, from, to) => this.#rename(field, from, to),
     });
     this.#list = new ClipList({
       onSelect: (row) => void this.#select(row),
@@ -293,7 +294,16 @@ class DataOfAnyone implements View {
   #edit(row: Row, field: LabelField, value: string): void {
     const text = value.trim();
     const take = /^\d{1,9}$/.test(text) ? Number(text) : undefined;
-    this.history.edit(row, field === "take" ? { take } : { [field]: text });
+    this.history.edit([row], field === "take" ? { take } : { [field]: text });
+  }
+
+  /** Renames an action or a style wherever it is; the name of another makes both one. */
+  #rename(field: "action" | "style", from: string, to: string): void {
+    if (field === "style" && this.#neutral === from) this.#neutral = to;
+    this.history.edit(
+      this.#rows.filter((row) => row[field].trim() === from),
+      { [field]: to },
+    );
   }
 
   /** Where the neutral style has gone, another takes its place. */

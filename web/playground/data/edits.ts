@@ -5,11 +5,8 @@ import type { Row } from "./corpus";
 /** The fields of a row that an edit changes. */
 type Written = Pick<Row, "action" | "style" | "take" | "edited" | "unlabelled">;
 
-interface Edit {
-  row: Row;
-  before: Written;
-  after: Written;
-}
+/** One edit may change many rows alike. */
+type Edit = { row: Row; before: Written; after: Written }[];
 
 export class Edits implements History {
   readonly #onChange: () => void;
@@ -29,11 +26,14 @@ export class Edits implements History {
     return this.#future.length > 0;
   }
 
-  /** Changes the labels of a row. */
-  edit(row: Row, change: Partial<Pick<Row, "action" | "style" | "take">>): void {
-    const before = written(row);
-    Object.assign(row, change, { edited: true, unlabelled: "" });
-    this.#past.push({ row, before, after: written(row) });
+  /** Changes the labels of rows. */
+  edit(rows: readonly Row[], change: Partial<Pick<Row, "action" | "style" | "take">>): void {
+    const changed = rows.map((row) => {
+      const before = written(row);
+      Object.assign(row, change, { edited: true, unlabelled: "" });
+      return { row, before, after: written(row) };
+    });
+    this.#past.push(changed);
     this.#future = [];
     this.#onChange();
   }
@@ -52,12 +52,12 @@ export class Edits implements History {
     this.#future = [];
   }
 
-  /** Takes the last edit of one list to the other, and its row to how it was on that side of it. */
+  /** Takes the last edit of one list to the other, and its rows to how they were on that side of it. */
   #move(from: Edit[], to: Edit[], side: "before" | "after"): void {
     const edit = from.pop();
     if (!edit) return;
     to.push(edit);
-    Object.assign(edit.row, edit[side]);
+    for (const changed of edit) Object.assign(changed.row, changed[side]);
     this.#onChange();
   }
 }

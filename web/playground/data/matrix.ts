@@ -12,6 +12,7 @@ export interface MatrixListeners {
   onNeutral: (style: string) => void;
   /** `undefined` to show all again. */
   onFilter: (filter: ClassFilter | undefined) => void;
+  onRename: (field: "action" | "style", from: string, to: string) => void;
 }
 
 export class Matrix {
@@ -35,13 +36,13 @@ export class Matrix {
       {},
       html("th", { scope: "col" }, "Style"),
       html("th", { scope: "col", class: "neutral" }, "Neutral"),
-      ...actions.map((action) => html("th", { scope: "col", class: "number", title: action }, action)),
+      ...actions.map((action) => html("th", { scope: "col", class: "number" }, this.#name("action", action))),
     );
     const rows = styles.map((style) =>
       html(
         "tr",
         {},
-        html("th", { scope: "row", title: style }, style),
+        html("th", { scope: "row" }, this.#name("style", style)),
         html("td", { class: "neutral" }, this.#radio(style, style === neutral)),
         ...actions.map((action) => this.#cell(action, style, table.count(action, style), filter)),
       ),
@@ -50,6 +51,28 @@ export class Matrix {
     this.element.replaceChildren(html("table", {}, html("thead", {}, head), html("tbody", {}, ...rows)));
     // What was pressed is a new element now.
     if (focused) this.element.querySelector<HTMLElement>(`[aria-label="${CSS.escape(focused)}"]`)?.focus();
+  }
+
+  /** A name that is typed over to rename all that has it. */
+  #name(field: "action" | "style", name: string): HTMLElement {
+    const input = html("input", {
+      type: "text",
+      class: "class-name",
+      value: name,
+      title: name,
+      size: Math.max(4, name.length),
+      "aria-label": `Name of the ${field} ${name}`,
+    });
+    input.addEventListener("change", () => {
+      const to = input.value.trim();
+      if (to === "" || to === name) input.value = name;
+      else this.#listeners.onRename(field, name, to);
+    });
+    input.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") input.blur();
+      else if (event.key === "Escape") input.value = name;
+    });
+    return input;
   }
 
   #cell(action: string, style: string, count: number, filter: ClassFilter | undefined): HTMLElement {
