@@ -23,7 +23,7 @@ import { ProgressLine } from "./progress";
 import { ReadAction } from "./read_action";
 import { Session } from "./session";
 import { Stage } from "./stage";
-import { ENGINE_FIELDS, fromHash, GHOST_MODES, type PlayState } from "./state";
+import { ENGINE_FIELDS, fromHash, GHOST_MODES, type PlayState, TRACE_MODES } from "./state";
 import { type History, Store } from "./store";
 import {
   addKey,
@@ -48,6 +48,9 @@ const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon",
 
 type Changed = ReadonlySet<keyof PlayState>;
 const any = (changed: Changed, ...names: (keyof PlayState)[]): boolean => names.some((name) => changed.has(name));
+
+/** The mode after another one, in turn. */
+const after = <T>(mode: T, modes: readonly T[]): T => modes[(modes.indexOf(mode) + 1) % modes.length]!;
 
 export class App {
   /** The link that the page was opened with. */
@@ -98,6 +101,7 @@ export class App {
       onCamera: (camera) => store.edit({ camera }),
       onFollow: () => store.edit({ follow: !store.state.follow }),
       onGhost: () => this.#nextGhost(),
+      onTrace: () => this.#nextTrace(),
       onJoint: (role) => store.edit({ part: partOf(role), tab: "style" }),
     });
     this.#style = new StylePanel(store, this.#progress.database.element);
@@ -342,7 +346,7 @@ export class App {
         this.#showTopBar();
       });
     }
-    if (!changed || any(changed, "camera", "follow", "ghost")) this.#stage.show(state);
+    if (!changed || any(changed, "camera", "follow", "ghost", "trace")) this.#stage.show(state);
     if (!changed || any(changed, ...STYLE_FIELDS)) {
       this.#style.show(state, changed !== undefined);
       this.#showTrack(state);
@@ -427,6 +431,7 @@ export class App {
         last: () => this.#playhead.goTo(Number.MAX_SAFE_INTEGER),
         loop: () => store.edit({ loop: !store.state.loop }),
         ghost: () => this.#nextGhost(),
+        trace: () => this.#nextTrace(),
         follow: () => store.edit({ follow: !store.state.follow }),
         panels: () => store.edit({ panels: !store.state.panels }),
         other: () => store.edit(otherSide(store.state)),
@@ -452,8 +457,11 @@ export class App {
   }
 
   #nextGhost(): void {
-    const next = (GHOST_MODES.indexOf(this.#store.state.ghost) + 1) % GHOST_MODES.length;
-    this.#store.edit({ ghost: GHOST_MODES[next]! });
+    this.#store.edit({ ghost: after(this.#store.state.ghost, GHOST_MODES) });
+  }
+
+  #nextTrace(): void {
+    this.#store.edit({ trace: after(this.#store.state.trace, TRACE_MODES) });
   }
 
   #onScrub(frame: number | undefined): void {

@@ -7,6 +7,7 @@ export interface KeyActions {
   last(): void;
   loop(): void;
   ghost(): void;
+  trace(): void;
   follow(): void;
   panels(): void;
   /** The other of two settings. */
@@ -44,6 +45,7 @@ export function listenToKeys(actions: KeyActions, active: () => boolean, signal:
     End: actions.last,
     l: actions.loop,
     g: actions.ghost,
+    t: actions.trace,
     f: actions.follow,
     h: actions.panels,
     x: actions.other,

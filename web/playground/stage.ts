@@ -1,6 +1,6 @@
 /** The stage: the 3-D view with its title, camera buttons and read-out. */
 
-import { type Role, VIEWER_DEFAULTS, Viewer } from "../viewer";
+import { type Role, type TraceMode, VIEWER_DEFAULTS, Viewer } from "../viewer";
 import type { LiveFrame } from "../worker/protocol";
 import { button, Segment } from "./controls/buttons";
 import { formatNumber, html, setAttributes, setText } from "./dom";
@@ -15,6 +15,7 @@ export interface StageListeners {
   onCamera: (preset: CameraPreset) => void;
   onFollow: () => void;
   onGhost: () => void;
+  onTrace: () => void;
   /** A joint of the styled character was clicked. */
   onJoint: (joint: Role) => void;
 }
@@ -28,6 +29,12 @@ const GHOST_NAMES: Readonly<Record<GhostMode, string>> = {
   off: "Ghost of the input: off",
 };
 
+const TRACE_NAMES: Readonly<Record<TraceMode, string>> = {
+  off: "Motion trail: off",
+  lines: "Motion trail: lines of hands, feet and head",
+  onion: "Motion trail: with the body before and after",
+};
+
 export class Stage {
   readonly element: HTMLElement;
   readonly viewer: Viewer;
@@ -37,6 +44,7 @@ export class Stage {
   readonly #camera: Segment<CameraPreset>;
   readonly #follow: HTMLButtonElement;
   readonly #ghost: HTMLButtonElement;
+  readonly #trace: HTMLButtonElement;
   readonly #fps = html("span");
   readonly #cost = html("span");
   #lent = false;
@@ -58,13 +66,14 @@ export class Stage {
       listeners.onCamera,
     );
     this.#follow = button("Follow", listeners.onFollow, { icon: "follow", label: true, class: "chip", keys: "F" });
+    this.#trace = button("Trail", listeners.onTrace, { icon: "trail", label: true, class: "chip", keys: "T" });
     this.#ghost = button("Ghost", listeners.onGhost, { icon: "ghost", label: true, class: "chip", keys: "G" });
     this.element = html(
       "main",
       { class: "stage" },
       view,
       html("div", { class: "stage-heading" }, this.#title, this.#caption),
-      html("div", { class: "stage-controls" }, this.#camera.element, this.#follow, this.#ghost),
+      html("div", { class: "stage-controls" }, this.#camera.element, this.#follow, this.#ghost, this.#trace),
       html("p", { class: "read-out caption" }, this.#fps, this.#cost, html("span", {}, "grid 1 m")),
     );
     this.viewer = new Viewer(view, { theme });
@@ -107,6 +116,11 @@ export class Stage {
       "aria-pressed": String(state.ghost !== "off"),
       title: `${GHOST_NAMES[state.ghost]} (G)`,
     });
+    this.viewer.trace = state.trace;
+    setAttributes(this.#trace, {
+      "aria-pressed": String(state.trace !== "off"),
+      title: `${TRACE_NAMES[state.trace]} (T)`,
+    });
     this.invalidate();
   }
 
@@ -120,6 +134,7 @@ export class Stage {
     this.viewer.labels = { styled: "", input: "" };
     this.viewer.setInput(null);
     this.viewer.setPath(null);
+    this.viewer.trace = "off";
     this.viewer.setPlanted([false, false]);
     this.viewer.follow = true;
     this.viewer.camera("orbit");

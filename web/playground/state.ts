@@ -2,6 +2,7 @@
  * The playground's state: one table of fields, each with its key in the URL, its default and its two translations.
  * Everything that changes the picture is here and nowhere else; the URL's hash is this table written out.
  */
+import type { TraceMode } from "../viewer";
 import { BODY_PARTS, type BodyPart, type FrameRange, METHODS, type Method } from "../worker/protocol";
 import {
   choice,
@@ -62,6 +63,8 @@ export interface PlayState {
   camera: CameraPreset;
   follow: boolean;
   ghost: GhostMode;
+  /** What is drawn of the moments before and after. */
+  trace: TraceMode;
   theme: Theme;
   loop: boolean;
   /** The part of the input that is played. */
@@ -87,6 +90,7 @@ export const CAMERA_PRESETS = ["orbit", "front", "side", "top"] as const;
 export type CameraPreset = (typeof CAMERA_PRESETS)[number];
 export const GHOST_MODES = ["beside", "overlay", "off"] as const;
 export type GhostMode = (typeof GHOST_MODES)[number];
+export const TRACE_MODES = ["off", "lines", "onion"] as const satisfies readonly TraceMode[];
 export const THEMES = ["auto", "dark", "light"] as const;
 export type Theme = (typeof THEMES)[number];
 export const SIDES = ["a", "b"] as const;
@@ -182,6 +186,7 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
   camera: choice("camera", "orbit", CAMERA_PRESETS),
   follow: flag("follow", true, false),
   ghost: choice("ghost", "beside", GHOST_MODES),
+  trace: choice("trail", "off", TRACE_MODES),
   theme: choice("theme", "auto", THEMES),
   loop: flag("loop", true, false),
   range: optional("range", encodeRange, decodeRange),

@@ -14,4 +14,4 @@ export {
 } from "./humanoid";
 export type { CameraView } from "./stage/orbit_camera";
 export type { ThemeName } from "./themes";
-export { type GhostMode, VIEWER_DEFAULTS, Viewer, type ViewerOptions } from "./viewer";
+export { type GhostMode, type TraceMode, VIEWER_DEFAULTS, Viewer, type ViewerOptions } from "./viewer";

@@ -5,12 +5,17 @@ import { GhostPlacement } from "./ghost_placement";
 import { headingOf, hipsTurn, isPose, JOINT, POSE_FLOATS, type Role, restPose } from "./humanoid";
 import { Mannequin } from "./mannequin/mannequin";
 import { BodyLook, GhostLook } from "./mannequin/materials";
+import { OnionSkin } from "./onion_skin";
+import { MotionTrail } from "./stage/motion_trail";
 import type { CameraView } from "./stage/orbit_camera";
 import { Stage } from "./stage/stage";
 import { THEMES, type ThemeName } from "./themes";
 
 /** Where the ghost of the input is: at the character's right, in its place and behind it, or nowhere. */
 export type GhostMode = "beside" | "overlay" | "off";
+
+/** What is drawn of the moments before and after: nothing, lines of hands, feet and head, or whole bodies as well. */
+export type TraceMode = "off" | "lines" | "onion";
 
 /** Options of a viewer. */
 export interface ViewerOptions {
@@ -79,6 +84,9 @@ export class Viewer {
   #changed = true;
   readonly #placement = new GhostPlacement();
   readonly #input = restPose();
+  readonly #trail = new MotionTrail();
+  #onion: OnionSkin | undefined;
+  #trace: TraceMode = "off";
   #ghostFade = 1;
   /** Whether the camera follows the character. */
   follow: boolean;
@@ -93,11 +101,12 @@ export class Viewer {
     const { detail, shading } = this.#stage.quality;
     this.#body = new Mannequin((uniforms) => new BodyLook(uniforms, shading), detail);
     this.#ghost = new Mannequin((uniforms) => new GhostLook(uniforms), detail);
-    this.#stage.scene.add(this.#body.object, this.#ghost.object);
+    this.#stage.scene.add(this.#body.object, this.#ghost.object, this.#trail.object);
     this.#stage.onQuality = ({ taps, detail, shading }) => {
       this.#body.look.setQuality(shading, taps);
       this.#body.setDetail(detail);
       this.#ghost.setDetail(detail);
+      this.#onion?.setDetail(detail);
     };
     this.#stage.onInvalid = () => {
       this.#changed = true;
@@ -140,6 +149,23 @@ export class Viewer {
     this.#applyGhost();
   }
 
+  /** What is drawn of the moments before and after; it needs the clip of {@link setPath}. */
+  get trace(): TraceMode {
+    return this.#trace;
+  }
+
+  set trace(mode: TraceMode) {
+    if (mode === this.#trace) return;
+    this.#trace = mode;
+    this.#changed = true;
+    this.#trail.object.visible = mode !== "off";
+    this.#onion?.dispose();
+    this.#onion = undefined;
+    if (mode !== "onion") return;
+    this.#onion = new OnionSkin(THEMES[this.#theme], this.#body.proportions, this.#stage.quality.detail);
+    this.#stage.scene.add(this.#onion.object);
+  }
+
   /** Names above the heads; an empty one is not drawn. */
   set labels(labels: { styled: string; input: string }) {
     this.#labels = labels;
@@ -176,6 +202,8 @@ export class Viewer {
     this.#changed = true;
     this.#body.setProportions(proportions);
     this.#ghost.setProportions(proportions);
+    this.#onion?.setProportions(proportions);
+    this.#trail.setClip(this.#clip, this.#body.fit.proportions);
   }
 
   /** Takes the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
@@ -208,6 +236,7 @@ export class Viewer {
     this.#changed = true;
     this.#clip = poses;
     this.#stage.path.setClip(poses);
+    this.#trail.setClip(poses, this.#body.fit.proportions);
   }
 
   /** Fractional frame of the path's clip that is on screen. */
@@ -289,6 +318,8 @@ export class Viewer {
   dispose(): void {
     this.#body.dispose();
     this.#ghost.dispose();
+    this.#trail.dispose();
+    this.#onion?.dispose();
     this.#stage.dispose();
   }
 
@@ -302,6 +333,7 @@ export class Viewer {
     footprints.draw(dtSecs, fit.stature);
     path.push(hips.x, hips.z);
     path.draw(hips.x, hips.z, this.#pathFrame, this.#pathTurn());
+    this.#drawTrace();
     this.#placeGhost(dtSecs);
   }
 
@@ -310,6 +342,8 @@ export class Viewer {
     this.#body.look.setTheme(theme);
     this.#ghost.look.setTheme(theme);
     this.#stage.setTheme(theme);
+    this.#trail.setTheme(theme);
+    this.#onion?.setTheme(theme);
     this.#applyLabels();
   }
 
@@ -336,6 +370,25 @@ export class Viewer {
     if (!clip) return 0;
     const frame = MathUtils.clamp(Math.round(this.#pathFrame), 0, clip.length / POSE_FLOATS - 1);
     return hipsTurn(this.#body.pose) - hipsTurn(clip, frame);
+  }
+
+  /** Lays the moments before and after along the character, as the clip has them. */
+  #drawTrace(): void {
+    const clip = this.#clip;
+    if (this.#trace === "off" || !clip) return;
+    const turn = this.#pathTurn();
+    const [c, s] = [Math.cos(turn), Math.sin(turn)];
+    const frames = clip.length / POSE_FLOATS;
+    const at = MathUtils.clamp(this.#pathFrame, 0, frames - 1);
+    const [i, t] = [Math.floor(at), at - Math.floor(at)];
+    const root = (axis: 0 | 2) => {
+      const a = clip[i * POSE_FLOATS + axis]!;
+      return a + (clip[Math.min(i + 1, frames - 1) * POSE_FLOATS + axis]! - a) * t;
+    };
+    const [x, z] = [root(0), root(2)];
+    const placement = { turn, x: hips.x - c * x - s * z, z: hips.z - c * z + s * x };
+    this.#trail.draw(this.#pathFrame, placement);
+    this.#onion?.place(clip, this.#pathFrame, placement);
   }
 
   #placeGhost(dtSecs: number): void {

@@ -10,6 +10,7 @@ const KEYS: readonly [keys: string, does: string][] = [
   ["I O", "play from here, or to here; U plays all"],
   ["K", "style key here: styles change from key to key"],
   ["G", "ghost of the input: beside, in the same place, off"],
+  ["T", "motion trail: lines, the body before and after, off"],
   ["F", "follow the character"],
   ["H", "hide or show the panels"],
   ["X", "the other of two settings, A or B"],

@@ -21,6 +21,7 @@ export class Mannequin<L extends Look> {
   readonly #rows = new SlotRows();
   readonly #pose: Float32Array = restPose();
   #fit: Fit = fitTo(DEFAULT_PROPORTIONS);
+  #proportions: ArrayLike<number> = DEFAULT_PROPORTIONS;
   #detail: number;
 
   /** `look` makes the materials around the mannequin's uniforms; `detail` is that of the geometry, at most 1. */
@@ -54,6 +55,11 @@ export class Mannequin<L extends Look> {
     return this.#pose;
   }
 
+  /** The bone offsets that it was given. */
+  get proportions(): ArrayLike<number> {
+    return this.#proportions;
+  }
+
   /** How the body was fitted to its proportions. */
   get fit(): Fit {
     return this.#fit;
@@ -74,6 +80,7 @@ export class Mannequin<L extends Look> {
 
   /** Takes bone offsets, 21 × xyz in metres (see `fit.ts` for what follows them). */
   setProportions(proportions: ArrayLike<number>): void {
+    this.#proportions = proportions;
     this.#fit = fitTo(proportions);
     this.setPose(this.#pose);
   }
