@@ -14,6 +14,8 @@ class InlineWorker implements WorkerPort {
   received: Request[] = [];
   /** Set: the next call of this method fails as if the engine had trapped. */
   faultAt: string | undefined;
+  /** Set: nothing is answered any more, as if the browser had ended the worker. */
+  deaf = false;
   private readonly server: Parameters<typeof serve>[0];
 
   constructor() {
@@ -29,6 +31,7 @@ class InlineWorker implements WorkerPort {
   }
 
   postMessage(message: Request): void {
+    if (this.deaf) return;
     const data = structuredClone(message);
     this.received.push(data);
     if (data.kind === "call" && data.method === this.faultAt) {
@@ -56,13 +59,13 @@ afterEach(() => {
   InlineWorker.started = [];
 });
 
-async function connect(): Promise<StrutClient> {
-  client = await createStrutClient(() => new InlineWorker());
+async function connect(silenceMs?: number): Promise<StrutClient> {
+  client = await createStrutClient(() => new InlineWorker(), silenceMs);
   return client;
 }
 
-async function openDemo() {
-  const client = await connect();
+async function openDemo(silenceMs?: number) {
+  const client = await connect(silenceMs);
   const database = await client.openDatabase({ kind: "demo" });
   const [name] = await client.builtInInputs();
   const input = await client.openInput({ kind: "built-in", name: name! });
@@ -219,6 +222,16 @@ describe("after a fault", () => {
     worker().onerror?.({ message: "out of memory" } as ErrorEvent);
     await outcome;
     expect(await restart).toContain("out of memory");
+  });
+
+  test("a worker that says nothing any more is replaced", async () => {
+    const { client } = await openDemo(400);
+    const before = await client.seek(50);
+    worker().deaf = true;
+    const restart = restarted(client);
+    await expect(client.step(0.1)).rejects.toMatchObject({ code: "fault" });
+    expect(await restart).toContain("does not answer");
+    expect((await client.step(0)).inputFrame).toBeCloseTo(before.inputFrame, 5);
   });
 
   test("what fails again at once is not opened a third time", async () => {

@@ -26,10 +26,14 @@ export interface WorkerPort {
 /**
  * Starts a worker and waits until its engine is loaded.
  * @param spawn starts the worker; the default is `worker.ts` in a module worker
+ * @param silenceMs a worker that says nothing for so long, though it was asked, is replaced
  * @throws StrutError if the engine cannot be loaded
  */
-export async function createStrutClient(spawn: () => WorkerPort = spawnWorker): Promise<StrutClient> {
-  const client = new WorkerClient(spawn);
+export async function createStrutClient(
+  spawn: () => WorkerPort = spawnWorker,
+  silenceMs = SILENCE_MS,
+): Promise<StrutClient> {
+  const client = new WorkerClient(spawn, silenceMs);
   await client.ready;
   return client;
 }
@@ -39,6 +43,7 @@ function spawnWorker(): WorkerPort {
 }
 
 interface Pending {
+  method: Method;
   resolve(value: Result<Method>): void;
   reject(error: StrutError): void;
   onProgress: ((progress: Progress) => void) | undefined;
@@ -53,6 +58,11 @@ interface Memory {
   inputFrame: number;
 }
 
+/** A worker that answers nothing for so long is taken to be dead. */
+const SILENCE_MS = 20_000;
+/** Calls during which a worker may be silent: it reads files in one piece, the rest is done in portions. */
+const SILENT: readonly Method[] = ["openDatabase", "openInput", "builtInInputs", "exportBvh"];
+
 class WorkerClient implements StrutClient {
   onRestart: ((message: string) => void) | undefined;
   /** Settles when the present worker takes calls. */
@@ -65,7 +75,12 @@ class WorkerClient implements StrutClient {
   /** Whether a frame was styled since the last start: without one a restart would only fail again. */
   private provenSinceStart = true;
 
-  constructor(private readonly spawn: () => WorkerPort) {
+  private silence: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    private readonly spawn: () => WorkerPort,
+    private readonly silenceMs: number,
+  ) {
     this.ready = this.start();
   }
 
@@ -145,7 +160,8 @@ class WorkerClient implements StrutClient {
     const cancel = () => worker.postMessage({ kind: "cancel", id });
     signal?.addEventListener("abort", cancel, { once: true });
     const answer = new Promise<Result<Method>>((resolve, reject) => {
-      this.pending.set(id, { resolve, reject, onProgress });
+      this.pending.set(id, { method, resolve, reject, onProgress });
+      this.watch(worker);
       worker.postMessage({ kind: "call", id, method, args } as Call);
     });
     return answer.finally(() => signal?.removeEventListener("abort", cancel)) as Promise<Result<M>>;
@@ -174,9 +190,21 @@ class WorkerClient implements StrutClient {
     });
   }
 
+  /** Waits for an answer: a worker that was ended from outside says nothing. */
+  private watch(worker: WorkerPort): void {
+    clearTimeout(this.silence);
+    this.silence = setTimeout(() => {
+      if (this.worker !== worker || this.pending.size === 0) return;
+      const reading = [...this.pending.values()].some(({ method }) => SILENT.includes(method));
+      if (reading) this.watch(worker);
+      else this.restart(fault("its worker does not answer"));
+    }, this.silenceMs);
+  }
+
   private receive(reply: Exclude<Reply, { kind: "ready" } | { kind: "not-ready" }>): void {
     const call = this.pending.get(reply.id);
     if (!call) return;
+    if (this.worker) this.watch(this.worker);
     if (reply.kind === "progress") {
       call.onProgress?.(reply.progress);
       return;
@@ -193,6 +221,7 @@ class WorkerClient implements StrutClient {
 
   /** Ends the worker; all that it had not answered is rejected. */
   private stop(error: StrutError): void {
+    clearTimeout(this.silence);
     this.worker?.terminate();
     this.worker = undefined;
     for (const call of this.pending.values()) call.reject(error);

@@ -4,6 +4,7 @@ import { button, Segment } from "../controls/buttons";
 import { icon } from "../controls/icons";
 import { Slider } from "../controls/slider";
 import { html, setText } from "../dom";
+import { Hints } from "../hints";
 import { Polygon } from "../polygon/polygon";
 import { isBeyondData, type Selection, toTriangle, vertexOrder } from "../polygon/selection";
 import { FIELDS, type PlayState, RANGES, type Side } from "../state";
@@ -20,28 +21,7 @@ import {
 } from "../style_settings";
 import { manner, numberWord } from "../words";
 
-const HINT = "Drag the point. Arrow keys move it; double-click a corner for all of it.";
 const BEYOND = "Beyond the data: joints are held at their limits.";
-/** Where it is remembered that the hint was taken. */
-const HINT_KEY = "strut.hint";
-
-/** Storage may be refused, as in a private window; then the hint comes again. */
-function hintWasTaken(): boolean {
-  try {
-    return localStorage.getItem(HINT_KEY) !== null;
-  } catch {
-    return false;
-  }
-}
-
-function rememberHint(): void {
-  try {
-    localStorage.setItem(HINT_KEY, "taken");
-  } catch {
-    // Nothing depends on it.
-  }
-}
-
 export class StylePanel {
   readonly element: HTMLElement;
   readonly polygon: Polygon;
@@ -54,13 +34,13 @@ export class StylePanel {
   readonly #caption = html("p", { class: "caption polygon-caption" });
   #database: DatabaseInfo | undefined;
   #vertices: readonly string[] = [];
-  #hint = !hintWasTaken();
+  readonly #hints = new Hints();
 
   constructor(store: Store, top: HTMLElement) {
     this.#store = store;
     this.polygon = new Polygon({
       onChange: (styles, gesture) => {
-        this.#takeHint();
+        this.#hints.follow("drag");
         store.edit(withStyles(store.state, styles), gesture);
       },
       onSettle: () => store.endGesture(),
@@ -153,7 +133,9 @@ export class StylePanel {
     this.#intensity.plausible = plausibleIntensity(selection);
     this.#side.value = side;
     this.#showParts(state);
-    setText(this.#caption, beyond ? BEYOND : this.#hint && this.#database ? HINT : "");
+    if (state.part) this.#hints.follow("part");
+    if (state.track.length > 0) this.#hints.follow("key");
+    setText(this.#caption, beyond ? BEYOND : this.#database ? this.#hints.text : "");
   }
 
   #showParts(state: Readonly<PlayState>): void {
@@ -176,11 +158,5 @@ export class StylePanel {
 
   #stylesFor(mode: "triangle" | "whole", styles: Selection): Selection {
     return mode === "whole" ? styles : toTriangle(styles, this.#vertices);
-  }
-
-  #takeHint(): void {
-    if (!this.#hint) return;
-    this.#hint = false;
-    rememberHint();
   }
 }

@@ -1,0 +1,168 @@
+/** What goes wrong around the page: a sentence, and nothing lost that was on screen. */
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import {
+  closePage,
+  dropFile,
+  eventually,
+  inputName,
+  launchBrowser,
+  openPage,
+  screenshot,
+  serveSite,
+  settledPose,
+  styledPose,
+  turnBetween,
+  visit,
+} from "./browser";
+
+declare const window: { strut: StrutHook };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+let page: Page;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
+  page = await openPage(browser, site.url);
+});
+afterAll(async () => {
+  await closePage(page).finally(async () => {
+    await browser.close();
+    await site.close();
+  });
+});
+
+const PAUSED = "play=0&frame=60&styles=proud:1,old:0,depressed:0";
+const notes = () => page.locator(".notices").textContent();
+
+describe("a worker that is killed", () => {
+  it("is replaced; style, frame and pose are as they were", async () => {
+    await visit(page, `${PAUSED}&parts=legs~old:1`);
+    const before = await settledPose(page);
+    const [worker] = page.workers();
+    await worker!.evaluate(() => {
+      setTimeout(() => {
+        throw new Error("killed for the test");
+      });
+    });
+    await eventually(notes).toMatch(/The engine stopped and was started again. Your settings are kept./);
+    await screenshot(page, "restarted");
+    expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);
+    await page.keyboard.press("Space");
+    await eventually(async () => turnBetween(before, await styledPose(page))).toBeGreaterThan(1);
+    await page.keyboard.press("Space");
+  });
+});
+
+describe("a lost graphics context", () => {
+  it("is survived: the picture comes back", async () => {
+    await visit(page, PAUSED);
+    const picture = () =>
+      page.locator(".stage canvas").evaluate(async (element) => {
+        const canvas = element as HTMLCanvasElement;
+        const copy = document.createElement("canvas");
+        [copy.width, copy.height] = [64, 64];
+        const context = copy.getContext("2d")!;
+        await new Promise(requestAnimationFrame);
+        context.drawImage(canvas, 0, 0, 64, 64);
+        const { data } = context.getImageData(0, 0, 64, 64);
+        return new Set(data).size;
+      });
+    await page.keyboard.press("Space");
+    await eventually(picture).toBeGreaterThan(40);
+    await page.locator(".stage canvas").evaluate(async (element) => {
+      const context = (element as HTMLCanvasElement).getContext("webgl2")!;
+      const extension = context.getExtension("WEBGL_lose_context")!;
+      extension.loseContext();
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      extension.restoreContext();
+    });
+    await eventually(picture).toBeGreaterThan(40);
+    await page.keyboard.press("Space");
+    expect(await page.getByRole("alert").textContent()).toBe("");
+  });
+});
+
+describe("a page that went offline", () => {
+  it("goes on, and says what it cannot load", async () => {
+    await visit(page, PAUSED);
+    const before = await settledPose(page);
+    await page.context().setOffline(true);
+    await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
+    await eventually(async () => turnBetween(before, await settledPose(page))).toBeGreaterThan(3);
+    await page.getByRole("link", { name: "Compare" }).click();
+    await eventually(() => page.getByRole("alert").textContent()).toMatch(/This view could not be loaded. Reload/);
+    expect(await page.evaluate(() => window.strut.state.view)).toBe("play");
+    await page.context().setOffline(false);
+    await page.getByRole("alert").getByRole("button", { name: "Dismiss" }).click();
+  });
+});
+
+describe("a file that vanishes while it is read", () => {
+  it("gets a sentence, and what was on screen stays", async () => {
+    await visit(page, PAUSED);
+    const before = await settledPose(page);
+    const input = await inputName(page);
+    await page.evaluate(() => {
+      File.prototype.arrayBuffer = () => Promise.reject(new DOMException("gone", "NotFoundError"));
+    });
+    await dropFile(page, "walk.bvh", "HIERARCHY");
+    await eventually(() => page.getByRole("alert").textContent()).toMatch(
+      /“walk.bvh” could not be read. Drop it again./,
+    );
+    expect(await inputName(page)).toBe(input);
+    expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);
+    await page.getByRole("alert").getByRole("button", { name: "Dismiss" }).click();
+  });
+});
+
+describe("a person who wants less motion", () => {
+  it("gets another camera at once, and the character still moves", async () => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await visit(page, PAUSED);
+    await settledPose(page);
+    const head = () => page.evaluate(() => window.strut.jointScreenPosition("left_hand").x);
+    await page.getByRole("radio", { name: "Front" }).check({ force: true });
+    await page.waitForTimeout(400);
+    const at = await head();
+    await page.waitForTimeout(800);
+    expect(Math.abs((await head()) - at)).toBeLessThan(0.5);
+    const before = await styledPose(page);
+    await page.keyboard.press("Space");
+    await eventually(async () => turnBetween(before, await styledPose(page))).toBeGreaterThan(1);
+    await page.emulateMedia({ reducedMotion: null });
+  });
+});
+
+describe("a tab that was hidden", () => {
+  it("goes on where it was, without a leap", async () => {
+    await visit(page, "loop=0&frame=0");
+    await page.keyboard.press("Home");
+    const other = await page.context().newPage();
+    await other.goto("about:blank");
+    await other.bringToFront();
+    const hidden = await page.evaluate(() => window.strut.frame!.inputFrame);
+    await other.waitForTimeout(1500);
+    await page.bringToFront();
+    const shown = await page.evaluate(() => window.strut.frame!.inputFrame);
+    expect(shown - hidden).toBeLessThan(150);
+    await other.close();
+  });
+});
+
+describe("the motion trail", () => {
+  it("is drawn as lines, with bodies, and not at all, in turn", async () => {
+    await visit(page, `${PAUSED}&ghost=off`);
+    await page.waitForFunction(() => window.strut.analysed);
+    const modes: string[] = [];
+    for (let i = 0; i < 3; i++) {
+      await page.keyboard.press("t");
+      modes.push(await page.evaluate(() => window.strut.state.trace));
+      await page.waitForTimeout(500);
+      await screenshot(page, `trail-${modes.at(-1)}`);
+    }
+    expect(modes).toEqual(["lines", "onion", "off"]);
+  });
+});
