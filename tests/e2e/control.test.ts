@@ -58,7 +58,7 @@ describe("a part of the body", () => {
     await page.keyboard.press("Control+z");
     expect(turnBetween(proud, await settledPose(page))).toBeLessThan(0.1);
     await page.keyboard.press("Control+Shift+z");
-    await page.getByRole("button", { name: "As the whole body" }).click();
+    await page.getByRole("button", { name: "Reset the body part" }).click();
     expect(turnBetween(proud, await settledPose(page))).toBeLessThan(0.1);
   });
 

@@ -8,7 +8,7 @@ import { html, setText } from "../dom";
 import { allOf } from "../polygon/selection";
 import { ProgressLine } from "../progress";
 import { type PlayState, SPEEDS } from "../state";
-import { isDark } from "../theme";
+import { isDark, onSystemTheme } from "../theme";
 import type { View, ViewHost } from "../views";
 import { errorText, isCancellation, manner, numberWord, spoken } from "../words";
 import { CompareColumn } from "./column";
@@ -107,9 +107,8 @@ class Compare implements View {
         html("label", { class: "compare-behind" }, "Behind", select(this.#behind)),
       ),
     );
-    store.subscribe((state, changed) => {
+    store.subscribe(() => {
       if (!this.#shown) return;
-      if (changed.has("theme") && this.#viewer) this.#viewer.theme = isDark(state.theme) ? "dark" : "light";
       this.refresh();
     });
   }
@@ -121,7 +120,9 @@ class Compare implements View {
   show(): void {
     this.#shown = true;
     this.#listening = new AbortController();
-    addEventListener("keydown", (event) => this.#onKey(event), { signal: this.#listening.signal });
+    const { signal } = this.#listening;
+    addEventListener("keydown", (event) => this.#onKey(event), { signal });
+    onSystemTheme(() => this.refresh(), signal);
     this.#frame = this.#host.playhead();
     this.refresh();
     this.#last = performance.now();
@@ -150,6 +151,7 @@ class Compare implements View {
     const session = this.#host.session();
     const { database, input } = session ?? {};
     const { state } = this.#host.store;
+    if (this.#viewer) this.#viewer.theme = isDark(state.theme) ? "dark" : "light";
     const columns = this.#columnNames();
     this.#showColumns(columns, state);
     this.#transport.show({ playing: state.playing, speed: state.speed });

@@ -67,7 +67,8 @@ export class StylePanel {
     this.#side.element.title = "Two settings to compare: B begins as a copy of A (X)";
     const random = button("Random styles", () => this.mixByChance(), { icon: "random", keys: "R" });
     this.#part.addEventListener("change", () => store.edit({ part: this.#part.value as BodyPart | "" }));
-    this.#follow = button("As the whole body", () => this.#letPartFollow(), { label: true, class: "plain" });
+    this.#follow = button("Reset", () => this.#letPartFollow(), { label: true, class: "plain" });
+    this.#follow.setAttribute("aria-label", "Reset the body part");
     this.#follow.title = "Let this part follow the whole body again";
     this.#intensity = new Slider("Intensity", RANGES.intensity, FIELDS.intensity.initial, {
       onInput: (intensity) => store.edit({ intensity }, "intensity"),

@@ -1,0 +1,158 @@
+// npm run budget [-- --minutes N --json FILE]: the page's budgets (DESIGN §8), measured in Chromium on the built site:
+// size, the time to the first moving character, the longest task on the main thread while a long clip is styled, and the
+// growth of memory while the styles change. Figures depend on the machine; it says which it was.
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { cpus, tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { parseArgs } from "node:util";
+import { chromium } from "playwright-core";
+import { preview } from "vite";
+import { checkSize } from "../scripts/size.mjs";
+import { main, root, Sentence } from "../scripts/steps.mjs";
+
+const FLAGS = [
+  "--no-sandbox",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-background-networking",
+];
+/** Visits that the first character is timed in. */
+const VISITS = 5;
+/** Least frames of the clip that is styled. */
+const LONG_CLIP = 2000;
+/** Time in which the stage finds the quality that the machine can draw. */
+const SETTLING_MS = 8000;
+const BUDGET = { firstCharacterMs: 2000, longestTaskMs: 50, growthPercent: 5 };
+
+const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
+
+/** Runs in the page before its scripts: when the character first moved, and every long task. */
+function observe() {
+  window.budget = { tasks: [] };
+  new PerformanceObserver((list) => {
+    for (const { startTime, duration } of list.getEntries()) window.budget.tasks.push({ startTime, duration });
+  }).observe({ type: "longtask", buffered: true });
+  const look = () => {
+    if ((window.strut?.frame?.inputFrame ?? 0) > 0) window.budget.firstMs = performance.now();
+    else requestAnimationFrame(look);
+  };
+  requestAnimationFrame(look);
+}
+
+async function open(browser, url, viewport = { width: 1440, height: 900 }) {
+  const context = await browser.newContext({ viewport, acceptDownloads: true });
+  const page = await context.newPage();
+  await page.addInitScript(observe);
+  await page.goto(url);
+  await page.waitForFunction(() => window.budget?.firstMs !== undefined, undefined, { timeout: 60_000 });
+  return page;
+}
+
+async function firstCharacter(browser, url) {
+  const times = [];
+  for (let i = 0; i < VISITS; i++) {
+    const page = await open(browser, url);
+    times.push(await page.evaluate(() => window.budget.firstMs));
+    await page.context().close();
+  }
+  return median(times);
+}
+
+/** The built-in walk several times over, as a BVH of at least LONG_CLIP frames. */
+async function longClip(page) {
+  await page.locator(".bar-action.outlined").click();
+  const item = page.locator(".export-menu").getByRole("button", { name: /^BVH/ });
+  const [download] = await Promise.all([page.waitForEvent("download"), item.click()]);
+  const chunks = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  const text = Buffer.concat(chunks).toString();
+  const [head, motion] = text.split(/(?<=Frame Time:.*\n)/);
+  const frames = motion.trim().split("\n");
+  const times = Math.ceil(LONG_CLIP / frames.length);
+  const rows = Array.from({ length: times }, () => frames).flat();
+  return `${head.replace(/Frames:\s*\d+/, `Frames: ${rows.length}`)}${rows.join("\n")}\n`;
+}
+
+async function longestTask(browser, url) {
+  // A small picture that has found its quality: without a graphics card drawing would be all that is measured.
+  const page = await open(browser, url, { width: 500, height: 640 });
+  await page.waitForFunction(() => window.strut.analysed);
+  const folder = mkdtempSync(join(tmpdir(), "strut-"));
+  const file = join(folder, "long.bvh");
+  writeFileSync(file, await longClip(page));
+  await page.waitForTimeout(SETTLING_MS);
+  const since = await page.evaluate(() => performance.now());
+  await page.locator(".drop-overlay input[type=file]").setInputFiles(file);
+  await page.waitForFunction(() => window.strut.analysed === false);
+  await page.waitForFunction(() => window.strut.analysed, undefined, { timeout: 120_000 });
+  const tasks = await page.evaluate((t) => window.budget.tasks.filter(({ startTime }) => startTime > t), since);
+  await page.context().close();
+  rmSync(folder, { recursive: true });
+  return Math.max(0, ...tasks.map(({ duration }) => duration));
+}
+
+async function growth(browser, url, minutes) {
+  const page = await open(browser, url);
+  await page.waitForFunction(() => window.strut.analysed);
+  const client = await page.context().newCDPSession(page);
+  await client.send("Performance.enable");
+  const heap = async () => {
+    await client.send("HeapProfiler.collectGarbage");
+    const { metrics } = await client.send("Performance.getMetrics");
+    return metrics.find(({ name }) => name === "JSHeapUsedSize").value;
+  };
+  const change = async (until) => {
+    while (performance.now() < until) {
+      await page.keyboard.press(String(1 + Math.floor(Math.random() * 8)));
+      await page.waitForTimeout(1000);
+    }
+  };
+  await change(performance.now() + 10_000);
+  const before = await heap();
+  await change(performance.now() + minutes * 60_000);
+  const after = await heap();
+  await page.context().close();
+  return (100 * (after - before)) / before;
+}
+
+await main(async () => {
+  const { values } = parseArgs({
+    options: { minutes: { type: "string", default: "1" }, json: { type: "string" } },
+  });
+  const minutes = Number(values.minutes);
+  if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
+  if (!existsSync(resolve(root, "dist/index.html"))) throw new Sentence("dist/ is missing; run 'npm run build' first.");
+  const server = await preview({
+    root: resolve(root, "web/playground"),
+    configFile: resolve(root, "vite.config.ts"),
+    preview: { port: 0, strictPort: false, open: false },
+    logLevel: "error",
+  });
+  const url = server.resolvedUrls.local[0];
+  const browser = await chromium.launch({
+    executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
+    args: FLAGS,
+  });
+  const figures = {
+    machine: `${cpus().length} × ${cpus()[0].model}`,
+    size: checkSize(),
+    first_character_ms: Math.round(await firstCharacter(browser, url)),
+    longest_task_ms: Math.round(await longestTask(browser, url)),
+    heap_growth_percent: Number((await growth(browser, url, minutes)).toFixed(1)),
+    minutes,
+  };
+  await browser.close();
+  await server.close();
+  console.log(`machine          ${figures.machine}`);
+  console.log(`size             ${figures.size}`);
+  console.log(
+    `first character  ${figures.first_character_ms} of ${BUDGET.firstCharacterMs} ms (median of ${VISITS} visits)`,
+  );
+  console.log(
+    `longest task     ${figures.longest_task_ms} of ${BUDGET.longestTaskMs} ms while ${LONG_CLIP} frames are styled`,
+  );
+  console.log(
+    `heap growth      ${figures.heap_growth_percent} of ${BUDGET.growthPercent} % in ${minutes} min of changing styles`,
+  );
+  if (values.json) writeFileSync(values.json, `${JSON.stringify(figures, undefined, 2)}\n`);
+});

@@ -1,0 +1,157 @@
+/**
+ * What the page looks like: pictures of every view, in both themes, wide and narrow and in the middle of things, beside
+ * those that a person has looked at (`pictures/`). STRUT_UPDATE_PICTURES=1 writes them anew: look at them.
+ */
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { resolve } from "node:path";
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import { closePage, launchBrowser, openPage, serveSite, visit } from "../e2e/browser";
+
+declare const window: { strut: StrutHook };
+
+const PICTURES = resolve(import.meta.dirname, "pictures");
+const UPDATE = process.env.STRUT_UPDATE_PICTURES === "1";
+const WIDE = { width: 1440, height: 900 };
+const NARROW = { width: 390, height: 844 };
+
+/** Pixels of the halved picture that may differ: edges fall otherwise on other graphics hardware. */
+const MOST_DIFFERENT = 0.02;
+/** Difference of a colour channel, 0–255, from which a pixel differs. */
+const DIFFERENT = 28;
+
+/** The same second of the same motion everywhere. */
+const SECOND = "play=0&frame=160&styles=proud:0.62,old:0.12,childlike:0.26";
+
+interface Case {
+  name: string;
+  hash: string;
+  size: { width: number; height: number };
+  theme: "dark" | "light";
+  /** What a person is in the middle of. */
+  act?: (page: Page) => Promise<void>;
+}
+
+/** Holds the handle of the polygon half way to a corner. */
+async function dragHandle(page: Page): Promise<void> {
+  const handle = (await page.getByRole("slider", { name: "Style", exact: true }).boundingBox())!;
+  const to = (await page.locator('.vertex[data-style="old"] .vertex-dot').boundingBox())!;
+  await page.mouse.move(handle.x + handle.width / 2, handle.y + handle.height / 2);
+  await page.mouse.down();
+  await page.mouse.move((handle.x + to.x) / 2, (handle.y + to.y) / 2, { steps: 5 });
+}
+
+const CASES: readonly Case[] = [
+  { name: "play-wide-dark", hash: SECOND, size: WIDE, theme: "dark" },
+  { name: "play-wide-light", hash: SECOND, size: WIDE, theme: "light" },
+  { name: "play-narrow-dark", hash: SECOND, size: NARROW, theme: "dark" },
+  { name: "play-narrow-light-curves", hash: `${SECOND}&tab=curves`, size: NARROW, theme: "light" },
+  { name: "play-dragging", hash: SECOND, size: WIDE, theme: "dark", act: dragHandle },
+  {
+    name: "play-track-trail-light",
+    hash: `${SECOND}&track=60~proud:1,old:0,childlike:0;600~proud:0,old:1,childlike:0&key=1&range=60-620&trail=onion&ghost=off`,
+    size: WIDE,
+    theme: "light",
+  },
+  { name: "play-beyond", hash: `${SECOND}&intensity=1.9&part=legs&parts=legs~angry:1`, size: WIDE, theme: "dark" },
+  { name: "compare-wide-light", hash: `${SECOND}&view=compare`, size: WIDE, theme: "light" },
+  {
+    name: "compare-wide-dark",
+    hash: `${SECOND}&view=compare&columns=input,mar&behind=input`,
+    size: WIDE,
+    theme: "dark",
+  },
+  { name: "compare-narrow-dark", hash: `${SECOND}&view=compare`, size: NARROW, theme: "dark" },
+  { name: "data-wide-light", hash: "view=data", size: WIDE, theme: "light" },
+  { name: "data-narrow-dark", hash: "view=data", size: NARROW, theme: "dark" },
+];
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+let page: Page;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
+  page = await openPage(browser, site.url, { size: WIDE });
+  // What is measured is never the same twice.
+  await page.addStyleTag({
+    content: ".read-out, .compare-table > div:last-child, .notices { visibility: hidden }",
+  });
+  mkdirSync(PICTURES, { recursive: true });
+});
+afterAll(async () => {
+  await closePage(page).finally(async () => {
+    await browser.close();
+    await site.close();
+  });
+});
+
+/** The picture once nothing moves any more: the stage draws a finer one when it has stood still for a while. */
+async function stillPicture(): Promise<Buffer> {
+  let before = await page.screenshot();
+  for (let i = 0; i < 20; i++) {
+    await page.waitForTimeout(800);
+    const now = await page.screenshot();
+    if (now.equals(before)) return now;
+    before = now;
+  }
+  return before;
+}
+
+/** Half the picture's size as WebP, and how much it differs from a picture that was kept. */
+function compare(picture: Buffer, kept: Buffer | undefined): Promise<{ webp: string; different: number }> {
+  const url = (bytes: Buffer, type: string) => `data:image/${type};base64,${bytes.toString("base64")}`;
+  return page.evaluate(
+    async ({ picture, kept, threshold }) => {
+      const load = async (source: string) => {
+        const image = new Image();
+        image.src = source;
+        await image.decode();
+        return image;
+      };
+      const draw = (image: HTMLImageElement, width: number, height: number) => {
+        const canvas = document.createElement("canvas");
+        [canvas.width, canvas.height] = [width, height];
+        const context = canvas.getContext("2d", { willReadFrequently: true })!;
+        context.imageSmoothingQuality = "high";
+        context.drawImage(image, 0, 0, width, height);
+        return { canvas, data: context.getImageData(0, 0, width, height).data };
+      };
+      const now = await load(picture);
+      const [width, height] = [now.width / 2, now.height / 2];
+      const half = draw(now, width, height);
+      const webp = half.canvas.toDataURL("image/webp", 0.9);
+      if (!kept) return { webp, different: 1 };
+      const before = draw(await load(kept), width, height);
+      const after = draw(await load(webp), width, height);
+      let count = 0;
+      for (let i = 0; i < after.data.length; i += 4)
+        if ([0, 1, 2].some((k) => Math.abs(after.data[i + k]! - before.data[i + k]!) > threshold)) count++;
+      return { webp, different: count / (width * height) };
+    },
+    { picture: url(picture, "png"), kept: kept && url(kept, "webp"), threshold: DIFFERENT },
+  );
+}
+
+describe("the page looks as it did when it was last looked at", () => {
+  for (const { name, hash, size, theme, act } of CASES)
+    it(name, async () => {
+      await page.setViewportSize(size);
+      await page.emulateMedia({ colorScheme: theme });
+      await visit(page, hash);
+      await page.waitForFunction(() => window.strut.analysed && window.strut.upToDate);
+      await page.mouse.move(1, 1);
+      await act?.(page);
+      const picture = await stillPicture();
+      if (act) await page.mouse.up();
+      const file = resolve(PICTURES, `${name}.webp`);
+      const { webp, different } = await compare(picture, existsSync(file) ? readFileSync(file) : undefined);
+      if (UPDATE) {
+        writeFileSync(file, Buffer.from(webp.split(",")[1]!, "base64"));
+        return;
+      }
+      expect(existsSync(file), `${file} is missing; STRUT_UPDATE_PICTURES=1 makes it`).toBe(true);
+      expect(different).toBeLessThan(MOST_DIFFERENT);
+    });
+});
