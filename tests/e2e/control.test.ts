@@ -34,7 +34,7 @@ afterAll(async () => {
 
 const PAUSED = "play=0&frame=60&footplant=0&styles=proud:1,old:0,depressed:0";
 const state = () => page.evaluate(() => window.strut.state);
-const part = () => page.getByLabel("Body part");
+const part = () => page.getByLabel("Body part", { exact: true });
 
 /** Turn of one joint between two poses, degrees. */
 function turnOf(role: Role, a: readonly number[], b: readonly number[]): number {

@@ -63,8 +63,6 @@ const CASES: readonly Case[] = [
     theme: "dark",
   },
   { name: "compare-narrow-dark", hash: `${SECOND}&view=compare`, size: NARROW, theme: "dark" },
-  { name: "data-wide-light", hash: "view=data", size: WIDE, theme: "light" },
-  { name: "data-narrow-dark", hash: "view=data", size: NARROW, theme: "dark" },
 ];
 
 let browser: Browser;
