@@ -227,8 +227,14 @@ export class Stage {
     this.#width = clientWidth;
     this.#height = clientHeight;
     const ratio = pixelRatio(this.quality, clientWidth * clientHeight, devicePixelRatio, this.#still);
-    this.#renderer.setPixelRatio(ratio);
-    this.#renderer.setSize(clientWidth, clientHeight);
+    const { canvas } = this;
+    // Every assignment to the canvas's size gives it new memory, once the pictures before it are drawn: one each at most.
+    const unchanged =
+      canvas.width === Math.floor(clientWidth * ratio) && canvas.height === Math.floor(clientHeight * ratio);
+    if (!unchanged || this.#renderer.getPixelRatio() !== ratio)
+      this.#renderer.setDrawingBufferSize(clientWidth, clientHeight, ratio);
+    canvas.style.width = `${clientWidth}px`;
+    canvas.style.height = `${clientHeight}px`;
     this.#renderer.setScissorTest(this.#columns > 1);
     this.view.resize(clientWidth / this.#columns, clientHeight);
   }
