@@ -175,6 +175,11 @@ export class Build {
     const progress = (stage: string, done: number, total: number) => onProgress(stage as BuildStage, done, total);
     return databaseOf(guarded(() => this.raw.build(DATABASE_HZ, { progress })));
   }
+
+  /** Gives up what was added. */
+  dispose(): void {
+    this.raw.free();
+  }
 }
 
 /** What was built, which is freed. */

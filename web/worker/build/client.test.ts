@@ -148,34 +148,38 @@ describe("a build", () => {
     );
   });
 
-  test("tells how far it is, can be cancelled, and then done again", async () => {
+  test("tells how far it is, can be cancelled, and goes on with what was read", async () => {
     connect();
-    await client.open([file("walk_neutral_1.bvh", walks.neutral), file("walk_old_1.bvh", walks.old)]);
-    const chosen = ["neutral", "old"].map(
-      (style, index): ChosenFile => ({
-        index,
-        path: `walk_${style}_1.bvh`,
-        licence: "",
-        action: "walk",
-        style,
-        take: undefined,
-        roles: undefined,
-      }),
-    );
+    const chosen = Array.from({ length: 12 }, (_, index): ChosenFile => {
+      const style = index < 6 ? "neutral" : "old";
+      const path = `walk_${style}_${index % 6}.bvh`;
+      return { index, path, licence: "", action: "walk", style, take: undefined, roles: undefined };
+    });
+    await client.open(chosen.map(({ path, style }) => file(path, walks[style as "neutral" | "old"])));
     const controller = new AbortController();
     const cancelled = client.build(chosen, "neutral", {
       signal: controller.signal,
-      onProgress: () => controller.abort(),
+      onProgress: ({ label }) => label.endsWith(" 3 done.") && controller.abort(),
     });
     await expect(cancelled).rejects.toMatchObject({ code: "cancelled" });
-    expect(workers.map(({ terminated }) => terminated)).toEqual([true]);
 
     const fractions: number[] = [];
-    const built = await client.build(chosen, "neutral", { onProgress: ({ fraction }) => fractions.push(fraction) });
-    expect(built.clips).toBe(2);
+    const labels: string[] = [];
+    const built = await client.build(chosen, "neutral", {
+      onProgress: ({ label, fraction }) => {
+        labels.push(label);
+        fractions.push(fraction);
+      },
+    });
+    expect(built.clips).toBe(12);
+    expect(labels[0]).toMatch(/^Reading 12 clips, ([3-9]|1\d) done\.$/);
     expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
     // A module's memory never shrinks: the worker goes when the build is done.
-    expect(workers.map(({ terminated }) => terminated)).toEqual([true, true]);
-    expect(workers[1]!.received.map(({ method }) => method)).toEqual(["open", "build"]);
+    expect(workers.map(({ terminated }) => terminated)).toEqual([true]);
+    expect(workers[0]!.received.map(({ method }) => method)).toEqual(["open", "build", "pause", "build"]);
+
+    // Another build has other clips.
+    const other = client.build(chosen.slice(0, 1), "neutral");
+    expect((await other).clips).toBe(1);
   });
 });

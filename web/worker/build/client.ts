@@ -22,6 +22,9 @@ export interface BuildWorkerPort {
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
+/** A worker that reads hears of a cancellation within this time; one that registers does not. */
+const PATIENCE_MS = 1000;
+
 /** @param spawn starts a worker; the default is `build_worker.ts` in a module worker */
 export function createBuildClient(spawn: () => BuildWorkerPort = spawnWorker): BuildClient {
   return new WorkerBuildClient(spawn);
@@ -44,6 +47,8 @@ class WorkerBuildClient implements BuildClient {
   private lastId = 0;
   /** What a new worker must be told to have the same clips; it is only named here, the browser holds the files. */
   private files: DroppedFile[] = [];
+  /** Settles when it is clear whether the worker goes on after a build was cancelled. */
+  private pausing: Promise<void> = Promise.resolve();
 
   constructor(private readonly spawn: () => BuildWorkerPort) {}
 
@@ -65,13 +70,41 @@ class WorkerBuildClient implements BuildClient {
     return this.call({ method: "preview", index, roles });
   }
 
-  async build(files: ChosenFile[], neutral: string, options?: CallOptions): Promise<BuiltDatabase> {
+  async build(files: ChosenFile[], neutral: string, options: CallOptions = {}): Promise<BuiltDatabase> {
+    await this.pausing;
+    const { signal, ...others } = options;
+    if (signal?.aborted) throw cancelled();
+    const pause = () => {
+      this.pausing = this.pause();
+    };
+    signal?.addEventListener("abort", pause, { once: true });
     try {
-      return await this.call({ method: "build", files, neutral }, options);
+      return await this.call({ method: "build", files, neutral }, others);
     } finally {
+      signal?.removeEventListener("abort", pause);
       // A module's memory never shrinks: the build's goes with its worker.
-      this.stop(cancelled());
+      if (!signal?.aborted) this.stop(cancelled());
     }
+  }
+
+  /** Cancels the build at once. The worker keeps what it has read, unless it is too busy to hear of it. */
+  private async pause(): Promise<void> {
+    const { worker } = this;
+    for (const [id, call] of this.pending) {
+      call.reject(cancelled());
+      this.pending.delete(id);
+    }
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const patience = new Promise<boolean>((resolve) => {
+      timer = setTimeout(() => resolve(false), PATIENCE_MS);
+    });
+    const heard = this.post({ method: "pause" }, {}, undefined).then(
+      () => true,
+      () => true,
+    );
+    const paused = await Promise.race([heard, patience]);
+    clearTimeout(timer);
+    if (!paused && this.worker === worker) this.stop(cancelled());
   }
 
   async addStyle(database: Blob | undefined, clip: File, style: string, options?: CallOptions): Promise<BuiltDatabase> {

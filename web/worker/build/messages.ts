@@ -10,6 +10,8 @@ export type BuildCall =
   | { method: "readAll" }
   | { method: "preview"; index: number; roles: Roles | undefined }
   | { method: "build"; files: ChosenFile[]; neutral: string }
+  /** Stops the build under way where it can go on later. */
+  | { method: "pause" }
   | { method: "addStyle"; database: Blob | undefined; clip: File; style: string };
 
 /** What each call is answered with. */
@@ -19,6 +21,7 @@ export interface BuildResults {
   readAll: undefined;
   preview: Preview;
   build: BuiltDatabase;
+  pause: undefined;
   addStyle: BuiltDatabase;
 }
 

@@ -1,10 +1,21 @@
 /** The build worker's side of the wire: the files that are open, and what is made of them. */
-import { DatabaseBuilder } from "../../engine/build/builder";
+import { type Build, DatabaseBuilder } from "../../engine/build/builder";
 import { loadBuiltIn } from "../../engine/built_in";
-import { toStrutError } from "../../engine/errors";
+import { cancelled, toStrutError } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
+import { otherMessages } from "../portions";
 import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
-import type { BuiltDatabase, ChosenFile, DroppedFile, Found, Labelled, ReadClip, ReadNews, Skeleton } from "./protocol";
+import type {
+  BuiltDatabase,
+  ChosenFile,
+  DroppedFile,
+  Found,
+  Labelled,
+  ReadClip,
+  ReadNews,
+  RefusedFile,
+  Skeleton,
+} from "./protocol";
 import { findSources, folderOf, LICENCE_NAMES, reasonOf, type Source } from "./sources";
 
 /** As much of a worker's global scope as the server needs. */
@@ -48,6 +59,9 @@ class BuildServer {
   private clips: Source[] = [];
   /** Every other call is about the files that were opened before it. */
   private opening: Promise<Found> | undefined;
+  /** A build that was not finished, with what was read for it. */
+  private begun: { key: string; build: Build; read: number; unread: RefusedFile[] } | undefined;
+  private pauseAsked = false;
 
   constructor(private readonly loading: Promise<DatabaseBuilder>) {
     // Whoever calls first hears of it.
@@ -55,6 +69,10 @@ class BuildServer {
   }
 
   async answer(call: BuildCall, caller: Caller): Promise<BuildResults[BuildCall["method"]]> {
+    if (call.method === "pause") {
+      this.pauseAsked = true;
+      return undefined;
+    }
     if (call.method === "open") {
       this.opening = this.loading.then((builder) => this.open(builder, call.files));
       return this.opening;
@@ -77,6 +95,7 @@ class BuildServer {
   private async open(builder: DatabaseBuilder, files: DroppedFile[]): Promise<Found> {
     const { clips, licences, notes } = await findSources(files);
     this.clips = clips;
+    this.forgetBuild();
     const titles = await titlesOf(builder, licences);
     return {
       clips: clips.map(({ path }) => ({ path, licence: titles.get(folderOf(path)) ?? "" })),
@@ -140,19 +159,38 @@ class BuildServer {
   ): Promise<BuiltDatabase> {
     const total = files.length;
     const byPath = new Map(files.map((file) => [file.path, file]));
-    const build = builder.begin(files, neutral);
-    const unread: BuiltDatabase["refused"] = [];
-    for (const [done, path] of build.order.entries()) {
+    const key = JSON.stringify([files, neutral]);
+    if (this.begun?.key !== key) {
+      this.forgetBuild();
+      this.begun = { key, build: builder.begin(files, neutral), read: 0, unread: [] };
+    }
+    const { begun } = this;
+    const { build, unread } = begun;
+    this.pauseAsked = false;
+    while (begun.read < build.order.length) {
+      const done = begun.read;
+      const path = build.order[done]!;
       caller.report({ label: `Reading ${total} clips, ${done} done.`, fraction: (SHARES.reading * done) / total });
       const { index, roles } = byPath.get(path)!;
+      const bytes = await this.clips[index]!.read().catch((thrown) => reasonOf(thrown));
+      await otherMessages();
+      if (this.pauseAsked) throw cancelled();
       try {
-        build.add(path, await this.clips[index]!.read(), roles);
+        if (typeof bytes === "string") unread.push({ path, reason: bytes });
+        else build.add(path, bytes, roles);
       } catch (thrown) {
         unread.push({ path, reason: reasonOf(thrown) });
       }
+      begun.read += 1;
     }
+    this.begun = undefined;
     const database = build.finish((stage, done, of) => caller.report(buildProgress(stage, done, of)));
     return { ...database, refused: [...unread, ...database.refused] };
+  }
+
+  private forgetBuild(): void {
+    this.begun?.build.dispose();
+    this.begun = undefined;
   }
 }
 
