@@ -10,10 +10,12 @@ export type Glue = typeof simd;
 export type Database = ReturnType<Glue["Database"]["fromBytes"]>;
 export type Stylizer = simd.Stylizer;
 
-/** The bindings of a package and the memory of its instance. */
+/** The bindings of a package, and their instance of its module. */
 export interface Instance {
   glue: Glue;
-  memory: WebAssembly.Memory;
+  memory(): WebAssembly.Memory;
+  /** Begins anew with empty memory: what the bindings hold is lost. */
+  restart(): void;
 }
 
 /** One instance of each package. */
@@ -47,8 +49,15 @@ export async function loadInstances(compile: (url: URL) => Promise<WebAssembly.M
     compile(new URL("./pkg/scalar/strut_bench_bg.wasm", import.meta.url)),
   ]);
   return {
-    simd: { glue: simd, memory: simd.initSync({ module: modules[0] }).memory },
+    simd: instanceOf(simd, modules[0]),
     // Built from the same source: the types differ in nothing but where they were declared.
-    scalar: { glue: scalar as unknown as Glue, memory: scalar.initSync({ module: modules[1] }).memory },
+    scalar: instanceOf(scalar as unknown as Glue, modules[1]),
   };
+}
+
+function instanceOf(glue: Glue, module: WebAssembly.Module): Instance {
+  // Where there is an instance, it is returned.
+  const memory = () => glue.initSync({ module }).memory;
+  memory();
+  return { glue, memory, restart: () => glue.__wbg_reset_state() };
 }

@@ -240,7 +240,7 @@ struct ClassReport {
 
 fn database_report(path: String, bytes: &[u8]) -> Result<DatabaseReport, strutdb::StrutdbError> {
     let metadata = strutdb::read_metadata(bytes)?;
-    let db = strutdb::read(bytes)?;
+    let db = strutdb::read(bytes)?.database;
     Ok(DatabaseReport {
         file: path,
         kind: "database",

@@ -33,7 +33,7 @@ fn build(inputs: &[PathBuf], [neutral, pattern]: [&str; 2]) -> Arc<Model> {
     let mut args = vec!["build-db", "-o", "db", "--neutral", neutral, "--pattern", pattern];
     args.extend(inputs.iter().map(|p| p.to_str().unwrap()));
     strut_ok(folder.path(), &args);
-    Arc::new(Model::new(Arc::new(strutdb::read(&fs::read(folder.path().join("db")).unwrap()).unwrap())))
+    Arc::new(Model::new(strutdb::read(&fs::read(folder.path().join("db")).unwrap()).unwrap().database))
 }
 
 const BANDAI_NAMCO: [&str; 2] = ["normal", "{set}_{action}_{style}_{take}.bvh"];

@@ -27,7 +27,7 @@ fn neighbours_of_unseen_motion_are_those_of_brute_force_at_every_size() {
         vec!["build-db", "-o", "db", "--neutral", "normal", "--pattern", "{set}_{action}_{style}_{take}.bvh"];
     args.extend(clips.iter().map(|p| p.to_str().unwrap()));
     strut_ok(folder.path(), &args);
-    let db = strutdb::read(&fs::read(folder.path().join("db")).unwrap()).unwrap();
+    let db = strutdb::read(&fs::read(folder.path().join("db")).unwrap()).unwrap().database;
 
     let windows = grown::held_out(&db);
     let step = (windows.len() * RUN / frames).max(RUN);

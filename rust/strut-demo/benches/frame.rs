@@ -9,7 +9,7 @@ use strut_demo::benchmark::{self, PAPER_FRAMES};
 
 fn frame(c: &mut Criterion) {
     let database = benchmark::database(PAPER_FRAMES).expect("the motions are valid");
-    let model = Arc::new(Model::new(Arc::new(database)));
+    let model = Arc::new(Model::new(database));
     let queries = benchmark::queries();
     let query = &queries[0];
     let labelled = Options { action: Some(query.action), input_style: Some(query.style), ..Options::DEFAULT };

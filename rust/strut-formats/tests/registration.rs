@@ -94,7 +94,7 @@ fn walking_is_registered_and_its_label_errors_are_found() {
         let agreeing: usize = (0..db.frames())
             .map(|row| {
                 let planted = |side: usize| db.contact[row][side] == 1;
-                (0..2).filter(|&side| (targets.contact[row][side] > 0.5) == planted(side)).count()
+                (0..2).filter(|&side| (targets.contact(row)[side] > 0.5) == planted(side)).count()
             })
             .sum();
         let share = agreeing as f32 / (2 * db.frames()) as f32;

@@ -6,7 +6,7 @@ use strut_core::humanoid::{JOINTS, Proportions};
 use strut_core::math::{Quat, Vec3};
 use strut_core::pose_vector::{DOFS, PoseChart, ROW};
 use strut_core::search::Index;
-use strut_formats::strutdb::{self, Metadata, StrutdbError};
+use strut_formats::strutdb::{self, Contents, Metadata, StrutdbError};
 
 /// Two actions, two styles, three clips of different lengths, every value distinct.
 fn small() -> Database {
@@ -62,22 +62,20 @@ fn replaced(from: &str, to: &str) -> Vec<u8> {
 fn a_database_comes_back_as_it_was() {
     let db = small();
     let file = strutdb::write(&db, "test 1");
-    assert_eq!(*strutdb::read(&file).unwrap(), *db);
-    assert_eq!(strutdb::write(&strutdb::read(&file).unwrap(), "test 1"), file);
+    assert_eq!(*read(&file).database, *db);
+    assert_eq!(strutdb::write(&read(&file).database, "test 1"), file);
 }
 
-/// The search index of the file's plan, if it has one for its database.
-fn planned_index(file: &[u8]) -> Option<Index> {
-    Index::from_plan(&strutdb::read(file).unwrap(), &strutdb::read_plan(file)?).ok()
+fn read(file: &[u8]) -> Contents {
+    strutdb::read(file).unwrap()
 }
 
 #[test]
 fn the_plan_of_the_search_index_comes_back_as_it_was() {
     let db = small();
     let file = strutdb::write(&db, "test 1");
-    assert_eq!(strutdb::read_plan(&file).unwrap(), Index::build(&db).plan());
-    assert_eq!(planned_index(&file).unwrap().plan(), Index::build(&db).plan());
-    assert_eq!(strutdb::read_plan(b"nothing"), None);
+    assert_eq!(read(&file).plan.unwrap(), Index::build(&db).plan());
+    assert_eq!(read(&file).planned_index().unwrap().plan(), Index::build(&db).plan());
 }
 
 #[test]
@@ -118,16 +116,16 @@ fn further_tensors_are_ignored_but_missing_ones_named() {
         let extra = views[0].1.clone();
         views.push(("extra".into(), extra));
     });
-    assert_eq!(*strutdb::read(&more).unwrap(), *small());
+    assert_eq!(*read(&more).database, *small());
     let without_index = with(&|views| views.retain(|(name, _)| name != "search_order"));
-    assert_eq!(*strutdb::read(&without_index).unwrap(), *small());
-    assert_eq!(strutdb::read_plan(&without_index), None);
+    assert_eq!(*read(&without_index).database, *small());
+    assert_eq!(read(&without_index).plan, None);
     let wrong_index = with(&|views| {
         let times = views.iter().find(|(name, _)| name == "time_step").unwrap().1.clone();
         let order = safetensors::tensor::TensorView::new(safetensors::Dtype::U32, vec![9], times.data()).unwrap();
         views.iter_mut().find(|(name, _)| name == "search_order").unwrap().1 = order;
     });
-    assert!(planned_index(&file).is_some() && planned_index(&wrong_index).is_none());
+    assert!(read(&file).planned_index().is_some() && read(&wrong_index).planned_index().is_none());
     let less = with(&|views| views.retain(|(name, _)| name != "contact"));
     assert_eq!(error(&less), "the database has no tensor 'contact'");
     let other = with(&|views| {

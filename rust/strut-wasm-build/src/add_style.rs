@@ -18,7 +18,11 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub fn add_style(database: Vec<u8>, path: &str, style: String, bvh: &[u8]) -> Result<Built, String> {
     let clip = Clip::parse(bvh).map_err(text)?;
     let is_packed = database.starts_with(&packed::MAGIC);
-    let read = if is_packed { packed::read_database(&database) } else { strutdb::read(&database) };
+    let read = if is_packed {
+        packed::read_database(&database)
+    } else {
+        strutdb::read(&database).map(|contents| contents.database)
+    };
     let db = read.map_err(text)?;
     drop(database);
     let clip = SourceClip {

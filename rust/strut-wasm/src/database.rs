@@ -1,11 +1,12 @@
 //! Handle of a database.
 
 use crate::error::EngineError;
+use js_sys::Uint8Array;
 use std::sync::Arc;
 use strut_core::math::Vec3;
 use strut_core::search::Index;
 use strut_core::transfer::Model;
-use strut_formats::strutdb::{self, StrutdbError, packed};
+use strut_formats::strutdb::{self, Source, StrutdbError, packed};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A database with its search index; shared with all that was made from it.
@@ -30,16 +31,12 @@ impl Database {
     /// # Errors
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromBytes)]
-    pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, EngineError> {
-        let database = strutdb::read(&bytes).map_err(|e| {
+    pub fn from_bytes(bytes: Uint8Array) -> Result<Self, EngineError> {
+        let mut contents = strutdb::read(&Bytes(bytes)).map_err(|e| {
             EngineError::bad_file(e, "Copy the file once more, or build the database again with 'strut build-db'.")
         })?;
-        let plan = strutdb::read_plan(&bytes);
-        // This memory never shrinks: the index takes the file's place.
-        drop(bytes);
-        let index = plan.and_then(|plan| Index::from_plan(&database, &plan).ok());
-        let index = index.unwrap_or_else(|| Index::build(&database));
-        Ok(Self { model: Arc::new(Model::with_index(Arc::new(database), index)) })
+        let index = contents.planned_index().unwrap_or_else(|| Index::build(&contents.database));
+        Ok(Self { model: Arc::new(Model::with_index(contents.database, index)) })
     }
 
     /// Number of rows.
@@ -80,9 +77,22 @@ impl Database {
     }
 }
 
+/// Bytes in the heap of JavaScript: memory that this module takes is never given back.
+struct Bytes(Uint8Array);
+
+impl Source for Bytes {
+    fn len(&self) -> usize {
+        self.0.length() as usize
+    }
+
+    fn copy(&self, begin: usize, to: &mut [u8]) {
+        self.0.subarray(begin as u32, (begin + to.len()) as u32).copy_to(to);
+    }
+}
+
 impl Database {
     pub(crate) fn new(database: strut_core::database::Database) -> Self {
-        Self { model: Arc::new(Model::new(Arc::new(database))) }
+        Self { model: Arc::new(Model::new(database)) }
     }
 
     pub(crate) fn model(&self) -> &Arc<Model> {

@@ -58,9 +58,10 @@ impl ParityReport {
         let mut report = String::new();
         let synthesised = strut_demo::database().map_err(EngineError::bad_input)?;
         let packed = packed::write(&synthesised, &built_in_inputs(), "parity");
-        database_stages(&mut report, "synthesised database", &Database::new(synthesised));
-        let database = Database::from_packed(packed.clone())?;
-        database_stages(&mut report, "built-in database", &database);
+        database_stages(&mut report, "synthesised database", &synthesised);
+        let unpacked = packed::read_database(&packed).map_err(EngineError::bad_input)?;
+        database_stages(&mut report, "built-in database", &unpacked);
+        let database = Database::new(unpacked);
         for name in packed_inputs(&packed)? {
             let input = Input::from_packed(&database, &packed, &name)?;
             clip_stages(&mut report, &name, &database, &input, nudged_frame)?;
@@ -127,8 +128,7 @@ fn clip_stages(
 }
 
 /// Every tensor of a database, one hash a clip.
-fn database_stages(report: &mut String, name: &str, database: &Database) {
-    let db = database.model().database();
+fn database_stages(report: &mut String, name: &str, db: &strut_core::database::Database) {
     let per_frame = db.styles.len() * db.counterparts_per_style;
     let mut stage = |stage: &str, of_clip: &dyn Fn(std::ops::Range<usize>) -> u64| {
         line(report, name, stage, db.clips.iter().map(|c| of_clip(c.rows())).collect());
@@ -196,9 +196,9 @@ fn labelled_clip(name: &str, input: &Input) -> Option<SourceClip> {
     })
 }
 
-fn registered(clips: Vec<SourceClip>) -> Result<Database, EngineError> {
+fn registered(clips: Vec<SourceClip>) -> Result<strut_core::database::Database, EngineError> {
     build(&clips, &BuildOptions::default(), &Sequential, &mut |_| ControlFlow::Continue(()))
-        .map(|(database, _)| Database::new(database))
+        .map(|(database, _)| database)
         .map_err(EngineError::bad_input)
 }
 

@@ -3,7 +3,7 @@
 mod measure;
 mod table;
 
-use crate::clip::{read_database, stored_index};
+use crate::clip::read_database;
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print};
 use crate::progress::Bar;
@@ -77,12 +77,12 @@ fn measure_on(database: Database, queries: &[Query], rows: &mut Vec<Row>) {
     // Opened from its file where there is one, so that what is measured is what was opened.
     let started = Instant::now();
     let opened = file.and_then(|bytes| {
-        let database = strutdb::read(&bytes).ok()?;
-        Some((stored_index(&bytes, &database)?, database))
+        let mut contents = strutdb::read(&bytes).ok()?;
+        Some((contents.planned_index()?, contents.database))
     });
     let (index, database) = opened.unwrap_or_else(|| (Index::build(&database), database));
     let (frames, classes) = (database.frames(), database.classes().len());
-    let model = Arc::new(Model::with_index(Arc::new(database), index));
+    let model = Arc::new(Model::with_index(database, index));
     let opened_ms = started.elapsed().as_secs_f64() * 1e3;
     if frames <= MOST_TO_OPEN {
         rows.push(Row::new("open", "all", frames, classes, vec![opened_ms]));

@@ -79,7 +79,7 @@ impl Build {
     /// A database that was built so, to be searched so.
     pub(super) fn model(self, database: Database) -> Arc<Model> {
         let index = self.search.of(Index::with_window(&database, self.window));
-        Arc::new(Model::with_index(Arc::new(database), index))
+        Arc::new(Model::with_index(database, index))
     }
 }
 

@@ -22,7 +22,7 @@ pub(super) struct GlobalAr {
 impl GlobalAr {
     /// Fits all pairs; `lambda` is the ridge as a share of their number, in units of the database's variances.
     pub(super) fn train(pairs: &Pairs<'_>, lambda: f64) -> Self {
-        let (x, y) = (&pairs.db.pose, &pairs.targets.pose);
+        let (x, y) = (&pairs.inputs, &pairs.targets);
         let sigma = pairs.db.sigma();
         let coefficients = (0..DOFS)
             .map(|d| {

@@ -66,7 +66,7 @@ impl Features {
             points: Vec::new(),
             basis: None,
         };
-        let pose = &pairs.db.pose;
+        let pose = &pairs.inputs;
         let mut kinematics: Vec<f64> =
             features.rows.iter().flat_map(|&t| features.kinematics(&pose[t], &pose[t - 1])).collect();
         let [of_pose, of_velocity] = variances(&kinematics);
@@ -147,7 +147,7 @@ pub(super) struct Gp {
 impl Gp {
     /// Trains both processes on some pairs, whose features are given.
     pub(super) fn train(pairs: &Pairs<'_>, features: &Arc<Features>) -> Self {
-        let difference = |t: usize| difference(&pairs.targets.pose[t], &pairs.db.pose[t]);
+        let difference = |t: usize| difference(&pairs.targets[t], &pairs.inputs[t]);
         let data: Vec<f64> = features.rows.iter().flat_map(|&t| difference(t)).collect();
         let mut outputs: Vec<Vec<f64>> =
             (0..DOFS).map(|d| data.chunks_exact(DOFS).map(|frame| frame[d]).collect()).collect();
@@ -172,7 +172,7 @@ impl Gp {
         };
         gp.process = features.basis.as_ref().and_then(|basis| {
             let first = basis.fit(&outputs);
-            let pose = &pairs.db.pose;
+            let pose = &pairs.inputs;
             let last_difference = |t: usize| {
                 let mut predicted = [0.0; OUTPUTS];
                 first.mean(&features.of(&pose[t - 1], &pose[t - 2]), &mut predicted);

@@ -56,7 +56,7 @@ pub(super) struct Lti {
 impl Lti {
     /// One system for each degree of freedom.
     pub(super) fn train(pairs: &Pairs<'_>) -> Self {
-        let (x, y) = (&pairs.db.pose, &pairs.targets.pose);
+        let (x, y) = (&pairs.inputs, &pairs.targets);
         let mut lti = Self::timing_only(pairs);
         let system = |d: usize| {
             // Both in deviations of the input, so that they are of similar size.
@@ -73,11 +73,11 @@ impl Lti {
     /// One system for the principal components of all degrees of freedom.
     pub(super) fn train_joint(pairs: &Pairs<'_>) -> Self {
         let mut lti = Self::timing_only(pairs);
-        let output = principal(pairs, &pairs.targets.pose);
+        let output = principal(pairs, &pairs.targets);
         let recordings = recordings(
             pairs,
-            |t| projected(&lti.components, &pairs.db.pose[t]),
-            |t| projected(&output, &pairs.targets.pose[t]),
+            |t| projected(&lti.components, &pairs.inputs[t]),
+            |t| projected(&output, &pairs.targets[t]),
         );
         lti.systems = Systems::Joint { system: StateSpace::identify(&recordings, JOINT), output };
         lti
@@ -85,14 +85,11 @@ impl Lti {
 
     /// Everything but the systems for the pose.
     fn timing_only(pairs: &Pairs<'_>) -> Self {
-        let [input_mean, input_deviation] = pairs.moments(&pairs.db.pose);
-        let [output_mean, _] = pairs.moments(&pairs.targets.pose);
-        let components = principal(pairs, &pairs.db.pose);
-        let recordings = recordings(
-            pairs,
-            |t| timing_input(&projected(&components, &pairs.db.pose[t])),
-            |t| [pairs.log_duration(t)],
-        );
+        let [input_mean, input_deviation] = pairs.moments(&pairs.inputs);
+        let [output_mean, _] = pairs.moments(&pairs.targets);
+        let components = principal(pairs, &pairs.inputs);
+        let recordings =
+            recordings(pairs, |t| timing_input(&projected(&components, &pairs.inputs[t])), |t| [pairs.log_duration(t)]);
         Self {
             systems: Systems::Single(Vec::new()),
             timing: StateSpace::identify(&recordings, TIMING),

@@ -30,7 +30,7 @@ impl Baselines {
     pub(crate) fn predictor(&self, baseline: Baseline, pairs: &Pairs<'_>, lambda: f32) -> Arc<dyn Predictor> {
         let key = Key {
             baseline,
-            style: pairs.targets.style,
+            style: pairs.style,
             lambda: if baseline == Baseline::GlobalAr { lambda } else { 0.0 },
             segments: pairs.segments.clone(),
         };

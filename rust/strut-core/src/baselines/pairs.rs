@@ -1,6 +1,6 @@
 //! The pairs that the baselines learn from.
 
-use crate::database::{Database, TargetTable};
+use crate::database::{Database, QuantisedRows, TargetTable};
 use crate::math::float_funcs::ln;
 use crate::pose_vector::{DOFS, PoseRow};
 use std::ops::Range;
@@ -8,10 +8,16 @@ use std::ops::Range;
 /// Rows of some classes of a database and what they become in one style.
 #[derive(Clone, Debug)]
 pub(crate) struct Pairs<'a> {
-    /// The rows x and their rate.
+    /// Their rate and ranges.
     pub(crate) db: &'a Database,
-    /// The targets y and their durations.
-    pub(crate) targets: &'a TargetTable,
+    /// x.
+    pub(crate) inputs: Vec<PoseRow>,
+    /// y.
+    pub(crate) targets: Vec<PoseRow>,
+    /// Index of the style.
+    pub(crate) style: u16,
+    /// How long each y lasts, seconds.
+    step_secs: &'a [f32],
     /// Rows that follow each other in time: one range a clip, of two rows at least.
     pub(crate) segments: Vec<Range<usize>>,
 }
@@ -19,7 +25,7 @@ pub(crate) struct Pairs<'a> {
 impl<'a> Pairs<'a> {
     /// The pairs of some classes. Classes without the style are left out, unless that leaves none: their
     /// targets are their own rows.
-    pub(crate) fn new(db: &'a Database, targets: &'a TargetTable, classes: &[usize]) -> Self {
+    pub(crate) fn new(db: &'a Database, rows: &QuantisedRows, targets: &'a TargetTable, classes: &[usize]) -> Self {
         let any = classes.iter().any(|&c| targets.class_has_target[c]);
         let segments = classes
             .iter()
@@ -28,7 +34,14 @@ impl<'a> Pairs<'a> {
             .map(crate::database::Clip::rows)
             .filter(|rows| rows.len() >= 2)
             .collect();
-        Self { db, targets, segments }
+        Self {
+            db,
+            inputs: rows.to_vec(),
+            targets: targets.pose.to_vec(),
+            style: targets.style,
+            step_secs: &targets.step_secs,
+            segments,
+        }
     }
 
     /// Rows that have a row before them, in order: the t of xₜ₋₁, xₜ, yₜ₋₁, yₜ.
@@ -38,7 +51,7 @@ impl<'a> Pairs<'a> {
 
     /// Logarithm of the target's duration in frames at a row: 0 where the style keeps the input's tempo.
     pub(crate) fn log_duration(&self, row: usize) -> f64 {
-        f64::from(ln((self.targets.step_secs[row] * self.db.rate_hz).max(1e-3)))
+        f64::from(ln((self.step_secs[row] * self.db.rate_hz).max(1e-3)))
     }
 
     /// Mean and standard deviation of each degree of freedom of some rows over the pairs.

@@ -43,7 +43,7 @@ fn sparse(frames: usize) -> Database {
 fn one_short_clip_a_class_gives_finite_motion_for_any_input() {
     let wild = Gait { period: 23.0, swing: 1.4, knee: 1.9, lean: -0.8, arms: 1.5, turn: 2.5 };
     for frames in [8, 30, 90] {
-        let model = Arc::new(Model::new(Arc::new(sparse(frames))));
+        let model = Arc::new(Model::new(sparse(frames)));
         for method in METHODS {
             for (action, input_style) in [(None, None), (Some(0), Some(0)), (Some(1), Some(1))] {
                 let options = Options { action, input_style, method, ..Options::DEFAULT };
@@ -68,10 +68,10 @@ fn one_short_clip_a_class_gives_finite_motion_for_any_input() {
 /// What all styles share is kept, and threads that ask at once get the same predictor.
 #[test]
 fn a_predictor_is_trained_once_a_model() {
-    let model = Model::new(Arc::new(sparse(60)));
+    let model = Model::new(sparse(60));
     let classes = [0, 1];
     let train = |style: usize| {
-        let pairs = super::Pairs::new(model.database(), model.target_table(style), &classes);
+        let pairs = super::Pairs::new(model.database(), model.rows(), model.target_table(style), &classes);
         let predictor = model.baselines().predictor(super::Baseline::Gp, &pairs, 0.1);
         Arc::as_ptr(&predictor).cast::<()>() as usize
     };
@@ -85,18 +85,18 @@ fn a_predictor_is_trained_once_a_model() {
 /// With the input at rest an LTI system's output is at rest, wherever the predictor begins.
 #[test]
 fn memory_of_the_start_dies_out() {
-    let model = Model::new(Arc::new(database()));
-    let pairs = super::Pairs::new(model.database(), model.target_table(1), &[0]);
+    let model = Model::new(database());
+    let pairs = super::Pairs::new(model.database(), model.rows(), model.target_table(1), &[0]);
     for baseline in [super::Baseline::Lti, super::Baseline::LtiJoint] {
         let predictor = model.baselines().predictor(baseline, &pairs, 0.1);
-        let input = &model.database().pose[40];
+        let input = &pairs.inputs[40];
         let now = super::Now { input, previous_input: input, previous_output: input };
         let settled = |past: &[crate::pose_vector::PoseRow]| {
             let mut memory = vec![0.0; predictor.memory_len()];
             predictor.start(&mut memory, past);
             (0..600).map(|_| predictor.predict(&mut memory, now)).last().unwrap()
         };
-        let (a, b) = (settled(&[]), settled(&model.database().pose[..80]));
+        let (a, b) = (settled(&[]), settled(&pairs.inputs[..80]));
         let apart = (0..DOFS).map(|d| (a.output[d] - b.output[d]).abs()).fold(0.0, f32::max);
         assert!(apart < 1e-2 && (a.step_secs - b.step_secs).abs() < 1e-4, "{baseline:?}: {apart}");
     }

@@ -4,11 +4,14 @@
 //! is a contiguous range of rows. The layout follows the `.strutdb` file (DESIGN §5).
 
 pub mod build;
+mod quantised;
 #[cfg(feature = "offline")]
 mod residual;
 mod target_table;
 mod without_clips;
 
+pub use quantised::QuantisedRows;
+pub(crate) use quantised::Rows;
 #[cfg(feature = "offline")]
 pub use residual::residuals;
 pub use target_table::TargetTable;
@@ -82,9 +85,9 @@ pub struct DatabaseParts {
     pub neutral: u16,
     /// Clips sorted by (action, style); their rows follow each other without a gap.
     pub clips: Vec<Clip>,
-    /// N rows of degrees of freedom.
+    /// N rows of degrees of freedom; none in the database of a [model](crate::transfer::Model), which holds them on its own.
     pub pose: Vec<PoseRow>,
-    /// N heading-free joint positions, metres.
+    /// N heading-free joint positions, metres; none in the database of a [model](crate::transfer::Model).
     pub point_cloud: Vec<[Vec3; JOINTS]>,
     /// N times on the canonical timeline of the action (the neutral reference cycle), in canonical frames.
     pub canonical_time: Vec<f32>,
@@ -151,9 +154,19 @@ impl Database {
         Ok(Self { parts, classes, sigma, limits })
     }
 
+    /// Forgets the point clouds: a fifth of the memory, of no use once there is a search index.
+    pub(crate) fn forget_point_clouds(&mut self) {
+        self.parts.point_cloud = Vec::new();
+    }
+
+    /// Forgets the rows.
+    pub(crate) fn forget_rows(&mut self) {
+        self.parts.pose = Vec::new();
+    }
+
     /// Number of rows.
     pub fn frames(&self) -> usize {
-        self.parts.pose.len()
+        self.parts.time_step.len()
     }
 
     /// Classes in order of their rows.
@@ -286,7 +299,7 @@ fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseError> {
         if let Some(v) = first_beyond(&parts.pose[frame], 1e4) {
             return bad("pose", frame, v, "a number below 10 000");
         }
-        if let Some(v) = first_beyond(parts.point_cloud[frame].map(|p| p.to_array()).as_flattened(), 1e3) {
+        if let Some(v) = first_beyond(bytemuck::cast_slice(&parts.point_cloud[frame]), 1e3) {
             return bad("point_cloud", frame, v, "a position within 1 km");
         }
         let (t, w) = (parts.canonical_time[frame], parts.time_step[frame]);
@@ -311,6 +324,7 @@ fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseError> {
 }
 
 /// The first value that is no number or whose size is not below `limit`.
+#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
 fn first_beyond(values: &[f32], limit: f32) -> Option<f32> {
     let within = |v: f32| v.abs() < limit;
     // Good values are the rule: without a way out of the loop, several are looked at together.
@@ -322,18 +336,29 @@ fn first_beyond(values: &[f32], limit: f32) -> Option<f32> {
 
 fn standard_deviation(rows: &[PoseRow]) -> PoseRow {
     let n = rows.len().max(1) as f64;
-    let (mut mean, mut variance) = ([0.0_f64; ROW], [0.0_f64; ROW]);
+    let mut mean = [0.0_f64; ROW];
     for row in rows {
-        mean.iter_mut().zip(row).for_each(|(sum, &v)| *sum += f64::from(v));
+        add(row, &mut mean);
     }
     let mean = mean.map(|sum| sum / n);
+    let mut variance = [0.0_f64; ROW];
     for row in rows {
-        for ((sum, mean), &v) in variance.iter_mut().zip(&mean).zip(row) {
-            let difference = f64::from(v) - mean;
-            *sum += difference * difference;
-        }
+        add_squared_differences(row, &mean, &mut variance);
     }
     std::array::from_fn(|d| if d < DOFS { ((variance[d] / n).sqrt() as f32).max(1e-4) } else { 1.0 })
+}
+
+#[inline(never)] // see `first_beyond`
+fn add(row: &PoseRow, sums: &mut [f64; ROW]) {
+    sums.iter_mut().zip(row).for_each(|(sum, &v)| *sum += f64::from(v));
+}
+
+#[inline(never)] // see `first_beyond`
+fn add_squared_differences(row: &PoseRow, mean: &[f64; ROW], sums: &mut [f64; ROW]) {
+    for ((sum, mean), &v) in sums.iter_mut().zip(mean).zip(row) {
+        let difference = f64::from(v) - mean;
+        *sum += difference * difference;
+    }
 }
 
 fn observed_range(rows: &[PoseRow]) -> [PoseRow; 2] {
@@ -342,10 +367,15 @@ fn observed_range(rows: &[PoseRow]) -> [PoseRow; 2] {
         range = [*first; 2];
     }
     for row in rows {
-        for (d, &v) in row.iter().enumerate() {
-            range[0][d] = range[0][d].min(v);
-            range[1][d] = range[1][d].max(v);
-        }
+        widen(&mut range, row);
     }
     range
+}
+
+#[inline(never)] // see `first_beyond`
+fn widen([least, greatest]: &mut [PoseRow; 2], row: &PoseRow) {
+    for ((least, greatest), &v) in least.iter_mut().zip(greatest).zip(row) {
+        *least = least.min(v);
+        *greatest = greatest.max(v);
+    }
 }

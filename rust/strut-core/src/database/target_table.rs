@@ -1,6 +1,6 @@
 //! What every row of a database becomes in one style.
 
-use super::Database;
+use super::{Database, QuantisedRows, Rows};
 use crate::pose_vector::{PoseRow, ROW};
 
 /// The registered target of every row in one style: the mean of the poses, durations and contacts at
@@ -10,11 +10,11 @@ pub struct TargetTable {
     /// Index of the style.
     pub style: u16,
     /// Target poses; the row itself where the style has no counterpart.
-    pub pose: Vec<PoseRow>,
+    pub pose: QuantisedRows,
     /// Seconds that the target style takes for the row's input step of one frame.
     pub step_secs: Vec<f32>,
-    /// Share of the counterparts whose left and right foot is planted.
-    pub contact: Vec<[f32; 2]>,
+    /// Share of the counterparts whose left and right foot is planted, in 65,535ths.
+    contact: Vec<[u16; 2]>,
     /// For each class whether its rows have counterparts in this style.
     pub class_has_target: Vec<bool>,
 }
@@ -25,32 +25,50 @@ impl TargetTable {
     /// # Panics
     /// If `style` is not one of the database's.
     pub fn build(db: &Database, style: u16) -> Self {
+        Self::of_rows(db, &db.pose[..], style)
+    }
+
+    /// The table of a style of a database whose rows have been put elsewhere.
+    pub(crate) fn of_rows(db: &Database, rows: &(impl Rows + ?Sized), style: u16) -> Self {
         assert!(usize::from(style) < db.styles.len(), "style {style} of {}", db.styles.len());
         let n = db.frames();
         let frame_secs = 1.0 / db.rate_hz;
         let mut table = Self {
             style,
-            pose: db.pose.clone(),
-            step_secs: vec![frame_secs; n],
-            contact: db.contact.iter().map(|c| [f32::from(c[0]), f32::from(c[1])]).collect(),
+            // No mean of rows is outside their range.
+            pose: QuantisedRows::with_range(db.observed_range(), n),
+            step_secs: Vec::with_capacity(n),
+            contact: Vec::with_capacity(n),
             class_has_target: vec![false; db.classes().len()],
         };
         for (class, has_target) in db.classes().iter().zip(&mut table.class_has_target) {
             for row in class.rows.clone() {
                 let mut mean = Mean::default();
                 for at in db.counterparts(row, style) {
-                    mean.add(db, at);
+                    mean.add(db, rows, at);
                 }
                 if mean.count > 0.0 {
                     *has_target = true;
                     let k = 1.0 / mean.count;
-                    table.pose[row] = mean.pose.map(|v| v * k);
-                    table.step_secs[row] = frame_secs * (mean.time_step * k) / db.time_step[row];
-                    table.contact[row] = mean.contact.map(|v| v * k);
+                    table.pose.push(&mean.pose.map(|v| v * k));
+                    table.step_secs.push(frame_secs * (mean.time_step * k) / db.time_step[row]);
+                    table.contact.push(mean.contact.map(|v| (v * k * f32::from(u16::MAX) + 0.5) as u16));
+                } else {
+                    table.pose.push(&rows.row(row));
+                    table.step_secs.push(frame_secs);
+                    table.contact.push(db.contact[row].map(|planted| u16::from(planted) * u16::MAX));
                 }
             }
         }
         table
+    }
+
+    /// Share of a row's counterparts whose left and right foot is planted.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn contact(&self, row: usize) -> [f32; 2] {
+        self.contact[row].map(|share| f32::from(share) / f32::from(u16::MAX))
     }
 }
 
@@ -69,11 +87,12 @@ impl Default for Mean {
 
 impl Mean {
     /// Adds the values at a fractional row, interpolated between the rows around it.
-    fn add(&mut self, db: &Database, at: f32) {
+    #[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+    fn add(&mut self, db: &Database, rows: &(impl Rows + ?Sized), at: f32) {
         let i = (at as usize).min(db.frames() - 1);
         let j = (i + 1).min(db.frames() - 1);
         let t = at - i as f32;
-        for (sum, (a, b)) in self.pose.iter_mut().zip(db.pose[i].iter().zip(&db.pose[j])) {
+        for (sum, (a, b)) in self.pose.iter_mut().zip(rows.row(i).into_iter().zip(rows.row(j))) {
             *sum += a + (b - a) * t;
         }
         self.time_step += db.time_step[i] + (db.time_step[j] - db.time_step[i]) * t;

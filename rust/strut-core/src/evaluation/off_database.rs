@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn foreign_content_survives_with_rho_and_the_style_is_seen() {
-        let model = Arc::new(Model::new(Arc::new(database())));
+        let model = Arc::new(Model::new(database()));
         // Arms that swing three times as far as any walk of the database, and a deeper bend.
         let input = clip(&Gait { arms: 1.4, knee: 1.4, ..NEUTRAL });
         let run = |rho| {

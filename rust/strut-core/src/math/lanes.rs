@@ -27,6 +27,13 @@ impl Lane {
         Self(bytemuck::pod_read_unaligned(bytemuck::cast_slice(&row[WIDTH * l..][..WIDTH])))
     }
 
+    /// The same of a row of integers.
+    #[inline]
+    pub(crate) fn of_integers(row: &[i16], l: usize) -> Self {
+        let four = &row[WIDTH * l..][..WIDTH];
+        Self(Vec4::from_array(std::array::from_fn(|i| f32::from(four[i]))))
+    }
+
     /// Puts the numbers back where [`Lane::of`] takes them from.
     #[inline]
     pub(crate) fn write(self, row: &mut [f32], l: usize) {

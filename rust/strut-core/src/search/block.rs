@@ -36,6 +36,13 @@ pub(super) fn quantise(of: &Projection) -> Point {
     of.coordinates.map(|c| ((c * scale + 65_536.5) as i32 - 65_536) as i16)
 }
 
+/// Whether a point may be that of a window: no longer than [`quantise`] makes them.
+pub(super) fn is_within_bounds(point: &Point) -> bool {
+    let squared_length: i64 = point.iter().map(|&v| i64::from(v) * i64::from(v)).sum();
+    let greatest = PER_METRE * MAX_LENGTH + QUANTISATION;
+    squared_length as f32 <= greatest * greatest
+}
+
 /// Squared length, below 2³¹.
 pub(super) fn squared_length(point: &Point) -> i32 {
     point.iter().map(|&v| i32::from(v) * i32::from(v)).sum()
@@ -103,6 +110,11 @@ impl Block {
             block.squared_lengths[i / 4][i % 4] = squared_length(point) as f32;
         }
         block
+    }
+
+    /// The integers of window `i`.
+    pub(super) fn point(&self, i: usize) -> Point {
+        std::array::from_fn(|c| self.pairs[i / 4][c / 2][2 * (i % 4) + c % 2])
     }
 
     /// Squared distances of the windows to the query, modulo the phase of the complex part and within [`ERROR`].

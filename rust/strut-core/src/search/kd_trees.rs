@@ -41,7 +41,7 @@ impl Index {
         let class = |class| {
             let rows: Vec<u32> = self.windows.of_class(class).map(|row| row as u32).collect();
             let points: Vec<_> =
-                rows.iter().map(|&r| self.point(&self.windows.centred(r as usize, Metric::FullBody))).collect();
+                rows.iter().map(|&r| self.place(&self.windows.centred(r as usize, Metric::FullBody))).collect();
             let tree = (!points.is_empty()).then(|| ImmutableKdTree::new_from_slice(&points));
             Class { rows, tree }
         };
@@ -58,7 +58,7 @@ impl Index {
         k: usize,
         out: &mut Neighbours,
     ) {
-        let at = self.point(query.window);
+        let at = self.place(query.window);
         out.begin(k);
         for Class { rows, tree } in classes.iter().map(|&class| &trees.classes[class]) {
             let candidates = tree.iter().flat_map(|t| t.nearest_n::<SquaredEuclidean>(&at, trees.candidates));
@@ -67,7 +67,7 @@ impl Index {
     }
 
     /// Where a window lies in its tree.
-    fn point(&self, window: &CentredWindow) -> [f32; DIMENSIONS] {
+    fn place(&self, window: &CentredWindow) -> [f32; DIMENSIONS] {
         aligned(&self.leaves[Metric::FullBody as usize].subspace().project(window))
     }
 }

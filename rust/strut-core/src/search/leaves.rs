@@ -40,7 +40,7 @@ pub(super) struct Leaves {
 }
 
 /// What is common to the leaves of a class.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 struct Class {
     leaves: Range<usize>,
     windows: usize,
@@ -48,9 +48,17 @@ struct Class {
     centres: Range<usize>,
     /// Bound on the error of a projection, metres.
     error: f32,
-    /// Greatest squared length of a window, and greatest length of one before it is centred, metres.
-    norm: f32,
-    uncentred_length: f32,
+    bounds: Bounds,
+}
+
+/// What holds for all windows of a class.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    /// [`CentredWindow::scale`].
+    pub(super) scale: f32,
+    /// Greatest squared length, and greatest length before a window is centred, metres.
+    pub(super) norm: f32,
+    pub(super) uncentred_length: f32,
 }
 
 /// What a computed D says about distances of integers, and the reverse, for a query in a class.
@@ -91,43 +99,32 @@ impl Leaves {
         &self.subspace
     }
 
-    /// Begins a class with these windows, none of which is longer than `uncentred_length` before it is centred. Their
-    /// integers are returned, to be put into order and into leaves.
-    pub(super) fn begin_class(
-        &mut self,
-        windows: impl Iterator<Item = CentredWindow>,
-        uncentred_length: f32,
-    ) -> Vec<Point> {
-        let (mut error, mut norm) = (0.0_f32, 0.0_f32);
-        let points: Vec<Point> = windows
-            .map(|window| {
-                let projection = self.subspace.project(&window);
-                error = error.max(projection.error);
-                norm = norm.max(window.norm);
-                quantise(&projection)
-            })
-            .collect();
-        let (leaves, centres) = (self.blocks.len()..self.blocks.len(), self.centres.len()..self.centres.len());
-        self.classes.push(Class { leaves, windows: points.len(), centres, error, norm, uncentred_length });
-        points
+    /// The integers of a window.
+    pub(super) fn point(&self, window: &CentredWindow) -> Point {
+        quantise(&self.subspace.project(window))
     }
 
-    /// Ends a class with its windows in the order of leaves.
-    pub(super) fn end_class(&mut self, points: &[Point]) {
-        let mut centres = Vec::with_capacity(points.len().div_ceil(BLOCK));
+    /// Adds a class with the integers of its windows in the order of leaves.
+    pub(super) fn add_class(&mut self, points: &[Point], bounds: Bounds) {
+        let (leaves, centres) = (self.blocks.len(), self.centres.len());
+        let mut middles = Vec::with_capacity(points.len().div_ceil(BLOCK));
         for members in points.chunks(BLOCK) {
             let (centre, block) = (centre(members), Block::new(members));
             let greatest = block.separations(&Probe::new(&centre));
             let greatest = greatest.0.as_flattened()[..members.len()].iter().copied().fold(0.0, f32::max);
             self.radii.push((greatest + ERROR).sqrt());
             self.blocks.push(block);
-            centres.push(centre);
+            middles.push(centre);
         }
-        self.centres.extend(centres.chunks(BLOCK).map(Block::new));
-        if let Some(class) = self.classes.last_mut() {
-            class.leaves.end = self.blocks.len();
-            class.centres.end = self.centres.len();
-        }
+        self.centres.extend(middles.chunks(BLOCK).map(Block::new));
+        let (leaves, centres) = (leaves..self.blocks.len(), centres..self.centres.len());
+        let error = self.subspace.greatest_error(bounds.norm, bounds.scale);
+        self.classes.push(Class { leaves, windows: points.len(), centres, error, bounds });
+    }
+
+    /// The integers of a window of a leaf.
+    pub(super) fn point_in(&self, leaf: usize, i: usize) -> Point {
+        self.blocks[leaf].point(i)
     }
 
     /// Leaves of a class.
@@ -146,8 +143,8 @@ impl Leaves {
         let class = &self.classes[class];
         Margins {
             slack: 2.0 * QUANTISATION + PER_METRE * (class.error + error),
-            rounding: product_rounding(window.frames) * window.norm.sqrt() * class.uncentred_length
-                + NORM_ROUNDING * (window.norm + class.norm),
+            rounding: product_rounding(window.frames) * window.norm.sqrt() * class.bounds.uncentred_length
+                + NORM_ROUNDING * (window.norm + class.bounds.norm),
         }
     }
 

@@ -15,6 +15,7 @@ use crate::humanoid::{JOINTS, Role};
 use crate::math::Vec3;
 use crate::math::float_funcs::sin_cos;
 use crate::pose_vector::Placement;
+use std::sync::LazyLock;
 
 /// Frames of a window unless asked otherwise (s in the specification: 67 ms at 60 Hz). The figures are flat
 /// from 1 to 15.
@@ -67,6 +68,9 @@ pub const JOINT_WEIGHTS: [(Role, f32); 20] = [
     (Role::RightHand, 1.0),
 ];
 
+/// Which points are ankle and toes, left and right.
+const FEET: [[usize; 2]; 2] = [[4, 6], [5, 7]];
+
 /// Which joints count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
@@ -100,6 +104,12 @@ fn point_weights() -> [f32; POINTS] {
     JOINT_WEIGHTS.map(|(_, w)| w / sum)
 }
 
+/// Square roots of [`point_weights`].
+fn point_roots() -> &'static [f32; POINTS] {
+    static ROOTS: LazyLock<[f32; POINTS]> = LazyLock::new(|| point_weights().map(f32::sqrt));
+    &ROOTS
+}
+
 /// The points of one frame, √w folded in.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct FramePoints {
@@ -117,9 +127,8 @@ impl FramePoints {
     pub(super) fn new(cloud: &[Vec3; JOINTS], at: Placement) -> Self {
         let (sin, cos) = sin_cos(at.heading);
         let mut points = Self::default();
-        for (i, (w, (role, _))) in point_weights().iter().zip(&JOINT_WEIGHTS).enumerate() {
+        for (i, (w, (role, _))) in point_roots().iter().zip(&JOINT_WEIGHTS).enumerate() {
             let p = cloud[role.index()];
-            let w = w.sqrt();
             points.set(i, w * p.y, w * (at.x + cos * p.x + sin * p.z), w * (at.z - sin * p.x + cos * p.z));
         }
         points
@@ -129,6 +138,16 @@ impl FramePoints {
     pub(super) fn norm(&self) -> f32 {
         let heights = inner_product::<LANES, LANES>(&[self.height], &[self.height]);
         heights + inner_product::<{ 2 * LANES }, LANES>(&[self.ground], &[self.ground])
+    }
+
+    /// Positions of ankle and toes, left and right.
+    pub(super) fn feet(&self) -> [[Vec3; 2]; 2] {
+        FEET.map(|side| {
+            side.map(|point| {
+                let [y, x, z] = self.get(point);
+                Vec3::new(x, y, z) / point_roots()[point]
+            })
+        })
     }
 
     fn get(&self, point: usize) -> [f32; 3] {
@@ -155,6 +174,39 @@ impl FramePoints {
     }
 }
 
+/// What the norms of windows need of one frame: sums over the points that count, in double precision.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FrameSums {
+    squares: f64,
+    /// Of √w · x and √w · z.
+    x: f64,
+    z: f64,
+}
+
+impl FrameSums {
+    pub(super) fn new(frame: &FramePoints, metric: Metric) -> Self {
+        let mut sums = Self { squares: 0.0, x: 0.0, z: 0.0 };
+        for (i, root) in point_roots().iter().enumerate().take(metric.points()) {
+            let [y, x, z] = frame.get(i).map(f64::from);
+            sums.squares += y * y + x * x + z * z;
+            sums.x += f64::from(*root) * x;
+            sums.z += f64::from(*root) * z;
+        }
+        sums
+    }
+}
+
+/// [`CentredWindow::norm`] of the window of these frames, but for rounding: stored windows share their frames' sums.
+pub(super) fn window_norm(frames: &[FrameSums], metric: Metric) -> f32 {
+    let scale = 1.0 / (frames.len() as f64 * f64::from(metric.share()));
+    let sum = |of: fn(&FrameSums) -> f64| scale * frames.iter().map(of).sum::<f64>();
+    let (x, z) = (sum(|f| f.x), sum(|f| f.z));
+    // 1 but for the weights' rounding, which matters where the centroid is far off.
+    let weights: f64 = point_roots()[..metric.points()].iter().map(|w| f64::from(*w) * f64::from(*w)).sum();
+    let weights = scale * frames.len() as f64 * weights;
+    (sum(|f| f.squares) - (2.0 - weights) * (x * x + z * z)).max(0.0) as f32
+}
+
 /// A window's vector in one metric: zero where a joint does not count, centred, and scaled so that its inner product with stored points, which
 /// need not be centred, is that of the weighted window vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -175,7 +227,7 @@ impl CentredWindow {
     /// Of the frames of a window; sums in double precision, as this happens once a query or a stored window.
     pub(super) fn new(frames: &[FramePoints], metric: Metric) -> Self {
         let (points, share) = (metric.points(), metric.share());
-        let roots = point_weights().map(|w| f64::from(w.sqrt()));
+        let roots = point_roots().map(f64::from);
         let scale = 1.0 / (frames.len() as f64 * f64::from(share));
         let (mut cx, mut cz) = (0.0_f64, 0.0_f64);
         for frame in frames {
@@ -386,6 +438,18 @@ mod tests {
             (0..WINDOW).map(|i| (cloud, Placement { x: 0.0, z: 0.02 * i as f32, heading: 0.3 })).collect();
         assert!(distance(Metric::FullBody, &walk, &walk) < 1e-6);
         assert!(distance(Metric::FullBody, &walk[3..].to_vec(), &walk) < 1e-6);
+    }
+
+    #[test]
+    fn feet_come_back_from_the_points_of_a_frame() {
+        assert_eq!(FEET.map(|side| side.map(|point| JOINT_WEIGHTS[point].0)), crate::transfer::Soles::JOINTS);
+        let cloud = std::array::from_fn(|j| Vec3::new(0.1 * j as f32, 1.0 - 0.05 * j as f32, 0.02 * j as f32));
+        let feet = FramePoints::new(&cloud, Placement { x: 2.0, z: -1.0, heading: 0.0 }).feet();
+        for (point, (role, _)) in FEET.as_flattened().iter().map(|&point| (point, JOINT_WEIGHTS[point])) {
+            let side = usize::from(point % 2 == 1);
+            let found = feet[side][usize::from(point > 5)];
+            assert!((found - cloud[role.index()] - Vec3::new(2.0, 0.0, -1.0)).length() < 1e-5);
+        }
     }
 
     #[test]

@@ -24,6 +24,7 @@ pub use neighbours::{Neighbour, Neighbours};
 pub use plan::{Plan, PlanError};
 
 use crate::database::Database;
+use crate::math::Vec3;
 use crate::math::order::sort_pairs;
 use block::{BLOCK, Probe};
 use leaves::Leaves;
@@ -95,6 +96,11 @@ impl Index {
     /// If there is no such class.
     pub fn windows_in_class(&self, class: usize) -> usize {
         self.windows.of_class(class).count()
+    }
+
+    /// Ankle and toes, left and right, at a row: seen from where the other rows of its clip are seen from.
+    pub(crate) fn feet(&self, row: usize) -> [[Vec3; 2]; 2] {
+        self.windows.feet(row)
     }
 
     /// Working memory that no search for `k` windows outgrows.

@@ -1,22 +1,22 @@
 //! What takes long to find out about an index, and does not change what it finds.
 
-use super::block::{BLOCK, Point};
+use super::block::{BLOCK, Point, is_within_bounds, quantise};
 use super::leaves::Leaves;
 use super::metric::{CentredWindow, Metric, WINDOW};
 use super::order::arrange;
-use super::subspace::Subspace;
+use super::subspace::{COORDINATES, Subspace};
 use super::windows::Windows;
 use super::{Index, NO_ROW};
 use crate::database::Database;
 use thiserror::Error;
 
-/// Windows that the directions of a subspace are taken from.
+/// Windows that the directions of a subspace are taken from, and that stored points are compared with.
 const SAMPLES: usize = 512;
 
 const METRICS: [Metric; 2] = [Metric::FullBody, Metric::LowerBody];
 
-/// The parts of an [`Index`] that a file may hold: how fast a search is depends on them, what it finds does not, so
-/// that they need not be trusted.
+/// The parts of an [`Index`] that a file may hold. How fast a search is depends on them. What it finds does not depend on
+/// the order and the bases, so that they need not be trusted; the points are compared with the database here and there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// The rows at which windows end, class by class; within a class near ones together.
@@ -24,6 +24,8 @@ pub struct Plan {
     /// For the full-body and the lower-body metric the mean and the principal directions of windows, in lanes:
     /// [`Plan::BASIS_LENGTH`] numbers each.
     pub bases: [Vec<f32>; 2],
+    /// For both metrics where the windows lie by these directions, quantised, in this order.
+    pub points: [Vec<[i16; Plan::COORDINATES]>; 2],
 }
 
 /// Why a plan is none for a database.
@@ -35,13 +37,18 @@ pub enum PlanError {
     /// The numbers are no orthonormal directions.
     #[error("its directions are not orthonormal")]
     Basis,
+    /// The points are not those of the database's windows.
+    #[error("its points are not those of the database's windows")]
+    Points,
 }
 
 impl Plan {
-    /// Changes whenever what [`Plan::bases`] mean does.
-    pub const VERSION: u32 = 1;
+    /// Changes whenever what [`Plan::bases`] or [`Plan::points`] mean does.
+    pub const VERSION: u32 = 2;
     /// Numbers of each of [`Plan::bases`].
     pub const BASIS_LENGTH: usize = Subspace::float_count(WINDOW);
+    /// Numbers of each of [`Plan::points`].
+    pub const COORDINATES: usize = COORDINATES;
 }
 
 impl Index {
@@ -49,87 +56,106 @@ impl Index {
     pub(super) fn planned(db: &Database, length: usize) -> Self {
         let windows = Windows::new(db, length);
         let ends: Vec<usize> = (0..windows.classes.len()).flat_map(|class| windows.of_class(class)).collect();
-        let samples = || ends.iter().step_by(ends.len().div_ceil(SAMPLES).max(1));
-        let subspaces = METRICS.map(|metric| {
-            let sample: Vec<CentredWindow> = samples().map(|&row| windows.centred(row, metric)).collect();
-            Subspace::fit(&sample, length)
-        });
+        let sample =
+            |metric| -> Vec<CentredWindow> { sample(&ends).map(|&row| windows.centred(row, metric)).collect() };
+        let subspaces = METRICS.map(|metric| Subspace::fit(&sample(metric), length));
         let mut index = Self::new(windows, subspaces);
         for class in 0..index.classes() {
             let rows: Vec<u32> = index.windows.of_class(class).map(|row| row as u32).collect();
-            let points = index.begin_class(class, &rows, Metric::FullBody);
+            let points: Vec<Point> = rows.iter().map(|&row| index.point(row, Metric::FullBody)).collect();
             let mut items: Vec<usize> = (0..rows.len()).collect();
             arrange(&points, &mut items);
             let rows: Vec<u32> = items.iter().map(|&i| rows[i]).collect();
             let points: Vec<Point> = items.iter().map(|&i| points[i]).collect();
-            index.end_class(class, &rows, &points);
+            let lower: Vec<Point> = rows.iter().map(|&row| index.point(row, Metric::LowerBody)).collect();
+            index.add_rows(&rows);
+            index.add_points(class, Metric::FullBody, &points);
+            index.add_points(class, Metric::LowerBody, &lower);
         }
         index
     }
 
-    /// The windows of [`WINDOW`] frames by a plan: the same as [`Index::build`] makes, sooner.
+    /// The windows of [`WINDOW`] frames by a plan: the same as [`Index::build`] makes, sooner. The database's point clouds
+    /// are forgotten, as the index takes their place.
     ///
     /// # Errors
-    /// [`PlanError`] if the plan is not one for this database.
-    pub fn from_plan(db: &Database, plan: &Plan) -> Result<Self, PlanError> {
-        let [Some(full), Some(lower)] = [0, 1].map(|i| Subspace::from_floats(&plan.bases[i], WINDOW)) else {
+    /// [`PlanError`] if the plan is not one for this database, which then stays as it is.
+    pub fn from_plan(db: &mut Database, plan: Plan) -> Result<Self, PlanError> {
+        let Plan { order, bases, points } = plan;
+        let [Some(full), Some(lower)] = bases.each_ref().map(|basis| Subspace::from_floats(basis, WINDOW)) else {
             return Err(PlanError::Basis);
         };
-        let mut index = Self::new(Windows::new(db, WINDOW), [full, lower]);
-        let mut order = &plan.order[..];
-        for class in 0..index.classes() {
-            let rows: Vec<u32> = index.windows.of_class(class).map(|row| row as u32).collect();
-            let (here, rest) = order.split_at_checked(rows.len()).ok_or(PlanError::Order)?;
+        let (windows, subspaces) = (Windows::new(db, WINDOW), [full, lower]);
+        let mut rest = &order[..];
+        for class in 0..windows.classes.len() {
+            let rows: Vec<u32> = windows.of_class(class).map(|row| row as u32).collect();
+            let (here, others) = rest.split_at_checked(rows.len()).ok_or(PlanError::Order)?;
             if !is_permutation(here, &rows) {
                 return Err(PlanError::Order);
             }
-            let points = index.begin_class(class, here, Metric::FullBody);
-            index.end_class(class, here, &points);
-            order = rest;
+            rest = others;
         }
-        if order.is_empty() { Ok(index) } else { Err(PlanError::Order) }
+        if !rest.is_empty() {
+            return Err(PlanError::Order);
+        }
+        for ((metric, points), subspace) in METRICS.into_iter().zip(&points).zip(&subspaces) {
+            let agrees = |(row, found): (&u32, &Point)| {
+                *found == quantise(&subspace.project(&windows.centred(*row as usize, metric)))
+            };
+            let all_agree = points.len() == order.len() && sample(&order).zip(sample(points)).all(agrees);
+            if !all_agree || !points.iter().all(is_within_bounds) {
+                return Err(PlanError::Points);
+            }
+        }
+
+        db.forget_point_clouds();
+        let mut index = Self::new(windows, subspaces);
+        let mut begin = 0;
+        for class in 0..index.classes() {
+            let here = begin..begin + index.windows_in_class(class);
+            begin = here.end;
+            index.add_rows(&order[here.clone()]);
+            for (metric, points) in METRICS.into_iter().zip(&points) {
+                index.add_points(class, metric, &points[here.clone()]);
+            }
+        }
+        Ok(index)
     }
 
     /// What [`Index::from_plan`] takes.
     pub fn plan(&self) -> Plan {
+        let windows =
+            || self.rows.iter().enumerate().flat_map(|(leaf, rows)| (0..BLOCK).map(move |i| (leaf, i, rows[i])));
+        let windows = || windows().filter(|&(_, _, row)| row != NO_ROW);
         Plan {
-            order: self.rows.as_flattened().iter().copied().filter(|&row| row != NO_ROW).collect(),
+            order: windows().map(|(_, _, row)| row).collect(),
             bases: [0, 1].map(|i| self.leaves[i].subspace().floats()),
+            points: [0, 1].map(|m| windows().map(|(leaf, i, _)| self.leaves[m].point_in(leaf, i)).collect()),
         }
     }
 
     /// With room for its leaves.
     fn new(windows: Windows, subspaces: [Subspace; 2]) -> Self {
-        let (rows, classes) = (windows.rows(), 0..windows.classes.len());
+        let classes = 0..windows.classes.len();
         let leaves = classes.map(|class| windows.of_class(class).count().div_ceil(BLOCK)).sum();
         Self {
-            windows,
-            norms: METRICS.map(|_| vec![0.0; rows]),
+            norms: METRICS.map(|metric| windows.norms(metric)),
             leaves: subspaces.map(|s| Leaves::new(s, leaves)),
             rows: Vec::with_capacity(leaves),
-            slots: vec![NO_ROW; rows],
+            slots: vec![NO_ROW; windows.rows()],
+            windows,
             #[cfg(feature = "offline")]
             kd_trees: None,
         }
     }
 
-    /// Begins a class in the leaves of a metric; returns the integers of its windows, which end at `rows`.
-    fn begin_class(&mut self, class: usize, rows: &[u32], metric: Metric) -> Vec<Point> {
-        let Self { windows, norms, leaves, .. } = self;
-        let uncentred_length = windows.uncentred_length(class, metric);
-        let centred = rows.iter().map(|&row| {
-            let window = windows.centred(row as usize, metric);
-            norms[metric as usize][row as usize] = window.norm;
-            window
-        });
-        leaves[metric as usize].begin_class(centred, uncentred_length)
+    /// The integers of the window that ends at a row.
+    fn point(&self, row: u32, metric: Metric) -> Point {
+        self.leaves[metric as usize].point(&self.windows.centred(row as usize, metric))
     }
 
-    /// Ends a class of these windows, whose integers by the full-body metric are given.
-    fn end_class(&mut self, class: usize, rows: &[u32], points: &[Point]) {
-        self.leaves[Metric::FullBody as usize].end_class(points);
-        let points = self.begin_class(class, rows, Metric::LowerBody);
-        self.leaves[Metric::LowerBody as usize].end_class(&points);
+    /// Adds the rows of a class, …
+    fn add_rows(&mut self, rows: &[u32]) {
         for rows in rows.chunks(BLOCK) {
             let mut leaf = [NO_ROW; BLOCK];
             leaf[..rows.len()].copy_from_slice(rows);
@@ -139,6 +165,17 @@ impl Index {
             self.rows.push(leaf);
         }
     }
+
+    /// … and the integers of its windows by a metric, in the same order.
+    fn add_points(&mut self, class: usize, metric: Metric, points: &[Point]) {
+        let bounds = self.windows.bounds(class, metric, &self.norms[metric as usize]);
+        self.leaves[metric as usize].add_class(points, bounds);
+    }
+}
+
+/// About [`SAMPLES`] of these, evenly spread.
+fn sample<T>(of: &[T]) -> impl Iterator<Item = &T> {
+    of.iter().step_by(of.len().div_ceil(SAMPLES).max(1))
 }
 
 /// Whether `order` holds the numbers of the ascending `rows` in any order.

@@ -143,6 +143,12 @@ impl Subspace {
         skew(&height).max(skew(&ground))
     }
 
+    /// Bound on [`Projection::error`] of windows of this [`CentredWindow::scale`] whose squared length is at most `norm`.
+    pub(super) fn greatest_error(&self, norm: f32, scale: f32) -> f32 {
+        let mean = inner_product::<LANES, LANES>(&self.mean, &self.mean) / scale;
+        ROUNDING * (norm.sqrt() + mean.sqrt()) + INPUT_ROUNDING * norm.sqrt()
+    }
+
     /// A window in this subspace.
     pub(super) fn project(&self, window: &CentredWindow) -> Projection {
         let frames = self.mean.len();

@@ -113,6 +113,16 @@ fn kind() -> impl Strategy<Value = Kind> {
     prop::sample::select(vec![Kind::Walk, Kind::Frozen, Kind::Collapsed, Kind::Giant, Kind::Fast])
 }
 
+/// Where the windows of a plan lie by its directions.
+fn points_of(db: &Database, plan: &Plan) -> [Vec<[i16; Plan::COORDINATES]>; 2] {
+    let windows = windows::Windows::new(db, WINDOW);
+    [Metric::FullBody, Metric::LowerBody].map(|metric| {
+        let subspace = subspace::Subspace::from_floats(&plan.bases[metric as usize], WINDOW).unwrap();
+        let point = |row: &u32| block::quantise(&subspace.project(&windows.centred(*row as usize, metric)));
+        plan.order.iter().map(point).collect()
+    })
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
     #[test]
@@ -200,7 +210,8 @@ proptest! {
             let heights = &mut basis[..Plan::BASIS_LENGTH * 15 / 39];
             heights.chunks_exact_mut(20).for_each(|frame| frame.rotate_left(4 * (random as usize % 3)));
         }
-        let shuffled = Index::from_plan(&db, &plan).unwrap();
+        plan.points = points_of(&db, &plan);
+        let shuffled = Index::from_plan(&mut db.clone(), plan).unwrap();
         let window = {
             let mut window = QueryWindow::default();
             window.push(&db.point_cloud[row], Placement::default());
@@ -237,11 +248,11 @@ fn classes_that_are_far_are_known_to_be() {
 fn a_plan_gives_its_index_and_others_are_refused() {
     let db = sine_walk::database();
     let plan = Index::build(&db).plan();
-    assert_eq!(Index::from_plan(&db, &plan).unwrap().plan(), plan);
+    assert_eq!(Index::from_plan(&mut db.clone(), plan.clone()).unwrap().plan(), plan);
     let refused = |change: &dyn Fn(&mut Plan)| {
         let mut changed = plan.clone();
         change(&mut changed);
-        Index::from_plan(&db, &changed).unwrap_err()
+        Index::from_plan(&mut db.clone(), changed).unwrap_err()
     };
     assert_eq!(refused(&|p| p.order[1] = p.order[0]), PlanError::Order);
     assert_eq!(refused(&|p| p.order[0] = 0), PlanError::Order);
@@ -249,6 +260,9 @@ fn a_plan_gives_its_index_and_others_are_refused() {
     assert_eq!(refused(&|p| p.order.truncate(5)), PlanError::Order);
     assert_eq!(refused(&|p| p.order.push(0)), PlanError::Order);
     assert_eq!(refused(&|p| p.order.reverse()), PlanError::Order);
+    assert_eq!(refused(&|p| p.points[0].truncate(5)), PlanError::Points);
+    assert_eq!(refused(&|p| p.points[1][0][3] += 1), PlanError::Points);
+    assert_eq!(refused(&|p| p.points[1][1] = [i16::MIN; Plan::COORDINATES]), PlanError::Points);
     assert_eq!(refused(&|p| p.bases[0].truncate(5)), PlanError::Basis);
     assert_eq!(refused(&|p| p.bases[1][200] += 0.01), PlanError::Basis);
     assert_eq!(refused(&|p| p.bases[1][0] = f32::NAN), PlanError::Basis);

@@ -1,7 +1,11 @@
 //! The stored windows.
 
-use super::metric::{CentredWindow, FramePoints, GroundRow, HeightRow, LENGTH, MAX_WINDOW, Metric, frames_of};
+use super::leaves::Bounds;
+use super::metric::{
+    CentredWindow, FramePoints, FrameSums, GroundRow, HeightRow, LENGTH, MAX_WINDOW, Metric, frames_of, window_norm,
+};
 use crate::database::{Clip, Database};
+use crate::math::Vec3;
 use crate::pose_vector::{HEADING_RATE, Placement};
 use std::ops::Range;
 
@@ -58,6 +62,26 @@ impl Windows {
         (clip.start + frames_of::<LENGTH>(self.length).max(2) - 1).min(clip.end)..clip.end
     }
 
+    /// Ankle and toes, left and right, in the clip's frame of reference.
+    pub(super) fn feet(&self, row: usize) -> [[Vec3; 2]; 2] {
+        FramePoints { height: self.heights[row], ground: self.ground[row] }.feet()
+    }
+
+    /// |y|² + |z|² of the window that ends at each row; 0 where none does.
+    pub(super) fn norms(&self, metric: Metric) -> Vec<f32> {
+        let mut norms = vec![0.0; self.rows()];
+        for clip in &self.clips {
+            let rows = self.heights[clip.clone()].iter().zip(&self.ground[clip.clone()]);
+            let frame = |(&height, &ground)| FrameSums::new(&FramePoints { height, ground }, metric);
+            let sums: Vec<FrameSums> = rows.map(frame).collect();
+            for end in self.of_clip(clip) {
+                let last = end - clip.start;
+                norms[end] = window_norm(&sums[last + 1 - frames_of::<LENGTH>(self.length)..=last], metric);
+            }
+        }
+        norms
+    }
+
     /// The points of the window that ends at row `last`.
     #[inline]
     pub(super) fn points<const S: usize>(&self, last: usize) -> (&[HeightRow], &[GroundRow]) {
@@ -66,9 +90,13 @@ impl Windows {
         (&self.heights[first..][..frames], &self.ground[first..][..frames])
     }
 
-    /// A length that no window of a class exceeds before it is centred, metres.
-    pub(super) fn uncentred_length(&self, class: usize, metric: Metric) -> f32 {
-        (self.greatest_norms[class] / metric.share()).sqrt()
+    /// What holds for the windows of a class, whose `norms` are given.
+    pub(super) fn bounds(&self, class: usize, metric: Metric, norms: &[f32]) -> Bounds {
+        Bounds {
+            scale: 1.0 / (frames_of::<LENGTH>(self.length) as f32 * metric.share()),
+            norm: self.of_class(class).map(|row| norms[row]).fold(0.0, f32::max),
+            uncentred_length: (self.greatest_norms[class] / metric.share()).sqrt(),
+        }
     }
 
     /// The vector of the window that ends at row `last`.

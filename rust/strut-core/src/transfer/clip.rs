@@ -201,7 +201,7 @@ mod tests {
     use std::sync::Arc;
 
     fn styled() -> StyledMotion {
-        let mut s = Stylizer::new(Arc::new(Model::new(Arc::new(database()))), Options::DEFAULT).unwrap();
+        let mut s = Stylizer::new(Arc::new(Model::new(database())), Options::DEFAULT).unwrap();
         s.set_styles(&[0.0, 1.0]).unwrap();
         let input = walk(&NEUTRAL, 120, 0.0);
         stylize_clip(&s, &input.poses, &mut NoClock, |_, _| ControlFlow::Continue(())).unwrap()
@@ -242,7 +242,7 @@ mod tests {
 
     /// A clip whose styles are set anew before every frame.
     fn tracked(options: Options, weight: impl Fn(usize) -> f32) -> StyledMotion {
-        let s = Stylizer::new(Arc::new(Model::new(Arc::new(database()))), options).unwrap();
+        let s = Stylizer::new(Arc::new(Model::new(database())), options).unwrap();
         let mut job = ClipJob::new(s);
         for (i, pose) in walk(&NEUTRAL, 120, 0.0).poses.iter().enumerate() {
             job.set_styles(&[0.0, weight(i)]).unwrap();
@@ -277,7 +277,7 @@ mod tests {
 
     #[test]
     fn the_observer_sees_every_frame_and_may_stop() {
-        let s = Stylizer::new(Arc::new(Model::new(Arc::new(database()))), Options::DEFAULT).unwrap();
+        let s = Stylizer::new(Arc::new(Model::new(database())), Options::DEFAULT).unwrap();
         let input = walk(&NEUTRAL, 10, 0.0);
         let mut seen = 0;
         let stopped = stylize_clip(&s, &input.poses, &mut NoClock, |i, trace| {

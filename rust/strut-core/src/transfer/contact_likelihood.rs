@@ -4,10 +4,9 @@
 use super::sole::Soles;
 use crate::database::Database;
 use crate::kinematics::WorldPose;
+use crate::math::Vec3;
 use crate::math::float_funcs::exp;
-use crate::math::{Quat, Vec3};
-use crate::pose_vector::{HEADING_RATE, VELOCITY_X, VELOCITY_Z};
-use crate::search::Neighbour;
+use crate::search::{Index, Neighbour};
 
 /// Neighbours that vote, by the lower-body metric.
 pub(super) const VOTERS: usize = 40;
@@ -42,7 +41,7 @@ fn foot_points(position: impl Fn(usize) -> Vec3) -> FootPoints {
 struct FeetState([[f32; 4]; 2]);
 
 impl FeetState {
-    /// From world positions in three successive frames.
+    /// From positions in three successive frames.
     fn new(frames: &[FootPoints; 3], rate_hz: f32) -> Self {
         Self(std::array::from_fn(|side| {
             let speed = |point: usize| (frames[2][side][point] - frames[0][side][point]).length() * 0.5 * rate_hz;
@@ -50,18 +49,9 @@ impl FeetState {
         }))
     }
 
-    /// Of a row and the two before it in its clip, seen from the middle one.
-    fn of_row(db: &Database, row: usize) -> Self {
-        let dt = 1.0 / db.rate_hz;
-        let travel = |row: usize| Vec3::new(db.pose[row][VELOCITY_X], 0.0, db.pose[row][VELOCITY_Z]) * dt;
-        let turn = |row: usize| Quat::from_rotation_y(db.pose[row][HEADING_RATE] * dt);
-        let (travels, turns) = ([travel(row - 1), travel(row)], [turn(row - 1).inverse(), turn(row)]);
-        let frames = [
-            foot_points(|joint| turns[0] * db.point_cloud[row - 2][joint] - travels[0]),
-            foot_points(|joint| db.point_cloud[row - 1][joint]),
-            foot_points(|joint| turns[1] * (db.point_cloud[row][joint] + travels[1])),
-        ];
-        Self::new(&frames, db.rate_hz)
+    /// Of a row and the two before it in its clip.
+    fn of_row(index: &Index, row: usize, rate_hz: f32) -> Self {
+        Self::new(&[row - 2, row - 1, row].map(|row| index.feet(row)), rate_hz)
     }
 
     /// Sum of squared differences of one foot.
@@ -97,12 +87,12 @@ pub(super) struct Votes {
 }
 
 /// Has the neighbours vote, whose windows reach back two frames at least; 0 without neighbours.
-pub(super) fn vote(db: &Database, neighbours: &[Neighbour], feet: &RecentFeet) -> Votes {
+pub(super) fn vote(db: &Database, index: &Index, neighbours: &[Neighbour], feet: &RecentFeet) -> Votes {
     let Some(frames) = &feet.frames else { return Votes::default() };
     let input = FeetState::new(frames, db.rate_hz);
     let (mut votes, mut voices) = (Votes::default(), [0.0_f32; 2]);
     for row in neighbours.iter().map(|n| n.row as usize) {
-        let state = FeetState::of_row(db, row);
+        let state = FeetState::of_row(index, row, db.rate_hz);
         for (side, voices) in voices.iter_mut().enumerate() {
             let voice = 1.0 / (state.difference(&input, side) + SAME);
             *voices += voice;
@@ -180,7 +170,7 @@ mod tests {
     #[test]
     fn frames_of_the_database_are_recognised() {
         let db = crate::transfer::sine_walk::database();
-        let proportions = db.proportions;
+        let (proportions, index) = (db.proportions, Index::build(&db));
         let walk = walk(&NEUTRAL, 120, 0.0);
         let mut feet = RecentFeet::default();
         // Row i of the first clip is frame i of this walk; voters from half a cycle away say the opposite.
@@ -191,13 +181,13 @@ mod tests {
             }
             let rows = [i, i - 1, i - 32, i - 33, i - 34, i - 35];
             let voters = rows.map(|row| Neighbour { distance: 1e-3, row: row as u32 });
-            let votes = vote(&db, &voters, &feet);
+            let votes = vote(&db, &index, &voters, &feet);
             for side in 0..2 {
                 assert_eq!(votes.now[side] > 0.5, walk.contact[i][side] == 1, "frame {i}: {votes:?}");
                 assert_eq!(votes.before[side] > 0.5, walk.contact[i - 1][side] == 1, "frame {i}: {votes:?}");
             }
         }
-        assert_eq!(vote(&db, &[], &feet), Votes::default());
+        assert_eq!(vote(&db, &index, &[], &feet), Votes::default());
     }
 
     #[test]

@@ -5,9 +5,7 @@ use super::coherence::{Expectation, HALF_LIFE_SECS, taper};
 use super::mixture::{class_weights, greatest_distance};
 use super::model::Model;
 use super::options::{Method, Options};
-use super::regression::{
-    Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, interpolate_before, predict,
-};
+use super::regression::{Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, predict};
 use super::timing::{Moment, duration};
 use super::trained::Trained;
 use crate::math::float_funcs::half_life_share;
@@ -55,7 +53,7 @@ impl StylePrediction {
         }
         trained.start(model, neighbours.first().map(|n| n.row as usize));
         let targets = &model.target_table(self.style).pose;
-        Some(trained.predict(input, &interpolate_before(targets, neighbours)))
+        Some(trained.predict(input, &interpolate(|row| targets.get(row - 1), neighbours)))
     }
 }
 
@@ -224,7 +222,7 @@ impl Mixture {
             let ridge = options.lambda * weights.iter().sum::<f32>();
             let regresses = matches!(options.method, Method::Mar | Method::LocalAr);
             let moments = regresses.then(|| {
-                self.inputs.fill(&db.pose, neighbours);
+                self.inputs.fill(model.rows(), neighbours);
                 InputMoments::new(&self.inputs, weights)
             });
             let bias = match (&moments, options.method) {
@@ -242,8 +240,11 @@ impl Mixture {
                     row
                 } else if let Some(moments) = &moments {
                     // A style that begins takes the neighbours' mean for its past.
-                    let start =
-                        if s.started { s.previous } else { bias.put_on(interpolate_before(targets, neighbours)) };
+                    let start = if s.started {
+                        s.previous
+                    } else {
+                        bias.put_on(interpolate(|row| targets.get(row - 1), neighbours))
+                    };
                     self.targets.fill(targets, neighbours);
                     let samples = Samples { inputs: &self.inputs, targets: &self.targets, weights };
                     let u =
@@ -253,7 +254,7 @@ impl Mixture {
                     output
                 } else {
                     let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
-                    interpolate(targets, &neighbours[..nearest])
+                    interpolate(|row| targets.get(row), &neighbours[..nearest])
                 };
                 s.current.iter_mut().zip(&row).for_each(|(sum, v)| *sum += weight * v);
             }
@@ -288,14 +289,14 @@ impl Mixture {
             let neighbours = component.neighbours.as_slice();
             let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
             let (neighbours, weights) = (&neighbours[..nearest], component.neighbour_weights.as_slice());
-            model.scales().squared_distances(now, &db.pose, neighbours, of_inputs);
+            model.scales().squared_distances(now, model.rows(), neighbours, of_inputs);
             for s in styles.iter_mut() {
                 let table = model.target_table(s.style);
                 let now = Moment { pose: &s.current, previous: if s.started { &s.previous } else { &s.current } };
                 model.scales().squared_distances(now, &table.pose, neighbours, of_outputs);
                 let secs = duration(of_inputs, of_outputs, neighbours, weights, &table.step_secs);
                 s.step_secs += weight * secs.unwrap_or(frame_secs);
-                let contact: [f32; 2] = interpolate(&table.contact, neighbours);
+                let contact: [f32; 2] = interpolate(|row| table.contact(row), neighbours);
                 s.contact.iter_mut().zip(contact).for_each(|(sum, c)| *sum += weight * c);
             }
         }

@@ -5,6 +5,7 @@
 //! once go through all neighbours in their order, with their sums in registers.
 
 use super::bias::{Bias, InputStatistics};
+use crate::database::Rows;
 use crate::math::lanes::Lane;
 use crate::pose_vector::{LANES, PoseRow, ROW};
 use crate::search::Neighbour;
@@ -27,13 +28,13 @@ impl Gathered {
     }
 
     /// Takes these rows in place of those before. The neighbours' rows are never the first of a clip.
-    pub(super) fn fill(&mut self, rows: &[PoseRow], neighbours: &[Neighbour]) {
+    pub(super) fn fill(&mut self, rows: &(impl Rows + ?Sized), neighbours: &[Neighbour]) {
         self.count = neighbours.len();
         self.pairs.resize(LANES * self.count, Default::default());
         for (k, n) in neighbours.iter().enumerate() {
-            let (before, at) = (&rows[n.row as usize - 1], &rows[n.row as usize]);
+            let at = n.row as usize;
             for (l, pair) in self.pairs[k..].iter_mut().step_by(self.count).enumerate() {
-                *pair = [Lane::of(before, l), Lane::of(at, l)];
+                *pair = [rows.lane(at - 1, l), rows.lane(at, l)];
             }
         }
     }
@@ -223,22 +224,13 @@ fn means(pairs: &[[Lane; 2]], weights: &[f32]) -> [Lane; 2] {
 const SAME: f32 = 1e-5;
 
 /// Inverse-distance mean of the neighbours' values: KNN interpolation.
-pub(super) fn interpolate<const N: usize>(values: &[[f32; N]], neighbours: &[Neighbour]) -> [f32; N] {
-    inverse_distance_mean(neighbours.iter().map(|n| (n.distance, &values[n.row as usize])))
-}
-
-/// The same of the rows one frame earlier.
-pub(super) fn interpolate_before(rows: &[PoseRow], neighbours: &[Neighbour]) -> PoseRow {
-    inverse_distance_mean(neighbours.iter().map(|n| (n.distance, &rows[n.row as usize - 1])))
-}
-
-fn inverse_distance_mean<'a, const N: usize>(values: impl Iterator<Item = (f32, &'a [f32; N])>) -> [f32; N] {
+pub(super) fn interpolate<const N: usize>(value: impl Fn(usize) -> [f32; N], neighbours: &[Neighbour]) -> [f32; N] {
     let mut sum = [0.0; N];
     let mut weights = 0.0;
-    for (distance, value) in values {
-        let w = 1.0 / (distance + SAME);
+    for n in neighbours {
+        let w = 1.0 / (n.distance + SAME);
         weights += w;
-        for (s, v) in sum.iter_mut().zip(value) {
+        for (s, v) in sum.iter_mut().zip(value(n.row as usize)) {
             *s += w * v;
         }
     }
@@ -317,7 +309,7 @@ mod tests {
     #[test]
     fn identical_neighbours_give_their_target() {
         let (inputs, targets) = (vec![[0.5; ROW]; 10], vec![[0.8; ROW]; 10]);
-        assert!(interpolate(&targets, &neighbours(10)).iter().all(|v| (v - 0.8).abs() < 1e-6));
+        assert!(interpolate(|row| targets[row], &neighbours(10)).iter().all(|v| (v - 0.8).abs() < 1e-6));
         let (inputs, targets) = (gathered(&inputs), gathered(&targets));
         let moments = InputMoments::new(&inputs, &[1.0; 9]);
         let (x, y0) = ([0.9; ROW], [0.1; ROW]);

@@ -220,7 +220,7 @@ impl Stylizer {
         clock.end(Stage::Blend);
 
         self.mixture.search_contacts(&model, &self.window, VOTERS, &mut self.contacts);
-        self.votes = vote(model.database(), self.contacts.as_slice(), &self.feet);
+        self.votes = vote(model.database(), model.index(), self.contacts.as_slice(), &self.feet);
         self.frame.contact = self.votes.now;
         self.frame.contact_out = self.output_contact(self.frame.contact);
         clock.end(Stage::Contact);

@@ -1,5 +1,6 @@
 //! How long an output frame lasts (specification, §9).
 
+use crate::database::Rows;
 use crate::math::float_funcs::exp;
 use crate::math::lanes::Lane;
 use crate::pose_vector::{LANES, PoseRow};
@@ -26,13 +27,13 @@ impl Scales {
         Self { pose: inverse(sigma), step: inverse(step_sigma) }
     }
 
-    /// Of pose and step.
-    fn squared_distance(&self, a: Moment<'_>, b: Moment<'_>) -> f32 {
+    /// Of pose and step, between a moment and a row.
+    fn squared_distance(&self, now: Moment<'_>, rows: &(impl Rows + ?Sized), row: usize) -> f32 {
         let (mut poses, mut steps) = (Lane::default(), Lane::default());
         for l in 0..LANES {
             let at = |row: &PoseRow| Lane::of(row, l);
-            let pose = at(a.pose) - at(b.pose);
-            let step = pose - (at(a.previous) - at(b.previous));
+            let pose = at(now.pose) - rows.lane(row, l);
+            let step = pose - (at(now.previous) - rows.lane(row - 1, l));
             poses += at(&self.pose) * pose * pose;
             steps += at(&self.step) * step * step;
         }
@@ -43,15 +44,12 @@ impl Scales {
     pub(super) fn squared_distances(
         &self,
         now: Moment<'_>,
-        rows: &[PoseRow],
+        rows: &(impl Rows + ?Sized),
         neighbours: &[Neighbour],
         out: &mut Vec<f32>,
     ) {
         out.clear();
-        out.extend(neighbours.iter().map(|n| {
-            let at = n.row as usize;
-            self.squared_distance(now, Moment { pose: &rows[at], previous: &rows[at - 1] })
-        }));
+        out.extend(neighbours.iter().map(|n| self.squared_distance(now, rows, n.row as usize)));
     }
 }
 
@@ -91,7 +89,7 @@ mod tests {
         let (x, x0) = ([pose; ROW], [pose - 0.1; ROW]);
         let mut distances = Vec::new();
         let scales = Scales::new(&[1.0; ROW], &[1.0; ROW]);
-        scales.squared_distances(Moment { pose: &x, previous: &x0 }, &rows, &list, &mut distances);
+        scales.squared_distances(Moment { pose: &x, previous: &x0 }, &rows[..], &list, &mut distances);
         duration(&distances, &distances, &list, &[1.0; 9], &secs).unwrap()
     }
 

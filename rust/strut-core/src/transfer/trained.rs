@@ -23,7 +23,7 @@ impl Trained {
     /// second when the model has not trained it yet.
     pub(super) fn new(model: &Model, options: &Options, classes: &[usize], style: usize) -> Option<Self> {
         let baseline = options.method.baseline()?;
-        let pairs = Pairs::new(model.database(), model.target_table(style), classes);
+        let pairs = Pairs::new(model.database(), model.rows(), model.target_table(style), classes);
         let predictor = model.baselines().predictor(baseline, &pairs, options.lambda);
         Some(Self { memory: vec![0.0; predictor.memory_len()], step_secs: 1.0 / model.database().rate_hz, predictor })
     }
@@ -31,11 +31,11 @@ impl Trained {
     /// Begins as if the frames that led up to the row `nearest` had been the input so far.
     pub(super) fn start(&mut self, model: &Model, nearest: Option<usize>) {
         let db = model.database();
-        let past: &[PoseRow] = nearest.map_or(&[], |row| {
+        let past: Vec<PoseRow> = nearest.map_or_else(Vec::new, |row| {
             let first = db.clips[db.clip_of_row(row)].first_frame;
-            &db.pose[first.max(row.saturating_sub(RUN_UP))..row]
+            (first.max(row.saturating_sub(RUN_UP))..row).map(|row| model.rows().get(row)).collect()
         });
-        self.predictor.start(&mut self.memory, past);
+        self.predictor.start(&mut self.memory, &past);
     }
 
     /// The next row.

@@ -29,6 +29,7 @@ impl Crc32 {
         Self { state: !0, tables }
     }
 
+    #[inline(never)]
     pub(super) fn update(&mut self, bytes: &[u8]) {
         let tables = &self.tables;
         let (strides, rest) = bytes.as_chunks::<STRIDE>();

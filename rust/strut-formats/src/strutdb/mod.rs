@@ -15,8 +15,9 @@
 //! | `chart` | J, 4 | f32 | mean rotations x y z w: centres of the exponential maps |
 //! | `search_order` | W | u32 | rows at which windows end, near ones together; may be absent |
 //! | `search_basis` | 2, L | f32 | mean and principal directions of windows by both metrics; may be absent |
+//! | `search_points` | 2, W, 40 | i16 | where the windows lie by these directions; may be absent |
 //!
-//! The last two are a [`Plan`] of the search index, of the version `search_version` of the metadata. They save the time
+//! The last three are a [`Plan`] of the search index, of the version `search_version` of the metadata. They save the time
 //! to make one; searches find the same without.
 //!
 //! Further tensors are ignored. The metadata entry `strut` is a JSON object; see [`Metadata`] for its
@@ -40,10 +41,12 @@ mod crc32;
 mod metadata;
 pub mod packed;
 mod read;
+mod source;
 mod write;
 
 pub use metadata::{ClipInfo, Metadata, SkeletonInfo};
-pub use read::{read, read_metadata, read_plan};
+pub use read::{Contents, read, read_metadata};
+pub use source::Source;
 pub use write::write;
 
 use strut_core::database::DatabaseError;

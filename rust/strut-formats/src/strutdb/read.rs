@@ -1,49 +1,72 @@
 //! Bytes to [`Database`]; trusts nothing.
 
 use super::metadata::{Metadata, pose_columns};
-use super::{MAX_BYTES, MAX_CLIPS, StrutdbError, VERSION, checksum};
-use safetensors::SafeTensors;
-use safetensors::tensor::{Dtype, SafeTensorError};
+use super::{MAX_BYTES, MAX_CLIPS, Source, StrutdbError, VERSION, checksum};
+use bytemuck::Pod;
+use safetensors::tensor::{Dtype, Metadata as Header};
 use serde::Deserialize;
 use strut_core::database::{Clip, Database, DatabaseError, DatabaseParts, MAX_COUNTERPARTS, MAX_FRAMES};
 use strut_core::humanoid::JOINTS;
-use strut_core::math::{Quat, Vec3};
-use strut_core::pose_vector::{DOFS, PoseChart, ROW};
-use strut_core::search::Plan;
+use strut_core::math::Quat;
+use strut_core::pose_vector::{DOFS, PoseChart, PoseRow, ROW};
+use strut_core::search::{Index, Plan};
+
+/// What is in a file.
+#[derive(Clone, Debug)]
+pub struct Contents {
+    /// The database.
+    pub database: Database,
+    /// The plan of its search index; `None` if there is none of this version. Whether it is one for the database
+    /// [`Index::from_plan`] finds out.
+    pub plan: Option<Plan>,
+}
+
+impl Contents {
+    /// The index of the plan, if there is a good one; it takes the place of the database's point clouds.
+    pub fn planned_index(&mut self) -> Option<Index> {
+        Index::from_plan(&mut self.database, self.plan.take()?).ok()
+    }
+}
 
 /// Reads a file.
 ///
 /// # Errors
 /// [`StrutdbError`] for anything but an undamaged database of this major version.
-pub fn read(bytes: &[u8]) -> Result<Database, StrutdbError> {
-    if bytes.len() > MAX_BYTES {
-        return Err(StrutdbError::TooManyBytes { bytes: bytes.len() });
-    }
-    let tensors = SafeTensors::deserialize(bytes).map_err(container_error)?;
-    let metadata = read_metadata(bytes)?;
+pub fn read<S: Source + ?Sized>(file: &S) -> Result<Contents, StrutdbError> {
+    let (metadata, tensors) = open(file)?;
     let proportions = metadata.skeleton.proportions().ok_or(StrutdbError::Layout("joints"))?;
     if metadata.pose_columns != pose_columns() {
         return Err(StrutdbError::Layout("degrees of freedom"));
     }
     let clips = clips(&metadata)?;
-    let frames = frames_of(&clips)?;
-    let classes = tensor(&tensors, "class_of_clip", Dtype::U16, &[Some(clips.len()), Some(2)])?;
-    let agree = clips.iter().zip(classes.data.chunks_exact(4)).all(|(clip, c)| {
-        (clip.action, clip.style) == (u16::from_le_bytes([c[0], c[1]]), u16::from_le_bytes([c[2], c[3]]))
-    });
-    if !agree {
-        return Err(invalid("'class_of_clip' and the clips' actions and styles differ".into()));
-    }
+    let n = Some(frames_of(&clips)?);
 
-    let f32s = |name, shape: &[Option<usize>]| tensor(&tensors, name, Dtype::F32, shape);
-    let n = Some(frames);
+    let f32s = |name, shape: &[Option<usize>]| tensors.find(name, Dtype::F32, shape);
+    let pose = f32s("pose", &[n, Some(DOFS)])?.rows();
+    let point_cloud = f32s("point_cloud", &[n, Some(JOINTS), Some(3)])?.numbers();
+    let canonical_time = f32s("canonical_time", &[n])?.numbers();
+    let time_step = f32s("time_step", &[n])?.numbers();
+    let contact = tensors.find("contact", Dtype::U8, &[n, Some(2)])?.numbers();
+    let classes: Vec<[u16; 2]> = tensors.find("class_of_clip", Dtype::U16, &[Some(clips.len()), Some(2)])?.numbers();
     let counterpart = f32s("counterpart", &[n, Some(metadata.styles.len()), None])?;
     let counterparts_per_style = counterpart.shape[2];
     if counterparts_per_style > MAX_COUNTERPARTS {
         return Err(invalid(format!("{counterparts_per_style} counterparts a style")));
     }
-    let chart: Vec<f32> = f32s("chart", &[Some(JOINTS), Some(4)])?.floats().collect();
-    let contact = tensor(&tensors, "contact", Dtype::U8, &[n, Some(2)])?;
+    let counterpart = counterpart.numbers();
+    let chart: Vec<f32> = f32s("chart", &[Some(JOINTS), Some(4)])?.numbers();
+    let order = tensors.find("search_order", Dtype::U32, &[None]).map(|tensor| tensor.numbers());
+    let bases = f32s("search_basis", &[Some(2), Some(Plan::BASIS_LENGTH)]).map(|tensor| tensor.halves());
+    let points = tensors.find("search_points", Dtype::I16, &[Some(2), None, Some(Plan::COORDINATES)]);
+    let points = points.map(|tensor| tensor.halves());
+
+    if !clips.iter().zip(classes).all(|(clip, class)| [clip.action, clip.style] == class) {
+        return Err(invalid("'class_of_clip' and the clips' actions and styles differ".into()));
+    }
+    let plan = match (metadata.search_version, order, bases, points) {
+        (Some(Plan::VERSION), Ok(order), Ok(bases), Ok(points)) => Some(Plan { order, bases, points }),
+        _ => None,
+    };
     let parts = DatabaseParts {
         rate_hz: metadata.rate_hz,
         proportions,
@@ -52,53 +75,40 @@ pub fn read(bytes: &[u8]) -> Result<Database, StrutdbError> {
         actions: metadata.actions,
         styles: metadata.styles,
         clips,
-        pose: rows(f32s("pose", &[n, Some(DOFS)])?.data),
-        point_cloud: point_clouds(f32s("point_cloud", &[n, Some(JOINTS), Some(3)])?.data),
-        canonical_time: f32s("canonical_time", &[n])?.floats().collect(),
-        time_step: f32s("time_step", &[n])?.floats().collect(),
-        contact: contact.data.chunks_exact(2).map(|c| [c[0], c[1]]).collect(),
+        pose,
+        point_cloud,
+        canonical_time,
+        time_step,
+        contact,
         counterparts_per_style,
-        counterpart: counterpart.floats().collect(),
+        counterpart,
     };
-    Ok(Database::new(parts)?)
-}
-
-/// The plan of the search index in a file that [`read`] accepts; `None` if there is none of this version. Whether it is
-/// one for the database [`Index::from_plan`](strut_core::search::Index::from_plan) finds out.
-pub fn read_plan(bytes: &[u8]) -> Option<Plan> {
-    let (_, header) = SafeTensors::read_metadata(bytes).ok()?;
-    let metadata: Metadata = serde_json::from_str(header.metadata().as_ref()?.get("strut")?).ok()?;
-    metadata.search_version.filter(|&v| v == Plan::VERSION)?;
-    let tensors = SafeTensors::deserialize(bytes).ok()?;
-    let order = tensor(&tensors, "search_order", Dtype::U32, &[None]).ok()?;
-    let basis = tensor(&tensors, "search_basis", Dtype::F32, &[Some(2), Some(Plan::BASIS_LENGTH)]).ok()?;
-    let (full, lower) = basis.data.split_at(basis.data.len() / 2);
-    Some(Plan {
-        order: order.data.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect(),
-        bases: [full, lower].map(|data| floats(data).collect()),
-    })
-}
-
-fn container_error(error: SafeTensorError) -> StrutdbError {
-    use SafeTensorError as E;
-    match error {
-        E::MetadataIncompleteBuffer | E::TensorInvalidInfo | E::InvalidOffset(_) | E::ValidationOverflow => {
-            StrutdbError::Length
-        }
-        _ => StrutdbError::NotSafetensors,
-    }
+    Ok(Contents { database: Database::new(parts)?, plan })
 }
 
 /// Reads the metadata alone, once version and checksum are found right.
 ///
 /// # Errors
 /// [`StrutdbError`] for a damaged file, one of another version, or none at all.
-pub fn read_metadata(bytes: &[u8]) -> Result<Metadata, StrutdbError> {
+pub fn read_metadata<S: Source + ?Sized>(file: &S) -> Result<Metadata, StrutdbError> {
+    open(file).map(|(metadata, _)| metadata)
+}
+
+/// The metadata and the tensors of an undamaged file.
+fn open<S: Source + ?Sized>(file: &S) -> Result<(Metadata, Tensors<'_, S>), StrutdbError> {
     #[derive(Deserialize)]
     struct Version {
         version: String,
     }
-    let (_, header) = SafeTensors::read_metadata(bytes).map_err(container_error)?;
+    if file.len() > MAX_BYTES {
+        return Err(StrutdbError::TooManyBytes { bytes: file.len() });
+    }
+    let beginning = beginning(file).ok_or(StrutdbError::NotSafetensors)?;
+    let header: Header =
+        serde_json::from_slice(&beginning[LENGTH_BYTES..]).map_err(|_| StrutdbError::NotSafetensors)?;
+    if header.data_len().checked_add(beginning.len()) != Some(file.len()) {
+        return Err(StrutdbError::Length);
+    }
     let json = header.metadata().as_ref().and_then(|m| m.get("strut")).ok_or(StrutdbError::NoMetadata)?;
     let unreadable = |e: serde_json::Error| StrutdbError::Metadata(e.to_string());
     let Version { version } = serde_json::from_str(json).map_err(unreadable)?;
@@ -108,11 +118,30 @@ pub fn read_metadata(bytes: &[u8]) -> Result<Metadata, StrutdbError> {
     }
     let metadata: Metadata = serde_json::from_str(json).map_err(unreadable)?;
     let found: String = metadata.checksum.chars().take(20).collect();
-    let computed = checksum::compute(bytes).unwrap_or_default();
+    let computed = checksum::compute(&beginning, file).unwrap_or_default();
     if found != computed {
         return Err(StrutdbError::Checksum { found, computed });
     }
-    Ok(metadata)
+    Ok((metadata, Tensors { header, start: beginning.len(), file }))
+}
+
+/// Bytes that hold the length of the header.
+const LENGTH_BYTES: usize = 8;
+
+/// The file up to the end of its header, if it is that long.
+fn beginning<S: Source + ?Sized>(file: &S) -> Option<Vec<u8>> {
+    let mut length = [0; LENGTH_BYTES];
+    if file.len() < LENGTH_BYTES {
+        return None;
+    }
+    file.copy(0, &mut length);
+    let end = usize::try_from(u64::from_le_bytes(length)).ok()?.checked_add(LENGTH_BYTES)?;
+    if end > file.len() {
+        return None;
+    }
+    let mut beginning = vec![0; end];
+    file.copy(0, &mut beginning);
+    Some(beginning)
 }
 
 pub(super) fn clips(metadata: &Metadata) -> Result<Vec<Clip>, StrutdbError> {
@@ -149,61 +178,77 @@ fn invalid(message: String) -> StrutdbError {
     DatabaseError::Invalid(message).into()
 }
 
-/// A tensor of the expected type and shape.
-struct Tensor<'a> {
-    data: &'a [u8],
-    shape: Vec<usize>,
+/// The tensors of a file.
+struct Tensors<'a, S: ?Sized> {
+    header: Header,
+    /// Where the first begins.
+    start: usize,
+    file: &'a S,
 }
 
-impl Tensor<'_> {
-    fn floats(&self) -> impl Iterator<Item = f32> + '_ {
-        floats(self.data)
-    }
-}
-
-/// The tensor of this name; `None` in the shape stands for any length.
-fn tensor<'a>(
-    tensors: &SafeTensors<'a>,
-    name: &'static str,
-    dtype: Dtype,
-    shape: &[Option<usize>],
-) -> Result<Tensor<'a>, StrutdbError> {
-    let view = tensors.tensor(name).map_err(|_| StrutdbError::MissingTensor(name))?;
-    let fits = view.shape().len() == shape.len()
-        && view.shape().iter().zip(shape).all(|(found, expected)| expected.is_none_or(|e| e == *found));
-    if view.dtype() != dtype || !fits {
-        let lengths: Vec<String> = shape.iter().map(|l| l.map_or("any".into(), |l| l.to_string())).collect();
-        return Err(StrutdbError::Tensor {
-            name,
-            found: format!("{:?} {:?}", view.dtype(), view.shape()),
-            expected: format!("{dtype:?} [{}]", lengths.join(", ")),
-        });
-    }
-    Ok(Tensor { data: view.data(), shape: view.shape().to_vec() })
-}
-
-fn floats(bytes: &[u8]) -> impl Iterator<Item = f32> + '_ {
-    bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]))
-}
-
-fn rows(bytes: &[u8]) -> Vec<[f32; ROW]> {
-    let row = |bytes: &[u8]| {
-        let mut row = [0.0; ROW];
-        row.iter_mut().zip(floats(bytes)).for_each(|(r, v)| *r = v);
-        row
-    };
-    bytes.chunks_exact(4 * DOFS).map(row).collect()
-}
-
-fn point_clouds(bytes: &[u8]) -> Vec<[Vec3; JOINTS]> {
-    let cloud = |bytes: &[u8]| {
-        let mut cloud = [Vec3::ZERO; JOINTS];
-        for (point, b) in cloud.iter_mut().zip(bytes.chunks_exact(12)) {
-            floats(b).enumerate().for_each(|(axis, v)| point[axis] = v);
+impl<S: Source + ?Sized> Tensors<'_, S> {
+    /// The tensor of this name; `None` in the shape stands for any length.
+    fn find(&self, name: &'static str, dtype: Dtype, shape: &[Option<usize>]) -> Result<Tensor<'_, S>, StrutdbError> {
+        let info = self.header.info(name).ok_or(StrutdbError::MissingTensor(name))?;
+        let fits = info.shape.len() == shape.len()
+            && info.shape.iter().zip(shape).all(|(found, expected)| expected.is_none_or(|e| e == *found));
+        if info.dtype != dtype || !fits {
+            let lengths: Vec<String> = shape.iter().map(|l| l.map_or("any".into(), |l| l.to_string())).collect();
+            return Err(StrutdbError::Tensor {
+                name,
+                found: format!("{:?} {:?}", info.dtype, info.shape),
+                expected: format!("{dtype:?} [{}]", lengths.join(", ")),
+            });
         }
-        cloud
-    };
-    bytes.chunks_exact(12 * JOINTS).map(cloud).collect()
+        let (begin, end) = info.data_offsets;
+        Ok(Tensor { file: self.file, begin: self.start + begin, bytes: end - begin, shape: &info.shape })
+    }
+}
+
+/// A tensor of the expected type and shape.
+struct Tensor<'a, S: ?Sized> {
+    file: &'a S,
+    begin: usize,
+    bytes: usize,
+    shape: &'a [usize],
+}
+
+// Bytes become numbers as they are.
+const _: () = assert!(cfg!(target_endian = "little"), "files are little-endian");
+
+/// Rows that are copied at once.
+const ROWS: usize = 256;
+
+impl<S: Source + ?Sized> Tensor<'_, S> {
+    fn numbers<T: Pod>(&self) -> Vec<T> {
+        self.part(0, self.bytes)
+    }
+
+    /// Of a tensor whose first dimension is 2.
+    fn halves<T: Pod>(&self) -> [Vec<T>; 2] {
+        let half = self.bytes / 2;
+        [self.part(0, half), self.part(half, half)]
+    }
+
+    fn part<T: Pod>(&self, begin: usize, bytes: usize) -> Vec<T> {
+        let mut numbers = vec![T::zeroed(); bytes / size_of::<T>()];
+        self.file.copy(self.begin + begin, bytemuck::cast_slice_mut(&mut numbers));
+        numbers
+    }
+
+    /// Rows with their padding.
+    fn rows(&self) -> Vec<PoseRow> {
+        let mut padded = vec![[0.0; ROW]; self.bytes / size_of::<[f32; DOFS]>()];
+        let mut rows = vec![[0.0_f32; DOFS]; ROWS];
+        for (i, padded) in padded.chunks_mut(ROWS).enumerate() {
+            let rows = &mut rows[..padded.len()];
+            self.file.copy(self.begin + i * ROWS * size_of::<[f32; DOFS]>(), bytemuck::cast_slice_mut(rows));
+            for (padded, row) in padded.iter_mut().zip(rows) {
+                padded[..DOFS].copy_from_slice(row);
+            }
+        }
+        padded
+    }
 }
 
 pub(super) fn unit_chart(floats: &[f32]) -> Result<PoseChart, StrutdbError> {

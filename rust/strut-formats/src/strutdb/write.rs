@@ -65,6 +65,12 @@ pub fn write(db: &Database, generator: &str) -> Vec<u8> {
             }),
         ),
         ("search_basis", floats(vec![2, Plan::BASIS_LENGTH], || plan.bases.iter().flatten().copied())),
+        (
+            "search_points",
+            tensor(Dtype::I16, vec![2, plan.order.len(), Plan::COORDINATES], || {
+                plan.points.iter().flatten().flatten().flat_map(|coordinate| coordinate.to_le_bytes()).collect()
+            }),
+        ),
     ];
     let metadata = serde_json::to_string(&Metadata::of(db, generator)).expect("strings and numbers are JSON");
     let metadata = std::iter::once(("strut".to_owned(), metadata)).collect();

@@ -4,13 +4,14 @@
 //! index, no lanes, no thought of memory. `bench/naive.ts` is the same in plain JavaScript.
 #![allow(clippy::needless_range_loop)] // The loops of the formulas.
 
-use crate::database::Database;
-use std::sync::Arc;
+use crate::error::EngineError;
+use strut_core::database::{Database, TargetTable};
 use strut_core::humanoid::JOINTS;
 use strut_core::math::float_funcs::{exp, half_life_share, sin_cos};
-use strut_core::pose_vector::{DOFS, HEADING_RATE, Placement, ROW};
+use strut_core::pose_vector::{DOFS, HEADING_RATE, Placement, PoseRow, ROW};
 use strut_core::search::{JOINT_WEIGHTS, WINDOW};
-use strut_core::transfer::{MAX_FEEDBACK, Model, Options};
+use strut_core::transfer::{MAX_FEEDBACK, Options};
+use strut_formats::strutdb;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Points of a frame.
@@ -34,8 +35,8 @@ struct Near {
 /// Local autoregression on the nearest windows of every class, for one target style.
 #[wasm_bindgen]
 pub struct Naive {
-    model: Arc<Model>,
-    style: usize,
+    db: Database,
+    targets: Vec<PoseRow>,
     points: Vec<[Point; POINTS]>,
     norms: Vec<f32>,
     /// Rows at which a window of each class ends.
@@ -46,11 +47,13 @@ pub struct Naive {
 
 #[wasm_bindgen]
 impl Naive {
-    /// On a database, towards a style.
+    /// On the database of a `.strutdb` file, towards a style.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes.
     #[wasm_bindgen(constructor)]
-    pub fn new(database: &Database, style: usize) -> Self {
-        let model = Arc::clone(database.model());
-        let db = model.database();
+    pub fn new(bytes: &[u8], style: u16) -> Result<Self, EngineError> {
+        let db = strutdb::read(bytes).map_err(|e| EngineError::bad_file(e, ""))?.database;
         let mut points = Vec::new();
         for clip in &db.clips {
             let mut places = vec![Placement::default()];
@@ -76,7 +79,9 @@ impl Naive {
             windows[db.class_of_row(clip.first_frame)].push(row as u32);
         }
         let nearest = vec![Vec::new(); windows.len()];
-        Self { model, style, points, norms, windows, nearest }
+        let table = TargetTable::build(&db, style);
+        let targets = (0..db.frames()).map(|row| table.pose.get(row)).collect();
+        Ok(Self { db, targets, points, norms, windows, nearest })
     }
 
     /// Finds the nearest windows of the classes `from` to `to` to the last frames: 5 × 21 positions in the world.
@@ -113,9 +118,8 @@ impl Naive {
     /// The next row of the style from xₜ, xₜ₋₁ and yₜ₋₁, after [`Naive::search`]. Classes below `least_weight` times
     /// the largest weight are left out.
     pub fn predict(&self, x: &[f32], x_before: &[f32], y_before: &[f32], least_weight: f32) -> Vec<f32> {
-        let db = self.model.database();
         let Options { lambda, kappa, rho, .. } = Options::DEFAULT;
-        let (inputs, targets) = (&db.pose, &self.model.target_table(self.style).pose);
+        let (db, inputs, targets) = (&self.db, &self.db.pose, &self.targets);
         let mut y = vec![0.0; ROW];
         let mut step: Vec<f32> = (0..ROW).map(|d| rho * (x[d] - x_before[d])).collect();
         for (nearest, weight) in self.nearest.iter().zip(self.class_weights(least_weight)) {

@@ -31,7 +31,7 @@ impl Workload {
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = heldOutOf)]
     pub fn held_out_of(bytes: &[u8]) -> Result<Self, EngineError> {
-        let whole = strutdb::read(bytes).map_err(|e| EngineError::bad_file(e, ""))?;
+        let whole = strutdb::read(bytes).map_err(|e| EngineError::bad_file(e, ""))?.database;
         let (database, queries) = benchmark::hold_out(&whole).map_err(EngineError::bad_input)?;
         Ok(Self { database, queries })
     }

@@ -7,7 +7,7 @@ use crate::transfer::sine_walk::{BENT, Gait, NEUTRAL, RATE_HZ, Walk, database, w
 use crate::transfer::{Method, ground_clearance};
 
 fn model() -> Arc<Model> {
-    Arc::new(Model::new(Arc::new(database())))
+    Arc::new(Model::new(database()))
 }
 
 fn stylizer(model: &Arc<Model>, bent: f32) -> Stylizer {
@@ -386,7 +386,7 @@ fn sparse_data_and_foreign_input_do_not_diverge() {
             (at - kept[clip].start as f32).min(79.0) + 80.0 * clip as f32
         })
         .collect();
-    let model = Arc::new(Model::new(Arc::new(crate::database::Database::new(parts).unwrap())));
+    let model = Arc::new(Model::new(crate::database::Database::new(parts).unwrap()));
     let wild = Gait { period: 30.0, swing: 0.9, knee: 1.8, lean: -0.4, arms: 1.5, turn: 1.5 };
     let input = walk(&wild, 300, 0.4);
     for bent in [1.0, -1.0, 2.0] {

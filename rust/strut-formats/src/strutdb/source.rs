@@ -1,0 +1,26 @@
+//! Where a file's bytes come from.
+
+/// The bytes of a file: in memory, or somewhere that they need not be brought from all at once, such as the heap of a
+/// browser.
+pub trait Source {
+    /// Number of bytes.
+    fn len(&self) -> usize;
+
+    /// Whether there is none.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Copies the bytes from `begin` on, which there are.
+    fn copy(&self, begin: usize, to: &mut [u8]);
+}
+
+impl<T: AsRef<[u8]> + ?Sized> Source for T {
+    fn len(&self) -> usize {
+        self.as_ref().len()
+    }
+
+    fn copy(&self, begin: usize, to: &mut [u8]) {
+        to.copy_from_slice(&self.as_ref()[begin..][..to.len()]);
+    }
+}
