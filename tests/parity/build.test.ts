@@ -88,6 +88,21 @@ describe("the built-in motions as BVH files", () => {
     expectSame(page, byCommand("demo.zip", "--labels", "labels.csv", "--neutral", "x"));
   });
 
+  test("with a clip as one more style", async () => {
+    writeFileSync(join(folder, "known.strutdb"), byCommand("demo"));
+    copyFileSync(join(folder, "all/run_angry_001.bvh"), join(folder, "clip.bvh"));
+    const add = ["add-style", "--db", "known.strutdb", "--input", "clip.bvh", "--style", "cross", "-o", "more.strutdb"];
+    execFileSync(COMMAND, add, { cwd: folder, stdio: "pipe" });
+    const client = createBuildClient(() => new InlineBuildWorker());
+    const { file, styles } = await client.addStyle(
+      fileOf(join(folder, "known.strutdb")),
+      fileOf(join(folder, "clip.bvh")),
+      "cross",
+    );
+    expect(styles).toEqual(["neutral", "old", "proud", "cross"]);
+    expectSame(new Uint8Array(await file.arrayBuffer()), readFileSync(join(folder, "more.strutdb")));
+  });
+
   test("a change of one number does not go unnoticed", async () => {
     const files = dropped("demo");
     const text = await files[0]!.file.text();
