@@ -92,6 +92,7 @@ describe("the clock", () => {
     await page.getByRole("link", { name: "Play" }).click();
     await eventually(() => page.locator(".stage canvas").isVisible()).toBe(true);
     await page.waitForFunction(() => window.strut.upToDate);
+    expect(await page.evaluate(() => window.strut.frame!.inputFrame), "at the same instant").toBe(300);
   });
 });
 

@@ -32,6 +32,7 @@ import {
   engineOptions,
   moveKey,
   otherSide,
+  ownParts,
   partOf,
   removeKey,
   withKnownStyles,
@@ -180,6 +181,7 @@ export class App {
       session: () => this.#session,
       chooseInput: (name) => void this.#choose(name),
       playhead: () => this.#playhead.at,
+      goTo: (frame) => this.#playhead.goTo(frame),
       openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),
     });
     this.#topBar.canExport = false;
@@ -383,13 +385,17 @@ export class App {
   #showHeading(): void {
     const session = this.#session;
     if (!session?.database) return;
-    const { styles, intensity } = this.#store.state;
+    const { styles, intensity, track } = this.#store.state;
     const { neutral, rateHz } = session.database;
     this.#stage.heading = {
       title: stageTitle(this.#action.name, styles, intensity, neutral),
       caption: stageCaption(
         session.library.title(session.inputName),
-        styles.filter((s) => s.weight !== 0).length,
+        {
+          styles: styles.filter((s) => s.weight !== 0).length,
+          parts: ownParts(this.#store.state).length,
+          keys: track.length,
+        },
         rateHz,
       ),
     };

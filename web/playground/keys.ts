@@ -86,8 +86,8 @@ export function listenToKeys(actions: KeyActions, active: () => boolean, signal:
   // What was pressed with the pointer gives the keys back to the page: Space plays, it does not press again.
   const onClick = (event: MouseEvent): void => {
     const focused = document.activeElement;
-    const byPointer = event.detail > 0;
-    if (byPointer && focused instanceof HTMLElement && focused.matches("button, a, input[type=radio]")) focused.blur();
+    if (event.detail === 0 || !focused?.matches("button, a, input[type=radio], [role=button]")) return;
+    if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
   };
   addEventListener("keydown", onKeyDown, { signal });
   addEventListener("click", onClick, { signal });

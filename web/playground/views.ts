@@ -26,6 +26,8 @@ export interface ViewHost {
   chooseInput(name: string): void;
   /** Fractional input frame at which the motion stands. */
   playhead(): number;
+  /** Puts the motion at an input frame. */
+  goTo(frame: number): void;
   /** Goes back to the built-in database. */
   openBuiltIn(): Promise<boolean>;
 }

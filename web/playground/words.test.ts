@@ -26,7 +26,12 @@ describe("the title", () => {
     expect(stageTitle("walk-turn-left", mix({ "not-confident": 1 }), 1, "normal")).toBe(
       "Walk turn left, not confident",
     );
-    expect(stageCaption("neutral walk", 1, 60)).toBe("neutral walk in · 1 style · 60 Hz");
+    expect(stageCaption("neutral walk", { styles: 1, parts: 0, keys: 0 }, 60)).toBe(
+      "neutral walk in · 1 style · 60 Hz",
+    );
+    expect(stageCaption("walk", { styles: 3, parts: 2, keys: 4 }, 60)).toBe(
+      "walk in · 3 styles · 2 parts apart · 4 keys · 60 Hz",
+    );
   });
 });
 

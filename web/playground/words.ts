@@ -70,8 +70,17 @@ export function manner(selection: Selection, intensity: number, neutral: string)
 }
 
 /** The line under the title. */
-export function stageCaption(input: string, styles: number, rateHz: number): string {
-  return `${input} in · ${styles} ${styles === 1 ? "style" : "styles"} · ${Math.round(rateHz)} Hz`;
+export function stageCaption(
+  input: string,
+  { styles, parts, keys }: { styles: number; parts: number; keys: number },
+  rateHz: number,
+): string {
+  const counts = [
+    counted(styles, "style"),
+    ...(parts > 0 ? [`${counted(parts, "part")} apart`] : []),
+    ...(keys > 1 ? [counted(keys, "key")] : []),
+  ];
+  return [`${input} in`, ...counts, `${Math.round(rateHz)} Hz`].join(" · ");
 }
 
 /** Name of an exported file: the input's and the heaviest style's. */

@@ -15,6 +15,8 @@ export type StyledStream = Pick<Stylizer, "setWeights" | "setPartWeights" | "wei
 interface Weights {
   now: Float32Array;
   wanted: Float32Array | undefined;
+  /** Whether the engine has `now`. */
+  told: boolean;
 }
 
 /** Nothing is allocated while weights are eased. */
@@ -28,7 +30,7 @@ export class EasedStyles {
     options: StylizeOptions,
   ) {
     const whole = stream.weightsOf(options.styles);
-    this.weights = [undefined, ...BODY_PARTS].map(() => ({ now: whole.slice(), wanted: undefined }));
+    this.weights = [undefined, ...BODY_PARTS].map(() => ({ now: whole.slice(), wanted: undefined, told: false }));
     this.want(options);
     this.arrive(0);
   }
@@ -66,21 +68,34 @@ export class EasedStyles {
 
   private move(frame: number, share: number): void {
     const whole = this.weights[0]!;
-    if (this.changesOverTime) weightsAt(this.track, frame, whole.now);
-    else approach(whole.now, whole.wanted!, share);
-    this.stream.setWeights(whole.now);
+    if (this.changesOverTime) {
+      weightsAt(this.track, frame, whole.now);
+      whole.told = false;
+    } else if (approach(whole.now, whole.wanted!, share)) whole.told = false;
+    if (!whole.told) this.stream.setWeights(whole.now);
+    whole.told = true;
     for (const [i, name] of BODY_PARTS.entries()) {
       const part = this.weights[1 + i]!;
-      if (part.wanted) approach(part.now, part.wanted, share);
-      this.stream.setPartWeights(name, part.wanted && part.now);
+      if (part.wanted) {
+        if (approach(part.now, part.wanted, share)) part.told = false;
+        if (!part.told) this.stream.setPartWeights(name, part.now);
+        part.told = true;
+      } else if (part.told) {
+        this.stream.setPartWeights(name, undefined);
+        part.told = false;
+      }
     }
   }
 }
 
-/** Moves weights towards the wanted ones by a share of the way. */
-function approach(now: Float32Array, wanted: Float32Array, share: number): void {
+/** Moves weights towards the wanted ones by a share of the way; whether any was not there yet. */
+function approach(now: Float32Array, wanted: Float32Array, share: number): boolean {
+  let moved = false;
   for (let i = 0; i < now.length; i++) {
     const left = wanted[i]! - now[i]!;
+    if (left === 0) continue;
+    moved = true;
     now[i] = Math.abs(left) < WEIGHT_EPSILON ? wanted[i]! : now[i]! + left * share;
   }
+  return moved;
 }

@@ -32,10 +32,14 @@ class FakeStylizer implements OnlineStylizer {
     this.configured++;
   }
   setWeights(weights: Float32Array) {
+    this.told++;
     this.weights = weights.slice();
   }
+  /** Times that weights were set. */
+  told = 0;
   parts = new Map<BodyPart, Float32Array>();
   setPartWeights(part: BodyPart, weights: Float32Array | undefined) {
+    this.told++;
     if (weights) this.parts.set(part, weights.slice());
     else this.parts.delete(part);
   }
@@ -241,6 +245,14 @@ describe("a part of the body", () => {
   test("has its own styles from the start", () => {
     const { stylizer } = open(legs(1));
     expect([...stylizer.parts]).toEqual([["legs", new Float32Array([0, 1])]]);
+  });
+
+  test("costs nothing once its styles have arrived", () => {
+    const { session, stylizer } = open(legs(1));
+    session.step(FRAME_SECS);
+    const told = stylizer.told;
+    for (let i = 0; i < 20; i++) session.step(FRAME_SECS);
+    expect(stylizer.told).toBe(told);
   });
 
   test("takes up its own styles from those of the whole body, and follows it again at once", () => {

@@ -130,6 +130,7 @@ class Compare implements View {
   }
 
   hide(): void {
+    if (this.#shown && this.#of) this.#host.goTo(this.#frame);
     this.#shown = false;
     this.#listening.abort();
     clearTimeout(this.#settle);
@@ -169,6 +170,7 @@ class Compare implements View {
         database.proportions,
       );
       this.#transport.input = input;
+      this.#viewer?.setProportions(database.proportions);
       this.#viewer?.settle();
     }
     this.#frame = Math.min(this.#frame, input.frames - 1);

@@ -1,0 +1,124 @@
+/** Five tasks as somebody who comes for the first time does them: each in under a minute, its steps counted. */
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import { recordings } from "../recordings";
+import {
+  closePage,
+  dropFile,
+  eventually,
+  inputName,
+  launchBrowser,
+  openPage,
+  saved,
+  serveSite,
+  settledPose,
+  styledPose,
+  turnBetween,
+} from "./browser";
+
+declare const window: { strut: StrutHook };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+
+const MINUTE = 60_000;
+const state = (page: Page) => page.evaluate(() => window.strut.state);
+const corner = (page: Page, style: string) => page.locator(`.vertex[data-style="${style}"] .vertex-dot`);
+
+/** Does a task on a fresh page: `step` is one thing that a person does. */
+async function task(
+  most: number,
+  work: (page: Page, step: <T>(action: Promise<T>) => Promise<T>) => Promise<void>,
+): Promise<void> {
+  const started = performance.now();
+  const page = await openPage(browser, site.url, { size: { width: 1440, height: 900 } });
+  let steps = 0;
+  await work(page, (action) => {
+    steps += 1;
+    return action;
+  });
+  expect(performance.now() - started).toBeLessThan(MINUTE);
+  expect(steps).toBeLessThanOrEqual(most);
+  await closePage(page);
+}
+
+/** Drags the point of the polygon to a place between two corners. */
+async function dragBetween(page: Page, a: string, b: string): Promise<void> {
+  const handle = (await page.getByRole("slider", { name: "Style", exact: true }).boundingBox())!;
+  const [from, to] = [(await corner(page, a).boundingBox())!, (await corner(page, b).boundingBox())!];
+  await page.mouse.move(handle.x + handle.width / 2, handle.y + handle.height / 2);
+  await page.mouse.down();
+  await page.mouse.move((from.x + to.x) / 2 + 5, (from.y + to.y) / 2 + 5, { steps: 8 });
+  await page.mouse.up();
+}
+
+const data = recordings();
+
+describe("a first visitor", () => {
+  it.skipIf(!data)("styles a BVH of their own in two steps", () =>
+    task(2, async (page, step) => {
+      const before = await styledPose(page);
+      const bvh = readFileSync(join(data!, "bandai-namco-2/dataset-2_walk_normal_001.bvh"));
+      await step(dropFile(page, "mine.bvh", bvh));
+      await eventually(() => inputName(page)).toBe("mine");
+      await step(corner(page, "old").dblclick());
+      await eventually(async () => turnBetween(before, await styledPose(page))).toBeGreaterThan(3);
+    }),
+  );
+
+  it("mixes two styles in one step", () =>
+    task(1, async (page, step) => {
+      await step(dragBetween(page, "proud", "childlike"));
+      const weights = Object.fromEntries((await state(page)).styles.map((s) => [s.name, s.weight]));
+      expect(weights.proud).toBeCloseTo(0.5, 1);
+      expect(weights.childlike).toBeCloseTo(0.5, 1);
+    }));
+
+  it("makes only the legs old in two steps", () =>
+    task(2, async (page, step) => {
+      const knee = () => page.evaluate(() => window.strut.jointScreenPosition("left_lower_leg"));
+      // A walking leg moves between a look and a click.
+      const tryClick = async () => {
+        const at = await knee();
+        await page.mouse.click(at.x, at.y);
+        return (await state(page)).part;
+      };
+      await step(eventually(tryClick).toBe("legs"));
+      await step(corner(page, "old").dblclick());
+      const { parts, styles } = await state(page);
+      expect(parts.legs?.find((s) => s.name === "old")?.weight).toBe(1);
+      expect(styles.find((s) => s.name === "old")?.weight).toBeLessThan(0.5);
+    }));
+
+  it("exports to their tool in two steps", () =>
+    task(2, async (page, step) => {
+      await page.waitForFunction(() => window.strut.analysed);
+      // The menu, and the format in it.
+      await step(Promise.resolve());
+      const { name, bytes } = await step(saved(page, "BVH"));
+      expect(name).toMatch(/\.bvh$/);
+      expect(bytes.toString()).toMatch(/^HIERARCHY/);
+    }));
+
+  it("shares what they see in one step", () =>
+    task(1, async (page, step) => {
+      await corner(page, "old").dblclick();
+      await page.keyboard.press("Space");
+      const pose = await settledPose(page);
+      await step(page.getByRole("button", { name: "Share" }).click());
+      const link = await page.evaluate(() => navigator.clipboard.readText());
+      const other = await openPage(browser, link);
+      expect(turnBetween(pose, await settledPose(other))).toBeLessThan(0.2);
+      await closePage(other);
+    }));
+});
