@@ -1,7 +1,7 @@
 //! The page's database and its inputs.
 
-use crate::perform::{Performance, perform};
-use crate::script::{INPUT_TAKES, RUN_TAKES, Script, WALK_TAKES};
+use crate::perform::{Performance, perform, perform_excursion};
+use crate::script::{INPUT_EXCURSION, INPUT_TAKES, RUN_TAKES, Script, WALK_TAKES};
 use crate::style::{STYLES, Style};
 use std::ops::ControlFlow;
 use strut_core::database::Database;
@@ -84,11 +84,9 @@ pub(crate) fn build(clips: &[SourceClip], rate_hz: f32) -> Result<Database, Buil
 /// What the page offers as input: neutral motions of other scripts than the database's, so that nothing is
 /// transferred by finding itself. Each can be repeated: after its last frame comes its first one's pose.
 pub fn input_clips() -> Vec<NamedMotion> {
-    INPUT_TAKES
-        .iter()
-        .map(|script| NamedMotion {
-            name: script.name,
-            motion: perform(script, &STYLES[0], &Proportions::default(), RATE_HZ).motion,
-        })
-        .collect()
+    let (neutral, body) = (&STYLES[0], Proportions::default());
+    let takes = INPUT_TAKES.iter().map(|script| (script.name, perform(script, neutral, &body, RATE_HZ)));
+    let excursion = perform_excursion(&INPUT_EXCURSION, neutral, &body, RATE_HZ);
+    let all = takes.chain([(INPUT_EXCURSION.script.name, excursion)]);
+    all.map(|(name, performance)| NamedMotion { name, motion: performance.motion }).collect()
 }

@@ -34,6 +34,6 @@ pub use drill::{Drill, Move, keys_of, perform_drill};
 pub use drills::{JUMPS, KICKS, PUNCHES};
 pub use full::{FULL_RATE_HZ, PlannedClip, TABLE_1, full_clips, full_database};
 pub use normative::{Band, WALKING_BANDS};
-pub use perform::{Performance, Transition, perform, perform_transition};
+pub use perform::{Excursion, Performance, Transition, perform, perform_excursion, perform_transition};
 pub use script::{INPUT_TAKES, Passage, RUN_TAKES, Script, TRANSITIONS, WALK_TAKES};
 pub use style::{STYLES, Style};

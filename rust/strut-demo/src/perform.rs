@@ -70,6 +70,26 @@ pub fn perform_transition(transition: &Transition, style: &Style, body: &Proport
     perform_gaits(script, [script.action, *to], style, |phase| smooth_step(*begin, *end, phase), body, rate_hz)
 }
 
+/// A script that leaves its action for another one and comes back to it, so that it can be repeated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Excursion {
+    /// What is performed, and the action that it begins and ends in.
+    pub script: Script,
+    /// The action in between.
+    pub to: Action,
+    /// Phases between which the one becomes the other.
+    pub over: [f32; 2],
+    /// Phases between which it becomes the first again.
+    pub back: [f32; 2],
+}
+
+/// Performs an excursion as [`perform_transition`] does a transition.
+pub fn perform_excursion(excursion: &Excursion, style: &Style, body: &Proportions, rate_hz: f32) -> Performance {
+    let Excursion { script, to, over, back } = excursion;
+    let weight = |phase| smooth_step(over[0], over[1], phase) - smooth_step(back[0], back[1], phase);
+    perform_gaits(script, [script.action, *to], style, weight, body, rate_hz)
+}
+
 fn perform_gaits(
     script: &Script,
     actions: [Action; 2],

@@ -1,7 +1,7 @@
 //! What a take performs, the same in every style: so many strides at a speed, turning so much.
 
 use crate::action::Action;
-use crate::perform::Transition;
+use crate::perform::{Excursion, Transition};
 use crate::periodic::smooth_step;
 use strut_core::math::float_funcs::wrap_angle;
 
@@ -150,7 +150,7 @@ pub const TRANSITIONS: [Transition; 2] = [
 ];
 
 /// What the page offers as input: not the takes of the database.
-pub const INPUT_TAKES: [Script; 3] = [
+pub const INPUT_TAKES: [Script; 4] = [
     Script {
         name: "neutral walk",
         action: Action::Walk,
@@ -171,12 +171,31 @@ pub const INPUT_TAKES: [Script; 3] = [
         seed: 102,
     },
     Script {
+        name: "neutral walk in a circle",
+        action: Action::Walk,
+        passages: &[passage(2, 1.0, 0.0), passage(10, 0.96, 360.0), passage(2, 1.0, 0.0)],
+        seed: 104,
+    },
+    Script {
         name: "neutral run",
         action: Action::Run,
         passages: &[passage(6, 1.0, 0.0), passage(3, 1.0, 60.0), passage(4, 1.1, 0.0), passage(3, 1.0, 60.0)],
         seed: 103,
     },
 ];
+
+/// An input that changes its gait and comes back, so that it can be repeated.
+pub(crate) const INPUT_EXCURSION: Excursion = Excursion {
+    script: Script {
+        name: "neutral walk, run and walk",
+        action: Action::Walk,
+        passages: &[passage(14, 1.0, 0.0)],
+        seed: 105,
+    },
+    to: Action::Run,
+    over: [3.0, 4.5],
+    back: [9.0, 10.5],
+};
 
 #[cfg(test)]
 mod tests {

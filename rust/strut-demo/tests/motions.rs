@@ -354,6 +354,31 @@ fn inputs_can_be_repeated() {
 }
 
 #[test]
+fn an_input_changes_its_gait_and_comes_back() {
+    let inputs = input_clips();
+    let input = inputs.iter().find(|input| input.name.contains("run and walk")).unwrap();
+    let poses = &input.motion.poses;
+    let speed_at = |share: f32| {
+        let i = (share * (poses.len() - 61) as f32) as usize;
+        (poses[i + 60].root - poses[i].root).with_y(0.0).length()
+    };
+    let [begins, between, ends] = [0.0, 0.5, 1.0].map(speed_at);
+    assert!(between > 1.5 * begins.max(ends), "{begins}, {between} and {ends} m/s");
+    let skate = strut_core::metrics::foot_skate(&input.motion, &contact::label(&input.motion));
+    assert!(skate < 0.05, "{skate} m/s");
+}
+
+#[test]
+fn an_input_walks_in_a_circle() {
+    let inputs = input_clips();
+    let input = inputs.iter().find(|input| input.name.contains("circle")).unwrap();
+    let poses = &input.motion.poses;
+    let ahead: f32 = poses.windows(2).map(|w| (w[1].root - w[0].root).with_y(0.0).length()).sum();
+    let farthest = poses.iter().map(|p| (p.root - poses[0].root).with_y(0.0).length()).fold(0.0, f32::max);
+    assert!(ahead > 2.0 * farthest, "{ahead} m of way, {farthest} m away at most");
+}
+
+#[test]
 fn joint_angles_of_neutral_walking_lie_within_the_normative_bands() {
     let passages = &[Passage { strides: 12, speed: 1.0, turn_degrees: 0.0 }];
     let take = performed(&Script { name: "straight", action: Action::Walk, passages, seed: 4 }, &STYLES[0]);
