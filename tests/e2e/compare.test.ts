@@ -37,6 +37,7 @@ async function faults(): Promise<string[]> {
 
 describe("the columns", () => {
   it("show the input and three methods with live figures, and what differs behind", async () => {
+    expect(await page.locator(".compare-clock").textContent(), "the link's instant").toBe("02.67");
     await eventually(() => figure("nn", "Cost per frame")).toMatch(/^\d\.\d\d ms$/);
     await eventually(() => figure("mar", "Foot skate")).toMatch(/^\d+\.\d cm\/s$/);
     await eventually(() => figure("input", "Pose difference")).toMatch(/^\d+\.\d cm$/);

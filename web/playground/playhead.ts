@@ -33,7 +33,8 @@ export class Playhead {
 
   /** Fractional input frame at which the playhead stands. */
   get at(): number {
-    return this.#previewing ? this.#store.state.frame : (this.#target ?? this.frame?.inputFrame ?? 0);
+    const { frame } = this.#store.state;
+    return this.#previewing ? frame : (this.#target ?? this.frame?.inputFrame ?? frame);
   }
 
   /** Whether another frame than the playhead's is looked at. */
