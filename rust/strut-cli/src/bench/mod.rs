@@ -1,6 +1,7 @@
 //! `strut bench`: how long the engine takes for a frame, stage by stage.
 
 mod measure;
+mod recall;
 mod table;
 
 use crate::clip::read_database;
@@ -8,6 +9,7 @@ use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print};
 use crate::progress::Bar;
 use measure::{Mode, Row, Run};
+use recall::SearchRow;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -21,7 +23,7 @@ use strut_formats::strutdb;
 /// Measure how long a frame takes
 ///
 /// Styles motion that the database does not hold, on one thread, and prints the median and the 95th percentile of
-/// every stage beside the figures of the paper's Table 2.
+/// every stage beside the figures of the paper's Table 2, and what kd-trees find of the nearest windows.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// A database to measure on; some of its clips are taken out of it and styled
@@ -40,9 +42,11 @@ pub(crate) struct Args {
 struct Report {
     machine: String,
     rows: Vec<Row>,
+    recall: Vec<SearchRow>,
 }
 
-/// Most frames whose database is also written and opened: more would not fit beside their own file.
+/// Most frames whose database is also written and opened, and whose index is copied: more would not fit beside their own
+/// file.
 const MOST_TO_OPEN: usize = 500_000;
 
 pub(crate) fn run(args: &Args) -> Outcome {
@@ -51,16 +55,16 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if let Some(n) = wrong {
         return Err(Failure::usage(format!("--frames is {n}; {LEAST_FRAMES} to {MAX_FRAMES} was expected")));
     }
-    let mut report = Report { machine: machine(), rows: Vec::new() };
+    let mut report = Report { machine: machine(), rows: Vec::new(), recall: Vec::new() };
     print(&format!("{}, one thread\n", report.machine));
     if let Some(path) = &args.db {
         let (database, queries) =
             benchmark::hold_out(&read_database(path)?).map_err(|reason| Failure::in_file(path, reason))?;
-        measure_on(database, &queries, &mut report.rows);
+        measure_on(database, &queries, &mut report);
     } else {
         let queries = benchmark::queries();
         for &frames in &args.frames {
-            measure_on(benchmark::database(frames).map_err(Failure::new)?, &queries, &mut report.rows);
+            measure_on(benchmark::database(frames).map_err(Failure::new)?, &queries, &mut report);
         }
     }
     let mut outputs = Outputs::default();
@@ -70,8 +74,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     outputs.commit()
 }
 
-/// Measures on a database, prints the table and adds its rows.
-fn measure_on(database: Database, queries: &[Query], rows: &mut Vec<Row>) {
+/// Measures on a database, prints the tables and adds their rows.
+fn measure_on(database: Database, queries: &[Query], report: &mut Report) {
+    let rows = &mut report.rows;
     let first = rows.len();
     let file = (database.frames() <= MOST_TO_OPEN).then(|| strutdb::write(&database, strutdb::GENERATOR));
     // Opened from its file where there is one, so that what is measured is what was opened.
@@ -98,6 +103,11 @@ fn measure_on(database: Database, queries: &[Query], rows: &mut Vec<Row>) {
     }
     drop(bar);
     print(&table::text(&rows[first..], frames, classes));
+    if frames <= MOST_TO_OPEN {
+        let recall = recall::measure(model.database(), model.index(), queries);
+        print(&recall::text(&recall));
+        report.recall.extend(recall);
+    }
 }
 
 /// Name of the processor and number of its threads.
