@@ -1,10 +1,11 @@
 /** The playground: builds the page from its panels and keeps engine, state, URL and picture in step. */
 import type { DroppedFile } from "../worker/build/protocol";
 import type { Analysis, DatabaseInfo, DatabaseSource, InputInfo, LiveFrame, StrutClient } from "../worker/protocol";
+import { commandsOf } from "./commands";
 import { Databases } from "./databases";
 import { html } from "./dom";
 import { DropZone } from "./drop";
-import { listenToKeys } from "./keys";
+import { type KeyActions, listenToKeys } from "./keys";
 import { Links, linkedFile } from "./links";
 import { Notices } from "./notices";
 import type { OutputFormat } from "./outputs/formats";
@@ -23,15 +24,13 @@ import { ProgressLine } from "./progress";
 import { ReadAction } from "./read_action";
 import { Session } from "./session";
 import { Stage } from "./stage";
-import { ENGINE_FIELDS, fromHash, GHOST_MODES, type PlayState, TRACE_MODES } from "./state";
+import { ENGINE_FIELDS, fromHash, type PlayState } from "./state";
 import { type History, Store } from "./store";
 import {
-  addKey,
   chooseKey,
   chosenKey,
   engineOptions,
   moveKey,
-  otherSide,
   ownParts,
   partOf,
   removeKey,
@@ -49,9 +48,6 @@ const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon",
 
 type Changed = ReadonlySet<keyof PlayState>;
 const any = (changed: Changed, ...names: (keyof PlayState)[]): boolean => names.some((name) => changed.has(name));
-
-/** The mode after another one, in turn. */
-const after = <T>(mode: T, modes: readonly T[]): T => modes[(modes.indexOf(mode) + 1) % modes.length]!;
 
 export class App {
   /** The link that the page was opened with. */
@@ -72,6 +68,7 @@ export class App {
   readonly #keys: TrackKeys;
   readonly #views: Views;
   readonly #playhead: Playhead;
+  readonly #commands: KeyActions;
   readonly #links: Links;
   readonly #databases: Databases;
   readonly #root: HTMLElement;
@@ -101,11 +98,12 @@ export class App {
     this.#stage = new Stage(isDark(store.state.theme) ? "dark" : "light", {
       onCamera: (camera) => store.edit({ camera }),
       onFollow: () => store.edit({ follow: !store.state.follow }),
-      onGhost: () => this.#nextGhost(),
-      onTrace: () => this.#nextTrace(),
+      onGhost: () => this.#commands.ghost(),
+      onTrace: () => this.#commands.trace(),
       onJoint: (role) => store.edit({ part: partOf(role), tab: "style" }),
     });
     this.#style = new StylePanel(store, this.#progress.database.element);
+    this.#commands = commandsOf(store, this.#playhead, this.#style, this.#help, () => this.#history);
     this.#input = new InputPanel(
       { onChoose: (name) => void this.#choose(name), onFile: () => this.#drop.choose() },
       this.#progress.input.element,
@@ -117,7 +115,7 @@ export class App {
     this.#transport = new Transport(store, {
       onPlay: () => playhead.togglePlay(),
       onFrame: (by) => playhead.step(by),
-      onKey: () => this.#addKey(),
+      onKey: () => this.#commands.key(),
       ...scrub,
     });
     this.#keys = new TrackKeys({
@@ -429,31 +427,7 @@ export class App {
       this.#show(store.state);
     }, signal);
     addEventListener("hashchange", ({ newURL }) => this.#followLink(new URL(newURL).hash), { signal });
-    listenToKeys(
-      {
-        play: () => this.#playhead.togglePlay(),
-        frame: (by) => this.#playhead.step(by),
-        first: () => this.#playhead.goTo(0),
-        last: () => this.#playhead.goTo(Number.MAX_SAFE_INTEGER),
-        loop: () => store.edit({ loop: !store.state.loop }),
-        ghost: () => this.#nextGhost(),
-        trace: () => this.#nextTrace(),
-        follow: () => store.edit({ follow: !store.state.follow }),
-        panels: () => store.edit({ panels: !store.state.panels }),
-        other: () => store.edit(otherSide(store.state)),
-        key: () => this.#addKey(),
-        rangeFirst: () => this.#cutRange("first"),
-        rangeLast: () => this.#cutRange("last"),
-        noRange: () => store.edit({ range: undefined }),
-        random: () => this.#style.mixByChance(),
-        style: (number) => this.#style.polygon.takeAllOf(this.#style.vertices[number - 1] ?? ""),
-        help: () => this.#help.open(),
-        undo: () => this.#history.undo(),
-        redo: () => this.#history.redo(),
-      },
-      () => store.state.view === "play",
-      signal,
-    );
+    listenToKeys(this.#commands, () => store.state.view === "play", signal);
   }
 
   #followLink(hash: string): void {
@@ -462,30 +436,9 @@ export class App {
     if (!playing) this.#playhead.goTo(frame);
   }
 
-  #nextGhost(): void {
-    this.#store.edit({ ghost: after(this.#store.state.ghost, GHOST_MODES) });
-  }
-
-  #nextTrace(): void {
-    this.#store.edit({ trace: after(this.#store.state.trace, TRACE_MODES) });
-  }
-
   #onScrub(frame: number | undefined): void {
     if (frame !== undefined) this.#timeline.frame = frame;
     else this.#show(this.#store.state, new Set());
-  }
-
-  /** Puts a key of the style track under the playhead, or chooses the one that is there. */
-  #addKey(): void {
-    this.#store.edit(addKey(this.#store.state, this.#playhead.at));
-  }
-
-  /** Lets the range begin or end at the playhead. */
-  #cutRange(edge: "first" | "last"): void {
-    const frames = this.#session?.input?.frames ?? 2;
-    const at = Math.round(this.#playhead.at);
-    const range = { first: 0, last: frames - 1, ...this.#store.state.range, [edge]: at };
-    if (range.first < range.last) this.#store.edit({ range });
   }
 
   async #choose(name: string): Promise<void> {
