@@ -22,5 +22,9 @@ describe("a file in a link", () => {
   it("is passed over where it is damaged or not there", async () => {
     expect(await linkedFile("#styles=old:1")).toBeUndefined();
     expect(await linkedFile("#file=walk~!!!")).toBeUndefined();
+    const bomb = await pack(new ArrayBuffer(30_000_000));
+    expect(await linkedFile(`#file=walk~${bomb.slice(0, 20_000)}`)).toBeUndefined();
+    expect(bomb.length).toBeGreaterThan(24_000);
+    expect(await linkedFile(`#file=walk~${bomb}`)).toBeUndefined();
   });
 });

@@ -67,11 +67,14 @@ export class Links {
   }
 }
 
-/** The file in a link; `undefined` where there is none that can be read. */
+/**
+ * The file in a link; `undefined` where there is none that can be read, or a longer one than {@link Links} makes, which
+ * might inflate without end.
+ */
 export async function linkedFile(hash: string): Promise<LinkedFile | undefined> {
   const value = new URLSearchParams(hash.replace(/^#/, "")).get(FILE_KEY);
   const at = value?.lastIndexOf("~") ?? -1;
-  if (!value || at < 1) return undefined;
+  if (!value || at < 1 || value.length - at > 1 + MOST_CHARACTERS) return undefined;
   try {
     return { name: value.slice(0, at), bytes: await unpack(value.slice(at + 1)) };
   } catch {
