@@ -33,6 +33,7 @@ export function stylizerFor(glue: Glue, database: Database, mode: Mode, query: Q
 export class EngineBench {
   private readonly database: Database;
   private readonly classes: number;
+  private readonly styles: number;
   private readonly resolution = clockResolution();
   private readonly samples = new Map<Mode, Map<string, number[]>>();
 
@@ -58,6 +59,7 @@ export class EngineBench {
     };
     const first = open();
     this.classes = first.classes().length / 3;
+    this.styles = first.styles().length;
     this.measureMemory(first);
     first.free();
     for (let i = 2; i < OPENINGS; i++) open().free();
@@ -130,8 +132,7 @@ export class EngineBench {
   }
 
   private setStyles(stylizer: Stylizer): void {
-    const styles = this.database.styles().length;
-    stylizer.setStyles(Float32Array.from({ length: styles }, (_, style) => (style < STYLES ? 1 / STYLES : 0)));
+    stylizer.setStyles(Float32Array.from({ length: this.styles }, (_, style) => (style < STYLES ? 1 / STYLES : 0)));
   }
 
   private add(stage: string, mode: Mode, samples: number[]): void {
