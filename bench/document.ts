@@ -41,7 +41,7 @@ function wasmSection(title: string, { command, report }: Measured<Report>): stri
     markdown(ratioTable(report)),
     "The plain loops find the engine's neighbours; a set is *tied* where it differs in windows as far away as the last, but for rounding. The largest difference of a predicted joint angle is in radians:",
     markdown(agreementTable(report)),
-    "WASM memory with the file read into it, the database open and target styles selected:",
+    "WASM memory with the database open and with target styles selected:",
     markdown(memoryTable(report)),
   ];
 }
