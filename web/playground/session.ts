@@ -16,7 +16,7 @@ import type {
 import { InputLibrary } from "./library";
 import { Playback } from "./playback";
 import type { ProgressLine } from "./progress";
-import { errorText, isCancellation } from "./words";
+import { errorText, isCancellation, isFault } from "./words";
 
 /** An edit has settled when nothing has changed for so long. */
 const SETTLE_MS = 150;
@@ -68,7 +68,8 @@ export class Session {
       onTick: listeners.onTick,
       onError: (error, stopped) => {
         if (stopped) listeners.onStopped();
-        listeners.onError(errorText(error));
+        // What is asked again once the engine has been started again has not failed.
+        if (stopped || !isFault(error)) listeners.onError(errorText(error));
       },
       onSettled: () => {
         for (const resume of this.#whenSettled.splice(0)) resume();
@@ -178,10 +179,14 @@ export class Session {
     await this.#settled();
     const { input } = this;
     if (!input || asked !== this.#settle) return;
-    const analysis = await this.#progress.analysis.run("Styling the whole motion.", (options) =>
-      this.#client.analyse(options),
-    );
-    if (this.input === input) this.#listeners.onAnalysis(analysis);
+    try {
+      const analysis = await this.#progress.analysis.run("Styling the whole motion.", (options) =>
+        this.#client.analyse(options),
+      );
+      if (this.input === input) this.#listeners.onAnalysis(analysis);
+    } catch (error) {
+      if (!isFault(error)) throw error;
+    }
   }
 
   #settled(): Promise<void> {

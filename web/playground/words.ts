@@ -110,6 +110,11 @@ export function isCancellation(error: unknown): boolean {
   return code === "cancelled" || name === "AbortError";
 }
 
+/** Whether the engine was started again because of this error. */
+export function isFault(error: unknown): boolean {
+  return (error as { code?: unknown }).code === "fault";
+}
+
 /** The rejection of something that was cancelled. */
 export function cancelled(): DOMException {
   return new DOMException("It was cancelled.", "AbortError");
