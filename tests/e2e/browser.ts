@@ -77,6 +77,21 @@ export async function openPage(browser: Browser, url: string, options: PageOptio
   return page;
 }
 
+/**
+ * The browser, the site below a folder of its host and a page of it, for all tests of a file. `close` ends them, and fails
+ * if a script of the page threw.
+ */
+export async function openSite({ folder = "/", ...options }: PageOptions & { folder?: string } = {}) {
+  const [browser, site] = await Promise.all([launchBrowser(), serveSite(folder)]);
+  const page = await openPage(browser, site.url, options);
+  const close = () =>
+    closePage(page).finally(async () => {
+      await browser.close();
+      await site.close();
+    });
+  return { browser, site, page, close };
+}
+
 let visits = 0;
 
 /** Puts a page into the state of a link without loading it again. */

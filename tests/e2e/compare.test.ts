@@ -1,26 +1,19 @@
 /** The Compare view: one instant, several ways. */
 import axe from "axe-core";
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import { closePage, eventually, launchBrowser, openPage, screenshot, serveSite } from "./browser";
+import { eventually, openSite, screenshot } from "./browser";
 
 declare const window: { strut: StrutHook; axe: typeof axe };
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
 
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
   const hash = "view=compare&play=0&frame=160&styles=old:1,proud:0,childlike:0";
-  page = await openPage(browser, site.url, { hash, size: { width: 1440, height: 900 }, theme: "light" });
-});
-afterAll(async () => {
-  await closePage(page).finally(async () => {
-    await browser.close();
-    await site.close();
-  });
+  const opened = await openSite({ hash, size: { width: 1440, height: 900 }, theme: "light" });
+  page = opened.page;
+  return opened.close;
 });
 
 const state = () => page.evaluate(() => window.strut.state);

@@ -1,35 +1,19 @@
 /** Beyond the triangle: parts of the body with styles of their own, two settings, chance. */
 import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
 import { JOINT, type Role } from "../../web/viewer";
-import {
-  closePage,
-  eventually,
-  launchBrowser,
-  openPage,
-  screenshot,
-  serveSite,
-  settledPose,
-  turnBetween,
-  visit,
-} from "./browser";
+import { closePage, eventually, openPage, openSite, screenshot, settledPose, turnBetween, visit } from "./browser";
 
 declare const window: { strut: StrutHook };
 
 let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
 
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-  page = await openPage(browser, site.url, { size: { width: 1440, height: 900 } });
-});
-afterAll(async () => {
-  await closePage(page).finally(async () => {
-    await browser.close();
-    await site.close();
-  });
+  const opened = await openSite({ size: { width: 1440, height: 900 } });
+  [browser, page] = [opened.browser, opened.page];
+  return opened.close;
 });
 
 const PAUSED = "play=0&frame=60&footplant=0&styles=proud:1,old:0,depressed:0";

@@ -1,16 +1,13 @@
 /** What goes wrong around the page: a sentence, and nothing lost that was on screen. */
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
 import {
-  closePage,
   dropFile,
   eventually,
   inputName,
-  launchBrowser,
-  openPage,
+  openSite,
   screenshot,
-  serveSite,
   settledPose,
   styledPose,
   turnBetween,
@@ -19,19 +16,12 @@ import {
 
 declare const window: { strut: StrutHook };
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
 
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-  page = await openPage(browser, site.url);
-});
-afterAll(async () => {
-  await closePage(page).finally(async () => {
-    await browser.close();
-    await site.close();
-  });
+  const opened = await openSite();
+  page = opened.page;
+  return opened.close;
 });
 
 const PAUSED = "play=0&frame=60&styles=proud:1,old:0,depressed:0";

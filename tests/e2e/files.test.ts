@@ -2,19 +2,17 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
 import { recordings } from "../recordings";
 import {
-  closePage,
   dropFile,
   eventually,
   inputName,
-  launchBrowser,
-  openPage,
+  openSite,
   saved,
   screenshot,
-  serveSite,
+  type serveSite,
   settledPose,
   styledPose,
   turnBetween,
@@ -28,14 +26,11 @@ let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
 
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-  page = await openPage(browser, site.url);
-});
-afterAll(async () => {
-  await closePage(page).finally(async () => {
-    await browser.close();
-    await site.close();
-  });
+  const opened = await openSite();
+  browser = opened.browser;
+  site = opened.site;
+  page = opened.page;
+  return opened.close;
 });
 
 const data = recordings();

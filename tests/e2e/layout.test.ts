@@ -1,9 +1,9 @@
 /** The page on wide and narrow screens, in both themes, from any folder, and for everybody. */
 import axe from "axe-core";
 import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import { closePage, eventually, launchBrowser, openPage, screenshot, serveSite, visit } from "./browser";
+import { eventually, openSite, screenshot, type serveSite, visit } from "./browser";
 
 declare const window: { strut: StrutHook; axe: typeof axe };
 
@@ -13,14 +13,11 @@ let page: Page;
 
 beforeAll(async () => {
   // Not the root of the host: the site must work from any folder.
-  [browser, site] = await Promise.all([launchBrowser(), serveSite("/some/folder/")]);
-  page = await openPage(browser, site.url);
-});
-afterAll(async () => {
-  await closePage(page).finally(async () => {
-    await browser.close();
-    await site.close();
-  });
+  const opened = await openSite({ folder: "/some/folder/" });
+  browser = opened.browser;
+  site = opened.site;
+  page = opened.page;
+  return opened.close;
 });
 
 const WIDE = { width: 1440, height: 900 };

@@ -1,26 +1,19 @@
 /** Every file that the page makes, as the browser saves it. */
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import { closePage, launchBrowser, openPage, saved, screenshot, serveSite, settledPose, visit } from "./browser";
+import { openSite, saved, screenshot, settledPose, visit } from "./browser";
 
 declare const window: { strut: StrutHook };
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
 
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-  page = await openPage(browser, site.url);
+  const opened = await openSite();
+  page = opened.page;
   await visit(page, "play=0&frame=60&styles=old:1,proud:0,childlike:0&range=60-90");
   await settledPose(page);
-});
-afterAll(async () => {
-  await closePage(page).finally(async () => {
-    await browser.close();
-    await site.close();
-  });
+  return opened.close;
 });
 
 /** What a saved file is, by its first bytes. */

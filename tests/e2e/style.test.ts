@@ -1,14 +1,13 @@
 /** The main thing: a character walks, and dragging a point changes how. */
 import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
 import {
   closePage,
   eventually,
-  launchBrowser,
   openPage,
+  openSite,
   screenshot,
-  serveSite,
   settledPose,
   styledPose,
   turnBetween,
@@ -18,18 +17,13 @@ import {
 declare const window: { strut: StrutHook };
 
 let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
 
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-  page = await openPage(browser, site.url);
-});
-afterAll(async () => {
-  await closePage(page).finally(async () => {
-    await browser.close();
-    await site.close();
-  });
+  const opened = await openSite();
+  browser = opened.browser;
+  page = opened.page;
+  return opened.close;
 });
 
 /** A state that stands still, so that only the style changes the pose. */

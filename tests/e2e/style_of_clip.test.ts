@@ -1,27 +1,19 @@
 /** A style from one clip: what falls on the polygon becomes a vertex of it. */
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
 import { everyNth, walksIn } from "../clips";
-import { closePage, dropFile, eventually, inputName, launchBrowser, openPage, screenshot, serveSite } from "./browser";
+import { dropFile, eventually, inputName, openSite, screenshot } from "./browser";
 
 declare const window: { strut: StrutHook };
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
 let walk: string;
 
 beforeAll(async () => {
-  const [launched, served, walks] = await Promise.all([launchBrowser(), serveSite(), walksIn(["old"], 260)]);
-  [browser, site, walk] = [launched, served, walks.old];
-  page = await openPage(browser, site.url, { size: { width: 1280, height: 800 } });
-});
-afterAll(async () => {
-  await closePage(page).finally(async () => {
-    await browser.close();
-    await site.close();
-  });
+  const [opened, walks] = await Promise.all([openSite({ size: { width: 1280, height: 800 } }), walksIn(["old"], 260)]);
+  [page, walk] = [opened.page, walks.old];
+  return opened.close;
 });
 
 const vertices = () => page.locator(".vertex").evaluateAll((v) => v.map((e) => e.getAttribute("data-style")!));

@@ -1,34 +1,17 @@
 /** The timeline: ranges, curves of every joint, what the pointer reads, and styles over time. */
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import {
-  closePage,
-  eventually,
-  launchBrowser,
-  openPage,
-  screenshot,
-  serveSite,
-  settledPose,
-  turnBetween,
-  visit,
-} from "./browser";
+import { eventually, openSite, screenshot, settledPose, turnBetween, visit } from "./browser";
 
 declare const window: { strut: StrutHook };
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
 
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-  page = await openPage(browser, site.url, { size: { width: 1440, height: 900 } });
-});
-afterAll(async () => {
-  await closePage(page).finally(async () => {
-    await browser.close();
-    await site.close();
-  });
+  const opened = await openSite({ size: { width: 1440, height: 900 } });
+  page = opened.page;
+  return opened.close;
 });
 
 const state = () => page.evaluate(() => window.strut.state);

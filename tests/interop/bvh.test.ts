@@ -9,6 +9,7 @@ import { recordings, root } from "../recordings";
 
 const strut = join(root, "rust", "target", "release", "strut");
 const blender = ["/usr/bin/blender", process.env.BLENDER_PATH ?? ""].find(existsSync);
+if (!blender) console.warn("skipping: no Blender at /usr/bin/blender or $BLENDER_PATH");
 const data = recordings();
 const folder = mkdtempSync(join(tmpdir(), "strut-interop-"));
 

@@ -5,10 +5,10 @@ use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print};
 use crate::threads::ThreadPool;
 use std::path::PathBuf;
-use strut_core::database::build::{SourceClip, add_style};
+use strut_core::database::build::add_style;
 use strut_core::registration;
-use strut_core::retarget::to_humanoid;
-use strut_formats::{corpus, strutdb};
+use strut_formats::corpus::{Entry, Labels};
+use strut_formats::strutdb;
 
 /// Make a single clip a style of a database
 ///
@@ -34,16 +34,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let db = read_database(&args.db)?;
     let clip = read_clip(&args.input)?;
     let path = args.input.display().to_string();
-    let clip = SourceClip {
-        name: corpus::stem(&path).to_owned(),
-        action: String::new(),
-        style: args.style.clone(),
-        take: 1,
-        motion: to_humanoid(&clip.motion, &clip.binding, &db.proportions),
-        source: path,
-        licence: String::new(),
-        script: None,
-    };
+    let labels = Labels { action: String::new(), style: args.style.clone(), take: Some(1) };
+    let clip = Entry { path, labels, licence: String::new() }.source_clip(&clip, &db.proportions);
     let added = add_style(&db, &clip, &registration::Options::default(), &ThreadPool)
         .map_err(|reason| Failure::in_file(&args.input, reason))?;
     let mut outputs = Outputs::default();

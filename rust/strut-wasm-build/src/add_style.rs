@@ -2,11 +2,10 @@
 
 use crate::builder::Built;
 use crate::labels::text;
-use strut_core::database::build::{self, SourceClip};
+use strut_core::database::build;
 use strut_core::parallel::Sequential;
 use strut_core::registration;
-use strut_core::retarget::to_humanoid;
-use strut_formats::corpus::{self, Clip};
+use strut_formats::corpus::{Clip, Entry, Labels};
 use strut_formats::strutdb::{self, packed};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -25,16 +24,8 @@ pub fn add_style(database: Vec<u8>, path: &str, style: String, bvh: &[u8]) -> Re
     };
     let db = read.map_err(text)?;
     drop(database);
-    let clip = SourceClip {
-        name: corpus::stem(path).to_owned(),
-        action: String::new(),
-        style,
-        take: 1,
-        motion: to_humanoid(&clip.motion, &clip.binding, &db.proportions),
-        source: path.to_owned(),
-        licence: String::new(),
-        script: None,
-    };
+    let labels = Labels { action: String::new(), style, take: Some(1) };
+    let clip = Entry { path: path.to_owned(), labels, licence: String::new() }.source_clip(&clip, &db.proportions);
     let added = build::add_style(&db, &clip, &registration::Options::default(), &Sequential).map_err(text)?;
     Ok(Built::new(added.database, Vec::new()))
 }

@@ -7,8 +7,7 @@ use std::fmt::Write;
 use std::num::NonZero;
 use std::time::Instant;
 use strut_core::database::Database;
-use strut_core::kinematics::world_from_local;
-use strut_core::pose_vector::{HeadingFilter, Placement, point_cloud};
+use strut_core::pose_vector::HeadingFilter;
 use strut_core::search::{Index, Metric, Neighbours, QueryWindow, Scratch};
 use strut_demo::benchmark::Query;
 
@@ -80,9 +79,7 @@ pub(super) fn text(rows: &[SearchRow]) -> String {
 fn windows(db: &Database, query: &Query) -> Vec<QueryWindow> {
     let (mut window, mut filter) = (QueryWindow::default(), HeadingFilter::default());
     let all = query.motion.poses.iter().map(|pose| {
-        let heading = filter.update(&world_from_local(&db.proportions, pose), 1.0 / db.rate_hz);
-        let at = Placement { x: pose.root.x, z: pose.root.z, heading };
-        window.push(&point_cloud(&db.proportions, pose, heading), at);
+        window.follow(pose, &db.proportions, db.rate_hz, &mut filter);
         window.clone()
     });
     all.skip(STRIDE).step_by(STRIDE).collect()

@@ -40,15 +40,7 @@ impl Job<'_> {
             return Err(Refusal::NoGait);
         }
         let features = self.features(&refusals, &cuts, locomotion, executor);
-        let parts: Vec<Part> = (0..self.examples.len())
-            .map(|i| Part {
-                example: i,
-                style: self.examples[i].style,
-                features: &features[i],
-                point_cloud: &self.examples[i].point_cloud,
-                segments: &cuts[i].0,
-            })
-            .collect();
+        let parts: Vec<Part> = (0..self.examples.len()).map(|i| self.part(i, &features[i], &cuts[i].0)).collect();
         let mut paired = executor.map(parts.len(), &|i| {
             let styles = if i == last { 0..self.styles } else { style..self.styles };
             pairing::pair(&parts[i], &parts, styles, self.options, &mut Warper::new(self.options, self.rate_hz))

@@ -261,13 +261,7 @@ impl Job<'_> {
         let mut times = self.canonical_times(&mut refusals, &cuts, &features, reference.as_ref(), executor);
         let parts: Vec<pairing::Part> = (0..self.examples.len())
             .filter(|&i| refusals[i].is_none())
-            .map(|i| pairing::Part {
-                example: i,
-                style: self.examples[i].style,
-                features: &features[i],
-                point_cloud: &self.examples[i].point_cloud,
-                segments: &cuts[i].0,
-            })
+            .map(|i| self.part(i, &features[i], &cuts[i].0))
             .collect();
         let mut paired = Vec::with_capacity(parts.len());
         for batch in parts.chunks(BATCH) {
@@ -344,6 +338,12 @@ impl Job<'_> {
         let whole =
             |e: &Example| vec![Segment { frames: rest::moving(&e.point_cloud, self.rate_hz), kind: SegmentKind::Clip }];
         self.examples.iter().map(|e| (whole(e), Vec::new())).collect()
+    }
+
+    /// What is paired of an example.
+    fn part<'b>(&'b self, example: usize, features: &'b [Feature], segments: &'b [Segment]) -> pairing::Part<'b> {
+        let Example { style, point_cloud, .. } = &self.examples[example];
+        pairing::Part { example, style: *style, features, point_cloud, segments }
     }
 
     /// Features of the examples not refused, empty for the others.

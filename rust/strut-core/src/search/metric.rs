@@ -11,10 +11,11 @@
 //! As the weights sum to 1, D is a mean squared distance in m².
 
 use super::lanes::{Lane, inner_product, inner_products};
-use crate::humanoid::{JOINTS, Role};
+use crate::humanoid::{JOINTS, Pose, Proportions, Role};
+use crate::kinematics::world_from_local;
 use crate::math::Vec3;
 use crate::math::float_funcs::sin_cos;
-use crate::pose_vector::Placement;
+use crate::pose_vector::{HeadingFilter, Placement, heading_free_positions};
 use std::sync::LazyLock;
 
 /// Frames of a window unless asked otherwise (s in the specification: 67 ms at 60 Hz). The figures are flat
@@ -336,6 +337,14 @@ impl QueryWindow {
         }
         self.full = CentredWindow::new(&frames[..length], Metric::FullBody);
         self.lower = CentredWindow::new(&frames[..length], Metric::LowerBody);
+    }
+
+    /// Adds a pose of this body; `heading` is the state of a stream at `rate_hz` frames per second.
+    pub fn follow(&mut self, pose: &Pose, body: &Proportions, rate_hz: f32, heading: &mut HeadingFilter) {
+        let world = world_from_local(body, pose);
+        let heading = heading.update(&world, 1.0 / rate_hz);
+        let at = Placement { x: pose.root.x, z: pose.root.z, heading };
+        self.push(&heading_free_positions(&world, heading), at);
     }
 
     /// The window's vector in a metric.

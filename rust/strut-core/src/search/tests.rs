@@ -3,9 +3,8 @@
 use super::*;
 use crate::database::{Clip, Database, DatabaseParts};
 use crate::humanoid::JOINTS;
-use crate::kinematics::world_from_local;
 use crate::math::Vec3;
-use crate::pose_vector::{HEADING_RATE, HeadingFilter, Placement, VELOCITY_Z, point_cloud};
+use crate::pose_vector::{HEADING_RATE, HeadingFilter, Placement, VELOCITY_Z};
 use crate::transfer::sine_walk::{self, BENT, Gait, NEUTRAL};
 use proptest::prelude::*;
 use std::num::NonZero;
@@ -42,9 +41,7 @@ proptest! {
             (QueryWindow::new(index.window_length()), HeadingFilter::default(), Scratch::default());
         let mut found = [Neighbours::default(), Neighbours::default()];
         for pose in &sine_walk::walk(&gait, 40, 0.1).poses {
-            let heading = filter.update(&world_from_local(&db.proportions, pose), 1.0 / db.rate_hz);
-            let at = Placement { x: pose.root.x, z: pose.root.z, heading };
-            window.push(&point_cloud(&db.proportions, pose, heading), at);
+            window.follow(pose, &db.proportions, db.rate_hz, &mut filter);
             for (metric, out) in [Metric::FullBody, Metric::LowerBody].into_iter().zip(&mut found) {
                 let expected = both(index, &window, metric, &[0, index.classes() - 1], k, &mut scratch, out);
                 prop_assert_eq!(out.as_slice(), expected.as_slice());

@@ -13,7 +13,7 @@ use crate::poses::poses_of;
 use crate::stylizer::Stylizer;
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
-use strut_core::pose_vector::{HeadingFilter, Placement, point_cloud};
+use strut_core::pose_vector::{HeadingFilter, Placement};
 use strut_core::search::{JOINT_WEIGHTS, Metric, Neighbours, QueryWindow, Scratch};
 use strut_core::transfer::{Options, Stage, StageClock};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -130,9 +130,7 @@ impl Stylizer {
         let (db, index) = (self.core().model().database(), self.core().model().index());
         let (mut window, mut filter) = (QueryWindow::new(index.window_length()), HeadingFilter::default());
         for pose in poses_of(poses)? {
-            let heading = filter.update(&world_from_local(&db.proportions, &pose), 1.0 / db.rate_hz);
-            let at = Placement { x: pose.root.x, z: pose.root.z, heading };
-            window.push(&point_cloud(&db.proportions, &pose, heading), at);
+            window.follow(&pose, &db.proportions, db.rate_hz, &mut filter);
         }
         let (mut scratch, mut found) = (Scratch::default(), Neighbours::default());
         index.nearest(&index.prepare(&window, Metric::FullBody), &[class], k, &mut scratch, &mut found);
