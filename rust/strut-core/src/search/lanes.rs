@@ -22,19 +22,20 @@ pub(super) fn total(sum: Floats) -> f32 {
     (a + b) + (c + d)
 }
 
-/// Inner product of two windows of equally many frames of `N` lanes, with `SUMS` running sums (a divisor of `N`) so
-/// that additions need not wait for each other.
+/// Inner product of two windows of equally many frames by the first `USED` of their `N` lanes, with `SUMS` running sums
+/// so that additions need not wait for each other. Where the other lanes are zero, it is that of all lanes to the bit.
 ///
 /// Called for every window that is looked at: a function call would be half of its time.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-pub(super) fn inner_product<const N: usize, const SUMS: usize>(a: &[[Lane; N]], b: &[[Lane; N]]) -> f32 {
+pub(super) fn inner_product<const N: usize, const USED: usize, const SUMS: usize>(
+    a: &[[Lane; N]],
+    b: &[[Lane; N]],
+) -> f32 {
     let mut sums = [Floats::splat(0.0); SUMS];
     for (a, b) in a.iter().zip(b) {
-        for first in (0..N).step_by(SUMS) {
-            for (l, sum) in sums.iter_mut().enumerate() {
-                *sum = sum.plus(Floats::of(&a[first + l]).times(Floats::of(&b[first + l])));
-            }
+        for l in 0..USED {
+            sums[l % SUMS] = sums[l % SUMS].plus(Floats::of(&a[l]).times(Floats::of(&b[l])));
         }
     }
     total(sums.into_iter().fold(Floats::splat(0.0), Floats::plus))
@@ -43,15 +44,16 @@ pub(super) fn inner_product<const N: usize, const SUMS: usize>(a: &[[Lane; N]], 
 /// [`inner_product`] of two windows with a third, whose numbers are read once.
 #[allow(clippy::inline_always)] // see `inner_product`
 #[inline(always)]
-pub(super) fn inner_products<const N: usize, const SUMS: usize>(a: [&[[Lane; N]]; 2], b: &[[Lane; N]]) -> [f32; 2] {
+pub(super) fn inner_products<const N: usize, const USED: usize, const SUMS: usize>(
+    a: [&[[Lane; N]]; 2],
+    b: &[[Lane; N]],
+) -> [f32; 2] {
     let mut sums = [[Floats::splat(0.0); SUMS]; 2];
     for ((a0, a1), b) in a[0].iter().zip(a[1]).zip(b) {
-        for first in (0..N).step_by(SUMS) {
-            for l in 0..SUMS {
-                let b = Floats::of(&b[first + l]);
-                sums[0][l] = sums[0][l].plus(Floats::of(&a0[first + l]).times(b));
-                sums[1][l] = sums[1][l].plus(Floats::of(&a1[first + l]).times(b));
-            }
+        for l in 0..USED {
+            let b = Floats::of(&b[l]);
+            sums[0][l % SUMS] = sums[0][l % SUMS].plus(Floats::of(&a0[l]).times(b));
+            sums[1][l % SUMS] = sums[1][l % SUMS].plus(Floats::of(&a1[l]).times(b));
         }
     }
     sums.map(|sums| total(sums.into_iter().fold(Floats::splat(0.0), Floats::plus)))

@@ -40,9 +40,11 @@ pub(super) const ANY: usize = 0;
 /// Joints that count.
 pub(super) const POINTS: usize = JOINT_WEIGHTS.len();
 /// Joints that count in the lower-body metric: the first of [`POINTS`].
-const LEG_POINTS: usize = 8;
+const LEG_POINTS: usize = 4 * LEG_LANES;
 /// 4-float lanes of a frame's heights (and of x, and of z).
 pub(super) const LANES: usize = POINTS / 4;
+/// The same of the lower-body metric.
+pub(super) const LEG_LANES: usize = 2;
 
 /// Relative weight of each joint: by size and visibility. The spine joint follows from hips and chest
 /// and is left out, which makes five whole lanes. Legs come first.
@@ -69,8 +71,19 @@ pub const JOINT_WEIGHTS: [(Role, f32); 20] = [
     (Role::RightHand, 1.0),
 ];
 
-/// Which points are ankle and toes, left and right.
-const FEET: [[usize; 2]; 2] = [[4, 6], [5, 7]];
+/// The lane that holds the feet.
+const FEET: usize = 1;
+/// What it holds.
+pub(crate) const FEET_ROLES: [Role; 4] = [Role::LeftFoot, Role::RightFoot, Role::LeftToes, Role::RightToes];
+/// x, y and z of [`FEET_ROLES`], metres.
+pub(crate) type Feet = [Lane; 3];
+
+/// Where the feet are in a frame of these points.
+pub(super) fn feet(height: &HeightRow, ground: &GroundRow) -> Feet {
+    let roots = &point_roots()[4 * FEET..][..4];
+    let metres = |lane: &Lane| std::array::from_fn(|i| lane[i] / roots[i]);
+    [&ground[2 * FEET], &height[FEET], &ground[2 * FEET + 1]].map(metres)
+}
 
 /// Which joints count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,7 +96,7 @@ pub enum Metric {
 
 impl Metric {
     /// Number of points that count, the first ones.
-    fn points(self) -> usize {
+    pub(super) fn points(self) -> usize {
         match self {
             Self::FullBody => POINTS,
             Self::LowerBody => LEG_POINTS,
@@ -137,18 +150,8 @@ impl FramePoints {
 
     /// Squared length of all.
     pub(super) fn norm(&self) -> f32 {
-        let heights = inner_product::<LANES, LANES>(&[self.height], &[self.height]);
-        heights + inner_product::<{ 2 * LANES }, LANES>(&[self.ground], &[self.ground])
-    }
-
-    /// Positions of ankle and toes, left and right.
-    pub(super) fn feet(&self) -> [[Vec3; 2]; 2] {
-        FEET.map(|side| {
-            side.map(|point| {
-                let [y, x, z] = self.get(point);
-                Vec3::new(x, y, z) / point_roots()[point]
-            })
-        })
+        let heights = inner_product::<LANES, LANES, LANES>(&[self.height], &[self.height]);
+        heights + inner_product::<{ 2 * LANES }, { 2 * LANES }, LANES>(&[self.ground], &[self.ground])
     }
 
     fn get(&self, point: usize) -> [f32; 3] {
@@ -258,14 +261,30 @@ impl CentredWindow {
         window
     }
 
-    /// D to the stored window of these points and norm.
+    /// D by the window's metric to the stored window of these points and norm.
     #[allow(clippy::inline_always)] // see `inner_product`
     #[inline(always)]
-    pub(super) fn distance<const S: usize>(&self, height: &[HeightRow], ground: &[GroundRow], norm: f32) -> f32 {
+    pub(super) fn distance<const S: usize>(
+        &self,
+        metric: Metric,
+        height: &[HeightRow],
+        ground: &[GroundRow],
+        norm: f32,
+    ) -> f32 {
+        const ALL: usize = 2 * LANES;
+        const OF_LEGS: usize = 2 * LEG_LANES;
         let frames = frames_of::<S>(self.frames);
-        let heights = inner_product::<LANES, LANES>(&self.height[..frames], height);
-        let [real, imaginary] =
-            inner_products::<{ 2 * LANES }, LANES>([&self.ground[..frames], &self.turned[..frames]], ground);
+        let (own_height, own_ground) = (&self.height[..frames], [&self.ground[..frames], &self.turned[..frames]]);
+        let (heights, [real, imaginary]) = match metric {
+            Metric::FullBody => (
+                inner_product::<LANES, LANES, LANES>(own_height, height),
+                inner_products::<ALL, ALL, LANES>(own_ground, ground),
+            ),
+            Metric::LowerBody => (
+                inner_product::<LANES, LEG_LANES, LANES>(own_height, height),
+                inner_products::<ALL, OF_LEGS, LANES>(own_ground, ground),
+            ),
+        };
         let turned = (real * real + imaginary * imaginary).sqrt();
         ((self.norm + norm) - 2.0 * (heights + turned)).max(0.0)
     }
@@ -378,7 +397,7 @@ mod tests {
         }
         let points: [FramePoints; WINDOW] = std::array::from_fn(|i| FramePoints::new(&stored[i].0, stored[i].1));
         let (height, ground) = (points.map(|p| p.height), points.map(|p| p.ground));
-        window.centred(metric).distance::<WINDOW>(&height, &ground, CentredWindow::new(&points, metric).norm)
+        window.centred(metric).distance::<WINDOW>(metric, &height, &ground, CentredWindow::new(&points, metric).norm)
     }
 
     fn moved(frames: &Frames, by: Placement) -> Frames {
@@ -451,13 +470,12 @@ mod tests {
 
     #[test]
     fn feet_come_back_from_the_points_of_a_frame() {
-        assert_eq!(FEET.map(|side| side.map(|point| JOINT_WEIGHTS[point].0)), crate::transfer::Soles::JOINTS);
         let cloud = std::array::from_fn(|j| Vec3::new(0.1 * j as f32, 1.0 - 0.05 * j as f32, 0.02 * j as f32));
-        let feet = FramePoints::new(&cloud, Placement { x: 2.0, z: -1.0, heading: 0.0 }).feet();
-        for (point, (role, _)) in FEET.as_flattened().iter().map(|&point| (point, JOINT_WEIGHTS[point])) {
-            let side = usize::from(point % 2 == 1);
-            let found = feet[side][usize::from(point > 5)];
-            assert!((found - cloud[role.index()] - Vec3::new(2.0, 0.0, -1.0)).length() < 1e-5);
+        let points = FramePoints::new(&cloud, Placement { x: 2.0, z: -1.0, heading: 0.0 });
+        let [x, y, z] = feet(&points.height, &points.ground);
+        for (i, role) in FEET_ROLES.iter().enumerate() {
+            let expected = cloud[role.index()] + Vec3::new(2.0, 0.0, -1.0);
+            assert!((Vec3::new(x[i], y[i], z[i]) - expected).length() < 1e-5);
         }
     }
 

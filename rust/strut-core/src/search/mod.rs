@@ -19,12 +19,12 @@ mod principal;
 mod subspace;
 mod windows;
 
+pub(crate) use metric::{FEET_ROLES, Feet};
 pub use metric::{JOINT_WEIGHTS, MAX_WINDOW, Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};
 pub use plan::{Plan, PlanError};
 
 use crate::database::Database;
-use crate::math::Vec3;
 use crate::math::order::sort_pairs;
 use block::{BLOCK, Probe};
 use leaves::Leaves;
@@ -98,8 +98,8 @@ impl Index {
         self.windows.of_class(class).count()
     }
 
-    /// Ankle and toes, left and right, at a row: seen from where the other rows of its clip are seen from.
-    pub(crate) fn feet(&self, row: usize) -> [[Vec3; 2]; 2] {
+    /// Where the feet are at a row: seen from where the other rows of its clip are seen from.
+    pub(crate) fn feet(&self, row: usize) -> Feet {
         self.windows.feet(row)
     }
 
@@ -232,7 +232,7 @@ impl Index {
     #[inline]
     fn distance<const S: usize>(&self, query: &Query<'_>, last: usize) -> f32 {
         let (heights, ground) = self.windows.points::<S>(last);
-        query.window.distance::<S>(heights, ground, self.norms[query.metric as usize][last])
+        query.window.distance::<S>(query.metric, heights, ground, self.norms[query.metric as usize][last])
     }
 }
 

@@ -58,7 +58,7 @@ impl Index {
         let ends: Vec<usize> = (0..windows.classes.len()).flat_map(|class| windows.of_class(class)).collect();
         let sample =
             |metric| -> Vec<CentredWindow> { sample(&ends).map(|&row| windows.centred(row, metric)).collect() };
-        let subspaces = METRICS.map(|metric| Subspace::fit(&sample(metric), length));
+        let subspaces = METRICS.map(|metric| Subspace::fit(&sample(metric), length, metric));
         let mut index = Self::new(windows, subspaces);
         for class in 0..index.classes() {
             let rows: Vec<u32> = index.windows.of_class(class).map(|row| row as u32).collect();
@@ -82,7 +82,8 @@ impl Index {
     /// [`PlanError`] if the plan is not one for this database, which then stays as it is.
     pub fn from_plan(db: &mut Database, plan: Plan) -> Result<Self, PlanError> {
         let Plan { order, bases, points } = plan;
-        let [Some(full), Some(lower)] = bases.each_ref().map(|basis| Subspace::from_floats(basis, WINDOW)) else {
+        let subspaces = METRICS.map(|metric| Subspace::from_floats(&bases[metric as usize], WINDOW, metric));
+        let [Some(full), Some(lower)] = subspaces else {
             return Err(PlanError::Basis);
         };
         let (windows, subspaces) = (Windows::new(db, WINDOW), [full, lower]);

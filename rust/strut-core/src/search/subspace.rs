@@ -9,8 +9,8 @@
 //! The right-hand side is the squared distance of two short vectors modulo the phase of their complex parts: a metric
 //! too. The bound is tightest where the basis holds the directions of greatest variance.
 
-use super::lanes::{Floats, inner_product, total};
-use super::metric::{CentredWindow, GroundRow, HeightRow, LANES, POINTS};
+use super::lanes::{Floats, Lane, inner_product, total};
+use super::metric::{CentredWindow, GroundRow, HeightRow, LANES, LEG_LANES, Metric, POINTS};
 use super::principal::{Complex, inner, principal_directions};
 
 /// Dimensions of the basis for heights …
@@ -41,6 +41,8 @@ pub(super) struct Subspace {
     mean: Vec<HeightRow>,
     height: Vec<HeightRow>,
     ground: Vec<GroundRow>,
+    /// Whether windows and all of that are zero but for the points of the legs.
+    legs_only: bool,
 }
 
 /// A window in the subspace.
@@ -60,9 +62,11 @@ impl Subspace {
         frames * POINTS * (1 + HEIGHT_DIMENSIONS + 2 * GROUND_DIMENSIONS)
     }
 
-    /// The directions in which these windows, each of `frames` frames, differ most.
-    pub(super) fn fit(windows: &[CentredWindow], frames: usize) -> Self {
-        let dimension = frames * POINTS;
+    /// The directions in which these windows of a metric, each of `frames` frames, differ most.
+    pub(super) fn fit(windows: &[CentredWindow], frames: usize, metric: Metric) -> Self {
+        // Where all directions fit in, they keep to the points that count.
+        let points = if frames * metric.points() >= HEIGHT_DIMENSIONS { metric.points() } else { POINTS };
+        let dimension = frames * points;
         let root = windows.first().map_or(1.0, |w| f64::from(w.scale).sqrt());
         let mut mean = vec![HeightRow::default(); frames];
         for (f, row) in mean.iter_mut().enumerate() {
@@ -72,11 +76,12 @@ impl Subspace {
             }
         }
         let heights = |w: &CentredWindow| -> Vec<Complex> {
-            let differences = w.height.iter().flatten().flatten().zip(mean.iter().flatten().flatten());
+            let rows = w.height.iter().zip(&mean);
+            let differences = rows.flat_map(|(v, m)| v.as_flattened().iter().zip(m.as_flattened()).take(points));
             differences.map(|(v, m)| [(f64::from(*v) - f64::from(*m)) / root, 0.0]).collect()
         };
         let ground = |w: &CentredWindow| -> Vec<Complex> {
-            let lanes = w.ground[..frames].iter().flat_map(|row| row.chunks_exact(2));
+            let lanes = w.ground[..frames].iter().flat_map(|row| row.chunks_exact(2).take(points / 4));
             lanes.flat_map(|xz| (0..4).map(|i| [xz[0][i], xz[1][i]].map(|v| f64::from(v) / root))).collect()
         };
         let directions = |vector: &dyn Fn(&CentredWindow) -> Vec<Complex>, count| {
@@ -88,16 +93,27 @@ impl Subspace {
             height: vec![HeightRow::default(); HEIGHT_DIMENSIONS * frames],
             ground: vec![GroundRow::default(); GROUND_DIMENSIONS * frames],
             mean: Vec::new(),
+            legs_only: false,
         };
-        let height = directions(&heights, HEIGHT_DIMENSIONS);
-        subspace.height.iter_mut().flatten().flatten().zip(height).for_each(|(v, [re, _])| *v = re as f32);
+        for (i, [re, _]) in directions(&heights, HEIGHT_DIMENSIONS).enumerate() {
+            subspace.height[i / points].as_flattened_mut()[i % points] = re as f32;
+        }
         for (i, [re, im]) in directions(&ground, GROUND_DIMENSIONS).enumerate() {
-            let row = &mut subspace.ground[i / POINTS];
-            let (lane, at) = (i % POINTS / 4, i % 4);
+            let row = &mut subspace.ground[i / points];
+            let (lane, at) = (i % points / 4, i % 4);
             row[2 * lane][at] = re as f32;
             row[2 * lane + 1][at] = im as f32;
         }
-        Self { mean, ..subspace }
+        Self { mean, ..subspace }.for_metric(metric)
+    }
+
+    /// For windows of this metric only.
+    fn for_metric(self, metric: Metric) -> Self {
+        let are_zero = |lanes: &[Lane]| lanes.as_flattened().iter().all(|v| *v == 0.0);
+        let heights = self.mean.iter().chain(&self.height).all(|row| are_zero(&row[LEG_LANES..]));
+        let legs_only =
+            metric == Metric::LowerBody && heights && self.ground.iter().all(|row| are_zero(&row[2 * LEG_LANES..]));
+        Self { legs_only, ..self }
     }
 
     /// All numbers, as [`Subspace::from_floats`] takes them.
@@ -108,7 +124,7 @@ impl Subspace {
 
     /// Of the numbers of another subspace for windows of so many frames; `None` if they are none: whatever else they
     /// are, bounds hold.
-    pub(super) fn from_floats(floats: &[f32], frames: usize) -> Option<Self> {
+    pub(super) fn from_floats(floats: &[f32], frames: usize, metric: Metric) -> Option<Self> {
         if floats.len() != Self::float_count(frames) || !floats.iter().all(|v| v.is_finite()) {
             return None;
         }
@@ -120,8 +136,9 @@ impl Subspace {
             mean: rows.by_ref().take(frames).collect(),
             height: rows.collect(),
             ground: ground.chunks_exact(2 * POINTS).map(ground_row).collect(),
+            legs_only: false,
         };
-        (subspace.skew() <= MAX_SKEW).then_some(subspace)
+        (subspace.skew() <= MAX_SKEW).then(|| subspace.for_metric(metric))
     }
 
     /// How far the directions are from orthonormal.
@@ -145,34 +162,43 @@ impl Subspace {
 
     /// Bound on [`Projection::error`] of windows of this [`CentredWindow::scale`] whose squared length is at most `norm`.
     pub(super) fn greatest_error(&self, norm: f32, scale: f32) -> f32 {
-        let mean = inner_product::<LANES, LANES>(&self.mean, &self.mean) / scale;
+        let mean = inner_product::<LANES, LANES, LANES>(&self.mean, &self.mean) / scale;
         ROUNDING * (norm.sqrt() + mean.sqrt()) + INPUT_ROUNDING * norm.sqrt()
     }
 
-    /// A window in this subspace.
+    /// A window in this subspace, of the metric that it was made for.
     pub(super) fn project(&self, window: &CentredWindow) -> Projection {
+        if self.legs_only {
+            self.project_lanes::<LEG_LANES, { 2 * LEG_LANES }>(window)
+        } else {
+            self.project_lanes::<LANES, { 2 * LANES }>(window)
+        }
+    }
+
+    /// [`Subspace::project`] by the first `H` lanes of heights and `G` of the ground plane; the others are zero.
+    fn project_lanes<const H: usize, const G: usize>(&self, window: &CentredWindow) -> Projection {
         let frames = self.mean.len();
         let (mut height, mut ground) = (window.height, window.ground);
         let (height, ground) = (&mut height[..frames], &mut ground[..frames]);
-        add_multiple(height, &self.mean, -1.0);
+        add_multiple::<H>(height, &self.mean, -1.0);
         let mut coordinates = [0.0; COORDINATES];
         let (real, complex) = coordinates.split_at_mut(REAL);
         let (of_height, outside) = real.split_at_mut(HEIGHT_DIMENSIONS);
         // All coordinates before anything is taken away: none need wait for another.
         for (c, direction) in of_height.iter_mut().zip(self.height.chunks_exact(frames)) {
-            *c = inner_product::<LANES, LANES>(height, direction);
+            *c = inner_product::<LANES, H, LANES>(height, direction);
         }
         for (c, direction) in complex.chunks_exact_mut(2).zip(self.ground.chunks_exact(frames)) {
-            c.copy_from_slice(&complex_product(ground, direction));
+            c.copy_from_slice(&complex_product::<G>(ground, direction));
         }
         for (c, direction) in of_height.iter().zip(self.height.chunks_exact(frames)) {
-            add_multiple(height, direction, -c);
+            add_multiple::<H>(height, direction, -c);
         }
         for (c, direction) in complex.chunks_exact(2).zip(self.ground.chunks_exact(frames)) {
-            add_complex_multiple(ground, direction, [-c[0], -c[1]]);
+            add_complex_multiple::<G>(ground, direction, [-c[0], -c[1]]);
         }
-        outside[0] = inner_product::<LANES, LANES>(height, height).sqrt();
-        outside[1] = inner_product::<{ 2 * LANES }, LANES>(ground, ground).sqrt();
+        outside[0] = inner_product::<LANES, H, LANES>(height, height).sqrt();
+        outside[1] = inner_product::<{ 2 * LANES }, G, LANES>(ground, ground).sqrt();
         // Window vectors carry a factor √scale too much.
         let metres = 1.0 / window.scale.sqrt();
         let coordinates = coordinates.map(|c| c * metres);
@@ -181,32 +207,38 @@ impl Subspace {
     }
 }
 
-/// Adds `factor` · `other`.
-fn add_multiple(rows: &mut [HeightRow], other: &[HeightRow], factor: f32) {
+/// Adds `factor` · `other` in the first `H` lanes.
+fn add_multiple<const H: usize>(rows: &mut [HeightRow], other: &[HeightRow], factor: f32) {
     let factor = Floats::splat(factor);
-    for (lane, other) in rows.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
-        *lane = Floats::of(lane).plus(factor.times(Floats::of(other))).array();
+    for (row, other) in rows.iter_mut().zip(other) {
+        for l in 0..H {
+            row[l] = Floats::of(&row[l]).plus(factor.times(Floats::of(&other[l]))).array();
+        }
     }
 }
 
 /// The same, where x and z of the rows are real and imaginary parts.
-fn add_complex_multiple(rows: &mut [GroundRow], other: &[GroundRow], factor: [f32; 2]) {
+fn add_complex_multiple<const G: usize>(rows: &mut [GroundRow], other: &[GroundRow], factor: [f32; 2]) {
     let [re, im] = factor.map(Floats::splat);
-    for (z, b) in rows.as_flattened_mut().chunks_exact_mut(2).zip(other.as_flattened().chunks_exact(2)) {
-        let [b_re, b_im] = [&b[0], &b[1]].map(Floats::of);
-        z[0] = Floats::of(&z[0]).plus(re.times(b_re).minus(im.times(b_im))).array();
-        z[1] = Floats::of(&z[1]).plus(re.times(b_im).plus(im.times(b_re))).array();
+    for (row, other) in rows.iter_mut().zip(other) {
+        for (z, b) in row[..G].chunks_exact_mut(2).zip(other.chunks_exact(2)) {
+            let [b_re, b_im] = [&b[0], &b[1]].map(Floats::of);
+            z[0] = Floats::of(&z[0]).plus(re.times(b_re).minus(im.times(b_im))).array();
+            z[1] = Floats::of(&z[1]).plus(re.times(b_im).plus(im.times(b_re))).array();
+        }
     }
 }
 
 /// Σ z b*, where x and z of the rows are real and imaginary parts.
-fn complex_product(z: &[GroundRow], b: &[GroundRow]) -> [f32; 2] {
+fn complex_product<const G: usize>(z: &[GroundRow], b: &[GroundRow]) -> [f32; 2] {
     let mut sums = [Floats::splat(0.0); 4];
-    for (z, b) in z.as_flattened().chunks_exact(2).zip(b.as_flattened().chunks_exact(2)) {
-        let [z_re, z_im, b_re, b_im] = [&z[0], &z[1], &b[0], &b[1]].map(Floats::of);
-        let products = [z_re.times(b_re), z_im.times(b_im), z_im.times(b_re), z_re.times(b_im)];
-        for (sum, product) in sums.iter_mut().zip(products) {
-            *sum = sum.plus(product);
+    for (z, b) in z.iter().zip(b) {
+        for (z, b) in z[..G].chunks_exact(2).zip(b.chunks_exact(2)) {
+            let [z_re, z_im, b_re, b_im] = [&z[0], &z[1], &b[0], &b[1]].map(Floats::of);
+            let products = [z_re.times(b_re), z_im.times(b_im), z_im.times(b_re), z_re.times(b_im)];
+            for (sum, product) in sums.iter_mut().zip(products) {
+                *sum = sum.plus(product);
+            }
         }
     }
     [sums[0].plus(sums[1]), sums[2].minus(sums[3])].map(total)

@@ -114,7 +114,7 @@ fn kind() -> impl Strategy<Value = Kind> {
 fn points_of(db: &Database, plan: &Plan) -> [Vec<[i16; Plan::COORDINATES]>; 2] {
     let windows = windows::Windows::new(db, WINDOW);
     [Metric::FullBody, Metric::LowerBody].map(|metric| {
-        let subspace = subspace::Subspace::from_floats(&plan.bases[metric as usize], WINDOW).unwrap();
+        let subspace = subspace::Subspace::from_floats(&plan.bases[metric as usize], WINDOW, metric).unwrap();
         let point = |row: &u32| block::quantise(&subspace.project(&windows.centred(*row as usize, metric)));
         plan.order.iter().map(point).collect()
     })

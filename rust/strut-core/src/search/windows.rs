@@ -2,10 +2,10 @@
 
 use super::leaves::Bounds;
 use super::metric::{
-    CentredWindow, FramePoints, FrameSums, GroundRow, HeightRow, LENGTH, MAX_WINDOW, Metric, frames_of, window_norm,
+    CentredWindow, Feet, FramePoints, FrameSums, GroundRow, HeightRow, LENGTH, MAX_WINDOW, Metric, feet, frames_of,
+    window_norm,
 };
 use crate::database::{Clip, Database};
-use crate::math::Vec3;
 use crate::pose_vector::{HEADING_RATE, Placement};
 use std::ops::Range;
 
@@ -62,9 +62,9 @@ impl Windows {
         (clip.start + frames_of::<LENGTH>(self.length).max(2) - 1).min(clip.end)..clip.end
     }
 
-    /// Ankle and toes, left and right, in the clip's frame of reference.
-    pub(super) fn feet(&self, row: usize) -> [[Vec3; 2]; 2] {
-        FramePoints { height: self.heights[row], ground: self.ground[row] }.feet()
+    /// Where the feet are at a row, in the clip's frame of reference.
+    pub(super) fn feet(&self, row: usize) -> Feet {
+        feet(&self.heights[row], &self.ground[row])
     }
 
     /// |y|² + |z|² of the window that ends at each row; 0 where none does.

@@ -1,12 +1,11 @@
 //! How likely each foot of the input is planted (specification, §11): the nearest frames by the lower-body metric
 //! vote, weighed by how much their feet do what the input's do.
 
-use super::sole::Soles;
 use crate::database::Database;
 use crate::kinematics::WorldPose;
-use crate::math::Vec3;
 use crate::math::float_funcs::exp;
-use crate::search::{Index, Neighbour};
+use crate::math::lanes::Lane;
+use crate::search::{FEET_ROLES, Feet, Index, Neighbour};
 
 /// Neighbours that vote, by the lower-body metric.
 pub(super) const VOTERS: usize = 40;
@@ -29,24 +28,19 @@ const SAME_SPEED: f32 = 0.15;
 /// Below this sum of squared differences, in those units, voters count as equal.
 const SAME: f32 = 0.05;
 
-/// Positions of ankle and toes, left and right.
-type FootPoints = [[Vec3; 2]; 2];
-
-fn foot_points(position: impl Fn(usize) -> Vec3) -> FootPoints {
-    Soles::JOINTS.map(|joints| joints.map(|role| position(role.index())))
-}
-
-/// Heights and speeds of ankle and toes, left and right, in the frame before the last.
+/// Heights and speeds of the four of [`FEET_ROLES`] in the frame before the last.
 #[derive(Clone, Copy, Debug)]
-struct FeetState([[f32; 4]; 2]);
+struct FeetState {
+    heights: Lane,
+    speeds: Lane,
+}
 
 impl FeetState {
     /// From positions in three successive frames.
-    fn new(frames: &[FootPoints; 3], rate_hz: f32) -> Self {
-        Self(std::array::from_fn(|side| {
-            let speed = |point: usize| (frames[2][side][point] - frames[0][side][point]).length() * 0.5 * rate_hz;
-            [frames[1][side][0].y, frames[1][side][1].y, speed(0), speed(1)]
-        }))
+    fn new([oldest, middle, newest]: &[Feet; 3], rate_hz: f32) -> Self {
+        let [x, y, z] = std::array::from_fn(|c| Lane::of(&newest[c], 0) - Lane::of(&oldest[c], 0));
+        let lengths = (x * x + y * y + z * z).map(f32::sqrt);
+        Self { heights: Lane::of(&middle[1], 0), speeds: lengths * Lane::splat(0.5) * Lane::splat(rate_hz) }
     }
 
     /// Of a row and the two before it in its clip.
@@ -54,11 +48,12 @@ impl FeetState {
         Self::new(&[row - 2, row - 1, row].map(|row| index.feet(row)), rate_hz)
     }
 
-    /// Sum of squared differences of one foot.
-    fn difference(&self, to: &Self, side: usize) -> f32 {
-        let units = [SAME_HEIGHT, SAME_HEIGHT, SAME_SPEED, SAME_SPEED];
-        let terms = self.0[side].iter().zip(&to.0[side]).zip(units).map(|((a, b), unit)| (a - b) / unit);
-        terms.fold(0.0, |sum, d| sum + d * d)
+    /// Sums of squared differences of the left and the right foot.
+    fn differences(&self, to: &Self) -> [f32; 2] {
+        let heights = (self.heights - to.heights) / Lane::splat(SAME_HEIGHT);
+        let speeds = (self.speeds - to.speeds) / Lane::splat(SAME_SPEED);
+        let [h, s] = [heights * heights, speeds * speeds].map(Lane::to_array);
+        [0, 1].map(|side| h[side] + h[side + 2] + s[side] + s[side + 2])
     }
 }
 
@@ -66,13 +61,14 @@ impl FeetState {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct RecentFeet {
     /// Oldest first; `None` before the first frame.
-    frames: Option<[FootPoints; 3]>,
+    frames: Option<[Feet; 3]>,
 }
 
 impl RecentFeet {
     /// Adds a frame; before the first one the feet have been at rest.
     pub(super) fn push(&mut self, world: &WorldPose) {
-        let now = foot_points(|joint| world.positions[joint]);
+        let points = FEET_ROLES.map(|role| world.positions[role.index()]);
+        let now = [points.map(|p| p.x), points.map(|p| p.y), points.map(|p| p.z)];
         self.frames = Some(self.frames.map_or([now; 3], |[_, b, c]| [b, c, now]));
     }
 }
@@ -93,9 +89,9 @@ pub(super) fn vote(db: &Database, index: &Index, neighbours: &[Neighbour], feet:
     let (mut votes, mut voices) = (Votes::default(), [0.0_f32; 2]);
     for row in neighbours.iter().map(|n| n.row as usize) {
         let state = FeetState::of_row(index, row, db.rate_hz);
-        for (side, voices) in voices.iter_mut().enumerate() {
-            let voice = 1.0 / (state.difference(&input, side) + SAME);
-            *voices += voice;
+        for (side, difference) in state.differences(&input).into_iter().enumerate() {
+            let voice = 1.0 / (difference + SAME);
+            voices[side] += voice;
             votes.now[side] += voice * f32::from(db.contact[row][side]);
             votes.before[side] += voice * f32::from(db.contact[row - 1][side]);
         }
