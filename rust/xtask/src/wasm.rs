@@ -51,15 +51,10 @@ pub(crate) struct Package {
 }
 
 /// A build takes seconds of work: whoever waits for it would rather load more.
-const FAST_BUILDING: &[&str] = &[
-    "--config",
-    "profile.web.package.strut-core.opt-level=3",
-    "--config",
-    "profile.web.package.strut-formats.opt-level=3",
-];
+const FAST_BUILDING: &[&str] = &["--config", "profile.web.package.strut-formats.opt-level=3"];
 
 /// The yardsticks in `strut-wasm` are optimised as the core is.
-const FAST_YARDSTICKS: &[&str] = &["--config", "profile.web.package.strut-wasm.opt-level=2"];
+const FAST_YARDSTICKS: &[&str] = &["--config", "profile.web.package.strut-wasm.opt-level=3"];
 
 impl Package {
     /// What the page loads.
