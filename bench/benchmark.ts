@@ -29,7 +29,7 @@ export function benchmark(instances: Instances, source: Source, { machine, onPro
   };
   const database = glue.Database.fromBytes(workload.bytes);
   const target = database.neutral();
-  const naive = new NaiveTransfer(readStrutdb(workload.bytes), target, glue.jointWeights());
+  const naive = new NaiveTransfer(readStrutdb(workload.bytes), target, glue.jointWeights(), glue.legJoints());
   const plain = new glue.Naive(workload.bytes, target);
   const benches = {
     ...engines,

@@ -39,7 +39,7 @@ function wasmSection(title: string, { command, report }: Measured<Report>): stri
     markdown(stageTable(report, "wasm-simd")),
     "How many times faster that is than the same engine without SIMD and than the plain loops:",
     markdown(ratioTable(report)),
-    "The plain loops find the engine's neighbours; a set is *tied* where it differs in windows as far away as the last, but for rounding. The largest difference of a predicted joint angle is in radians:",
+    "The plain loops find the engine's neighbours; a set is *tied* where it differs in windows as far away as the last, but for rounding. The largest differences of a predicted joint angle (radians), of a frame's duration and of the likelihood of a contact follow:",
     markdown(agreementTable(report)),
     "WASM memory with the database open and with target styles selected:",
     markdown(memoryTable(report)),
@@ -56,7 +56,7 @@ export function document(
   const parts = [
     "# Performance",
     `Written by \`npm run bench -- --write\` on ${date}. Times are medians and 95th percentiles of single frames on one thread; compare them within a table, not between machines.`,
-    "*Labelled*: action and style of the input are known, so that one class is searched. *Unlabelled*: every class is searched, and those that cannot matter are left out of the regression. *All*: every class takes part. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/bench/naive.rs`) only search and regress, while the engine's frame includes features, timing, contacts and feet: ratios of whole frames are understated.",
+    "*Labelled*: action and style of the input are known, so that one class is searched. *Unlabelled*: every class is searched, and those that cannot matter are left out of the regression. *All*: every class takes part. A *cold search* knows nothing of the frame before; a *first search* has but one frame, which counts as standing still, so that nothing in a database of moving people is near. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/bench/naive.rs`) search, regress, and find durations and contacts, while the engine's frame includes features, blending and feet too: ratios of whole frames are a little understated.",
     ...wasmSection("In WebAssembly", procedural),
     ...(recorded ? wasmSection("In WebAssembly, on recorded motion", recorded) : []),
     "## Natively, by the size of the database",

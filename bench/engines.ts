@@ -24,7 +24,7 @@ export interface Instances {
   scalar: Instance;
 }
 
-/** Finds neighbours and predicts a row from them, frame by frame, with no memory in between. */
+/** Does what a frame is made of, with no memory of the frames before. */
 export interface Yardstick {
   /**
    * Finds the nearest windows of the classes from `fromClass` up to `toClass`.
@@ -36,6 +36,13 @@ export interface Yardstick {
    * @param leastWeight share of the largest weight from which on a class takes part
    */
   predict(x: Float32Array, xBefore: Float32Array, yBefore: Float32Array, leastWeight: number): Float32Array;
+  /** How long the frame lasts that was predicted last, seconds, from xₜ, xₜ₋₁, yₜ and yₜ₋₁. */
+  duration(x: Float32Array, xBefore: Float32Array, y: Float32Array, yBefore: Float32Array): number;
+  /**
+   * Likelihood that the left and the right foot is planted in the last of the frames: the vote of the classes that took
+   * part in the last prediction.
+   */
+  contacts(frames: Float32Array): ArrayLike<number>;
   /** Rows of a class's neighbours, nearest first, … */
   neighbours(label: number): ArrayLike<number>;
   /** … and their distances, m². */

@@ -1,7 +1,7 @@
 /**
  * A yardstick: the transfer as one would write it in JavaScript from the paper, loop by loop.
  *
- * The same numbers as the engine's for the default options, but for rounding; `check.ts` compares them.
+ * The same numbers as the engine's for the default options, but for rounding; `yardstick_bench.ts` compares them.
  * `rust/strut-wasm/src/bench/naive.rs` is the same in Rust.
  */
 import type { Yardstick } from "./engines";
@@ -19,6 +19,17 @@ const DELTA = 0.7;
 const LEAST_DISTANCE = 1e-6;
 /** Half-life of what separates expectation and prediction, seconds. */
 const HALF_LIFE_SECS = 1 / 120;
+/**
+ * Windows of like legs that say which feet are planted, and what halves the say of one: differences of a point's height,
+ * metres, and speed, m/s, and the least sum of their squares.
+ */
+const VOTERS = 40;
+const SAME_HEIGHT = 0.01;
+const SAME_SPEED = 0.15;
+const SAME = 0.05;
+/** Points of the legs, the first of a frame, and the first of both ankles and both toes, which end them. */
+const LEG_POINTS = 8;
+const FEET = 4;
 
 interface Near {
   distance: number;
@@ -29,71 +40,84 @@ interface Near {
 export class NaiveTransfer implements Yardstick {
   /** For each row the joints that count: x, y, z, times the root of the weight. */
   private readonly points: Float32Array;
-  /** Squared length of the window that ends at each row. */
-  private readonly norms: Float32Array;
+  /** Squared length of the window that ends at each row, by all points and by the legs'. */
+  private readonly norms: [Float32Array, Float32Array];
   /** Rows at which a window of each class ends. */
   private readonly windows: number[][] = [];
   private readonly targets: Float32Array;
+  private readonly stepSecs: Float32Array;
   private readonly sigma: Float32Array;
+  private readonly stepSigma: Float32Array;
   private readonly joints: number[];
   private readonly roots: number[];
   private nearest: Near[][] = [];
+  /** Weight of each class in the last prediction. */
+  private weights: number[] = [];
 
-  /** @param jointWeights one a joint, 0 where it does not count */
+  /**
+   * @param jointWeights one a joint, 0 where it does not count
+   * @param legs joints of the legs, the last four both ankles and both toes
+   */
   constructor(
     private readonly db: Tensors,
     style: number,
     jointWeights: Float32Array,
+    legs: Uint32Array,
   ) {
     const sum = jointWeights.reduce((a, b) => a + b, 0);
-    this.joints = [...jointWeights.keys()].filter((joint) => jointWeights[joint]! > 0);
+    const others = [...jointWeights.keys()].filter((joint) => jointWeights[joint]! > 0 && !legs.includes(joint));
+    this.joints = [...legs, ...others];
     this.roots = this.joints.map((joint) => Math.sqrt(jointWeights[joint]! / sum));
     this.points = this.placedPoints();
-    this.norms = new Float32Array(db.frames);
+    this.norms = [new Float32Array(db.frames), new Float32Array(db.frames)];
     let label = "";
     for (const clip of db.clips) {
       if (label !== `${clip.action}/${clip.style}`) this.windows.push([]);
       label = `${clip.action}/${clip.style}`;
       for (let row = clip.first_frame + WINDOW - 1; row < clip.first_frame + clip.frames; row++) {
         this.windows.at(-1)!.push(row);
-        this.norms[row] = this.centred(this.windowEndingAt(row)).norm;
+        this.norms[0][row] = this.centred(this.windowEndingAt(row), this.joints.length).norm;
+        this.norms[1][row] = this.centred(this.windowEndingAt(row), LEG_POINTS).norm;
       }
     }
-    this.targets = targetRows(db, style);
+    const { rows, stepSecs } = targets(db, style);
+    this.targets = rows;
+    this.stepSecs = stepSecs;
     this.sigma = standardDeviations(db);
+    this.stepSigma = stepDeviations(db);
   }
 
   search(frames: Float32Array, fromClass: number, toClass: number): void {
-    const query = new Float32Array(WINDOW * 3 * this.joints.length);
-    for (let f = 0; f < WINDOW; f++)
-      this.joints.forEach((joint, i) => {
-        for (let c = 0; c < 3; c++)
-          query[3 * (f * this.joints.length + i) + c] = this.roots[i]! * frames[3 * (f * JOINTS + joint) + c]!;
-      });
-    const { window, norm } = this.centred(query);
-    this.nearest = this.windows.map((rows, label) =>
-      label >= fromClass && label < toClass ? this.nearestOf(rows, window, norm) : [],
-    );
+    const { window, norm } = this.centred(this.pointsOf(frames), this.joints.length);
+    this.nearest = this.windows.map((rows, label) => {
+      const nearest: Near[] = [];
+      const k = rows.length >= 4 * K ? K : Math.min(K, Math.max(Math.floor(rows.length / 4), 5));
+      if (label >= fromClass && label < toClass) this.look(rows, window, norm, k, nearest);
+      return nearest;
+    });
   }
 
-  private nearestOf(rows: number[], query: Float32Array, norm: number): Near[] {
-    const k = rows.length >= 4 * K ? K : Math.min(K, Math.max(Math.floor(rows.length / 4), 5));
-    const { points, norms } = this;
-    const length = query.length;
-    const nearest: Near[] = [];
+  /** Keeps the nearest `k` of the windows that end at these rows and of those found before. */
+  private look(rows: number[], query: Float32Array, norm: number, k: number, nearest: Near[]): void {
+    const length = this.joints.length * 3;
+    const count = query.length / WINDOW;
+    const norms = this.norms[count === length ? 0 : 1];
+    const { points } = this;
     for (const row of rows) {
-      const first = (row + 1) * (length / WINDOW) - length;
       let heights = 0;
       let real = 0;
       let imaginary = 0;
-      for (let i = 0; i < length; i += 3) {
-        const ax = query[i]!;
-        const az = query[i + 2]!;
-        const bx = points[first + i]!;
-        const bz = points[first + i + 2]!;
-        heights += query[i + 1]! * points[first + i + 1]!;
-        real += ax * bx + az * bz;
-        imaginary += ax * bz - az * bx;
+      for (let f = 0; f < WINDOW; f++) {
+        const stored = (row + 1 - WINDOW + f) * length;
+        for (let i = 0; i < count; i += 3) {
+          const ax = query[f * count + i]!;
+          const az = query[f * count + i + 2]!;
+          const bx = points[stored + i]!;
+          const bz = points[stored + i + 2]!;
+          heights += query[f * count + i + 1]! * points[stored + i + 1]!;
+          real += ax * bx + az * bz;
+          imaginary += ax * bz - az * bx;
+        }
       }
       const products = heights + Math.sqrt(real * real + imaginary * imaginary);
       const distance = Math.max(norm + norms[row]! - (2 * products) / WINDOW, 0);
@@ -103,18 +127,64 @@ export class NaiveTransfer implements Yardstick {
       while (at > 0 && nearest[at - 1]!.distance > distance) at--;
       nearest.splice(at, 0, { distance, row });
     }
-    return nearest;
+  }
+
+  contacts(frames: Float32Array): number[] {
+    const points = this.pointsOf(frames);
+    const { window, norm } = this.centred(points, LEG_POINTS);
+    const nearest: Near[] = [];
+    this.windows.forEach((rows, label) => {
+      if (this.weights[label]! > 0) this.look(rows, window, norm, VOTERS, nearest);
+    });
+    const input = this.feet(points);
+    const votes = [0, 0];
+    const voices = [0, 0];
+    for (const { row } of nearest) {
+      const feet = this.feet(this.windowEndingAt(row));
+      for (const side of [0, 1]) {
+        let difference = 0;
+        for (const point of [side, side + 2]) {
+          difference += ((feet[point]!.height - input[point]!.height) / SAME_HEIGHT) ** 2;
+          difference += ((feet[point]!.speed - input[point]!.speed) / SAME_SPEED) ** 2;
+        }
+        const voice = 1 / (difference + SAME);
+        voices[side]! += voice;
+        votes[side]! += voice * this.db.contact[2 * row + side]!;
+      }
+    }
+    return votes.map((vote, side) => vote / voices[side]!);
+  }
+
+  /** Height and speed of both ankles and both toes in a window's last but one frame. */
+  private feet(window: Float32Array): { height: number; speed: number }[] {
+    return [0, 1, 2, 3].map((i) => {
+      const at = (frame: number, axis: number) =>
+        window[3 * (frame * this.joints.length + FEET + i) + axis]! / this.roots[FEET + i]!;
+      const step = [0, 1, 2].map((axis) => at(WINDOW - 1, axis) - at(WINDOW - 3, axis));
+      return { height: at(WINDOW - 2, 1), speed: 0.5 * Math.hypot(...step) * this.db.rateHz };
+    });
+  }
+
+  /** The joints that count in frames of positions, times the roots of their weights. */
+  private pointsOf(frames: Float32Array): Float32Array {
+    const points = new Float32Array(WINDOW * 3 * this.joints.length);
+    for (let f = 0; f < WINDOW; f++)
+      this.joints.forEach((joint, i) => {
+        for (let c = 0; c < 3; c++)
+          points[3 * (f * this.joints.length + i) + c] = this.roots[i]! * frames[3 * (f * JOINTS + joint) + c]!;
+      });
+    return points;
   }
 
   predict(x: Float32Array, xBefore: Float32Array, yBefore: Float32Array, leastWeight: number): Float32Array {
     const { dofs, pose, rateHz } = this.db;
     const { targets } = this;
-    const weights = this.classWeights(leastWeight);
+    this.weights = this.classWeights(leastWeight);
     const y = new Float32Array(dofs);
     const step = new Float32Array(dofs);
     for (let d = 0; d < dofs; d++) step[d] = RHO * (x[d]! - xBefore[d]!);
     this.nearest.forEach((nearest, label) => {
-      const weight = weights[label]!;
+      const weight = this.weights[label]!;
       if (weight === 0) return;
       const first = nearest[0]!.distance;
       const last = nearest.at(-1)!.distance;
@@ -159,6 +229,43 @@ export class NaiveTransfer implements Yardstick {
       y[d] = expected + share * (y[d]! - expected);
     }
     return y;
+  }
+
+  duration(x: Float32Array, xBefore: Float32Array, y: Float32Array, yBefore: Float32Array): number {
+    const { dofs, pose, rateHz } = this.db;
+    const parts = [
+      { rows: pose, now: x, before: xBefore },
+      { rows: this.targets, now: y, before: yBefore },
+    ];
+    let duration = 0;
+    this.nearest.forEach((nearest, label) => {
+      const weight = this.weights[label]!;
+      if (weight === 0) return;
+      const first = nearest[0]!.distance;
+      const last = nearest.at(-1)!.distance;
+      const squares = nearest.map(({ row }) => {
+        let square = 0;
+        for (const { rows, now, before } of parts)
+          for (let d = 0; d < dofs; d++) {
+            const pose = now[d]! - rows[row * dofs + d]!;
+            const step = pose - (before[d]! - rows[(row - 1) * dofs + d]!);
+            square += (pose / this.sigma[d]!) ** 2 + (step / this.stepSigma[d]!) ** 2;
+          }
+        return square;
+      });
+      const bandwidth = squares.reduce((sum, square) => sum + Math.sqrt(square), 0) / squares.length;
+      const least = Math.min(...squares);
+      let sum = 0;
+      let total = 0;
+      nearest.forEach(({ row, distance }, n) => {
+        const taper = last > first ? (last - distance) / (last - first) : 1;
+        const w = taper * Math.exp((0.5 * (least - squares[n]!)) / Math.max(bandwidth * bandwidth, 1e-12));
+        sum += w * this.stepSecs[row]!;
+        total += w;
+      });
+      duration += (weight * sum) / total;
+    });
+    return duration || 1 / rateHz;
   }
 
   neighbours(label: number): number[] {
@@ -211,44 +318,52 @@ export class NaiveTransfer implements Yardstick {
     return this.points.slice((row + 1 - WINDOW) * size, (row + 1) * size);
   }
 
-  /** A window with its middle above the origin, and its squared length. */
-  private centred(window: Float32Array): { window: Float32Array; norm: number } {
-    const { roots } = this;
+  /** A window of the first `points` alone, with their middle above the origin, and its squared length. */
+  private centred(of: Float32Array, points: number): { window: Float32Array; norm: number } {
+    const { joints, roots } = this;
+    const window = new Float32Array(WINDOW * 3 * points);
+    for (let f = 0; f < WINDOW; f++) {
+      const frame = of.subarray(3 * f * joints.length, 3 * (f * joints.length + points));
+      window.set(frame, 3 * f * points);
+    }
+    const squares = roots.slice(0, points).reduce((sum, root) => sum + root * root, 0);
     let x = 0;
     let z = 0;
-    for (let p = 0; p < window.length / 3; p++) {
-      x += (roots[p % roots.length]! * window[3 * p]!) / WINDOW;
-      z += (roots[p % roots.length]! * window[3 * p + 2]!) / WINDOW;
+    for (let p = 0; p < WINDOW * points; p++) {
+      x += (roots[p % points]! * window[3 * p]!) / WINDOW / squares;
+      z += (roots[p % points]! * window[3 * p + 2]!) / WINDOW / squares;
     }
     let norm = 0;
-    for (let p = 0; p < window.length / 3; p++) {
-      window[3 * p]! -= roots[p % roots.length]! * x;
-      window[3 * p + 2]! -= roots[p % roots.length]! * z;
+    for (let p = 0; p < WINDOW * points; p++) {
+      window[3 * p]! -= roots[p % points]! * x;
+      window[3 * p + 2]! -= roots[p % points]! * z;
       norm += (window[3 * p]! ** 2 + window[3 * p + 1]! ** 2 + window[3 * p + 2]! ** 2) / WINDOW;
     }
     return { window, norm };
   }
 }
 
-/** What every row becomes in a style: the mean of its counterparts, or itself where there is none. */
-function targetRows(db: Tensors, style: number): Float32Array {
-  const { pose, dofs, frames, counterpart, counterpartsPerStyle: most, styles } = db;
+/** What every row becomes in a style, and how long it then lasts: the mean of its counterparts, or itself without. */
+function targets(db: Tensors, style: number): { rows: Float32Array; stepSecs: Float32Array } {
+  const { pose, dofs, frames, counterpart, counterpartsPerStyle: most, styles, timeStep, rateHz } = db;
   const targets = pose.slice();
+  const stepSecs = new Float32Array(frames).fill(1 / rateHz);
   for (let row = 0; row < frames; row++) {
     const first = (row * styles.length + style) * most;
     const rows = [...counterpart.subarray(first, first + most)].filter((at) => at >= 0);
     if (rows.length === 0) continue;
+    const between = (at: number, value: (row: number) => number) => {
+      const i = Math.floor(at);
+      return value(i) + (at - i) * (value(Math.min(i + 1, frames - 1)) - value(i));
+    };
+    const step = rows.reduce((sum, at) => sum + between(at, (i) => timeStep[i]!), 0) / rows.length;
+    stepSecs[row] = step / timeStep[row]! / rateHz;
     for (let d = 0; d < dofs; d++) {
-      let sum = 0;
-      for (const at of rows) {
-        const i = Math.floor(at);
-        const j = Math.min(i + 1, frames - 1);
-        sum += pose[i * dofs + d]! + (at - i) * (pose[j * dofs + d]! - pose[i * dofs + d]!);
-      }
+      const sum = rows.reduce((sum, at) => sum + between(at, (i) => pose[i * dofs + d]!), 0);
       targets[row * dofs + d] = sum / rows.length;
     }
   }
-  return targets;
+  return { rows: targets, stepSecs };
 }
 
 function standardDeviations({ pose, dofs, frames }: Tensors): Float32Array {
@@ -261,6 +376,19 @@ function standardDeviations({ pose, dofs, frames }: Tensors): Float32Array {
     sigma[d] = Math.max(Math.sqrt(variance), 1e-4);
   }
   return sigma;
+}
+
+/** Of the change of each degree of freedom from one frame of a clip to the next. */
+function stepDeviations({ pose, dofs, clips }: Tensors): Float32Array {
+  const rows = clips.flatMap((clip) => Array.from({ length: clip.frames - 1 }, (_, i) => clip.first_frame + 1 + i));
+  const deviations = new Float32Array(dofs);
+  for (let d = 0; d < dofs; d++) {
+    const step = (row: number) => pose[row * dofs + d]! - pose[(row - 1) * dofs + d]!;
+    const mean = rows.reduce((sum, row) => sum + step(row), 0) / rows.length;
+    const variance = rows.reduce((sum, row) => sum + (step(row) - mean) ** 2, 0) / rows.length;
+    deviations[d] = Math.max(Math.sqrt(variance), 1e-5);
+  }
+  return deviations;
 }
 
 /** Weights of the regressors by Gaussian elimination; that of yₜ₋₁ is limited, and the other two solved for it. */

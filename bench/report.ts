@@ -31,6 +31,10 @@ export interface Agreement {
   tied: number;
   /** Largest difference of a predicted joint angle (radians) or of the height of the hips (metres). */
   largest_difference: number;
+  /** Largest difference of a frame's duration, milliseconds. */
+  largest_duration_difference_ms: number;
+  /** Largest difference of the likelihood that a foot is planted. */
+  largest_contact_difference: number;
 }
 
 /** Megabytes of WASM memory with the database open. */

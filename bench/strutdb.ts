@@ -12,6 +12,10 @@ export interface Tensors {
   /** frames × styles × `counterpartsPerStyle` fractional rows, −1 where there is none. */
   counterpart: Float32Array;
   counterpartsPerStyle: number;
+  /** Change of the canonical time at each row. */
+  timeStep: Float32Array;
+  /** frames × 2: 1 while the left and the right foot is planted. */
+  contact: Uint8Array;
   styles: string[];
   clips: { action: string; style: string; frames: number; first_frame: number }[];
 }
@@ -27,12 +31,12 @@ export function readStrutdb(bytes: Uint8Array): Tensors {
   const headerLength = Number(view.getBigUint64(0, true));
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(8, 8 + headerLength)));
   const info = JSON.parse(header.__metadata__.strut);
-  const floats = (name: string) => {
-    const [from, to] = (header[name] as Entry).data_offsets;
-    // Copied, as the offset in the file need not be a multiple of four.
-    const start = 8 + headerLength;
-    return new Float32Array(bytes.slice(start + from, start + to).buffer);
+  // Copied, as the offset in the file need not be a multiple of four.
+  const copy = (name: string) => {
+    const [from, to] = (header[name] as Entry).data_offsets.map((offset) => 8 + headerLength + offset);
+    return bytes.slice(from, to);
   };
+  const floats = (name: string) => new Float32Array(copy(name).buffer);
   const [frames, dofs] = (header.pose as Entry).shape as [number, number];
   return {
     rateHz: info.rate_hz,
@@ -42,6 +46,8 @@ export function readStrutdb(bytes: Uint8Array): Tensors {
     pointCloud: floats("point_cloud"),
     counterpart: floats("counterpart"),
     counterpartsPerStyle: (header.counterpart as Entry).shape[2]!,
+    timeStep: floats("time_step"),
+    contact: copy("contact"),
     styles: info.styles,
     clips: info.clips,
   };

@@ -36,7 +36,7 @@ export function stageTable(report: Report, engine: EngineName | "native"): Cells
 /** How many times faster than each yardstick the engine with SIMD is. */
 export function ratioTable(report: Report): Cells[] {
   const yardsticks = ENGINES.filter((engine) => engine !== "wasm-simd");
-  const stages = ["frame", "search", "regression"];
+  const stages = ["frame", "search", "regression", "timing", "contact"];
   return [
     ["faster than", "stage", ...MODES],
     ...yardsticks.flatMap((engine) =>
@@ -52,7 +52,7 @@ export function ratioTable(report: Report): Cells[] {
 /** What the yardsticks have in common with the engine. */
 export function agreementTable(report: Report): Cells[] {
   return [
-    ["yardstick", "mode", "neighbour sets", "identical", "tied", "largest difference"],
+    ["yardstick", "mode", "neighbour sets", "identical", "tied", "joint angle", "duration, ms", "contact"],
     ...report.agreement.map((a) => [
       a.engine,
       a.mode,
@@ -60,6 +60,8 @@ export function agreementTable(report: Report): Cells[] {
       String(a.identical),
       String(a.tied),
       a.largest_difference.toExponential(1),
+      a.largest_duration_difference_ms.toExponential(1),
+      a.largest_contact_difference.toExponential(1),
     ]),
   ];
 }

@@ -2,8 +2,8 @@
  * A yardstick under a stop-watch, and its results beside the engine's: one that computed something else would be
  * worthless.
  *
- * It searches and regresses, and does nothing else, while the engine's frame also takes features, timing, contacts
- * and feet: ratios are understated.
+ * It searches, regresses, and finds durations and contacts, while the engine's frame also takes features, blending and
+ * feet: ratios are understated.
  */
 import { clockResolution, timedOften } from "./clock";
 import { LEAST_WEIGHT, stylizerFor, WARM_UP } from "./engine_bench";
@@ -26,6 +26,10 @@ const ROUNDING = 2e-5;
  * loops in single precision lose digits of their distances where paths are long.
  */
 const TOLERANCE = { "wasm-naive": 5e-3, "js-naive": 1e-3 };
+/** Most that it, and the engine's rows being 16-bit integers, may change a duration, seconds … */
+const DURATION_TOLERANCE = 5e-5;
+/** … and a likelihood: voters as near as the last may be others. */
+const CONTACT_TOLERANCE = 0.02;
 
 /** A yardstick beside an engine with the workload's database open. */
 export class YardstickBench {
@@ -46,13 +50,25 @@ export class YardstickBench {
   /** Measures it on a query. Throws if its results are not the engine's. */
   measure(mode: Mode, query: Query): void {
     const { times, agreement } = this.found.get(mode) ?? {
-      agreement: { engine: this.engine, mode, neighbour_sets: 0, identical: 0, tied: 0, largest_difference: 0 },
-      times: { frame: [], search: [], regression: [] },
+      agreement: {
+        engine: this.engine,
+        mode,
+        neighbour_sets: 0,
+        identical: 0,
+        tied: 0,
+        largest_difference: 0,
+        largest_duration_difference_ms: 0,
+        largest_contact_difference: 0,
+      },
+      times: { frame: [], search: [], regression: [], timing: [], contact: [] },
     };
     this.found.set(mode, { times, agreement });
     this.follow(query, mode, times, agreement);
-    const { neighbour_sets, identical, tied, largest_difference } = agreement;
-    if (identical + tied < neighbour_sets || !(largest_difference < TOLERANCE[this.engine]))
+    const within =
+      agreement.largest_difference < TOLERANCE[this.engine] &&
+      agreement.largest_duration_difference_ms < 1e3 * DURATION_TOLERANCE &&
+      agreement.largest_contact_difference < CONTACT_TOLERANCE;
+    if (agreement.identical + agreement.tied < agreement.neighbour_sets || !within)
       throw new Error(`The yardstick computes something else than the engine: ${JSON.stringify(agreement)}`);
   }
 
@@ -88,9 +104,28 @@ export class YardstickBench {
         const regression = timedOften(() => {
           found = yardstick.predict(row(frame), row(frame - 1), before, LEAST_WEIGHT[mode]);
         }, resolution);
+        let [step, votes]: [number, ArrayLike<number>] = [0, []];
+        const timing = timedOften(() => {
+          step = yardstick.duration(row(frame), row(frame - 1), found, before);
+        }, resolution);
+        const contact = timedOften(() => {
+          votes = yardstick.contacts(window);
+        }, resolution);
         times.search.push(search);
         times.regression.push(regression);
-        times.frame.push(search + regression);
+        times.timing.push(timing);
+        times.contact.push(contact);
+        times.frame.push(search + regression + timing + contact);
+        const [expectedStep, ...expectedVotes] = reference.stepAndContacts();
+        agreement.largest_duration_difference_ms = Math.max(
+          agreement.largest_duration_difference_ms,
+          1e3 * Math.abs(step - expectedStep!),
+        );
+        for (const [side, vote] of expectedVotes.entries())
+          agreement.largest_contact_difference = Math.max(
+            agreement.largest_contact_difference,
+            Math.abs(votes[side]! - vote),
+          );
 
         const recent = query.poses.subarray((frame + 1 - WINDOW) * POSE_FLOATS, (frame + 1) * POSE_FLOATS);
         for (let label = from; label < to; label++) {
@@ -110,7 +145,7 @@ export class YardstickBench {
 }
 
 /** Milliseconds by stage. */
-type Times = Record<"frame" | "search" | "regression", number[]>;
+type Times = Record<"frame" | "search" | "regression" | "timing" | "contact", number[]>;
 
 /** Counts a set of neighbours as the engine's, as one that differs by rounding alone, or neither. */
 function compareSets(

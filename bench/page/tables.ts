@@ -78,7 +78,7 @@ export function tables(report: Report): HTMLElement[] {
     html(
       "p",
       { class: "caption" },
-      "The plain loops search and regress and leave out features, timing, contacts and feet, which Strut's frame includes.",
+      "The plain loops leave out features, blending and feet, which Strut's frame includes.",
     ),
     ...table(
       "Neighbours of the plain loops that are Strut's",

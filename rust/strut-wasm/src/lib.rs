@@ -16,7 +16,7 @@ mod poses;
 mod stylizer;
 
 #[cfg(feature = "bench")]
-pub use bench::{Naive, Workload, joint_weights, positions_of, rows_of, stage_names};
+pub use bench::{Naive, Workload, joint_weights, leg_joints, positions_of, rows_of, stage_names};
 pub use clip_job::ClipJob;
 pub use database::Database;
 pub use error::EngineError;

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use std::sync::Arc;
 use std::time::Instant;
+use strut_core::humanoid::Pose;
 use strut_core::transfer::{Model, Options, Stage, StageClock, Stylizer};
 use strut_demo::benchmark::Query;
 
@@ -85,15 +86,17 @@ pub(crate) struct Run<'a> {
     frame: Vec<f64>,
     stages: [Vec<f64>; Stage::ALL.len()],
     cold_search: Vec<f64>,
+    first_search: Vec<f64>,
 }
 
 impl<'a> Run<'a> {
     pub(crate) fn new(model: &'a Arc<Model>, mode: Mode) -> Self {
-        Self { model, mode, frame: Vec::new(), stages: Default::default(), cold_search: Vec::new() }
+        let stages = Default::default();
+        Self { model, mode, frame: Vec::new(), stages, cold_search: Vec::new(), first_search: Vec::new() }
     }
 
     /// Styles a query: once for the whole frames, once with a look at every stage, and here and there from a
-    /// cold start. The target is the neutral style, as good as any.
+    /// cold start: with a whole window, and with a first frame. The target is the neutral style, as good as any.
     pub(crate) fn add(&mut self, query: &Query) {
         let Ok(stylizer) = Stylizer::new(Arc::clone(self.model), self.mode.options(query)) else {
             return; // No class has these labels.
@@ -115,19 +118,32 @@ impl<'a> Run<'a> {
                 self.stages.iter_mut().zip(clock.stages_ms).for_each(|(all, ms)| all.push(ms));
             }
         }
-        for pose in poses.iter().step_by(COLD_STRIDE) {
+        let search_ms = |mut stylizer: Stylizer, pose: &Pose| {
             let mut clock = StopWatch::default();
-            stylizer.clone().push_timed(pose, &mut clock);
-            self.cold_search.push(clock.stages_ms[Stage::Search as usize]);
+            stylizer.push_timed(pose, &mut clock);
+            clock.stages_ms[Stage::Search as usize]
+        };
+        // What was found is forgotten where something new is known of the input.
+        let other = if self.mode == Mode::Labelled { Mode::Unlabelled } else { Mode::Labelled };
+        for i in (WARM_UP..poses.len()).step_by(COLD_STRIDE) {
+            self.first_search.push(search_ms(stylizer.clone(), &poses[i]));
+            let mut cold = stylizer.clone();
+            if cold.set_options(other.options(query)).is_ok() {
+                poses[i - WARM_UP..i].iter().for_each(|pose| _ = cold.push(pose));
+                if cold.set_options(self.mode.options(query)).is_ok() {
+                    self.cold_search.push(search_ms(cold, &poses[i]));
+                }
+            }
         }
     }
 
-    /// One row for the frame, the stages and the cold start.
+    /// One row for the frame, the stages and the cold starts.
     pub(crate) fn rows(self) -> Vec<Row> {
         let db = self.model.database();
         let row = |stage, samples| Row::new(stage, self.mode.name(), db.frames(), db.classes().len(), samples);
         let stages = Stage::ALL.into_iter().map(Stage::name).zip(self.stages);
-        let rows = [("frame", self.frame)].into_iter().chain(stages).chain([("cold search", self.cold_search)]);
+        let cold = [("cold search", self.cold_search), ("first search", self.first_search)];
+        let rows = [("frame", self.frame)].into_iter().chain(stages).chain(cold);
         rows.filter(|(_, samples)| !samples.is_empty()).map(|(stage, samples)| row(stage, samples)).collect()
     }
 }

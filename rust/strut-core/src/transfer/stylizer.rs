@@ -181,6 +181,11 @@ impl Stylizer {
         self.styles.iter().find(|s| s.style == style).map(|s| &s.current)
     }
 
+    /// Likelihood that the left and the right foot of the input is planted in the last frame, by that frame alone.
+    pub fn contact_votes(&self) -> [f32; 2] {
+        self.votes.now
+    }
+
     /// The options.
     pub fn options(&self) -> &Options {
         &self.options

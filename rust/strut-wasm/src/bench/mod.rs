@@ -60,6 +60,12 @@ pub fn joint_weights() -> Vec<f32> {
     weights
 }
 
+/// The joints that count in the lower-body metric: the last four are both ankles and both toes, left before right.
+#[wasm_bindgen(js_name = legJoints)]
+pub fn leg_joints() -> Vec<usize> {
+    JOINT_WEIGHTS[..8].iter().map(|(role, _)| role.index()).collect()
+}
+
 /// The poses as a database's degrees of freedom, a row after the other, and …
 ///
 /// # Errors
@@ -119,6 +125,14 @@ impl Stylizer {
     /// What was predicted for a style in the last frame: its degrees of freedom; empty if it has no weight.
     pub fn predicted(&self, style: usize) -> Vec<f32> {
         self.core().predicted_row(style).map(|row| row.to_vec()).unwrap_or_default()
+    }
+
+    /// What the last frame says of its time and feet: its duration, seconds, and the likelihood that the left and the right
+    /// foot of the input is planted, before it is smoothed.
+    #[wasm_bindgen(js_name = stepAndContacts)]
+    pub fn step_and_contacts(&self) -> Vec<f32> {
+        let [left, right] = self.core().contact_votes();
+        vec![self.core().frame().dt_secs, left, right]
     }
 
     /// The rows of a class that the search finds from a cold start for the last of these poses, nearest first.

@@ -1,7 +1,7 @@
 //! A yardstick: the transfer as one would write it down from the paper, loop by loop.
 //!
-//! The same numbers as the engine's for the default options, but for rounding: `bench/check.ts` compares them. No
-//! index, no lanes, no thought of memory. `bench/naive.ts` is the same in plain JavaScript.
+//! The same numbers as the engine's for the default options, but for rounding: `bench/yardstick_bench.ts` compares them.
+//! No index, no lanes, no thought of memory. `bench/naive.ts` is the same in plain JavaScript.
 #![allow(clippy::needless_range_loop)] // The loops of the formulas.
 
 use crate::error::EngineError;
@@ -14,14 +14,22 @@ use strut_core::transfer::{MAX_FEEDBACK, Options};
 use strut_formats::strutdb;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Points of a frame.
+/// Points of a frame; the first of them are those of the legs, and the last four of those of the feet.
 const POINTS: usize = JOINT_WEIGHTS.len();
+const LEG_POINTS: usize = 8;
+const FEET: usize = 4;
 /// Least deviation of the neighbours as a share of the global one, and whatever that is.
 const LEAST_DEVIATION: [f32; 2] = [0.05, 0.005];
 /// Least of the distances of classes, m².
 const LEAST_DISTANCE: f32 = 1e-6;
 /// Half-life of what separates expectation and prediction, seconds.
 const HALF_LIFE_SECS: f32 = 1.0 / 120.0;
+/// Windows of like legs that say which feet are planted, and what halves the say of one: differences of a point's height,
+/// metres, and speed, m/s, and the least sum of their squares.
+const VOTERS: usize = 40;
+const SAME_HEIGHT: f32 = 0.01;
+const SAME_SPEED: f32 = 0.15;
+const SAME: f32 = 0.05;
 
 type Point = [f32; 3];
 
@@ -37,12 +45,17 @@ struct Near {
 pub struct Naive {
     db: Database,
     targets: Vec<PoseRow>,
+    step_secs: Vec<f32>,
+    step_sigma: PoseRow,
     points: Vec<[Point; POINTS]>,
-    norms: Vec<f32>,
+    /// Of the windows that end at each row: of all points, and of the legs'.
+    norms: [Vec<f32>; 2],
     /// Rows at which a window of each class ends.
     windows: Vec<Vec<u32>>,
     /// The nearest in each class, by (distance, row).
     nearest: Vec<Vec<Near>>,
+    /// Weight of each class in the last prediction.
+    weights: Vec<f32>,
 }
 
 #[wasm_bindgen]
@@ -72,25 +85,24 @@ impl Naive {
                 }));
             }
         }
-        let mut norms = vec![0.0; points.len()];
+        let mut norms = [(); 2].map(|()| vec![0.0; points.len()]);
         let mut windows = vec![Vec::new(); db.classes().len()];
         for (clip, row) in db.clips.iter().flat_map(|c| c.rows().skip(WINDOW - 1).map(move |row| (c, row))) {
-            norms[row] = centred(&points[row + 1 - WINDOW..=row]).1;
+            for (norms, count) in norms.iter_mut().zip([POINTS, LEG_POINTS]) {
+                norms[row] = centred(&points[row + 1 - WINDOW..=row], count).1;
+            }
             windows[db.class_of_row(clip.first_frame)].push(row as u32);
         }
         let nearest = vec![Vec::new(); windows.len()];
         let table = TargetTable::build(&db, style);
         let targets = (0..db.frames()).map(|row| table.pose.get(row)).collect();
-        Ok(Self { db, targets, points, norms, windows, nearest })
+        let (step_secs, step_sigma, weights) = (table.step_secs, step_deviation(&db), Vec::new());
+        Ok(Self { db, targets, step_secs, step_sigma, points, norms, windows, nearest, weights })
     }
 
     /// Finds the nearest windows of the classes `from` to `to` to the last frames: 5 × 21 positions in the world.
     pub fn search(&mut self, frames: &[f32], from: usize, to: usize) {
-        let query: Vec<[Point; POINTS]> = frames
-            .chunks(3 * JOINTS)
-            .map(|frame| weighted(|joint| [frame[3 * joint], frame[3 * joint + 1], frame[3 * joint + 2]]))
-            .collect();
-        let (query, norm) = centred(&query);
+        let (query, norm) = centred(&points_of(frames), POINTS);
         for class in 0..self.windows.len() {
             self.nearest[class].clear();
             if class < from || class >= to {
@@ -99,30 +111,66 @@ impl Naive {
             let k = neighbours_of(self.windows[class].len());
             for &row in &self.windows[class] {
                 let stored = &self.points[row as usize + 1 - WINDOW..=row as usize];
-                let (mut heights, mut real, mut imaginary) = (0.0, 0.0, 0.0);
-                for f in 0..WINDOW {
-                    for i in 0..POINTS {
-                        let ([ax, ay, az], [bx, by, bz]) = (query[f][i], stored[f][i]);
-                        heights += ay * by;
-                        real += ax * bx + az * bz;
-                        imaginary += ax * bz - az * bx;
-                    }
-                }
-                let products = heights + (real * real + imaginary * imaginary).sqrt();
-                let distance = (norm + self.norms[row as usize] - 2.0 * products / WINDOW as f32).max(0.0);
+                let products = products(&query, stored, POINTS);
+                let distance = (norm + self.norms[0][row as usize] - 2.0 * products / WINDOW as f32).max(0.0);
                 insert(&mut self.nearest[class], k, Near { distance, row });
             }
         }
     }
 
+    /// Likelihood that the left and the right foot is planted in the last of these frames, 5 × 21 positions in the world:
+    /// the vote of the windows with the nearest legs in the classes of the last prediction.
+    pub fn contacts(&self, frames: &[f32]) -> Vec<f32> {
+        let points = points_of(frames);
+        let (query, norm) = centred(&points, LEG_POINTS);
+        let mut nearest = Vec::new();
+        for class in (0..self.windows.len()).filter(|&class| self.weights[class] > 0.0) {
+            for &row in &self.windows[class] {
+                let stored = &self.points[row as usize + 1 - WINDOW..=row as usize];
+                let products = products(&query, stored, LEG_POINTS);
+                let distance = (norm + self.norms[1][row as usize] - 2.0 * products / WINDOW as f32).max(0.0);
+                insert(&mut nearest, VOTERS, Near { distance, row });
+            }
+        }
+        let input = self.feet(&points);
+        let (mut votes, mut voices) = ([0.0; 2], [0.0; 2]);
+        for row in nearest.iter().map(|n| n.row as usize) {
+            let feet = self.feet(&self.points[row + 1 - WINDOW..=row]);
+            for side in 0..2 {
+                let mut difference = 0.0;
+                for point in [side, side + 2] {
+                    let [height, speed] = [0, 1].map(|i| feet[point][i] - input[point][i]);
+                    difference += (height / SAME_HEIGHT).powi(2) + (speed / SAME_SPEED).powi(2);
+                }
+                let voice = 1.0 / (difference + SAME);
+                voices[side] += voice;
+                votes[side] += voice * f32::from(self.db.contact[row][side]);
+            }
+        }
+        vec![votes[0] / voices[0], votes[1] / voices[1]]
+    }
+
+    /// Height and speed of both ankles and both toes in the last but one frame.
+    fn feet(&self, frames: &[[Point; POINTS]]) -> [[f32; 2]; 4] {
+        let sum: f32 = JOINT_WEIGHTS.iter().map(|(_, w)| w).sum();
+        std::array::from_fn(|i| {
+            let root = (JOINT_WEIGHTS[FEET + i].1 / sum).sqrt();
+            let at = |frame: usize, axis: usize| frames[frame][FEET + i][axis] / root;
+            let step = [0, 1, 2].map(|axis| at(WINDOW - 1, axis) - at(WINDOW - 3, axis));
+            let length = (step[0] * step[0] + step[1] * step[1] + step[2] * step[2]).sqrt();
+            [at(WINDOW - 2, 1), 0.5 * length * self.db.rate_hz]
+        })
+    }
+
     /// The next row of the style from xₜ, xₜ₋₁ and yₜ₋₁, after [`Naive::search`]. Classes below `least_weight` times
     /// the largest weight are left out.
-    pub fn predict(&self, x: &[f32], x_before: &[f32], y_before: &[f32], least_weight: f32) -> Vec<f32> {
+    pub fn predict(&mut self, x: &[f32], x_before: &[f32], y_before: &[f32], least_weight: f32) -> Vec<f32> {
+        self.weights = self.class_weights(least_weight);
         let Options { lambda, kappa, rho, .. } = Options::DEFAULT;
         let (db, inputs, targets) = (&self.db, &self.db.pose, &self.targets);
         let mut y = vec![0.0; ROW];
         let mut step: Vec<f32> = (0..ROW).map(|d| rho * (x[d] - x_before[d])).collect();
-        for (nearest, weight) in self.nearest.iter().zip(self.class_weights(least_weight)) {
+        for (nearest, &weight) in self.nearest.iter().zip(&self.weights) {
             if weight == 0.0 {
                 continue;
             }
@@ -179,6 +227,40 @@ impl Naive {
         y
     }
 
+    /// How long the frame lasts that was predicted last, seconds, from xₜ, xₜ₋₁, yₜ and yₜ₋₁.
+    pub fn duration(&self, x: &[f32], x_before: &[f32], y: &[f32], y_before: &[f32]) -> f32 {
+        let mut duration = 0.0;
+        for (nearest, weight) in self.nearest.iter().zip(&self.weights) {
+            if *weight == 0.0 {
+                continue;
+            }
+            let (first, last) = (nearest[0].distance, nearest[nearest.len() - 1].distance);
+            let mut squares = Vec::new();
+            for row in nearest.iter().map(|n| n.row as usize) {
+                let mut square = 0.0;
+                for (rows, now, before) in [(&self.db.pose, x, x_before), (&self.targets, y, y_before)] {
+                    for d in 0..DOFS {
+                        let pose = now[d] - rows[row][d];
+                        let step = pose - (before[d] - rows[row - 1][d]);
+                        square += (pose / self.db.sigma()[d]).powi(2) + (step / self.step_sigma[d]).powi(2);
+                    }
+                }
+                squares.push(square);
+            }
+            let bandwidth = squares.iter().map(|s: &f32| s.sqrt()).sum::<f32>() / squares.len() as f32;
+            let least = squares.iter().copied().fold(f32::INFINITY, f32::min);
+            let (mut sum, mut total) = (0.0, 0.0);
+            for (n, square) in nearest.iter().zip(&squares) {
+                let taper = if last > first { (last - n.distance) / (last - first) } else { 1.0 };
+                let w = taper * exp(0.5 * (least - square) / (bandwidth * bandwidth).max(1e-12));
+                sum += w * self.step_secs[n.row as usize];
+                total += w;
+            }
+            duration += weight * sum / total;
+        }
+        duration
+    }
+
     /// Rows of a class's neighbours, nearest first, …
     pub fn neighbours(&self, class: usize) -> Vec<u32> {
         self.nearest[class].iter().map(|n| n.row).collect()
@@ -214,22 +296,43 @@ fn weighted(position: impl Fn(usize) -> Point) -> [Point; POINTS] {
     JOINT_WEIGHTS.map(|(role, w)| position(role.index()).map(|v| (w / sum).sqrt() * v))
 }
 
-/// A window with its middle above the origin, and its squared length.
-fn centred(frames: &[[Point; POINTS]]) -> (Vec<[Point; POINTS]>, f32) {
+/// The points of frames of positions.
+fn points_of(frames: &[f32]) -> Vec<[Point; POINTS]> {
+    let frames = frames.chunks(3 * JOINTS);
+    frames.map(|frame| weighted(|joint| [frame[3 * joint], frame[3 * joint + 1], frame[3 * joint + 2]])).collect()
+}
+
+/// Inner product of two windows by their first points, once the second is turned so that it is greatest.
+fn products(query: &[[Point; POINTS]], stored: &[[Point; POINTS]], points: usize) -> f32 {
+    let (mut heights, mut real, mut imaginary) = (0.0, 0.0, 0.0);
+    for f in 0..WINDOW {
+        for i in 0..points {
+            let ([ax, ay, az], [bx, by, bz]) = (query[f][i], stored[f][i]);
+            heights += ay * by;
+            real += ax * bx + az * bz;
+            imaginary += ax * bz - az * bx;
+        }
+    }
+    heights + (real * real + imaginary * imaginary).sqrt()
+}
+
+/// A window with the middle of its first points above the origin, and their squared length.
+fn centred(frames: &[[Point; POINTS]], points: usize) -> (Vec<[Point; POINTS]>, f32) {
     let sum: f32 = JOINT_WEIGHTS.iter().map(|(_, w)| w).sum();
     let roots = JOINT_WEIGHTS.map(|(_, w)| (w / sum).sqrt());
+    let squares: f32 = roots[..points].iter().map(|root| root * root).sum();
     let share = 1.0 / frames.len() as f32;
     let (mut x, mut z) = (0.0, 0.0);
     for frame in frames {
-        for (root, p) in roots.iter().zip(frame) {
-            x += share * root * p[0];
-            z += share * root * p[2];
+        for (root, p) in roots.iter().zip(frame).take(points) {
+            x += share * root * p[0] / squares;
+            z += share * root * p[2] / squares;
         }
     }
     let mut out = frames.to_vec();
     let mut norm = 0.0;
     for frame in &mut out {
-        for (root, p) in roots.iter().zip(frame) {
+        for (root, p) in roots.iter().zip(frame).take(points) {
             *p = [p[0] - root * x, p[1], p[2] - root * z];
             norm += share * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
         }
@@ -248,6 +351,17 @@ fn insert(nearest: &mut Vec<Near>, k: usize, candidate: Near) {
         at -= 1;
     }
     nearest.insert(at, candidate);
+}
+
+/// Standard deviation of each degree of freedom's change from one frame of a clip to the next.
+fn step_deviation(db: &Database) -> PoseRow {
+    std::array::from_fn(|d| {
+        let rows = db.clips.iter().flat_map(|clip| clip.rows().skip(1));
+        let steps: Vec<f64> = rows.map(|row| f64::from(db.pose[row][d]) - f64::from(db.pose[row - 1][d])).collect();
+        let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+        let variance = steps.iter().map(|s| (s - mean) * (s - mean)).sum::<f64>() / steps.len() as f64;
+        (variance.sqrt() as f32).max(1e-5)
+    })
 }
 
 /// Weights of the three regressors by Gaussian elimination; that of yₜ₋₁ is limited, and the other two solved for it.
