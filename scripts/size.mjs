@@ -20,6 +20,9 @@ const LATER = [
   "mannequin_glb",
   "build_worker",
   "strut_wasm_build",
+  // What only the Compare view loads: trained methods and counterparts.
+  "compare_worker",
+  "strut_compare",
 ];
 
 /** Checks dist/; a sentence for people is returned, or thrown where the budget is exceeded. */

@@ -81,6 +81,16 @@ describe("a wide screen", () => {
     expect(await page.evaluate(() => window.strut.state.theme)).toBe("dark");
   });
 
+  it("opens the export menu", async () => {
+    await showAt(WIDE, "dark");
+    await page.getByRole("button", { name: "Export" }).click();
+    expect(await page.locator(".export-menu").isVisible()).toBe(true);
+    expect(await faults()).toEqual([]);
+    await screenshot(page, "export-menu");
+    await page.keyboard.press("Escape");
+    expect(await page.locator(".export-menu").isVisible()).toBe(false);
+  });
+
   it("opens and closes the help", async () => {
     await showAt(WIDE, "dark");
     await page.keyboard.press("?");

@@ -2,9 +2,12 @@
 import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
+import { walksIn } from "../clips";
 import {
   closePage,
+  dropFile,
   eventually,
+  inputName,
   openPage,
   openSite,
   screenshot,
@@ -159,6 +162,18 @@ describe("the URL", () => {
     expect(await other.evaluate(() => window.strut.state)).toEqual(state);
     expect(turnBetween(pose, await settledPose(other))).toBeLessThan(0.2);
     await closePage(other);
+  });
+
+  it("asks for a file that it does not hold, and is complete with it", async () => {
+    const { old } = await walksIn(["old"], 200);
+    const link = "play=0&frame=90&styles=proud:1,old:0,depressed:0&input=my%20walk";
+    const whole = await openPage(browser, page.url().replace(/#.*/, ""), { hash: link });
+    expect(await whole.locator(".notices").textContent()).toContain("Drop the file here.");
+    await dropFile(whole, "my walk.bvh", old);
+    await eventually(() => inputName(whole)).toBe("my walk");
+    await eventually(() => whole.evaluate(() => window.strut.frame!.inputFrame)).toBe(90);
+    expect(await whole.evaluate(() => window.strut.state.styles[0])).toEqual({ name: "proud", weight: 1 });
+    await closePage(whole);
   });
 });
 

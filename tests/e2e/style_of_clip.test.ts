@@ -51,6 +51,18 @@ describe("a walk that falls on the polygon", () => {
     expect(await page.evaluate(() => window.strut.state.database)).toBe("Built-in + weary");
   });
 
+  it("is a style until the page is closed where the browser has no room left", async () => {
+    const client = await page.context().newCDPSession(page);
+    const origin = new URL(page.url()).origin;
+    await client.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: 1 });
+    await dropFile(page, "walk_stooped_01.bvh", walk, await polygon());
+    await eventually(alert).toMatch(/“stooped” will not be here after a reload. The browser has no room left for it./);
+    await eventually(vertices).toContain("stooped");
+    await eventually(weights).toMatchObject({ stooped: 1 });
+    await client.send("Storage.overrideQuotaForOrigin", { origin });
+    await page.getByRole("alert").getByRole("button", { name: "Dismiss" }).click();
+  });
+
   it("is refused with a sentence where it is too short", async () => {
     await dropFile(page, "walk_short.bvh", everyNth(walk, 1, 40), await polygon());
     await eventually(alert).toContain("no left, right and left step in a row were found in it");

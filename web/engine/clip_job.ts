@@ -4,7 +4,7 @@ import type { Input } from "./input";
 import type { ClipJob as RawClipJob } from "./pkg/strut_wasm.js";
 import { type WeightKey, weightsAt } from "./style_track";
 import type { Stylizer } from "./stylizer";
-import type { Analysis, StyleKey } from "./types";
+import type { Analysis, CurveSubject, Examples, StyleKey } from "./types";
 import { type Glue, guarded } from "./wasm";
 
 /** An input on its way through the engine. Unlike live playback it may look ahead for its foot contacts. */
@@ -58,6 +58,16 @@ export class ClipJob extends Handle<RawClipJob> {
       planted: this.raw.planted(),
       classWeights: this.raw.classWeights(),
       durationOutSecs: this.raw.durationSecs(),
+    }));
+  }
+
+  /** The examples behind each frame, as far as a curve shows them. */
+  examples(subject: CurveSubject): Examples {
+    return guarded(() => ({
+      subject,
+      counts: this.raw.exampleCounts(),
+      weights: this.raw.exampleWeights(),
+      values: subject === "height" ? this.raw.exampleHeights() : this.raw.exampleRotations(subject),
     }));
   }
 

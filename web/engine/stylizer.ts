@@ -23,6 +23,8 @@ export const DEFAULT_OPTIONS: Readonly<StylizeOptions> = {
   timing: true,
   footplant: true,
   method: "mar",
+  action: "",
+  inputStyle: "",
 };
 
 /** A batch of styled frames, one an input frame. */
@@ -42,6 +44,7 @@ export class Stylizer extends Handle<RawStylizer> {
   /** Classes in the order of {@link Styled.classWeights}. */
   readonly classes: DatabaseInfo["classes"];
   private readonly styles: readonly string[];
+  private readonly actions: readonly string[];
 
   constructor(glue: Glue, database: Database, options: StylizeOptions = DEFAULT_OPTIONS) {
     super(
@@ -50,6 +53,7 @@ export class Stylizer extends Handle<RawStylizer> {
     );
     this.classes = database.info.classes;
     this.styles = database.info.styles;
+    this.actions = database.info.actions;
     this.configure(options);
     this.setWeights(this.weightsOf(options.styles));
     for (const part of BODY_PARTS) {
@@ -60,25 +64,22 @@ export class Stylizer extends Handle<RawStylizer> {
 
   /**
    * Replaces everything but the styles; the stream goes on.
-   * @throws StrutError `bad-input` for an option outside its range
+   * @throws StrutError `bad-input` for an option outside its range or a label that the database lacks
    */
-  configure({ k, lambda, rho, kappa, delta, coherence, timing, footplant, method }: ModelOptions): void {
-    guarded(() => this.raw.configure(k, lambda, rho, kappa, delta, coherence, timing, footplant, method));
+  configure(options: ModelOptions): void {
+    const { k, lambda, rho, kappa, delta, coherence, timing, footplant, method } = options;
+    const action = options.action ? numberOf("action", options.action, this.actions) : undefined;
+    const style = options.inputStyle ? numberOf("style", options.inputStyle, this.styles) : undefined;
+    guarded(() =>
+      this.raw.configure(k, lambda, rho, kappa, delta, coherence, timing, footplant, method, action, style),
+    );
   }
 
   /** One weight a style of the database. @throws StrutError `bad-input` for a style that the database lacks */
   weightsOf(styles: StyleWeights): Float32Array {
     const weights = new Float32Array(this.styles.length);
     for (const [name, weight] of Object.entries(styles)) {
-      const index = this.styles.indexOf(name);
-      if (index < 0) {
-        throw new StrutError({
-          code: "bad-input",
-          message: `The database has no style '${name}'.`,
-          hint: `It has ${this.styles.join(", ")}.`,
-        });
-      }
-      weights[index] = weight;
+      weights[numberOf("style", name, this.styles)] = weight;
     }
     return weights;
   }
@@ -113,4 +114,15 @@ export class Stylizer extends Handle<RawStylizer> {
       };
     });
   }
+}
+
+/** The number of a style or an action of the database. @throws StrutError `bad-input` where it has none of this name */
+function numberOf(what: string, name: string, names: readonly string[]): number {
+  const number = names.indexOf(name);
+  if (number >= 0) return number;
+  throw new StrutError({
+    code: "bad-input",
+    message: `The database has no ${what} '${name}'.`,
+    hint: `It has ${names.join(", ")}.`,
+  });
 }

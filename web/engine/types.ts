@@ -48,6 +48,10 @@ export type BodyPart = (typeof BODY_PARTS)[number];
 export const METHODS = ["mar", "lar", "knn", "nn"] as const;
 export type Method = (typeof METHODS)[number];
 
+/** What Strut is compared with and is trained beforehand (`baselines/`): only the Compare view's package has it. */
+export const TRAINED_METHODS = ["gar", "lti", "gp"] as const;
+export type TrainedMethod = (typeof TRAINED_METHODS)[number];
+
 /** Weight of each style by name; the remainder to 1 belongs to the neutral style. */
 export type StyleWeights = Readonly<Record<string, number>>;
 
@@ -81,7 +85,10 @@ export interface StylizeOptions {
   timing: boolean;
   /** Whether planted feet are held. */
   footplant: boolean;
-  method: Method;
+  method: Method | TrainedMethod;
+  /** The action and the style that the input is known to be; empty where the engine is to read them from it. */
+  action: string;
+  inputStyle: string;
 }
 
 /** One class of the database and how much the engine reads the input as it. */
@@ -102,6 +109,23 @@ export interface Analysis {
   /** Weight of each class of the database in each frame. */
   classWeights: Float32Array;
   durationOutSecs: number;
+}
+
+/** A motion that was performed in a style instead of styled: frame for frame with its input. */
+export type Performed = Pick<Analysis, "poses" | "timeOut" | "planted">;
+
+/** What a curve may show of a pose: the rotation of a joint, by its number, or the height of the hips. */
+export type CurveSubject = number | "height";
+
+/** The examples of the database that each frame of a clip was predicted from, in the styles asked for. */
+export interface Examples {
+  subject: CurveSubject;
+  /** How many there are of each frame, the nearest first. */
+  counts: Uint16Array;
+  /** How much each counted, 0–1, frame after frame. */
+  weights: Float32Array;
+  /** The quaternion x y z w of the joint in each, or the height of the hips in metres. */
+  values: Float32Array;
 }
 
 /** Progress of something long. */

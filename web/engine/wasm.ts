@@ -2,13 +2,21 @@
 
 import { StrutError, toStrutError } from "./errors";
 import { compileModule } from "./module";
-import * as glue from "./pkg/strut_wasm.js";
+import * as engineGlue from "./pkg/strut_wasm.js";
 
 /** The generated bindings. */
-export type Glue = typeof glue;
+export type Glue = typeof engineGlue;
+
+let glue = engineGlue;
+let moduleUrl = new URL("./pkg/strut_wasm_bg.wasm", import.meta.url);
 
 let loading: Promise<Glue> | undefined;
 let lost = false;
+
+/** Takes another package for the engine's on this thread, one with the same bindings; before anything is loaded. */
+export function servePackage(other: Glue, module: URL): void {
+  [glue, moduleUrl] = [other, module];
+}
 
 /**
  * The bindings, loaded once for a thread. After a fault ({@link guarded}) a fresh instance takes the place of the lost
@@ -49,6 +57,6 @@ export function guarded<T>(call: () => T): T {
 }
 
 async function instantiate(): Promise<Glue> {
-  glue.initSync({ module: await compileModule(new URL("./pkg/strut_wasm_bg.wasm", import.meta.url)) });
+  glue.initSync({ module: await compileModule(moduleUrl) });
   return glue;
 }

@@ -34,6 +34,8 @@ import {
   ownParts,
   partOf,
   removeKey,
+  stylesAt,
+  withKnownLabels,
   withKnownStyles,
 } from "./style_settings";
 import { applyTheme, isDark, onSystemTheme, opposite } from "./theme";
@@ -45,6 +47,9 @@ import { manner, stageCaption, stageTitle } from "./words";
 
 /** What the Style panel and the title show. */
 const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon", "intensity", "side"] as const;
+
+/** The title follows a style track this often, so that it can be read. */
+const HEADING_MS = 300;
 
 type Changed = ReadonlySet<keyof PlayState>;
 const any = (changed: Changed, ...names: (keyof PlayState)[]): boolean => names.some((name) => changed.has(name));
@@ -78,6 +83,10 @@ export class App {
   /** Styled poses of the whole input, whose path the picture shows. */
   #path: Float32Array | undefined;
   readonly #action = new ReadAction();
+  /** When the title was written last. */
+  #headedAt = 0;
+  /** The file that a link was made with and does not hold, and the frame that it shows of it. */
+  #awaited: { input: string; frame: number } | undefined;
 
   constructor(root: HTMLElement) {
     const store = this.#store;
@@ -188,12 +197,20 @@ export class App {
     this.#listen();
   }
 
+  /** What may be done before there is an engine: the first picture is prepared while that is loaded. */
+  prepare(): Promise<void> {
+    return this.#stage.viewer.warmUp();
+  }
+
   /** Takes the engine and opens what the link asks for. */
   async start(client: StrutClient): Promise<void> {
     const session = new Session(client, this.#progress, {
       onDatabase: (database) => this.#onDatabase(database),
       onInput: (input) => this.#onInput(input),
       onAnalysis: (analysis) => this.#onAnalysis(analysis),
+      onExamples: (examples) => {
+        this.#timeline.examples = examples;
+      },
       onFrame: (frame, sought) => this.#onFrame(frame, sought),
       onTick: (now) => this.#stage.draw(now),
       onError: (sentence) => this.#notices.error(sentence),
@@ -201,6 +218,7 @@ export class App {
       onNote: (sentence) => this.#notices.note(sentence),
     });
     this.#session = session;
+    session.curve = this.#timeline.subject;
     this.#playhead.session = session;
     const wanted = this.#store.state.input;
     const carried = linkedFile(this.#hash);
@@ -208,6 +226,7 @@ export class App {
     const file = await carried;
     if (file) await this.#takeMotion(file.name, file.bytes);
     else if (wanted && session.input && session.inputName !== wanted) {
+      this.#awaited = { input: wanted, frame: this.#store.state.frame };
       this.#store.adopt({ input: "" });
       this.#notices.note(`This link was made with “${wanted}”, a file that is not part of it. Drop the file here.`);
     }
@@ -256,6 +275,7 @@ export class App {
 
   #onDatabase(database: DatabaseInfo): void {
     this.#style.database = database;
+    this.#model.database = database;
     this.#timeline.classes = database.classes;
     if (this.#store.state.view === "play") this.#stage.viewer.setProportions(database.proportions);
     this.#completeStyles(database);
@@ -266,9 +286,10 @@ export class App {
   /** Drops styles that the database does not have, and chooses some where none is left; whether it had to. */
   #completeStyles(database: DatabaseInfo): boolean {
     const first = firstSelection(database.styles, database.neutral);
-    const known = withKnownStyles(this.#store.state, database.styles, first);
-    if (known) this.#store.adopt(known);
-    return known !== undefined;
+    const styles = withKnownStyles(this.#store.state, database.styles, first);
+    const labels = withKnownLabels(this.#store.state, database.classes);
+    if (styles || labels) this.#store.adopt({ ...styles, ...labels });
+    return styles !== undefined || labels !== undefined;
   }
 
   #onInput(input: InputInfo): void {
@@ -305,7 +326,9 @@ export class App {
       this.#transport.frame = frame.inputFrame;
       if (!this.#playhead.scrubbing) this.#timeline.frame = frame.inputFrame;
     }
-    if (this.#action.take(frame.reads)) this.#showHeading();
+    const now = performance.now();
+    const passing = this.#store.state.track.length > 1 && now - this.#headedAt > HEADING_MS;
+    if (this.#action.take(frame.reads) || passing) this.#showHeading();
     if (frame.ended && this.#store.state.playing) this.#playhead.pauseAt(frame.inputFrame);
   }
 
@@ -315,7 +338,7 @@ export class App {
     const session = this.#session;
     const moving = changed.has("database") && this.#databases.moving;
     // Adopting the missing styles is a change of its own, which shows the rest too. Another database has other styles.
-    const restyled = !moving && any(changed, "styles", "parts", "track");
+    const restyled = !moving && any(changed, "styles", "parts", "track", "action", "inputStyle");
     if (session?.database && restyled && this.#completeStyles(session.database)) {
       this.#onChange(this.#store.state, changed);
       return;
@@ -346,14 +369,17 @@ export class App {
         this.#showTopBar();
       });
     }
-    if (!changed || any(changed, "camera", "follow", "ghost", "trace")) this.#stage.show(state);
+    if (!changed || any(changed, "camera", "follow", "ghost", "trace", "part")) this.#stage.show(state);
     if (!changed || any(changed, ...STYLE_FIELDS)) {
       this.#style.show(state, changed !== undefined);
       this.#showTrack(state);
       this.#showHeading();
     }
     if (!changed || changed.has("range")) this.#timeline.range = state.range;
-    if (!changed || changed.has("curve")) this.#timeline.curve = state.curve;
+    if (!changed || changed.has("curve")) {
+      this.#timeline.curve = state.curve;
+      if (this.#session) this.#session.curve = this.#timeline.subject;
+    }
     this.#model.show(state);
     this.#transport.show(state);
     this.#tabs.show(state.tab);
@@ -382,8 +408,10 @@ export class App {
 
   #showHeading(): void {
     const session = this.#session;
+    this.#headedAt = performance.now();
     if (!session?.database) return;
-    const { styles, intensity, track } = this.#store.state;
+    const { intensity, track } = this.#store.state;
+    const styles = stylesAt(this.#store.state, this.#playhead.at);
     const { neutral, rateHz } = session.database;
     this.#stage.heading = {
       title: stageTitle(this.#action.name, styles, intensity, neutral),
@@ -462,7 +490,11 @@ export class App {
 
   async #takeMotion(fileName: string, bytes: ArrayBuffer): Promise<void> {
     const name = await this.#session?.openFile(fileName, bytes);
-    if (name !== undefined) this.#store.edit({ input: name });
+    if (name === undefined) return;
+    this.#store.edit({ input: name });
+    // The link is complete now: it shows its own instant.
+    if (name === this.#awaited?.input && !this.#store.state.playing) this.#playhead.goTo(this.#awaited.frame);
+    this.#awaited = undefined;
   }
 
   #openDatabase(source: DatabaseSource, kept: string): Promise<boolean> {

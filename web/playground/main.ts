@@ -38,6 +38,8 @@ async function start(root: HTMLElement): Promise<void> {
   // The page is built while the engine loads; the rejection is taken care of below.
   client.catch(() => {});
   const app = new App(root);
+  // What it cannot prepare is made when it is needed.
+  app.prepare().catch(() => {});
   window.strut = {
     get frame() {
       return app.frame;

@@ -5,8 +5,10 @@
 import type {
   Analysis,
   CallOptions,
+  CurveSubject,
   DatabaseInfo,
   DatabaseSource,
+  Examples,
   FrameRange,
   InputInfo,
   LiveFrame,
@@ -25,6 +27,8 @@ export interface SessionListeners {
   onDatabase: (database: DatabaseInfo) => void;
   onInput: (input: InputInfo) => void;
   onAnalysis: (analysis: Analysis) => void;
+  /** The examples behind the last analysis, as far as the curve shows them. */
+  onExamples: (examples: Examples | undefined) => void;
   /** A new frame; `sought` where it does not follow the one before. */
   onFrame: (frame: LiveFrame, sought: boolean) => void;
   onTick: (now: number) => void;
@@ -49,9 +53,15 @@ export class Session {
   readonly library = new InputLibrary();
   readonly playback: Playback;
   database: DatabaseInfo | undefined;
+  /** Where {@link database} comes from. */
+  databaseSource: DatabaseSource | undefined;
   input: InputInfo | undefined;
   /** Name, in the library, of the input that is open. */
   inputName = "";
+  /** What the timeline's curve shows, where examples of it can be shown beside it. */
+  #curve: CurveSubject | undefined;
+  /** Whether the engine has the clip in the present options. */
+  #analysed = false;
   readonly #client: StrutClient;
   readonly #progress: SessionProgress;
   readonly #listeners: SessionListeners;
@@ -92,6 +102,7 @@ export class Session {
         );
         this.library.builtIn = await this.#client.builtInInputs();
         this.database = database;
+        this.databaseSource = source;
         this.playback.forgetStyle();
         this.#listeners.onDatabase(database);
         await this.#open(this.library.has(inputName) ? inputName : this.library.first);
@@ -119,8 +130,16 @@ export class Session {
   /** Analyses the input anew once nothing has changed for a moment. */
   analyseSoon(): void {
     clearTimeout(this.#settle);
+    this.#analysed = false;
     this.#progress.analysis.cancel();
     this.#settle = setTimeout(() => void this.#attempt(() => this.#analyse()), SETTLE_MS);
+  }
+
+  /** What the timeline's curve shows; `undefined` where examples of it cannot be compared. */
+  set curve(subject: CurveSubject | undefined) {
+    if (subject === this.#curve) return;
+    this.#curve = subject;
+    if (this.#analysed) void this.#attempt(() => this.#showExamples());
   }
 
   /** The whole input in other options; see `StrutClient.style`. */
@@ -183,10 +202,20 @@ export class Session {
       const analysis = await this.#progress.analysis.run("Styling the whole motion.", (options) =>
         this.#client.analyse(options),
       );
-      if (this.input === input) this.#listeners.onAnalysis(analysis);
+      if (this.input !== input) return;
+      this.#listeners.onAnalysis(analysis);
+      this.#analysed = asked === this.#settle;
+      if (this.#analysed) await this.#showExamples();
     } catch (error) {
       if (!isFault(error)) throw error;
     }
+  }
+
+  async #showExamples(): Promise<void> {
+    const { input } = this;
+    const subject = this.#curve;
+    const examples = subject === undefined ? undefined : await this.#client.examples(subject);
+    if (this.input === input && this.#analysed && subject === this.#curve) this.#listeners.onExamples(examples);
   }
 
   #settled(): Promise<void> {

@@ -1,10 +1,11 @@
 /** The stage: the 3-D view with its title, camera buttons and read-out. */
 
-import { type Role, type TraceMode, VIEWER_DEFAULTS, Viewer } from "../viewer";
+import { ROLES, type Role, type TraceMode, VIEWER_DEFAULTS, Viewer } from "../viewer";
 import type { LiveFrame } from "../worker/protocol";
 import { button, Segment } from "./controls/buttons";
 import { formatNumber, html, setAttributes, setText } from "./dom";
 import type { CameraPreset, GhostMode, PlayState } from "./state";
+import { partOf } from "./style_settings";
 
 /** What the picture keeps being drawn for after the last change: glides and fades end within it. */
 const AFTERGLOW_MS = 1200;
@@ -48,6 +49,8 @@ export class Stage {
   readonly #fps = html("span");
   readonly #cost = html("span");
   #lent = false;
+  /** The part of the body that the polygon is of. */
+  #part: PlayState["part"] = "";
   /** Whether nothing is drawn: not even the finer picture of what stands still, which takes its time. */
   frozen = false;
   #drawUntil = 0;
@@ -116,6 +119,8 @@ export class Stage {
       "aria-pressed": String(state.ghost !== "off"),
       title: `${GHOST_NAMES[state.ghost]} (G)`,
     });
+    this.#part = state.part;
+    this.#tintPart(state.part);
     this.viewer.trace = state.trace;
     setAttributes(this.#trace, {
       "aria-pressed": String(state.trace !== "off"),
@@ -130,6 +135,7 @@ export class Stage {
    */
   lend(container: HTMLElement): Viewer {
     this.#lent = true;
+    this.#tintPart("");
     container.append(this.#view);
     this.viewer.labels = { styled: "", input: "" };
     this.viewer.setInput(null);
@@ -152,6 +158,12 @@ export class Stage {
     this.viewer.resetTrail();
   }
 
+  /** Shows on the body which part of it the polygon is of; empty for the whole. */
+  #tintPart(part: PlayState["part"]): void {
+    this.viewer.tinted = ROLES.filter((role) => partOf(role) === part);
+    this.invalidate();
+  }
+
   /** Takes a new frame of the engine. */
   take(frame: LiveFrame): void {
     if (this.#lent) return;
@@ -166,6 +178,16 @@ export class Stage {
     if (now - this.#readOutAt < READ_OUT_MS) return;
     this.#readOutAt = now;
     setText(this.#cost, `${formatNumber(frame.frameMs, 2)} ms per frame`);
+  }
+
+  /** Runs a task while the body bears no mark of what is being edited. */
+  async unmarked<T>(task: () => Promise<T>): Promise<T> {
+    this.#tintPart("");
+    try {
+      return await task();
+    } finally {
+      this.#tintPart(this.#part);
+    }
   }
 
   /** The picture, drawn so that it can be read now. */

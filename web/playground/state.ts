@@ -57,6 +57,9 @@ export interface PlayState {
   footplant: boolean;
   coherence: boolean;
   method: Method;
+  /** The action and the style that the input is said to be; empty where the engine reads them from it. */
+  action: string;
+  inputStyle: string;
   /** Which of two settings is shown, and the other one as the URL has it; empty while there is only one. */
   side: Side;
   other: string;
@@ -181,6 +184,8 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
   footplant: flag("footplant", true, true),
   coherence: flag("coherence", true, true),
   method: choice("method", "mar", METHODS, true),
+  action: text("action", "", true),
+  inputStyle: text("from", "", true),
   side: choice("side", "a", SIDES, true),
   other: text("other", "", true),
   camera: choice("camera", "orbit", CAMERA_PRESETS),
@@ -200,7 +205,7 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
     (names) => names.join(","),
     (text) => text.split(",").slice(0, 5),
   ),
-  behind: text("behind", "mar", true),
+  behind: text("behind", "real", true),
   panels: flag("panels", true, false),
   tab: choice("tab", "style", TABS),
 };
@@ -222,6 +227,8 @@ export const ENGINE_FIELDS = [
   "timing",
   "footplant",
   "method",
+  "action",
+  "inputStyle",
 ] as const satisfies readonly (keyof PlayState)[];
 
 /** Names of the fields that undo takes back. */

@@ -11,6 +11,8 @@ import {
   randomStyles,
   removeKey,
   shownStyles,
+  stylesAt,
+  withKnownLabels,
   withKnownStyles,
   withoutPart,
   withStyles,
@@ -43,6 +45,26 @@ describe("a part of the body", () => {
   });
 });
 
+describe("the labels of the input", () => {
+  const classes = [
+    { action: "walk", style: "neutral", frames: 9 },
+    { action: "run", style: "proud", frames: 9 },
+  ];
+
+  it("stay where the database has such a class, and go where it has none", () => {
+    expect(withKnownLabels(state(), classes)).toBeUndefined();
+    expect(withKnownLabels(state({ action: "run" }), classes)).toBeUndefined();
+    expect(withKnownLabels(state({ action: "run", inputStyle: "neutral" }), classes)).toEqual({
+      action: "",
+      inputStyle: "",
+    });
+  });
+
+  it("reach the engine", () => {
+    expect(engineOptions(state({ action: "run" }), "neutral")).toMatchObject({ action: "run", inputStyle: "" });
+  });
+});
+
 describe("the style track", () => {
   const one = patched(state(), addKey(state(), 30.4));
   const two = patched(patched(one, addKey(one, 90)), {});
@@ -53,6 +75,18 @@ describe("the style track", () => {
     expect(earlier.track.map((key) => key.frame)).toEqual([10, 30, 90]);
     expect(earlier.key).toBe(0);
     expect(addKey(two, 30)).toMatchObject({ key: 0 });
+  });
+
+  it("mixes what it has reached between its keys, and holds the first and the last", () => {
+    const turning = state({
+      track: [
+        { frame: 10, styles: PROUD },
+        { frame: 50, styles: OLD },
+      ],
+    });
+    const at = (frame: number) => Object.fromEntries(stylesAt(turning, frame).map((s) => [s.name, s.weight]));
+    expect([at(0), at(20), at(99)]).toEqual([{ proud: 1 }, { proud: 0.75, old: 0.25 }, { old: 1 }]);
+    expect(stylesAt(state(), 20)).toBe(PROUD);
   });
 
   it("gives the chosen key the styles of the polygon", () => {

@@ -3,7 +3,7 @@
  * side by side; chance. Pure edits of {@link PlayState}.
  */
 import type { Role } from "../viewer";
-import { BODY_PARTS, type BodyPart, type StylizeOptions } from "../worker/protocol";
+import { BODY_PARTS, type BodyPart, type DatabaseInfo, type StylizeOptions } from "../worker/protocol";
 import { engineWeights, normalised, type Selection, TRIANGLE } from "./polygon/selection";
 import { fromHash, initialState, type PlayState, type TrackKey, toHash, UNDOABLE } from "./state";
 
@@ -11,7 +11,7 @@ type Patch = Partial<PlayState>;
 
 /** What the engine is asked for in this state. */
 export function engineOptions(state: PlayState, neutral: string): StylizeOptions {
-  const { k, lambda, rho, kappa, delta, coherence, timing, footplant, method, intensity } = state;
+  const { k, lambda, rho, kappa, delta, coherence, timing, footplant, method, action, inputStyle, intensity } = state;
   const weights = (styles: Selection) => engineWeights(styles, intensity, neutral);
   const parts = Object.entries(state.parts).map(([part, styles]) => [part, weights(styles)]);
   return {
@@ -27,6 +27,8 @@ export function engineOptions(state: PlayState, neutral: string): StylizeOptions
     timing,
     footplant,
     method,
+    action,
+    inputStyle,
   };
 }
 
@@ -57,6 +59,21 @@ export function chosenKey({ track, key }: PlayState): number {
 export function chooseKey({ track }: PlayState, key: number): Patch {
   const styles = track[key]?.styles;
   return styles ? { key, styles, part: "" } : {};
+}
+
+/** The styles that the track has reached at a frame, as the engine mixes them; those of the state without a track. */
+export function stylesAt({ track, styles }: PlayState, frame: number): Selection {
+  const after = track.findIndex((key) => key.frame > frame);
+  const to = track[after < 0 ? track.length - 1 : after];
+  if (!to) return styles;
+  const from = track[after - 1] ?? to;
+  const share = to.frame > from.frame ? (frame - from.frame) / (to.frame - from.frame) : 1;
+  const weight = (of: Selection, name: string) => of.find((s) => s.name === name)?.weight ?? 0;
+  const names = new Set([...from.styles, ...to.styles].map((s) => s.name));
+  return [...names].map((name) => ({
+    name,
+    weight: (1 - share) * weight(from.styles, name) + share * weight(to.styles, name),
+  }));
 }
 
 /** Puts a key at a frame, in the present styles, and chooses it; where there is one already that is chosen. */
@@ -104,6 +121,15 @@ export function withKnownStyles(state: PlayState, known: readonly string[], firs
     track: state.track.map((key) => ({ ...key, styles: keep(key.styles) })),
     wholePolygon: false,
   };
+}
+
+/** What changes where a database has no class of the labels that the input was given; `undefined` where it has one. */
+export function withKnownLabels(
+  { action, inputStyle }: PlayState,
+  classes: DatabaseInfo["classes"],
+): Patch | undefined {
+  const known = classes.some((c) => (!action || action === c.action) && (!inputStyle || inputStyle === c.style));
+  return known ? undefined : { action: "", inputStyle: "" };
 }
 
 /** The fields of which A and B each have their own. */

@@ -82,6 +82,8 @@ export class Viewer {
   /** When the picture last changed. */
   #changedAt = 0;
   #changed = true;
+  /** Whether there has been a pose to show. */
+  #begun = false;
   readonly #placement = new GhostPlacement();
   readonly #input = restPose();
   readonly #trail = new MotionTrail();
@@ -166,6 +168,12 @@ export class Viewer {
     this.#stage.scene.add(this.#onion.object);
   }
 
+  /** The joints of the styled character whose parts are tinted. */
+  set tinted(joints: readonly Role[]) {
+    this.#changed = true;
+    this.#body.look.tinted = joints;
+  }
+
   /** Names above the heads; an empty one is not drawn. */
   set labels(labels: { styled: string; input: string }) {
     this.#labels = labels;
@@ -209,6 +217,7 @@ export class Viewer {
   /** Takes the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
   setStyled(pose: ArrayLike<number>): void {
     if (!isPose(pose)) return;
+    this.#begin();
     this.#changed ||= differ(pose, this.#body.pose);
     this.#body.setPose(pose);
   }
@@ -321,6 +330,28 @@ export class Viewer {
     this.#trail.dispose();
     this.#onion?.dispose();
     this.#stage.dispose();
+  }
+
+  /**
+   * Draws once, unseen, what the first picture will be of, while there is no pose yet: compiling shaders and filling
+   * buffers takes longer than anything later.
+   */
+  async warmUp(): Promise<void> {
+    if (this.#begun) return;
+    this.canvas.style.visibility = "hidden";
+    await this.#stage.compile();
+    if (this.#begun) return;
+    this.#ghost.object.visible = true;
+    this.#arrange(0);
+    this.#stage.render(0, hips);
+    this.resetTrail();
+    this.#applyGhost();
+  }
+
+  #begin(): void {
+    if (this.#begun) return;
+    this.#begun = true;
+    this.canvas.style.visibility = "";
   }
 
   /** Brings everything on the ground to the present poses. */

@@ -4,12 +4,15 @@ import type { Arguments, Call, Method, Reply, Request, Result } from "./messages
 import type {
   Analysis,
   CallOptions,
+  CurveSubject,
   DatabaseInfo,
   DatabaseSource,
+  Examples,
   FrameRange,
   InputInfo,
   InputSource,
   LiveFrame,
+  Performed,
   Progress,
   StrutClient,
   StylizeOptions,
@@ -124,8 +127,16 @@ class WorkerClient implements StrutClient {
     return this.call("analyse", [], options);
   }
 
+  examples(subject: CurveSubject, options?: CallOptions): Promise<Examples> {
+    return this.call("examples", [subject], options);
+  }
+
   style(options: StylizeOptions, call?: CallOptions): Promise<Analysis & { frameMs: number }> {
     return this.call("style", [options], call);
+  }
+
+  counterpart(style: string): Promise<Performed | undefined> {
+    return this.call("counterpart", [style]);
   }
 
   exportBvh(options?: CallOptions): Promise<string> {

@@ -5,7 +5,17 @@
  * quaternion x y z w of the 21 joints of the canonical humanoid (`rust/strut-core/src/humanoid.rs`), each relative
  * to its parent, the hips relative to the world. Times are seconds.
  */
-import type { Analysis, CallOptions, DatabaseInfo, InputInfo, Reading, StylizeOptions } from "../engine/types";
+import type {
+  Analysis,
+  CallOptions,
+  CurveSubject,
+  DatabaseInfo,
+  Examples,
+  InputInfo,
+  Performed,
+  Reading,
+  StylizeOptions,
+} from "../engine/types";
 
 export { StrutError, type StrutErrorCode } from "../engine/errors";
 export * from "../engine/types";
@@ -64,8 +74,15 @@ export interface StrutClient {
   seek(inputFrame: number): Promise<LiveFrame>;
   /** The whole input in the present options. */
   analyse(options?: CallOptions): Promise<Analysis>;
+  /** The examples behind what {@link analyse} gives. */
+  examples(subject: CurveSubject, options?: CallOptions): Promise<Examples>;
   /** The whole input in other options, as fast as the engine can; what plays is not touched. */
   style(options: StylizeOptions, call?: CallOptions): Promise<Analysis & { frameMs: number }>;
+  /**
+   * The input as a style really performs it, as far as that is known: a built-in input, and a package that has the
+   * counterparts (`compare/`).
+   */
+  counterpart(style: string): Promise<Performed | undefined>;
   /** The styled input as BVH text, on the input's own skeleton. */
   exportBvh(options?: CallOptions): Promise<string>;
   onRestart: ((message: string) => void) | undefined;

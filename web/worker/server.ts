@@ -8,7 +8,15 @@ import type { Input } from "../engine/input";
 import { DEFAULT_OPTIONS, type Stylizer } from "../engine/stylizer";
 import type { Arguments, Call, Method, Reply, Request, Result } from "./messages";
 import { type Caller, runToEnd, stage } from "./portions";
-import type { DatabaseSource, FrameRange, InputSource, StyleWeights, StylizeOptions } from "./protocol";
+import type {
+  CurveSubject,
+  DatabaseSource,
+  FrameRange,
+  InputSource,
+  Performed,
+  StyleWeights,
+  StylizeOptions,
+} from "./protocol";
 import { LiveSession } from "./session";
 
 /** Share of opening that is downloading, as far as people are told. */
@@ -20,11 +28,14 @@ export interface ServerPort {
   onmessage: ((event: MessageEvent<Request>) => void) | null;
 }
 
+/** How a built-in input looks in a style, where that is known. */
+export type Counterparts = (input: string, style: string) => Performed | undefined;
+
 /** Loads the engine and answers the calls that arrive at `port`. */
-export async function serve(port: ServerPort): Promise<void> {
+export async function serve(port: ServerPort, counterparts: Counterparts = () => undefined): Promise<void> {
   const cancelledCalls = new Set<number>();
   const motions = new BuiltInMotions();
-  const answering = Engine.load().then((engine) => new Server(engine, motions));
+  const answering = Engine.load().then((engine) => new Server(engine, motions, counterparts));
 
   const answer = async (call: Call) => {
     const { id } = call;
@@ -118,6 +129,7 @@ class Server implements Handlers {
   constructor(
     private readonly engine: Engine,
     private readonly builtIn: BuiltInMotions,
+    private readonly counterparts: Counterparts,
   ) {}
 
   answer(call: Call, caller: Caller): Promise<Result<Method>> {
@@ -188,6 +200,10 @@ class Server implements Handlers {
     return (await this.styledClip(caller)).result();
   }
 
+  async examples(caller: Caller, subject: CurveSubject): Promise<Result<"examples">> {
+    return (await this.styledClip(caller)).examples(subject);
+  }
+
   async style(caller: Caller, options: StylizeOptions): Promise<Result<"style">> {
     const { job, frameMs } = await this.runClip(this.openedScene(), options, caller);
     try {
@@ -195,6 +211,11 @@ class Server implements Handlers {
     } finally {
       job.dispose();
     }
+  }
+
+  async counterpart(_: Caller, style: string): Promise<Result<"counterpart">> {
+    const { source } = this.openedScene();
+    return source.kind === "built-in" ? this.counterparts(source.name, style) : undefined;
   }
 
   async exportBvh(caller: Caller): Promise<string> {
@@ -273,16 +294,18 @@ class Server implements Handlers {
   }
 }
 
-/** Options without the styles that a database lacks; the same object where it has all of them. */
+/** Options without the styles and labels that a database lacks; the same object where it has all of them. */
 function knownTo(database: Database, options: StylizeOptions): StylizeOptions {
-  const { styles } = database.info;
-  const { parts, track } = options;
+  const { styles, classes } = database.info;
+  const { parts, track, action, inputStyle } = options;
   const all = [options.styles, ...Object.values(parts), ...track.map((key) => key.styles)];
-  if (all.every((weights) => Object.keys(weights).every((name) => styles.includes(name)))) return options;
+  const labelled = classes.some((c) => (!action || action === c.action) && (!inputStyle || inputStyle === c.style));
+  if (labelled && all.every((weights) => Object.keys(weights).every((name) => styles.includes(name)))) return options;
   const known = (weights: StyleWeights) =>
     Object.fromEntries(Object.entries(weights).filter(([name]) => styles.includes(name)));
   return {
     ...options,
+    ...(labelled ? {} : { action: "", inputStyle: "" }),
     styles: known(options.styles),
     parts: Object.fromEntries(Object.entries(parts).map(([part, weights]) => [part, known(weights)])),
     track: track.map(({ frame, styles }) => ({ frame, styles: known(styles) })),

@@ -6,7 +6,7 @@ use crate::style::{STYLES, Style};
 use std::ops::ControlFlow;
 use strut_core::database::Database;
 use strut_core::database::build::{self, BuildError, BuildOptions, SourceClip};
-use strut_core::humanoid::{HumanoidMotion, Proportions};
+use strut_core::humanoid::{HumanoidMotion, Pose, Proportions};
 use strut_core::parallel::Sequential;
 use strut_core::registration;
 
@@ -84,9 +84,83 @@ pub(crate) fn build(clips: &[SourceClip], rate_hz: f32) -> Result<Database, Buil
 /// What the page offers as input: neutral motions of other scripts than the database's, so that nothing is
 /// transferred by finding itself. Each can be repeated: after its last frame comes its first one's pose.
 pub fn input_clips() -> Vec<NamedMotion> {
-    let (neutral, body) = (&STYLES[0], Proportions::default());
-    let takes = INPUT_TAKES.iter().map(|script| (script.name, perform(script, neutral, &body, RATE_HZ)));
-    let excursion = perform_excursion(&INPUT_EXCURSION, neutral, &body, RATE_HZ);
-    let all = takes.chain([(INPUT_EXCURSION.script.name, excursion)]);
-    all.map(|(name, performance)| NamedMotion { name, motion: performance.motion }).collect()
+    let names = INPUT_TAKES.iter().chain([&INPUT_EXCURSION.script]).map(|script| script.name);
+    names.filter_map(|name| Some(NamedMotion { name, motion: perform_input(name, &STYLES[0])?.motion })).collect()
+}
+
+/// An input of [`input_clips`] in a style; `None` if there is none of this name.
+fn perform_input(name: &str, style: &Style) -> Option<Performance> {
+    let body = Proportions::default();
+    if name == INPUT_EXCURSION.script.name {
+        return Some(perform_excursion(&INPUT_EXCURSION, style, &body, RATE_HZ));
+    }
+    let script = INPUT_TAKES.iter().find(|script| script.name == name)?;
+    Some(perform(script, style, &body, RATE_HZ))
+}
+
+/// An input as another style performs it, frame for frame with the input: what a transfer should come to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Counterpart {
+    /// The pose at the content of each input frame.
+    pub poses: Vec<Pose>,
+    /// The seconds after which the style has performed the content of each input frame.
+    pub time_secs: Vec<f32>,
+    /// For each input frame whether the left and the right foot is planted.
+    pub planted: Vec<[bool; 2]>,
+}
+
+/// The counterpart of an input of [`input_clips`] in a style of [`STYLES`], by their names; `None` if there is no such.
+pub fn counterpart(input: &str, style: &str) -> Option<Counterpart> {
+    let style = STYLES.iter().find(|s| s.name == style)?;
+    let neutral = perform_input(input, &STYLES[0])?;
+    let styled = perform_input(input, style)?;
+    let mut counterpart = Counterpart { poses: vec![], time_secs: vec![], planted: vec![] };
+    let last = styled.phase.len() - 1;
+    for phase in neutral.phase {
+        let next = styled.phase.partition_point(|p| *p <= phase);
+        let (a, b) = (next.saturating_sub(1), next.min(last));
+        let span = styled.phase[b] - styled.phase[a];
+        let share = if span > 0.0 { (phase - styled.phase[a]) / span } else { 0.0 };
+        let poses = &styled.motion.poses;
+        counterpart.poses.push(poses[a].lerp(&poses[b], share));
+        counterpart.time_secs.push((a as f32 + share) / RATE_HZ);
+        counterpart.planted.push(styled.planted[a]);
+    }
+    Some(counterpart)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_counterpart_of_an_input_in_its_own_style_is_itself() {
+        for input in input_clips() {
+            let same = counterpart(input.name, STYLES[0].name).unwrap();
+            for (a, b) in same.poses.iter().zip(&input.motion.poses) {
+                let turned = a.rotations.iter().zip(&b.rotations).map(|(a, b)| a.inv_mul(*b).angle());
+                assert!((a.root - b.root).length() < 1e-6 && turned.fold(0.0, f32::max) < 1e-3, "{}", input.name);
+            }
+            assert!(same.time_secs.iter().enumerate().all(|(i, t)| (t - i as f32 / RATE_HZ).abs() < 1e-6));
+        }
+    }
+
+    #[test]
+    fn a_slower_style_takes_longer_for_the_same_content() {
+        let input = &input_clips()[0];
+        let neutral = perform_input(input.name, &STYLES[0]).unwrap();
+        for style in &STYLES {
+            let counterpart = counterpart(input.name, style.name).unwrap();
+            assert_eq!(counterpart.poses.len(), input.motion.poses.len());
+            assert!(counterpart.time_secs.windows(2).all(|t| t[0] < t[1]), "{}", style.name);
+            let tempo = counterpart.time_secs.last().unwrap() * RATE_HZ / neutral.phase.len() as f32;
+            assert!((tempo - STYLES[0].cadence / style.cadence).abs() < 0.1, "{}: {tempo}", style.name);
+        }
+    }
+
+    #[test]
+    fn what_is_not_built_in_has_no_counterpart() {
+        assert_eq!(counterpart("walk.bvh", STYLES[0].name), None);
+        assert_eq!(counterpart(input_clips()[0].name, "of a stranger"), None);
+    }
 }

@@ -29,7 +29,7 @@ mod style;
 mod upper_body;
 
 pub use action::Action;
-pub use database::{NamedMotion, RATE_HZ, clips, database, input_clips};
+pub use database::{Counterpart, NamedMotion, RATE_HZ, clips, counterpart, database, input_clips};
 pub use drill::{Drill, Move, keys_of, perform_drill};
 pub use drills::{JUMPS, KICKS, PUNCHES};
 pub use full::{FULL_RATE_HZ, PlannedClip, TABLE_1, full_clips, full_database};

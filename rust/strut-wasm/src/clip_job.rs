@@ -4,8 +4,10 @@ use crate::error::EngineError;
 use crate::input::Input;
 use crate::poses::floats_of;
 use crate::stylizer::{Stylizer, planted_of};
-use strut_core::humanoid::Pose;
-use strut_core::transfer::{self, NoClock, StyledMotion};
+use std::sync::Arc;
+use strut_core::humanoid::{Pose, Role};
+use strut_core::pose_vector::HIP_HEIGHT;
+use strut_core::transfer::{self, Examples, Model, NoClock, StyledMotion};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// An input on its way through the engine in portions.
@@ -14,6 +16,8 @@ pub struct ClipJob {
     poses: Vec<Pose>,
     /// Weight of every class in each frame so far.
     class_weights: Vec<f32>,
+    examples: Examples,
+    model: Arc<Model>,
     state: State,
 }
 
@@ -29,7 +33,13 @@ impl ClipJob {
     #[wasm_bindgen(constructor)]
     pub fn new(stylizer: &Stylizer, input: &Input) -> Self {
         let job = transfer::ClipJob::new(stylizer.core().clone());
-        Self { poses: input.humanoid().poses.clone(), class_weights: Vec::new(), state: State::Running(job) }
+        Self {
+            poses: input.humanoid().poses.clone(),
+            class_weights: Vec::new(),
+            examples: Examples::default(),
+            model: Arc::clone(stylizer.core().model()),
+            state: State::Running(job),
+        }
     }
 
     /// Changes the styles of the whole body from the next frame on; nothing happens once all frames are styled.
@@ -49,7 +59,9 @@ impl ClipJob {
     pub fn run(&mut self, frames: usize) -> usize {
         let State::Running(job) = &mut self.state else { return self.poses.len() };
         for pose in self.poses.iter().skip(job.frames().len()).take(frames) {
-            self.class_weights.extend_from_slice(job.push(pose, &mut NoClock).class_weights);
+            let trace = job.push(pose, &mut NoClock);
+            self.class_weights.extend_from_slice(trace.class_weights);
+            self.examples.record(&trace);
         }
         let done = job.frames().len();
         if done == self.poses.len() {
@@ -70,6 +82,36 @@ impl ClipJob {
     #[wasm_bindgen(js_name = classWeights)]
     pub fn class_weights(&self) -> Vec<f32> {
         self.class_weights.clone()
+    }
+
+    /// How many examples of the database each frame was predicted from so far.
+    #[wasm_bindgen(js_name = exampleCounts)]
+    pub fn example_counts(&self) -> Vec<u16> {
+        self.examples.counts().iter().map(|&count| count as u16).collect()
+    }
+
+    /// How much each example counted, 0 to 1, frame after frame.
+    #[wasm_bindgen(js_name = exampleWeights)]
+    pub fn example_weights(&self) -> Vec<f32> {
+        self.examples.weights().collect()
+    }
+
+    /// The rotation x y z w of a joint in every example, in the styles of its frame; the hips' without the heading.
+    ///
+    /// # Errors
+    /// If there is no such joint.
+    #[wasm_bindgen(js_name = exampleRotations)]
+    pub fn example_rotations(&self, joint: usize) -> Result<Vec<f32>, EngineError> {
+        let role = Role::ALL.get(joint);
+        let role = *role.ok_or_else(|| EngineError::bad_input(String::from("there is no such joint")))?;
+        let chart = &self.model.database().chart;
+        Ok(self.examples.targets(&self.model).flat_map(|row| chart.rotation(role, &row).to_array()).collect())
+    }
+
+    /// The height of the hips in every example, metres.
+    #[wasm_bindgen(js_name = exampleHeights)]
+    pub fn example_heights(&self) -> Vec<f32> {
+        self.examples.targets(&self.model).map(|row| row[HIP_HEIGHT]).collect()
     }
 
     /// Output time of each frame, seconds.

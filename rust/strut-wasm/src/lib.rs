@@ -7,6 +7,8 @@
 #[cfg(feature = "bench")]
 mod bench;
 mod clip_job;
+#[cfg(feature = "compare")]
+mod counterpart;
 mod database;
 mod error;
 mod input;
@@ -18,6 +20,8 @@ mod stylizer;
 #[cfg(feature = "bench")]
 pub use bench::{Naive, Workload, joint_weights, leg_joints, positions_of, rows_of, stage_names};
 pub use clip_job::ClipJob;
+#[cfg(feature = "compare")]
+pub use counterpart::Counterpart;
 pub use database::Database;
 pub use error::EngineError;
 pub use input::{Input, packed_inputs};

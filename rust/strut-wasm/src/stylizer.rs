@@ -28,10 +28,11 @@ impl Stylizer {
         Ok(Self { stylizer, batch: Vec::new() })
     }
 
-    /// Replaces the options; the stream goes on.
+    /// Replaces the options; the stream goes on. `action` and `input_style` are the input's labels by their numbers,
+    /// where they are known.
     ///
     /// # Errors
-    /// If one is outside its range; the former options then stay.
+    /// If one is outside its range, or the database has no class of these labels; the former options then stay.
     #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to spell out.
     pub fn configure(
         &mut self,
@@ -44,13 +45,15 @@ impl Stylizer {
         timing: bool,
         footplant: bool,
         method: &str,
+        action: Option<u16>,
+        input_style: Option<u16>,
     ) -> Result<(), EngineError> {
         let method = Method::from_name(method)
-            .ok_or_else(|| EngineError::bad_input(String::from("the method is none of mar, lar, knn and nn")))?;
+            .ok_or_else(|| EngineError::bad_input(String::from("this package does not have the method")))?;
         // The cast saturates: what is no count becomes 0 or too large, and is refused as such.
         let k = k as usize;
-        let options =
-            Options { k, lambda, rho, kappa, delta, coherence, timing, footplant, method, ..*self.stylizer.options() };
+        let labels = Options { action, input_style, ..*self.stylizer.options() };
+        let options = Options { k, lambda, rho, kappa, delta, coherence, timing, footplant, method, ..labels };
         self.stylizer.set_options(options).map_err(EngineError::bad_input)
     }
 

@@ -76,6 +76,9 @@ impl Package {
         config: FAST_BUILDING,
         ..Self::ENGINE
     };
+    /// The engine with what it is compared with, for those who open the Compare view.
+    pub(crate) const COMPARE: Self =
+        Self { folder: "web/engine/compare/pkg", name: "strut_compare", features: "compare", ..Self::ENGINE };
     /// The same with what visitors need not download: the report that `tests/parity` compares and the yardsticks of
     /// `bench/` …
     pub(crate) const BENCH: Self = Self {

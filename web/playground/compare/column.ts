@@ -9,6 +9,8 @@ import type { Figures } from "./figures";
 const ROWS: readonly {
   field: keyof Figures;
   name: string;
+  /** Its name where the figure behind is what should have come out. */
+  error?: string;
   title: string;
   unit: string;
   digits: number;
@@ -17,6 +19,7 @@ const ROWS: readonly {
   {
     field: "difference",
     name: "Pose difference",
+    error: "Pose error",
     title: "Mean distance of the joints from those of the figure behind, place and heading aside",
     unit: "cm",
     digits: 1,
@@ -25,6 +28,7 @@ const ROWS: readonly {
   {
     field: "later",
     name: "Later",
+    error: "Timing error",
     title: "By how much the figure is later than the one behind at the same content",
     unit: "ms",
     digits: 0,
@@ -67,10 +71,8 @@ export interface ColumnListeners {
 export class CompareColumn {
   readonly head: HTMLElement;
   readonly table: HTMLElement;
-  /** Under which its motion is found once it is styled. */
-  key = "";
   readonly #caption = html("p", { class: "caption" });
-  readonly #rows: { bar: HTMLElement; value: HTMLElement }[];
+  readonly #rows: { term: HTMLElement; bar: HTMLElement; value: HTMLElement }[];
 
   constructor(
     readonly name: ColumnName,
@@ -91,18 +93,19 @@ export class CompareColumn {
     );
     this.table = html("dl", { class: "compare-table", "data-column": name, "aria-label": COLUMN_TITLES[name] });
     this.#rows = ROWS.map((row) => {
+      const term = html("dt", {}, row.name);
       const bar = html("i", {});
       const value = html("dd", {});
       this.table.append(
         html(
           "div",
           { title: row.title },
-          html("dt", {}, row.name),
+          term,
           html("span", { class: "compare-bar", "aria-hidden": "true" }, bar),
           value,
         ),
       );
-      return { bar, value };
+      return { term, bar, value };
     });
   }
 
@@ -110,15 +113,20 @@ export class CompareColumn {
     setText(this.#caption, text);
   }
 
-  /** Shows the figures of the instant, `undefined` while the column is being styled; the best of a row stands out. */
-  showFigures(figures: Figures | undefined, all: readonly (Figures | undefined)[]): void {
-    for (const [i, { field, unit, digits, full }] of ROWS.entries()) {
-      const { bar, value } = this.#rows[i]!;
+  /**
+   * Shows the figures of the instant, `undefined` while the column is being styled; the best of a row stands out. Against
+   * the real counterpart a difference is an error.
+   */
+  showFigures(figures: Figures | undefined, all: readonly (Figures | undefined)[], real: boolean): void {
+    for (const [i, { field, name, error, unit, digits, full }] of ROWS.entries()) {
+      const { term, bar, value } = this.#rows[i]!;
+      setText(term, (real && error) || name);
       const number = figures?.[field];
       setText(value, number === undefined ? "–" : `${formatNumber(number, digits)} ${unit}`);
       bar.style.transform = `scaleX(${Math.min(1, Math.abs(number ?? 0) / full)})`;
-      const least = Math.min(...all.map((other) => other?.[field] ?? Number.POSITIVE_INFINITY));
-      value.classList.toggle("best", LESS_IS_BETTER.includes(field) && number !== undefined && number === least);
+      const least = Math.min(...all.map((other) => Math.abs(other?.[field] ?? Number.POSITIVE_INFINITY)));
+      const ranked = LESS_IS_BETTER.includes(field) || (real && error !== undefined);
+      value.classList.toggle("best", ranked && number !== undefined && Math.abs(number) === least);
     }
   }
 }

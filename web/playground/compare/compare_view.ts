@@ -7,6 +7,7 @@ import { icon } from "../controls/icons";
 import { html, setText } from "../dom";
 import { allOf } from "../polygon/selection";
 import { ProgressLine } from "../progress";
+import type { Session } from "../session";
 import { type PlayState, SPEEDS } from "../state";
 import { isDark, onSystemTheme } from "../theme";
 import type { View, ViewHost } from "../views";
@@ -18,11 +19,14 @@ import {
   type ColumnName,
   columnCaption,
   columnOptions,
+  counterpartStyles,
+  isTrained,
   LEAST_COLUMNS,
   MOST_COLUMNS,
 } from "./columns";
-import { figuresAt, type Measured, measure } from "./figures";
+import { figuresAt, type Measured, measure, type Performance } from "./figures";
 import { CompareTransport } from "./transport";
+import { Yardsticks } from "./yardsticks";
 
 export function createView(host: ViewHost): View {
   return new Compare(host);
@@ -34,6 +38,15 @@ const FIGURES_MS = 120;
 const SETTLE_MS = 150;
 /** Longest step of the clock: a hidden tab does not catch up. */
 const LONGEST_STEP_SECS = 0.1;
+
+/** Said in place of a motion that there is not. */
+const MISSING = "known for built-in inputs in styles of the whole body only";
+
+/** Under which the motion of a column is found. */
+function keyOf(name: ColumnName, state: PlayState, neutral: string): string {
+  const asked = name === "real" ? counterpartStyles(state, neutral) : columnOptions(name, state, neutral);
+  return name === "input" ? "" : `${name === "real" ? "real " : ""}${JSON.stringify(asked)}`;
+}
 
 class Compare implements View {
   readonly element: HTMLElement;
@@ -49,10 +62,13 @@ class Compare implements View {
   readonly #tables = html("div", { class: "compare-tables" });
   readonly #progress = new ProgressLine();
   readonly #transport: CompareTransport;
+  readonly #yardsticks = new Yardsticks();
   #columns: CompareColumn[] = [];
   #viewer: RowViewer | undefined;
-  /** Motions by what they were asked of; those of another input are forgotten. */
-  #styled = new Map<string, Measured>();
+  /** Motions by what they were asked of; those of another input are forgotten. `undefined` where there is none. */
+  #motions = new Map<string, Measured | undefined>();
+  /** What each column, and the figure behind, asks of the present state. */
+  #keys = new Map<ColumnName, string>();
   #measuredInput: Measured | undefined;
   #of: InputInfo | undefined;
   #frame = 0;
@@ -145,6 +161,7 @@ class Compare implements View {
   dispose(): void {
     this.hide();
     this.#viewer?.dispose();
+    this.#yardsticks.dispose();
   }
 
   /** Shows what is open and what the state asks for. */
@@ -159,7 +176,7 @@ class Compare implements View {
     if (!session || !database || !input) return;
     if (this.#of !== input) {
       this.#of = input;
-      this.#styled.clear();
+      this.#motions.clear();
       this.#measuredInput = measure(
         {
           poses: input.poses,
@@ -180,10 +197,16 @@ class Compare implements View {
       ...options(library).map((name) => html("option", { value: name }, library.title(name))),
     );
     this.#input.value = inputName;
+    this.#keys = new Map(
+      [...columns, ...(this.#behindName ? [this.#behindName] : [])].map((name) => [
+        name,
+        keyOf(name, state, database.neutral),
+      ]),
+    );
     this.#showStyles(state, database.styles, database.neutral);
-    this.#showWords(state, columns, library.title(inputName), database.neutral);
+    this.#showWords(state, session);
     clearTimeout(this.#settle);
-    this.#settle = setTimeout(() => void this.#styleAll(), SETTLE_MS);
+    this.#settle = setTimeout(() => void this.#makeAll(), SETTLE_MS);
   }
 
   #columnNames(): ColumnName[] {
@@ -210,9 +233,12 @@ class Compare implements View {
     this.#add.disabled = names.length >= MOST_COLUMNS;
     this.#behind.replaceChildren(
       html("option", { value: "none" }, "nothing"),
-      ...[...new Set(names)].map((name) => html("option", { value: name }, COLUMN_TITLES[name])),
+      ...[...new Set<ColumnName>(["real", ...names])].map((name) =>
+        html("option", { value: name }, COLUMN_TITLES[name]),
+      ),
     );
-    this.#behind.value = names.some((name) => name === state.behind) ? state.behind : "none";
+    const offered = [...this.#behind.options].some(({ value }) => value === state.behind);
+    this.#behind.value = offered ? state.behind : "none";
   }
 
   #showStyles(state: Readonly<PlayState>, styles: readonly string[], neutral: string): void {
@@ -223,54 +249,90 @@ class Compare implements View {
     this.#style.value = plain ? all.name : "";
   }
 
-  #showWords(state: Readonly<PlayState>, columns: readonly ColumnName[], input: string, neutral: string): void {
-    setText(
-      this.#title,
-      columns.length === 1 ? "The same second" : `The same second, ${numberWord(columns.length)} ways`,
-    );
-    const tinted =
-      this.#behind.value === "none"
-        ? ""
-        : ` The tinted figure is ${COLUMN_TITLES[this.#behind.value as ColumnName]} at the same instant.`;
-    const how = manner(state.styles, state.intensity, neutral);
-    setText(this.#summary, `${input.charAt(0).toUpperCase()}${input.slice(1)} in, ${how} out.${tinted}`);
-    for (const column of this.#columns) column.caption = columnCaption(column.name, input, state);
+  #showWords(state: Readonly<PlayState>, { library, inputName, database }: Session): void {
+    const count = this.#columns.length;
+    setText(this.#title, count === 1 ? "The same second" : `The same second, ${numberWord(count)} ways`);
+    const input = library.title(inputName);
+    const how = manner(state.styles, state.intensity, database?.neutral ?? "");
+    const said = `${input.charAt(0).toUpperCase()}${input.slice(1)} in, ${how} out.`;
+    setText(this.#summary, `${said} ${this.#wordsBehind()}`.trimEnd());
+    for (const column of this.#columns)
+      column.caption = this.#isMissing(column.name) ? MISSING : columnCaption(column.name, input, state);
     if (this.#viewer) this.#viewer.description = this.#description();
+  }
+
+  /** What the tinted figure is. */
+  #wordsBehind(): string {
+    const behind = this.#behindName;
+    if (!behind) return "";
+    if (this.#isMissing(behind)) return `${COLUMN_TITLES[behind]}: ${MISSING}.`;
+    if (behind === "real") return "The tinted figure is the real counterpart: what differs from it is error.";
+    return `The tinted figure is ${COLUMN_TITLES[behind]} at the same instant.`;
   }
 
   #description(): string {
     return `${this.#columns.map(({ name }) => COLUMN_TITLES[name]).join(", ")}, side by side.`;
   }
 
-  /** Styles the input in every column that has not been yet. */
-  async #styleAll(): Promise<void> {
+  /** The column that is drawn behind the others; `undefined` for none. */
+  get #behindName(): ColumnName | undefined {
+    return COLUMN_NAMES.find((name) => name === this.#behind.value);
+  }
+
+  /** Makes the motion of every column, and of the figure behind, that has not been made yet. */
+  async #makeAll(): Promise<void> {
     const session = this.#host.session();
     const { database, input } = session ?? {};
     if (!session || !database || !input) return;
     try {
-      for (const column of this.#columns) {
-        const options = columnOptions(column.name, this.#host.store.state, database.neutral);
-        column.key = options ? JSON.stringify(options) : "";
-        if (!options || this.#styled.has(column.key)) continue;
-        const { key } = column;
-        const analysis = await this.#progress.run(`Styling: ${COLUMN_TITLES[column.name]}.`, (call) =>
-          session.style(options, call),
-        );
+      for (const [name, key] of this.#keys) {
+        if (name === "input" || this.#motions.has(key)) continue;
+        const performance = await this.#make(name, session, database.neutral);
         if (this.#of !== input) return;
-        this.#styled.set(key, measure(analysis, database.proportions));
+        this.#motions.set(key, performance && measure(performance, database.proportions));
+        this.#showAvailable();
       }
       // Nothing is kept that no column shows: long clips are large.
-      const shown = new Set(this.#columns.map((column) => column.key));
-      for (const key of this.#styled.keys()) if (!shown.has(key)) this.#styled.delete(key);
+      const shown = new Set(this.#keys.values());
+      for (const key of this.#motions.keys()) if (!shown.has(key)) this.#motions.delete(key);
     } catch (error) {
       if (!isCancellation(error)) this.#host.notices.error(errorText(error));
     }
     this.#seekedFrame = -1;
   }
 
-  #motionOf(column: CompareColumn | undefined): Measured | undefined {
-    if (!column) return undefined;
-    return column.name === "input" ? this.#measuredInput : this.#styled.get(column.key);
+  async #make(name: ColumnName, session: Session, neutral: string): Promise<Performance | undefined> {
+    const { state } = this.#host.store;
+    const styles = counterpartStyles(state, neutral);
+    if (name === "real") {
+      if (!styles) return undefined;
+      const real = await this.#progress.run("Performing the real counterpart.", (call) =>
+        this.#yardsticks.counterpart(session, styles, call),
+      );
+      return real && { ...real, frameMs: undefined };
+    }
+    const options = columnOptions(name, state, neutral)!;
+    const label = isTrained(name) ? `Training: ${COLUMN_TITLES[name]}.` : `Styling: ${COLUMN_TITLES[name]}.`;
+    return this.#progress.run(label, (call) =>
+      isTrained(name) ? this.#yardsticks.style(session, options, call) : session.style(options, call),
+    );
+  }
+
+  /** The motion of a column; `undefined` until it is made, and where there is none. */
+  #motionOf(name: ColumnName | undefined): Measured | undefined {
+    if (!name) return undefined;
+    return name === "input" ? this.#measuredInput : this.#motions.get(this.#keys.get(name) ?? "");
+  }
+
+  /** Whether it is known that a column has no motion. */
+  #isMissing(name: ColumnName): boolean {
+    const key = this.#keys.get(name);
+    return key !== undefined && this.#motions.has(key) && this.#motions.get(key) === undefined;
+  }
+
+  #showAvailable(): void {
+    const session = this.#host.session();
+    if (session) this.#showWords(this.#host.store.state, session);
   }
 
   readonly #tick = (now: number): void => {
@@ -299,11 +361,11 @@ class Compare implements View {
     this.#viewer ??= this.#makeViewer();
     if (this.#seekedFrame !== this.#frame) {
       this.#seekedFrame = this.#frame;
-      const behind = this.#motionOf(this.#columns.find((column) => column.name === this.#behind.value));
+      const behind = this.#motionOf(this.#behindName);
       this.#viewer.setFigures(
         this.#columns.map((column) => {
           // Until a column is styled it shows the input.
-          const motion = this.#motionOf(column) ?? this.#measuredInput!;
+          const motion = this.#motionOf(column.name) ?? this.#measuredInput!;
           const reference = behind && behind !== motion ? poseAt(behind, this.#frame) : null;
           return { pose: poseAt(motion, this.#frame), reference };
         }),
@@ -319,12 +381,13 @@ class Compare implements View {
   #showFigures(): void {
     const input = this.#measuredInput;
     if (!input) return;
-    const behind = this.#motionOf(this.#columns.find((column) => column.name === this.#behind.value));
+    const behind = this.#motionOf(this.#behindName);
     const figures = this.#columns.map((column) => {
-      const motion = this.#motionOf(column);
+      const motion = this.#motionOf(column.name);
       return motion && figuresAt(motion, input, behind, this.#frame);
     });
-    for (const [i, column] of this.#columns.entries()) column.showFigures(figures[i], figures);
+    for (const [i, column] of this.#columns.entries())
+      column.showFigures(figures[i], figures, this.#behindName === "real");
   }
 
   #makeViewer(): RowViewer {

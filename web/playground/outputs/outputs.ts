@@ -48,9 +48,11 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
     case "jsonl":
       return trace(session, format);
     case "png":
-      return new Promise((resolve) => stage.snapshot().toBlob((blob) => resolve(blob ?? undefined)));
+      return stage.unmarked(
+        () => new Promise((resolve) => stage.snapshot().toBlob((blob) => resolve(blob ?? undefined))),
+      );
     case "webm":
-      if (canRecord()) return video(size, sources);
+      if (canRecord()) return stage.unmarked(() => video(size, sources));
       notices.error("This browser does not record video. Use the GLB in another program, or another browser.");
       return undefined;
   }

@@ -1,5 +1,5 @@
 /** The Model panel: the knobs of the regression, and what is switched on behind it. */
-import { METHODS, type Method } from "../../worker/protocol";
+import { type DatabaseInfo, METHODS, type Method } from "../../worker/protocol";
 import { button, Toggle } from "../controls/buttons";
 import type { DialRange } from "../controls/dial";
 import { icon } from "../controls/icons";
@@ -7,6 +7,7 @@ import { Knob } from "../controls/knob";
 import { html } from "../dom";
 import { FIELDS, type PlayState, RANGES } from "../state";
 import type { Store } from "../store";
+import { spoken } from "../words";
 
 type KnobField = "k" | "lambda" | "rho" | "kappa" | "delta";
 
@@ -63,8 +64,14 @@ const TOGGLES = [
   },
 ] as const;
 
+/** What may be said of the input. */
+const LABELS = [
+  { field: "action", name: "Action of the input", unknown: "any action" },
+  { field: "inputStyle", name: "Style of the input", unknown: "any style" },
+] as const;
+
 /** All fields of this panel. */
-const FIELDS_HERE = [...[...KNOBS, ...TOGGLES].map(({ field }) => field), "method"] as const;
+const FIELDS_HERE = [...[...KNOBS, ...TOGGLES].map(({ field }) => field), "method", "action", "inputStyle"] as const;
 
 /** Names of the methods, as people choose them. */
 export const METHOD_NAMES: Readonly<Record<Method, string>> = {
@@ -79,6 +86,7 @@ export class ModelPanel {
   readonly #knobs: { field: KnobField; knob: Knob }[];
   readonly #toggles: { field: (typeof TOGGLES)[number]["field"]; toggle: Toggle }[];
   readonly #method = html("select", { "aria-label": "Method" });
+  readonly #labels = LABELS.map(({ field, name }) => ({ field, select: html("select", { "aria-label": name }) }));
   readonly #reset: HTMLButtonElement;
 
   constructor(store: Store) {
@@ -96,6 +104,8 @@ export class ModelPanel {
     });
     this.#method.append(...METHODS.map((method) => html("option", { value: method }, METHOD_NAMES[method])));
     this.#method.addEventListener("change", () => store.edit({ method: this.#method.value as Method }));
+    for (const { field, select } of this.#labels)
+      select.addEventListener("change", () => store.edit({ [field]: select.value }));
     const fields = FIELDS_HERE;
     const defaults = Object.fromEntries(fields.map((field) => [field, FIELDS[field].initial])) as Partial<PlayState>;
     this.#reset = button("Reset", () => store.edit(defaults), { label: true, class: "plain" });
@@ -108,13 +118,37 @@ export class ModelPanel {
       html("div", { class: "section-heading" }, html("h2", { id: "model-heading" }, "Model"), method, this.#reset),
       html("div", { class: "knobs" }, ...this.#knobs.map(({ knob }) => knob.element)),
       html("div", { class: "toggles" }, ...this.#toggles.map(({ toggle }) => toggle.element)),
+      html(
+        "div",
+        {
+          class: "row labels",
+          title: "Say what the input is, and only such examples are looked for: watch what it reads as, and the cost",
+        },
+        html("span", { class: "label", "aria-hidden": "true" }, "Input is"),
+        ...this.#labels.map(({ select }) => html("div", { class: "select plain-select" }, select, icon("chevron"))),
+      ),
     );
+  }
+
+  /** Takes the labels of another database. */
+  set database({ actions, styles }: DatabaseInfo) {
+    for (const [i, { select }] of this.#labels.entries()) {
+      const { field, unknown } = LABELS[i]!;
+      const names = field === "action" ? actions : styles;
+      const { value } = select;
+      select.replaceChildren(
+        html("option", { value: "" }, unknown),
+        ...names.map((name) => html("option", { value: name }, spoken(name))),
+      );
+      select.value = value;
+    }
   }
 
   show(state: Readonly<PlayState>): void {
     for (const { field, knob } of this.#knobs) knob.value = state[field];
     for (const { field, toggle } of this.#toggles) toggle.on = state[field];
     this.#method.value = state.method;
+    for (const { field, select } of this.#labels) select.value = state[field];
     this.#reset.disabled = FIELDS_HERE.every((field) => state[field] === FIELDS[field].initial);
   }
 }

@@ -3,12 +3,12 @@
  * timeline draws. Pure.
  */
 import { ROLES } from "../../viewer";
-import { POSE_FLOATS } from "../../worker/protocol";
+import { type CurveSubject, POSE_FLOATS } from "../../worker/protocol";
 
 type Vector = readonly [number, number, number];
 
 /** How a pose becomes one number. */
-type Measure =
+export type Measure =
   /**
    * The angle, in degrees, of the bone that hangs on a joint. `bone` is its direction in the T-pose, +X left, +Y up, +Z
    * forward; `bend`: how far the bone turned, 0–180; `swing`: forward of hanging down; `lean`: forward of upright.
@@ -72,20 +72,30 @@ function rotated(q: ArrayLike<number>, offset: number, v: Vector): Vector {
   return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
 }
 
+/** What a measure needs to know of a pose. The hips turn with the heading, which no other pose shares: `undefined`. */
+export function subjectOf(measure: Measure): CurveSubject | undefined {
+  if (measure.kind === "height") return "height";
+  return measure.joint === 0 ? undefined : measure.joint;
+}
+
 /** The value of one pose that begins at `start` in `poses`, in the measure's unit. */
 export function valueAt(poses: ArrayLike<number>, start: number, measure: Measure): number {
-  if (measure.kind === "height") return 100 * poses[start + 1]!;
-  const offset = start + 3 + 4 * measure.joint;
+  return measuredAt(poses, measure.kind === "height" ? start + 1 : start + 3 + 4 * measure.joint, measure);
+}
+
+/** The value of what a measure needs to know, which is at `offset`: a height in metres or a rotation x y z w. */
+export function measuredAt(numbers: ArrayLike<number>, offset: number, measure: Measure): number {
+  if (measure.kind === "height") return 100 * numbers[offset]!;
   if (measure.kind === "turn") {
-    const sign = poses[offset + 3]! < 0 ? -1 : 1;
-    const [x, y, z] = [0, 1, 2].map((i) => sign * poses[offset + i]!) as [number, number, number];
+    const sign = numbers[offset + 3]! < 0 ? -1 : 1;
+    const [x, y, z] = [0, 1, 2].map((i) => sign * numbers[offset + i]!) as [number, number, number];
     const sine = Math.hypot(x, y, z);
     // Near no rotation the vector is twice the quaternion's.
-    const scale = sine > 1e-6 ? (2 * Math.atan2(sine, sign * poses[offset + 3]!)) / sine : 2;
+    const scale = sine > 1e-6 ? (2 * Math.atan2(sine, sign * numbers[offset + 3]!)) / sine : 2;
     return [x, y, z][measure.axis]! * scale * DEGREES;
   }
   const { bone } = measure;
-  const [x, y, z] = rotated(poses, offset, bone);
+  const [x, y, z] = rotated(numbers, offset, bone);
   switch (measure.kind) {
     case "bend":
       return Math.acos(Math.min(1, Math.max(-1, x * bone[0] + y * bone[1] + z * bone[2]))) * DEGREES;

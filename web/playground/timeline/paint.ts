@@ -7,6 +7,7 @@ import type { FrameRange } from "../../worker/protocol";
 import type { Colours } from "../colours";
 import { formatNumber } from "../dom";
 import { type ReadStretch, tickSpacing } from "./curves";
+import type { ExampleCurves } from "./examples";
 
 /** Rows from the top, in CSS pixels of a timeline 135 high. */
 export const ROWS = {
@@ -30,6 +31,8 @@ export interface TimelineData {
   rateHz: number;
   inputCurve: Float32Array;
   styledCurve: Float32Array;
+  /** What the styled curve was predicted from; `undefined` where that cannot be shown. */
+  examples: ExampleCurves | undefined;
   /** Value range of the curves. */
   span: { low: number; high: number } | undefined;
   /** Planted stretches, left and right, in frames. */
@@ -90,6 +93,7 @@ export function paintStill(c: CanvasRenderingContext2D, axis: Axis, data: Timeli
   c.fillStyle = colours.line;
   c.fillRect(0, ROWS.curve.bottom + 1, axis.width, 1);
   if (data.span) {
+    if (data.examples) paintBand(c, axis, data.examples, data.span, colours.weight);
     paintCurve(c, axis, data.inputCurve, data.span, colours.input, 1.25);
     paintCurve(c, axis, data.styledCurve, data.span, colours.signal, 1.75);
   }
@@ -217,6 +221,25 @@ function paintCurve(
   c.stroke();
 }
 
+/** The confidence band of the examples. */
+function paintBand(
+  c: CanvasRenderingContext2D,
+  axis: Axis,
+  { low, high }: ExampleCurves,
+  span: { low: number; high: number },
+  colour: string,
+): void {
+  const every = Math.max(1, Math.floor(low.length / axis.width));
+  c.beginPath();
+  for (let i = 0; i < high.length; i += every) c.lineTo(axis.x(i), yOf(high[i]!, span));
+  for (let i = Math.floor((low.length - 1) / every) * every; i >= 0; i -= every)
+    c.lineTo(axis.x(i), yOf(low[i]!, span));
+  c.fillStyle = colour;
+  c.globalAlpha = 0.26;
+  c.fill();
+  c.globalAlpha = 1;
+}
+
 /** The range, the playhead with its flag, the contact that is under it, and what the curves say where the pointer is. */
 export function paintMoving(
   c: CanvasRenderingContext2D,
@@ -262,6 +285,27 @@ function paintRange(c: CanvasRenderingContext2D, axis: Axis, range: FrameRange, 
   for (const edge of [from, to]) c.fillRect(edge - 1, ROWS.ruler - 6, 2, 11);
 }
 
+/** The examples of a frame as points: the more one counted, the larger and the clearer. */
+function paintExamples(
+  c: CanvasRenderingContext2D,
+  x: number,
+  { starts, values, weights }: ExampleCurves,
+  frame: number,
+  span: { low: number; high: number },
+  colour: string,
+): void {
+  c.fillStyle = colour;
+  for (let i = starts[frame] ?? 0; i < (starts[frame + 1] ?? 0); i++) {
+    const y = yOf(values[i]!, span);
+    if (y < ROWS.curve.top - 3 || y > ROWS.curve.bottom + 3) continue;
+    c.globalAlpha = 0.2 + 0.7 * weights[i]!;
+    c.beginPath();
+    c.arc(x, y, 1 + 1.2 * weights[i]!, 0, 2 * Math.PI);
+    c.fill();
+  }
+  c.globalAlpha = 1;
+}
+
 /** The points of both curves at a frame. */
 function paintPoints(
   c: CanvasRenderingContext2D,
@@ -270,8 +314,9 @@ function paintPoints(
   frame: number,
   colours: Colours,
 ): void {
-  const { span } = data;
+  const { span, examples } = data;
   if (!span) return;
+  if (examples) paintExamples(c, axis.x(frame), examples, Math.round(frame), span, colours.weight);
   for (const [curve, colour] of [
     [data.inputCurve, colours.input],
     [data.styledCurve, colours.signal],
@@ -302,6 +347,7 @@ function paintReadOut(
     { text: `${formatNumber(at / data.rateHz, 2)} s`, colour: colours.ink },
     { text: describe(data.inputCurve[at], unit), colour: colours.input },
     { text: describe(data.styledCurve[at], unit), colour: colours.signal },
+    { text: describeBand(data.examples, at, unit), colour: colours.ink2 },
   ].filter(({ text }) => text !== "");
   c.font = `11px ${getComputedStyle(c.canvas).fontFamily}`;
   c.textAlign = "left";
@@ -326,4 +372,11 @@ function paintReadOut(
 
 function describe(value: number | undefined, unit: string): string {
   return value === undefined ? "" : `${formatNumber(value, 1)}${unit === "°" ? "" : " "}${unit}`;
+}
+
+/** What the examples of a frame come to, in words. */
+function describeBand(examples: ExampleCurves | undefined, at: number, unit: string): string {
+  const [low, high] = [examples?.low[at], examples?.high[at]];
+  if (low === undefined || high === undefined) return "";
+  return `examples ${formatNumber((low + high) / 2, 1)} ± ${describe((high - low) / 2, unit)}`;
 }

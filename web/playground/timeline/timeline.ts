@@ -1,9 +1,20 @@
 /** The timeline: ruler, contacts, a joint's curve and the timing, with one playhead that can be dragged. */
-import type { Analysis, DatabaseInfo, FrameRange, InputInfo } from "../../worker/protocol";
+import type { Analysis, CurveSubject, DatabaseInfo, Examples, FrameRange, InputInfo } from "../../worker/protocol";
 import { type Colours, readColours } from "../colours";
 import { formatNumber, html, setAttributes } from "../dom";
 import { spoken } from "../words";
-import { CURVE_GROUPS, CURVES, curveOf, plantedStretches, readStretches, spanOf, timingMap, unitOf } from "./curves";
+import {
+  CURVE_GROUPS,
+  CURVES,
+  curveOf,
+  plantedStretches,
+  readStretches,
+  spanOf,
+  subjectOf,
+  timingMap,
+  unitOf,
+} from "./curves";
+import { exampleCurves } from "./examples";
 import { Axis, paintMoving, paintStill, prepare, ROWS, type TimelineData } from "./paint";
 
 /** Least span of the curve row, degrees: a still joint stays a flat line. */
@@ -33,6 +44,7 @@ export class Timeline {
   readonly #menu: HTMLSelectElement;
   #input: InputInfo | undefined;
   #analysis: Analysis | undefined;
+  #examples: Examples | undefined;
   #curve = "knee L";
   #data: TimelineData | undefined;
   #axis = new Axis(0, 0);
@@ -95,17 +107,32 @@ export class Timeline {
   set input(input: InputInfo) {
     this.#input = input;
     this.#analysis = undefined;
+    this.#examples = undefined;
     this.#rebuild();
   }
 
   set analysis(analysis: Analysis) {
+    // Until its own examples come the curve is shown without those of the analysis before.
+    this.#examples = undefined;
     this.#analysis = analysis;
+    this.#rebuild();
+  }
+
+  /** What examples of the curve would have to show; see {@link subjectOf}. */
+  get subject(): CurveSubject | undefined {
+    return subjectOf(CURVES[this.#curve]!);
+  }
+
+  /** The examples that the analysis came from, of the curve's {@link subject}. */
+  set examples(examples: Examples | undefined) {
+    this.#examples = examples;
     this.#rebuild();
   }
 
   set curve(name: string) {
     this.#curve = name in CURVES ? name : "knee L";
     this.#menu.value = this.#curve;
+    if (this.#examples?.subject !== this.subject) this.#examples = undefined;
     this.#rebuild();
   }
 
@@ -158,13 +185,15 @@ export class Timeline {
     const measure = CURVES[this.#curve]!;
     const inputCurve = curveOf(input.poses, measure);
     const styledCurve = this.#analysis ? curveOf(this.#analysis.poses, measure) : new Float32Array(0);
+    const examples = this.#examples && exampleCurves(this.#examples, measure, styledCurve);
     const planted = this.#analysis?.planted ?? new Uint8Array(0);
     this.#data = {
       frames: input.frames,
       rateHz: input.rateHz,
       inputCurve,
       styledCurve,
-      span: spanOf([inputCurve, styledCurve], LEAST_SPAN),
+      examples,
+      span: spanOf([inputCurve, styledCurve, ...(examples ? [examples.low, examples.high] : [])], LEAST_SPAN),
       planted: [plantedStretches(planted, 0), plantedStretches(planted, 1)],
       reads: this.#analysis ? readStretches(this.#analysis.classWeights, this.#classes.length) : [],
       timing: this.#analysis ? timingMap(this.#analysis.timeOut, Math.round(MAP_SECS * input.rateHz)) : [],

@@ -14,9 +14,11 @@ import {
   ReplaceStencilOp,
   ShaderMaterial,
 } from "three";
+import type { Role } from "../humanoid";
 import { KEY_FRUSTUM } from "../stage/lights";
 import { type ShadowTaps, setShadowTaps, useSoftShadow } from "../stage/soft_shadow";
 import type { Theme } from "../themes";
+import { noTint, slotsOf, useTint } from "./part_tint";
 import { SLOT_SHADER, type SlotUniforms, useSlots } from "./slot_skinning";
 
 /** Stencil value of the pixels that a body covers, so that a ghost can stay behind it. */
@@ -50,6 +52,7 @@ export type Shading = "physical" | "matt";
 export class BodyLook implements Look {
   readonly #uniforms: SlotUniforms;
   readonly #shadow = new MeshDepthMaterial();
+  readonly #tint = noTint();
   readonly #tones = new Map<Shading, [shell: LitMaterial, joint: LitMaterial]>();
   #shading: Shading;
   #taps: ShadowTaps = { search: 8, filter: 8 };
@@ -70,7 +73,13 @@ export class BodyLook implements Look {
   /** Takes the theme's colours. */
   setTheme(theme: Theme): void {
     this.#theme = theme;
+    this.#tint.tint.value.set(theme.signal);
     this.#present();
+  }
+
+  /** The joints whose parts are tinted. */
+  set tinted(joints: readonly Role[]) {
+    this.#tint.tintedSlots.value = slotsOf(joints);
   }
 
   /** Sets the shading and the samples of the shadow that the body casts on itself; changes {@link layers}. */
@@ -102,6 +111,7 @@ export class BodyLook implements Look {
         material.stencilRef = BODY_STENCIL;
         material.stencilZPass = ReplaceStencilOp;
         useSoftShadow(material, KEY_FRUSTUM);
+        useTint(material, this.#tint);
         useSlots(material, this.#uniforms);
       }
       this.#tones.set(this.#shading, tones);

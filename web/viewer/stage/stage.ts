@@ -162,6 +162,11 @@ export class Stage {
     this.#resize();
   }
 
+  /** Compiles the shaders of the scene, all at once and beside other work; resolves when they are ready. */
+  async compile(): Promise<void> {
+    await this.#renderer.compileAsync(this.scene, this.view.camera);
+  }
+
   /** Draws the scene into a column; `dtSecs` since the last frame, the light on `subject`. */
   render(dtSecs: number, subject: Vector3, column = 0): void {
     if (column === 0 && !this.#still && this.governor.frame(dtSecs)) this.applyQuality();

@@ -34,7 +34,7 @@ pub enum StyleError {
 
 /// Weights of every style for every part of the body. They may be negative or above 1; what is missing
 /// to a sum of 1 belongs to the neutral style.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct StyleBlend {
     neutral: usize,
     /// Sums to 1.

@@ -1,5 +1,6 @@
 //! What the stylizer gives for a frame, and where its stages end.
 
+use super::blend::StyleBlend;
 use crate::database::Database;
 use crate::humanoid::Pose;
 use crate::search::Neighbour;
@@ -90,6 +91,9 @@ pub struct Trace<'a> {
     /// Weight of every class of the database; they sum to 1.
     pub class_weights: &'a [f32],
     pub(super) neighbours: &'a [Neighbour],
+    /// How much each of them counts.
+    pub(super) neighbour_weights: &'a [f32],
+    pub(super) blend: &'a StyleBlend,
     /// Largest |Δx| of the heaviest class in standard deviations of its neighbours.
     pub bias: f32,
     /// The frame itself.

@@ -323,6 +323,11 @@ impl Mixture {
         self.heaviest().map_or(&[], |i| self.components[i].neighbours.as_slice())
     }
 
+    /// How much each of them counts in regressions and durations.
+    pub(super) fn heaviest_neighbour_weights(&self) -> &[f32] {
+        self.heaviest().map_or(&[], |i| self.components[i].neighbour_weights.as_slice())
+    }
+
     /// Whether any class has neighbours.
     pub(super) fn found_any(&self) -> bool {
         !self.active_classes.is_empty()

@@ -170,6 +170,8 @@ impl Stylizer {
             db: self.model.database(),
             class_weights: self.mixture.class_weights(),
             neighbours: self.mixture.heaviest_neighbours(),
+            neighbour_weights: self.mixture.heaviest_neighbour_weights(),
+            blend: &self.blend,
             bias: self.mixture.bias,
             frame: &self.frame,
         }

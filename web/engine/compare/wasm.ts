@@ -1,0 +1,28 @@
+/**
+ * The WASM package of the Compare view: the engine's, with the methods that are trained beforehand and the built-in inputs
+ * in every style. Loaded by those who compare, and by nobody else.
+ */
+import type { Performed } from "../types";
+import { type Glue, guarded, servePackage } from "../wasm";
+import * as glue from "./pkg/strut_compare.js";
+
+/** Lets this package stand for the engine's on the present thread; call it before anything is loaded. */
+export function serveComparePackage(): void {
+  // The same classes with some more: those of two packages are only different by name.
+  servePackage(glue as unknown as Glue, new URL("./pkg/strut_compare_bg.wasm", import.meta.url));
+}
+
+/** A built-in input as a style performs it; `undefined` where there is no such input or style. */
+export function counterpartOf(input: string, style: string): Performed | undefined {
+  return guarded(() => {
+    const counterpart = glue.Counterpart.of(input, style);
+    if (!counterpart) return undefined;
+    const performed = {
+      poses: counterpart.poses(),
+      timeOut: counterpart.timeOut(),
+      planted: counterpart.planted(),
+    };
+    counterpart.free();
+    return performed;
+  });
+}
