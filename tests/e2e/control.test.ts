@@ -124,4 +124,17 @@ describe("the model", () => {
     await page.getByRole("button", { name: "Reset the model" }).click();
     expect((await state()).method).toBe("mar");
   });
+
+  it("takes what the input is said to be, and leaves it to the engine again", async () => {
+    await visit(page, PAUSED);
+    const reading = () => page.locator(".reading").textContent();
+    await eventually(reading).toBe("walk, neutral");
+    await page.getByLabel("Action of the input").selectOption("run");
+    await eventually(reading).toMatch(/^run, /);
+    expect((await state()).action).toBe("run");
+    await page.getByLabel("Style of the input").selectOption("old");
+    await eventually(reading).toBe("run, old");
+    await page.getByRole("button", { name: "Reset the model" }).click();
+    await eventually(reading).toBe("walk, neutral");
+  });
 });

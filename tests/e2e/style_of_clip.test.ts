@@ -51,18 +51,6 @@ describe("a walk that falls on the polygon", () => {
     expect(await page.evaluate(() => window.strut.state.database)).toBe("Built-in + weary");
   });
 
-  it("is a style until the page is closed where the browser has no room left", async () => {
-    const client = await page.context().newCDPSession(page);
-    const origin = new URL(page.url()).origin;
-    await client.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: 1 });
-    await dropFile(page, "walk_stooped_01.bvh", walk, await polygon());
-    await eventually(alert).toMatch(/“stooped” will not be here after a reload. The browser has no room left for it./);
-    await eventually(vertices).toContain("stooped");
-    await eventually(weights).toMatchObject({ stooped: 1 });
-    await client.send("Storage.overrideQuotaForOrigin", { origin });
-    await page.getByRole("alert").getByRole("button", { name: "Dismiss" }).click();
-  });
-
   it("is refused with a sentence where it is too short", async () => {
     await dropFile(page, "walk_short.bvh", everyNth(walk, 1, 40), await polygon());
     await eventually(alert).toContain("no left, right and left step in a row were found in it");
@@ -72,5 +60,23 @@ describe("a walk that falls on the polygon", () => {
   it("elsewhere it is the input, as ever", async () => {
     await dropFile(page, "walk_weary_01.bvh", walk);
     await eventually(() => inputName(page)).toBe("walk_weary_01");
+  });
+
+  it("is a style until the page is closed where the browser has no room left", async () => {
+    await page.evaluate(() => {
+      const { put } = IDBObjectStore.prototype;
+      IDBObjectStore.prototype.put = function (this: IDBObjectStore, ...args: Parameters<typeof put>) {
+        const request = put.apply(this, args);
+        this.transaction.abort();
+        return request;
+      };
+      const full = new DOMException("full", "QuotaExceededError");
+      Object.defineProperty(IDBTransaction.prototype, "error", { get: () => full });
+    });
+    await dropFile(page, "walk_stooped_01.bvh", walk, await polygon());
+    await eventually(alert).toMatch(/“stooped” will not be here after a reload. The browser has no room left for it./);
+    expect(await vertices()).toContain("stooped");
+    await eventually(weights).toMatchObject({ stooped: 1 });
+    await screenshot(page, "quota-full");
   });
 });

@@ -6,7 +6,7 @@ import "./styles/polygon.css";
 import "./styles/timeline.css";
 import "./styles/narrow.css";
 import type { Role } from "../viewer";
-import { createStrutClient } from "../worker/client";
+import { startStrutClient } from "../worker/client";
 import { App } from "./app";
 import { errorText } from "./words";
 
@@ -34,9 +34,8 @@ async function start(root: HTMLElement): Promise<void> {
     );
     return;
   }
-  const client = createStrutClient();
-  // The page is built while the engine loads; the rejection is taken care of below.
-  client.catch(() => {});
+  // The page is built, and asks for its database, while the engine loads.
+  const client = startStrutClient();
   const app = new App(root);
   // What it cannot prepare is made when it is needed.
   app.prepare().catch(() => {});
@@ -56,7 +55,7 @@ async function start(root: HTMLElement): Promise<void> {
     jointScreenPosition: (role: Role) => app.stage.jointPosition(role),
   };
   try {
-    await app.start(await client);
+    await app.start(client);
   } catch (error) {
     app.fail(errorText(error));
   }

@@ -77,6 +77,8 @@ describe("what the engine is asked for", () => {
       timing: true,
       footplant: true,
       method: "mar",
+      action: "",
+      inputStyle: "",
     });
   });
 });

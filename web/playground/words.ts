@@ -45,7 +45,8 @@ export function counted(n: number, one: string, many = `${one}s`): string {
 
 /** A name of the engine as words: hyphens are spaces. */
 export const spoken = (name: string): string => name.replace(/[-_]+/g, " ");
-const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+/** Text as it begins a sentence. */
+export const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** The title of the stage: what the character does and how, “Walk, mostly proud”. */
 export function stageTitle(action: string, selection: Selection, intensity: number, neutral: string): string {

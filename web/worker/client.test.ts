@@ -113,6 +113,31 @@ describe("a client with the built-in database", () => {
     expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
   });
 
+  test("shows the examples behind each frame, in the styles asked for", async () => {
+    const { client, input, style } = await openDemo();
+    const heights = async () => (await client.examples("height")).values;
+    const neutral = await heights();
+    await client.configure({ ...DEFAULT_OPTIONS, styles: { [style]: 1 } });
+    const { counts, weights, values } = await client.examples(14);
+    expect(counts).toHaveLength(input.frames);
+    expect(counts.reduce((sum, n) => sum + n, 0)).toBe(weights.length);
+    expect(values).toHaveLength(4 * weights.length);
+    expect(weights.every((w) => w >= 0 && w <= 1)).toBe(true);
+    const styled = await heights();
+    expect(styled).toHaveLength(neutral.length);
+    expect(styled).not.toEqual(neutral);
+    await expect(client.examples(99)).rejects.toMatchObject({ code: "bad-input" });
+  });
+
+  test("looks only among examples of the labels that it is given", async () => {
+    const { client, database, style } = await openDemo();
+    const action = database.actions[1]!;
+    await client.configure({ ...DEFAULT_OPTIONS, action, inputStyle: style });
+    const { reads } = await client.step(0.05);
+    expect(reads).toEqual([{ action, style, weight: 1 }]);
+    await expect(client.configure({ ...DEFAULT_OPTIONS, action: "swim" })).rejects.toMatchObject({ code: "bad-input" });
+  });
+
   test("exports a BVH that opens as an input again, on its own skeleton", async () => {
     const { client, style } = await openDemo();
     await client.configure({ ...DEFAULT_OPTIONS, styles: { [style]: 1 } });

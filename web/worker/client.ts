@@ -41,6 +41,11 @@ export async function createStrutClient(
   return client;
 }
 
+/** Starts a worker that takes calls at once and answers them when its engine is loaded; what cannot be loaded rejects them. */
+export function startStrutClient(): StrutClient {
+  return new WorkerClient(spawnWorker, SILENCE_MS);
+}
+
 function spawnWorker(): WorkerPort {
   return new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "strut" });
 }
@@ -68,8 +73,10 @@ const SILENT: readonly Method[] = ["openDatabase", "openInput", "builtInInputs",
 
 class WorkerClient implements StrutClient {
   onRestart: ((message: string) => void) | undefined;
-  /** Settles when the present worker takes calls. */
-  ready: Promise<void>;
+  /** Settles when the first worker's engine is loaded. */
+  readonly ready: Promise<void>;
+  /** What calls wait for: a worker that replaces another must first stand where that one stood. */
+  private restored: Promise<void> = Promise.resolve();
 
   private worker: WorkerPort | undefined;
   private readonly pending = new Map<number, Pending>();
@@ -85,6 +92,8 @@ class WorkerClient implements StrutClient {
     private readonly silenceMs: number,
   ) {
     this.ready = this.start();
+    // Calls are rejected with the same error.
+    this.ready.catch(() => {});
   }
 
   // Sources are copied, not transferred: they are needed again after a fault.
@@ -145,9 +154,14 @@ class WorkerClient implements StrutClient {
 
   dispose(): void {
     const error = disposed("client");
+    this.refuse(error);
+  }
+
+  /** Ends the worker and answers every call with an error. */
+  private refuse(error: StrutError): void {
     this.stop(error);
-    this.ready = Promise.reject(error);
-    this.ready.catch(() => {});
+    this.restored = Promise.reject(error);
+    this.restored.catch(() => {});
   }
 
   private remember(frame: LiveFrame): LiveFrame {
@@ -157,7 +171,7 @@ class WorkerClient implements StrutClient {
   }
 
   private async call<M extends Method>(method: M, args: Arguments<M>, options: CallOptions = {}): Promise<Result<M>> {
-    await this.ready;
+    await this.restored;
     return this.post(method, args, options);
   }
 
@@ -184,19 +198,23 @@ class WorkerClient implements StrutClient {
       const worker = this.spawn();
       this.worker = worker;
       let loaded = false;
+      const fail = (error: StrutError) => {
+        reject(error);
+        this.refuse(error);
+      };
       worker.onmessage = ({ data }) => {
         if (this.worker !== worker) return;
         if (data.kind === "ready") {
           loaded = true;
           resolve();
-        } else if (data.kind === "not-ready") reject(new StrutError(data.error));
+        } else if (data.kind === "not-ready") fail(new StrutError(data.error));
         else this.receive(data);
       };
       worker.onerror = (event) => {
         if (this.worker !== worker) return;
         const error = fault(event.message || "its worker could not be started");
         if (loaded) this.restart(error);
-        else reject(error);
+        else fail(error);
       };
     });
   }
@@ -244,8 +262,8 @@ class WorkerClient implements StrutClient {
     const restore = this.provenSinceStart;
     if (!restore) this.memory = emptyMemory();
     this.provenSinceStart = false;
-    this.ready = this.start().then(() => this.restore());
-    this.ready.then(
+    this.restored = this.start().then(() => this.restore());
+    this.restored.then(
       () => this.onRestart?.(restore ? error.message : `${error.message} The database and the input were closed.`),
       () => {},
     );

@@ -374,8 +374,8 @@ function describe(value: number | undefined, unit: string): string {
   return value === undefined ? "" : `${formatNumber(value, 1)}${unit === "°" ? "" : " "}${unit}`;
 }
 
-/** What the examples of a frame come to, in words. */
-function describeBand(examples: ExampleCurves | undefined, at: number, unit: string): string {
+/** What the examples of a frame come to, in words; empty without any. */
+export function describeBand(examples: ExampleCurves | undefined, at: number, unit: string): string {
   const [low, high] = [examples?.low[at], examples?.high[at]];
   if (low === undefined || high === undefined) return "";
   return `examples ${formatNumber((low + high) / 2, 1)} ± ${describe((high - low) / 2, unit)}`;

@@ -2,7 +2,7 @@
 import type { Analysis, CurveSubject, DatabaseInfo, Examples, FrameRange, InputInfo } from "../../worker/protocol";
 import { type Colours, readColours } from "../colours";
 import { formatNumber, html, setAttributes } from "../dom";
-import { spoken } from "../words";
+import { capitalised, spoken } from "../words";
 import {
   CURVE_GROUPS,
   CURVES,
@@ -15,7 +15,7 @@ import {
   unitOf,
 } from "./curves";
 import { exampleCurves } from "./examples";
-import { Axis, paintMoving, paintStill, prepare, ROWS, type TimelineData } from "./paint";
+import { Axis, describeBand, paintMoving, paintStill, prepare, ROWS, type TimelineData } from "./paint";
 
 /** Least span of the curve row, degrees: a still joint stays a flat line. */
 const LEAST_SPAN = 20;
@@ -262,7 +262,7 @@ export class Timeline {
     if (frame === undefined && this.#hover === undefined) return;
     this.#hover = frame;
     this.#listeners.onHover(frame);
-    this.#rows.title = frame === undefined ? "" : this.#readAt(frame);
+    this.#rows.title = frame === undefined ? "" : `${this.#readAt(frame)} ${this.#examplesAt(frame)}`.trim();
     this.#paintMoving();
   }
 
@@ -270,7 +270,13 @@ export class Timeline {
   #readAt(frame: number): string {
     const stretch = this.#data?.reads.find(({ from, to }) => frame >= from && frame < to);
     const read = stretch && this.#classes[stretch.class];
-    return read ? `Read as ${spoken(read.action)}, ${spoken(read.style)}` : "";
+    return read ? `Read as ${spoken(read.action)}, ${spoken(read.style)}.` : "";
+  }
+
+  /** What the examples of a frame say of the curve, in words. */
+  #examplesAt(frame: number): string {
+    const text = describeBand(this.#data?.examples, Math.round(frame), unitOf(CURVES[this.#curve]!));
+    return text && `${capitalised(text)}.`;
   }
 }
 

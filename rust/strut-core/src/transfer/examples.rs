@@ -17,7 +17,7 @@ struct Example {
 #[derive(Clone, Debug, Default)]
 pub struct Examples {
     /// Of all frames, one after the other.
-    examples: Vec<Example>,
+    entries: Vec<Example>,
     /// How many of them each frame has.
     counts: Vec<usize>,
     /// The styles from a number of examples on.
@@ -28,10 +28,10 @@ impl Examples {
     /// Adds the frame that a trace is of.
     pub fn record(&mut self, trace: &Trace<'_>) {
         if self.blends.last().is_none_or(|(_, last)| last != trace.blend) {
-            self.blends.push((self.examples.len(), trace.blend.clone()));
+            self.blends.push((self.entries.len(), trace.blend.clone()));
         }
         let pairs = trace.neighbours.iter().zip(trace.neighbour_weights);
-        self.examples.extend(pairs.map(|(n, &weight)| Example { row: n.row, weight }));
+        self.entries.extend(pairs.map(|(n, &weight)| Example { row: n.row, weight }));
         self.counts.push(trace.neighbours.len());
     }
 
@@ -42,7 +42,7 @@ impl Examples {
 
     /// How much each counted, 0 to 1.
     pub fn weights(&self) -> impl Iterator<Item = f32> + '_ {
-        self.examples.iter().map(|e| e.weight)
+        self.entries.iter().map(|e| e.weight)
     }
 
     /// What each is in the styles of its frame: the weighted sum of its registered targets, as in
@@ -51,7 +51,7 @@ impl Examples {
         let parts = BodyPart::of_row();
         let mut later = self.blends.iter().peekable();
         let mut blend = None;
-        self.examples.iter().enumerate().map(move |(i, example)| {
+        self.entries.iter().enumerate().map(move |(i, example)| {
             while let Some((_, next)) = later.next_if(|(first, _)| *first <= i) {
                 blend = Some(next);
             }
