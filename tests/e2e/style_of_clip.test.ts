@@ -27,8 +27,11 @@ const polygon = async () => {
 describe("a walk that falls on the polygon", () => {
   it("becomes a style, is kept, and goes again", async () => {
     const input = await inputName(page);
-    const begin = performance.now();
     await dropFile(page, "walk_weary_01.bvh", walk, await polygon());
+    await page.getByRole("dialog").waitFor();
+    await screenshot(page, "style-of-clip-name");
+    const begin = performance.now();
+    await page.keyboard.press("Enter");
     await eventually(vertices).toContain("weary");
     const secs = (performance.now() - begin) / 1000;
     console.log(`a style from a clip of 260 frames: ${secs.toFixed(1)} s`);
@@ -51,8 +54,33 @@ describe("a walk that falls on the polygon", () => {
     expect(await page.evaluate(() => window.strut.state.database)).toBe("Built-in + weary");
   });
 
+  it("has the name that the person gives it", async () => {
+    await dropFile(page, "walk_weary_02.bvh", walk, await polygon());
+    const name = page.getByLabel("Name of the style");
+    expect(await name.inputValue()).toBe("weary 2");
+    await name.fill("weary");
+    const make = page.getByRole("button", { name: "Make it a style" });
+    expect(await make.isDisabled()).toBe(true);
+    expect(await page.getByRole("dialog").textContent()).toContain("There is a style “weary” already.");
+    await name.fill("<b>tired</b>");
+    await make.click();
+    await eventually(vertices).toContain("<b>tired</b>");
+    expect(await page.evaluate(() => window.strut.state.database)).toBe("Built-in + weary + <b>tired</b>");
+    await page.getByRole("button", { name: "Undo" }).click();
+    await eventually(vertices).toHaveLength(9);
+  });
+
+  it("is left alone where the person does not want it", async () => {
+    await dropFile(page, "walk_weary_02.bvh", walk, await polygon());
+    await page.getByRole("dialog").waitFor();
+    await page.keyboard.press("Escape");
+    await eventually(() => page.getByRole("dialog").count()).toBe(0);
+    expect(await vertices()).toHaveLength(9);
+  });
+
   it("is refused with a sentence where it is too short", async () => {
     await dropFile(page, "walk_short.bvh", everyNth(walk, 1, 40), await polygon());
+    await page.getByRole("button", { name: "Make it a style" }).click();
     await eventually(alert).toContain("no left, right and left step in a row were found in it");
     expect(await vertices()).toContain("weary");
   });

@@ -60,15 +60,18 @@ export class Databases {
     return { kind: "demo" };
   }
 
-  /** Makes a clip a style of the database that is open, and shows it. */
+  /** Makes a clip a style of the database that is open, by the name that the person gives it, and shows it. */
   async addStyle(session: Session, clip: File, progress: ProgressLine): Promise<void> {
     const known = session.database;
     if (!known) return;
     const file = this.#source.kind === "demo" ? undefined : this.#source.file;
     try {
-      const { styleOfClip } = await import("./data/style_of_clip");
-      const { database, style, lost } = await progress.run(`Registering ${clip.name}.`, (options) =>
-        styleOfClip(known, file, clip, options),
+      const { styleName, styleOfClip } = await import("./data/style_of_clip");
+      const { askForStyleName } = await import("./data/name_dialog");
+      const style = await askForStyleName(styleName(clip.name, known.actions, known.styles), known.styles);
+      if (style === undefined) return;
+      const { database, lost } = await progress.run(`Registering ${clip.name}.`, (options) =>
+        styleOfClip(known, file, clip, style, options),
       );
       const source = { kind: "strutdb" as const, name: database.name, file: database.file };
       const styles = allOf(this.#store.state.styles, style);

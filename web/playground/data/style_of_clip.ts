@@ -7,13 +7,12 @@ import { keep, listShelf, type Shelved } from "./shelf";
 /** What became of a clip. */
 export interface StyleOfClip {
   database: Shelved;
-  style: string;
   /** Why the browser will not keep it; empty if it is kept. */
   lost: string;
 }
 
 /**
- * Adds a clip to a database as a style named from its file.
+ * Adds a clip to a database as a style.
  * @param known what is open, and its file; without one it is the built-in database
  * @throws StrutError with why the clip is no style
  */
@@ -21,9 +20,9 @@ export async function styleOfClip(
   known: DatabaseInfo,
   file: Blob | undefined,
   clip: File,
+  style: string,
   options: CallOptions,
 ): Promise<StyleOfClip> {
-  const style = styleName(clip.name, known.actions, known.styles);
   const client = createBuildClient();
   try {
     const { refused: _, neutral: __, ...built } = await client.addStyle(file, clip, style, options);
@@ -35,7 +34,7 @@ export async function styleOfClip(
     );
     const database = { name, ...built };
     const lost = await keep(database).then(() => "", errorText);
-    return { database, style, lost };
+    return { database, lost };
   } finally {
     client.dispose();
   }
