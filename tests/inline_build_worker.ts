@@ -15,14 +15,14 @@ export class InlineBuildWorker implements BuildWorkerPort {
     this.port = {
       onmessage: null,
       postMessage: (data) =>
-        setTimeout(() => !this.terminated && this.onmessage?.({ data } as MessageEvent<BuildReply>), 0),
+        queueMicrotask(() => !this.terminated && this.onmessage?.({ data } as MessageEvent<BuildReply>)),
     };
     serveBuilds(this.port);
   }
 
   postMessage(data: BuildRequest): void {
     this.received.push(data);
-    setTimeout(() => !this.terminated && this.port.onmessage?.({ data } as MessageEvent<BuildRequest>), 0);
+    queueMicrotask(() => !this.terminated && this.port.onmessage?.({ data } as MessageEvent<BuildRequest>));
   }
 
   terminate(): void {

@@ -2,9 +2,9 @@
 
 use crate::clip::bind;
 use crate::labels::text;
-use std::ops::ControlFlow;
+use std::collections::HashMap;
 use strut_core::database::Database;
-use strut_core::database::build::{self, BuildOptions, BuildReport, SourceClip};
+use strut_core::database::build::{self, Build, BuildOptions, BuildReport, SourceClip};
 use strut_core::humanoid::Proportions;
 use strut_core::parallel::Sequential;
 use strut_formats::corpus::{self, Clip, Entry, Labels};
@@ -69,32 +69,56 @@ impl Builder {
         Ok(())
     }
 
-    /// Builds the database of what was added.
+    /// Begins to build the database of what was added.
     ///
     /// # Errors
     /// If nothing can be built from it.
-    pub fn build(mut self, rate_hz: f32, listener: &Progress) -> Result<Built, String> {
+    pub fn begin(mut self, rate_hz: f32) -> Result<Building, String> {
         // As the command reads them: by their paths.
         self.clips.sort_by(|a, b| a.source.cmp(&b.source));
         corpus::name_apart(&mut self.clips);
         let options = BuildOptions { rate_hz, neutral: self.neutral, ..BuildOptions::default() };
-        let mut progress = |p: build::Progress| {
+        Ok(Building { build: Build::new(self.clips, &options).map_err(text)? })
+    }
+}
+
+/// A build that goes on in steps, between which messages are heard and the build may be left for a while.
+#[wasm_bindgen]
+pub struct Building {
+    build: Build<SourceClip>,
+}
+
+#[wasm_bindgen]
+impl Building {
+    /// Goes on by a few clips; whether anything was left but to finish.
+    ///
+    /// # Errors
+    /// If nothing can be built.
+    pub fn step(&mut self, listener: &Progress) -> Result<bool, String> {
+        let come = self.build.step(&Sequential).map_err(text)?;
+        if let Some(p) = come {
             listener.progress(p.stage.name(), p.done, p.total);
-            ControlFlow::Continue(())
-        };
-        let (database, report) = build::build(&self.clips, &options, &Sequential, &mut progress).map_err(text)?;
-        let refused = refused(&report, &self.clips);
-        drop(self.clips);
+        }
+        Ok(come.is_some())
+    }
+
+    /// The database, once nothing is left.
+    ///
+    /// # Errors
+    /// If nothing could be built.
+    pub fn finish(self, listener: &Progress) -> Result<Built, String> {
         listener.progress("indexing", 0, 1);
-        let built = Built::new(database, refused);
+        let sources = self.build.clips().iter().map(|c| (c.name.clone(), c.source.clone())).collect();
+        let (database, report) = self.build.finish().map_err(text)?;
+        let built = Built::new(database, refused(&report, &sources));
         listener.progress("indexing", 1, 1);
         Ok(built)
     }
 }
 
 /// Path of and reason for every clip that the build left out.
-fn refused(report: &BuildReport, clips: &[SourceClip]) -> Vec<String> {
-    let path = |name: &str| clips.iter().find(|c| c.name == name).map_or(name, |c| c.source.as_str()).to_owned();
+fn refused(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<String> {
+    let path = |name: &String| sources.get(name).unwrap_or(name).clone();
     let entry = |clip: &build::ClipReport| Some([path(&clip.name), clip.refused.as_ref()?.to_string()]);
     report.refused().filter_map(entry).flatten().collect()
 }

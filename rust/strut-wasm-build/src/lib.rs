@@ -10,7 +10,7 @@ mod clip;
 mod labels;
 
 pub use add_style::add_style;
-pub use builder::{Builder, Built, Progress};
+pub use builder::{Builder, Building, Built, Progress};
 pub use clip::Clip;
 pub use labels::{guess_pattern, labels_of, licence_title};
 

@@ -1,4 +1,5 @@
 /** Databases from labelled clips, on the present thread: what the build worker serves. */
+import type { Building } from "./pkg/strut_wasm_build";
 import { type BuildGlue, fileAt, guarded, loadBuildWasm, sentence } from "./wasm";
 
 /** What a file shows. */
@@ -53,8 +54,11 @@ export interface RefusedFile {
   reason: string;
 }
 
-/** A stage of {@link Build.finish}. */
+/** A stage of {@link Build.step} and {@link Build.finish}. */
 export type BuildStage = "preparing" | "registering" | "indexing";
+
+/** Hears how far a stage has come. */
+export type OnBuildProgress = (stage: BuildStage, done: number, total: number) => void;
 
 /** A database that was built. */
 export interface BuiltDatabase {
@@ -141,14 +145,18 @@ export class DatabaseBuilder {
   }
 }
 
-/** A build that takes its files one at a time. */
+/** A build that takes its files one at a time, and then goes on in steps. */
 export class Build {
   /** Paths in the order in which they must be added. */
   readonly order: string[];
-  private readonly raw: InstanceType<BuildGlue["Builder"]>;
+  private raw: InstanceType<BuildGlue["Builder"]> | Building;
 
-  constructor(glue: BuildGlue, files: readonly BuildFile[], neutral: string | undefined) {
-    this.raw = guarded(
+  constructor(
+    private readonly glue: BuildGlue,
+    files: readonly BuildFile[],
+    neutral: string | undefined,
+  ) {
+    const builder = guarded(
       () =>
         new glue.Builder(
           files.map((f) => f.path),
@@ -159,26 +167,42 @@ export class Build {
           neutral,
         ),
     );
-    this.order = guarded(() => this.raw.order());
+    this.raw = builder;
+    this.order = guarded(() => builder.order());
   }
 
   /** @throws StrutError with why the file cannot be used; the others can still be built without it */
   add(path: string, bytes: Uint8Array, roles?: Roles): void {
-    guarded(() => this.raw.add(path, bytes, roles));
+    const { raw } = this;
+    if (raw instanceof this.glue.Builder) guarded(() => raw.add(path, bytes, roles));
   }
 
   /**
-   * Builds the database of what was added; afterwards this object is used up.
-   * @throws StrutError if nothing can be built from it
+   * Goes on by a few clips, once all files were added; whether anything was left but to {@link finish}.
+   * @throws StrutError if nothing can be built from them
    */
-  finish(onProgress: (stage: BuildStage, done: number, total: number) => void): BuiltDatabase {
-    const progress = (stage: string, done: number, total: number) => onProgress(stage as BuildStage, done, total);
-    return databaseOf(guarded(() => this.raw.build(DATABASE_HZ, { progress })));
+  step(onProgress: OnBuildProgress): boolean {
+    return guarded(() => this.building().step({ progress: onProgress }));
+  }
+
+  /**
+   * The database of what was added; afterwards this object is used up.
+   * @throws StrutError if nothing could be built
+   */
+  finish(onProgress: OnBuildProgress): BuiltDatabase {
+    return databaseOf(guarded(() => this.building().finish({ progress: onProgress })));
   }
 
   /** Gives up what was added. */
   dispose(): void {
     this.raw.free();
+  }
+
+  private building(): Building {
+    const { raw } = this;
+    const building = raw instanceof this.glue.Builder ? raw.begin(DATABASE_HZ) : raw;
+    this.raw = building;
+    return building;
   }
 }
 

@@ -148,24 +148,31 @@ describe("a build", () => {
     );
   });
 
-  test("tells how far it is, can be cancelled, and goes on with what was read", async () => {
-    connect();
-    const chosen = Array.from({ length: 12 }, (_, index): ChosenFile => {
-      const style = index < 6 ? "neutral" : "old";
-      const path = `walk_${style}_${index % 6}.bvh`;
-      return { index, path, licence: "", action: "walk", style, take: undefined, roles: undefined };
-    });
-    await client.open(chosen.map(({ path, style }) => file(path, walks[style as "neutral" | "old"])));
+  /** Twelve walks in two styles. */
+  const TWELVE = Array.from({ length: 12 }, (_, index): ChosenFile => {
+    const style = index < 6 ? "neutral" : "old";
+    const path = `walk_${style}_${index % 6}.bvh`;
+    return { index, path, licence: "", action: "walk", style, take: undefined, roles: undefined };
+  });
+  const openTwelve = () => client.open(TWELVE.map(({ path, style }) => file(path, walks[style as "neutral" | "old"])));
+
+  /** Builds the twelve until a label says that a stage has come so far, and cancels. */
+  async function cancelAt(place: RegExp): Promise<void> {
     const controller = new AbortController();
-    const cancelled = client.build(chosen, "neutral", {
+    const cancelled = client.build(TWELVE, "neutral", {
       signal: controller.signal,
-      onProgress: ({ label }) => label.endsWith(" 3 done.") && controller.abort(),
+      onProgress: ({ label }) => place.test(label) && controller.abort(),
     });
     await expect(cancelled).rejects.toMatchObject({ code: "cancelled" });
+  }
 
+  test("tells how far it is, can be cancelled, and goes on with what was read", async () => {
+    connect();
+    await openTwelve();
+    await cancelAt(/ 3 done\.$/);
     const fractions: number[] = [];
     const labels: string[] = [];
-    const built = await client.build(chosen, "neutral", {
+    const built = await client.build(TWELVE, "neutral", {
       onProgress: ({ label, fraction }) => {
         labels.push(label);
         fractions.push(fraction);
@@ -179,7 +186,30 @@ describe("a build", () => {
     expect(workers[0]!.received.map(({ method }) => method)).toEqual(["open", "build", "pause", "build"]);
 
     // Another build has other clips.
-    const other = client.build(chosen.slice(0, 1), "neutral");
+    const other = client.build(TWELVE.slice(0, 1), "neutral");
     expect((await other).clips).toBe(1);
+  });
+
+  test("goes on with what was registered, and comes to the same", async () => {
+    connect();
+    await openTwelve();
+    const whole = await client.build(TWELVE, "neutral");
+    await openTwelve();
+    await cancelAt(/^Registering 12 clips, 8 done/);
+    const labels: string[] = [];
+    const built = await client.build(TWELVE, "neutral", { onProgress: ({ label }) => labels.push(label) });
+    expect(labels[0]).toMatch(/^Registering 12 clips, 12 done|^Sorting/);
+    const [a, b] = await Promise.all([whole, built].map(({ file }) => file.arrayBuffer()));
+    expect(Buffer.from(b!).equals(Buffer.from(a!))).toBe(true);
+  });
+
+  test("that was cancelled at its very end is there at once", async () => {
+    connect();
+    await openTwelve();
+    await cancelAt(/^Sorting/);
+    const labels: string[] = [];
+    const built = await client.build(TWELVE, "neutral", { onProgress: ({ label }) => labels.push(label) });
+    expect(built.clips).toBe(12);
+    expect(labels).toEqual([]);
   });
 });

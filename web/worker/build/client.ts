@@ -22,8 +22,8 @@ export interface BuildWorkerPort {
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
-/** A worker that reads hears of a cancellation within this time; one that registers does not. */
-const PATIENCE_MS = 1000;
+/** A worker that builds hears of a cancellation between two steps, which take less than this. */
+const PATIENCE_MS = 10_000;
 
 /** @param spawn starts a worker; the default is `build_worker.ts` in a module worker */
 export function createBuildClient(spawn: () => BuildWorkerPort = spawnWorker): BuildClient {
@@ -87,7 +87,7 @@ class WorkerBuildClient implements BuildClient {
     }
   }
 
-  /** Cancels the build at once. The worker keeps what it has read, unless it is too busy to hear of it. */
+  /** Cancels the build at once. The worker keeps what it has done, unless it is too busy to hear of it. */
   private async pause(): Promise<void> {
     const { worker } = this;
     for (const [id, call] of this.pending) {

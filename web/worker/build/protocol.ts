@@ -60,7 +60,7 @@ export interface ChosenFile extends BuildFile {
 /**
  * Database building as the page sees it. One set of files is open at a time. Rejections are `StrutError`s whose messages
  * are sentences for people. Cancelling ends the worker, whatever it is doing, and another takes its place; only a build
- * that is still reading is left where it is, and the same build goes on from there.
+ * is left where it is until other files are opened, and the same build goes on from there.
  */
 export interface BuildClient {
   /** Lists the clips among these files, which take the place of those before; nothing is unpacked yet. */

@@ -1,5 +1,5 @@
 /** The build worker's side of the wire: the files that are open, and what is made of them. */
-import { type Build, DatabaseBuilder } from "../../engine/build/builder";
+import { type Build, DatabaseBuilder, type OnBuildProgress } from "../../engine/build/builder";
 import { loadBuiltIn } from "../../engine/built_in";
 import { cancelled, toStrutError } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
@@ -55,13 +55,26 @@ export function serveBuilds(port: BuildPort): void {
   };
 }
 
+/** A build that was not finished. */
+interface BegunBuild {
+  /** What is to be built. */
+  readonly key: string;
+  readonly build: Build;
+  /** Files that were read, and those among them that could not be. */
+  read: number;
+  readonly unread: RefusedFile[];
+  /** The database, where only its answer was not wanted any more. */
+  built: BuiltDatabase | undefined;
+}
+
 class BuildServer {
   private clips: Source[] = [];
   /** Every other call is about the files that were opened before it. */
   private opening: Promise<Found> | undefined;
-  /** A build that was not finished, with what was read for it. */
-  private begun: { key: string; build: Build; read: number; unread: RefusedFile[] } | undefined;
+  private begun: BegunBuild | undefined;
   private pauseAsked = false;
+  /** Settles when no build is under way. */
+  private building: Promise<BuiltDatabase | undefined> = Promise.resolve(undefined);
 
   constructor(private readonly loading: Promise<DatabaseBuilder>) {
     // Whoever calls first hears of it.
@@ -71,6 +84,7 @@ class BuildServer {
   async answer(call: BuildCall, caller: Caller): Promise<BuildResults[BuildCall["method"]]> {
     if (call.method === "pause") {
       this.pauseAsked = true;
+      await this.building.catch(() => {});
       return undefined;
     }
     if (call.method === "open") {
@@ -86,7 +100,8 @@ class BuildServer {
       case "preview":
         return builder.preview(await this.clips[call.index]!.read(), call.roles);
       case "build":
-        return this.build(builder, call.files, call.neutral, caller);
+        this.building = this.build(builder, call.files, call.neutral, caller);
+        return this.building;
       case "addStyle":
         return this.addStyle(builder, call.database, call.clip, call.style, caller);
     }
@@ -162,10 +177,12 @@ class BuildServer {
     const key = JSON.stringify([files, neutral]);
     if (this.begun?.key !== key) {
       this.forgetBuild();
-      this.begun = { key, build: builder.begin(files, neutral), read: 0, unread: [] };
+      this.begun = { key, build: builder.begin(files, neutral), read: 0, unread: [], built: undefined };
     }
     const { begun } = this;
     const { build, unread } = begun;
+    // What fails cannot go on: only a pause keeps it.
+    this.begun = undefined;
     this.pauseAsked = false;
     while (begun.read < build.order.length) {
       const done = begun.read;
@@ -173,8 +190,7 @@ class BuildServer {
       caller.report({ label: `Reading ${total} clips, ${done} done.`, fraction: (SHARES.reading * done) / total });
       const { index, roles } = byPath.get(path)!;
       const bytes = await this.clips[index]!.read().catch((thrown) => reasonOf(thrown));
-      await otherMessages();
-      if (this.pauseAsked) throw cancelled();
+      await this.mayPause(begun);
       try {
         if (typeof bytes === "string") unread.push({ path, reason: bytes });
         else build.add(path, bytes, roles);
@@ -183,13 +199,26 @@ class BuildServer {
       }
       begun.read += 1;
     }
-    this.begun = undefined;
-    const database = build.finish((stage, done, of) => caller.report(buildProgress(stage, done, of)));
-    return { ...database, refused: [...unread, ...database.refused] };
+    const report: OnBuildProgress = (stage, done, of) => caller.report(buildProgress(stage, done, of));
+    while (begun.built === undefined && build.step(report)) await this.mayPause(begun);
+    begun.built ??= build.finish(report);
+    await this.mayPause(begun);
+    return { ...begun.built, refused: [...unread, ...begun.built.refused] };
+  }
+
+  /**
+   * Hears what has been asked meanwhile.
+   * @throws StrutError `cancelled` where the build is to be left as it is
+   */
+  private async mayPause(begun: BegunBuild): Promise<void> {
+    await otherMessages();
+    if (!this.pauseAsked) return;
+    this.begun = begun;
+    throw cancelled();
   }
 
   private forgetBuild(): void {
-    this.begun?.build.dispose();
+    if (this.begun?.built === undefined) this.begun?.build.dispose();
     this.begun = undefined;
   }
 }

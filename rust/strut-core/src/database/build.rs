@@ -14,8 +14,11 @@ pub use report::{ActionReport, BuildReport, ClipReport, Refusal};
 use super::{Database, DatabaseError, MAX_FRAMES};
 use crate::humanoid::HumanoidMotion;
 use crate::parallel::ParallelMap;
-use crate::registration::{self, Example};
+use crate::pose_vector::PoseChart;
+use crate::registration::{self, Begun, Example};
 use assemble::Kept;
+use prepare::{Labels, Preparation, Prepared};
+use std::borrow::Borrow;
 use std::ops::{ControlFlow, RangeInclusive};
 use thiserror::Error;
 
@@ -145,11 +148,9 @@ pub enum BuildError {
     Database(#[from] DatabaseError),
 }
 
-/// Builds a database.
+/// Builds a database from beginning to end: [`Build`] without a pause.
 ///
-/// Clips are sorted by action, style, take and name. A clip that cannot be used is refused with a reason
-/// and reported, and the others are built without it. `progress` is told of every batch of clips and may
-/// cancel.
+/// `progress` is told of every batch of clips and may cancel.
 ///
 /// # Errors
 /// See [`BuildError`].
@@ -159,61 +160,192 @@ pub fn build(
     executor: &impl ParallelMap,
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<(Database, BuildReport), BuildError> {
-    if clips.is_empty() {
-        return Err(BuildError::NoClips);
-    }
-    if !RATES_HZ.contains(&options.rate_hz) {
-        return Err(BuildError::Rate(options.rate_hz));
-    }
-    let mut clips: Vec<&SourceClip> = clips.iter().collect();
-    clips.sort_by(|a, b| (&a.action, &a.style, a.take, &a.name).cmp(&(&b.action, &b.style, b.take, &b.name)));
-    let mut report = BuildReport { actions: Vec::new(), clips: clips.iter().map(|c| empty_report(c)).collect() };
-
-    let prepared = prepare::prepare(&clips, options, executor, &mut |done| {
-        progress(Progress { stage: Stage::Preparing, done, total: clips.len() })
-    })?;
-    let mut usable: Vec<(usize, Example)> = Vec::new();
-    for (i, (example, entry)) in prepared.examples.into_iter().zip(&mut report.clips).enumerate() {
-        match example {
-            Ok(example) => {
-                entry.frames = example.frames();
-                entry.turn = example.turn(options.rate_hz);
-                usable.push((i, example));
-            }
-            Err(refusal) => entry.refused = Some(refusal),
+    let mut build = Build::new(clips.iter().collect(), options)?;
+    while let Some(come) = build.step(executor)? {
+        if progress(come).is_break() {
+            return Err(BuildError::Cancelled);
         }
     }
-    let frames = usable.iter().map(|(_, e)| e.frames()).sum();
-    if frames > MAX_FRAMES {
-        return Err(BuildError::TooManyFrames(frames));
-    }
+    build.finish()
+}
 
-    let mut kept: Vec<Kept> = Vec::new();
-    let (mut done, total) = (0, usable.len());
-    let mut rest = usable.into_iter().peekable();
-    while let Some(&(first, _)) = rest.peek() {
-        let of_action = |(i, _): &(usize, Example)| clips[*i].action == clips[first].action;
-        let (indices, examples): (Vec<usize>, Vec<Example>) = std::iter::from_fn(|| rest.next_if(of_action)).unzip();
-        let job = registration::Job {
-            examples: &examples,
-            styles: prepared.labels.styles.len(),
-            neutral: prepared.labels.neutral,
+/// A build in steps: between two of them whoever runs it may do other things, and stop and go on as they like. The
+/// result does not depend on it. `C` is a [`SourceClip`] or a reference to one.
+///
+/// Clips are sorted by action, style, take and name. A clip that cannot be used is refused with a reason
+/// and reported, and the others are built without it.
+pub struct Build<C> {
+    clips: Vec<C>,
+    options: BuildOptions,
+    report: BuildReport,
+    work: Work,
+}
+
+/// What a build is at.
+enum Work {
+    Preparing(Preparation),
+    Registering(Box<Registering>),
+}
+
+/// Actions that were registered, the one that is, and those that are not yet.
+struct Registering {
+    labels: Labels,
+    chart: PoseChart,
+    kept: Vec<Kept>,
+    begun: Option<(OfAction, Begun)>,
+    /// The next one is the last.
+    rest: Vec<OfAction>,
+    done: usize,
+    total: usize,
+}
+
+/// The examples of an action, and their numbers among the clips.
+struct OfAction {
+    indices: Vec<usize>,
+    examples: Vec<Example>,
+}
+
+impl OfAction {
+    fn job<'a>(&'a self, labels: &Labels, options: &'a BuildOptions) -> registration::Job<'a> {
+        registration::Job {
+            examples: &self.examples,
+            styles: labels.styles.len(),
+            neutral: labels.neutral,
             rate_hz: options.rate_hz,
             options: &options.registration,
+        }
+    }
+}
+
+impl<C: Borrow<SourceClip> + Sync> Build<C> {
+    /// A build of these clips.
+    ///
+    /// # Errors
+    /// If there are none, or the rate is out of range.
+    pub fn new(mut clips: Vec<C>, options: &BuildOptions) -> Result<Self, BuildError> {
+        if clips.is_empty() {
+            return Err(BuildError::NoClips);
+        }
+        if !RATES_HZ.contains(&options.rate_hz) {
+            return Err(BuildError::Rate(options.rate_hz));
+        }
+        clips.sort_by(|a, b| {
+            let [a, b] = [a.borrow(), b.borrow()];
+            (&a.action, &a.style, a.take, &a.name).cmp(&(&b.action, &b.style, b.take, &b.name))
+        });
+        let entries = clips.iter().map(|c| empty_report(c.borrow())).collect();
+        let report = BuildReport { actions: Vec::new(), clips: entries };
+        let work = Work::Preparing(Preparation::default());
+        Ok(Self { clips, options: options.clone(), report, work })
+    }
+
+    /// The clips in the order of the database.
+    pub fn clips(&self) -> &[C] {
+        &self.clips
+    }
+
+    /// Goes on by a batch of clips, and says how far it has come; `None` when nothing is left but to
+    /// [`finish`](Build::finish).
+    ///
+    /// # Errors
+    /// See [`BuildError`]; the build cannot go on afterwards.
+    pub fn step(&mut self, executor: &impl ParallelMap) -> Result<Option<Progress>, BuildError> {
+        match &mut self.work {
+            Work::Preparing(preparation) => {
+                if preparation.step(&self.clips, &self.options, executor) {
+                    let (done, total) = (preparation.done(), self.clips.len());
+                    return Ok(Some(Progress { stage: Stage::Preparing, done, total }));
+                }
+                let prepared = std::mem::take(preparation).finish(&self.clips, &self.options, executor)?;
+                let registering = self.registering(prepared)?;
+                let total = registering.total;
+                self.work = Work::Registering(Box::new(registering));
+                Ok(Some(Progress { stage: Stage::Registering, done: 0, total }))
+            }
+            Work::Registering(registering) => {
+                let going_on = registering.step(&self.options, &mut self.report, executor);
+                let (done, total) = (registering.done(), registering.total);
+                Ok(going_on.then_some(Progress { stage: Stage::Registering, done, total }))
+            }
+        }
+    }
+
+    /// The database of what was registered.
+    ///
+    /// # Errors
+    /// If nothing was.
+    pub fn finish(self) -> Result<(Database, BuildReport), BuildError> {
+        let Self { clips, options, report, work } = self;
+        let Work::Registering(registering) = work else { return Err(BuildError::NoClips) };
+        let Registering { labels, chart, kept, .. } = *registering;
+        if kept.is_empty() {
+            let first = report.refused().next().and_then(|c| Some((c.name.clone(), c.refused.clone()?)));
+            return Err(first.map_or(BuildError::NoClips, |(name, reason)| BuildError::NothingLeft { name, reason }));
+        }
+        let parts = assemble::parts(&clips, &kept, labels, &chart, &options);
+        Ok((Database::new(parts)?, report))
+    }
+
+    /// What there is to register: the examples that can be used, action by action.
+    fn registering(&mut self, prepared: Prepared) -> Result<Registering, BuildError> {
+        let Prepared { labels, chart, examples } = prepared;
+        let (mut frames, mut total) = (0, 0);
+        let mut rest: Vec<OfAction> = Vec::new();
+        for (i, (example, entry)) in examples.into_iter().zip(&mut self.report.clips).enumerate() {
+            let example = match example {
+                Ok(example) => example,
+                Err(refusal) => {
+                    entry.refused = Some(refusal);
+                    continue;
+                }
+            };
+            entry.frames = example.frames();
+            entry.turn = example.turn(self.options.rate_hz);
+            frames += example.frames();
+            total += 1;
+            let action = |i: usize| &self.clips[i].borrow().action;
+            let known = rest.last_mut().filter(|last| last.indices.first().is_some_and(|&j| action(i) == action(j)));
+            match known {
+                Some(last) => {
+                    last.indices.push(i);
+                    last.examples.push(example);
+                }
+                None => rest.push(OfAction { indices: vec![i], examples: vec![example] }),
+            }
+        }
+        if frames > MAX_FRAMES {
+            return Err(BuildError::TooManyFrames(frames));
+        }
+        rest.reverse();
+        Ok(Registering { labels, chart, kept: Vec::new(), begun: None, rest, done: 0, total })
+    }
+}
+
+impl Registering {
+    /// Examples of the actions that are finished, and those of the present one that are done.
+    fn done(&self) -> usize {
+        self.done + self.begun.as_ref().map_or(0, |(_, begun)| begun.done())
+    }
+
+    /// Begins an action, goes on with it, or finishes it; whether there was anything to do.
+    fn step(&mut self, options: &BuildOptions, report: &mut BuildReport, executor: &impl ParallelMap) -> bool {
+        let Some((of, mut begun)) = self.begun.take() else {
+            let Some(of) = self.rest.pop() else { return false };
+            let begun = of.job(&self.labels, options).begin(executor);
+            self.begun = Some((of, begun));
+            return true;
         };
-        let outcome = job
-            .run(executor, &mut |n| progress(Progress { stage: Stage::Registering, done: done + n, total }))
-            .ok_or(BuildError::Cancelled)?;
-        done += examples.len();
-        describe(&mut report, &indices, &outcome, options.rate_hz);
-        assemble::keep(&mut kept, indices, examples, outcome.clips);
+        if of.job(&self.labels, options).step(&mut begun, executor) {
+            self.begun = Some((of, begun));
+            return true;
+        }
+        let outcome = of.job(&self.labels, options).finish(begun);
+        let OfAction { indices, examples } = of;
+        self.done += examples.len();
+        describe(report, &indices, &outcome, options.rate_hz);
+        assemble::keep(&mut self.kept, indices, examples, outcome.clips);
+        true
     }
-    if kept.is_empty() {
-        let first = report.refused().next().and_then(|c| Some((c.name.clone(), c.refused.clone()?)));
-        return Err(first.map_or(BuildError::NoClips, |(name, reason)| BuildError::NothingLeft { name, reason }));
-    }
-    let parts = assemble::parts(&clips, &kept, prepared.labels, &prepared.chart, options);
-    Ok((Database::new(parts)?, report))
 }
 
 fn empty_report(clip: &SourceClip) -> ClipReport {

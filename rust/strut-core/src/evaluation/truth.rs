@@ -8,7 +8,7 @@ use crate::metrics::Points;
 use crate::parallel::Sequential;
 use crate::pose_vector::PoseChart;
 use crate::registration::{Example, Job, Options};
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 
 /// Frames that a warp passes in one frame at most (its slope limit, and a little for smoothing); more is another
 /// cycle.
@@ -68,7 +68,7 @@ pub fn align(source: &HumanoidMotion, others: &[&HumanoidMotion]) -> Option<Alig
     let options = Options { counterparts: 1, ..Options::default() };
     let job =
         Job { examples: &examples, styles: motions.len(), neutral: 0, rate_hz: source.rate_hz, options: &options };
-    let outcome = job.run(&Sequential, &mut |_| ControlFlow::Continue(()))?;
+    let outcome = job.run(&Sequential);
     let of_source = outcome.clips.first()?.as_ref().ok()?;
     let whole = || std::iter::once(0..examples[0].frames()).collect();
     let segments = if of_source.cycles.is_empty() { whole() } else { of_source.cycles.clone() };

@@ -30,7 +30,8 @@ use crate::pose_vector::{HEADING_RATE, PoseRow};
 use features::Feature;
 use gait::{Segment, SegmentKind};
 use matching::Warper;
-use std::ops::{ControlFlow, Range};
+use pairing::Paired;
+use std::ops::Range;
 use thiserror::Error;
 pub(crate) use timeline::time_steps;
 use timeline::{CanonicalTime, Reference};
@@ -229,7 +230,7 @@ pub struct Job<'a> {
     pub options: &'a Options,
 }
 
-/// Examples handed to the executor at a time: between two batches progress is told and stopping possible.
+/// Examples handed to the executor at a time: between two batches other things can be done.
 const BATCH: usize = 8;
 /// A clip turns the other way if it turns by more than the first angle against the action's usual turn of
 /// more than the second, which is usual if this share of the clips turns so; radians.
@@ -237,16 +238,41 @@ const OPPOSITE_TURN: f32 = 0.6;
 const USUAL_TURN: f32 = 0.9;
 const USUAL_TURN_SHARE: f32 = 0.7;
 
+/// What a registration has found so far; see [`Job::begin`].
+#[derive(Clone, Debug, Default)]
+pub struct Begun {
+    locomotion: bool,
+    /// Why an example takes no part.
+    refusals: Vec<Option<Refusal>>,
+    cuts: Vec<(Vec<Segment>, Vec<FaultyCycle>)>,
+    features: Vec<Vec<Feature>>,
+    reference: Option<Reference>,
+    times: Vec<Option<CanonicalTime>>,
+    /// Of the examples that take part, as far as they are done.
+    paired: Vec<Paired>,
+    /// Where all of it is known beforehand.
+    outcome: Option<Outcome>,
+}
+
+impl Begun {
+    /// Examples whose counterparts are known.
+    pub fn done(&self) -> usize {
+        self.paired.len()
+    }
+}
+
 impl Job<'_> {
-    /// Registers the action. `progress` is told of examples done, and may stop the work: `None`.
-    pub fn run(
-        &self,
-        executor: &impl ParallelMap,
-        progress: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Option<Outcome> {
+    /// Registers the action from beginning to end.
+    pub fn run(&self, executor: &impl ParallelMap) -> Outcome {
+        let mut begun = self.begin(executor);
+        while self.step(&mut begun, executor) {}
+        self.finish(begun)
+    }
+
+    /// Cuts, describes and times the examples, which takes little of a registration's time.
+    pub fn begin(&self, executor: &impl ParallelMap) -> Begun {
         if self.examples.iter().all(|e| e.script.is_some()) {
-            let outcome = script::register(self);
-            return progress(self.examples.len()).is_continue().then_some(outcome);
+            return Begun { outcome: Some(script::register(self)), ..Begun::default() };
         }
         let mut refusals = self.wrong_turns();
         let locomotion = gait::is_locomotion(self.examples, self.rate_hz);
@@ -258,39 +284,35 @@ impl Job<'_> {
         }
         let features = self.features(&refusals, &cuts, locomotion, executor);
         let reference = self.reference(&refusals, &cuts, &features, locomotion);
-        let mut times = self.canonical_times(&mut refusals, &cuts, &features, reference.as_ref(), executor);
-        let parts: Vec<pairing::Part> = (0..self.examples.len())
-            .filter(|&i| refusals[i].is_none())
-            .map(|i| self.part(i, &features[i], &cuts[i].0))
-            .collect();
-        let mut paired = Vec::with_capacity(parts.len());
-        for batch in parts.chunks(BATCH) {
-            paired.extend(executor.map(batch.len(), &|i| {
-                let mut warper = Warper::new(self.options, self.rate_hz);
-                pairing::pair(&batch[i], &parts, 0..self.styles, self.options, &mut warper)
-            }));
-            if progress(paired.len()).is_break() {
-                return None;
-            }
+        let times = self.canonical_times(&mut refusals, &cuts, &features, reference.as_ref(), executor);
+        Begun { locomotion, refusals, cuts, features, reference, times, paired: Vec::new(), outcome: None }
+    }
+
+    /// Finds the counterparts of a few more examples; whether there were any left.
+    pub fn step(&self, begun: &mut Begun, executor: &impl ParallelMap) -> bool {
+        let parts = self.parts(begun);
+        let from = begun.paired.len().min(parts.len());
+        let batch = &parts[from..parts.len().min(from + BATCH)];
+        let paired = executor.map(batch.len(), &|i| {
+            let mut warper = Warper::new(self.options, self.rate_hz);
+            pairing::pair(&batch[i], &parts, 0..self.styles, self.options, &mut warper)
+        });
+        let any = !paired.is_empty();
+        begun.paired.extend(paired);
+        any
+    }
+
+    /// What was found, once [`Job::step`] has nothing left.
+    pub fn finish(&self, begun: Begun) -> Outcome {
+        if let Some(outcome) = begun.outcome {
+            return outcome;
         }
-        if let Some(reference) = &reference {
-            let neutral = usize::from(self.neutral);
-            let agreed: Vec<Option<CanonicalTime>> = parts
-                .iter()
-                .zip(&paired)
-                .map(|(part, paired)| {
-                    let neutral = paired.counterparts.iter().skip(neutral).step_by(self.styles);
-                    Some(timeline::agreed(times[part.example].as_ref()?, neutral, &times, reference, self.rate_hz))
-                })
-                .collect();
-            for (part, time) in parts.iter().zip(agreed) {
-                times[part.example] = time;
-            }
-        }
+        let agreed = self.agreed_times(&begun);
+        let Begun { locomotion, refusals, cuts, reference, paired, .. } = begun;
         let mut paired = paired.into_iter();
         let clips = refusals
             .into_iter()
-            .zip(times)
+            .zip(agreed)
             .zip(cuts)
             .map(|((refusal, time), (segments, faulty_cycles))| match (refusal, time) {
                 (None, Some(time)) => {
@@ -308,12 +330,30 @@ impl Job<'_> {
                 (refusal, _) => Err(refusal.unwrap_or(Refusal::NoWarp)),
             })
             .collect();
-        progress(self.examples.len()).is_continue().then(|| Outcome {
+        Outcome {
             method: if locomotion { Method::Cycles } else { Method::WholeClips },
             reference: reference.as_ref().map(|r| r.example),
             canonical_frames: reference.as_ref().map_or(0.0, Reference::canonical_frames),
             clips,
-        })
+        }
+    }
+
+    /// The examples that take part.
+    fn parts<'b>(&'b self, begun: &'b Begun) -> Vec<pairing::Part<'b>> {
+        let Begun { refusals, features, cuts, .. } = begun;
+        (0..refusals.len()).filter(|&i| refusals[i].is_none()).map(|i| self.part(i, &features[i], &cuts[i].0)).collect()
+    }
+
+    /// The canonical times that the counterparts agree on; `None` for examples that take no part.
+    fn agreed_times(&self, begun: &Begun) -> Vec<Option<CanonicalTime>> {
+        let Begun { refusals, reference, times, paired, .. } = begun;
+        let mut paired = paired.iter();
+        let agreed = |(refusal, time): (&Option<Refusal>, &Option<CanonicalTime>)| {
+            let counterparts = if refusal.is_none() { &paired.next()?.counterparts } else { return None };
+            let neutral = counterparts.iter().skip(usize::from(self.neutral)).step_by(self.styles);
+            Some(timeline::agreed(time.as_ref()?, neutral, times, reference.as_ref()?, self.rate_hz))
+        };
+        refusals.iter().zip(times).map(agreed).collect()
     }
 
     /// Clips that turn against the direction in which most clips of the action turn.

@@ -118,7 +118,7 @@ fn a_blow_falls_on_the_blow_of_a_clip_that_shows_more() {
     for warp in [WarpMethod::Dtw, WarpMethod::Imw] {
         let options = Options { warp, ..Options::default() };
         let job = Job { examples: &examples, styles: 2, neutral: 0, rate_hz: RATE_HZ, options: &options };
-        let outcome = job.run(&Sequential, &mut |_| ControlFlow::Continue(())).unwrap();
+        let outcome = job.run(&Sequential);
         assert_eq!(outcome.method, Method::WholeClips);
         let counterparts = &outcome.clips[1].as_ref().unwrap().counterparts;
         // From drawing back to the far end of the blow.

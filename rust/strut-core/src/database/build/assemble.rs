@@ -5,6 +5,7 @@ use super::{BuildOptions, SourceClip};
 use crate::database::{Clip, DatabaseParts};
 use crate::pose_vector::PoseChart;
 use crate::registration::{self, Counterpart, Example, Registered};
+use std::borrow::Borrow;
 
 /// A clip that enters the database.
 pub(super) struct Kept {
@@ -42,14 +43,14 @@ pub(super) fn keep(
 }
 
 /// The database's parts. Labels that no clip is left with are dropped.
-pub(super) fn parts(
-    clips: &[&SourceClip],
+pub(super) fn parts<C: Borrow<SourceClip>>(
+    clips: &[C],
     kept: &[Kept],
     labels: Labels,
     chart: &PoseChart,
     options: &BuildOptions,
 ) -> DatabaseParts {
-    let source = |k: &Kept| clips[k.source];
+    let source = |k: &Kept| clips[k.source].borrow();
     let used = |name: &String, of: fn(&SourceClip) -> &String| kept.iter().any(|k| of(source(k)) == name);
     let actions: Vec<String> = labels.actions.iter().filter(|a| used(a, |c| &c.action)).cloned().collect();
     let kept_styles: Vec<usize> = (0..labels.styles.len()).filter(|&s| used(&labels.styles[s], |c| &c.style)).collect();
@@ -66,7 +67,7 @@ pub(super) fn parts(
         .collect();
     let mut parts = DatabaseParts {
         rate_hz: options.rate_hz,
-        proportions: clips[kept[0].source].motion.proportions,
+        proportions: source(&kept[0]).motion.proportions,
         chart: *chart,
         clips: Vec::with_capacity(kept.len()),
         pose: Vec::with_capacity(first_frame),

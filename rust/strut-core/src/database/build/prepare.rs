@@ -9,10 +9,10 @@ use crate::pose_vector::{
     HEADING_RATE, HeadingFilter, Placement, PoseChart, PoseRow, VELOCITY_X, VELOCITY_Z, point_cloud,
 };
 use crate::registration::Example;
+use std::borrow::Borrow;
 use std::collections::BTreeSet;
-use std::ops::ControlFlow;
 
-/// Clips handed to the executor at a time: between two batches progress is told and cancelling possible.
+/// Clips handed to the executor at a time: between two batches other things can be done.
 const BATCH: usize = 24;
 /// The chart's means are taken over at most about this many neutral poses: more change nothing.
 const CHART_POSES: usize = 4096;
@@ -24,7 +24,7 @@ pub(super) struct Labels {
     pub(super) neutral: u16,
 }
 
-/// What [`prepare`] makes of the clips.
+/// What [`Preparation::finish`] makes of the clips.
 pub(super) struct Prepared {
     pub(super) labels: Labels,
     pub(super) chart: PoseChart,
@@ -38,38 +38,59 @@ struct Resampled {
     script: Option<(u32, Vec<f32>)>,
 }
 
-/// Checks, resamples and encodes every clip.
-pub(super) fn prepare(
-    clips: &[&SourceClip],
-    options: &BuildOptions,
-    executor: &impl ParallelMap,
-    progress: &mut dyn FnMut(usize) -> ControlFlow<()>,
-) -> Result<Prepared, BuildError> {
-    let mut resampled: Vec<Result<Resampled, Refusal>> = Vec::with_capacity(clips.len());
-    for batch in clips.chunks(BATCH) {
-        resampled.extend(executor.map(batch.len(), &|i| resample(batch[i], clips[0], options.rate_hz)));
-        if progress(resampled.len()).is_break() {
-            return Err(BuildError::Cancelled);
-        }
+/// Clips checked and resampled so far.
+#[derive(Default)]
+pub(super) struct Preparation {
+    resampled: Vec<Result<Resampled, Refusal>>,
+}
+
+impl Preparation {
+    /// Number of clips that are done.
+    pub(super) fn done(&self) -> usize {
+        self.resampled.len()
     }
-    let labels = labels(clips, &resampled, options)?;
-    let neutral_clips = || {
-        clips.iter().zip(&resampled).filter_map(|(c, r)| {
-            let r = r.as_ref().ok()?;
-            (c.style == labels.styles[usize::from(labels.neutral)]).then_some(r)
-        })
-    };
-    let stride = neutral_clips().map(|r| r.motion.poses.len()).sum::<usize>().div_ceil(CHART_POSES).max(1);
-    let chart = PoseChart::from_poses(
-        neutral_clips().flat_map(|r| r.motion.poses.iter().zip(r.headings.iter().copied())).step_by(stride),
-    );
-    let examples = executor.map(clips.len(), &|i| {
-        let style = labels.styles.binary_search(&clips[i].style).unwrap_or(0) as u16;
-        let encoded =
-            |r: &Resampled| Example { script: r.script.clone(), ..encode(&r.motion, &r.headings, style, &chart) };
-        resampled[i].as_ref().map(encoded).map_err(Clone::clone)
-    });
-    Ok(Prepared { labels, chart, examples })
+
+    /// Checks and resamples a few more clips; whether there were any left.
+    pub(super) fn step<C: Borrow<SourceClip> + Sync>(
+        &mut self,
+        clips: &[C],
+        options: &BuildOptions,
+        executor: &impl ParallelMap,
+    ) -> bool {
+        let from = self.resampled.len().min(clips.len());
+        let batch = &clips[from..clips.len().min(from + BATCH)];
+        let one = |i: usize| resample(batch[i].borrow(), clips[0].borrow(), options.rate_hz);
+        self.resampled.extend(executor.map(batch.len(), &one));
+        !batch.is_empty()
+    }
+
+    /// Encodes all clips, once [`Preparation::step`] has nothing left.
+    pub(super) fn finish<C: Borrow<SourceClip> + Sync>(
+        self,
+        clips: &[C],
+        options: &BuildOptions,
+        executor: &impl ParallelMap,
+    ) -> Result<Prepared, BuildError> {
+        let Self { resampled } = self;
+        let labels = labels(clips, &resampled, options)?;
+        let neutral_clips = || {
+            clips.iter().zip(&resampled).filter_map(|(c, r)| {
+                let r = r.as_ref().ok()?;
+                (c.borrow().style == labels.styles[usize::from(labels.neutral)]).then_some(r)
+            })
+        };
+        let stride = neutral_clips().map(|r| r.motion.poses.len()).sum::<usize>().div_ceil(CHART_POSES).max(1);
+        let chart = PoseChart::from_poses(
+            neutral_clips().flat_map(|r| r.motion.poses.iter().zip(r.headings.iter().copied())).step_by(stride),
+        );
+        let examples = executor.map(clips.len(), &|i| {
+            let style = labels.styles.binary_search(&clips[i].borrow().style).unwrap_or(0) as u16;
+            let encoded =
+                |r: &Resampled| Example { script: r.script.clone(), ..encode(&r.motion, &r.headings, style, &chart) };
+            resampled[i].as_ref().map(encoded).map_err(Clone::clone)
+        });
+        Ok(Prepared { labels, chart, examples })
+    }
 }
 
 fn resample(clip: &SourceClip, first: &SourceClip, rate_hz: f32) -> Result<Resampled, Refusal> {
@@ -146,12 +167,12 @@ pub(crate) fn encode(motion: &HumanoidMotion, headings: &[f32], style: u16, char
 }
 
 /// Labels of the clips that can be used.
-fn labels(
-    clips: &[&SourceClip],
+fn labels<C: Borrow<SourceClip>>(
+    clips: &[C],
     resampled: &[Result<Resampled, Refusal>],
     options: &BuildOptions,
 ) -> Result<Labels, BuildError> {
-    let usable = || clips.iter().zip(resampled).filter(|(_, r)| r.is_ok()).map(|(c, _)| c);
+    let usable = || clips.iter().zip(resampled).filter(|(_, r)| r.is_ok()).map(|(c, _)| c.borrow());
     let names = |name: fn(&SourceClip) -> &String| -> Vec<String> {
         usable().map(|c| name(c).clone()).collect::<BTreeSet<_>>().into_iter().collect()
     };
@@ -159,7 +180,7 @@ fn labels(
     if let Some(Err(reason)) = resampled.first()
         && styles.is_empty()
     {
-        return Err(BuildError::NothingLeft { name: clips[0].name.clone(), reason: reason.clone() });
+        return Err(BuildError::NothingLeft { name: clips[0].borrow().name.clone(), reason: reason.clone() });
     }
     let most = actions.len().max(styles.len());
     if most > usize::from(u16::MAX) {
