@@ -57,7 +57,7 @@ describe("the page", () => {
     };
     expect(travel("left")).toBeGreaterThan(20);
     expect(travel("right")).toBeGreaterThan(20);
-    const stage = (await page.locator("main canvas").first().boundingBox())!;
+    const stage = (await page.locator(".stage-view").boundingBox())!;
     for (const { head } of places) {
       expect(head.x).toBeGreaterThan(stage.x);
       expect(head.x).toBeLessThan(stage.x + stage.width);

@@ -197,11 +197,6 @@ export class App {
     this.#listen();
   }
 
-  /** What may be done before there is an engine: the first picture is prepared while that is loaded. */
-  prepare(): Promise<void> {
-    return this.#stage.viewer.warmUp();
-  }
-
   /** Takes the engine and opens what the link asks for. */
   async start(client: StrutClient): Promise<void> {
     const session = new Session(client, this.#progress, {

@@ -5,7 +5,7 @@ import "./styles/controls.css";
 import "./styles/polygon.css";
 import "./styles/timeline.css";
 import "./styles/narrow.css";
-import type { Role } from "../viewer";
+import { graphics, type Role } from "../viewer";
 import { startStrutClient } from "../worker/client";
 import { App } from "./app";
 import { errorText } from "./words";
@@ -19,15 +19,8 @@ function refuse(root: HTMLElement, sentence: string): void {
   root.replaceChildren(text);
 }
 
-/** Whether the browser can draw the stage. */
-function hasWebGl2(): boolean {
-  const context = document.createElement("canvas").getContext("webgl2");
-  context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return context !== null;
-}
-
 async function start(root: HTMLElement): Promise<void> {
-  if (!hasWebGl2()) {
+  if (graphics() === "none") {
     refuse(
       root,
       "Strut draws with WebGL 2, which this browser does not offer. Switch on hardware acceleration or use another browser.",
@@ -36,9 +29,9 @@ async function start(root: HTMLElement): Promise<void> {
   }
   // The page is built, and asks for its database, while the engine loads.
   const client = startStrutClient();
+  // Asking for the graphics took its time: what the browser has to do comes before the page is built.
+  await new Promise((resolve) => setTimeout(resolve));
   const app = new App(root);
-  // What it cannot prepare is made when it is needed.
-  app.prepare().catch(() => {});
   window.strut = {
     get frame() {
       return app.frame;

@@ -54,6 +54,7 @@ export class Stage {
   /** Whether nothing is drawn: not even the finer picture of what stands still, which takes its time. */
   frozen = false;
   #drawUntil = 0;
+  #drawnAt = 0;
   #readOutAt = 0;
 
   constructor(theme: "dark" | "light", listeners: StageListeners) {
@@ -95,7 +96,7 @@ export class Stage {
     });
     this.#view.addEventListener("click", ({ clientX: x, clientY: y }) => {
       if (this.#lent || !down || Math.hypot(x - down.x, y - down.y) > CLICK_PX) return;
-      const box = this.viewer.canvas.getBoundingClientRect();
+      const box = this.#view.getBoundingClientRect();
       const joint = this.viewer.jointAt(x - box.left, y - box.top);
       if (joint) onJoint(joint);
     });
@@ -190,10 +191,20 @@ export class Stage {
     }
   }
 
-  /** The picture, drawn so that it can be read now. */
-  snapshot(): HTMLCanvasElement {
-    this.viewer.redraw(performance.now() / 1000);
-    return this.viewer.canvas;
+  /** A copy of the picture as it is drawn next. */
+  async nextPicture(): Promise<HTMLCanvasElement> {
+    for (;;) {
+      this.invalidate();
+      this.viewer.invalidate();
+      const now = await new Promise(requestAnimationFrame);
+      const picture = this.pictureOf(now);
+      if (picture) return picture;
+    }
+  }
+
+  /** A copy of the picture if it was drawn in this frame of the browser, in which it can be read. */
+  pictureOf(now: number): HTMLCanvasElement | undefined {
+    return this.#drawnAt === now ? this.viewer.copy() : undefined;
   }
 
   /** Asks for the picture to be drawn for a while. */
@@ -204,12 +215,12 @@ export class Stage {
   /** Draws if anything may have changed, and until the viewer has drawn its still picture. */
   draw(now: number): void {
     if (this.frozen) return;
-    if (now < this.#drawUntil || !this.viewer.still) this.viewer.render(now / 1000);
+    if ((now < this.#drawUntil || !this.viewer.still) && this.viewer.render(now / 1000)) this.#drawnAt = now;
   }
 
   /** Place of a joint in the page, CSS pixels. */
   jointPosition(role: Role): { x: number; y: number } {
-    const box = this.viewer.canvas.getBoundingClientRect();
+    const box = this.#view.getBoundingClientRect();
     const { x, y } = this.viewer.jointScreenPosition(role);
     return { x: box.left + x, y: box.top + y };
   }

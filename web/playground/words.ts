@@ -28,9 +28,9 @@ export function numberWord(n: number): string {
   return NUMBERS[n] ?? String(n);
 }
 
-/** A large number in groups of three. */
+/** A large whole number in groups of three. */
 export function grouped(n: number): string {
-  return n.toLocaleString("en").replaceAll(",", "\u202f");
+  return String(n).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 }
 
 /** Bytes for people. */

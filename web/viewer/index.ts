@@ -12,6 +12,7 @@ export {
   restPose,
   worldFromLocal,
 } from "./humanoid";
+export { graphics } from "./stage/graphics";
 export type { CameraView } from "./stage/orbit_camera";
 export type { ThemeName } from "./themes";
 export { type GhostMode, type TraceMode, VIEWER_DEFAULTS, Viewer, type ViewerOptions } from "./viewer";

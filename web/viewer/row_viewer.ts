@@ -70,6 +70,7 @@ export class RowViewer {
     this.#stage.onInvalid = () => {
       this.#changed = true;
     };
+    this.#stage.onIdle = () => this.render(this.#lastTime ?? 0);
     this.#stage.applyQuality();
     this.#applyTheme();
   }
@@ -129,7 +130,7 @@ export class RowViewer {
     this.#changed = true;
   }
 
-  /** Draws a frame; `timeSecs` is any clock that does not run backwards. */
+  /** Draws a frame, unless those before are still being drawn; `timeSecs` is any clock that does not run backwards. */
   render(timeSecs: number): void {
     const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
     this.#lastTime = timeSecs;
@@ -141,19 +142,22 @@ export class RowViewer {
     this.#changed = false;
     const still = timeSecs - this.#changedAt > SETTLING;
     if (still && stage.still) return;
-    stage.still = still;
     const share = this.#settled ? 1 - 0.5 ** (dt / FOLLOW_HALF_LIFE) : 1;
     this.#settled = true;
-    for (const [i, column] of this.#columns.entries()) {
+    for (const column of this.#columns) {
       const [x, z] = [column.pose[0]! - first.pose[0]!, column.pose[2]! - first.pose[2]!];
       const far = Math.hypot(x - column.x, z - column.z) > JUMP;
       column.x += (x - column.x) * (far ? 1 : share);
       column.z += (z - column.z) * (far ? 1 : share);
+    }
+    if (!stage.begin(dt, still)) return;
+    for (const [i, column] of this.#columns.entries()) {
       this.#perform(column);
       stage.view.shift(column.x, column.z);
-      stage.render(dt, hips, i);
+      stage.render(hips, i);
       stage.view.shift(-column.x, -column.z);
     }
+    stage.end();
   }
 
   /** Frees everything; the viewer cannot be used afterwards. */

@@ -82,8 +82,6 @@ export class Viewer {
   /** When the picture last changed. */
   #changedAt = 0;
   #changed = true;
-  /** Whether there has been a pose to show. */
-  #begun = false;
   readonly #placement = new GhostPlacement();
   readonly #input = restPose();
   readonly #trail = new MotionTrail();
@@ -110,23 +108,17 @@ export class Viewer {
       this.#ghost.setDetail(detail);
       this.#onion?.setDetail(detail);
     };
-    this.#stage.onInvalid = () => {
-      this.#changed = true;
-    };
+    this.#stage.onInvalid = () => this.invalidate();
+    this.#stage.onIdle = () => this.render(this.#lastTime ?? 0);
     this.#stage.applyQuality();
     this.description = o.description;
     this.#applyTheme();
     this.#applyGhost();
   }
 
-  /** The canvas, for recording and for tests. */
-  get canvas(): HTMLCanvasElement {
-    return this.#stage.canvas;
-  }
-
   /** What a screen reader says of the picture. */
   set description(text: string) {
-    this.canvas.setAttribute("aria-label", text);
+    this.#stage.canvas.setAttribute("aria-label", text);
   }
 
   /** Light or dark; switches at once, without rebuilding anything. */
@@ -166,6 +158,7 @@ export class Viewer {
     if (mode !== "onion") return;
     this.#onion = new OnionSkin(THEMES[this.#theme], this.#body.proportions, this.#stage.quality.detail);
     this.#stage.scene.add(this.#onion.object);
+    void this.#stage.compile();
   }
 
   /** The joints of the styled character whose parts are tinted. */
@@ -217,7 +210,6 @@ export class Viewer {
   /** Takes the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
   setStyled(pose: ArrayLike<number>): void {
     if (!isPose(pose)) return;
-    this.#begin();
     this.#changed ||= differ(pose, this.#body.pose);
     this.#body.setPose(pose);
   }
@@ -289,10 +281,11 @@ export class Viewer {
   }
 
   /**
-   * Draws a frame; `timeSecs` is any clock that does not run backwards. A picture that has not changed for a while is
-   * drawn once more, with more pixels, and then left alone.
+   * Draws a frame, unless those before are still being drawn; `timeSecs` is any clock that does not run backwards. A
+   * picture that has not changed for a while is drawn once more, with more pixels, and then left alone. Says whether it
+   * was drawn.
    */
-  render(timeSecs: number): void {
+  render(timeSecs: number): boolean {
     const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
     this.#lastTime = timeSecs;
     this.#arrange(dt);
@@ -303,9 +296,9 @@ export class Viewer {
     if (this.#changed || moved) this.#changedAt = timeSecs;
     this.#changed = false;
     const still = timeSecs - this.#changedAt > SETTLING;
-    if (still && stage.still) return;
-    stage.still = still;
-    stage.render(dt, hips);
+    if ((still && stage.still) || !stage.begin(dt, still)) return false;
+    stage.render(hips);
+    stage.end();
     const { width, height } = stage.size;
     const { camera } = stage.view;
     for (const [name, character] of [
@@ -315,12 +308,17 @@ export class Viewer {
       const radius = HEAD.radius * character.fit.stature;
       stage.labels.place(name, headOf(character), radius, camera, width, height);
     }
+    return true;
   }
 
-  /** Draws again what is shown, so that the canvas can be read before the browser clears it. */
-  redraw(timeSecs: number): void {
+  /** Asks for the picture to be drawn again, though nothing of it has changed. */
+  invalidate(): void {
     this.#changed = true;
-    this.render(timeSecs);
+  }
+
+  /** A copy of the picture; only right after {@link render} has drawn it, in the same task. */
+  copy(): HTMLCanvasElement {
+    return this.#stage.copy();
   }
 
   /** Frees everything; the viewer cannot be used afterwards. */
@@ -330,28 +328,6 @@ export class Viewer {
     this.#trail.dispose();
     this.#onion?.dispose();
     this.#stage.dispose();
-  }
-
-  /**
-   * Draws once, unseen, what the first picture will be of, while there is no pose yet: compiling shaders and filling
-   * buffers takes longer than anything later.
-   */
-  async warmUp(): Promise<void> {
-    if (this.#begun) return;
-    this.canvas.style.visibility = "hidden";
-    await this.#stage.compile();
-    if (this.#begun) return;
-    this.#ghost.object.visible = true;
-    this.#arrange(0);
-    this.#stage.render(0, hips);
-    this.resetTrail();
-    this.#applyGhost();
-  }
-
-  #begin(): void {
-    if (this.#begun) return;
-    this.#begun = true;
-    this.canvas.style.visibility = "";
   }
 
   /** Brings everything on the ground to the present poses. */

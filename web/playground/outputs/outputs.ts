@@ -48,9 +48,10 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
     case "jsonl":
       return trace(session, format);
     case "png":
-      return stage.unmarked(
-        () => new Promise((resolve) => stage.snapshot().toBlob((blob) => resolve(blob ?? undefined))),
-      );
+      return stage.unmarked(async () => {
+        const picture = await stage.nextPicture();
+        return new Promise((resolve) => picture.toBlob((blob) => resolve(blob ?? undefined)));
+      });
     case "webm":
       if (canRecord()) return stage.unmarked(() => video(size, sources));
       notices.error("This browser does not record video. Use the GLB in another program, or another browser.");
@@ -96,7 +97,7 @@ async function video(
     blob = await progress.run("Recording.", ({ signal, onProgress }) => {
       signal?.addEventListener("abort", () => controller.abort());
       return recordVideo({
-        canvas: stage.viewer.canvas,
+        picture: (now) => stage.pictureOf(now),
         size,
         signal: controller.signal,
         onFrame: () => {

@@ -17,7 +17,8 @@ const TYPES = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
 
 /** Where the picture is, and when the recording ends. */
 export interface Recording {
-  canvas: HTMLCanvasElement;
+  /** The picture that was drawn in this frame of the browser; `undefined` where none was. */
+  picture: (now: number) => HTMLCanvasElement | undefined;
   size: VideoSize;
   signal: AbortSignal;
   /** Called before every frame; what it gives, 0–1, is how much is done. At 1 the recording ends. */
@@ -33,8 +34,8 @@ export function canRecord(): boolean {
  * Records until `onFrame` says that all is done.
  * @throws DOMException `AbortError` if it is cancelled
  */
-export async function recordVideo({ canvas, size, signal, onFrame }: Recording): Promise<Blob> {
-  const { width, height } = VIDEO_SIZES[size] ?? { width: even(canvas.width), height: even(canvas.height) };
+export async function recordVideo({ picture, size, signal, onFrame }: Recording): Promise<Blob> {
+  const { width, height } = VIDEO_SIZES[size] ?? (await sizeOf(picture));
   const copy = document.createElement("canvas");
   [copy.width, copy.height] = [width, height];
   const context = copy.getContext("2d", { alpha: false })!;
@@ -46,9 +47,10 @@ export async function recordVideo({ canvas, size, signal, onFrame }: Recording):
   const stopped = new Promise((resolve) => recorder.addEventListener("stop", resolve, { once: true }));
   recorder.start();
   try {
-    await frames(() => {
+    await frames((now) => {
       if (signal.aborted) throw cancelled();
-      drawCovering(context, canvas, width, height);
+      const drawn = picture(now);
+      if (drawn) drawCovering(context, drawn, width, height);
       return onFrame() >= 1;
     });
   } finally {
@@ -62,12 +64,22 @@ export async function recordVideo({ canvas, size, signal, onFrame }: Recording):
 /** Encoders want even sizes. */
 const even = (n: number): number => Math.max(2, n - (n % 2));
 
+/** Size of the next picture that is drawn. */
+async function sizeOf(picture: Recording["picture"]): Promise<{ width: number; height: number }> {
+  let drawn: HTMLCanvasElement | undefined;
+  await frames((now) => {
+    drawn = picture(now);
+    return drawn !== undefined;
+  });
+  return { width: even(drawn!.width), height: even(drawn!.height) };
+}
+
 /** Calls `draw` every repaint until it gives true. */
-function frames(draw: () => boolean): Promise<void> {
+function frames(draw: (now: number) => boolean): Promise<void> {
   return new Promise((resolve, reject) => {
-    const tick = () => {
+    const tick = (now: number) => {
       try {
-        if (draw()) resolve();
+        if (draw(now)) resolve();
         else requestAnimationFrame(tick);
       } catch (error) {
         reject(error as Error);

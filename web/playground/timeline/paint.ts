@@ -74,7 +74,8 @@ export class Axis {
 
 /** Sizes a canvas for sharp pixels and returns its context in CSS pixels, cleared. */
 export function prepare(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
-  const context = canvas.getContext("2d")!;
+  // In the page's own memory: a canvas of the graphics processor's waits for the 3-D picture to be drawn.
+  const context = canvas.getContext("2d", { willReadFrequently: true })!;
   const ratio = devicePixelRatio || 1;
   const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
   if (canvas.width !== w || canvas.height !== h) {

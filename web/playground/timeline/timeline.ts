@@ -99,6 +99,8 @@ export class Timeline {
       ),
       html("div", { class: "timeline-stage" }, this.#rows, keys),
     );
+    // The canvases come into being while the graphics processor, which is asked, has nothing to do yet.
+    for (const canvas of [this.#still, this.#moving]) prepare(canvas, 1, 1);
     this.#listenToPointer();
     new ResizeObserver(() => this.#repaint()).observe(this.#rows);
   }

@@ -29,7 +29,7 @@ export class Labels {
       name = document.createElement("span");
       name.className = "viewer-label";
       name.style.cssText =
-        "position:absolute;left:0;top:0;font-size:12px;line-height:16px;font-weight:600;white-space:nowrap";
+        "position:absolute;left:0;top:0;visibility:hidden;font-size:12px;line-height:16px;font-weight:600;white-space:nowrap";
       this.#names.set(key, name);
       this.element.append(name);
     }

@@ -109,6 +109,19 @@ export class ShadeMap {
     renderer.setRenderTarget(null);
   }
 
+  /** Compiles what draws the map and the light's shadow map, as they are in a scene; resolves when it is done. */
+  async compile(renderer: WebGLRenderer, scene: Scene): Promise<void> {
+    renderer.setRenderTarget(this.#target);
+    const compiling: Promise<unknown>[] = [renderer.compileAsync(this.object, this.#camera, scene)];
+    scene.traverse((object) => {
+      if (!(object instanceof Mesh) || !object.castShadow || !object.customDepthMaterial) return;
+      const drawn = new Mesh(object.geometry, object.customDepthMaterial);
+      compiling.push(renderer.compileAsync(drawn, this.#camera, scene));
+    });
+    renderer.setRenderTarget(null);
+    await Promise.all(compiling);
+  }
+
   dispose(): void {
     this.object.removeFromParent();
     this.object.geometry.dispose();

@@ -13,6 +13,8 @@ import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import type { Theme } from "../themes";
 import { Background } from "./background";
 import { Footprints } from "./footprints";
+import { GpuQueue } from "./gpu_queue";
+import { graphics } from "./graphics";
 import { Ground } from "./ground";
 import { HipsPath } from "./hips_path";
 import { Labels } from "./labels";
@@ -21,10 +23,14 @@ import { type CameraView, OrbitCamera } from "./orbit_camera";
 import { pixelRatio, QUALITY_LEVELS, QualityGovernor, type QualityLevel } from "./quality";
 import { ShadeMap } from "./shade_map";
 
-/** Renderers that have no graphics processor behind them. */
-const SOFTWARE = /swiftshader|llvmpipe|softpipe|basic render|software/i;
 /** Quality that a renderer without a graphics processor starts with. */
 const SOFTWARE_LEVEL = 2;
+
+/** Frames that the graphics processor may have before it: more are only waited for. */
+const MOST_FRAMES = 2;
+
+/** The rest of the page may keep the graphics processor from answers for so long, milliseconds. */
+const PATIENCE_MS = { memory: 2000, shaders: 300 };
 
 /** Scene, camera, light and ground. */
 export class Stage {
@@ -41,6 +47,8 @@ export class Stage {
   onQuality: ((level: QualityLevel) => void) | undefined;
   /** Called when the picture must be drawn again: it has another size, or its context was lost and restored. */
   onInvalid: (() => void) | undefined;
+  /** Called when a frame that was put off can be drawn, but only at once. */
+  onIdle: (() => void) | undefined;
   readonly #root = document.createElement("div");
   readonly #renderer: WebGLRenderer;
   readonly #lights = new Lights();
@@ -50,15 +58,39 @@ export class Stage {
   #theme: Theme | undefined;
   #environment: WebGLRenderTarget | undefined;
   #still = false;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #queue: GpuQueue;
+  /** Programs whose uniforms and attributes are known. */
+  readonly #asked = new WeakSet<object>();
+  /** Whether it may be asked questions now, is to be waited for, or neither. */
+  #question: "may" | "waits" | "none" = "none";
+  #compiled = false;
+  #compilation = 0;
+  /** Seconds since the last frame. */
+  #elapsed = 0;
   #columns = 1;
-  #width = 1;
-  #height = 1;
+  /**
+   * Whether the canvas's memory is never given back, and a smaller picture has its lower left part: new memory is had from
+   * the graphics processor, and without a graphics card that has to be waited for.
+   */
+  readonly #keepsMemory: boolean;
+  /** Size of the picture, CSS pixels. */
+  #size = { width: 1, height: 1 };
+  /** The same in pixels of the canvas. */
+  #pixels = { width: 1, height: 1 };
 
   /** `level` of {@link QUALITY_LEVELS} to begin with; by default what the renderer suggests. */
   constructor(container: HTMLElement, level?: number) {
     this.#root.style.cssText = "position:relative;width:100%;height:100%;overflow:hidden";
+    const canvas = document.createElement("canvas");
+    this.#keepsMemory = graphics() === "software";
+    if (this.#keepsMemory) {
+      const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, innerWidth * innerHeight, devicePixelRatio, true);
+      [canvas.width, canvas.height] = [Math.ceil(innerWidth * ratio), Math.ceil(innerHeight * ratio)];
+    }
     this.#renderer = new WebGLRenderer({
-      antialias: level === 0 || !isSoftware(),
+      canvas,
+      antialias: level === 0 || !this.#keepsMemory,
       stencil: true,
       powerPreference: "high-performance",
     });
@@ -69,15 +101,21 @@ export class Stage {
     renderer.shadowMap.autoUpdate = false;
     // A frame is two passes; both count.
     renderer.info.autoReset = false;
-    this.canvas = renderer.domElement;
-    this.canvas.style.cssText = "display:block;position:absolute;inset:0;touch-action:pan-y";
+    // Each check is a question to the graphics processor. A shader that is wrong draws nothing, and the console says so.
+    renderer.debug.checkShaderErrors = false;
+    // The first question for an extension waits for all that was asked before: here that is nothing.
+    renderer.capabilities.getMaxAnisotropy();
+    this.#gl = renderer.getContext() as WebGL2RenderingContext;
+    this.#queue = new GpuQueue(this.#gl);
+    this.canvas = canvas;
+    this.canvas.style.cssText = "display:block;position:absolute;left:0;bottom:0;touch-action:pan-y";
     this.canvas.setAttribute("role", "img");
     this.canvas.tabIndex = 0;
     this.#root.append(this.canvas, this.labels.element);
     container.append(this.#root);
 
     this.view = new OrbitCamera(this.canvas);
-    this.governor = new QualityGovernor(level ?? (isSoftware() ? SOFTWARE_LEVEL : 0));
+    this.governor = new QualityGovernor(level ?? (graphics() === "software" ? SOFTWARE_LEVEL : 0));
     this.scene.add(
       this.#background.object,
       this.#lights.object,
@@ -89,17 +127,18 @@ export class Stage {
     );
     // three.js restores what it made from memory; the room was drawn by the lost context and must be drawn again.
     const restore = () => {
+      this.#queue.forget();
       this.#dropRoom();
       this.applyQuality();
       this.onInvalid?.();
     };
     this.canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
     this.#observer = new ResizeObserver(() => {
-      this.#resize();
+      this.#measure();
       this.onInvalid?.();
     });
     this.#observer.observe(this.#root);
-    this.#resize();
+    this.#measure();
   }
 
   /** Level of quality in force. */
@@ -108,8 +147,16 @@ export class Stage {
   }
 
   /** Size of the picture in CSS pixels. */
-  get size(): { width: number; height: number } {
-    return { width: this.#width, height: this.#height };
+  get size(): Readonly<{ width: number; height: number }> {
+    return this.#size;
+  }
+
+  /** A copy of the picture; only right after it was drawn. */
+  copy(): HTMLCanvasElement {
+    const copy = document.createElement("canvas");
+    const { width, height } = Object.assign(copy, this.#pixels);
+    copy.getContext("2d")!.drawImage(this.canvas, 0, this.canvas.height - height, width, height, 0, 0, width, height);
+    return copy;
   }
 
   /** Triangles and draw calls of the last frame, shadow pass included. */
@@ -135,8 +182,49 @@ export class Stage {
     this.shade.shadowTaps = quality.taps;
     if (quality.shading === "physical") this.#lightRoom();
     else this.#dropRoom();
-    this.#resize();
     this.onQuality?.(quality);
+    void this.compile();
+  }
+
+  /** Compiles what will be drawn, one thing at a time and without waiting for it; nothing is drawn meanwhile. */
+  async compile(): Promise<void> {
+    const turn = ++this.#compilation;
+    const current = () => turn === this.#compilation && !this.#gl.isContextLost();
+    this.#compiled = false;
+    try {
+      await this.#compileScene(current);
+      await this.#askShaders(current);
+    } finally {
+      if (turn === this.#compilation) {
+        this.#compiled = true;
+        this.onInvalid?.();
+      }
+    }
+  }
+
+  async #compileScene(current: () => boolean): Promise<void> {
+    const renderer = this.#renderer;
+    const compiling: Promise<unknown>[] = [this.shade.compile(renderer, this.scene)];
+    for (const object of this.scene.children.filter((child) => child !== this.shade.object)) {
+      await otherTasks();
+      if (!current()) return;
+      compiling.push(renderer.compileAsync(object, this.view.camera, this.scene));
+    }
+    await Promise.all(compiling);
+  }
+
+  /** Asks what shaders take, before anything is drawn: between two drawings every answer would wait for the first. */
+  async #askShaders(current: () => boolean): Promise<void> {
+    const programs = (this.#renderer.info.programs ?? []).filter((program) => !this.#asked.has(program));
+    // Nothing that can be waited for tells that a shader is linked; but its validation comes after that.
+    for (const { program } of programs) this.#gl.validateProgram(program as WebGLProgram);
+    await this.#queue.idle(PATIENCE_MS.shaders);
+    // One may have been given up meanwhile.
+    for (const program of programs.filter(({ program }) => current() && program !== undefined)) {
+      program.getUniforms();
+      program.getAttributes();
+      this.#asked.add(program);
+    }
   }
 
   /** Goes to a view of something that faces `heading`, gliding unless the user asked for less motion. */
@@ -144,50 +232,63 @@ export class Stage {
     this.view.setView(view, heading, !matchMedia("(prefers-reduced-motion: reduce)").matches);
   }
 
-  /** Whether the picture stands still: it is then drawn with more pixels. */
-  set still(still: boolean) {
-    if (still === this.#still) return;
-    this.#still = still;
-    this.#resize();
-  }
-
+  /** Whether the picture on screen is the finer one of what stands still. */
   get still(): boolean {
     return this.#still;
   }
 
   /** Number of columns that the picture is divided into; the camera's picture fills one of them. */
   set columns(columns: number) {
-    if (columns === this.#columns) return;
     this.#columns = columns;
+  }
+
+  /**
+   * Begins a frame `dtSecs` after it was last asked for one, with more pixels if the picture stands `still`; whether it is
+   * to be drawn now. The graphics processor is given few frames at a time, and what it has to be asked is put off until it
+   * has nothing to do.
+   */
+  begin(dtSecs: number, still: boolean): boolean {
+    this.#elapsed += dtSecs;
+    if (!this.#compiled || this.#question === "waits" || this.#queue.frames >= MOST_FRAMES) return false;
+    const elapsed = this.#elapsed;
+    this.#elapsed = 0;
+    if (!this.#still && !still && this.governor.frame(elapsed)) {
+      this.applyQuality();
+      return false;
+    }
+    if (!this.#fits(still) && this.#question !== "may") {
+      void this.#whenIdle();
+      return false;
+    }
+    this.#question = "none";
+    this.#still = still;
     this.#resize();
-  }
-
-  /** Compiles the shaders of the scene, all at once and beside other work; resolves when they are ready. */
-  async compile(): Promise<void> {
-    await this.#renderer.compileAsync(this.scene, this.view.camera);
-  }
-
-  /** Draws the scene into a column; `dtSecs` since the last frame, the light on `subject`. */
-  render(dtSecs: number, subject: Vector3, column = 0): void {
-    if (column === 0 && !this.#still && this.governor.frame(dtSecs)) this.applyQuality();
     this.#renderer.info.reset();
+    return true;
+  }
+
+  /** Ends a frame of which all columns were drawn. */
+  end(): void {
+    this.#queue.addFrame();
+  }
+
+  /** Draws the scene into a column, the light on `subject`. */
+  render(subject: Vector3, column = 0): void {
     this.#lights.follow(subject, this.view.azimuth);
     // The shade map's pass draws the light's shadow map too; the picture's pass finds it there.
     this.#renderer.shadowMap.needsUpdate = true;
     this.shade.render(this.#renderer, this.scene, middle.lerpVectors(subject, this.view.target, 0.5));
     this.#ground.follow(this.view.target);
-    if (this.#columns > 1) {
-      const width = this.#width / this.#columns;
-      this.#renderer.setViewport(column * width, 0, width, this.#height);
-      this.#renderer.setScissor(column * width, 0, width, this.#height);
-    }
+    const width = this.#pixels.width / this.#columns;
+    this.#renderer.setViewport(column * width, 0, width, this.#pixels.height);
+    this.#renderer.setScissor(column * width, 0, width, this.#pixels.height);
     this.#renderer.render(this.scene, this.view.camera);
   }
 
-  /** Place of a point of the world (metres) in the picture, CSS pixels from the canvas's top left. */
+  /** Place of a point of the world (metres) in the picture, CSS pixels from its top left. */
   project(point: Vector3): { x: number; y: number } {
     const p = projected.copy(point).project(this.view.camera);
-    return { x: ((p.x + 1) / 2) * this.#width, y: ((1 - p.y) / 2) * this.#height };
+    return { x: ((p.x + 1) / 2) * this.#size.width, y: ((1 - p.y) / 2) * this.#size.height };
   }
 
   dispose(): void {
@@ -226,41 +327,60 @@ export class Stage {
     this.#environment = undefined;
   }
 
-  #resize(): void {
-    const { clientWidth, clientHeight } = this.#root;
-    if (!clientWidth || !clientHeight) return;
-    this.#width = clientWidth;
-    this.#height = clientHeight;
-    const ratio = pixelRatio(this.quality, clientWidth * clientHeight, devicePixelRatio, this.#still);
-    const { canvas } = this;
-    // Every assignment to the canvas's size gives it new memory, once the pictures before it are drawn: one each at most.
-    const unchanged =
-      canvas.width === Math.floor(clientWidth * ratio) && canvas.height === Math.floor(clientHeight * ratio);
-    if (!unchanged || this.#renderer.getPixelRatio() !== ratio)
-      this.#renderer.setDrawingBufferSize(clientWidth, clientHeight, ratio);
-    canvas.style.width = `${clientWidth}px`;
-    canvas.style.height = `${clientHeight}px`;
-    this.#renderer.setScissorTest(this.#columns > 1);
-    this.view.resize(clientWidth / this.#columns, clientHeight);
+  async #whenIdle(): Promise<void> {
+    this.#question = "waits";
+    await this.#queue.idle(PATIENCE_MS.memory);
+    this.#question = "may";
+    this.onIdle?.();
   }
+
+  /** Size that the picture should have in pixels of the canvas; nothing while it is hidden. */
+  #wanted(still: boolean): { width: number; height: number } {
+    const { clientWidth, clientHeight } = this.#root;
+    const ratio = pixelRatio(this.quality, clientWidth * clientHeight, devicePixelRatio, still);
+    return { width: Math.floor(clientWidth * ratio), height: Math.floor(clientHeight * ratio) };
+  }
+
+  /** Whether the canvas has the right memory for that. */
+  #fits(still: boolean): boolean {
+    const { width, height } = this.#wanted(still);
+    const { canvas } = this;
+    if (this.#keepsMemory || width * height === 0) return canvas.width >= width && canvas.height >= height;
+    return canvas.width === width && canvas.height === height;
+  }
+
+  /** Fits the camera to the place of the picture. */
+  #measure(): void {
+    const { clientWidth: width, clientHeight: height } = this.#root;
+    if (!width || !height) return;
+    this.#size = { width, height };
+    this.view.resize(width / this.#columns, height);
+  }
+
+  /** Fits the picture to its place. */
+  #resize(): void {
+    this.#measure();
+    const { width, height } = this.#size;
+    const pixels = this.#wanted(this.#still);
+    if (pixels.width * pixels.height === 0) return;
+    const { canvas } = this;
+    // Every assignment to the canvas's size gives it new memory: one each at most.
+    if (!this.#fits(this.#still)) {
+      const least = this.#keepsMemory ? canvas : { width: 0, height: 0 };
+      const memory = { width: Math.max(pixels.width, least.width), height: Math.max(pixels.height, least.height) };
+      this.#renderer.setDrawingBufferSize(memory.width, memory.height, 1);
+    }
+    this.#pixels = pixels;
+    canvas.style.width = `${(canvas.width * width) / pixels.width}px`;
+    canvas.style.height = `${(canvas.height * height) / pixels.height}px`;
+    this.#renderer.setScissorTest(true);
+  }
+}
+
+/** Lets the page do what it has to do besides. */
+function otherTasks(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve));
 }
 
 const projected = new Vector3();
 const middle = new Vector3();
-
-let software: boolean | undefined;
-
-/** Whether WebGL runs on the processor; asked once, of a context of its own, as multisampling must be chosen before. */
-function isSoftware(): boolean {
-  software ??= detectSoftware();
-  return software;
-}
-
-function detectSoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) return true;
-  const info = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return SOFTWARE.test(name);
-}

@@ -1,0 +1,24 @@
+/** What draws for this browser. */
+
+/** Nothing, as WebGL 2 is missing; the processor itself; or a graphics processor. */
+export type Graphics = "none" | "software" | "hardware";
+
+/** Renderers that have no graphics processor behind them. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|basic render|software/i;
+
+let known: Graphics | undefined;
+
+/** Asked once, of a context of its own: multisampling must be chosen before there is one to draw with. */
+export function graphics(): Graphics {
+  known ??= detect();
+  return known;
+}
+
+function detect(): Graphics {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return "none";
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return SOFTWARE.test(name) ? "software" : "hardware";
+}
