@@ -160,6 +160,11 @@ export class RowViewer {
     stage.end();
   }
 
+  /** A copy of the picture; only right after {@link render} has drawn it, in the same task. */
+  copy(): HTMLCanvasElement {
+    return this.#stage.copy();
+  }
+
   /** Frees everything; the viewer cannot be used afterwards. */
   dispose(): void {
     this.#body.dispose();
