@@ -54,20 +54,22 @@ await main(async () => {
     args: FLAGS,
   });
   mkdirSync(OUTPUT, { recursive: true });
-  for (const action of actions)
-    for (const view of VIEWS)
-      await step(`Drawing ${action}, ${view}`, async () => {
-        const page = await browser.newPage({ viewport: { width: 1140, height: 800 } });
-        await page.goto(`${server.resolvedUrls.local[0]}evaluation/strips/`);
-        await page.waitForFunction(() => window.drawStrips);
-        await page.evaluate(
-          (s) => window.drawStrips(s),
-          stripsOf(action, view, ours, resolve(values.recordings, "xia")),
-        );
-        await page.locator("main").screenshot({ path: join(OUTPUT, `strips-${action}-${view}.png`) });
-        await page.close();
-      });
-  await browser.close();
-  await server.close();
-  rmSync(folder, { recursive: true });
+  try {
+    for (const action of actions)
+      for (const view of VIEWS)
+        await step(`Drawing ${action}, ${view}`, async () => {
+          const page = await browser.newPage({ viewport: { width: 1140, height: 800 } });
+          await page.goto(`${server.resolvedUrls.local[0]}evaluation/strips/`);
+          await page.waitForFunction(() => window.drawStrips);
+          const strips = stripsOf(action, view, ours, resolve(values.recordings, "xia"));
+          await page.evaluate((s) => window.drawStrips(s), strips);
+          const path = join(OUTPUT, `strips-${action}-${view}.png`);
+          await page.screenshot({ path, fullPage: true, timeout: 120_000 });
+          await page.close();
+        });
+  } finally {
+    await browser.close();
+    await server.close();
+    rmSync(folder, { recursive: true });
+  }
 });
