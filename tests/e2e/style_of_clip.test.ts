@@ -102,6 +102,7 @@ describe("a walk that falls on the polygon", () => {
       Object.defineProperty(IDBTransaction.prototype, "error", { get: () => full });
     });
     await dropFile(page, "walk_stooped_01.bvh", walk, await polygon());
+    await page.getByRole("button", { name: "Make it a style" }).click();
     await eventually(alert).toMatch(/“stooped” will not be here after a reload. The browser has no room left for it./);
     expect(await vertices()).toContain("stooped");
     await eventually(weights).toMatchObject({ stooped: 1 });
