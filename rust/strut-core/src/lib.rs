@@ -11,6 +11,7 @@ pub mod contact;
 pub mod database;
 #[cfg(feature = "offline")]
 pub mod evaluation;
+pub mod hsmm;
 pub mod humanoid;
 pub mod kinematics;
 pub mod math;

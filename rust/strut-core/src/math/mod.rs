@@ -3,6 +3,7 @@
 pub mod exp_map;
 pub mod float_funcs;
 pub(crate) mod lanes;
+pub(crate) mod linear;
 pub(crate) mod order;
 mod quat;
 

@@ -1,0 +1,102 @@
+//! Walks as degrees of freedom (specification, §3).
+
+use super::RATE_HZ;
+use super::model::{DIMS, Observation, Row};
+use crate::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions};
+use crate::kinematics::world_from_local;
+use crate::math::float_funcs::atan2;
+use crate::math::{Quat, Vec3, exp_map};
+use thiserror::Error;
+
+/// Shortest way that has a heading, metres.
+const LEAST_WAY: f32 = 0.3;
+/// Rotations are averaged over every so many frames.
+const REFERENCE_STRIDE: usize = 4;
+
+/// Why a clip is not one of walking.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum TrackError {
+    /// The body stays where it is.
+    #[error("the body moves {0:.2} m in all; a walk of at least {LEAST_WAY} m was expected")]
+    NoWay(f32),
+}
+
+/// A clip of walking straight ahead, at [`RATE_HZ`] and with its heading taken off.
+#[derive(Clone, Debug)]
+pub struct Track {
+    /// Poses that face +Z on average.
+    pub poses: Vec<Pose>,
+    /// Positions of the joints, metres.
+    pub positions: Vec<[Vec3; JOINTS]>,
+}
+
+impl Track {
+    /// Of a clip at any rate.
+    ///
+    /// # Errors
+    /// See [`TrackError`].
+    pub fn new(motion: &HumanoidMotion) -> Result<Self, TrackError> {
+        let motion = motion.resampled(RATE_HZ);
+        let way = match (motion.poses.first(), motion.poses.last()) {
+            (Some(first), Some(last)) => (last.root - first.root) * Vec3::new(1.0, 0.0, 1.0),
+            _ => Vec3::ZERO,
+        };
+        if way.length() < LEAST_WAY {
+            return Err(TrackError::NoWay(way.length()));
+        }
+        let facing = Quat::from_rotation_y(-atan2(way.x, way.z));
+        let poses: Vec<Pose> = motion
+            .poses
+            .iter()
+            .map(|pose| {
+                let mut turned = Pose { root: facing * pose.root, ..*pose };
+                turned.rotations[0] = facing * pose.rotations[0];
+                turned
+            })
+            .collect();
+        let positions = poses.iter().map(|pose| world_from_local(&motion.proportions, pose).positions).collect();
+        Ok(Self { poses, positions })
+    }
+
+    /// The poses as exponential maps about a reference.
+    pub fn rows(&self, reference: &[Quat; JOINTS]) -> Vec<Row> {
+        self.poses.iter().map(|pose| row_of(reference, &pose.rotations)).collect()
+    }
+}
+
+/// The rotations of a pose as exponential maps about a reference.
+pub(super) fn row_of(reference: &[Quat; JOINTS], rotations: &[Quat; JOINTS]) -> Row {
+    let mut row = [0.0; DIMS];
+    for j in 0..JOINTS {
+        let v = exp_map::log(reference[j].inv_mul(rotations[j]));
+        for (out, v) in row[3 * j..].iter_mut().zip(v.to_array()) {
+            *out = f64::from(v);
+        }
+    }
+    row
+}
+
+/// The mean rotation of every joint over clips: the centres of the exponential maps. Without them the map wraps where a bone
+/// is turned by about half a turn in its parent.
+pub(super) fn reference(tracks: &[&Track]) -> [Quat; JOINTS] {
+    std::array::from_fn(|j| {
+        let poses = tracks.iter().flat_map(|track| &track.poses).step_by(REFERENCE_STRIDE);
+        exp_map::karcher_mean(&poses.map(|pose| pose.rotations[j]).collect::<Vec<_>>())
+    })
+}
+
+/// Poses with velocities and accelerations per frame; the end frames stand for what is beyond them.
+pub(super) fn observations(rows: &[Row]) -> Vec<Observation> {
+    let at = |t: usize| {
+        let (before, after) = (&rows[t.saturating_sub(1)], &rows[(t + 1).min(rows.len() - 1)]);
+        let velocity = std::array::from_fn(|d| 0.5 * (after[d] - before[d]));
+        let acceleration = std::array::from_fn(|d| after[d] - 2.0 * rows[t][d] + before[d]);
+        [rows[t], velocity, acceleration]
+    };
+    (0..rows.len()).map(at).collect()
+}
+
+/// Positions of a pose's joints with the hips at the origin.
+pub(super) fn shape(proportions: &Proportions, rotations: &[Quat; JOINTS]) -> [Vec3; JOINTS] {
+    world_from_local(proportions, &Pose { root: Vec3::ZERO, rotations: *rotations }).positions
+}

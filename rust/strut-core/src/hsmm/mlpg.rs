@@ -1,0 +1,261 @@
+//! Maximum-likelihood parameter generation: the trajectory whose poses, velocities and accelerations agree best with their
+//! means (specification, §8).
+//!
+//! For each degree of freedom it minimises Σₜ p (cₜ − m)² + p′ (Δcₜ − m′)² + p″ (Δ²cₜ − m″)², with Δcₜ = (cₜ₊₁ − cₜ₋₁) / 2 and
+//! Δ²cₜ = cₜ₊₁ − 2cₜ + cₜ₋₁: a symmetric system with five diagonals.
+
+use crate::math::lanes::Lane;
+use std::ops::{Add, Div, Mul, Sub};
+
+/// What trajectories are computed in: one degree of freedom, or four at once.
+pub trait Number:
+    Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// A constant.
+    fn of(value: f32) -> Self;
+}
+
+impl Number for f64 {
+    fn of(value: f32) -> Self {
+        value.into()
+    }
+}
+
+impl Number for Lane {
+    fn of(value: f32) -> Self {
+        Self::splat(value)
+    }
+}
+
+/// A mean and how much it counts: the inverse of its variance.
+#[derive(Clone, Copy, Debug, Default)]
+#[allow(missing_docs)]
+pub struct Term<T> {
+    pub mean: T,
+    pub weight: T,
+}
+
+/// A system with five diagonals and its right-hand side; keeps its memory.
+#[derive(Clone, Debug, Default)]
+pub struct Banded<T> {
+    /// The diagonal, the one beside it, and the next; entry t couples t with t, t + 1 and t + 2.
+    diagonals: [Vec<T>; 3],
+    right: Vec<T>,
+}
+
+impl<T: Number> Banded<T> {
+    /// Room for so many frames.
+    pub fn with_capacity(frames: usize) -> Self {
+        Self { diagonals: [(); 3].map(|()| Vec::with_capacity(frames)), right: Vec::with_capacity(frames) }
+    }
+
+    /// Begins anew with so many frames.
+    pub fn begin(&mut self, frames: usize) {
+        for values in self.diagonals.iter_mut().chain([&mut self.right]) {
+            values.clear();
+            values.resize(frames, T::default());
+        }
+    }
+
+    fn couple(&mut self, t: usize, with: usize, value: T) {
+        let entry = &mut self.diagonals[with - t][t];
+        *entry = *entry + value;
+    }
+
+    fn pull(&mut self, t: usize, value: T) {
+        self.right[t] = self.right[t] + value;
+    }
+
+    /// cₜ is near a mean.
+    pub fn pose(&mut self, t: usize, of: Term<T>) {
+        self.couple(t, t, of.weight);
+        self.pull(t, of.weight * of.mean);
+    }
+
+    /// (cₜ₊₁ − cₜ₋₁) / 2 is near a mean.
+    pub fn velocity(&mut self, t: usize, of: Term<T>) {
+        let (quarter, half) = (of.weight * T::of(0.25), of.weight * T::of(0.5));
+        self.couple(t - 1, t - 1, quarter);
+        self.couple(t + 1, t + 1, quarter);
+        self.couple(t - 1, t + 1, T::of(0.0) - quarter);
+        self.pull(t + 1, half * of.mean);
+        self.pull(t - 1, T::of(0.0) - half * of.mean);
+    }
+
+    /// cₜ₊₁ − 2cₜ + cₜ₋₁ is near a mean.
+    pub fn acceleration(&mut self, t: usize, of: Term<T>) {
+        let minus_two = T::of(-2.0) * of.weight;
+        self.couple(t - 1, t - 1, of.weight);
+        self.couple(t, t, T::of(4.0) * of.weight);
+        self.couple(t + 1, t + 1, of.weight);
+        self.couple(t - 1, t, minus_two);
+        self.couple(t, t + 1, minus_two);
+        self.couple(t - 1, t + 1, of.weight);
+        self.pull(t - 1, of.weight * of.mean);
+        self.pull(t, minus_two * of.mean);
+        self.pull(t + 1, of.weight * of.mean);
+    }
+
+    /// c₋₁ and c₋₂ are what they are: the velocities and accelerations of frames −1 and 0 tie the trajectory to them.
+    pub fn after(&mut self, [before, last]: [T; 2], velocities: [Term<T>; 2], accelerations: [Term<T>; 2]) {
+        // (c₀ − c₋₂) / 2 and (c₁ − c₋₁) / 2.
+        for (t, (of, known)) in velocities.iter().zip([before, last]).enumerate() {
+            self.couple(t, t, of.weight * T::of(0.25));
+            self.pull(t, of.weight * T::of(0.25) * (of.mean + of.mean + known));
+        }
+        // c₀ − 2c₋₁ + c₋₂ and c₁ − 2c₀ + c₋₁.
+        let [earlier, later] = accelerations;
+        self.couple(0, 0, earlier.weight);
+        self.pull(0, earlier.weight * (earlier.mean + last + last - before));
+        let minus_two = T::of(-2.0) * later.weight;
+        self.couple(0, 0, T::of(4.0) * later.weight);
+        self.couple(0, 1, minus_two);
+        self.couple(1, 1, later.weight);
+        self.pull(0, minus_two * (later.mean - last));
+        self.pull(1, later.weight * (later.mean - last));
+    }
+
+    /// The trajectory, by LDLᵀ. The matrix is positive definite where every frame's pose has a weight.
+    pub fn solve(&mut self) -> &[T] {
+        self.factorise();
+        let mut right = std::mem::take(&mut self.right);
+        self.substitute(&mut right);
+        self.right = right;
+        &self.right
+    }
+
+    /// What [`Banded::solve`] gave last.
+    pub fn trajectory(&self) -> &[T] {
+        &self.right
+    }
+
+    /// Replaces the diagonals by D and the two columns of L.
+    fn factorise(&mut self) {
+        let [d0, d1, d2] = &mut self.diagonals;
+        for t in 0..d0.len() {
+            if t >= 1 {
+                d0[t] = d0[t] - d1[t - 1] * d1[t - 1] * d0[t - 1];
+                d1[t] = d1[t] - d1[t - 1] * d2[t - 1] * d0[t - 1];
+            }
+            if t >= 2 {
+                d0[t] = d0[t] - d2[t - 2] * d2[t - 2] * d0[t - 2];
+            }
+            d1[t] = d1[t] / d0[t];
+            d2[t] = d2[t] / d0[t];
+        }
+    }
+
+    fn substitute(&self, y: &mut [T]) {
+        let [d, l1, l2] = &self.diagonals;
+        for t in 0..y.len() {
+            if t >= 1 {
+                y[t] = y[t] - l1[t - 1] * y[t - 1];
+            }
+            if t >= 2 {
+                y[t] = y[t] - l2[t - 2] * y[t - 2];
+            }
+        }
+        for (y, d) in y.iter_mut().zip(d) {
+            *y = *y / *d;
+        }
+        for t in (0..y.len()).rev() {
+            if t + 1 < y.len() {
+                y[t] = y[t] - l1[t] * y[t + 1];
+            }
+            if t + 2 < y.len() {
+                y[t] = y[t] - l2[t] * y[t + 2];
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    type Terms = Vec<[(f64, f64); 3]>;
+
+    fn terms(frames: usize) -> impl Strategy<Value = Terms> {
+        prop::collection::vec(prop::array::uniform3((-1.0f64..1.0, 0.1f64..50.0)), frames)
+    }
+
+    fn term((mean, weight): (f64, f64)) -> Term<f64> {
+        Term { mean, weight }
+    }
+
+    fn solve(terms: &Terms) -> Vec<f64> {
+        let mut system = Banded::default();
+        system.begin(terms.len());
+        for (t, [pose, velocity, acceleration]) in terms.iter().enumerate() {
+            system.pose(t, term(*pose));
+            if (1..terms.len() - 1).contains(&t) {
+                system.velocity(t, term(*velocity));
+                system.acceleration(t, term(*acceleration));
+            }
+        }
+        system.solve().to_vec()
+    }
+
+    /// What is minimised.
+    fn cost(terms: &Terms, c: &[f64]) -> f64 {
+        terms
+            .iter()
+            .enumerate()
+            .map(|(t, [pose, velocity, acceleration])| {
+                let square = |(mean, weight): (f64, f64), v: f64| weight * (v - mean) * (v - mean);
+                let inner = if (1..terms.len() - 1).contains(&t) {
+                    square(*velocity, 0.5 * (c[t + 1] - c[t - 1]))
+                        + square(*acceleration, c[t + 1] - 2.0 * c[t] + c[t - 1])
+                } else {
+                    0.0
+                };
+                square(*pose, c[t]) + inner
+            })
+            .sum()
+    }
+
+    proptest! {
+        #[test]
+        fn no_trajectory_is_likelier(terms in terms(30), t in 0usize..30, by in prop::sample::select(vec![-1e-3, 1e-3])) {
+            let found = solve(&terms);
+            let mut other = found.clone();
+            other[t] += by;
+            prop_assert!(cost(&terms, &found) < cost(&terms, &other));
+        }
+
+        #[test]
+        fn it_goes_on_from_frames_that_are_known(terms in terms(40)) {
+            let all = solve(&terms);
+            // With two frames of the solution known and all that follows, the rest is the solution again.
+            let rest = &terms[12..];
+            let mut system = Banded::default();
+            system.begin(rest.len());
+            for (t, [pose, velocity, acceleration]) in rest.iter().enumerate() {
+                system.pose(t, term(*pose));
+                if (1..rest.len() - 1).contains(&t) {
+                    system.velocity(t, term(*velocity));
+                    system.acceleration(t, term(*acceleration));
+                }
+            }
+            let of = |part: usize| [11, 12].map(|t: usize| term(terms[t][part]));
+            system.after([all[10], all[11]], of(1), of(2));
+            for (a, b) in system.solve().iter().zip(&all[12..]) {
+                prop_assert!((a - b).abs() < 1e-9, "{a} {b}");
+            }
+        }
+
+        #[test]
+        fn the_trajectory_is_linear_in_the_means(a in terms(20), b in terms(20), share in -1.0f64..2.0) {
+            let with_weights = |terms: &Terms| -> Terms {
+                terms.iter().zip(&a).map(|(t, w)| std::array::from_fn(|i| (t[i].0, w[i].1))).collect()
+            };
+            let b = with_weights(&b);
+            let mixed: Terms = a.iter().zip(&b)
+                .map(|(a, b)| std::array::from_fn(|i| ((1.0 - share) * a[i].0 + share * b[i].0, a[i].1))).collect();
+            for ((a, b), m) in solve(&a).iter().zip(&solve(&b)).zip(&solve(&mixed)) {
+                prop_assert!(((1.0 - share) * a + share * b - m).abs() < 1e-9);
+            }
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! Walk synthesis: Tilmanne, Dutoit, "Continuous Control of Style and Style Transitions through Linear Interpolation in
+//! Hidden Markov Model Based Walk Synthesis", 2012, with the decisions of the specification in `docs/`.
+//!
+//! Steps of recorded walks ([`steps_of`]) train a hidden semi-Markov model of five states for either side, and every style
+//! is a set of its means ([`train`]). Means are added and scaled as vectors ([`WalkModel::mix`]), a banded system turns them
+//! into a trajectory ([`mlpg`]), and the supporting foot says where the body goes ([`Walker`]).
+//!
+//! Walks are modelled at [`RATE_HZ`]; degrees of freedom are exponential maps of the joints about their mean rotations.
+
+mod adaptation;
+mod alignment;
+#[cfg(feature = "offline")]
+pub mod evaluation;
+mod features;
+mod joint_range;
+mod model;
+mod refinement;
+mod root;
+mod steps;
+mod training;
+mod walker;
+
+pub mod mlpg;
+
+pub use features::{Track, TrackError};
+pub use model::{DIMS, Observation, Part, PerState, Row, SIDES, STATES, Side, StyleMeans, WalkModel};
+pub use steps::{Step, steps_of};
+pub use training::{Options, TrainError, Training, train};
+pub use walker::{HORIZON, MAX_TURN, MAX_WEIGHT, STEP_FRAMES, WalkVoices, Walker, WeightsError};
+
+/// Frames per second of every walk that is modelled (specification, §2).
+pub const RATE_HZ: f32 = 30.0;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,120 @@
+//! The model of a set of walk styles: plain numbers.
+
+use crate::humanoid::{JOINTS, Proportions};
+use crate::math::Quat;
+
+/// Degrees of freedom of a pose: an exponential map for every joint.
+pub const DIMS: usize = 3 * JOINTS;
+/// States of a step, from left to right.
+pub const STATES: usize = 5;
+/// A step is that of the left or the right foot.
+pub const SIDES: usize = 2;
+
+/// One number for every degree of freedom.
+pub type Row = [f64; DIMS];
+
+/// A pose, its velocity and its acceleration, per frame.
+pub type Observation = [Row; 3];
+
+/// The parts of an [`Observation`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Part {
+    Pose,
+    Velocity,
+    Acceleration,
+}
+
+impl Part {
+    /// All parts in order.
+    pub const ALL: [Self; 3] = [Self::Pose, Self::Velocity, Self::Acceleration];
+}
+
+/// The foot that swings in a step; the other one supports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Side {
+    Left,
+    Right,
+}
+
+impl Side {
+    /// The foot that supports.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}
+
+/// For every state of either side.
+pub type PerState<T> = [[T; STATES]; SIDES];
+
+/// What makes a style: the means of its states, and how many frames each lasts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StyleMeans {
+    /// Means of observations.
+    pub means: Box<PerState<Observation>>,
+    /// Mean durations, frames.
+    pub durations: PerState<f64>,
+}
+
+impl StyleMeans {
+    /// All zero: what sums begin with.
+    pub(super) fn zero() -> Self {
+        Self { means: Box::new([[[[0.0; DIMS]; 3]; STATES]; SIDES]), durations: [[0.0; STATES]; SIDES] }
+    }
+
+    /// Adds `weight` times another.
+    pub(super) fn add(&mut self, weight: f64, other: &Self) {
+        let numbers = self.means.as_flattened_mut().as_flattened_mut().as_flattened_mut();
+        let others = other.means.as_flattened().as_flattened().as_flattened();
+        numbers.iter_mut().zip(others).for_each(|(a, b)| *a += weight * b);
+        let durations = self.durations.as_flattened_mut().iter_mut();
+        durations.zip(other.durations.as_flattened()).for_each(|(a, b)| *a += weight * b);
+    }
+}
+
+/// A model of walk styles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WalkModel {
+    /// The body that walks.
+    pub proportions: Proportions,
+    /// The centres of the exponential maps; that of the hips is free of the heading.
+    pub reference: [Quat; JOINTS],
+    /// Variances of observations, shared by all styles.
+    pub variances: Box<PerState<Observation>>,
+    /// Variances of durations, frames².
+    pub duration_variances: PerState<f64>,
+    /// Least and greatest value of every degree of freedom in the walks that the model was trained on.
+    pub range: [Row; 2],
+    /// Names of the styles.
+    pub styles: Vec<String>,
+    /// One for every style.
+    pub means: Vec<StyleMeans>,
+}
+
+impl WalkModel {
+    /// The mean of all styles.
+    pub fn average(&self) -> StyleMeans {
+        let mut average = StyleMeans::zero();
+        for means in &self.means {
+            average.add(1.0 / self.means.len() as f64, means);
+        }
+        average
+    }
+
+    /// A style of these weights, one a style of the model; what they lack to a sum of 1 is the `average`'s
+    /// (specification, §9). One style alone with weight 1 is that style to the bit.
+    pub fn mix(&self, average: &StyleMeans, weights: &[f64]) -> StyleMeans {
+        let mut mixed = StyleMeans::zero();
+        let rest = 1.0 - weights.iter().sum::<f64>();
+        for (weight, means) in weights.iter().zip(&self.means).chain([(&rest, average)]) {
+            if *weight != 0.0 {
+                mixed.add(*weight, means);
+            }
+        }
+        mixed
+    }
+}

@@ -1,0 +1,124 @@
+//! Means whose trajectories are nearest to the recorded ones: minimum generation error (specification, §6d).
+//!
+//! Trajectories that agree with means and variances at best move less than what these were measured on. But each degree of
+//! freedom of a trajectory is linear in its 30 means, so that least squares find better ones.
+
+use super::mlpg::{Banded, Term};
+use super::model::{DIMS, Part, Row, SIDES, STATES, StyleMeans};
+use super::training::{Sample, Shared, states, states_of};
+use crate::math::linear::solve_symmetric;
+
+/// Means of one degree of freedom.
+const MEANS: usize = SIDES * STATES * Part::ALL.len();
+/// How much the means hold to what they were.
+const RIDGE: f64 = 1.0;
+
+/// A state of one frame: the side's index and the state's.
+type FrameState = (usize, usize);
+
+/// The first frame of steps that follow each other, and the state of every frame from there.
+pub(super) struct Chain {
+    pub(super) begin: usize,
+    pub(super) states: Vec<FrameState>,
+}
+
+/// A sample's steps with the likeliest states, those that follow each other together.
+pub(super) fn chains(sample: &Sample, means: &StyleMeans, shared: &Shared) -> Vec<Chain> {
+    let sides = states_of(means, shared);
+    let mut chains: Vec<Chain> = Vec::new();
+    for step in &sample.steps {
+        let side = step.side as usize;
+        let Some((durations, _)) = sides[side].align(&sample.observations[step.frames.clone()]) else { continue };
+        if chains.last().is_none_or(|chain| chain.begin + chain.states.len() != step.frames.start) {
+            chains.push(Chain { begin: step.frames.start, states: Vec::new() });
+        }
+        let states = durations.iter().enumerate().flat_map(|(state, &d)| std::iter::repeat_n((side, state), d));
+        if let Some(chain) = chains.last_mut() {
+            chain.states.extend(states);
+        }
+    }
+    chains
+}
+
+/// The trajectory of one degree of freedom through states, for means by (side, state, part).
+pub(super) fn trajectory<'a>(
+    states: &[FrameState],
+    d: usize,
+    shared: &Shared,
+    mean: impl Fn(usize, usize, Part) -> f64,
+    system: &'a mut Banded<f64>,
+) -> &'a [f64] {
+    system.begin(states.len());
+    for (t, &(side, state)) in states.iter().enumerate() {
+        let term = |part: Part| Term {
+            mean: mean(side, state, part),
+            weight: 1.0 / shared.variances[side][state][part as usize][d],
+        };
+        system.pose(t, term(Part::Pose));
+        if t > 0 && t + 1 < states.len() {
+            system.velocity(t, term(Part::Velocity));
+            system.acceleration(t, term(Part::Acceleration));
+        }
+    }
+    system.solve()
+}
+
+/// The trajectory of a style through states.
+pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &Shared) -> Vec<Row> {
+    let (mut rows, mut system) = (vec![[0.0; DIMS]; states.len()], Banded::default());
+    for d in 0..DIMS {
+        let mean = |side: usize, state: usize, part: Part| means.means[side][state][part as usize][d];
+        let values = trajectory(states, d, shared, mean, &mut system);
+        rows.iter_mut().zip(values).for_each(|(row, v)| row[d] = *v);
+    }
+    rows
+}
+
+/// The refined means of a style with these samples.
+pub(super) fn refine(samples: &[&Sample], means: &StyleMeans, shared: &Shared) -> StyleMeans {
+    let chains: Vec<(&Sample, Chain)> =
+        samples.iter().flat_map(|s| chains(s, means, shared).into_iter().map(move |chain| (*s, chain))).collect();
+    let index = |side: usize, state: usize, part: Part| (side * STATES + state) * Part::ALL.len() + part as usize;
+    let mut refined = means.clone();
+    let mut system = Banded::default();
+    for d in 0..DIMS {
+        let (mut matrix, mut right) = ([0.0; MEANS * MEANS], [0.0; MEANS]);
+        for (sample, chain) in &chains {
+            let columns: Vec<Vec<f64>> = (0..MEANS)
+                .map(|i| {
+                    let unit =
+                        |side: usize, state: usize, part: Part| f64::from(u8::from(index(side, state, part) == i));
+                    trajectory(&chain.states, d, shared, unit, &mut system).to_vec()
+                })
+                .collect();
+            let recorded = &sample.rows[chain.begin..];
+            for (i, a) in columns.iter().enumerate() {
+                for (j, b) in columns.iter().enumerate().take(i + 1) {
+                    let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+                    matrix[i * MEANS + j] += product;
+                    if j < i {
+                        matrix[j * MEANS + i] += product;
+                    }
+                }
+                right[i] += a.iter().zip(recorded).map(|(a, row)| a * row[d]).sum::<f64>();
+            }
+        }
+        let variance = |side: usize, state: usize, part: Part| shared.variances[side][state][part as usize][d];
+        let poses = states().map(|(side, state)| variance(side, state, Part::Pose)).sum::<f64>();
+        let mean_variance = poses / (SIDES * STATES) as f64;
+        for part in Part::ALL {
+            for (side, state) in states() {
+                let (i, hold) = (index(side, state, part), RIDGE * mean_variance / variance(side, state, part));
+                matrix[i * MEANS + i] += hold;
+                right[i] += hold * means.means[side][state][part as usize][d];
+            }
+        }
+        solve_symmetric(&mut matrix, &mut right);
+        for part in Part::ALL {
+            for (side, state) in states() {
+                refined.means[side][state][part as usize][d] = right[index(side, state, part)];
+            }
+        }
+    }
+    refined
+}

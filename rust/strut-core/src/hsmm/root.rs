@@ -1,0 +1,82 @@
+//! Where the body goes: the supporting foot does not slide, so that the pose says it (specification, §11).
+
+use super::model::Side;
+use crate::humanoid::{Pose, Proportions};
+use crate::kinematics::{WorldPose, world_from_local};
+use crate::math::{Quat, Vec3};
+use crate::transfer::Soles;
+
+/// Points of a foot that may touch the ground: heel, ball, and the tip of the toes.
+const POINTS: usize = 3;
+/// How far the tip of the toes lies before the ball, as a share of the distance from ankle to toes on the ground.
+const TIP_SHARE: f32 = 0.35;
+/// How much lower another foot, or another point, must be to take over, metres.
+const OTHER_FOOT: f32 = 0.02;
+const OTHER_POINT: f32 = 0.005;
+
+/// The path of a body that walks.
+#[derive(Clone, Debug)]
+pub(super) struct RootPath {
+    proportions: Proportions,
+    soles: Soles,
+    /// From the ball to the tip of the toes, in the toes' frame.
+    tips: [Vec3; 2],
+    /// Height of the root of the last frame.
+    root: Vec3,
+    /// Foot and point that touch the ground, and where both feet's points were for a root at the origin.
+    last: Option<(usize, usize, FeetPoints)>,
+}
+
+type FeetPoints = [[Vec3; POINTS]; 2];
+
+impl RootPath {
+    pub(super) fn new(proportions: &Proportions) -> Self {
+        let tips =
+            Soles::JOINTS.map(|[_, toes]| proportions.offsets[toes.index()] * Vec3::new(1.0, 0.0, 1.0) * TIP_SHARE);
+        Self { proportions: *proportions, soles: Soles::new(proportions), tips, root: Vec3::ZERO, last: None }
+    }
+
+    /// Begins anew above a point of the ground.
+    pub(super) fn reset(&mut self, at: Vec3) {
+        (self.root, self.last) = (at, None);
+    }
+
+    /// Puts the next pose where its supporting foot says, turned by a heading.
+    pub(super) fn place(&mut self, pose: &mut Pose, swinging: Side, heading: f32) {
+        pose.root = Vec3::ZERO;
+        pose.rotations[0] = Quat::from_rotation_y(heading) * pose.rotations[0];
+        let points = self.points(&world_from_local(&self.proportions, pose));
+        let lowest =
+            |foot: usize| (0..POINTS).min_by(|a, b| points[foot][*a].y.total_cmp(&points[foot][*b].y)).unwrap_or(0);
+        let support = swinging.other() as usize;
+        let other = 1 - support;
+        let height = |foot: usize| points[foot][lowest(foot)].y;
+        let foot = if height(other) < height(support) - OTHER_FOOT { other } else { support };
+        let mut point = lowest(foot);
+        if let Some((last_foot, last_point, before)) = self.last {
+            // What touched the ground in the last frame is where it was; only then may another point take over.
+            let moved = before[last_foot][last_point] - points[last_foot][last_point];
+            self.root += Vec3::new(moved.x, 0.0, moved.z);
+            if last_foot == foot && points[foot][point].y > points[foot][last_point].y - OTHER_POINT {
+                point = last_point;
+            }
+        }
+        self.root.y = -height(support).min(height(other));
+        self.last = Some((foot, point, points));
+        pose.root = self.root;
+    }
+
+    /// The point that touches the ground, in the world; `None` before the first frame.
+    #[cfg(test)]
+    pub(super) fn contact(&self) -> Option<(usize, usize, Vec3)> {
+        self.last.map(|(foot, point, points)| (foot, point, points[foot][point] + self.root))
+    }
+
+    fn points(&self, world: &WorldPose) -> FeetPoints {
+        std::array::from_fn(|side| {
+            let sole = self.soles.of(world, side);
+            let toes = world.rotations[Soles::JOINTS[side][1].index()];
+            [sole.heel, sole.ball, sole.ball + toes * self.tips[side]]
+        })
+    }
+}

@@ -1,0 +1,195 @@
+use super::model::WalkModel;
+use super::refinement::generate;
+use super::training::Shared;
+use super::*;
+use crate::humanoid::{HumanoidMotion, JOINTS, Proportions};
+use crate::math::{Vec3, exp_map};
+use crate::parallel::Sequential;
+use crate::transfer::sine_walk::{BENT, Gait, NEUTRAL, RATE_HZ as SINE_RATE_HZ, walk};
+use std::sync::{Arc, LazyLock};
+
+/// Half a minute of a gait, trembling as people do: what never varies would be certain beyond measure.
+fn track(gait: &Gait) -> Track {
+    let (proportions, mut poses) = (Proportions::default(), walk(gait, 1800, 0.1).poses);
+    let mut seed = 1_u32;
+    let mut random = || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        0.03 * ((seed >> 8) as f32 / (1 << 24) as f32 - 0.5)
+    };
+    for rotation in poses.iter_mut().flat_map(|pose| &mut pose.rotations) {
+        *rotation = *rotation * exp_map::exp(Vec3::new(random(), random(), random()));
+    }
+    Track::new(&HumanoidMotion { proportions, rate_hz: SINE_RATE_HZ, poses }).unwrap()
+}
+
+/// Upright and bent walking, by clips whose steps are not all of one length.
+static MODEL: LazyLock<WalkModel> = LazyLock::new(|| {
+    let tracks: Vec<(&str, Track)> = [("upright", NEUTRAL), ("bent", BENT)]
+        .into_iter()
+        .flat_map(|(name, gait)| [0.0, 3.0].map(|more| (name, track(&Gait { period: gait.period + more, ..gait }))))
+        .collect();
+    let clips: Vec<Training> = tracks.iter().map(|(style, track)| Training { style, track }).collect();
+    train(&Proportions::default(), &clips, Options::default(), &Sequential).unwrap()
+});
+
+fn walker(weights: &[f32]) -> Walker {
+    let mut walker = Walker::new(Arc::new(WalkVoices::new(&MODEL)));
+    walker.set_styles(weights).unwrap();
+    walker.reset(Vec3::ZERO, 0.0);
+    walker
+}
+
+/// Mean angle between the joints of two poses, degrees, and the greatest.
+fn angles(a: &[crate::math::Quat; JOINTS], b: &[crate::math::Quat; JOINTS]) -> (f32, f32) {
+    let all: Vec<f32> = a.iter().zip(b).map(|(a, b)| a.inv_mul(*b).angle().to_degrees()).collect();
+    (all.iter().sum::<f32>() / all.len() as f32, all.iter().copied().fold(0.0, f32::max))
+}
+
+#[test]
+fn steps_alternate_and_last_half_a_cycle() {
+    let steps = steps_of(&track(&NEUTRAL));
+    assert!(steps.len() >= 50, "{}", steps.len());
+    for pair in steps.windows(2) {
+        assert_eq!(pair[0].side, pair[1].side.other());
+        assert_eq!(pair[0].frames.end, pair[1].frames.start);
+    }
+    let lengths: Vec<usize> = steps.iter().map(|step| step.frames.len()).collect();
+    assert!(lengths.iter().all(|length| length.abs_diff(16) <= 2), "{lengths:?}");
+}
+
+#[test]
+fn clips_without_steps_are_refused_by_name() {
+    let standing = Gait { swing: 0.0, knee: 0.0, arms: 0.0, ..NEUTRAL };
+    let poses = walk(&standing, 200, 0.0).poses;
+    let motion = HumanoidMotion { proportions: Proportions::default(), rate_hz: SINE_RATE_HZ, poses };
+    assert!(matches!(Track::new(&motion), Err(TrackError::NoWay(_))));
+
+    let (walking, mut gliding) = (track(&NEUTRAL), track(&NEUTRAL));
+    let pose = gliding.positions[0];
+    gliding.positions.fill(pose);
+    let clips = [Training { style: "walks", track: &walking }, Training { style: "glides", track: &gliding }];
+    let refused = train(&Proportions::default(), &clips, Options::default(), &Sequential);
+    assert_eq!(refused.unwrap_err(), TrainError::NoStepInStyle("glides".into()));
+}
+
+#[test]
+fn a_style_alone_is_itself_to_the_bit() {
+    let average = MODEL.average();
+    for style in 0..2 {
+        let weights: Vec<f64> = (0..2).map(|s| f64::from(u8::from(s == style))).collect();
+        assert_eq!(MODEL.mix(&average, &weights), MODEL.means[style]);
+    }
+    assert_eq!(MODEL.mix(&average, &[0.0, 0.0]), average);
+}
+
+#[test]
+fn the_style_that_is_asked_for_is_walked() {
+    let lean = |weights: &[f32]| {
+        let mut walker = walker(weights);
+        (0..120).map(|_| exp_map::log(walker.advance().rotations[2]).x).sum::<f32>() / 120.0
+    };
+    let [upright, bent, half, average] = [[1.0, 0.0], [0.0, 1.0], [0.5, 0.5], [0.0, 0.0]].map(|w| lean(&w));
+    assert!((upright - NEUTRAL.lean).abs() < 0.01 && (bent - BENT.lean).abs() < 0.01, "{upright} {bent}");
+    assert!((half - 0.5 * (upright + bent)).abs() < 0.01 && (average - half).abs() < 0.01);
+}
+
+#[test]
+fn looking_ahead_gives_the_trajectory_of_the_whole_walk() {
+    let mut walker = walker(&[1.0, 0.0]);
+    walker.set_limits(false);
+    let (mut states, mut poses) = (Vec::new(), Vec::new());
+    for _ in 0..150 {
+        let pose = *walker.advance();
+        states.push((walker.step().1 as usize, walker.state()));
+        poses.push(pose);
+    }
+    let shared = Shared { variances: MODEL.variances.clone(), duration_variances: MODEL.duration_variances };
+    let rows = generate(&states, &MODEL.means[0], &shared);
+    let (mut mean, mut greatest) = (0.0, 0.0_f32);
+    for t in 30..120 {
+        let vector = |j: usize| Vec3::new(rows[t][3 * j] as f32, rows[t][3 * j + 1] as f32, rows[t][3 * j + 2] as f32);
+        let whole = std::array::from_fn(|j| MODEL.reference[j] * exp_map::exp(vector(j)));
+        let (m, g) = angles(&whole, &poses[t].rotations);
+        (mean, greatest) = (mean + m / 90.0, greatest.max(g));
+    }
+    assert!(mean < 0.1 && greatest < 1.0, "{mean} {greatest}");
+}
+
+#[test]
+fn what_touches_the_ground_stays_where_it_is() {
+    for weights in [[1.0, 0.0], [0.0, 2.0], [-2.0, 1.0]] {
+        let mut walker = walker(&weights);
+        walker.set_turn(0.1);
+        let mut last = None;
+        for _ in 0..300 {
+            walker.advance();
+            let now = walker.contact().unwrap();
+            if let Some((foot, point, at)) = last
+                && (foot, point) == (now.0, now.1)
+            {
+                let moved: Vec3 = now.2 - at;
+                assert!(moved.x.hypot(moved.z) < 1e-5, "{moved}");
+            }
+            last = Some(now);
+        }
+    }
+}
+
+#[test]
+fn ten_minutes_neither_drift_nor_grow() {
+    let mut walker = walker(&[0.6, 0.7]);
+    let first: Vec<f32> = (0..300).map(|_| walker.advance().root.y).collect();
+    (0..17_400).for_each(|_| _ = walker.advance());
+    let last: Vec<f32> = (0..300).map(|_| walker.advance().root.y).collect();
+    let mean = |v: &[f32]| v.iter().sum::<f32>() / v.len() as f32;
+    assert!((mean(&first) - mean(&last)).abs() < 0.002);
+    let end = walker.pose().root;
+    assert!(end.z > 200.0 && end.x.abs() < 0.05 * end.z, "{end}");
+}
+
+#[test]
+fn a_beat_is_kept() {
+    let mut walker = walker(&[1.0, 0.0]);
+    walker.set_cadence(Some(100.0));
+    (0..40).for_each(|_| _ = walker.advance());
+    let from = walker.step().0;
+    (0..1800).for_each(|_| _ = walker.advance());
+    assert!((walker.step().0 - from).abs_diff(100) <= 1);
+}
+
+#[test]
+fn a_transition_goes_through_its_steps() {
+    let mut walker = walker(&[1.0, 0.0]);
+    (0..60).for_each(|_| _ = walker.advance());
+    let step = walker.next_step() + 2;
+    walker.plan_transition(step, 3, &[0.0, 1.0]).unwrap();
+    let mut leans = Vec::new();
+    while walker.step().0 < step + 6 {
+        let lean = exp_map::log(walker.advance().rotations[2]).x;
+        leans.push((walker.step().0, lean));
+    }
+    let mean = |number: u64| {
+        let of: Vec<f32> = leans.iter().filter(|l| l.0 == number).map(|l| l.1).collect();
+        of.iter().sum::<f32>() / of.len() as f32
+    };
+    for (number, share) in [(step - 1, 0.0), (step, 0.25), (step + 1, 0.5), (step + 2, 0.75), (step + 4, 1.0)] {
+        let expected = NEUTRAL.lean + share * (BENT.lean - NEUTRAL.lean);
+        assert!((mean(number) - expected).abs() < 0.06, "{number}: {} against {expected}", mean(number));
+    }
+}
+
+#[test]
+fn weights_that_are_none_change_nothing() {
+    let mut walker = walker(&[1.0, 0.0]);
+    assert_eq!(walker.set_styles(&[1.0]), Err(WeightsError::Count { found: 1, styles: 2 }));
+    assert!(walker.set_styles(&[f32::NAN, 0.0]).is_err() && walker.plan_transition(9, 2, &[9.0, 0.0]).is_err());
+    let mut other = super::tests::walker(&[1.0, 0.0]);
+    (0..100).for_each(|_| assert_eq!(walker.advance(), other.advance()));
+}
+
+#[test]
+fn nothing_is_allocated_while_walking() {
+    let mut walker = walker(&[0.3, 0.4]);
+    let counted = allocation_counter::measure(|| (0..400).for_each(|_| _ = walker.advance()));
+    assert_eq!(counted.count_total, 0);
+}

@@ -1,0 +1,300 @@
+//! From recorded walks to a model (specification, §5 and §6).
+
+use super::adaptation::adapt;
+use super::alignment::{States, equal_split};
+use super::features::{Track, observations, reference};
+use super::model::{DIMS, Observation, PerState, Row, SIDES, STATES, StyleMeans, WalkModel};
+use super::refinement::refine;
+use super::steps::{Step, steps_of};
+use crate::humanoid::Proportions;
+use crate::parallel::ParallelMap;
+use thiserror::Error;
+
+/// Rounds of alignment and estimation.
+const ROUNDS: usize = 15;
+/// Least variance of an observation, as a share of the variance over all frames, and of a duration, frames².
+const LEAST_VARIANCE_SHARE: f64 = 0.01;
+const LEAST_DURATION_VARIANCE: f64 = 0.25;
+/// Steps from which on a style has variances of its own to speak of.
+const ENOUGH_STEPS: usize = 40;
+
+/// A clip of walking in a style.
+#[derive(Clone, Copy, Debug)]
+pub struct Training<'a> {
+    /// Name of the style.
+    pub style: &'a str,
+    /// The clip.
+    pub track: &'a Track,
+}
+
+/// How a model is trained.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Whether means are refined until trajectories are nearest to the recorded ones. Without, they are those of the frames:
+    /// better to recognise styles by, and joints move less.
+    pub refined: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { refined: true }
+    }
+}
+
+/// Why clips give no model.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum TrainError {
+    /// No clip has a step.
+    #[error("no clip holds a step: two strikes of either foot in turn, 0.2 to 1.5 s apart, were expected")]
+    NoStep,
+    /// A style's clips have no step.
+    #[error(
+        "the clips of style '{0}' hold no step: two strikes of either foot in turn, 0.2 to 1.5 s apart, were expected"
+    )]
+    NoStepInStyle(String),
+    /// No step is that of a style's left foot, or of its right one.
+    #[error("the clips of style '{0}' hold steps of one foot only")]
+    OneSided(String),
+}
+
+/// A clip as the model sees it.
+#[derive(Debug)]
+pub(super) struct Sample {
+    pub(super) style: usize,
+    pub(super) rows: Vec<Row>,
+    pub(super) observations: Vec<Observation>,
+    pub(super) steps: Vec<Step>,
+}
+
+/// What all styles share.
+#[derive(Clone, Debug)]
+pub(super) struct Shared {
+    pub(super) variances: Box<PerState<Observation>>,
+    pub(super) duration_variances: PerState<f64>,
+}
+
+/// A model of these clips, one style for every name, in the order of the names' first use.
+///
+/// # Errors
+/// See [`TrainError`].
+pub fn train(
+    proportions: &Proportions,
+    clips: &[Training<'_>],
+    options: Options,
+    executor: &impl ParallelMap,
+) -> Result<WalkModel, TrainError> {
+    let mut styles: Vec<String> = Vec::new();
+    for clip in clips {
+        if styles.iter().all(|style| style != clip.style) {
+            styles.push(clip.style.to_owned());
+        }
+    }
+    let tracks: Vec<&Track> = clips.iter().map(|clip| clip.track).collect();
+    let reference = reference(&tracks);
+    let samples: Vec<Sample> = executor.map(clips.len(), &|i| {
+        let rows = tracks[i].rows(&reference);
+        let style = styles.iter().position(|style| style == clips[i].style).unwrap_or_default();
+        Sample { style, observations: observations(&rows), rows, steps: steps_of(tracks[i]) }
+    });
+    let of_style = |style: usize| samples.iter().filter(move |s| s.style == style).collect::<Vec<_>>();
+    for (style, name) in styles.iter().enumerate() {
+        let sides = of_style(style).iter().flat_map(|s| &s.steps).fold([false; SIDES], |mut sides, step| {
+            sides[step.side as usize] = true;
+            sides
+        });
+        match sides {
+            [true, true] => {}
+            [false, false] if styles.len() == 1 => return Err(TrainError::NoStep),
+            [false, false] => return Err(TrainError::NoStepInStyle(name.clone())),
+            _ => return Err(TrainError::OneSided(name.clone())),
+        }
+    }
+
+    let floor = least_variances(&samples);
+    let own = executor.map(styles.len(), &|style| train_alone(&of_style(style), &floor));
+    let enough = |style: usize| of_style(style).iter().map(|s| s.steps.len()).sum::<usize>() >= ENOUGH_STEPS;
+    let any = (0..styles.len()).any(enough);
+    let shared = mean_variances(own.iter().enumerate().filter(|(style, _)| !any || enough(*style)).map(|(_, s)| s));
+    let (pooled, shared) = train_means(&samples.iter().collect::<Vec<_>>(), &shared);
+    let means = executor.map(styles.len(), &|style| {
+        let samples = of_style(style);
+        let adapted = adapt(&samples, &pooled, &shared);
+        if options.refined { refine(&samples, &adapted, &shared) } else { adapted }
+    });
+
+    let Shared { variances, duration_variances } = shared;
+    let range = range_of(&samples);
+    Ok(WalkModel { proportions: *proportions, reference, variances, duration_variances, range, styles, means })
+}
+
+/// Sums over the frames and durations of aligned steps.
+#[derive(Debug)]
+pub(super) struct Sums {
+    pub(super) frames: PerState<f64>,
+    pub(super) values: Box<PerState<Observation>>,
+    squares: Box<PerState<Observation>>,
+    /// Number of steps.
+    pub(super) steps: [f64; SIDES],
+    pub(super) durations: PerState<f64>,
+    squared_durations: PerState<f64>,
+}
+
+impl Sums {
+    fn zero() -> Self {
+        let zero = Box::new([[[[0.0; DIMS]; 3]; STATES]; SIDES]);
+        Self {
+            frames: [[0.0; STATES]; SIDES],
+            values: zero.clone(),
+            squares: zero,
+            steps: [0.0; SIDES],
+            durations: [[0.0; STATES]; SIDES],
+            squared_durations: [[0.0; STATES]; SIDES],
+        }
+    }
+
+    fn add(&mut self, side: usize, step: &[Observation], durations: &[usize; STATES]) {
+        self.steps[side] += 1.0;
+        let mut rest = step;
+        for (state, &duration) in durations.iter().enumerate() {
+            let (frames, after) = rest.split_at(duration);
+            rest = after;
+            self.frames[side][state] += duration as f64;
+            self.durations[side][state] += duration as f64;
+            self.squared_durations[side][state] += (duration * duration) as f64;
+            let (values, squares) = (&mut self.values[side][state], &mut self.squares[side][state]);
+            for frame in frames {
+                let sums = values.as_flattened_mut().iter_mut().zip(squares.as_flattened_mut());
+                for ((value, square), v) in sums.zip(frame.as_flattened()) {
+                    *value += v;
+                    *square += v * v;
+                }
+            }
+        }
+    }
+
+    /// Of steps whose states are the likeliest by a model, or of equal length without one.
+    pub(super) fn aligned(samples: &[&Sample], model: Option<(&StyleMeans, &Shared)>) -> Self {
+        let mut sums = Self::zero();
+        let states = model.map(|(means, shared)| states_of(means, shared));
+        for (sample, step) in samples.iter().flat_map(|s| s.steps.iter().map(move |step| (s, step))) {
+            let observations = &sample.observations[step.frames.clone()];
+            let durations = match &states {
+                None => equal_split(observations.len()),
+                Some(states) => states[step.side as usize].align(observations).map(|found| found.0),
+            };
+            if let Some(durations) = durations {
+                sums.add(step.side as usize, observations, &durations);
+            }
+        }
+        sums
+    }
+
+    /// Means of everything.
+    fn means(&self) -> StyleMeans {
+        let mut means = StyleMeans::zero();
+        for (side, state) in states() {
+            let frames = self.frames[side][state].max(1.0);
+            means.means[side][state] = self.values[side][state].map(|row| row.map(|v| v / frames));
+            means.durations[side][state] = self.durations[side][state] / self.steps[side].max(1.0);
+        }
+        means
+    }
+
+    /// Variances about the means, at least the `floor`.
+    fn variances(&self, means: &StyleMeans, floor: &Observation) -> Shared {
+        let mut variances = self.squares.clone();
+        for (side, state) in states() {
+            let frames = self.frames[side][state].max(1.0);
+            let values = variances[side][state].as_flattened_mut().iter_mut();
+            let means = means.means[side][state].as_flattened();
+            for ((v, mean), floor) in values.zip(means).zip(floor.as_flattened()) {
+                *v = (*v / frames - mean * mean).max(*floor);
+            }
+        }
+        Shared { variances, duration_variances: self.duration_variances(means) }
+    }
+
+    fn duration_variances(&self, means: &StyleMeans) -> PerState<f64> {
+        let mut variances = self.squared_durations;
+        for (side, state) in states() {
+            let mean = means.durations[side][state];
+            let variance = variances[side][state] / self.steps[side].max(1.0) - mean * mean;
+            variances[side][state] = variance.max(LEAST_DURATION_VARIANCE);
+        }
+        variances
+    }
+}
+
+/// All states.
+pub(super) fn states() -> impl Iterator<Item = (usize, usize)> {
+    (0..SIDES).flat_map(|side| (0..STATES).map(move |state| (side, state)))
+}
+
+/// The states of both sides, ready to be compared with frames.
+pub(super) fn states_of<'a>(means: &'a StyleMeans, shared: &Shared) -> [States<'a>; SIDES] {
+    std::array::from_fn(|side| {
+        let (durations, variances) = (means.durations[side], shared.duration_variances[side]);
+        States::new(&means.means[side], &shared.variances[side], durations, variances)
+    })
+}
+
+/// Shares of the variances over all frames.
+fn least_variances(samples: &[Sample]) -> Observation {
+    let count = samples.iter().map(|s| s.observations.len()).sum::<usize>().max(1) as f64;
+    let all = || samples.iter().flat_map(|s| &s.observations);
+    std::array::from_fn(|part| {
+        std::array::from_fn(|d| {
+            let mean = all().map(|o| o[part][d]).sum::<f64>() / count;
+            let variance = all().map(|o| (o[part][d] - mean) * (o[part][d] - mean)).sum::<f64>() / count;
+            // A joint that never moves would otherwise be certain beyond all numbers.
+            (LEAST_VARIANCE_SHARE * variance).max(1e-9)
+        })
+    })
+}
+
+/// A model of one style's steps alone: only its variances are of use.
+fn train_alone(samples: &[&Sample], floor: &Observation) -> Shared {
+    let first = Sums::aligned(samples, None);
+    let mut means = first.means();
+    let mut shared = first.variances(&means, floor);
+    for _ in 0..ROUNDS {
+        let sums = Sums::aligned(samples, Some((&means, &shared)));
+        means = sums.means();
+        shared = sums.variances(&means, floor);
+    }
+    shared
+}
+
+/// Variances that are shared: with those between styles in them, poses would count for too little.
+fn mean_variances<'a>(of: impl Iterator<Item = &'a Shared> + Clone) -> Shared {
+    let count = of.clone().count().max(1) as f64;
+    let mut mean =
+        Shared { variances: Box::new([[[[0.0; DIMS]; 3]; STATES]; SIDES]), duration_variances: [[0.0; STATES]; SIDES] };
+    for shared in of {
+        let sums = mean.variances.as_flattened_mut().as_flattened_mut().as_flattened_mut().iter_mut();
+        let values = shared.variances.as_flattened().as_flattened().as_flattened();
+        sums.zip(values).for_each(|(sum, v)| *sum += v / count);
+        let sums = mean.duration_variances.as_flattened_mut().iter_mut();
+        sums.zip(shared.duration_variances.as_flattened()).for_each(|(sum, v)| *sum += v / count);
+    }
+    mean
+}
+
+/// Means and durations of all styles' steps together, by variances that stay; the variances of durations are its own.
+fn train_means(samples: &[&Sample], shared: &Shared) -> (StyleMeans, Shared) {
+    let mut shared = shared.clone();
+    let mut means = Sums::aligned(samples, None).means();
+    for _ in 0..ROUNDS {
+        let sums = Sums::aligned(samples, Some((&means, &shared)));
+        means = sums.means();
+        shared.duration_variances = sums.duration_variances(&means);
+    }
+    (means, shared)
+}
+
+/// Least and greatest values in all steps.
+fn range_of(samples: &[Sample]) -> [Row; 2] {
+    let rows = || samples.iter().flat_map(|s| s.steps.iter().flat_map(|step| &s.rows[step.frames.clone()]));
+    [f64::min as fn(f64, f64) -> f64, f64::max]
+        .map(|extreme| std::array::from_fn(|d| rows().map(|row| row[d]).reduce(extreme).unwrap_or_default()))
+}

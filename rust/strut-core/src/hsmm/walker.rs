@@ -1,0 +1,469 @@
+//! Endless walking, frame by frame: what is controlled acts on the next frame (specification, §8, §9 and §11).
+
+use super::RATE_HZ;
+use super::joint_range::limited;
+use super::mlpg::{Banded, Term};
+use super::model::{DIMS, Observation, Part, SIDES, STATES, Side, StyleMeans, WalkModel};
+use super::root::RootPath;
+use crate::humanoid::{JOINTS, Pose, Proportions};
+use crate::math::lanes::{Lane, WIDTH};
+use crate::math::{Quat, Vec3, exp_map};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// Frames that are looked ahead: with them the trajectory is within 0.1° of that of the whole walk on average.
+pub const HORIZON: usize = 20;
+/// Steps that may begin within the horizon, and the one before.
+const PLANNED: usize = HORIZON / STATES + 2;
+/// Frames of a state, whatever is mixed.
+const STATE_FRAMES: [f32; 2] = [1.0, 14.0];
+/// Greatest turn of a step, radians: the foot turns on the ground by as much.
+pub const MAX_TURN: f32 = 0.18;
+/// Slowest and fastest steps that can be asked for, frames.
+pub const STEP_FRAMES: [f32; 2] = [8.0, 45.0];
+/// Greatest weight of a style, either way.
+pub const MAX_WEIGHT: f32 = 5.0;
+
+const PADDED: usize = DIMS.next_multiple_of(WIDTH);
+const LANES: usize = PADDED / WIDTH;
+
+type Padded = [f32; PADDED];
+type StateMeans = [Padded; 3];
+
+/// Why weights are none.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum WeightsError {
+    /// There is not one a style.
+    #[error("{found} weights were given for {styles} styles")]
+    Count {
+        /// Weights given.
+        found: usize,
+        /// Styles of the model.
+        styles: usize,
+    },
+    /// One is not a number, or too large.
+    #[error("a weight is {0}; a number between -{MAX_WEIGHT} and {MAX_WEIGHT} was expected")]
+    Range(f32),
+}
+
+/// A style in single precision.
+#[derive(Clone, Debug)]
+struct Voice {
+    means: [[StateMeans; STATES]; SIDES],
+    durations: [[f32; STATES]; SIDES],
+}
+
+impl Voice {
+    fn new(means: &StyleMeans) -> Self {
+        Self {
+            means: means.means.each_ref().map(|side| side.each_ref().map(padded)),
+            durations: means.durations.map(|side| side.map(|d| d as f32)),
+        }
+    }
+}
+
+fn padded(of: &Observation) -> StateMeans {
+    of.map(|row| std::array::from_fn(|d| row.get(d).map_or(0.0, |v| *v as f32)))
+}
+
+/// A model made ready to be walked by; walkers share it.
+#[derive(Debug)]
+pub struct WalkVoices {
+    proportions: Proportions,
+    reference: [Quat; JOINTS],
+    weights: [[StateMeans; STATES]; SIDES],
+    duration_deviations: [[f32; STATES]; SIDES],
+    range: Vec<[f32; 2]>,
+    average: Voice,
+    styles: Vec<Voice>,
+}
+
+impl WalkVoices {
+    /// Of a model.
+    pub fn new(model: &WalkModel) -> Self {
+        // Where a degree of freedom is padding it is certain to be zero.
+        let inverse = |of: &Observation| padded(of).map(|row| row.map(|v| if v > 0.0 { 1.0 / v } else { 1.0 }));
+        let [low, high] = &model.range;
+        Self {
+            proportions: model.proportions,
+            reference: model.reference,
+            weights: model.variances.each_ref().map(|side| side.each_ref().map(inverse)),
+            duration_deviations: model.duration_variances.map(|side| side.map(|v| v as f32)),
+            range: low.iter().zip(high).map(|(l, h)| [*l as f32, *h as f32]).collect(),
+            average: Voice::new(&model.average()),
+            styles: model.means.iter().map(Voice::new).collect(),
+        }
+    }
+
+    /// Number of styles.
+    pub fn styles(&self) -> usize {
+        self.styles.len()
+    }
+}
+
+/// Weights of the styles, for the steps of either foot.
+#[derive(Clone, Debug, PartialEq)]
+struct Weights([Vec<f32>; SIDES]);
+
+/// A change of style that is spread over steps.
+#[derive(Clone, Debug)]
+struct Transition {
+    /// The first step that is in between.
+    first: u64,
+    /// Steps in between.
+    steps: u32,
+    to: Weights,
+}
+
+impl Transition {
+    /// How far a step is on the way.
+    fn share(&self, step: u64) -> f32 {
+        if step < self.first {
+            return 0.0;
+        }
+        ((step - self.first + 1) as f32 / (self.steps + 1) as f32).min(1.0)
+    }
+}
+
+/// A step to come, or the current one, in its style.
+#[derive(Clone, Debug)]
+struct PlannedStep {
+    number: u64,
+    means: [StateMeans; STATES],
+    durations: [f32; STATES],
+}
+
+/// Where a frame stands: the step, the state in it, and when the state began in frames, counted and reckoned.
+#[derive(Clone, Copy, Debug, Default)]
+struct Position {
+    step: u64,
+    state: usize,
+    begin: u64,
+    reckoned: f64,
+}
+
+/// Someone who walks, and never stops.
+#[derive(Clone, Debug)]
+pub struct Walker {
+    voices: Arc<WalkVoices>,
+    weights: Weights,
+    transitions: Vec<Transition>,
+    /// Frames of a step if they are prescribed.
+    step_frames: Option<f32>,
+    /// Turn of a frame, radians.
+    turn: f32,
+    limits: bool,
+
+    heading: f32,
+    frame: u64,
+    position: Position,
+    /// A ring: the step of number n is in slot n mod the length.
+    planned: Vec<PlannedStep>,
+    /// Whether the planned steps are those of the current weights.
+    is_planned: bool,
+    /// The last two frames, and the side, state, and means of the last one's velocity and acceleration.
+    emitted: [Padded; 2],
+    last: (usize, usize, [Padded; 2]),
+    systems: Vec<Banded<Lane>>,
+    path: Vec<(u64, usize)>,
+    root: RootPath,
+    pose: Pose,
+}
+
+impl Walker {
+    /// Someone who walks as the average of all styles, from the origin along +Z.
+    pub fn new(voices: Arc<WalkVoices>) -> Self {
+        let none = Weights([(); SIDES].map(|()| vec![0.0; voices.styles.len()]));
+        let step = PlannedStep { number: u64::MAX, means: voices.average.means[0], durations: [0.0; STATES] };
+        let mut walker = Self {
+            weights: none,
+            transitions: Vec::new(),
+            step_frames: None,
+            turn: 0.0,
+            limits: true,
+            heading: 0.0,
+            frame: 0,
+            position: Position::default(),
+            planned: vec![step; PLANNED],
+            is_planned: false,
+            emitted: [[0.0; PADDED]; 2],
+            last: (0, 0, [[0.0; PADDED]; 2]),
+            systems: vec![Banded::with_capacity(HORIZON + 1); LANES],
+            path: Vec::with_capacity(HORIZON + 1),
+            root: RootPath::new(&voices.proportions),
+            pose: Pose::default(),
+            voices,
+        };
+        walker.begin();
+        walker
+    }
+
+    /// Begins anew at a place with a heading; styles and controls stay.
+    pub fn reset(&mut self, at: Vec3, heading: f32) {
+        self.root.reset(at);
+        self.heading = heading;
+        self.begin();
+    }
+
+    /// Styles of both feet's steps from the next frame on; what weights lack to a sum of 1 is the average's.
+    ///
+    /// # Errors
+    /// See [`WeightsError`]; the former weights then stay.
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), WeightsError> {
+        self.set_sides([weights; SIDES])
+    }
+
+    /// [`Walker::set_styles`] for the steps of the left foot and of the right.
+    ///
+    /// # Errors
+    /// See [`WeightsError`]; the former weights then stay.
+    pub fn set_sides(&mut self, weights: [&[f32]; SIDES]) -> Result<(), WeightsError> {
+        weights.iter().try_for_each(|w| self.check(w))?;
+        for (own, new) in self.weights.0.iter_mut().zip(weights) {
+            own.copy_from_slice(new);
+        }
+        self.transitions.clear();
+        self.is_planned = false;
+        Ok(())
+    }
+
+    /// Changes styles from a step to come on, over so many steps in between; 0 is an abrupt change.
+    ///
+    /// # Errors
+    /// See [`WeightsError`]; nothing changes then.
+    pub fn plan_transition(&mut self, step: u64, between: u32, weights: &[f32]) -> Result<(), WeightsError> {
+        self.check(weights)?;
+        let to = Weights([(); SIDES].map(|()| weights.to_vec()));
+        let at = self.transitions.partition_point(|t| t.first <= step);
+        self.transitions.insert(at, Transition { first: step, steps: between, to });
+        self.is_planned = false;
+        Ok(())
+    }
+
+    /// Steps a minute from now on; `None` leaves it to the style. The nearest of [`STEP_FRAMES`] is taken.
+    pub fn set_cadence(&mut self, steps_per_minute: Option<f32>) {
+        let frames = |cadence: f32| (60.0 * RATE_HZ / cadence).clamp(STEP_FRAMES[0], STEP_FRAMES[1]);
+        self.step_frames = steps_per_minute.filter(|c| c.is_finite() && *c > 0.0).map(frames);
+        self.is_planned = false;
+    }
+
+    /// Turn of a step, radians to the left; at most [`MAX_TURN`] either way.
+    pub fn set_turn(&mut self, turn: f32) {
+        let turn = if turn.is_finite() { turn.clamp(-MAX_TURN, MAX_TURN) } else { 0.0 };
+        self.turn = turn;
+    }
+
+    /// Whether joints keep within the range of the recorded walks; they do unless told otherwise.
+    pub fn set_limits(&mut self, limits: bool) {
+        self.limits = limits;
+    }
+
+    /// Number of the step that the last frame belongs to, and the foot that swings in it.
+    pub fn step(&self) -> (u64, Side) {
+        (self.path[0].0, side_of(self.path[0].0))
+    }
+
+    /// Number of the step that the next frame belongs to: the first that can be planned for.
+    pub fn next_step(&self) -> u64 {
+        self.position.step
+    }
+
+    /// State of the last frame, 0 to 4.
+    pub fn state(&self) -> usize {
+        self.path[0].1
+    }
+
+    /// The last frame.
+    pub fn pose(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// The next frame.
+    pub fn advance(&mut self) -> &Pose {
+        self.follow_path();
+        self.solve(true);
+        let row = self.row(0);
+        self.emitted = [self.emitted[1], row];
+        self.remember_means();
+        let side = side_of(self.path[0].0);
+        let mut rotations = self.voices.reference;
+        for (j, q) in rotations.iter_mut().enumerate() {
+            let of = |d: usize| {
+                let x = row[3 * j + d];
+                if self.limits { limited(x, self.voices.range[3 * j + d]) } else { x }
+            };
+            *q = *q * exp_map::exp(Vec3::new(of(0), of(1), of(2)));
+        }
+        self.pose = Pose { root: Vec3::ZERO, rotations };
+        self.heading += self.turn / self.planned[self.slot(self.path[0].0)].durations.iter().sum::<f32>();
+        self.root.place(&mut self.pose, side, self.heading);
+        &self.pose
+    }
+
+    /// Foot, point and place in the world that touch the ground.
+    #[cfg(test)]
+    pub(super) fn contact(&self) -> Option<(usize, usize, Vec3)> {
+        self.root.contact()
+    }
+
+    fn check(&self, weights: &[f32]) -> Result<(), WeightsError> {
+        let styles = self.voices.styles.len();
+        if weights.len() != styles {
+            return Err(WeightsError::Count { found: weights.len(), styles });
+        }
+        let bad = weights.iter().find(|w| w.is_nan() || w.abs() > MAX_WEIGHT);
+        bad.map_or(Ok(()), |w| Err(WeightsError::Range(*w)))
+    }
+
+    /// Takes two frames that nobody sees: those after them have a past.
+    fn begin(&mut self) {
+        (self.frame, self.position, self.is_planned) = (0, Position::default(), false);
+        self.follow_path();
+        self.solve(false);
+        self.emitted = [self.row(0), self.row(1)];
+        self.follow_path();
+        self.remember_means();
+    }
+
+    fn slot(&self, step: u64) -> usize {
+        (step % PLANNED as u64) as usize
+    }
+
+    /// Steps and states of this frame and those within the horizon; then the position is that of the next frame.
+    fn follow_path(&mut self) {
+        if !self.is_planned {
+            self.planned.iter_mut().for_each(|step| step.number = u64::MAX);
+            self.is_planned = true;
+        }
+        self.forget_past_transitions();
+        self.path.clear();
+        let mut at = self.position;
+        for frame in self.frame..=self.frame + HORIZON as u64 {
+            loop {
+                self.plan(at.step);
+                let reckoned = at.reckoned + f64::from(self.planned[self.slot(at.step)].durations[at.state]);
+                let end = (reckoned.round() as u64).max(at.begin + 1);
+                if frame < end {
+                    break;
+                }
+                let is_last = at.state + 1 == STATES;
+                at = Position {
+                    step: at.step + u64::from(is_last),
+                    state: if is_last { 0 } else { at.state + 1 },
+                    begin: end,
+                    reckoned,
+                };
+            }
+            self.path.push((at.step, at.state));
+            if frame == self.frame + 1 {
+                self.position = at;
+            }
+        }
+        self.frame += 1;
+    }
+
+    /// Transitions that are over become the style that all begins with.
+    fn forget_past_transitions(&mut self) {
+        let step = self.position.step;
+        let over = self.transitions.iter().take_while(|t| t.share(step) >= 1.0).count();
+        if over > 0 {
+            self.weights.clone_from(&self.transitions[over - 1].to);
+            self.transitions.drain(..over);
+        }
+    }
+
+    /// Mixes the means of a step, if it is not planned yet.
+    fn plan(&mut self, number: u64) {
+        let slot = self.slot(number);
+        if self.planned[slot].number == number {
+            return;
+        }
+        let side = side_of(number) as usize;
+        let voices = &*self.voices;
+        let weight = |style: usize| {
+            self.transitions.iter().fold(self.weights.0[side][style], |from, t| {
+                let share = t.share(number);
+                if share <= 0.0 { from } else { (1.0 - share) * from + share * t.to.0[side][style] }
+            })
+        };
+        let step = &mut self.planned[slot];
+        step.number = number;
+        let mut rest = 1.0;
+        (step.means, step.durations) = ([[[0.0; PADDED]; 3]; STATES], [0.0; STATES]);
+        let mut add = |weight: f32, voice: &Voice| {
+            if weight == 0.0 {
+                return;
+            }
+            let sums = step.means.as_flattened_mut().as_flattened_mut().iter_mut();
+            sums.zip(voice.means[side].as_flattened().as_flattened()).for_each(|(sum, v)| *sum += weight * v);
+            step.durations.iter_mut().zip(voice.durations[side]).for_each(|(sum, d)| *sum += weight * d);
+        };
+        for (style, voice) in voices.styles.iter().enumerate() {
+            let weight = weight(style);
+            rest -= weight;
+            add(weight, voice);
+        }
+        add(rest, &voices.average);
+        let [least, greatest] = STATE_FRAMES;
+        let variances = voices.duration_deviations[side];
+        step.durations = step.durations.map(|d| d.clamp(least, greatest));
+        if let Some(wanted) = self.step_frames {
+            // States give way as far as they vary.
+            let rho = (wanted - step.durations.iter().sum::<f32>()) / variances.iter().sum::<f32>();
+            for (duration, variance) in step.durations.iter_mut().zip(variances) {
+                *duration = (*duration + rho * variance).clamp(least, greatest);
+            }
+        }
+    }
+
+    /// Solves for the likeliest trajectory along the path, going on from the frames before or not.
+    fn solve(&mut self, goes_on: bool) {
+        let (last_side, last_state, last_means) = &self.last;
+        for l in 0..LANES {
+            let system = &mut self.systems[l];
+            system.begin(self.path.len());
+            let term = |side: usize, state: usize, part: Part, means: &Padded| Term {
+                mean: Lane::of(means, l),
+                weight: Lane::of(&self.voices.weights[side][state][part as usize], l),
+            };
+            let at = |t: usize, part: Part| {
+                let (number, state) = self.path[t];
+                let step = &self.planned[(number % PLANNED as u64) as usize];
+                term(side_of(number) as usize, state, part, &step.means[state][part as usize])
+            };
+            for t in 0..self.path.len() {
+                system.pose(t, at(t, Part::Pose));
+                if t > 0 && t + 1 < self.path.len() {
+                    system.velocity(t, at(t, Part::Velocity));
+                    system.acceleration(t, at(t, Part::Acceleration));
+                }
+            }
+            if goes_on {
+                let terms =
+                    |part: Part| [term(*last_side, *last_state, part, &last_means[part as usize - 1]), at(0, part)];
+                let known = self.emitted.each_ref().map(|row| Lane::of(row, l));
+                system.after(known, terms(Part::Velocity), terms(Part::Acceleration));
+            }
+            system.solve();
+        }
+    }
+
+    /// A frame of the trajectory.
+    fn row(&self, t: usize) -> Padded {
+        let mut row = [0.0; PADDED];
+        self.systems.iter().enumerate().for_each(|(l, system)| system.trajectory()[t].write(&mut row, l));
+        row
+    }
+
+    /// Keeps what the next frame's trajectory needs of this one's means.
+    fn remember_means(&mut self) {
+        let (number, state) = self.path[0];
+        let [_, velocity, acceleration] = self.planned[self.slot(number)].means[state];
+        self.last = (side_of(number) as usize, state, [velocity, acceleration]);
+    }
+}
+
+/// The foot that swings in a step.
+fn side_of(step: u64) -> Side {
+    if step.is_multiple_of(2) { Side::Left } else { Side::Right }
+}
