@@ -4,3 +4,4 @@
 pub mod bvh;
 pub mod corpus;
 pub mod strutdb;
+pub mod walk_model;

@@ -99,7 +99,7 @@ impl Metadata {
 }
 
 impl SkeletonInfo {
-    fn of(proportions: &Proportions) -> Self {
+    pub(crate) fn of(proportions: &Proportions) -> Self {
         let names = || Role::ALL.iter().map(|r| r.name().to_owned()).collect();
         Self {
             names: names(),
@@ -110,7 +110,7 @@ impl SkeletonInfo {
     }
 
     /// The bone offsets, if the joints are those of the canonical humanoid in its order.
-    pub(super) fn proportions(&self) -> Option<Proportions> {
+    pub(crate) fn proportions(&self) -> Option<Proportions> {
         let mut proportions = Proportions::default();
         let expected = Self::of(&proportions);
         if self.roles != expected.roles || self.parents != expected.parents || self.offsets_cm.len() != JOINTS {
