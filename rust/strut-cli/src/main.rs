@@ -23,6 +23,8 @@ mod stylize;
 mod suggestion;
 mod threads;
 mod trace;
+mod train_walk;
+mod walk;
 mod weights;
 
 use clap::{Parser, Subcommand};
@@ -46,6 +48,8 @@ enum Command {
     Evaluate(Box<evaluate::Args>),
     Bench(bench::Args),
     DemoDb(demo_db::Args),
+    TrainWalk(train_walk::Args),
+    Walk(walk::Args),
 }
 
 fn run(args: Args) -> Outcome {
@@ -57,6 +61,8 @@ fn run(args: Args) -> Outcome {
         Command::Evaluate(args) => evaluate::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::DemoDb(args) => demo_db::run(&args),
+        Command::TrainWalk(args) => train_walk::run(&args),
+        Command::Walk(args) => walk::run(&args),
     }
 }
 

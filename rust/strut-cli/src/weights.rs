@@ -45,10 +45,18 @@ impl StyleWeights {
     /// # Errors
     /// A sentence about the first name that is not a style.
     pub(crate) fn of(&self, db: &Database) -> Result<Vec<f32>, String> {
-        let mut weights = vec![0.0; db.styles.len()];
+        self.among(&db.styles)
+    }
+
+    /// One weight for each of these styles.
+    ///
+    /// # Errors
+    /// A sentence about the first name that is not among them.
+    pub(crate) fn among(&self, styles: &[String]) -> Result<Vec<f32>, String> {
+        let mut weights = vec![0.0; styles.len()];
         for (name, weight) in &self.0 {
-            let style = db.style_index(name).ok_or_else(|| unknown("style", name, &db.styles))?;
-            weights[usize::from(style)] = *weight;
+            let style = styles.iter().position(|s| s == name).ok_or_else(|| unknown("style", name, styles))?;
+            weights[style] = *weight;
         }
         Ok(weights)
     }

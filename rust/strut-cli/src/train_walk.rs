@@ -1,0 +1,117 @@
+//! `strut train-walk`: labelled walks become a model of walk styles.
+
+use crate::corpus::{self, RefusedFile};
+use crate::failure::{Failure, Outcome};
+use crate::files::{Outputs, print, print_warnings};
+use crate::gather::gather;
+use crate::threads::ThreadPool;
+use serde::Serialize;
+use std::path::PathBuf;
+use std::time::Instant;
+use strut_core::hsmm::{Options, Track, Training, steps_of, train};
+use strut_core::parallel::ParallelMap;
+use strut_formats::corpus::Pattern;
+use strut_formats::{strutdb, walk_model};
+
+/// The action that is walking, where clips have any of that name.
+const WALK: &str = "walk";
+
+/// Train a model of walk styles on labelled clips
+///
+/// Of clips with an action 'walk' only those are used. A clip that cannot be used is left out with a warning.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// .bvh files, folders with all below them, .zip archives
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
+    /// The model to write
+    #[arg(short, long, value_name = "M")]
+    output: PathBuf,
+    /// How file names give the labels: {action}, {style}, {take} and any other {name}, which is ignored
+    /// [default: {action}_{style}_{take}.bvh]
+    #[arg(long, value_name = "P")]
+    pattern: Option<Pattern>,
+    /// A table with the columns file,action,style[,take]; goes before the pattern
+    #[arg(long, value_name = "CSV")]
+    labels: Option<PathBuf>,
+    /// Write {model, seconds, styles: [{style, clips, steps, step_secs}], refused: [{file, reason}]} as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Report {
+    model: String,
+    seconds: f64,
+    styles: Vec<StyleEntry>,
+    refused: Vec<RefusedFile>,
+}
+
+#[derive(Serialize)]
+struct StyleEntry {
+    style: String,
+    clips: usize,
+    steps: usize,
+    step_secs: f64,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
+    let begin = Instant::now();
+    let sources = gather(&args.inputs)?;
+    let mut refused = Vec::new();
+    let mut labelled = corpus::label(&sources, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
+    if labelled.iter().any(|(_, labels)| labels.action == WALK) {
+        labelled.retain(|(_, labels)| labels.action == WALK);
+    }
+    let clips = corpus::read_clips(None, labelled, &mut refused)?;
+    let body = clips.first().map(|clip| clip.motion.proportions).unwrap_or_default();
+    let tracks = ThreadPool.map(clips.len(), &|i| {
+        let track = Track::new(&clips[i].motion).map_err(|e| e.to_string())?;
+        let steps = steps_of(&track).len();
+        if steps == 0 { Err("it holds no step".to_owned()) } else { Ok((track, steps)) }
+    });
+    let mut walks = Vec::new();
+    for (clip, track) in clips.iter().zip(tracks) {
+        match track {
+            Ok((track, steps)) => walks.push((clip.style.as_str(), track, steps)),
+            Err(reason) => refused.push(RefusedFile { file: clip.source.clone(), reason }),
+        }
+    }
+    let training: Vec<Training> = walks.iter().map(|(style, track, _)| Training { style, track }).collect();
+    let model = train(&body, &training, Options::default(), &ThreadPool).map_err(Failure::new)?;
+    let bytes = walk_model::write(&model, strutdb::GENERATOR);
+
+    let styles = model.styles.iter().zip(&model.means).map(|(style, means)| {
+        let of = || walks.iter().filter(|w| w.0 == style);
+        let frames: f64 = means.durations.as_flattened().iter().sum();
+        let step_secs = frames / 2.0 / f64::from(strut_core::hsmm::RATE_HZ);
+        StyleEntry { style: style.clone(), clips: of().count(), steps: of().map(|w| w.2).sum(), step_secs }
+    });
+    let report = Report {
+        model: args.output.display().to_string(),
+        styles: styles.collect(),
+        seconds: begin.elapsed().as_secs_f64(),
+        refused,
+    };
+    let mut outputs = Outputs::default();
+    outputs.stage(&args.output, &bytes)?;
+    if let Some(target) = &args.json {
+        outputs.stage(target, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
+    }
+    outputs.commit()?;
+    let warnings = report.refused.iter().map(|r| format!("warning: {}: {}\n", r.file, r.reason));
+    print_warnings(&warnings.collect::<String>());
+    let steps: usize = report.styles.iter().map(|s| s.steps).sum();
+    let names: Vec<&str> = report.styles.iter().map(|s| s.style.as_str()).collect();
+    print(&format!(
+        "{}: {} styles ({}) from {steps} steps of {} clips in {:.1} s, {} kB\n",
+        report.model,
+        names.len(),
+        names.join(", "),
+        walks.len(),
+        report.seconds,
+        bytes.len().div_ceil(1000),
+    ));
+    Ok(())
+}
