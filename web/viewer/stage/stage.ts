@@ -30,7 +30,7 @@ const SOFTWARE_LEVEL = 2;
 const MOST_FRAMES = 2;
 
 /** The rest of the page may keep the graphics processor from answers for so long, milliseconds. */
-const PATIENCE_MS = { memory: 2000, shaders: 300 };
+const PATIENCE_MS = { memory: 2000, firstShaders: 300, shaders: 2000 };
 
 /** Scene, camera, light and ground. */
 export class Stage {
@@ -218,7 +218,8 @@ export class Stage {
     const programs = (this.#renderer.info.programs ?? []).filter((program) => !this.#asked.has(program));
     // Nothing that can be waited for tells that a shader is linked; but its validation comes after that.
     for (const { program } of programs) this.#gl.validateProgram(program as WebGLProgram);
-    await this.#queue.idle(PATIENCE_MS.shaders);
+    // Nobody waits for a first picture any more once there has been one.
+    await this.#queue.idle(this.#compilation === 1 ? PATIENCE_MS.firstShaders : PATIENCE_MS.shaders);
     // One may have been given up meanwhile.
     for (const program of programs.filter(({ program }) => current() && program !== undefined)) {
       program.getUniforms();
