@@ -26,6 +26,7 @@ import { Session } from "./session";
 import { Stage } from "./stage";
 import { ENGINE_FIELDS, fromHash, type PlayState } from "./state";
 import { type History, Store } from "./store";
+import { strings } from "./strings/strings";
 import {
   chooseKey,
   chosenKey,
@@ -223,7 +224,7 @@ export class App {
     else if (wanted && session.input && session.inputName !== wanted) {
       this.#awaited = { input: wanted, frame: this.#store.state.frame };
       this.#store.adopt({ input: "" });
-      this.#notices.note(`This link was made with “${wanted}”, a file that is not part of it. Drop the file here.`);
+      this.#notices.note(strings.page.links.fileMissing(wanted));
     }
     const { loop, range, frame, playing } = this.#store.state;
     session.setLoop(loop, range);

@@ -5,6 +5,7 @@ import { allOf, type Selection } from "./polygon/selection";
 import type { ProgressLine } from "./progress";
 import type { Session } from "./session";
 import type { Store } from "./store";
+import { strings } from "./strings/strings";
 import { errorText, grouped, isCancellation } from "./words";
 
 export class Databases {
@@ -40,7 +41,7 @@ export class Databases {
     if (kept === "") this.#unnamed = source;
     this.#store.edit({ database: kept, ...(styles && { styles }) });
     const { styles: all, frames } = session.database;
-    this.#notices.note(`${all.length} styles ready. ${grouped(frames)} frames.`);
+    this.#notices.note(strings.page.engine.stylesReady(all.length, grouped(frames)));
     return true;
   }
 
@@ -56,7 +57,7 @@ export class Databases {
       return this.#source;
     }
     this.#store.adopt({ database: "" });
-    this.#notices.note(`This link was made with the database “${name}”, which is not on this device.`);
+    this.#notices.note(strings.page.links.databaseMissing(name));
     return { kind: "demo" };
   }
 
@@ -70,13 +71,13 @@ export class Databases {
       const { askForStyleName } = await import("./data/name_dialog");
       const style = await askForStyleName(styleName(clip.name, known.actions, known.styles), known.styles);
       if (style === undefined) return;
-      const { database, lost } = await progress.run(`Registering ${clip.name}.`, (options) =>
+      const { database, lost } = await progress.run(strings.page.engine.registering(clip.name), (options) =>
         styleOfClip(known, file, clip, style, options),
       );
       const source = { kind: "strutdb" as const, name: database.name, file: database.file };
       const styles = allOf(this.#store.state.styles, style);
       const opened = await this.open(session, source, lost ? "" : database.name, styles);
-      if (opened && lost) this.#notices.error(`“${style}” will not be here after a reload. ${lost}`);
+      if (opened && lost) this.#notices.error(strings.page.engine.notKept(style, lost));
     } catch (error) {
       if (!isCancellation(error)) this.#notices.error(errorText(error));
     }

@@ -4,6 +4,7 @@ import type { DroppedFile } from "../worker/build/protocol";
 import { icon } from "./controls/icons";
 import { html } from "./dom";
 import { filesOfDialog, filesOfDrop } from "./dropped";
+import { strings } from "./strings/strings";
 
 /** Larger files are refused before they are read into memory. */
 const MOST_BYTES = 512 * 1024 * 1024;
@@ -33,12 +34,12 @@ async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListe
   }
   if (file.size > MOST_BYTES) {
     const megabytes = Math.round(file.size / (1024 * 1024));
-    listeners.onRefused(`“${file.name}” has ${megabytes} MB; files up to 512 MB work. Export a shorter part.`);
+    listeners.onRefused(strings.page.drop.tooLarge(file.name, megabytes, MOST_BYTES / (1024 * 1024)));
     return;
   }
   const isDatabase = /\.strutdb$/i.test(file.name);
   if (!isDatabase && !/\.bvh$/i.test(file.name)) {
-    listeners.onRefused(`“${file.name}” is neither a .bvh motion nor a .strutdb database. Drop one of those.`);
+    listeners.onRefused(strings.page.drop.unknown(file.name));
     return;
   }
   if (isDatabase) {
@@ -52,7 +53,7 @@ async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListe
   try {
     listeners.onMotion(file.name, await file.arrayBuffer());
   } catch {
-    listeners.onRefused(`“${file.name}” could not be read. Drop it again.`);
+    listeners.onRefused(strings.page.drop.unreadable(file.name));
   }
 }
 
@@ -74,15 +75,15 @@ export class DropZone {
     "div",
     { class: "drop-overlay", hidden: true },
     icon("drop", 24),
-    html("p", {}, "Drop a BVH, or a folder or zip of clips in several styles. Any humanoid skeleton works."),
+    html("p", {}, strings.page.drop.invitation),
   );
   /** The place for styles, over the polygon. */
-  readonly #target = html("p", { class: "drop-style", hidden: true }, "Drop a walk here to make it a style.");
+  readonly #target = html("p", { class: "drop-style", hidden: true }, strings.page.drop.style);
   readonly #picker = html("input", {
     type: "file",
     accept: ".bvh,.strutdb",
     hidden: true,
-    "aria-label": "Motion file",
+    "aria-label": strings.page.drop.file,
   });
 
   constructor(listeners: FileListeners) {
@@ -118,7 +119,7 @@ export class DropZone {
       if (!event.dataTransfer) return;
       filesOfDrop(event.dataTransfer).then(
         (files) => take(files, asStyle, listeners),
-        () => listeners.onRefused("A file could not be read. Drop it again."),
+        () => listeners.onRefused(strings.page.drop.oneUnreadable),
       );
     });
     this.#picker.addEventListener("change", () => {

@@ -1,13 +1,11 @@
 /** Three hints for the first minute, one at a time; each goes once it has been followed, for good. */
+import { strings } from "./strings/strings";
 
-const HINTS = {
-  drag: "Drag the point. Arrow keys move it; double-click a corner for all of it.",
-  part: "Click the head, an arm or the legs to give that part a style of its own.",
-  key: "Press K for a style key on the timeline: styles change from key to key.",
-} as const;
+/** In the order in which they come. */
+const NAMES = ["drag", "part", "key"] as const;
 
 /** What a hint is about. */
-export type HintName = keyof typeof HINTS;
+export type HintName = (typeof NAMES)[number];
 
 /** Where it is remembered which hints were followed. */
 const STORAGE_KEY = "strut.hints";
@@ -33,8 +31,8 @@ export class Hints {
 
   /** The present hint; empty once all were followed. */
   get text(): string {
-    const next = (Object.keys(HINTS) as HintName[]).find((name) => !this.#followed.has(name));
-    return next ? HINTS[next] : "";
+    const next = NAMES.find((name) => !this.#followed.has(name));
+    return next ? strings.play.hints[next] : "";
   }
 
   /** A person did what a hint says, whether they read it or not. */

@@ -3,6 +3,7 @@ import type { Notices } from "./notices";
 import type { Session } from "./session";
 import { fromHash, toHash } from "./state";
 import type { Store } from "./store";
+import { strings } from "./strings/strings";
 
 /** The URL is written when nothing has changed for so long: browsers limit how often it may change. */
 const WRITE_MS = 200;
@@ -54,12 +55,12 @@ export class Links {
     try {
       await navigator.clipboard.writeText(url.href);
     } catch {
-      this.#notices.error("The browser does not let this page copy. Copy the address from the address bar.");
+      this.#notices.error(strings.page.links.cannotCopy);
       return;
     }
-    if (packed === undefined) this.#notices.note("Link copied.");
-    else if (carried) this.#notices.note("Link copied, with the motion in it.");
-    else this.#notices.note("Link copied. The dropped file is too large for it: send the file along.");
+    if (packed === undefined) this.#notices.note(strings.page.links.copied);
+    else if (carried) this.#notices.note(strings.page.links.copiedWithMotion);
+    else this.#notices.note(strings.page.links.copiedWithoutMotion);
   }
 
   dispose(): void {

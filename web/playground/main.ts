@@ -8,6 +8,7 @@ import "./styles/narrow.css";
 import { graphics, type Role } from "../viewer";
 import { startStrutClient } from "../worker/client";
 import { App } from "./app";
+import { strings } from "./strings/strings";
 import { errorText } from "./words";
 
 /** Puts a sentence where the page would be. */
@@ -21,10 +22,7 @@ function refuse(root: HTMLElement, sentence: string): void {
 
 async function start(root: HTMLElement): Promise<void> {
   if (graphics() === "none") {
-    refuse(
-      root,
-      "Strut draws with WebGL 2, which this browser does not offer. Switch on hardware acceleration or use another browser.",
-    );
+    refuse(root, strings.page.noWebGl);
     return;
   }
   // The page is built, and asks for its database, while the engine loads.

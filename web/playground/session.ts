@@ -18,6 +18,7 @@ import type {
 import { InputLibrary } from "./library";
 import { Playback } from "./playback";
 import type { ProgressLine } from "./progress";
+import { strings } from "./strings/strings";
 import { errorText, isCancellation, isFault } from "./words";
 
 /** An edit has settled when nothing has changed for so long. */
@@ -86,7 +87,7 @@ export class Session {
       },
     });
     client.onRestart = (message) => {
-      listeners.onNote(`The engine stopped and was started again. Your settings are kept. ${message}`);
+      listeners.onNote(strings.page.engine.restarted(message));
       this.playback.refresh();
       this.analyseSoon();
     };
@@ -94,7 +95,7 @@ export class Session {
 
   /** Opens a database and then the input `inputName` on it. */
   openDatabase(source: DatabaseSource, inputName: string): Promise<Outcome> {
-    const label = source.kind === "demo" ? "Preparing the styles." : `Reading ${source.name}.`;
+    const label = source.kind === "demo" ? strings.page.engine.preparing : strings.page.engine.reading(source.name);
     return this.#attempt(() =>
       this.playback.hold(async () => {
         const database = await this.#progress.database.run(label, (options) =>
@@ -152,7 +153,7 @@ export class Session {
     let analysis: Analysis | undefined;
     await this.#attempt(async () => {
       await this.#settled();
-      analysis = await this.#progress.database.run("Styling the whole motion.", (options) =>
+      analysis = await this.#progress.database.run(strings.page.engine.styling, (options) =>
         this.#client.analyse(options),
       );
     });
@@ -169,7 +170,9 @@ export class Session {
     let text: string | undefined;
     await this.#attempt(async () => {
       await this.#settled();
-      text = await this.#progress.database.run("Exporting.", (options) => this.#client.exportBvh(options));
+      text = await this.#progress.database.run(strings.page.engine.exporting, (options) =>
+        this.#client.exportBvh(options),
+      );
     });
     return text;
   }
@@ -182,8 +185,8 @@ export class Session {
 
   async #open(name: string): Promise<void> {
     const source = this.library.source(name);
-    if (!source) throw new Error(`There is no input “${name}” here. Choose another or drop a BVH.`);
-    const input = await this.#progress.input.run(`Reading ${name}.`, (options) =>
+    if (!source) throw new Error(strings.page.engine.noInput(name));
+    const input = await this.#progress.input.run(strings.page.engine.reading(name), (options) =>
       this.#client.openInput(source, options),
     );
     this.input = input;
@@ -199,7 +202,7 @@ export class Session {
     const { input } = this;
     if (!input || asked !== this.#settle) return;
     try {
-      const analysis = await this.#progress.analysis.run("Styling the whole motion.", (options) =>
+      const analysis = await this.#progress.analysis.run(strings.page.engine.styling, (options) =>
         this.#client.analyse(options),
       );
       if (this.input !== input) return;

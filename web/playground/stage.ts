@@ -1,10 +1,11 @@
 /** The stage: the 3-D view with its title, camera buttons and read-out. */
 
-import { ROLES, type Role, type TraceMode, VIEWER_DEFAULTS, Viewer } from "../viewer";
+import { ROLES, type Role, VIEWER_DEFAULTS, Viewer } from "../viewer";
 import type { LiveFrame } from "../worker/protocol";
 import { button, Segment } from "./controls/buttons";
 import { formatNumber, html, setAttributes, setText } from "./dom";
-import type { CameraPreset, GhostMode, PlayState } from "./state";
+import type { CameraPreset, PlayState } from "./state";
+import { strings } from "./strings/strings";
 import { partOf } from "./style_settings";
 
 /** What the picture keeps being drawn for after the last change: glides and fades end within it. */
@@ -23,18 +24,6 @@ export interface StageListeners {
 
 /** A click moves no farther than this, in pixels; a drag turns the camera. */
 const CLICK_PX = 4;
-
-const GHOST_NAMES: Readonly<Record<GhostMode, string>> = {
-  beside: "Ghost of the input: beside",
-  overlay: "Ghost of the input: in the same place",
-  off: "Ghost of the input: off",
-};
-
-const TRACE_NAMES: Readonly<Record<TraceMode, string>> = {
-  off: "Motion trail: off",
-  lines: "Motion trail: lines of hands, feet and head",
-  onion: "Motion trail: with the body before and after",
-};
 
 export class Stage {
   readonly element: HTMLElement;
@@ -60,29 +49,44 @@ export class Stage {
   constructor(theme: "dark" | "light", listeners: StageListeners) {
     const view = this.#view;
     this.#camera = new Segment<CameraPreset>(
-      "Camera",
+      strings.play.camera.name,
       [
-        { value: "orbit", label: "Orbit", icon: "orbit" },
-        { value: "front", label: "Front" },
-        { value: "side", label: "Side" },
-        { value: "top", label: "Top" },
+        { value: "orbit", label: strings.play.camera.orbit, icon: "orbit" },
+        { value: "front", label: strings.play.camera.front },
+        { value: "side", label: strings.play.camera.side },
+        { value: "top", label: strings.play.camera.top },
       ],
       listeners.onCamera,
     );
-    this.#follow = button("Follow", listeners.onFollow, { icon: "follow", label: true, class: "chip", keys: "F" });
-    this.#trace = button("Trail", listeners.onTrace, { icon: "trail", label: true, class: "chip", keys: "T" });
-    this.#ghost = button("Ghost", listeners.onGhost, { icon: "ghost", label: true, class: "chip", keys: "G" });
+    this.#follow = button(strings.play.follow, listeners.onFollow, {
+      icon: "follow",
+      label: true,
+      class: "chip",
+      keys: "F",
+    });
+    this.#trace = button(strings.play.trail.name, listeners.onTrace, {
+      icon: "trail",
+      label: true,
+      class: "chip",
+      keys: "T",
+    });
+    this.#ghost = button(strings.play.ghost.name, listeners.onGhost, {
+      icon: "ghost",
+      label: true,
+      class: "chip",
+      keys: "G",
+    });
     this.element = html(
       "main",
       { class: "stage" },
       view,
       html("div", { class: "stage-heading" }, this.#title, this.#caption),
       html("div", { class: "stage-controls" }, this.#camera.element, this.#follow, this.#ghost, this.#trace),
-      html("p", { class: "read-out caption" }, this.#fps, this.#cost, html("span", {}, "grid 1 m")),
+      html("p", { class: "read-out caption" }, this.#fps, this.#cost, html("span", {}, strings.play.grid)),
     );
     this.viewer = new Viewer(view, { theme });
     this.viewer.onViewChange = listeners.onCamera;
-    this.viewer.onFps = (fps) => setText(this.#fps, `${Math.round(fps)} fps`);
+    this.viewer.onFps = (fps) => setText(this.#fps, strings.play.fps(Math.round(fps)));
     for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
       view.addEventListener(type, () => this.invalidate(), { passive: true });
     new ResizeObserver(() => this.invalidate()).observe(view);
@@ -118,14 +122,14 @@ export class Stage {
     this.#follow.setAttribute("aria-pressed", String(state.follow));
     setAttributes(this.#ghost, {
       "aria-pressed": String(state.ghost !== "off"),
-      title: `${GHOST_NAMES[state.ghost]} (G)`,
+      title: `${strings.play.ghost[state.ghost]} (G)`,
     });
     this.#part = state.part;
     this.#tintPart(state.part);
     this.viewer.trace = state.trace;
     setAttributes(this.#trace, {
       "aria-pressed": String(state.trace !== "off"),
-      title: `${TRACE_NAMES[state.trace]} (T)`,
+      title: `${strings.play.trail[state.trace]} (T)`,
     });
     this.invalidate();
   }
@@ -178,7 +182,7 @@ export class Stage {
     const now = performance.now();
     if (now - this.#readOutAt < READ_OUT_MS) return;
     this.#readOutAt = now;
-    setText(this.#cost, `${formatNumber(frame.frameMs, 2)} ms per frame`);
+    setText(this.#cost, strings.play.perFrame(formatNumber(frame.frameMs, 2)));
   }
 
   /** Runs a task while the body bears no mark of what is being edited. */

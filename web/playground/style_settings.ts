@@ -167,16 +167,6 @@ export function plausibleIntensity(styles: Selection): { least: number; most: nu
   return { least: 0, most: negative || most <= 0 ? 0 : 1 / most };
 }
 
-/** Names of the parts of the body, as people say them. */
-export const PART_NAMES: Readonly<Record<BodyPart | "", string>> = {
-  "": "whole body",
-  head: "head",
-  torso: "torso",
-  left_arm: "left arm",
-  right_arm: "right arm",
-  legs: "legs and timing",
-};
-
 /** The part of the body that a joint belongs to, as the engine has it. */
 export function partOf(joint: Role): BodyPart {
   if (joint === "neck" || joint === "head") return "head";

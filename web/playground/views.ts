@@ -8,6 +8,7 @@ import type { Notices } from "./notices";
 import type { Session } from "./session";
 import type { ViewName } from "./state";
 import type { History, Store } from "./store";
+import { strings } from "./strings/strings";
 import { errorText } from "./words";
 
 /** What a view may ask of the page. */
@@ -62,9 +63,9 @@ interface ViewModule {
 
 /** Every view in the order of the tabs; Play is the page itself. */
 export const VIEWS: readonly { name: ViewName; title: string; load?: () => Promise<ViewModule> }[] = [
-  { name: "play", title: "Play" },
-  { name: "compare", title: "Compare", load: () => import("./compare/compare_view") },
-  { name: "data", title: "Data", load: () => import("./data/data_view") },
+  { name: "play", title: strings.page.views.play },
+  { name: "compare", title: strings.page.views.compare, load: () => import("./compare/compare_view") },
+  { name: "data", title: strings.page.views.data, load: () => import("./data/data_view") },
 ];
 
 /** Shows one view at a time. */
@@ -117,7 +118,7 @@ export class Views {
       return (await load()).createView(this.#host);
     } catch (error) {
       this.#made.delete(name);
-      this.#host.notices.error(`This view could not be loaded. Reload the page. ${errorText(error)}`);
+      this.#host.notices.error(strings.page.viewNotLoaded(errorText(error)));
       this.#host.store.edit({ view: "play" });
       return undefined;
     }

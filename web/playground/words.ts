@@ -1,5 +1,6 @@
 /** Sentences and names that the page makes from state: titles, captions, file names. Pure. */
 import type { Selection } from "./polygon/selection";
+import { strings } from "./strings/strings";
 
 /** Weight from which a style is all there is, and from which it is most. */
 const ALL = 0.95;
@@ -7,25 +8,9 @@ const MOST = 0.5;
 /** Weight from which a second style is named. */
 const NAMED = 0.25;
 
-const NUMBERS = [
-  "none",
-  "one",
-  "two",
-  "three",
-  "four",
-  "five",
-  "six",
-  "seven",
-  "eight",
-  "nine",
-  "ten",
-  "eleven",
-  "twelve",
-];
-
 /** A small number as a word. */
 export function numberWord(n: number): string {
-  return NUMBERS[n] ?? String(n);
+  return strings.page.numbers[n] ?? String(n);
 }
 
 /** A large whole number in groups of three. */
@@ -50,7 +35,7 @@ export const capitalised = (text: string): string => text.charAt(0).toUpperCase(
 
 /** The title of the stage: what the character does and how, “Walk, mostly proud”. */
 export function stageTitle(action: string, selection: Selection, intensity: number, neutral: string): string {
-  return `${capitalised(spoken(action))}, ${manner(selection, intensity, neutral)}`;
+  return strings.page.manner.title(capitalised(spoken(action)), manner(selection, intensity, neutral));
 }
 
 /** How something is done, “mostly proud”. */
@@ -59,15 +44,15 @@ export function manner(selection: Selection, intensity: number, neutral: string)
   const [first, second] = sorted;
   if (!first || Math.abs(intensity) < 0.05) return spoken(neutral);
   const name = spoken(first.name);
-  if (intensity < 0) return `the opposite of ${name}`;
+  if (intensity < 0) return strings.page.manner.opposite(name);
   const amount = first.name === neutral ? 1 : intensity;
-  if (first.weight >= MOST && amount <= 0.5) return `a little ${name}`;
+  if (first.weight >= MOST && amount <= 0.5) return strings.page.manner.little(name);
   const more = amount >= 1.25;
-  if (first.weight >= ALL) return more ? `very ${name}` : name;
-  const exaggerated = more ? ", exaggerated" : "";
-  if (first.weight >= MOST) return `mostly ${name}${exaggerated}`;
-  if (second && second.weight >= NAMED) return `${name} and ${spoken(second.name)}${exaggerated}`;
-  return `a mix of ${numberWord(sorted.filter((s) => s.weight >= 0.05).length)} styles`;
+  if (first.weight >= ALL) return more ? strings.page.manner.very(name) : name;
+  const exaggerated = (how: string) => (more ? strings.page.manner.exaggerated(how) : how);
+  if (first.weight >= MOST) return exaggerated(strings.page.manner.mostly(name));
+  if (second && second.weight >= NAMED) return exaggerated(strings.page.manner.two(name, spoken(second.name)));
+  return strings.page.manner.mix(numberWord(sorted.filter((s) => s.weight >= 0.05).length));
 }
 
 /** The line under the title. */
@@ -76,12 +61,14 @@ export function stageCaption(
   { styles, parts, keys }: { styles: number; parts: number; keys: number },
   rateHz: number,
 ): string {
-  const counts = [
-    counted(styles, "style"),
-    ...(parts > 0 ? [`${counted(parts, "part")} apart`] : []),
-    ...(keys > 1 ? [counted(keys, "key")] : []),
-  ];
-  return [`${input} in`, ...counts, `${Math.round(rateHz)} Hz`].join(" · ");
+  const { caption } = strings.page;
+  return [
+    caption.input(input),
+    caption.styles(styles),
+    ...(parts > 0 ? [caption.parts(parts)] : []),
+    ...(keys > 1 ? [caption.keys(keys)] : []),
+    caption.rate(Math.round(rateHz)),
+  ].join(" · ");
 }
 
 /** Name of an exported file: the input's and the heaviest style's. */
@@ -102,7 +89,7 @@ export function exportName(input: string, selection: Selection, ending = "bvh"):
 export function errorText(error: unknown): string {
   const { message, hint } = error as { message?: unknown; hint?: unknown };
   const parts = [message, hint].filter((part): part is string => typeof part === "string" && part !== "");
-  return parts.length > 0 ? parts.join(" ") : "Something failed without saying what.";
+  return parts.length > 0 ? parts.join(" ") : strings.page.engine.silentFailure;
 }
 
 /** Whether a rejection only says that its call was cancelled. */
@@ -118,5 +105,5 @@ export function isFault(error: unknown): boolean {
 
 /** The rejection of something that was cancelled. */
 export function cancelled(): DOMException {
-  return new DOMException("It was cancelled.", "AbortError");
+  return new DOMException(strings.page.engine.cancelled, "AbortError");
 }

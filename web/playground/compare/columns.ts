@@ -1,7 +1,7 @@
 /** The columns of the Compare view: the input, a method, the real counterpart, or one of the two settings. Pure. */
 import { type StyleWeights, type StylizeOptions, TRAINED_METHODS } from "../../worker/protocol";
-import { METHOD_NAMES } from "../panels/model_panel";
 import { fromHash, type PlayState } from "../state";
+import { strings } from "../strings/strings";
 import { engineOptions } from "../style_settings";
 
 /** What a column may show, as the URL names it. */
@@ -12,45 +12,21 @@ export type ColumnName = (typeof COLUMN_NAMES)[number];
 export const LEAST_COLUMNS = 1;
 export const MOST_COLUMNS = 5;
 
-/** Names of the columns, as people choose them. */
-export const COLUMN_TITLES: Readonly<Record<ColumnName, string>> = {
-  input: "Input",
-  mar: "Strut, MAR",
-  lar: "Local regression",
-  knn: "K nearest",
-  nn: "Nearest neighbour",
-  gar: "Global regression",
-  lti: "Linear system",
-  gp: "Gaussian process",
-  real: "Real counterpart",
-  a: "Setting A",
-  b: "Setting B",
-};
-
 /** What a column shows, in a line. */
 export function columnCaption(column: ColumnName, input: string, { k }: PlayState): string {
+  const { captions } = strings.compare;
   switch (column) {
     case "input":
-      return `${input}, unchanged`;
+      return captions.input(input);
     case "mar":
-      return `${k} neighbours in each class, a model per frame`;
     case "lar":
-      return `${METHOD_NAMES.lar} on ${k} neighbours of all classes`;
     case "knn":
-      return `mean of the ${k} closest frames`;
-    case "nn":
-      return "copies the closest frame";
-    case "gar":
-      return "one regression on the whole database, trained before";
-    case "lti":
-      return "a linear time-invariant system, trained before";
-    case "gp":
-      return "predicts the change of pose, trained before";
-    case "real":
-      return "the input performed in the style";
+      return captions[column](k);
     case "a":
     case "b":
-      return "as it is set in Play";
+      return captions.setting;
+    default:
+      return captions[column];
   }
 }
 

@@ -9,13 +9,13 @@ import { allOf } from "../polygon/selection";
 import { ProgressLine } from "../progress";
 import type { Session } from "../session";
 import { type PlayState, SPEEDS } from "../state";
+import { strings } from "../strings/strings";
 import { isDark, onSystemTheme } from "../theme";
 import type { View, ViewHost } from "../views";
-import { errorText, isCancellation, manner, numberWord, spoken } from "../words";
+import { capitalised, errorText, isCancellation, manner, numberWord, spoken } from "../words";
 import { CompareColumn } from "./column";
 import {
   COLUMN_NAMES,
-  COLUMN_TITLES,
   type ColumnName,
   columnCaption,
   columnOptions,
@@ -39,9 +39,6 @@ const SETTLE_MS = 150;
 /** Longest step of the clock: a hidden tab does not catch up. */
 const LONGEST_STEP_SECS = 0.1;
 
-/** Said in place of a motion that there is not. */
-const MISSING = "known for built-in inputs in styles of the whole body only";
-
 /** Under which the motion of a column is found. */
 function keyOf(name: ColumnName, state: PlayState, neutral: string): string {
   const asked = name === "real" ? counterpartStyles(state, neutral) : columnOptions(name, state, neutral);
@@ -53,9 +50,9 @@ class Compare implements View {
   readonly #host: ViewHost;
   readonly #title = html("h1", { class: "page-title" });
   readonly #summary = html("p", { class: "compare-summary" });
-  readonly #input = html("select", { "aria-label": "Input motion" });
-  readonly #style = html("select", { "aria-label": "Style" });
-  readonly #behind = html("select", { "aria-label": "Behind" });
+  readonly #input = html("select", { "aria-label": strings.play.input.motion });
+  readonly #style = html("select", { "aria-label": strings.compare.style });
+  readonly #behind = html("select", { "aria-label": strings.compare.behind });
   readonly #add: HTMLButtonElement;
   readonly #picture = html("div", { class: "compare-picture" });
   readonly #heads = html("div", { class: "compare-heads" });
@@ -89,7 +86,11 @@ class Compare implements View {
       if (name) store.edit({ styles: allOf(store.state.styles, name), track: [], parts: {}, part: "" });
     });
     this.#behind.addEventListener("change", () => store.edit({ behind: this.#behind.value as ColumnName | "none" }));
-    this.#add = button("Method", () => this.#addColumn(), { icon: "add", label: true, class: "outlined" });
+    this.#add = button(strings.compare.method, () => this.#addColumn(), {
+      icon: "add",
+      label: true,
+      class: "outlined",
+    });
     this.#transport = new CompareTransport({
       onPlay: () => store.edit({ playing: !store.state.playing, frame: Math.round(this.#frame) }),
       onFrame: (by) => this.#step(by),
@@ -110,7 +111,7 @@ class Compare implements View {
           "div",
           { class: "compare-choice" },
           select(this.#input),
-          html("span", { class: "compare-to" }, "to"),
+          html("span", { class: "compare-to" }, strings.compare.to),
           select(this.#style),
           this.#add,
         ),
@@ -120,7 +121,7 @@ class Compare implements View {
         "footer",
         { class: "compare-foot" },
         this.#transport.element,
-        html("label", { class: "compare-behind" }, "Behind", select(this.#behind)),
+        html("label", { class: "compare-behind" }, strings.compare.behind, select(this.#behind)),
       ),
     );
     store.subscribe(() => {
@@ -232,9 +233,9 @@ class Compare implements View {
     }
     this.#add.disabled = names.length >= MOST_COLUMNS;
     this.#behind.replaceChildren(
-      html("option", { value: "none" }, "nothing"),
+      html("option", { value: "none" }, strings.compare.nothing),
       ...[...new Set<ColumnName>(["real", ...names])].map((name) =>
-        html("option", { value: name }, COLUMN_TITLES[name]),
+        html("option", { value: name }, strings.compare.columns[name]),
       ),
     );
     const offered = [...this.#behind.options].some(({ value }) => value === state.behind);
@@ -251,13 +252,15 @@ class Compare implements View {
 
   #showWords(state: Readonly<PlayState>, { library, inputName, database }: Session): void {
     const count = this.#columns.length;
-    setText(this.#title, count === 1 ? "The same second" : `The same second, ${numberWord(count)} ways`);
+    setText(this.#title, count === 1 ? strings.compare.one : strings.compare.several(numberWord(count)));
     const input = library.title(inputName);
     const how = manner(state.styles, state.intensity, database?.neutral ?? "");
-    const said = `${input.charAt(0).toUpperCase()}${input.slice(1)} in, ${how} out.`;
+    const said = strings.compare.transfer(capitalised(input), how);
     setText(this.#summary, `${said} ${this.#wordsBehind()}`.trimEnd());
     for (const column of this.#columns)
-      column.caption = this.#isMissing(column.name) ? MISSING : columnCaption(column.name, input, state);
+      column.caption = this.#isMissing(column.name)
+        ? strings.compare.captions.missing
+        : columnCaption(column.name, input, state);
     if (this.#viewer) this.#viewer.description = this.#description();
   }
 
@@ -265,13 +268,14 @@ class Compare implements View {
   #wordsBehind(): string {
     const behind = this.#behindName;
     if (!behind) return "";
-    if (this.#isMissing(behind)) return `${COLUMN_TITLES[behind]}: ${MISSING}.`;
-    if (behind === "real") return "The tinted figure is the real counterpart: what differs from it is error.";
-    return `The tinted figure is ${COLUMN_TITLES[behind]} at the same instant.`;
+    if (this.#isMissing(behind))
+      return strings.compare.noReal(strings.compare.columns[behind], strings.compare.captions.missing);
+    if (behind === "real") return strings.compare.tintedReal;
+    return strings.compare.tinted(strings.compare.columns[behind]);
   }
 
   #description(): string {
-    return `${this.#columns.map(({ name }) => COLUMN_TITLES[name]).join(", ")}, side by side.`;
+    return strings.compare.picture(this.#columns.map(({ name }) => strings.compare.columns[name]).join(", "));
   }
 
   /** The column that is drawn behind the others; `undefined` for none. */
@@ -306,13 +310,13 @@ class Compare implements View {
     const styles = counterpartStyles(state, neutral);
     if (name === "real") {
       if (!styles) return undefined;
-      const real = await this.#progress.run("Performing the real counterpart.", (call) =>
+      const real = await this.#progress.run(strings.compare.performing, (call) =>
         this.#yardsticks.counterpart(session, styles, call),
       );
       return real && { ...real, frameMs: undefined };
     }
     const options = columnOptions(name, state, neutral)!;
-    const label = isTrained(name) ? `Training: ${COLUMN_TITLES[name]}.` : `Styling: ${COLUMN_TITLES[name]}.`;
+    const label = strings.compare[isTrained(name) ? "training" : "styling"](strings.compare.columns[name]);
     return this.#progress.run(label, (call) =>
       isTrained(name) ? this.#yardsticks.style(session, options, call) : session.style(options, call),
     );

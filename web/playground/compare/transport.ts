@@ -3,6 +3,7 @@ import type { InputInfo } from "../../worker/protocol";
 import { button } from "../controls/buttons";
 import { icon } from "../controls/icons";
 import { clock, html, setText } from "../dom";
+import { strings } from "../strings/strings";
 
 export interface CompareTransportListeners {
   onPlay: () => void;
@@ -15,16 +16,23 @@ export interface CompareTransportListeners {
 export class CompareTransport {
   readonly element: HTMLElement;
   readonly #play: HTMLButtonElement;
-  readonly #speed = html("select", { class: "speed", "aria-label": "Speed", title: "Speed" });
-  readonly #scrub = html("input", { type: "range", min: 0, step: 1, "aria-label": "Time" });
+  readonly #speed = html("select", {
+    class: "speed",
+    "aria-label": strings.play.transport.speed,
+    title: strings.play.transport.speed,
+  });
+  readonly #scrub = html("input", { type: "range", min: 0, step: 1, "aria-label": strings.play.transport.time });
   readonly #clock = html("span", { class: "compare-clock" });
   readonly #duration = html("span", { class: "caption" });
   #rateHz = 60;
 
   constructor(listeners: CompareTransportListeners) {
-    this.#play = button("Play", listeners.onPlay, { icon: "play", class: "play", keys: "Space" });
-    const previous = button("Previous frame", () => listeners.onFrame(-1), { icon: "previous", keys: "←" });
-    const next = button("Next frame", () => listeners.onFrame(1), { icon: "next", keys: "→" });
+    this.#play = button(strings.play.transport.play, listeners.onPlay, { icon: "play", class: "play", keys: "Space" });
+    const previous = button(strings.play.transport.previous, () => listeners.onFrame(-1), {
+      icon: "previous",
+      keys: "←",
+    });
+    const next = button(strings.play.transport.next, () => listeners.onFrame(1), { icon: "next", keys: "→" });
     for (const speed of listeners.speeds) this.#speed.append(html("option", { value: speed }, `${speed}×`));
     this.#speed.addEventListener("change", () => listeners.onSpeed(Number(this.#speed.value)));
     this.#scrub.addEventListener("input", () => listeners.onScrub(Number(this.#scrub.value)));
@@ -43,18 +51,18 @@ export class CompareTransport {
   set input(input: InputInfo) {
     this.#rateHz = input.rateHz;
     this.#scrub.max = String(Math.max(0, input.frames - 1));
-    setText(this.#duration, `of ${clock(input.durationSecs)} s`);
+    setText(this.#duration, strings.play.transport.of(clock(input.durationSecs)));
   }
 
   set frame(frame: number) {
     setText(this.#clock, clock(frame / this.#rateHz));
     this.#scrub.value = String(Math.round(frame));
     this.#scrub.style.setProperty("--share", String(frame / Math.max(1, Number(this.#scrub.max))));
-    this.#scrub.setAttribute("aria-valuetext", `${clock(frame / this.#rateHz)} seconds`);
+    this.#scrub.setAttribute("aria-valuetext", strings.compare.seconds(clock(frame / this.#rateHz)));
   }
 
   show({ playing, speed }: { playing: boolean; speed: number }): void {
-    const name = playing ? "Pause" : "Play";
+    const name = playing ? strings.play.transport.pause : strings.play.transport.play;
     if (this.#play.getAttribute("aria-label") !== name) {
       this.#play.setAttribute("aria-label", name);
       this.#play.title = `${name} (Space)`;

@@ -5,13 +5,13 @@ import type { VideoSize } from "./video";
 export type OutputFormat = "bvh" | "glb" | "webm" | "png" | "csv" | "jsonl";
 
 /** Formats from the top of the menu. */
-export const OUTPUT_FORMATS: readonly { format: OutputFormat; name: string; what: string }[] = [
-  { format: "bvh", name: "BVH", what: "the motion on the input's own skeleton" },
-  { format: "glb", name: "GLB", what: "the mannequin with the animation" },
-  { format: "webm", name: "WebM", what: "a video of what you see" },
-  { format: "png", name: "PNG", what: "this picture" },
-  { format: "csv", name: "CSV", what: "times, contacts and class weights, a row a frame" },
-  { format: "jsonl", name: "JSON", what: "the same, a line a frame" },
+export const OUTPUT_FORMATS: readonly { format: OutputFormat; name: string }[] = [
+  { format: "bvh", name: "BVH" },
+  { format: "glb", name: "GLB" },
+  { format: "webm", name: "WebM" },
+  { format: "png", name: "PNG" },
+  { format: "csv", name: "CSV" },
+  { format: "jsonl", name: "JSON" },
 ];
 
 /** Sizes of a video, as the menu has them. */

@@ -1,4 +1,6 @@
 /** Makes and saves a file that was asked for, one at a time; what makes them is loaded with the first. */
+
+import { strings } from "../strings/strings";
 import { errorText, isCancellation } from "../words";
 import type { OutputFormat } from "./formats";
 import type { OutputSources } from "./outputs";
@@ -9,7 +11,7 @@ export async function launchOutput(format: OutputFormat, size: VideoSize, source
   try {
     const { saveOutput } = await import("./outputs");
     const name = await saveOutput(format, size, sources);
-    if (name) notices.note(`Saved ${name}.`);
+    if (name) notices.note(strings.page.outputs.saved(name));
   } catch (error) {
     if (!isCancellation(error)) notices.error(errorText(error));
   }

@@ -6,6 +6,7 @@ import type { ProgressLine } from "../progress";
 import type { Session } from "../session";
 import type { Stage } from "../stage";
 import type { Store } from "../store";
+import { strings } from "../strings/strings";
 import { exportName } from "../words";
 import type { OutputFormat } from "./formats";
 import { traceAsCsv, traceAsJson } from "./trace";
@@ -54,7 +55,7 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
       });
     case "webm":
       if (canRecord()) return stage.unmarked(() => video(size, sources));
-      notices.error("This browser does not record video. Use the GLB in another program, or another browser.");
+      notices.error(strings.page.outputs.noVideo);
       return undefined;
   }
 }
@@ -94,7 +95,7 @@ async function video(
   store.edit({ playing: true });
   let blob: Blob | undefined;
   try {
-    blob = await progress.run("Recording.", ({ signal, onProgress }) => {
+    blob = await progress.run(strings.page.outputs.recording, ({ signal, onProgress }) => {
       signal?.addEventListener("abort", () => controller.abort());
       return recordVideo({
         picture: (now) => stage.pictureOf(now),
@@ -104,7 +105,7 @@ async function video(
           stage.invalidate();
           const at = playhead.frame?.inputFrame ?? first;
           const fraction = Math.min(1, (at - first) / Math.max(1, last - first));
-          onProgress?.({ label: "Recording.", fraction });
+          onProgress?.({ label: strings.page.outputs.recording, fraction });
           return playhead.frame?.ended || !store.state.playing ? 1 : Math.min(fraction, 0.999);
         },
       });

@@ -3,6 +3,7 @@ import { button } from "../controls/buttons";
 import { html } from "../dom";
 import { OUTPUT_FORMATS, type OutputFormat, VIDEO_SIZE_NAMES } from "../outputs/formats";
 import type { VideoSize } from "../outputs/video";
+import { strings } from "../strings/strings";
 
 export class ExportMenu {
   /** The button that opens it, and the menu. */
@@ -10,18 +11,26 @@ export class ExportMenu {
   readonly #open: HTMLButtonElement;
 
   constructor(onExport: (format: OutputFormat, size: VideoSize) => void) {
-    const size = html("select", { "aria-label": "Size of the video" });
-    size.append(...VIDEO_SIZE_NAMES.map((name) => html("option", { value: name }, name)));
+    const size = html("select", { "aria-label": strings.page.outputs.size });
+    size.append(
+      ...VIDEO_SIZE_NAMES.map((name) =>
+        html("option", { value: name }, name === VIDEO_SIZE_NAMES[0] ? strings.page.outputs.asOnScreen : name),
+      ),
+    );
     const menu = html("div", { id: "export-menu", class: "menu export-menu", popover: "auto" });
-    for (const { format, name, what } of OUTPUT_FORMATS) {
+    for (const { format, name } of OUTPUT_FORMATS) {
       const item = button(name, () => onExport(format, size.value as VideoSize), { label: true, class: "menu-item" });
-      item.append(html("span", { class: "caption" }, what));
+      item.append(html("span", { class: "caption" }, strings.page.outputs.what[format]));
       item.removeAttribute("title");
       item.addEventListener("click", () => menu.hidePopover());
       menu.append(format === "webm" ? html("div", { class: "menu-row" }, item, size) : item);
     }
-    this.#open = button("Export", () => {}, { icon: "export", label: true, class: "bar-action outlined" });
-    this.#open.title = "Save what you made as a file";
+    this.#open = button(strings.page.outputs.export, () => {}, {
+      icon: "export",
+      label: true,
+      class: "bar-action outlined",
+    });
+    this.#open.title = strings.page.outputs.why;
     this.#open.setAttribute("popovertarget", "export-menu");
     this.elements = [this.#open, menu];
   }

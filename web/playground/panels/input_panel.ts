@@ -4,6 +4,7 @@ import { button } from "../controls/buttons";
 import { icon } from "../controls/icons";
 import { formatNumber, html, setText } from "../dom";
 import type { InputLibrary } from "../library";
+import { strings } from "../strings/strings";
 import { spoken } from "../words";
 
 /** The reading changes this often, so that it can be read. */
@@ -16,7 +17,7 @@ export interface InputListeners {
 
 export class InputPanel {
   readonly element: HTMLElement;
-  readonly #select = html("select", { "aria-label": "Input motion" });
+  readonly #select = html("select", { "aria-label": strings.play.input.motion });
   readonly #reading = html("span", { class: "reading" });
   readonly #bar = html("div", { class: "weight-bar-filled" });
   readonly #weight = html("output", { class: "value" });
@@ -25,13 +26,13 @@ export class InputPanel {
 
   constructor(listeners: InputListeners, top: HTMLElement) {
     this.#select.addEventListener("change", () => listeners.onChoose(this.#select.value));
-    const file = button("Drop a BVH", listeners.onFile, { icon: "drop", label: true, class: "outlined" });
-    file.title = "Drop a BVH anywhere on the page, or choose one here";
+    const file = button(strings.play.input.drop, listeners.onFile, { icon: "drop", label: true, class: "outlined" });
+    file.title = strings.play.input.dropWhy;
     this.element = html(
       "section",
       { class: "section input", "aria-labelledby": "input-heading" },
       top,
-      html("div", { class: "section-heading" }, html("h2", { id: "input-heading" }, "Input")),
+      html("div", { class: "section-heading" }, html("h2", { id: "input-heading" }, strings.play.input.heading)),
       html(
         "div",
         { class: "input-row" },
@@ -40,8 +41,8 @@ export class InputPanel {
       ),
       html(
         "div",
-        { class: "row", title: "What the engine takes the input for, and how sure it is" },
-        html("span", { class: "label" }, "Reads as"),
+        { class: "row", title: strings.play.input.readsAsWhy },
+        html("span", { class: "label" }, strings.play.input.readsAs),
         this.#reading,
         html("div", { class: "weight-bar" }, this.#bar),
         this.#weight,
@@ -55,7 +56,10 @@ export class InputPanel {
     const option = (name: string) => html("option", { value: name }, library.title(name));
     const group = (label: string, names: readonly string[]) =>
       names.length > 0 ? [html("optgroup", { label }, ...names.map(option))] : [];
-    this.#select.replaceChildren(...group("Built in", library.builtIn), ...group("Dropped here", library.dropped));
+    this.#select.replaceChildren(
+      ...group(strings.play.input.builtIn, library.builtIn),
+      ...group(strings.play.input.dropped, library.dropped),
+    );
     this.#select.value = chosen;
   }
 

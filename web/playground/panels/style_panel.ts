@@ -9,10 +9,10 @@ import { Polygon } from "../polygon/polygon";
 import { isBeyondData, type Selection, toTriangle, vertexOrder } from "../polygon/selection";
 import { FIELDS, type PlayState, RANGES, type Side } from "../state";
 import type { Store } from "../store";
+import { strings } from "../strings/strings";
 import {
   otherSide,
   ownParts,
-  PART_NAMES,
   plausibleIntensity,
   randomStyles,
   shownStyles,
@@ -21,14 +21,13 @@ import {
 } from "../style_settings";
 import { manner, numberWord } from "../words";
 
-const BEYOND = "Beyond the data: joints are held at their limits.";
 export class StylePanel {
   readonly element: HTMLElement;
   readonly polygon: Polygon;
   readonly #mode: Segment<"triangle" | "whole">;
   readonly #intensity: Slider;
   readonly #side: Segment<Side>;
-  readonly #part = html("select", { "aria-label": "Body part" });
+  readonly #part = html("select", { "aria-label": strings.play.style.part });
   readonly #follow: HTMLButtonElement;
   readonly #store: Store;
   readonly #caption = html("p", { class: "caption polygon-caption" });
@@ -46,10 +45,10 @@ export class StylePanel {
       onSettle: () => store.endGesture(),
     });
     this.#mode = new Segment(
-      "Styles mixed",
+      strings.play.style.mixed,
       [
-        { value: "triangle", label: "Three" },
-        { value: "whole", label: "All" },
+        { value: "triangle", label: strings.play.style.three },
+        { value: "whole", label: strings.play.style.all },
       ],
       (mode) => {
         const styles = this.#stylesFor(mode, shownStyles(store.state));
@@ -57,20 +56,20 @@ export class StylePanel {
       },
     );
     this.#side = new Segment<Side>(
-      "Setting",
+      strings.play.style.setting,
       [
         { value: "a", label: "A" },
         { value: "b", label: "B" },
       ],
       () => store.edit(otherSide(store.state)),
     );
-    this.#side.element.title = "Two settings to compare: B begins as a copy of A (X)";
-    const random = button("Random styles", () => this.mixByChance(), { icon: "random", keys: "R" });
+    this.#side.element.title = strings.play.style.settings;
+    const random = button(strings.play.style.random, () => this.mixByChance(), { icon: "random", keys: "R" });
     this.#part.addEventListener("change", () => store.edit({ part: this.#part.value as BodyPart | "" }));
-    this.#follow = button("Reset", () => this.#letPartFollow(), { label: true, class: "plain" });
-    this.#follow.setAttribute("aria-label", "Reset the body part");
-    this.#follow.title = "Let this part follow the whole body again";
-    this.#intensity = new Slider("Intensity", RANGES.intensity, FIELDS.intensity.initial, {
+    this.#follow = button(strings.play.style.reset, () => this.#letPartFollow(), { label: true, class: "plain" });
+    this.#follow.setAttribute("aria-label", strings.play.style.resetPart);
+    this.#follow.title = strings.play.style.resetPartWhy;
+    this.#intensity = new Slider(strings.play.style.intensity, RANGES.intensity, FIELDS.intensity.initial, {
       onInput: (intensity) => store.edit({ intensity }, "intensity"),
       onSettle: () => store.endGesture(),
     });
@@ -81,7 +80,7 @@ export class StylePanel {
       html(
         "div",
         { class: "section-heading" },
-        html("h2", { id: "style-heading" }, "Style"),
+        html("h2", { id: "style-heading" }, strings.play.style.heading),
         this.#side.element,
         random,
         this.#mode.element,
@@ -92,7 +91,7 @@ export class StylePanel {
       html(
         "div",
         { class: "row body-parts" },
-        html("span", { class: "label", "aria-hidden": "true" }, "Body part"),
+        html("span", { class: "label", "aria-hidden": "true" }, strings.play.style.part),
         html("div", { class: "select plain-select" }, this.#part, icon("chevron")),
         this.#follow,
       ),
@@ -119,7 +118,7 @@ export class StylePanel {
       "triangle",
       `${numberWord(Math.min(3, database.styles.length))}`.replace(/^./, (c) => c.toUpperCase()),
     );
-    this.#mode.relabel("whole", `All ${numberWord(database.styles.length)}`);
+    this.#mode.relabel("whole", strings.play.style.allOf(numberWord(database.styles.length)));
     this.#mode.element.hidden = database.styles.length <= 3;
   }
 
@@ -136,7 +135,7 @@ export class StylePanel {
     this.#showParts(state);
     if (state.part) this.#hints.follow("part");
     if (state.track.length > 0) this.#hints.follow("key");
-    setText(this.#caption, beyond ? BEYOND : this.#database ? this.#hints.text : "");
+    setText(this.#caption, beyond ? strings.play.style.beyond : this.#database ? this.#hints.text : "");
   }
 
   #showParts(state: Readonly<PlayState>): void {
@@ -144,7 +143,9 @@ export class StylePanel {
     const neutral = this.#database?.neutral ?? "";
     const described = (part: BodyPart | "") => {
       const styles = part && state.parts[part];
-      return styles ? `${PART_NAMES[part]}: ${manner(styles, state.intensity, neutral)}` : PART_NAMES[part];
+      return styles
+        ? `${strings.play.style.parts[part]}: ${manner(styles, state.intensity, neutral)}`
+        : strings.play.style.parts[part];
     };
     const names = ["", ...BODY_PARTS] as const;
     this.#part.replaceChildren(...names.map((part) => html("option", { value: part }, described(part))));

@@ -1,17 +1,18 @@
 /** The tabs that choose a panel on a narrow screen. */
 import { html, setAttributes } from "../dom";
 import { TABS, type Tab } from "../state";
-
-const NAMES: Readonly<Record<Tab, string>> = { style: "Style", input: "Input", model: "Model", curves: "Curves" };
+import { strings } from "../strings/strings";
 
 export class Tabs {
   readonly element: HTMLElement;
   readonly #buttons: Map<Tab, HTMLButtonElement>;
 
   constructor(onChange: (tab: Tab) => void) {
-    this.#buttons = new Map(TABS.map((tab) => [tab, html("button", { type: "button", class: "tab" }, NAMES[tab])]));
+    this.#buttons = new Map(
+      TABS.map((tab) => [tab, html("button", { type: "button", class: "tab" }, strings.play.tabs[tab])]),
+    );
     for (const [tab, button] of this.#buttons) button.addEventListener("click", () => onChange(tab));
-    this.element = html("nav", { class: "tabs", "aria-label": "Panels" }, ...this.#buttons.values());
+    this.element = html("nav", { class: "tabs", "aria-label": strings.play.tabs.name }, ...this.#buttons.values());
   }
 
   show(chosen: Tab): void {

@@ -5,6 +5,7 @@ import { html, setAttributes } from "../dom";
 import type { OutputFormat } from "../outputs/formats";
 import type { VideoSize } from "../outputs/video";
 import type { ViewName } from "../state";
+import { strings } from "../strings/strings";
 import { VIEWS } from "../views";
 import { ExportMenu } from "./export_menu";
 
@@ -29,16 +30,24 @@ export class TopBar {
 
   constructor(listeners: TopBarListeners) {
     const divider = () => html("span", { class: "bar-divider" });
-    const undo = button("Undo", listeners.onUndo, { icon: "undo", keys: "Ctrl+Z" });
-    const redo = button("Redo", listeners.onRedo, { icon: "redo", keys: "Ctrl+Shift+Z" });
-    const share = button("Share", listeners.onShare, { icon: "share", label: true, class: "bar-action" });
+    const undo = button(strings.page.bar.undo, listeners.onUndo, { icon: "undo", keys: "Ctrl+Z" });
+    const redo = button(strings.page.bar.redo, listeners.onRedo, { icon: "redo", keys: "Ctrl+Shift+Z" });
+    const share = button(strings.page.bar.share, listeners.onShare, {
+      icon: "share",
+      label: true,
+      class: "bar-action",
+    });
     this.#export = new ExportMenu(listeners.onExport);
-    this.#theme = button("Theme", listeners.onTheme, { icon: "sun" });
-    const help = button("Help", listeners.onHelp, { icon: "help", keys: "?" });
-    const menuUndo = button("Undo", listeners.onUndo, { icon: "undo", label: true, class: "menu-item" });
-    const menuRedo = button("Redo", listeners.onRedo, { icon: "redo", label: true, class: "menu-item" });
-    const menuTheme = button("Light or dark", listeners.onTheme, { icon: "moon", label: true, class: "menu-item" });
-    const menuHelp = button("Help", listeners.onHelp, { icon: "help", label: true, class: "menu-item" });
+    this.#theme = button(strings.page.bar.theme, listeners.onTheme, { icon: "sun" });
+    const help = button(strings.page.bar.help, listeners.onHelp, { icon: "help", keys: "?" });
+    const menuUndo = button(strings.page.bar.undo, listeners.onUndo, { icon: "undo", label: true, class: "menu-item" });
+    const menuRedo = button(strings.page.bar.redo, listeners.onRedo, { icon: "redo", label: true, class: "menu-item" });
+    const menuTheme = button(strings.page.bar.lightOrDark, listeners.onTheme, {
+      icon: "moon",
+      label: true,
+      class: "menu-item",
+    });
+    const menuHelp = button(strings.page.bar.help, listeners.onHelp, { icon: "help", label: true, class: "menu-item" });
     const tabs = VIEWS.map(({ name, title }) => {
       const element = html("a", { href: `#view=${name}`, class: "tab" }, title);
       element.addEventListener("click", (event) => {
@@ -57,15 +66,15 @@ export class TopBar {
     const menu = html("div", { id: "menu", class: "menu", popover: "auto" });
     menu.append(...menuViews.map(({ element }) => element), menuUndo, menuRedo, menuTheme, menuHelp);
     for (const item of [menuTheme, menuHelp]) item.addEventListener("click", () => menu.hidePopover());
-    const menuButton = button("Menu", () => {}, { icon: "menu", class: "menu-button" });
+    const menuButton = button(strings.page.bar.menu, () => {}, { icon: "menu", class: "menu-button" });
     menuButton.setAttribute("popovertarget", "menu");
     this.#undo = [undo, menuUndo];
     this.#redo = [redo, menuRedo];
     this.element = html(
       "header",
       { class: "bar" },
-      html("a", { class: "wordmark", href: "./", "aria-label": "Strut, start again" }, mark(), "Strut"),
-      html("nav", { "aria-label": "Views" }, ...tabs.map(({ element }) => element)),
+      html("a", { class: "wordmark", href: "./", "aria-label": strings.page.bar.start }, mark(), "Strut"),
+      html("nav", { "aria-label": strings.page.bar.views }, ...tabs.map(({ element }) => element)),
       html(
         "div",
         { class: "bar-actions" },
@@ -83,7 +92,7 @@ export class TopBar {
     for (const { name, element } of this.#views) setAttributes(element, { "aria-current": name === view && "page" });
     for (const undo of this.#undo) undo.disabled = !canUndo;
     for (const redo of this.#redo) redo.disabled = !canRedo;
-    const name = dark ? "Light theme" : "Dark theme";
+    const name = dark ? strings.page.bar.lightTheme : strings.page.bar.darkTheme;
     if (this.#theme.title === name) return;
     this.#theme.title = name;
     this.#theme.setAttribute("aria-label", name);

@@ -5,6 +5,7 @@ import { icon } from "../controls/icons";
 import { clock, html, setText, svg } from "../dom";
 import { type PlayState, SPEEDS } from "../state";
 import type { Store } from "../store";
+import { strings } from "../strings/strings";
 
 type Stretches = readonly (readonly [from: number, to: number])[];
 
@@ -31,15 +32,25 @@ export class Transport {
   #rateHz = 60;
 
   constructor(store: Store, listeners: TransportListeners) {
-    this.#play = button("Play", listeners.onPlay, { icon: "play", class: "play", keys: "Space" });
-    const previous = button("Previous frame", () => listeners.onFrame(-1), { icon: "previous", keys: "←" });
-    const next = button("Next frame", () => listeners.onFrame(1), { icon: "next", keys: "→" });
-    this.#loop = button("Loop", () => store.edit({ loop: !store.state.loop }), { icon: "loop", keys: "L" });
-    const key = button("Style key here", listeners.onKey, { icon: "key", keys: "K" });
-    this.#speed = html("select", { class: "speed", "aria-label": "Speed", title: "Speed" });
+    this.#play = button(strings.play.transport.play, listeners.onPlay, { icon: "play", class: "play", keys: "Space" });
+    const previous = button(strings.play.transport.previous, () => listeners.onFrame(-1), {
+      icon: "previous",
+      keys: "←",
+    });
+    const next = button(strings.play.transport.next, () => listeners.onFrame(1), { icon: "next", keys: "→" });
+    this.#loop = button(strings.play.transport.loop, () => store.edit({ loop: !store.state.loop }), {
+      icon: "loop",
+      keys: "L",
+    });
+    const key = button(strings.play.transport.key, listeners.onKey, { icon: "key", keys: "K" });
+    this.#speed = html("select", {
+      class: "speed",
+      "aria-label": strings.play.transport.speed,
+      title: strings.play.transport.speed,
+    });
     for (const speed of SPEEDS) this.#speed.append(html("option", { value: speed }, `${speed}×`));
     this.#speed.addEventListener("change", () => store.edit({ speed: Number(this.#speed.value) }));
-    this.#scrub = html("input", { type: "range", min: 0, step: 1, "aria-label": "Time" });
+    this.#scrub = html("input", { type: "range", min: 0, step: 1, "aria-label": strings.play.transport.time });
     this.#scrub.addEventListener("input", () => listeners.onScrub(Number(this.#scrub.value)));
     this.#scrub.addEventListener("change", () => listeners.onScrubEnd());
     this.element = html(
@@ -56,7 +67,7 @@ export class Transport {
     this.#rateHz = input.rateHz;
     this.#scrub.max = String(Math.max(0, input.frames - 1));
     this.contacts = [[], []];
-    setText(this.#duration, `of ${clock(input.durationSecs)} s`);
+    setText(this.#duration, strings.play.transport.of(clock(input.durationSecs)));
   }
 
   /** Stretches of frames in which the left and the right foot are planted. */
@@ -77,7 +88,7 @@ export class Transport {
   }
 
   show(state: Readonly<PlayState>): void {
-    const name = state.playing ? "Pause" : "Play";
+    const name = state.playing ? strings.play.transport.pause : strings.play.transport.play;
     if (this.#play.getAttribute("aria-label") !== name) {
       this.#play.setAttribute("aria-label", name);
       this.#play.title = `${name} (Space)`;

@@ -3,6 +3,7 @@
  * of each. Pointer, touch and keyboard; the pure parts are in `geometry.ts` and `selection.ts`.
  */
 import { formatNumber, html, prefersReducedMotion, setAttributes, svg } from "../dom";
+import { strings } from "../strings/strings";
 import { hatching, isolines, label, path, weightBar } from "./drawing";
 import { circleVertices, isInside, nearestInside, type Point, pointOf, weightsAt } from "./geometry";
 import { allOf, drop, fromPolygon, type Selection, select, TRIANGLE, weightOf } from "./selection";
@@ -81,7 +82,7 @@ export class Polygon {
         class: "polygon-handle",
         role: "slider",
         tabindex: 0,
-        "aria-label": "Style",
+        "aria-label": strings.play.style.heading,
         "aria-valuemin": 0,
         "aria-valuemax": 1,
       },
@@ -92,7 +93,7 @@ export class Polygon {
     const { hatch, outline, area, isolines: lines, leaders, bars, vertices } = this.#layers;
     this.#root = svg(
       "svg",
-      { class: "polygon", role: "group", "aria-label": "Styles" },
+      { class: "polygon", role: "group", "aria-label": strings.play.style.styles },
       hatching("polygon-hatching"),
       hatch,
       outline,

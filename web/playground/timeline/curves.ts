@@ -4,6 +4,7 @@
  */
 import { ROLES } from "../../viewer";
 import { type CurveSubject, POSE_FLOATS } from "../../worker/protocol";
+import { strings } from "../strings/strings";
 
 type Vector = readonly [number, number, number];
 
@@ -49,8 +50,8 @@ const DEGREES_OF_FREEDOM: Readonly<Record<string, Measure>> = Object.fromEntries
 
 /** What the timeline offers, in groups. */
 export const CURVE_GROUPS: readonly { title: string; names: readonly string[] }[] = [
-  { title: "Angles", names: Object.keys(CHOSEN) },
-  { title: "Degrees of freedom", names: Object.keys(DEGREES_OF_FREEDOM) },
+  { title: strings.play.timeline.curveGroups.angles, names: Object.keys(CHOSEN) },
+  { title: strings.play.timeline.curveGroups.freedoms, names: Object.keys(DEGREES_OF_FREEDOM) },
 ];
 
 /** All curves by name. */

@@ -6,6 +6,7 @@
 import type { FrameRange } from "../../worker/protocol";
 import type { Colours } from "../colours";
 import { formatNumber } from "../dom";
+import { strings } from "../strings/strings";
 import { type ReadStretch, tickSpacing } from "./curves";
 import type { ExampleCurves } from "./examples";
 
@@ -379,5 +380,5 @@ function describe(value: number | undefined, unit: string): string {
 export function describeBand(examples: ExampleCurves | undefined, at: number, unit: string): string {
   const [low, high] = [examples?.low[at], examples?.high[at]];
   if (low === undefined || high === undefined) return "";
-  return `examples ${formatNumber((low + high) / 2, 1)} ± ${describe((high - low) / 2, unit)}`;
+  return strings.play.timeline.examples(formatNumber((low + high) / 2, 1), describe((high - low) / 2, unit));
 }

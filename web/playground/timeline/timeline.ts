@@ -2,6 +2,7 @@
 import type { Analysis, CurveSubject, DatabaseInfo, Examples, FrameRange, InputInfo } from "../../worker/protocol";
 import { type Colours, readColours } from "../colours";
 import { formatNumber, html, setAttributes } from "../dom";
+import { strings } from "../strings/strings";
 import { capitalised, spoken } from "../words";
 import {
   CURVE_GROUPS,
@@ -58,15 +59,25 @@ export class Timeline {
   /** `keys` stands over the rows: the keys of the style track. */
   constructor(listeners: TimelineListeners, keys: HTMLElement) {
     this.#listeners = listeners;
-    this.#menu = html("select", { "aria-label": "Joint of the curve" });
+    this.#menu = html("select", { "aria-label": strings.play.timeline.curve });
     for (const { title, names } of CURVE_GROUPS)
       this.#menu.append(
-        html("optgroup", { label: title }, ...names.map((name) => html("option", { value: name }, name))),
+        html(
+          "optgroup",
+          { label: title },
+          ...names.map((name) => html("option", { value: name }, strings.play.timeline.curveName(name))),
+        ),
       );
     this.#menu.addEventListener("change", () => listeners.onCurve(this.#menu.value));
     this.#rows = html(
       "div",
-      { class: "timeline-rows", role: "slider", tabindex: 0, "aria-label": "Time", "aria-valuemin": 0 },
+      {
+        class: "timeline-rows",
+        role: "slider",
+        tabindex: 0,
+        "aria-label": strings.play.transport.time,
+        "aria-valuemin": 0,
+      },
       this.#still,
       this.#moving,
     );
@@ -78,23 +89,24 @@ export class Timeline {
         { class: "timeline-labels" },
         html(
           "span",
-          { class: "timeline-contacts", title: "When each foot of the styled motion is planted" },
-          "contacts",
+          { class: "timeline-contacts", title: strings.play.timeline.contactsWhy },
+          strings.play.timeline.contacts,
         ),
-        html("span", { class: "timeline-feet", "aria-hidden": "true" }, html("i", {}, "L"), html("i", {}, "R")),
         html(
           "span",
-          { class: "timeline-reads", title: "What the input is read as, the heaviest class of each frame" },
-          "reads as",
+          { class: "timeline-feet", "aria-hidden": "true" },
+          html("i", {}, strings.play.timeline.left),
+          html("i", {}, strings.play.timeline.right),
         ),
+        html("span", { class: "timeline-reads", title: strings.play.timeline.readsWhy }, strings.play.timeline.reads),
         html("span", { class: "timeline-curve" }, this.#menu),
         html(
           "span",
           {
             class: "timeline-timing",
-            title: "The input's time above, the styled motion's below: lines lean where the style takes its own time",
+            title: strings.play.timeline.timingWhy,
           },
-          "timing",
+          strings.play.timeline.timing,
         ),
       ),
       html("div", { class: "timeline-stage" }, this.#rows, keys),
@@ -170,7 +182,7 @@ export class Timeline {
     setAttributes(this.#rows, {
       "aria-valuemax": durationSecs.toFixed(2),
       "aria-valuenow": now.toFixed(2),
-      "aria-valuetext": `${formatNumber(now, 2)} of ${formatNumber(durationSecs, 2)} seconds`,
+      "aria-valuetext": strings.play.timeline.now(formatNumber(now, 2), formatNumber(durationSecs, 2)),
     });
     this.#paintMoving();
   }
@@ -272,7 +284,7 @@ export class Timeline {
   #readAt(frame: number): string {
     const stretch = this.#data?.reads.find(({ from, to }) => frame >= from && frame < to);
     const read = stretch && this.#classes[stretch.class];
-    return read ? `Read as ${spoken(read.action)}, ${spoken(read.style)}.` : "";
+    return read ? strings.play.timeline.readAt(spoken(read.action), spoken(read.style)) : "";
   }
 
   /** What the examples of a frame say of the curve, in words. */

@@ -4,6 +4,7 @@
  */
 import { formatNumber, html, setAttributes } from "../dom";
 import type { TrackKey } from "../state";
+import { strings } from "../strings/strings";
 
 export interface TrackKeyListeners {
   /** A key was chosen. */
@@ -77,12 +78,15 @@ export class TrackKeys {
       element.style.left = `${xs[i]!.toFixed(1)}px`;
       element.classList.toggle("chosen", i === this.#chosen);
       setAttributes(element, {
-        "aria-label": `Style key ${i + 1} of ${this.#track.length}`,
+        "aria-label": strings.play.timeline.key(i + 1, this.#track.length),
         "aria-valuemin": 0,
         "aria-valuemax": this.#frames - 1,
         "aria-valuenow": key.frame,
-        "aria-valuetext": `${formatNumber(key.frame / this.#rateHz, 2)} seconds, ${this.#describe(key)}`,
-        title: `${this.#describe(key)}, ${formatNumber(key.frame / this.#rateHz, 2)} s. Drag to move, double-click to remove.`,
+        "aria-valuetext": strings.play.timeline.keyValue(
+          formatNumber(key.frame / this.#rateHz, 2),
+          this.#describe(key),
+        ),
+        title: strings.play.timeline.keyWhy(this.#describe(key), formatNumber(key.frame / this.#rateHz, 2)),
       });
     }
     this.#line.hidden = xs.length < 2;

@@ -1,0 +1,22 @@
+/**
+ * Everything that the page says, in one table. English is complete; another language is a second table of the type
+ * {@link Strings}, in modules like those of `en/`, and a choice here. The Data view keeps its own words.
+ */
+import { compare } from "./en/compare";
+import { page } from "./en/page";
+import { play } from "./en/play";
+
+const en = { page, play, compare };
+
+/** A text where English has one, and a sentence of the same parts where it has a function. */
+type Said<T> = T extends string
+  ? string
+  : T extends (...parts: infer P) => string
+    ? (...parts: P) => string
+    : { readonly [K in keyof T]: Said<T[K]> };
+
+/** What a language has to say. */
+export type Strings = Said<typeof en>;
+
+/** The present language. */
+export const strings: Strings = en;
