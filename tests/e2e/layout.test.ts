@@ -30,6 +30,11 @@ async function showAt(viewport: { width: number; height: number }, theme: "dark"
   await visit(page, "");
   await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, theme);
   await page.waitForFunction(() => window.strut.analysed);
+  // Colours are on their way from one theme to the other for a moment.
+  await page.evaluate(() => {
+    const transitions = document.getAnimations().filter((animation) => animation instanceof CSSTransition);
+    return Promise.allSettled(transitions.map(({ finished }) => finished)).then(() => undefined);
+  });
 }
 
 /** How far the page is larger than the window. */
