@@ -23,6 +23,8 @@ export class InputPanel {
   readonly #weight = html("output", { class: "value" });
   readonly #note = html("p", { class: "caption input-note" });
   #readAt = 0;
+  /** What is to be shown next; `undefined` where nothing waits. */
+  #newest: Reading | undefined;
 
   constructor(listeners: InputListeners, top: HTMLElement) {
     this.#select.addEventListener("change", () => listeners.onChoose(this.#select.value));
@@ -69,14 +71,24 @@ export class InputPanel {
     this.#readAt = 0;
   }
 
-  /** Shows the heaviest class of the newest frame. */
-  read(reads: readonly Reading[]): void {
-    const now = performance.now();
-    const [first] = reads;
-    if (!first || now - this.#readAt < READING_MS) return;
-    this.#readAt = now;
-    setText(this.#reading, `${spoken(first.action)}, ${spoken(first.style)}`);
-    setText(this.#weight, formatNumber(first.weight, 2));
-    this.#bar.style.transform = `scaleX(${Math.min(1, Math.max(0, first.weight))})`;
+  /** Shows the heaviest class of the newest frame, at once or as soon as the one before has been there long enough. */
+  read([heaviest]: readonly Reading[]): void {
+    if (!heaviest) return;
+    const waiting = this.#newest !== undefined;
+    this.#newest = heaviest;
+    if (waiting) return;
+    const left = this.#readAt + READING_MS - performance.now();
+    if (left <= 0) this.#showNewest();
+    else setTimeout(() => this.#showNewest(), left);
+  }
+
+  #showNewest(): void {
+    const newest = this.#newest;
+    if (!newest) return;
+    this.#newest = undefined;
+    this.#readAt = performance.now();
+    setText(this.#reading, `${spoken(newest.action)}, ${spoken(newest.style)}`);
+    setText(this.#weight, formatNumber(newest.weight, 2));
+    this.#bar.style.transform = `scaleX(${Math.min(1, Math.max(0, newest.weight))})`;
   }
 }
