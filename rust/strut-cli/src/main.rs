@@ -13,6 +13,7 @@ mod corpus;
 mod demo_db;
 mod demo_report;
 mod evaluate;
+mod evaluate_walk;
 mod failure;
 mod files;
 mod gather;
@@ -50,6 +51,7 @@ enum Command {
     DemoDb(demo_db::Args),
     TrainWalk(train_walk::Args),
     Walk(walk::Args),
+    EvaluateWalk(evaluate_walk::Args),
 }
 
 fn run(args: Args) -> Outcome {
@@ -63,6 +65,7 @@ fn run(args: Args) -> Outcome {
         Command::DemoDb(args) => demo_db::run(&args),
         Command::TrainWalk(args) => train_walk::run(&args),
         Command::Walk(args) => walk::run(&args),
+        Command::EvaluateWalk(args) => evaluate_walk::run(&args),
     }
 }
 

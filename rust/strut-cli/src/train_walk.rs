@@ -34,7 +34,7 @@ pub(crate) struct Args {
     /// A table with the columns file,action,style[,take]; goes before the pattern
     #[arg(long, value_name = "CSV")]
     labels: Option<PathBuf>,
-    /// Write {model, seconds, styles: [{style, clips, steps, step_secs}], refused: [{file, reason}]} as JSON
+    /// Write a report as JSON: {model, seconds, styles: [{style, clips, steps, `step_secs`}], refused: [{file, reason}]}
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }

@@ -70,7 +70,7 @@ impl FromStr for Transition {
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([args.output.as_path()])?;
     let limit = MAX_TURN.to_degrees();
-    if !(args.turn.abs() <= limit) {
+    if args.turn.is_nan() || args.turn.abs() > limit {
         return Err(Failure::usage(format_args!(
             "the turn is {}; -{limit:.0} to {limit:.0} degrees were expected",
             args.turn

@@ -165,3 +165,35 @@ fn a_clip_becomes_a_style_that_others_can_be_given() {
     strut_ok(at, &["stylize", "--db", "more.strutdb", "--input", "in.bvh", "--style", "weary", "-o", "out.bvh"]);
     assert_refused(at, &[&args[..], &["old", "-o", "x.strutdb"]].concat(), "has a style 'old' already");
 }
+
+#[test]
+fn walks_are_learnt_and_walked_in_any_mixture() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    strut_ok(at, &["demo-db", "--page", "-o", "demo.strutdb", "--bvh", "clips"]);
+    fs::write(at.join("clips/walk_sad_001.bvh"), "no motion").unwrap();
+    let out = strut_ok(at, &["train-walk", "clips", "-o", "walks.strutwalk", "--json", "train.json"]);
+    assert!(out.starts_with("walks.strutwalk: 8 styles (angry, childlike, "), "{out}");
+    let report = json(&at.join("train.json"));
+    assert!(report["refused"][0]["file"].as_str().unwrap().ends_with("walk_sad_001.bvh"));
+    assert!(report["styles"].as_array().unwrap().iter().all(|s| s["steps"].as_u64().unwrap() > 10));
+
+    let walk = |more: &[&str]| {
+        let args = ["walk", "--model", "walks.strutwalk", "-o", "walk.bvh"];
+        strut_ok(at, &[&args[..], more].concat());
+        bvh::parse(&fs::read(at.join("walk.bvh")).unwrap()).unwrap().to_motion().unwrap()
+    };
+    let steps = ["--style", "proud=0.5,old=-0.5", "--steps", "10", "--cadence", "120"];
+    assert!(walk(&steps).frames().abs_diff(150) <= 4);
+    let transition = ["--style", "old", "--transition", "proud@4:2", "--turn", "5"];
+    assert_ne!(walk(&transition).rotations, walk(&["--style", "old", "--turn", "5"]).rotations);
+
+    let refused = |args: &[&str], expected: &str| {
+        assert_refused(at, &[&["walk", "-o", "new.bvh", "--model"], args].concat(), expected);
+    };
+    refused(&["walks.strutwalk", "--style", "prod"], "there is no style 'prod'; did you mean 'proud'?");
+    refused(&["demo.strutdb", "--style", "old"], "it has no 'strut-walk' metadata");
+    refused(&["clips/walk_old_001.bvh", "--style", "old"], "this is no walk model");
+    let standing = ["train-walk", "clips/walk_sad_001.bvh", "-o", "new.strutwalk"];
+    assert_refused(at, &standing, "walk_sad_001.bvh");
+}

@@ -36,6 +36,7 @@ fn held_out_walks_are_reconstructed_and_recognised() {
     let training: Vec<Training> =
         of(3..=8).map(|(style, _, track)| Training { style: STYLES[*style], track }).collect();
     // Degrees, centimetres and amplitude of the specification, §15.
+    #[allow(clippy::approx_constant)] // 3.14 degrees
     for (refined, expected) in [(false, [3.38, 1.75, 0.861]), (true, [3.14, 1.65, 0.924])] {
         let model = train(&body, &training, Options { refined }, &Sequential).unwrap();
         let mut all = Reconstruction::default();

@@ -3,13 +3,16 @@
 use super::RATE_HZ;
 use super::model::{DIMS, Observation, Row};
 use crate::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions};
-use crate::kinematics::world_from_local;
+use crate::kinematics::{WorldPose, world_from_local};
 use crate::math::float_funcs::atan2;
 use crate::math::{Quat, Vec3, exp_map};
+use crate::pose_vector::heading_of;
 use thiserror::Error;
 
 /// Shortest way that has a heading, metres.
 const LEAST_WAY: f32 = 0.3;
+/// Greatest mean angle between where a body faces and where it goes in all, degrees.
+const MOST_ASIDE: f32 = 25.0;
 /// Rotations are averaged over every so many frames.
 const REFERENCE_STRIDE: usize = 4;
 
@@ -19,6 +22,11 @@ pub enum TrackError {
     /// The body stays where it is.
     #[error("the body moves {0:.2} m in all; a walk of at least {LEAST_WAY} m was expected")]
     NoWay(f32),
+    /// It does not face where it goes.
+    #[error(
+        "the body faces {0:.0}° away from its way on average; a walk straight ahead, at most {MOST_ASIDE}° off, was expected"
+    )]
+    Turns(f32),
 }
 
 /// A clip of walking straight ahead, at [`RATE_HZ`] and with its heading taken off.
@@ -54,8 +62,13 @@ impl Track {
                 turned
             })
             .collect();
-        let positions = poses.iter().map(|pose| world_from_local(&motion.proportions, pose).positions).collect();
-        Ok(Self { poses, positions })
+        let worlds: Vec<WorldPose> = poses.iter().map(|pose| world_from_local(&motion.proportions, pose)).collect();
+        let aside = worlds.iter().filter_map(heading_of).map(|heading| heading.abs().to_degrees()).sum::<f32>();
+        let aside = aside / worlds.len() as f32;
+        if aside > MOST_ASIDE {
+            return Err(TrackError::Turns(aside));
+        }
+        Ok(Self { poses, positions: worlds.into_iter().map(|world| world.positions).collect() })
     }
 
     /// The poses as exponential maps about a reference.

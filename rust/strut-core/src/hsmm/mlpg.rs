@@ -115,7 +115,7 @@ impl<T: Number> Banded<T> {
         self.pull(1, later.weight * (later.mean - last));
     }
 
-    /// The trajectory, by LDLᵀ. The matrix is positive definite where every frame's pose has a weight.
+    /// The trajectory. The matrix is positive definite where every frame's pose has a weight.
     pub fn solve(&mut self) -> &[T] {
         self.factorise();
         let mut right = std::mem::take(&mut self.right);
@@ -129,7 +129,7 @@ impl<T: Number> Banded<T> {
         &self.right
     }
 
-    /// Replaces the diagonals by D and the two columns of L.
+    /// Replaces the diagonals by D and the two columns of L of the matrix's decomposition L D Lᵀ.
     fn factorise(&mut self) {
         let [d0, d1, d2] = &mut self.diagonals;
         for t in 0..d0.len() {

@@ -64,6 +64,10 @@ fn clips_without_steps_are_refused_by_name() {
     let motion = HumanoidMotion { proportions: Proportions::default(), rate_hz: SINE_RATE_HZ, poses };
     assert!(matches!(Track::new(&motion), Err(TrackError::NoWay(_))));
 
+    let poses = walk(&Gait { turn: 0.8, ..NEUTRAL }, 400, 0.0).poses;
+    let motion = HumanoidMotion { proportions: Proportions::default(), rate_hz: SINE_RATE_HZ, poses };
+    assert!(matches!(Track::new(&motion), Err(TrackError::Turns(_))));
+
     let (walking, mut gliding) = (track(&NEUTRAL), track(&NEUTRAL));
     let pose = gliding.positions[0];
     gliding.positions.fill(pose);

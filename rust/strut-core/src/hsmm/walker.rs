@@ -295,7 +295,7 @@ impl Walker {
             *q = *q * exp_map::exp(Vec3::new(of(0), of(1), of(2)));
         }
         self.pose = Pose { root: Vec3::ZERO, rotations };
-        self.heading += self.turn / self.planned[self.slot(self.path[0].0)].durations.iter().sum::<f32>();
+        self.heading += self.turn / self.planned[slot_of(self.path[0].0)].durations.iter().sum::<f32>();
         self.root.place(&mut self.pose, side, self.heading);
         &self.pose
     }
@@ -325,10 +325,6 @@ impl Walker {
         self.remember_means();
     }
 
-    fn slot(&self, step: u64) -> usize {
-        (step % PLANNED as u64) as usize
-    }
-
     /// Steps and states of this frame and those within the horizon; then the position is that of the next frame.
     fn follow_path(&mut self) {
         if !self.is_planned {
@@ -341,7 +337,7 @@ impl Walker {
         for frame in self.frame..=self.frame + HORIZON as u64 {
             loop {
                 self.plan(at.step);
-                let reckoned = at.reckoned + f64::from(self.planned[self.slot(at.step)].durations[at.state]);
+                let reckoned = at.reckoned + f64::from(self.planned[slot_of(at.step)].durations[at.state]);
                 let end = (reckoned.round() as u64).max(at.begin + 1);
                 if frame < end {
                     break;
@@ -374,7 +370,7 @@ impl Walker {
 
     /// Mixes the means of a step, if it is not planned yet.
     fn plan(&mut self, number: u64) {
-        let slot = self.slot(number);
+        let slot = slot_of(number);
         if self.planned[slot].number == number {
             return;
         }
@@ -428,7 +424,7 @@ impl Walker {
             };
             let at = |t: usize, part: Part| {
                 let (number, state) = self.path[t];
-                let step = &self.planned[(number % PLANNED as u64) as usize];
+                let step = &self.planned[slot_of(number)];
                 term(side_of(number) as usize, state, part, &step.means[state][part as usize])
             };
             for t in 0..self.path.len() {
@@ -458,9 +454,14 @@ impl Walker {
     /// Keeps what the next frame's trajectory needs of this one's means.
     fn remember_means(&mut self) {
         let (number, state) = self.path[0];
-        let [_, velocity, acceleration] = self.planned[self.slot(number)].means[state];
+        let [_, velocity, acceleration] = self.planned[slot_of(number)].means[state];
         self.last = (side_of(number) as usize, state, [velocity, acceleration]);
     }
+}
+
+/// Where a step is planned.
+fn slot_of(step: u64) -> usize {
+    (step % PLANNED as u64) as usize
 }
 
 /// The foot that swings in a step.
