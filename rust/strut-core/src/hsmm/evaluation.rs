@@ -1,6 +1,6 @@
 //! How well a model says what it has not seen (specification, §12).
 
-use super::features::{Track, observations, row_of, shape};
+use super::features::{Track, observations, row_of};
 use super::model::{DIMS, Row, WalkModel};
 use super::refinement::{chains, generate};
 use super::steps::steps_of;
@@ -40,7 +40,9 @@ impl Reconstruction {
                 let [a, b] = [a, b].map(|row| rotations_of(model, row));
                 let angles = a.iter().zip(&b).map(|(a, b)| a.inv_mul(*b).angle().to_degrees());
                 self.degrees += f64::from(angles.sum::<f32>()) / JOINTS as f64;
-                let [a, b] = [a, b].map(|rotations| shape(&model.proportions, &rotations));
+                let [a, b] = [a, b].map(|rotations| {
+                    world_from_local(&model.proportions, &Pose { root: Vec3::ZERO, rotations }).positions
+                });
                 if is_strike(i) {
                     for (sum, positions) in self.stretches.iter_mut().zip([&a, &b]) {
                         *sum += f64::from(

@@ -2,7 +2,7 @@
 
 use super::RATE_HZ;
 use super::model::{DIMS, Observation, Row};
-use crate::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions};
+use crate::humanoid::{HumanoidMotion, JOINTS, Pose};
 use crate::kinematics::{WorldPose, world_from_local};
 use crate::math::float_funcs::atan2;
 use crate::math::{Quat, Vec3, exp_map};
@@ -107,9 +107,4 @@ pub(super) fn observations(rows: &[Row]) -> Vec<Observation> {
         [rows[t], velocity, acceleration]
     };
     (0..rows.len()).map(at).collect()
-}
-
-/// Positions of a pose's joints with the hips at the origin.
-pub(super) fn shape(proportions: &Proportions, rotations: &[Quat; JOINTS]) -> [Vec3; JOINTS] {
-    world_from_local(proportions, &Pose { root: Vec3::ZERO, rotations: *rotations }).positions
 }

@@ -4,7 +4,7 @@
 //! freedom of a trajectory is linear in its 30 means, so that least squares find better ones.
 
 use super::mlpg::{Banded, Term};
-use super::model::{DIMS, Part, Row, SIDES, STATES, StyleMeans};
+use super::model::{DIMS, Part, SIDES, STATES, StyleMeans};
 use super::training::{Sample, Shared, states, states_of};
 use crate::math::linear::solve_symmetric;
 
@@ -64,7 +64,8 @@ pub(super) fn trajectory<'a>(
 }
 
 /// The trajectory of a style through states.
-pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &Shared) -> Vec<Row> {
+#[cfg(any(test, feature = "offline"))]
+pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &Shared) -> Vec<super::model::Row> {
     let (mut rows, mut system) = (vec![[0.0; DIMS]; states.len()], Banded::default());
     for d in 0..DIMS {
         let mean = |side: usize, state: usize, part: Part| means.means[side][state][part as usize][d];
