@@ -59,6 +59,8 @@ impl QuantisedRows {
     pub(super) fn push(&mut self, row: &PoseRow) {
         self.rows.push(std::array::from_fn(|d| {
             let steps = if self.step[d] > 0.0 { (row[d] - self.middle[d]) / self.step[d] } else { 0.0 };
+            // Where the range is narrow and far from zero, what its middle is rounded by may be a step.
+            let steps = steps.clamp(-f32::from(i16::MAX), f32::from(i16::MAX));
             // Rounded to the nearest by cutting off a positive number.
             ((steps + 65_536.5) as i32 - 65_536) as i16
         }));
