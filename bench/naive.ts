@@ -232,7 +232,7 @@ export class NaiveTransfer implements Yardstick {
   }
 
   duration(x: Float32Array, xBefore: Float32Array, y: Float32Array, yBefore: Float32Array): number {
-    const { dofs, pose, rateHz } = this.db;
+    const { dofs, pose } = this.db;
     const parts = [
       { rows: pose, now: x, before: xBefore },
       { rows: this.targets, now: y, before: yBefore },
@@ -265,7 +265,7 @@ export class NaiveTransfer implements Yardstick {
       });
       duration += (weight * sum) / total;
     });
-    return duration || 1 / rateHz;
+    return duration;
   }
 
   neighbours(label: number): number[] {

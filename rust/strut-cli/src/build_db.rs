@@ -124,7 +124,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         outputs.stage(target, report.markdown().as_bytes())?;
     }
     outputs.commit()?;
-    print_warnings(&report.warnings());
+    print_warnings(&corpus::warnings(&report.refused));
     print(&report.summary());
     Ok(())
 }
@@ -264,14 +264,6 @@ impl Report {
     }
 
     /// One line for each file refused.
-    fn warnings(&self) -> String {
-        self.refused.iter().fold(String::new(), |mut out, r| {
-            // Writing to a string cannot fail.
-            let _ = writeln!(out, "warning: refused {}: {}", r.file, r.reason);
-            out
-        })
-    }
-
     /// What was refused and why, then every clip and its faulty cycles, worst first.
     fn markdown(&self) -> String {
         let mut out = format!("# Registration of {}\n\n## Refused\n\n", self.database);

@@ -6,6 +6,7 @@ use crate::gather::Source;
 use crate::progress::Bar;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
+use std::fmt::Write;
 use std::path::Path;
 use strut_core::database::build::SourceClip;
 use strut_formats::corpus::{self, Clip, DEFAULT_PATTERN, Entry, Labels, Pattern, Table};
@@ -18,6 +19,15 @@ const MAX_TABLE_BYTES: usize = 64 << 20;
 pub(crate) struct RefusedFile {
     pub(crate) file: String,
     pub(crate) reason: String,
+}
+
+/// What was refused and why, one line each.
+pub(crate) fn warnings(refused: &[RefusedFile]) -> String {
+    refused.iter().fold(String::new(), |mut out, r| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "warning: refused {}: {}", r.file, r.reason);
+        out
+    })
 }
 
 /// The sources that have labels, from a table, a pattern, or the default pattern if there is neither; a take

@@ -2,16 +2,15 @@
 
 use crate::corpus;
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print};
-use crate::gather::gather;
+use crate::files::{Outputs, print, print_warnings};
 use crate::threads::ThreadPool;
+use crate::walks::{Walk, read_walks};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 use strut_core::hsmm::evaluation::{Manner, Reconstruction, recognise, transition_peak};
-use strut_core::hsmm::{Options, Track, Training, WalkModel, WalkVoices, Walker, train};
-use strut_core::parallel::ParallelMap;
+use strut_core::hsmm::{Options, Training, WalkModel, WalkVoices, Walker, WeightsError, train};
 use strut_formats::corpus::Pattern;
 use strut_formats::{strutdb, walk_model};
 
@@ -39,28 +38,11 @@ pub(crate) struct Args {
     output: Option<PathBuf>,
 }
 
-struct Walk {
-    style: String,
-    take: u32,
-    track: Track,
-}
-
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check(args.output.as_deref())?;
-    let sources = gather(&args.inputs)?;
     let mut refused = Vec::new();
-    let mut labelled = corpus::label(&sources, args.pattern.as_ref(), None, &mut refused)?;
-    if labelled.iter().any(|(_, labels)| labels.action == "walk") {
-        labelled.retain(|(_, labels)| labels.action == "walk");
-    }
-    let clips = corpus::read_clips(None, labelled, &mut refused)?;
-    let tracks = ThreadPool.map(clips.len(), &|i| Track::new(&clips[i].motion).ok());
-    let walks: Vec<Walk> = clips
-        .iter()
-        .zip(tracks)
-        .filter_map(|(clip, track)| Some(Walk { style: clip.style.clone(), take: clip.take, track: track? }))
-        .collect();
-    let body = clips.first().map(|clip| clip.motion.proportions).unwrap_or_default();
+    let (body, walks) = read_walks(&args.inputs, args.pattern.as_ref(), None, &mut refused)?;
+    print_warnings(&corpus::warnings(&refused));
     let (tests, rest): (Vec<&Walk>, Vec<&Walk>) = walks.iter().partition(|w| args.held_out.contains(&w.take));
     if tests.is_empty() || rest.is_empty() {
         return Err(Failure::new("--held-out leaves no walk to train on, or none to test"));
@@ -148,11 +130,7 @@ fn pairs(model: &WalkModel) -> impl Iterator<Item = (usize, usize)> {
 }
 
 /// How straight the way between two styles is.
-fn linearity(
-    text: &mut String,
-    model: &WalkModel,
-    voices: &Arc<WalkVoices>,
-) -> Result<(), strut_core::hsmm::WeightsError> {
+fn linearity(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
     let mut deviations: Vec<(&str, Vec<f64>)> = Vec::new();
     for (a, b) in pairs(model) {
         let at = |k: f32| Manner::of(model, voices, &weights(model, &[(a, 1.0 - k), (b, k)]), STEPS);
@@ -181,11 +159,7 @@ fn linearity(
 }
 
 /// How hard changes of style are.
-fn transitions(
-    text: &mut String,
-    model: &WalkModel,
-    voices: &Arc<WalkVoices>,
-) -> Result<(), strut_core::hsmm::WeightsError> {
+fn transitions(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
     text.push_str(
         "## Transitions\n\nGreatest acceleration of any joint's degree of freedom while one style gives way to ",
     );

@@ -26,6 +26,7 @@ mod threads;
 mod trace;
 mod train_walk;
 mod walk;
+mod walks;
 mod weights;
 
 use clap::{Parser, Subcommand};

@@ -3,18 +3,14 @@
 use crate::corpus::{self, RefusedFile};
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print, print_warnings};
-use crate::gather::gather;
 use crate::threads::ThreadPool;
+use crate::walks::read_walks;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
-use strut_core::hsmm::{Options, Track, Training, steps_of, train};
-use strut_core::parallel::ParallelMap;
+use strut_core::hsmm::{Options, Training, train};
 use strut_formats::corpus::Pattern;
 use strut_formats::{strutdb, walk_model};
-
-/// The action that is walking, where clips have any of that name.
-const WALK: &str = "walk";
 
 /// Train a model of walk styles on labelled clips
 ///
@@ -58,35 +54,17 @@ struct StyleEntry {
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
     let begin = Instant::now();
-    let sources = gather(&args.inputs)?;
     let mut refused = Vec::new();
-    let mut labelled = corpus::label(&sources, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
-    if labelled.iter().any(|(_, labels)| labels.action == WALK) {
-        labelled.retain(|(_, labels)| labels.action == WALK);
-    }
-    let clips = corpus::read_clips(None, labelled, &mut refused)?;
-    let body = clips.first().map(|clip| clip.motion.proportions).unwrap_or_default();
-    let tracks = ThreadPool.map(clips.len(), &|i| {
-        let track = Track::new(&clips[i].motion).map_err(|e| e.to_string())?;
-        let steps = steps_of(&track).len();
-        if steps == 0 { Err("it holds no step".to_owned()) } else { Ok((track, steps)) }
-    });
-    let mut walks = Vec::new();
-    for (clip, track) in clips.iter().zip(tracks) {
-        match track {
-            Ok((track, steps)) => walks.push((clip.style.as_str(), track, steps)),
-            Err(reason) => refused.push(RefusedFile { file: clip.source.clone(), reason }),
-        }
-    }
-    let training: Vec<Training> = walks.iter().map(|(style, track, _)| Training { style, track }).collect();
+    let (body, walks) = read_walks(&args.inputs, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
+    let training: Vec<Training> = walks.iter().map(|w| Training { style: &w.style, track: &w.track }).collect();
     let model = train(&body, &training, Options::default(), &ThreadPool).map_err(Failure::new)?;
     let bytes = walk_model::write(&model, strutdb::GENERATOR);
 
     let styles = model.styles.iter().zip(&model.means).map(|(style, means)| {
-        let of = || walks.iter().filter(|w| w.0 == style);
+        let of = || walks.iter().filter(|w| w.style == *style);
         let frames: f64 = means.durations.as_flattened().iter().sum();
         let step_secs = frames / 2.0 / f64::from(strut_core::hsmm::RATE_HZ);
-        StyleEntry { style: style.clone(), clips: of().count(), steps: of().map(|w| w.2).sum(), step_secs }
+        StyleEntry { style: style.clone(), clips: of().count(), steps: of().map(|w| w.steps).sum(), step_secs }
     });
     let report = Report {
         model: args.output.display().to_string(),
@@ -100,8 +78,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         outputs.stage(target, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
     }
     outputs.commit()?;
-    let warnings = report.refused.iter().map(|r| format!("warning: {}: {}\n", r.file, r.reason));
-    print_warnings(&warnings.collect::<String>());
+    print_warnings(&corpus::warnings(&report.refused));
     let steps: usize = report.styles.iter().map(|s| s.steps).sum();
     let names: Vec<&str> = report.styles.iter().map(|s| s.style.as_str()).collect();
     print(&format!(

@@ -20,7 +20,7 @@ use crate::strutdb::SkeletonInfo;
 use safetensors::SafeTensors;
 use safetensors::tensor::{Dtype, TensorView};
 use serde::{Deserialize, Serialize};
-use strut_core::hsmm::{DIMS, RATE_HZ, SIDES, STATES, StyleMeans, WalkModel};
+use strut_core::hsmm::{DIMS, PerState, RATE_HZ, SIDES, STATES, StyleMeans, WalkModel, numbers};
 use strut_core::humanoid::JOINTS;
 use strut_core::math::Quat;
 use thiserror::Error;
@@ -93,19 +93,16 @@ pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
         contexts: CONTEXTS.map(str::to_owned).to_vec(),
     };
     let styles = model.means.len();
-    let per_state = |of: &[[f64; STATES]; SIDES]| of.as_flattened().to_vec();
-    let observations = |of: &strut_core::hsmm::PerState<strut_core::hsmm::Observation>| {
-        of.as_flattened().as_flattened().as_flattened().to_vec()
-    };
+    let per_state = |of: &PerState<f64>| of.as_flattened().to_vec();
     let tensors: [(&str, Vec<usize>, Vec<f64>); 6] = [
         ("reference", vec![JOINTS, 4], model.reference.iter().flat_map(|q| q.to_array()).map(f64::from).collect()),
         (
             "means",
             vec![styles, SIDES, STATES, 3, DIMS],
-            model.means.iter().flat_map(|m| observations(&m.means)).collect(),
+            model.means.iter().flat_map(|m| numbers(&m.means)).copied().collect(),
         ),
         ("durations", vec![styles, SIDES, STATES], model.means.iter().flat_map(|m| per_state(&m.durations)).collect()),
-        ("variances", vec![SIDES, STATES, 3, DIMS], observations(&model.variances)),
+        ("variances", vec![SIDES, STATES, 3, DIMS], numbers(&model.variances).to_vec()),
         ("duration_variances", vec![SIDES, STATES], per_state(&model.duration_variances)),
         ("range", vec![2, DIMS], model.range.as_flattened().to_vec()),
     ];
@@ -150,7 +147,7 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
     }
 
     let tensors = SafeTensors::deserialize(file).map_err(bad)?;
-    let tensor = |name: &'static str, expected: &[usize]| numbers(&tensors, name, expected);
+    let tensor = |name: &'static str, expected: &[usize]| values_of(&tensors, name, expected);
     let reference = tensor("reference", &[JOINTS, 4])?;
     let means = tensor("means", &[styles, SIDES, STATES, 3, DIMS])?;
     let durations = positive("durations", tensor("durations", &[styles, SIDES, STATES])?)?;
@@ -185,7 +182,7 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
 }
 
 /// The finite numbers of a tensor of this shape.
-fn numbers(tensors: &SafeTensors<'_>, name: &'static str, expected: &[usize]) -> Result<Vec<f64>, WalkModelError> {
+fn values_of(tensors: &SafeTensors<'_>, name: &'static str, expected: &[usize]) -> Result<Vec<f64>, WalkModelError> {
     let wrong = |found: String| WalkModelError::Tensor { name, found, expected: expected.to_vec() };
     let tensor = tensors.tensor(name).map_err(|_| wrong("absent".to_owned()))?;
     if tensor.dtype() != Dtype::F32 || tensor.shape() != expected {

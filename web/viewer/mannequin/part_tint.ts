@@ -2,6 +2,7 @@
 
 import { Color, type IUniform, type Material } from "three";
 import { JOINT, type Role } from "../humanoid";
+import { editShader } from "./shader_edit";
 import { RIGID_SLOTS, SLOT_JOINTS, SLOTS } from "./slots";
 
 /** How much of its colour a tinted part gives up. */
@@ -35,11 +36,8 @@ export function slotsOf(joints: readonly Role[]): [number, number] {
 
 /** Tints one of three.js's own materials that skins by slots; call it before `useSlots`. */
 export function useTint(material: Material, uniforms: TintUniforms): void {
-  const before = material.onBeforeCompile;
-  material.onBeforeCompile = (parameters, renderer) => {
-    before.call(material, parameters, renderer);
-    Object.assign(parameters.uniforms, uniforms);
-    parameters.vertexShader = parameters.vertexShader
+  editShader(material, uniforms, (shader) => {
+    shader.vertexShader = shader.vertexShader
       .replace("void main() {", "uniform ivec2 tintedSlots;\nvarying float vTinted;\nvoid main() {")
       .replace(
         "#include <begin_vertex>",
@@ -48,11 +46,11 @@ export function useTint(material: Material, uniforms: TintUniforms): void {
   int word = slotNumber < ${WORD} ? tintedSlots.x : tintedSlots.y;
   vTinted = float((word >> (slotNumber % ${WORD})) & 1);`,
       );
-    parameters.fragmentShader = parameters.fragmentShader
+    shader.fragmentShader = shader.fragmentShader
       .replace("void main() {", "uniform vec3 tint;\nvarying float vTinted;\nvoid main() {")
       .replace(
         "#include <color_fragment>",
         `#include <color_fragment>\n  diffuseColor.rgb = mix(diffuseColor.rgb, tint, ${SHARE} * vTinted);`,
       );
-  };
+  });
 }

@@ -4,6 +4,7 @@
  */
 
 import type { IUniform, Material } from "three";
+import { editShader } from "./shader_edit";
 import { SLOTS } from "./slots";
 
 /** Uniforms of one mannequin, shared by all of its materials. */
@@ -29,13 +30,10 @@ vec3 slotDirection(vec3 n) {
 
 /** Makes one of three.js's own materials skin by slots; runs after any edit of its shader made before. */
 export function useSlots(material: Material, uniforms: SlotUniforms): void {
-  const before = material.onBeforeCompile;
-  material.onBeforeCompile = (parameters, renderer) => {
-    before.call(material, parameters, renderer);
-    Object.assign(parameters.uniforms, uniforms);
-    parameters.vertexShader = parameters.vertexShader
+  editShader(material, uniforms, (shader) => {
+    shader.vertexShader = shader.vertexShader
       .replace("void main() {", `${SLOT_SHADER}\nvoid main() {`)
       .replace("#include <beginnormal_vertex>", "vec3 objectNormal = slotDirection(normal);")
       .replace("#include <begin_vertex>", "vec3 transformed = slotPoint(position);");
-  };
+  });
 }

@@ -72,7 +72,7 @@ impl Track {
     }
 
     /// The poses as exponential maps about a reference.
-    pub fn rows(&self, reference: &[Quat; JOINTS]) -> Vec<Row> {
+    pub(super) fn rows(&self, reference: &[Quat; JOINTS]) -> Vec<Row> {
         self.poses.iter().map(|pose| row_of(reference, &pose.rotations)).collect()
     }
 }

@@ -8,7 +8,7 @@ use crate::math::lanes::Lane;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// What trajectories are computed in: one degree of freedom, or four at once.
-pub trait Number:
+pub(super) trait Number:
     Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// A constant.
@@ -29,15 +29,15 @@ impl Number for Lane {
 
 /// A mean and how much it counts: the inverse of its variance.
 #[derive(Clone, Copy, Debug, Default)]
-#[allow(missing_docs)]
-pub struct Term<T> {
-    pub mean: T,
-    pub weight: T,
+
+pub(super) struct Term<T> {
+    pub(super) mean: T,
+    pub(super) weight: T,
 }
 
 /// A system with five diagonals and its right-hand side; keeps its memory.
 #[derive(Clone, Debug, Default)]
-pub struct Banded<T> {
+pub(super) struct Banded<T> {
     /// The diagonal, the one beside it, and the next; entry t couples t with t, t + 1 and t + 2.
     diagonals: [Vec<T>; 3],
     right: Vec<T>,
@@ -45,12 +45,12 @@ pub struct Banded<T> {
 
 impl<T: Number> Banded<T> {
     /// Room for so many frames.
-    pub fn with_capacity(frames: usize) -> Self {
+    pub(super) fn with_capacity(frames: usize) -> Self {
         Self { diagonals: [(); 3].map(|()| Vec::with_capacity(frames)), right: Vec::with_capacity(frames) }
     }
 
     /// Begins anew with so many frames.
-    pub fn begin(&mut self, frames: usize) {
+    pub(super) fn begin(&mut self, frames: usize) {
         for values in self.diagonals.iter_mut().chain([&mut self.right]) {
             values.clear();
             values.resize(frames, T::default());
@@ -67,13 +67,13 @@ impl<T: Number> Banded<T> {
     }
 
     /// cₜ is near a mean.
-    pub fn pose(&mut self, t: usize, of: Term<T>) {
+    pub(super) fn pose(&mut self, t: usize, of: Term<T>) {
         self.couple(t, t, of.weight);
         self.pull(t, of.weight * of.mean);
     }
 
     /// (cₜ₊₁ − cₜ₋₁) / 2 is near a mean.
-    pub fn velocity(&mut self, t: usize, of: Term<T>) {
+    pub(super) fn velocity(&mut self, t: usize, of: Term<T>) {
         let (quarter, half) = (of.weight * T::of(0.25), of.weight * T::of(0.5));
         self.couple(t - 1, t - 1, quarter);
         self.couple(t + 1, t + 1, quarter);
@@ -83,7 +83,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// cₜ₊₁ − 2cₜ + cₜ₋₁ is near a mean.
-    pub fn acceleration(&mut self, t: usize, of: Term<T>) {
+    pub(super) fn acceleration(&mut self, t: usize, of: Term<T>) {
         let minus_two = T::of(-2.0) * of.weight;
         self.couple(t - 1, t - 1, of.weight);
         self.couple(t, t, T::of(4.0) * of.weight);
@@ -97,7 +97,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// c₋₁ and c₋₂ are what they are: the velocities and accelerations of frames −1 and 0 tie the trajectory to them.
-    pub fn after(&mut self, [before, last]: [T; 2], velocities: [Term<T>; 2], accelerations: [Term<T>; 2]) {
+    pub(super) fn after(&mut self, [before, last]: [T; 2], velocities: [Term<T>; 2], accelerations: [Term<T>; 2]) {
         // (c₀ − c₋₂) / 2 and (c₁ − c₋₁) / 2.
         for (t, (of, known)) in velocities.iter().zip([before, last]).enumerate() {
             self.couple(t, t, of.weight * T::of(0.25));
@@ -116,7 +116,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// The trajectory. The matrix is positive definite where every frame's pose has a weight.
-    pub fn solve(&mut self) -> &[T] {
+    pub(super) fn solve(&mut self) -> &[T] {
         self.factorise();
         let mut right = std::mem::take(&mut self.right);
         self.substitute(&mut right);
@@ -125,7 +125,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// What [`Banded::solve`] gave last.
-    pub fn trajectory(&self) -> &[T] {
+    pub(super) fn trajectory(&self) -> &[T] {
         &self.right
     }
 

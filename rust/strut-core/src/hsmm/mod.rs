@@ -3,7 +3,7 @@
 //!
 //! Steps of recorded walks ([`steps_of`]) train a hidden semi-Markov model of five states for either side, and every style
 //! is a set of its means ([`train`]). Means are added and scaled as vectors ([`WalkModel::mix`]), a banded system turns them
-//! into a trajectory ([`mlpg`]), and the supporting foot says where the body goes ([`Walker`]).
+//! into a trajectory, and the supporting foot says where the body goes ([`Walker`]).
 //!
 //! Walks are modelled at [`RATE_HZ`]; degrees of freedom are exponential maps of the joints about their mean rotations.
 
@@ -13,6 +13,7 @@ mod alignment;
 pub mod evaluation;
 mod features;
 mod joint_range;
+mod mlpg;
 mod model;
 mod refinement;
 mod root;
@@ -20,10 +21,8 @@ mod steps;
 mod training;
 mod walker;
 
-pub mod mlpg;
-
 pub use features::{Track, TrackError};
-pub use model::{DIMS, Observation, Part, PerState, Row, SIDES, STATES, Side, StyleMeans, WalkModel};
+pub use model::{DIMS, Observation, PerState, Row, SIDES, STATES, Side, StyleMeans, WalkModel, numbers};
 pub use steps::{Step, steps_of};
 pub use training::{Options, TrainError, Training, train};
 pub use walker::{HORIZON, MAX_TURN, MAX_WEIGHT, STEP_FRAMES, WalkVoices, Walker, WeightsError};

@@ -18,8 +18,7 @@ pub type Observation = [Row; 3];
 
 /// The parts of an [`Observation`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Part {
+pub(super) enum Part {
     Pose,
     Velocity,
     Acceleration,
@@ -27,7 +26,7 @@ pub enum Part {
 
 impl Part {
     /// All parts in order.
-    pub const ALL: [Self; 3] = [Self::Pose, Self::Velocity, Self::Acceleration];
+    pub(super) const ALL: [Self; 3] = [Self::Pose, Self::Velocity, Self::Acceleration];
 }
 
 /// The foot that swings in a step; the other one supports.
@@ -51,6 +50,16 @@ impl Side {
 /// For every state of either side.
 pub type PerState<T> = [[T; STATES]; SIDES];
 
+/// All numbers of all states, one after the other.
+pub fn numbers(of: &PerState<Observation>) -> &[f64] {
+    of.as_flattened().as_flattened().as_flattened()
+}
+
+/// [`numbers`], to be changed.
+pub(super) fn numbers_mut(of: &mut PerState<Observation>) -> &mut [f64] {
+    of.as_flattened_mut().as_flattened_mut().as_flattened_mut()
+}
+
 /// What makes a style: the means of its states, and how many frames each lasts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StyleMeans {
@@ -68,9 +77,7 @@ impl StyleMeans {
 
     /// Adds `weight` times another.
     pub(super) fn add(&mut self, weight: f64, other: &Self) {
-        let numbers = self.means.as_flattened_mut().as_flattened_mut().as_flattened_mut();
-        let others = other.means.as_flattened().as_flattened().as_flattened();
-        numbers.iter_mut().zip(others).for_each(|(a, b)| *a += weight * b);
+        numbers_mut(&mut self.means).iter_mut().zip(numbers(&other.means)).for_each(|(a, b)| *a += weight * b);
         let durations = self.durations.as_flattened_mut().iter_mut();
         durations.zip(other.durations.as_flattened()).for_each(|(a, b)| *a += weight * b);
     }

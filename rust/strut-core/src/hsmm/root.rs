@@ -21,7 +21,7 @@ pub(super) struct RootPath {
     soles: Soles,
     /// From the ball to the tip of the toes, in the toes' frame.
     tips: [Vec3; 2],
-    /// Height of the root of the last frame.
+    /// Where the root was in the last frame.
     root: Vec3,
     /// Foot and point that touch the ground, and where both feet's points were for a root at the origin.
     last: Option<(usize, usize, FeetPoints)>,

@@ -3,7 +3,7 @@
 use super::adaptation::adapt;
 use super::alignment::{States, equal_split};
 use super::features::{Track, observations, reference};
-use super::model::{DIMS, Observation, PerState, Row, SIDES, STATES, StyleMeans, WalkModel};
+use super::model::{DIMS, Observation, PerState, Row, SIDES, STATES, StyleMeans, WalkModel, numbers, numbers_mut};
 use super::refinement::refine;
 use super::steps::{Step, steps_of};
 use crate::humanoid::Proportions;
@@ -271,9 +271,10 @@ fn mean_variances<'a>(of: impl Iterator<Item = &'a Shared> + Clone) -> Shared {
     let mut mean =
         Shared { variances: Box::new([[[[0.0; DIMS]; 3]; STATES]; SIDES]), duration_variances: [[0.0; STATES]; SIDES] };
     for shared in of {
-        let sums = mean.variances.as_flattened_mut().as_flattened_mut().as_flattened_mut().iter_mut();
-        let values = shared.variances.as_flattened().as_flattened().as_flattened();
-        sums.zip(values).for_each(|(sum, v)| *sum += v / count);
+        numbers_mut(&mut mean.variances)
+            .iter_mut()
+            .zip(numbers(&shared.variances))
+            .for_each(|(sum, v)| *sum += v / count);
         let sums = mean.duration_variances.as_flattened_mut().iter_mut();
         sums.zip(shared.duration_variances.as_flattened()).for_each(|(sum, v)| *sum += v / count);
     }

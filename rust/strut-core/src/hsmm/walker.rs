@@ -71,8 +71,8 @@ fn padded(of: &Observation) -> StateMeans {
 pub struct WalkVoices {
     proportions: Proportions,
     reference: [Quat; JOINTS],
-    weights: [[StateMeans; STATES]; SIDES],
-    duration_deviations: [[f32; STATES]; SIDES],
+    inverse_variances: [[StateMeans; STATES]; SIDES],
+    duration_variances: [[f32; STATES]; SIDES],
     range: Vec<[f32; 2]>,
     average: Voice,
     styles: Vec<Voice>,
@@ -87,8 +87,8 @@ impl WalkVoices {
         Self {
             proportions: model.proportions,
             reference: model.reference,
-            weights: model.variances.each_ref().map(|side| side.each_ref().map(inverse)),
-            duration_deviations: model.duration_variances.map(|side| side.map(|v| v as f32)),
+            inverse_variances: model.variances.each_ref().map(|side| side.each_ref().map(inverse)),
+            duration_variances: model.duration_variances.map(|side| side.map(|v| v as f32)),
             range: low.iter().zip(high).map(|(l, h)| [*l as f32, *h as f32]).collect(),
             average: Voice::new(&model.average()),
             styles: model.means.iter().map(Voice::new).collect(),
@@ -102,7 +102,7 @@ impl WalkVoices {
 }
 
 /// Weights of the styles, for the steps of either foot.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 struct Weights([Vec<f32>; SIDES]);
 
 /// A change of style that is spread over steps.
@@ -150,7 +150,7 @@ pub struct Walker {
     transitions: Vec<Transition>,
     /// Frames of a step if they are prescribed.
     step_frames: Option<f32>,
-    /// Turn of a frame, radians.
+    /// Turn of a step, radians.
     turn: f32,
     limits: bool,
 
@@ -249,8 +249,7 @@ impl Walker {
 
     /// Turn of a step, radians to the left; at most [`MAX_TURN`] either way.
     pub fn set_turn(&mut self, turn: f32) {
-        let turn = if turn.is_finite() { turn.clamp(-MAX_TURN, MAX_TURN) } else { 0.0 };
-        self.turn = turn;
+        self.turn = if turn.is_finite() { turn.clamp(-MAX_TURN, MAX_TURN) } else { 0.0 };
     }
 
     /// Whether joints keep within the range of the recorded walks; they do unless told otherwise.
@@ -401,7 +400,7 @@ impl Walker {
         }
         add(rest, &voices.average);
         let [least, greatest] = STATE_FRAMES;
-        let variances = voices.duration_deviations[side];
+        let variances = voices.duration_variances[side];
         step.durations = step.durations.map(|d| d.clamp(least, greatest));
         if let Some(wanted) = self.step_frames {
             // States give way as far as they vary.
@@ -420,7 +419,7 @@ impl Walker {
             system.begin(self.path.len());
             let term = |side: usize, state: usize, part: Part, means: &Padded| Term {
                 mean: Lane::of(means, l),
-                weight: Lane::of(&self.voices.weights[side][state][part as usize], l),
+                weight: Lane::of(&self.voices.inverse_variances[side][state][part as usize], l),
             };
             let at = |t: usize, part: Part| {
                 let (number, state) = self.path[t];
