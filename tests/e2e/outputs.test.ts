@@ -1,4 +1,5 @@
 /** Every file that the page makes, as the browser saves it. */
+import { ALL_FORMATS, BufferSource, Input } from "mediabunny";
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
@@ -66,7 +67,7 @@ describe("a saved file", () => {
     expect(weights.reduce((sum, w) => sum + w, 0)).toBeCloseTo(1, 2);
   });
 
-  it("is a video of the range, of the chosen size", async () => {
+  it("is a video of every picture of the range, of the chosen size", async () => {
     await page.getByRole("button", { name: "Export" }).click();
     await page.getByLabel("Size of the video").selectOption("1280 × 720");
     await page.keyboard.press("Escape");
@@ -84,6 +85,13 @@ describe("a saved file", () => {
       return { width: video.videoWidth, height: video.videoHeight };
     }, bytes.toString("base64"));
     expect(size).toEqual({ width: 1280, height: 720 });
+    const video = new Input({ source: new BufferSource(bytes), formats: ALL_FORMATS });
+    const { packetCount } = await (await video.getPrimaryVideoTrack())!.computePacketStats();
+    const shown = (await video.computeDuration()) * 60;
+    expect(shown, "however slow this machine is").toBeCloseTo(packetCount, 1);
+    // The old walk takes about a fifth longer than the thirty frames of its input.
+    expect(packetCount).toBeGreaterThan(32);
+    expect(packetCount).toBeLessThan(48);
     const { playing, frame } = await page.evaluate(() => window.strut.state);
     expect([playing, frame], "afterwards all is as it was").toEqual([false, 60]);
   });

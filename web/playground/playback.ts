@@ -95,6 +95,13 @@ export class Playback {
     }
   }
 
+  /** Advances by a fixed time, whatever the clock says; while {@link hold} keeps the loop from asking. */
+  async advance(secs: number): Promise<LiveFrame> {
+    const frame = await this.#client.step(secs);
+    this.#listeners.onFrame(frame, false);
+    return frame;
+  }
+
   readonly #tick = (now: number): void => {
     this.#request = requestAnimationFrame(this.#tick);
     this.#listeners.onTick(now);

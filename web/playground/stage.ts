@@ -12,6 +12,8 @@ import { partOf } from "./style_settings";
 const AFTERGLOW_MS = 1200;
 /** Read-outs change this often, so that they can be read. */
 const READ_OUT_MS = 500;
+/** A picture that the graphics processor was not ready for is tried again after this time. */
+const RETRY_MS = 4;
 
 export interface StageListeners {
   onCamera: (preset: CameraPreset) => void;
@@ -43,7 +45,6 @@ export class Stage {
   /** Whether nothing is drawn: not even the finer picture of what stands still, which takes its time. */
   frozen = false;
   #drawUntil = 0;
-  #drawnAt = 0;
   #readOutAt = 0;
 
   constructor(theme: "dark" | "light", listeners: StageListeners) {
@@ -185,30 +186,37 @@ export class Stage {
     setText(this.#cost, strings.play.perFrame(formatNumber(frame.frameMs, 2)));
   }
 
-  /** Runs a task while the body bears no mark of what is being edited. */
-  async unmarked<T>(task: () => Promise<T>): Promise<T> {
+  /** A copy of the picture, drawn now or as soon as the graphics processor is ready for it. */
+  async picture(): Promise<HTMLCanvasElement> {
+    return this.film((pictureAt) => pictureAt(0));
+  }
+
+  /**
+   * Runs a task while pictures are drawn for it alone: each shows its own time, seconds from the start, however long it
+   * takes to draw. They bear no mark of what is being edited.
+   * @throws what `signal` was aborted with
+   */
+  async film<T>(
+    task: (pictureAt: (secs: number) => Promise<HTMLCanvasElement>) => Promise<T>,
+    signal?: AbortSignal,
+  ): Promise<T> {
+    const start = performance.now() / 1000;
+    const { frozen } = this;
+    this.frozen = true;
     this.#tintPart("");
     try {
-      return await task();
+      return await task(async (secs) => {
+        for (;;) {
+          signal?.throwIfAborted();
+          this.viewer.invalidate();
+          if (this.viewer.render(start + secs)) return this.viewer.copy();
+          await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
+        }
+      });
     } finally {
+      this.frozen = frozen;
       this.#tintPart(this.#part);
     }
-  }
-
-  /** A copy of the picture as it is drawn next. */
-  async nextPicture(): Promise<HTMLCanvasElement> {
-    for (;;) {
-      this.invalidate();
-      this.viewer.invalidate();
-      const now = await new Promise(requestAnimationFrame);
-      const picture = this.pictureOf(now);
-      if (picture) return picture;
-    }
-  }
-
-  /** A copy of the picture if it was drawn in this frame of the browser, in which it can be read. */
-  pictureOf(now: number): HTMLCanvasElement | undefined {
-    return this.#drawnAt === now ? this.viewer.copy() : undefined;
   }
 
   /** Asks for the picture to be drawn for a while. */
@@ -219,7 +227,7 @@ export class Stage {
   /** Draws if anything may have changed, and until the viewer has drawn its still picture. */
   draw(now: number): void {
     if (this.frozen) return;
-    if ((now < this.#drawUntil || !this.viewer.still) && this.viewer.render(now / 1000)) this.#drawnAt = now;
+    if (now < this.#drawUntil || !this.viewer.still) this.viewer.render(now / 1000);
   }
 
   /** Place of a joint in the page, CSS pixels. */

@@ -281,7 +281,7 @@ export class Viewer {
   }
 
   /**
-   * Draws a frame, unless those before are still being drawn; `timeSecs` is any clock that does not run backwards. A
+   * Draws a frame, unless those before are still being drawn; `timeSecs` is any clock; a step back counts as none. A
    * picture that has not changed for a while is drawn once more, with more pixels, and then left alone. Says whether it
    * was drawn.
    */

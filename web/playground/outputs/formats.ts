@@ -1,5 +1,4 @@
 /** The files that the page makes, for the menu. */
-import type { VideoSize } from "./video";
 
 /** A format by the ending of its files. */
 export type OutputFormat = "bvh" | "glb" | "webm" | "png" | "csv" | "jsonl";
@@ -14,5 +13,11 @@ export const OUTPUT_FORMATS: readonly { format: OutputFormat; name: string }[] =
   { format: "jsonl", name: "JSON" },
 ];
 
-/** Sizes of a video, as the menu has them. */
-export const VIDEO_SIZE_NAMES: readonly VideoSize[] = ["as on screen", "1280 × 720", "1920 × 1080", "1080 × 1080"];
+/** Sizes of a video as the menu has them, pixels; `undefined` is the picture's own. */
+export const VIDEO_SIZES = {
+  "as on screen": undefined,
+  "1280 × 720": { width: 1280, height: 720 },
+  "1920 × 1080": { width: 1920, height: 1080 },
+  "1080 × 1080": { width: 1080, height: 1080 },
+} as const;
+export type VideoSize = keyof typeof VIDEO_SIZES;

@@ -2,9 +2,8 @@
 
 import { strings } from "../strings/strings";
 import { errorText, isCancellation } from "../words";
-import type { OutputFormat } from "./formats";
+import type { OutputFormat, VideoSize } from "./formats";
 import type { OutputSources } from "./outputs";
-import type { VideoSize } from "./video";
 
 export async function launchOutput(format: OutputFormat, size: VideoSize, sources: OutputSources): Promise<void> {
   const { notices } = sources;

@@ -1,4 +1,6 @@
 /** Everything that goes out of the page as a file. Loaded when the first one is asked for. */
+
+import type { CallOptions } from "../../worker/protocol";
 import { saveFile } from "../dom";
 import type { Notices } from "../notices";
 import type { Playhead } from "../playhead";
@@ -7,10 +9,9 @@ import type { Session } from "../session";
 import type { Stage } from "../stage";
 import type { Store } from "../store";
 import { strings } from "../strings/strings";
-import { exportName } from "../words";
-import type { OutputFormat } from "./formats";
+import { cancelled, exportName } from "../words";
+import type { OutputFormat, VideoSize } from "./formats";
 import { traceAsCsv, traceAsJson } from "./trace";
-import { canRecord, recordVideo, type VideoSize } from "./video";
 
 /** What the files are made of. */
 export interface OutputSources {
@@ -49,14 +50,12 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
     case "jsonl":
       return trace(session, format);
     case "png":
-      return stage.unmarked(async () => {
-        const picture = await stage.nextPicture();
-        return new Promise((resolve) => picture.toBlob((blob) => resolve(blob ?? undefined)));
-      });
-    case "webm":
-      if (canRecord()) return stage.unmarked(() => video(size, sources));
-      notices.error(strings.page.outputs.noVideo);
-      return undefined;
+      return png(await stage.picture());
+    case "webm": {
+      const blob = await video(size, sources);
+      if (!blob) notices.error(strings.page.outputs.noVideo);
+      return blob;
+    }
   }
 }
 
@@ -78,7 +77,14 @@ async function trace(session: Session, format: "csv" | "jsonl"): Promise<Blob | 
     : new Blob([traceAsJson(traced)], { type: "application/jsonl" });
 }
 
-/** Plays the range once, at the present speed, and records it. */
+function png(picture: HTMLCanvasElement): Promise<Blob | undefined> {
+  return new Promise((resolve) => picture.toBlob((blob) => resolve(blob ?? undefined)));
+}
+
+/**
+ * Films the range once, at the present speed, picture by picture; `undefined` where this browser cannot.
+ * @throws DOMException `AbortError` where it is cancelled, or what is filmed is no longer on screen
+ */
 async function video(
   size: VideoSize,
   { session, store, stage, playhead, progress }: OutputSources,
@@ -88,31 +94,29 @@ async function video(
   const before = store.state;
   const first = before.range?.first ?? 0;
   const last = Math.min(before.range?.last ?? input.frames - 1, input.frames - 1);
-  const controller = new AbortController();
+  const label = strings.page.outputs.recording;
+  const { makeVideo, VIDEO_RATE } = await import("./video");
   store.edit({ playing: false, loop: false });
   playhead.goTo(first);
   await session.shown();
-  store.edit({ playing: true });
-  let blob: Blob | undefined;
+  const film = ({ signal, onProgress }: CallOptions) =>
+    stage.film((pictureAt) => {
+      async function* pictures(): AsyncGenerator<HTMLCanvasElement> {
+        yield pictureAt(0);
+        for (let count = 1, ended = false; !ended; count++) {
+          if (session.input !== input || store.state.view !== before.view) throw cancelled();
+          const frame = await session.playback.advance(before.speed / VIDEO_RATE);
+          ({ ended } = frame);
+          onProgress?.({ label, fraction: (frame.inputFrame - first) / Math.max(1, last - first) });
+          yield pictureAt(count / VIDEO_RATE);
+        }
+      }
+      return makeVideo(pictures(), size);
+    }, signal);
   try {
-    blob = await progress.run(strings.page.outputs.recording, ({ signal, onProgress }) => {
-      signal?.addEventListener("abort", () => controller.abort());
-      return recordVideo({
-        picture: (now) => stage.pictureOf(now),
-        size,
-        signal: controller.signal,
-        onFrame: () => {
-          stage.invalidate();
-          const at = playhead.frame?.inputFrame ?? first;
-          const fraction = Math.min(1, (at - first) / Math.max(1, last - first));
-          onProgress?.({ label: strings.page.outputs.recording, fraction });
-          return playhead.frame?.ended || !store.state.playing ? 1 : Math.min(fraction, 0.999);
-        },
-      });
-    });
+    return await session.playback.hold(() => progress.run(label, film));
   } finally {
     store.edit({ loop: before.loop, playing: before.playing, frame: before.frame });
     if (!before.playing) playhead.goTo(before.frame);
   }
-  return blob;
 }

@@ -1,93 +1,51 @@
-/** Records the picture as a video, in the browser's own encoder. */
-import { cancelled } from "../words";
+/** Makes a video of pictures, by the browser's own encoder: each is as long on show as any other, however long it took. */
+import { BufferTarget, CanvasSource, getFirstEncodableVideoCodec, Output, Quality, WebMOutputFormat } from "mediabunny";
+import { VIDEO_SIZES, type VideoSize } from "./formats";
 
-/** Sizes on offer, pixels; `undefined` is the picture's own. */
-export const VIDEO_SIZES = {
-  "as on screen": undefined,
-  "1280 × 720": { width: 1280, height: 720 },
-  "1920 × 1080": { width: 1920, height: 1080 },
-  "1080 × 1080": { width: 1080, height: 1080 },
-} as const;
-export type VideoSize = keyof typeof VIDEO_SIZES;
-
-const FRAMES_PER_SEC = 60;
-const BITS_PER_SEC = 12_000_000;
+/** Pictures a second. */
+export const VIDEO_RATE = 60;
+const QUALITY = new Quality({ bitrate: 12_000_000 });
 /** Best first. */
-const TYPES = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
-
-/** Where the picture is, and when the recording ends. */
-export interface Recording {
-  /** The picture that was drawn in this frame of the browser; `undefined` where none was. */
-  picture: (now: number) => HTMLCanvasElement | undefined;
-  size: VideoSize;
-  signal: AbortSignal;
-  /** Called before every frame; what it gives, 0–1, is how much is done. At 1 the recording ends. */
-  onFrame: () => number;
-}
-
-/** Whether this browser can record. */
-export function canRecord(): boolean {
-  return typeof MediaRecorder !== "undefined" && TYPES.some((type) => MediaRecorder.isTypeSupported(type));
-}
+const CODECS = ["vp9", "vp8", "av1"] as const;
 
 /**
- * Records until `onFrame` says that all is done.
- * @throws DOMException `AbortError` if it is cancelled
+ * Makes a WebM of pictures, {@link VIDEO_RATE} a second; `undefined` where this browser has no encoder for it.
+ * @throws whatever `pictures` throws, after the encoder is freed
  */
-export async function recordVideo({ picture, size, signal, onFrame }: Recording): Promise<Blob> {
-  const { width, height } = VIDEO_SIZES[size] ?? (await sizeOf(picture));
-  const copy = document.createElement("canvas");
-  [copy.width, copy.height] = [width, height];
-  const context = copy.getContext("2d", { alpha: false })!;
-  const stream = copy.captureStream(FRAMES_PER_SEC);
-  const type = TYPES.find((name) => MediaRecorder.isTypeSupported(name))!;
-  const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: BITS_PER_SEC });
-  const parts: Blob[] = [];
-  recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
-  const stopped = new Promise((resolve) => recorder.addEventListener("stop", resolve, { once: true }));
-  recorder.start();
+export async function makeVideo(
+  pictures: AsyncIterable<HTMLCanvasElement>,
+  size: VideoSize,
+): Promise<Blob | undefined> {
+  const format = new WebMOutputFormat();
+  const output = new Output({ format, target: new BufferTarget() });
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("2d", { alpha: false })!;
+  let source: CanvasSource | undefined;
+  let count = 0;
   try {
-    await frames((now) => {
-      if (signal.aborted) throw cancelled();
-      const drawn = picture(now);
-      if (drawn) drawCovering(context, drawn, width, height);
-      return onFrame() >= 1;
-    });
+    for await (const picture of pictures) {
+      if (!source) {
+        Object.assign(canvas, VIDEO_SIZES[size] ?? { width: even(picture.width), height: even(picture.height) });
+        const { width, height } = canvas;
+        const codec = await getFirstEncodableVideoCodec([...CODECS], { width, height, quality: QUALITY });
+        if (!codec) return undefined;
+        source = new CanvasSource(canvas, { codec, quality: QUALITY });
+        output.addVideoTrack(source, { frameRate: VIDEO_RATE });
+        await output.start();
+      }
+      drawCovering(context, picture, canvas.width, canvas.height);
+      await source.add(count / VIDEO_RATE, 1 / VIDEO_RATE);
+      count += 1;
+    }
+    await output.finalize();
   } finally {
-    recorder.stop();
-    for (const track of stream.getTracks()) track.stop();
-    await stopped;
+    if (output.state !== "finalized") await output.cancel();
   }
-  return new Blob(parts, { type: "video/webm" });
+  return new Blob([output.target.buffer!], { type: format.mimeType });
 }
 
 /** Encoders want even sizes. */
 const even = (n: number): number => Math.max(2, n - (n % 2));
-
-/** Size of the next picture that is drawn. */
-async function sizeOf(picture: Recording["picture"]): Promise<{ width: number; height: number }> {
-  let drawn: HTMLCanvasElement | undefined;
-  await frames((now) => {
-    drawn = picture(now);
-    return drawn !== undefined;
-  });
-  return { width: even(drawn!.width), height: even(drawn!.height) };
-}
-
-/** Calls `draw` every repaint until it gives true. */
-function frames(draw: (now: number) => boolean): Promise<void> {
-  return new Promise((resolve, reject) => {
-    const tick = (now: number) => {
-      try {
-        if (draw(now)) resolve();
-        else requestAnimationFrame(tick);
-      } catch (error) {
-        reject(error as Error);
-      }
-    };
-    requestAnimationFrame(tick);
-  });
-}
 
 /** Draws the middle of a picture so that it fills another size. */
 function drawCovering(

@@ -1,8 +1,7 @@
 /** The menu of the files that the page makes. */
 import { button } from "../controls/buttons";
 import { html } from "../dom";
-import { OUTPUT_FORMATS, type OutputFormat, VIDEO_SIZE_NAMES } from "../outputs/formats";
-import type { VideoSize } from "../outputs/video";
+import { OUTPUT_FORMATS, type OutputFormat, VIDEO_SIZES, type VideoSize } from "../outputs/formats";
 import { strings } from "../strings/strings";
 
 export class ExportMenu {
@@ -13,8 +12,8 @@ export class ExportMenu {
   constructor(onExport: (format: OutputFormat, size: VideoSize) => void) {
     const size = html("select", { "aria-label": strings.page.outputs.size });
     size.append(
-      ...VIDEO_SIZE_NAMES.map((name) =>
-        html("option", { value: name }, name === VIDEO_SIZE_NAMES[0] ? strings.page.outputs.asOnScreen : name),
+      ...Object.entries(VIDEO_SIZES).map(([name, size]) =>
+        html("option", { value: name }, size ? name : strings.page.outputs.asOnScreen),
       ),
     );
     const menu = html("div", { id: "export-menu", class: "menu export-menu", popover: "auto" });

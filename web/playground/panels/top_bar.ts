@@ -2,8 +2,7 @@
 import { button } from "../controls/buttons";
 import { icon, mark } from "../controls/icons";
 import { html, setAttributes } from "../dom";
-import type { OutputFormat } from "../outputs/formats";
-import type { VideoSize } from "../outputs/video";
+import type { OutputFormat, VideoSize } from "../outputs/formats";
 import type { ViewName } from "../state";
 import { strings } from "../strings/strings";
 import { VIEWS } from "../views";
