@@ -7,7 +7,7 @@ import { resolve } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import { closePage, launchBrowser, openPage, serveSite, visit } from "../e2e/browser";
+import { closePage, launchBrowser, openPage, saved, serveSite, visit } from "../e2e/browser";
 
 declare const window: { strut: StrutHook };
 
@@ -42,6 +42,14 @@ async function dragHandle(page: Page): Promise<void> {
   await page.mouse.move((handle.x + to.x) / 2, (handle.y + to.y) / 2, { steps: 5 });
 }
 
+/** Drops clips of two styles, of which one has no name that tells. */
+async function dropClips(page: Page): Promise<void> {
+  const names = ["walk_neutral_1.bvh", "walk_old_1.bvh", "walk_old_2.bvh", "run_neutral_1.bvh", "something.bvh"];
+  const files = names.map((name) => ({ name, mimeType: "text/plain", buffer: clip }));
+  await page.locator("input[type=file][multiple]").last().setInputFiles(files);
+  await page.locator('.data[aria-busy="false"]').waitFor();
+}
+
 const CASES: readonly Case[] = [
   { name: "play-wide-dark", hash: SECOND, size: WIDE, theme: "dark" },
   { name: "play-wide-light", hash: SECOND, size: WIDE, theme: "light" },
@@ -63,18 +71,24 @@ const CASES: readonly Case[] = [
     theme: "dark",
   },
   { name: "compare-narrow-dark", hash: `${SECOND}&view=compare`, size: NARROW, theme: "dark" },
+  { name: "data-empty-wide-dark", hash: "play=0&view=data", size: WIDE, theme: "dark" },
+  { name: "data-wide-light", hash: "play=0&view=data", size: WIDE, theme: "light", act: dropClips },
+  { name: "data-narrow-dark", hash: "play=0&view=data", size: NARROW, theme: "dark", act: dropClips },
 ];
 
 let browser: Browser;
 let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
+/** A motion that may be shown to anyone. */
+let clip: Buffer;
 
 beforeAll(async () => {
   [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
   page = await openPage(browser, site.url, { size: WIDE });
-  // What is measured is never the same twice.
+  clip = (await saved(page, "BVH")).bytes;
+  // What is measured is never the same twice, and a preview plays.
   await page.addStyleTag({
-    content: ".read-out, .compare-table > div:last-child, .notices { visibility: hidden }",
+    content: ".read-out, .compare-table > div:last-child, .notices, .preview-view { visibility: hidden }",
   });
   mkdirSync(PICTURES, { recursive: true });
 });

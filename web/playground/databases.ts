@@ -1,12 +1,13 @@
 /** Which database is open: the built-in one, one that is kept on this device, or one that was dropped. */
 import type { DatabaseSource } from "../worker/protocol";
 import type { Notices } from "./notices";
+import { grouped } from "./numerals";
 import { allOf, type Selection } from "./polygon/selection";
 import type { ProgressLine } from "./progress";
 import type { Session } from "./session";
 import type { Store } from "./store";
 import { strings } from "./strings/strings";
-import { errorText, grouped, isCancellation } from "./words";
+import { errorText, isCancellation } from "./words";
 
 export class Databases {
   readonly #store: Store;

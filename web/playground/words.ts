@@ -13,21 +13,6 @@ export function numberWord(n: number): string {
   return strings.page.numbers[n] ?? String(n);
 }
 
-/** A large whole number in groups of three. */
-export function grouped(n: number): string {
-  return String(n).replace(/\B(?=(\d{3})+$)/g, "\u202f");
-}
-
-/** Bytes for people. */
-export function megabytes(bytes: number): string {
-  return bytes < 1e6 ? `${Math.ceil(bytes / 1000)} kB` : `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
-}
-
-/** A count and its noun: “one clip”, “245 clips”. */
-export function counted(n: number, one: string, many = `${one}s`): string {
-  return n === 1 ? `1 ${one}` : `${grouped(n)} ${many}`;
-}
-
 /** A name of the engine as words: hyphens are spaces. */
 export const spoken = (name: string): string => name.replace(/[-_]+/g, " ");
 /** Text as it begins a sentence. */

@@ -2,8 +2,10 @@
 import { button } from "../controls/buttons";
 import { html, setText } from "../dom";
 import { ProgressLine } from "../progress";
-import { counted } from "../words";
+import { strings } from "../strings/strings";
 import { type KnownSkeleton, SURE } from "./corpus";
+
+const words = strings.data.build;
 
 /** Most sentences about what is lacking. */
 const MOST_CONCERNS = 3;
@@ -26,7 +28,7 @@ export interface BuildPlan {
 export class BuildPanel {
   readonly element: HTMLElement;
   readonly progress = new ProgressLine();
-  readonly #name = html("input", { type: "text", class: "text", "aria-label": "Name of the database", maxlength: 80 });
+  readonly #name = html("input", { type: "text", class: "text", "aria-label": words.nameOf, maxlength: 80 });
   readonly #skeletons = html("div");
   readonly #concerns = html("ul", { class: "concerns" });
   readonly #build: HTMLButtonElement;
@@ -36,7 +38,7 @@ export class BuildPanel {
 
   constructor(listeners: BuildPanelListeners) {
     this.#listeners = listeners;
-    this.#build = button("Build the database", () => listeners.onBuild(this.#name.value.trim() || "My clips"), {
+    this.#build = button(words.build, () => listeners.onBuild(this.#name.value.trim() || strings.data.unnamed), {
       label: true,
       class: "primary",
     });
@@ -44,9 +46,9 @@ export class BuildPanel {
       "section",
       { class: "section build", "aria-labelledby": "build-heading" },
       this.progress.element,
-      html("div", { class: "section-heading" }, html("h2", { id: "build-heading" }, "Database")),
+      html("div", { class: "section-heading" }, html("h2", { id: "build-heading" }, words.heading)),
       this.#skeletons,
-      html("label", { class: "row" }, html("span", { class: "label" }, "Name"), this.#name),
+      html("label", { class: "row" }, html("span", { class: "label" }, words.name), this.#name),
       this.#concerns,
       this.#build,
     );
@@ -58,12 +60,12 @@ export class BuildPanel {
 
   set busy(busy: boolean) {
     this.#build.disabled = busy;
-    setText(this.#build.firstElementChild!, busy ? "Building" : "Build the database");
+    setText(this.#build.firstElementChild!, busy ? words.building : words.build);
   }
 
   show({ usable, styles, skeletons, clipsOf, concerns }: BuildPlan): void {
     this.#build.disabled = usable === 0;
-    this.#build.title = `${counted(usable, "clip")}, ${counted(styles, "style")}`;
+    this.#build.title = strings.data.heading(usable, styles);
     const wanted = JSON.stringify([skeletons.map(({ chosen }) => chosen !== undefined), clipsOf, concerns]);
     if (wanted === this.#shown) return;
     this.#shown = wanted;
@@ -72,7 +74,7 @@ export class BuildPanel {
     const more = concerns.length - shown.length;
     this.#concerns.replaceChildren(
       ...shown.map((text) => html("li", { class: "caption" }, text)),
-      ...(more > 0 ? [html("li", { class: "caption" }, `${counted(more, "more remark")} like these.`)] : []),
+      ...(more > 0 ? [html("li", { class: "caption" }, words.more(more))] : []),
     );
   }
 
@@ -80,20 +82,20 @@ export class BuildPanel {
   #skeleton(skeleton: KnownSkeleton, number: number, clips: number): HTMLElement {
     const { joints, confidence, chosen, fault } = skeleton;
     const unsure = !chosen && (fault !== "" || confidence < SURE);
-    const roles = button(unsure ? "Check joints" : "Joints", () => this.#listeners.onRoles(number), {
+    const roles = button(unsure ? words.checkJoints : words.joints, () => this.#listeners.onRoles(number), {
       label: true,
       class: unsure ? "outlined" : "",
     });
-    roles.setAttribute("aria-label", `Joints of skeleton ${number + 1}`);
-    const sure = chosen ? "chosen by you" : fault ? "not matched" : `matched, ${Math.round(100 * confidence)} % sure`;
+    roles.setAttribute("aria-label", words.jointsOf(number + 1));
+    const sure = chosen ? words.chosen : fault ? words.unmatched : words.matched(Math.round(100 * confidence));
     return html(
       "div",
       { class: "row skeleton" },
-      html("span", { class: "label" }, `Skeleton${number > 0 ? ` ${number + 1}` : ""}`),
+      html("span", { class: "label" }, words.skeleton(number + 1)),
       html(
         "span",
         { class: "reading", title: fault || skeleton.note },
-        `${counted(joints.length, "joint")}, ${counted(clips, "clip")}`,
+        words.has(joints.length, clips),
         html("span", { class: "caption" }, sure),
       ),
       roles,

@@ -4,7 +4,10 @@
  */
 import type { DroppedFile } from "../../worker/build/protocol";
 import { type CallOptions, StrutError } from "../../worker/protocol";
-import { counted, megabytes } from "../words";
+import { megabytes } from "../numerals";
+import { strings } from "../strings/strings";
+
+const words = strings.data.sets;
 
 /** A data set of the catalogue. */
 export interface PublicSet {
@@ -47,7 +50,7 @@ export async function loadCatalogue(url: string | URL = "catalog.json"): Promise
   const response = await fetch(url).catch(() => undefined);
   const catalogue = response?.ok ? ((await response.json().catch(() => undefined)) as unknown) : undefined;
   const sets = (catalogue as { version?: number; sets?: PublicSet[] } | undefined)?.sets;
-  if (!Array.isArray(sets)) throw failure("The list of public data sets could not be loaded.", "");
+  if (!Array.isArray(sets)) throw failure(words.noList, "");
   return sets;
 }
 
@@ -56,7 +59,7 @@ export async function openCache(): Promise<FileCache> {
   try {
     return await caches.open(CACHE);
   } catch {
-    throw failure("The browser does not let this page keep files, as in a private window.", "Drop the files here.");
+    throw failure(words.noCache, words.dropHere);
   }
 }
 
@@ -112,13 +115,13 @@ export async function fetchSet(set: PublicSet, cache: FileCache, options: CallOp
     }
   };
   await Promise.all(Array.from({ length: AT_ONCE }, work));
-  if (options.signal?.aborted) throw new StrutError({ code: "cancelled", message: "Cancelled.", hint: "" });
+  if (options.signal?.aborted) throw new StrutError({ code: "cancelled", message: words.cancelled, hint: "" });
   if (failed) throw failed;
   const root = set.name;
   return Promise.all(
     files.map(async ({ path, url }) => {
       const response = await cache.match(url);
-      if (!response) throw failure(`The browser has not kept ${path}.`, "Download the set again.");
+      if (!response) throw failure(words.notKept(path), words.again);
       return { path: `${root}/${path}`, file: new File([await response.blob()], path.split("/").at(-1)!) };
     }),
   );
@@ -139,17 +142,11 @@ async function fetchFile(
   } catch (error) {
     if (signal.aborted) throw error;
     // Browsers do not tell a page why a request failed.
-    const why =
-      globalThis.navigator?.onLine === false
-        ? "There is no connection to the network."
-        : `${host} cannot be reached, or does not let other pages read its files.`;
-    throw failure(why, `Get the files from ${set.page} and drop them here.`);
+    const why = globalThis.navigator?.onLine === false ? words.offline : words.unreachable(host);
+    throw failure(why, words.byHand(set.page));
   }
   if (!response.ok || !response.body)
-    throw failure(
-      `${host} answered ${response.status} for ${path}.`,
-      `Get the files from ${set.page} and drop them here.`,
-    );
+    throw failure(words.answered(host, response.status, path), words.byHand(set.page));
   let bytes = 0;
   const counting = new TransformStream<Uint8Array, Uint8Array>({
     transform(chunk, controller) {
@@ -164,8 +161,8 @@ async function fetchFile(
   } catch (error) {
     if (signal.aborted) throw error;
     throw (error as { name?: string }).name === "QuotaExceededError"
-      ? failure(`The browser has no room for ${set.name}.`, "Delete databases or other sets.")
-      : failure(`${path} broke off after ${megabytes(bytes)}.`, "Try again: what has arrived is kept.");
+      ? failure(words.full(set.name), words.makeRoom)
+      : failure(words.brokeOff(path, megabytes(bytes)), words.tryAgain);
   }
   progress.done();
 }
@@ -193,7 +190,7 @@ class Progress {
 
   private tell(): void {
     const { name, files, bytes } = this.set;
-    const label = `${name}: ${counted(this.files, "file")} of ${files.length}, ${megabytes(this.bytes)}.`;
+    const label = words.arrived(name, this.files, files.length, megabytes(this.bytes));
     const fraction = bytes > 0 && files.length === 1 ? this.bytes / bytes : this.files / files.length;
     this.options.onProgress?.({ label, fraction: Math.min(1, fraction) });
   }

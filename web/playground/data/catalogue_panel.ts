@@ -2,9 +2,13 @@
 import type { CallOptions } from "../../worker/protocol";
 import { button } from "../controls/buttons";
 import { html, setText } from "../dom";
+import { megabytes } from "../numerals";
 import { ProgressLine } from "../progress";
-import { counted, errorText, isCancellation, megabytes } from "../words";
+import { strings } from "../strings/strings";
+import { capitalised, errorText, isCancellation } from "../words";
 import { type FileCache, fetchSet, filesKept, forgetSet, loadCatalogue, openCache, type PublicSet } from "./catalogue";
+
+const words = strings.data.sets;
 
 /** What the browser has of a set. */
 interface Entry {
@@ -30,7 +34,7 @@ export class CataloguePanel {
       "section",
       { class: "section catalogue", "aria-labelledby": "catalogue-heading" },
       this.#progress.element,
-      html("div", { class: "section-heading" }, html("h2", { id: "catalogue-heading" }, "Public data sets")),
+      html("div", { class: "section-heading" }, html("h2", { id: "catalogue-heading" }, words.heading)),
       this.#list,
       this.#note,
     );
@@ -46,7 +50,7 @@ export class CataloguePanel {
 
   async #load(): Promise<void> {
     const sets = await loadCatalogue();
-    setText(this.#note, "Others made these. Each has a licence of its own, which is shown before anything is fetched.");
+    setText(this.#note, words.note);
     this.#entries = sets.map((set) => ({ set, kept: 0 }));
     this.#draw();
     this.#cache = await openCache();
@@ -61,16 +65,16 @@ export class CataloguePanel {
   #item(entry: Entry): HTMLElement {
     const { set, kept } = entry;
     const whole = kept === set.files.length;
-    const word = whole ? "Use" : kept > 0 ? "Go on" : "Get";
+    const word = whole ? words.use : kept > 0 ? words.goOn : words.get;
     const get = button(word, () => void this.#get(entry), { label: true, class: "outlined" });
-    get.setAttribute("aria-label", `${word} ${set.name}`);
+    get.setAttribute("aria-label", strings.data.shelf.does(word, set.name));
     get.disabled = this.#busy;
-    const size = set.bytes > 0 ? megabytes(set.bytes) : counted(set.files.length, "file");
-    const state = whole ? "on this device" : kept > 0 ? `${kept} of ${counted(set.files.length, "file")}` : size;
+    const size = set.bytes > 0 ? megabytes(set.bytes) : words.files(set.files.length);
+    const state = whole ? words.here : kept > 0 ? words.some(kept, set.files.length) : size;
     const buttons = [get];
     if (kept > 0) {
-      const remove = button("Delete", () => void this.#forget(entry), { icon: "remove" });
-      remove.setAttribute("aria-label", `Delete ${set.name}`);
+      const remove = button(strings.data.shelf.delete, () => void this.#forget(entry), { icon: "remove" });
+      remove.setAttribute("aria-label", strings.data.shelf.does(strings.data.shelf.delete, set.name));
       remove.disabled = this.#busy;
       buttons.unshift(remove);
     }
@@ -81,7 +85,7 @@ export class CataloguePanel {
         "div",
         { class: "shelf-words" },
         html("p", { class: "shelf-name", title: set.about }, set.name),
-        html("p", { class: "caption" }, `${set.licence.name} · ${state}`),
+        html("p", { class: "caption" }, words.state(set.licence.name, state)),
       ),
       ...buttons,
     );
@@ -96,8 +100,8 @@ export class CataloguePanel {
     this.#setBusy(true);
     try {
       const fetching = (options: CallOptions) => fetchSet(set, cache, options);
-      this.#onFiles(set, await this.#progress.run(`Fetching ${set.name}.`, fetching));
-      setText(this.#note, `Cite it as: ${set.citation}.`);
+      this.#onFiles(set, await this.#progress.run(words.fetching(set.name), fetching));
+      setText(this.#note, words.cite(set.citation));
     } catch (error) {
       if (!isCancellation(error)) setText(this.#note, errorText(error));
     }
@@ -127,20 +131,20 @@ function agrees({ name, about, licence, citation, page, bytes, base }: PublicSet
       dialog.close();
     };
     const link = (href: string, text: string) => html("a", { href, target: "_blank", rel: "noreferrer" }, text);
-    const size = bytes > 0 ? `, ${megabytes(bytes)}` : "";
+    const { host } = new URL(base, location.href);
     const dialog = html(
       "dialog",
       { class: "help licence", "aria-labelledby": "licence-heading" },
       html("h2", { id: "licence-heading" }, name),
-      html("p", {}, `${about.charAt(0).toUpperCase()}${about.slice(1)}.`),
-      html("p", {}, "Licence: ", link(licence.url, licence.name), `. ${licence.note}`),
-      html("p", { class: "caption" }, `Cite it as: ${citation}. `, link(page, "More about it")),
-      html("p", { class: "caption" }, `It is fetched from ${new URL(base, location.href).host}${size}, and kept here.`),
+      html("p", {}, words.about(capitalised(about))),
+      html("p", {}, words.licence, link(licence.url, licence.name), words.licenceNote(licence.note)),
+      html("p", { class: "caption" }, `${words.cite(citation)} `, link(page, words.more)),
+      html("p", { class: "caption" }, bytes > 0 ? words.fromSized(host, megabytes(bytes)) : words.from(host)),
       html(
         "div",
         { class: "dialog-actions" },
-        button("Cancel", () => dialog.close(), { label: true }),
-        button("Download", get, { label: true, class: "outlined" }),
+        button(strings.data.cancel, () => dialog.close(), { label: true }),
+        button(words.download, get, { label: true, class: "outlined" }),
       ),
     );
     dialog.addEventListener("close", () => {

@@ -1,6 +1,6 @@
 /** The table of clips. Only the rows in sight are in the page, so that thousands of clips cost as much as twenty. */
 import { formatNumber, html, setAttributes, setText } from "../dom";
-import { counted } from "../words";
+import { strings } from "../strings/strings";
 import { type KnownSkeleton, type LabelField, obstacle, type Row } from "./corpus";
 
 /** Height of a row, as `data.css` has it: one line, two on a narrow screen. */
@@ -12,7 +12,7 @@ const NARROW = matchMedia("(width < 900px)");
 /** Names that the labels' fields suggest at most. */
 const MOST_SUGGESTED = 200;
 
-const COLUMNS = ["File", "Action", "Style", "Take", "Length", "Rate", "Note"];
+const words = strings.data.list;
 
 export interface ClipListListeners {
   onSelect: (row: Row) => void;
@@ -46,10 +46,10 @@ export class ClipList {
 
   constructor(listeners: ClipListListeners) {
     this.#listeners = listeners;
-    const head = COLUMNS.map((name) => html("span", { role: "columnheader" }, name));
+    const head = Object.values(words.columns).map((name) => html("span", { role: "columnheader" }, name));
     this.#table = html(
       "div",
-      { role: "table", class: "clips", "aria-label": "Clips" },
+      { role: "table", class: "clips", "aria-label": words.name },
       html("div", { role: "rowgroup" }, html("div", { role: "row", class: "clip-row clip-head" }, ...head)),
       this.#body,
     );
@@ -118,7 +118,7 @@ export class ClipList {
     file.append(html("bdi", {}, row.path.slice(row.path.lastIndexOf("/") + 1)));
     file.addEventListener("click", () => this.#listeners.onSelect(row));
     const input = (field: LabelField, attributes: Record<string, string>) => {
-      const made = html("input", { type: "text", "aria-label": `${field} of ${row.path}`, ...attributes });
+      const made = html("input", { type: "text", "aria-label": words.field[field](row.path), ...attributes });
       made.addEventListener("change", () => this.#listeners.onEdit(row, field, made.value));
       return made;
     };
@@ -152,8 +152,8 @@ export class ClipList {
       if (document.activeElement !== inputs[field] && inputs[field].value !== text) inputs[field].value = text;
     }
     const { read } = row;
-    setText(length, read ? `${formatNumber(read.frames / read.rateHz, 1)} s` : "");
-    setText(rate, read ? `${formatNumber(read.rateHz, 0)} Hz` : "");
+    setText(length, read ? words.seconds(formatNumber(read.frames / read.rateHz, 1)) : "");
+    setText(rate, read ? words.hertz(formatNumber(read.rateHz, 0)) : "");
     const text = reason || this.#skeletonNote(row);
     setText(note, text);
     setAttributes(note, { title: text });
@@ -162,7 +162,7 @@ export class ClipList {
   /** Which skeleton a clip has, where there are several. */
   #skeletonNote({ read }: Row): string {
     const skeleton = read && this.#skeletons.length > 1 ? this.#skeletons[read.skeleton] : undefined;
-    return skeleton ? `skeleton ${read!.skeleton + 1}, ${counted(skeleton.joints.length, "joint")}` : "";
+    return skeleton ? words.skeleton(read!.skeleton + 1, skeleton.joints.length) : "";
   }
 }
 

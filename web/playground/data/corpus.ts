@@ -1,5 +1,8 @@
 /** The clips of the Data view and their labels: plain data and what follows from it. */
 import type { FoundClip, Labelled, ReadNews, Roles, Skeleton } from "../../worker/build/protocol";
+import { strings } from "../strings/strings";
+
+const words = strings.data;
 
 /** A skeleton is shown to be checked when its roles are less sure than this: names give 1, shape alone 0.6. */
 export const SURE = 0.8;
@@ -78,7 +81,7 @@ export function applyNews(rows: readonly Row[], skeletons: KnownSkeleton[], news
 /** Why a clip will not be part of the database; empty if it will. */
 export function obstacle(row: Row, skeletons: readonly KnownSkeleton[]): string {
   if (row.fault) return row.fault;
-  if (!row.action.trim() || !row.style.trim()) return row.unlabelled || "It needs an action and a style.";
+  if (!row.action.trim() || !row.style.trim()) return row.unlabelled || words.unlabelled;
   const skeleton = row.read && skeletons[row.read.skeleton];
   return skeleton && !skeleton.chosen ? skeleton.fault : "";
 }
@@ -109,25 +112,14 @@ export function likelyNeutral(styles: readonly string[]): string {
 /** Sentences about what the database will lack. */
 export function concerns({ actions, styles, count }: ClassTable): string[] {
   const sentences: string[] = [];
-  if (styles.length === 1) sentences.push("There is one style; a second one gives something to mix it with.");
+  if (styles.length === 1) sentences.push(words.oneStyle);
   const single = styles.filter((style) => actions.reduce((sum, action) => sum + count(action, style), 0) === 1);
-  if (single.length > 0 && styles.length > 1)
-    sentences.push(`${listed(single)} ${single.length === 1 ? "has" : "have"} one clip; more would make it steadier.`);
+  if (single.length > 0 && styles.length > 1) sentences.push(words.single(single));
   for (const action of actions) {
     const missing = styles.filter((style) => count(action, style) === 0);
-    if (missing.length === 0) continue;
-    const [last] = missing;
-    const names = missing.length === 1 ? `“${last}” has` : `${listed(missing)} have`;
-    sentences.push(`${names} no “${action}”; there the style is a guess from other actions.`);
+    if (missing.length > 0) sentences.push(words.missing(missing, action));
   }
   return sentences;
-}
-
-/** Names in quotes; of many the first few. */
-function listed(names: readonly string[]): string {
-  const quoted = names.slice(0, 3).map((name) => `“${name}”`);
-  const more = names.length - quoted.length;
-  return more > 0 ? `${quoted.join(", ")} and ${more} more` : quoted.join(" and ");
 }
 
 /** Name of the database to be made of these paths: the first folder's or archive's. */
@@ -135,5 +127,5 @@ export function databaseName(paths: readonly string[]): string {
   const [first = ""] = paths;
   const slash = first.indexOf("/");
   const top = slash > 0 ? first.slice(0, slash).replace(/\.zip$/i, "") : "";
-  return top || "My clips";
+  return top || words.unnamed;
 }

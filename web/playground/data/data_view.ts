@@ -7,8 +7,9 @@ import { icon } from "../controls/icons";
 import { html, saveFile, setAttributes, setText } from "../dom";
 import { filesOfDialog } from "../dropped";
 import { ProgressLine } from "../progress";
+import { strings } from "../strings/strings";
 import type { View, ViewHost } from "../views";
-import { counted, errorText, grouped, isCancellation, numberWord } from "../words";
+import { capitalised, errorText, isCancellation, numberWord } from "../words";
 import { BuildPanel } from "./build_panel";
 import type { PublicSet } from "./catalogue";
 import { CataloguePanel } from "./catalogue_panel";
@@ -33,6 +34,8 @@ import { askForRoles } from "./roles_dialog";
 import { forget, keep, listShelf, type Shelved } from "./shelf";
 import { ShelfPanel } from "./shelf_panel";
 
+const words = strings.data;
+
 export function createView(host: ViewHost): View {
   return new DataOfAnyone(host);
 }
@@ -48,7 +51,7 @@ class DataOfAnyone implements View {
   readonly #reading = new ProgressLine();
   readonly #heading = html("h1", { class: "page-title" });
   readonly #summary = html("p", { class: "caption data-summary" });
-  readonly #pattern = html("input", { type: "text", class: "text", "aria-label": "Pattern of the file names" });
+  readonly #pattern = html("input", { type: "text", class: "text", "aria-label": words.names.pattern });
   readonly #patternNote = html("p", { class: "caption", role: "status" });
   readonly #leftOut: HTMLButtonElement;
   readonly #files = html("input", { type: "file", multiple: true, hidden: true, accept: ".bvh,.zip,.csv,.strutdb" });
@@ -101,7 +104,7 @@ class DataOfAnyone implements View {
       onExport: ({ name, file }) => saveFile(`${name}.strutdb`, file),
       onDelete: (database) => void this.#delete(database),
     });
-    this.#leftOut = button("Left out", () => this.#narrow(this.#filter === "left out" ? undefined : "left out"), {
+    this.#leftOut = button(words.leftOut, () => this.#narrow(this.#filter === "left out" ? undefined : "left out"), {
       label: true,
     });
     this.element = this.#compose();
@@ -142,18 +145,18 @@ class DataOfAnyone implements View {
       void this.#open([...this.#dropped.filter(({ path }) => !known.has(path)), ...others]);
     } else if (tables.length > 0) void this.#label();
     else if (files.length > 0 && !files.some(({ path }) => /\.strutdb$/i.test(path)))
-      this.#host.notices.error(`${counted(files.length, "file")} dropped, but no BVH and no zip among them.`);
+      this.#host.notices.error(words.noneOf(files.length));
   }
 
   #compose(): HTMLElement {
     const first = [
-      button("Choose files", () => this.#files.click(), { icon: "drop", label: true, class: "outlined" }),
-      button("Choose a folder", () => this.#folder.click(), { icon: "folder", label: true, class: "outlined" }),
+      button(words.empty.files, () => this.#files.click(), { icon: "drop", label: true, class: "outlined" }),
+      button(words.empty.folder, () => this.#folder.click(), { icon: "folder", label: true, class: "outlined" }),
     ];
-    const clear = button("Clear", () => void this.#open([]), { label: true });
+    const clear = button(words.add.clear, () => void this.#open([]), { label: true });
     const more = [
-      button("Add files", () => this.#files.click(), { icon: "drop", label: true, class: "outlined" }),
-      button("Add a folder", () => this.#folder.click(), { icon: "folder", label: true, class: "outlined" }),
+      button(words.add.files, () => this.#files.click(), { icon: "drop", label: true, class: "outlined" }),
+      button(words.add.folder, () => this.#folder.click(), { icon: "folder", label: true, class: "outlined" }),
     ];
     const heading = html(
       "header",
@@ -164,7 +167,7 @@ class DataOfAnyone implements View {
     const names = html(
       "div",
       { class: "data-names" },
-      html("label", { class: "row" }, html("span", { class: "label" }, "File names"), this.#pattern),
+      html("label", { class: "row" }, html("span", { class: "label" }, words.names.label), this.#pattern),
       this.#patternNote,
       this.#leftOut,
     );
@@ -172,18 +175,10 @@ class DataOfAnyone implements View {
       "div",
       { class: "data-empty" },
       icon("drop", 24),
-      html("h1", { class: "page-title" }, "Your own styles"),
-      html(
-        "p",
-        {},
-        "Drop BVH files, a folder or a zip of them here. Their names say who does what in which style; the rest is found. Nothing leaves this device.",
-      ),
+      html("h1", { class: "page-title" }, words.empty.heading),
+      html("p", {}, words.empty.what),
       html("div", { class: "data-actions" }, ...first),
-      html(
-        "p",
-        { class: "caption" },
-        "The same actions in every style work best: walk, run and jump, in neutral and in others. A CSV with the columns file, action, style is taken too.",
-      ),
+      html("p", { class: "caption" }, words.empty.best),
     );
     const clips = html(
       "div",
@@ -196,7 +191,7 @@ class DataOfAnyone implements View {
     );
     const panels = html(
       "aside",
-      { class: "data-panels", "aria-label": "Database" },
+      { class: "data-panels", "aria-label": words.build.panels },
       this.#preview.element,
       this.#build.element,
       this.#shelf.element,
@@ -241,7 +236,7 @@ class DataOfAnyone implements View {
     }
     setAttributes(this.element, { "aria-busy": "true" });
     await this.#attempt(() =>
-      this.#reading.run("Looking for clips.", async (options) => {
+      this.#reading.run(words.looking, async (options) => {
         const found = await this.#client.open(files, options);
         this.#rows = found.clips.map(rowOf);
         for (const row of this.#rows) {
@@ -249,8 +244,7 @@ class DataOfAnyone implements View {
           if (edit) Object.assign(row, { action: edit.action, style: edit.style, take: edit.take, edited: true });
         }
         for (const note of found.notes) this.#host.notices.error(note);
-        if (this.#rows.length === 0 && found.notes.length === 0)
-          this.#host.notices.error("There is no BVH among these files. Drop BVH files, a folder or a zip of them.");
+        if (this.#rows.length === 0 && found.notes.length === 0) this.#host.notices.error(words.noClips);
         if (this.#rows.length === 0) this.#dropped = [];
         if (!chosenBefore) {
           this.#pattern.value = pattern ?? found.pattern ?? "";
@@ -278,9 +272,9 @@ class DataOfAnyone implements View {
     try {
       applyLabels(this.#rows, await this.#client.label(pattern || undefined, this.#table));
       const matching = this.#rows.filter((row) => row.unlabelled === "").length;
-      const all = matching === this.#rows.length ? "all" : `${grouped(matching)} of ${grouped(this.#rows.length)}`;
-      const table = this.#table ? `; ${this.#table.name} goes first` : "";
-      setText(this.#patternNote, `${all} match${table}`);
+      const all = this.#rows.length;
+      const matches = matching === all ? words.names.all : words.names.some(matching, all);
+      setText(this.#patternNote, this.#table ? words.names.tableFirst(matches, this.#table.name) : matches);
     } catch (error) {
       if (isCancellation(error)) return;
       // A table that is wrong is not tried again.
@@ -322,7 +316,9 @@ class DataOfAnyone implements View {
     this.#selected = row.index;
     this.#showList();
     const title =
-      row.action && row.style ? `${row.action}, ${row.style}` : row.path.slice(row.path.lastIndexOf("/") + 1);
+      row.action && row.style
+        ? words.preview.title(row.action, row.style)
+        : row.path.slice(row.path.lastIndexOf("/") + 1);
     if (row.fault) {
       this.#preview.fail(title, row.fault);
       return;
@@ -357,7 +353,7 @@ class DataOfAnyone implements View {
     this.#preview.playing = false;
     const started = performance.now();
     await this.#attempt(() =>
-      this.#build.progress.run("Building.", async (options) => {
+      this.#build.progress.run(words.build.progress, async (options) => {
         const files = this.#usable().map((row) => ({
           index: row.index,
           path: row.path,
@@ -372,10 +368,14 @@ class DataOfAnyone implements View {
         for (const row of this.#rows) row.fault = reasons.get(row.path) ?? row.fault;
         await this.#keep({ name, ...built });
         const seconds = ((performance.now() - started) / 1000).toFixed(1);
-        const words = numberWord(built.styles.length);
-        const styles = `${words.charAt(0).toUpperCase()}${words.slice(1)} ${built.styles.length === 1 ? "style" : "styles"}`;
-        const left = refused.length > 0 ? ` ${counted(refused.length, "clip")} left out.` : "";
-        this.#host.notices.note(`${styles} ready. ${grouped(built.frames)} frames, ${seconds} s.${left}`);
+        const ready = words.build.ready(
+          capitalised(numberWord(built.styles.length)),
+          built.styles.length,
+          built.frames,
+          seconds,
+        );
+        const left = refused.length > 0 ? ` ${words.build.refused(refused.length)}` : "";
+        this.#host.notices.note(ready + left);
       }),
     );
     this.#building = false;
@@ -391,9 +391,7 @@ class DataOfAnyone implements View {
       this.#unkept.delete(database.name);
     } catch (error) {
       this.#unkept.set(database.name, database);
-      this.#host.notices.error(
-        `“${database.name}” is ready, but it will not be here after a reload. ${errorText(error)}`,
-      );
+      this.#host.notices.error(words.build.unkept(database.name, errorText(error)));
     }
   }
 
@@ -425,15 +423,15 @@ class DataOfAnyone implements View {
     const usable = this.#usable();
     const classes = classTable(usable);
     const left = this.#rows.length - usable.length;
-    setText(this.#heading, `${counted(usable.length, "clip")}, ${counted(classes.styles.length, "style")}`);
+    setText(this.#heading, words.heading(usable.length, classes.styles.length));
     const sources = new Set(this.#rows.map(({ path }) => path.slice(0, path.indexOf("/")) || path));
     const [source = ""] = sources;
     setText(
       this.#summary,
-      `${counted(classes.actions.length, "action")} · ${sources.size === 1 ? source : counted(sources.size, "source")}`,
+      words.summary(classes.actions.length, sources.size === 1 ? source : words.sources(sources.size)),
     );
     this.#leftOut.hidden = left === 0;
-    setText(this.#leftOut.firstElementChild!, `${grouped(left)} left out`);
+    setText(this.#leftOut.firstElementChild!, words.leftOutCount(left));
     this.#leftOut.setAttribute("aria-pressed", String(this.#filter === "left out"));
     this.#matrix.show(classes, this.#neutral, this.#filter === "left out" ? undefined : this.#filter);
     const clipsOf = this.#skeletons.map((_, i) => this.#rows.filter((row) => row.read?.skeleton === i).length);

@@ -1,6 +1,9 @@
 /** The classes of the clips: a row for every style, a column for every action, and which style is neutral. */
 import { html } from "../dom";
+import { strings } from "../strings/strings";
 import type { ClassTable } from "./corpus";
+
+const words = strings.data.matrix;
 
 /** A class that the list is narrowed to. */
 export interface ClassFilter {
@@ -16,7 +19,7 @@ export interface MatrixListeners {
 }
 
 export class Matrix {
-  readonly element = html("div", { class: "matrix", tabindex: 0, role: "region", "aria-label": "Styles and actions" });
+  readonly element = html("div", { class: "matrix", tabindex: 0, role: "region", "aria-label": words.name });
   readonly #listeners: MatrixListeners;
   /** What is shown, to know whether anything else is to be. */
   #shown = "";
@@ -34,8 +37,8 @@ export class Matrix {
     const head = html(
       "tr",
       {},
-      html("th", { scope: "col" }, "Style"),
-      html("th", { scope: "col", class: "neutral" }, "Neutral"),
+      html("th", { scope: "col" }, words.style),
+      html("th", { scope: "col", class: "neutral" }, words.neutral),
       ...actions.map((action) => html("th", { scope: "col", class: "number" }, this.#name("action", action))),
     );
     const rows = styles.map((style) =>
@@ -61,7 +64,7 @@ export class Matrix {
       value: name,
       title: name,
       size: Math.max(4, name.length),
-      "aria-label": `Name of the ${field} ${name}`,
+      "aria-label": words.rename[field](name),
     });
     input.addEventListener("change", () => {
       const to = input.value.trim();
@@ -84,7 +87,7 @@ export class Matrix {
         type: "button",
         class: "button cell",
         "aria-pressed": String(pressed),
-        "aria-label": `${action}, ${style}: ${count}`,
+        "aria-label": words.cell(action, style, count),
       },
       String(count),
     );
@@ -93,7 +96,7 @@ export class Matrix {
   }
 
   #radio(style: string, checked: boolean): HTMLElement {
-    const radio = html("input", { type: "radio", name: "neutral", "aria-label": `${style} is neutral`, checked });
+    const radio = html("input", { type: "radio", name: "neutral", "aria-label": words.isNeutral(style), checked });
     radio.addEventListener("change", () => this.#listeners.onNeutral(style));
     return html("label", { class: "target" }, radio);
   }

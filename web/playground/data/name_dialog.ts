@@ -2,6 +2,9 @@
 import "../styles/data.css";
 import { button } from "../controls/buttons";
 import { html, setText } from "../dom";
+import { strings } from "../strings/strings";
+
+const words = strings.data.style;
 
 /** Longest name of a style. */
 const LONGEST = 40;
@@ -13,12 +16,12 @@ const LONGEST = 40;
  * @returns the name, or undefined where no style is wanted
  */
 export function askForStyleName(guess: string, taken: readonly string[]): Promise<string | undefined> {
-  const input = html("input", { type: "text", class: "text", "aria-label": "Name of the style", maxlength: LONGEST });
+  const input = html("input", { type: "text", class: "text", "aria-label": words.name, maxlength: LONGEST });
   const fault = html("p", { class: "caption", role: "status" });
   return new Promise((resolve) => {
     let chosen: string | undefined;
-    const done = button("Make it a style", () => form.requestSubmit(), { label: true, class: "outlined" });
-    const cancel = button("Cancel", () => dialog.close(), { label: true });
+    const done = button(words.make, () => form.requestSubmit(), { label: true, class: "outlined" });
+    const cancel = button(strings.data.cancel, () => dialog.close(), { label: true });
     const form = html(
       "form",
       { method: "dialog" },
@@ -29,12 +32,12 @@ export function askForStyleName(guess: string, taken: readonly string[]): Promis
     const dialog = html(
       "dialog",
       { class: "help style-name", "aria-labelledby": "name-heading" },
-      html("h2", { id: "name-heading" }, "Name of the new style"),
+      html("h2", { id: "name-heading" }, words.heading),
       form,
     );
     const check = () => {
       const name = input.value.trim();
-      setText(fault, taken.includes(name) ? `There is a style “${name}” already.` : "");
+      setText(fault, taken.includes(name) ? words.taken(name) : "");
       done.disabled = name === "" || taken.includes(name);
     };
     form.addEventListener("submit", (event) => {

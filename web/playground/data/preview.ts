@@ -2,8 +2,10 @@
 import { POSE_FLOATS } from "../../viewer";
 import type { Preview } from "../../worker/build/protocol";
 import { html, setText } from "../dom";
+import { strings } from "../strings/strings";
 import type { Picture } from "../views";
-import { counted } from "../words";
+
+const words = strings.data.preview;
 
 export class ClipPreview {
   readonly element: HTMLElement;
@@ -21,7 +23,7 @@ export class ClipPreview {
     this.#borrow = borrow;
     this.element = html(
       "section",
-      { class: "section preview", "aria-label": "Preview" },
+      { class: "section preview", "aria-label": words.name },
       this.#view,
       this.#title,
       this.#note,
@@ -39,7 +41,7 @@ export class ClipPreview {
   show(title: string, clip: Preview): void {
     setText(this.#title, title);
     const seconds = (clip.frames / clip.rateHz).toFixed(1);
-    setText(this.#note, clip.fault || `${counted(clip.frames, "frame")}, ${seconds} s. ${clip.note}`);
+    setText(this.#note, clip.fault || words.note(clip.frames, seconds, clip.note));
     this.#clip = clip.poses.length > 0 ? clip : undefined;
     this.#view.classList.toggle("empty", !this.#clip);
     this.resume();
@@ -56,7 +58,7 @@ export class ClipPreview {
     this.#clip = undefined;
     this.#view.classList.add("empty");
     setText(this.#title, "");
-    setText(this.#note, "Choose a clip to see it.");
+    setText(this.#note, words.invitation);
   }
 
   /** Plays the clip from its beginning. */

@@ -1,5 +1,7 @@
 /** The databases that were built on this device: kept by the browser in IndexedDB, so that a reload finds them. */
 
+import { strings } from "../strings/strings";
+
 const DATABASE = "strut";
 const STORE = "databases";
 
@@ -57,9 +59,5 @@ function open(): Promise<IDBDatabase> {
 }
 
 function refusal(error: DOMException | null): Error {
-  return new Error(
-    error?.name === "QuotaExceededError"
-      ? "The browser has no room left for it. Delete a database, or export this one before the page is closed."
-      : "The browser does not let this page keep files, as in a private window. Export the database to keep it.",
-  );
+  return new Error(error?.name === "QuotaExceededError" ? strings.data.shelf.full : strings.data.shelf.refused);
 }

@@ -1,6 +1,7 @@
 /** A style from one clip: what was dropped onto the polygon becomes a vertex of it, in a database that is kept here. */
 import { createBuildClient } from "../../worker/build/client";
 import type { CallOptions, DatabaseInfo } from "../../worker/protocol";
+import { strings } from "../strings/strings";
 import { errorText } from "../words";
 import { keep, listShelf, type Shelved } from "./shelf";
 
@@ -28,7 +29,7 @@ export async function styleOfClip(
     const { refused: _, neutral: __, ...built } = await client.addStyle(file, clip, style, options);
     const shelved = await listShelf().catch(() => []);
     const name = databaseName(
-      file ? known.name.replace(/\.strutdb$/i, "") : "Built-in",
+      file ? known.name.replace(/\.strutdb$/i, "") : strings.data.shelf.builtIn,
       style,
       shelved.map((d) => d.name),
     );
@@ -49,12 +50,12 @@ export function styleName(file: string, actions: readonly string[], styles: read
   const words = stem.split(/[\s_.-]+/).filter((word) => /\p{L}{2}/u.test(word));
   const known = new Set(actions.map((action) => action.toLowerCase()));
   const telling = words.filter((word) => !known.has(word.toLowerCase()) && !NOT_STYLES.has(word.toLowerCase()));
-  return free(telling.join(" ").slice(0, 40) || stem.slice(0, 40) || "new style", styles);
+  return free(telling.join(" ").slice(0, 40) || stem.slice(0, 40) || strings.data.style.unnamed, styles);
 }
 
 /** What a database with a further style is called: “Built-in + elderly”. */
 export function databaseName(base: string, style: string, taken: readonly string[]): string {
-  return free(`${base} + ${style}`, taken);
+  return free(strings.data.style.database(base, style), taken);
 }
 
 /** The name, with a number where it is taken. */

@@ -1,12 +1,13 @@
 /**
  * Everything that the page says, in one table. English is complete; another language is a second table of the type
- * {@link Strings}, in modules like those of `en/`, and a choice here. The Data view keeps its own words.
+ * {@link Strings}, in modules like those of `en/`, and a choice here.
  */
 import { compare } from "./en/compare";
+import { data } from "./en/data";
 import { page } from "./en/page";
 import { play } from "./en/play";
 
-const en = { page, play, compare };
+const en = { page, play, compare, data };
 
 /** A text where English has one, and a sentence of the same parts where it has a function. */
 type Said<T> = T extends string
