@@ -10,7 +10,7 @@ import { strings } from "../strings/strings";
 import { type ReadStretch, tickSpacing } from "./curves";
 import type { ExampleCurves } from "./examples";
 
-/** Rows from the top, in CSS pixels of a timeline 135 high. */
+/** Rows from the top that are where they are at any height, CSS pixels; {@link Axis} has those below them. */
 export const ROWS = {
   ruler: 21,
   /** Middle of the lane of style keys, which stands on the ruler's line. */
@@ -18,10 +18,10 @@ export const ROWS = {
   contacts: [36, 45],
   contactHeight: 6,
   reads: { top: 55, height: 5 },
-  curve: { top: 65, bottom: 99 },
-  timing: { top: 104, bottom: 116 },
-  height: 135,
 } as const;
+/** Where the curve begins, and how far above the lower edge it and the rows below it end. */
+const CURVE_TOP = 65;
+const FROM_BELOW = { curve: 36, timing: { top: 31, bottom: 19 } };
 
 /** Space left and right of the axis, so that the flag and the first label are not cut off. */
 export const INSET = 6;
@@ -56,15 +56,28 @@ export interface Overlay {
   unit: string;
 }
 
-/** Maps frames to pixels and back. */
+/** Maps frames to pixels and back, and has the rows whose places depend on the height. */
 export class Axis {
+  readonly curve: { readonly top: number; readonly bottom: number };
+  readonly timing: { readonly top: number; readonly bottom: number };
+
   constructor(
     readonly frames: number,
     readonly width: number,
-  ) {}
+    readonly height: number,
+  ) {
+    this.curve = { top: CURVE_TOP, bottom: height - FROM_BELOW.curve };
+    this.timing = { top: height - FROM_BELOW.timing.top, bottom: height - FROM_BELOW.timing.bottom };
+  }
 
   x(frame: number): number {
     return INSET + (frame / Math.max(1, this.frames - 1)) * (this.width - 2 * INSET);
+  }
+
+  /** Height of a value in the curve's row. */
+  y(value: number, { low, high }: { low: number; high: number }): number {
+    const { top, bottom } = this.curve;
+    return bottom - 1 - ((value - low) / (high - low)) * (bottom - top - 2);
   }
 
   frame(x: number): number {
@@ -93,7 +106,7 @@ export function paintStill(c: CanvasRenderingContext2D, axis: Axis, data: Timeli
   paintRuler(c, axis, data.rateHz, colours);
   paintContacts(c, axis, data.planted, colours);
   c.fillStyle = colours.line;
-  c.fillRect(0, ROWS.curve.bottom + 1, axis.width, 1);
+  c.fillRect(0, axis.curve.bottom + 1, axis.width, 1);
   if (data.span) {
     if (data.examples) paintBand(c, axis, data.examples, data.span, colours.weight);
     paintCurve(c, axis, data.inputCurve, data.span, colours.input, 1.25);
@@ -119,7 +132,7 @@ function paintReads(c: CanvasRenderingContext2D, axis: Axis, reads: readonly Rea
 
 /** The output's time under the input's, joined by lines that lean where the style takes its own time. */
 function paintTiming(c: CanvasRenderingContext2D, axis: Axis, data: TimelineData, colours: Colours): void {
-  const { top, bottom } = ROWS.timing;
+  const { top, bottom } = axis.timing;
   const duration = data.durationOutSecs;
   if (data.timing.length < 2 || duration <= 0) return;
   const xOut = (secs: number) => INSET + (secs / duration) * (axis.width - 2 * INSET);
@@ -193,9 +206,6 @@ function bar(c: CanvasRenderingContext2D, x: number, width: number, y: number): 
   c.fill();
 }
 
-const yOf = (value: number, { low, high }: { low: number; high: number }): number =>
-  ROWS.curve.bottom - 1 - ((value - low) / (high - low)) * (ROWS.curve.bottom - ROWS.curve.top - 2);
-
 function paintCurve(
   c: CanvasRenderingContext2D,
   axis: Axis,
@@ -214,8 +224,8 @@ function paintCurve(
       high = Math.max(high, curve[j]!);
     }
     const x = axis.x(i);
-    c.lineTo(x, yOf(low, span));
-    if (high !== low) c.lineTo(x, yOf(high, span));
+    c.lineTo(x, axis.y(low, span));
+    if (high !== low) c.lineTo(x, axis.y(high, span));
   }
   c.strokeStyle = colour;
   c.lineWidth = width;
@@ -233,9 +243,9 @@ function paintBand(
 ): void {
   const every = Math.max(1, Math.floor(low.length / axis.width));
   c.beginPath();
-  for (let i = 0; i < high.length; i += every) c.lineTo(axis.x(i), yOf(high[i]!, span));
+  for (let i = 0; i < high.length; i += every) c.lineTo(axis.x(i), axis.y(high[i]!, span));
   for (let i = Math.floor((low.length - 1) / every) * every; i >= 0; i -= every)
-    c.lineTo(axis.x(i), yOf(low[i]!, span));
+    c.lineTo(axis.x(i), axis.y(low[i]!, span));
   c.fillStyle = colour;
   c.globalAlpha = 0.26;
   c.fill();
@@ -259,7 +269,7 @@ export function paintMoving(
     bar(c, axis.x(under[0]), axis.x(under[1]) - axis.x(under[0]), ROWS.contacts[foot as 0 | 1]);
   });
   c.fillStyle = colours.ink;
-  c.fillRect(x - 0.75, 8, 1.5, ROWS.timing.bottom - 8);
+  c.fillRect(x - 0.75, 8, 1.5, axis.timing.bottom - 8);
   c.beginPath();
   c.roundRect(x - 6, 8, 12, 7, [2, 2, 0, 0]);
   c.moveTo(x - 6, 15);
@@ -269,7 +279,7 @@ export function paintMoving(
   paintPoints(c, axis, data, frame, colours);
   if (hover === undefined) return;
   c.fillStyle = colours.ink3;
-  c.fillRect(axis.x(hover) - 0.5, ROWS.ruler, 1, ROWS.timing.bottom - ROWS.ruler);
+  c.fillRect(axis.x(hover) - 0.5, ROWS.ruler, 1, axis.timing.bottom - ROWS.ruler);
   paintPoints(c, axis, data, hover, colours);
   paintReadOut(c, axis, data, hover, unit, colours);
 }
@@ -279,8 +289,8 @@ function paintRange(c: CanvasRenderingContext2D, axis: Axis, range: FrameRange, 
   const [from, to] = [axis.x(range.first), axis.x(range.last)];
   c.globalAlpha = 0.62;
   c.fillStyle = colours.panel;
-  c.fillRect(0, 0, from, ROWS.height);
-  c.fillRect(to, 0, axis.width - to, ROWS.height);
+  c.fillRect(0, 0, from, axis.height);
+  c.fillRect(to, 0, axis.width - to, axis.height);
   c.globalAlpha = 1;
   c.fillStyle = colours.ink2;
   c.fillRect(from, ROWS.ruler - 1, to - from, 2);
@@ -290,7 +300,7 @@ function paintRange(c: CanvasRenderingContext2D, axis: Axis, range: FrameRange, 
 /** The examples of a frame as points: the more one counted, the larger and the clearer. */
 function paintExamples(
   c: CanvasRenderingContext2D,
-  x: number,
+  axis: Axis,
   { starts, values, weights }: ExampleCurves,
   frame: number,
   span: { low: number; high: number },
@@ -298,11 +308,11 @@ function paintExamples(
 ): void {
   c.fillStyle = colour;
   for (let i = starts[frame] ?? 0; i < (starts[frame + 1] ?? 0); i++) {
-    const y = yOf(values[i]!, span);
-    if (y < ROWS.curve.top - 3 || y > ROWS.curve.bottom + 3) continue;
+    const y = axis.y(values[i]!, span);
+    if (y < axis.curve.top - 3 || y > axis.curve.bottom + 3) continue;
     c.globalAlpha = 0.2 + 0.7 * weights[i]!;
     c.beginPath();
-    c.arc(x, y, 1 + 1.2 * weights[i]!, 0, 2 * Math.PI);
+    c.arc(axis.x(frame), y, 1 + 1.2 * weights[i]!, 0, 2 * Math.PI);
     c.fill();
   }
   c.globalAlpha = 1;
@@ -318,7 +328,7 @@ function paintPoints(
 ): void {
   const { span, examples } = data;
   if (!span) return;
-  if (examples) paintExamples(c, axis.x(frame), examples, Math.round(frame), span, colours.weight);
+  if (examples) paintExamples(c, axis, examples, Math.round(frame), span, colours.weight);
   for (const [curve, colour] of [
     [data.inputCurve, colours.input],
     [data.styledCurve, colours.signal],
@@ -326,7 +336,7 @@ function paintPoints(
     const value = curve[Math.round(frame)];
     if (value === undefined) continue;
     c.beginPath();
-    c.arc(axis.x(frame), yOf(value, span), 3, 0, 2 * Math.PI);
+    c.arc(axis.x(frame), axis.y(value, span), 3, 0, 2 * Math.PI);
     c.fillStyle = colour;
     c.fill();
     c.lineWidth = 1.5;
@@ -358,7 +368,7 @@ function paintReadOut(
   const width = widths.reduce((sum, w) => sum + w + 10, 8);
   const x = Math.min(axis.x(frame) + 10, axis.width - width - 2);
   c.beginPath();
-  c.roundRect(x, ROWS.curve.top - 8, width, 18, 4);
+  c.roundRect(x, axis.curve.top - 8, width, 18, 4);
   c.fillStyle = colours.raised;
   c.fill();
   c.lineWidth = 1;
@@ -367,7 +377,7 @@ function paintReadOut(
   let left = x + 9;
   for (const [i, { text, colour }] of values.entries()) {
     c.fillStyle = colour;
-    c.fillText(text, left, ROWS.curve.top + 5);
+    c.fillText(text, left, axis.curve.top + 5);
     left += widths[i]! + 10;
   }
 }

@@ -48,7 +48,7 @@ export class Timeline {
   #examples: Examples | undefined;
   #curve = "knee L";
   #data: TimelineData | undefined;
-  #axis = new Axis(0, 0);
+  #axis = new Axis(0, 0, 0);
   #colours: Colours | undefined;
   #frame = 0;
 
@@ -217,18 +217,18 @@ export class Timeline {
   }
 
   #repaint(): void {
-    const width = this.#rows.clientWidth;
+    const { clientWidth: width, clientHeight: height } = this.#rows;
     if (!this.#data || width === 0) return;
-    this.#axis = new Axis(this.#data.frames, width);
+    this.#axis = new Axis(this.#data.frames, width, height);
     this.#colours ??= readColours(this.#rows);
-    paintStill(prepare(this.#still, width, ROWS.height), this.#axis, this.#data, this.#colours);
+    paintStill(prepare(this.#still, width, height), this.#axis, this.#data, this.#colours);
     this.#paintMoving();
     this.onLayout?.();
   }
 
   #paintMoving(): void {
     if (!this.#data || !this.#colours || this.#axis.width === 0) return;
-    const context = prepare(this.#moving, this.#axis.width, ROWS.height);
+    const context = prepare(this.#moving, this.#axis.width, this.#axis.height);
     const overlay = {
       frame: this.#frame,
       hover: this.#hover,
