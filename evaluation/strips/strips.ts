@@ -23,6 +23,8 @@ declare global {
 
 const COLUMNS = 9;
 const COLUMN_PX = { width: 112, height: 190 };
+/** Height of a column for those who leave the ground with raised arms: who is seen in a taller one is seen from farther away. */
+const TALL_PX = 290;
 /** Seconds before and after the moment that makes an action. */
 const AROUND = { before: 0.9, after: 0.9 };
 /** Time between two renderings, seconds. */
@@ -30,7 +32,6 @@ const STEP = 0.2;
 
 const root = document.getElementById("stage")!;
 root.style.width = `${COLUMNS * COLUMN_PX.width}px`;
-root.style.height = `${COLUMN_PX.height}px`;
 const viewer = new RowViewer(root, "light", "");
 const builder = DatabaseBuilder.load();
 let time = 0;
@@ -42,6 +43,7 @@ window.drawStrips = async (strips) => {
 async function draw({ title, bvh, action, view }: Strip): Promise<void> {
   const clip = (await builder).preview(new TextEncoder().encode(bvh));
   const [from, to] = stretchOf(clip, action);
+  root.style.height = `${action === "jump" ? TALL_PX : COLUMN_PX.height}px`;
   const pose = (i: number) => {
     const frame = Math.round(from + ((to - from) * i) / (COLUMNS - 1));
     return clip.poses.subarray(frame * POSE_FLOATS, (frame + 1) * POSE_FLOATS);
