@@ -192,22 +192,23 @@ fn quality(out: &mut String, clips: &[PlannedClip], recordings: Option<&Path>) -
 }
 
 fn styles(out: &mut String) {
-    line!(out, "\n## Styles\n\nRows of `rust/strut-demo/src/style.rs`, each with its source there. Walking:\n");
+    line!(out, "\n## Styles\n\nRows of `rust/strut-demo/src/styles.rs`, each with its source there. Walking:\n");
     line!(
         out,
-        "| Style | Speed m/s | Cadence | Step m | Jump m | Strikes: speed, size |\n| --- | ---: | ---: | ---: | ---: | ---: |"
+        "| Style | Speed m/s | Cadence | Step m | Jump m | Speed of jump, punch, kick |\n| --- | ---: | ---: | ---: | ---: | ---: |"
     );
     let by_name: BTreeMap<&str, &Style> = STYLES.iter().map(|s| (s.name, s)).collect();
     for (name, s) in by_name {
         let speed = s.step_length * s.cadence / 60.0;
         line!(
             out,
-            "| {name} | {speed:.2} | {:.0} | {:.2} | {:.2} | {:.2}, {:.2} |",
+            "| {name} | {speed:.2} | {:.0} | {:.2} | {:.2} | {:.2}, {:.2}, {:.2} |",
             s.cadence,
             s.step_length,
-            s.jump_rise,
-            s.strike_speed,
-            s.strike_size
+            s.jump.rise,
+            s.jump.speed,
+            s.punch.speed,
+            s.kick.speed
         );
     }
 }

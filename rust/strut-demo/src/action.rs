@@ -1,7 +1,8 @@
 //! What sets walking and running apart, whatever the style.
 
 use crate::normative::{Knots, NATURAL_DUTY, RUNNING_STANCE_KNEE, STANCE_KNEE};
-use crate::style::{STYLES, Style};
+use crate::style::Style;
+use crate::styles::STYLES;
 
 /// A way of getting on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,7 +10,8 @@ use crate::database::RATE_HZ;
 use crate::noise::{split_mix, within_one};
 use crate::perform::{Performance, perform};
 use crate::script::{Script, passage};
-use crate::style::{STYLES, Style};
+use crate::style::Style;
+use crate::styles::STYLES;
 use strut_core::database::{Class, Clip, Database, DatabaseError, DatabaseParts};
 use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::kinematics::world_from_local;
@@ -337,7 +338,7 @@ mod tests {
 
     #[test]
     fn what_is_held_out_of_a_database_is_not_in_what_is_left() {
-        let whole = database(28_000).unwrap();
+        let whole = database(30_000).unwrap();
         let (rest, queries) = hold_out(&whole).unwrap();
         let frames: usize = queries.iter().map(|q| q.motion.poses.len()).sum();
         assert_eq!((rest.frames(), rest.classes().len()), (whole.frames() - frames, 48));

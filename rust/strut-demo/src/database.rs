@@ -2,7 +2,8 @@
 
 use crate::perform::{Performance, perform, perform_excursion};
 use crate::script::{INPUT_EXCURSION, INPUT_TAKES, RUN_TAKES, Script, WALK_TAKES};
-use crate::style::{STYLES, Style};
+use crate::style::Style;
+use crate::styles::STYLES;
 use std::ops::ControlFlow;
 use strut_core::database::Database;
 use strut_core::database::build::{self, BuildError, BuildOptions, SourceClip};

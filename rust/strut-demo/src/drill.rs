@@ -1,13 +1,15 @@
 //! What is done on the spot: jumps, punches and kicks, from key poses that every style performs in its own way.
 
 use crate::feet::{FootGeometry, FootPose, pitched};
-use crate::keys::{Arm, Flight, Foot, Key, Timeline};
+use crate::forms::{Arm, Swing};
+use crate::keys::{Flight, Foot, Key, Timeline};
 use crate::noise::{Channel, Noise};
 use crate::path::Side;
 use crate::pelvis::{Legs, soft_min};
 use crate::perform::{Performance, place_leg};
 use crate::periodic::smooth_step;
-use crate::style::{STYLES, Style};
+use crate::style::Style;
+use crate::styles::STYLES;
 use crate::upper_body::{ArmTarget, Posture, Turn, UpperBody};
 use std::f32::consts::TAU;
 use strut_core::humanoid::{HumanoidMotion, Pose, Proportions, Role};
@@ -17,11 +19,11 @@ use strut_core::math::{Quat, Vec3};
 /// One jump, punch or kick of a drill.
 #[derive(Clone, Copy, Debug)]
 pub struct Move {
-    /// Its keys, performed with the right side.
-    pub(crate) keys: &'static [Key],
+    /// Its keys in a style and of an amplitude, performed with the right side: as many in every style.
+    pub(crate) keys: fn(&Style, f32) -> Vec<Key>,
     /// Which side performs it.
     pub(crate) side: Side,
-    /// Its amplitude, 1 as in the keys.
+    /// Its amplitude, 1 as in the style's row.
     pub(crate) size: f32,
     /// Metres that it leads forward.
     pub(crate) ahead: f32,
@@ -35,7 +37,13 @@ pub struct Drill {
     /// Name of the action in a database.
     pub action: &'static str,
     /// The pose that it begins in.
-    pub(crate) rest: Key,
+    pub(crate) rest: fn(&Style) -> Key,
+    /// Speed of the style, 1 for neutral.
+    pub(crate) speed: fn(&Style) -> f32,
+    /// Height in metres of the style's flights.
+    pub(crate) rise: fn(&Style) -> f32,
+    /// How firmly the hands are held, 0 to 1.
+    pub(crate) firm: f32,
     /// What is done, one after the other.
     pub(crate) moves: &'static [Move],
     /// Seed of all irregularities.
@@ -51,11 +59,11 @@ const SLACK_SECS: f32 = 0.11;
 /// Height in metres from which a foot may miss its way, and from which its toes are stretched.
 const FREE_ABOVE: f32 = 0.1;
 /// See `FREE_ABOVE`.
-const TOES_FREE_ABOVE: f32 = 0.3;
+const TOES_FREE_ABOVE: f32 = 0.4;
 /// Seconds a breath.
 const BREATH_SECS: f32 = 3.2;
-/// Flexion that no arm exceeds, degrees.
-const HIGHEST_ARM: f32 = 118.0;
+/// Share of the drag that arms have in gaits: who strikes holds them tight.
+const TIGHT_ARMS: f32 = 0.3;
 /// Metres over which a planted leg's reach limits the height of the pelvis.
 const REACH_SOFTNESS: f32 = 0.004;
 /// Seconds before the first frame in which the springs of the arms settle.
@@ -66,7 +74,7 @@ const WARM_UP_SECS: f32 = 1.0;
 pub fn perform_drill(drill: &Drill, style: &Style, proportions: &Proportions, rate_hz: f32) -> Performance {
     let stage = Stage::new(drill, style, proportions);
     let dt = 1.0 / rate_hz;
-    let mut upper_body = UpperBody::new(style);
+    let mut upper_body = UpperBody::new(style, TIGHT_ARMS);
     for i in 0..(WARM_UP_SECS * rate_hz) as usize {
         stage.frame((i as f32 * dt) - WARM_UP_SECS, &mut upper_body, dt);
     }
@@ -83,30 +91,34 @@ pub fn perform_drill(drill: &Drill, style: &Style, proportions: &Proportions, ra
 
 /// The time that all styles share at a phase of a drill: seconds of a neutral performer.
 pub(crate) fn script_secs(drill: &Drill) -> impl Fn(f32) -> f32 {
-    let neutral = timeline(drill, &STYLES[0]);
+    let neutral = timeline(drill, &STYLES[0], &Stance::new(&STYLES[0], &Proportions::default()));
     move |phase| neutral.secs_at(phase)
 }
 
 /// Length of a drill in keys.
 pub fn keys_of(drill: &Drill) -> f32 {
-    drill.moves.iter().map(|m| m.keys.len() as f32).sum()
+    drill.moves.iter().map(|m| (m.keys)(&STYLES[0], 1.0).len() as f32).sum()
 }
 
-fn timeline(drill: &Drill, style: &Style) -> Timeline {
+fn timeline(drill: &Drill, style: &Style, stance: &Stance) -> Timeline {
     let noise = Noise::new(drill.seed, drill.moves.len() as u32);
-    let mut keys = vec![styled(&drill.rest, &drill.rest, style, 1.0)];
+    let mut keys = vec![(drill.rest)(style)];
     let mut rises = vec![0.0];
     let mut travelled = 0.0;
     for (number, m) in drill.moves.iter().enumerate() {
         let irregular = |channel| style.irregularity * noise.step(channel, number as i64);
         let size = m.size * (1.0 + 0.05 * irregular(Channel::StepLength));
         let mut landed = false;
-        for key in m.keys {
-            let mut key = styled(key, &drill.rest, style, size);
+        for mut key in (m.keys)(style, size) {
             if m.side == Side::Left {
                 key = key.mirrored();
             }
-            key.secs *= (1.0 + 0.06 * irregular(Channel::Tempo)) / style.strike_speed;
+            for (i, side) in Side::BOTH.into_iter().enumerate() {
+                if let Some(swing) = key.swings[i] {
+                    key.feet[i] = stance.swung(side, style, &key, swing);
+                }
+            }
+            key.secs *= (1.0 + 0.06 * irregular(Channel::Tempo)) / (drill.speed)(style);
             let in_flight = keys.last().is_some_and(|k| k.airborne);
             landed |= in_flight && !key.airborne;
             let share = if landed {
@@ -121,65 +133,72 @@ fn timeline(drill: &Drill, style: &Style) -> Timeline {
                 foot.ahead += travelled + share * m.ahead;
             }
             keys.push(key);
-            rises.push(style.jump_rise * size);
+            rises.push((drill.rise)(style) * size);
         }
         travelled += if landed { m.ahead } else { 0.0 };
     }
     Timeline::new(keys, |i| rises[i])
 }
 
-/// A key as a style performs it: more or less far from the pose at rest, with the style's arms.
-fn styled(key: &Key, rest: &Key, style: &Style, size: f32) -> Key {
-    let neutral = &STYLES[0];
-    let size = size * style.strike_size;
-    let (mut values, at_rest) = (key.channels(), rest.channels());
-    for (value, rest) in values.iter_mut().zip(at_rest) {
-        *value = rest + size * (*value - rest);
+/// How a style stands on a body.
+struct Stance {
+    legs: Legs,
+    geometry: FootGeometry,
+    /// Height of the pelvis.
+    height: f32,
+    /// Half the distance of the feet.
+    half_width: f32,
+}
+
+impl Stance {
+    fn new(style: &Style, proportions: &Proportions) -> Self {
+        let legs = Legs::of(proportions);
+        Self {
+            geometry: FootGeometry::of(proportions),
+            height: legs.standing_with(5.0 + style.crouch) - 0.006,
+            half_width: HALF_STANCE + 0.5 * (style.step_width - STYLES[0].step_width),
+            legs,
+        }
     }
-    let mut styled = key.with_channels(&values);
-    let height = style.kick_height / neutral.kick_height;
-    for (foot, plain) in styled.feet.iter_mut().zip(&key.feet) {
-        // A foot on the ground rolls as it must; one that kicks goes as high as the style does.
-        let kicks = plain.lift > 0.0;
-        foot.pitch = plain.pitch * if kicks { height } else { 1.0 };
-        foot.lift = plain.lift * if kicks { height } else { 1.0 };
-        // No leg is longer for a larger kick.
-        foot.ahead = if kicks { foot.ahead.min(plain.ahead) } else { foot.ahead };
+
+    /// Where the ankle's print is for a foot of a side.
+    fn print(&self, side: Side, foot: &Foot, above: f32) -> Vec3 {
+        Vec3::new(side.sign() * (self.half_width + foot.out), above, foot.ahead - ANKLE_BEHIND)
     }
-    if key.airborne || key.body.drop < rest.body.drop {
-        styled.body.drop = key.body.drop;
+
+    /// The foot of a leg that is swung.
+    fn swung(&self, side: Side, style: &Style, key: &Key, swing: Swing) -> Foot {
+        let b = &key.body;
+        let pelvis = Turn { yaw: b.yaw.to_radians(), pitch: (style.pelvis_tilt + b.pitch).to_radians(), roll: 0.0 };
+        let root = Vec3::new(b.aside, self.height - b.drop, b.ahead);
+        let ankle = self.legs.swung(side, root, pelvis.quat(), swing);
+        let pitch = swing.hip - swing.knee + swing.ankle;
+        let turned = Quat::from_rotation_y(side.sign() * style.toe_out.to_radians());
+        let rolled = self.geometry.ankle_on_ground(pitch.to_radians(), pitch.to_radians());
+        let at_rest = Foot { out: 0.0, ahead: 0.0, lift: 0.0, pitch };
+        let moved = ankle - turned * rolled - self.print(side, &at_rest, 0.0);
+        Foot { out: side.sign() * moved.x, ahead: moved.z, lift: moved.y, pitch }
     }
-    for arm in &mut styled.arms {
-        let difference = |of: fn(&Style) -> f32| of(style) - of(neutral);
-        arm.flexion = (arm.flexion + difference(|s| s.arm_forward)).min(HIGHEST_ARM);
-        arm.spread += 0.5 * difference(|s| s.arm_spread);
-        arm.twist += 0.3 * difference(|s| s.arm_twist);
-        arm.elbow = (arm.elbow + 0.3 * difference(|s| s.elbow)).clamp(4.0, 145.0);
-    }
-    styled
 }
 
 /// Everything that a frame is made from.
 struct Stage<'a> {
     style: &'a Style,
+    firm: f32,
     timeline: Timeline,
     noise: Noise,
-    legs: Legs,
-    geometry: FootGeometry,
-    /// Height of the pelvis in the style's stance.
-    standing: f32,
+    stance: Stance,
 }
 
 impl<'a> Stage<'a> {
     fn new(drill: &Drill, style: &'a Style, proportions: &Proportions) -> Self {
-        let legs = Legs::of(proportions);
+        let stance = Stance::new(style, proportions);
         Self {
             style,
-            timeline: timeline(drill, style),
+            firm: drill.firm,
+            timeline: timeline(drill, style, &stance),
             noise: Noise::new(drill.seed, keys_of(drill) as u32),
-            geometry: FootGeometry::of(proportions),
-            standing: legs.standing_with(5.0 + style.crouch) - 0.006,
-            legs,
+            stance,
         }
     }
 
@@ -199,10 +218,10 @@ impl<'a> Stage<'a> {
         });
 
         let sway = 0.006 * s.irregularity * self.noise.smooth(Channel::Sway, 0.5 * phase);
-        let mut root = Vec3::new(b.aside + sway, self.standing - b.drop, b.ahead);
+        let mut root = Vec3::new(b.aside + sway, self.stance.height - b.drop, b.ahead);
         for (side, foot) in Side::BOTH.into_iter().zip(&feet) {
             if foot.planted {
-                root.y = soft_min(root.y, self.legs.highest(side, root, pelvis, foot.ankle), REACH_SOFTNESS);
+                root.y = soft_min(root.y, self.stance.legs.highest(side, root, pelvis, foot.ankle), REACH_SOFTNESS);
             }
         }
         let mut pose = Pose { root, ..Pose::default() };
@@ -229,28 +248,28 @@ impl<'a> Stage<'a> {
                 spread,
                 twist,
                 protraction: s.shoulder_forward + 0.15 * flexion.clamp(-60.0, 100.0),
-                raise: s.shoulder_raise + 0.8 * breath + 0.12 * (flexion - 60.0).max(0.0),
+                raise: s.shoulder_raise + 0.8 * breath + 0.12 * (flexion.max(spread) - 60.0).max(0.0),
+                firm: self.firm,
             }
         });
         let spine_pitch = turn.pitch + (s.spine_pitch + 0.45 * b.bend).to_radians();
         upper_body.pose(&Posture { chest, head, spine_pitch, arms }, turn, pelvis, dt_secs, &mut pose);
         for (side, foot) in Side::BOTH.into_iter().zip(&feet) {
-            place_leg(&self.legs, side, foot, turn.yaw, &mut pose);
+            place_leg(&self.stance.legs, side, foot, turn.yaw, &mut pose);
         }
         (pose, phase, planted)
     }
 
     fn foot(&self, side: Side, foot: &Foot, flight: Option<Flight>, planted: bool) -> FootPose {
         let s = self.style;
-        let half_stance = HALF_STANCE + 0.5 * (s.step_width - STYLES[0].step_width);
         let heading = side.sign() * s.toe_out.to_radians();
         let above = (foot.lift + flight.map_or(0.0, |f| hanging_height(&f))).max(0.0);
         let foot_pitch = foot.pitch.to_radians();
         let toe_pitch = foot_pitch * smooth_step(0.0, TOES_FREE_ABOVE, above);
-        let print = Vec3::new(side.sign() * (half_stance + foot.out), above, foot.ahead - ANKLE_BEHIND);
+        let print = self.stance.print(side, foot, above);
         let turned = Quat::from_rotation_y(heading);
         FootPose {
-            ankle: print + turned * self.geometry.ankle_on_ground(foot_pitch, toe_pitch),
+            ankle: print + turned * self.stance.geometry.ankle_on_ground(foot_pitch, toe_pitch),
             foot: turned * pitched(foot_pitch),
             toes: pitched(toe_pitch - foot_pitch),
             planted,

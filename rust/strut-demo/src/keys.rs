@@ -4,6 +4,7 @@
 //! arm movements"): its speed is bell-shaped. Through a pose that is only passed, speed is continuous. A body in the air
 //! is in free fall.
 
+use crate::forms::{Arm, Swing};
 use crate::pelvis::GRAVITY;
 
 /// How the pelvis and the trunk are.
@@ -25,15 +26,6 @@ pub(crate) struct Body {
     pub(crate) bend: f32,
 }
 
-/// How an arm is, degrees: see [`crate::upper_body::ArmTarget`].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Arm {
-    pub(crate) flexion: f32,
-    pub(crate) spread: f32,
-    pub(crate) twist: f32,
-    pub(crate) elbow: f32,
-}
-
 /// How a foot is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Foot {
@@ -41,7 +33,7 @@ pub(crate) struct Foot {
     pub(crate) out: f32,
     /// Ankle ahead of where it stands, metres.
     pub(crate) ahead: f32,
-    /// Ankle above where it is on the ground, metres.
+    /// Ankle above where it is on the ground, or where it hangs from a body in the air, metres.
     pub(crate) lift: f32,
     /// Toes up, degrees.
     pub(crate) pitch: f32,
@@ -59,6 +51,8 @@ pub(crate) struct Key {
     pub(crate) arms: [Arm; 2],
     /// Left and right.
     pub(crate) feet: [Foot; 2],
+    /// How the left and the right leg are swung, which then says where the foot is.
+    pub(crate) swings: [Option<Swing>; 2],
 }
 
 /// Quantities of a key.
@@ -101,6 +95,7 @@ impl Key {
             body: Body { aside: -aside, yaw: -yaw, chest_yaw: -chest_yaw, ..self.body },
             arms: [self.arms[1], self.arms[0]],
             feet: [self.feet[1], self.feet[0]],
+            swings: [self.swings[1], self.swings[0]],
             ..self
         }
     }

@@ -161,7 +161,7 @@ mod tests {
     use super::*;
     use crate::action::Action;
     use crate::script::WALK_TAKES;
-    use crate::style::STYLES;
+    use crate::styles::STYLES;
 
     #[test]
     fn a_straight_stride_is_two_steps_long() {

@@ -2,6 +2,7 @@
 
 use crate::action::Mechanics;
 use crate::feet::FootPose;
+use crate::forms::Swing;
 use crate::normative::{PELVIS_ROLL, PELVIS_YAW};
 use crate::path::Side;
 use crate::periodic::{PeriodicCurve, smooth_step};
@@ -9,7 +10,7 @@ use crate::style::Style;
 use crate::upper_body::Support;
 use std::f32::consts::TAU;
 use strut_core::humanoid::{Proportions, Role};
-use strut_core::math::float_funcs::{cos, exp};
+use strut_core::math::float_funcs::{cos, exp, sin};
 use strut_core::math::{Quat, Vec3};
 
 /// Largest extension of a leg as a share of its length: a knee flexion of some 4°, so that the knee does not lock.
@@ -160,6 +161,13 @@ impl Legs {
     /// Greatest height of the pelvis, at this place on the ground plan, at which the leg reaches its ankle.
     pub(crate) fn highest(&self, side: Side, pelvis: Vec3, rotation: Quat, ankle: Vec3) -> f32 {
         self.pelvis_height(side, pelvis, rotation, ankle, self.longest())
+    }
+
+    /// The ankle of a leg that is swung from a pelvis.
+    pub(crate) fn swung(&self, side: Side, root: Vec3, pelvis: Quat, swing: Swing) -> Vec3 {
+        let bone = |degrees: f32| Vec3::new(0.0, -cos(degrees.to_radians()), sin(degrees.to_radians()));
+        let leg = bone(swing.hip) * self.thigh + bone(swing.hip - swing.knee) * self.shin;
+        root + pelvis * self.hip(side) + Quat::from_rotation_z(side.sign() * swing.out.to_radians()) * leg
     }
 
     fn longest(&self) -> f32 {

@@ -137,7 +137,7 @@ fn perform_gaits(
     let heights = smooth_heights(&heights, HEIGHT_SMOOTHING_SECS * rate_hz);
 
     let upper = gaits.map(|(_, style)| Gait::new(style, noise));
-    let mut upper_body = UpperBody::new(&styles[0]);
+    let mut upper_body = UpperBody::new(&styles[0], 1.0);
     let mut poses = Vec::with_capacity(phases.len());
     for (plan, height) in plans.iter().zip(heights) {
         let support = &plan.support;

@@ -78,6 +78,8 @@ pub(crate) struct ArmTarget {
     pub(crate) protraction: f32,
     /// Shoulder raised.
     pub(crate) raise: f32,
+    /// How firmly the hand is held in line with the forearm, 0 to 1: a fist.
+    pub(crate) firm: f32,
 }
 
 /// An arm on its way to its target.
@@ -94,6 +96,8 @@ struct ArmState {
 #[derive(Clone, Debug)]
 pub(crate) struct UpperBody<'a> {
     style: &'a Style,
+    /// Half-life in seconds of the springs of the arms.
+    drag: f32,
     arms: [ArmState; 2],
 }
 
@@ -150,6 +154,7 @@ impl Posture {
                 twist: mix(a.twist, b.twist),
                 protraction: mix(a.protraction, b.protraction),
                 raise: mix(a.raise, b.raise),
+                firm: mix(a.firm, b.firm),
             }
         };
         Self {
@@ -229,13 +234,15 @@ impl<'a> Gait<'a> {
             twist: s.arm_twist + s.arm_round * forward_share,
             protraction: s.shoulder_forward + 0.15 * swing,
             raise: s.shoulder_raise + 0.8 * breath,
+            firm: 0.0,
         }
     }
 }
 
 impl<'a> UpperBody<'a> {
-    pub(crate) fn new(style: &'a Style) -> Self {
-        Self { style, arms: [ArmState::default(); 2] }
+    /// With arms that follow their targets in this share of the time that the style's arms take.
+    pub(crate) fn new(style: &'a Style, drag_share: f32) -> Self {
+        Self { style, drag: drag_share * style.arm_drag, arms: [ArmState::default(); 2] }
     }
 
     /// Sets the upper body's joints of the next frame, `dt_secs` after the last, above the pelvis: `turn` its angles
@@ -261,12 +268,14 @@ impl<'a> UpperBody<'a> {
     fn arm(&mut self, side: Side, target: ArmTarget, frame: Quat, chest: Quat, dt_secs: f32, pose: &mut Pose) {
         let s = self.style;
         let state = &mut self.arms[usize::from(side == Side::Right)];
-        let flexion = state.flexion.follow(target.flexion, s.arm_drag, dt_secs);
-        let elbow = state.elbow.follow(target.elbow, 1.5 * s.arm_drag, dt_secs);
-        let spread = state.spread.follow(target.spread, s.arm_drag, dt_secs);
-        let twist = state.twist.follow(target.twist, s.arm_drag, dt_secs);
+        let flexion = state.flexion.follow(target.flexion, self.drag, dt_secs);
+        let elbow = state.elbow.follow(target.elbow, 1.5 * self.drag, dt_secs);
+        let spread = state.spread.follow(target.spread, self.drag, dt_secs);
+        let twist = state.twist.follow(target.twist, self.drag, dt_secs);
         // The hand trails the forearm: it bends back while the elbow bends, and swings through after.
         let trail = state.wrist.follow(-0.035 * (state.elbow.velocity + state.flexion.velocity), 0.05, dt_secs);
+
+        let wrist = (1.0 - target.firm) * (s.wrist + trail);
 
         let out = side.sign();
         let shoulder = Quat::from_rotation_y(-out * target.protraction.to_radians())
@@ -277,7 +286,7 @@ impl<'a> UpperBody<'a> {
         let upper = frame * hanging;
         let pronation = 0.5 * s.pronation.to_radians();
         let lower = Quat::from_rotation_y(-out * elbow.max(4.0).to_radians()) * Quat::from_rotation_x(pronation);
-        let hand = Quat::from_rotation_x(pronation) * Quat::from_rotation_z(-out * (s.wrist + trail).to_radians());
+        let hand = Quat::from_rotation_x(pronation) * Quat::from_rotation_z(-out * wrist.to_radians());
 
         let roles = match side {
             Side::Left => [Role::LeftShoulder, Role::LeftUpperArm, Role::LeftLowerArm, Role::LeftHand],

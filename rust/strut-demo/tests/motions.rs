@@ -184,7 +184,7 @@ fn jumpers_fall_freely_between_take_off_and_landing() {
             }
         }
         let secs = longest as f32 / 120.0;
-        let wanted = (8.0 * style.jump_rise / 9.81).sqrt();
+        let wanted = (8.0 * style.jump.rise / 9.81).sqrt();
         assert!((0.8..1.35).contains(&(secs / wanted)), "{}: {secs} s in the air, {wanted} wanted", style.name);
     }
 }
