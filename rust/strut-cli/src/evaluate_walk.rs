@@ -9,13 +9,21 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
-use strut_core::hsmm::evaluation::{Manner, Reconstruction, recognise, transition_peak};
-use strut_core::hsmm::{Options, Training, WalkModel, WalkVoices, Walker, WeightsError, train};
+use strut_core::hsmm::evaluation::{
+    Bearing, Manner, Reconstruction, bearing, horizon_error, recognise, transition_peak,
+};
+use strut_core::hsmm::{
+    HORIZON, Options, Side, Track, Training, WalkModel, WalkVoices, Walker, WeightsError, steps_of, train,
+};
 use strut_formats::corpus::Pattern;
 use strut_formats::{strutdb, walk_model};
 
-/// Steps of the walks that are measured.
-const STEPS: u64 = 20;
+/// Steps of the walks that are measured: a frame more or less counts little in so many.
+const STEPS: u64 = 100;
+/// Intensities that styles are tried at, and those between which their manner shall change in one direction.
+const INTENSITIES: [f32; 9] = [-3.0, -2.0, -1.0, 0.0, 1.0, 1.5, 2.0, 2.5, 3.0];
+const MONOTONE: std::ops::RangeInclusive<i16> = -4..=8;
+const MONOTONE_STEP: f32 = 0.25;
 /// Steps in between of the transitions that are measured.
 const BETWEEN: [u32; 4] = [0, 2, 4, 6];
 /// Frames that are timed.
@@ -33,6 +41,9 @@ pub(crate) struct Args {
     /// Takes of every style that are tested on
     #[arg(long, value_name = "TAKES", value_delimiter = ',', default_value = "1,2")]
     held_out: Vec<u32>,
+    /// Walks of which the first half of every take is to say the second; files, folders or archives
+    #[arg(long, value_name = "INPUT")]
+    halves: Vec<PathBuf>,
     /// Write the tables as Markdown
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -54,23 +65,27 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let plain = train(&body, &clips, Options { refined: false }, &ThreadPool).map_err(Failure::new)?;
 
     let mut text = String::from("# Walk synthesis\n\n");
-    let inputs: Vec<String> =
-        args.inputs.iter().filter_map(|p| p.file_name()).map(|n| n.display().to_string()).collect();
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
         "Written by `strut evaluate-walk` on the walks of {}: {} clips of {} styles to train on in {seconds:.1} s, {} \
          clips held out. The model file has {} kB.\n",
-        inputs.join(", "),
+        names(&args.inputs),
         rest.len(),
         refined.styles.len(),
         tests.len(),
         walk_model::write(&refined, strutdb::GENERATOR).len().div_ceil(1000)
     );
     held_out(&mut text, &[("adapted", &plain), ("refined", &refined)], &tests);
+    if !args.halves.is_empty() {
+        halves(&mut text, &args.halves, args.pattern.as_ref())?;
+    }
     let voices = Arc::new(WalkVoices::new(&refined));
-    linearity(&mut text, &refined, &voices).map_err(Failure::new)?;
+    let plain_voices = Arc::new(WalkVoices::new(&plain));
+    linearity(&mut text, [(&plain, &plain_voices), (&refined, &voices)]).map_err(Failure::new)?;
+    intensity(&mut text, &refined, &voices).map_err(Failure::new)?;
     transitions(&mut text, &refined, &voices).map_err(Failure::new)?;
+    horizon(&mut text, &refined, &voices).map_err(Failure::new)?;
     let _ = writeln!(text, "## Cost\n\n{:.1} µs a frame, natively, with root and joint limits.", cost_us(&voices));
 
     match &args.output {
@@ -129,30 +144,131 @@ fn pairs(model: &WalkModel) -> impl Iterator<Item = (usize, usize)> {
     (0..styles).flat_map(move |a| (a + 1..styles).map(move |b| (a, b)))
 }
 
-/// How straight the way between two styles is.
-fn linearity(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
-    let mut deviations: Vec<(&str, Vec<f64>)> = Vec::new();
+/// How well the first half of every take says its second half: what one performance holds.
+fn halves(text: &mut String, inputs: &[PathBuf], pattern: Option<&Pattern>) -> Outcome {
+    let mut refused = Vec::new();
+    let (body, walks) = read_walks(inputs, pattern, None, &mut refused)?;
+    let halves: Vec<(String, [Track; 2])> =
+        walks.into_iter().map(|w| (format!("{} {}", w.style, w.take), w.track.halves())).collect();
+    // A style per take, of those whose first half has steps of both feet.
+    let has_both = |track: &Track| {
+        let steps = steps_of(track);
+        [Side::Left, Side::Right].iter().all(|side| steps.iter().any(|step| step.side == *side))
+    };
+    let usable: Vec<_> = halves.iter().filter(|(_, [first, _])| has_both(first)).collect();
+    let clips: Vec<Training> = usable.iter().map(|(style, [first, _])| Training { style, track: first }).collect();
+    let _ = writeln!(
+        text,
+        "## Half a take\n\nThe first half of each of {} takes of {} trains a style of its own, and is to say the second.\n\n\
+         | means | rotations | positions | amplitude | step length |\n| --- | ---: | ---: | ---: | ---: |",
+        clips.len(),
+        names(inputs)
+    );
+    for (name, refined) in [("adapted", false), ("refined", true)] {
+        let model = train(&body, &clips, Options { refined }, &ThreadPool).map_err(Failure::new)?;
+        let mut all = Reconstruction::default();
+        for (style, [_, second]) in &usable {
+            if let Some(style) = model.styles.iter().position(|s| s == style) {
+                all.add(&model, style, second);
+            }
+        }
+        let _ = writeln!(
+            text,
+            "| {name} | {:.2}° | {:.2} cm | {:.3} | {:.3} |",
+            all.degrees(),
+            all.centimetres(),
+            all.amplitude(),
+            all.step_length()
+        );
+    }
+    text.push('\n');
+    Ok(())
+}
+
+/// How straight the way between two styles is, by the adapted means and by the refined ones.
+fn linearity(text: &mut String, models: [(&WalkModel, &Arc<WalkVoices>); 2]) -> Result<(), WeightsError> {
+    let [adapted, refined] = models.map(|(model, voices)| deviations(model, voices));
+    text.push_str(
+        "## Interpolation\n\nGreatest deviation from the straight line between two styles, of eleven mixtures, ",
+    );
+    let _ = writeln!(
+        text,
+        "as a share of what lies between the two: median over all pairs, {STEPS} steps each.\n\n\
+         | | adapted | refined |\n| --- | ---: | ---: |"
+    );
+    for ((name, adapted), (_, refined)) in adapted?.into_iter().zip(refined?) {
+        let _ = writeln!(text, "| {name} | {:.1} % | {:.1} % |", 100.0 * adapted, 100.0 * refined);
+    }
+    text.push('\n');
+    Ok(())
+}
+
+/// Median deviations from the straight line between styles, by name.
+fn deviations(model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<Vec<(&'static str, f64)>, WeightsError> {
+    let mut all: Vec<(&str, Vec<f64>)> = Vec::new();
     for (a, b) in pairs(model) {
         let at = |k: f32| Manner::of(model, voices, &weights(model, &[(a, 1.0 - k), (b, k)]), STEPS);
         let manners = (0..=10).map(|i| at(i as f32 / 10.0)).collect::<Result<Vec<_>, _>>()?;
         let (first, last) = (manners[0].named(), manners[10].named());
         for (i, ((name, from), (_, to))) in first.into_iter().zip(last).enumerate() {
             let off = |(n, m): (usize, &Manner)| (m.named()[i].1 - from - (to - from) * n as f64 / 10.0).abs();
-            let worst = manners.iter().enumerate().map(off).fold(0.0, f64::max);
-            match deviations.get_mut(i) {
-                Some((_, all)) => all.push(worst / (to - from).abs().max(1e-9)),
-                None => deviations.push((name, vec![worst / (to - from).abs().max(1e-9)])),
+            let worst = manners.iter().enumerate().map(off).fold(0.0, f64::max) / (to - from).abs().max(1e-9);
+            match all.get_mut(i) {
+                Some((_, of_name)) => of_name.push(worst),
+                None => all.push((name, vec![worst])),
             }
         }
     }
-    text.push_str(
-        "## Interpolation\n\nGreatest deviation from the straight line between two styles, as a share of what lies ",
+    Ok(all.into_iter().map(|(name, of_name)| (name, median(of_name))).collect())
+}
+
+/// How styles bear being weakened, exaggerated and negated.
+fn intensity(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
+    let styles = model.styles.len();
+    let _ = writeln!(
+        text,
+        "## Intensity\n\nOf {styles} styles those that fail at an intensity against the average: over 1 % of the joints' \
+         angles more than 10° outside what was recorded, a knee bent the wrong way by over 8°, or the wrong foot bearing the \
+         body for over 15 % of the time. *Limited* is with the joints' soft limits, *free* without them and without that of \
+         the states' durations, of which one below half a frame is a failure too.\n"
     );
-    let _ =
-        writeln!(text, "between them, of eleven mixtures: median over all pairs.\n\n| | deviation |\n| --- | ---: |");
-    for (name, mut all) in deviations {
-        all.sort_by(f64::total_cmp);
-        let _ = writeln!(text, "| {name} | {:.1} % |", 100.0 * all[all.len() / 2]);
+    let row = |first: &str, cells: [String; INTENSITIES.len()]| format!("| {first} | {} |\n", cells.join(" | "));
+    text.push_str(&row("", INTENSITIES.map(|at| at.to_string())));
+    text.push_str(&row("---", INTENSITIES.map(|_| "---:".into())));
+    for (name, limits) in [("free", false), ("limited", true)] {
+        let all = INTENSITIES
+            .iter()
+            .map(|at| (0..styles).map(|s| bearing(model, voices, s, *at, limits)).collect::<Result<Vec<_>, _>>())
+            .collect::<Result<Vec<_>, _>>()?;
+        let each = |f: fn(&[Bearing]) -> String| std::array::from_fn(|i| f(&all[i]));
+        text.push_str(&row(&format!("fail, {name}"), each(|b| b.iter().filter(|b| b.fails).count().to_string())));
+        let worst = |b: &[Bearing]| format!("{:.0}°", b.iter().map(|b| b.knee).fold(f64::INFINITY, f64::min));
+        text.push_str(&row(&format!("worst knee, {name}"), each(worst)));
+    }
+    let _ = writeln!(
+        text,
+        "\nFrom {} to {} in steps of {MONOTONE_STEP}, increments that go the way that the whole goes, and styles of which all do:\n\n\
+         | | increments | styles |\n| --- | ---: | ---: |",
+        f32::from(*MONOTONE.start()) * MONOTONE_STEP,
+        f32::from(*MONOTONE.end()) * MONOTONE_STEP
+    );
+    let ways = (0..styles)
+        .map(|style| {
+            let at =
+                |i: i16| Manner::of(model, voices, &weights(model, &[(style, f32::from(i) * MONOTONE_STEP)]), STEPS);
+            MONOTONE.map(at).collect::<Result<Vec<_>, _>>()
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    for (i, (name, _)) in ways[0][0].named().into_iter().enumerate() {
+        let (mut same, mut of, mut whole) = (0, 0, 0);
+        for way in &ways {
+            let values: Vec<f64> = way.iter().map(|m| m.named()[i].1).collect();
+            let up = values[values.len() - 1] > values[0];
+            let right = values.windows(2).filter(|w| w[0] == w[1] || (w[1] > w[0]) == up).count();
+            (same, of, whole) = (same + right, of + values.len() - 1, whole + usize::from(right + 1 == values.len()));
+        }
+        let _ =
+            writeln!(text, "| {name} | {:.1} % | {whole} of {styles} |", 100.0 * f64::from(same as u32) / of as f64);
     }
     text.push('\n');
     Ok(())
@@ -160,21 +276,50 @@ fn linearity(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> 
 
 /// How hard changes of style are.
 fn transitions(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
-    text.push_str(
-        "## Transitions\n\nGreatest acceleration of any joint's degree of freedom while one style gives way to ",
-    );
-    text.push_str("another, as a share of the greatest of steady walking: all pairs.\n\n");
-    text.push_str("| steps in between | median | worst |\n| ---: | ---: | ---: |\n");
+    text.push_str("## Transitions\n\nGreatest acceleration while one style gives way to another, as a share of the ");
+    text.push_str("greatest of steady walking in either: of the degree of freedom where that is largest, and of all ");
+    text.push_str("together. All pairs.\n\n");
+    text.push_str("| steps in between | largest, median | worst | together, median | worst |\n");
+    text.push_str("| ---: | ---: | ---: | ---: | ---: |\n");
     for between in BETWEEN {
         let peak = |(a, b)| {
             transition_peak(model, voices, [&weights(model, &[(a, 1.0)]), &weights(model, &[(b, 1.0)])], between)
         };
-        let mut peaks = pairs(model).map(peak).collect::<Result<Vec<_>, _>>()?;
-        peaks.sort_by(f64::total_cmp);
-        let _ = writeln!(text, "| {between} | {:.2} | {:.2} |", peaks[peaks.len() / 2], peaks[peaks.len() - 1]);
+        let peaks = pairs(model).map(peak).collect::<Result<Vec<_>, _>>()?;
+        let _ = write!(text, "| {between} |");
+        for i in 0..2 {
+            let of: Vec<f64> = peaks.iter().map(|p| p[i]).collect();
+            let worst = of.iter().copied().fold(0.0, f64::max);
+            let _ = write!(text, " {:.2} | {worst:.2} |", median(of));
+        }
+        text.push('\n');
     }
     text.push('\n');
     Ok(())
+}
+
+/// What looking ahead no farther costs.
+fn horizon(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
+    let errors = (0..model.styles.len()).map(|s| horizon_error(model, voices, s)).collect::<Result<Vec<_>, _>>()?;
+    let mean = errors.iter().map(|e| e[0]).sum::<f64>() / errors.len() as f64;
+    let worst = errors.iter().map(|e| e[1]).fold(0.0, f64::max);
+    let _ = writeln!(
+        text,
+        "## Looking ahead\n\nAgainst the trajectory of the whole walk, joints that look {HORIZON} frames ahead are off by \
+         {mean:.3}° on average and {worst:.2}° at most.\n"
+    );
+    Ok(())
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// Names of files and folders, for a sentence.
+fn names(inputs: &[PathBuf]) -> String {
+    let names: Vec<String> = inputs.iter().filter_map(|p| p.file_name()).map(|n| n.display().to_string()).collect();
+    names.join(", ")
 }
 
 /// Microseconds of a frame.

@@ -71,6 +71,13 @@ impl Track {
         Ok(Self { poses, positions: worlds.into_iter().map(|world| world.positions).collect() })
     }
 
+    /// Its first half and its second.
+    pub fn halves(mut self) -> [Self; 2] {
+        let middle = self.poses.len() / 2;
+        let second = Self { poses: self.poses.split_off(middle), positions: self.positions.split_off(middle) };
+        [self, second]
+    }
+
     /// The poses as exponential maps about a reference.
     pub(super) fn rows(&self, reference: &[Quat; JOINTS]) -> Vec<Row> {
         self.poses.iter().map(|pose| row_of(reference, &pose.rotations)).collect()

@@ -67,7 +67,7 @@ impl RootPath {
     }
 
     /// The point that touches the ground, in the world; `None` before the first frame.
-    #[cfg(test)]
+    #[cfg(any(test, feature = "offline"))]
     pub(super) fn contact(&self) -> Option<(usize, usize, Vec3)> {
         self.last.map(|(foot, point, points)| (foot, point, points[foot][point] + self.root))
     }

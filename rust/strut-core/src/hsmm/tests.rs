@@ -176,7 +176,7 @@ fn a_transition_goes_through_its_steps() {
         let of: Vec<f32> = leans.iter().filter(|l| l.0 == number).map(|l| l.1).collect();
         of.iter().sum::<f32>() / of.len() as f32
     };
-    for (number, share) in [(step - 1, 0.0), (step, 0.25), (step + 1, 0.5), (step + 2, 0.75), (step + 4, 1.0)] {
+    for (number, share) in [(step - 1, 0.0), (step, 0.17), (step + 1, 0.5), (step + 2, 0.83), (step + 4, 1.0)] {
         let expected = NEUTRAL.lean + share * (BENT.lean - NEUTRAL.lean);
         assert!((mean(number) - expected).abs() < 0.06, "{number}: {} against {expected}", mean(number));
     }

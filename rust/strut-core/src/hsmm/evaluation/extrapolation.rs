@@ -1,0 +1,70 @@
+//! How styles bear being weakened, exaggerated and negated (specification, §10).
+
+use crate::hsmm::features::row_of;
+use crate::hsmm::model::{DIMS, WalkModel};
+use crate::hsmm::walker::{WalkVoices, Walker, WeightsError};
+use crate::humanoid::Role;
+use crate::math::{Vec3, exp_map};
+use std::sync::Arc;
+
+/// Steps that are watched.
+const STEPS: u64 = 8;
+/// A degree of freedom fails beyond the recorded range by more than this, radians, if more than a share of all does.
+const BEYOND: f64 = 10.0 * std::f64::consts::PI / 180.0;
+const MOST_BEYOND: f64 = 0.01;
+/// Least angle of a knee, degrees: below it is bent the wrong way.
+const LEAST_KNEE: f64 = -8.0;
+/// Shortest state, frames; walkers make it one frame, so that it counts only where limits do not.
+const SHORTEST: f64 = 0.5;
+/// Share of the frames in which the wrong foot may bear the body.
+const MOST_WRONG_FOOT: f64 = 0.15;
+
+/// How a style at an intensity is walked.
+#[derive(Clone, Copy, Debug)]
+pub struct Bearing {
+    /// Whether it is no walk of a body, by any of the specification's four signs.
+    pub fails: bool,
+    /// Least angle of a knee, degrees; negative is bent the wrong way.
+    pub knee: f64,
+}
+
+/// Walks a style at an intensity against the average, with the joints' limits or without.
+///
+/// # Errors
+/// See [`WeightsError`].
+pub fn bearing(
+    model: &WalkModel,
+    voices: &Arc<WalkVoices>,
+    style: usize,
+    intensity: f32,
+    limits: bool,
+) -> Result<Bearing, WeightsError> {
+    let mut weights = vec![0.0; voices.styles()];
+    weights[style] = intensity;
+    let mut walker = Walker::new(Arc::clone(voices));
+    walker.set_styles(&weights)?;
+    walker.set_limits(limits);
+    walker.reset(Vec3::ZERO, 0.0);
+    let (mut frames, mut beyond, mut wrong_foot, mut knee) = (0_usize, 0_usize, 0_usize, f64::INFINITY);
+    while walker.next_step() < STEPS {
+        let pose = *walker.advance();
+        let row = row_of(&model.reference, &pose.rotations);
+        frames += 1;
+        let outside = |d: &usize| row[*d] < model.range[0][*d] - BEYOND || row[*d] > model.range[1][*d] + BEYOND;
+        beyond += (0..DIMS).filter(outside).count();
+        for role in [Role::LeftLowerLeg, Role::RightLowerLeg] {
+            knee = knee.min(f64::from(exp_map::log(pose.rotations[role.index()]).x.to_degrees()));
+        }
+        let supporting = walker.step().1.other() as usize;
+        wrong_foot += usize::from(walker.contact().is_some_and(|(foot, ..)| foot != supporting));
+    }
+    let wanted: Vec<f64> = weights.iter().map(|w| f64::from(*w)).collect();
+    let durations = model.mix(&model.average(), &wanted).durations;
+    let shortest = durations.as_flattened().iter().copied().fold(f64::INFINITY, f64::min);
+    let share = |count: usize, of: usize| count as f64 / of as f64;
+    let fails = share(beyond, frames * DIMS) > MOST_BEYOND
+        || knee < LEAST_KNEE
+        || (!limits && shortest < SHORTEST)
+        || share(wrong_foot, frames) > MOST_WRONG_FOOT;
+    Ok(Bearing { fails, knee })
+}

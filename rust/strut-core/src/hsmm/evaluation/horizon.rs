@@ -1,0 +1,41 @@
+//! What looking ahead no farther than the horizon costs.
+
+use super::{rotations_of, shared_of};
+use crate::hsmm::model::WalkModel;
+use crate::hsmm::refinement::generate;
+use crate::hsmm::walker::{WalkVoices, Walker, WeightsError};
+use crate::humanoid::JOINTS;
+use crate::math::Vec3;
+use std::sync::Arc;
+
+/// Frames that are walked, and those at either end that are not compared: there the whole has no past or no future.
+const FRAMES: usize = 240;
+const ENDS: usize = 30;
+
+/// Angles between the joints of a walker and those of the trajectory of the whole walk, degrees: their mean and the greatest.
+///
+/// # Errors
+/// See [`WeightsError`].
+pub fn horizon_error(model: &WalkModel, voices: &Arc<WalkVoices>, style: usize) -> Result<[f64; 2], WeightsError> {
+    let mut weights = vec![0.0; voices.styles()];
+    weights[style] = 1.0;
+    let mut walker = Walker::new(Arc::clone(voices));
+    walker.set_styles(&weights)?;
+    walker.set_limits(false);
+    walker.reset(Vec3::ZERO, 0.0);
+    let (mut states, mut poses) = (Vec::new(), Vec::new());
+    for _ in 0..FRAMES {
+        let pose = *walker.advance();
+        states.push((walker.step().1 as usize, walker.state()));
+        poses.push(pose);
+    }
+    let rows = generate(&states, &model.means[style], &shared_of(model));
+    let angles: Vec<f64> = (ENDS..FRAMES - ENDS)
+        .flat_map(|t| {
+            let whole = rotations_of(model, &rows[t]);
+            let walked = poses[t].rotations;
+            (0..JOINTS).map(move |j| f64::from(whole[j].inv_mul(walked[j]).angle().to_degrees()))
+        })
+        .collect();
+    Ok([angles.iter().sum::<f64>() / angles.len() as f64, angles.iter().copied().fold(0.0, f64::max)])
+}

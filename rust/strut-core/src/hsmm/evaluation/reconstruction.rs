@@ -1,0 +1,101 @@
+//! Recorded walks beside the model's, and the styles that their steps are taken for.
+
+use super::{rotations_of, shared_of};
+use crate::hsmm::features::{Track, observations};
+use crate::hsmm::model::{DIMS, Row, WalkModel};
+use crate::hsmm::refinement::{chains, generate};
+use crate::hsmm::steps::{Step, steps_of};
+use crate::hsmm::training::{Sample, states_of};
+use crate::humanoid::{JOINTS, Pose, Role};
+use crate::kinematics::world_from_local;
+use crate::math::Vec3;
+
+/// Frames of recorded walks beside the model's, whose states last as long as is likeliest for the recording.
+#[derive(Clone, Debug, Default)]
+pub struct Reconstruction {
+    /// Frames compared.
+    pub frames: f64,
+    /// Mean angle between rotations of the joints, degrees, summed over frames.
+    degrees: f64,
+    /// Mean distance of the joints with the hips at the origin, centimetres, summed over frames.
+    centimetres: f64,
+    /// Standard deviations of the degrees of freedom, summed over these and weighed by frames: generated and recorded.
+    deviations: [f64; 2],
+    /// Distances of the ankles at the strikes, metres, summed over them: generated and recorded.
+    stretches: [f64; 2],
+}
+
+impl Reconstruction {
+    /// Adds a clip by a style of the model.
+    pub fn add(&mut self, model: &WalkModel, style: usize, track: &Track) {
+        let (shared, sample) = (shared_of(model), sample_of(model, style, track));
+        for chain in chains(&sample, &model.means[style], &shared) {
+            let generated = generate(&chain.states, &model.means[style], &shared);
+            let recorded = &sample.rows[chain.begin..][..generated.len()];
+            self.frames += generated.len() as f64;
+            let is_strike = |i: usize| chain.states.get(i + 1).is_none_or(|next| next.0 != chain.states[i].0);
+            for (i, (a, b)) in generated.iter().zip(recorded).enumerate() {
+                let [a, b] = [a, b].map(|row| rotations_of(model, row));
+                let angles = a.iter().zip(&b).map(|(a, b)| a.inv_mul(*b).angle().to_degrees());
+                self.degrees += f64::from(angles.sum::<f32>()) / JOINTS as f64;
+                let [a, b] = [a, b].map(|rotations| {
+                    world_from_local(&model.proportions, &Pose { root: Vec3::ZERO, rotations }).positions
+                });
+                if is_strike(i) {
+                    for (sum, positions) in self.stretches.iter_mut().zip([&a, &b]) {
+                        *sum += f64::from(
+                            (positions[Role::LeftFoot.index()] - positions[Role::RightFoot.index()]).length(),
+                        );
+                    }
+                }
+                let distances = a.iter().zip(&b).map(|(a, b)| 100.0 * (*a - *b).length());
+                self.centimetres += f64::from(distances.sum::<f32>()) / JOINTS as f64;
+            }
+            for (sum, rows) in self.deviations.iter_mut().zip([&generated[..], recorded]) {
+                *sum += rows.len() as f64 * (0..DIMS).map(|d| deviation(rows, d)).sum::<f64>();
+            }
+        }
+    }
+
+    /// Mean error of rotations, degrees.
+    pub fn degrees(&self) -> f64 {
+        self.degrees / self.frames
+    }
+
+    /// Mean error of positions, centimetres.
+    pub fn centimetres(&self) -> f64 {
+        self.centimetres / self.frames
+    }
+
+    /// How far apart the feet are when one strikes, as a share of how far recorded ones are.
+    pub fn step_length(&self) -> f64 {
+        self.stretches[0] / self.stretches[1]
+    }
+
+    /// How much generated joints move, as a share of how much recorded ones do.
+    pub fn amplitude(&self) -> f64 {
+        self.deviations[0] / self.deviations[1]
+    }
+}
+
+/// For every step of a clip the style that it is likeliest by; steps that no style can be compared with are left out.
+pub fn recognise(model: &WalkModel, track: &Track) -> Vec<usize> {
+    let (shared, sample) = (shared_of(model), sample_of(model, 0, track));
+    let styles: Vec<_> = model.means.iter().map(|means| states_of(means, &shared)).collect();
+    let of_step = |step: &Step| {
+        let observations = &sample.observations[step.frames.clone()];
+        let likelihood = |style: usize| Some((styles[style][step.side as usize].align(observations)?.1, style));
+        (0..styles.len()).filter_map(likelihood).max_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
+    };
+    sample.steps.iter().filter_map(of_step).collect()
+}
+
+fn sample_of(model: &WalkModel, style: usize, track: &Track) -> Sample {
+    let rows = track.rows(&model.reference);
+    Sample { style, observations: observations(&rows), rows, steps: steps_of(track) }
+}
+
+fn deviation(rows: &[Row], d: usize) -> f64 {
+    let mean = rows.iter().map(|row| row[d]).sum::<f64>() / rows.len() as f64;
+    (rows.iter().map(|row| (row[d] - mean) * (row[d] - mean)).sum::<f64>() / rows.len() as f64).sqrt()
+}
