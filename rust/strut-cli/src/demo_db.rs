@@ -16,7 +16,7 @@ pub(crate) struct Args {
     /// Also write the clips as BVH files named {action}_{style}_{take}.bvh into this folder
     #[arg(long, value_name = "DIR")]
     bvh: Option<PathBuf>,
-    /// The smaller set at 60 Hz that the page loads: walking and running
+    /// The smaller set at 60 Hz that the page loads: every action, but fewer takes and no transitions
     #[arg(long)]
     page: bool,
     /// Write how the motions measure up as Markdown into this file

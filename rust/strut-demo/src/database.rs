@@ -1,7 +1,10 @@
 //! The page's database and its inputs.
 
+use crate::drill::{Drill, perform_drill, script_secs};
+use crate::drills::PAGE_DRILLS;
+use crate::interlude::perform_interlude;
 use crate::perform::{Performance, perform, perform_excursion};
-use crate::script::{INPUT_EXCURSION, INPUT_TAKES, RUN_TAKES, Script, WALK_TAKES};
+use crate::script::{INPUT_EXCURSION, INPUT_TAKES, INTERLUDES, RUN_TAKES, Script, WALK_TAKES};
 use crate::style::Style;
 use crate::styles::STYLES;
 use std::ops::ControlFlow;
@@ -26,14 +29,21 @@ pub struct NamedMotion {
 /// Every take of the page's database in every style, with its exact correspondence: as input of
 /// [`build::build`], or to be written to files.
 pub fn clips() -> Vec<SourceClip> {
-    let takes = || (1..).zip(&WALK_TAKES).chain((1..).zip(&RUN_TAKES));
-    STYLES.iter().flat_map(|style| takes().map(move |(take, script)| gait_clip(style, take, script))).collect()
+    let gaits = || (1..).zip(&WALK_TAKES).chain((1..).zip(&RUN_TAKES));
+    let gaits = STYLES.iter().flat_map(|style| gaits().map(move |(take, script)| gait_clip(style, take, script)));
+    gaits.chain(STYLES.iter().flat_map(|style| PAGE_DRILLS.iter().map(move |drill| drill_clip(style, drill)))).collect()
 }
 
 /// A script performed in a style.
 fn gait_clip(style: &Style, take: u32, script: &Script) -> SourceClip {
     let performance = perform(script, style, &Proportions::default(), RATE_HZ);
     source_clip([script.action.name(), script.name, style.name], take, performance, neutral_secs(script))
+}
+
+/// A drill performed in a style.
+fn drill_clip(style: &Style, drill: &Drill) -> SourceClip {
+    let performance = perform_drill(drill, style, &Proportions::default(), RATE_HZ);
+    source_clip([drill.action, drill.name, style.name], 1, performance, script_secs(drill))
 }
 
 /// The time that all styles share at a phase of a script: seconds of the neutral style at its preferred speed, which
@@ -85,7 +95,8 @@ pub(crate) fn build(clips: &[SourceClip], rate_hz: f32) -> Result<Database, Buil
 /// What the page offers as input: neutral motions of other scripts than the database's, so that nothing is
 /// transferred by finding itself. Each can be repeated: after its last frame comes its first one's pose.
 pub fn input_clips() -> Vec<NamedMotion> {
-    let names = INPUT_TAKES.iter().chain([&INPUT_EXCURSION.script]).map(|script| script.name);
+    let interludes = INTERLUDES.iter().map(|interlude| &interlude.gait.script);
+    let names = INPUT_TAKES.iter().chain([&INPUT_EXCURSION.script]).chain(interludes).map(|script| script.name);
     names.filter_map(|name| Some(NamedMotion { name, motion: perform_input(name, &STYLES[0])?.motion })).collect()
 }
 
@@ -94,6 +105,9 @@ fn perform_input(name: &str, style: &Style) -> Option<Performance> {
     let body = Proportions::default();
     if name == INPUT_EXCURSION.script.name {
         return Some(perform_excursion(&INPUT_EXCURSION, style, &body, RATE_HZ));
+    }
+    if let Some(interlude) = INTERLUDES.iter().find(|i| i.gait.script.name == name) {
+        return Some(perform_interlude(interlude, style, &body, RATE_HZ));
     }
     let script = INPUT_TAKES.iter().find(|script| script.name == name)?;
     Some(perform(script, style, &body, RATE_HZ))

@@ -282,3 +282,20 @@ pub const KICKS: Drill = Drill {
     ],
     seed: 51,
 };
+
+/// So many of the first moves of a drill.
+const fn first(moves: usize, drill: Drill) -> Drill {
+    Drill { moves: drill.moves.split_at(moves).0, ..drill }
+}
+
+/// What the page's database has of the drills: a room of 1.5 MB does not hold all.
+pub(crate) const PAGE_DRILLS: [Drill; 3] = [first(3, JUMPS), first(4, PUNCHES), first(3, KICKS)];
+
+/// Jumps, punches and kicks of the page's inputs: other moves than the database's.
+pub(crate) const INPUT_JUMP: Drill = Drill { moves: &[jump(0.95, 0.3)], seed: 131, ..JUMPS };
+/// See `INPUT_JUMP`.
+pub(crate) const INPUT_PUNCHES: Drill =
+    Drill { moves: &[punch(jab_keys, 0.95), punch(cross_keys, 1.05), punch(jab_keys, 1.0)], seed: 141, ..PUNCHES };
+/// See `INPUT_JUMP`.
+pub(crate) const INPUT_KICKS: Drill =
+    Drill { moves: &[kick(Side::Right, 0.95), kick(Side::Left, 1.0)], seed: 151, ..KICKS };

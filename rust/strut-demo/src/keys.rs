@@ -242,7 +242,7 @@ fn passing_speeds(a: &Instant, b: &Instant, c: &Instant) -> [f32; CHANNELS] {
 }
 
 /// The quintic from value, speed and acceleration to another three; `t` in [0, 1].
-fn quintic(from: [f32; 3], to: [f32; 3], t: f32) -> f32 {
+pub(crate) fn quintic(from: [f32; 3], to: [f32; 3], t: f32) -> f32 {
     let (t2, t3) = (t * t, t * t * t);
     let (t4, t5) = (t2 * t2, t2 * t3);
     from[0]

@@ -16,6 +16,7 @@ mod drills;
 mod feet;
 pub mod forms;
 mod full;
+mod interlude;
 mod jet;
 mod keys;
 pub mod measure;
@@ -35,8 +36,9 @@ pub use database::{Counterpart, NamedMotion, RATE_HZ, clips, counterpart, databa
 pub use drill::{Drill, Move, keys_of, perform_drill};
 pub use drills::{JUMPS, KICKS, PUNCHES};
 pub use full::{FULL_RATE_HZ, PlannedClip, TABLE_1, full_clips, full_database};
+pub use interlude::{Interlude, perform_interlude};
 pub use normative::{Band, WALKING_BANDS};
 pub use perform::{Excursion, Performance, Transition, perform, perform_excursion, perform_transition};
-pub use script::{INPUT_TAKES, Passage, RUN_TAKES, Script, TRANSITIONS, WALK_TAKES};
+pub use script::{INPUT_TAKES, INTERLUDES, Passage, RUN_TAKES, Script, TRANSITIONS, WALK_TAKES};
 pub use style::Style;
 pub use styles::STYLES;

@@ -1,6 +1,8 @@
 //! What a take performs, the same in every style: so many strides at a speed, turning so much.
 
 use crate::action::Action;
+use crate::drills::{INPUT_JUMP, INPUT_KICKS, INPUT_PUNCHES};
+use crate::interlude::Interlude;
 use crate::perform::{Excursion, Transition};
 use crate::periodic::smooth_step;
 use strut_core::math::float_funcs::wrap_angle;
@@ -196,6 +198,43 @@ pub(crate) const INPUT_EXCURSION: Excursion = Excursion {
     over: [3.0, 4.5],
     back: [9.0, 10.5],
 };
+
+/// Inputs that halt for jumps, punches and kicks.
+pub const INTERLUDES: [Interlude; 2] = [
+    Interlude {
+        gait: Excursion {
+            script: Script {
+                name: "neutral run, walk, jump and walk",
+                action: Action::Run,
+                passages: &[passage(6, 1.0, 0.0), passage(2, HALTING, 0.0), passage(5, 1.0, 0.0)],
+                seed: 106,
+            },
+            to: Action::Walk,
+            over: [2.5, 4.0],
+            back: [11.0, 12.5],
+        },
+        halt: 7,
+        drills: &[INPUT_JUMP],
+    },
+    Interlude {
+        gait: Excursion {
+            script: Script {
+                name: "neutral walk, punch, kick, jump and walk",
+                action: Action::Walk,
+                passages: &[passage(4, 1.0, 0.0), passage(2, HALTING, 0.0), passage(4, 1.0, 0.0)],
+                seed: 107,
+            },
+            to: Action::Walk,
+            over: [2.5, 4.0],
+            back: [7.0, 8.5],
+        },
+        halt: 5,
+        drills: &[INPUT_PUNCHES, INPUT_KICKS, INPUT_JUMP],
+    },
+];
+
+/// Speed, as a multiple of the preferred one, at which somebody comes to a halt.
+const HALTING: f32 = 0.45;
 
 #[cfg(test)]
 mod tests {
