@@ -137,4 +137,21 @@ describe("the model", () => {
     await page.getByRole("button", { name: "Reset the model" }).click();
     await eventually(reading).toBe("walk, neutral");
   });
+
+  it("tells what the input does while it walks, punches, kicks and jumps", async () => {
+    const input = "input=neutral%20walk%2C%20punch%2C%20kick%2C%20jump%20and%20walk";
+    const reading = () => page.locator(".reading").textContent();
+    for (const [frame, action] of [
+      [200, "walk"],
+      [425, "punch"],
+      [590, "kick"],
+      [830, "jump"],
+      [1100, "walk"],
+    ] as const) {
+      await visit(page, `play=0&frame=${frame}&styles=angry:1,old:0,sexy:0&${input}`);
+      await eventually(reading).toBe(`${action}, neutral`);
+      await settledPose(page);
+      await screenshot(page, `input-${action}-${frame}`);
+    }
+  });
 });
