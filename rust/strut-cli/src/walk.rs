@@ -6,13 +6,17 @@ use crate::weights::StyleWeights;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::Arc;
-use strut_core::hsmm::{MAX_TURN, RATE_HZ, WalkVoices, Walker};
+use strut_core::hsmm::{MAX_TURN, RATE_HZ, STRIDE, WalkVoices, Walker};
 use strut_core::humanoid::HumanoidMotion;
+use strut_core::math::Vec3;
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::walk_model;
 
 /// Most steps of a walk: over three hours.
 const MAX_STEPS: u64 = 20_000;
+
+/// Steps of a walk that stops: two in which it does and one of standing.
+const STOPPING_STEPS: u64 = 3;
 
 /// Walk in a style or a mixture of styles
 ///
@@ -35,6 +39,12 @@ pub(crate) struct Args {
     /// Steps a minute [default: the style's own]
     #[arg(long, value_name = "N")]
     cadence: Option<f32>,
+    /// Length of steps as a share of the style's, 0.6 to 1.3
+    #[arg(long, value_name = "SHARE", default_value_t = 1.0)]
+    stride: f32,
+    /// Stop at the end, within two more steps, and stand
+    #[arg(long)]
+    stop: bool,
     /// Turn of every step, degrees to the left; at most 10 either way
     #[arg(long, value_name = "DEGREES", default_value_t = 0.0, allow_hyphen_values = true)]
     turn: f32,
@@ -76,6 +86,13 @@ pub(crate) fn run(args: &Args) -> Outcome {
             args.turn
         )));
     }
+    let [shortest, longest] = STRIDE;
+    if !(shortest..=longest).contains(&args.stride) {
+        return Err(Failure::usage(format_args!(
+            "the stride is {}; {shortest} to {longest} of the style's was expected",
+            args.stride
+        )));
+    }
     if let Some(cadence) = args.cadence.filter(|c| !(*c > 0.0 && c.is_finite())) {
         return Err(Failure::usage(format_args!("the cadence is {cadence}; a positive number was expected")));
     }
@@ -89,11 +106,21 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     walker.set_cadence(args.cadence);
     walker.set_turn(args.turn.to_radians());
+    walker.set_stride(args.stride);
     walker.set_limits(args.limits == "on");
+    // The walk does not begin with what was before these were set.
+    walker.reset(Vec3::ZERO, 0.0);
 
     let mut poses = Vec::new();
-    while walker.next_step() < args.steps {
-        poses.push(*walker.advance());
+    let mut walk = |walker: &mut Walker, until: u64| {
+        while walker.next_step() < until {
+            poses.push(*walker.advance());
+        }
+    };
+    walk(&mut walker, args.steps);
+    if args.stop {
+        walker.set_walking(false);
+        walk(&mut walker, args.steps + STOPPING_STEPS);
     }
     let motion = HumanoidMotion { proportions: model.proportions, rate_hz: RATE_HZ, poses };
     let bvh = Bvh::from_humanoid(&motion).map_err(Failure::new)?;

@@ -4,9 +4,12 @@ mod common;
 
 use common::mocap_folder;
 use std::path::Path;
+use std::sync::Arc;
 use strut_core::hsmm::evaluation::{Reconstruction, recognise};
-use strut_core::hsmm::{Options, Track, Training, train};
-use strut_core::humanoid::Proportions;
+use strut_core::hsmm::{Options, Track, Training, WalkVoices, Walker, train};
+use strut_core::humanoid::{Proportions, Role};
+use strut_core::kinematics::world_from_local;
+use strut_core::math::Vec3;
 use strut_core::parallel::Sequential;
 use strut_core::retarget::to_humanoid;
 use strut_formats::corpus::Clip;
@@ -53,5 +56,46 @@ fn held_out_walks_are_reconstructed_and_recognised() {
             assert!((found / expected - 1.0).abs() < 0.05, "{found} against {expected}");
         }
         assert!(refined || right as f64 >= 0.95 * count as f64);
+    }
+}
+
+#[test]
+fn strides_are_as_long_as_asked_for_and_who_stops_stands_on_both_feet() {
+    let Some(mocap) = mocap_folder() else { return };
+    let (body, walks) = walks(&mocap);
+    let training: Vec<Training> =
+        walks.iter().map(|(style, _, track)| Training { style: STYLES[*style], track }).collect();
+    let model = train(&body, &training, Options { refined: false }, &Sequential).unwrap();
+    let voices = Arc::new(WalkVoices::new(&model));
+    for (style, name) in STYLES.iter().enumerate() {
+        let walker = || {
+            let mut walker = Walker::new(Arc::clone(&voices));
+            let weights: Vec<f32> = (0..STYLES.len()).map(|s| if s == style { 1.0 } else { 0.0 }).collect();
+            walker.set_styles(&weights).unwrap();
+            walker.reset(Vec3::ZERO, 0.0);
+            walker
+        };
+        let way = |share: f32| {
+            let mut walker = walker();
+            walker.set_stride(share);
+            (0..600).for_each(|_| _ = walker.advance());
+            walker.pose().root.z
+        };
+        for share in [0.75, 1.2] {
+            let found = way(share) / way(1.0);
+            assert!((found / share - 1.0).abs() < 0.15, "{name}: {found} for {share}");
+        }
+
+        let mut walker = walker();
+        (0..100).for_each(|_| _ = walker.advance());
+        walker.set_walking(false);
+        (0..90).for_each(|_| _ = walker.advance());
+        let world = world_from_local(&body, walker.pose());
+        let [left, right] = [Role::LeftFoot, Role::RightFoot].map(|foot| world.positions[foot.index()]);
+        let centre = world.positions.iter().map(|p| p.z).sum::<f32>() / world.positions.len() as f32;
+        assert!((left.y - right.y).abs() < 0.04, "{name}: {left} {right}");
+        for foot in [left, right] {
+            assert!((centre - foot.z).abs() < 0.12, "{name}: {foot} below {centre}");
+        }
     }
 }

@@ -25,7 +25,7 @@ pub use features::{Track, TrackError};
 pub use model::{DIMS, Observation, PerState, Row, SIDES, STATES, Side, StyleMeans, WalkModel, numbers};
 pub use steps::{Step, steps_of};
 pub use training::{Options, TrainError, Training, train};
-pub use walker::{HORIZON, MAX_TURN, MAX_WEIGHT, STEP_FRAMES, WalkVoices, Walker, WeightsError};
+pub use walker::{HORIZON, MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WalkVoices, Walker, WeightsError};
 
 /// Frames per second of every walk that is modelled (specification, §2).
 pub const RATE_HZ: f32 = 30.0;

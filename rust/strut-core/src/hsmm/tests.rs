@@ -183,6 +183,38 @@ fn a_transition_goes_through_its_steps() {
 }
 
 #[test]
+fn who_stops_stands_still_and_can_go_again() {
+    let mut walker = walker(&[1.0, 0.0]);
+    (0..100).for_each(|_| _ = walker.advance());
+    walker.set_walking(false);
+    (0..90).for_each(|_| _ = walker.advance());
+    let stands = *walker.advance();
+    for _ in 0..60 {
+        let pose = walker.advance();
+        assert!((pose.root - stands.root).length() < 1e-3 && angles(&pose.rotations, &stands.rotations).1 < 0.1);
+    }
+    walker.set_walking(true);
+    let begin = walker.pose().root.z;
+    (0..60).for_each(|_| _ = walker.advance());
+    let mut other = super::tests::walker(&[1.0, 0.0]);
+    (0..60).for_each(|_| _ = other.advance());
+    // The first of its two seconds is the beginning.
+    let share = (walker.pose().root.z - begin) / other.pose().root.z;
+    assert!((0.5..0.9).contains(&share), "{share}");
+}
+
+#[test]
+fn strides_are_longer_where_that_is_asked_for() {
+    let ways = [0.6, 0.75, 1.0, 1.2].map(|share| {
+        let mut walker = walker(&[1.0, 0.0]);
+        walker.set_stride(share);
+        (0..300).for_each(|_| _ = walker.advance());
+        walker.pose().root.z
+    });
+    assert!(ways.is_sorted() && ways[0] < 0.85 * ways[2], "{ways:?}");
+}
+
+#[test]
 fn weights_that_are_none_change_nothing() {
     let mut walker = walker(&[1.0, 0.0]);
     assert_eq!(walker.set_styles(&[1.0]), Err(WeightsError::Count { found: 1, styles: 2 }));
@@ -194,6 +226,7 @@ fn weights_that_are_none_change_nothing() {
 #[test]
 fn nothing_is_allocated_while_walking() {
     let mut walker = walker(&[0.3, 0.4]);
+    walker.set_stride(0.9);
     let counted = allocation_counter::measure(|| (0..400).for_each(|_| _ = walker.advance()));
     assert_eq!(counted.count_total, 0);
 }

@@ -3,9 +3,10 @@
 use super::RATE_HZ;
 use super::joint_range::limited;
 use super::mlpg::{Banded, Term};
-use super::model::{DIMS, Observation, Part, SIDES, STATES, Side, StyleMeans, WalkModel};
+use super::model::{DIMS, Observation, Part, Row, SIDES, STATES, Side, StyleMeans, WalkModel};
 use super::root::RootPath;
-use crate::humanoid::{JOINTS, Pose, Proportions};
+use crate::humanoid::{JOINTS, Pose, Proportions, Role};
+use crate::kinematics::world_from_local;
 use crate::math::lanes::{Lane, WIDTH};
 use crate::math::{Quat, Vec3, exp_map};
 use std::sync::Arc;
@@ -21,6 +22,12 @@ const STATE_FRAMES: [f32; 2] = [1.0, 14.0];
 pub const MAX_TURN: f32 = 0.18;
 /// Slowest and fastest steps that can be asked for, frames.
 pub const STEP_FRAMES: [f32; 2] = [8.0, 45.0];
+/// Shortest and longest steps that can be asked for, as shares of the style's.
+pub const STRIDE: [f32; 2] = [0.6, 1.3];
+/// Steps that starting and stopping take.
+const STARTING_STEPS: f32 = 2.0;
+/// How far behind the middle of the joints the ankles are of people who stand, metres.
+const ANKLE_BEHIND: f32 = 0.03;
 /// Greatest weight of a style, either way.
 pub const MAX_WEIGHT: f32 = 5.0;
 
@@ -51,14 +58,66 @@ pub enum WeightsError {
 struct Voice {
     means: [[StateMeans; STATES]; SIDES],
     durations: [[f32; STATES]; SIDES],
+    /// The pose that walking swings about, and stops in: either leg as it is below the body, and all else in between.
+    standing: Padded,
 }
 
 impl Voice {
-    fn new(means: &StyleMeans) -> Self {
+    fn new(model: &WalkModel, means: &StyleMeans) -> Self {
+        let below: [Row; SIDES] = std::array::from_fn(|leg| below_the_body(model, means, leg));
+        let standing = |d: usize| match LEGS.iter().position(|leg| leg.contains(&(d / 3))) {
+            Some(leg) => below[leg][d],
+            None => 0.5 * (below[0][d] + below[1][d]),
+        };
         Self {
             means: means.means.each_ref().map(|side| side.each_ref().map(padded)),
             durations: means.durations.map(|side| side.map(|d| d as f32)),
+            standing: std::array::from_fn(|d| if d < DIMS { standing(d) as f32 } else { 0.0 }),
         }
+    }
+}
+
+/// The pose of a step in which the supporting leg has the body above it.
+fn below_the_body(model: &WalkModel, means: &StyleMeans, leg: usize) -> Row {
+    let states = means.means[1 - leg].each_ref().map(|state| &state[0]);
+    let foot = [Role::LeftFoot, Role::RightFoot][leg].index();
+    // How far the ankle is before where it would be in standing, in the pose of each state.
+    let ahead = states.map(|row| {
+        let rotations = std::array::from_fn(|j| {
+            let of = |d: usize| row[3 * j + d] as f32;
+            model.reference[j] * exp_map::exp(Vec3::new(of(0), of(1), of(2)))
+        });
+        let world = world_from_local(&model.proportions, &Pose { root: Vec3::ZERO, rotations });
+        let centre = world.positions.iter().map(|p| p.z).sum::<f32>() / JOINTS as f32;
+        f64::from(world.positions[foot].z - (centre - ANKLE_BEHIND))
+    });
+    let passes = (1..STATES).find(|&s| ahead[s - 1] > 0.0 && ahead[s] <= 0.0);
+    let nearest = (0..STATES).min_by(|a, b| ahead[*a].abs().total_cmp(&ahead[*b].abs())).unwrap_or(0);
+    let (before, after) = passes.map_or((nearest, nearest), |s| (s - 1, s));
+    let share = if before == after { 0.0 } else { ahead[before] / (ahead[before] - ahead[after]) };
+    std::array::from_fn(|d| states[before][d] + share * (states[after][d] - states[before][d]))
+}
+
+/// Joints of either leg.
+const LEGS: [std::ops::RangeInclusive<usize>; SIDES] =
+    [Role::LeftUpperLeg as usize..=Role::LeftToes as usize, Role::RightUpperLeg as usize..=Role::RightToes as usize];
+
+/// Walking that begins or ends.
+#[derive(Clone, Copy, Debug)]
+struct Start {
+    /// The step that it begins with.
+    first: u64,
+    /// How much of walking there was then, and will be: 0 is standing, 1 walking.
+    from: f32,
+    to: f32,
+}
+
+impl Start {
+    /// How much of walking there is in a state.
+    fn share(&self, step: u64, state: usize) -> f32 {
+        let Some(steps) = step.checked_sub(self.first) else { return self.from };
+        let share = (steps as f32 + (state as f32 + 0.5) / STATES as f32) / STARTING_STEPS;
+        self.from + share.min(1.0) * (self.to - self.from)
     }
 }
 
@@ -90,8 +149,8 @@ impl WalkVoices {
             inverse_variances: model.variances.each_ref().map(|side| side.each_ref().map(inverse)),
             duration_variances: model.duration_variances.map(|side| side.map(|v| v as f32)),
             range: low.iter().zip(high).map(|(l, h)| [*l as f32, *h as f32]).collect(),
-            average: Voice::new(&model.average()),
-            styles: model.means.iter().map(Voice::new).collect(),
+            average: Voice::new(model, &model.average()),
+            styles: model.means.iter().map(|means| Voice::new(model, means)).collect(),
         }
     }
 
@@ -154,6 +213,9 @@ pub struct Walker {
     step_frames: Option<f32>,
     /// Turn of a step, radians.
     turn: f32,
+    /// Length of steps as a share of the style's.
+    stride: f32,
+    start: Start,
     limits: bool,
 
     heading: f32,
@@ -182,6 +244,8 @@ impl Walker {
             transitions: Vec::new(),
             step_frames: None,
             turn: 0.0,
+            stride: 1.0,
+            start: Start { first: 0, from: 1.0, to: 1.0 },
             limits: true,
             heading: 0.0,
             frame: 0,
@@ -254,6 +318,24 @@ impl Walker {
         self.turn = if turn.is_finite() { turn.clamp(-MAX_TURN, MAX_TURN) } else { 0.0 };
     }
 
+    /// Length of steps as a share of the style's, about: the legs swing by as much more or less. The nearest of [`STRIDE`] is
+    /// taken.
+    pub fn set_stride(&mut self, share: f32) {
+        self.stride = if share.is_finite() { share.clamp(STRIDE[0], STRIDE[1]) } else { 1.0 };
+        self.is_planned = false;
+    }
+
+    /// Whether to walk or to stand, from the next frame on: either takes two steps, in which the swing of the joints about
+    /// how they stand grows or fades. No walks from rest or to it are recorded that it could be learnt from.
+    pub fn set_walking(&mut self, walks: bool) {
+        let Position { step, state, .. } = self.position;
+        let to = f32::from(u8::from(walks));
+        if to != self.start.to {
+            self.start = Start { first: step, from: self.start.share(step, state), to };
+            self.is_planned = false;
+        }
+    }
+
     /// Whether joints keep within the range of the recorded walks; they do unless told otherwise.
     pub fn set_limits(&mut self, limits: bool) {
         self.limits = limits;
@@ -296,7 +378,9 @@ impl Walker {
             *q = *q * exp_map::exp(Vec3::new(of(0), of(1), of(2)));
         }
         self.pose = Pose { root: Vec3::ZERO, rotations };
-        self.heading += self.turn / self.planned[slot_of(self.path[0].0)].durations.iter().sum::<f32>();
+        let (step, state) = self.path[0];
+        self.heading += self.start.share(step, state) * self.turn
+            / self.planned[slot_of(self.path[0].0)].durations.iter().sum::<f32>();
         self.root.place(&mut self.pose, side, self.heading);
         &self.pose
     }
@@ -387,7 +471,7 @@ impl Walker {
         step.number = number;
         (step.means, step.durations) = ([[[0.0; PADDED]; 3]; STATES], [0.0; STATES]);
         for state in 0..STATES {
-            let mut rest = 1.0;
+            let (mut rest, mut standing) = (1.0, [0.0; PADDED]);
             let mut add = |weight: f32, voice: &Voice| {
                 if weight == 0.0 {
                     return;
@@ -395,6 +479,7 @@ impl Walker {
                 let sums = step.means[state].as_flattened_mut().iter_mut();
                 sums.zip(voice.means[side][state].as_flattened()).for_each(|(sum, v)| *sum += weight * v);
                 step.durations[state] += weight * voice.durations[side][state];
+                standing.iter_mut().zip(voice.standing).for_each(|(sum, v)| *sum += weight * v);
             };
             for (style, voice) in voices.styles.iter().enumerate() {
                 let weight = weight(style, state);
@@ -402,6 +487,10 @@ impl Walker {
                 add(weight, voice);
             }
             add(rest, &voices.average);
+            let walking = self.start.share(number, state);
+            if walking < 1.0 || self.stride != 1.0 {
+                swing(&mut step.means[state], &standing, walking, self.stride);
+            }
         }
         let [least, greatest] = STATE_FRAMES;
         let variances = voices.duration_variances[side];
@@ -459,6 +548,17 @@ impl Walker {
         let (number, state) = self.path[0];
         let [_, velocity, acceleration] = self.planned[slot_of(number)].means[state];
         self.last = (side_of(number) as usize, state, [velocity, acceleration]);
+    }
+}
+
+/// Makes a state's joints swing less about how they stand, or more, the legs by another share than the rest.
+fn swing(means: &mut StateMeans, standing: &Padded, share: f32, legs: f32) {
+    for d in 0..DIMS {
+        let is_leg = LEGS.iter().any(|leg| leg.contains(&(d / 3)));
+        let share = if is_leg { share * legs } else { share };
+        means[0][d] = standing[d] + share * (means[0][d] - standing[d]);
+        means[1][d] *= share;
+        means[2][d] *= share;
     }
 }
 

@@ -10,7 +10,7 @@ pub use extrapolation::{Bearing, bearing};
 pub use horizon::horizon_error;
 pub use manner::Manner;
 pub use reconstruction::{Reconstruction, recognise};
-pub use transition::transition_peak;
+pub use transition::{stopping_peak, transition_peak};
 
 use super::model::{Row, WalkModel};
 use super::training::Shared;
