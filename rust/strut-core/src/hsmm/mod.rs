@@ -9,6 +9,7 @@
 
 mod adaptation;
 mod alignment;
+mod curve;
 #[cfg(feature = "offline")]
 pub mod evaluation;
 mod features;
@@ -20,12 +21,15 @@ mod root;
 mod steps;
 mod training;
 mod walker;
+mod walks;
 
+pub use curve::{CurvePoint, JointCurve};
 pub use features::{Track, TrackError};
 pub use model::{DIMS, Observation, PerState, Row, SIDES, STATES, Side, StyleMeans, WalkModel, numbers};
 pub use steps::{Step, steps_of};
-pub use training::{Options, TrainError, Training, train};
+pub use training::{Options, TrainError, TrainProgress, Trainer, Training, train};
 pub use walker::{HORIZON, MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WalkVoices, Walker, WeightsError};
+pub use walks::{WALK, walk_of, walks_among};
 
 /// Frames per second of every walk that is modelled (specification, §2).
 pub const RATE_HZ: f32 = 30.0;

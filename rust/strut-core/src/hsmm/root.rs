@@ -14,6 +14,10 @@ const TIP_SHARE: f32 = 0.35;
 const OTHER_FOOT: f32 = 0.02;
 const OTHER_POINT: f32 = 0.005;
 
+/// The other foot stands too while its lowest point is no higher than this above the ground, and moves no farther a frame, metres.
+const STANDING_HEIGHT: f32 = 0.025;
+const STANDING_WAY: f32 = 0.012;
+
 /// The path of a body that walks.
 #[derive(Clone, Debug)]
 pub(super) struct RootPath {
@@ -25,6 +29,8 @@ pub(super) struct RootPath {
     root: Vec3,
     /// Foot and point that touch the ground, and where both feet's points were for a root at the origin.
     last: Option<(usize, usize, FeetPoints)>,
+    /// Feet that stand.
+    planted: [bool; 2],
 }
 
 type FeetPoints = [[Vec3; POINTS]; 2];
@@ -33,7 +39,14 @@ impl RootPath {
     pub(super) fn new(proportions: &Proportions) -> Self {
         let tips =
             Soles::JOINTS.map(|[_, toes]| proportions.offsets[toes.index()] * Vec3::new(1.0, 0.0, 1.0) * TIP_SHARE);
-        Self { proportions: *proportions, soles: Soles::new(proportions), tips, root: Vec3::ZERO, last: None }
+        Self {
+            proportions: *proportions,
+            soles: Soles::new(proportions),
+            tips,
+            root: Vec3::ZERO,
+            last: None,
+            planted: [false; 2],
+        }
     }
 
     /// Begins anew above a point of the ground.
@@ -53,6 +66,7 @@ impl RootPath {
         let height = |foot: usize| points[foot][lowest(foot)].y;
         let foot = if height(other) < height(support) - OTHER_FOOT { other } else { support };
         let mut point = lowest(foot);
+        let root_before = self.root;
         if let Some((last_foot, last_point, before)) = self.last {
             // What touched the ground in the last frame is where it was; only then may another point take over.
             let moved = before[last_foot][last_point] - points[last_foot][last_point];
@@ -62,8 +76,19 @@ impl RootPath {
             }
         }
         self.root.y = -height(support).min(height(other));
+        let before = self.last.map_or(points, |(_, _, before)| before);
+        self.planted = std::array::from_fn(|side| {
+            let p = lowest(side);
+            let way = (points[side][p] + self.root - before[side][p] - root_before) * Vec3::new(1.0, 0.0, 1.0);
+            side == foot || (points[side][p].y + self.root.y < STANDING_HEIGHT && way.length() < STANDING_WAY)
+        });
         self.last = Some((foot, point, points));
         pose.root = self.root;
+    }
+
+    /// Feet that stand in the last pose, left and right.
+    pub(super) fn planted(&self) -> [bool; 2] {
+        self.planted
     }
 
     /// The point that touches the ground, in the world; `None` before the first frame.

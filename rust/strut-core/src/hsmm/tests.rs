@@ -77,6 +77,74 @@ fn clips_without_steps_are_refused_by_name() {
 }
 
 #[test]
+fn training_in_steps_gives_the_same_model() {
+    let tracks = [track(&NEUTRAL), track(&BENT)];
+    let clips: Vec<Training> =
+        ["upright", "bent"].iter().zip(&tracks).map(|(style, track)| Training { style, track }).collect();
+    let whole = train(&Proportions::default(), &clips, Options::default(), &Sequential).unwrap();
+    let mut trainer = Trainer::new(&Proportions::default(), &clips, Options::default(), &Sequential).unwrap();
+    let mut done = Vec::new();
+    while let Some(progress) = trainer.step(1, &Sequential) {
+        assert_eq!(progress.total, 5);
+        done.push(progress.done);
+    }
+    assert_eq!(done, [1, 2, 3, 4, 5]);
+    assert_eq!(trainer.finish(), whole);
+}
+
+#[test]
+fn drawn_durations_vary_about_the_means_and_come_again() {
+    let lengths = |seed: Option<u32>| {
+        let mut walker = walker(&[1.0, 0.0]);
+        walker.set_variation(seed);
+        let mut lengths = [0; 40];
+        (0..400).for_each(|_| {
+            walker.advance();
+            if let Some(length) = lengths.get_mut(walker.step().0 as usize) {
+                *length += 1;
+            }
+        });
+        lengths[1..20].to_vec()
+    };
+    let distinct = |lengths: &[i32]| lengths.iter().collect::<std::collections::BTreeSet<_>>().len();
+    assert_eq!(lengths(Some(3)), lengths(Some(3)));
+    assert_ne!(lengths(Some(3)), lengths(Some(4)));
+    assert!(distinct(&lengths(Some(3))) > distinct(&lengths(None)));
+    let mean = |lengths: &[i32]| lengths.iter().sum::<i32>() as f32 / lengths.len() as f32;
+    let ratio = mean(&lengths(Some(3))) / mean(&lengths(None));
+    assert!((0.95..1.05).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn feet_stand_in_turn_and_never_slide() {
+    let mut walker = walker(&[0.5, 0.5]);
+    let planted: Vec<[bool; 2]> = (0..300)
+        .map(|_| {
+            walker.advance();
+            walker.planted()
+        })
+        .collect();
+    assert!(planted.iter().all(|p| p[0] || p[1]), "somebody who walks always stands");
+    let landings = |side: usize| planted.windows(2).filter(|w| !w[0][side] && w[1][side]).count();
+    let steps = walker.step().0 as usize;
+    for side in 0..2 {
+        assert!(landings(side).abs_diff(steps / 2) <= 1, "{} landings in {steps} steps", landings(side));
+    }
+}
+
+#[test]
+fn a_joint_is_drawn_near_its_means() {
+    let voices = Arc::new(WalkVoices::new(&MODEL));
+    let curve = JointCurve::new(&MODEL, &voices, &[1.0, 0.0], crate::humanoid::Role::LeftLowerLeg).unwrap();
+    assert!((25..45).contains(&curve.points.len()), "{}", curve.points.len());
+    let outside = curve.points.iter().filter(|p| (p.angle - p.mean).abs() > 2.5 * p.deviation).count();
+    assert!(outside * 5 < curve.points.len(), "{outside} of {}", curve.points.len());
+    let [least, greatest] = [f32::min as fn(f32, f32) -> f32, f32::max]
+        .map(|extreme| curve.points.iter().map(|p| p.angle).reduce(extreme).unwrap());
+    assert!(greatest - least > 0.3, "a knee bends");
+}
+
+#[test]
 fn a_style_alone_is_itself_to_the_bit() {
     let average = MODEL.average();
     for style in 0..2 {

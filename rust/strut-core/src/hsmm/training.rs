@@ -6,8 +6,9 @@ use super::features::{Track, observations, reference};
 use super::model::{DIMS, Observation, PerState, Row, SIDES, STATES, StyleMeans, WalkModel, numbers, numbers_mut};
 use super::refinement::refine;
 use super::steps::{Step, steps_of};
-use crate::humanoid::Proportions;
-use crate::parallel::ParallelMap;
+use crate::humanoid::{JOINTS, Proportions};
+use crate::math::Quat;
+use crate::parallel::{ParallelMap, Sequential};
 use thiserror::Error;
 
 /// Rounds of alignment and estimation.
@@ -73,7 +74,7 @@ pub(super) struct Shared {
     pub(super) duration_variances: PerState<f64>,
 }
 
-/// A model of these clips, one style for every name, in the order of the names' first use.
+/// A model of these clips, one style for every name, in the order of the names' first use: [`Trainer`] without a pause.
 ///
 /// # Errors
 /// See [`TrainError`].
@@ -83,48 +84,128 @@ pub fn train(
     options: Options,
     executor: &impl ParallelMap,
 ) -> Result<WalkModel, TrainError> {
-    let mut styles: Vec<String> = Vec::new();
-    for clip in clips {
-        if styles.iter().all(|style| style != clip.style) {
-            styles.push(clip.style.to_owned());
+    let mut trainer = Trainer::new(proportions, clips, options, executor)?;
+    while trainer.step(usize::MAX, executor).is_some() {}
+    Ok(trainer.finish())
+}
+
+/// How far a [`Trainer`] has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TrainProgress {
+    /// Pieces of work that are done.
+    pub done: usize,
+    /// All pieces of work; a style makes two, all styles together one.
+    pub total: usize,
+}
+
+/// Training in steps: between two of them whoever runs it may do other things, or give it up. The model does not depend on
+/// how many styles a step takes.
+#[derive(Debug)]
+pub struct Trainer {
+    proportions: Proportions,
+    options: Options,
+    reference: [Quat; JOINTS],
+    styles: Vec<String>,
+    samples: Vec<Sample>,
+    floor: Observation,
+    /// The variances of every style that has been trained alone.
+    own: Vec<Shared>,
+    /// The means of all styles together, and what they share; once all have been trained alone.
+    pooled: Option<(StyleMeans, Shared)>,
+    /// The means of every style that is done.
+    means: Vec<StyleMeans>,
+}
+
+impl Trainer {
+    /// Training on these clips.
+    ///
+    /// # Errors
+    /// See [`TrainError`].
+    pub fn new(
+        proportions: &Proportions,
+        clips: &[Training<'_>],
+        options: Options,
+        executor: &impl ParallelMap,
+    ) -> Result<Self, TrainError> {
+        let mut styles: Vec<String> = Vec::new();
+        for clip in clips {
+            if styles.iter().all(|style| style != clip.style) {
+                styles.push(clip.style.to_owned());
+            }
         }
-    }
-    let tracks: Vec<&Track> = clips.iter().map(|clip| clip.track).collect();
-    let reference = reference(&tracks);
-    let samples: Vec<Sample> = executor.map(clips.len(), &|i| {
-        let rows = tracks[i].rows(&reference);
-        let style = styles.iter().position(|style| style == clips[i].style).unwrap_or_default();
-        Sample { style, observations: observations(&rows), rows, steps: steps_of(tracks[i]) }
-    });
-    let of_style = |style: usize| samples.iter().filter(move |s| s.style == style).collect::<Vec<_>>();
-    for (style, name) in styles.iter().enumerate() {
-        let sides = of_style(style).iter().flat_map(|s| &s.steps).fold([false; SIDES], |mut sides, step| {
-            sides[step.side as usize] = true;
-            sides
+        if styles.is_empty() {
+            return Err(TrainError::NoStep);
+        }
+        let tracks: Vec<&Track> = clips.iter().map(|clip| clip.track).collect();
+        let reference = reference(&tracks);
+        let samples: Vec<Sample> = executor.map(clips.len(), &|i| {
+            let rows = tracks[i].rows(&reference);
+            let style = styles.iter().position(|style| style == clips[i].style).unwrap_or_default();
+            Sample { style, observations: observations(&rows), rows, steps: steps_of(tracks[i]) }
         });
-        match sides {
-            [true, true] => {}
-            [false, false] if styles.len() == 1 => return Err(TrainError::NoStep),
-            [false, false] => return Err(TrainError::NoStepInStyle(name.clone())),
-            _ => return Err(TrainError::OneSided(name.clone())),
+        for (style, name) in styles.iter().enumerate() {
+            let of_style = samples.iter().filter(|s| s.style == style);
+            let sides = of_style.flat_map(|s| &s.steps).fold([false; SIDES], |mut sides, step| {
+                sides[step.side as usize] = true;
+                sides
+            });
+            match sides {
+                [true, true] => {}
+                [false, false] if styles.len() == 1 => return Err(TrainError::NoStep),
+                [false, false] => return Err(TrainError::NoStepInStyle(name.clone())),
+                _ => return Err(TrainError::OneSided(name.clone())),
+            }
         }
+        let floor = least_variances(&samples);
+        let (own, pooled, means) = (Vec::new(), None, Vec::new());
+        Ok(Self { proportions: *proportions, options, reference, styles, samples, floor, own, pooled, means })
     }
 
-    let floor = least_variances(&samples);
-    let own = executor.map(styles.len(), &|style| train_alone(&of_style(style), &floor));
-    let enough = |style: usize| of_style(style).iter().map(|s| s.steps.len()).sum::<usize>() >= ENOUGH_STEPS;
-    let any = (0..styles.len()).any(enough);
-    let shared = mean_variances(own.iter().enumerate().filter(|(style, _)| !any || enough(*style)).map(|(_, s)| s));
-    let (pooled, shared) = train_means(&samples.iter().collect::<Vec<_>>(), &shared);
-    let means = executor.map(styles.len(), &|style| {
-        let samples = of_style(style);
-        let adapted = adapt(&samples, &pooled, &shared);
-        if options.refined { refine(&samples, &adapted, &shared) } else { adapted }
-    });
+    /// Goes on by at most so many styles, and says how far it has come; `None` when nothing is left but to
+    /// [`finish`](Trainer::finish).
+    pub fn step(&mut self, styles: usize, executor: &impl ParallelMap) -> Option<TrainProgress> {
+        let count = self.styles.len();
+        if self.own.len() < count {
+            let first = self.own.len();
+            let own = executor.map(styles.min(count - first), &|i| train_alone(&self.of_style(first + i), &self.floor));
+            self.own.extend(own);
+        } else if let Some((pooled, shared)) = &self.pooled {
+            let first = self.means.len();
+            if first == count {
+                return None;
+            }
+            let means = executor.map(styles.min(count - first), &|i| {
+                let samples = self.of_style(first + i);
+                let adapted = adapt(&samples, pooled, shared);
+                if self.options.refined { refine(&samples, &adapted, shared) } else { adapted }
+            });
+            self.means.extend(means);
+        } else {
+            let enough =
+                |style: usize| self.of_style(style).iter().map(|s| s.steps.len()).sum::<usize>() >= ENOUGH_STEPS;
+            let any = (0..count).any(enough);
+            let own = self.own.iter().enumerate().filter(|(style, _)| !any || enough(*style)).map(|(_, s)| s);
+            let shared = mean_variances(own);
+            self.pooled = Some(train_means(&self.samples.iter().collect::<Vec<_>>(), &shared));
+        }
+        let done = self.own.len() + usize::from(self.pooled.is_some()) + self.means.len();
+        Some(TrainProgress { done, total: 2 * count + 1 })
+    }
 
-    let Shared { variances, duration_variances } = shared;
-    let range = range_of(&samples);
-    Ok(WalkModel { proportions: *proportions, reference, variances, duration_variances, range, styles, means })
+    /// The model. What was not trained yet is.
+    pub fn finish(mut self) -> WalkModel {
+        while self.step(usize::MAX, &Sequential).is_some() {}
+        let range = range_of(&self.samples);
+        let Self { proportions, reference, styles, means, .. } = self;
+        let shared = self.pooled.map_or_else(|| mean_variances(std::iter::empty()), |(_, shared)| shared);
+        let Shared { variances, duration_variances } = shared;
+        WalkModel { proportions, reference, variances, duration_variances, range, styles, means }
+    }
+
+    /// The samples of a style.
+    fn of_style(&self, style: usize) -> Vec<&Sample> {
+        self.samples.iter().filter(|s| s.style == style).collect()
+    }
 }
 
 /// Sums over the frames and durations of aligned steps.

@@ -30,6 +30,8 @@ const STARTING_STEPS: f32 = 2.0;
 const ANKLE_BEHIND: f32 = 0.03;
 /// Greatest weight of a style, either way.
 pub const MAX_WEIGHT: f32 = 5.0;
+/// Greatest deviation of drawn durations, as a share of the mean: the variances hold what styles differ by as well.
+const MOST_VARIATION: f32 = 0.15;
 
 const PADDED: usize = DIMS.next_multiple_of(WIDTH);
 const LANES: usize = PADDED / WIDTH;
@@ -209,6 +211,8 @@ pub struct Walker {
     voices: Arc<WalkVoices>,
     weights: Weights,
     transitions: Vec<Transition>,
+    /// What the durations of states are drawn by; without it they are the means.
+    seed: Option<u32>,
     /// Frames of a step if they are prescribed.
     step_frames: Option<f32>,
     /// Turn of a step, radians.
@@ -242,6 +246,7 @@ impl Walker {
         let mut walker = Self {
             weights: none,
             transitions: Vec::new(),
+            seed: None,
             step_frames: None,
             turn: 0.0,
             stride: 1.0,
@@ -313,6 +318,13 @@ impl Walker {
         self.is_planned = false;
     }
 
+    /// Whether states last as long as people's do, now longer and now shorter, drawn by this number; `None` gives every step
+    /// of a style the same durations.
+    pub fn set_variation(&mut self, seed: Option<u32>) {
+        self.seed = seed;
+        self.is_planned = false;
+    }
+
     /// Turn of a step, radians to the left; at most [`MAX_TURN`] either way.
     pub fn set_turn(&mut self, turn: f32) {
         self.turn = if turn.is_finite() { turn.clamp(-MAX_TURN, MAX_TURN) } else { 0.0 };
@@ -354,6 +366,16 @@ impl Walker {
     /// State of the last frame, 0 to 4.
     pub fn state(&self) -> usize {
         self.path[0].1
+    }
+
+    /// How long the states of the last frame's step last, frames.
+    pub fn durations(&self) -> &[f32; STATES] {
+        &self.planned[slot_of(self.path[0].0)].durations
+    }
+
+    /// Feet that are on the ground in the last frame, left and right.
+    pub fn planted(&self) -> [bool; 2] {
+        self.root.planted()
     }
 
     /// The last frame.
@@ -494,6 +516,12 @@ impl Walker {
         }
         let [least, greatest] = STATE_FRAMES;
         let variances = voices.duration_variances[side];
+        if let Some(seed) = self.seed {
+            for (state, duration) in step.durations.iter_mut().enumerate() {
+                let deviation = variances[state].sqrt().min(MOST_VARIATION * *duration);
+                *duration += deviation * normal(seed, number, state);
+            }
+        }
         step.durations = step.durations.map(|d| d.clamp(least, greatest));
         if let Some(wanted) = self.step_frames {
             // States give way as far as they vary.
@@ -570,4 +598,18 @@ fn slot_of(step: u64) -> usize {
 /// The foot that swings in a step.
 fn side_of(step: u64) -> Side {
     if step.is_multiple_of(2) { Side::Left } else { Side::Right }
+}
+
+/// A number of a normal distribution that is always the same for a state of a step: the sum of twelve even ones.
+fn normal(seed: u32, step: u64, state: usize) -> f32 {
+    let mut bits = u64::from(seed) << 32 ^ (step * STATES as u64 + state as u64);
+    let even = (0..12).map(|_| {
+        // SplitMix64.
+        bits = bits.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = bits;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 40) as f32 / (1 << 24) as f32
+    });
+    even.sum::<f32>() - 6.0
 }
