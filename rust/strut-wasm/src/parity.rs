@@ -11,7 +11,11 @@ use crate::poses::floats_of;
 use crate::stylizer::Stylizer;
 use std::fmt::Write;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use strut_core::database::build::{BuildOptions, SourceClip, build};
+use strut_core::hsmm::{
+    Options as WalkOptions, StyleMeans, Track, Training, WalkVoices, Walker, numbers, train, walk_of, walks_among,
+};
 use strut_core::humanoid::Pose;
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
@@ -25,6 +29,9 @@ use wasm_bindgen::prelude::wasm_bindgen;
 const REGISTERED_TAKES: u32 = 2;
 /// Styles of the built-in walk that are registered anew.
 const REGISTERED_STYLES: [&str; 2] = ["neutral", "proud"];
+
+/// Frames of the walk that is compared.
+const WALK_FRAMES: usize = 600;
 
 /// Runs every stage on the built-in motions and on files.
 #[wasm_bindgen]
@@ -61,6 +68,7 @@ impl ParityReport {
         database_stages(&mut report, "synthesised database", &synthesised);
         let unpacked = packed::read_database(&packed).map_err(EngineError::bad_input)?;
         database_stages(&mut report, "built-in database", &unpacked);
+        walk_stages(&mut report, &unpacked)?;
         let database = Database::new(unpacked);
         for name in packed_inputs(&packed)? {
             let input = Input::from_packed(&database, &packed, &name)?;
@@ -124,6 +132,40 @@ fn clip_stages(
     stage("final pose", styled.chunks_exact(styled.len() / poses.len()).map(float_hash).collect());
     let bvh = whole.to_bvh(&input)?;
     stage("exported BVH", bvh.lines().map(|l| hash(l.bytes().map(u32::from))).collect());
+    Ok(())
+}
+
+/// A walk model of a database, one hash a style, and a walk by it that changes its style.
+fn walk_stages(report: &mut String, db: &strut_core::database::Database) -> Result<(), EngineError> {
+    let walks: Vec<(&str, Track)> = walks_among(db)
+        .into_iter()
+        .filter_map(|clip| Some((db.styles[usize::from(db.clips[clip].style)].as_str(), walk_of(db, clip).ok()?)))
+        .collect();
+    let training: Vec<Training> = walks.iter().map(|(style, track)| Training { style, track }).collect();
+    let model =
+        train(&db.proportions, &training, WalkOptions::default(), &Sequential).map_err(EngineError::bad_input)?;
+    let of_style = |m: &StyleMeans| {
+        let numbers = numbers(&m.means).iter().chain(m.durations.as_flattened());
+        hash(numbers.flat_map(|v| [v.to_bits() as u32, (v.to_bits() >> 32) as u32]))
+    };
+    line(report, "built-in walks", "model", model.means.iter().map(of_style).collect());
+
+    let mut walker = Walker::new(Arc::new(WalkVoices::new(&model)));
+    let alone = |style: usize, weight: f32| {
+        let mut weights = vec![0.0; model.styles.len()];
+        weights[style] = weight;
+        weights
+    };
+    walker.set_styles(&alone(0, 1.5)).map_err(EngineError::bad_input)?;
+    walker.plan_transition(6, 4, &alone(1, -0.5)).map_err(EngineError::bad_input)?;
+    walker.set_turn(0.05);
+    let hashes = (0..WALK_FRAMES).map(|frame| {
+        if frame == WALK_FRAMES / 2 {
+            walker.set_variation(Some(7));
+        }
+        pose_hash(walker.advance())
+    });
+    line(report, "built-in walks", "frames", hashes.collect());
     Ok(())
 }
 
