@@ -15,11 +15,13 @@ const LATER = [
   // The other views, and the package that builds databases: loaded when somebody brings clips of their own.
   "data_view",
   "compare_view",
+  "walk_view",
   "shelf",
   "outputs",
   "mannequin_glb",
   "build_worker",
   "strut_wasm_build",
+  "strut_wasm_walk",
   // What only the Compare view loads: trained methods and counterparts.
   "compare_worker",
   "strut_compare",

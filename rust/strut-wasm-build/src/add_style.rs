@@ -2,11 +2,11 @@
 
 use crate::builder::Built;
 use crate::labels::text;
+use crate::walk_training::read_database;
 use strut_core::database::build;
 use strut_core::parallel::Sequential;
 use strut_core::registration;
 use strut_formats::corpus::{Clip, Entry, Labels};
-use strut_formats::strutdb::{self, packed};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The database, a `.strutdb` or packed motions, with the BVH file as one more style.
@@ -16,13 +16,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen(js_name = addStyle)]
 pub fn add_style(database: Vec<u8>, path: &str, style: String, bvh: &[u8]) -> Result<Built, String> {
     let clip = Clip::parse(bvh).map_err(text)?;
-    let is_packed = database.starts_with(&packed::MAGIC);
-    let read = if is_packed {
-        packed::read_database(&database)
-    } else {
-        strutdb::read(&database).map(|contents| contents.database)
-    };
-    let db = read.map_err(text)?;
+    let db = read_database(&database)?;
     drop(database);
     let labels = Labels { action: String::new(), style, take: Some(1) };
     let clip = Entry { path: path.to_owned(), labels, licence: String::new() }.source_clip(&clip, &db.proportions);

@@ -16,7 +16,7 @@ extern "C" {
     /// Who is told how far a build has come: an object with a method `progress(stage, done, total)`.
     pub type Progress;
     #[wasm_bindgen(method)]
-    fn progress(this: &Progress, stage: &str, done: usize, total: usize);
+    pub(crate) fn progress(this: &Progress, stage: &str, done: usize, total: usize);
 }
 
 /// A build that takes its clips one at a time: what a file has besides its motion is gone when [`Builder::add`] returns.

@@ -1,4 +1,4 @@
-//! `strut-wasm` and `strut-wasm-build` → packages for JavaScript: cargo, wasm-bindgen and wasm-opt, one after the other.
+//! `strut-wasm`, `strut-wasm-build` and `strut-wasm-walk` → packages for JavaScript: cargo, wasm-bindgen and wasm-opt, one after the other.
 //!
 //! The environment steers it (DESIGN §3):
 //! - `STRUT_BUILD_STD=1` builds the standard library from source, for a toolchain that lacks the target;
@@ -74,6 +74,14 @@ impl Package {
         name: "strut_wasm_build",
         flags: &[],
         config: FAST_BUILDING,
+        ..Self::ENGINE
+    };
+    /// What it loads for those who open the Walk view.
+    pub(crate) const WALK: Self = Self {
+        folder: "web/engine/walk/pkg",
+        crate_name: "strut-wasm-walk",
+        name: "strut_wasm_walk",
+        flags: &[],
         ..Self::ENGINE
     };
     /// The engine with what it is compared with, for those who open the Compare view.

@@ -12,6 +12,7 @@ import type {
   Preview,
   ReadNews,
   Roles,
+  TrainedWalk,
 } from "./protocol";
 
 /** As much of a `Worker` as the client needs. */
@@ -110,6 +111,14 @@ class WorkerBuildClient implements BuildClient {
   async addStyle(database: Blob | undefined, clip: File, style: string, options?: CallOptions): Promise<BuiltDatabase> {
     try {
       return await this.call({ method: "addStyle", database, clip, style }, options);
+    } finally {
+      this.stop(cancelled());
+    }
+  }
+
+  async trainWalk(database: Blob | undefined, options?: CallOptions): Promise<TrainedWalk> {
+    try {
+      return await this.call({ method: "trainWalk", database }, options);
     } finally {
       this.stop(cancelled());
     }

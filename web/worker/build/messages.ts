@@ -1,7 +1,17 @@
 /** The wire format between the build worker and its client; the page sees only `protocol.ts`. */
 import type { ErrorParts } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
-import type { BuiltDatabase, ChosenFile, DroppedFile, Found, Labelled, Preview, ReadNews, Roles } from "./protocol";
+import type {
+  BuiltDatabase,
+  ChosenFile,
+  DroppedFile,
+  Found,
+  Labelled,
+  Preview,
+  ReadNews,
+  Roles,
+  TrainedWalk,
+} from "./protocol";
 
 /** What is asked, with its arguments; the client numbers its calls. */
 export type BuildCall =
@@ -12,7 +22,8 @@ export type BuildCall =
   | { method: "build"; files: ChosenFile[]; neutral: string }
   /** Stops the build under way where it can go on later. */
   | { method: "pause" }
-  | { method: "addStyle"; database: Blob | undefined; clip: File; style: string };
+  | { method: "addStyle"; database: Blob | undefined; clip: File; style: string }
+  | { method: "trainWalk"; database: Blob | undefined };
 
 /** What each call is answered with. */
 export interface BuildResults {
@@ -23,6 +34,7 @@ export interface BuildResults {
   build: BuiltDatabase;
   pause: undefined;
   addStyle: BuiltDatabase;
+  trainWalk: TrainedWalk;
 }
 
 export type BuildRequest = BuildCall & { id: number };

@@ -8,9 +8,11 @@ import type {
   RefusedFile,
   Roles,
 } from "../../engine/build/builder";
+import type { TrainedWalk } from "../../engine/build/walk_training";
 import type { CallOptions } from "../../engine/types";
 
 export type * from "../../engine/build/builder";
+export type { TrainedWalk } from "../../engine/build/walk_training";
 export { StrutError } from "../../engine/errors";
 
 /** A file that was dropped, with the path that it has in its folder. */
@@ -73,6 +75,8 @@ export interface BuildClient {
   build(files: ChosenFile[], neutral: string, options?: CallOptions): Promise<BuiltDatabase>;
   /** A database, or the built-in one, with a clip as one more style. */
   addStyle(database: Blob | undefined, clip: File, style: string, options?: CallOptions): Promise<BuiltDatabase>;
+  /** A walk model of a database, or of the built-in one. */
+  trainWalk(database: Blob | undefined, options?: CallOptions): Promise<TrainedWalk>;
   dispose(): void;
 }
 

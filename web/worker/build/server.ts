@@ -1,5 +1,6 @@
 /** The build worker's side of the wire: the files that are open, and what is made of them. */
 import { type Build, DatabaseBuilder, type OnBuildProgress } from "../../engine/build/builder";
+import { type TrainedWalk, trainWalk } from "../../engine/build/walk_training";
 import { loadBuiltIn } from "../../engine/built_in";
 import { cancelled, toStrutError } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
@@ -30,6 +31,9 @@ const MAX_TABLE_BYTES = 64 << 20;
 const NEWS_MS = 300;
 /** Shares of a build's time: reading, preparing, registering; the index has the rest. */
 const SHARES = { reading: 0.2, preparing: 0.15, registering: 0.6 };
+
+/** Share of a walk model's training that reading is. */
+const TRAIN_READING = 0.15;
 
 /** Who asked, as far as long work must know. */
 interface Caller {
@@ -104,6 +108,8 @@ class BuildServer {
         return this.building;
       case "addStyle":
         return this.addStyle(builder, call.database, call.clip, call.style, caller);
+      case "trainWalk":
+        return this.trainWalk(call.database, caller);
     }
   }
 
@@ -158,12 +164,13 @@ class BuildServer {
     style: string,
     caller: Caller,
   ): Promise<BuiltDatabase> {
-    const [known, bvh] = await Promise.all([
-      database ? database.arrayBuffer().then((bytes) => new Uint8Array(bytes)) : loadBuiltIn(),
-      clip.arrayBuffer(),
-    ]);
+    const [known, bvh] = await Promise.all([bytesOf(database), clip.arrayBuffer()]);
     caller.report({ label: `Registering ${clip.name}.`, fraction: 0.2 });
     return builder.addStyle(known, clip.name, style, new Uint8Array(bvh));
+  }
+
+  private async trainWalk(database: Blob | undefined, caller: Caller): Promise<TrainedWalk> {
+    return trainWalk(await bytesOf(database), (stage, done, total) => caller.report(trainProgress(stage, done, total)));
   }
 
   private async build(
@@ -223,6 +230,11 @@ class BuildServer {
   }
 }
 
+/** A database's file, or the built-in one's. */
+async function bytesOf(database: Blob | undefined): Promise<Uint8Array> {
+  return database ? new Uint8Array(await database.arrayBuffer()) : loadBuiltIn();
+}
+
 /** The title of the licence in every folder that has one. */
 async function titlesOf(builder: DatabaseBuilder, licences: readonly Source[]): Promise<Map<string, string>> {
   const titles = new Map<string, string>();
@@ -259,6 +271,13 @@ async function readClip(
   } catch (thrown) {
     return { index, fault: reasonOf(thrown) };
   }
+}
+
+function trainProgress(stage: "reading" | "training", done: number, total: number): Progress {
+  const share = done / Math.max(1, total);
+  return stage === "reading"
+    ? { label: `Reading ${total} walks, ${done} done.`, fraction: TRAIN_READING * share }
+    : { label: "Training the walks.", fraction: TRAIN_READING + (1 - TRAIN_READING) * share };
 }
 
 function buildProgress(stage: "preparing" | "registering" | "indexing", done: number, total: number): Progress {

@@ -1,0 +1,84 @@
+//! Handle of a walk model.
+
+use crate::text;
+use std::sync::Arc;
+use strut_core::hsmm::{self, CurvePoint, JointCurve, RATE_HZ, StyleMeans, WalkVoices};
+use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose, Role};
+use strut_core::math::Vec3;
+use strut_formats::bvh::{self, Bvh};
+use strut_formats::walk_model;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// A model of walk styles; shared with all walks that were made from it.
+#[wasm_bindgen]
+pub struct WalkModel {
+    pub(crate) model: hsmm::WalkModel,
+    pub(crate) voices: Arc<WalkVoices>,
+    average: StyleMeans,
+}
+
+#[wasm_bindgen]
+impl WalkModel {
+    /// The model in a `.strutwalk` file.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: &[u8]) -> Result<Self, String> {
+        let model = walk_model::read(bytes).map_err(text)?;
+        Ok(Self { voices: Arc::new(WalkVoices::new(&model)), average: model.average(), model })
+    }
+
+    /// Names of the styles.
+    pub fn styles(&self) -> Vec<String> {
+        self.model.styles.clone()
+    }
+
+    /// Frames per second of walks.
+    #[wasm_bindgen(js_name = rateHz)]
+    pub fn rate_hz(&self) -> f32 {
+        RATE_HZ
+    }
+
+    /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
+    pub fn proportions(&self) -> Vec<f32> {
+        self.model.proportions.offsets.iter().flat_map(Vec3::to_array).collect()
+    }
+
+    /// Frames that the states of a left step (0) or a right one (1) last in a mixture of styles, one weight a style: the five
+    /// means, then their variances.
+    pub fn durations(&self, weights: &[f32], side: usize) -> Vec<f32> {
+        let weights: Vec<f64> = weights.iter().map(|w| f64::from(*w)).collect();
+        let mixed = self.model.mix(&self.average, &weights);
+        let side = side.min(hsmm::SIDES - 1);
+        let numbers = mixed.durations[side].iter().chain(&self.model.duration_variances[side]);
+        numbers.map(|v| *v as f32).collect()
+    }
+
+    /// A joint's angle through a left step and a right one, in a mixture of styles: the axis, then five numbers a frame, the
+    /// angle that is walked, the mean and the standard deviation of the frame's state in radians, its side and its number.
+    ///
+    /// # Errors
+    /// If there is not one weight a style, or no such joint.
+    pub fn curve(&self, weights: &[f32], joint: usize) -> Result<Vec<f32>, String> {
+        let joint = Role::ALL.get(joint).ok_or("there is no such joint")?;
+        let curve = JointCurve::new(&self.model, &self.voices, weights, *joint).map_err(text)?;
+        let numbers = |p: &CurvePoint| [p.angle, p.mean, p.deviation, p.side as usize as f32, p.state as f32];
+        Ok(std::iter::once(curve.axis as f32).chain(curve.points.iter().flat_map(numbers)).collect())
+    }
+
+    /// The text of a BVH file of these poses, one after the other.
+    ///
+    /// # Errors
+    /// If the array is not a whole number of poses, or holds none.
+    #[wasm_bindgen(js_name = toBvh)]
+    pub fn to_bvh(&self, poses: &[f32]) -> Result<String, String> {
+        let (poses, rest) = poses.as_chunks::<POSE_FLOATS>();
+        if !rest.is_empty() {
+            return Err("the numbers are not a whole number of poses".to_owned());
+        }
+        let poses = poses.iter().map(Pose::read_from).collect();
+        let motion = HumanoidMotion { proportions: self.model.proportions, rate_hz: RATE_HZ, poses };
+        Bvh::from_humanoid(&motion).map(|file| bvh::write(&file)).map_err(text)
+    }
+}

@@ -1,0 +1,141 @@
+//! Handle of somebody who walks.
+
+use crate::model::WalkModel;
+use crate::text;
+use std::sync::Arc;
+use strut_core::hsmm::{RATE_HZ, STATES, Walker};
+use strut_core::humanoid::{POSE_FLOATS, Pose};
+use strut_core::math::Vec3;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Numbers of a frame: the pose, the step, how much of it is done, the state, which feet stand (left, right), and how many
+/// frames each of the step's states lasts.
+pub const FRAME: usize = POSE_FLOATS + 5 + STATES;
+
+/// Most frames that are made up for at once, when nobody has asked for a while.
+const MOST_FRAMES: f64 = 8.0;
+
+/// Somebody who walks, and never stops. One call a frame of the screen: [`Walk::advance`] writes what is to be shown where
+/// [`Walk::frame_address`] points.
+#[wasm_bindgen]
+pub struct Walk {
+    walker: Walker,
+    /// The frames of the walk between which the time lies, and its share of the way.
+    poses: [Pose; 2],
+    share: f64,
+    step: u64,
+    /// Frames of the step so far.
+    frames: u32,
+    shown: Box<[f32; FRAME]>,
+}
+
+#[wasm_bindgen]
+impl Walk {
+    /// In the average of all styles, from the origin along +Z.
+    #[wasm_bindgen(constructor)]
+    pub fn new(model: &WalkModel) -> Self {
+        let walker = Walker::new(Arc::clone(&model.voices));
+        let poses = [Pose::default(); 2];
+        let mut walk = Self { walker, poses, share: 0.0, step: 0, frames: 0, shown: Box::new([0.0; FRAME]) };
+        walk.reset();
+        walk
+    }
+
+    /// Begins anew at the origin, with the first frame; styles and controls stay.
+    pub fn reset(&mut self) {
+        self.walker.reset(Vec3::ZERO, 0.0);
+        (self.share, self.step, self.frames) = (0.0, 0, 0);
+        self.take_frame();
+        self.poses[0] = self.poses[1];
+        self.show();
+    }
+
+    /// Styles from the next frame on, one weight a style; what they lack to a sum of 1 is the average's. Transitions that
+    /// were planned are forgotten.
+    ///
+    /// # Errors
+    /// If a weight is none; the former weights then stay.
+    #[wasm_bindgen(js_name = setStyles)]
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), String> {
+        self.walker.set_styles(weights).map_err(text)
+    }
+
+    /// Changes styles from a step on, over so many steps in between.
+    ///
+    /// # Errors
+    /// If a weight is none; nothing changes then.
+    #[wasm_bindgen(js_name = planTransition)]
+    pub fn plan_transition(&mut self, step: u32, between: u32, weights: &[f32]) -> Result<(), String> {
+        self.walker.plan_transition(step.into(), between, weights).map_err(text)
+    }
+
+    /// Steps a minute; none leaves it to the style.
+    #[wasm_bindgen(js_name = setCadence)]
+    pub fn set_cadence(&mut self, steps_per_minute: Option<f32>) {
+        self.walker.set_cadence(steps_per_minute);
+    }
+
+    /// What the durations of states are drawn by; without it they are the means.
+    #[wasm_bindgen(js_name = setVariation)]
+    pub fn set_variation(&mut self, seed: Option<u32>) {
+        self.walker.set_variation(seed);
+    }
+
+    /// Turn of a step, radians to the left.
+    #[wasm_bindgen(js_name = setTurn)]
+    pub fn set_turn(&mut self, turn: f32) {
+        self.walker.set_turn(turn);
+    }
+
+    /// Goes on by so many seconds.
+    pub fn advance(&mut self, secs: f64) {
+        let frames = secs * f64::from(RATE_HZ);
+        self.share += if frames.is_finite() { frames.clamp(0.0, MOST_FRAMES) } else { 0.0 };
+        while self.share >= 1.0 {
+            self.share -= 1.0;
+            self.take_frame();
+        }
+        self.show();
+    }
+
+    /// Goes on by exactly one frame of the walk.
+    #[wasm_bindgen(js_name = nextFrame)]
+    pub fn next_frame(&mut self) {
+        self.take_frame();
+        self.share = 1.0 - f64::EPSILON;
+        self.show();
+    }
+
+    /// Where [`FRAME`] numbers of the present frame lie in this memory.
+    #[wasm_bindgen(js_name = frameAddress)]
+    pub fn frame_address(&self) -> *const f32 {
+        self.shown.as_ptr()
+    }
+
+    /// Number of the first step whose style can still be changed.
+    #[wasm_bindgen(js_name = nextStep)]
+    pub fn next_step(&self) -> u32 {
+        self.walker.next_step() as u32
+    }
+}
+
+impl Walk {
+    fn take_frame(&mut self) {
+        self.poses = [self.poses[1], *self.walker.advance()];
+        let (step, _) = self.walker.step();
+        self.frames = if step == self.step { self.frames + 1 } else { 1 };
+        self.step = step;
+    }
+
+    fn show(&mut self) {
+        let share = self.share as f32;
+        let pose = self.poses[0].lerp(&self.poses[1], share);
+        let Some((floats, rest)) = self.shown.split_first_chunk_mut::<POSE_FLOATS>() else { return };
+        pose.write_to(floats);
+        let durations = self.walker.durations();
+        let done = (self.frames as f32 - 1.0 + share) / durations.iter().sum::<f32>();
+        let [left, right] = self.walker.planted().map(|p| f32::from(u8::from(p)));
+        rest[..5].copy_from_slice(&[self.step as f32, done.clamp(0.0, 1.0), self.walker.state() as f32, left, right]);
+        rest[5..].copy_from_slice(durations);
+    }
+}

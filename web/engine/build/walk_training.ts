@@ -1,0 +1,49 @@
+/** Walk models from databases, on the present thread: what the build worker serves. */
+import type { RefusedFile } from "./builder";
+import { guarded, loadBuildWasm, sentence } from "./wasm";
+
+/** A stage of {@link trainWalk}: clips are read, then styles trained. */
+export type TrainStage = "reading" | "training";
+
+/** A walk model that was trained. */
+export interface TrainedWalk {
+  /** The `.strutwalk` file. */
+  file: Uint8Array<ArrayBuffer>;
+  styles: string[];
+  /** Clips that it was trained on. */
+  clips: number;
+  /** Names of the clips that were left out, and why. */
+  refused: RefusedFile[];
+}
+
+/**
+ * Trains a walk model on the walks of a database.
+ * @param database a `.strutdb` file or packed motions
+ * @throws StrutError if the database has no walks to train on
+ */
+export async function trainWalk(
+  database: Uint8Array,
+  onProgress: (stage: TrainStage, done: number, total: number) => void,
+): Promise<TrainedWalk> {
+  const glue = await loadBuildWasm();
+  const training = guarded(() => new glue.WalkTraining(database));
+  const listener = { progress: onProgress };
+  while (guarded(() => training.step(listener)));
+  const trained = guarded(() => training.finish());
+  try {
+    return guarded(() => {
+      const refused = trained.refused();
+      return {
+        file: trained.file() as Uint8Array<ArrayBuffer>,
+        styles: trained.styles(),
+        clips: trained.clips(),
+        refused: Array.from({ length: refused.length / 2 }, (_, i) => ({
+          path: refused[2 * i]!,
+          reason: sentence(refused[2 * i + 1]!),
+        })),
+      };
+    });
+  } finally {
+    trained.free();
+  }
+}
