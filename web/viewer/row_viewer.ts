@@ -15,6 +15,8 @@ export interface Figure {
   pose: ArrayLike<number>;
   /** A pose that is drawn behind, so that only what differs shows; `null` draws none. */
   reference: ArrayLike<number> | null;
+  /** Draws the pose itself as a ghost of this colour instead of the body. */
+  tint?: string;
 }
 
 /** Time after the last change in which glides end, seconds; then the picture is still. */
@@ -31,6 +33,7 @@ interface Column {
   readonly pose: Float32Array;
   readonly reference: Float32Array;
   hasReference: boolean;
+  tint: string | undefined;
   /** From the first column's hips to this one's, on the ground; smoothed. */
   x: number;
   z: number;
@@ -51,6 +54,8 @@ export class RowViewer {
   #changedAt = 0;
   #changed = true;
   #settled = false;
+  /** The colour that the second mannequin has; `undefined` for that of references. */
+  #tint: string | undefined;
 
   constructor(container: HTMLElement, theme: ThemeName, description: string) {
     this.#theme = theme;
@@ -104,14 +109,15 @@ export class RowViewer {
     this.#changed = true;
     while (this.#columns.length > figures.length) this.#columns.pop();
     while (this.#columns.length < figures.length) {
-      const empty = { hasReference: false, x: 0, z: 0 };
+      const empty = { hasReference: false, tint: undefined, x: 0, z: 0 };
       this.#columns.push({ pose: new Float32Array(POSE_FLOATS), reference: new Float32Array(POSE_FLOATS), ...empty });
       this.#settled = false;
     }
     this.#stage.columns = Math.max(1, figures.length);
-    for (const [i, { pose, reference }] of figures.entries()) {
+    for (const [i, { pose, reference, tint }] of figures.entries()) {
       const column = this.#columns[i]!;
       if (isPose(pose)) column.pose.set(pose);
+      column.tint = tint;
       column.hasReference = reference !== null && isPose(reference);
       if (column.hasReference) column.reference.set(reference!);
     }
@@ -178,17 +184,28 @@ export class RowViewer {
     this.#body.setPose(column.pose);
     hips.fromArray(world.positions, 0);
     this.#stage.shade.setOccluder("body", world, fit.stature);
-    this.#reference.object.visible = column.hasReference;
+    this.#body.object.visible = column.tint === undefined;
+    this.#reference.object.visible = column.hasReference || column.tint !== undefined;
+    this.#reference.look.behindBodies = column.tint === undefined;
+    if (this.#tint !== column.tint) this.#tintReference(column.tint);
+    if (column.tint !== undefined) this.#reference.setPose(column.pose);
     if (!column.hasReference) return;
     this.#placement.place(column.reference, this.#reference.fit.proportions, world, false);
     this.#reference.setPose(this.#placement.pose);
   }
 
+  #tintReference(tint: string | undefined): void {
+    this.#tint = tint;
+    const theme = THEMES[this.#theme];
+    // What differs is what was chosen: it has the signal's colour, not the input's.
+    const colour = tint ?? theme.signal;
+    this.#reference.look.setTheme({ ...theme, ghost: { body: colour, rim: colour, opacity: 0.34 } });
+  }
+
   #applyTheme(): void {
     const theme = THEMES[this.#theme];
     this.#body.look.setTheme(theme);
-    // What differs is what was chosen: it has the signal's colour, not the input's.
-    this.#reference.look.setTheme({ ...theme, ghost: { body: theme.signal, rim: theme.signal, opacity: 0.34 } });
+    this.#tintReference(undefined);
     // Columns stand side by side without a seam.
     const { inner } = theme.background;
     this.#stage.setTheme({ ...theme, background: { inner, outer: inner } });
