@@ -16,6 +16,7 @@ const LATER = [
   "data_view",
   "compare_view",
   "walk_view",
+  "row_viewer",
   "shelf",
   "outputs",
   "mannequin_glb",

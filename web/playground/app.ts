@@ -189,6 +189,11 @@ export class App {
       chooseInput: (name) => void this.#choose(name),
       playhead: () => this.#playhead.at,
       goTo: (frame) => this.#playhead.goTo(frame),
+      databaseFile: () => this.#databases.file,
+      playMotion: async (name, bytes) => {
+        store.edit({ view: "play" });
+        await this.#takeMotion(name, bytes);
+      },
       openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),
     });
     this.#topBar.canExport = false;

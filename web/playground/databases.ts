@@ -29,6 +29,12 @@ export class Databases {
     return this.#store.state.database !== this.#name;
   }
 
+  /** Name for people and file of the database that is open; no file where it is the built-in one. */
+  get file(): { name: string; file: Blob | undefined } {
+    const source = this.#source;
+    return source.kind === "demo" ? { name: "", file: undefined } : { name: source.name, file: source.file };
+  }
+
   /**
    * Opens a database and shows it, in other styles where they are given; `kept` is its name on this device, empty if it
    * is not kept here.

@@ -3,6 +3,7 @@ import { describe, expect, it } from "vitest";
 import { fromHash, initialState, type PlayState, RANGES, toHash } from "./state";
 import { Store } from "./store";
 import { engineOptions } from "./style_settings";
+import { INTENSITY_RANGE } from "./walk/plan";
 
 const state = (patch: Partial<PlayState>): PlayState => ({ ...initialState(), ...patch });
 
@@ -40,6 +41,17 @@ describe("state ↔ URL", () => {
         fc.tuple(fc.nat(500), fc.integer({ min: 1, max: 500 })).map(([first, n]) => ({ first, last: first + n })),
         { nil: undefined },
       ),
+      walk: fc.array(
+        fc.record({
+          styles,
+          intensity: inRange(INTENSITY_RANGE),
+          steps: fc.integer({ min: 1, max: 16 }),
+          transition: fc.integer({ min: 0, max: 8 }),
+        }),
+        { maxLength: 12 },
+      ),
+      walkTempo: fc.constantFrom("model", "sampled", "fixed"),
+      walkTurn: fc.integer({ min: -10, max: 10 }),
       other: fc.string(),
       input: fc.string(),
       intensity: inRange(RANGES.intensity),

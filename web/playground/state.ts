@@ -18,6 +18,7 @@ import {
   text,
 } from "./fields";
 import type { Selection } from "./polygon/selection";
+import { INTENSITY_RANGE, MOST_BLOCKS, STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "./walk/plan";
 
 /** Styles of the parts of the body that have their own. */
 export type Parts = Readonly<Partial<Record<BodyPart, Selection>>>;
@@ -81,13 +82,27 @@ export interface PlayState {
   /** Columns of the Compare view, and which of them is drawn behind the others. */
   columns: readonly string[];
   behind: string;
+  /** Blocks of the Walk view; empty until a model says which styles there are. */
+  walk: readonly WalkBlock[];
+  /** Number of the chosen block, and whether its whole polygon is mixed. */
+  walkBlock: number;
+  walkWhole: boolean;
+  /** How long steps last: as in the model, drawn about that, or all the same, and then how many a minute. */
+  walkTempo: WalkTempo;
+  walkCadence: number;
+  /** Degrees to the left that a step turns. */
+  walkTurn: number;
+  /** Whether the walk is shown as a strip of its steps. */
+  walkStrip: boolean;
+  /** What is plotted of the chosen block. */
+  walkPlot: string;
   /** Whether panels and transport are shown. */
   panels: boolean;
   /** The panel that is open on a narrow screen. */
   tab: Tab;
 }
 
-export const VIEW_NAMES = ["play", "compare", "data"] as const;
+export const VIEW_NAMES = ["play", "compare", "walk", "data"] as const;
 export type ViewName = (typeof VIEW_NAMES)[number];
 export const CAMERA_PRESETS = ["orbit", "front", "side", "top"] as const;
 export type CameraPreset = (typeof CAMERA_PRESETS)[number];
@@ -98,6 +113,8 @@ export const THEMES = ["auto", "dark", "light"] as const;
 export type Theme = (typeof THEMES)[number];
 export const SIDES = ["a", "b"] as const;
 export type Side = (typeof SIDES)[number];
+export const WALK_TEMPOS = ["model", "sampled", "fixed"] as const;
+export type WalkTempo = (typeof WALK_TEMPOS)[number];
 export const TABS = ["style", "input", "model", "curves"] as const;
 export type Tab = (typeof TABS)[number];
 /** Playback speeds on offer. */
@@ -111,6 +128,8 @@ export const RANGES = {
   rho: { min: 0, max: 1, digits: 2 },
   kappa: { min: 0.5, max: 6, digits: 1 },
   delta: { min: 0.1, max: 3, digits: 2 },
+  cadence: { min: 50, max: 180, digits: 0 },
+  turn: { min: -10, max: 10, digits: 0 },
 } as const satisfies Record<string, Range>;
 
 /** Entries of a list stand behind each other with `;`, and a name before what it names with `~`. */
@@ -152,6 +171,34 @@ function decodeTrack(text: string): TrackKey[] | undefined {
     ({ frame }, i) => Number.isInteger(frame) && frame >= 0 && (i === 0 || frame > keys[i - 1]!.frame),
   );
   return inOrder ? keys : undefined;
+}
+
+/** Intensity, steps and steps in between stand before a block's styles: `1_4_2~proud:1`. */
+function encodeWalk(blocks: readonly WalkBlock[]): string {
+  const numbers = ({ intensity, steps, transition }: WalkBlock) =>
+    [Number(intensity.toFixed(INTENSITY_RANGE.digits)), steps, transition].join("_");
+  return encodeEntries(blocks.map((block) => [numbers(block), block.styles]));
+}
+
+function decodeWalk(text: string): WalkBlock[] | undefined {
+  const blocks = decodeEntries(text)?.map(([name, styles]): WalkBlock => {
+    const [intensity, steps, transition] = name
+      .split("_")
+      .map((number) => (number === "" ? Number.NaN : Number(number)));
+    return {
+      styles,
+      intensity: intensity ?? Number.NaN,
+      steps: steps ?? Number.NaN,
+      transition: transition ?? Number.NaN,
+    };
+  });
+  const within = (value: number, { min, max, digits }: Range) =>
+    value >= min && value <= max && (digits > 0 || Number.isInteger(value));
+  const valid = blocks?.every(
+    ({ intensity, steps, transition }) =>
+      within(intensity, INTENSITY_RANGE) && within(steps, STEP_RANGE) && within(transition, TRANSITION_RANGE),
+  );
+  return valid && blocks!.length <= MOST_BLOCKS ? blocks : undefined;
 }
 
 function encodeRange({ first, last }: FrameRange): string {
@@ -206,6 +253,14 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
     (text) => text.split(",").slice(0, 5),
   ),
   behind: text("behind", "real", true),
+  walk: listed("walk", [], encodeWalk, decodeWalk),
+  walkBlock: number("block", 0, { min: 0, max: MOST_BLOCKS - 1, digits: 0 }, false),
+  walkWhole: flag("walkall", false, true),
+  walkTempo: choice("tempo", "model", WALK_TEMPOS, true),
+  walkCadence: number("cadence", 110, RANGES.cadence, true),
+  walkTurn: number("turn", 0, RANGES.turn, true),
+  walkStrip: flag("strip", false, false),
+  walkPlot: text("plot", "states", false),
   panels: flag("panels", true, false),
   tab: choice("tab", "style", TABS),
 };

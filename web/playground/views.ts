@@ -29,6 +29,10 @@ export interface ViewHost {
   playhead(): number;
   /** Puts the motion at an input frame. */
   goTo(frame: number): void;
+  /** The database that is open: its name for people, and its file unless it is the built-in one. */
+  databaseFile(): { name: string; file: Blob | undefined };
+  /** Makes a motion the input of Play, and goes there. */
+  playMotion(name: string, bytes: ArrayBuffer): Promise<void>;
   /** Goes back to the built-in database. */
   openBuiltIn(): Promise<boolean>;
 }
@@ -65,6 +69,7 @@ interface ViewModule {
 export const VIEWS: readonly { name: ViewName; title: string; load?: () => Promise<ViewModule> }[] = [
   { name: "play", title: strings.page.views.play },
   { name: "compare", title: strings.page.views.compare, load: () => import("./compare/compare_view") },
+  { name: "walk", title: strings.page.views.walk, load: () => import("./walk/walk_view") },
   { name: "data", title: strings.page.views.data, load: () => import("./data/data_view") },
 ];
 

@@ -36,6 +36,9 @@ export class Slider {
     });
   }
 
+  /** Says values in words instead of bare numbers. */
+  words: ((value: number) => string) | undefined;
+
   /** Marks the part of the range that makes sense. */
   set plausible({ least, most }: { least: number; most: number }) {
     const { min, max } = this.#range;
@@ -49,6 +52,8 @@ export class Slider {
     this.#input.value = String(value);
     const share = (value - this.#range.min) / (this.#range.max - this.#range.min);
     this.#input.style.setProperty("--share", String(Math.min(1, Math.max(0, share))));
-    this.#value.value = formatNumber(value, this.#range.digits);
+    const said = this.words?.(value) ?? formatNumber(value, this.#range.digits);
+    this.#value.value = said;
+    if (this.words) this.#input.setAttribute("aria-valuetext", said);
   }
 }

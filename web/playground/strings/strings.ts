@@ -6,8 +6,9 @@ import { compare } from "./en/compare";
 import { data } from "./en/data";
 import { page } from "./en/page";
 import { play } from "./en/play";
+import { walk } from "./en/walk";
 
-const en = { page, play, compare, data };
+const en = { page, play, compare, data, walk };
 
 /** A text where English has one, and a sentence of the same parts where it has a function. */
 type Said<T> = T extends string

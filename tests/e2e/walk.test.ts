@@ -1,0 +1,241 @@
+/** The Walk view: a plan of styles that somebody walks by. */
+import axe from "axe-core";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import { eventually, openSite, screenshot, visit } from "./browser";
+
+declare const window: { strut: StrutHook; axe: typeof axe };
+
+/** Paused in the middle of the way from neutral to proud. */
+const THREE = "walk=1_3_2~neutral:1,old:0,sexy:0;1_4_2~proud:1,old:0,sexy:0;1_3_2~old:1,proud:0,sexy:0";
+
+let page: Page;
+
+beforeAll(async () => {
+  const opened = await openSite({ size: { width: 1440, height: 900 }, theme: "dark" });
+  page = opened.page;
+  return opened.close;
+});
+
+const state = () => page.evaluate(() => window.strut.state);
+const blocks = () => page.locator(".planner-block");
+const block = (n: number) => page.locator(`[data-key="block-${n}"]`);
+const title = () => page.locator(".walk .stage-title").textContent();
+const figure = (name: string) =>
+  page.locator(".walk-figures > div").filter({ hasText: name }).locator("dd").textContent();
+const number = async (name: string) => Number.parseFloat((await figure(name))!);
+const secs = async () => Number(await page.locator(".walk .clock").textContent());
+/** The middle of something on the page. */
+async function middle(selector: string): Promise<{ x: number; y: number }> {
+  const box = (await page.locator(selector).boundingBox())!;
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+async function drag(selector: string, dx: number): Promise<void> {
+  const { x, y } = await middle(selector);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 8; i++) await page.mouse.move(x + (dx * i) / 8, y);
+  await page.mouse.up();
+}
+
+async function faults(): Promise<string[]> {
+  await page.addScriptTag({ content: axe.source });
+  const { violations } = await page.evaluate(() => window.axe.run());
+  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
+}
+
+describe("opening the view", () => {
+  it("trains on the built-in walks, says so, and walks", async () => {
+    await page.getByRole("link", { name: "Walk", exact: true }).click();
+    await eventually(() => blocks().count()).toBe(3);
+    await eventually(() => page.locator(".notices").textContent()).toMatch(
+      /8 styles ready to walk\. Trained on 8 clips/,
+    );
+    expect(await title()).toBe("22 steps, three styles");
+    const before = await secs();
+    await eventually(secs, "it walks by itself").not.toBe(before);
+    expect(await figure("Step length")).toMatch(/^0\.\d\d m$/);
+    expect(await faults()).toEqual([]);
+  });
+
+  it("follows the keyboard: play, pause, steps", async () => {
+    await page.locator("body").press("Space");
+    expect((await state()).playing).toBe(false);
+    const still = await secs();
+    await page.waitForTimeout(300);
+    expect(await secs()).toBe(still);
+    await page.locator("body").press("Home");
+    await eventually(secs).toBe(0);
+    await page.locator("body").press("ArrowRight");
+    await eventually(() => page.locator(".planner-head").getAttribute("aria-valuetext")).toMatch(/step 2$/);
+    await page.locator("body").press("ArrowLeft");
+    await eventually(() => page.locator(".planner-head").getAttribute("aria-valuetext")).toMatch(/step 1$/);
+  });
+});
+
+describe("the plan", () => {
+  it("takes steps by the end of a block, and gives them back by undo", async () => {
+    await visit(page, `view=walk&play=0&${THREE}`);
+    await eventually(title).toBe("16 steps, three styles");
+    await drag('[data-key="end-1"]', 200);
+    const steps = (await state()).walk[1]!.steps;
+    expect(steps).toBeGreaterThan(5);
+    await eventually(() => page.url()).toContain(`1_${steps}_2~proud:1`);
+    await page.keyboard.press("Control+z");
+    expect((await state()).walk[1]!.steps, "one drag, one step of undo").toBe(4);
+    await eventually(title).toBe("16 steps, three styles");
+  });
+
+  it("moves a transition between its neighbours, by pointer and by keys", async () => {
+    await drag('[data-key="middle-1"]', 70);
+    const { walk } = await state();
+    expect(walk[0]!.steps).toBeGreaterThan(3);
+    expect(walk[0]!.steps + walk[1]!.steps).toBe(7);
+    await page.locator('[data-key="middle-1"]').focus();
+    await page.keyboard.press("ArrowUp");
+    expect((await state()).walk[1]!.transition).toBe(3);
+    await page.keyboard.press("ArrowLeft");
+    expect((await state()).walk[0]!.steps).toBe(walk[0]!.steps - 1);
+  });
+
+  it("changes the order of blocks, adds and removes them", async () => {
+    await visit(page, `view=walk&play=0&${THREE}`);
+    const to = await middle('[data-key="block-0"]');
+    const from = await middle('[data-key="block-2"]');
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    for (let i = 1; i <= 10; i++) await page.mouse.move(from.x + ((to.x - from.x) * i) / 10, from.y);
+    await page.mouse.move(to.x - 4, to.y);
+    const order = async () => (await state()).walk.map((b) => b.styles[0]!.name);
+    await eventually(async () => {
+      await page.mouse.move(to.x - 4 - Math.random(), to.y);
+      return order();
+    }).toEqual(["old", "neutral", "proud"]);
+    await page.mouse.up();
+    await block(0).focus();
+    await page.keyboard.press("ArrowRight");
+    expect((await state()).walk.map((b) => b.styles[0]!.name)).toEqual(["neutral", "old", "proud"]);
+    await eventually(() => page.evaluate(() => document.activeElement?.getAttribute("data-key"))).toBe("block-1");
+    await page.getByRole("button", { name: "Add block" }).click();
+    await eventually(() => blocks().count()).toBe(4);
+    expect((await state()).walkBlock).toBe(2);
+    await block(2).press("Delete");
+    await eventually(() => blocks().count()).toBe(3);
+  });
+
+  it("is sought by its playhead", async () => {
+    const ruler = (await page.locator(".planner-seek").boundingBox())!;
+    await page.mouse.click(ruler.x + ruler.width / 2, ruler.y + 10);
+    const half = Number.parseFloat((await page.locator(".walk-time .caption").textContent())!.slice(3)) / 2;
+    await eventually(secs).toBeCloseTo(half, 0);
+    await page.locator(".planner-head").focus();
+    await page.keyboard.press("Home");
+    await eventually(secs).toBe(0);
+  });
+});
+
+describe("the block", () => {
+  it("is mixed by the polygon and exaggerated by the intensity", async () => {
+    await visit(page, `view=walk&play=0&block=1&${THREE}`);
+    await eventually(() => page.locator("#walk-block-heading").textContent()).toBe("Block 2, proud");
+    const speed = await number("Speed");
+    // The handle glides to where it belongs.
+    await page.waitForTimeout(600);
+    const handle = await middle(".walk-panel .handle-body");
+    const old = await middle('.walk-panel .vertex[data-style="old"] .vertex-dot');
+    await page.mouse.move(handle.x, handle.y);
+    await page.mouse.down();
+    for (let i = 1; i <= 8; i++)
+      await page.mouse.move(handle.x + ((old.x - handle.x) * i) / 8, handle.y + ((old.y - handle.y) * i) / 8);
+    await page.mouse.up();
+    const { walk } = await state();
+    expect(walk[1]!.styles.find((s) => s.name === "old")!.weight).toBeGreaterThan(0.9);
+    expect(walk[0]!.styles[0]!.weight, "the others stay").toBe(1);
+    await eventually(() => number("Speed"), "the old walk slower").toBeLessThan(speed);
+    const slow = await number("Speed");
+    await page.getByLabel("Intensity").last().focus();
+    for (let i = 0; i < 50; i++) await page.keyboard.press("ArrowRight");
+    expect((await state()).walk[1]!.intensity).toBe(1.5);
+    await eventually(() => number("Speed"), "and very old ones slower still").toBeLessThan(slow);
+    expect(await page.locator(".walk .polygon-caption").textContent()).toMatch(/^Beyond the recorded walks/);
+  });
+
+  it("walks to a beat, and as irregularly as people do", async () => {
+    await page.locator('.walk-panel [aria-label="Durations"] label').filter({ hasText: "Fixed" }).click();
+    await page.getByRole("slider", { name: "Cadence" }).click();
+    await page.keyboard.press("End");
+    await eventually(() => number("Cadence")).toBeGreaterThan(150);
+    await page.locator('.walk-panel [aria-label="Durations"] label').filter({ hasText: "Sampled" }).click();
+    await eventually(() => page.url()).toContain("tempo=sampled");
+    await eventually(() => number("Cadence")).toBeLessThan(150);
+  });
+
+  it("shows the ends of states and the curves of joints", async () => {
+    await eventually(() => page.locator(".walk-plot").getAttribute("aria-label")).toMatch(
+      /^When each state ends: push-off \d\.\d\d s/,
+    );
+    await page.getByLabel("Plot").selectOption("left_lower_leg");
+    await eventually(() => page.locator(".walk-plot").getAttribute("aria-label")).toMatch(/^Left knee, degrees/);
+    expect(await page.locator(".walk-band").count()).toBe(1);
+  });
+});
+
+describe("what leaves the view", () => {
+  it("is a BVH file, a GLB file, and the input of Play", async () => {
+    await visit(page, `view=walk&play=0&${THREE}`);
+    await eventually(title).toBe("16 steps, three styles");
+    for (const [name, file] of [
+      ["BVH", "walk.bvh"],
+      ["GLB", "walk.glb"],
+    ] as const) {
+      const download = page.waitForEvent("download");
+      await page.locator(".walk-actions").getByRole("button", { name, exact: true }).click();
+      expect((await download).suggestedFilename()).toBe(file);
+    }
+    await page.getByRole("button", { name: "Style this" }).click();
+    await eventually(async () => (await state()).view).toBe("play");
+    await eventually(async () => (await state()).input).toBe("walk");
+    await eventually(() => page.locator(".stage .stage-title").textContent()).toMatch(/^Walk/);
+  });
+});
+
+describe("the picture", () => {
+  it("is one walker in the middle of a transition, or a strip of steps", async () => {
+    await visit(page, `view=walk&play=0&block=1&${THREE}`);
+    await eventually(title).toBe("16 steps, three styles");
+    await page.locator(".planner-head").focus();
+    await page.keyboard.press("Home");
+    for (let i = 0; i < 25; i++) await page.keyboard.press("ArrowRight");
+    await page.waitForTimeout(2500);
+    await screenshot(page, "walk-wide-dark");
+    await page.locator(".walk-form label").filter({ hasText: "Strip" }).click();
+    await eventually(() => page.locator(".walk-strip-captions .present").textContent()).toMatch(/^step [45]to proud$/);
+    await page.waitForTimeout(3000);
+    expect(await faults()).toEqual([]);
+    await screenshot(page, "walk-strip-dark");
+    await page.emulateMedia({ colorScheme: "light" });
+    await page.waitForTimeout(3000);
+    await screenshot(page, "walk-strip-light");
+    await page.locator(".walk-form label").filter({ hasText: "3-D" }).click();
+    await page.waitForTimeout(2500);
+    expect(await faults()).toEqual([]);
+    await screenshot(page, "walk-wide-light");
+  });
+
+  it("has everything on a narrow screen as well", async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.waitForTimeout(1500);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+    expect(await faults()).toEqual([]);
+    await screenshot(page, "walk-narrow-light");
+    await page.locator(".walk-figures").scrollIntoViewIfNeeded();
+    await page.emulateMedia({ colorScheme: "dark" });
+    await page.waitForTimeout(1500);
+    await screenshot(page, "walk-narrow-dark");
+    for (const control of await page.locator(".walk-foot button").all()) {
+      const { width, height } = (await control.boundingBox())!;
+      expect(Math.min(width, height)).toBeGreaterThanOrEqual(44);
+    }
+  });
+});

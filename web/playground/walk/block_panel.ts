@@ -1,0 +1,208 @@
+/** The panel of the chosen block: its mixture, its numbers of steps, how long steps last, and what the model says of it. */
+import { Segment } from "../controls/buttons";
+import { icon } from "../controls/icons";
+import { Slider } from "../controls/slider";
+import { formatNumber, html, setText } from "../dom";
+import { Polygon } from "../polygon/polygon";
+import { isBeyondData, type Selection, toTriangle, vertexOrder } from "../polygon/selection";
+import { RANGES, WALK_TEMPOS, type WalkTempo } from "../state";
+import { strings } from "../strings/strings";
+import { capitalised, numberWord } from "../words";
+import { INTENSITY_RANGE, STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "./plan";
+import { PLOT_SUBJECTS, Plot, type PlotSubject } from "./plots";
+
+/** What is measured of a block. */
+export interface BlockFigures {
+  /** Steps a minute. */
+  cadence: number;
+  /** Metres. */
+  stepLength: number;
+  /** Metres a second. */
+  speed: number;
+}
+
+export interface BlockPanelListeners {
+  onBlock: (patch: Partial<WalkBlock>, gesture?: string) => void;
+  onSettle: () => void;
+  onWhole: (whole: boolean, styles: Selection) => void;
+  onTempo: (tempo: WalkTempo) => void;
+  onCadence: (cadence: number) => void;
+  onTurn: (turn: number) => void;
+  onSubject: (subject: PlotSubject) => void;
+}
+
+export interface BlockPanelModel {
+  block: WalkBlock;
+  title: string;
+  whole: boolean;
+  tempo: WalkTempo;
+  cadence: number;
+  turn: number;
+  /** Whether nothing leads into the block. */
+  alone: boolean;
+  figures: BlockFigures;
+}
+
+export class BlockPanel {
+  readonly element: HTMLElement;
+  readonly plot = new Plot();
+  readonly #heading = html("h2", { id: "walk-block-heading" });
+  readonly #mode: Segment<"triangle" | "whole">;
+  readonly #polygon: Polygon;
+  readonly #caption = html("p", { class: "caption polygon-caption" });
+  readonly #intensity: Slider;
+  readonly #steps: Slider;
+  readonly #transition: Slider;
+  readonly #tempo: Segment<WalkTempo>;
+  readonly #cadence: Slider;
+  readonly #turn: Slider;
+  readonly #subject = html("select", { "aria-label": strings.walk.plot });
+  readonly #step = html("span", { class: "caption" });
+  readonly #figures: Record<keyof BlockFigures, HTMLElement> = {
+    cadence: html("dd"),
+    stepLength: html("dd"),
+    speed: html("dd"),
+  };
+  #vertices: readonly string[] = [];
+  #styles: Selection = [];
+  /** Whether the polygon's handle is in somebody's hand, which it follows without easing. */
+  #held = false;
+
+  constructor(listeners: BlockPanelListeners) {
+    const { onBlock, onSettle } = listeners;
+    this.#polygon = new Polygon({
+      onChange: (styles, gesture) => {
+        this.#held = gesture !== undefined;
+        onBlock({ styles }, gesture);
+      },
+      onSettle: () => {
+        this.#held = false;
+        onSettle();
+      },
+    });
+    this.#mode = new Segment(
+      strings.walk.mixed,
+      [
+        { value: "triangle", label: strings.play.style.three },
+        { value: "whole", label: strings.play.style.all },
+      ],
+      (mode) => {
+        const styles = mode === "whole" ? this.#styles : toTriangle(this.#styles, this.#vertices);
+        listeners.onWhole(mode === "whole", styles);
+      },
+    );
+    const slider = (
+      name: string,
+      range: typeof INTENSITY_RANGE | typeof STEP_RANGE,
+      initial: number,
+      key: keyof WalkBlock,
+    ) => new Slider(name, range, initial, { onInput: (value) => onBlock({ [key]: value }, `walk ${key}`), onSettle });
+    this.#intensity = slider(strings.walk.intensity, INTENSITY_RANGE, 1, "intensity");
+    this.#intensity.plausible = { least: -1, most: 2 };
+    this.#steps = slider(strings.walk.stepCount, STEP_RANGE, 4, "steps");
+    this.#transition = new Slider(strings.walk.transition, TRANSITION_RANGE, 4, {
+      onInput: (transition) => onBlock({ transition }, "walk transition"),
+      onSettle,
+    });
+    this.#transition.words = strings.walk.between;
+    this.#tempo = new Segment<WalkTempo>(
+      strings.walk.durations,
+      WALK_TEMPOS.map((value) => ({ value, label: strings.walk[value] })),
+      listeners.onTempo,
+    );
+    this.#cadence = new Slider(strings.walk.cadence, RANGES.cadence, 110, { onInput: listeners.onCadence, onSettle });
+    this.#cadence.words = strings.walk.perMinute;
+    this.#turn = new Slider(strings.walk.turn, RANGES.turn, 0, { onInput: listeners.onTurn, onSettle });
+    this.#turn.words = strings.walk.turning;
+    this.#subject.append(
+      ...PLOT_SUBJECTS.map((value) =>
+        html("option", { value }, value === "states" ? strings.walk.stateEnds : strings.walk.joints[value]),
+      ),
+    );
+    this.#subject.addEventListener("change", () => listeners.onSubject(this.#subject.value as PlotSubject));
+    const figure = (name: string, value: HTMLElement) => html("div", { class: "row" }, html("dt", {}, name), value);
+    this.element = html(
+      "aside",
+      { class: "walk-panel", "aria-label": strings.walk.heading },
+      html(
+        "section",
+        { class: "walk-section", "aria-labelledby": "walk-block-heading" },
+        html("div", { class: "section-heading" }, this.#heading, this.#mode.element),
+        this.#polygon.element,
+        this.#caption,
+        this.#intensity.element,
+      ),
+      html(
+        "section",
+        { class: "walk-section" },
+        this.#steps.element,
+        this.#transition.element,
+        html(
+          "div",
+          { class: "row" },
+          html("span", { class: "label", "aria-hidden": "true" }, strings.walk.durations),
+          this.#tempo.element,
+        ),
+        this.#cadence.element,
+        this.#turn.element,
+      ),
+      html(
+        "section",
+        { class: "walk-section" },
+        html(
+          "div",
+          { class: "section-heading" },
+          html("div", { class: "select plain-select walk-subject" }, this.#subject, icon("chevron")),
+          this.#step,
+        ),
+        this.plot.element,
+      ),
+      html(
+        "section",
+        { class: "walk-section" },
+        html(
+          "dl",
+          { class: "walk-figures", "aria-label": strings.walk.figures },
+          figure(strings.walk.cadence, this.#figures.cadence),
+          figure(strings.walk.stepLength, this.#figures.stepLength),
+          figure(strings.walk.speed, this.#figures.speed),
+        ),
+      ),
+    );
+  }
+
+  /** Takes the styles of another model. */
+  setStyles(styles: readonly string[], neutral: string): void {
+    this.#vertices = vertexOrder(styles, neutral);
+    this.#mode.relabel("triangle", capitalised(numberWord(Math.min(3, styles.length))));
+    this.#mode.relabel("whole", strings.play.style.allOf(numberWord(styles.length)));
+    this.#mode.element.hidden = styles.length <= 3;
+  }
+
+  show(model: BlockPanelModel): void {
+    const { block, title, whole, tempo, figures } = model;
+    this.#styles = block.styles;
+    setText(this.#heading, title);
+    this.#mode.value = whole ? "whole" : "triangle";
+    const beyond = isBeyondData(block.styles, block.intensity);
+    this.#polygon.show({ vertices: this.#vertices, selection: block.styles, whole, beyond }, !this.#held);
+    setText(this.#caption, beyond ? strings.walk.beyond : strings.walk.hint);
+    this.#intensity.value = block.intensity;
+    this.#steps.value = block.steps;
+    this.#transition.value = block.transition;
+    this.#transition.element.hidden = model.alone;
+    this.#tempo.value = tempo;
+    this.#cadence.element.hidden = tempo !== "fixed";
+    this.#cadence.value = model.cadence;
+    this.#turn.value = model.turn;
+    setText(this.#figures.cadence, strings.walk.cadenceFigure(formatNumber(figures.cadence, 0)));
+    setText(this.#figures.stepLength, strings.walk.metres(formatNumber(figures.stepLength, 2)));
+    setText(this.#figures.speed, strings.walk.metresPerSecond(formatNumber(figures.speed, 2)));
+  }
+
+  /** What is plotted, and the step that it is of. */
+  showSubject(subject: PlotSubject, step: string): void {
+    this.#subject.value = subject;
+    setText(this.#step, step);
+  }
+}

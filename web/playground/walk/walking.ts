@@ -1,0 +1,176 @@
+/** A plan walked: once through to know what comes, and live, where a change acts on the next frame. */
+import { POSE_FLOATS } from "../../worker/protocol";
+import { STATES, type Tempo, type Walker, type WalkFrame, type WalkModel, type Weights } from "../../worker/walk/walk";
+import { blockBefore, changesOf, type Segment, segmentsOf, stepsOf, type WalkBlock } from "./plan";
+
+/** What is walked, and how. */
+export interface WalkSettings {
+  blocks: readonly WalkBlock[];
+  loop: boolean;
+  tempo: Tempo;
+  /** Radians to the left that a step turns. */
+  turn: number;
+}
+
+/** One time through a plan. */
+export interface Walked {
+  segments: Segment[];
+  rateHz: number;
+  /** `POSE_FLOATS` numbers a frame. */
+  poses: Float32Array;
+  frames: number;
+  /** Frame at which each step begins, and at the end that at which the last one ends. */
+  begins: number[];
+  /** Seconds that each state of each step lasts. */
+  durations: number[][];
+}
+
+/** The weights of a block, one a style of the model. */
+export function weightsOf({ styles, intensity }: WalkBlock, model: WalkModel): Weights {
+  const weights = new Float32Array(model.styles.length);
+  for (const { name, weight } of styles) {
+    const style = model.styles.indexOf(name);
+    if (style >= 0) weights[style] = Math.min(5, Math.max(-5, weight * intensity));
+  }
+  return weights;
+}
+
+/** Walks plans. */
+export class Walking {
+  readonly model: WalkModel;
+  readonly #ahead: Walker;
+  readonly #live: Walker;
+  #settings: WalkSettings | undefined;
+  #segments: Segment[] = [];
+  #steps = 1;
+  /** What the live walk's numbers of steps lack to places in the row, times through it counted. */
+  #offset = 0;
+  /** Changes are planned up to this step. */
+  #plannedUntil = 0;
+  #poses = new Float32Array(512 * POSE_FLOATS);
+
+  constructor(model: WalkModel) {
+    this.model = model;
+    this.#ahead = model.walker();
+    this.#live = model.walker();
+  }
+
+  /** Steps of one time through. */
+  get steps(): number {
+    return this.#steps;
+  }
+
+  /** The live walk's present frame. */
+  get frame(): WalkFrame {
+    return this.#live.frame;
+  }
+
+  /** Takes a plan; the live walk follows it from its next frame on. Gives one time through it. */
+  set(settings: WalkSettings): Walked {
+    const { step } = this.place;
+    this.#settings = settings;
+    this.#segments = segmentsOf(settings.blocks, settings.loop);
+    const steps = stepsOf(this.#segments);
+    // Another number of steps: the live walk is counted anew, its place in the row is the nearest there is.
+    if (steps !== this.#steps) this.#offset = Math.min(step, steps - 1) - this.frame.step;
+    this.#steps = steps;
+    this.#direct(this.#live, this.frame.step);
+    return this.#walkThrough();
+  }
+
+  /** Step of the row that the live walk is in, and times that it has been through it. */
+  get place(): { step: number; rounds: number } {
+    const at = this.frame.step + this.#offset;
+    return { step: ((at % this.#steps) + this.#steps) % this.#steps, rounds: Math.floor(at / this.#steps) };
+  }
+
+  /** Goes on by so many seconds. */
+  advance(secs: number): WalkFrame {
+    const frame = this.#live.advance(secs);
+    if (this.#settings && frame.step + this.#steps > this.#plannedUntil) this.#planRound(this.#live);
+    return frame;
+  }
+
+  /** Puts the live walk at a place of the row, as walked from its beginning. */
+  seek(step: number, done: number): void {
+    this.#offset = 0;
+    this.#begin(this.#live);
+    const { frame } = this.#live;
+    while (frame.step < step || (frame.step === step && frame.done < done)) this.#live.next();
+  }
+
+  dispose(): void {
+    this.#ahead.dispose();
+    this.#live.dispose();
+    this.model.dispose();
+  }
+
+  /** Lets a walker begin the plan as if it had never walked. */
+  #begin(walker: Walker): void {
+    walker.reset();
+    this.#direct(walker, 0);
+    // What it had taken up before the plan was another style.
+    walker.reset();
+  }
+
+  /** Gives a walker the plan from a step of its own on. */
+  #direct(walker: Walker, step: number): void {
+    const { blocks, tempo, turn } = this.#settings!;
+    const round = Math.floor((step + this.#offset) / this.#steps) * this.#steps - this.#offset;
+    const base = blocks[blockBefore(this.#segments, step - round)]!;
+    const changes = changesOf(this.#segments, round).filter((change) => change.step + change.between >= step);
+    this.#plannedUntil = round + this.#steps;
+    walker.tempo = tempo;
+    walker.turn = turn;
+    walker.plan(
+      weightsOf(base, this.model),
+      changes.map(({ step, between, block }) => ({ step: Math.max(0, step), between, weights: this.#weights(block) })),
+    );
+    this.#planRound(walker);
+  }
+
+  /** Plans another time through the row; none where it is walked once. */
+  #planRound(walker: Walker): void {
+    if (!this.#settings!.loop) {
+      this.#plannedUntil = Number.POSITIVE_INFINITY;
+      return;
+    }
+    for (const { step, between, block } of changesOf(this.#segments, this.#plannedUntil))
+      walker.add({ step: Math.max(0, step), between, weights: this.#weights(block) });
+    this.#plannedUntil += this.#steps;
+  }
+
+  #weights(block: number): Weights {
+    return weightsOf(this.#settings!.blocks[block]!, this.model);
+  }
+
+  #walkThrough(): Walked {
+    const walker = this.#ahead;
+    const [offset, planned] = [this.#offset, this.#plannedUntil];
+    this.#offset = 0;
+    this.#begin(walker);
+    [this.#offset, this.#plannedUntil] = [offset, planned];
+    const { frame } = walker;
+    const { rateHz } = this.model;
+    const begins: number[] = [];
+    const durations: number[][] = [];
+    let frames = 0;
+    while (frame.step < this.#steps) {
+      if (frame.step === begins.length) {
+        begins.push(frames);
+        durations.push(Array.from({ length: STATES }, (_, state) => frame.durations[state]! / rateHz));
+      }
+      if ((frames + 1) * POSE_FLOATS > this.#poses.length) {
+        const longer = new Float32Array(2 * this.#poses.length);
+        longer.set(this.#poses);
+        this.#poses = longer;
+      }
+      this.#poses.set(frame.pose, frames * POSE_FLOATS);
+      frames += 1;
+      walker.next();
+    }
+    begins.push(frames);
+    const poses = this.#poses.slice(0, frames * POSE_FLOATS);
+    return { segments: this.#segments, rateHz, poses, frames, begins, durations };
+  }
+}
