@@ -6,6 +6,9 @@ import * as glue from "./pkg/strut_wasm_build.js";
 /** The generated bindings. */
 export type BuildGlue = typeof glue;
 
+/** Where the module is. */
+export const BUILD_MODULE = new URL("./pkg/strut_wasm_build_bg.wasm", import.meta.url);
+
 let loading: Promise<BuildGlue> | undefined;
 let memory: WebAssembly.Memory;
 
@@ -43,7 +46,7 @@ export function fileAt(address: number, length: number): Blob {
 }
 
 async function instantiate(): Promise<BuildGlue> {
-  const module = await compileModule(new URL("./pkg/strut_wasm_build_bg.wasm", import.meta.url));
+  const module = await compileModule(BUILD_MODULE);
   memory = glue.initSync({ module }).memory;
   return glue;
 }

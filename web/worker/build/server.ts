@@ -1,6 +1,7 @@
 /** The build worker's side of the wire: the files that are open, and what is made of them. */
 import { type Build, DatabaseBuilder, type OnBuildProgress } from "../../engine/build/builder";
 import { type TrainedWalk, trainWalk } from "../../engine/build/walk_training";
+import { BUILD_MODULE } from "../../engine/build/wasm";
 import { loadBuiltIn } from "../../engine/built_in";
 import { cancelled, toStrutError } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
@@ -18,6 +19,7 @@ import type {
   Skeleton,
 } from "./protocol";
 import { findSources, folderOf, LICENCE_NAMES, reasonOf, type Source } from "./sources";
+import { trainedOnce } from "./walk_shelf";
 
 /** As much of a worker's global scope as the server needs. */
 export interface BuildPort {
@@ -170,7 +172,10 @@ class BuildServer {
   }
 
   private async trainWalk(database: Blob | undefined, caller: Caller): Promise<TrainedWalk> {
-    return trainWalk(await bytesOf(database), (stage, done, total) => caller.report(trainProgress(stage, done, total)));
+    const bytes = await bytesOf(database);
+    return trainedOnce(BUILD_MODULE, bytes, () =>
+      trainWalk(bytes, (stage, done, total) => caller.report(trainProgress(stage, done, total))),
+    );
   }
 
   private async build(
