@@ -49,14 +49,29 @@ describe("opening the view", () => {
   it("trains on the built-in walks, says so, and walks", async () => {
     await page.getByRole("link", { name: "Walk", exact: true }).click();
     await eventually(() => blocks().count()).toBe(3);
-    await eventually(() => page.locator(".notices").textContent()).toMatch(
-      /8 styles ready to walk\. Trained on 8 clips/,
-    );
+    await eventually(() => page.locator(".notices").textContent()).toMatch(/8 styles ready to walk, from 8 clips/);
     expect(await title()).toBe("22 steps, three styles");
     const before = await secs();
     await eventually(secs, "it walks by itself").not.toBe(before);
     expect(await figure("Step length")).toMatch(/^0\.\d\d m$/);
     expect(await faults()).toEqual([]);
+  });
+
+  it("keeps the model on this device", async () => {
+    const kept = () =>
+      page.evaluate(
+        () =>
+          new Promise<number>((resolve, reject) => {
+            const opening = indexedDB.open("strut-walks", 1);
+            opening.onerror = () => reject(opening.error);
+            opening.onsuccess = () => {
+              const counting = opening.result.transaction("models").objectStore("models").count();
+              counting.onsuccess = () => resolve(counting.result);
+              opening.result.close();
+            };
+          }),
+      );
+    expect(await kept()).toBe(1);
   });
 
   it("follows the keyboard: play, pause, steps", async () => {

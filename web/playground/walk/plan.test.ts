@@ -42,13 +42,14 @@ describe("the row of steps", () => {
     expect(segmentsOf([PLAN[0]!], true), "one block goes on as it is").toHaveLength(1);
   });
 
-  it("mixes on the way as the specification says", () => {
+  it("mixes on the way, state after state", () => {
     const row = segmentsOf(PLAN, false);
     expect(sharesAt(row, 2)).toEqual([{ block: 0, share: 1 }]);
     expect(sharesAt(row, 3)).toEqual([
-      { block: 0, share: 1 - 1 / 3 },
-      { block: 1, share: 1 / 3 },
+      { block: 0, share: 0.75 },
+      { block: 1, share: 0.25 },
     ]);
+    expect(sharesAt(row, 4, 0.9)[1]!.share).toBeCloseTo(0.95);
     expect(sharesAt(row, 5)).toEqual([{ block: 1, share: 1 }]);
   });
 
@@ -91,7 +92,9 @@ describe("edits", () => {
       "old",
     ]);
     expect(firstBlocks(["a", "b"], undefined)).toHaveLength(2);
-    expect(withKnownStyles(PLAN, ["neutral", "proud"])).toHaveLength(2);
-    expect(withKnownStyles(PLAN, ["neutral", "proud", "old"])).toBeUndefined();
+    const names = (blocks: WalkBlock[] | undefined) => blocks?.map((b) => b.styles[0]!.name);
+    expect(names(withKnownStyles(PLAN, ["neutral", "proud"], undefined))).toEqual(["neutral", "proud"]);
+    expect(names(withKnownStyles(PLAN, ["normal", "old"], "normal"))).toEqual(["normal", "normal", "old"]);
+    expect(withKnownStyles(PLAN, ["neutral", "proud", "old"], "neutral")).toBeUndefined();
   });
 });

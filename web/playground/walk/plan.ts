@@ -54,11 +54,11 @@ export function segmentAt(segments: readonly Segment[], step: number): Segment {
   return segments.find(({ first, steps }) => step >= first && step < first + steps) ?? segments.at(-1)!;
 }
 
-/** How much of each block a step is: one of them, or two on the way. */
-export function sharesAt(segments: readonly Segment[], step: number): { block: number; share: number }[] {
+/** How much of each block a moment of a step is, 0.5 being its middle: one of them, or two on the way. */
+export function sharesAt(segments: readonly Segment[], step: number, moment = 0.5): { block: number; share: number }[] {
   const segment = segmentAt(segments, step);
   if (segment.kind === "block") return [{ block: segment.block, share: 1 }];
-  const share = (step - segment.first + 1) / (segment.steps + 1);
+  const share = (step - segment.first + moment) / segment.steps;
   return [
     { block: segment.from, share: 1 - share },
     { block: segment.to, share },
@@ -144,12 +144,21 @@ export function firstBlocks(styles: readonly string[], neutral: string | undefin
   }));
 }
 
-/** The blocks with only the styles that there are; `undefined` where nothing had to go. */
-export function withKnownStyles(blocks: readonly WalkBlock[], known: readonly string[]): WalkBlock[] | undefined {
+/**
+ * The blocks with only the styles that there are; `undefined` where nothing had to go. A block that loses all that it was of
+ * becomes neutral, or goes too where there is no neutral style.
+ */
+export function withKnownStyles(
+  blocks: readonly WalkBlock[],
+  known: readonly string[],
+  neutral: string | undefined,
+): WalkBlock[] | undefined {
   if (blocks.every((block) => block.styles.every((s) => known.includes(s.name)))) return undefined;
-  return blocks
-    .map((block) => ({ ...block, styles: block.styles.filter((s) => known.includes(s.name)) }))
-    .filter((block) => block.styles.length > 0);
+  return blocks.flatMap((block) => {
+    const styles = block.styles.filter((s) => known.includes(s.name));
+    if (styles.some((s) => s.weight !== 0)) return { ...block, styles };
+    return neutral === undefined ? [] : { ...block, styles: [{ name: neutral, weight: 1 }] };
+  });
 }
 
 /** The style that a block has most of. */

@@ -359,10 +359,10 @@ export class Planner {
     }
     for (const [step, states] of durations.entries()) {
       const [x, next] = [this.#stepX(step), this.#stepX(step + 1)];
-      const [one, other] = sharesAt(segments, step);
-      const colour = other ? mixed(colours[one!.block]!, colours[other.block]!, other.share) : colours[one!.block]!;
       let from = 0;
       for (const [state, secs] of states.entries()) {
+        const [one, other] = sharesAt(segments, step, (state + 0.5) / states.length);
+        const colour = other ? mixed(colours[one!.block]!, colours[other.block]!, other.share) : colours[one!.block]!;
         const top = y(from + secs);
         group.append(
           svg("rect", {

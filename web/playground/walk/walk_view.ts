@@ -9,6 +9,7 @@ import { normalised, type Selection, toTriangle, vertexOrder } from "../polygon/
 import { ProgressLine } from "../progress";
 import type { PlayState } from "../state";
 import { strings } from "../strings/strings";
+import { onSystemTheme } from "../theme";
 import type { Picture, View, ViewHost } from "../views";
 import { capitalised, errorText, isCancellation, manner, numberWord, spoken } from "../words";
 import { type BlockFigures, BlockPanel } from "./block_panel";
@@ -179,7 +180,9 @@ class Walk implements View {
   show(): void {
     this.#shown = true;
     this.#listening = new AbortController();
-    addEventListener("keydown", (event) => this.#onKey(event), { signal: this.#listening.signal });
+    const { signal } = this.#listening;
+    addEventListener("keydown", (event) => this.#onKey(event), { signal });
+    onSystemTheme(() => this.#showTransport(), signal);
     this.#picture = this.#host.borrowPicture(this.#stage);
     this.#picture.viewer.description = strings.walk.picture;
     this.#showTransport();
@@ -281,7 +284,7 @@ class Walk implements View {
     this.#strip.setProportions(proportions);
     this.#panel.setStyles(styles, this.#neutral ?? "");
     const { walk } = store.state;
-    const known = withKnownStyles(walk, styles) ?? walk;
+    const known = withKnownStyles(walk, styles, this.#neutral) ?? walk;
     const blocks = known.length > 0 ? known : firstBlocks(styles, this.#neutral);
     if (blocks !== walk)
       store.adopt({ walk: blocks.map((block) => ({ ...block, styles: this.#inTriangle(block.styles) })) });

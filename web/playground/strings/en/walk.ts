@@ -11,7 +11,7 @@ export const walk = {
   reading: "Reading the walks.",
   training: "Training the walks.",
   trained: (styles: number, clips: number, secs: string) =>
-    `${styles} styles ready to walk. Trained on ${clips} clips, ${secs} s.`,
+    `${styles} styles ready to walk, from ${clips} clips, ${secs} s.`,
   leftOut: (n: number, name: string, reason: string) =>
     n === 1 ? `${name} was left out. ${reason}` : `${n} clips were left out. ${name}: ${reason}`,
   nothing: "Nobody walks yet",
