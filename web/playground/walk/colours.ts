@@ -14,11 +14,10 @@ const OTHERS = [
 
 /** The colours of blocks, as CSS has them. */
 export function coloursOf(blocks: readonly WalkBlock[], neutral: string | undefined): string[] {
-  const names = [...new Set(blocks.map(mainStyle))].filter((name) => name !== neutral);
-  return blocks.map((block) => {
-    const name = mainStyle(block);
-    return name === neutral ? NEUTRAL : OTHERS[names.indexOf(name) % OTHERS.length]!;
-  });
+  // A style and its opposite differ more than most.
+  const kinds = blocks.map((block) => `${block.intensity < 0 ? "−" : ""}${mainStyle(block)}`);
+  const others = [...new Set(kinds)].filter((kind) => kind !== neutral);
+  return kinds.map((kind) => (kind === neutral ? NEUTRAL : OTHERS[others.indexOf(kind) % OTHERS.length]!));
 }
 
 /** A colour on the way between two. */

@@ -227,7 +227,8 @@ export class Planner {
     );
     // Names that do not fit are left to the tooltip.
     const letters = Math.floor((width - 20) / 7);
-    const shown = [name, spoken(mainStyle(block))].find((words) => words.length <= letters) ?? "";
+    const shown =
+      [name, spoken(mainStyle(block))].find((words) => words.length <= letters && name.includes(words)) ?? "";
     if (shown) group.append(text({ x: x + 13, y: ROWS.style + 25, class: "planner-style" }, shown));
     if (width > 7 * (shown.length + count.length) + 34)
       group.append(" ", text({ x: end - 12, y: ROWS.style + 25, "text-anchor": "end" }, count));

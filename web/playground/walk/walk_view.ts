@@ -357,8 +357,11 @@ class Walk implements View {
 
   /** What a block is like, in words. */
   readonly #nameOf = ({ styles, intensity }: WalkBlock): string => {
-    const one = styles.filter((s) => Math.abs(s.weight) > 0.005);
-    return one.length === 1 ? spoken(one[0]!.name) : manner(styles, intensity, this.#neutral ?? "");
+    const some = styles.filter((s) => Math.abs(s.weight) > 0.005);
+    if (Math.abs(intensity) < 0.05) return strings.walk.averageStyle;
+    const name = some.length === 1 ? spoken(some[0]!.name) : manner(styles, 1, this.#neutral ?? "");
+    if (intensity < 0) return strings.walk.opposite(name);
+    return intensity > 1.05 ? strings.walk.very(name) : intensity < 0.95 ? strings.walk.slightly(name) : name;
   };
 
   #showPlot(block: WalkBlock, chosen: number): void {
