@@ -54,7 +54,8 @@ describe("opening the view", () => {
     const before = await secs();
     await eventually(secs, "it walks by itself").not.toBe(before);
     expect(await figure("Step length")).toMatch(/^0\.\d\d m$/);
-    expect(await faults()).toEqual([]);
+    // Colours of what has just been enabled take a moment.
+    await eventually(faults).toEqual([]);
   });
 
   it("keeps the model on this device", async () => {
