@@ -187,6 +187,21 @@ describe("the block", () => {
     await eventually(() => number("Cadence")).toBeLessThan(150);
   });
 
+  it("takes shorter steps, and stops where it is not walked on", async () => {
+    await visit(page, `view=walk&play=0&${THREE}`);
+    await eventually(() => number("Step length")).toBeGreaterThan(0.3);
+    const before = await number("Step length");
+    await page.getByRole("slider", { name: "Stride" }).click();
+    await page.keyboard.press("Home");
+    await eventually(() => number("Step length")).toBeLessThan(0.8 * before);
+    await eventually(() => page.url()).toContain("stride=60");
+    // Who does not walk on stands at the end.
+    await page.getByRole("button", { name: "Walk on from the beginning" }).click();
+    await page.getByRole("button", { name: "Play" }).first().click();
+    await eventually(async () => (await page.evaluate(() => window.strut.state)).playing).toBe(false);
+    await screenshot(page, "walk-stopped");
+  });
+
   it("shows the ends of states and the curves of joints", async () => {
     await eventually(() => page.locator(".walk-plot").getAttribute("aria-label")).toMatch(
       /^When each state ends: push-off \d\.\d\d s/,

@@ -51,6 +51,7 @@ describe("state ↔ URL", () => {
         { maxLength: 12 },
       ),
       walkTempo: fc.constantFrom("model", "sampled", "fixed"),
+      walkStride: fc.integer({ min: 60, max: 130 }),
       walkTurn: fc.integer({ min: -10, max: 10 }),
       other: fc.string(),
       input: fc.string(),

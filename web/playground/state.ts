@@ -90,6 +90,8 @@ export interface PlayState {
   /** How long steps last: as in the model, drawn about that, or all the same, and then how many a minute. */
   walkTempo: WalkTempo;
   walkCadence: number;
+  /** Length of steps, % of the style's. */
+  walkStride: number;
   /** Degrees to the left that a step turns. */
   walkTurn: number;
   /** Whether the walk is shown as a strip of its steps. */
@@ -129,6 +131,7 @@ export const RANGES = {
   kappa: { min: 0.5, max: 6, digits: 1 },
   delta: { min: 0.1, max: 3, digits: 2 },
   cadence: { min: 50, max: 180, digits: 0 },
+  stride: { min: 60, max: 130, digits: 0 },
   turn: { min: -10, max: 10, digits: 0 },
 } as const satisfies Record<string, Range>;
 
@@ -258,6 +261,7 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
   walkWhole: flag("walkall", false, true),
   walkTempo: choice("tempo", "model", WALK_TEMPOS, true),
   walkCadence: number("cadence", 110, RANGES.cadence, true),
+  walkStride: number("stride", 100, RANGES.stride, true),
   walkTurn: number("turn", 0, RANGES.turn, true),
   walkStrip: flag("strip", false, false),
   walkPlot: text("plot", "states", false),

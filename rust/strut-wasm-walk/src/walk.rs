@@ -87,6 +87,18 @@ impl Walk {
         self.walker.set_turn(turn);
     }
 
+    /// Length of steps as a share of the style's.
+    #[wasm_bindgen(js_name = setStride)]
+    pub fn set_stride(&mut self, share: f32) {
+        self.walker.set_stride(share);
+    }
+
+    /// Whether to walk or to stand, from the next frame on; either takes two steps.
+    #[wasm_bindgen(js_name = setWalking)]
+    pub fn set_walking(&mut self, walks: bool) {
+        self.walker.set_walking(walks);
+    }
+
     /// Goes on by so many seconds.
     pub fn advance(&mut self, secs: f64) {
         let frames = secs * f64::from(RATE_HZ);

@@ -176,6 +176,16 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
     this.raw.setTurn(turn);
   }
 
+  /** Length of steps as a share of the style's; the engine takes the nearest that it can. */
+  set stride(share: number) {
+    this.raw.setStride(share);
+  }
+
+  /** Whether to walk or to stand, from the next frame on; either takes two steps. */
+  set walks(walks: boolean) {
+    this.raw.setWalking(walks);
+  }
+
   /** Goes on by so many seconds. */
   advance(secs: number): WalkFrame {
     this.raw.advance(secs);

@@ -27,6 +27,7 @@ export interface BlockPanelListeners {
   onWhole: (whole: boolean, styles: Selection) => void;
   onTempo: (tempo: WalkTempo) => void;
   onCadence: (cadence: number) => void;
+  onStride: (stride: number) => void;
   onTurn: (turn: number) => void;
   onSubject: (subject: PlotSubject) => void;
 }
@@ -37,6 +38,7 @@ export interface BlockPanelModel {
   whole: boolean;
   tempo: WalkTempo;
   cadence: number;
+  stride: number;
   turn: number;
   /** Whether nothing leads into the block. */
   alone: boolean;
@@ -55,6 +57,7 @@ export class BlockPanel {
   readonly #transition: Slider;
   readonly #tempo: Segment<WalkTempo>;
   readonly #cadence: Slider;
+  readonly #stride: Slider;
   readonly #turn: Slider;
   readonly #subject = html("select", { "aria-label": strings.walk.plot });
   readonly #step = html("span", { class: "caption" });
@@ -112,6 +115,8 @@ export class BlockPanel {
     );
     this.#cadence = new Slider(strings.walk.cadence, RANGES.cadence, 110, { onInput: listeners.onCadence, onSettle });
     this.#cadence.words = strings.walk.perMinute;
+    this.#stride = new Slider(strings.walk.stride, RANGES.stride, 100, { onInput: listeners.onStride, onSettle });
+    this.#stride.words = strings.walk.percent;
     this.#turn = new Slider(strings.walk.turn, RANGES.turn, 0, { onInput: listeners.onTurn, onSettle });
     this.#turn.words = strings.walk.turning;
     this.#subject.append(
@@ -144,6 +149,7 @@ export class BlockPanel {
           this.#tempo.element,
         ),
         this.#cadence.element,
+        this.#stride.element,
         this.#turn.element,
       ),
       html(
@@ -194,6 +200,7 @@ export class BlockPanel {
     this.#tempo.value = tempo;
     this.#cadence.element.hidden = tempo !== "fixed";
     this.#cadence.value = model.cadence;
+    this.#stride.value = model.stride;
     this.#turn.value = model.turn;
     setText(this.#figures.cadence, strings.walk.cadenceFigure(formatNumber(figures.cadence, 0)));
     setText(this.#figures.stepLength, strings.walk.metres(formatNumber(figures.stepLength, 2)));

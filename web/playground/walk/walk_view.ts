@@ -48,6 +48,7 @@ const WALK_FIELDS = [
   "walkWhole",
   "walkTempo",
   "walkCadence",
+  "walkStride",
   "walkTurn",
   "walkPlot",
   "loop",
@@ -104,6 +105,7 @@ class Walk implements View {
         store.edit({ walkWhole, walk: withBlock(store.state.walk, this.#chosen, { styles }) }),
       onTempo: (walkTempo) => store.edit({ walkTempo }),
       onCadence: (walkCadence) => store.edit({ walkCadence }, "walk cadence"),
+      onStride: (walkStride) => store.edit({ walkStride }, "walk stride"),
       onTurn: (walkTurn) => store.edit({ walkTurn }, "walk turn"),
       onSubject: (walkPlot) => store.edit({ walkPlot }),
     });
@@ -330,6 +332,7 @@ class Walk implements View {
       blocks: state.walk,
       loop: state.loop,
       tempo,
+      stride: state.walkStride / 100,
       turn: (state.walkTurn * Math.PI) / 180,
     });
     const chosen = this.#chosen;
@@ -342,6 +345,7 @@ class Walk implements View {
       whole: state.walkWhole,
       tempo: state.walkTempo,
       cadence: state.walkCadence,
+      stride: state.walkStride,
       turn: state.walkTurn,
       alone: state.walk.length < 2,
       figures: figuresOf(this.#walked, chosen),

@@ -8,6 +8,8 @@ export interface WalkSettings {
   blocks: readonly WalkBlock[];
   loop: boolean;
   tempo: Tempo;
+  /** Length of steps as a share of the style's. */
+  stride: number;
   /** Radians to the left that a step turns. */
   turn: number;
 }
@@ -24,6 +26,9 @@ export interface Walked {
   /** Seconds that each state of each step lasts. */
   durations: number[][];
 }
+
+/** Steps in which a walker stops. */
+const STOPPING_STEPS = 2;
 
 /** The weights of a block, one a style of the model. */
 export function weightsOf({ styles, intensity }: WalkBlock, model: WalkModel): Weights {
@@ -86,6 +91,7 @@ export class Walking {
 
   /** Goes on by so many seconds. */
   advance(secs: number): WalkFrame {
+    this.#live.walks = this.#walksOn(this.place.step);
     const frame = this.#live.advance(secs);
     if (this.#settings && frame.step + this.#steps > this.#plannedUntil) this.#planRound(this.#live);
     return frame;
@@ -96,7 +102,10 @@ export class Walking {
     this.#offset = 0;
     this.#begin(this.#live);
     const { frame } = this.#live;
-    while (frame.step < step || (frame.step === step && frame.done < done)) this.#live.next();
+    while (frame.step < step || (frame.step === step && frame.done < done)) {
+      this.#live.walks = this.#walksOn(frame.step);
+      this.#live.next();
+    }
   }
 
   dispose(): void {
@@ -105,8 +114,14 @@ export class Walking {
     this.model.dispose();
   }
 
+  /** Whether a step of the row is walked to its end: a row that is walked once ends in standing, as it began. */
+  #walksOn(step: number): boolean {
+    return this.#settings!.loop || step < this.#steps - STOPPING_STEPS;
+  }
+
   /** Lets a walker begin the plan as if it had never walked. */
   #begin(walker: Walker): void {
+    walker.walks = this.#settings!.loop;
     walker.reset();
     this.#direct(walker, 0);
     // What it had taken up before the plan was another style.
@@ -115,12 +130,13 @@ export class Walking {
 
   /** Gives a walker the plan from a step of its own on. */
   #direct(walker: Walker, step: number): void {
-    const { blocks, tempo, turn } = this.#settings!;
+    const { blocks, tempo, stride, turn } = this.#settings!;
     const round = Math.floor((step + this.#offset) / this.#steps) * this.#steps - this.#offset;
     const base = blocks[blockBefore(this.#segments, step - round)]!;
     const changes = changesOf(this.#segments, round).filter((change) => change.step + change.between >= step);
     this.#plannedUntil = round + this.#steps;
     walker.tempo = tempo;
+    walker.stride = stride;
     walker.turn = turn;
     walker.plan(
       weightsOf(base, this.model),
@@ -167,6 +183,7 @@ export class Walking {
       }
       this.#poses.set(frame.pose, frames * POSE_FLOATS);
       frames += 1;
+      walker.walks = this.#walksOn(frame.step);
       walker.next();
     }
     begins.push(frames);

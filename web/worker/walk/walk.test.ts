@@ -60,6 +60,27 @@ describe("walking", () => {
     expect(walk(150, alone("neutral"), 0.1).aside).toBeGreaterThan(1);
   });
 
+  it("stops, and goes again with shorter steps", () => {
+    const walker = model.walker();
+    walker.plan(alone("neutral"), []);
+    walker.reset();
+    const way = (frames: number) => {
+      const from = walker.frame.pose[2]!;
+      for (let i = 0; i < frames; i++) walker.next();
+      return walker.frame.pose[2]! - from;
+    };
+    const before = way(150);
+    walker.walks = false;
+    way(60);
+    expect(way(60)).toBeLessThan(0.01);
+    walker.walks = true;
+    walker.stride = 0.7;
+    way(45);
+    const share = way(150) / before;
+    expect(share).toBeGreaterThan(0.6);
+    expect(share).toBeLessThan(0.8);
+  });
+
   it("differs from style to style, and ends where it always ends", () => {
     expect(walk(200, alone("old")).way).toBeLessThan(0.9 * walk(200, alone("proud")).way);
     expect(walk(200, alone("old"))).toEqual(walk(200, alone("old")));

@@ -221,12 +221,15 @@ fn ten_minutes_neither_drift_nor_grow() {
 
 #[test]
 fn a_beat_is_kept() {
-    let mut walker = walker(&[1.0, 0.0]);
-    walker.set_cadence(Some(100.0));
-    (0..40).for_each(|_| _ = walker.advance());
-    let from = walker.step().0;
-    (0..1800).for_each(|_| _ = walker.advance());
-    assert!((walker.step().0 - from).abs_diff(100) <= 1);
+    for (weights, cadence) in [([1.0, 0.0], 100.0), ([-0.5, 1.5], 180.0), ([0.0, 1.0], 50.0)] {
+        let mut walker = walker(&weights);
+        walker.set_cadence(Some(cadence));
+        (0..40).for_each(|_| _ = walker.advance());
+        let from = walker.step().0;
+        (0..1800).for_each(|_| _ = walker.advance());
+        let steps = walker.step().0 - from;
+        assert!(steps.abs_diff(cadence as u64) <= 1, "{steps} of {cadence}");
+    }
 }
 
 #[test]

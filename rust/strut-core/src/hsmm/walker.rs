@@ -273,6 +273,7 @@ impl Walker {
     pub fn reset(&mut self, at: Vec3, heading: f32) {
         self.root.reset(at);
         self.heading = heading;
+        self.start = Start { first: 0, from: self.start.to, to: self.start.to };
         self.begin();
     }
 
@@ -524,11 +525,7 @@ impl Walker {
         }
         step.durations = step.durations.map(|d| d.clamp(least, greatest));
         if let Some(wanted) = self.step_frames {
-            // States give way as far as they vary.
-            let rho = (wanted - step.durations.iter().sum::<f32>()) / variances.iter().sum::<f32>();
-            for (duration, variance) in step.durations.iter_mut().zip(variances) {
-                *duration = (*duration + rho * variance).clamp(least, greatest);
-            }
+            last(&mut step.durations, &variances, wanted);
         }
     }
 
@@ -576,6 +573,22 @@ impl Walker {
         let (number, state) = self.path[0];
         let [_, velocity, acceleration] = self.planned[slot_of(number)].means[state];
         self.last = (side_of(number) as usize, state, [velocity, acceleration]);
+    }
+}
+
+/// Makes states last so many frames together: each gives way as far as it varies, but no farther than states can.
+fn last(durations: &mut [f32; STATES], variances: &[f32; STATES], frames: f32) {
+    let [least, greatest] = STATE_FRAMES;
+    for _ in 0..STATES {
+        let rest = frames - durations.iter().sum::<f32>();
+        let gives = |duration: f32| if rest < 0.0 { duration > least } else { duration < greatest };
+        let all = durations.iter().zip(variances).filter(|(d, _)| gives(**d)).map(|(_, v)| v).sum::<f32>();
+        if rest == 0.0 || all <= 0.0 {
+            break;
+        }
+        for (duration, variance) in durations.iter_mut().zip(variances).filter(|(d, _)| gives(**d)) {
+            *duration = (*duration + rest * variance / all).clamp(least, greatest);
+        }
     }
 }
 

@@ -12,8 +12,6 @@ export const walk = {
   training: "Training the walks.",
   trained: (styles: number, clips: number, secs: string) =>
     `${styles} styles ready to walk, from ${clips} clips, ${secs} s.`,
-  leftOut: (n: number, name: string, reason: string) =>
-    n === 1 ? `${name} was left out. ${reason}` : `${n} clips were left out. ${name}: ${reason}`,
   nothing: "Nobody walks yet",
   noModel: (database: string) =>
     `${database} gave no walks to learn from. Open a database with clips of walking, or take the built-in ones.`,
@@ -43,6 +41,8 @@ export const walk = {
   fixed: "Fixed",
   cadence: "Cadence",
   perMinute: (n: number) => `${n} / min`,
+  stride: "Stride",
+  percent: (n: number) => `${n} %`,
   turn: "Turn",
   turning: (n: number) => (n === 0 ? "straight" : `${Math.abs(n)}° ${n > 0 ? "left" : "right"}`),
   plan: "Plan",
