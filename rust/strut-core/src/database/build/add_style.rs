@@ -11,6 +11,9 @@ use thiserror::Error;
 /// recorded walks cost 75 to 166 and runs 118 to 189, a jump of three strides 215, walking backwards 325 to 355.
 const MOST_COST: f32 = 200.0;
 
+/// Least length of a clip, seconds. A shorter piece of a walk fits somewhere in the actions that are done once.
+const LEAST_SECS: f32 = 1.0;
+
 /// What became of a clip.
 #[derive(Clone, Debug)]
 pub struct AddedStyle {
@@ -31,6 +34,9 @@ pub enum AddStyleError {
     /// The clip cannot be used at all.
     #[error(transparent)]
     Clip(#[from] Refusal),
+    /// It is too short to show an action.
+    #[error("it lasts {0:.1} s; an action from its beginning to its end, of at least {LEAST_SECS:.1} s, was expected")]
+    Brief(f32),
     /// It shows none of the actions; why it does not show the nearest one.
     #[error("it fits none of the database's actions ({actions}): {reason}")]
     NoAction {
@@ -66,6 +72,10 @@ pub fn add_style(
         return Err(AddStyleError::Exists(clip.style.clone()));
     }
     let example = example_of(db, clip)?;
+    let secs = example.frames() as f32 / db.rate_hz;
+    if secs < LEAST_SECS {
+        return Err(AddStyleError::Brief(secs));
+    }
     let options =
         registration::Options { counterparts: db.counterparts_per_style.min(MAX_COUNTERPARTS), ..options.clone() };
     let mut best: Option<(u16, Addition)> = None;
