@@ -1,6 +1,7 @@
 /** Databases from labelled clips, on the present thread: what the build worker serves. */
+import { sentence } from "../side_package";
 import type { Building } from "./pkg/strut_wasm_build";
-import { type BuildGlue, fileAt, guarded, loadBuildWasm, sentence } from "./wasm";
+import { type BuildGlue, buildPackage } from "./wasm";
 
 /** What a file shows. */
 export interface Labels {
@@ -81,12 +82,12 @@ export class DatabaseBuilder {
 
   /** @throws StrutError if the module cannot be had */
   static async load(): Promise<DatabaseBuilder> {
-    return new DatabaseBuilder(await loadBuildWasm());
+    return new DatabaseBuilder(await buildPackage.load());
   }
 
   /** The most likely pattern of these paths. */
   guessPattern(paths: string[]): string | undefined {
-    return guarded(() => this.glue.guessPattern(paths));
+    return buildPackage.guarded(() => this.glue.guessPattern(paths));
   }
 
   /**
@@ -94,7 +95,7 @@ export class DatabaseBuilder {
    * @throws StrutError with what is wrong with the pattern or the table
    */
   labelsOf(paths: string[], pattern: string | undefined, table: Uint8Array | undefined): Labelled[] {
-    const flat = guarded(() => this.glue.labelsOf(paths, pattern, table));
+    const flat = buildPackage.guarded(() => this.glue.labelsOf(paths, pattern, table));
     return paths.map((_, i) => {
       const [action, style, take, reason] = flat.slice(4 * i, 4 * i + 4) as [string, string, string, string];
       return reason ? { reason: sentence(reason) } : { action, style, take: take ? Number(take) : undefined };
@@ -102,14 +103,14 @@ export class DatabaseBuilder {
   }
 
   licenceTitle(text: Uint8Array): string {
-    return guarded(() => this.glue.licenceTitle(text));
+    return buildPackage.guarded(() => this.glue.licenceTitle(text));
   }
 
   /** @throws StrutError with what is wrong with the file */
   inspect(bytes: Uint8Array, roles?: Roles): ClipInfo {
-    const clip = guarded(() => new this.glue.Clip(bytes, roles));
+    const clip = buildPackage.guarded(() => new this.glue.Clip(bytes, roles));
     try {
-      return guarded(() => infoOf(clip));
+      return buildPackage.guarded(() => infoOf(clip));
     } finally {
       clip.free();
     }
@@ -117,9 +118,9 @@ export class DatabaseBuilder {
 
   /** @throws StrutError with what is wrong with the file */
   preview(bytes: Uint8Array, roles?: Roles): Preview {
-    const clip = guarded(() => new this.glue.Clip(bytes, roles));
+    const clip = buildPackage.guarded(() => new this.glue.Clip(bytes, roles));
     try {
-      return guarded(() => {
+      return buildPackage.guarded(() => {
         const info = infoOf(clip);
         const bound = info.fault === "";
         const none = new Float32Array();
@@ -136,7 +137,7 @@ export class DatabaseBuilder {
    * @throws StrutError with why the clip is no style of it
    */
   addStyle(database: Uint8Array, path: string, style: string, bvh: Uint8Array): BuiltDatabase {
-    return databaseOf(guarded(() => this.glue.addStyle(database, path, style, bvh)));
+    return databaseOf(buildPackage.guarded(() => this.glue.addStyle(database, path, style, bvh)));
   }
 
   /** Begins a build; without `neutral` that style is found by its name. */
@@ -156,7 +157,7 @@ export class Build {
     files: readonly BuildFile[],
     neutral: string | undefined,
   ) {
-    const builder = guarded(
+    const builder = buildPackage.guarded(
       () =>
         new glue.Builder(
           files.map((f) => f.path),
@@ -168,13 +169,13 @@ export class Build {
         ),
     );
     this.raw = builder;
-    this.order = guarded(() => builder.order());
+    this.order = buildPackage.guarded(() => builder.order());
   }
 
   /** @throws StrutError with why the file cannot be used; the others can still be built without it */
   add(path: string, bytes: Uint8Array, roles?: Roles): void {
     const { raw } = this;
-    if (raw instanceof this.glue.Builder) guarded(() => raw.add(path, bytes, roles));
+    if (raw instanceof this.glue.Builder) buildPackage.guarded(() => raw.add(path, bytes, roles));
   }
 
   /**
@@ -182,7 +183,7 @@ export class Build {
    * @throws StrutError if nothing can be built from them
    */
   step(onProgress: OnBuildProgress): boolean {
-    return guarded(() => this.building().step({ progress: onProgress }));
+    return buildPackage.guarded(() => this.building().step({ progress: onProgress }));
   }
 
   /**
@@ -190,7 +191,7 @@ export class Build {
    * @throws StrutError if nothing could be built
    */
   finish(onProgress: OnBuildProgress): BuiltDatabase {
-    return databaseOf(guarded(() => this.building().finish({ progress: onProgress })));
+    return databaseOf(buildPackage.guarded(() => this.building().finish({ progress: onProgress })));
   }
 
   /** Gives up what was added. */
@@ -209,10 +210,11 @@ export class Build {
 /** What was built, which is freed. */
 function databaseOf(built: ReturnType<BuildGlue["addStyle"]>): BuiltDatabase {
   try {
-    return guarded(() => {
+    return buildPackage.guarded(() => {
       const refused = built.refused();
       return {
-        file: fileAt(built.fileAddress(), built.fileLength()),
+        // A copy, without a second one on the way there.
+        file: new Blob([new Uint8Array(buildPackage.bytes, built.fileAddress(), built.fileLength())]),
         clips: built.clips(),
         frames: built.frames(),
         actions: built.actions(),

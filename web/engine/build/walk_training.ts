@@ -1,6 +1,8 @@
 /** Walk models from databases, on the present thread: what the build worker serves. */
+
+import { sentence } from "../side_package";
 import type { RefusedFile } from "./builder";
-import { guarded, loadBuildWasm, sentence } from "./wasm";
+import { buildPackage } from "./wasm";
 
 /** A stage of {@link trainWalk}: clips are read, then styles trained. */
 export type TrainStage = "reading" | "training";
@@ -25,13 +27,13 @@ export async function trainWalk(
   database: Uint8Array,
   onProgress: (stage: TrainStage, done: number, total: number) => void,
 ): Promise<TrainedWalk> {
-  const glue = await loadBuildWasm();
-  const training = guarded(() => new glue.WalkTraining(database));
+  const glue = await buildPackage.load();
+  const training = buildPackage.guarded(() => new glue.WalkTraining(database));
   const listener = { progress: onProgress };
-  while (guarded(() => training.step(listener)));
-  const trained = guarded(() => training.finish());
+  while (buildPackage.guarded(() => training.step(listener)));
+  const trained = buildPackage.guarded(() => training.finish());
   try {
-    return guarded(() => {
+    return buildPackage.guarded(() => {
       const refused = trained.refused();
       return {
         file: trained.file() as Uint8Array<ArrayBuffer>,

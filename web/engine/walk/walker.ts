@@ -4,7 +4,7 @@
  */
 import { Handle } from "../handle";
 import { POSE_FLOATS } from "../types";
-import { floatsAt, guarded, loadWalkWasm, type WalkGlue } from "./wasm";
+import { type WalkGlue, walkPackage } from "./wasm";
 
 /** States of a step. */
 export const STATES = 5;
@@ -67,7 +67,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
     file: Uint8Array,
   ) {
     super(
-      guarded(() => new glue.WalkModel(file)),
+      walkPackage.guarded(() => new glue.WalkModel(file)),
       "walk model",
     );
     this.styles = this.raw.styles();
@@ -80,7 +80,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
    * @throws StrutError if the module cannot be had, or with what is wrong with the file
    */
   static async open(file: Uint8Array): Promise<WalkModel> {
-    return new WalkModel(await loadWalkWasm(), file);
+    return new WalkModel(await walkPackage.load(), file);
   }
 
   /** Somebody who walks as the average of all styles. */
@@ -90,7 +90,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
 
   /** Seconds that the states of a step last: means and standard deviations. */
   durations(weights: Weights, side: Side): { means: number[]; deviations: number[] } {
-    const numbers = guarded(() => this.raw.durations(weights, side));
+    const numbers = walkPackage.guarded(() => this.raw.durations(weights, side));
     return {
       means: Array.from(numbers.subarray(0, STATES), (frames) => frames / this.rateHz),
       deviations: Array.from(numbers.subarray(STATES), (variance) => Math.sqrt(variance) / this.rateHz),
@@ -99,7 +99,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
 
   /** @throws StrutError if weights are none */
   curve(weights: Weights, joint: number): JointCurve {
-    const numbers = guarded(() => this.raw.curve(weights, joint));
+    const numbers = walkPackage.guarded(() => this.raw.curve(weights, joint));
     const frames = (numbers.length - 1) / 5;
     const column = (k: number) => Float32Array.from({ length: frames }, (_, f) => numbers[1 + 5 * f + k]!);
     return {
@@ -113,7 +113,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
 
   /** The text of a BVH file of poses, one a frame. */
   toBvh(poses: Float32Array): string {
-    return guarded(() => this.raw.toBvh(poses));
+    return walkPackage.guarded(() => this.raw.toBvh(poses));
   }
 }
 
@@ -132,7 +132,7 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
 
   constructor(model: WalkModel, glue: WalkGlue) {
     super(
-      guarded(() => new glue.Walk(model.raw)),
+      walkPackage.guarded(() => new glue.Walk(model.raw)),
       "walker",
     );
     this.address = this.raw.frameAddress();
@@ -155,7 +155,7 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
    * @throws StrutError if weights are none
    */
   plan(weights: Weights, transitions: readonly WalkTransition[]): void {
-    guarded(() => {
+    walkPackage.guarded(() => {
       this.raw.setStyles(weights);
       for (const { step, between, weights } of transitions) this.raw.planTransition(step, between, weights);
     });
@@ -163,7 +163,7 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
 
   /** Another change of style. */
   add({ step, between, weights }: WalkTransition): void {
-    guarded(() => this.raw.planTransition(step, between, weights));
+    walkPackage.guarded(() => this.raw.planTransition(step, between, weights));
   }
 
   set tempo(tempo: Tempo) {
@@ -200,7 +200,7 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
 
   private read(): WalkFrame {
     const { frame } = this;
-    const floats = floatsAt(this.address, FRAME_FLOATS);
+    const floats = new Float32Array(walkPackage.bytes, this.address, FRAME_FLOATS);
     for (let i = 0; i < POSE_FLOATS; i++) frame.pose[i] = floats[i]!;
     frame.step = floats[POSE_FLOATS]!;
     frame.done = floats[POSE_FLOATS + 1]!;

@@ -1,9 +1,8 @@
 /** The databases that were built on this device: kept by the browser in IndexedDB, so that a reload finds them. */
-
+import { Kept } from "../../worker/kept";
 import { strings } from "../strings/strings";
 
-const DATABASE = "strut";
-const STORE = "databases";
+const databases = new Kept("strut", "databases", "name");
 
 /** A database on the shelf. */
 export interface Shelved {
@@ -34,27 +33,10 @@ export async function forget(name: string): Promise<void> {
   await transact("readwrite", (store) => store.delete(name));
 }
 
-/** Runs one request; resolves when what it did is on the disk. */
-async function transact<T>(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
-  const database = await open();
-  try {
-    return await new Promise<T>((resolve, reject) => {
-      const transaction = database.transaction(STORE, mode);
-      const request = ask(transaction.objectStore(STORE));
-      transaction.oncomplete = () => resolve(request.result);
-      transaction.onabort = () => reject(refusal(transaction.error));
-    });
-  } finally {
-    database.close();
-  }
-}
-
-function open(): Promise<IDBDatabase> {
-  return new Promise((resolve, reject) => {
-    const request = indexedDB.open(DATABASE, 1);
-    request.onupgradeneeded = () => request.result.createObjectStore(STORE, { keyPath: "name" });
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(refusal(request.error));
+/** Runs one request, and says what to do where the browser refuses it. */
+function transact<T>(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
+  return databases.transact(mode, ask).catch((error: DOMException | null) => {
+    throw refusal(error);
   });
 }
 

@@ -1,8 +1,8 @@
 /** Walk models that were trained on this device: a database that has not changed has the same model. */
+import { Kept } from "../kept";
 import type { TrainedWalk } from "./protocol";
 
-const DATABASE = "strut-walks";
-const STORE = "models";
+const models = new Kept("strut-walks", "models");
 /** Names of built files end with a hash of their content. */
 const HASHED = /-([\w-]{8})\.wasm$/;
 
@@ -21,9 +21,9 @@ export async function trainedOnce(
   if (version === undefined || typeof indexedDB === "undefined" || !globalThis.crypto?.subtle) return train();
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", database as Uint8Array<ArrayBuffer>));
   const key = `${version} ${Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
-  const known = await transact("readonly", (store) => store.get(key) as IDBRequest<TrainedWalk | undefined>).catch(
-    () => undefined,
-  );
+  const known = await models
+    .transact("readonly", (store) => store.get(key) as IDBRequest<TrainedWalk | undefined>)
+    .catch(() => undefined);
   if (known) return known;
   const trained = await train();
   await keep(version, key, trained).catch(() => {});
@@ -32,33 +32,10 @@ export async function trainedOnce(
 
 /** Keeps a model, and forgets those of other modules. */
 async function keep(version: string, key: string, trained: TrainedWalk): Promise<void> {
-  const keys = await transact("readonly", (store) => store.getAllKeys());
+  const keys = await models.transact("readonly", (store) => store.getAllKeys());
   const outdated = keys.filter((known) => !String(known).startsWith(version));
-  await transact("readwrite", (store) => {
+  await models.transact("readwrite", (store) => {
     for (const known of outdated) store.delete(known);
     return store.put(trained, key);
-  });
-}
-
-async function transact<T>(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
-  const database = await open();
-  try {
-    return await new Promise<T>((resolve, reject) => {
-      const transaction = database.transaction(STORE, mode);
-      const request = ask(transaction.objectStore(STORE));
-      transaction.oncomplete = () => resolve(request.result);
-      transaction.onabort = () => reject(transaction.error);
-    });
-  } finally {
-    database.close();
-  }
-}
-
-function open(): Promise<IDBDatabase> {
-  return new Promise((resolve, reject) => {
-    const request = indexedDB.open(DATABASE, 1);
-    request.onupgradeneeded = () => request.result.createObjectStore(STORE);
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error);
   });
 }
