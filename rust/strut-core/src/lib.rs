@@ -21,6 +21,8 @@ pub mod parallel;
 pub mod pose_vector;
 pub mod registration;
 pub mod retarget;
+mod root_path;
+mod rotation_row;
 pub mod search;
 pub mod skeleton;
 pub mod transfer;

@@ -1,13 +1,16 @@
 //! Walks as degrees of freedom (specification, §3).
 
 use super::RATE_HZ;
-use super::model::{DIMS, Observation, Row};
+use super::model::{Observation, Row};
 use crate::humanoid::{HumanoidMotion, JOINTS, Pose};
 use crate::kinematics::{WorldPose, world_from_local};
 use crate::math::float_funcs::atan2;
-use crate::math::{Quat, Vec3, exp_map};
+use crate::math::{Quat, Vec3};
 use crate::pose_vector::heading_of;
+use crate::rotation_row::mean_rotations;
 use thiserror::Error;
+
+pub(super) use crate::rotation_row::row_of;
 
 /// Shortest way that has a heading, metres.
 const LEAST_WAY: f32 = 0.3;
@@ -84,25 +87,9 @@ impl Track {
     }
 }
 
-/// The rotations of a pose as exponential maps about a reference.
-pub(super) fn row_of(reference: &[Quat; JOINTS], rotations: &[Quat; JOINTS]) -> Row {
-    let mut row = [0.0; DIMS];
-    for j in 0..JOINTS {
-        let v = exp_map::log(reference[j].inv_mul(rotations[j]));
-        for (out, v) in row[3 * j..].iter_mut().zip(v.to_array()) {
-            *out = f64::from(v);
-        }
-    }
-    row
-}
-
-/// The mean rotation of every joint over clips: the centres of the exponential maps. Without them the map wraps where a bone
-/// is turned by about half a turn in its parent.
+/// The mean rotation of every joint over clips: the centres of the exponential maps.
 pub(super) fn reference(tracks: &[&Track]) -> [Quat; JOINTS] {
-    std::array::from_fn(|j| {
-        let poses = tracks.iter().flat_map(|track| &track.poses).step_by(REFERENCE_STRIDE);
-        exp_map::karcher_mean(&poses.map(|pose| pose.rotations[j]).collect::<Vec<_>>())
-    })
+    mean_rotations(tracks.iter().flat_map(|track| &track.poses).step_by(REFERENCE_STRIDE))
 }
 
 /// Poses with velocities and accelerations per frame; the end frames stand for what is beyond them.

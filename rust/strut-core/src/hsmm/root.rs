@@ -1,107 +1,13 @@
-//! Where the body goes: the supporting foot does not slide, so that the pose says it (specification, §11).
+//! Where the body goes (specification, §11): the walk says which foot supports it.
 
 use super::model::Side;
-use crate::humanoid::{Pose, Proportions};
-use crate::kinematics::{WorldPose, world_from_local};
-use crate::math::{Quat, Vec3};
-use crate::transfer::Soles;
+use crate::root_path::Support;
 
-/// Points of a foot that may touch the ground: heel, ball, and the tip of the toes.
-const POINTS: usize = 3;
-/// How far the tip of the toes lies before the ball, as a share of the distance from ankle to toes on the ground.
-const TIP_SHARE: f32 = 0.35;
-/// How much lower another foot, or another point, must be to take over, metres.
-const OTHER_FOOT: f32 = 0.02;
-const OTHER_POINT: f32 = 0.005;
+pub(super) use crate::root_path::RootPath;
 
-/// The other foot stands too while its lowest point is no higher than this above the ground, and moves no farther a frame, metres.
-const STANDING_HEIGHT: f32 = 0.025;
-const STANDING_WAY: f32 = 0.012;
-
-/// The path of a body that walks.
-#[derive(Clone, Debug)]
-pub(super) struct RootPath {
-    proportions: Proportions,
-    soles: Soles,
-    /// From the ball to the tip of the toes, in the toes' frame.
-    tips: [Vec3; 2],
-    /// Where the root was in the last frame.
-    root: Vec3,
-    /// Foot and point that touch the ground, and where both feet's points were for a root at the origin.
-    last: Option<(usize, usize, FeetPoints)>,
-    /// Feet that stand.
-    planted: [bool; 2],
-}
-
-type FeetPoints = [[Vec3; POINTS]; 2];
-
-impl RootPath {
-    pub(super) fn new(proportions: &Proportions) -> Self {
-        let tips =
-            Soles::JOINTS.map(|[_, toes]| proportions.offsets[toes.index()] * Vec3::new(1.0, 0.0, 1.0) * TIP_SHARE);
-        Self {
-            proportions: *proportions,
-            soles: Soles::new(proportions),
-            tips,
-            root: Vec3::ZERO,
-            last: None,
-            planted: [false; 2],
-        }
-    }
-
-    /// Begins anew above a point of the ground.
-    pub(super) fn reset(&mut self, at: Vec3) {
-        (self.root, self.last) = (at, None);
-    }
-
-    /// Puts the next pose where its supporting foot says, turned by a heading.
-    pub(super) fn place(&mut self, pose: &mut Pose, swinging: Side, heading: f32) {
-        pose.root = Vec3::ZERO;
-        pose.rotations[0] = Quat::from_rotation_y(heading) * pose.rotations[0];
-        let points = self.points(&world_from_local(&self.proportions, pose));
-        let lowest =
-            |foot: usize| (0..POINTS).min_by(|a, b| points[foot][*a].y.total_cmp(&points[foot][*b].y)).unwrap_or(0);
-        let support = swinging.other() as usize;
-        let other = 1 - support;
-        let height = |foot: usize| points[foot][lowest(foot)].y;
-        let foot = if height(other) < height(support) - OTHER_FOOT { other } else { support };
-        let mut point = lowest(foot);
-        let root_before = self.root;
-        if let Some((last_foot, last_point, before)) = self.last {
-            // What touched the ground in the last frame is where it was; only then may another point take over.
-            let moved = before[last_foot][last_point] - points[last_foot][last_point];
-            self.root += Vec3::new(moved.x, 0.0, moved.z);
-            if last_foot == foot && points[foot][point].y > points[foot][last_point].y - OTHER_POINT {
-                point = last_point;
-            }
-        }
-        self.root.y = -height(support).min(height(other));
-        let before = self.last.map_or(points, |(_, _, before)| before);
-        self.planted = std::array::from_fn(|side| {
-            let p = lowest(side);
-            let way = (points[side][p] + self.root - before[side][p] - root_before) * Vec3::new(1.0, 0.0, 1.0);
-            side == foot || (points[side][p].y + self.root.y < STANDING_HEIGHT && way.length() < STANDING_WAY)
-        });
-        self.last = Some((foot, point, points));
-        pose.root = self.root;
-    }
-
-    /// Feet that stand in the last pose, left and right.
-    pub(super) fn planted(&self) -> [bool; 2] {
-        self.planted
-    }
-
-    /// The point that touches the ground, in the world; `None` before the first frame.
-    #[cfg(any(test, feature = "offline"))]
-    pub(super) fn contact(&self) -> Option<(usize, usize, Vec3)> {
-        self.last.map(|(foot, point, points)| (foot, point, points[foot][point] + self.root))
-    }
-
-    fn points(&self, world: &WorldPose) -> FeetPoints {
-        std::array::from_fn(|side| {
-            let sole = self.soles.of(world, side);
-            let toes = world.rotations[Soles::JOINTS[side][1].index()];
-            [sole.heel, sole.ball, sole.ball + toes * self.tips[side]]
-        })
+impl From<Side> for Support {
+    /// The foot that does not swing.
+    fn from(swinging: Side) -> Self {
+        Self::On(swinging.other() as usize)
     }
 }
