@@ -25,4 +25,5 @@ mod root_path;
 mod rotation_row;
 pub mod search;
 pub mod skeleton;
+pub mod somn;
 pub mod transfer;

@@ -1,0 +1,151 @@
+//! A motion from a few styles over time (specification, §8).
+
+use super::RATE_HZ;
+use super::mixture::{MAX_AXES, Style};
+use super::pose_space::{DIMS, Row};
+use super::spline::{Interpolation, Spline};
+use super::synthesis::{Mode, Synthesis};
+use crate::humanoid::HumanoidMotion;
+use crate::root_path::{RootPath, Support};
+use thiserror::Error;
+
+/// Longest motion, seconds.
+pub const MAX_SECS: f64 = 3600.0;
+
+/// A style at a time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Key {
+    /// The time, seconds.
+    pub secs: f64,
+    /// The style, in the axes' units.
+    pub style: Style,
+    /// A whole pose, which the methods that use key poses go through; the style's own where it is none.
+    pub row: Option<Row>,
+}
+
+/// How the motion comes about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// The pose of the style in between.
+    #[default]
+    KeyStyle,
+    /// The same, plus what key poses have beyond the poses of their styles, in between.
+    Hybrid,
+    /// The pose in between key poses: what is compared with.
+    KeyFrame,
+}
+
+/// Why keys give no motion.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum KeysError {
+    /// There is none.
+    #[error("there is no key; at least one was expected")]
+    None,
+    /// A number is none.
+    #[error("key {0} holds a number that is not finite")]
+    NotFinite(usize),
+    /// Times that do not ascend.
+    #[error("key {key} is at {secs} s, not after the one before; ascending times were expected")]
+    Order {
+        /// The key; the first is 1.
+        key: usize,
+        /// Its time.
+        secs: f64,
+    },
+    /// Too far apart.
+    #[error("the keys span {0} s; at most {MAX_SECS} s are made")]
+    TooLong(f64),
+}
+
+/// Keys and the curves between them.
+#[derive(Clone, Debug)]
+pub struct KeyStyling {
+    begin: f64,
+    end: f64,
+    mode: Mode,
+    styles: Spline<MAX_AXES>,
+    poses: Spline<DIMS>,
+    residuals: Spline<DIMS>,
+}
+
+impl KeyStyling {
+    /// Of keys in the order of their times.
+    ///
+    /// # Errors
+    /// See [`KeysError`].
+    pub fn new(
+        keys: &[Key],
+        interpolation: Interpolation,
+        synthesis: &mut Synthesis,
+        mode: Mode,
+    ) -> Result<Self, KeysError> {
+        let (Some(first), Some(last)) = (keys.first(), keys.last()) else { return Err(KeysError::None) };
+        let is_finite = |key: &Key| {
+            let row = key.row.iter().flatten();
+            key.style.iter().chain(row).chain([&key.secs]).all(|number| number.is_finite())
+        };
+        if let Some(i) = keys.iter().position(|key| !is_finite(key)) {
+            return Err(KeysError::NotFinite(i + 1));
+        }
+        if let Some(i) = (1..keys.len()).find(|&i| keys[i].secs <= keys[i - 1].secs) {
+            return Err(KeysError::Order { key: i + 1, secs: keys[i].secs });
+        }
+        let (begin, end) = (first.secs, last.secs);
+        if end - begin > MAX_SECS {
+            return Err(KeysError::TooLong(end - begin));
+        }
+        let knots: Vec<f64> = keys.iter().map(|key| key.secs).collect();
+        let own = keys.iter().map(|key| row_within_reach(synthesis, &key.style, mode)).collect::<Vec<_>>();
+        let poses: Vec<Row> = keys.iter().zip(&own).map(|(key, own)| key.row.unwrap_or(*own)).collect();
+        let residuals = poses.iter().zip(&own).map(|(pose, own)| std::array::from_fn(|d| pose[d] - own[d])).collect();
+        Ok(Self {
+            begin,
+            end,
+            mode,
+            styles: Spline::new(&knots, keys.iter().map(|key| key.style).collect(), interpolation),
+            poses: Spline::new(&knots, poses, interpolation),
+            residuals: Spline::new(&knots, residuals, interpolation),
+        })
+    }
+
+    /// The style at a time, in the axes' units.
+    pub fn style(&self, secs: f64) -> Style {
+        self.styles.at(secs)
+    }
+
+    /// The pose at a time.
+    pub fn row(&self, synthesis: &mut Synthesis, secs: f64, method: Method) -> Row {
+        if method == Method::KeyFrame {
+            return self.poses.at(secs);
+        }
+        let mut row = row_within_reach(synthesis, &self.style(secs), self.mode);
+        if method == Method::Hybrid {
+            row.iter_mut().zip(self.residuals.at(secs)).for_each(|(x, residual)| *x += residual);
+        }
+        row
+    }
+
+    /// The whole motion at [`RATE_HZ`], on the floor.
+    pub fn motion(&self, synthesis: &mut Synthesis, method: Method) -> HumanoidMotion {
+        let model = std::sync::Arc::clone(synthesis.model());
+        let mut path = RootPath::new(&model.space.proportions);
+        let rate = f64::from(RATE_HZ);
+        // A last key on a frame belongs to the motion, whatever rounding does.
+        let frames = ((self.end - self.begin) * rate + 1e-6).floor() as usize + 1;
+        let mut at = |frame: usize| {
+            let row = self.row(synthesis, self.begin + frame as f64 / rate, method);
+            let mut pose = model.space.pose(&row);
+            if model.travels {
+                path.place(&mut pose, Support::Untold, 0.0);
+            }
+            pose
+        };
+        let poses = (0..frames).map(&mut at).collect();
+        HumanoidMotion { proportions: model.space.proportions, rate_hz: RATE_HZ, poses }
+    }
+}
+
+fn row_within_reach(synthesis: &mut Synthesis, style: &Style, mode: Mode) -> Row {
+    let style = synthesis.within_reach(style);
+    synthesis.row(&style, mode)
+}

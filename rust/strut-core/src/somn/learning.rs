@@ -1,0 +1,117 @@
+//! Learning by one pose after another: a self-organising mixture network (Yin, Allinson, "Self-organizing mixture networks for
+//! probability density estimation", 2001), with the signs and the gate of the specification, §4 and §5.
+
+use super::mixture::{
+    Component, LEAST_RESPONSIBILITY, LEAST_SPREAD, MAX_AXES, Samples, normalise_weights, softmax, squared_distance,
+};
+use super::pose_space::{DIMS, Row};
+use super::random::Random;
+
+/// Width of the neighbourhood from first to last, as a share of the poses' standard deviation.
+const WIDTHS: [f64; 2] = [0.5, 0.08];
+/// Learning rate from first to last.
+const RATES: [f64; 2] = [0.6, 0.01];
+/// Learning rate of the shares, against that of the rest.
+const WEIGHT_RATE: f64 = 0.2;
+/// How far components begin from the mean pose towards one of the poses.
+const FIRST_SHARE: f64 = 0.1;
+
+/// The network while it learns.
+#[derive(Clone, Debug)]
+pub(super) struct Network {
+    pub(super) components: Vec<Component>,
+    random: Random,
+    order: Vec<usize>,
+    deviation: f64,
+    /// Poses that were seen, of so many in all.
+    seen: usize,
+    total: usize,
+}
+
+impl Network {
+    /// Before the first of so many passes.
+    pub(super) fn new(samples: &Samples, components: usize, passes: usize, seed: u64) -> Self {
+        let mut random = Random::new(seed);
+        let mut order: Vec<usize> = (0..samples.rows.len()).collect();
+        random.shuffle(&mut order);
+        let mean = mean_of(&samples.rows);
+        let deviation = (samples.rows.iter().map(|x| squared_distance(x, &mean)).sum::<f64>()
+            / samples.rows.len() as f64)
+            .sqrt()
+            // Poses that are all alike: what is learnt is their mean, and nothing is divided by zero.
+            .max(1e-6);
+        let begin = |i: &usize| {
+            let x = &samples.rows[*i];
+            Component {
+                slopes: [[0.0; DIMS]; MAX_AXES],
+                mean: std::array::from_fn(|d| mean[d] + FIRST_SHARE * (x[d] - mean[d])),
+                weight: 1.0 / components as f64,
+                centre: samples.styles[*i],
+                spread: std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j)))),
+            }
+        };
+        let components = order.iter().cycle().take(components).map(begin).collect();
+        let total = passes * samples.rows.len();
+        Self { components, random, order, deviation, seen: 0, total }
+    }
+
+    /// One pass over all poses in random order; the mean squared distance of poses from what was said of them before.
+    pub(super) fn pass(&mut self, samples: &Samples) -> f64 {
+        let axes = samples.axes;
+        let count = self.components.len();
+        let mut residuals = vec![[0.0; DIMS]; count];
+        let mut responsibilities = vec![0.0; count];
+        let mut squares = 0.0;
+        self.random.shuffle(&mut self.order);
+        for &i in &self.order {
+            let (x, u) = (&samples.rows[i], &samples.styles[i]);
+            let share = self.seen as f64 / self.total as f64;
+            let [width, rate] = [WIDTHS, RATES].map(|[first, last]| first * libm::pow(last / first, share));
+            let variance = (width * self.deviation) * (width * self.deviation);
+            self.seen += 1;
+            for ((component, residual), r) in self.components.iter().zip(&mut residuals).zip(&mut responsibilities) {
+                component.predict(u, axes, residual);
+                residual.iter_mut().zip(x).for_each(|(e, x)| *e = x - *e);
+                *r = log_gate(component, u, axes) - squared_distance(residual, &[0.0; DIMS]) / (2.0 * variance);
+            }
+            softmax(&mut responsibilities);
+            for ((component, residual), r) in self.components.iter_mut().zip(&residuals).zip(&responsibilities) {
+                component.weight += WEIGHT_RATE * rate * (r - component.weight);
+                if *r > LEAST_RESPONSIBILITY {
+                    squares += r * squared_distance(residual, &[0.0; DIMS]);
+                    component.learn(residual, u, axes, rate * r);
+                    move_gate(component, u, axes, rate * r);
+                }
+            }
+            normalise_weights(&mut self.components);
+        }
+        squares / samples.rows.len() as f64
+    }
+}
+
+/// `log g(u)` but for a constant, by variances alone: while all is in motion they are enough.
+fn log_gate(component: &Component, u: &[f64; MAX_AXES], axes: usize) -> f64 {
+    let axis = |j: usize| {
+        let (e, variance) = (u[j] - component.centre[j], component.spread[j][j]);
+        e * e / variance + libm::log(variance)
+    };
+    libm::log(component.weight) - 0.5 * (0..axes).map(axis).sum::<f64>()
+}
+
+fn move_gate(component: &mut Component, u: &[f64; MAX_AXES], axes: usize, rate: f64) {
+    for j in 0..axes {
+        let e = u[j] - component.centre[j];
+        component.centre[j] += rate * e;
+        let variance = &mut component.spread[j][j];
+        *variance = (*variance + rate * (e * e - *variance)).max(LEAST_SPREAD);
+    }
+}
+
+/// The mean of poses, of which there is one.
+pub(super) fn mean_of(rows: &[Row]) -> Row {
+    let mut mean = [0.0; DIMS];
+    for row in rows {
+        mean.iter_mut().zip(row).for_each(|(m, x)| *m += x);
+    }
+    mean.map(|sum| sum / rows.len() as f64)
+}

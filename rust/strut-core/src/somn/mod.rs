@@ -1,0 +1,44 @@
+//! Key-styling: Wang, Liu, Zhou, "Key-styling: Learning Motion Style for Real-time Synthesis of 3D Animation", 2006, with the
+//! corrections of the specification in `docs/`.
+//!
+//! One to three numbers that mean something, the style, say a whole pose. What they are is said by [`Measure`]s of recorded
+//! poses; a self-organising mixture of linear maps from style to pose is learnt from [`Recording`]s ([`Trainer`]), every map
+//! with the region of styles that it knows. [`Synthesis`] gives the pose of a style, [`Puppet`] that of a style that is
+//! dragged about, [`KeyStyling`] a motion from a few styles over time.
+//!
+//! Poses are modelled at [`RATE_HZ`] in the frame that faces forward; where the body is on the floor is not.
+
+mod em;
+#[cfg(feature = "offline")]
+pub mod evaluation;
+mod expression;
+mod key_styling;
+mod learning;
+mod measure;
+mod mixture;
+mod model;
+mod pose_space;
+mod puppet;
+mod random;
+mod recording;
+mod spline;
+mod synthesis;
+mod training;
+
+pub use expression::{ExpressionError, Fault};
+pub use key_styling::{Key, KeyStyling, KeysError, MAX_SECS, Method};
+pub use measure::{Frame, Measure, NamedMeasure, Unit};
+pub use mixture::{Component, MAX_AXES, Style};
+pub use model::{ClipSpan, KeyStyleModel};
+pub use pose_space::{DIMS, PoseSpace, Row};
+pub use puppet::Puppet;
+pub use recording::{Recording, RecordingError};
+pub use spline::Interpolation;
+pub use synthesis::{Mode, Synthesis};
+pub use training::{Learning, MAX_COMPONENTS, Options, TrainError, TrainProgress, Trainer, train};
+
+/// Frames per second of every recording that is learnt from, and of what is made with keys.
+pub const RATE_HZ: f32 = 30.0;
+
+#[cfg(test)]
+mod tests;

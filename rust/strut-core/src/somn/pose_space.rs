@@ -1,0 +1,67 @@
+//! Poses as rows of numbers, and back (specification, §2).
+
+use crate::humanoid::{JOINTS, Pose, Proportions};
+use crate::kinematics::world_from_local;
+use crate::math::{Quat, Vec3};
+use crate::root_path::Feet;
+use crate::rotation_row::{ROTATION_DIMS, mean_rotations, rotations_of, row_of};
+
+/// Numbers of a pose: an exponential map for every joint, and the height of the hips.
+pub const DIMS: usize = ROTATION_DIMS + 1;
+
+/// A pose: radians, and the hips' height such that it compares with them.
+pub type Row = [f64; DIMS];
+
+/// The height of the hips that is 0 in a row, and how much more is 1, metres.
+const HEIGHT: f64 = 0.9;
+const HEIGHT_UNIT: f64 = 0.8;
+
+/// How poses of a body become rows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseSpace {
+    /// The body.
+    pub proportions: Proportions,
+    /// The centres of the exponential maps; that of the hips is free of the facing direction.
+    pub reference: [Quat; JOINTS],
+    feet: Feet,
+}
+
+impl PoseSpace {
+    /// About these mean rotations.
+    pub fn new(proportions: &Proportions, reference: [Quat; JOINTS]) -> Self {
+        Self { proportions: *proportions, reference, feet: Feet::new(proportions) }
+    }
+
+    /// About the mean rotations of poses.
+    pub(super) fn of_poses<'a>(proportions: &Proportions, poses: impl Iterator<Item = &'a Pose> + Clone) -> Self {
+        Self::new(proportions, mean_rotations(poses))
+    }
+
+    /// The row of a pose that faces +Z.
+    pub fn row(&self, pose: &Pose) -> Row {
+        let mut row = [0.0; DIMS];
+        row[..ROTATION_DIMS].copy_from_slice(&row_of(&self.reference, &pose.rotations));
+        row[ROTATION_DIMS] = (f64::from(pose.root.y) - HEIGHT) / HEIGHT_UNIT;
+        row
+    }
+
+    /// The rotations of a row.
+    pub fn rotations(&self, row: &Row) -> [Quat; JOINTS] {
+        let (angles, _) = row.split_first_chunk().expect("a row holds rotations first");
+        rotations_of(&self.reference, angles)
+    }
+
+    /// Height of the hips in a row, metres.
+    pub fn height(row: &Row) -> f32 {
+        (HEIGHT + HEIGHT_UNIT * row[ROTATION_DIMS]) as f32
+    }
+
+    /// The pose of a row above the origin, its lowest foot on the floor: the hips' height in the row is as good as the
+    /// model, and feet that float or sink are seen at once.
+    pub fn pose(&self, row: &Row) -> Pose {
+        let mut pose = Pose { root: Vec3::ZERO, rotations: self.rotations(row) };
+        let world = world_from_local(&self.proportions, &pose);
+        pose.root.y = -self.feet.lowest(&world);
+        pose
+    }
+}

@@ -1,0 +1,127 @@
+//! From style to pose (specification, §7).
+
+use super::measure::Frame;
+use super::mixture::{Gate, MAX_AXES, Style, softmax};
+use super::model::KeyStyleModel;
+use super::pose_space::{DIMS, Row};
+use crate::humanoid::Pose;
+use std::sync::Arc;
+
+/// How far from all recorded styles one may be, in standard deviations: beyond, poses soon are nobody's.
+const FARTHEST_FROM_RECORDED: f64 = 0.5;
+
+/// How much every component has to say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mode {
+    /// The likeliest one alone: Algorithm 1 of the paper, by regions of styles instead of by the components' shares, by which
+    /// one component would speak for all styles. Poses jump where regions meet.
+    Hard,
+    /// All by their likelihood to the power of 1 / `temperature`.
+    Smooth {
+        /// 1 is the mixture as it was learnt, 2 half as steep.
+        temperature: f64,
+    },
+}
+
+impl Default for Mode {
+    fn default() -> Self {
+        Self::Smooth { temperature: 2.0 }
+    }
+}
+
+/// A model, ready to be asked for poses; nothing is allocated by asking.
+#[derive(Clone, Debug)]
+pub struct Synthesis {
+    model: Arc<KeyStyleModel>,
+    gates: Vec<Gate>,
+    weights: Vec<f64>,
+}
+
+impl Synthesis {
+    /// Of a model; a component whose region is none is never asked.
+    pub fn new(model: Arc<KeyStyleModel>) -> Self {
+        let gates = Gate::all(&model.components, model.axis_count()).unwrap_or_default();
+        let weights = vec![0.0; gates.len()];
+        Self { model, gates, weights }
+    }
+
+    /// The model.
+    pub fn model(&self) -> &Arc<KeyStyleModel> {
+        &self.model
+    }
+
+    /// The pose of a style in the axes' units, as a row.
+    pub fn row(&mut self, style: &Style, mode: Mode) -> Row {
+        let u = self.model.standardised(style);
+        self.weigh(&u, mode);
+        let (mut row, mut predicted) = ([0.0; DIMS], [0.0; DIMS]);
+        for (component, weight) in self.model.components.iter().zip(&self.weights) {
+            if *weight > 0.0 {
+                component.predict(&u, self.model.axis_count(), &mut predicted);
+                row.iter_mut().zip(&predicted).for_each(|(x, p)| *x += weight * p);
+            }
+        }
+        row
+    }
+
+    /// The pose of a style, above the origin and facing +Z.
+    pub fn pose(&mut self, style: &Style, mode: Mode) -> Pose {
+        let row = self.row(style, mode);
+        self.model.space.pose(&row)
+    }
+
+    /// What share every component had in the last row.
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// How well recorded styles support one: the greatest log-likelihood of any component. Below
+    /// [`KeyStyleModel::least_support`] the pose is a guess.
+    pub fn support(&self, style: &Style) -> f64 {
+        greatest(&self.gates, &self.model.standardised(style))
+    }
+
+    /// The style itself, or, farther than half a standard deviation from all recorded ones, the one at that distance on the
+    /// way to the nearest of them.
+    pub fn within_reach(&self, style: &Style) -> Style {
+        let u = self.model.standardised(style);
+        let square = |v: &Style| (0..MAX_AXES).map(|j| (u[j] - v[j]) * (u[j] - v[j])).sum::<f64>();
+        let nearest = self.model.styles.iter().map(|v| (square(v), v)).reduce(|a, b| if b.0 < a.0 { b } else { a });
+        let Some((square, nearest)) = nearest else { return self.model.in_units(&u) };
+        let distance = square.sqrt();
+        if distance <= FARTHEST_FROM_RECORDED {
+            return self.model.in_units(&u);
+        }
+        let share = FARTHEST_FROM_RECORDED / distance;
+        self.model.in_units(&std::array::from_fn(|j| nearest[j] + share * (u[j] - nearest[j])))
+    }
+
+    /// What the axes measure on a pose that faces +Z; 0 beyond the axes, NaN where a pose alone does not show it.
+    pub fn measured(&self, pose: &Pose) -> Style {
+        let frame = Frame::new(&self.model.space.proportions, pose, f32::NAN);
+        std::array::from_fn(|j| self.model.axes.get(j).map_or(0.0, |axis| axis.measure(&frame)))
+    }
+
+    fn weigh(&mut self, u: &Style, mode: Mode) {
+        self.weights.iter_mut().zip(&self.gates).for_each(|(w, gate)| *w = gate.log(u));
+        match mode {
+            Mode::Hard => {
+                let winner =
+                    (0..self.weights.len()).reduce(|a, b| if self.weights[b] > self.weights[a] { b } else { a });
+                self.weights.fill(0.0);
+                if let Some(winner) = winner {
+                    self.weights[winner] = 1.0;
+                }
+            }
+            Mode::Smooth { temperature } => {
+                self.weights.iter_mut().for_each(|w| *w /= temperature);
+                softmax(&mut self.weights);
+            }
+        }
+    }
+}
+
+/// The greatest log-likelihood of a standardised style.
+pub(super) fn greatest(gates: &[Gate], u: &Style) -> f64 {
+    gates.iter().map(|gate| gate.log(u)).fold(f64::NEG_INFINITY, f64::max)
+}

@@ -1,0 +1,272 @@
+//! From recordings to a model (specification, §5).
+
+use super::em::Estimation;
+use super::learning::Network;
+use super::measure::Measure;
+use super::mixture::{
+    Component, FIRST_VARIANCE, Gate, MAX_AXES, SETTLING_ROUNDS, Samples, Style, normalise_weights, settle,
+};
+use super::model::{ClipSpan, KeyStyleModel};
+use super::pose_space::{DIMS, PoseSpace};
+use super::recording::Recording;
+use super::synthesis::greatest;
+use thiserror::Error;
+
+/// Passes over all poses.
+const PASSES: usize = 20;
+/// Rounds of expectation and maximisation.
+const ROUNDS: usize = 30;
+/// Frames for each component, fewest and most components unless a number is asked for.
+const FRAMES_EACH: usize = 40;
+const COMPONENTS: [usize; 2] = [4, 16];
+/// Fewest frames that a component can be learnt from, and most components of all.
+const FEWEST_FRAMES_EACH: usize = 12;
+/// Fewest frames that a component must be left with to stay.
+const LEAST_FRAMES: f64 = 1.0;
+/// Most components of a model.
+pub const MAX_COMPONENTS: usize = 64;
+/// Least standard deviation of a style, absolutely and as a share of its mean: below, it is rounding.
+const LEAST_DEVIATION: f64 = 1e-4;
+/// Share of the recorded styles that count as without support.
+const UNSUPPORTED: f64 = 0.01;
+
+/// How the maps are learnt.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Learning {
+    /// By one pose after another: a self-organising mixture network.
+    #[default]
+    Som,
+    /// By expectation and maximisation over all poses at once.
+    Em {
+        /// Ridge of the regressions, per sample: 0.01 to 0.3.
+        ridge: f64,
+    },
+}
+
+/// How a model is trained.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Options {
+    /// Number of components; a fortieth of the frames, but 4 to 16, unless said otherwise. Each gets twelve frames at least.
+    pub components: Option<usize>,
+    /// What chance is drawn by.
+    pub seed: u64,
+    /// How the maps are learnt.
+    pub learning: Learning,
+}
+
+/// Why recordings give no model.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum TrainError {
+    /// None, or too many.
+    #[error("{0} style variables were given; 1 to {MAX_AXES} were expected")]
+    Axes(usize),
+    /// One twice.
+    #[error("the style variable '{0}' was given twice")]
+    SameAxis(String),
+    /// Too short.
+    #[error(
+        "the clips have {found} frames together at 30 frames per second; at least {expected} were expected to learn from"
+    )]
+    TooFewFrames {
+        /// Frames that there are.
+        found: usize,
+        /// Frames that are needed.
+        expected: usize,
+    },
+    /// A style variable that does not vary.
+    #[error(
+        "the style variable '{axis}' is {value:.1} {unit} in every frame; one that changes in these clips was expected"
+    )]
+    Constant {
+        /// The variable.
+        axis: String,
+        /// Its value.
+        value: f64,
+        /// Its unit.
+        unit: String,
+    },
+    /// A style variable without a value, by a division by zero for example.
+    #[error("the style variable '{axis}' has no value in frame {frame} of '{clip}'")]
+    NoValue {
+        /// The variable.
+        axis: String,
+        /// The recording.
+        clip: String,
+        /// Its frame; the first is 1.
+        frame: usize,
+    },
+}
+
+/// How far a [`Trainer`] has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TrainProgress {
+    /// Passes that are done.
+    pub done: usize,
+    /// All passes.
+    pub total: usize,
+    /// Error of what was said of the poses in the last pass: root of the mean square of a number of a row, radians.
+    pub error: f64,
+}
+
+/// What learns.
+#[derive(Clone, Debug)]
+enum Learner {
+    Som(Network),
+    Em(Estimation),
+    /// The maps are learnt, their regions are settled.
+    Settling(Vec<Component>),
+}
+
+/// Training in passes, between which whoever runs it may do other things, or give it up.
+#[derive(Clone, Debug)]
+pub struct Trainer {
+    model: KeyStyleModel,
+    samples: Samples,
+    learner: Learner,
+    /// Passes of the learner.
+    passes: usize,
+    done: usize,
+    error: f64,
+}
+
+/// A model of these recordings: [`Trainer`] without a pause.
+///
+/// # Errors
+/// See [`TrainError`].
+pub fn train(recordings: &[&Recording], axes: &[Measure], options: Options) -> Result<KeyStyleModel, TrainError> {
+    Trainer::new(recordings, axes, options).map(Trainer::finish)
+}
+
+impl Trainer {
+    /// Training on these recordings, which are of one body: the first one's.
+    ///
+    /// # Errors
+    /// See [`TrainError`].
+    pub fn new(recordings: &[&Recording], axes: &[Measure], options: Options) -> Result<Self, TrainError> {
+        if !(1..=MAX_AXES).contains(&axes.len()) {
+            return Err(TrainError::Axes(axes.len()));
+        }
+        if let Some(axis) = axes.iter().enumerate().find_map(|(i, axis)| axes[..i].contains(axis).then_some(axis)) {
+            return Err(TrainError::SameAxis(axis.to_string()));
+        }
+        let frames: usize = recordings.iter().map(|r| r.poses.len()).sum();
+        let fewest = COMPONENTS[0] * FEWEST_FRAMES_EACH;
+        let Some(first) = recordings.first().filter(|_| frames >= fewest) else {
+            return Err(TrainError::TooFewFrames { found: frames, expected: fewest });
+        };
+        let mut styles = styles_of(recordings, axes)?;
+        let (style_mean, style_deviation) = standardise(&mut styles, axes)?;
+        let space = PoseSpace::of_poses(&first.proportions, recordings.iter().flat_map(|r| &r.poses));
+        let rows: Vec<_> = recordings.iter().flat_map(|r| &r.poses).map(|pose| space.row(pose)).collect();
+        let mut first_frame = 0;
+        let clips = recordings.iter().map(|recording| {
+            let span = ClipSpan { name: recording.name.clone(), first_frame, frames: recording.poses.len() };
+            first_frame += span.frames;
+            span
+        });
+        let model = KeyStyleModel {
+            space,
+            axes: axes.to_vec(),
+            style_mean,
+            style_deviation,
+            components: Vec::new(),
+            variance: FIRST_VARIANCE,
+            least_support: f64::NEG_INFINITY,
+            travels: recordings.iter().all(|r| r.travels),
+            clips: clips.collect(),
+            styles: styles.clone(),
+            rows: rows.iter().map(|row| row.map(|x| x as f32)).collect(),
+        };
+        let samples = Samples { rows, styles, axes: axes.len() };
+        let components = options.components.unwrap_or((frames / FRAMES_EACH).clamp(COMPONENTS[0], COMPONENTS[1]));
+        let components = components.clamp(1, (frames / FEWEST_FRAMES_EACH).min(MAX_COMPONENTS));
+        let (learner, passes) = match options.learning {
+            Learning::Som => (Learner::Som(Network::new(&samples, components, PASSES, options.seed)), PASSES),
+            Learning::Em { ridge } => (Learner::Em(Estimation::new(&samples, components, ridge, options.seed)), ROUNDS),
+        };
+        Ok(Self { model, samples, learner, passes, done: 0, error: f64::NAN })
+    }
+
+    /// Goes on by a pass and says how far it has come; `None` when nothing is left but to [`finish`](Trainer::finish).
+    pub fn step(&mut self) -> Option<TrainProgress> {
+        let total = self.passes + SETTLING_ROUNDS;
+        if self.done == total {
+            return None;
+        }
+        if self.done == self.passes {
+            let learnt = match &mut self.learner {
+                Learner::Som(network) => std::mem::take(&mut network.components),
+                Learner::Em(estimation) => {
+                    self.model.variance = estimation.variance;
+                    std::mem::take(&mut estimation.components)
+                }
+                Learner::Settling(components) => std::mem::take(components),
+            };
+            self.learner = Learner::Settling(learnt);
+        }
+        let square = match &mut self.learner {
+            Learner::Som(network) => network.pass(&self.samples) / DIMS as f64,
+            Learner::Em(estimation) => estimation.round(&self.samples) / DIMS as f64,
+            Learner::Settling(components) => {
+                self.model.variance = settle(&self.samples, components, self.model.variance, |_, _| {});
+                self.model.variance
+            }
+        };
+        self.done += 1;
+        self.error = square.sqrt();
+        Some(TrainProgress { done: self.done, total, error: self.error })
+    }
+
+    /// The model. What was not learnt yet is.
+    pub fn finish(mut self) -> KeyStyleModel {
+        while self.step().is_some() {}
+        if let Learner::Settling(mut components) = self.learner {
+            // A component that no pose is left to knows nothing, and would speak for all styles far from the others'.
+            components.retain(|c| c.weight * self.samples.rows.len() as f64 >= LEAST_FRAMES);
+            normalise_weights(&mut components);
+            self.model.components = components;
+        }
+        let gates = Gate::all(&self.model.components, self.samples.axes).unwrap_or_default();
+        let mut support: Vec<f64> = self.samples.styles.iter().map(|u| greatest(&gates, u)).collect();
+        support.sort_by(f64::total_cmp);
+        self.model.least_support = support[(UNSUPPORTED * support.len() as f64) as usize];
+        self.model
+    }
+}
+
+/// The styles of all frames, in the axes' units.
+fn styles_of(recordings: &[&Recording], axes: &[Measure]) -> Result<Vec<Style>, TrainError> {
+    let mut styles = Vec::new();
+    for recording in recordings {
+        for (i, frame) in recording.frames.iter().enumerate() {
+            let mut style = [0.0; MAX_AXES];
+            for (value, axis) in style.iter_mut().zip(axes) {
+                *value = axis.measure(frame);
+                if !value.is_finite() {
+                    let (axis, clip) = (axis.to_string(), recording.name.clone());
+                    return Err(TrainError::NoValue { axis, clip, frame: i + 1 });
+                }
+            }
+            styles.push(style);
+        }
+    }
+    Ok(styles)
+}
+
+/// Brings styles to mean 0 and deviation 1; what these were.
+fn standardise(styles: &mut [Style], axes: &[Measure]) -> Result<(Style, Style), TrainError> {
+    let count = styles.len() as f64;
+    let (mut means, mut deviations) = ([0.0; MAX_AXES], [1.0; MAX_AXES]);
+    for (j, axis) in axes.iter().enumerate() {
+        let mean = styles.iter().map(|u| u[j]).sum::<f64>() / count;
+        let deviation = (styles.iter().map(|u| (u[j] - mean) * (u[j] - mean)).sum::<f64>() / count).sqrt();
+        // Not "less": a deviation that overflows is none either.
+        if !(deviation > LEAST_DEVIATION * (1.0 + mean.abs()) && deviation.is_finite()) {
+            let (axis, unit) = (axis.to_string(), axis.unit().to_string());
+            return Err(TrainError::Constant { axis, value: mean, unit });
+        }
+        styles.iter_mut().for_each(|u| u[j] = (u[j] - mean) / deviation);
+        (means[j], deviations[j]) = (mean, deviation);
+    }
+    Ok((means, deviations))
+}
