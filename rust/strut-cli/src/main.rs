@@ -13,17 +13,21 @@ mod corpus;
 mod demo_db;
 mod demo_report;
 mod evaluate;
+mod evaluate_key_style;
 mod evaluate_walk;
 mod failure;
 mod files;
 mod gather;
 mod inspect;
+mod key_style;
 mod progress;
+mod recordings;
 mod search;
 mod stylize;
 mod suggestion;
 mod threads;
 mod trace;
+mod train_key_style;
 mod train_walk;
 mod walk;
 mod walks;
@@ -53,6 +57,9 @@ enum Command {
     TrainWalk(train_walk::Args),
     Walk(walk::Args),
     EvaluateWalk(evaluate_walk::Args),
+    TrainKeyStyle(train_key_style::Args),
+    KeyStyle(key_style::Args),
+    EvaluateKeyStyle(evaluate_key_style::Args),
 }
 
 fn run(args: Args) -> Outcome {
@@ -67,6 +74,9 @@ fn run(args: Args) -> Outcome {
         Command::TrainWalk(args) => train_walk::run(&args),
         Command::Walk(args) => walk::run(&args),
         Command::EvaluateWalk(args) => evaluate_walk::run(&args),
+        Command::TrainKeyStyle(args) => train_key_style::run(&args),
+        Command::KeyStyle(args) => key_style::run(&args),
+        Command::EvaluateKeyStyle(args) => evaluate_key_style::run(&args),
     }
 }
 

@@ -1,0 +1,314 @@
+//! Errors, jumps, control, support and cost (specification, §7 and §9).
+
+use super::data::DataSet;
+use crate::failure::{Failure, Outcome};
+use std::fmt::Write;
+use std::sync::Arc;
+use std::time::Instant;
+use strut_core::somn::evaluation::{Baseline, Observed, largest_change, pose_error, third_difference};
+use strut_core::somn::{
+    KeyStyleModel, Learning, MAX_AXES, Mode, Options, Puppet, RATE_HZ, Recording, Row, Style, Synthesis, train,
+};
+
+/// Polylines that are dragged along, the recorded styles that each goes through, and frames from one to the next.
+const LINES: usize = 10;
+const STYLES_EACH: usize = 6;
+const FRAMES_EACH: usize = 45;
+/// Poses that are timed.
+const POSES: usize = 20_000;
+
+/// Recordings that were not learnt from, as a model sees them.
+pub(super) fn observed(model: &KeyStyleModel, recordings: &[Recording]) -> Vec<Observed> {
+    recordings.iter().map(|recording| Observed::new(model, recording)).collect()
+}
+
+/// Mean error of what is said of poses by their styles.
+fn mean_error(model: &KeyStyleModel, of: &[Observed], mut row: impl FnMut(&Style) -> Row) -> [f64; 2] {
+    let (mut sums, mut count) = ([0.0; 2], 0.0);
+    for (x, style) in of.iter().flat_map(|o| o.rows.iter().zip(&o.styles)) {
+        let error = pose_error(&model.space, &row(style), x);
+        (0..2).for_each(|i| sums[i] += error[i]);
+        count += 1.0;
+    }
+    sums.map(|sum| sum / count)
+}
+
+fn mean(values: impl Iterator<Item = f64> + Clone) -> f64 {
+    values.clone().sum::<f64>() / values.count() as f64
+}
+
+/// Likelihood and error of every way of learning.
+pub(super) fn errors(text: &mut String, sets: &[DataSet], seeds: u64) -> Outcome {
+    let _ = writeln!(
+        text,
+        "## Held-out poses\n\nMeans of {seeds} seeds. *ll* is the log-likelihood of a pose given its style, in nats; *hard* is \
+         Algorithm 1 of the paper with regions, *smooth* the mixture (temperature 1) and *default* the mixture at temperature 2.\n\n\
+         | data | method | ll learnt | ll held out | hard | smooth | | default | time |\n\
+         | --- | --- | ---: | ---: | ---: | ---: | --- | ---: | ---: |"
+    );
+    for set in sets {
+        let methods = [
+            ("EM, ridge 0.01", Learning::Em { ridge: 0.01 }, set.plan.published[1]),
+            ("EM, ridge 0.3", Learning::Em { ridge: 0.3 }, [f64::NAN; 2]),
+            ("SOMN", Learning::Som, set.plan.published[0]),
+        ];
+        for (name, learning, published) in methods {
+            let begin = Instant::now();
+            let models = set.models(learning, seeds)?;
+            let secs = begin.elapsed().as_secs_f64() / seeds as f64;
+            let likelihood = |recordings: &[Recording]| {
+                mean(models.iter().map(|model| {
+                    let of = observed(model, recordings);
+                    let frames = |o: &Observed| o.rows.len() as f64;
+                    of.iter().map(|o| o.log_likelihood(model) * frames(o)).sum::<f64>()
+                        / of.iter().map(frames).sum::<f64>()
+                }))
+            };
+            let error = |mode: Mode| {
+                let errors: Vec<[f64; 2]> = models
+                    .iter()
+                    .map(|model| {
+                        let mut synthesis = Synthesis::new(Arc::new(model.clone()));
+                        mean_error(model, &observed(model, &set.test), |style| synthesis.row(style, mode))
+                    })
+                    .collect();
+                [0, 1].map(|i| mean(errors.iter().map(|e| e[i])))
+            };
+            let (hard, smooth) = (error(Mode::Hard), error(Mode::Smooth { temperature: 1.0 }));
+            let default = error(Mode::default());
+            let _ = writeln!(
+                text,
+                "| {} | {name} | {:.1} | {:.1} | {:.2}° | {:.2}° / {:.2} cm | {} | {:.2}° | {secs:.2} s |",
+                set.plan.name,
+                likelihood(&set.training),
+                likelihood(&set.test),
+                hard[0],
+                smooth[0],
+                smooth[1],
+                published_pair(published),
+                default[0],
+            );
+        }
+    }
+    text.push('\n');
+    Ok(())
+}
+
+fn published_pair([degrees, centimetres]: [f64; 2]) -> String {
+    match (degrees.is_nan(), centimetres.is_nan()) {
+        (true, _) => String::new(),
+        (false, true) => format!("*{degrees:.2}°*"),
+        (false, false) => format!("*{degrees:.2}° / {centimetres:.2} cm*"),
+    }
+}
+
+/// What needs no model.
+pub(super) fn baselines(text: &mut String, sets: &[DataSet]) -> Outcome {
+    text.push_str(
+        "## What needs no mixture\n\nThe mean pose, one linear map (least squares), the recorded pose of the nearest style, and \
+         the recorded poses weighted by a Gaussian of 0.15 and of 0.3 standard deviations of the style.\n\n\
+         | data | mean | linear | nearest | kernel 0.15 | kernel 0.3 |\n| --- | ---: | ---: | ---: | ---: | ---: |\n",
+    );
+    for set in sets {
+        let model = set.train(Learning::Em { ridge: 0.0 }, 1, 0).map_err(Failure::new)?;
+        let test = observed(&model, &set.test);
+        let mut linear = Synthesis::new(Arc::new(model.clone()));
+        let of = |baseline: Baseline| mean_error(&model, &test, |style| baseline.row(&model, style));
+        let cells = [
+            of(Baseline::Mean),
+            mean_error(&model, &test, |style| linear.row(style, Mode::default())),
+            of(Baseline::Nearest),
+            of(Baseline::Kernel(0.15)),
+            of(Baseline::Kernel(0.3)),
+        ];
+        let cells = cells.map(|[degrees, cm]| format!("{degrees:.2}° / {cm:.2} cm"));
+        let _ = writeln!(text, "| {} | {} |", set.plan.name, cells.join(" | "));
+    }
+    text.push('\n');
+    Ok(())
+}
+
+/// How far joints jump while a style is dragged.
+pub(super) fn jumps(text: &mut String, sets: &[&DataSet]) -> Outcome {
+    let _ = writeln!(
+        text,
+        "## Dragging\n\nGreatest change of any joint from one frame to the next, along {LINES} polylines through \
+         {STYLES_EACH} recorded styles, {FRAMES_EACH} frames a leg. *Spring* is the critically damped one of 0.1 s, which the \
+         page has on its pad.\n\n\
+         | data | hard | hard, spring | smooth, temperature 1 | **2** | 4 | 2, spring | recorded |\n\
+         | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
+    );
+    for set in sets {
+        let model = Arc::new(set.model()?);
+        let lines = polylines(&model);
+        let greatest = |rows: &mut dyn FnMut(&[Style]) -> Vec<Row>| {
+            lines.iter().map(|line| largest_change(&model.space, &rows(line))).fold(0.0, f64::max)
+        };
+        let plain = |mode: Mode| {
+            let mut synthesis = Synthesis::new(Arc::clone(&model));
+            greatest(&mut |line| line.iter().map(|style| synthesis.row(style, mode)).collect())
+        };
+        let sprung = |mode: Mode| {
+            let mut puppet = Puppet::new(Arc::clone(&model));
+            puppet.set_mode(mode);
+            greatest(&mut |line| {
+                puppet.reset(&line[0]);
+                let mut follow = |style| {
+                    puppet.drag(style, 1.0 / f64::from(RATE_HZ));
+                    *puppet.row()
+                };
+                line.iter().map(&mut follow).collect()
+            })
+        };
+        let smooth = |temperature| plain(Mode::Smooth { temperature });
+        let cells = [
+            plain(Mode::Hard),
+            sprung(Mode::Hard),
+            smooth(1.0),
+            smooth(2.0),
+            smooth(4.0),
+            sprung(Mode::default()),
+            observed(&model, &set.test).iter().map(|o| largest_change(&model.space, &o.rows)).fold(0.0, f64::max),
+        ];
+        let _ = writeln!(text, "| {} | {} |", set.plan.name, cells.map(|c| format!("{c:.1}°")).join(" | "));
+    }
+    text.push_str("| *prototype: walk* | *25.0°* | *4.3°* | *8.7°* | *5.1°* | *2.9°* | | *17.6°* |\n");
+    text.push_str("| *prototype: punch* | *56.4°* | *9.8°* | *11.6°* | *7.4°* | *5.6°* | | |\n\n");
+    Ok(())
+}
+
+/// Numbers that look random, the same in every run.
+fn random() -> impl FnMut(usize) -> usize {
+    let mut seed = 1_u64;
+    move |end| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) as usize % end
+    }
+}
+
+fn polylines(model: &KeyStyleModel) -> Vec<Vec<Style>> {
+    let mut random = random();
+    let mut line = || {
+        let corners: Vec<Style> =
+            (0..STYLES_EACH).map(|_| model.in_units(&model.styles[random(model.styles.len())])).collect();
+        corners.windows(2).flat_map(|leg| (0..FRAMES_EACH).map(|i| between(&leg[0], &leg[1], i))).collect()
+    };
+    (0..LINES).map(|_| line()).collect()
+}
+
+fn between(a: &Style, b: &Style, frame: usize) -> Style {
+    let share = frame as f64 / FRAMES_EACH as f64;
+    std::array::from_fn(|j| a[j] + share * (b[j] - a[j]))
+}
+
+/// How well the style that is asked for is what is measured.
+pub(super) fn control(text: &mut String, sets: &[DataSet]) -> Outcome {
+    text.push_str(
+        "## Control\n\nMean difference between the held-out style that is asked for and what is measured on the pose as it is \
+         shown, its lowest foot on the floor.\n\n| data | axes |\n| --- | --- |\n",
+    );
+    for set in sets {
+        let model = Arc::new(set.model()?);
+        let mut synthesis = Synthesis::new(Arc::clone(&model));
+        let (mut sums, mut count) = ([0.0; MAX_AXES], 0.0);
+        for style in observed(&model, &set.test).iter().flat_map(|o| &o.styles) {
+            let pose = synthesis.pose(style, Mode::default());
+            let measured = synthesis.measured(&pose);
+            (0..MAX_AXES).for_each(|j| sums[j] += (measured[j] - style[j]).abs());
+            count += 1.0;
+        }
+        let axes = set.axes.iter().zip(sums).map(|(axis, sum)| format!("{axis} {:.2} {}", sum / count, axis.unit()));
+        let _ = writeln!(text, "| {} | {} |", set.plan.name, axes.collect::<Vec<_>>().join(", "));
+    }
+    text.push_str(
+        "\n*The prototype: walk 0.4 and 0.25 cm; punch 0.1, 0.8 and 0.5 cm; hands 1.8 and 2.3 cm; dance 0.04, 3.3 and 3.6 cm.*\n\n",
+    );
+    Ok(())
+}
+
+/// How near to recorded poses those of styles that nobody recorded are.
+pub(super) fn support(text: &mut String, sets: &[&DataSet]) -> Outcome {
+    /// Styles that are tried, and how far from the mean, in standard deviations.
+    const TRIED: usize = 1500;
+    const WIDEST: f64 = 4.0;
+    const BINS: [f64; 4] = [0.25, 0.5, 1.0, 2.0];
+    text.push_str(
+        "## Support\n\nMean distance of a pose from the nearest recorded one, by the distance of its style from the nearest \
+         recorded style, in standard deviations. The page and the command stop at 0.5.\n\n\
+         | data | < 0.25 | < 0.5 | < 1 | < 2 | more | 1 % of the recorded styles have a support below |\n\
+         | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
+    );
+    for set in sets {
+        let model = Arc::new(set.model()?);
+        let mut synthesis = Synthesis::new(Arc::clone(&model));
+        let recorded: Vec<Row> = (0..model.rows.len()).map(|i| model.recorded_row(i)).collect();
+        let mut random = random();
+        let mut sums = [[0.0; 2]; BINS.len() + 1];
+        for _ in 0..TRIED {
+            let u: Style = std::array::from_fn(|j| {
+                let any = random(1 << 20) as f64 / f64::from(1 << 20);
+                if j < set.axes.len() { WIDEST * (2.0 * any - 1.0) } else { 0.0 }
+            });
+            let square = |v: &Style| -> f64 { u.iter().zip(v).map(|(u, v)| (u - v) * (u - v)).sum() };
+            let distance = model.styles.iter().map(square).fold(f64::INFINITY, f64::min).sqrt();
+            let row = synthesis.row(&model.in_units(&u), Mode::default());
+            let bin = &mut sums[BINS.iter().position(|b| distance < *b).unwrap_or(BINS.len())];
+            bin[0] += nearest(&model, &recorded, &row);
+            bin[1] += 1.0;
+        }
+        let cells = sums.map(|[sum, count]| format!("{:.1}°", sum / count));
+        let _ = writeln!(text, "| {} | {} | {:.1} |", set.plan.name, cells.join(" | "), model.least_support);
+    }
+    text.push_str("| *prototype: walk* | *1.7°* | *2.5°* | *5.0°* | *10.8°* | *19.5°* | *-2.8* |\n");
+    text.push_str("| *prototype: punch* | *3.3°* | *4.3°* | *5.1°* | *7.9°* | *12.9°* | *-6.5* |\n\n");
+    Ok(())
+}
+
+/// Mean angle between the joints of a pose and of the recorded pose that is nearest in all numbers, degrees.
+pub(super) fn nearest(model: &KeyStyleModel, recorded: &[Row], row: &Row) -> f64 {
+    let square = |x: &Row| -> f64 { x.iter().zip(row).map(|(a, b)| (a - b) * (a - b)).sum() };
+    let nearest = recorded.iter().map(|x| (square(x), x)).reduce(|a, b| if b.0 < a.0 { b } else { a });
+    nearest.map_or(f64::NAN, |(_, x)| pose_error(&model.space, x, row)[0])
+}
+
+/// Time.
+pub(super) fn cost(text: &mut String, sets: &[&DataSet]) -> Outcome {
+    text.push_str(
+        "## Cost\n\n| data | frames | learning | a dragged pose | model file |\n| --- | ---: | ---: | ---: | ---: |\n",
+    );
+    for set in sets {
+        let all: Vec<&Recording> = set.training.iter().chain(&set.test).collect();
+        let begin = Instant::now();
+        let model = Arc::new(train(&all, &set.axes, Options::default()).map_err(Failure::new)?);
+        let secs = begin.elapsed().as_secs_f64();
+        let bytes = strut_formats::key_style_model::write(&model, strut_formats::strutdb::GENERATOR).len();
+        let mut puppet = Puppet::new(Arc::clone(&model));
+        let styles: Vec<Style> = model.styles.iter().map(|u| model.in_units(u)).collect();
+        let begin = Instant::now();
+        (0..POSES).for_each(|i| _ = puppet.drag(&styles[i % styles.len()], 1.0 / 60.0));
+        let us = 1e6 * begin.elapsed().as_secs_f64() / POSES as f64;
+        let _ = writeln!(
+            text,
+            "| {} | {} | {secs:.2} s | {us:.1} µs | {} kB |",
+            set.plan.name,
+            model.rows.len(),
+            bytes.div_ceil(1000)
+        );
+    }
+    text.push_str(
+        "\nNatively on one core, all clips together; a dragged pose includes limits, spring, root and feet.\n",
+    );
+    Ok(())
+}
+
+/// Mean magnitude of third differences over runs of poses, in thousandths of a radian.
+pub(super) fn roughness<'a>(runs: impl Iterator<Item = &'a [Row]>) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for run in runs {
+        if let Some(difference) = third_difference(run) {
+            let weight = (run.len() - 3) as f64;
+            (sum, count) = (sum + weight * difference, count + weight);
+        }
+    }
+    1000.0 * sum / count
+}

@@ -1,0 +1,62 @@
+//! `strut key-style`: a few styles over time become a BVH file.
+
+use crate::failure::{Failure, Outcome};
+use crate::files::{self, Outputs, print};
+use std::path::PathBuf;
+use std::sync::Arc;
+use strut_core::somn::{Interpolation, KeyStyling, Method, Mode, Synthesis};
+use strut_formats::bvh::{self, Bvh};
+use strut_formats::{key_style_model, style_keys};
+
+/// Most bytes of a table of keys.
+const MAX_TABLE_BYTES: usize = 16 << 20;
+
+/// Make a motion from a few style values over time
+///
+/// Styles farther than half a standard deviation from all recorded ones are brought back to that distance.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// A model that train-key-style wrote
+    #[arg(long, value_name = "M")]
+    model: PathBuf,
+    /// A table with the column time, in seconds, and one for every axis of the model, in its unit
+    #[arg(long, value_name = "CSV")]
+    keys: PathBuf,
+    /// Curves through the keys: catmull-rom, or monotone, which never overshoots them
+    #[arg(long, value_name = "CURVE", default_value = "catmull-rom", value_parser = ["catmull-rom", "monotone"])]
+    interpolation: String,
+    /// How the components of the model share in a pose: smooth, or hard, the likeliest alone
+    #[arg(long, value_name = "MODE", default_value = "smooth", value_parser = ["smooth", "hard"])]
+    mode: String,
+    /// The BVH file to write
+    #[arg(short, long, value_name = "OUT.bvh")]
+    output: PathBuf,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    Outputs::check([args.output.as_path()])?;
+    let file = files::read(&args.model, key_style_model::MAX_BYTES)?;
+    let model = key_style_model::read(&file).map_err(|e| Failure::in_file(&args.model, e))?;
+    let in_keys = |e: &dyn std::fmt::Display| Failure::in_file(&args.keys, e);
+    let keys = style_keys::parse(&files::read(&args.keys, MAX_TABLE_BYTES)?, &model.axes).map_err(|e| in_keys(&e))?;
+    let interpolation =
+        if args.interpolation == "monotone" { Interpolation::Monotone } else { Interpolation::CatmullRom };
+    let mode = if args.mode == "hard" { Mode::Hard } else { Mode::default() };
+    let mut synthesis = Synthesis::new(Arc::new(model));
+    let styling = KeyStyling::new(&keys, interpolation, &mut synthesis, mode).map_err(|e| in_keys(&e))?;
+    let motion = styling.motion(&mut synthesis, Method::KeyStyle);
+    let bvh = Bvh::from_humanoid(&motion).map_err(Failure::new)?;
+    let mut outputs = Outputs::default();
+    outputs.stage(&args.output, bvh::write(&bvh).as_bytes())?;
+    outputs.commit()?;
+    let model = synthesis.model();
+    let guesses = keys.iter().filter(|key| synthesis.support(&key.style) < model.least_support).count();
+    let remark = match guesses {
+        0 => String::new(),
+        n => format!("; {n} of the keys lie where hardly anything was recorded"),
+    };
+    let (output, frames) = (args.output.display(), motion.poses.len());
+    let secs = frames as f32 / motion.rate_hz;
+    print(&format!("{output}: {} keys, {frames} frames, {secs:.1} s{remark}\n", keys.len()));
+    Ok(())
+}

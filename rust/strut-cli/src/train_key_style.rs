@@ -1,0 +1,138 @@
+//! `strut train-key-style`: clips become a map from a few numbers to poses.
+
+use crate::corpus::{self, RefusedFile};
+use crate::failure::{Failure, Outcome};
+use crate::files::{Outputs, print, print_warnings};
+use crate::progress::Bar;
+use crate::recordings::read_recordings;
+use crate::suggestion::unknown;
+use serde::Serialize;
+use std::path::PathBuf;
+use std::time::Instant;
+use strut_core::humanoid::Role;
+use strut_core::somn::{Fault, Learning, MAX_COMPONENTS, Measure, Options, Recording, Trainer};
+use strut_formats::{key_style_model, strutdb};
+
+/// Ridge of expectation and maximisation.
+const RIDGE: f64 = 0.01;
+
+/// Learn poses from a few numbers that are measured on them
+///
+/// Axes: hips_height reach_left reach_right hand_height_left hand_height_right foot_separation foot_height_difference
+/// hands_apart (cm), torso_lean knee_bend_left knee_bend_right (degrees), speed (cm/s), or an expression such as
+/// 'hand_l.y - shoulder_l.y': joints by role, x y z in cm to the left, up and forward, with + - * / ( ) abs min max sqrt
+/// and atan2 in degrees. A clip that cannot be used is left out with a warning.
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// .bvh files, folders with all below them, .zip archives
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
+    /// One to three style variables
+    #[arg(long, value_name = "A[,B[,C]]", allow_hyphen_values = true)]
+    axes: String,
+    /// The model to write
+    #[arg(short, long, value_name = "M")]
+    output: PathBuf,
+    /// What chance is drawn by: the same seed gives the same model
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    /// Number of linear maps [default: one for 40 frames, but 4 to 16]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..=MAX_COMPONENTS as u64))]
+    components: Option<u64>,
+    /// A self-organising mixture network, or expectation and maximisation to compare it with
+    #[arg(long, value_name = "METHOD", default_value = "som", value_parser = ["som", "em"])]
+    method: String,
+    /// Write a report as JSON: {model, seconds, components, axes: [{axis, unit, mean, deviation}], clips: [{clip, frames}],
+    /// refused: [{file, reason}]}
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Report {
+    model: String,
+    seconds: f64,
+    components: usize,
+    axes: Vec<AxisEntry>,
+    clips: Vec<ClipEntry>,
+    refused: Vec<RefusedFile>,
+}
+
+#[derive(Serialize)]
+struct AxisEntry {
+    axis: String,
+    unit: String,
+    mean: f64,
+    deviation: f64,
+}
+
+#[derive(Serialize)]
+struct ClipEntry {
+    clip: String,
+    frames: usize,
+}
+
+/// The measures of a list.
+fn parse_axes(text: &str) -> Outcome<Vec<Measure>> {
+    Measure::parse_list(text).map_err(|error| {
+        let mut sentence = error.to_string();
+        if let Fault::Unknown(name) = &error.fault {
+            let names: Vec<&str> =
+                Measure::NAMED.iter().map(|m| m.name).chain(Role::ALL.iter().map(|role| role.name())).collect();
+            sentence = format!("column {}: {}", error.column, unknown("joint, measure or function", name, &names));
+        }
+        Failure::new(format_args!("--axes '{text}', {sentence}"))
+    })
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
+    let axes = parse_axes(&args.axes)?;
+    let begin = Instant::now();
+    let mut refused = Vec::new();
+    let recordings = read_recordings(&args.inputs, &mut refused)?;
+    let learning = if args.method == "em" { Learning::Em { ridge: RIDGE } } else { Learning::Som };
+    let options = Options { components: args.components.map(|k| k as usize), seed: args.seed, learning };
+    let of: Vec<&Recording> = recordings.iter().collect();
+    let mut trainer = Trainer::new(&of, &axes, options).map_err(Failure::new)?;
+    let bar = Bar::new("learning", 0);
+    while let Some(p) = trainer.step() {
+        bar.show("learning", p.done, p.total);
+    }
+    drop(bar);
+    let model = trainer.finish();
+    let bytes = key_style_model::write(&model, strutdb::GENERATOR);
+    let entry = |(j, axis): (usize, &Measure)| AxisEntry {
+        axis: axis.to_string(),
+        unit: axis.unit().to_string(),
+        mean: model.style_mean[j],
+        deviation: model.style_deviation[j],
+    };
+    let report = Report {
+        model: args.output.display().to_string(),
+        seconds: begin.elapsed().as_secs_f64(),
+        components: model.components.len(),
+        axes: model.axes.iter().enumerate().map(entry).collect(),
+        clips: model.clips.iter().map(|c| ClipEntry { clip: c.name.clone(), frames: c.frames }).collect(),
+        refused,
+    };
+    let mut outputs = Outputs::default();
+    outputs.stage(&args.output, &bytes)?;
+    if let Some(target) = &args.json {
+        outputs.stage(target, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
+    }
+    outputs.commit()?;
+    print_warnings(&corpus::warnings(&report.refused));
+    let axes = report.axes.iter().map(|a| format!("{} {:.1} ± {:.1} {}", a.axis, a.mean, a.deviation, a.unit));
+    print(&format!(
+        "{}: {} components from {} frames of {} clips in {:.1} s, {} kB; {}\n",
+        report.model,
+        report.components,
+        model.rows.len(),
+        report.clips.len(),
+        report.seconds,
+        bytes.len().div_ceil(1000),
+        axes.collect::<Vec<_>>().join(", "),
+    ));
+    Ok(())
+}
