@@ -187,6 +187,36 @@ describe("the block", () => {
     await eventually(() => number("Cadence")).toBeLessThan(150);
   });
 
+  it("falls in with a beat that is tapped", async () => {
+    await page.locator('.walk-panel [aria-label="Durations"] label').filter({ hasText: "Fixed" }).click();
+    // In the page: taps from here come when they can.
+    await page.getByRole("button", { name: "Tap the beat" }).evaluate(async (tap: HTMLButtonElement) => {
+      for (let i = 0; i < 5; i++) {
+        tap.click();
+        await new Promise((resolve) => setTimeout(resolve, 500));
+      }
+    });
+    const { walkCadence } = await state();
+    expect(walkCadence, "later than asked for, but not sooner").toBeLessThanOrEqual(120);
+    expect(walkCadence).toBeGreaterThan(70);
+    await eventually(() => number("Cadence")).toBe(walkCadence);
+  });
+
+  it("gives each foot steps of its own", async () => {
+    await visit(page, `view=walk&play=0&walk=1_4_2~proud:1,old:0,sexy:0`);
+    await eventually(title).toBe("Four steps, one style");
+    const feet = (name: string) => page.locator('.walk-panel [aria-label="Steps of"] label').filter({ hasText: name });
+    await feet("Right").click();
+    await page.locator('.walk-panel .vertex[data-style="old"] .vertex-dot').dblclick();
+    await eventually(() => page.locator("#walk-block-heading").textContent()).toBe("Block 1, proud left, old right");
+    await eventually(() => page.url()).toMatch(/r~[^;]*old:1/);
+    await eventually(title).toBe("Four steps, two styles");
+    await feet("Both feet").click();
+    await eventually(() => page.locator("#walk-block-heading").textContent()).toBe("Block 1, proud");
+    await page.keyboard.press("Control+z");
+    await eventually(async () => (await state()).walk[0]!.right?.length).toBeGreaterThan(0);
+  });
+
   it("takes shorter steps, and stops where it is not walked on", async () => {
     await visit(page, `view=walk&play=0&${THREE}`);
     await eventually(() => number("Step length")).toBeGreaterThan(0.3);

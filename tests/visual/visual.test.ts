@@ -33,6 +33,17 @@ interface Case {
   act?: (page: Page) => Promise<void>;
 }
 
+/** Neutral, proud and old in turn, as in the design's picture. */
+const WALK = "play=0&view=walk&block=1&walk=1_3_3~neutral:1;1_4_2~proud:1,old:0,sexy:0;1_3_2~old:1";
+
+/** Goes into the transition to the second block. */
+async function walkOn(page: Page): Promise<void> {
+  await page.locator('.planner-block, [data-key="block-0"]').first().waitFor();
+  await page.locator(".planner-head").focus();
+  await page.keyboard.press("Home");
+  for (let i = 0; i < 25; i++) await page.keyboard.press("ArrowRight");
+}
+
 /** Holds the handle of the polygon half way to a corner. */
 async function dragHandle(page: Page): Promise<void> {
   const handle = (await page.getByRole("slider", { name: "Style", exact: true }).boundingBox())!;
@@ -71,6 +82,16 @@ const CASES: readonly Case[] = [
     theme: "dark",
   },
   { name: "compare-narrow-dark", hash: `${SECOND}&view=compare`, size: NARROW, theme: "dark" },
+  { name: "walk-wide-dark", hash: WALK, size: WIDE, theme: "dark", act: walkOn },
+  { name: "walk-strip-light", hash: `${WALK}&strip=1`, size: WIDE, theme: "light", act: walkOn },
+  {
+    name: "walk-feet-light",
+    hash: "play=0&view=walk&walk=1.4_4_2~proud:1,old:0,sexy:0;r~old:1&tempo=fixed&cadence=96&plot=left_lower_leg",
+    size: WIDE,
+    theme: "light",
+    act: walkOn,
+  },
+  { name: "walk-narrow-dark", hash: WALK, size: NARROW, theme: "dark", act: walkOn },
   { name: "data-empty-wide-dark", hash: "play=0&view=data", size: WIDE, theme: "dark" },
   { name: "data-wide-light", hash: "play=0&view=data", size: WIDE, theme: "light", act: dropClips },
   { name: "data-narrow-dark", hash: "play=0&view=data", size: NARROW, theme: "dark", act: dropClips },

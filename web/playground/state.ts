@@ -176,24 +176,38 @@ function decodeTrack(text: string): TrackKey[] | undefined {
   return inOrder ? keys : undefined;
 }
 
-/** Intensity, steps and steps in between stand before a block's styles: `1_4_2~proud:1`. */
+/** What stands before the styles of a block's right foot. */
+const RIGHT = "r";
+
+/**
+ * Intensity, steps and steps in between stand before a block's styles; those of the right foot follow where they differ:
+ * `1_4_2~proud:1`.
+ */
 function encodeWalk(blocks: readonly WalkBlock[]): string {
   const numbers = ({ intensity, steps, transition }: WalkBlock) =>
     [Number(intensity.toFixed(INTENSITY_RANGE.digits)), steps, transition].join("_");
-  return encodeEntries(blocks.map((block) => [numbers(block), block.styles]));
+  return encodeEntries(
+    blocks.flatMap((block) => [
+      [numbers(block), block.styles] as const,
+      ...(block.right ? [[RIGHT, block.right] as const] : []),
+    ]),
+  );
 }
 
 function decodeWalk(text: string): WalkBlock[] | undefined {
-  const blocks = decodeEntries(text)?.map(([name, styles]): WalkBlock => {
+  const blocks = decodeEntries(text)?.flatMap(([name, styles], i, entries): WalkBlock[] => {
+    if (name === RIGHT && i > 0) return [];
     const [intensity, steps, transition] = name
       .split("_")
       .map((number) => (number === "" ? Number.NaN : Number(number)));
-    return {
+    const [after, right] = entries[i + 1] ?? [];
+    const block = {
       styles,
       intensity: intensity ?? Number.NaN,
       steps: steps ?? Number.NaN,
       transition: transition ?? Number.NaN,
     };
+    return [after === RIGHT ? { ...block, right: right! } : block];
   });
   const within = (value: number, { min, max, digits }: Range) =>
     value >= min && value <= max && (digits > 0 || Number.isInteger(value));

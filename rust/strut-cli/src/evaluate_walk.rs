@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 use strut_core::hsmm::evaluation::{
-    Bearing, Manner, Reconstruction, bearing, horizon_error, recognise, stopping_peak, transition_peak,
+    Bearing, ContextTree, Manner, Reconstruction, bearing, horizon_error, recognise, stopping_peak, transition_peak,
 };
 use strut_core::hsmm::{
     HORIZON, Options, Side, Track, Training, WalkModel, WalkVoices, Walker, WeightsError, steps_of, train,
@@ -85,6 +85,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     linearity(&mut text, [(&plain, &plain_voices), (&refined, &voices)]).map_err(Failure::new)?;
     intensity(&mut text, &refined, &voices).map_err(Failure::new)?;
     transitions(&mut text, &refined, &voices).map_err(Failure::new)?;
+    contexts(&mut text, &plain, &walks);
     horizon(&mut text, &refined, &voices).map_err(Failure::new)?;
     let _ = writeln!(text, "## Cost\n\n{:.1} µs a frame, natively, with root and joint limits.", cost_us(&voices));
 
@@ -247,8 +248,10 @@ fn intensity(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> 
     }
     let _ = writeln!(
         text,
-        "\nFrom {} to {} in steps of {MONOTONE_STEP}, increments that go the way that the whole goes, and styles of which all do:\n\n\
-         | | increments | styles |\n| --- | ---: | ---: |",
+        "\nFrom {} to {} in steps of {MONOTONE_STEP}, increments that go the way that the whole goes, styles of which all do, \
+         and the greatest increment that does not, as a share of what lies between the style's ends and of that of the style \
+         which changes most:\n\n\
+         | | increments | styles | greatest step back | of the greatest change |\n| --- | ---: | ---: | ---: | ---: |",
         f32::from(*MONOTONE.start()) * MONOTONE_STEP,
         f32::from(*MONOTONE.end()) * MONOTONE_STEP
     );
@@ -260,18 +263,55 @@ fn intensity(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> 
         })
         .collect::<Result<Vec<_>, _>>()?;
     for (i, (name, _)) in ways[0][0].named().into_iter().enumerate() {
-        let (mut same, mut of, mut whole) = (0, 0, 0);
+        let values = |way: &Vec<Manner>| -> Vec<f64> { way.iter().map(|m| m.named()[i].1).collect() };
+        let change = |values: &[f64]| values[values.len() - 1] - values[0];
+        let most = ways.iter().map(|way| change(&values(way)).abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let (mut same, mut of, mut whole, mut back, mut of_most) = (0, 0, 0, 0.0_f64, 0.0_f64);
         for way in &ways {
-            let values: Vec<f64> = way.iter().map(|m| m.named()[i].1).collect();
-            let up = values[values.len() - 1] > values[0];
-            let right = values.windows(2).filter(|w| w[0] == w[1] || (w[1] > w[0]) == up).count();
+            let values = values(way);
+            let whole_change = change(&values);
+            let steps_back = values.windows(2).map(|w| -(w[1] - w[0]) * whole_change.signum());
+            let worst = steps_back.clone().fold(0.0, f64::max);
+            let right = steps_back.filter(|back| *back <= 0.0).count();
             (same, of, whole) = (same + right, of + values.len() - 1, whole + usize::from(right + 1 == values.len()));
+            (back, of_most) = (back.max(worst / whole_change.abs()), of_most.max(worst / most));
         }
-        let _ =
-            writeln!(text, "| {name} | {:.1} % | {whole} of {styles} |", 100.0 * f64::from(same as u32) / of as f64);
+        let _ = writeln!(
+            text,
+            "| {name} | {:.1} % | {whole} of {styles} | {:.1} % | {:.1} % |",
+            100.0 * f64::from(same as u32) / of as f64,
+            100.0 * back,
+            100.0 * of_most
+        );
     }
     text.push('\n');
     Ok(())
+}
+
+/// Which steps deserve models of their own.
+fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
+    let walks: Vec<(usize, &Track)> = walks
+        .iter()
+        .filter_map(|w| Some((model.styles.iter().position(|style| *style == w.style)?, &w.track)))
+        .collect();
+    text.push_str(
+        "## Contexts\n\nA tree by minimum description length parts the steps of all walks by side and by place in ",
+    );
+    text.push_str("the clip, as long as that makes the frames likelier by more than it costs.\n\n");
+    for (name, style_free) in [("As recorded", false), ("With every style's mean pose taken off", true)] {
+        let ContextTree { splits, rejected, cost } = ContextTree::grow(model, &walks, style_free);
+        let asked: Vec<String> = splits.iter().map(|s| format!("{} gains {:.0}", s.question, s.gain)).collect();
+        let _ = writeln!(
+            text,
+            "- {name}, a split costs {cost:.0}: {} leaves ({}); the best question that is not asked gains {rejected:.0}.",
+            splits.len() + 1,
+            asked.join(", ")
+        );
+    }
+    text.push_str(
+        "\nSide is worth its model many hundred times over, place hardly, as the clips are cut out of longer walks: ",
+    );
+    text.push_str("models are those of left and right steps.\n\n");
 }
 
 /// How hard changes of style are.

@@ -8,13 +8,14 @@ use crate::walks::read_walks;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
-use strut_core::hsmm::{Options, Training, train};
+use strut_core::hsmm::{Options, Training, landmarks, train};
 use strut_formats::corpus::Pattern;
 use strut_formats::{strutdb, walk_model};
 
 /// Train a model of walk styles on labelled clips
 ///
-/// Of clips with an action 'walk' only those are used. A clip that cannot be used is left out with a warning.
+/// Of clips with an action 'walk' only those are used. A clip that cannot be used is left out with a warning. Where takes of a
+/// style differ by more than 6 degrees a joint they become styles of their own: 'proud A', 'proud B'.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// .bvh files, folders with all below them, .zip archives
@@ -55,7 +56,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
     let begin = Instant::now();
     let mut refused = Vec::new();
-    let (body, walks) = read_walks(&args.inputs, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
+    let (body, mut walks) = read_walks(&args.inputs, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
+    let training: Vec<Training> = walks.iter().map(|w| Training { style: &w.style, track: &w.track }).collect();
+    let landmarks = landmarks(&training);
+    walks.iter_mut().zip(landmarks).for_each(|(walk, landmark)| walk.style = landmark);
     let training: Vec<Training> = walks.iter().map(|w| Training { style: &w.style, track: &w.track }).collect();
     let model = train(&body, &training, Options::default(), &ThreadPool).map_err(Failure::new)?;
     let bytes = walk_model::write(&model, strutdb::GENERATOR);

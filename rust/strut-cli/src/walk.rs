@@ -6,7 +6,7 @@ use crate::weights::StyleWeights;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::Arc;
-use strut_core::hsmm::{MAX_TURN, RATE_HZ, STRIDE, WalkVoices, Walker};
+use strut_core::hsmm::{MAX_TURN, RATE_HZ, SIDES, STRIDE, WalkVoices, Walker};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::math::Vec3;
 use strut_formats::bvh::{self, Bvh};
@@ -21,7 +21,7 @@ const STOPPING_STEPS: u64 = 3;
 /// Walk in a style or a mixture of styles
 ///
 /// What weights lack to a sum of 1 is the average of all styles: old=0.5 is half as old, old=1.5 exaggerates, old=-1 is the
-/// opposite.
+/// opposite. Where the model has 'proud A' and 'proud B', proud is both in equal parts.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// A model that train-walk wrote
@@ -98,11 +98,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     let file = files::read(&args.model, walk_model::MAX_BYTES)?;
     let model = walk_model::read(&file).map_err(|e| Failure::in_file(&args.model, e))?;
-    let weights = |style: &StyleWeights| style.among(&model.styles).map_err(Failure::new);
+    let weights = |style: &StyleWeights| style.of_walks(&model.styles).map_err(Failure::new);
     let mut walker = Walker::new(Arc::new(WalkVoices::new(&model)));
     walker.set_styles(&weights(&args.style)?).map_err(Failure::new)?;
     for Transition { style, step, between } in &args.transition {
-        walker.plan_transition(*step, *between, &weights(style)?).map_err(Failure::new)?;
+        let weights = weights(style)?;
+        walker.plan_transition(*step, *between, [&weights; SIDES]).map_err(Failure::new)?;
     }
     walker.set_cadence(args.cadence);
     walker.set_turn(args.turn.to_radians());

@@ -1,17 +1,14 @@
 //! The labelled walks that a model is trained and measured on.
 
 use crate::corpus::{self, RefusedFile};
-use crate::failure::Outcome;
+use crate::failure::{Failure, Outcome};
 use crate::gather::gather;
 use crate::threads::ThreadPool;
 use std::path::{Path, PathBuf};
-use strut_core::hsmm::{Track, steps_of};
+use strut_core::hsmm::{Track, WALK, walk_of, walking_action};
 use strut_core::humanoid::Proportions;
 use strut_core::parallel::ParallelMap;
 use strut_formats::corpus::Pattern;
-
-/// The action that is walking, where clips have any of that name.
-const WALK: &str = "walk";
 
 /// A clip that holds steps.
 pub(crate) struct Walk {
@@ -22,7 +19,8 @@ pub(crate) struct Walk {
     pub(crate) steps: usize,
 }
 
-/// The body that walks, and the walks; files that are none join the `refused`.
+/// The body that walks, and the walks; files that are none join the `refused`. Walks are those of the action `walk`; where
+/// there is none, of the action that holds the most steps.
 pub(crate) fn read_walks(
     inputs: &[PathBuf],
     pattern: Option<&Pattern>,
@@ -35,18 +33,29 @@ pub(crate) fn read_walks(
         labelled.retain(|(_, labels)| labels.action == WALK);
     }
     let clips = corpus::read_clips(None, labelled, refused)?;
-    let tracks = ThreadPool.map(clips.len(), &|i| {
-        let track = Track::new(&clips[i].motion).map_err(|e| e.to_string())?;
-        let steps = steps_of(&track).len();
-        if steps == 0 { Err("it holds no step".to_owned()) } else { Ok((track, steps)) }
-    });
+    let tracks = ThreadPool.map(clips.len(), &|i| walk_of(&clips[i].motion));
+    let steps = clips.iter().zip(&tracks).filter_map(|(clip, walk)| Some((&*clip.action, walk.as_ref().ok()?.1)));
+    let action = walking_action(&steps.collect::<Vec<_>>()).map(str::to_owned);
     let body = clips.first().map(|clip| clip.motion.proportions).unwrap_or_default();
     let mut walks = Vec::new();
     for (clip, track) in clips.into_iter().zip(tracks) {
         match track {
+            Ok(_) if action.as_ref().is_some_and(|action| *action != clip.action) => {
+                let reason = format!(
+                    "it is of action '{}', and walking is '{}'",
+                    clip.action,
+                    action.as_deref().unwrap_or(WALK)
+                );
+                refused.push(RefusedFile { file: clip.source, reason });
+            }
             Ok((track, steps)) => walks.push(Walk { style: clip.style, take: clip.take, track, steps }),
             Err(reason) => refused.push(RefusedFile { file: clip.source, reason }),
         }
     }
-    Ok((body, walks))
+    match refused.last() {
+        Some(RefusedFile { file, reason }) if walks.is_empty() => {
+            Err(Failure::new(format_args!("no clip is a walk; of the last, {file}: {reason}")))
+        }
+        _ => Ok((body, walks)),
+    }
 }

@@ -3,6 +3,7 @@
 use crate::suggestion::unknown;
 use std::str::FromStr;
 use strut_core::database::Database;
+use strut_core::hsmm::styles_named;
 use strut_core::transfer::{BodyPart, MAX_WEIGHT};
 
 /// Names of the body parts, for messages.
@@ -45,18 +46,26 @@ impl StyleWeights {
     /// # Errors
     /// A sentence about the first name that is not a style.
     pub(crate) fn of(&self, db: &Database) -> Result<Vec<f32>, String> {
-        self.among(&db.styles)
+        self.among(&db.styles, |name| db.styles.iter().position(|s| s == name).into_iter().collect())
     }
 
-    /// One weight for each of these styles.
+    /// One weight a style of a walk model; that of a name with several landmarks is shared out among them.
     ///
     /// # Errors
-    /// A sentence about the first name that is not among them.
-    pub(crate) fn among(&self, styles: &[String]) -> Result<Vec<f32>, String> {
+    /// A sentence about the first name that is not a style.
+    pub(crate) fn of_walks(&self, styles: &[String]) -> Result<Vec<f32>, String> {
+        self.among(styles, |name| styles_named(styles, name))
+    }
+
+    /// One weight for each of these styles, of which some go by a name.
+    fn among(&self, styles: &[String], named: impl Fn(&str) -> Vec<usize>) -> Result<Vec<f32>, String> {
         let mut weights = vec![0.0; styles.len()];
         for (name, weight) in &self.0 {
-            let style = styles.iter().position(|s| s == name).ok_or_else(|| unknown("style", name, styles))?;
-            weights[style] = *weight;
+            let named = named(name);
+            if named.is_empty() {
+                return Err(unknown("style", name, styles));
+            }
+            named.iter().for_each(|&style| weights[style] += weight / named.len() as f32);
         }
         Ok(weights)
     }

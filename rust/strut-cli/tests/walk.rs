@@ -2,16 +2,17 @@
 
 mod common;
 
-use common::mocap_folder;
+use common::{assert_refused, mocap_folder, strut, strut_ok};
 use std::path::Path;
 use std::sync::Arc;
 use strut_core::hsmm::evaluation::{Reconstruction, recognise};
 use strut_core::hsmm::{Options, Track, Training, WalkVoices, Walker, train};
-use strut_core::humanoid::{Proportions, Role};
+use strut_core::humanoid::{HumanoidMotion, Proportions, Role};
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
 use strut_core::parallel::Sequential;
 use strut_core::retarget::to_humanoid;
+use strut_formats::bvh::{self, Bvh};
 use strut_formats::corpus::Clip;
 
 const STYLES: [&str; 7] = ["active", "elderly", "exhausted", "feminine", "masculine", "normal", "youthful"];
@@ -98,4 +99,107 @@ fn strides_are_as_long_as_asked_for_and_who_stops_stands_on_both_feet() {
             assert!((centre - foot.z).abs() < 0.12, "{name}: {foot} below {centre}");
         }
     }
+}
+
+/// The built-in walk straight ahead.
+fn demo_walk() -> HumanoidMotion {
+    strut_demo::input_clips().remove(0).motion
+}
+
+fn bvh_of(motion: &HumanoidMotion) -> String {
+    bvh::write(&Bvh::from_humanoid(motion).unwrap())
+}
+
+/// BVH text without the joints of the toes: their parents end where they were.
+fn without_toes(text: &str) -> String {
+    let (mut lines, mut columns, mut skipped) = (Vec::new(), Vec::new(), None);
+    let (mut count, mut depth) = (0, 0);
+    let (hierarchy, motion) = text.split_once("MOTION").unwrap();
+    for line in hierarchy.lines() {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        if words.first() == Some(&"JOINT") && words[1].to_lowercase().contains("toe") {
+            skipped = Some(depth);
+            lines.push("End Site".to_owned());
+        }
+        let keeps = skipped.is_none_or(|_| words[0] == "{" || words[0] == "}" || words[0] == "OFFSET");
+        match words[0] {
+            "CHANNELS" => {
+                let channels: usize = words[1].parse().unwrap();
+                columns.extend(std::iter::repeat_n(skipped.is_none(), channels));
+                count += channels;
+            }
+            "{" => depth += 1,
+            "}" => depth -= 1,
+            _ => {}
+        }
+        // Of what is skipped the first offset stays, in braces of its own.
+        let inner = skipped.is_some_and(|begin| depth > begin + 1 || (depth == begin + 1 && words[0] == "}"));
+        if keeps && !inner {
+            lines.push(line.to_owned());
+        }
+        if skipped == Some(depth) && words[0] == "}" {
+            skipped = None;
+        }
+    }
+    assert_eq!(columns.len(), count);
+    let mut rows = motion.trim().lines();
+    let head = [rows.next().unwrap(), rows.next().unwrap()].join("\n");
+    let kept = |row: &str| {
+        let values = row.split_whitespace().zip(&columns).filter(|(_, keeps)| **keeps).map(|(value, _)| value);
+        values.collect::<Vec<_>>().join(" ")
+    };
+    format!("{}\nMOTION\n{head}\n{}\n", lines.join("\n"), rows.map(kept).collect::<Vec<_>>().join("\n"))
+}
+
+/// Seconds of a step of the only style that `train-walk` finds in a file.
+fn step_secs(folder: &Path, text: &str) -> f64 {
+    std::fs::write(folder.join("walk_own_1.bvh"), text).unwrap();
+    strut_ok(folder, &["train-walk", "walk_own_1.bvh", "-o", "m.strutwalk", "--json", "r.json"]);
+    strut_ok(folder, &["walk", "--model", "m.strutwalk", "--style", "own", "-o", "out.bvh"]);
+    let report: serde_json::Value = serde_json::from_slice(&std::fs::read(folder.join("r.json")).unwrap()).unwrap();
+    report["styles"][0]["step_secs"].as_f64().unwrap()
+}
+
+#[test]
+fn one_clip_is_enough_at_any_rate_and_without_toes() {
+    let folder = tempfile::tempdir().unwrap();
+    let walk = demo_walk();
+    let expected = step_secs(folder.path(), &bvh_of(&walk));
+    for (name, text) in [("25 fps", bvh_of(&walk.resampled(25.0))), ("no toes", without_toes(&bvh_of(&walk)))] {
+        let found = step_secs(folder.path(), &text);
+        assert!((found / expected - 1.0).abs() < 0.02, "{name}: {found} s for {expected} s");
+    }
+}
+
+#[test]
+fn what_holds_no_walk_is_left_out_with_a_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let walk = demo_walk();
+    let standing = HumanoidMotion { poses: vec![walk.poses[0]; 90], ..walk.clone() };
+    std::fs::write(path.join("walk_still_1.bvh"), bvh_of(&standing)).unwrap();
+    assert_refused(path, &["train-walk", "walk_still_1.bvh", "-o", "m.strutwalk"], "walk_still_1.bvh");
+    assert_refused(path, &["train-walk", "walk_still_1.bvh", "-o", "m.strutwalk"], "a walk of at least");
+
+    // Beside others it is a warning.
+    std::fs::write(path.join("walk_own_1.bvh"), bvh_of(&walk)).unwrap();
+    let output = strut(path, &["train-walk", "walk_still_1.bvh", "walk_own_1.bvh", "-o", "m.strutwalk"]);
+    let warning = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && warning.contains("walk_still_1.bvh"), "{warning}");
+    assert_refused(path, &["walk", "--model", "m.strutwalk", "--style", "still", "-o", "x.bvh"], "no style 'still'");
+}
+
+#[test]
+fn takes_that_differ_much_are_styles_of_their_own() {
+    let Some(mocap) = mocap_folder() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join("m.strutwalk").display().to_string();
+    let input = mocap.join("bandai-namco-1").display().to_string();
+    let pattern = "{set}_{action}_{style}_{take}.bvh";
+    let printed = strut_ok(folder.path(), &["train-walk", &input, "--pattern", pattern, "-o", &model]);
+    // The specification finds the takes of these four alike, and those of proud farthest apart.
+    for style in ["active,", "giant,", "masculinity,", "proud A, proud B", "tired)"] {
+        assert!(printed.contains(style), "{style} in {printed}");
+    }
+    strut_ok(folder.path(), &["walk", "--model", &model, "--style", "proud=0.5,proud B=0.5", "-o", "out.bvh"]);
 }

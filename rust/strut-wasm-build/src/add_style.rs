@@ -1,8 +1,8 @@
 //! A style from one clip.
 
 use crate::builder::Built;
+use crate::database::read_database;
 use crate::labels::text;
-use crate::walk_training::read_database;
 use strut_core::database::build;
 use strut_core::parallel::Sequential;
 use strut_core::registration;

@@ -7,6 +7,7 @@
 mod add_style;
 mod builder;
 mod clip;
+mod database;
 mod labels;
 mod walk_training;
 

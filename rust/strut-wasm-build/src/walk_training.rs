@@ -1,11 +1,12 @@
 //! Handle of a walk model's training: a database goes in, a `.strutwalk` file comes out.
 
 use crate::builder::Progress;
+use crate::database::read_database;
 use crate::labels::text;
 use strut_core::database::Database;
-use strut_core::hsmm::{Options, Track, Trainer, Training, WalkModel, walk_of, walks_among};
+use strut_core::hsmm::{Options, Track, Trainer, Training, WalkModel, landmarks, walk_of, walking_action, walks_among};
 use strut_core::parallel::Sequential;
-use strut_formats::strutdb;
+use strut_formats::strutdb::GENERATOR;
 use strut_formats::walk_model;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -15,8 +16,8 @@ pub struct WalkTraining {
     database: Database,
     /// Clips that are still to be read, the next one last.
     unread: Vec<usize>,
-    /// Style and walk of every clip that is one.
-    walks: Vec<(u16, Track)>,
+    /// Number of every clip that is a walk, the walk, and its steps.
+    walks: Vec<(usize, Track, usize)>,
     trainer: Option<Trainer>,
     refused: Vec<String>,
 }
@@ -40,18 +41,18 @@ impl WalkTraining {
     /// If nothing can be trained on.
     pub fn step(&mut self, listener: &Progress) -> Result<bool, String> {
         if let Some(clip) = self.unread.pop() {
-            match walk_of(&self.database, clip) {
-                Ok(track) => self.walks.push((self.database.clips[clip].style, track)),
+            match walk_of(&self.database.motion_of_clip(clip)) {
+                Ok((track, steps)) => self.walks.push((clip, track, steps)),
                 Err(reason) => self.refused.extend([self.database.clips[clip].name.clone(), reason]),
             }
             let done = self.walks.len() + self.refused.len() / 2;
             listener.progress("reading", done, done + self.unread.len());
             return Ok(true);
         }
-        let trainer = match &mut self.trainer {
-            Some(trainer) => trainer,
-            None => self.trainer.insert(self.begin()?),
-        };
+        if self.trainer.is_none() {
+            self.trainer = Some(self.begin()?);
+        }
+        let Some(trainer) = &mut self.trainer else { return Ok(false) };
         let come = trainer.step(1, &Sequential);
         if let Some(p) = come {
             listener.progress("training", p.done, p.total);
@@ -64,22 +65,42 @@ impl WalkTraining {
     /// # Errors
     /// If nothing could be trained on.
     pub fn finish(mut self) -> Result<TrainedWalk, String> {
-        let trainer = self.trainer.take().map_or_else(|| self.begin(), Ok)?;
+        let trainer = match self.trainer.take() {
+            Some(trainer) => trainer,
+            None => self.begin()?,
+        };
         let clips = self.walks.len();
         let model = trainer.finish();
-        let bytes = walk_model::write(&model, strutdb::GENERATOR);
+        let bytes = walk_model::write(&model, GENERATOR);
         Ok(TrainedWalk { model, bytes, clips, refused: self.refused })
     }
 }
 
 impl WalkTraining {
-    fn begin(&self) -> Result<Trainer, String> {
-        let styles = &self.database.styles;
+    fn begin(&mut self) -> Result<Trainer, String> {
+        let db = &self.database;
+        let (styles, actions, clips) = (&db.styles, &db.actions, &db.clips);
+        let steps: Vec<(u16, usize)> = self.walks.iter().map(|(i, _, steps)| (clips[*i].action, *steps)).collect();
+        let walking = walking_action(&steps);
+        let is_walking = |i: usize| Some(clips[i].action) == walking;
+        for (i, ..) in self.walks.iter().filter(|walk| !is_walking(walk.0)) {
+            let reason = format!(
+                "it is of another action than '{}', of which there are most steps",
+                actions[usize::from(walking.unwrap_or(0))]
+            );
+            self.refused.extend([clips[*i].name.clone(), reason]);
+        }
+        self.walks.retain(|walk| is_walking(walk.0));
         // The styles keep the database's order.
-        let mut walks: Vec<&(u16, Track)> = self.walks.iter().collect();
-        walks.sort_by_key(|(style, _)| *style);
+        self.walks.sort_by_key(|walk| clips[walk.0].style);
+        let clips: Vec<Training> = self
+            .walks
+            .iter()
+            .map(|(i, track, _)| Training { style: &styles[usize::from(clips[*i].style)], track })
+            .collect();
+        let landmarks = landmarks(&clips);
         let clips: Vec<Training> =
-            walks.iter().map(|(style, track)| Training { style: &styles[usize::from(*style)], track }).collect();
+            clips.iter().zip(&landmarks).map(|(clip, style)| Training { style, track: clip.track }).collect();
         Trainer::new(&self.database.proportions, &clips, Options::default(), &Sequential).map_err(text)
     }
 }
@@ -114,14 +135,4 @@ impl TrainedWalk {
     pub fn refused(&self) -> Vec<String> {
         self.refused.clone()
     }
-}
-
-/// The database in a `.strutdb` file or in packed motions.
-pub(crate) fn read_database(bytes: &[u8]) -> Result<Database, String> {
-    let read = if bytes.starts_with(&strutdb::packed::MAGIC) {
-        strutdb::packed::read_database(bytes)
-    } else {
-        strutdb::read(bytes).map(|contents| contents.database)
-    };
-    read.map_err(text)
 }

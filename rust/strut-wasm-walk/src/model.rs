@@ -55,14 +55,15 @@ impl WalkModel {
         numbers.map(|v| *v as f32).collect()
     }
 
-    /// A joint's angle through a left step and a right one, in a mixture of styles: the axis, then five numbers a frame, the
-    /// angle that is walked, the mean and the standard deviation of the frame's state in radians, its side and its number.
+    /// A joint's angle through a left step and a right one, in a mixture of styles for either: the axis, then five numbers a
+    /// frame, the angle that is walked, the mean and the standard deviation of the frame's state in radians, its side and its
+    /// number.
     ///
     /// # Errors
     /// If there is not one weight a style, or no such joint.
-    pub fn curve(&self, weights: &[f32], joint: usize) -> Result<Vec<f32>, String> {
+    pub fn curve(&self, left: &[f32], right: &[f32], joint: usize) -> Result<Vec<f32>, String> {
         let joint = Role::ALL.get(joint).ok_or("there is no such joint")?;
-        let curve = JointCurve::new(&self.model, &self.voices, weights, *joint).map_err(text)?;
+        let curve = JointCurve::new(&self.model, &self.voices, [left, right], *joint).map_err(text)?;
         let numbers = |p: &CurvePoint| [p.angle, p.mean, p.deviation, p.side as usize as f32, p.state as f32];
         Ok(std::iter::once(curve.axis as f32).chain(curve.points.iter().flat_map(numbers)).collect())
     }

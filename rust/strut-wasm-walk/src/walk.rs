@@ -50,14 +50,14 @@ impl Walk {
         self.show();
     }
 
-    /// Styles from the next frame on, one weight a style; what they lack to a sum of 1 is the average's. Transitions that
-    /// were planned are forgotten.
+    /// Styles of the steps of the left foot and of the right from the next frame on, one weight a style; what they lack to a
+    /// sum of 1 is the average's. Transitions that were planned are forgotten.
     ///
     /// # Errors
     /// If a weight is none; the former weights then stay.
     #[wasm_bindgen(js_name = setStyles)]
-    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), String> {
-        self.walker.set_styles(weights).map_err(text)
+    pub fn set_styles(&mut self, left: &[f32], right: &[f32]) -> Result<(), String> {
+        self.walker.set_sides([left, right]).map_err(text)
     }
 
     /// Changes styles from a step on, over so many steps in between.
@@ -65,14 +65,20 @@ impl Walk {
     /// # Errors
     /// If a weight is none; nothing changes then.
     #[wasm_bindgen(js_name = planTransition)]
-    pub fn plan_transition(&mut self, step: u32, between: u32, weights: &[f32]) -> Result<(), String> {
-        self.walker.plan_transition(step.into(), between, weights).map_err(text)
+    pub fn plan_transition(&mut self, step: u32, between: u32, left: &[f32], right: &[f32]) -> Result<(), String> {
+        self.walker.plan_transition(step.into(), between, [left, right]).map_err(text)
     }
 
     /// Steps a minute; none leaves it to the style.
     #[wasm_bindgen(js_name = setCadence)]
     pub fn set_cadence(&mut self, steps_per_minute: Option<f32>) {
         self.walker.set_cadence(steps_per_minute);
+    }
+
+    /// Steps a minute, with steps that come to end on a beat that falls so many seconds after the present frame.
+    #[wasm_bindgen(js_name = setBeat)]
+    pub fn set_beat(&mut self, steps_per_minute: f32, secs: f32) {
+        self.walker.set_beat(steps_per_minute, secs);
     }
 
     /// What the durations of states are drawn by; without it they are the means.

@@ -139,7 +139,9 @@ fn clip_stages(
 fn walk_stages(report: &mut String, db: &strut_core::database::Database) -> Result<(), EngineError> {
     let walks: Vec<(&str, Track)> = walks_among(db)
         .into_iter()
-        .filter_map(|clip| Some((db.styles[usize::from(db.clips[clip].style)].as_str(), walk_of(db, clip).ok()?)))
+        .filter_map(|clip| {
+            Some((db.styles[usize::from(db.clips[clip].style)].as_str(), walk_of(&db.motion_of_clip(clip)).ok()?.0))
+        })
         .collect();
     let training: Vec<Training> = walks.iter().map(|(style, track)| Training { style, track }).collect();
     let model =
@@ -157,11 +159,12 @@ fn walk_stages(report: &mut String, db: &strut_core::database::Database) -> Resu
         weights
     };
     walker.set_styles(&alone(0, 1.5)).map_err(EngineError::bad_input)?;
-    walker.plan_transition(6, 4, &alone(1, -0.5)).map_err(EngineError::bad_input)?;
+    walker.plan_transition(6, 4, [&alone(1, -0.5), &alone(0, 0.5)]).map_err(EngineError::bad_input)?;
     walker.set_turn(0.05);
     let hashes = (0..WALK_FRAMES).map(|frame| {
         if frame == WALK_FRAMES / 2 {
             walker.set_variation(Some(7));
+            walker.set_beat(113.0, 0.4);
         }
         pose_hash(walker.advance())
     });

@@ -13,8 +13,8 @@ const FRAME_FLOATS = POSE_FLOATS + 5 + STATES;
 /** Greatest turn of a step, radians. */
 export const MOST_TURN = 0.18;
 
-/** One weight a style of the model; what they lack to a sum of 1 is the average's. */
-export type Weights = Float32Array;
+/** For the steps of the left foot and of the right one weight a style; what they lack to a sum of 1 is the average's. */
+export type Weights = readonly [left: Float32Array, right: Float32Array];
 
 /** A foot that swings: left or right. */
 export type Side = 0 | 1;
@@ -90,7 +90,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
 
   /** Seconds that the states of a step last: means and standard deviations. */
   durations(weights: Weights, side: Side): { means: number[]; deviations: number[] } {
-    const numbers = walkPackage.guarded(() => this.raw.durations(weights, side));
+    const numbers = walkPackage.guarded(() => this.raw.durations(weights[side], side));
     return {
       means: Array.from(numbers.subarray(0, STATES), (frames) => frames / this.rateHz),
       deviations: Array.from(numbers.subarray(STATES), (variance) => Math.sqrt(variance) / this.rateHz),
@@ -99,7 +99,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
 
   /** @throws StrutError if weights are none */
   curve(weights: Weights, joint: number): JointCurve {
-    const numbers = walkPackage.guarded(() => this.raw.curve(weights, joint));
+    const numbers = walkPackage.guarded(() => this.raw.curve(...weights, joint));
     const frames = (numbers.length - 1) / 5;
     const column = (k: number) => Float32Array.from({ length: frames }, (_, f) => numbers[1 + 5 * f + k]!);
     return {
@@ -156,19 +156,24 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
    */
   plan(weights: Weights, transitions: readonly WalkTransition[]): void {
     walkPackage.guarded(() => {
-      this.raw.setStyles(weights);
-      for (const { step, between, weights } of transitions) this.raw.planTransition(step, between, weights);
+      this.raw.setStyles(...weights);
+      for (const { step, between, weights } of transitions) this.raw.planTransition(step, between, ...weights);
     });
   }
 
   /** Another change of style. */
   add({ step, between, weights }: WalkTransition): void {
-    walkPackage.guarded(() => this.raw.planTransition(step, between, weights));
+    walkPackage.guarded(() => this.raw.planTransition(step, between, ...weights));
   }
 
   set tempo(tempo: Tempo) {
     this.raw.setCadence(tempo.kind === "fixed" ? tempo.cadence : undefined);
     this.raw.setVariation(tempo.kind === "sampled" ? tempo.seed : undefined);
+  }
+
+  /** Steps that come to end on a beat: so many a minute, and one of them now. */
+  beatNow(cadence: number): void {
+    this.raw.setBeat(cadence, 0);
   }
 
   /** Radians to the left that a step turns. */

@@ -1,10 +1,10 @@
 /** The panel of the chosen block: its mixture, its numbers of steps, how long steps last, and what the model says of it. */
-import { Segment } from "../controls/buttons";
+import { button, Segment } from "../controls/buttons";
 import { icon } from "../controls/icons";
 import { Slider } from "../controls/slider";
 import { formatNumber, html, setText } from "../dom";
 import { Polygon } from "../polygon/polygon";
-import { isBeyondData, type Selection, toTriangle, vertexOrder } from "../polygon/selection";
+import { isBeyondData, vertexOrder } from "../polygon/selection";
 import { RANGES, WALK_TEMPOS, type WalkTempo } from "../state";
 import { strings } from "../strings/strings";
 import { capitalised, numberWord } from "../words";
@@ -24,9 +24,11 @@ export interface BlockFigures {
 export interface BlockPanelListeners {
   onBlock: (patch: Partial<WalkBlock>, gesture?: string) => void;
   onSettle: () => void;
-  onWhole: (whole: boolean, styles: Selection) => void;
+  onWhole: (whole: boolean) => void;
   onTempo: (tempo: WalkTempo) => void;
   onCadence: (cadence: number) => void;
+  /** A beat of the steps. */
+  onTap: () => void;
   onStride: (stride: number) => void;
   onTurn: (turn: number) => void;
   onSubject: (subject: PlotSubject) => void;
@@ -45,6 +47,9 @@ export interface BlockPanelModel {
   figures: BlockFigures;
 }
 
+/** The feet whose steps are shown. */
+type Feet = keyof typeof strings.walk.foot;
+
 export class BlockPanel {
   readonly element: HTMLElement;
   readonly plot = new Plot();
@@ -57,6 +62,8 @@ export class BlockPanel {
   readonly #transition: Slider;
   readonly #tempo: Segment<WalkTempo>;
   readonly #cadence: Slider;
+  readonly #tap: HTMLButtonElement;
+  readonly #feet: Segment<Feet>;
   readonly #stride: Slider;
   readonly #turn: Slider;
   readonly #subject = html("select", { "aria-label": strings.walk.plot });
@@ -67,7 +74,9 @@ export class BlockPanel {
     speed: html("dd"),
   };
   #vertices: readonly string[] = [];
-  #styles: Selection = [];
+  #block: WalkBlock | undefined;
+  /** The foot that was chosen last: its steps are shown where those of the feet differ. */
+  #foot: "left" | "right" = "left";
   /** Whether the polygon's handle is in somebody's hand, which it follows without easing. */
   #held = false;
 
@@ -76,7 +85,7 @@ export class BlockPanel {
     this.#polygon = new Polygon({
       onChange: (styles, gesture) => {
         this.#held = gesture !== undefined;
-        onBlock({ styles }, gesture);
+        onBlock(this.#shownFeet === "right" ? { right: styles } : { styles }, gesture);
       },
       onSettle: () => {
         this.#held = false;
@@ -89,9 +98,15 @@ export class BlockPanel {
         { value: "triangle", label: strings.play.style.three },
         { value: "whole", label: strings.play.style.all },
       ],
-      (mode) => {
-        const styles = mode === "whole" ? this.#styles : toTriangle(this.#styles, this.#vertices);
-        listeners.onWhole(mode === "whole", styles);
+      (mode) => listeners.onWhole(mode === "whole"),
+    );
+    this.#feet = new Segment<Feet>(
+      strings.walk.feet,
+      (["both", "left", "right"] as const).map((value) => ({ value, label: strings.walk.foot[value] })),
+      (feet) => {
+        if (feet !== "both") this.#foot = feet;
+        if (feet === "both") onBlock({ right: undefined });
+        else onBlock({ right: this.#block!.right ?? this.#block!.styles });
       },
     );
     const slider = (
@@ -115,6 +130,8 @@ export class BlockPanel {
     );
     this.#cadence = new Slider(strings.walk.cadence, RANGES.cadence, 110, { onInput: listeners.onCadence, onSettle });
     this.#cadence.words = strings.walk.perMinute;
+    this.#tap = button(strings.walk.tap, listeners.onTap, { label: true, class: "outlined walk-tap" });
+    this.#tap.title = strings.walk.tapWhy;
     this.#stride = new Slider(strings.walk.stride, RANGES.stride, 100, { onInput: listeners.onStride, onSettle });
     this.#stride.words = strings.walk.percent;
     this.#turn = new Slider(strings.walk.turn, RANGES.turn, 0, { onInput: listeners.onTurn, onSettle });
@@ -135,6 +152,12 @@ export class BlockPanel {
         html("div", { class: "section-heading" }, this.#heading, this.#mode.element),
         this.#polygon.element,
         this.#caption,
+        html(
+          "div",
+          { class: "row" },
+          html("span", { class: "label", "aria-hidden": "true" }, strings.walk.feet),
+          this.#feet.element,
+        ),
         this.#intensity.element,
       ),
       html(
@@ -149,6 +172,7 @@ export class BlockPanel {
           this.#tempo.element,
         ),
         this.#cadence.element,
+        this.#tap,
         this.#stride.element,
         this.#turn.element,
       ),
@@ -187,11 +211,13 @@ export class BlockPanel {
 
   show(model: BlockPanelModel): void {
     const { block, title, whole, tempo, figures } = model;
-    this.#styles = block.styles;
+    this.#block = block;
     setText(this.#heading, title);
     this.#mode.value = whole ? "whole" : "triangle";
-    const beyond = isBeyondData(block.styles, block.intensity);
-    this.#polygon.show({ vertices: this.#vertices, selection: block.styles, whole, beyond }, !this.#held);
+    this.#feet.value = this.#shownFeet;
+    const selection = this.#shownFeet === "right" ? block.right! : block.styles;
+    const beyond = isBeyondData(selection, block.intensity);
+    this.#polygon.show({ vertices: this.#vertices, selection, whole, beyond }, !this.#held);
     setText(this.#caption, beyond ? strings.walk.beyond : strings.walk.hint);
     this.#intensity.value = block.intensity;
     this.#steps.value = block.steps;
@@ -199,12 +225,18 @@ export class BlockPanel {
     this.#transition.element.hidden = model.alone;
     this.#tempo.value = tempo;
     this.#cadence.element.hidden = tempo !== "fixed";
+    this.#tap.hidden = tempo !== "fixed";
     this.#cadence.value = model.cadence;
     this.#stride.value = model.stride;
     this.#turn.value = model.turn;
     setText(this.#figures.cadence, strings.walk.cadenceFigure(formatNumber(figures.cadence, 0)));
     setText(this.#figures.stepLength, strings.walk.metres(formatNumber(figures.stepLength, 2)));
     setText(this.#figures.speed, strings.walk.metresPerSecond(formatNumber(figures.speed, 2)));
+  }
+
+  /** Whose steps the polygon mixes. */
+  get #shownFeet(): Feet {
+    return this.#block?.right ? this.#foot : "both";
   }
 
   /** What is plotted, and the step that it is of. */

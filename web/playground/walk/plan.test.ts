@@ -96,5 +96,7 @@ describe("edits", () => {
     expect(names(withKnownStyles(PLAN, ["neutral", "proud"], undefined))).toEqual(["neutral", "proud"]);
     expect(names(withKnownStyles(PLAN, ["normal", "old"], "normal"))).toEqual(["normal", "normal", "old"]);
     expect(withKnownStyles(PLAN, ["neutral", "proud", "old"], "neutral")).toBeUndefined();
+    const limping = [{ ...PLAN[0]!, right: [{ name: "gone", weight: 1 }] }];
+    expect(withKnownStyles(limping, ["neutral"], undefined)).toEqual([{ ...PLAN[0]!, right: undefined }]);
   });
 });

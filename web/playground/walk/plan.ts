@@ -4,9 +4,11 @@
  */
 import type { Selection } from "../polygon/selection";
 
-/** Some steps in one mixture of styles. */
+/** Some steps in one mixture of styles, or in one for each foot. */
 export interface WalkBlock {
   styles: Selection;
+  /** What the steps of the right foot are in, where {@link styles} is of the left foot's only. */
+  right?: Selection | undefined;
   /** What the styles' weights are multiplied by: 0 is the average of all styles, above 1 exaggerates, below 0 is the opposite. */
   intensity: number;
   /** Steps that are all in this mixture, at least 1. */
@@ -153,11 +155,16 @@ export function withKnownStyles(
   known: readonly string[],
   neutral: string | undefined,
 ): WalkBlock[] | undefined {
-  if (blocks.every((block) => block.styles.every((s) => known.includes(s.name)))) return undefined;
+  const isKnown = ({ name }: { name: string }) => known.includes(name);
+  if (blocks.every(({ styles, right }) => styles.every(isKnown) && (right ?? []).every(isKnown))) return undefined;
+  const kept = (styles: Selection): Selection | undefined => {
+    const some = styles.filter(isKnown);
+    if (some.some((s) => s.weight !== 0)) return some;
+    return neutral === undefined ? undefined : [{ name: neutral, weight: 1 }];
+  };
   return blocks.flatMap((block) => {
-    const styles = block.styles.filter((s) => known.includes(s.name));
-    if (styles.some((s) => s.weight !== 0)) return { ...block, styles };
-    return neutral === undefined ? [] : { ...block, styles: [{ name: neutral, weight: 1 }] };
+    const styles = kept(block.styles);
+    return styles ? { ...block, styles, right: block.right && kept(block.right) } : [];
   });
 }
 

@@ -24,6 +24,12 @@ export interface PlotModel {
   side: Side;
 }
 
+/** The weights of the average of all styles. */
+function averageOf({ styles }: WalkModel): Weights {
+  const none = new Float32Array(styles.length);
+  return [none, none];
+}
+
 export class Plot {
   readonly element: HTMLElement;
   readonly #picture = svg("svg", { class: "walk-plot", role: "img" });
@@ -44,7 +50,7 @@ export class Plot {
 
   #showStates({ model, weights, side }: PlotModel, area: Area): void {
     const own = endsOf(model, weights, side);
-    const average = endsOf(model, new Float32Array(model.styles.length), side);
+    const average = endsOf(model, averageOf(model), side);
     const last = Math.max(...[...own, ...average].map(({ mean, deviation }) => mean + 2 * deviation));
     const x = (secs: number) => area.left + (secs / last) * (area.right - area.left);
     // Heights fall with the deviation, as those of densities do, but slower, so that the last states are seen too.
@@ -75,7 +81,7 @@ export class Plot {
 
   #showCurve({ model, weights }: PlotModel, subject: Exclude<PlotSubject, "states">, area: Area): void {
     const curve = model.curve(weights, JOINT[subject as Role]);
-    const average = model.curve(new Float32Array(model.styles.length), JOINT[subject as Role]);
+    const average = model.curve(averageOf(model), JOINT[subject as Role]);
     const frames = Math.max(curve.angle.length, average.angle.length);
     const secs = frames / model.rateHz;
     const x = (frame: number) => area.left + (frame / frames) * (area.right - area.left);

@@ -7,7 +7,7 @@ import { icon } from "../controls/icons";
 import { clock, formatNumber, html, saveFile, setText } from "../dom";
 import { normalised, type Selection, toTriangle, vertexOrder } from "../polygon/selection";
 import { ProgressLine } from "../progress";
-import type { PlayState } from "../state";
+import { type PlayState, RANGES } from "../state";
 import { strings } from "../strings/strings";
 import { onSystemTheme } from "../theme";
 import type { Picture, View, ViewHost } from "../views";
@@ -27,6 +27,7 @@ import {
 import { Planner } from "./planner";
 import { PLOT_SUBJECTS, type PlotSubject } from "./plots";
 import { Strip } from "./strip";
+import { TapTempo } from "./tap_tempo";
 import { type Walked, Walking, weightsOf } from "./walking";
 
 export function createView(host: ViewHost): View {
@@ -85,6 +86,7 @@ class Walk implements View {
   #last = 0;
   #request = 0;
   #labelled = -1;
+  readonly #taps = new TapTempo();
   #listening = new AbortController();
 
   constructor(host: ViewHost) {
@@ -101,8 +103,13 @@ class Walk implements View {
     this.#panel = new BlockPanel({
       onBlock: (patch, gesture) => store.edit({ walk: withBlock(store.state.walk, this.#chosen, patch) }, gesture),
       onSettle: () => store.endGesture(),
-      onWhole: (walkWhole, styles) =>
-        store.edit({ walkWhole, walk: withBlock(store.state.walk, this.#chosen, { styles }) }),
+      onWhole: (walkWhole) => {
+        const { styles, right } = store.state.walk[this.#chosen]!;
+        const mixed = (selection: Selection) => this.#mixed(selection, walkWhole);
+        const patch = { styles: mixed(styles), right: right && mixed(right) };
+        store.edit({ walkWhole, walk: withBlock(store.state.walk, this.#chosen, patch) });
+      },
+      onTap: () => this.#tapBeat(),
       onTempo: (walkTempo) => store.edit({ walkTempo }),
       onCadence: (walkCadence) => store.edit({ walkCadence }, "walk cadence"),
       onStride: (walkStride) => store.edit({ walkStride }, "walk stride"),
@@ -289,15 +296,15 @@ class Walk implements View {
     const known = withKnownStyles(walk, styles, this.#neutral) ?? walk;
     const blocks = known.length > 0 ? known : firstBlocks(styles, this.#neutral);
     if (blocks !== walk)
-      store.adopt({ walk: blocks.map((block) => ({ ...block, styles: this.#inTriangle(block.styles) })) });
+      store.adopt({ walk: blocks.map((block) => ({ ...block, styles: this.#mixed(block.styles) })) });
     this.#dirty = true;
     this.#moved = true;
   }
 
   /** A selection with room for the handle to move, unless the whole polygon is mixed. */
-  #inTriangle(styles: Selection): Selection {
+  #mixed(styles: Selection, whole = this.#host.store.state.walkWhole): Selection {
     const vertices = vertexOrder(this.#walking!.model.styles, this.#neutral ?? "");
-    return this.#host.store.state.walkWhole ? normalised(styles) : toTriangle(styles, vertices);
+    return whole ? normalised(styles) : toTriangle(styles, vertices);
   }
 
   #enable(can: boolean): void {
@@ -360,10 +367,13 @@ class Walk implements View {
   }
 
   /** What a block is like, in words. */
-  readonly #nameOf = ({ styles, intensity }: WalkBlock): string => {
-    const some = styles.filter((s) => Math.abs(s.weight) > 0.005);
+  readonly #nameOf = ({ styles, right, intensity }: WalkBlock): string => {
     if (Math.abs(intensity) < 0.05) return strings.walk.averageStyle;
-    const name = some.length === 1 ? spoken(some[0]!.name) : manner(styles, 1, this.#neutral ?? "");
+    const of = (selection: Selection) => {
+      const some = selection.filter((s) => Math.abs(s.weight) > 0.005);
+      return some.length === 1 ? spoken(some[0]!.name) : manner(selection, 1, this.#neutral ?? "");
+    };
+    const name = right ? strings.walk.limping(of(styles), of(right)) : of(styles);
     if (intensity < 0) return strings.walk.opposite(name);
     return intensity > 1.05 ? strings.walk.very(name) : intensity < 0.95 ? strings.walk.slightly(name) : name;
   };
@@ -381,7 +391,8 @@ class Walk implements View {
 
   #showHeading(blocks: readonly WalkBlock[], neutral: string | undefined): void {
     const steps = this.#walked!.begins.length - 1;
-    const names = new Set(blocks.flatMap((block) => block.styles.filter((s) => s.weight !== 0).map((s) => s.name)));
+    const all = blocks.flatMap(({ styles, right }) => [...styles, ...(right ?? [])]);
+    const names = new Set(all.filter((s) => s.weight !== 0).map((s) => s.name));
     if (names.size === 0 && neutral) names.add(neutral);
     const title = strings.walk.title(
       strings.walk.steps(steps, capitalised(numberWord(steps))),
@@ -390,13 +401,25 @@ class Walk implements View {
     setText(this.#title, title);
   }
 
+  /** A beat: the cadence is that of the last ones, and a step is to end with it. */
+  #tapBeat(): void {
+    if (!this.#walking || this.#host.store.state.walkTempo !== "fixed") return;
+    const cadence = this.#taps.tap(performance.now());
+    if (cadence === undefined) return;
+    const { min, max } = RANGES.cadence;
+    this.#host.store.edit({ walkCadence: Math.round(Math.min(max, Math.max(min, cadence))) }, "walk cadence");
+    this.#dirty = false;
+    this.#apply();
+    this.#walking.beatNow();
+  }
+
   #addBlock(): void {
     const { store } = this.#host;
     const { walk } = store.state;
     const used = new Set(walk.map(mainStyle));
     const all = this.#walking!.model.styles;
     const style = all.find((name) => !used.has(name)) ?? all[0]!;
-    const styles = this.#inTriangle([{ name: style, weight: 1 }]);
+    const styles = this.#mixed([{ name: style, weight: 1 }]);
     store.edit({ walk: addBlock(walk, this.#chosen, styles), walkBlock: this.#chosen + 1 });
   }
 
@@ -519,6 +542,7 @@ class Walk implements View {
       ArrowRight: () => this.#goBySteps(1),
       Home: () => this.#seek(0),
       l: () => store.edit({ loop: !store.state.loop }),
+      b: () => this.#tapBeat(),
     }[event.key];
     if (!act) return;
     event.preventDefault();
@@ -559,10 +583,14 @@ class Walk implements View {
 }
 
 /** What a block's own steps measure. */
-function figuresOf({ segments, begins, poses, rateHz }: Walked, block: number): BlockFigures {
+function figuresOf({ segments, begins, durations, poses, rateHz }: Walked, block: number): BlockFigures {
   const { first, steps } = segments.find((s) => s.kind === "block" && s.block === block)!;
   const [from, to] = [begins[first]!, Math.min(begins[first + steps]!, begins.at(-1)! - 1)];
-  const secs = (begins[first + steps]! - from) / rateHz;
+  // By what the model wants: the frames of a step are whole, and the walk's first ones are not shown.
+  const secs = durations
+    .slice(first, first + steps)
+    .flat()
+    .reduce((sum, state) => sum + state, 0);
   const at = (frame: number, axis: number) => poses[frame * POSE_FLOATS + axis]!;
   let way = 0;
   for (let frame = from; frame < to; frame++)

@@ -1,6 +1,7 @@
 /** A plan walked: once through to know what comes, and live, where a change acts on the next frame. */
 import { POSE_FLOATS } from "../../worker/protocol";
 import { STATES, type Tempo, type Walker, type WalkFrame, type WalkModel, type Weights } from "../../worker/walk/walk";
+import type { Selection } from "../polygon/selection";
 import { blockBefore, changesOf, type Segment, segmentsOf, stepsOf, type WalkBlock } from "./plan";
 
 /** What is walked, and how. */
@@ -30,14 +31,17 @@ export interface Walked {
 /** Steps in which a walker stops. */
 const STOPPING_STEPS = 2;
 
-/** The weights of a block, one a style of the model. */
-export function weightsOf({ styles, intensity }: WalkBlock, model: WalkModel): Weights {
-  const weights = new Float32Array(model.styles.length);
-  for (const { name, weight } of styles) {
-    const style = model.styles.indexOf(name);
-    if (style >= 0) weights[style] = Math.min(5, Math.max(-5, weight * intensity));
-  }
-  return weights;
+/** The weights of a block, for either foot one a style of the model. */
+export function weightsOf({ styles, right, intensity }: WalkBlock, model: WalkModel): Weights {
+  const of = (selection: Selection) => {
+    const weights = new Float32Array(model.styles.length);
+    for (const { name, weight } of selection) {
+      const style = model.styles.indexOf(name);
+      if (style >= 0) weights[style] = Math.min(5, Math.max(-5, weight * intensity));
+    }
+    return weights;
+  };
+  return [of(styles), of(right ?? styles)];
 }
 
 /** Walks plans. */
@@ -95,6 +99,12 @@ export class Walking {
     const frame = this.#live.advance(secs);
     if (this.#settings && frame.step + this.#steps > this.#plannedUntil) this.#planRound(this.#live);
     return frame;
+  }
+
+  /** Lets the live walk's steps come to end on a beat, at the cadence of the plan: one of them now. */
+  beatNow(): void {
+    const tempo = this.#settings?.tempo;
+    if (tempo?.kind === "fixed") this.#live.beatNow(tempo.cadence);
   }
 
   /** Puts the live walk at a place of the row, as walked from its beginning. */

@@ -4,7 +4,7 @@ import { InlineBuildWorker } from "../../../tests/inline_build_worker";
 import { createBuildClient } from "../build/client";
 import type { TrainedWalk } from "../build/protocol";
 import { POSE_FLOATS } from "../protocol";
-import { WalkModel } from "./walk";
+import { WalkModel, type Weights } from "./walk";
 
 let trained: TrainedWalk;
 let model: WalkModel;
@@ -17,9 +17,13 @@ beforeAll(async () => {
   model = await WalkModel.open(trained.file);
 });
 
-const alone = (style: string, weight = 1) => Float32Array.from(model.styles, (name) => (name === style ? weight : 0));
+/** A style for the steps of both feet, or another for those of the right one. */
+const alone = (style: string, weight = 1, right = style): Weights => {
+  const of = (wanted: string) => Float32Array.from(model.styles, (name) => (name === wanted ? weight : 0));
+  return [of(style), of(right)];
+};
 /** Poses of so many frames. */
-function walk(frames: number, weights: Float32Array, turn = 0): { way: number; aside: number; steps: number } {
+function walk(frames: number, weights: Weights, turn = 0): { way: number; aside: number; steps: number } {
   const walker = model.walker();
   walker.plan(weights, []);
   walker.turn = turn;
@@ -86,6 +90,34 @@ describe("walking", () => {
     expect(walk(200, alone("old"))).toEqual(walk(200, alone("old")));
   });
 
+  it("limps where the feet are given different styles", () => {
+    const between = walk(300, alone("proud", 1, "old")).way;
+    expect(between).toBeGreaterThan(1.02 * walk(300, alone("old")).way);
+    expect(between).toBeLessThan(0.98 * walk(300, alone("proud")).way);
+  });
+
+  it("falls in with a beat", () => {
+    const walker = model.walker();
+    walker.plan(alone("neutral"), []);
+    walker.tempo = { kind: "fixed", cadence: 100 };
+    walker.reset();
+    for (let i = 0; i < 25; i++) walker.next();
+    // 18 frames a step; a beat now, which is in the middle of one.
+    walker.beatNow(100);
+    const strikes: number[] = [];
+    for (let frame = 1, { step } = walker.frame; frame < 250; frame++) {
+      if (walker.next().step !== step) strikes.push(frame);
+      step = walker.frame.step;
+    }
+    const off = strikes.map((frame) => ((frame + 9) % 18) - 9);
+    expect(off.length).toBeGreaterThan(12);
+    expect(Math.max(...off.slice(6).map(Math.abs)), off.join(" ")).toBeLessThanOrEqual(1);
+    // Another frame's settings leave the beat alone.
+    walker.tempo = { kind: "fixed", cadence: 100 };
+    walker.next();
+    expect(walker.frame.durations.reduce((sum, secs) => sum + secs)).toBeCloseTo(18, 0);
+  });
+
   it("takes the screen's time, in any portions", () => {
     const [one, other] = [model.walker(), model.walker()];
     for (let i = 0; i < 60; i++) one.advance(1 / 60);
@@ -97,7 +129,9 @@ describe("walking", () => {
 
   it("refuses weights that are none, and goes on", () => {
     const walker = model.walker();
-    expect(() => walker.plan(new Float32Array(3), [])).toThrow(/3 weights were given for 8 styles/);
+    expect(() => walker.plan([new Float32Array(3), new Float32Array(3)], [])).toThrow(
+      /3 weights were given for 8 styles/,
+    );
     expect(() => walker.plan(alone("old", Number.NaN), [])).toThrow();
     expect(walker.next().pose.every(Number.isFinite)).toBe(true);
   });

@@ -1,6 +1,6 @@
 //! What a model says of one joint through a pair of steps, to be drawn.
 
-use super::model::{Part, SIDES, Side, WalkModel};
+use super::model::{Part, SIDES, Side, StyleMeans, WalkModel};
 use super::training::states;
 use super::walker::{WalkVoices, Walker, WeightsError};
 use crate::humanoid::Role;
@@ -35,21 +35,22 @@ pub struct JointCurve {
 }
 
 impl JointCurve {
-    /// Of a mixture of styles, one weight a style.
+    /// Of a mixture of styles for the steps of the left foot and one for those of the right, one weight a style.
     ///
     /// # Errors
     /// See [`WeightsError`].
     pub fn new(
         model: &WalkModel,
         voices: &Arc<WalkVoices>,
-        weights: &[f32],
+        weights: [&[f32]; SIDES],
         joint: Role,
     ) -> Result<Self, WeightsError> {
         let mut walker = Walker::new(Arc::clone(voices));
-        walker.set_styles(weights)?;
+        walker.set_sides(weights)?;
         walker.set_limits(false);
         let average = model.average();
-        let mixed = model.mix(&average, &weights.iter().map(|w| f64::from(*w)).collect::<Vec<_>>());
+        let mixed: [StyleMeans; SIDES] =
+            weights.map(|weights| model.mix(&average, &weights.iter().map(|w| f64::from(*w)).collect::<Vec<_>>()));
         let dims = 3 * joint.index()..3 * joint.index() + 3;
         let pose = Part::Pose as usize;
         let spread = |d: usize| {
@@ -71,7 +72,7 @@ impl JointCurve {
             if step >= STEPS_BEFORE {
                 let state = walker.state();
                 let angle = exp_map::log(model.reference[joint.index()].inv_mul(rotation)).to_array()[axis];
-                let mean = mixed.means[side as usize][state][pose][d] as f32;
+                let mean = mixed[side as usize].means[side as usize][state][pose][d] as f32;
                 let deviation = model.variances[side as usize][state][pose][d].max(0.0).sqrt() as f32;
                 points.push(CurvePoint { angle, mean, deviation, side, state });
             }

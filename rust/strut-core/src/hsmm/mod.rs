@@ -10,10 +10,11 @@
 mod adaptation;
 mod alignment;
 mod curve;
-#[cfg(feature = "offline")]
+#[cfg(any(test, feature = "offline"))]
 pub mod evaluation;
 mod features;
 mod joint_range;
+mod landmarks;
 mod mlpg;
 mod model;
 mod refinement;
@@ -25,11 +26,12 @@ mod walks;
 
 pub use curve::{CurvePoint, JointCurve};
 pub use features::{Track, TrackError};
+pub use landmarks::{landmarks, styles_named};
 pub use model::{DIMS, Observation, PerState, Row, SIDES, STATES, Side, StyleMeans, WalkModel, numbers};
 pub use steps::{Step, steps_of};
 pub use training::{Options, TrainError, TrainProgress, Trainer, Training, train};
 pub use walker::{HORIZON, MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WalkVoices, Walker, WeightsError};
-pub use walks::{WALK, walk_of, walks_among};
+pub use walks::{WALK, walk_of, walking_action, walks_among};
 
 /// Frames per second of every walk that is modelled (specification, §2).
 pub const RATE_HZ: f32 = 30.0;

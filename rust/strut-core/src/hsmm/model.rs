@@ -2,6 +2,7 @@
 
 use crate::humanoid::{JOINTS, Proportions};
 use crate::math::Quat;
+use crate::rotation_row::rotations_of;
 
 /// Degrees of freedom of a pose: an exponential map for every joint.
 pub const DIMS: usize = 3 * JOINTS;
@@ -110,6 +111,11 @@ impl WalkModel {
             average.add(1.0 / self.means.len() as f64, means);
         }
         average
+    }
+
+    /// The rotations of a pose's degrees of freedom; that of the hips is free of the heading.
+    pub fn rotations(&self, row: &Row) -> [Quat; JOINTS] {
+        rotations_of(&self.reference, row)
     }
 
     /// A style of these weights, one a style of the model; what they lack to a sum of 1 is the `average`'s

@@ -1,6 +1,4 @@
-use super::model::WalkModel;
-use super::refinement::generate;
-use super::training::Shared;
+use super::evaluation::horizon_error;
 use super::*;
 use crate::humanoid::{HumanoidMotion, JOINTS, Proportions};
 use crate::math::{Vec3, exp_map};
@@ -135,7 +133,7 @@ fn feet_stand_in_turn_and_never_slide() {
 #[test]
 fn a_joint_is_drawn_near_its_means() {
     let voices = Arc::new(WalkVoices::new(&MODEL));
-    let curve = JointCurve::new(&MODEL, &voices, &[1.0, 0.0], crate::humanoid::Role::LeftLowerLeg).unwrap();
+    let curve = JointCurve::new(&MODEL, &voices, [&[1.0, 0.0]; SIDES], crate::humanoid::Role::LeftLowerLeg).unwrap();
     assert!((25..45).contains(&curve.points.len()), "{}", curve.points.len());
     let outside = curve.points.iter().filter(|p| (p.angle - p.mean).abs() > 2.5 * p.deviation).count();
     assert!(outside * 5 < curve.points.len(), "{outside} of {}", curve.points.len());
@@ -167,23 +165,7 @@ fn the_style_that_is_asked_for_is_walked() {
 
 #[test]
 fn looking_ahead_gives_the_trajectory_of_the_whole_walk() {
-    let mut walker = walker(&[1.0, 0.0]);
-    walker.set_limits(false);
-    let (mut states, mut poses) = (Vec::new(), Vec::new());
-    for _ in 0..150 {
-        let pose = *walker.advance();
-        states.push((walker.step().1 as usize, walker.state()));
-        poses.push(pose);
-    }
-    let shared = Shared { variances: MODEL.variances.clone(), duration_variances: MODEL.duration_variances };
-    let rows = generate(&states, &MODEL.means[0], &shared);
-    let (mut mean, mut greatest) = (0.0, 0.0_f32);
-    for t in 30..120 {
-        let vector = |j: usize| Vec3::new(rows[t][3 * j] as f32, rows[t][3 * j + 1] as f32, rows[t][3 * j + 2] as f32);
-        let whole = std::array::from_fn(|j| MODEL.reference[j] * exp_map::exp(vector(j)));
-        let (m, g) = angles(&whole, &poses[t].rotations);
-        (mean, greatest) = (mean + m / 90.0, greatest.max(g));
-    }
+    let [mean, greatest] = horizon_error(&MODEL, &Arc::new(WalkVoices::new(&MODEL)), 0).unwrap();
     assert!(mean < 0.1 && greatest < 1.0, "{mean} {greatest}");
 }
 
@@ -233,11 +215,48 @@ fn a_beat_is_kept() {
 }
 
 #[test]
+fn steps_come_to_end_on_the_beat() {
+    let mut walker = walker(&[1.0, 0.0]);
+    (0..50).for_each(|_| _ = walker.advance());
+    // 120 a minute are 15 frames; a beat is 8.2 frames from now.
+    walker.set_beat(120.0, 8.2 / RATE_HZ);
+    let strikes: Vec<u32> = (1..200)
+        .filter(|_| {
+            let step = walker.step().0;
+            walker.advance();
+            walker.step().0 != step
+        })
+        .collect();
+    let off: Vec<f32> = strikes.iter().map(|frame| (*frame as f32 - 8.2 + 7.5).rem_euclid(15.0) - 7.5).collect();
+    assert!(off.len() >= 11 && off[5..].iter().all(|off| off.abs() <= 0.7), "{off:?}");
+}
+
+#[test]
+fn feet_may_differ_in_style() {
+    let lean = |sides: [&[f32]; SIDES]| {
+        let mut walker = walker(&[1.0, 0.0]);
+        walker.plan_transition(4, 2, sides).unwrap();
+        (0..100).for_each(|_| _ = walker.advance());
+        let mut sums = [(0.0, 0.0); SIDES];
+        for _ in 0..160 {
+            let lean = exp_map::log(walker.advance().rotations[2]).x;
+            let (sum, count) = &mut sums[walker.step().1 as usize];
+            (*sum, *count) = (*sum + lean, *count + 1.0);
+        }
+        sums.map(|(sum, count)| sum / count)
+    };
+    let [left, right] = lean([&[1.0, 0.0], &[0.0, 1.0]]);
+    assert!(right - left > 0.15, "{left} {right}");
+    let [left, right] = lean([&[0.0, 1.0]; SIDES]);
+    assert!((right - left).abs() < 0.05, "{left} {right}");
+}
+
+#[test]
 fn a_transition_goes_through_its_steps() {
     let mut walker = walker(&[1.0, 0.0]);
     (0..60).for_each(|_| _ = walker.advance());
     let step = walker.next_step() + 2;
-    walker.plan_transition(step, 3, &[0.0, 1.0]).unwrap();
+    walker.plan_transition(step, 3, [&[0.0, 1.0]; SIDES]).unwrap();
     let mut leans = Vec::new();
     while walker.step().0 < step + 6 {
         let lean = exp_map::log(walker.advance().rotations[2]).x;
@@ -289,7 +308,9 @@ fn strides_are_longer_where_that_is_asked_for() {
 fn weights_that_are_none_change_nothing() {
     let mut walker = walker(&[1.0, 0.0]);
     assert_eq!(walker.set_styles(&[1.0]), Err(WeightsError::Count { found: 1, styles: 2 }));
-    assert!(walker.set_styles(&[f32::NAN, 0.0]).is_err() && walker.plan_transition(9, 2, &[9.0, 0.0]).is_err());
+    assert!(
+        walker.set_styles(&[f32::NAN, 0.0]).is_err() && walker.plan_transition(9, 2, [&[9.0, 0.0]; SIDES]).is_err()
+    );
     let mut other = super::tests::walker(&[1.0, 0.0]);
     (0..100).for_each(|_| assert_eq!(walker.advance(), other.advance()));
 }

@@ -16,8 +16,8 @@ const ROUNDS: usize = 15;
 /// Least variance of an observation, as a share of the variance over all frames, and of a duration, frames².
 const LEAST_VARIANCE_SHARE: f64 = 0.01;
 const LEAST_DURATION_VARIANCE: f64 = 0.25;
-/// Steps from which on a style has variances of its own to speak of.
-const ENOUGH_STEPS: usize = 40;
+/// Steps of either foot from which on a style has variances of its own to speak of.
+const ENOUGH_STEPS: usize = 20;
 
 /// A clip of walking in a style.
 #[derive(Clone, Copy, Debug)]
@@ -53,9 +53,10 @@ pub enum TrainError {
         "the clips of style '{0}' hold no step: two strikes of either foot in turn, 0.2 to 1.5 s apart, were expected"
     )]
     NoStepInStyle(String),
-    /// No step is that of a style's left foot, or of its right one.
-    #[error("the clips of style '{0}' hold steps of one foot only")]
-    OneSided(String),
+    /// No step is that of the left foot, or of the right one. A style may have steps of one foot only, if others have those
+    /// of the other: it is taken to differ from them in either foot's steps alike.
+    #[error("the clips hold steps of one foot only")]
+    OneSided,
 }
 
 /// A clip as the model sees it.
@@ -65,6 +66,14 @@ pub(super) struct Sample {
     pub(super) rows: Vec<Row>,
     pub(super) observations: Vec<Observation>,
     pub(super) steps: Vec<Step>,
+}
+
+impl Sample {
+    /// A clip of a style of this number.
+    pub(super) fn new(style: usize, track: &Track, reference: &[Quat; JOINTS]) -> Self {
+        let rows = track.rows(reference);
+        Self { style, observations: observations(&rows), rows, steps: steps_of(track) }
+    }
 }
 
 /// What all styles share.
@@ -139,22 +148,16 @@ impl Trainer {
         let tracks: Vec<&Track> = clips.iter().map(|clip| clip.track).collect();
         let reference = reference(&tracks);
         let samples: Vec<Sample> = executor.map(clips.len(), &|i| {
-            let rows = tracks[i].rows(&reference);
             let style = styles.iter().position(|style| style == clips[i].style).unwrap_or_default();
-            Sample { style, observations: observations(&rows), rows, steps: steps_of(tracks[i]) }
+            Sample::new(style, tracks[i], &reference)
         });
-        for (style, name) in styles.iter().enumerate() {
-            let of_style = samples.iter().filter(|s| s.style == style);
-            let sides = of_style.flat_map(|s| &s.steps).fold([false; SIDES], |mut sides, step| {
-                sides[step.side as usize] = true;
-                sides
-            });
-            match sides {
-                [true, true] => {}
-                [false, false] if styles.len() == 1 => return Err(TrainError::NoStep),
-                [false, false] => return Err(TrainError::NoStepInStyle(name.clone())),
-                _ => return Err(TrainError::OneSided(name.clone())),
-            }
+        let sides: Vec<[usize; SIDES]> = (0..styles.len()).map(|style| steps_by_side(&samples, style)).collect();
+        if let Some(style) = sides.iter().position(|sides| *sides == [0, 0]) {
+            let name = styles[style].clone();
+            return Err(if styles.len() == 1 { TrainError::NoStep } else { TrainError::NoStepInStyle(name) });
+        }
+        if (0..SIDES).any(|side| sides.iter().all(|of_style| of_style[side] == 0)) {
+            return Err(TrainError::OneSided);
         }
         let floor = least_variances(&samples);
         let (own, pooled, means) = (Vec::new(), None, Vec::new());
@@ -181,12 +184,13 @@ impl Trainer {
             });
             self.means.extend(means);
         } else {
-            let enough =
-                |style: usize| self.of_style(style).iter().map(|s| s.steps.len()).sum::<usize>() >= ENOUGH_STEPS;
-            let any = (0..count).any(enough);
-            let own = self.own.iter().enumerate().filter(|(style, _)| !any || enough(*style)).map(|(_, s)| s);
-            let shared = mean_variances(own);
-            self.pooled = Some(train_means(&self.samples.iter().collect::<Vec<_>>(), &shared));
+            let fewest = |style: usize| steps_by_side(&self.samples, style).into_iter().min().unwrap_or(0);
+            let greatest = (0..count).map(fewest).max().unwrap_or(0);
+            let least = if greatest >= ENOUGH_STEPS { ENOUGH_STEPS } else { greatest.min(1) };
+            let shared =
+                mean_variances((0..count).filter(|&style| fewest(style) >= least).map(|style| &self.own[style]));
+            let means = train_means(&self.samples.iter().collect::<Vec<_>>(), &shared);
+            self.pooled = Some((means, shared));
         }
         let done = self.own.len() + usize::from(self.pooled.is_some()) + self.means.len();
         Some(TrainProgress { done, total: 2 * count + 1 })
@@ -213,7 +217,7 @@ impl Trainer {
 pub(super) struct Sums {
     pub(super) frames: PerState<f64>,
     pub(super) values: Box<PerState<Observation>>,
-    squares: Box<PerState<Observation>>,
+    pub(super) squares: Box<PerState<Observation>>,
     /// Number of steps.
     pub(super) steps: [f64; SIDES],
     pub(super) durations: PerState<f64>,
@@ -221,7 +225,7 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    fn zero() -> Self {
+    pub(super) fn zero() -> Self {
         let zero = Box::new([[[[0.0; DIMS]; 3]; STATES]; SIDES]);
         Self {
             frames: [[0.0; STATES]; SIDES],
@@ -233,7 +237,7 @@ impl Sums {
         }
     }
 
-    fn add(&mut self, side: usize, step: &[Observation], durations: &[usize; STATES]) {
+    pub(super) fn add(&mut self, side: usize, step: &[Observation], durations: &[usize; STATES]) {
         self.steps[side] += 1.0;
         let mut rest = step;
         for (state, &duration) in durations.iter().enumerate() {
@@ -271,7 +275,7 @@ impl Sums {
     }
 
     /// Means of everything.
-    fn means(&self) -> StyleMeans {
+    pub(super) fn means(&self) -> StyleMeans {
         let mut means = StyleMeans::zero();
         for (side, state) in states() {
             let frames = self.frames[side][state].max(1.0);
@@ -304,6 +308,14 @@ impl Sums {
         }
         variances
     }
+}
+
+/// Steps of a style that are those of the left foot and of the right.
+fn steps_by_side(samples: &[Sample], style: usize) -> [usize; SIDES] {
+    let mut sides = [0; SIDES];
+    let of_style = samples.iter().filter(|s| s.style == style);
+    of_style.flat_map(|s| &s.steps).for_each(|step| sides[step.side as usize] += 1);
+    sides
 }
 
 /// All states.
@@ -362,16 +374,13 @@ fn mean_variances<'a>(of: impl Iterator<Item = &'a Shared> + Clone) -> Shared {
     mean
 }
 
-/// Means and durations of all styles' steps together, by variances that stay; the variances of durations are its own.
-fn train_means(samples: &[&Sample], shared: &Shared) -> (StyleMeans, Shared) {
-    let mut shared = shared.clone();
+/// Means and durations of all styles' steps together, by variances that stay.
+fn train_means(samples: &[&Sample], shared: &Shared) -> StyleMeans {
     let mut means = Sums::aligned(samples, None).means();
     for _ in 0..ROUNDS {
-        let sums = Sums::aligned(samples, Some((&means, &shared)));
-        means = sums.means();
-        shared.duration_variances = sums.duration_variances(&means);
+        means = Sums::aligned(samples, Some((&means, shared))).means();
     }
-    (means, shared)
+    means
 }
 
 /// Least and greatest values in all steps.

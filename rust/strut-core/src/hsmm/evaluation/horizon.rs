@@ -1,6 +1,6 @@
 //! What looking ahead no farther than the horizon costs.
 
-use super::{rotations_of, shared_of};
+use super::shared_of;
 use crate::hsmm::model::WalkModel;
 use crate::hsmm::refinement::generate;
 use crate::hsmm::walker::{WalkVoices, Walker, WeightsError};
@@ -32,7 +32,7 @@ pub fn horizon_error(model: &WalkModel, voices: &Arc<WalkVoices>, style: usize) 
     let rows = generate(&states, &model.means[style], &shared_of(model));
     let angles: Vec<f64> = (ENDS..FRAMES - ENDS)
         .flat_map(|t| {
-            let whole = rotations_of(model, &rows[t]);
+            let whole = model.rotations(&rows[t]);
             let walked = poses[t].rotations;
             (0..JOINTS).map(move |j| f64::from(whole[j].inv_mul(walked[j]).angle().to_degrees()))
         })

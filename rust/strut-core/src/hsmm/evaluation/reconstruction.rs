@@ -1,10 +1,10 @@
 //! Recorded walks beside the model's, and the styles that their steps are taken for.
 
-use super::{rotations_of, shared_of};
-use crate::hsmm::features::{Track, observations};
+use super::shared_of;
+use crate::hsmm::features::Track;
 use crate::hsmm::model::{DIMS, Row, WalkModel};
 use crate::hsmm::refinement::{chains, generate};
-use crate::hsmm::steps::{Step, steps_of};
+use crate::hsmm::steps::Step;
 use crate::hsmm::training::{Sample, states_of};
 use crate::humanoid::{JOINTS, Pose, Role};
 use crate::kinematics::world_from_local;
@@ -28,14 +28,14 @@ pub struct Reconstruction {
 impl Reconstruction {
     /// Adds a clip by a style of the model.
     pub fn add(&mut self, model: &WalkModel, style: usize, track: &Track) {
-        let (shared, sample) = (shared_of(model), sample_of(model, style, track));
+        let (shared, sample) = (shared_of(model), Sample::new(style, track, &model.reference));
         for chain in chains(&sample, &model.means[style], &shared) {
             let generated = generate(&chain.states, &model.means[style], &shared);
             let recorded = &sample.rows[chain.begin..][..generated.len()];
             self.frames += generated.len() as f64;
             let is_strike = |i: usize| chain.states.get(i + 1).is_none_or(|next| next.0 != chain.states[i].0);
             for (i, (a, b)) in generated.iter().zip(recorded).enumerate() {
-                let [a, b] = [a, b].map(|row| rotations_of(model, row));
+                let [a, b] = [a, b].map(|row| model.rotations(row));
                 let angles = a.iter().zip(&b).map(|(a, b)| a.inv_mul(*b).angle().to_degrees());
                 self.degrees += f64::from(angles.sum::<f32>()) / JOINTS as f64;
                 let [a, b] = [a, b].map(|rotations| {
@@ -80,7 +80,7 @@ impl Reconstruction {
 
 /// For every step of a clip the style that it is likeliest by; steps that no style can be compared with are left out.
 pub fn recognise(model: &WalkModel, track: &Track) -> Vec<usize> {
-    let (shared, sample) = (shared_of(model), sample_of(model, 0, track));
+    let (shared, sample) = (shared_of(model), Sample::new(0, track, &model.reference));
     let styles: Vec<_> = model.means.iter().map(|means| states_of(means, &shared)).collect();
     let of_step = |step: &Step| {
         let observations = &sample.observations[step.frames.clone()];
@@ -88,11 +88,6 @@ pub fn recognise(model: &WalkModel, track: &Track) -> Vec<usize> {
         (0..styles.len()).filter_map(likelihood).max_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
     };
     sample.steps.iter().filter_map(of_step).collect()
-}
-
-fn sample_of(model: &WalkModel, style: usize, track: &Track) -> Sample {
-    let rows = track.rows(&model.reference);
-    Sample { style, observations: observations(&rows), rows, steps: steps_of(track) }
 }
 
 fn deviation(rows: &[Row], d: usize) -> f64 {

@@ -1,7 +1,7 @@
 //! How abruptly the joints move while one style gives way to another.
 
 use crate::hsmm::features::row_of;
-use crate::hsmm::model::{DIMS, Row, WalkModel};
+use crate::hsmm::model::{DIMS, Row, SIDES, WalkModel};
 use crate::hsmm::walker::{WalkVoices, Walker, WeightsError};
 use crate::math::Vec3;
 use std::ops::Range;
@@ -26,7 +26,7 @@ pub fn transition_peak(
     let begin = SETTLING + STEADY;
     let end = begin + u64::from(between) + 1;
     let mut walker = walker(voices, from)?;
-    walker.plan_transition(begin, between, to)?;
+    walker.plan_transition(begin, between, [to; SIDES])?;
     let mut watched = Watched::default();
     watched.walk(model, &mut walker, end + SETTLING + STEADY);
     Ok(watched.shares(begin - 1..end + 1, &[SETTLING..begin - 1, end + SETTLING..end + SETTLING + STEADY]))

@@ -1,0 +1,123 @@
+//! Which contexts of a step deserve a model of their own: a tree by minimum description length (specification, §7).
+
+use super::shared_of;
+use crate::hsmm::features::Track;
+use crate::hsmm::model::{DIMS, Part, Row, SIDES, STATES, WalkModel};
+use crate::hsmm::training::{Sample, Sums, states, states_of};
+use std::f64::consts::TAU;
+
+/// Where a step stands in its clip: first, second, last but one, last, or another.
+const POSITIONS: usize = 5;
+const CONTEXTS: usize = SIDES * POSITIONS;
+
+/// A question about a context: its words, and the positions that it is true for; that of the side is no question of position.
+const QUESTIONS: [(&str, &[usize]); 8] = [
+    ("a left step?", &[]),
+    ("the first?", &[0]),
+    ("the second?", &[1]),
+    ("the last but one?", &[2]),
+    ("the last?", &[3]),
+    ("the first or the second?", &[0, 1]),
+    ("the last or the last but one?", &[2, 3]),
+    ("near an end?", &[0, 1, 2, 3]),
+];
+
+/// A question that parted contexts.
+#[derive(Clone, Debug)]
+pub struct Split {
+    /// In words.
+    pub question: &'static str,
+    /// How much likelier the frames are by two models than by one, as logarithms.
+    pub gain: f64,
+}
+
+/// What a tree of contexts came to.
+#[derive(Clone, Debug)]
+pub struct ContextTree {
+    /// In the order of growth.
+    pub splits: Vec<Split>,
+    /// The greatest gain of a question that was not worth its cost.
+    pub rejected: f64,
+    /// What a split costs: half the parameters that it adds, times the logarithm of the number of frames, twice.
+    pub cost: f64,
+}
+
+impl ContextTree {
+    /// Grown on walks with the numbers of their styles. Style-free frames have their style's mean pose taken off.
+    pub fn grow(model: &WalkModel, walks: &[(usize, &Track)], style_free: bool) -> Self {
+        let shared = shared_of(model);
+        let mut sums: Vec<Sums> = (0..POSITIONS).map(|_| Sums::zero()).collect();
+        for &(style, track) in walks {
+            let sample = Sample::new(style, track, &model.reference);
+            let states = states_of(&model.means[style], &shared);
+            let offset = if style_free { mean_pose(model, style) } else { [0.0; DIMS] };
+            for (i, step) in sample.steps.iter().enumerate() {
+                let from_end = sample.steps.len() - 1 - i;
+                let position = match (i, from_end) {
+                    (0, _) => 0,
+                    (1, _) => 1,
+                    (_, 1) => 2,
+                    (_, 0) => 3,
+                    _ => 4,
+                };
+                let side = step.side as usize;
+                let mut frames = sample.observations[step.frames.clone()].to_vec();
+                let Some((durations, _)) = states[side].align(&frames) else { continue };
+                for frame in &mut frames {
+                    frame[Part::Pose as usize].iter_mut().zip(&offset).for_each(|(x, offset)| *x -= offset);
+                }
+                sums[position].add(side, &frames, &durations);
+            }
+        }
+        let frames: f64 = sums.iter().flat_map(|s| s.frames.as_flattened()).sum();
+        let cost = (STATES * 3 * DIMS) as f64 * frames.max(1.0).ln();
+        let mut tree = Self { splits: Vec::new(), rejected: 0.0, cost };
+        tree.part(&sums, [true; CONTEXTS]);
+        tree
+    }
+
+    /// Parts contexts by the question that gains most, as long as it is worth its cost.
+    fn part(&mut self, sums: &[Sums], contexts: [bool; CONTEXTS]) {
+        let whole = likelihood(sums, &contexts);
+        let parts = QUESTIONS.iter().filter_map(|&(question, positions)| {
+            let yes =
+                |i: usize| if positions.is_empty() { i < POSITIONS } else { positions.contains(&(i % POSITIONS)) };
+            let part = |wanted: bool| std::array::from_fn(|i| contexts[i] && yes(i) == wanted);
+            let [a, b]: [[bool; CONTEXTS]; 2] = [part(true), part(false)];
+            let gain = likelihood(sums, &a) + likelihood(sums, &b) - whole;
+            (a.contains(&true) && b.contains(&true)).then_some((Split { question, gain }, a, b))
+        });
+        let Some((split, a, b)) = parts.max_by(|x, y| x.0.gain.total_cmp(&y.0.gain)) else { return };
+        if split.gain <= self.cost {
+            self.rejected = self.rejected.max(split.gain);
+            return;
+        }
+        self.splits.push(split);
+        self.part(sums, a);
+        self.part(sums, b);
+    }
+}
+
+/// Log-likelihood of the frames of some contexts by one model of theirs.
+fn likelihood(sums: &[Sums], contexts: &[bool; CONTEXTS]) -> f64 {
+    (0..STATES)
+        .map(|state| {
+            let of = || (0..CONTEXTS).filter(|&i| contexts[i]).map(|i| (&sums[i % POSITIONS], i / POSITIONS));
+            let frames: f64 = of().map(|(sums, side)| sums.frames[side][state]).sum();
+            let dims = (0..3 * DIMS).map(|d| {
+                let sum: f64 = of().map(|(sums, side)| sums.values[side][state].as_flattened()[d]).sum();
+                let squares: f64 = of().map(|(sums, side)| sums.squares[side][state].as_flattened()[d]).sum();
+                let variance = (squares / frames - (sum / frames) * (sum / frames)).max(1e-9);
+                (TAU * variance).ln() + 1.0
+            });
+            if frames > 0.0 { -0.5 * frames * dims.sum::<f64>() } else { 0.0 }
+        })
+        .sum()
+}
+
+/// The mean of a style's states.
+fn mean_pose(model: &WalkModel, style: usize) -> Row {
+    let pose = Part::Pose as usize;
+    let count = (SIDES * STATES) as f64;
+    std::array::from_fn(|d| states().map(|(side, state)| model.means[style].means[side][state][pose][d] / count).sum())
+}

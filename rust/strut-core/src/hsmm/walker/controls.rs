@@ -1,0 +1,142 @@
+//! What can be wanted of somebody who walks.
+
+use super::Walker;
+use super::planner::{Start, Tempo, Transition, Weights};
+use crate::hsmm::RATE_HZ;
+use crate::hsmm::model::SIDES;
+use thiserror::Error;
+
+/// Greatest turn of a step, radians: the foot turns on the ground by as much.
+pub const MAX_TURN: f32 = 0.18;
+/// Slowest and fastest steps that can be asked for, frames.
+pub const STEP_FRAMES: [f32; 2] = [8.0, 45.0];
+/// Shortest and longest steps that can be asked for, as shares of the style's.
+pub const STRIDE: [f32; 2] = [0.6, 1.3];
+/// Greatest weight of a style, either way.
+pub const MAX_WEIGHT: f32 = 5.0;
+
+/// Why weights are none.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum WeightsError {
+    /// There is not one a style.
+    #[error("{found} weights were given for {styles} styles")]
+    Count {
+        /// Weights given.
+        found: usize,
+        /// Styles of the model.
+        styles: usize,
+    },
+    /// One is not a number, or too large.
+    #[error("a weight is {0}; a number between -{MAX_WEIGHT} and {MAX_WEIGHT} was expected")]
+    Range(f32),
+}
+
+impl Walker {
+    /// Styles of both feet's steps from the next frame on; what weights lack to a sum of 1 is the average's. Transitions that
+    /// were planned are forgotten.
+    ///
+    /// # Errors
+    /// See [`WeightsError`]; the former weights then stay.
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), WeightsError> {
+        self.set_sides([weights; SIDES])
+    }
+
+    /// [`Walker::set_styles`] for the steps of the left foot and of the right.
+    ///
+    /// # Errors
+    /// See [`WeightsError`]; the former weights then stay.
+    pub fn set_sides(&mut self, weights: [&[f32]; SIDES]) -> Result<(), WeightsError> {
+        weights.iter().try_for_each(|w| self.check(w))?;
+        for (own, new) in self.planner.weights.0.iter_mut().zip(weights) {
+            own.copy_from_slice(new);
+        }
+        self.planner.transitions.clear();
+        self.planner.forget();
+        Ok(())
+    }
+
+    /// Changes styles from a step to come on, over so many steps in between; 0 is an abrupt change. The weights are those of
+    /// the steps of the left foot and of the right.
+    ///
+    /// # Errors
+    /// See [`WeightsError`]; nothing changes then.
+    pub fn plan_transition(&mut self, step: u64, between: u32, weights: [&[f32]; SIDES]) -> Result<(), WeightsError> {
+        weights.iter().try_for_each(|w| self.check(w))?;
+        let to = Weights(weights.map(<[f32]>::to_vec));
+        let transitions = &mut self.planner.transitions;
+        let at = transitions.partition_point(|t| t.first <= step);
+        transitions.insert(at, Transition { first: step, steps: between, to });
+        self.planner.forget();
+        Ok(())
+    }
+
+    /// Steps a minute from now on; `None` leaves it to the style. The nearest of [`STEP_FRAMES`] is taken. The cadence that
+    /// there is already keeps its beat.
+    pub fn set_cadence(&mut self, steps_per_minute: Option<f32>) {
+        let frames = steps_per_minute.and_then(frames_of);
+        if frames != self.planner.tempo.map(|tempo| tempo.frames) {
+            self.planner.tempo = frames.map(|frames| Tempo { frames, beat: None });
+            self.planner.forget();
+        }
+    }
+
+    /// [`Walker::set_cadence`], with steps that end on a beat: one of them so many seconds after the last frame, or before it.
+    /// Steps are a seventh longer or shorter at most until they do.
+    pub fn set_beat(&mut self, steps_per_minute: f32, secs: f32) {
+        let last = self.frame.saturating_sub(1) as f64;
+        let beat = Some(last + f64::from(secs * RATE_HZ)).filter(|beat| beat.is_finite());
+        self.planner.tempo = frames_of(steps_per_minute).map(|frames| Tempo { frames, beat });
+        self.planner.forget();
+    }
+
+    /// Whether states last as long as people's do, now longer and now shorter, drawn by this number; `None` gives every step
+    /// of a style the same durations.
+    pub fn set_variation(&mut self, seed: Option<u32>) {
+        self.planner.seed = seed;
+        self.planner.forget();
+    }
+
+    /// Turn of a step, radians to the left; at most [`MAX_TURN`] either way.
+    pub fn set_turn(&mut self, turn: f32) {
+        self.turn = if turn.is_finite() { turn.clamp(-MAX_TURN, MAX_TURN) } else { 0.0 };
+    }
+
+    /// Length of steps as a share of the style's, about: the legs swing by as much more or less. The nearest of [`STRIDE`] is
+    /// taken.
+    pub fn set_stride(&mut self, share: f32) {
+        self.planner.stride = if share.is_finite() { share.clamp(STRIDE[0], STRIDE[1]) } else { 1.0 };
+        self.planner.forget();
+    }
+
+    /// Whether to walk or to stand, from the next frame on: either takes two steps, in which the swing of the joints about
+    /// how they stand grows or fades. No walks from rest or to it are recorded that it could be learnt from.
+    pub fn set_walking(&mut self, walks: bool) {
+        let (step, state) = (self.position.step, self.position.state);
+        let to = f32::from(u8::from(walks));
+        let start = &mut self.planner.start;
+        if to != start.to {
+            *start = Start { first: step, from: start.share(step, state), to };
+            self.planner.forget();
+        }
+    }
+
+    /// Whether joints keep within the range of the recorded walks; they do unless told otherwise.
+    pub fn set_limits(&mut self, limits: bool) {
+        self.limits = limits;
+    }
+
+    fn check(&self, weights: &[f32]) -> Result<(), WeightsError> {
+        let styles = self.voices.styles.len();
+        if weights.len() != styles {
+            return Err(WeightsError::Count { found: weights.len(), styles });
+        }
+        let bad = weights.iter().find(|w| w.is_nan() || w.abs() > MAX_WEIGHT);
+        bad.map_or(Ok(()), |w| Err(WeightsError::Range(*w)))
+    }
+}
+
+/// Frames of a step.
+fn frames_of(steps_per_minute: f32) -> Option<f32> {
+    let can_be = steps_per_minute.is_finite() && steps_per_minute > 0.0;
+    can_be.then(|| (60.0 * RATE_HZ / steps_per_minute).clamp(STEP_FRAMES[0], STEP_FRAMES[1]))
+}

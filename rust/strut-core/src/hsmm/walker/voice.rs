@@ -1,0 +1,114 @@
+//! Styles made ready to be walked by: in single precision, in whole lanes.
+
+use crate::hsmm::model::{DIMS, Observation, Row, SIDES, STATES, StyleMeans, WalkModel};
+use crate::humanoid::{JOINTS, Pose, Proportions, Role};
+use crate::kinematics::world_from_local;
+use crate::math::lanes::WIDTH;
+use crate::math::{Quat, Vec3};
+use std::ops::RangeInclusive;
+
+/// How far behind the middle of the joints the ankles are of people who stand, metres.
+const ANKLE_BEHIND: f32 = 0.03;
+
+/// Joints of either leg.
+const LEGS: [RangeInclusive<usize>; SIDES] =
+    [Role::LeftUpperLeg as usize..=Role::LeftToes as usize, Role::RightUpperLeg as usize..=Role::RightToes as usize];
+
+pub(super) const PADDED: usize = DIMS.next_multiple_of(WIDTH);
+
+/// A row in whole lanes.
+pub(super) type Padded = [f32; PADDED];
+/// Means of a state: pose, velocity and acceleration per frame.
+pub(super) type StateMeans = [Padded; 3];
+
+/// A style.
+#[derive(Clone, Debug)]
+pub(super) struct Voice {
+    pub(super) means: [[StateMeans; STATES]; SIDES],
+    pub(super) durations: [[f32; STATES]; SIDES],
+    /// The pose that walking swings about, and stops in: either leg as it is below the body, and all else in between.
+    pub(super) standing: Padded,
+}
+
+impl Voice {
+    fn new(model: &WalkModel, means: &StyleMeans) -> Self {
+        let below: [Row; SIDES] = std::array::from_fn(|leg| below_the_body(model, means, leg));
+        let standing = |d: usize| match LEGS.iter().position(|leg| leg.contains(&(d / 3))) {
+            Some(leg) => below[leg][d],
+            None => 0.5 * (below[0][d] + below[1][d]),
+        };
+        Self {
+            means: means.means.each_ref().map(|side| side.each_ref().map(padded)),
+            durations: means.durations.map(|side| side.map(|d| d as f32)),
+            standing: std::array::from_fn(|d| if d < DIMS { standing(d) as f32 } else { 0.0 }),
+        }
+    }
+}
+
+/// A model made ready to be walked by; walkers share it.
+#[derive(Debug)]
+pub struct WalkVoices {
+    pub(super) proportions: Proportions,
+    pub(super) reference: [Quat; JOINTS],
+    pub(super) inverse_variances: [[StateMeans; STATES]; SIDES],
+    pub(super) duration_variances: [[f32; STATES]; SIDES],
+    pub(super) range: Vec<[f32; 2]>,
+    pub(super) average: Voice,
+    pub(super) styles: Vec<Voice>,
+}
+
+impl WalkVoices {
+    /// Of a model.
+    pub fn new(model: &WalkModel) -> Self {
+        // Where a degree of freedom is padding it is certain to be zero.
+        let inverse = |of: &Observation| padded(of).map(|row| row.map(|v| if v > 0.0 { 1.0 / v } else { 1.0 }));
+        let [low, high] = &model.range;
+        Self {
+            proportions: model.proportions,
+            reference: model.reference,
+            inverse_variances: model.variances.each_ref().map(|side| side.each_ref().map(inverse)),
+            duration_variances: model.duration_variances.map(|side| side.map(|v| v as f32)),
+            range: low.iter().zip(high).map(|(l, h)| [*l as f32, *h as f32]).collect(),
+            average: Voice::new(model, &model.average()),
+            styles: model.means.iter().map(|means| Voice::new(model, means)).collect(),
+        }
+    }
+
+    /// Number of styles.
+    pub fn styles(&self) -> usize {
+        self.styles.len()
+    }
+}
+
+fn padded(of: &Observation) -> StateMeans {
+    of.map(|row| std::array::from_fn(|d| row.get(d).map_or(0.0, |v| *v as f32)))
+}
+
+/// The pose of a step in which the supporting leg has the body above it.
+fn below_the_body(model: &WalkModel, means: &StyleMeans, leg: usize) -> Row {
+    let states = means.means[1 - leg].each_ref().map(|state| &state[0]);
+    let foot = [Role::LeftFoot, Role::RightFoot][leg].index();
+    // How far the ankle is before where it would be in standing, in the pose of each state.
+    let ahead = states.map(|row| {
+        let pose = Pose { root: Vec3::ZERO, rotations: model.rotations(row) };
+        let world = world_from_local(&model.proportions, &pose);
+        let centre = world.positions.iter().map(|p| p.z).sum::<f32>() / JOINTS as f32;
+        f64::from(world.positions[foot].z - (centre - ANKLE_BEHIND))
+    });
+    let passes = (1..STATES).find(|&s| ahead[s - 1] > 0.0 && ahead[s] <= 0.0);
+    let nearest = (0..STATES).min_by(|a, b| ahead[*a].abs().total_cmp(&ahead[*b].abs())).unwrap_or(0);
+    let (before, after) = passes.map_or((nearest, nearest), |s| (s - 1, s));
+    let share = if before == after { 0.0 } else { ahead[before] / (ahead[before] - ahead[after]) };
+    std::array::from_fn(|d| states[before][d] + share * (states[after][d] - states[before][d]))
+}
+
+/// Makes a state's joints swing less about how they stand, or more, the legs by another share than the rest.
+pub(super) fn swing(means: &mut StateMeans, standing: &Padded, share: f32, legs: f32) {
+    for d in 0..DIMS {
+        let is_leg = LEGS.iter().any(|leg| leg.contains(&(d / 3)));
+        let share = if is_leg { share * legs } else { share };
+        means[0][d] = standing[d] + share * (means[0][d] - standing[d]);
+        means[1][d] *= share;
+        means[2][d] *= share;
+    }
+}
