@@ -78,12 +78,7 @@ describe("a curve", () => {
     expect((await state()).frame, "the playhead stays").toBe(100);
     expect(await page.locator(".timeline-rows").getAttribute("title")).toMatch(/^Read as walk, /);
     const title = () => page.locator(".timeline-rows").getAttribute("title");
-    let wiggle = 0;
-    await eventually(async () => {
-      wiggle = 1 - wiggle;
-      await page.mouse.move(box.x + 0.7 * box.width + wiggle, box.y + 80);
-      return title();
-    }, "the examples and their spread").toMatch(/Examples −?[\d.]+ ± [\d.]+°\.$/);
+    await eventually(title, "the examples and their spread").toMatch(/Examples −?[\d.]+ ± [\d.]+°\.$/);
     await page.mouse.move(box.x + 0.7 * box.width, box.y - 200);
     await eventually(frame).toBe(100);
     expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);

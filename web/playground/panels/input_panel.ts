@@ -2,7 +2,7 @@
 import type { InputInfo, Reading } from "../../worker/protocol";
 import { button } from "../controls/buttons";
 import { icon } from "../controls/icons";
-import { formatNumber, html, setText } from "../dom";
+import { formatNumber, html, setAttributes, setText } from "../dom";
 import type { InputLibrary } from "../library";
 import { strings } from "../strings/strings";
 import { spoken } from "../words";
@@ -87,7 +87,9 @@ export class InputPanel {
     if (!newest) return;
     this.#newest = undefined;
     this.#readAt = performance.now();
-    setText(this.#reading, `${spoken(newest.action)}, ${spoken(newest.style)}`);
+    const reading = `${spoken(newest.action)}, ${spoken(newest.style)}`;
+    setText(this.#reading, reading);
+    setAttributes(this.#reading, { title: reading });
     setText(this.#weight, formatNumber(newest.weight, 2));
     this.#bar.style.transform = `scaleX(${Math.min(1, Math.max(0, newest.weight))})`;
   }

@@ -141,6 +141,7 @@ export class Timeline {
   set examples(examples: Examples | undefined) {
     this.#examples = examples;
     this.#rebuild();
+    this.#describeHover();
   }
 
   set curve(name: string) {
@@ -276,8 +277,14 @@ export class Timeline {
     if (frame === undefined && this.#hover === undefined) return;
     this.#hover = frame;
     this.#listeners.onHover(frame);
-    this.#rows.title = frame === undefined ? "" : `${this.#readAt(frame)} ${this.#examplesAt(frame)}`.trim();
+    this.#describeHover();
     this.#paintMoving();
+  }
+
+  /** Says what is under the pointer. */
+  #describeHover(): void {
+    const frame = this.#hover;
+    this.#rows.title = frame === undefined ? "" : `${this.#readAt(frame)} ${this.#examplesAt(frame)}`.trim();
   }
 
   /** What the engine reads the input as at a frame, in words. */
