@@ -20,15 +20,21 @@ function refuse(root: HTMLElement, sentence: string): void {
   root.replaceChildren(text);
 }
 
+/** Lets the browser do what it has to do besides. */
+function otherTasks(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve));
+}
+
 async function start(root: HTMLElement): Promise<void> {
+  // The engine loads while the page is built; for the browser to start its worker this thread must let go.
+  const client = startStrutClient();
+  await otherTasks();
   if (graphics() === "none") {
+    client.dispose();
     refuse(root, strings.page.noWebGl);
     return;
   }
-  // The page is built, and asks for its database, while the engine loads.
-  const client = startStrutClient();
-  // Asking for the graphics took its time: what the browser has to do comes before the page is built.
-  await new Promise((resolve) => setTimeout(resolve));
+  await otherTasks();
   const app = new App(root);
   window.strut = {
     get frame() {

@@ -15,7 +15,8 @@ export function graphics(): Graphics {
 }
 
 function detect(): Graphics {
-  const gl = document.createElement("canvas").getContext("webgl2");
+  const canvas = Object.assign(document.createElement("canvas"), { width: 1, height: 1 });
+  const gl = canvas.getContext("webgl2", { antialias: false, depth: false });
   if (!gl) return "none";
   const info = gl.getExtension("WEBGL_debug_renderer_info");
   const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
