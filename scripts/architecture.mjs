@@ -12,6 +12,7 @@ const CRATES = {
   "strut-wasm": ["strut-core", "strut-formats", "strut-demo"],
   "strut-wasm-build": ["strut-core", "strut-formats"],
   "strut-wasm-walk": ["strut-core", "strut-formats"],
+  "strut-wasm-key-style": ["strut-core", "strut-formats"],
   "strut-cli": ["strut-core", "strut-formats", "strut-demo"],
   xtask: ["strut-demo", "strut-formats"],
 };

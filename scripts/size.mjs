@@ -16,6 +16,7 @@ const LATER = [
   "data_view",
   "compare_view",
   "walk_view",
+  "key_style_view",
   "row_viewer",
   "shelf",
   "outputs",
@@ -23,6 +24,7 @@ const LATER = [
   "build_worker",
   "strut_wasm_build",
   "strut_wasm_walk",
+  "strut_wasm_key_style",
   // What only the Compare view loads: trained methods and counterparts.
   "compare_worker",
   "strut_compare",

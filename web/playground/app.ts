@@ -149,7 +149,10 @@ export class App {
     this.#keys.places = this.#timeline;
     this.#drop = new DropZone({
       viewTakesAll: () => store.state.view === "data",
-      onMotion: (name, bytes) => void this.#takeMotion(name, bytes),
+      onMotion: (name, bytes) =>
+        void (store.state.view === "key-style"
+          ? this.#takeClips([{ path: name, file: new File([bytes], name) }])
+          : this.#takeMotion(name, bytes)),
       onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
       onStyle: (file) => void this.#takeStyle(file),
       styleTarget: () =>
@@ -507,8 +510,10 @@ export class App {
   }
 
   async #takeClips(files: DroppedFile[]): Promise<void> {
-    this.#store.edit({ view: "data" });
-    (await this.#views.show("data"))?.takeFiles(files);
+    // The Key-style view learns from clips as they are; elsewhere they are a database to be.
+    const view = this.#store.state.view === "key-style" ? "key-style" : "data";
+    this.#store.edit({ view });
+    (await this.#views.show(view))?.takeFiles(files);
   }
 
   async #export(format: OutputFormat, size: VideoSize): Promise<void> {

@@ -17,6 +17,9 @@ import {
   selection,
   text,
 } from "./fields";
+import { type Axis, decodeAxes, encodeAxes } from "./key_style/axes";
+import { decodeTimed, encodeTimed, LENGTH_RANGE, MOST_KEYS, type TimedValue } from "./key_style/keys";
+import { MOST_POINTS } from "./key_style/trail";
 import type { Selection } from "./polygon/selection";
 import { INTENSITY_RANGE, MOST_BLOCKS, STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "./walk/plan";
 
@@ -98,13 +101,37 @@ export interface PlayState {
   walkStrip: boolean;
   /** What is plotted of the chosen block. */
   walkPlot: string;
+  /** What the Key-style view learns from, see `key_style/sets.ts`, and the names of its clips where they were chosen. */
+  keySet: string;
+  keyClips: readonly string[];
+  /** Its style variables; none for those that fit the motions. */
+  keyAxes: readonly Axis[];
+  /** Components of the mixture, 0 to have them counted, and how it is learned. */
+  keyComponents: number;
+  keyLearning: KeyLearning;
+  /** Whether the winning component alone is the pose. */
+  keyHard: boolean;
+  /** Where the handle is; nowhere before a model says what is usual. */
+  keyHandle: readonly number[];
+  /** The last drag. */
+  keyTrail: readonly TimedValue[];
+  /** Keys over time, the chosen one's number, the length of the animation and the playhead, seconds. */
+  keys: readonly TimedValue[];
+  keyChosen: number;
+  keyLength: number;
+  keyTime: number;
+  keyCurve: KeyCurve;
+  keyMethod: KeyMethod;
+  /** Whether the nearest recorded pose is drawn, and what is below the pad. */
+  keyGhost: boolean;
+  keyPane: KeyPane;
   /** Whether panels and transport are shown. */
   panels: boolean;
   /** The panel that is open on a narrow screen. */
   tab: Tab;
 }
 
-export const VIEW_NAMES = ["play", "compare", "walk", "data"] as const;
+export const VIEW_NAMES = ["play", "compare", "walk", "key-style", "data"] as const;
 export type ViewName = (typeof VIEW_NAMES)[number];
 export const CAMERA_PRESETS = ["orbit", "front", "side", "top"] as const;
 export type CameraPreset = (typeof CAMERA_PRESETS)[number];
@@ -117,6 +144,14 @@ export const SIDES = ["a", "b"] as const;
 export type Side = (typeof SIDES)[number];
 export const WALK_TEMPOS = ["model", "sampled", "fixed"] as const;
 export type WalkTempo = (typeof WALK_TEMPOS)[number];
+export const KEY_LEARNING = ["som", "em"] as const;
+export type KeyLearning = (typeof KEY_LEARNING)[number];
+export const KEY_CURVES = ["spline", "monotone"] as const;
+export type KeyCurve = (typeof KEY_CURVES)[number];
+export const KEY_METHODS = ["style", "hybrid", "frame", "all"] as const;
+export type KeyMethod = (typeof KEY_METHODS)[number];
+export const KEY_PANES = ["keys", "recordings"] as const;
+export type KeyPane = (typeof KEY_PANES)[number];
 export const TABS = ["style", "input", "model", "curves"] as const;
 export type Tab = (typeof TABS)[number];
 /** Playback speeds on offer. */
@@ -133,6 +168,7 @@ export const RANGES = {
   cadence: { min: 50, max: 180, digits: 0 },
   stride: { min: 60, max: 130, digits: 0 },
   turn: { min: -10, max: 10, digits: 0 },
+  components: { min: 0, max: 32, digits: 0 },
 } as const satisfies Record<string, Range>;
 
 /** Entries of a list stand behind each other with `;`, and a name before what it names with `~`. */
@@ -218,6 +254,20 @@ function decodeWalk(text: string): WalkBlock[] | undefined {
   return valid && blocks!.length <= MOST_BLOCKS ? blocks : undefined;
 }
 
+/** The handle as one value of no time. */
+function encodeHandle(values: readonly number[]): string {
+  return values.length === 0 ? "" : encodeTimed([{ secs: 0, values }]).slice("0_".length);
+}
+
+function decodeHandle(text: string): readonly number[] | undefined {
+  return text === "" ? [] : decodeTimed(`0_${text}`, 1)?.[0]?.values;
+}
+
+/** Names in a list stand behind each other with `;`. */
+function encodeNames(names: readonly string[]): string {
+  return names.map((name) => name.replaceAll(SEPARATOR.entry, " ")).join(SEPARATOR.entry);
+}
+
 function encodeRange({ first, last }: FrameRange): string {
   return `${first}-${last}`;
 }
@@ -279,6 +329,22 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
   walkTurn: number("turn", 0, RANGES.turn, true),
   walkStrip: flag("strip", false, false),
   walkPlot: text("plot", "states", false),
+  keySet: text("set", "walk", true),
+  keyClips: listed("clips", [], encodeNames, (names) => (names === "" ? [] : names.split(SEPARATOR.entry))),
+  keyAxes: listed("axes", [], encodeAxes, decodeAxes),
+  keyComponents: number("components", 0, RANGES.components, true),
+  keyLearning: choice("learning", "som", KEY_LEARNING, true),
+  keyHard: flag("hard", false, true),
+  keyHandle: { ...listed("at", [], encodeHandle, decodeHandle), undoable: false },
+  keyTrail: { ...listed("drag", [], encodeTimed, (text) => decodeTimed(text, MOST_POINTS)), undoable: false },
+  keys: listed("keys", [], encodeTimed, (text) => decodeTimed(text, MOST_KEYS)),
+  keyChosen: number("keyno", -1, { min: -1, max: MOST_KEYS - 1, digits: 0 }, false),
+  keyLength: number("length", 0, { ...LENGTH_RANGE, min: 0 }, true),
+  keyTime: number("secs", 0, { min: 0, max: LENGTH_RANGE.max, digits: 2 }, false),
+  keyCurve: choice("spline", "spline", KEY_CURVES, true),
+  keyMethod: choice("between", "style", KEY_METHODS),
+  keyGhost: flag("nearest", true, false),
+  keyPane: choice("pane", "keys", KEY_PANES),
   panels: flag("panels", true, false),
   tab: choice("tab", "style", TABS),
 };

@@ -70,6 +70,11 @@ export const VIEWS: readonly { name: ViewName; title: string; load?: () => Promi
   { name: "play", title: strings.page.views.play },
   { name: "compare", title: strings.page.views.compare, load: () => import("./compare/compare_view") },
   { name: "walk", title: strings.page.views.walk, load: () => import("./walk/walk_view") },
+  {
+    name: "key-style",
+    title: strings.page.views["key-style"],
+    load: () => import("./key_style/key_style_view"),
+  },
   { name: "data", title: strings.page.views.data, load: () => import("./data/data_view") },
 ];
 

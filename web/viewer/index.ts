@@ -10,6 +10,7 @@ export {
   ROLES,
   type Role,
   restPose,
+  type WorldPose,
   worldFromLocal,
 } from "./humanoid";
 export { graphics } from "./stage/graphics";

@@ -129,10 +129,10 @@ export class RowViewer {
     this.#stage.view.settle();
   }
 
-  /** Goes to a view, gliding. */
-  camera(view: CameraView): void {
+  /** Goes to a view, gliding; that from the side is from the left, or from the right. */
+  camera(view: CameraView, fromRight = false): void {
     this.#body.setPose(this.#columns[0]?.pose ?? this.#body.pose);
-    this.#stage.setView(view, headingOf(this.#body.world, 0));
+    this.#stage.setView(view, headingOf(this.#body.world, 0) + (fromRight ? Math.PI : 0));
     this.#changed = true;
   }
 

@@ -2,7 +2,7 @@
 
 import { MathUtils, Quaternion, Vector3 } from "three";
 import { GhostPlacement } from "./ghost_placement";
-import { headingOf, hipsTurn, isPose, JOINT, POSE_FLOATS, type Role, restPose } from "./humanoid";
+import { headingOf, hipsTurn, isPose, JOINT, POSE_FLOATS, type Role, restPose, type WorldPose } from "./humanoid";
 import { Mannequin } from "./mannequin/mannequin";
 import { BodyLook, GhostLook } from "./mannequin/materials";
 import { OnionSkin } from "./onion_skin";
@@ -254,14 +254,24 @@ export class Viewer {
     this.#placement.reset();
   }
 
-  /** Goes to a view, gliding. */
-  camera(view: CameraView): void {
-    this.#stage.setView(view, headingOf(this.#body.world, 0));
+  /** Goes to a view, gliding; that from the side is from the left, or from the right. */
+  camera(view: CameraView, fromRight = false): void {
+    this.#stage.setView(view, headingOf(this.#body.world, 0) + (fromRight ? Math.PI : 0));
   }
 
   /** Place of a joint of the styled character in the picture, CSS pixels from the canvas's top left. */
   jointScreenPosition(role: Role): { x: number; y: number } {
     return this.#stage.project(point.fromArray(this.#body.world.positions, 3 * JOINT[role]));
+  }
+
+  /** The joints of the styled character in the world; not to be kept. */
+  get joints(): Readonly<WorldPose> {
+    return this.#body.world;
+  }
+
+  /** Where a place of the world is in the picture, CSS pixels from the canvas's top left. */
+  screenPosition(x: number, y: number, z: number): { x: number; y: number } {
+    return this.#stage.project(point.set(x, y, z));
   }
 
   /** The joint of the styled character whose bone is at a place of the picture, CSS pixels; `undefined` beside it. */

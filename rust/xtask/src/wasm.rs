@@ -1,4 +1,4 @@
-//! `strut-wasm`, `strut-wasm-build` and `strut-wasm-walk` → packages for JavaScript: cargo, wasm-bindgen and wasm-opt, one after the other.
+//! `strut-wasm`, `strut-wasm-build`, `strut-wasm-walk` and `strut-wasm-key-style` → packages for JavaScript: cargo, wasm-bindgen and wasm-opt, one after the other.
 //!
 //! The environment steers it (DESIGN §3):
 //! - `STRUT_BUILD_STD=1` builds the standard library from source, for a toolchain that lacks the target;
@@ -81,6 +81,14 @@ impl Package {
         folder: "web/engine/walk/pkg",
         crate_name: "strut-wasm-walk",
         name: "strut_wasm_walk",
+        flags: &[],
+        ..Self::ENGINE
+    };
+    /// What it loads for those who open the Key-style view.
+    pub(crate) const KEY_STYLE: Self = Self {
+        folder: "web/engine/key_style/pkg",
+        crate_name: "strut-wasm-key-style",
+        name: "strut_wasm_key_style",
         flags: &[],
         ..Self::ENGINE
     };

@@ -4,11 +4,12 @@
  */
 import { compare } from "./en/compare";
 import { data } from "./en/data";
+import { keyStyle } from "./en/key_style";
 import { page } from "./en/page";
 import { play } from "./en/play";
 import { walk } from "./en/walk";
 
-const en = { page, play, compare, data, walk };
+const en = { page, play, compare, data, walk, keyStyle };
 
 /** A text where English has one, and a sentence of the same parts where it has a function. */
 type Said<T> = T extends string

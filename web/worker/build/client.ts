@@ -8,10 +8,12 @@ import type {
   ChosenFile,
   DroppedFile,
   Found,
+  KeyStyleOrder,
   Labelled,
   Preview,
   ReadNews,
   Roles,
+  TrainedKeyStyle,
   TrainedWalk,
 } from "./protocol";
 
@@ -119,6 +121,19 @@ class WorkerBuildClient implements BuildClient {
   async trainWalk(database: Blob | undefined, options?: CallOptions): Promise<TrainedWalk> {
     try {
       return await this.call({ method: "trainWalk", database }, options);
+    } finally {
+      this.stop(cancelled());
+    }
+  }
+
+  async trainKeyStyle(
+    database: Blob | undefined,
+    files: readonly DroppedFile[],
+    order: KeyStyleOrder,
+    options?: CallOptions,
+  ): Promise<TrainedKeyStyle> {
+    try {
+      return await this.call({ method: "trainKeyStyle", database, files: [...files], order }, options);
     } finally {
       this.stop(cancelled());
     }

@@ -6,10 +6,12 @@ import type {
   ChosenFile,
   DroppedFile,
   Found,
+  KeyStyleOrder,
   Labelled,
   Preview,
   ReadNews,
   Roles,
+  TrainedKeyStyle,
   TrainedWalk,
 } from "./protocol";
 
@@ -23,7 +25,8 @@ export type BuildCall =
   /** Stops the build under way where it can go on later. */
   | { method: "pause" }
   | { method: "addStyle"; database: Blob | undefined; clip: File; style: string }
-  | { method: "trainWalk"; database: Blob | undefined };
+  | { method: "trainWalk"; database: Blob | undefined }
+  | { method: "trainKeyStyle"; database: Blob | undefined; files: DroppedFile[]; order: KeyStyleOrder };
 
 /** What each call is answered with. */
 export interface BuildResults {
@@ -35,6 +38,7 @@ export interface BuildResults {
   pause: undefined;
   addStyle: BuiltDatabase;
   trainWalk: TrainedWalk;
+  trainKeyStyle: TrainedKeyStyle;
 }
 
 export type BuildRequest = BuildCall & { id: number };

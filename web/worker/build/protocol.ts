@@ -8,10 +8,12 @@ import type {
   RefusedFile,
   Roles,
 } from "../../engine/build/builder";
+import type { KeyStyleOrder, TrainedKeyStyle } from "../../engine/build/key_style_training";
 import type { TrainedWalk } from "../../engine/build/walk_training";
 import type { CallOptions } from "../../engine/types";
 
 export type * from "../../engine/build/builder";
+export type { KeyStyleClip, KeyStyleOrder, TrainedKeyStyle } from "../../engine/build/key_style_training";
 export type { TrainedWalk } from "../../engine/build/walk_training";
 export { StrutError } from "../../engine/errors";
 
@@ -77,6 +79,13 @@ export interface BuildClient {
   addStyle(database: Blob | undefined, clip: File, style: string, options?: CallOptions): Promise<BuiltDatabase>;
   /** A walk model of a database, or of the built-in one. */
   trainWalk(database: Blob | undefined, options?: CallOptions): Promise<TrainedWalk>;
+  /** A key-style model of clips of the files, or where there are none of a database, or of the built-in one. */
+  trainKeyStyle(
+    database: Blob | undefined,
+    files: readonly DroppedFile[],
+    order: KeyStyleOrder,
+    options?: CallOptions,
+  ): Promise<TrainedKeyStyle>;
   dispose(): void;
 }
 

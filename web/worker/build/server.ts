@@ -1,5 +1,6 @@
 /** The build worker's side of the wire: the files that are open, and what is made of them. */
 import { type Build, DatabaseBuilder, type OnBuildProgress } from "../../engine/build/builder";
+import { KeyStyleClips, type KeyStyleOrder, type TrainedKeyStyle } from "../../engine/build/key_style_training";
 import { type TrainedWalk, trainWalk } from "../../engine/build/walk_training";
 import { BUILD_MODULE } from "../../engine/build/wasm";
 import { loadBuiltIn } from "../../engine/built_in";
@@ -34,8 +35,9 @@ const NEWS_MS = 300;
 /** Shares of a build's time: reading, preparing, registering; the index has the rest. */
 const SHARES = { reading: 0.2, preparing: 0.15, registering: 0.6 };
 
-/** Share of a walk model's training that reading is. */
+/** Share of a walk model's training that reading is, and of a key-style model's. */
 const TRAIN_READING = 0.15;
+const KEY_STYLE_READING = 0.3;
 
 /** Who asked, as far as long work must know. */
 interface Caller {
@@ -112,6 +114,8 @@ class BuildServer {
         return this.addStyle(builder, call.database, call.clip, call.style, caller);
       case "trainWalk":
         return this.trainWalk(call.database, caller);
+      case "trainKeyStyle":
+        return this.trainKeyStyle(call.database, call.files, call.order, caller);
     }
   }
 
@@ -176,6 +180,40 @@ class BuildServer {
     return trainedOnce(BUILD_MODULE, bytes, () =>
       trainWalk(bytes, (stage, done, total) => caller.report(trainProgress(stage, done, total))),
     );
+  }
+
+  private async trainKeyStyle(
+    database: Blob | undefined,
+    files: DroppedFile[],
+    order: KeyStyleOrder,
+    caller: Caller,
+  ): Promise<TrainedKeyStyle> {
+    const clips =
+      files.length > 0
+        ? await this.readKeyStyle(files, caller)
+        : await KeyStyleClips.ofDatabase(await bytesOf(database));
+    try {
+      return clips.train(order, (done, total) => caller.report(keyStyleProgress(done, total)));
+    } finally {
+      clips.dispose();
+    }
+  }
+
+  /** The clips of files, archives too; what cannot be read is refused. */
+  private async readKeyStyle(files: DroppedFile[], caller: Caller): Promise<KeyStyleClips> {
+    const { clips } = await findSources(files);
+    const read: { name: string; bytes: Uint8Array }[] = [];
+    const unread: RefusedFile[] = [];
+    for (const [done, { path, read: bytes }] of clips.entries()) {
+      const label = `Reading ${clips.length} clips, ${done} done.`;
+      caller.report({ label, fraction: (KEY_STYLE_READING * done) / clips.length });
+      const content = await bytes().catch((thrown) => reasonOf(thrown));
+      if (typeof content === "string") unread.push({ path, reason: content });
+      else read.push({ name: path.replace(/^.*\//, "").replace(/\.bvh$/i, ""), bytes: content });
+    }
+    const made = await KeyStyleClips.ofFiles(read);
+    made.refused.push(...unread);
+    return made;
   }
 
   private async build(
@@ -283,6 +321,11 @@ function trainProgress(stage: "reading" | "training", done: number, total: numbe
   return stage === "reading"
     ? { label: `Reading ${total} walks, ${done} done.`, fraction: TRAIN_READING * share }
     : { label: "Training the walks.", fraction: TRAIN_READING + (1 - TRAIN_READING) * share };
+}
+
+function keyStyleProgress(done: number, total: number): Progress {
+  const fraction = KEY_STYLE_READING + (1 - KEY_STYLE_READING) * (done / Math.max(1, total));
+  return { label: `Learning, pass ${done} of ${total}.`, fraction };
 }
 
 function buildProgress(stage: "preparing" | "registering" | "indexing", done: number, total: number): Progress {

@@ -76,6 +76,20 @@ impl Puppet {
         &self.pose
     }
 
+    /// Takes a pose that is one frame after the one before, at rest.
+    pub fn take(&mut self, row: &Row) -> &Pose {
+        self.row = *row;
+        self.velocity = [0.0; DIMS];
+        self.place();
+        &self.pose
+    }
+
+    /// Stands above the origin, in the pose that it has.
+    pub fn go_back(&mut self) {
+        self.path.reset(Vec3::ZERO);
+        self.place();
+    }
+
     /// The pose as it is; it faces +Z.
     pub fn pose(&self) -> &Pose {
         &self.pose

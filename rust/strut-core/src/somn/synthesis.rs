@@ -81,13 +81,17 @@ impl Synthesis {
         greatest(&self.gates, &self.model.standardised(style))
     }
 
+    /// The recorded frame whose style is nearest; none where nothing was recorded.
+    pub fn nearest(&self, style: &Style) -> Option<usize> {
+        self.nearest_to(&self.model.standardised(style)).map(|(_, frame)| frame)
+    }
+
     /// The style itself, or, farther than half a standard deviation from all recorded ones, the one at that distance on the
     /// way to the nearest of them.
     pub fn within_reach(&self, style: &Style) -> Style {
         let u = self.model.standardised(style);
-        let square = |v: &Style| (0..MAX_AXES).map(|j| (u[j] - v[j]) * (u[j] - v[j])).sum::<f64>();
-        let nearest = self.model.styles.iter().map(|v| (square(v), v)).reduce(|a, b| if b.0 < a.0 { b } else { a });
-        let Some((square, nearest)) = nearest else { return self.model.in_units(&u) };
+        let Some((square, nearest)) = self.nearest_to(&u) else { return self.model.in_units(&u) };
+        let nearest = self.model.styles[nearest];
         let distance = square.sqrt();
         if distance <= FARTHEST_FROM_RECORDED {
             return self.model.in_units(&u);
@@ -100,6 +104,13 @@ impl Synthesis {
     pub fn measured(&self, pose: &Pose) -> Style {
         let frame = Frame::new(&self.model.space.proportions, pose, f32::NAN);
         std::array::from_fn(|j| self.model.axes.get(j).map_or(0.0, |axis| axis.measure(&frame)))
+    }
+
+    /// Squared distance to the nearest recorded style, and its frame: the first of those that are as near.
+    fn nearest_to(&self, u: &Style) -> Option<(f64, usize)> {
+        let square = |v: &Style| (0..MAX_AXES).map(|j| (u[j] - v[j]) * (u[j] - v[j])).sum::<f64>();
+        let styles = self.model.styles.iter().enumerate().map(|(frame, v)| (square(v), frame));
+        styles.reduce(|a, b| if b.0 < a.0 { b } else { a })
     }
 
     fn weigh(&mut self, u: &Style, mode: Mode) {

@@ -386,6 +386,33 @@ fn the_spring_arrives_and_stays() {
 }
 
 #[test]
+fn a_recorded_style_is_nearest_to_itself() {
+    let synthesis = synthesis();
+    for frame in (0..MODEL.styles.len()).step_by(37) {
+        let nearest = synthesis.nearest(&MODEL.in_units(&MODEL.styles[frame])).unwrap();
+        // Another frame may have the same style.
+        let apart: f64 = (0..MAX_AXES).map(|j| (MODEL.styles[nearest][j] - MODEL.styles[frame][j]).abs()).sum();
+        assert!(apart < 1e-6, "frame {frame} is {apart} from frame {nearest}");
+    }
+    assert!(synthesis.nearest(&[f64::NAN, 1e9, 0.0]).is_some());
+}
+
+#[test]
+fn a_puppet_takes_poses_as_they_are_and_goes_back() {
+    let mut puppet = Puppet::new(Arc::clone(&MODEL));
+    for row in MODEL.rows.iter().take(60) {
+        let row = row.map(f64::from);
+        let taken = *puppet.take(&row);
+        assert_eq!(taken.rotations, MODEL.space.pose(&row).rotations);
+    }
+    assert!(puppet.pose().root.z > 0.3, "the feet carry it ahead");
+    let before = *puppet.pose();
+    puppet.go_back();
+    assert_eq!((puppet.pose().root.x, puppet.pose().root.z), (0.0, 0.0));
+    assert_eq!(puppet.pose().rotations, before.rotations);
+}
+
+#[test]
 fn nothing_is_allocated_while_dragging() {
     let mut puppet = Puppet::new(Arc::clone(&MODEL));
     let counted = allocation_counter::measure(|| {

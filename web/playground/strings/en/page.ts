@@ -1,6 +1,6 @@
 /** What is said everywhere: titles, menus, notices, what went wrong. */
 export const page = {
-  views: { play: "Play", compare: "Compare", walk: "Walk", data: "Data" },
+  views: { play: "Play", compare: "Compare", walk: "Walk", "key-style": "Key-style", data: "Data" },
   viewNotLoaded: (why: string) => `This view could not be loaded. Reload the page. ${why}`,
   noWebGl:
     "Strut draws with WebGL 2, which this browser does not offer. Switch on hardware acceleration or use another browser.",

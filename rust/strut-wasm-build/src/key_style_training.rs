@@ -1,0 +1,140 @@
+//! Handles of a key-style model's training: clips go in, a `.strutkeys` file comes out.
+
+use crate::builder::Progress;
+use crate::database::read_database;
+use crate::labels::text;
+use strut_core::database::Database;
+use strut_core::humanoid::{HumanoidMotion, Proportions};
+use strut_core::retarget::to_humanoid;
+use strut_core::somn::{Learning, Measure, Options, Recording, Trainer};
+use strut_formats::corpus::Clip;
+use strut_formats::{key_style_model, strutdb};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Ridge of expectation maximisation, per sample.
+const RIDGE: f64 = 0.05;
+/// The same model for everybody.
+const SEED: u64 = 1;
+
+/// Clips that models may be trained on: those of a database, or BVH files.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct KeyStyleClips {
+    database: Option<Database>,
+    files: Vec<(String, HumanoidMotion)>,
+}
+
+#[wasm_bindgen]
+impl KeyStyleClips {
+    /// None yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Those of a `.strutdb` file or packed motions.
+    ///
+    /// # Errors
+    /// With what is wrong with the file.
+    #[wasm_bindgen(js_name = ofDatabase)]
+    pub fn of_database(database: Vec<u8>) -> Result<Self, String> {
+        Ok(Self { database: Some(read_database(&database)?), files: Vec::new() })
+    }
+
+    /// Adds a BVH file; the body is the first one's.
+    ///
+    /// # Errors
+    /// With why it cannot be used.
+    #[wasm_bindgen(js_name = addFile)]
+    pub fn add_file(&mut self, name: String, bytes: &[u8]) -> Result<(), String> {
+        let clip = Clip::parse(bytes).map_err(text)?;
+        let body: &Proportions = self.files.first().map_or(&clip.binding.proportions, |(_, first)| &first.proportions);
+        let motion = to_humanoid(&clip.motion, &clip.binding, body);
+        self.files.push((name, motion));
+        Ok(())
+    }
+
+    /// Names of the clips.
+    pub fn names(&self) -> Vec<String> {
+        let of_database = self.database.iter().flat_map(|db| db.clips.iter().map(|clip| clip.name.clone()));
+        of_database.chain(self.files.iter().map(|(name, _)| name.clone())).collect()
+    }
+
+    /// What they show; empty for files.
+    pub fn actions(&self) -> Vec<String> {
+        self.labels(|db, clip| db.actions[usize::from(db.clips[clip].action)].clone())
+    }
+
+    /// How; empty for files.
+    pub fn styles(&self) -> Vec<String> {
+        self.labels(|db, clip| db.styles[usize::from(db.clips[clip].style)].clone())
+    }
+
+    /// How long they are, seconds.
+    pub fn secs(&self) -> Vec<f32> {
+        let of_database =
+            self.database.iter().flat_map(|db| db.clips.iter().map(|clip| clip.frames as f32 / db.rate_hz));
+        let of_files = self.files.iter().map(|(_, motion)| motion.poses.len() as f32 / motion.rate_hz);
+        of_database.chain(of_files).collect()
+    }
+
+    /// Begins to train on the clips of these numbers; `components` 0 are counted.
+    ///
+    /// # Errors
+    /// With why nothing can be learned.
+    pub fn train(
+        &self,
+        clips: &[u32],
+        axes: Vec<String>,
+        components: usize,
+        em: bool,
+    ) -> Result<KeyStyleTraining, String> {
+        let axes = axes.iter().map(|axis| Measure::parse(axis).map_err(text)).collect::<Result<Vec<_>, _>>()?;
+        let recording = |clip: &u32| {
+            let (name, motion) = self.motion(*clip as usize).ok_or_else(|| format!("there is no clip {clip}"))?;
+            Recording::new(name.clone(), &motion).map_err(|error| format!("{name}: {error}"))
+        };
+        let recordings = clips.iter().map(recording).collect::<Result<Vec<_>, _>>()?;
+        let learning = if em { Learning::Em { ridge: RIDGE } } else { Learning::Som };
+        let options = Options { components: (components > 0).then_some(components), seed: SEED, learning };
+        let borrowed: Vec<&Recording> = recordings.iter().collect();
+        Ok(KeyStyleTraining { trainer: Trainer::new(&borrowed, &axes, options).map_err(text)? })
+    }
+}
+
+impl KeyStyleClips {
+    fn labels(&self, of: impl Fn(&Database, usize) -> String) -> Vec<String> {
+        let of_database = self.database.iter().flat_map(|db| (0..db.clips.len()).map(|clip| of(db, clip)));
+        of_database.chain(self.files.iter().map(|_| String::new())).collect()
+    }
+
+    fn motion(&self, clip: usize) -> Option<(String, HumanoidMotion)> {
+        match &self.database {
+            Some(db) => db.clips.get(clip).map(|c| (c.name.clone(), db.motion_of_clip(clip))),
+            None => self.files.get(clip).cloned(),
+        }
+    }
+}
+
+/// Training in passes, between which it may be given up.
+#[wasm_bindgen]
+pub struct KeyStyleTraining {
+    trainer: Trainer,
+}
+
+#[wasm_bindgen]
+impl KeyStyleTraining {
+    /// Goes on by a pass; whether anything was left but to finish.
+    pub fn step(&mut self, listener: &Progress) -> bool {
+        let come = self.trainer.step();
+        if let Some(p) = come {
+            listener.progress("learning", p.done, p.total);
+        }
+        come.is_some()
+    }
+
+    /// The `.strutkeys` file.
+    pub fn finish(self) -> Vec<u8> {
+        key_style_model::write(&self.trainer.finish(), strutdb::GENERATOR)
+    }
+}

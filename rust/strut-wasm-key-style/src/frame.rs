@@ -1,0 +1,35 @@
+//! What is shown of a moment, where JavaScript can read it.
+
+use strut_core::humanoid::{POSE_FLOATS, Pose};
+use strut_core::somn::Style;
+
+/// The pose, each component's share, the style as measured on the pose and the style that the pose was made of: one number a
+/// component, and one an axis.
+pub(crate) struct Frame {
+    axes: usize,
+    floats: Box<[f32]>,
+}
+
+impl Frame {
+    pub(crate) fn new(components: usize, axes: usize) -> Self {
+        Self { axes, floats: vec![0.0; POSE_FLOATS + components + 2 * axes].into() }
+    }
+
+    pub(crate) fn address(&self) -> *const f32 {
+        self.floats.as_ptr()
+    }
+
+    pub(crate) fn show(&mut self, pose: &Pose, weights: &[f64], measured: &Style, reached: &Style) {
+        let Some((floats, rest)) = self.floats.split_first_chunk_mut::<POSE_FLOATS>() else { return };
+        pose.write_to(floats);
+        let styles = measured[..self.axes].iter().chain(&reached[..self.axes]);
+        rest.iter_mut().zip(weights.iter().chain(styles)).for_each(|(out, value)| *out = *value as f32);
+    }
+}
+
+/// A style from JavaScript's numbers; what is missing is 0.
+pub(crate) fn style(values: &[f64]) -> Style {
+    let mut style = Style::default();
+    style.iter_mut().zip(values).for_each(|(s, value)| *s = *value);
+    style
+}

@@ -1,0 +1,38 @@
+//! Style variables as a person writes them.
+
+use strut_core::somn::Measure;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// What is said of a style variable.
+#[wasm_bindgen]
+pub struct CheckedMeasure {
+    unit: String,
+    fault: Option<(usize, String)>,
+}
+
+#[wasm_bindgen]
+impl CheckedMeasure {
+    /// Its unit; empty where it has none, and where it is none.
+    pub fn unit(&self) -> String {
+        self.unit.clone()
+    }
+
+    /// Number of the character that is wrong, from 0; −1 if none is.
+    pub fn column(&self) -> i32 {
+        self.fault.as_ref().map_or(-1, |(column, _)| i32::try_from(column.saturating_sub(1)).unwrap_or(0))
+    }
+
+    /// What is wrong there; empty if nothing is.
+    pub fn message(&self) -> String {
+        self.fault.as_ref().map_or(String::new(), |(_, message)| message.clone())
+    }
+}
+
+/// Reads a style variable: the name of a measure, or an expression.
+#[wasm_bindgen(js_name = checkMeasure)]
+pub fn check_measure(text: &str) -> CheckedMeasure {
+    match Measure::parse(text) {
+        Ok(measure) => CheckedMeasure { unit: measure.unit().to_string(), fault: None },
+        Err(error) => CheckedMeasure { unit: String::new(), fault: Some((error.column, error.fault.to_string())) },
+    }
+}

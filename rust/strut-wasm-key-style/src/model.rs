@@ -1,0 +1,160 @@
+//! Handle of a key-style model.
+
+use crate::frame::style;
+use crate::text;
+use std::sync::Arc;
+use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose};
+use strut_core::math::Vec3;
+use strut_core::somn::{self, RATE_HZ, Style, Synthesis};
+use strut_formats::bvh::{self, Bvh};
+use strut_formats::key_style_model;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// What a model has learned; shared with all that is made from it.
+#[wasm_bindgen]
+pub struct KeyStyleModel {
+    pub(crate) model: Arc<somn::KeyStyleModel>,
+    synthesis: Synthesis,
+}
+
+#[wasm_bindgen]
+impl KeyStyleModel {
+    /// The model in a `.strutkeys` file.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: &[u8]) -> Result<Self, String> {
+        let model = Arc::new(key_style_model::read(bytes).map_err(text)?);
+        Ok(Self { synthesis: Synthesis::new(Arc::clone(&model)), model })
+    }
+
+    /// The style variables: names of measures, or expressions.
+    pub fn axes(&self) -> Vec<String> {
+        self.model.axes.iter().map(ToString::to_string).collect()
+    }
+
+    /// Their units.
+    pub fn units(&self) -> Vec<String> {
+        self.model.axes.iter().map(|axis| axis.unit().to_string()).collect()
+    }
+
+    /// Frames per second of recordings and of what is exported.
+    #[wasm_bindgen(js_name = rateHz)]
+    pub fn rate_hz(&self) -> f32 {
+        RATE_HZ
+    }
+
+    /// Number of components.
+    pub fn components(&self) -> usize {
+        self.model.components.len()
+    }
+
+    /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
+    pub fn proportions(&self) -> Vec<f32> {
+        self.model.space.proportions.offsets.iter().flat_map(Vec3::to_array).collect()
+    }
+
+    /// Names of the training motions.
+    #[wasm_bindgen(js_name = clipNames)]
+    pub fn clip_names(&self) -> Vec<String> {
+        self.model.clips.iter().map(|clip| clip.name.clone()).collect()
+    }
+
+    /// Numbers of frames of the training motions; their frames follow each other.
+    #[wasm_bindgen(js_name = clipFrames)]
+    pub fn clip_frames(&self) -> Vec<u32> {
+        self.model.clips.iter().map(|clip| clip.frames as u32).collect()
+    }
+
+    /// The style of every training frame, one number an axis.
+    pub fn values(&self) -> Vec<f32> {
+        self.flat(self.model.styles.iter().map(|u| self.model.in_units(u)))
+    }
+
+    /// Where each component is at home, one number an axis.
+    pub fn centres(&self) -> Vec<f32> {
+        self.flat(self.model.components.iter().map(|component| self.model.in_units(&component.centre)))
+    }
+
+    /// Mean of the training styles.
+    pub fn mean(&self) -> Vec<f32> {
+        self.flat(std::iter::once(self.model.style_mean))
+    }
+
+    /// Their standard deviations.
+    pub fn deviation(&self) -> Vec<f32> {
+        self.flat(std::iter::once(self.model.style_deviation))
+    }
+
+    /// The training frame whose style is nearest.
+    pub fn nearest(&self, values: &[f64]) -> usize {
+        self.synthesis.nearest(&style(values)).unwrap_or(0)
+    }
+
+    /// The pose of a training frame; none if there is no such frame.
+    pub fn recorded(&self, frame: usize) -> Option<Vec<f32>> {
+        (frame < self.model.rows.len()).then(|| {
+            let mut floats = [0.0; POSE_FLOATS];
+            self.model.space.pose(&self.model.recorded_row(frame)).write_to(&mut floats);
+            floats.to_vec()
+        })
+    }
+
+    /// How much better than needed each place is supported by recorded styles, row after row from the greatest value of the
+    /// second axis; further axes are as in `values`.
+    ///
+    /// # Errors
+    /// If that are too many places.
+    #[allow(clippy::too_many_arguments)]
+    pub fn support(
+        &self,
+        values: &[f64],
+        x_least: f64,
+        x_most: f64,
+        columns: usize,
+        y_least: f64,
+        y_most: f64,
+        rows: usize,
+    ) -> Result<Vec<f32>, String> {
+        const MOST_PLACES: usize = 1 << 18;
+        if columns.saturating_mul(rows) > MOST_PLACES {
+            return Err(format!("{columns} × {rows} places were asked for; at most {MOST_PLACES} are mapped"));
+        }
+        let share = |i: usize, count: usize| if count > 1 { i as f64 / (count - 1) as f64 } else { 0.0 };
+        let mut at = style(values);
+        let mut map = Vec::with_capacity(columns * rows);
+        for row in 0..rows {
+            if rows > 1 {
+                at[1] = y_most + share(row, rows) * (y_least - y_most);
+            }
+            for column in 0..columns {
+                at[0] = x_least + share(column, columns) * (x_most - x_least);
+                map.push((self.synthesis.support(&at) - self.model.least_support) as f32);
+            }
+        }
+        Ok(map)
+    }
+
+    /// The text of a BVH file of these poses, one after the other.
+    ///
+    /// # Errors
+    /// If the array is not a whole number of poses, or holds none.
+    #[wasm_bindgen(js_name = toBvh)]
+    pub fn to_bvh(&self, poses: &[f32]) -> Result<String, String> {
+        let (poses, rest) = poses.as_chunks::<POSE_FLOATS>();
+        if !rest.is_empty() {
+            return Err("the numbers are not a whole number of poses".to_owned());
+        }
+        let poses = poses.iter().map(Pose::read_from).collect();
+        let motion = HumanoidMotion { proportions: self.model.space.proportions, rate_hz: RATE_HZ, poses };
+        Bvh::from_humanoid(&motion).map(|file| bvh::write(&file)).map_err(text)
+    }
+}
+
+impl KeyStyleModel {
+    fn flat(&self, styles: impl Iterator<Item = Style>) -> Vec<f32> {
+        let axes = self.model.axis_count();
+        styles.flat_map(|style| style.into_iter().take(axes).map(|value| value as f32)).collect()
+    }
+}

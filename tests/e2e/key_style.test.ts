@@ -1,0 +1,376 @@
+/** The Key-style view: a hand drags a point over style variables and the body follows; keys of it are a motion. */
+import { mkdirSync, writeFileSync } from "node:fs";
+import { resolve } from "node:path";
+import axe from "axe-core";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/playground/hook";
+import { dropFile, eventually, openSite, screenshot, visit } from "./browser";
+
+declare const window: { strut: StrutHook; axe: typeof axe; drags?: number[] };
+
+let page: Page;
+let bvh: Buffer;
+
+beforeAll(async () => {
+  const opened = await openSite({ size: { width: 1440, height: 900 }, theme: "dark" });
+  page = opened.page;
+  return opened.close;
+});
+
+const state = () => page.evaluate(() => window.strut.state);
+const trained = () => page.locator(".model-menu summary").textContent();
+const secs = async () => Number(await page.locator(".key-style .clock").textContent());
+const spoken = () => page.getByRole("slider", { name: "Style", exact: true }).getAttribute("aria-valuetext");
+/** The number of a measure that the handle speaks of. */
+const measured = async (name: string) =>
+  Number(new RegExp(`${name} (−?[\\d.]+)`).exec((await spoken())!)![1]!.replace("−", "-"));
+const joint = (role: Parameters<StrutHook["jointScreenPosition"]>[0]) =>
+  page.evaluate((role) => window.strut.jointScreenPosition(role), role);
+
+async function middle(selector: string): Promise<{ x: number; y: number }> {
+  const box = (await page.locator(selector).first().boundingBox())!;
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+/** Middle and radii of the turn that the keys make on the pad, pixels. */
+async function turn(): Promise<{ x: number; y: number; rx: number; ry: number }> {
+  const at = await page.evaluate(() =>
+    [...document.querySelectorAll(".pad-key")].map((key) => {
+      const { x, y, width, height } = key.getBoundingClientRect();
+      return [x + width / 2, y + height / 2] as const;
+    }),
+  );
+  const [xs, ys] = [at.map(([x]) => x), at.map(([, y]) => y)];
+  const mean = (values: number[]) => (Math.min(...values) + Math.max(...values)) / 2;
+  const half = (values: number[]) => (Math.max(...values) - Math.min(...values)) / 2;
+  return { x: mean(xs), y: mean(ys), rx: 0.85 * half(xs), ry: 0.8 * half(ys) };
+}
+
+async function faults(): Promise<string[]> {
+  await page.addScriptTag({ content: axe.source });
+  const { violations } = await page.evaluate(() => window.axe.run());
+  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
+}
+
+describe("opening the view", () => {
+  it("learns the built-in walk, says what it took, and walks by keys", async () => {
+    await page.getByRole("link", { name: "Key-style", exact: true }).click();
+    await eventually(trained).toMatch(/^\d+ components · trained in \d\.\d\d s$/);
+    expect(await page.locator(".key-style .stage-title").textContent()).toBe("Walk");
+    await eventually(() => page.locator(".pad-key").count()).toBe(9);
+    const before = await secs();
+    await eventually(secs, "it plays by itself").not.toBe(before);
+    await eventually(() => page.url()).toContain("keys=");
+    await eventually(faults).toEqual([]);
+  });
+
+  it("follows the keyboard: play, pause, keys", async () => {
+    await page.locator("body").press("Space");
+    expect((await state()).playing).toBe(false);
+    const still = await secs();
+    await page.waitForTimeout(300);
+    expect(await secs()).toBe(still);
+    await page.locator("body").press("Home");
+    await eventually(secs).toBe(0);
+    await page.locator("body").press("ArrowRight");
+    expect((await state()).keyChosen).toBe(1);
+    await eventually(secs).toBeGreaterThan(0.05);
+  });
+});
+
+describe("the pad", () => {
+  it("shows a pose in the frame of the screen in which the pointer moved", async () => {
+    const { x, y, rx } = await turn();
+    await page.mouse.move(x + rx, y);
+    await page.mouse.down();
+    // The pose of an event is on the body before the next picture is drawn.
+    const late = await page.evaluate(async () => {
+      const pad = document.querySelector(".pad-plot")!;
+      const foot = () => window.strut.jointScreenPosition("left_foot").x;
+      const drags: number[] = [];
+      let late = 0;
+      const box = pad.getBoundingClientRect();
+      for (let i = 0; i < 20; i++) {
+        await new Promise(requestAnimationFrame);
+        const before = foot();
+        const at = { clientX: box.x + box.width * (0.3 + 0.02 * i), clientY: box.y + box.height / 2, pointerId: 1 };
+        const begin = performance.now();
+        pad.dispatchEvent(new PointerEvent("pointermove", { ...at, bubbles: true }));
+        drags.push(performance.now() - begin);
+        if (foot() === before) late++;
+      }
+      window.drags = drags.sort((a, b) => a - b);
+      return late;
+    });
+    await page.mouse.up();
+    expect(late, "events whose pose was not on the body at once").toBe(0);
+    const median = await page.evaluate(() => window.drags![10]!);
+    console.info(`an event of the pad takes ${median.toFixed(2)} ms`);
+    expect(median).toBeLessThan(16);
+    expect((await state()).keyTrail.length).toBeGreaterThan(1);
+  });
+
+  it("walks when the pointer turns", { timeout: 180_000 }, async () => {
+    const { x, y, rx, ry } = await turn();
+    const at = (share: number): [number, number] => [
+      x + rx * Math.cos(2 * Math.PI * share),
+      y + ry * Math.sin(2 * Math.PI * share),
+    ];
+    await page.mouse.move(...at(0));
+    await page.mouse.down();
+    const box = (await page.locator(".key-style-picture").boundingBox())!;
+    const clip = { x: box.x + box.width / 2 - 150, y: box.y + 40, width: 300, height: box.height - 60 };
+    const film: string[] = [];
+    const seen: { apart: number; left: number; right: number; head: number }[] = [];
+    const frames = 16;
+    for (let frame = 1; frame <= frames; frame++) {
+      for (let i = 1; i <= 4; i++) {
+        await page.mouse.move(...at((2 * (frame - 1 + i / 4)) / frames));
+        await page.waitForTimeout(30);
+      }
+      await page.waitForTimeout(400);
+      const [left, right, head] = await Promise.all([joint("left_foot"), joint("right_foot"), joint("head")]);
+      seen.push({ apart: left.x - right.x, left: left.y, right: right.y, head: head.y });
+      film.push((await page.screenshot({ clip })).toString("base64"));
+    }
+    await page.mouse.up();
+    await strip(film, clip.width, clip.height);
+    const swings = seen.map(({ apart }) => Math.sign(apart));
+    const steps = swings.filter((side, i) => i > 0 && side !== swings[i - 1]).length;
+    expect(steps, "feet pass each other twice a turn").toBeGreaterThanOrEqual(3);
+    const widest = Math.max(...seen.map(({ apart }) => Math.abs(apart)));
+    expect(widest, "pixels of a step").toBeGreaterThan(60);
+    const heads = seen.map(({ head }) => head);
+    expect(Math.max(...heads) - Math.min(...heads), "the head stays at its height").toBeLessThan(25);
+    const floor = Math.max(...seen.flatMap(({ left, right }) => [left, right]));
+    for (const { left, right } of seen) expect(floor - Math.max(left, right), "somebody stands").toBeLessThan(25);
+  });
+
+  it("keeps the drag, plays it again, and makes keys of it", async () => {
+    const { x, y, rx, ry } = await turn();
+    await page.mouse.move(x + rx, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 12; i++) {
+      await page.mouse.move(x + rx * Math.cos(0.4 * i), y + ry * Math.sin(0.4 * i));
+      await page.waitForTimeout(60);
+    }
+    await page.mouse.up();
+    const { keyTrail, keyHandle } = await state();
+    expect(keyTrail.length).toBeGreaterThan(5);
+    await eventually(() => page.url()).toContain("drag=");
+    await page.locator("body").press("r");
+    const before = await spoken();
+    await eventually(spoken).not.toBe(before);
+    await eventually(async () => (await state()).keyHandle, "it ends where the drag did").toEqual(keyHandle);
+    await page.getByRole("button", { name: "Keys from the drag" }).click();
+    expect((await state()).keys.length).not.toBe(9);
+    expect((await state()).playing).toBe(true);
+    await page.keyboard.press("Control+z");
+    expect((await state()).keys.length).toBe(9);
+  });
+
+  it("moves by arrow keys and speaks of it", async () => {
+    await visit(page, "view=key-style&play=0");
+    await eventually(trained).toMatch(/trained/);
+    await page.getByRole("slider", { name: "Style", exact: true }).focus();
+    const before = await measured("foot separation");
+    for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowRight");
+    expect(await measured("foot separation")).toBeGreaterThan(before + 5);
+    expect(await spoken()).toMatch(/^foot separation −?[\d.]+ cm, foot height difference −?[\d.]+ cm/);
+  });
+
+  it("says where nothing is known, and stays with what is", async () => {
+    const frame = (await page.locator(".pad-frame").boundingBox())!;
+    await page.mouse.click(frame.x + frame.width - 4, frame.y + 4);
+    await eventually(spoken).toMatch(/Beyond the data/);
+    expect(await page.locator(".pad-handle.beyond").count()).toBe(1);
+    const [left, right] = await Promise.all([joint("left_foot"), joint("right_foot")]);
+    expect(Math.abs(left.x - right.x)).toBeLessThan(400);
+  });
+});
+
+describe("keys", () => {
+  it("are set where the handle is, dragged in time and value, removed, and undone", async () => {
+    await visit(page, "view=key-style&play=0");
+    await eventually(() => page.locator(".keys-key").count()).toBe(18);
+    const seek = (await page.locator(".keys-seek").boundingBox())!;
+    await page.mouse.click(seek.x + seek.width * 0.44, seek.y + 8);
+    await page.getByRole("slider", { name: "Style", exact: true }).focus();
+    for (let i = 0; i < 3; i++) await page.keyboard.press("ArrowUp");
+    await page.keyboard.press("k");
+    await eventually(() => page.locator(".keys-key").count()).toBe(20);
+    const { keys, keyChosen } = await state();
+    const place = `[data-place="${keyChosen}-0"]`;
+    const from = await middle(place);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    for (let i = 1; i <= 6; i++) await page.mouse.move(from.x + 4 * i, from.y - 2 * i);
+    await page.mouse.up();
+    const moved = (await state()).keys[keyChosen]!;
+    expect(moved.secs).toBeGreaterThan(keys[keyChosen]!.secs + 0.01);
+    expect(moved.values[0]).toBeGreaterThan(keys[keyChosen]!.values[0]!);
+    expect(moved.values[1], "the other variable stays").toBe(keys[keyChosen]!.values[1]);
+    await page.locator(place).focus();
+    await page.keyboard.press("ArrowRight");
+    expect((await state()).keys[keyChosen]!.secs).toBeGreaterThan(moved.secs);
+    await eventually(() => page.evaluate(() => document.activeElement?.getAttribute("data-place"))).toBe(
+      `${keyChosen}-0`,
+    );
+    await page.keyboard.press("Delete");
+    await eventually(() => page.locator(".keys-key").count()).toBe(18);
+    await page.keyboard.press("Control+z");
+    await eventually(() => page.locator(".keys-key").count()).toBe(20);
+  });
+
+  it("are performed three ways side by side", async () => {
+    await page.locator(".key-style-method label").filter({ hasText: "All three" }).click();
+    await eventually(() => page.locator(".comparison canvas").count()).toBe(1);
+    expect(await page.locator(".comparison-captions").textContent()).toMatch(/Key-style.*Hybrid.*Key-frame/);
+    await page.waitForTimeout(2500);
+    await screenshot(page, "key-style-three");
+    await page.locator(".key-style-method label").filter({ hasText: "Key-style" }).click();
+  });
+
+  it("become files", async () => {
+    for (const [name, file] of [
+      ["BVH", "key-style.bvh"],
+      ["GLB", "key-style.glb"],
+    ] as const) {
+      const downloading = page.waitForEvent("download");
+      await page.locator(".key-style-actions").getByRole("button", { name, exact: true }).click();
+      const download = await downloading;
+      expect(download.suggestedFilename()).toBe(file);
+      if (name === "BVH") {
+        const chunks: Buffer[] = [];
+        for await (const chunk of await download.createReadStream()) chunks.push(chunk as Buffer);
+        bvh = Buffer.concat(chunks);
+      }
+    }
+  });
+});
+
+describe("what is learned", () => {
+  it("is another motion with a click, and undo brings the former one back", async () => {
+    await page.getByLabel("Motions to learn from").selectOption("punch");
+    await eventually(() => page.locator(".key-style .stage-title").textContent()).toMatch(/^Punch/);
+    await eventually(() => page.locator(".pad-axis").allTextContents()).toEqual(["left reach, cm", "hips height, cm"]);
+    await eventually(async () => (await state()).keys.length).toBeGreaterThan(3);
+    await page.keyboard.press("Control+z");
+    await eventually(() => page.locator(".key-style .stage-title").textContent()).toMatch(/^Walk/);
+  });
+
+  it("is any style variable, one to three, or an expression whose error points at the character", async () => {
+    await page.getByLabel("Third style variable").selectOption("torso_lean");
+    await eventually(() => page.locator(".key-style-sliders input").count()).toBe(1);
+    await page.getByLabel("Second style variable").selectOption("");
+    await eventually(() => page.locator(".pad-axis").allTextContents()).toEqual([
+      "foot separation, cm",
+      "time in the recordings",
+    ]);
+    await page.getByLabel("Second style variable").selectOption("=");
+    const input = page.getByLabel("Second style variable, as an expression");
+    await input.fill("hand_l.y - sholder_l.y");
+    await eventually(() => page.locator(".axis-fault mark").textContent()).toBe("s");
+    expect(await page.locator(".axis-fault").textContent()).toMatch(/no joint, measure or function 'sholder_l'/);
+    await screenshot(page, "key-style-expression");
+    await input.fill("hand_l.y - shoulder_l.y");
+    await input.press("Enter");
+    await eventually(() => page.locator(".pad-axis").allTextContents()).toContain("hand_l.y - shoulder_l.y, cm");
+    expect(decodeURIComponent(page.url())).toContain("axes=foot_separation~hand_l.y - shoulder_l.y");
+  });
+
+  it("says what cannot be learned, and takes that back", async () => {
+    await page.getByLabel("First style variable").selectOption("=");
+    const input = page.getByLabel("First style variable, as an expression");
+    await input.fill("1 + 1");
+    await input.press("Enter");
+    await eventually(() => page.locator(".key-style-empty").textContent()).toMatch(/is 2\.0 .*in every frame/);
+    await screenshot(page, "key-style-refused");
+    await page.locator(".key-style-empty").getByRole("button", { name: "Undo" }).click();
+    await eventually(() => page.locator(".pad-axis").allTextContents()).toContain("hand_l.y - shoulder_l.y, cm");
+  });
+
+  it("is a BVH file that is dropped", async () => {
+    await dropFile(page, "mine.bvh", bvh);
+    await eventually(() => page.locator(".key-style .stage-title").textContent()).toBe("Mine");
+    expect((await state()).view).toBe("key-style");
+    expect((await state()).keySet).toBe("files");
+  });
+
+  it("is shown over time, and a click there puts the handle on that pose", async () => {
+    await visit(page, "view=key-style&play=0&pane=recordings");
+    await eventually(() => page.locator(".recordings-plot .keys-recorded").count()).toBe(2);
+    const before = await spoken();
+    const box = (await page.locator(".recordings-plot").boundingBox())!;
+    await page.mouse.click(box.x + box.width * 0.6, box.y + box.height * 0.6);
+    await eventually(spoken).not.toBe(before);
+    expect(await page.getByRole("slider", { name: "Place in the recording" }).getAttribute("aria-valuetext")).toMatch(
+      /s$/,
+    );
+    expect(await faults()).toEqual([]);
+    await screenshot(page, "key-style-recordings");
+  });
+});
+
+describe("the picture", () => {
+  it("is clean in both themes", async () => {
+    await visit(page, "view=key-style&play=0&set=punch");
+    await eventually(() => page.locator(".key-style .stage-title").textContent()).toMatch(/^Punch/);
+    await page.locator("body").press("ArrowRight");
+    await page.locator("body").press("ArrowRight");
+    await page.waitForTimeout(3000);
+    await screenshot(page, "key-style-wide-dark");
+    expect(await faults()).toEqual([]);
+    await page.emulateMedia({ colorScheme: "light" });
+    await page.waitForTimeout(3000);
+    await screenshot(page, "key-style-wide-light");
+    expect(await faults()).toEqual([]);
+  });
+
+  it("has everything on a narrow screen as well, by touch", async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.waitForTimeout(1500);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+    expect(await faults()).toEqual([]);
+    await screenshot(page, "key-style-narrow-light");
+    for (const control of await page.locator(".key-style-foot button, .axis-select, .set-select").all()) {
+      const box = await control.boundingBox();
+      if (box) expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44);
+    }
+    const session = await page.context().newCDPSession(page);
+    const frame = (await page.locator(".pad-frame").boundingBox())!;
+    const touch = (type: "touchStart" | "touchMove" | "touchEnd", share: number) =>
+      session.send("Input.dispatchTouchEvent", {
+        type,
+        touchPoints:
+          type === "touchEnd"
+            ? []
+            : [{ x: frame.x + frame.width * share, y: frame.y + frame.height * (0.2 + 0.5 * share) }],
+      });
+    const before = await spoken();
+    const scrolled = () => page.locator(".key-style").evaluate((view) => view.scrollTop);
+    const from = await scrolled();
+    await touch("touchStart", 0.3);
+    for (let i = 1; i <= 8; i++) await touch("touchMove", 0.3 + 0.05 * i);
+    await touch("touchEnd", 0.7);
+    expect(await spoken()).not.toBe(before);
+    expect(await scrolled(), "the page stays where it is").toBe(from);
+    await page.locator(".key-style-pane").scrollIntoViewIfNeeded();
+    await page.emulateMedia({ colorScheme: "dark" });
+    await page.waitForTimeout(1500);
+    await screenshot(page, "key-style-narrow-dark");
+  });
+});
+
+/** Writes pictures as one, six in a row. */
+async function strip(film: readonly string[], width: number, height: number): Promise<void> {
+  const sheet = await page.context().newPage();
+  await sheet.setViewportSize({ width: 6 * width, height: Math.ceil(film.length / 6) * Math.ceil(height) });
+  const pictures = film.map((picture) => `<img src="data:image/png;base64,${picture}" width="${width}">`);
+  await sheet.setContent(`<body style="margin:0;display:flex;flex-wrap:wrap">${pictures.join("")}</body>`);
+  const output = resolve(import.meta.dirname, "../output");
+  mkdirSync(output, { recursive: true });
+  writeFileSync(resolve(output, "key-style-film.png"), await sheet.screenshot());
+  await sheet.close();
+}

@@ -1,0 +1,91 @@
+/** The page learns the same key-style models as the command, byte for byte, and makes the same motions of keys with them. */
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import { createBuildClient } from "../../web/worker/build/client";
+import { KeyStyleModel } from "../../web/worker/key_style/key_style";
+import { InlineBuildWorker } from "../inline_build_worker";
+import { recordings, root } from "../recordings";
+
+const COMMAND = join(root, "rust/target/release/strut");
+const AXES = ["foot_separation", "foot_height_difference", "hand_l.y - hips.y"];
+/** The page's seed. */
+const SEED = "1";
+
+let folder: string;
+beforeAll(() => {
+  const cargo = process.env.CARGO ?? "cargo";
+  execFileSync(cargo, ["build", "--release", "--quiet", "-p", "strut-cli"], { cwd: join(root, "rust") });
+  folder = mkdtempSync(join(tmpdir(), "strut-key-style-"));
+  const run = (...args: string[]) => execFileSync(COMMAND, args, { cwd: folder, stdio: "pipe" });
+  run("demo-db", "-o", "demo.strutdb", "--bvh", "demo");
+}, 900_000);
+afterAll(() => {
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** The model that the command learns from these files. */
+function byCommand(files: string[], axes: string[]): Uint8Array {
+  const args = ["train-key-style", ...files, "--axes", axes.join(","), "--seed", SEED, "-o", "model.strutkeys"];
+  execFileSync(COMMAND, args, { cwd: folder, stdio: "pipe" });
+  return readFileSync(join(folder, "model.strutkeys"));
+}
+
+/** The model that the page learns from them. */
+async function byPage(files: string[], axes: string[]): Promise<Uint8Array> {
+  const client = createBuildClient(() => new InlineBuildWorker());
+  const dropped = files.map((path) => ({ path: basename(path), file: new File([readFileSync(path)], basename(path)) }));
+  const order = { clips: [], action: "", axes, components: 0, em: false };
+  const { file } = await client.trainKeyStyle(undefined, dropped, order);
+  client.dispose();
+  return file;
+}
+
+/** Not `toEqual`, which would print megabytes. */
+function expectSame(page: Uint8Array, command: Uint8Array): void {
+  expect(page.length).toBe(command.length);
+  expect(page.findIndex((byte, i) => byte !== command[i])).toBe(-1);
+}
+
+const mocap = recordings();
+
+describe("a key-style model", () => {
+  const builtIn = () => ["walk_neutral_001", "walk_old_001"].map((name) => join(folder, "demo", `${name}.bvh`));
+
+  test("of the built-in walks", async () => {
+    expectSame(await byPage(builtIn(), AXES), byCommand(builtIn(), AXES));
+  });
+
+  test.skipIf(!mocap)("of recorded walks", { timeout: 300_000 }, async () => {
+    const files = ["001", "002", "003"].map((take) =>
+      join(mocap!, "bandai-namco-2", `dataset-2_walk_normal_${take}.bvh`),
+    );
+    expectSame(await byPage(files, AXES), byCommand(files, AXES));
+  });
+
+  test("a change of one variable does not go unnoticed", async () => {
+    const page = await byPage(builtIn(), AXES.with(2, "hand_l.y - hips.x"));
+    const command = byCommand(builtIn(), AXES);
+    expect(page.some((byte, i) => byte !== command[i])).toBe(true);
+  });
+
+  test("makes the same motion of keys", async () => {
+    const file = byCommand(builtIn(), AXES.slice(0, 2));
+    const model = await KeyStyleModel.open(file);
+    const keys = Array.from({ length: 9 }, (_, i) => {
+      const angle = (2 * Math.PI * i) / 8;
+      const values = [40 * Math.cos(angle), -8 * Math.sin(angle)].map((value) => Number(value.toFixed(2)));
+      return { secs: Number((0.15 * i).toFixed(2)), values };
+    });
+    const table = keys.map(({ secs, values }) => [secs, ...values].join(",")).join("\n");
+    writeFileSync(join(folder, "keys.csv"), `time,${AXES.slice(0, 2).join(",")}\n${table}\n`);
+    const args = ["key-style", "--model", "model.strutkeys", "--keys", "keys.csv", "-o", "out.bvh"];
+    execFileSync(COMMAND, args, { cwd: folder, stdio: "pipe" });
+    const styling = model.styling();
+    styling.set(keys, "spline");
+    const page = model.toBvh(styling.perform(keys.at(-1)!.secs, "style"));
+    expect(page === readFileSync(join(folder, "out.bvh"), "utf8")).toBe(true);
+  });
+});

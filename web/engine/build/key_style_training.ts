@@ -1,0 +1,122 @@
+/** Key-style models from clips, on the present thread: what the build worker serves. */
+
+import type { RefusedFile } from "./builder";
+import { buildPackage } from "./wasm";
+
+/** What is to be learned. */
+export interface KeyStyleOrder {
+  /** Names of clips; without any those of the action, in the neutral style where there is one. */
+  clips: readonly string[];
+  /** Without clips and action all files are taken, or what the database has first. */
+  action: string;
+  /** Names of measures, or expressions. */
+  axes: readonly string[];
+  /** Components of the mixture, 0 to have them counted. */
+  components: number;
+  /** Whether expectation maximisation learns it, for comparison. */
+  em: boolean;
+}
+
+/** A clip that may be learned from. */
+export interface KeyStyleClip {
+  name: string;
+  action: string;
+  style: string;
+  secs: number;
+}
+
+/** A model that was trained. */
+export interface TrainedKeyStyle {
+  /** The `.strutkeys` file. */
+  file: Uint8Array<ArrayBuffer>;
+  /** All clips there are, and the names of those that were learned from. */
+  clips: KeyStyleClip[];
+  learned: string[];
+  refused: RefusedFile[];
+  /** Seconds that the training took, without reading. */
+  secs: number;
+}
+
+/** Passes of the training that were done, of how many. */
+export type OnTrainProgress = (done: number, total: number) => void;
+
+/** BVH files that are learned from instead of a database. */
+export type KeyStyleFiles = readonly { name: string; bytes: Uint8Array }[];
+
+/** Clips that models are trained on. */
+export class KeyStyleClips {
+  readonly clips: KeyStyleClip[];
+  readonly refused: RefusedFile[] = [];
+
+  private constructor(
+    private readonly raw: InstanceType<Awaited<ReturnType<typeof buildPackage.load>>["KeyStyleClips"]>,
+  ) {
+    const [names, actions, styles, secs] = [raw.names(), raw.actions(), raw.styles(), raw.secs()];
+    this.clips = names.map((name, i) => ({ name, action: actions[i]!, style: styles[i]!, secs: secs[i]! }));
+  }
+
+  /**
+   * The clips of a `.strutdb` file or packed motions.
+   * @throws StrutError with what is wrong with the file
+   */
+  static async ofDatabase(database: Uint8Array): Promise<KeyStyleClips> {
+    const glue = await buildPackage.load();
+    return new KeyStyleClips(buildPackage.guarded(() => glue.KeyStyleClips.ofDatabase(database)));
+  }
+
+  /** The clips of BVH files; those that cannot be read are refused. */
+  static async ofFiles(files: KeyStyleFiles): Promise<KeyStyleClips> {
+    const glue = await buildPackage.load();
+    const raw = new glue.KeyStyleClips();
+    const refused: RefusedFile[] = [];
+    for (const { name, bytes } of files)
+      try {
+        buildPackage.guarded(() => raw.addFile(name, bytes));
+      } catch (thrown) {
+        refused.push({ path: name, reason: (thrown as Error).message });
+      }
+    const clips = new KeyStyleClips(raw);
+    clips.refused.push(...refused);
+    return clips;
+  }
+
+  /**
+   * Trains a model.
+   * @throws StrutError with why nothing can be learned
+   */
+  train(order: KeyStyleOrder, onProgress: OnTrainProgress): TrainedKeyStyle {
+    const chosen = chosenClips(this.clips, order);
+    const begin = performance.now();
+    const training = buildPackage.guarded(() =>
+      this.raw.train(Uint32Array.from(chosen), [...order.axes], order.components, order.em),
+    );
+    const listener = { progress: (_: string, done: number, total: number) => onProgress(done, total) };
+    while (buildPackage.guarded(() => training.step(listener)));
+    const file = buildPackage.guarded(() => training.finish()) as Uint8Array<ArrayBuffer>;
+    return {
+      file,
+      clips: this.clips,
+      learned: chosen.map((clip) => this.clips[clip]!.name),
+      refused: this.refused,
+      secs: (performance.now() - begin) / 1000,
+    };
+  }
+
+  dispose(): void {
+    this.raw.free();
+  }
+}
+
+/** Names that say that a style is none in particular. */
+const NEUTRAL = ["neutral", "normal"];
+
+/** Numbers of the clips that an order asks for. */
+export function chosenClips(clips: readonly KeyStyleClip[], order: Pick<KeyStyleOrder, "clips" | "action">): number[] {
+  const all = [...clips.keys()];
+  const named = all.filter((i) => order.clips.includes(clips[i]!.name));
+  if (named.length > 0) return named;
+  const action = order.action || (clips[0]?.action ?? "");
+  const acting = all.filter((i) => clips[i]!.action === action);
+  const style = NEUTRAL.find((name) => acting.some((i) => clips[i]!.style === name)) ?? clips[acting[0] ?? 0]?.style;
+  return acting.filter((i) => clips[i]!.style === style);
+}

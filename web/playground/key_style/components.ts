@@ -1,0 +1,39 @@
+/** The component map: a cell for every Gaussian of the mixture, lit by how much it is of the pose. */
+import { formatNumber, html } from "../dom";
+import { strings } from "../strings/strings";
+import type { RowName } from "./timeline";
+
+export class ComponentMap {
+  readonly element = html("div", { class: "components", role: "img" });
+  #cells: HTMLElement[] = [];
+  #winner = -1;
+
+  /**
+   * Takes another model's components.
+   *
+   * @param centres - Where each one is at home, all variables of one behind each other.
+   */
+  show(centres: Float32Array, rows: readonly RowName[]): void {
+    const count = rows.length === 0 ? 0 : centres.length / rows.length;
+    this.#cells = Array.from({ length: count }, (_, i) => {
+      const home = rows.map(({ title, unit, digits }, axis) =>
+        `${title} ${formatNumber(centres[i * rows.length + axis]!, digits)} ${unit}`.trim(),
+      );
+      return html("i", { title: strings.keyStyle.component(i + 1, home.join(", ")) });
+    });
+    this.element.replaceChildren(...this.#cells);
+    this.#winner = -1;
+  }
+
+  set weights(weights: ArrayLike<number>) {
+    let winner = 0;
+    for (const [i, cell] of this.#cells.entries()) {
+      cell.style.setProperty("--share", (weights[i] ?? 0).toFixed(2));
+      if ((weights[i] ?? 0) > (weights[winner] ?? 0)) winner = i;
+    }
+    if (winner === this.#winner) return;
+    this.#winner = winner;
+    for (const [i, cell] of this.#cells.entries()) cell.classList.toggle("winner", i === winner);
+    this.element.setAttribute("aria-label", strings.keyStyle.components(this.#cells.length, winner + 1));
+  }
+}

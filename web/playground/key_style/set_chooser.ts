@@ -1,0 +1,101 @@
+/** Chooses what is learned from: one of the built-in sets, clips of the open database, or files that were dropped. */
+import type { KeyStyleClip } from "../../worker/build/protocol";
+import { button } from "../controls/buttons";
+import { icon } from "../controls/icons";
+import { formatNumber, html } from "../dom";
+import { strings } from "../strings/strings";
+import { capitalised, spoken } from "../words";
+import { BUILT_IN_SETS, parseSet } from "./sets";
+
+const CLIPS = "…";
+
+export interface SetModel {
+  set: string;
+  /** Name of the database that is open and its actions, where it is not the built-in one. */
+  open: { name: string; actions: readonly string[] } | undefined;
+  /** Number of files that were dropped. */
+  files: number;
+  /** Clips there are in the set's place, and those that are learned from. */
+  clips: readonly KeyStyleClip[];
+  learned: readonly string[];
+  /** Whether a person chose the clips. */
+  chosen: boolean;
+}
+
+export class SetChooser {
+  readonly element: HTMLElement;
+  readonly #onSet: (set: string) => void;
+  readonly #onClips: (clips: string[]) => void;
+  readonly #select = html("select", { "aria-label": strings.keyStyle.set });
+  #model: SetModel | undefined;
+
+  constructor(onSet: (set: string) => void, onClips: (clips: string[]) => void) {
+    this.#onSet = onSet;
+    this.#onClips = onClips;
+    this.element = html("div", { class: "select set-select" }, this.#select, icon("chevron"));
+    this.#select.addEventListener("change", () => {
+      const { value } = this.#select;
+      if (value === CLIPS) {
+        this.#select.value = this.#model?.set ?? "";
+        void this.#chooseClips();
+      } else this.#onSet(value);
+    });
+  }
+
+  show(model: SetModel): void {
+    this.#model = model;
+    const { set, open, files, learned, chosen } = model;
+    const option = (value: string, words: string) =>
+      html(
+        "option",
+        { value },
+        value === set && chosen ? `${words}, ${strings.keyStyle.chosenClips(learned.length)}` : words,
+      );
+    const group = (label: string, ...options: HTMLOptionElement[]) => html("optgroup", { label }, ...options);
+    const builtIn = BUILT_IN_SETS.map((name) => option(name, strings.keyStyle.sets[name]));
+    const { source, action } = parseSet(set);
+    // Another action of the built-in database, by a link.
+    if (source === "built-in" && !BUILT_IN_SETS.some((name) => name === action))
+      builtIn.push(option(set, capitalised(spoken(action))));
+    const opened = open?.actions.map((name) => option(`open/${name}`, capitalised(spoken(name)))) ?? [];
+    this.#select.replaceChildren(
+      group(strings.keyStyle.builtIn, ...builtIn),
+      ...(open ? [group(open.name || strings.keyStyle.openDatabase, ...opened)] : []),
+      ...(files > 0 ? [option("files", `${strings.keyStyle.openFiles}, ${strings.keyStyle.chosenClips(files)}`)] : []),
+      option(CLIPS, strings.keyStyle.chooseClips),
+    );
+    this.#select.value = set;
+  }
+
+  async #chooseClips(): Promise<void> {
+    const model = this.#model;
+    if (!model) return;
+    const boxes = model.clips.map((clip) => {
+      const box = html("input", { type: "checkbox", value: clip.name });
+      box.checked = model.learned.includes(clip.name);
+      const secs = html("span", { class: "caption" }, strings.keyStyle.clipSecs(formatNumber(clip.secs, 1)));
+      return { box, row: html("label", { class: "clip-row" }, box, html("span", {}, spoken(clip.name)), secs) };
+    });
+    const take = button(strings.keyStyle.take, () => dialog.close("take"), { label: true, class: "outlined" });
+    const cancel = button(strings.keyStyle.cancel, () => dialog.close(), { label: true });
+    const count = () => {
+      take.disabled = !boxes.some(({ box }) => box.checked);
+    };
+    const dialog = html(
+      "dialog",
+      { class: "help clip-dialog", "aria-label": strings.keyStyle.clips },
+      html("h2", {}, strings.keyStyle.clips),
+      html("p", { class: "caption" }, strings.keyStyle.clipsWhy),
+      html("div", { class: "clip-rows" }, ...boxes.map(({ row }) => row)),
+      html("div", { class: "dialog-actions" }, cancel, take),
+    );
+    dialog.addEventListener("change", count);
+    count();
+    document.body.append(dialog);
+    dialog.showModal();
+    await new Promise((resolve) => dialog.addEventListener("close", resolve, { once: true }));
+    const { returnValue } = dialog;
+    dialog.remove();
+    if (returnValue === "take") this.#onClips(boxes.flatMap(({ box }) => (box.checked ? [box.value] : [])));
+  }
+}
