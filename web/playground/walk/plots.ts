@@ -4,7 +4,7 @@ import type { Side, WalkModel, Weights } from "../../worker/walk/walk";
 import { formatNumber, html, setText, svg } from "../dom";
 import { strings } from "../strings/strings";
 
-const HEIGHT = 128;
+const HEIGHT = 104;
 const PAD = { left: 4, right: 4, top: 8, bottom: 20 };
 /** Points of a density. */
 const POINTS = 120;
