@@ -233,6 +233,9 @@ describe("keys", () => {
   });
 
   it("become files", async () => {
+    await page.getByLabel("Length, seconds").fill("2.5");
+    await page.getByLabel("Length, seconds").press("Tab");
+    expect((await state()).keyLength).toBe(2.5);
     for (const [name, file] of [
       ["BVH", "key-style.bvh"],
       ["GLB", "key-style.glb"],
@@ -272,7 +275,9 @@ describe("what is learned", () => {
     const input = page.getByLabel("Second style variable, as an expression");
     await input.fill("hand_l.y - sholder_l.y");
     await eventually(() => page.locator(".axis-fault mark").textContent()).toBe("s");
-    expect(await page.locator(".axis-fault").textContent()).toMatch(/no joint, measure or function 'sholder_l'/);
+    expect(await page.locator(".axis-fault").textContent()).toMatch(
+      /There is no joint, measure or function 'sholder_l'\./,
+    );
     await screenshot(page, "key-style-expression");
     await input.fill("hand_l.y - shoulder_l.y");
     await input.press("Enter");

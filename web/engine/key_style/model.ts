@@ -4,6 +4,7 @@
  * {@link Styling} performs keys.
  */
 import { Handle } from "../handle";
+import { sentence } from "../side_package";
 import { POSE_FLOATS } from "../types";
 import { type KeyStyleGlue, keyStylePackage } from "./wasm";
 
@@ -43,7 +44,7 @@ export async function checkAxis(text: string): Promise<CheckedAxis> {
   const checked = keyStylePackage.guarded(() => glue.checkMeasure(text));
   try {
     const column = checked.column();
-    return column < 0 ? { unit: checked.unit() } : { message: checked.message(), column };
+    return column < 0 ? { unit: checked.unit() } : { message: sentence(checked.message()), column };
   } finally {
     checked.free();
   }

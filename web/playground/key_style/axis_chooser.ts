@@ -4,7 +4,7 @@ import { icon } from "../controls/icons";
 import { html, setText } from "../dom";
 import { strings } from "../strings/strings";
 import { errorText } from "../words";
-import { type Axis, isNamed, MOST_AXES, MOST_CHARACTERS, NAMED_AXES, titleOf } from "./axes";
+import { type Axis, encodeAxes, isNamed, MOST_AXES, MOST_CHARACTERS, NAMED_AXES, titleOf } from "./axes";
 
 /** Values of the choices that are no measures. */
 const NONE = "";
@@ -56,6 +56,11 @@ export class AxisChooser {
   }
 
   show(axes: readonly Axis[]): void {
+    // A list that is open stays as it is.
+    if (encodeAxes(axes) !== encodeAxes(this.#axes)) this.#fill(axes);
+  }
+
+  #fill(axes: readonly Axis[]): void {
     this.#axes = axes;
     for (const [i, { element, select }] of this.#fields.entries()) {
       const axis = axes[i];
@@ -80,10 +85,11 @@ export class AxisChooser {
   #field(i: number): Field {
     const select = html("select", { "aria-label": strings.keyStyle.axis[i]! });
     select.addEventListener("change", () => {
-      if (select.value === EXPRESSION) this.#write(i);
+      const { value } = select;
+      if (value === EXPRESSION) this.#write(i);
       else {
         this.#close();
-        this.#choose(i, select.value);
+        this.#choose(i, value);
       }
     });
     return { element: html("div", { class: "select axis-select" }, select, icon("chevron")), select };
@@ -108,7 +114,7 @@ export class AxisChooser {
 
   #close(): void {
     this.line.hidden = true;
-    this.show(this.#axes);
+    this.#fill(this.#axes);
   }
 
   /** Says what is wrong with the expression, or takes it when it is finished. */

@@ -9,6 +9,7 @@ import { strings } from "../strings/strings";
 import { onSystemTheme } from "../theme";
 import type { View, ViewHost } from "../views";
 import { errorText } from "../words";
+import { usualAxes } from "./axes";
 import { AxisChooser } from "./axis_chooser";
 import { saveBvh, saveGlb } from "./export";
 import { Foot } from "./foot";
@@ -422,11 +423,12 @@ class KeyStyle implements View {
     const said = rows.map(({ title, unit, digits }, axis) =>
       words.valueOf(title, formatNumber(values[axis]!, digits), unit),
     );
+    const walks = model.axes.join() === usualAxes("walk").join();
     const spoken = beyond ? `${said.join(", ")}. ${words.beyond}` : said.join(", ");
     this.#pad.setHandle(values[0]!, values[1] ?? 0.5, spoken, beyond ? [reached[0]!, reached[1] ?? 0.5] : undefined);
     this.#pad.weights = frame.weights;
     if (this.#slider) this.#slider.control.value = values[this.#slider.axis]!;
-    setText(this.#hint, beyond ? words.beyond : model.axes[0] === "foot_separation" ? words.hintWalk : words.hint);
+    setText(this.#hint, beyond ? words.beyond : walks ? words.hintWalk : words.hint);
     const nearest = model.nearest(values);
     this.#recordings.frame = nearest;
     this.#picture.showFrame(frame, values, nearest, acting, this.#player);

@@ -34,7 +34,7 @@ export interface PadSubject {
   ranges: readonly [{ least: number; most: number }, { least: number; most: number }];
   /** Recorded values, x and y in turn. */
   points: Float32Array;
-  support: Grid | undefined;
+  support: Grid;
   /** Centres of the components, x and y in turn. */
   centres: Float32Array;
   /** Whether there is only one variable: the other axis is the recording's own time. */

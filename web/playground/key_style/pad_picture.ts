@@ -12,7 +12,7 @@ export interface PadPicture {
   /** Recorded values, x and y in turn. */
   points: Float32Array;
   /** How well each place is known: what is below 0 is a guess. */
-  support: Grid | undefined;
+  support: Grid;
   /** Whether the vertical axis is the recording's own time. */
   overTime: boolean;
 }
@@ -40,7 +40,7 @@ export function drawPad({ x, y, titles, points, support, overTime }: PadPicture)
       .join("");
   const frame = { x: x.from, y: y.to, width, height, rx: 3 };
   const frameLine = `M${x.from} ${y.to}h${width}v${height}h${-width}Z`;
-  const edge = support ? toPlot(contour(support, 0)) : "";
+  const edge = toPlot(contour(support, 0));
   const shares = new Float32Array(points.length);
   for (let i = 0; i < points.length; i += 2) {
     shares[i] = (pixelOf(x, points[i]!) - x.from) / width;

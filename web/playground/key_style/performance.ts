@@ -60,13 +60,15 @@ export class Performance {
     return turn ? keysOfTurn(of, axes.length, turn, rateHz) : keysOfRecording(of, axes.length, rateHz);
   };
 
-  /** How well each place of the pad is known, where the other variables are these; `undefined` for a single variable. */
-  support(values: readonly number[]): Grid | undefined {
+  /** How well each place of the pad is known, where the other variables are these. */
+  support(values: readonly number[]): Grid {
     const [x, y] = this.ranges;
-    if (!x || !y) return undefined;
     const { columns, rows } = SUPPORT;
-    const known = this.model.support({ ...x, count: columns }, { ...y, count: rows }, values);
-    return { columns, rows, values: known };
+    if (y)
+      return { columns, rows, values: this.model.support({ ...x!, count: columns }, { ...y, count: rows }, values) };
+    // A single variable is as well known all the way up.
+    const known = this.model.support({ ...x!, count: columns }, undefined, values);
+    return { columns, rows: 2, values: Float32Array.from({ length: 2 * columns }, (_, i) => known[i % columns]!) };
   }
 
   /** The training data on the pad: two variables, or one and the recordings' time. */

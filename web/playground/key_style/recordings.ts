@@ -3,6 +3,7 @@
 import { icon } from "../controls/icons";
 import { formatNumber, html, setAttributes, svg } from "../dom";
 import { strings } from "../strings/strings";
+import { spoken } from "../words";
 import { pixelOf, valueAt } from "./scale";
 import type { RowName } from "./timeline";
 import { type Layout, layOut, lineOf, rowScale, ruler } from "./timeline_rows";
@@ -85,7 +86,7 @@ export class Recordings {
   show(model: RecordingsModel): void {
     this.#model = model;
     if (this.#shown >= model.clips.length) this.#shown = 0;
-    this.#clip.replaceChildren(...model.clips.map(({ name }, i) => html("option", { value: i }, name)));
+    this.#clip.replaceChildren(...model.clips.map(({ name }, i) => html("option", { value: i }, spoken(name))));
     this.#clip.value = String(this.#shown);
     this.#draw();
   }

@@ -43,7 +43,10 @@ export class SetChooser {
   }
 
   show(model: SetModel): void {
+    // A list that is open stays as it is.
+    const same = JSON.stringify(model) === JSON.stringify(this.#model);
     this.#model = model;
+    if (same) return;
     const { set, open, files, learned, chosen } = model;
     const option = (value: string, words: string) =>
       html(
