@@ -78,7 +78,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     );
     held_out(&mut text, &[("adapted", &plain), ("refined", &refined)], &tests);
     if !args.halves.is_empty() {
-        halves(&mut text, &args.halves, args.pattern.as_ref())?;
+        halves(&mut text, &args.halves, args.pattern.as_ref(), &clips)?;
     }
     let voices = Arc::new(WalkVoices::new(&refined));
     let plain_voices = Arc::new(WalkVoices::new(&plain));
@@ -145,8 +145,9 @@ fn pairs(model: &WalkModel) -> impl Iterator<Item = (usize, usize)> {
     (0..styles).flat_map(move |a| (a + 1..styles).map(move |b| (a, b)))
 }
 
-/// How well the first half of every take says its second half: what one performance holds.
-fn halves(text: &mut String, inputs: &[PathBuf], pattern: Option<&Pattern>) -> Outcome {
+/// How well the first half of every take says its second half: what one performance holds, beside other styles of which
+/// there is more.
+fn halves(text: &mut String, inputs: &[PathBuf], pattern: Option<&Pattern>, others: &[Training<'_>]) -> Outcome {
     let mut refused = Vec::new();
     let (body, walks) = read_walks(inputs, pattern, None, &mut refused)?;
     let halves: Vec<(String, [Track; 2])> =
@@ -157,12 +158,14 @@ fn halves(text: &mut String, inputs: &[PathBuf], pattern: Option<&Pattern>) -> O
         [Side::Left, Side::Right].iter().all(|side| steps.iter().any(|step| step.side == *side))
     };
     let usable: Vec<_> = halves.iter().filter(|(_, [first, _])| has_both(first)).collect();
-    let clips: Vec<Training> = usable.iter().map(|(style, [first, _])| Training { style, track: first }).collect();
+    let first_halves = usable.iter().map(|(style, [first, _])| Training { style, track: first });
+    let clips: Vec<Training> = others.iter().copied().chain(first_halves).collect();
     let _ = writeln!(
         text,
-        "## Half a take\n\nThe first half of each of {} takes of {} trains a style of its own, and is to say the second.\n\n\
+        "## Half a take\n\nThe first half of each of {} takes of {} trains a style of its own beside the styles above, and is \
+         to say the second.\n\n\
          | means | rotations | positions | amplitude | step length |\n| --- | ---: | ---: | ---: | ---: |",
-        clips.len(),
+        usable.len(),
         names(inputs)
     );
     for (name, refined) in [("adapted", false), ("refined", true)] {
