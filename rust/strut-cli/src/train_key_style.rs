@@ -10,7 +10,7 @@ use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
 use strut_core::humanoid::Role;
-use strut_core::somn::{Fault, Learning, MAX_COMPONENTS, Measure, Options, Recording, Trainer};
+use strut_core::somn::{Fault, KeyStyleModel, Learning, MAX_COMPONENTS, Measure, Options, Recording, Trainer};
 use strut_formats::{key_style_model, strutdb};
 
 /// Ridge of expectation and maximisation.
@@ -42,8 +42,8 @@ pub(crate) struct Args {
     /// A self-organising mixture network, or expectation and maximisation to compare it with
     #[arg(long, value_name = "METHOD", default_value = "som", value_parser = ["som", "em"])]
     method: String,
-    /// Write a report as JSON: {model, seconds, components, axes: [{axis, unit, mean, deviation}], clips: [{clip, frames}],
-    /// refused: [{file, reason}]}
+    /// Write a report as JSON: {model, seconds, components, `left_open`, axes: [{axis, unit, mean, deviation}],
+    /// clips: [{clip, frames}], refused: [{file, reason}]}
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -53,6 +53,7 @@ struct Report {
     model: String,
     seconds: f64,
     components: usize,
+    left_open: f64,
     axes: Vec<AxisEntry>,
     clips: Vec<ClipEntry>,
     refused: Vec<RefusedFile>,
@@ -112,6 +113,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         model: args.output.display().to_string(),
         seconds: begin.elapsed().as_secs_f64(),
         components: model.components.len(),
+        left_open: model.left_open(),
         axes: model.axes.iter().enumerate().map(entry).collect(),
         clips: model.clips.iter().map(|c| ClipEntry { clip: c.name.clone(), frames: c.frames }).collect(),
         refused,
@@ -123,6 +125,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     outputs.commit()?;
     print_warnings(&corpus::warnings(&report.refused));
+    if report.left_open > KeyStyleModel::MOST_LEFT_OPEN {
+        print_warnings(&format!(
+            "note: these style variables leave {:.0} % of the poses' variation open; poses will be means of different ones\n",
+            100.0 * report.left_open
+        ));
+    }
     let axes = report.axes.iter().map(|a| format!("{} {:.1} ± {:.1} {}", a.axis, a.mean, a.deviation, a.unit));
     print(&format!(
         "{}: {} components from {} frames of {} clips in {:.1} s, {} kB; {}\n",

@@ -39,7 +39,7 @@ pub struct Component {
 impl Component {
     /// Whether the covariance of its styles is one.
     pub fn knows_a_region(&self, axes: usize) -> bool {
-        Gate::new(self, axes.min(MAX_AXES)).is_some()
+        Gate::new(self, axes.min(MAX_AXES), 0.0).is_some()
     }
 
     /// `Z v`: the pose of a style.
@@ -96,13 +96,14 @@ pub(super) struct Gate {
 }
 
 impl Gate {
-    /// `None` if the covariance is not positive definite.
-    pub(super) fn new(component: &Component, axes: usize) -> Option<Self> {
+    /// With a variance that is added to the component's own; `None` if the covariance is not positive definite.
+    pub(super) fn new(component: &Component, axes: usize, more: f64) -> Option<Self> {
         let mut factor = [[0.0; MAX_AXES]; MAX_AXES];
         let mut log_scale = libm::log(component.weight) - 0.5 * axes as f64 * libm::log(TAU);
         for i in 0..axes {
             for j in 0..=i {
-                let rest = component.spread[i][j] - (0..j).map(|k| factor[i][k] * factor[j][k]).sum::<f64>();
+                let covariance = component.spread[i][j] + if i == j { more } else { 0.0 };
+                let rest = covariance - (0..j).map(|k| factor[i][k] * factor[j][k]).sum::<f64>();
                 factor[i][j] = if i == j { rest.sqrt() } else { rest * factor[j][j] };
             }
             let diagonal = factor[i][i];
@@ -117,7 +118,7 @@ impl Gate {
 
     /// Of every component; `None` if a covariance is none.
     pub(super) fn all(components: &[Component], axes: usize) -> Option<Vec<Self>> {
-        components.iter().map(|component| Self::new(component, axes)).collect()
+        components.iter().map(|component| Self::new(component, axes, 0.0)).collect()
     }
 
     /// `log g(u)`.

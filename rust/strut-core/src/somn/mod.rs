@@ -8,6 +8,7 @@
 //!
 //! Poses are modelled at [`RATE_HZ`] in the frame that faces forward; where the body is on the floor is not.
 
+mod diagnosis;
 mod em;
 #[cfg(feature = "offline")]
 pub mod evaluation;

@@ -20,12 +20,16 @@ pub enum Mode {
     Smooth {
         /// 1 is the mixture as it was learnt, 2 half as steep.
         temperature: f64,
+        /// How far the regions are blurred, in standard deviations of the style; 0 leaves them as they were learnt.
+        blur: f64,
     },
 }
 
 impl Default for Mode {
+    /// The specification has no blur, by which poses change half as abruptly at the same error: the temperature alone leaves
+    /// narrow regions narrow.
     fn default() -> Self {
-        Self::Smooth { temperature: 2.0 }
+        Self::Smooth { temperature: 2.0, blur: 0.3 }
     }
 }
 
@@ -34,6 +38,8 @@ impl Default for Mode {
 pub struct Synthesis {
     model: Arc<KeyStyleModel>,
     gates: Vec<Gate>,
+    /// The same, blurred by so much.
+    blurred: (f64, Vec<Gate>),
     weights: Vec<f64>,
 }
 
@@ -42,7 +48,7 @@ impl Synthesis {
     pub fn new(model: Arc<KeyStyleModel>) -> Self {
         let gates = Gate::all(&model.components, model.axis_count()).unwrap_or_default();
         let weights = vec![0.0; gates.len()];
-        Self { model, gates, weights }
+        Self { model, blurred: (0.0, gates.clone()), gates, weights }
     }
 
     /// The model.
@@ -114,22 +120,38 @@ impl Synthesis {
     }
 
     fn weigh(&mut self, u: &Style, mode: Mode) {
-        self.weights.iter_mut().zip(&self.gates).for_each(|(w, gate)| *w = gate.log(u));
         match mode {
             Mode::Hard => {
-                let winner =
-                    (0..self.weights.len()).reduce(|a, b| if self.weights[b] > self.weights[a] { b } else { a });
-                self.weights.fill(0.0);
-                if let Some(winner) = winner {
-                    self.weights[winner] = 1.0;
-                }
+                let winner = winner(&self.gates, u);
+                self.weights.iter_mut().enumerate().for_each(|(i, w)| *w = f64::from(u8::from(i == winner)));
             }
-            Mode::Smooth { temperature } => {
-                self.weights.iter_mut().for_each(|w| *w /= temperature);
+            Mode::Smooth { temperature, blur } => {
+                self.blur(blur);
+                self.weights.iter_mut().zip(&self.blurred.1).for_each(|(w, gate)| *w = gate.log(u) / temperature);
                 softmax(&mut self.weights);
             }
         }
     }
+
+    /// Has the blurred regions ready.
+    fn blur(&mut self, blur: f64) {
+        if self.blurred.0 == blur {
+            return;
+        }
+        self.blurred.0 = blur;
+        let axes = self.model.axis_count();
+        for (gate, component) in self.blurred.1.iter_mut().zip(&self.model.components) {
+            if let Some(blurred) = Gate::new(component, axes, blur * blur) {
+                *gate = blurred;
+            }
+        }
+    }
+}
+
+/// The component that is likeliest by a standardised style alone.
+fn winner(gates: &[Gate], u: &Style) -> usize {
+    let likelihoods = gates.iter().map(|gate| gate.log(u)).enumerate();
+    likelihoods.reduce(|a, b| if b.1 > a.1 { b } else { a }).map_or(0, |(i, _)| i)
 }
 
 /// The greatest log-likelihood of a standardised style.

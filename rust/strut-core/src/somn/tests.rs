@@ -248,6 +248,16 @@ fn what_is_asked_for_is_what_is_measured() {
 }
 
 #[test]
+fn styles_that_do_not_say_the_pose_are_found_out() {
+    assert!(MODEL.left_open() < KeyStyleModel::MOST_LEFT_OPEN, "{}", MODEL.left_open());
+    // The same poses by numbers that have nothing to do with them.
+    let mut random = Random::new(1);
+    let mut other = (**MODEL).clone();
+    other.styles.iter_mut().for_each(|u| *u = [normal(&mut random), normal(&mut random), 0.0]);
+    assert!(other.left_open() > 0.9, "{}", other.left_open());
+}
+
+#[test]
 fn styles_beyond_reach_are_brought_back() {
     let mut synthesis = synthesis();
     let recorded = MODEL.in_units(&MODEL.styles[5]);
