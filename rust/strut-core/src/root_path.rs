@@ -60,7 +60,7 @@ impl Feet {
 
     /// Height of the lowest point of both feet.
     pub(crate) fn lowest(&self, world: &WorldPose) -> f32 {
-        self.points(world).as_flattened().iter().map(|point| point.y).fold(f32::INFINITY, f32::min)
+        self.points(world).iter().map(least_height).fold(f32::INFINITY, f32::min)
     }
 
     fn points(&self, world: &WorldPose) -> FeetPoints {
@@ -91,13 +91,13 @@ impl RootPath {
         let lowest =
             |foot: usize| (0..POINTS).min_by(|a, b| points[foot][*a].y.total_cmp(&points[foot][*b].y)).unwrap_or(0);
         let height = |foot: usize| points[foot][lowest(foot)].y;
-        let (support, lower_by) = match (support.into(), self.last) {
-            (Support::On(foot), _) => (foot, OTHER_FOOT),
-            (Support::Untold, Some((last, ..))) => (last, OTHER_FOOT_UNTOLD),
-            (Support::Untold, None) => (0, 0.0),
+        let (support, lower_by, bears): (_, _, fn(&[Vec3; POINTS]) -> f32) = match support.into() {
+            Support::On(foot) => (foot, OTHER_FOOT, least_height),
+            // A foot in the air may point its toes to the ground; the whole of it is higher all the same.
+            Support::Untold => (self.last.map_or(0, |last| last.0), OTHER_FOOT_UNTOLD, mean_height),
         };
         let other = 1 - support;
-        let foot = if height(other) < height(support) - lower_by { other } else { support };
+        let foot = if bears(&points[other]) < bears(&points[support]) - lower_by { other } else { support };
         let mut point = lowest(foot);
         let root_before = self.root;
         if let Some((last_foot, last_point, before)) = self.last {
@@ -129,4 +129,12 @@ impl RootPath {
     pub(crate) fn contact(&self) -> Option<(usize, usize, Vec3)> {
         self.last.map(|(foot, point, points)| (foot, point, points[foot][point] + self.root))
     }
+}
+
+fn least_height(points: &[Vec3; POINTS]) -> f32 {
+    points.iter().map(|point| point.y).fold(f32::INFINITY, f32::min)
+}
+
+fn mean_height(points: &[Vec3; POINTS]) -> f32 {
+    points.iter().map(|point| point.y).sum::<f32>() / POINTS as f32
 }

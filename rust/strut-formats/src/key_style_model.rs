@@ -207,9 +207,12 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
         mean: std::array::from_fn(|d| means[i * DIMS + d].into()),
         weight: weights[i].into(),
         centre: style(&centres[i * axes..(i + 1) * axes]),
-        spread: std::array::from_fn(|j| match j < axes {
-            true => style(&spreads[(i * axes + j) * axes..][..axes]),
-            false => std::array::from_fn(|k| f64::from(u8::from(j == k))),
+        spread: std::array::from_fn(|j| {
+            if j < axes {
+                style(&spreads[(i * axes + j) * axes..][..axes])
+            } else {
+                std::array::from_fn(|k| f64::from(u8::from(j == k)))
+            }
         }),
     });
     let components: Vec<Component> = components.collect();

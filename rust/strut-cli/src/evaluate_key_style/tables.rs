@@ -144,8 +144,8 @@ pub(super) fn jumps(text: &mut String, sets: &[&DataSet]) -> Outcome {
         text,
         "## Dragging\n\nGreatest change of any joint from one frame to the next along polylines through {STYLES_EACH} recorded \
          styles, {FRAMES_EACH} frames a leg. A few legs decide it: of {} draws of {LINES_A_DRAW} polylines the median, the least \
-         and the greatest are given. *Spring* is the critically damped one of 0.1 s, which the page has on its pad. \
-         *Error* is that of held-out poses.\n\n\
+         and the greatest are given. *Spring* is the critically damped one of 0.1 s and the limit to styles within reach, which the \
+         page has on its pad. *Error* is that of held-out poses.\n\n\
          | data | mode | median draw | least to greatest | prototype | error |\n| --- | --- | ---: | ---: | ---: | ---: |",
         LINES / LINES_A_DRAW
     );

@@ -99,8 +99,8 @@ fn log_gate(component: &Component, u: &[f64; MAX_AXES], axes: usize) -> f64 {
 }
 
 fn move_gate(component: &mut Component, u: &[f64; MAX_AXES], axes: usize, rate: f64) {
-    for j in 0..axes {
-        let e = u[j] - component.centre[j];
+    for (j, u) in u[..axes].iter().enumerate() {
+        let e = u - component.centre[j];
         component.centre[j] += rate * e;
         let variance = &mut component.spread[j][j];
         *variance = (*variance + rate * (e * e - *variance)).max(LEAST_SPREAD);

@@ -74,15 +74,21 @@ pub(super) fn softmax(log_weights: &mut [f64]) -> f64 {
         *w = libm::exp(*w - greatest);
         sum += *w;
     }
-    log_weights.iter_mut().for_each(|w| *w /= sum);
+    for w in log_weights.iter_mut() {
+        *w /= sum;
+    }
     greatest + libm::log(sum)
 }
 
 /// Keeps shares positive and their sum at 1.
 pub(super) fn normalise_weights(components: &mut [Component]) {
-    components.iter_mut().for_each(|c| c.weight = c.weight.max(LEAST_WEIGHT));
+    for c in components.iter_mut() {
+        c.weight = c.weight.max(LEAST_WEIGHT);
+    }
     let sum: f64 = components.iter().map(|c| c.weight).sum();
-    components.iter_mut().for_each(|c| c.weight /= sum);
+    for c in components.iter_mut() {
+        c.weight /= sum;
+    }
 }
 
 /// The region of styles that a component knows, ready to be asked: `g(u) = a N(u; m, S)`.

@@ -47,8 +47,9 @@ impl PoseSpace {
 
     /// The rotations of a row.
     pub fn rotations(&self, row: &Row) -> [Quat; JOINTS] {
-        let (angles, _) = row.split_first_chunk().expect("a row holds rotations first");
-        rotations_of(&self.reference, angles)
+        let mut angles = [0.0; ROTATION_DIMS];
+        angles.copy_from_slice(&row[..ROTATION_DIMS]);
+        rotations_of(&self.reference, &angles)
     }
 
     /// Height of the hips in a row, metres.

@@ -60,7 +60,7 @@ fn synthesis() -> Synthesis {
 
 /// The style at an angle of a circle about the mean, in standard deviations.
 fn on_circle(radius: f64, angle: f64) -> Style {
-    MODEL.in_units(&[radius * angle.cos(), -radius * angle.sin(), 0.0])
+    MODEL.in_units(&[radius * libm::cos(angle), -radius * libm::sin(angle), 0.0])
 }
 
 fn distance(a: &Row, b: &Row) -> f64 {
@@ -328,7 +328,8 @@ fn what_cannot_be_learnt_from_is_refused_by_name() {
     assert!(refused(&[&walk], "hips_height, hips_height").contains("given twice"));
     assert!(refused(&[&walk], "foot_l.x, foot_l.y, foot_l.z, hips_height").contains("4 style variables"));
     let mut still = walk.clone();
-    (still.poses.fill(walk.poses[0]), still.frames.fill(walk.frames[0]));
+    still.poses.fill(walk.poses[0]);
+    still.frames.fill(walk.frames[0]);
     assert!(refused(&[&still], "foot_separation").contains("in every frame"));
 }
 

@@ -265,7 +265,9 @@ fn standardise(styles: &mut [Style], axes: &[Measure]) -> Result<(Style, Style),
             let (axis, unit) = (axis.to_string(), axis.unit().to_string());
             return Err(TrainError::Constant { axis, value: mean, unit });
         }
-        styles.iter_mut().for_each(|u| u[j] = (u[j] - mean) / deviation);
+        for u in styles.iter_mut() {
+            u[j] = (u[j] - mean) / deviation;
+        }
         (means[j], deviations[j]) = (mean, deviation);
     }
     Ok((means, deviations))
