@@ -313,7 +313,7 @@ describe("what is learned", () => {
     expect(await page.getByRole("slider", { name: "Place in the recording" }).getAttribute("aria-valuetext")).toMatch(
       /s$/,
     );
-    expect(await faults()).toEqual([]);
+    await eventually(faults).toEqual([]);
     await screenshot(page, "key-style-recordings");
   });
 });
@@ -326,18 +326,18 @@ describe("the picture", () => {
     await page.locator("body").press("ArrowRight");
     await page.waitForTimeout(3000);
     await screenshot(page, "key-style-wide-dark");
-    expect(await faults()).toEqual([]);
+    await eventually(faults).toEqual([]);
     await page.emulateMedia({ colorScheme: "light" });
     await page.waitForTimeout(3000);
     await screenshot(page, "key-style-wide-light");
-    expect(await faults()).toEqual([]);
+    await eventually(faults).toEqual([]);
   });
 
   it("has everything on a narrow screen as well, by touch", async () => {
     await page.setViewportSize({ width: 390, height: 844 });
     await page.waitForTimeout(1500);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
-    expect(await faults()).toEqual([]);
+    await eventually(faults).toEqual([]);
     await screenshot(page, "key-style-narrow-light");
     for (const control of await page.locator(".key-style-foot button, .axis-select, .set-select").all()) {
       const box = await control.boundingBox();

@@ -85,7 +85,7 @@ describe("a key-style model", () => {
     execFileSync(COMMAND, args, { cwd: folder, stdio: "pipe" });
     const styling = model.styling();
     styling.set(keys, "spline");
-    const page = model.toBvh(styling.perform(keys.at(-1)!.secs, "style"));
+    const page = styling.toBvh(keys.at(-1)!.secs, "style");
     expect(page === readFileSync(join(folder, "out.bvh"), "utf8")).toBe(true);
   });
 });

@@ -61,6 +61,18 @@ async function dropClips(page: Page): Promise<void> {
   await page.locator('.data[aria-busy="false"]').waitFor();
 }
 
+/** The third key of the built-in punches: the left hand is out. */
+const PUNCH = "play=0&view=key-style&set=punch&keyno=2&secs=0.4";
+/** The middle of a step. */
+const STEP = "play=0&view=key-style&secs=0.3";
+
+/** Waits until the motions are learned. */
+async function learn(page: Page): Promise<void> {
+  await page.locator(".pad-key").first().waitFor();
+  // What the link before asked for may still be on the stage.
+  await page.waitForTimeout(3000);
+}
+
 const CASES: readonly Case[] = [
   { name: "play-wide-dark", hash: SECOND, size: WIDE, theme: "dark" },
   { name: "play-wide-light", hash: SECOND, size: WIDE, theme: "light" },
@@ -92,6 +104,10 @@ const CASES: readonly Case[] = [
     act: walkOn,
   },
   { name: "walk-narrow-dark", hash: WALK, size: NARROW, theme: "dark", act: walkOn },
+  { name: "key-style-wide-dark", hash: PUNCH, size: WIDE, theme: "dark", act: learn },
+  { name: "key-style-wide-light", hash: STEP, size: WIDE, theme: "light", act: learn },
+  { name: "key-style-three-dark", hash: `${STEP}&between=all`, size: WIDE, theme: "dark", act: learn },
+  { name: "key-style-narrow-dark", hash: PUNCH, size: NARROW, theme: "dark", act: learn },
   { name: "data-empty-wide-dark", hash: "play=0&view=data", size: WIDE, theme: "dark" },
   { name: "data-wide-light", hash: "play=0&view=data", size: WIDE, theme: "light", act: dropClips },
   { name: "data-narrow-dark", hash: "play=0&view=data", size: NARROW, theme: "dark", act: dropClips },
@@ -109,7 +125,8 @@ beforeAll(async () => {
   clip = (await saved(page, "BVH")).bytes;
   // What is measured is never the same twice, and a preview plays.
   await page.addStyleTag({
-    content: ".read-out, .compare-table > div:last-child, .notices, .preview-view { visibility: hidden }",
+    content:
+      ".read-out, .compare-table > div:last-child, .model-menu summary, .notices, .preview-view { visibility: hidden }",
   });
   mkdirSync(PICTURES, { recursive: true });
 });

@@ -3,10 +3,9 @@
 use crate::frame::style;
 use crate::text;
 use std::sync::Arc;
-use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose};
+use strut_core::humanoid::POSE_FLOATS;
 use strut_core::math::Vec3;
 use strut_core::somn::{self, RATE_HZ, Style, Synthesis};
-use strut_formats::bvh::{self, Bvh};
 use strut_formats::key_style_model;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -134,21 +133,6 @@ impl KeyStyleModel {
             }
         }
         Ok(map)
-    }
-
-    /// The text of a BVH file of these poses, one after the other.
-    ///
-    /// # Errors
-    /// If the array is not a whole number of poses, or holds none.
-    #[wasm_bindgen(js_name = toBvh)]
-    pub fn to_bvh(&self, poses: &[f32]) -> Result<String, String> {
-        let (poses, rest) = poses.as_chunks::<POSE_FLOATS>();
-        if !rest.is_empty() {
-            return Err("the numbers are not a whole number of poses".to_owned());
-        }
-        let poses = poses.iter().map(Pose::read_from).collect();
-        let motion = HumanoidMotion { proportions: self.model.space.proportions, rate_hz: RATE_HZ, poses };
-        Bvh::from_humanoid(&motion).map(|file| bvh::write(&file)).map_err(text)
     }
 }
 

@@ -4,8 +4,9 @@ use crate::frame::{Frame, style};
 use crate::model::KeyStyleModel;
 use crate::text;
 use std::sync::Arc;
-use strut_core::humanoid::POSE_FLOATS;
+use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose};
 use strut_core::somn::{Interpolation, Key, KeyStyling, Method, Mode, Puppet, RATE_HZ, Synthesis};
+use strut_formats::bvh::{self, Bvh};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Longest animation, seconds.
@@ -99,8 +100,28 @@ impl Styling {
     /// The poses from 0 to a time, where the feet carry the body.
     ///
     /// # Errors
-    /// If that is longer than anybody needs.
+    /// If that is longer than anybody needs, or there is no key.
     pub fn perform(&mut self, secs: f64, method: u8) -> Result<Vec<f32>, String> {
+        let poses = self.poses(secs, method)?;
+        let mut floats = vec![0.0; poses.len() * POSE_FLOATS];
+        floats.as_chunks_mut::<POSE_FLOATS>().0.iter_mut().zip(&poses).for_each(|(out, pose)| pose.write_to(out));
+        Ok(floats)
+    }
+
+    /// The text of a BVH file of the same.
+    ///
+    /// # Errors
+    /// As for [`Styling::perform`].
+    #[wasm_bindgen(js_name = toBvh)]
+    pub fn to_bvh(&mut self, secs: f64, method: u8) -> Result<String, String> {
+        let poses = self.poses(secs, method)?;
+        let motion = HumanoidMotion { proportions: self.synthesis.model().space.proportions, rate_hz: RATE_HZ, poses };
+        Bvh::from_humanoid(&motion).map(|file| bvh::write(&file)).map_err(text)
+    }
+}
+
+impl Styling {
+    fn poses(&mut self, secs: f64, method: u8) -> Result<Vec<Pose>, String> {
         if !(0.0..=MOST_SECS).contains(&secs) {
             return Err(format!("{secs} s were asked for; up to {MOST_SECS} s are made"));
         }
@@ -108,15 +129,14 @@ impl Styling {
         let mut body = Puppet::new(Arc::clone(synthesis.model()));
         // A last frame at the very end belongs to the motion, whatever rounding does.
         let frames = (secs * f64::from(RATE_HZ) + 1e-6).floor() as usize + 1;
-        let mut floats = vec![0.0; frames * POSE_FLOATS];
-        for (frame, out) in floats.as_chunks_mut::<POSE_FLOATS>().0.iter_mut().enumerate() {
+        let mut pose = |frame: usize| {
             let secs = frame as f64 / f64::from(RATE_HZ);
             body.take(&keyed.row(synthesis, secs, METHODS[usize::from(method) % METHODS.len()]));
             if frame == 0 {
                 body.go_back();
             }
-            body.pose().write_to(out);
-        }
-        Ok(floats)
+            *body.pose()
+        };
+        Ok((0..frames).map(&mut pose).collect())
     }
 }

@@ -130,11 +130,6 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
       this.raw.support(Float64Array.from(values), x.least, x.most, x.count, least, most, count),
     );
   }
-
-  /** The text of a BVH file of poses, one a frame. */
-  toBvh(poses: Float32Array): string {
-    return keyStylePackage.guarded(() => this.raw.toBvh(poses));
-  }
 }
 
 /** What a puppet shows. */
@@ -255,6 +250,11 @@ export class Styling extends Handle<InstanceType<KeyStyleGlue["Styling"]>> {
   /** Poses of the whole animation at the model's rate. */
   perform(length: number, between: Between): Float32Array {
     return keyStylePackage.guarded(() => this.raw.perform(length, BETWEEN[between]));
+  }
+
+  /** The text of a BVH file of the same. */
+  toBvh(length: number, between: Between): string {
+    return keyStylePackage.guarded(() => this.raw.toBvh(length, BETWEEN[between]));
   }
 }
 

@@ -9,7 +9,7 @@ const { fileName } = strings.keyStyle;
 /** Saves a BVH file; gives its name. */
 export function saveBvh(acting: Performance, length: number, between: Between): string {
   const name = `${fileName}.bvh`;
-  saveFile(name, new Blob([acting.model.toBvh(acting.perform(length, between))], { type: "text/plain" }));
+  saveFile(name, new Blob([acting.toBvh(length, between)], { type: "text/plain" }));
   return name;
 }
 

@@ -2,25 +2,21 @@
 import "../styles/key_style.css";
 import type { DroppedFile } from "../../worker/build/protocol";
 import type { Between, PuppetFrame } from "../../worker/key_style/key_style";
-import { Slider } from "../controls/slider";
-import { formatNumber, html, setText } from "../dom";
+import { html } from "../dom";
 import type { PlayState } from "../state";
 import { strings } from "../strings/strings";
 import { onSystemTheme } from "../theme";
 import type { View, ViewHost } from "../views";
 import { errorText } from "../words";
-import { usualAxes } from "./axes";
-import { AxisChooser } from "./axis_chooser";
 import { saveBvh, saveGlb } from "./export";
 import { Foot } from "./foot";
 import { fitted, LENGTH_RANGE, MOST_KEYS, removeKey, setKey, type TimedValue, withValues } from "./keys";
 import { anotherSet, type Learned, Learner, MODEL_FIELDS, otherAxes } from "./learner";
-import { Pad } from "./pad";
+import { PadPanel } from "./pad_panel";
 import type { Performance } from "./performance";
 import { PicturePanel } from "./picture_panel";
 import { Player } from "./player";
 import { Recordings } from "./recordings";
-import { SetChooser } from "./set_chooser";
 import { parseSet } from "./sets";
 import { Timeline } from "./timeline";
 import { keysOf, lengthOf, Recorder } from "./trail";
@@ -43,17 +39,12 @@ class KeyStyle implements View {
   readonly element: HTMLElement;
   readonly #host: ViewHost;
   readonly #learner: Learner;
-  readonly #hint = html("p", { class: "caption", role: "status" });
   readonly #picture: PicturePanel;
-  readonly #sets: SetChooser;
-  readonly #axes: AxisChooser;
-  readonly #pad: Pad;
-  readonly #sliders = html("div", { class: "key-style-sliders" });
+  readonly #pad: PadPanel;
   readonly #timeline: Timeline;
   readonly #recordings: Recordings;
   readonly #foot: Foot;
   readonly #recorder = new Recorder();
-  #slider: { axis: number; control: Slider } | undefined;
   #learned: Learned | undefined;
   #shown = false;
   #dirty = false;
@@ -70,14 +61,13 @@ class KeyStyle implements View {
       (learned) => this.#present(learned),
       () => this.#showState(),
     );
-    this.#sets = new SetChooser(
-      (set) => store.edit({ ...anotherSet(set), playing: true }),
-      (keyClips) => store.edit({ ...otherAxes(store.state.keyAxes), keyClips }),
-    );
-    this.#axes = new AxisChooser((axes) => store.edit(otherAxes(axes)));
-    this.#pad = new Pad({
+    this.#pad = new PadPanel({
+      onSet: (set) => store.edit({ ...anotherSet(set), playing: true }),
+      onClips: (keyClips) => store.edit({ ...otherAxes(store.state.keyAxes), keyClips }),
+      onAxes: (axes) => store.edit(otherAxes(axes)),
+      handle: () => store.state.keyHandle,
       onGrab: () => this.#grab(),
-      onMove: (x, y) => this.#move(this.#handle.with(0, x), y),
+      onMove: (values) => this.#moveTo(values),
       onDrop: () => this.#drop(),
       onChooseKey: (key) => this.#choose(key),
       onMoveKey: (key, x, y) => {
@@ -131,31 +121,10 @@ class KeyStyle implements View {
   }
 
   #layOut(): HTMLElement {
-    const legend = html(
-      "p",
-      { class: "pad-legend caption" },
-      html("span", { class: "known" }, words.recordedPoses),
-      html("span", { class: "unknown" }, words.noData),
-      this.#hint,
-    );
     return html(
       "main",
       { class: "view key-style" },
-      html(
-        "section",
-        { class: "key-style-pad", "aria-labelledby": "pad-heading" },
-        html(
-          "div",
-          { class: "key-style-head" },
-          html("h2", { id: "pad-heading" }, words.heading),
-          this.#sets.element,
-          this.#axes.element,
-        ),
-        this.#axes.line,
-        this.#pad.element,
-        this.#sliders,
-        legend,
-      ),
+      this.#pad.element,
       this.#picture.element,
       html("div", { class: "key-style-pane" }, this.#timeline.element, this.#recordings.element),
       this.#foot.element,
@@ -170,11 +139,14 @@ class KeyStyle implements View {
     this.#shown = true;
     this.#listening = new AbortController();
     const { signal } = this.#listening;
+    const { state } = this.#host.store;
     addEventListener("keydown", (event) => this.#onKey(event), { signal });
     onSystemTheme(() => this.#showState(), signal);
     this.#picture.take((container) => this.#host.borrowPicture(container));
     if (this.#learned) this.#picture.present(this.#learned);
-    this.#player.start(performance.now(), this.#host.store.state.keyTime);
+    // A link that was followed meanwhile leaves out what is as it comes.
+    if (this.#acting && this.#learner.has(state)) this.#complete(this.#acting);
+    this.#player.start(performance.now(), state.keyTime);
     this.#dirty = true;
     this.#adoptSet();
     this.#showState();
@@ -234,8 +206,7 @@ class KeyStyle implements View {
     this.#picture.present(learned);
     const { values, clips, rateHz } = model;
     this.#recordings.show({ rows, ranges, clips, values, rateHz });
-    this.#showSlider();
-    this.#showPad();
+    this.#pad.present(learned.performance);
     this.#dirty = true;
     this.#player.acting = learned.performance;
     // A link may have left the handle beside the way between keys.
@@ -271,52 +242,6 @@ class KeyStyle implements View {
     return this.#learned?.performance;
   }
 
-  #showPad(): void {
-    const acting = this.#acting;
-    if (!acting) return;
-    const { rows, ranges, points, centres } = acting;
-    const [x, y] = rows;
-    const overTime = y === undefined;
-    const titled = ({ title, unit }: { title: string; unit: string }) => words.axisTitle(title, unit);
-    this.#pad.show({
-      titles: [titled(x!), y ? titled(y) : words.recordingTime],
-      digits: [x!.digits, y?.digits ?? 0],
-      ranges: [ranges[0]!, ranges[1] ?? { least: 0, most: 1 }],
-      points,
-      support: acting.support(this.#handle),
-      centres,
-      overTime,
-    });
-  }
-
-  /** A variable that the pad has no direction for, or the only one, has a slider. */
-  #showSlider(): void {
-    const acting = this.#acting!;
-    const axis = acting.rows.length === 3 ? 2 : acting.rows.length === 1 ? 0 : -1;
-    if (axis < 0) {
-      this.#slider = undefined;
-      this.#sliders.replaceChildren();
-      return;
-    }
-    const { title, unit, digits } = acting.rows[axis]!;
-    const { least, most } = acting.ranges[axis]!;
-    const round = (value: number) => Number(value.toFixed(digits));
-    const range = { min: round(least), max: round(most), digits };
-    const control = new Slider(title, range, acting.middle[axis]!, {
-      onInput: (value) => {
-        if (!this.#recording) this.#grab();
-        this.#moveTo(this.#handle.with(axis, value));
-      },
-      onSettle: () => {
-        this.#drop();
-        this.#showPad();
-      },
-    });
-    control.words = (value) => `${formatNumber(value, digits)} ${unit}`.trim();
-    this.#slider = { axis, control };
-    this.#sliders.replaceChildren(control.element);
-  }
-
   // --- the hand ---
 
   #recording = false;
@@ -329,10 +254,6 @@ class KeyStyle implements View {
     this.#recording = true;
     this.#player.grab();
     this.#recorder.begin();
-  }
-
-  #move(values: readonly number[], y: number): void {
-    this.#moveTo(values.length > 1 ? values.with(1, y) : values);
   }
 
   /** Brings the handle somewhere. The pose is that of this very moment: it is on screen in the same frame. */
@@ -418,18 +339,8 @@ class KeyStyle implements View {
 
   #showFrame(frame: PuppetFrame, values: readonly number[], reached: Float32Array | undefined): void {
     const acting = this.#acting!;
-    const { rows, model } = acting;
-    const beyond = reached !== undefined && acting.isBeyond(values, reached);
-    const said = rows.map(({ title, unit, digits }, axis) =>
-      words.valueOf(title, formatNumber(values[axis]!, digits), unit),
-    );
-    const walks = model.axes.join() === usualAxes("walk").join();
-    const spoken = beyond ? `${said.join(", ")}. ${words.beyond}` : said.join(", ");
-    this.#pad.setHandle(values[0]!, values[1] ?? 0.5, spoken, beyond ? [reached[0]!, reached[1] ?? 0.5] : undefined);
-    this.#pad.weights = frame.weights;
-    if (this.#slider) this.#slider.control.value = values[this.#slider.axis]!;
-    setText(this.#hint, beyond ? words.beyond : walks ? words.hintWalk : words.hint);
-    const nearest = model.nearest(values);
+    this.#pad.showFrame(frame, values, reached, acting);
+    const nearest = acting.model.nearest(values);
     this.#recordings.frame = nearest;
     this.#picture.showFrame(frame, values, nearest, acting, this.#player);
   }
@@ -444,7 +355,7 @@ class KeyStyle implements View {
     acting.set({ keys, length: keyLength, curve: keyCurve, loop, hard: keyHard });
     const { rows, ranges, way } = acting;
     this.#timeline.show({ rows, ranges, keys, chosen: keyChosen, length: keyLength, way });
-    this.#pad.setKeys({ keys, chosen: keyChosen, way: onPad(way, rows.length) });
+    this.#pad.showKeys(keys, keyChosen, acting);
     this.#player.secs = Math.min(this.#player.secs, keyLength);
     this.#player.invalidate();
   }
@@ -475,19 +386,18 @@ class KeyStyle implements View {
     const { name, file } = this.#host.databaseFile();
     const open = file ? { name, actions: this.#host.session()?.database?.actions ?? [] } : undefined;
     const trained = this.#learned?.trained;
-    this.#sets.show({
+    const set = {
       set: state.keySet,
       open,
       files: this.#learner.files.length,
       clips: trained?.clips ?? [],
       learned: trained?.learned ?? [],
       chosen: state.keyClips.length > 0,
-    });
-    this.#axes.show(this.#learner.axesOf(state));
+    };
+    this.#pad.show(set, this.#learner.axesOf(state), state.keyTrail);
     const ready = this.#learned !== undefined && !this.#learner.refused;
     this.element.classList.toggle("without-model", !ready);
     this.#foot.show(state, ready);
-    this.#pad.trail = state.keyTrail;
     this.element.dataset.pane = state.keyPane;
     this.#picture.show(state, ready ? this.#learned : undefined, this.#learner.refused);
   }
@@ -528,10 +438,4 @@ class KeyStyle implements View {
       this.#host.notices.error(errorText(error));
     }
   }
-}
-
-/** The two variables of the pad, of all there are. */
-function onPad(way: Float32Array, axes: number): Float32Array {
-  if (axes < 2) return new Float32Array();
-  return Float32Array.from({ length: (2 * way.length) / axes }, (_, i) => way[Math.floor(i / 2) * axes + (i % 2)]!);
 }

@@ -140,6 +140,10 @@ export class Performance {
     return this.#styling.perform(length, between);
   }
 
+  toBvh(length: number, between: Between): string {
+    return this.#styling.toBvh(length, between);
+  }
+
   dispose(): void {
     this.#puppet.dispose();
     this.#styling.dispose();

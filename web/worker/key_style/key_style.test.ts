@@ -78,17 +78,19 @@ describe("training", () => {
   });
 
   it("takes BVH files, and leaves out what is none", async () => {
-    const poses = Float32Array.from({ length: 90 * POSE_FLOATS });
-    const puppet = model.puppet();
-    for (let i = 0; i < 90; i++) poses.set(puppet.advance(1 / 30, onTurn(i / 35)).pose, i * POSE_FLOATS);
+    const styling = model.styling();
+    styling.set(
+      Array.from({ length: 25 }, (_, i) => ({ secs: i / 8, values: onTurn(i / 10) })),
+      "spline",
+    );
     const files = [
-      { path: "mine/circle.bvh", file: new File([model.toBvh(poses)], "circle.bvh") },
+      { path: "mine/circle.bvh", file: new File([styling.toBvh(3, "style")], "circle.bvh") },
       { path: "mine/none.bvh", file: new File(["HIERARCHY"], "none.bvh") },
     ];
     const made = await train({ ...WALK, action: "" }, files);
     expect(made.learned).toEqual(["circle"]);
     expect(made.refused.map(({ path }) => path)).toEqual(["none"]);
-    const short = [{ path: "short.bvh", file: new File([model.toBvh(poses.slice(0, 10 * POSE_FLOATS))], "short.bvh") }];
+    const short = [{ path: "short.bvh", file: new File([styling.toBvh(0.3, "style")], "short.bvh") }];
     await expect(train({ ...WALK, action: "" }, short)).rejects.toThrow(/10 frames .*at least \d+ were expected/);
   });
 });
@@ -191,7 +193,7 @@ describe("keys", () => {
     styling.set(keys, "monotone");
     const poses = styling.perform(1, "style");
     expect(poses.length).toBe(31 * POSE_FLOATS);
-    expect(model.toBvh(poses)).toMatch(/^HIERARCHY\nROOT/);
+    expect(styling.toBvh(1, "style")).toMatch(/^HIERARCHY\nROOT/);
     expect(poses[30 * POSE_FLOATS + 2]! - poses[2]!, "the feet carry it ahead").toBeGreaterThan(0.5);
   });
 

@@ -70,7 +70,6 @@ export const keyStyle = {
   smoothWhy: "Neighbouring components share the pose. Hard takes the winner alone, as published: it jumps at borders.",
   component: (n: number, home: string) => `Component ${n}: ${home}`,
   components: (count: number, winner: number) => `${count} components; number ${winner} has most of the pose`,
-  weak: (title: string) => `${title} says little about the pose here. Another style variable may control more.`,
 
   // The picture.
   ghost: "Nearest recording",
