@@ -6,7 +6,7 @@ use crate::labels::text;
 use strut_core::database::Database;
 use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::retarget::to_humanoid;
-use strut_core::somn::{Learning, Measure, Options, Recording, Trainer};
+use strut_core::somn::{KeyStyleModel, Learning, Measure, Options, Recording, Trainer};
 use strut_formats::corpus::Clip;
 use strut_formats::{key_style_model, strutdb};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -133,8 +133,29 @@ impl KeyStyleTraining {
         come.is_some()
     }
 
+    /// What was learned, once nothing is left.
+    pub fn finish(self) -> TrainedKeyStyle {
+        TrainedKeyStyle { model: self.trainer.finish() }
+    }
+}
+
+/// A model that was trained.
+#[wasm_bindgen]
+pub struct TrainedKeyStyle {
+    model: KeyStyleModel,
+}
+
+#[wasm_bindgen]
+impl TrainedKeyStyle {
     /// The `.strutkeys` file.
-    pub fn finish(self) -> Vec<u8> {
-        key_style_model::write(&self.trainer.finish(), strutdb::GENERATOR)
+    pub fn file(&self) -> Vec<u8> {
+        key_style_model::write(&self.model, strutdb::GENERATOR)
+    }
+
+    /// Share of the poses that the style variables leave open, where that is too much; else 0.
+    #[wasm_bindgen(js_name = leftOpen)]
+    pub fn left_open(&self) -> f64 {
+        let share = self.model.left_open();
+        if share > KeyStyleModel::MOST_LEFT_OPEN { share } else { 0.0 }
     }
 }

@@ -15,7 +15,7 @@ mod walk_training;
 pub use add_style::add_style;
 pub use builder::{Builder, Building, Built, Progress};
 pub use clip::Clip;
-pub use key_style_training::{KeyStyleClips, KeyStyleTraining};
+pub use key_style_training::{KeyStyleClips, KeyStyleTraining, TrainedKeyStyle};
 pub use labels::{guess_pattern, labels_of, licence_title};
 pub use walk_training::{TrainedWalk, WalkTraining};
 

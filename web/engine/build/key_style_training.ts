@@ -33,6 +33,8 @@ export interface TrainedKeyStyle {
   clips: KeyStyleClip[];
   learned: string[];
   refused: RefusedFile[];
+  /** Share of the poses that the style variables leave open, where that is too much; else 0. */
+  leftOpen: number;
   /** Seconds that the training took, without reading. */
   secs: number;
 }
@@ -92,14 +94,20 @@ export class KeyStyleClips {
     );
     const listener = { progress: (_: string, done: number, total: number) => onProgress(done, total) };
     while (buildPackage.guarded(() => training.step(listener)));
-    const file = buildPackage.guarded(() => training.finish()) as Uint8Array<ArrayBuffer>;
-    return {
-      file,
-      clips: this.clips,
-      learned: chosen.map((clip) => this.clips[clip]!.name),
-      refused: this.refused,
-      secs: (performance.now() - begin) / 1000,
-    };
+    const trained = buildPackage.guarded(() => training.finish());
+    const secs = (performance.now() - begin) / 1000;
+    try {
+      return buildPackage.guarded(() => ({
+        file: trained.file() as Uint8Array<ArrayBuffer>,
+        clips: this.clips,
+        learned: chosen.map((clip) => this.clips[clip]!.name),
+        refused: this.refused,
+        leftOpen: trained.leftOpen(),
+        secs,
+      }));
+    } finally {
+      trained.free();
+    }
   }
 
   dispose(): void {

@@ -107,7 +107,8 @@ export class PicturePanel {
     const n = performance.rows.length;
     this.#menu.say(words.model(performance.model.components, formatNumber(trained.secs, 2)));
     setText(this.#title, titleOf(state, trained.learned));
-    setText(this.#caption, words.caption(words.numbers(n, numberWord(n))));
+    const open = trained.leftOpen > 0 ? words.leftOpen(formatNumber(100 * trained.leftOpen, 0)) : "";
+    setText(this.#caption, open || words.caption(words.numbers(n, numberWord(n))));
   }
 
   /** Shows a pose, the variables that it was made of, and the training frame that is nearest to them. */
@@ -166,5 +167,6 @@ export class PicturePanel {
 /** What is learned from, in words. */
 function titleOf({ keySet, keyClips }: Readonly<PlayState>, learned: readonly string[]): string {
   const { action } = parseSet(keySet);
+  if (keyClips.length > 1) return words.chosenClips(learned.length);
   return capitalised(spoken(keyClips.length === 1 || action === "" ? (learned[0] ?? "") : action));
 }

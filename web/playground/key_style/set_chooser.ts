@@ -96,6 +96,7 @@ export class SetChooser {
     count();
     document.body.append(dialog);
     dialog.showModal();
+    boxes.find(({ box }) => box.checked)?.row.scrollIntoView({ block: "center" });
     await new Promise((resolve) => dialog.addEventListener("close", resolve, { once: true }));
     const { returnValue } = dialog;
     dialog.remove();

@@ -62,6 +62,11 @@ describe("training", () => {
     expect(heard.at(-1)!.label).toMatch(/^Learning, pass \d+ of \d+\.$/);
   });
 
+  it("finds out style variables that do not say the pose", async () => {
+    expect(trained.leftOpen).toBe(0);
+    expect((await train({ ...WALK, axes: ["head.x - neck.x"] })).leftOpen).toBeGreaterThan(0.6);
+  });
+
   it("gives everybody the same model", async () => {
     expect((await train(WALK)).file).toEqual(trained.file);
     expect((await train({ ...WALK, em: true })).file).not.toEqual(trained.file);

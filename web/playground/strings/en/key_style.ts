@@ -71,6 +71,8 @@ export const keyStyle = {
   component: (n: number, home: string) => `Component ${n}: ${home}`,
   components: (count: number, winner: number) => `${count} components; number ${winner} has most of the pose`,
 
+  leftOpen: (percent: string) => `${percent} % of the pose is left open. Another style variable may say more.`,
+
   // The picture.
   ghost: "Nearest recording",
   method: "In between keys",
