@@ -83,8 +83,9 @@ pub(super) fn against_key_frames(text: &mut String, sets: &[&DataSet]) -> Outcom
         let _ = writeln!(text, "| {} | recorded | / / {recorded:.1} | | | | | |", set.plan.name);
     }
     for (data, n, [frames, monotone, styles, hybrid]) in PUBLISHED {
+        let monotone = if monotone.is_empty() { String::new() } else { format!("*{monotone}*") };
         let _ =
-            writeln!(text, "| *prototype: {data}* | *{n}* | *{frames}* | *{styles}* | *{monotone}* | | *{hybrid}* | |");
+            writeln!(text, "| *prototype: {data}* | *{n}* | *{frames}* | | {monotone} | *{styles}* | | *{hybrid}* |");
     }
     text.push('\n');
     Ok(())

@@ -237,17 +237,17 @@ fn between(a: &Style, b: &Style, frame: usize) -> Style {
 pub(super) fn control(text: &mut String, sets: &[DataSet]) -> Outcome {
     text.push_str(
         "## Control\n\nMean difference between the held-out style that is asked for and what is measured on the pose: as it is \
-         shown, its lowest foot on the floor, and with the hips at the height that the model says.\n\n\
-         | data | as shown | hips where the model says | prototype |\n| --- | --- | --- | --- |\n",
+         shown, its lowest foot on the floor; and, as the prototype was measured, by the mixture as it was learnt, with the hips \
+         at the height that it says.\n\n| data | as shown | as learnt | prototype |\n| --- | --- | --- | --- |\n",
     );
     for set in sets {
         let model = Arc::new(set.model()?);
         let mut synthesis = Synthesis::new(Arc::clone(&model));
         let (mut sums, mut count) = ([[0.0; MAX_AXES]; 2], 0.0);
         for style in observed(&model, &set.test).iter().flat_map(|o| &o.styles) {
-            let row = synthesis.row(style, Mode::default());
-            let shown = model.space.pose(&row);
-            let mut said = shown;
+            let shown = synthesis.pose(style, Mode::default());
+            let row = synthesis.row(style, AS_LEARNT);
+            let mut said = model.space.pose(&row);
             said.root.y = PoseSpace::height(&row);
             for (sums, pose) in sums.iter_mut().zip([shown, said]) {
                 let measured = synthesis.measured(&pose);
