@@ -23,6 +23,7 @@ const RIDGE: f64 = 0.01;
 /// 'hand_l.y - shoulder_l.y': joints by role, x y z in cm to the left, up and forward, with + - * / ( ) abs min max sqrt
 /// and atan2 in degrees. A clip that cannot be used is left out with a warning.
 #[derive(clap::Args)]
+#[allow(clippy::doc_markdown)] // The comments are the help.
 pub(crate) struct Args {
     /// .bvh files, folders with all below them, .zip archives
     #[arg(required = true, value_name = "INPUT")]

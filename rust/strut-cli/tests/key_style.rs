@@ -91,13 +91,9 @@ fn whatever_is_wrong_is_said_in_a_sentence() {
     let lines: Vec<&str> = walk.lines().collect();
     let motion = lines.iter().position(|l| *l == "MOTION").unwrap();
     let cut = |frames: usize, change: &dyn Fn(usize, &str) -> String| {
-        let mut text = lines[..=motion].join("\n");
-        text += &format!("\nFrames: {frames}\n{}\n", lines[motion + 2]);
-        for i in 0..frames {
-            text += &change(i, lines[motion + 3 + i]);
-            text += "\n";
-        }
-        text
+        let frame = |i: usize| change(i, lines[motion + 3 + i]) + "\n";
+        let (hierarchy, time) = (lines[..=motion].join("\n"), lines[motion + 2]);
+        format!("{hierarchy}\nFrames: {frames}\n{time}\n{}", (0..frames).map(frame).collect::<String>())
     };
     fs::write(at.join("short.bvh"), cut(20, &|_, line| line.to_owned())).unwrap();
     refuse("short.bvh", "hips.y", "10 frames together at 30 frames per second; at least 48 were expected");

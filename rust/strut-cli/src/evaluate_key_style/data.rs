@@ -174,9 +174,9 @@ fn blocks(recordings: &[Recording], frames: usize) -> (Vec<Recording>, Vec<Recor
             if end == count || is_held(end) != is_held(begin) {
                 let part = recording.part(begin..end);
                 if is_held(begin) {
-                    test.push(part)
+                    test.push(part);
                 } else {
-                    training.push(part)
+                    training.push(part);
                 }
                 begin = end;
             }
