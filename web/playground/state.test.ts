@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { LENGTH_RANGE } from "./key_style/keys";
 import { fromHash, initialState, type PlayState, RANGES, toHash } from "./state";
 import { Store } from "./store";
 import { engineOptions } from "./style_settings";
@@ -53,6 +54,12 @@ describe("state ↔ URL", () => {
       walkTempo: fc.constantFrom("model", "sampled", "fixed"),
       walkStride: fc.integer({ min: 60, max: 130 }),
       walkTurn: fc.integer({ min: -10, max: 10 }),
+      keySet: fc.constantFrom("walk", "open/run", "files"),
+      keyClips: fc.array(fc.stringMatching(/^[^;]+$/), { maxLength: 4 }),
+      keyAxes: fc.uniqueArray(fc.constantFrom("hips_height", "hand_l.y - hips.y", "max(speed, 1)"), { maxLength: 3 }),
+      keyHandle: fc.array(inRange({ min: -200, max: 200, digits: 2 }), { maxLength: 3 }),
+      keyLength: inRange(LENGTH_RANGE),
+      keyMethod: fc.constantFrom("style" as const, "all" as const),
       other: fc.string(),
       input: fc.string(),
       intensity: inRange(RANGES.intensity),
