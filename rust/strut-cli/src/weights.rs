@@ -65,7 +65,9 @@ impl StyleWeights {
             if named.is_empty() {
                 return Err(unknown("style", name, styles));
             }
-            named.iter().for_each(|&style| weights[style] += weight / named.len() as f32);
+            for &style in &named {
+                weights[style] += weight / named.len() as f32;
+            }
         }
         Ok(weights)
     }

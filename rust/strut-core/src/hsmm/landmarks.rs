@@ -25,7 +25,9 @@ pub fn landmarks(clips: &[Training<'_>]) -> Vec<String> {
         let groups = grouped(&takes, &steps);
         if groups.len() > 1 {
             for (group, takes) in groups.iter().enumerate() {
-                takes.iter().for_each(|&take| names[take] = landmark(clip.style, group));
+                for &take in takes {
+                    names[take] = landmark(clip.style, group);
+                }
             }
         }
     }
