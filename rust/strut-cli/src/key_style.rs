@@ -41,7 +41,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let keys = style_keys::parse(&files::read(&args.keys, MAX_TABLE_BYTES)?, &model.axes).map_err(|e| in_keys(&e))?;
     let interpolation =
         if args.interpolation == "monotone" { Interpolation::Monotone } else { Interpolation::CatmullRom };
-    let mode = if args.mode == "hard" { Mode::Hard } else { Mode::default() };
+    let mode = if args.mode == "hard" { Mode::Hard } else { Mode::KEYED };
     let mut synthesis = Synthesis::new(Arc::new(model));
     let styling = KeyStyling::new(&keys, interpolation, &mut synthesis, mode).map_err(|e| in_keys(&e))?;
     let motion = styling.motion(&mut synthesis, Method::KeyStyle);

@@ -34,7 +34,7 @@ impl Styling {
     pub fn new(model: &KeyStyleModel) -> Self {
         Self {
             synthesis: Synthesis::new(Arc::clone(&model.model)),
-            mode: Mode::default(),
+            mode: Mode::KEYED,
             keyed: None,
             bodies: std::array::from_fn(|_| Puppet::new(Arc::clone(&model.model))),
             frame: Frame::new(model.model.components.len(), model.model.axis_count()),
@@ -44,7 +44,7 @@ impl Styling {
     /// Whether the likeliest component alone is the pose; acts with the next keys.
     #[wasm_bindgen(js_name = setHard)]
     pub fn set_hard(&mut self, hard: bool) {
-        self.mode = if hard { Mode::Hard } else { Mode::default() };
+        self.mode = if hard { Mode::Hard } else { Mode::KEYED };
     }
 
     /// Takes keys in the order of their times, one number an axis for each.

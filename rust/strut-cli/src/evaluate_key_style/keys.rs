@@ -45,8 +45,8 @@ pub(super) fn against_key_frames(text: &mut String, sets: &[&DataSet]) -> Outcom
     text.push_str(
         "## Keys\n\nKeys taken from held-out motion every *n* frames, and what is made of them between: error, and the mean third \
          difference of the joints in thousandths of a radian, which says whether the motion floats. A key frame is a whole pose \
-         (64 numbers), a key style two or three. Curves are those of Catmull and Rom but in *monotone*; *as learnt* is the \
-         mixture at temperature 1 without blur.\n\n\
+         (64 numbers), a key style two or three. Curves are those of Catmull and Rom but in *monotone*. Regions are not blurred: \
+         what is dragged about may be smoother than a motion, which then floats. *As learnt* is the mixture at temperature 1.\n\n\
          | data | n | key frames | key styles | key styles, monotone | key styles, as learnt | hybrid | hybrid, as learnt |\n\
          | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
     );
@@ -56,7 +56,7 @@ pub(super) fn against_key_frames(text: &mut String, sets: &[&DataSet]) -> Outcom
         let test = observed(&model, &set.test);
         let every = if set.plan.name == "walk" { &EVERY[..] } else { &EVERY_IN_BLOCKS[..] };
         for &n in every {
-            let (curve, smooth) = (Interpolation::CatmullRom, Mode::default());
+            let (curve, smooth) = (Interpolation::CatmullRom, Mode::KEYED);
             let ways = [
                 (Method::KeyFrame, curve, smooth),
                 (Method::KeyStyle, curve, smooth),

@@ -48,7 +48,7 @@ pub(super) fn errors(text: &mut String, sets: &[DataSet], seeds: u64) -> Outcome
         text,
         "## Held-out poses\n\nMeans of {seeds} seeds. *ll* is the log-likelihood of a pose given its style, in nats; *hard* is \
          Algorithm 1 of the paper with regions, *smooth* the mixture as it was learnt (temperature 1), and *default* what the \
-         page shows, temperature 2 and a blur of 0.3.\n\n\
+         page shows where a style is dragged, temperature 2 and a blur of 0.3.\n\n\
          | data | method | ll learnt | ll held out | hard | smooth | | default | time |\n\
          | --- | --- | ---: | ---: | ---: | ---: | --- | ---: | ---: |"
     );

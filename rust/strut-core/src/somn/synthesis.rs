@@ -25,8 +25,13 @@ pub enum Mode {
     },
 }
 
+impl Mode {
+    /// For motions by keys, which pass from region to region as fast as people do: more blurred they would float.
+    pub const KEYED: Self = Self::Smooth { temperature: 2.0, blur: 0.0 };
+}
+
 impl Default for Mode {
-    /// The specification has no blur, by which poses change half as abruptly at the same error: the temperature alone leaves
+    /// For a style that is dragged about. The specification has no blur, by which poses change half as abruptly at the same error: the temperature alone leaves
     /// narrow regions narrow.
     fn default() -> Self {
         Self::Smooth { temperature: 2.0, blur: 0.3 }
