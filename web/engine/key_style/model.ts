@@ -156,16 +156,10 @@ export class Puppet extends Handle<InstanceType<KeyStyleGlue["Puppet"]>> {
       keyStylePackage.guarded(() => new glue.Puppet(model.raw)),
       "puppet",
     );
-    const axes = model.axes.length;
-    this.frame = {
-      pose: new Float32Array(POSE_FLOATS),
-      weights: new Float32Array(model.components),
-      measured: new Float32Array(axes),
-      reached: new Float32Array(axes),
-    };
-    this.asked = new Float64Array(axes);
+    this.frame = emptyFrame(model);
+    this.asked = new Float64Array(model.axes.length);
     this.address = this.raw.frameAddress();
-    this.floats = POSE_FLOATS + model.components + 2 * axes;
+    this.floats = lengthOf(this.frame);
     this.read();
   }
 
@@ -205,15 +199,9 @@ export class Styling extends Handle<InstanceType<KeyStyleGlue["Styling"]>> {
       keyStylePackage.guarded(() => new glue.Styling(model.raw)),
       "key-styling",
     );
-    const axes = model.axes.length;
-    this.frame = {
-      pose: new Float32Array(POSE_FLOATS),
-      weights: new Float32Array(model.components),
-      measured: new Float32Array(axes),
-      reached: new Float32Array(axes),
-    };
+    this.frame = emptyFrame(model);
     this.address = this.raw.frameAddress();
-    this.floats = POSE_FLOATS + model.components + 2 * axes;
+    this.floats = lengthOf(this.frame);
   }
 
   /** Whether the winning component alone is the pose. */
@@ -258,11 +246,29 @@ export class Styling extends Handle<InstanceType<KeyStyleGlue["Styling"]>> {
   }
 }
 
+/** Room for a frame of a model. */
+function emptyFrame({ components, axes }: KeyStyleModel): PuppetFrame {
+  return {
+    pose: new Float32Array(POSE_FLOATS),
+    weights: new Float32Array(components),
+    measured: new Float32Array(axes.length),
+    reached: new Float32Array(axes.length),
+  };
+}
+
+/** The parts of a frame in the order in which they lie in memory. */
+function partsOf({ pose, weights, measured, reached }: PuppetFrame): Float32Array[] {
+  return [pose, weights, measured, reached];
+}
+
+function lengthOf(frame: PuppetFrame): number {
+  return partsOf(frame).reduce((sum, part) => sum + part.length, 0);
+}
+
 /** Copies a frame out of the package's memory: no view of it outlives the call. */
 function readFrame(frame: PuppetFrame, address: number, length: number): PuppetFrame {
   const floats = new Float32Array(keyStylePackage.bytes, address, length);
   let at = 0;
-  for (const part of [frame.pose, frame.weights, frame.measured, frame.reached])
-    for (let i = 0; i < part.length; i++) part[i] = floats[at++]!;
+  for (const part of partsOf(frame)) for (let i = 0; i < part.length; i++) part[i] = floats[at++]!;
   return frame;
 }

@@ -77,7 +77,7 @@ export class SetChooser {
       const box = html("input", { type: "checkbox", value: clip.name });
       box.checked = model.learned.includes(clip.name);
       const secs = html("span", { class: "caption" }, strings.keyStyle.clipSecs(formatNumber(clip.secs, 1)));
-      return { box, row: html("label", { class: "clip-row" }, box, html("span", {}, spoken(clip.name)), secs) };
+      return { box, row: html("label", { class: "dialog-clip" }, box, html("span", {}, spoken(clip.name)), secs) };
     });
     const take = button(strings.keyStyle.take, () => dialog.close("take"), { label: true, class: "outlined" });
     const cancel = button(strings.keyStyle.cancel, () => dialog.close(), { label: true });
@@ -89,7 +89,7 @@ export class SetChooser {
       { class: "help clip-dialog", "aria-label": strings.keyStyle.clips },
       html("h2", {}, strings.keyStyle.clips),
       html("p", { class: "caption" }, strings.keyStyle.clipsWhy),
-      html("div", { class: "clip-rows" }, ...boxes.map(({ row }) => row)),
+      html("div", { class: "dialog-clips" }, ...boxes.map(({ row }) => row)),
       html("div", { class: "dialog-actions" }, cancel, take),
     );
     dialog.addEventListener("change", count);
