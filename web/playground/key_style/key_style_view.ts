@@ -3,12 +3,12 @@ import "../styles/key_style.css";
 import type { DroppedFile } from "../../worker/build/protocol";
 import type { Between, PuppetFrame } from "../../worker/key_style/key_style";
 import { html } from "../dom";
+import { saveBvh, saveGlb } from "../outputs/save_motion";
 import type { PlayState } from "../state";
 import { strings } from "../strings/strings";
 import { onSystemTheme } from "../theme";
 import type { View, ViewHost } from "../views";
 import { errorText } from "../words";
-import { saveBvh, saveGlb } from "./export";
 import { Foot } from "./foot";
 import { fitted, LENGTH_RANGE, MOST_KEYS, removeKey, setKey, type TimedValue, withValues } from "./keys";
 import { anotherSet, type Learned, Learner, MODEL_FIELDS, otherAxes } from "./learner";
@@ -105,8 +105,8 @@ class KeyStyle implements View {
       onTrailToKeys: () => this.#trailToKeys(),
       onAddKey: () => this.#addKey(),
       onRemoveKey: () => this.#removeKey(),
-      onBvh: () => void this.#export(saveBvh),
-      onGlb: () => void this.#export(saveGlb),
+      onBvh: () => void this.#export(bvhOf),
+      onGlb: () => void this.#export(glbOf),
     });
     this.#player = new Player(store, {
       prepare: () => this.#prepare(),
@@ -439,3 +439,8 @@ class KeyStyle implements View {
     }
   }
 }
+
+const bvhOf = (acting: Performance, length: number, between: Between) =>
+  saveBvh(words.fileName, acting.toBvh(length, between));
+const glbOf = (acting: Performance, length: number, between: Between) =>
+  saveGlb(words.fileName, acting.model, acting.perform(length, between));

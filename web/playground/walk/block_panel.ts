@@ -8,18 +8,9 @@ import { isBeyondData, vertexOrder } from "../polygon/selection";
 import { RANGES, WALK_TEMPOS, type WalkTempo } from "../state";
 import { strings } from "../strings/strings";
 import { capitalised, numberWord } from "../words";
+import type { BlockFigures } from "./figures";
 import { INTENSITY_RANGE, STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "./plan";
 import { PLOT_SUBJECTS, Plot, type PlotSubject } from "./plots";
-
-/** What is measured of a block. */
-export interface BlockFigures {
-  /** Steps a minute. */
-  cadence: number;
-  /** Metres. */
-  stepLength: number;
-  /** Metres a second. */
-  speed: number;
-}
 
 export interface BlockPanelListeners {
   onBlock: (patch: Partial<WalkBlock>, gesture?: string) => void;

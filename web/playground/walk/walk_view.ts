@@ -1,10 +1,11 @@
 /** The Walk view: somebody who walks without end, in styles that a plan of blocks and transitions mixes. */
 import "../styles/walk.css";
-import { POSE_FLOATS, VIEWER_DEFAULTS } from "../../viewer";
+import { VIEWER_DEFAULTS } from "../../viewer";
 import { WalkModel } from "../../worker/walk/walk";
 import { button, Segment } from "../controls/buttons";
 import { icon } from "../controls/icons";
-import { clock, formatNumber, html, saveFile, setText } from "../dom";
+import { clock, formatNumber, html, setText } from "../dom";
+import { saveBvh, saveGlb } from "../outputs/save_motion";
 import { normalised, type Selection, toTriangle, vertexOrder } from "../polygon/selection";
 import { ProgressLine } from "../progress";
 import { type PlayState, RANGES } from "../state";
@@ -12,7 +13,8 @@ import { strings } from "../strings/strings";
 import { onSystemTheme } from "../theme";
 import type { Picture, View, ViewHost } from "../views";
 import { capitalised, errorText, isCancellation, manner, numberWord, spoken } from "../words";
-import { type BlockFigures, BlockPanel } from "./block_panel";
+import { BlockPanel } from "./block_panel";
+import { figuresOf } from "./figures";
 import { WalkModels, type WalkSource } from "./models";
 import {
   addBlock,
@@ -130,12 +132,12 @@ class Walk implements View {
     this.#loop = button(strings.walk.loop, () => store.edit({ loop: !store.state.loop }), { icon: "loop", keys: "L" });
     this.#add = button(strings.walk.add, () => this.#addBlock(), { icon: "add", label: true });
     this.#remove = button(strings.walk.remove, () => this.#removeBlock(), { icon: "remove" });
-    const bvh = button(strings.walk.exportBvh, () => this.#exportBvh(), {
+    const bvh = button(strings.walk.exportBvh, () => void this.#export(bvhOf), {
       icon: "export",
       label: true,
       class: "outlined",
     });
-    const glb = button(strings.walk.exportGlb, () => void this.#exportGlb(), {
+    const glb = button(strings.walk.exportGlb, () => void this.#export(glbOf), {
       icon: "export",
       label: true,
       class: "outlined",
@@ -551,24 +553,11 @@ class Walk implements View {
 
   // --- what leaves the view ---
 
-  #exportBvh(): void {
+  /** Saves one time through the plan. */
+  async #export(save: (model: WalkModel, poses: Float32Array) => string | Promise<string>): Promise<void> {
     if (!this.#walking || !this.#walked) return;
-    const name = `${strings.walk.fileName}.bvh`;
-    saveFile(name, new Blob([this.#walking.model.toBvh(this.#walked.poses)], { type: "text/plain" }));
-    this.#host.notices.note(strings.walk.saved(name));
-  }
-
-  async #exportGlb(): Promise<void> {
-    if (!this.#walking || !this.#walked) return;
-    const { poses, frames, rateHz } = this.#walked;
-    const { proportions } = this.#walking.model;
     try {
-      const { mannequinGlb } = await import("../../viewer/mannequin_glb");
-      const times = Float32Array.from({ length: frames }, (_, frame) => frame / rateHz);
-      const name = `${strings.walk.fileName}.glb`;
-      const bytes = mannequinGlb({ name: strings.walk.fileName, proportions, poses, times });
-      saveFile(name, new Blob([bytes], { type: "model/gltf-binary" }));
-      this.#host.notices.note(strings.walk.saved(name));
+      this.#host.notices.note(strings.walk.saved(await save(this.#walking.model, this.#walked.poses)));
     } catch (error) {
       this.#host.notices.error(errorText(error));
     }
@@ -582,22 +571,8 @@ class Walk implements View {
   }
 }
 
-/** What a block's own steps measure. */
-function figuresOf({ segments, begins, durations, poses, rateHz }: Walked, block: number): BlockFigures {
-  const { first, steps } = segments.find((s) => s.kind === "block" && s.block === block)!;
-  const [from, to] = [begins[first]!, Math.min(begins[first + steps]!, begins.at(-1)! - 1)];
-  // By what the model wants: the frames of a step are whole, and the walk's first ones are not shown.
-  const secs = durations
-    .slice(first, first + steps)
-    .flat()
-    .reduce((sum, state) => sum + state, 0);
-  const at = (frame: number, axis: number) => poses[frame * POSE_FLOATS + axis]!;
-  let way = 0;
-  for (let frame = from; frame < to; frame++)
-    way += Math.hypot(at(frame + 1, 0) - at(frame, 0), at(frame + 1, 2) - at(frame, 2));
-  const speed = way / Math.max(1 / rateHz, (to - from) / rateHz);
-  return { cadence: (60 * steps) / secs, stepLength: (speed * secs) / steps, speed };
-}
+const bvhOf = (model: WalkModel, poses: Float32Array) => saveBvh(strings.walk.fileName, model.toBvh(poses));
+const glbOf = (model: WalkModel, poses: Float32Array) => saveGlb(strings.walk.fileName, model, poses);
 
 /** The states of a step, darkest first. */
 function legend(): HTMLElement {
