@@ -1,5 +1,8 @@
 //! `strut evaluate-walk`: how well models of walks say what they were not trained on.
 
+mod halves;
+mod intensity;
+
 use crate::corpus;
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print, print_warnings};
@@ -10,20 +13,14 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 use strut_core::hsmm::evaluation::{
-    Bearing, ContextTree, Manner, Reconstruction, bearing, horizon_error, recognise, stopping_peak, transition_peak,
+    ContextTree, Manner, Peaks, Reconstruction, horizon_error, recognise, stopping_peaks, transition_peaks,
 };
-use strut_core::hsmm::{
-    HORIZON, Options, Side, Track, Training, WalkModel, WalkVoices, Walker, WeightsError, steps_of, train,
-};
+use strut_core::hsmm::{HORIZON, Options, Track, Training, WalkModel, WalkVoices, Walker, WeightsError, train};
 use strut_formats::corpus::Pattern;
 use strut_formats::{strutdb, walk_model};
 
 /// Steps of the walks that are measured: a frame more or less counts little in so many.
 const STEPS: u64 = 100;
-/// Intensities that styles are tried at, and those between which their manner shall change in one direction.
-const INTENSITIES: [f32; 9] = [-3.0, -2.0, -1.0, 0.0, 1.0, 1.5, 2.0, 2.5, 3.0];
-const MONOTONE: std::ops::RangeInclusive<i16> = -4..=8;
-const MONOTONE_STEP: f32 = 0.25;
 /// Steps in between of the transitions that are measured.
 const BETWEEN: [u32; 4] = [0, 2, 4, 6];
 /// Frames that are timed.
@@ -53,7 +50,6 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check(args.output.as_deref())?;
     let mut refused = Vec::new();
     let (body, walks) = read_walks(&args.inputs, args.pattern.as_ref(), None, &mut refused)?;
-    print_warnings(&corpus::warnings(&refused));
     let (tests, rest): (Vec<&Walk>, Vec<&Walk>) = walks.iter().partition(|w| args.held_out.contains(&w.take));
     if tests.is_empty() || rest.is_empty() {
         return Err(Failure::new("--held-out leaves no walk to train on, or none to test"));
@@ -77,18 +73,30 @@ pub(crate) fn run(args: &Args) -> Outcome {
         walk_model::write(&refined, strutdb::GENERATOR).len().div_ceil(1000)
     );
     held_out(&mut text, &[("adapted", &plain), ("refined", &refined)], &tests);
-    if !args.halves.is_empty() {
-        halves(&mut text, &args.halves, args.pattern.as_ref(), &clips)?;
+    let takes = match args.halves.as_slice() {
+        [] => Vec::new(),
+        inputs => read_walks(inputs, args.pattern.as_ref(), None, &mut refused)?.1,
+    };
+    if !takes.is_empty() {
+        halves::write(&mut text, &names(&args.halves), (&body, &clips), &takes).map_err(Failure::new)?;
     }
     let voices = Arc::new(WalkVoices::new(&refined));
     let plain_voices = Arc::new(WalkVoices::new(&plain));
     linearity(&mut text, [(&plain, &plain_voices), (&refined, &voices)]).map_err(Failure::new)?;
-    intensity(&mut text, &refined, &voices).map_err(Failure::new)?;
+    text.push_str(intensity::INTRODUCTION);
+    let _ = writeln!(text, "### {} styles\n", refined.styles.len());
+    intensity::write(&mut text, &refined, &voices).map_err(Failure::new)?;
+    if !takes.is_empty() {
+        let more = halves::with_first_takes((&body, &clips), &takes).map_err(Failure::new)?;
+        let _ = writeln!(text, "### {} styles: with the first takes of {}\n", more.styles.len(), names(&args.halves));
+        intensity::write(&mut text, &more, &Arc::new(WalkVoices::new(&more))).map_err(Failure::new)?;
+    }
     transitions(&mut text, &refined, &voices).map_err(Failure::new)?;
     contexts(&mut text, &plain, &walks);
     horizon(&mut text, &refined, &voices).map_err(Failure::new)?;
     let _ = writeln!(text, "## Cost\n\n{:.1} µs a frame, natively, with root and joint limits.", cost_us(&voices));
 
+    print_warnings(&corpus::warnings(&refused));
     match &args.output {
         Some(path) => {
             let mut outputs = Outputs::default();
@@ -145,50 +153,6 @@ fn pairs(model: &WalkModel) -> impl Iterator<Item = (usize, usize)> {
     (0..styles).flat_map(move |a| (a + 1..styles).map(move |b| (a, b)))
 }
 
-/// How well the first half of every take says its second half: what one performance holds, beside other styles of which
-/// there is more.
-fn halves(text: &mut String, inputs: &[PathBuf], pattern: Option<&Pattern>, others: &[Training<'_>]) -> Outcome {
-    let mut refused = Vec::new();
-    let (body, walks) = read_walks(inputs, pattern, None, &mut refused)?;
-    let halves: Vec<(String, [Track; 2])> =
-        walks.into_iter().map(|w| (format!("{} {}", w.style, w.take), w.track.halves())).collect();
-    // A style per take, of those whose first half has steps of both feet.
-    let has_both = |track: &Track| {
-        let steps = steps_of(track);
-        [Side::Left, Side::Right].iter().all(|side| steps.iter().any(|step| step.side == *side))
-    };
-    let usable: Vec<_> = halves.iter().filter(|(_, [first, _])| has_both(first)).collect();
-    let first_halves = usable.iter().map(|(style, [first, _])| Training { style, track: first });
-    let clips: Vec<Training> = others.iter().copied().chain(first_halves).collect();
-    let _ = writeln!(
-        text,
-        "## Half a take\n\nThe first half of each of {} takes of {} trains a style of its own beside the styles above, and is \
-         to say the second.\n\n\
-         | means | rotations | positions | amplitude | step length |\n| --- | ---: | ---: | ---: | ---: |",
-        usable.len(),
-        names(inputs)
-    );
-    for (name, refined) in [("adapted", false), ("refined", true)] {
-        let model = train(&body, &clips, Options { refined }, &ThreadPool).map_err(Failure::new)?;
-        let mut all = Reconstruction::default();
-        for (style, [_, second]) in &usable {
-            if let Some(style) = model.styles.iter().position(|s| s == style) {
-                all.add(&model, style, second);
-            }
-        }
-        let _ = writeln!(
-            text,
-            "| {name} | {:.2}° | {:.2} cm | {:.3} | {:.3} |",
-            all.degrees(),
-            all.centimetres(),
-            all.amplitude(),
-            all.step_length()
-        );
-    }
-    text.push('\n');
-    Ok(())
-}
-
 /// How straight the way between two styles is, by the adapted means and by the refined ones.
 fn linearity(text: &mut String, models: [(&WalkModel, &Arc<WalkVoices>); 2]) -> Result<(), WeightsError> {
     let [adapted, refined] = models.map(|(model, voices)| deviations(model, voices));
@@ -226,71 +190,6 @@ fn deviations(model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<Vec<(&'stat
     Ok(all.into_iter().map(|(name, of_name)| (name, median(of_name))).collect())
 }
 
-/// How styles bear being weakened, exaggerated and negated.
-fn intensity(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
-    let styles = model.styles.len();
-    let _ = writeln!(
-        text,
-        "## Intensity\n\nOf {styles} styles those that fail at an intensity against the average: over 1 % of the joints' \
-         angles more than 10° outside what was recorded, a knee bent the wrong way by over 8°, or the wrong foot bearing the \
-         body for over 15 % of the time. *Limited* is with the joints' soft limits, *free* without them and without that of \
-         the states' durations, of which one below half a frame is a failure too.\n"
-    );
-    let row = |first: &str, cells: [String; INTENSITIES.len()]| format!("| {first} | {} |\n", cells.join(" | "));
-    text.push_str(&row("", INTENSITIES.map(|at| at.to_string())));
-    text.push_str(&row("---", INTENSITIES.map(|_| "---:".into())));
-    for (name, limits) in [("free", false), ("limited", true)] {
-        let all = INTENSITIES
-            .iter()
-            .map(|at| (0..styles).map(|s| bearing(model, voices, s, *at, limits)).collect::<Result<Vec<_>, _>>())
-            .collect::<Result<Vec<_>, _>>()?;
-        let each = |f: fn(&[Bearing]) -> String| std::array::from_fn(|i| f(&all[i]));
-        text.push_str(&row(&format!("fail, {name}"), each(|b| b.iter().filter(|b| b.fails).count().to_string())));
-        let worst = |b: &[Bearing]| format!("{:.0}°", b.iter().map(|b| b.knee).fold(f64::INFINITY, f64::min));
-        text.push_str(&row(&format!("worst knee, {name}"), each(worst)));
-    }
-    let _ = writeln!(
-        text,
-        "\nFrom {} to {} in steps of {MONOTONE_STEP}, increments that go the way that the whole goes, styles of which all do, \
-         and the greatest increment that does not, as a share of what lies between the style's ends and of that of the style \
-         which changes most:\n\n\
-         | | increments | styles | greatest step back | of the greatest change |\n| --- | ---: | ---: | ---: | ---: |",
-        f32::from(*MONOTONE.start()) * MONOTONE_STEP,
-        f32::from(*MONOTONE.end()) * MONOTONE_STEP
-    );
-    let ways = (0..styles)
-        .map(|style| {
-            let at =
-                |i: i16| Manner::of(model, voices, &weights(model, &[(style, f32::from(i) * MONOTONE_STEP)]), STEPS);
-            MONOTONE.map(at).collect::<Result<Vec<_>, _>>()
-        })
-        .collect::<Result<Vec<_>, _>>()?;
-    for (i, (name, _)) in ways[0][0].named().into_iter().enumerate() {
-        let values = |way: &Vec<Manner>| -> Vec<f64> { way.iter().map(|m| m.named()[i].1).collect() };
-        let change = |values: &[f64]| values[values.len() - 1] - values[0];
-        let most = ways.iter().map(|way| change(&values(way)).abs()).fold(f64::MIN_POSITIVE, f64::max);
-        let (mut same, mut of, mut whole, mut back, mut of_most) = (0, 0, 0, 0.0_f64, 0.0_f64);
-        for way in &ways {
-            let values = values(way);
-            let whole_change = change(&values);
-            let steps_back = values.windows(2).map(|w| -(w[1] - w[0]) * whole_change.signum());
-            let worst = steps_back.clone().fold(0.0, f64::max);
-            let right = steps_back.filter(|back| *back <= 0.0).count();
-            (same, of, whole) = (same + right, of + values.len() - 1, whole + usize::from(right + 1 == values.len()));
-            (back, of_most) = (back.max(worst / whole_change.abs()), of_most.max(worst / most));
-        }
-        let _ = writeln!(
-            text,
-            "| {name} | {:.1} % | {whole} of {styles} | {:.1} % | {:.1} % |",
-            100.0 * f64::from(same as u32) / of as f64,
-            100.0 * back,
-            100.0 * of_most
-        );
-    }
-    text.push('\n');
-    Ok(())
-}
-
 /// Which steps deserve models of their own.
 fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
     let walks: Vec<(usize, &Track)> = walks
@@ -320,31 +219,40 @@ fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
 /// How hard changes of style are.
 fn transitions(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
     text.push_str("## Transitions\n\nGreatest acceleration while one style gives way to another, as a share of the ");
-    text.push_str("greatest of steady walking in either: of the degree of freedom where that is largest, and of all ");
-    text.push_str("together. All pairs.\n\n");
-    text.push_str("| steps in between | largest, median | worst | together, median | worst |\n");
-    text.push_str("| ---: | ---: | ---: | ---: | ---: |\n");
+    text.push_str(
+        "greatest of steady walking in either: of the joint where that share is largest, of the single degree of ",
+    );
+    text.push_str("freedom, some of which hardly move, and of the joints that are accelerated most. All pairs.\n\n");
+    text.push_str(
+        "| steps in between | joint, median | worst | degree of freedom, median | worst | greatest, worst |\n",
+    );
+    text.push_str("| ---: | ---: | ---: | ---: | ---: | ---: |\n");
+    let worst = |peaks: &[Peaks], of: fn(&Peaks) -> f64| peaks.iter().map(of).fold(0.0, f64::max);
+    let middle = |peaks: &[Peaks], of: fn(&Peaks) -> f64| median(peaks.iter().map(of).collect());
     for between in BETWEEN {
-        let peak = |(a, b)| {
-            transition_peak(model, voices, [&weights(model, &[(a, 1.0)]), &weights(model, &[(b, 1.0)])], between)
+        let peaks = |(a, b)| {
+            transition_peaks(model, voices, [&weights(model, &[(a, 1.0)]), &weights(model, &[(b, 1.0)])], between)
         };
-        let peaks = pairs(model).map(peak).collect::<Result<Vec<_>, _>>()?;
-        let _ = write!(text, "| {between} |");
-        for i in 0..2 {
-            let of: Vec<f64> = peaks.iter().map(|p| p[i]).collect();
-            let worst = of.iter().copied().fold(0.0, f64::max);
-            let _ = write!(text, " {:.2} | {worst:.2} |", median(of));
-        }
-        text.push('\n');
+        let peaks = pairs(model).map(peaks).collect::<Result<Vec<_>, _>>()?;
+        let _ = writeln!(
+            text,
+            "| {between} | {:.2} | {:.2} | {:.2} | {:.2} | {:.2} |",
+            middle(&peaks, |p| p.joint),
+            worst(&peaks, |p| p.joint),
+            middle(&peaks, |p| p.freedom),
+            worst(&peaks, |p| p.freedom),
+            worst(&peaks, |p| p.greatest)
+        );
     }
     let stops = (0..model.styles.len())
-        .map(|s| stopping_peak(model, voices, &weights(model, &[(s, 1.0)])))
+        .map(|s| stopping_peaks(model, voices, &weights(model, &[(s, 1.0)])))
         .collect::<Result<Vec<_>, _>>()?;
-    let [largest, together] = [0, 1].map(|i| stops.iter().map(|p| p[i]).fold(0.0, f64::max));
     let _ = writeln!(
         text,
-        "\nWho stops within two steps, stands and goes again reaches {largest:.2} and {together:.2} of it at worst, in all \
-         styles.\n"
+        "\nWho stops within two steps, stands and goes again reaches {:.2}, {:.2} and {:.2} of it at worst, in all styles.\n",
+        worst(&stops, |p| p.joint),
+        worst(&stops, |p| p.freedom),
+        worst(&stops, |p| p.greatest)
     );
     Ok(())
 }

@@ -75,10 +75,11 @@ impl Track {
     }
 
     /// Its first half and its second.
-    pub fn halves(mut self) -> [Self; 2] {
+    pub fn halves(&self) -> [Self; 2] {
         let middle = self.poses.len() / 2;
-        let second = Self { poses: self.poses.split_off(middle), positions: self.positions.split_off(middle) };
-        [self, second]
+        let (poses, positions) = (self.poses.split_at(middle), self.positions.split_at(middle));
+        [(poses.0, positions.0), (poses.1, positions.1)]
+            .map(|(poses, positions)| Self { poses: poses.to_vec(), positions: positions.to_vec() })
     }
 
     /// The poses as exponential maps about a reference.

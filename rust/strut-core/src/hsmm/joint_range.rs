@@ -12,21 +12,20 @@ pub(super) fn limited(x: f32, [low, high]: [f32; 2]) -> f32 {
     if margin <= 0.0 {
         return x.clamp(low, high);
     }
-    // How far beyond where the limit begins to be felt.
-    let beyond = |by: f32| 2.0 * margin * tanh(by / (2.0 * margin));
+    // The limit begins to be felt a margin before it.
     if x > high - margin {
-        high - margin + beyond(x - (high - margin))
+        high - margin + saturating(x - (high - margin), 2.0 * margin)
     } else if x < low + margin {
-        low + margin - beyond(low + margin - x)
+        low + margin - saturating(low + margin - x, 2.0 * margin)
     } else {
         x
     }
 }
 
-/// Of a number that is not negative.
-fn tanh(x: f32) -> f32 {
-    let e = exp(-2.0 * x);
-    (1.0 - e) / (1.0 + e)
+/// A number that is not negative, as long as it is small, and never more than `most`: a hyperbolic tangent.
+pub(super) fn saturating(x: f32, most: f32) -> f32 {
+    let e = exp(-2.0 * (x / most));
+    most * ((1.0 - e) / (1.0 + e))
 }
 
 #[cfg(test)]

@@ -76,6 +76,15 @@ impl StyleMeans {
         Self { means: Box::new([[[[0.0; DIMS]; 3]; STATES]; SIDES]), durations: [[0.0; STATES]; SIDES] }
     }
 
+    /// With a pose added to that of every state.
+    pub(super) fn with_pose(&self, added: &Row) -> Self {
+        let mut means = self.clone();
+        for state in means.means.as_flattened_mut() {
+            state[Part::Pose as usize].iter_mut().zip(added).for_each(|(mean, added)| *mean += added);
+        }
+        means
+    }
+
     /// Adds `weight` times another.
     pub(super) fn add(&mut self, weight: f64, other: &Self) {
         numbers_mut(&mut self.means).iter_mut().zip(numbers(&other.means)).for_each(|(a, b)| *a += weight * b);

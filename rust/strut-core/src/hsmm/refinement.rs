@@ -10,8 +10,11 @@ use crate::math::linear::solve_symmetric;
 
 /// Means of one degree of freedom.
 const MEANS: usize = SIDES * STATES * Part::ALL.len();
-/// How much the means hold to what they were.
-const RIDGE: f64 = 1.0;
+/// How much the means hold to what they were. With less, states that last a frame or two swing far out to make up for their
+/// neighbours, and mixtures, whose states last differently, do not.
+const RIDGE: f64 = 3.0;
+/// Rounds of alignment and refinement.
+const ROUNDS: usize = 3;
 
 /// A state of one frame: the side's index and the state's.
 type FrameState = (usize, usize);
@@ -77,8 +80,13 @@ pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &Share
 
 /// The refined means of a style with these samples.
 pub(super) fn refine(samples: &[&Sample], means: &StyleMeans, shared: &Shared) -> StyleMeans {
+    (0..ROUNDS).fold(means.clone(), |refined, _| refine_aligned(samples, &refined, means, shared))
+}
+
+/// Means nearest to some others for steps whose states are the likeliest by means that were refined before.
+fn refine_aligned(samples: &[&Sample], aligned: &StyleMeans, means: &StyleMeans, shared: &Shared) -> StyleMeans {
     let chains: Vec<(&Sample, Chain)> =
-        samples.iter().flat_map(|s| chains(s, means, shared).into_iter().map(move |chain| (*s, chain))).collect();
+        samples.iter().flat_map(|s| chains(s, aligned, shared).into_iter().map(move |chain| (*s, chain))).collect();
     let index = |side: usize, state: usize, part: Part| (side * STATES + state) * Part::ALL.len() + part as usize;
     let mut refined = means.clone();
     let mut system = Banded::default();

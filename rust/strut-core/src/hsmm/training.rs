@@ -3,7 +3,9 @@
 use super::adaptation::adapt;
 use super::alignment::{States, equal_split};
 use super::features::{Track, observations, reference};
-use super::model::{DIMS, Observation, PerState, Row, SIDES, STATES, StyleMeans, WalkModel, numbers, numbers_mut};
+use super::model::{
+    DIMS, Observation, Part, PerState, Row, SIDES, STATES, StyleMeans, WalkModel, numbers, numbers_mut,
+};
 use super::refinement::refine;
 use super::steps::{Step, steps_of};
 use crate::humanoid::{JOINTS, Proportions};
@@ -119,7 +121,7 @@ pub struct Trainer {
     floor: Observation,
     /// The variances of every style that has been trained alone.
     own: Vec<Shared>,
-    /// The means of all styles together, and what they share; once all have been trained alone.
+    /// The means of what styles have in common, and what they share; once all have been trained alone.
     pooled: Option<(StyleMeans, Shared)>,
     /// The means of every style that is done.
     means: Vec<StyleMeans>,
@@ -189,7 +191,8 @@ impl Trainer {
             let least = if greatest >= ENOUGH_STEPS { ENOUGH_STEPS } else { greatest.min(1) };
             let shared =
                 mean_variances((0..count).filter(|&style| fewest(style) >= least).map(|style| &self.own[style]));
-            let means = train_means(&self.samples.iter().collect::<Vec<_>>(), &shared);
+            let by_style: Vec<Vec<&Sample>> = (0..count).map(|style| self.of_style(style)).collect();
+            let means = train_means(&by_style, &shared);
             self.pooled = Some((means, shared));
         }
         let done = self.own.len() + usize::from(self.pooled.is_some()) + self.means.len();
@@ -272,6 +275,43 @@ impl Sums {
             }
         }
         sums
+    }
+
+    fn merge(&mut self, other: &Self) {
+        let pairs = [
+            (self.frames.as_flattened_mut(), other.frames.as_flattened()),
+            (numbers_mut(&mut self.values), numbers(&other.values)),
+            (numbers_mut(&mut self.squares), numbers(&other.squares)),
+            (&mut self.steps[..], &other.steps[..]),
+            (self.durations.as_flattened_mut(), other.durations.as_flattened()),
+            (self.squared_durations.as_flattened_mut(), other.squared_durations.as_flattened()),
+        ];
+        for (sums, others) in pairs {
+            sums.iter_mut().zip(others).for_each(|(sum, other)| *sum += other);
+        }
+    }
+
+    /// The pose which added to the means of all states makes the frames likeliest.
+    fn pose_beside(&self, means: &StyleMeans, shared: &Shared) -> Row {
+        let pose = Part::Pose as usize;
+        std::array::from_fn(|d| {
+            let (mut beside, mut weights) = (0.0, f64::MIN_POSITIVE);
+            for (side, state) in states() {
+                let (frames, variance) = (self.frames[side][state], shared.variances[side][state][pose][d]);
+                beside += (self.values[side][state][pose][d] - frames * means.means[side][state][pose][d]) / variance;
+                weights += frames / variance;
+            }
+            beside / weights
+        })
+    }
+
+    /// As if the frames were without a pose that is added to all; the squares stay as they are.
+    fn take_pose(&mut self, added: &Row) {
+        for (side, state) in states() {
+            let frames = self.frames[side][state];
+            let values = &mut self.values[side][state][Part::Pose as usize];
+            values.iter_mut().zip(added).for_each(|(value, added)| *value -= frames * added);
+        }
     }
 
     /// Means of everything.
@@ -374,11 +414,20 @@ fn mean_variances<'a>(of: impl Iterator<Item = &'a Shared> + Clone) -> Shared {
     mean
 }
 
-/// Means and durations of all styles' steps together, by variances that stay.
-fn train_means(samples: &[&Sample], shared: &Shared) -> StyleMeans {
-    let mut means = Sums::aligned(samples, None).means();
+/// Means and durations of all styles' steps together, by variances that stay. Every style is taken to differ by a pose that is
+/// added to all its states (adaptive training, §6a): what is left is alike, and states are not blurred by what is not.
+fn train_means(styles: &[Vec<&Sample>], shared: &Shared) -> StyleMeans {
+    let mut means = Sums::aligned(&styles.concat(), None).means();
+    let mut added = vec![[0.0; DIMS]; styles.len()];
     for _ in 0..ROUNDS {
-        means = Sums::aligned(samples, Some((&means, shared))).means();
+        let mut all = Sums::zero();
+        for (samples, added) in styles.iter().zip(&mut added) {
+            let mut sums = Sums::aligned(samples, Some((&means.with_pose(added), shared)));
+            *added = sums.pose_beside(&means, shared);
+            sums.take_pose(added);
+            all.merge(&sums);
+        }
+        means = all.means();
     }
     means
 }

@@ -1,6 +1,7 @@
 //! Endless walking, frame by frame: what is controlled acts on the next frame (specification, §8, §9 and §11).
 
 mod controls;
+mod durations;
 mod planner;
 mod voice;
 
@@ -42,7 +43,6 @@ pub struct Walker {
     planner: Planner,
     /// Turn of a step, radians.
     turn: f32,
-    limits: bool,
     heading: f32,
     frame: u64,
     position: Position,
@@ -62,7 +62,6 @@ impl Walker {
         let mut walker = Self {
             planner: Planner::new(Arc::clone(&voices)),
             turn: 0.0,
-            limits: true,
             heading: 0.0,
             frame: 0,
             position: Position::default(),
@@ -128,7 +127,7 @@ impl Walker {
         for (j, q) in rotations.iter_mut().enumerate() {
             let of = |d: usize| {
                 let x = row[3 * j + d];
-                if self.limits { limited(x, self.voices.range[3 * j + d]) } else { x }
+                if self.planner.limits { limited(x, self.voices.range[3 * j + d]) } else { x }
             };
             *q = *q * exp_map::exp(Vec3::new(of(0), of(1), of(2)));
         }

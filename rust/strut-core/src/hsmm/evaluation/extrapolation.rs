@@ -1,7 +1,7 @@
 //! How styles bear being weakened, exaggerated and negated (specification, §10).
 
 use crate::hsmm::features::row_of;
-use crate::hsmm::model::{DIMS, WalkModel};
+use crate::hsmm::model::{DIMS, Row, SIDES, STATES, WalkModel};
 use crate::hsmm::walker::{WalkVoices, Walker, WeightsError};
 use crate::humanoid::Role;
 use crate::math::{Vec3, exp_map};
@@ -39,10 +39,7 @@ pub fn bearing(
     intensity: f32,
     limits: bool,
 ) -> Result<Bearing, WeightsError> {
-    let mut weights = vec![0.0; voices.styles()];
-    weights[style] = intensity;
-    let mut walker = Walker::new(Arc::clone(voices));
-    walker.set_styles(&weights)?;
+    let mut walker = walker(voices, style, intensity)?;
     walker.set_limits(limits);
     walker.reset(Vec3::ZERO, 0.0);
     let (mut frames, mut beyond, mut wrong_foot, mut knee) = (0_usize, 0_usize, 0_usize, f64::INFINITY);
@@ -58,8 +55,9 @@ pub fn bearing(
         let supporting = walker.step().1.other() as usize;
         wrong_foot += usize::from(walker.contact().is_some_and(|(foot, ..)| foot != supporting));
     }
-    let wanted: Vec<f64> = weights.iter().map(|w| f64::from(*w)).collect();
-    let durations = model.mix(&model.average(), &wanted).durations;
+    let mut weights = vec![0.0; voices.styles()];
+    weights[style] = f64::from(intensity);
+    let durations = model.mix(&model.average(), &weights).durations;
     let shortest = durations.as_flattened().iter().copied().fold(f64::INFINITY, f64::min);
     let share = |count: usize, of: usize| count as f64 / of as f64;
     let fails = share(beyond, frames * DIMS) > MOST_BEYOND
@@ -67,4 +65,54 @@ pub fn bearing(
         || (!limits && shortest < SHORTEST)
         || share(wrong_foot, frames) > MOST_WRONG_FOOT;
     Ok(Bearing { fails, knee })
+}
+
+/// How much there is of a style in walks at some intensities, by the mean poses of the states: how far these are on the way
+/// from the walk at intensity 0 to that at 1, as a share.
+///
+/// # Errors
+/// See [`WeightsError`].
+pub fn strengths(
+    model: &WalkModel,
+    voices: &Arc<WalkVoices>,
+    style: usize,
+    intensities: &[f32],
+    steps: u64,
+) -> Result<Vec<f64>, WeightsError> {
+    let at = |intensity: f32| mean_poses(model, voices, style, intensity, steps);
+    let (average, whole) = (at(0.0)?, at(1.0)?);
+    let along = |poses: &[Row]| -> f64 {
+        let all = poses.as_flattened().iter().zip(average.as_flattened()).zip(whole.as_flattened());
+        all.map(|((pose, average), whole)| (pose - average) * (whole - average)).sum()
+    };
+    intensities.iter().map(|intensity| Ok(along(&at(*intensity)?) / along(&whole))).collect()
+}
+
+/// Mean pose of every state of a walk.
+fn mean_poses(
+    model: &WalkModel,
+    voices: &Arc<WalkVoices>,
+    style: usize,
+    intensity: f32,
+    steps: u64,
+) -> Result<Vec<Row>, WeightsError> {
+    let mut walker = walker(voices, style, intensity)?;
+    let (mut sums, mut frames) = ([[0.0; DIMS]; SIDES * STATES], [0.0; SIDES * STATES]);
+    while walker.next_step() < steps {
+        let row = row_of(&model.reference, &walker.advance().rotations);
+        let state = walker.step().1 as usize * STATES + walker.state();
+        frames[state] += 1.0;
+        sums[state].iter_mut().zip(row).for_each(|(sum, v)| *sum += v);
+    }
+    Ok(sums.iter().zip(frames).map(|(sum, frames)| sum.map(|v| v / f64::max(frames, 1.0))).collect())
+}
+
+/// Somebody who walks in a style at an intensity against the average.
+fn walker(voices: &Arc<WalkVoices>, style: usize, intensity: f32) -> Result<Walker, WeightsError> {
+    let mut weights = vec![0.0; voices.styles()];
+    weights[style] = intensity;
+    let mut walker = Walker::new(Arc::clone(voices));
+    walker.set_styles(&weights)?;
+    walker.reset(Vec3::ZERO, 0.0);
+    Ok(walker)
 }

@@ -8,11 +8,11 @@ mod reconstruction;
 mod transition;
 
 pub use context::{ContextTree, Split};
-pub use extrapolation::{Bearing, bearing};
+pub use extrapolation::{Bearing, bearing, strengths};
 pub use horizon::horizon_error;
 pub use manner::Manner;
 pub use reconstruction::{Reconstruction, recognise};
-pub use transition::{stopping_peak, transition_peak};
+pub use transition::{Peaks, stopping_peaks, transition_peaks};
 
 use super::model::WalkModel;
 use super::training::Shared;

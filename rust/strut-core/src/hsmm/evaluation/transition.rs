@@ -3,6 +3,7 @@
 use crate::hsmm::features::row_of;
 use crate::hsmm::model::{DIMS, Row, SIDES, WalkModel};
 use crate::hsmm::walker::{WalkVoices, Walker, WeightsError};
+use crate::humanoid::JOINTS;
 use crate::math::Vec3;
 use std::ops::Range;
 use std::sync::Arc;
@@ -12,31 +13,41 @@ use std::sync::Arc;
 const SETTLING: u64 = 8;
 const STEADY: u64 = 40;
 
-/// Greatest accelerations while a style gives way to another over so many steps in between, as shares of the greatest while
-/// either is walked: the largest share of any degree of freedom, and that of all of them together.
+/// Greatest accelerations while one style gives way to another, as shares of the greatest of steady walking in either.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peaks {
+    /// Of the joint where the share is largest.
+    pub joint: f64,
+    /// Of the degree of freedom where it is largest; some hardly move at all.
+    pub freedom: f64,
+    /// Of the joints that are accelerated most.
+    pub greatest: f64,
+}
+
+/// [`Peaks`] while a style gives way to another over so many steps in between.
 ///
 /// # Errors
 /// See [`WeightsError`].
-pub fn transition_peak(
+pub fn transition_peaks(
     model: &WalkModel,
     voices: &Arc<WalkVoices>,
     [from, to]: [&[f32]; 2],
     between: u32,
-) -> Result<[f64; 2], WeightsError> {
+) -> Result<Peaks, WeightsError> {
     let begin = SETTLING + STEADY;
     let end = begin + u64::from(between) + 1;
     let mut walker = walker(voices, from)?;
     walker.plan_transition(begin, between, [to; SIDES])?;
     let mut watched = Watched::default();
     watched.walk(model, &mut walker, end + SETTLING + STEADY);
-    Ok(watched.shares(begin - 1..end + 1, &[SETTLING..begin - 1, end + SETTLING..end + SETTLING + STEADY]))
+    Ok(watched.peaks(&(begin - 1..end + 1), &[SETTLING..begin - 1, end + SETTLING..end + SETTLING + STEADY]))
 }
 
-/// [`transition_peak`] of one who stops, stands and goes again.
+/// [`Peaks`] of one who stops, stands and goes again.
 ///
 /// # Errors
 /// See [`WeightsError`].
-pub fn stopping_peak(model: &WalkModel, voices: &Arc<WalkVoices>, weights: &[f32]) -> Result<[f64; 2], WeightsError> {
+pub fn stopping_peaks(model: &WalkModel, voices: &Arc<WalkVoices>, weights: &[f32]) -> Result<Peaks, WeightsError> {
     let begin = SETTLING + STEADY;
     let mut walker = walker(voices, weights)?;
     let mut watched = Watched::default();
@@ -46,7 +57,7 @@ pub fn stopping_peak(model: &WalkModel, voices: &Arc<WalkVoices>, weights: &[f32
     walker.set_walking(true);
     watched.walk(model, &mut walker, begin + 2 * SETTLING);
     let steady = SETTLING..begin - 1;
-    Ok(watched.shares(begin - 1..begin + 2 * SETTLING, &[steady]))
+    Ok(watched.peaks(&(begin - 1..begin + 2 * SETTLING), &[steady]))
 }
 
 fn walker(voices: &Arc<WalkVoices>, weights: &[f32]) -> Result<Walker, WeightsError> {
@@ -72,22 +83,27 @@ impl Watched {
         }
     }
 
-    /// Greatest acceleration of a degree of freedom in some steps.
-    fn peak(&self, d: usize, steps: &Range<u64>) -> f64 {
+    /// Greatest acceleration of some degrees of freedom together in some steps.
+    fn greatest(&self, dims: Range<usize>, steps: &Range<u64>) -> f64 {
         let rows = &self.rows;
+        let of = |t: usize, d: usize| rows[t + 1][d] - 2.0 * rows[t][d] + rows[t - 1][d];
         let inner = (1..rows.len() - 1).filter(|&t| steps.contains(&self.steps[t]));
-        inner.map(|t| (rows[t + 1][d] - 2.0 * rows[t][d] + rows[t - 1][d]).abs()).fold(0.0, f64::max)
+        inner.map(|t| dims.clone().map(|d| of(t, d) * of(t, d)).sum::<f64>().sqrt()).fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// Accelerations of some steps as shares of those of steady ones: the largest share, and that of the largest.
-    fn shares(&self, changing: Range<u64>, steady: &[Range<u64>]) -> [f64; 2] {
-        let greatest = |of: &mut dyn Iterator<Item = f64>| of.fold(f64::MIN_POSITIVE, f64::max);
-        let peaks: Vec<[f64; 2]> = (0..DIMS)
-            .map(|d| [self.peak(d, &changing), greatest(&mut steady.iter().map(|steps| self.peak(d, steps)))])
-            .collect();
-        [
-            greatest(&mut peaks.iter().map(|[changing, steady]| changing / steady)),
-            greatest(&mut peaks.iter().map(|p| p[0])) / greatest(&mut peaks.iter().map(|p| p[1])),
-        ]
+    /// Accelerations of some steps beside those of steady ones.
+    fn peaks(&self, changing: &Range<u64>, steady: &[Range<u64>]) -> Peaks {
+        let both = |dims: Range<usize>| {
+            let steady = steady.iter().map(|steps| self.greatest(dims.clone(), steps)).fold(0.0, f64::max);
+            [self.greatest(dims, changing), steady]
+        };
+        let joints: Vec<[f64; 2]> = (0..JOINTS).map(|j| both(3 * j..3 * j + 3)).collect();
+        let most = |shares: &mut dyn Iterator<Item = f64>| shares.fold(0.0, f64::max);
+        let of_all = |i: usize| most(&mut joints.iter().map(|peaks| peaks[i]));
+        Peaks {
+            joint: most(&mut joints.iter().map(|[changing, steady]| changing / steady)),
+            freedom: most(&mut (0..DIMS).map(|d| both(d..d + 1)).map(|[changing, steady]| changing / steady)),
+            greatest: of_all(0) / of_all(1),
+        }
     }
 }

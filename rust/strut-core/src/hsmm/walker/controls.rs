@@ -120,9 +120,11 @@ impl Walker {
         }
     }
 
-    /// Whether joints keep within the range of the recorded walks; they do unless told otherwise.
+    /// Whether joints, and how long steps and their states last, keep within the range of the recorded walks; they do unless
+    /// told otherwise.
     pub fn set_limits(&mut self, limits: bool) {
-        self.limits = limits;
+        self.planner.limits = limits;
+        self.planner.forget();
     }
 
     fn check(&self, weights: &[f32]) -> Result<(), WeightsError> {

@@ -1,14 +1,13 @@
 //! The steps to come, as they are wanted: styles mixed, and states that last as long as they shall.
 
 use super::HORIZON;
-use super::voice::{PADDED, Padded, StateMeans, Voice, WalkVoices, swing};
+use super::durations::{Durations, STATE_FRAMES, lasting, limited};
+use super::voice::{PADDED, StateMeans, WalkVoices, swing};
 use crate::hsmm::model::{SIDES, STATES, Side};
 use std::sync::Arc;
 
 /// Steps that may begin within the horizon, and the one before.
 const PLANNED: usize = HORIZON / STATES + 2;
-/// Frames of a state, whatever is mixed.
-const STATE_FRAMES: [f32; 2] = [1.0, 14.0];
 /// Steps that starting and stopping take.
 const STARTING_STEPS: f32 = 2.0;
 /// How much longer or shorter a step may be, as a share, to come nearer to the beat.
@@ -84,7 +83,7 @@ impl Tempo {
 pub(super) struct PlannedStep {
     number: u64,
     pub(super) means: [StateMeans; STATES],
-    pub(super) durations: [f32; STATES],
+    pub(super) durations: Durations,
 }
 
 /// Plans steps by what is wanted of them.
@@ -100,6 +99,8 @@ pub(super) struct Planner {
     /// Length of steps as a share of the style's.
     pub(super) stride: f32,
     pub(super) start: Start,
+    /// Whether durations are held within what recorded walkers keep to.
+    pub(super) limits: bool,
     /// A ring: the step of number n is in slot n mod the length.
     steps: Vec<PlannedStep>,
 }
@@ -116,6 +117,7 @@ impl Planner {
             tempo: None,
             stride: 1.0,
             start: Start { first: 0, from: 1.0, to: 1.0 },
+            limits: true,
             steps: vec![step; PLANNED],
             voices,
         }
@@ -153,41 +155,43 @@ impl Planner {
                 if share <= 0.0 { from } else { (1.0 - share) * from + share * t.to.0[side][style] }
             })
         };
+        // All that is mixed in a state, with its weights.
+        let mixed = |state: usize| {
+            let styles = voices.styles.iter().enumerate().map(move |(style, voice)| (weight(style, state), voice));
+            let rest = 1.0 - styles.clone().map(|(weight, _)| weight).sum::<f32>();
+            styles.chain([(rest, &voices.average)]).filter(|(weight, _)| *weight != 0.0)
+        };
         let step = &mut self.steps[slot_of(number)];
         step.number = number;
-        (step.means, step.durations) = ([[[0.0; PADDED]; 3]; STATES], [0.0; STATES]);
-        for state in 0..STATES {
-            let (mut rest, mut standing): (f32, Padded) = (1.0, [0.0; PADDED]);
-            let mut add = |weight: f32, voice: &Voice| {
-                if weight == 0.0 {
-                    return;
-                }
-                let sums = step.means[state].as_flattened_mut().iter_mut();
+        let variances = &voices.duration_variances[side];
+        for (state, means) in step.means.iter_mut().enumerate() {
+            *means = [[0.0; PADDED]; 3];
+            let (mut standing, mut durations) = ([0.0; PADDED], [0.0; STATES]);
+            for (weight, voice) in mixed(state) {
+                let sums = means.as_flattened_mut().iter_mut();
                 sums.zip(voice.means[side][state].as_flattened()).for_each(|(sum, v)| *sum += weight * v);
-                step.durations[state] += weight * voice.durations[side][state];
                 standing.iter_mut().zip(voice.standing).for_each(|(sum, v)| *sum += weight * v);
-            };
-            for (style, voice) in voices.styles.iter().enumerate() {
-                let weight = weight(style, state);
-                rest -= weight;
-                add(weight, voice);
+                durations.iter_mut().zip(voice.durations[side]).for_each(|(sum, d)| *sum += weight * d);
             }
-            add(rest, &voices.average);
             let walking = self.start.share(number, state);
             if walking < 1.0 || self.stride != 1.0 {
-                swing(&mut step.means[state], &standing, walking, self.stride);
+                swing(means, &standing, walking, self.stride);
             }
+            if self.limits {
+                let of_mixed = mixed(state).map(|(_, voice)| &voice.durations[side]);
+                durations = limited(&durations, of_mixed, voices.step_frames[side], variances);
+            }
+            step.durations[state] = durations[state];
         }
-        let [least, greatest] = STATE_FRAMES;
-        let variances = voices.duration_variances[side];
         if let Some(seed) = self.seed {
             for (state, duration) in step.durations.iter_mut().enumerate() {
                 *duration += variances[state].sqrt() * normal(seed, number, state);
             }
         }
+        let [least, greatest] = STATE_FRAMES;
         step.durations = step.durations.map(|d| d.clamp(least, greatest));
         if let Some(tempo) = self.tempo {
-            last(&mut step.durations, &variances, tempo.of_step(begin));
+            step.durations = lasting(&step.durations, tempo.of_step(begin), &[STATE_FRAMES; STATES], variances);
         }
     }
 }
@@ -200,22 +204,6 @@ pub(super) fn side_of(step: u64) -> Side {
 /// Where a step is planned.
 fn slot_of(step: u64) -> usize {
     (step % PLANNED as u64) as usize
-}
-
-/// Makes states last so many frames together: each gives way as far as it varies, but no farther than states can.
-fn last(durations: &mut [f32; STATES], variances: &[f32; STATES], frames: f32) {
-    let [least, greatest] = STATE_FRAMES;
-    for _ in 0..STATES {
-        let rest = frames - durations.iter().sum::<f32>();
-        let gives = |duration: f32| if rest < 0.0 { duration > least } else { duration < greatest };
-        let all = durations.iter().zip(variances).filter(|(d, _)| gives(**d)).map(|(_, v)| v).sum::<f32>();
-        if rest == 0.0 || all <= 0.0 {
-            break;
-        }
-        for (duration, variance) in durations.iter_mut().zip(variances).filter(|(d, _)| gives(**d)) {
-            *duration = (*duration + rest * variance / all).clamp(least, greatest);
-        }
-    }
 }
 
 /// A number of a normal distribution that is always the same for a state of a step: the sum of twelve even ones.

@@ -1,5 +1,6 @@
 //! Styles made ready to be walked by: in single precision, in whole lanes.
 
+use super::durations::{Durations, shortest_and_longest};
 use crate::hsmm::model::{DIMS, Observation, Row, SIDES, STATES, StyleMeans, WalkModel};
 use crate::humanoid::{JOINTS, Pose, Proportions, Role};
 use crate::kinematics::world_from_local;
@@ -25,7 +26,7 @@ pub(super) type StateMeans = [Padded; 3];
 #[derive(Clone, Debug)]
 pub(super) struct Voice {
     pub(super) means: [[StateMeans; STATES]; SIDES],
-    pub(super) durations: [[f32; STATES]; SIDES],
+    pub(super) durations: [Durations; SIDES],
     /// The pose that walking swings about, and stops in: either leg as it is below the body, and all else in between.
     pub(super) standing: Padded,
 }
@@ -51,7 +52,9 @@ pub struct WalkVoices {
     pub(super) proportions: Proportions,
     pub(super) reference: [Quat; JOINTS],
     pub(super) inverse_variances: [[StateMeans; STATES]; SIDES],
-    pub(super) duration_variances: [[f32; STATES]; SIDES],
+    pub(super) duration_variances: [Durations; SIDES],
+    /// Frames of the shortest style's step and of the longest one's.
+    pub(super) step_frames: [[f32; 2]; SIDES],
     pub(super) range: Vec<[f32; 2]>,
     pub(super) average: Voice,
     pub(super) styles: Vec<Voice>,
@@ -63,6 +66,7 @@ impl WalkVoices {
         // Where a degree of freedom is padding it is certain to be zero.
         let inverse = |of: &Observation| padded(of).map(|row| row.map(|v| if v > 0.0 { 1.0 / v } else { 1.0 }));
         let [low, high] = &model.range;
+        let styles: Vec<Voice> = model.means.iter().map(|means| Voice::new(model, means)).collect();
         Self {
             proportions: model.proportions,
             reference: model.reference,
@@ -70,7 +74,8 @@ impl WalkVoices {
             duration_variances: model.duration_variances.map(|side| side.map(|v| v as f32)),
             range: low.iter().zip(high).map(|(l, h)| [*l as f32, *h as f32]).collect(),
             average: Voice::new(model, &model.average()),
-            styles: model.means.iter().map(|means| Voice::new(model, means)).collect(),
+            step_frames: std::array::from_fn(|side| shortest_and_longest(styles.iter().map(|v| &v.durations[side]))),
+            styles,
         }
     }
 

@@ -1,0 +1,75 @@
+//! What one performance holds, beside other styles of which there is more.
+
+use crate::threads::ThreadPool;
+use crate::walks::Walk;
+use std::fmt::Write;
+use strut_core::hsmm::evaluation::Reconstruction;
+use strut_core::hsmm::{Options, Side, Track, TrainError, Training, WalkModel, steps_of, train};
+use strut_core::humanoid::Proportions;
+
+/// Appends how well the first half of every take says its second half.
+pub(super) fn write(
+    text: &mut String,
+    name: &str,
+    (body, others): (&Proportions, &[Training<'_>]),
+    takes: &[Walk],
+) -> Result<(), TrainError> {
+    let halves: Vec<(String, [Track; 2])> = takes.iter().map(|w| (name_of(w), w.track.halves())).collect();
+    // A style per take, of those whose first half has steps of both feet.
+    let has_both = |track: &Track| {
+        let steps = steps_of(track);
+        [Side::Left, Side::Right].iter().all(|side| steps.iter().any(|step| step.side == *side))
+    };
+    let usable: Vec<_> = halves.iter().filter(|(_, [first, _])| has_both(first)).collect();
+    let first_halves = usable.iter().map(|(style, [first, _])| Training { style, track: first });
+    let clips: Vec<Training> = others.iter().copied().chain(first_halves).collect();
+    let _ = writeln!(
+        text,
+        "## Half a take\n\nThe first half of each of {} takes of {name} trains a style of its own beside the styles above, and is \
+         to say the second. Errors are of all frames, and in brackets the mean of the takes'.\n\n\
+         | means | rotations | positions | amplitude | step length |\n| --- | ---: | ---: | ---: | ---: |",
+        usable.len()
+    );
+    for (name, refined) in [("adapted", false), ("refined", true)] {
+        let model = train(body, &clips, Options { refined }, &ThreadPool)?;
+        let (mut all, mut each) = (Reconstruction::default(), Vec::new());
+        for (style, [_, second]) in &usable {
+            if let Some(style) = model.styles.iter().position(|s| s == style) {
+                let mut take = Reconstruction::default();
+                take.add(&model, style, second);
+                each.push(take);
+                all.add(&model, style, second);
+            }
+        }
+        let mean = |of: fn(&Reconstruction) -> f64| each.iter().map(of).sum::<f64>() / each.len() as f64;
+        let _ = writeln!(
+            text,
+            "| {name} | {:.2}° ({:.2}°) | {:.2} cm ({:.2} cm) | {:.3} | {:.3} |",
+            all.degrees(),
+            mean(Reconstruction::degrees),
+            all.centimetres(),
+            mean(Reconstruction::centimetres),
+            all.amplitude(),
+            all.step_length()
+        );
+    }
+    text.push('\n');
+    Ok(())
+}
+
+/// A model of some clips and of every style's first take, which is a style of its own.
+pub(super) fn with_first_takes(
+    (body, clips): (&Proportions, &[Training<'_>]),
+    takes: &[Walk],
+) -> Result<WalkModel, TrainError> {
+    let is_first = |walk: &&Walk| takes.iter().all(|other| other.style != walk.style || other.take >= walk.take);
+    let first: Vec<(String, &Track)> = takes.iter().filter(is_first).map(|w| (name_of(w), &w.track)).collect();
+    let first = first.iter().map(|(style, track)| Training { style, track });
+    let all: Vec<Training> = clips.iter().copied().chain(first).collect();
+    train(body, &all, Options { refined: true }, &ThreadPool)
+}
+
+/// A take as a style of its own.
+fn name_of(walk: &Walk) -> String {
+    format!("{} {}", walk.style, walk.take)
+}

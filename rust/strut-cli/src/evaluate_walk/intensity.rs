@@ -1,0 +1,85 @@
+//! How styles bear being weakened, exaggerated and negated.
+
+use super::{STEPS, weights};
+use std::fmt::Write;
+use std::sync::Arc;
+use strut_core::hsmm::evaluation::{Bearing, Manner, bearing, strengths};
+use strut_core::hsmm::{WalkModel, WalkVoices, WeightsError};
+
+/// Intensities that styles are tried at.
+const INTENSITIES: [f32; 9] = [-3.0, -2.0, -1.0, 0.0, 1.0, 1.5, 2.0, 2.5, 3.0];
+/// Those between which their manner shall change in one direction, in steps of a share.
+const MONOTONE: std::ops::RangeInclusive<i16> = -4..=8;
+const MONOTONE_STEP: f32 = 0.25;
+
+/// What the tables show.
+pub(super) const INTRODUCTION: &str = "## Intensity\n\nStyles that fail at an intensity against the average: over 1 % of the joints' angles more than 10° outside \
+     what was recorded, a knee bent the wrong way by over 8°, or the wrong foot bearing the body for over 15 % of the time. \
+     *Limited* is with the soft limits of joints and durations, *free* without them; a state below half a frame is a failure \
+     there.\n\nFrom -1 to 2 in steps of 0.25: increments that go the way that the whole goes, styles of which all do, and the \
+     greatest increment that does not, as a share of what lies between the ends of the style that changes most. The *style itself* is how far the mean poses of its states are on the way from the average walk to the style's.\n\n";
+
+/// Appends the tables of a model.
+pub(super) fn write(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
+    failures(text, model, voices)?;
+    monotony(text, model, voices)
+}
+
+fn failures(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
+    let styles = model.styles.len();
+    let row = |first: &str, cells: [String; INTENSITIES.len()]| format!("| {first} | {} |\n", cells.join(" | "));
+    text.push_str(&row("", INTENSITIES.map(|at| at.to_string())));
+    text.push_str(&row("---", INTENSITIES.map(|_| "---:".into())));
+    for (name, limits) in [("free", false), ("limited", true)] {
+        let all = INTENSITIES
+            .iter()
+            .map(|at| (0..styles).map(|s| bearing(model, voices, s, *at, limits)).collect::<Result<Vec<_>, _>>())
+            .collect::<Result<Vec<_>, _>>()?;
+        let each = |f: fn(&[Bearing]) -> String| std::array::from_fn(|i| f(&all[i]));
+        text.push_str(&row(&format!("fail, {name}"), each(|b| b.iter().filter(|b| b.fails).count().to_string())));
+        let worst = |b: &[Bearing]| format!("{:.0}°", b.iter().map(|b| b.knee).fold(f64::INFINITY, f64::min));
+        text.push_str(&row(&format!("worst knee, {name}"), each(worst)));
+    }
+    text.push('\n');
+    Ok(())
+}
+
+fn monotony(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
+    let intensities: Vec<f32> = MONOTONE.map(|i| f32::from(i) * MONOTONE_STEP).collect();
+    let styles = 0..model.styles.len();
+    let own = styles.clone().map(|style| strengths(model, voices, style, &intensities, STEPS));
+    let mut measures: Vec<(&str, Vec<Vec<f64>>)> = vec![("style itself", own.collect::<Result<_, _>>()?)];
+    for style in styles {
+        let manner = |at: &f32| Manner::of(model, voices, &weights(model, &[(style, *at)]), STEPS);
+        let manners: Vec<Manner> = intensities.iter().map(manner).collect::<Result<_, _>>()?;
+        for (i, (name, _)) in manners[0].named().into_iter().enumerate() {
+            if measures.iter().all(|(other, _)| *other != name) {
+                measures.push((name, Vec::new()));
+            }
+            measures[i + 1].1.push(manners.iter().map(|m| m.named()[i].1).collect());
+        }
+    }
+    text.push_str("| | increments | styles | greatest step back |\n");
+    text.push_str("| --- | ---: | ---: | ---: |\n");
+    for (name, ways) in &measures {
+        let change = |way: &[f64]| way[way.len() - 1] - way[0];
+        let most = ways.iter().map(|way| change(way).abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let (mut right, mut of, mut whole, mut back) = (0, 0, 0, 0.0_f64);
+        for way in ways {
+            let steps_back: Vec<f64> = way.windows(2).map(|w| (w[0] - w[1]) * change(way).signum()).collect();
+            let worst = steps_back.iter().copied().fold(0.0, f64::max);
+            right += steps_back.iter().filter(|back| **back <= 0.0).count();
+            (of, whole) = (of + steps_back.len(), whole + usize::from(worst <= 0.0));
+            back = back.max(worst / most);
+        }
+        let _ = writeln!(
+            text,
+            "| {name} | {:.1} % | {whole} of {} | {:.1} % |",
+            100.0 * right as f64 / of as f64,
+            ways.len(),
+            100.0 * back
+        );
+    }
+    text.push('\n');
+    Ok(())
+}
