@@ -35,7 +35,7 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([args.output.as_path()])?;
-    let file = files::read(&args.model, key_style_model::MAX_BYTES)?;
+    let file = files::read(&args.model, key_style_model::KIND.max_bytes)?;
     let model = key_style_model::read(&file).map_err(|e| Failure::in_file(&args.model, e))?;
     let in_keys = |e: &dyn std::fmt::Display| Failure::in_file(&args.keys, e);
     let keys = style_keys::parse(&files::read(&args.keys, MAX_TABLE_BYTES)?, &model.axes).map_err(|e| in_keys(&e))?;

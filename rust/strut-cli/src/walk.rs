@@ -96,7 +96,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if let Some(cadence) = args.cadence.filter(|c| !(*c > 0.0 && c.is_finite())) {
         return Err(Failure::usage(format_args!("the cadence is {cadence}; a positive number was expected")));
     }
-    let file = files::read(&args.model, walk_model::MAX_BYTES)?;
+    let file = files::read(&args.model, walk_model::KIND.max_bytes)?;
     let model = walk_model::read(&file).map_err(|e| Failure::in_file(&args.model, e))?;
     let weights = |style: &StyleWeights| style.of_walks(&model.styles).map_err(Failure::new);
     let mut walker = Walker::new(Arc::new(WalkVoices::new(&model)));

@@ -17,43 +17,26 @@
 //! The metadata entry `strut-keys` is a JSON object: `version`, `generator`, `rate_hz`, `skeleton` as in a database, `axes`
 //! (name or expression, and unit), `variance`, `least_support`, `travels`, and `clips` with their names and frames.
 
+use crate::model_file::{self, ModelFileError, ModelKind, Tensor, value};
 use crate::strutdb::SkeletonInfo;
-use safetensors::SafeTensors;
-use safetensors::tensor::{Dtype, TensorView};
 use serde::{Deserialize, Serialize};
 use strut_core::humanoid::JOINTS;
-use strut_core::math::Quat;
 use strut_core::somn::{
     ClipSpan, Component, DIMS, KeyStyleModel, MAX_AXES, MAX_COMPONENTS, Measure, PoseSpace, RATE_HZ, Style,
 };
 use thiserror::Error;
 
-/// Most bytes a file may have.
-pub const MAX_BYTES: usize = 256 << 20;
-/// Version that is written, and whose major part is read.
-pub const VERSION: &str = "1.0";
-
-const METADATA: &str = "strut-keys";
+/// What the file is.
+pub const KIND: ModelKind =
+    ModelKind { name: "key-style model", entry: "strut-keys", version: "1.0", max_bytes: 256 << 20 };
 
 /// Why bytes are no key-style model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[allow(missing_docs)]
 pub enum KeyStyleModelError {
-    /// Above [`MAX_BYTES`].
-    #[error("the file has {0} bytes; a key-style model has at most {MAX_BYTES}")]
-    TooManyBytes(usize),
-    /// No safetensors file, or a damaged one.
-    #[error("this is no key-style model, or it is cut short: {0}")]
-    NotSafetensors(String),
-    /// A safetensors file of another kind.
-    #[error("this safetensors file is no key-style model: it has no '{METADATA}' metadata")]
-    NoMetadata,
-    /// The metadata are no JSON of the expected form.
-    #[error("the key-style model's metadata cannot be read: {0}")]
-    Metadata(String),
-    /// Another major version.
-    #[error("the key-style model has version {0}; this Strut reads version {VERSION}")]
-    Version(String),
+    /// No such file, or a damaged one.
+    #[error(transparent)]
+    File(#[from] ModelFileError),
     /// Another body or rate.
     #[error("the key-style model's {0} differ from those of this Strut")]
     Layout(&'static str),
@@ -63,12 +46,6 @@ pub enum KeyStyleModelError {
     /// An axis that cannot be measured.
     #[error("the key-style model's axis '{axis}' cannot be measured: {reason}")]
     Axis { axis: String, reason: String },
-    /// A tensor is absent, or has another type or shape.
-    #[error("tensor '{name}' is {found}; f32 {expected:?} was expected")]
-    Tensor { name: &'static str, found: String, expected: Vec<usize> },
-    /// A number that cannot be.
-    #[error("'{name}' holds {value}; {expected} was expected")]
-    Value { name: &'static str, value: String, expected: &'static str },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -104,7 +81,7 @@ struct ClipInfo {
 pub fn write(model: &KeyStyleModel, generator: &str) -> Vec<u8> {
     let axes = model.axis_count();
     let metadata = Metadata {
-        version: VERSION.to_owned(),
+        version: KIND.version.to_owned(),
         generator: generator.to_owned(),
         rate_hz: RATE_HZ,
         skeleton: SkeletonInfo::of(&model.space.proportions),
@@ -116,36 +93,22 @@ pub fn write(model: &KeyStyleModel, generator: &str) -> Vec<u8> {
     };
     let (count, frames) = (model.components.len(), model.rows.len());
     let parts = || model.components.iter();
-    let numbers: [(&str, Vec<usize>, Vec<f64>); 9] = [
-        (
-            "reference",
-            vec![JOINTS, 4],
-            model.space.reference.iter().flat_map(|q| q.to_array()).map(f64::from).collect(),
-        ),
-        ("style_mean", vec![axes], model.style_mean[..axes].to_vec()),
-        ("style_deviation", vec![axes], model.style_deviation[..axes].to_vec()),
-        ("slopes", vec![count, axes, DIMS], parts().flat_map(|c| c.slopes[..axes].as_flattened()).copied().collect()),
-        ("means", vec![count, DIMS], parts().flat_map(|c| c.mean).collect()),
-        ("weights", vec![count], parts().map(|c| c.weight).collect()),
-        ("centres", vec![count, axes], parts().flat_map(|c| &c.centre[..axes]).copied().collect()),
-        (
-            "spreads",
-            vec![count, axes, axes],
-            parts().flat_map(|c| c.spread[..axes].iter().flat_map(|row| &row[..axes])).copied().collect(),
-        ),
-        ("styles", vec![frames, axes], model.styles.iter().flat_map(|u| &u[..axes]).copied().collect()),
+    let single = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v as f32).collect::<Vec<f32>>();
+    let slopes = parts().flat_map(|c| c.slopes[..axes].as_flattened()).copied();
+    let spreads = parts().flat_map(|c| c.spread[..axes].iter().flat_map(|row| &row[..axes])).copied();
+    let tensors: Vec<Tensor> = vec![
+        ("reference", vec![JOINTS, 4], model.space.reference.iter().flat_map(|q| q.to_array()).collect()),
+        ("style_mean", vec![axes], single(&mut model.style_mean[..axes].iter().copied())),
+        ("style_deviation", vec![axes], single(&mut model.style_deviation[..axes].iter().copied())),
+        ("slopes", vec![count, axes, DIMS], single(&mut { slopes })),
+        ("means", vec![count, DIMS], single(&mut parts().flat_map(|c| c.mean))),
+        ("weights", vec![count], single(&mut parts().map(|c| c.weight))),
+        ("centres", vec![count, axes], single(&mut parts().flat_map(|c| &c.centre[..axes]).copied())),
+        ("spreads", vec![count, axes, axes], single(&mut { spreads })),
+        ("styles", vec![frames, axes], single(&mut model.styles.iter().flat_map(|u| &u[..axes]).copied())),
+        ("poses", vec![frames, DIMS], model.rows.as_flattened().to_vec()),
     ];
-    let rounded = |values: Vec<f64>| values.iter().flat_map(|v| (*v as f32).to_le_bytes()).collect::<Vec<u8>>();
-    let mut tensors: Vec<(&str, Vec<usize>, Vec<u8>)> =
-        numbers.into_iter().map(|(name, shape, values)| (name, shape, rounded(values))).collect();
-    let poses = model.rows.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();
-    tensors.push(("poses", vec![frames, DIMS], poses));
-    let views = tensors.iter().map(|(name, shape, bytes)| {
-        (*name, TensorView::new(Dtype::F32, shape.clone(), bytes).expect("as many bytes as the shape says"))
-    });
-    let json = serde_json::to_string(&metadata).expect("strings and numbers are JSON");
-    let metadata = std::iter::once((METADATA.to_owned(), json)).collect();
-    safetensors::serialize(views, Some(metadata)).expect("tensors have distinct names")
+    model_file::write(KIND, &metadata, tensors)
 }
 
 /// Reads a file; trusts nothing.
@@ -153,17 +116,7 @@ pub fn write(model: &KeyStyleModel, generator: &str) -> Vec<u8> {
 /// # Errors
 /// [`KeyStyleModelError`] for anything but a key-style model of this major version.
 pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
-    if file.len() > MAX_BYTES {
-        return Err(KeyStyleModelError::TooManyBytes(file.len()));
-    }
-    let bad = |e: safetensors::SafeTensorError| KeyStyleModelError::NotSafetensors(e.to_string());
-    let (_, header) = SafeTensors::read_metadata(file).map_err(bad)?;
-    let json = header.metadata().as_ref().and_then(|m| m.get(METADATA)).ok_or(KeyStyleModelError::NoMetadata)?;
-    let metadata: Metadata = serde_json::from_str(json).map_err(|e| KeyStyleModelError::Metadata(e.to_string()))?;
-    let major = |v: &str| v.split('.').next().and_then(|major| major.parse::<u32>().ok());
-    if major(&metadata.version) != major(VERSION) {
-        return Err(KeyStyleModelError::Version(metadata.version.chars().take(20).collect()));
-    }
+    let (metadata, tensors): (Metadata, _) = model_file::open(KIND, file)?;
     let proportions = metadata.skeleton.proportions().ok_or(KeyStyleModelError::Layout("joints"))?;
     if metadata.rate_hz != RATE_HZ {
         return Err(KeyStyleModelError::Layout("frames per second"));
@@ -178,28 +131,21 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
     });
     let measures = measures.collect::<Result<Vec<_>, _>>()?;
 
-    let tensors = SafeTensors::deserialize(file).map_err(bad)?;
-    let rows = |name| tensors.tensor(name).ok().and_then(|t| t.shape().first().copied()).unwrap_or_default();
-    let (count, frames) = (rows("weights"), rows("styles"));
+    let (count, frames) = (tensors.rows("weights"), tensors.rows("styles"));
     within("components", count, 1, MAX_COMPONENTS)?;
-    within("frames", frames, 1, MAX_BYTES / (4 * DIMS))?;
+    within("frames", frames, 1, KIND.max_bytes / (4 * DIMS))?;
     let (clips, in_clips) = spans(metadata.clips);
     if in_clips != Some(frames) {
         return Err(KeyStyleModelError::Layout("clips and frames"));
     }
-    let tensor = |name: &'static str, expected: &[usize]| values_of(&tensors, name, expected);
-    let reference = tensor("reference", &[JOINTS, 4])?;
-    let reference: Vec<Quat> = reference.chunks_exact(4).map(|q| Quat::from_xyzw(q[0], q[1], q[2], q[3])).collect();
-    if let Some(q) = reference.iter().find(|q| (q.dot(**q) - 1.0).abs() > 1e-3) {
-        return Err(value("reference", format!("{:?}", q.to_array()), "a unit quaternion"));
-    }
-    let style_mean = tensor("style_mean", &[axes])?;
-    let style_deviation = positive("style_deviation", tensor("style_deviation", &[axes])?)?;
-    let slopes = tensor("slopes", &[count, axes, DIMS])?;
-    let means = tensor("means", &[count, DIMS])?;
-    let weights = positive("weights", tensor("weights", &[count])?)?;
-    let centres = tensor("centres", &[count, axes])?;
-    let spreads = tensor("spreads", &[count, axes, axes])?;
+    let reference = tensors.rotations("reference")?;
+    let style_mean = tensors.numbers("style_mean", &[axes])?;
+    let style_deviation = tensors.positive("style_deviation", &[axes])?;
+    let slopes = tensors.numbers("slopes", &[count, axes, DIMS])?;
+    let means = tensors.numbers("means", &[count, DIMS])?;
+    let weights = tensors.positive("weights", &[count])?;
+    let centres = tensors.numbers("centres", &[count, axes])?;
+    let spreads = tensors.numbers("spreads", &[count, axes, axes])?;
     let components = (0..count).map(|i| Component {
         slopes: std::array::from_fn(|j| {
             std::array::from_fn(|d| if j < axes { slopes[(i * axes + j) * DIMS + d].into() } else { 0.0 })
@@ -217,15 +163,16 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
     });
     let components: Vec<Component> = components.collect();
     if let Some(i) = components.iter().position(|c| !c.knows_a_region(axes)) {
-        return Err(value("spreads", format!("that of component {}", i + 1), "a positive definite covariance"));
+        let found = format!("that of component {}", i + 1);
+        return Err(value("spreads", found, "a positive definite covariance").into());
     }
     if !(metadata.variance > 0.0 && metadata.variance.is_finite()) {
-        return Err(value("variance", metadata.variance.to_string(), "a positive number"));
+        return Err(value("variance", metadata.variance.to_string(), "a positive number").into());
     }
     let mut deviation = style(&style_deviation);
     deviation[axes..].fill(1.0);
     Ok(KeyStyleModel {
-        space: PoseSpace::new(&proportions, std::array::from_fn(|j| reference[j].normalized())),
+        space: PoseSpace::new(&proportions, reference),
         axes: measures,
         style_mean: style(&style_mean),
         style_deviation: deviation,
@@ -234,8 +181,8 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
         least_support: metadata.least_support,
         travels: metadata.travels,
         clips,
-        styles: tensor("styles", &[frames, axes])?.chunks_exact(axes).map(style).collect(),
-        rows: tensor("poses", &[frames, DIMS])?.as_chunks().0.to_vec(),
+        styles: tensors.numbers("styles", &[frames, axes])?.chunks_exact(axes).map(style).collect(),
+        rows: tensors.numbers("poses", &[frames, DIMS])?.as_chunks().0.to_vec(),
     })
 }
 
@@ -258,41 +205,12 @@ fn style(values: &[f32]) -> Style {
     std::array::from_fn(|j| values.get(j).copied().unwrap_or_default().into())
 }
 
-fn value(name: &'static str, value: String, expected: &'static str) -> KeyStyleModelError {
-    KeyStyleModelError::Value { name, value, expected }
-}
-
-/// The finite numbers of a tensor of this shape.
-fn values_of(
-    tensors: &SafeTensors<'_>,
-    name: &'static str,
-    expected: &[usize],
-) -> Result<Vec<f32>, KeyStyleModelError> {
-    let wrong = |found: String| KeyStyleModelError::Tensor { name, found, expected: expected.to_vec() };
-    let tensor = tensors.tensor(name).map_err(|_| wrong("absent".to_owned()))?;
-    if tensor.dtype() != Dtype::F32 || tensor.shape() != expected {
-        return Err(wrong(format!("{:?} {:?}", tensor.dtype(), tensor.shape())));
-    }
-    let values: Vec<f32> =
-        tensor.data().chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
-    match values.iter().find(|v| !v.is_finite()) {
-        Some(v) => Err(value(name, v.to_string(), "a finite number")),
-        None => Ok(values),
-    }
-}
-
-fn positive(name: &'static str, values: Vec<f32>) -> Result<Vec<f32>, KeyStyleModelError> {
-    match values.iter().find(|v| **v <= 0.0) {
-        Some(v) => Err(value(name, v.to_string(), "a positive number")),
-        None => Ok(values),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
     use strut_core::humanoid::Proportions;
+    use strut_core::math::Quat;
 
     fn model() -> KeyStyleModel {
         let spread = [[0.5, 0.25, 0.0], [0.25, 0.5, 0.0], [0.0, 0.0, 1.0]];

@@ -16,23 +16,18 @@
 //! (their names) and `contexts`, the step of each of the two sides' models: models of other contexts, such as the first step
 //! of a walk, may follow in a later version.
 
+use crate::model_file::{self, ModelFileError, ModelKind};
 use crate::strutdb::SkeletonInfo;
-use safetensors::SafeTensors;
-use safetensors::tensor::{Dtype, TensorView};
 use serde::{Deserialize, Serialize};
 use strut_core::hsmm::{DIMS, PerState, RATE_HZ, SIDES, STATES, StyleMeans, WalkModel, numbers};
 use strut_core::humanoid::JOINTS;
-use strut_core::math::Quat;
 use thiserror::Error;
 
-/// Most bytes a file may have.
-pub const MAX_BYTES: usize = 64 << 20;
+/// What the file is.
+pub const KIND: ModelKind = ModelKind { name: "walk model", entry: "strut-walk", version: "1.0", max_bytes: 64 << 20 };
 /// Most styles of a model.
 pub const MAX_STYLES: usize = 1000;
-/// Version that is written, and whose major part is read.
-pub const VERSION: &str = "1.0";
 
-const METADATA: &str = "strut-walk";
 const CONTEXTS: [&str; SIDES] = ["left", "right"];
 const OBSERVATION: usize = 3 * DIMS;
 
@@ -40,33 +35,15 @@ const OBSERVATION: usize = 3 * DIMS;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[allow(missing_docs)]
 pub enum WalkModelError {
-    /// Above [`MAX_BYTES`].
-    #[error("the file has {0} bytes; a walk model has at most {MAX_BYTES}")]
-    TooManyBytes(usize),
-    /// No safetensors file, or a damaged one.
-    #[error("this is no walk model, or it is cut short: {0}")]
-    NotSafetensors(String),
-    /// A safetensors file of another kind.
-    #[error("this safetensors file is no walk model: it has no '{METADATA}' metadata")]
-    NoMetadata,
-    /// The metadata are no JSON of the expected form.
-    #[error("the walk model's metadata cannot be read: {0}")]
-    Metadata(String),
-    /// Another major version.
-    #[error("the walk model has version {0}; this Strut reads version {VERSION}")]
-    Version(String),
+    /// No such file, or a damaged one.
+    #[error(transparent)]
+    File(#[from] ModelFileError),
     /// Another body, rate, or set of contexts.
     #[error("the walk model's {0} differ from those of this Strut")]
     Layout(&'static str),
     /// No styles, or too many.
     #[error("the walk model has {0} styles; 1 to {MAX_STYLES} were expected")]
     Styles(usize),
-    /// A tensor is absent, or has another type or shape.
-    #[error("tensor '{name}' is {found}; f32 {expected:?} was expected")]
-    Tensor { name: &'static str, found: String, expected: Vec<usize> },
-    /// A number that cannot be.
-    #[error("tensor '{name}' holds {value}; {expected} was expected")]
-    Value { name: &'static str, value: String, expected: &'static str },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -85,7 +62,7 @@ struct Metadata {
 /// Never: names and shapes are those of this module.
 pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
     let metadata = Metadata {
-        version: VERSION.to_owned(),
+        version: KIND.version.to_owned(),
         generator: generator.to_owned(),
         rate_hz: RATE_HZ,
         skeleton: SkeletonInfo::of(&model.proportions),
@@ -93,29 +70,20 @@ pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
         contexts: CONTEXTS.map(str::to_owned).to_vec(),
     };
     let styles = model.means.len();
-    let per_state = |of: &PerState<f64>| of.as_flattened().to_vec();
-    let tensors: [(&str, Vec<usize>, Vec<f64>); 6] = [
-        ("reference", vec![JOINTS, 4], model.reference.iter().flat_map(|q| q.to_array()).map(f64::from).collect()),
+    let per_state = |of: &PerState<f64>| single(of.as_flattened());
+    let tensors = vec![
+        ("reference", vec![JOINTS, 4], model.reference.iter().flat_map(|q| q.to_array()).collect()),
         (
             "means",
             vec![styles, SIDES, STATES, 3, DIMS],
-            model.means.iter().flat_map(|m| numbers(&m.means)).copied().collect(),
+            model.means.iter().flat_map(|m| single(numbers(&m.means))).collect(),
         ),
         ("durations", vec![styles, SIDES, STATES], model.means.iter().flat_map(|m| per_state(&m.durations)).collect()),
-        ("variances", vec![SIDES, STATES, 3, DIMS], numbers(&model.variances).to_vec()),
+        ("variances", vec![SIDES, STATES, 3, DIMS], single(numbers(&model.variances))),
         ("duration_variances", vec![SIDES, STATES], per_state(&model.duration_variances)),
-        ("range", vec![2, DIMS], model.range.as_flattened().to_vec()),
+        ("range", vec![2, DIMS], single(model.range.as_flattened())),
     ];
-    let bytes: Vec<(&str, Vec<usize>, Vec<u8>)> = tensors
-        .into_iter()
-        .map(|(name, shape, values)| (name, shape, values.iter().flat_map(|v| (*v as f32).to_le_bytes()).collect()))
-        .collect();
-    let views = bytes.iter().map(|(name, shape, bytes)| {
-        (*name, TensorView::new(Dtype::F32, shape.clone(), bytes).expect("as many bytes as the shape says"))
-    });
-    let json = serde_json::to_string(&metadata).expect("strings and numbers are JSON");
-    let metadata = std::iter::once((METADATA.to_owned(), json)).collect();
-    safetensors::serialize(views, Some(metadata)).expect("tensors have distinct names")
+    model_file::write(KIND, &metadata, tensors)
 }
 
 /// Reads a file; trusts nothing.
@@ -123,17 +91,7 @@ pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
 /// # Errors
 /// [`WalkModelError`] for anything but a walk model of this major version.
 pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
-    if file.len() > MAX_BYTES {
-        return Err(WalkModelError::TooManyBytes(file.len()));
-    }
-    let bad = |e: safetensors::SafeTensorError| WalkModelError::NotSafetensors(e.to_string());
-    let (_, header) = SafeTensors::read_metadata(file).map_err(bad)?;
-    let json = header.metadata().as_ref().and_then(|m| m.get(METADATA)).ok_or(WalkModelError::NoMetadata)?;
-    let metadata: Metadata = serde_json::from_str(json).map_err(|e| WalkModelError::Metadata(e.to_string()))?;
-    let major = |v: &str| v.split('.').next().and_then(|major| major.parse::<u32>().ok());
-    if major(&metadata.version) != major(VERSION) {
-        return Err(WalkModelError::Version(metadata.version.chars().take(20).collect()));
-    }
+    let (metadata, tensors): (Metadata, _) = model_file::open(KIND, file)?;
     let proportions = metadata.skeleton.proportions().ok_or(WalkModelError::Layout("joints"))?;
     if metadata.rate_hz != RATE_HZ {
         return Err(WalkModelError::Layout("frames per second"));
@@ -146,29 +104,15 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
         return Err(WalkModelError::Styles(styles));
     }
 
-    let tensors = SafeTensors::deserialize(file).map_err(bad)?;
-    let tensor = |name: &'static str, expected: &[usize]| values_of(&tensors, name, expected);
-    let reference = tensor("reference", &[JOINTS, 4])?;
-    let means = tensor("means", &[styles, SIDES, STATES, 3, DIMS])?;
-    let durations = positive("durations", tensor("durations", &[styles, SIDES, STATES])?)?;
-    let variances = positive("variances", tensor("variances", &[SIDES, STATES, 3, DIMS])?)?;
-    let duration_variances = positive("duration_variances", tensor("duration_variances", &[SIDES, STATES])?)?;
-    let range = tensor("range", &[2, DIMS])?;
-
-    let rotations: Vec<Quat> = reference
-        .chunks_exact(4)
-        .map(|q| Quat::from_xyzw(q[0] as f32, q[1] as f32, q[2] as f32, q[3] as f32))
-        .collect();
-    if let Some(q) = rotations.iter().find(|q| (q.dot(**q) - 1.0).abs() > 1e-3) {
-        let value = format!("{:?}", q.to_array());
-        return Err(WalkModelError::Value { name: "reference", value, expected: "a unit quaternion" });
-    }
+    let means = tensors.numbers("means", &[styles, SIDES, STATES, 3, DIMS])?;
+    let durations = tensors.positive("durations", &[styles, SIDES, STATES])?;
+    let range = tensors.numbers("range", &[2, DIMS])?;
     Ok(WalkModel {
         proportions,
-        reference: std::array::from_fn(|j| rotations[j].normalized()),
-        variances: Box::new(observations(&variances)),
-        duration_variances: per_state(&duration_variances),
-        range: std::array::from_fn(|end| std::array::from_fn(|d| range[end * DIMS + d])),
+        reference: tensors.rotations("reference")?,
+        variances: Box::new(observations(&tensors.positive("variances", &[SIDES, STATES, 3, DIMS])?)),
+        duration_variances: per_state(&tensors.positive("duration_variances", &[SIDES, STATES])?),
+        range: std::array::from_fn(|end| std::array::from_fn(|d| range[end * DIMS + d].into())),
         styles: metadata.styles,
         means: means
             .chunks_exact(SIDES * STATES * OBSERVATION)
@@ -181,37 +125,20 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
     })
 }
 
-/// The finite numbers of a tensor of this shape.
-fn values_of(tensors: &SafeTensors<'_>, name: &'static str, expected: &[usize]) -> Result<Vec<f64>, WalkModelError> {
-    let wrong = |found: String| WalkModelError::Tensor { name, found, expected: expected.to_vec() };
-    let tensor = tensors.tensor(name).map_err(|_| wrong("absent".to_owned()))?;
-    if tensor.dtype() != Dtype::F32 || tensor.shape() != expected {
-        return Err(wrong(format!("{:?} {:?}", tensor.dtype(), tensor.shape())));
-    }
-    let values: Vec<f64> =
-        tensor.data().chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]).into()).collect();
-    match values.iter().find(|v| !v.is_finite()) {
-        Some(v) => Err(WalkModelError::Value { name, value: v.to_string(), expected: "a finite number" }),
-        None => Ok(values),
-    }
+/// In single precision.
+fn single(values: &[f64]) -> Vec<f32> {
+    values.iter().map(|v| *v as f32).collect()
 }
 
-fn positive(name: &'static str, values: Vec<f64>) -> Result<Vec<f64>, WalkModelError> {
-    match values.iter().find(|v| **v <= 0.0) {
-        Some(v) => Err(WalkModelError::Value { name, value: v.to_string(), expected: "a positive number" }),
-        None => Ok(values),
-    }
-}
-
-fn observations(values: &[f64]) -> [[[[f64; DIMS]; 3]; STATES]; SIDES] {
-    let at = |side, state, part, d| values[((side * STATES + state) * 3 + part) * DIMS + d];
+fn observations(values: &[f32]) -> [[[[f64; DIMS]; 3]; STATES]; SIDES] {
+    let at = |side, state, part, d| f64::from(values[((side * STATES + state) * 3 + part) * DIMS + d]);
     std::array::from_fn(|side| {
         std::array::from_fn(|state| std::array::from_fn(|part| std::array::from_fn(|d| at(side, state, part, d))))
     })
 }
 
-fn per_state(values: &[f64]) -> [[f64; STATES]; SIDES] {
-    std::array::from_fn(|side| std::array::from_fn(|state| values[side * STATES + state]))
+fn per_state(values: &[f32]) -> [[f64; STATES]; SIDES] {
+    std::array::from_fn(|side| std::array::from_fn(|state| values[side * STATES + state].into()))
 }
 
 #[cfg(test)]
@@ -219,6 +146,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
     use strut_core::humanoid::Proportions;
+    use strut_core::math::Quat;
 
     fn model() -> WalkModel {
         let means = |value: f64| StyleMeans {
