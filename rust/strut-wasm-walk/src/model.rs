@@ -2,7 +2,7 @@
 
 use crate::text;
 use std::sync::Arc;
-use strut_core::hsmm::{self, CurvePoint, JointCurve, RATE_HZ, StyleMeans, WalkVoices};
+use strut_core::hsmm::{self, CurvePoint, JointCurve, RATE_HZ, Side, WalkVoices};
 use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose, Role};
 use strut_core::math::Vec3;
 use strut_formats::bvh::{self, Bvh};
@@ -14,7 +14,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub struct WalkModel {
     pub(crate) model: hsmm::WalkModel,
     pub(crate) voices: Arc<WalkVoices>,
-    average: StyleMeans,
 }
 
 #[wasm_bindgen]
@@ -26,7 +25,7 @@ impl WalkModel {
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Self, String> {
         let model = walk_model::read(bytes).map_err(text)?;
-        Ok(Self { voices: Arc::new(WalkVoices::new(&model)), average: model.average(), model })
+        Ok(Self { voices: Arc::new(WalkVoices::new(&model)), model })
     }
 
     /// Names of the styles.
@@ -45,14 +44,12 @@ impl WalkModel {
         self.model.proportions.offsets.iter().flat_map(Vec3::to_array).collect()
     }
 
-    /// Frames that the states of a left step (0) or a right one (1) last in a mixture of styles, one weight a style: the five
-    /// means, then their variances.
+    /// Frames that the states of a left step (0) or a right one (1) last in a mixture of styles, one weight a style: five as
+    /// they are walked, then their variances.
     pub fn durations(&self, weights: &[f32], side: usize) -> Vec<f32> {
-        let weights: Vec<f64> = weights.iter().map(|w| f64::from(*w)).collect();
-        let mixed = self.model.mix(&self.average, &weights);
-        let side = side.min(hsmm::SIDES - 1);
-        let numbers = mixed.durations[side].iter().chain(&self.model.duration_variances[side]);
-        numbers.map(|v| *v as f32).collect()
+        let side = if side == 0 { Side::Left } else { Side::Right };
+        let variances = self.model.duration_variances[side as usize].map(|v| v as f32);
+        [self.voices.durations(weights, side), variances].concat()
     }
 
     /// A joint's angle through a left step and a right one, in a mixture of styles for either: the axis, then five numbers a

@@ -47,7 +47,6 @@ impl JointCurve {
     ) -> Result<Self, WeightsError> {
         let mut walker = Walker::new(Arc::clone(voices));
         walker.set_sides(weights)?;
-        walker.set_limits(false);
         let average = model.average();
         let mixed: [StyleMeans; SIDES] =
             weights.map(|weights| model.mix(&average, &weights.iter().map(|w| f64::from(*w)).collect::<Vec<_>>()));

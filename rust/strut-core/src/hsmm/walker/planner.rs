@@ -1,7 +1,7 @@
 //! The steps to come, as they are wanted: styles mixed, and states that last as long as they shall.
 
 use super::HORIZON;
-use super::durations::{Durations, STATE_FRAMES, lasting, limited};
+use super::durations::{Durations, STATE_FRAMES, lasting};
 use super::voice::{PADDED, StateMeans, WalkVoices, swing};
 use crate::hsmm::model::{SIDES, STATES, Side};
 use std::sync::Arc;
@@ -155,34 +155,24 @@ impl Planner {
                 if share <= 0.0 { from } else { (1.0 - share) * from + share * t.to.0[side][style] }
             })
         };
-        // All that is mixed in a state, with its weights.
-        let mixed = |state: usize| {
-            let styles = voices.styles.iter().enumerate().map(move |(style, voice)| (weight(style, state), voice));
-            let rest = 1.0 - styles.clone().map(|(weight, _)| weight).sum::<f32>();
-            styles.chain([(rest, &voices.average)]).filter(|(weight, _)| *weight != 0.0)
-        };
         let step = &mut self.steps[slot_of(number)];
         step.number = number;
-        let variances = &voices.duration_variances[side];
         for (state, means) in step.means.iter_mut().enumerate() {
             *means = [[0.0; PADDED]; 3];
-            let (mut standing, mut durations) = ([0.0; PADDED], [0.0; STATES]);
-            for (weight, voice) in mixed(state) {
+            let mixed = voices.mixed(|style| weight(style, state));
+            let mut standing = [0.0; PADDED];
+            for (weight, voice) in mixed.clone() {
                 let sums = means.as_flattened_mut().iter_mut();
                 sums.zip(voice.means[side][state].as_flattened()).for_each(|(sum, v)| *sum += weight * v);
                 standing.iter_mut().zip(voice.standing).for_each(|(sum, v)| *sum += weight * v);
-                durations.iter_mut().zip(voice.durations[side]).for_each(|(sum, d)| *sum += weight * d);
             }
             let walking = self.start.share(number, state);
             if walking < 1.0 || self.stride != 1.0 {
                 swing(means, &standing, walking, self.stride);
             }
-            if self.limits {
-                let of_mixed = mixed(state).map(|(_, voice)| &voice.durations[side]);
-                durations = limited(&durations, of_mixed, voices.step_frames[side], variances);
-            }
-            step.durations[state] = durations[state];
+            step.durations[state] = voices.durations_of(mixed, side, self.limits)[state];
         }
+        let variances = &voices.duration_variances[side];
         if let Some(seed) = self.seed {
             for (state, duration) in step.durations.iter_mut().enumerate() {
                 *duration += variances[state].sqrt() * normal(seed, number, state);

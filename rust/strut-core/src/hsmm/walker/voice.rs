@@ -1,7 +1,7 @@
 //! Styles made ready to be walked by: in single precision, in whole lanes.
 
-use super::durations::{Durations, shortest_and_longest};
-use crate::hsmm::model::{DIMS, Observation, Row, SIDES, STATES, StyleMeans, WalkModel};
+use super::durations::{Durations, limited, shortest_and_longest};
+use crate::hsmm::model::{DIMS, Observation, Row, SIDES, STATES, Side, StyleMeans, WalkModel};
 use crate::humanoid::{JOINTS, Pose, Proportions, Role};
 use crate::kinematics::world_from_local;
 use crate::math::lanes::WIDTH;
@@ -82,6 +82,38 @@ impl WalkVoices {
     /// Number of styles.
     pub fn styles(&self) -> usize {
         self.styles.len()
+    }
+
+    /// How many frames the states of a foot's step last in a mixture of styles, one weight a style, as it is walked without a
+    /// beat of its own; what weights lack to a sum of 1 is the average's.
+    pub fn durations(&self, weights: &[f32], side: Side) -> [f32; STATES] {
+        let mixed = self.mixed(|style| weights.get(style).copied().unwrap_or(0.0));
+        self.durations_of(mixed, side as usize, true)
+    }
+
+    /// All that is mixed, with its weights; the average last.
+    pub(super) fn mixed(&self, weight: impl Fn(usize) -> f32 + Clone) -> impl Iterator<Item = (f32, &Voice)> + Clone {
+        let styles = self.styles.iter().enumerate().map(move |(style, voice)| (weight(style), voice));
+        let rest = 1.0 - styles.clone().map(|(weight, _)| weight).sum::<f32>();
+        styles.chain([(rest, &self.average)]).filter(|(weight, _)| *weight != 0.0)
+    }
+
+    /// Durations of a mixture, within what can be walked or as they come.
+    pub(super) fn durations_of<'a>(
+        &self,
+        mixed: impl Iterator<Item = (f32, &'a Voice)> + Clone,
+        side: usize,
+        limits: bool,
+    ) -> Durations {
+        let mut durations = [0.0; STATES];
+        for (weight, voice) in mixed.clone() {
+            durations.iter_mut().zip(voice.durations[side]).for_each(|(sum, d)| *sum += weight * d);
+        }
+        if !limits {
+            return durations;
+        }
+        let styles = mixed.map(|(_, voice)| &voice.durations[side]);
+        limited(&durations, styles, self.step_frames[side], &self.duration_variances[side])
     }
 }
 
