@@ -119,7 +119,7 @@ describe("the pad", () => {
     ];
     await page.mouse.move(...at(0));
     await page.mouse.down();
-    const box = (await page.locator(".key-style-picture").boundingBox())!;
+    const box = (await page.locator(".key-style .maker-picture").boundingBox())!;
     const clip = { x: box.x + box.width / 2 - 150, y: box.y + 40, width: 300, height: box.height - 60 };
     const film: string[] = [];
     const seen: { apart: number; left: number; right: number; head: number }[] = [];
@@ -241,7 +241,7 @@ describe("keys", () => {
       ["GLB", "key-style.glb"],
     ] as const) {
       const downloading = page.waitForEvent("download");
-      await page.locator(".key-style-actions").getByRole("button", { name, exact: true }).click();
+      await page.locator(".key-style .maker-actions").getByRole("button", { name, exact: true }).click();
       const download = await downloading;
       expect(download.suggestedFilename()).toBe(file);
       if (name === "BVH") {
@@ -290,9 +290,9 @@ describe("what is learned", () => {
     const input = page.getByLabel("First style variable, as an expression");
     await input.fill("1 + 1");
     await input.press("Enter");
-    await eventually(() => page.locator(".key-style-empty").textContent()).toMatch(/is 2\.0 .*in every frame/);
+    await eventually(() => page.locator(".key-style .maker-empty").textContent()).toMatch(/is 2\.0 .*in every frame/);
     await screenshot(page, "key-style-refused");
-    await page.locator(".key-style-empty").getByRole("button", { name: "Undo" }).click();
+    await page.locator(".key-style .maker-empty").getByRole("button", { name: "Undo" }).click();
     await eventually(() => page.locator(".pad-axis").allTextContents()).toContain("hand_l.y - shoulder_l.y, cm");
   });
 
@@ -339,7 +339,7 @@ describe("the picture", () => {
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
     await eventually(faults).toEqual([]);
     await screenshot(page, "key-style-narrow-light");
-    for (const control of await page.locator(".key-style-foot button, .axis-select, .set-select").all()) {
+    for (const control of await page.locator(".key-style .maker-foot button, .axis-select, .set-select").all()) {
       const box = await control.boundingBox();
       if (box) expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44);
     }

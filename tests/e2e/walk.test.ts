@@ -84,9 +84,9 @@ describe("opening the view", () => {
     await page.locator("body").press("Home");
     await eventually(secs).toBe(0);
     await page.locator("body").press("ArrowRight");
-    await eventually(() => page.locator(".planner-head").getAttribute("aria-valuetext")).toMatch(/step 2$/);
+    await eventually(() => page.locator(".walk .maker-head").getAttribute("aria-valuetext")).toMatch(/step 2$/);
     await page.locator("body").press("ArrowLeft");
-    await eventually(() => page.locator(".planner-head").getAttribute("aria-valuetext")).toMatch(/step 1$/);
+    await eventually(() => page.locator(".walk .maker-head").getAttribute("aria-valuetext")).toMatch(/step 1$/);
   });
 });
 
@@ -143,9 +143,9 @@ describe("the plan", () => {
   it("is sought by its playhead", async () => {
     const ruler = (await page.locator(".planner-seek").boundingBox())!;
     await page.mouse.click(ruler.x + ruler.width / 2, ruler.y + 10);
-    const half = Number.parseFloat((await page.locator(".walk-time .caption").textContent())!.slice(3)) / 2;
+    const half = Number.parseFloat((await page.locator(".walk .maker-time .caption").textContent())!.slice(3)) / 2;
     await eventually(secs).toBeCloseTo(half, 0);
-    await page.locator(".planner-head").focus();
+    await page.locator(".walk .maker-head").focus();
     await page.keyboard.press("Home");
     await eventually(secs).toBe(0);
   });
@@ -251,7 +251,7 @@ describe("what leaves the view", () => {
       ["GLB", "walk.glb"],
     ] as const) {
       const download = page.waitForEvent("download");
-      await page.locator(".walk-actions").getByRole("button", { name, exact: true }).click();
+      await page.locator(".walk .maker-actions").getByRole("button", { name, exact: true }).click();
       expect((await download).suggestedFilename()).toBe(file);
     }
     await page.getByRole("button", { name: "Style this" }).click();
@@ -265,7 +265,7 @@ describe("the picture", () => {
   it("is one walker in the middle of a transition, or a strip of steps", async () => {
     await visit(page, `view=walk&play=0&block=1&${THREE}`);
     await eventually(title).toBe("16 steps, three styles");
-    await page.locator(".planner-head").focus();
+    await page.locator(".walk .maker-head").focus();
     await page.keyboard.press("Home");
     for (let i = 0; i < 25; i++) await page.keyboard.press("ArrowRight");
     await page.waitForTimeout(2500);
@@ -294,7 +294,7 @@ describe("the picture", () => {
     await page.emulateMedia({ colorScheme: "dark" });
     await page.waitForTimeout(1500);
     await screenshot(page, "walk-narrow-dark");
-    for (const control of await page.locator(".walk-foot button").all()) {
+    for (const control of await page.locator(".walk .maker-foot button").all()) {
       const { width, height } = (await control.boundingBox())!;
       expect(Math.min(width, height)).toBeGreaterThanOrEqual(44);
     }

@@ -39,7 +39,7 @@ const WALK = "play=0&view=walk&block=1&walk=1_3_3~neutral:1;1_4_2~proud:1,old:0,
 /** Goes into the transition to the second block. */
 async function walkOn(page: Page): Promise<void> {
   await page.locator('.planner-block, [data-key="block-0"]').first().waitFor();
-  await page.locator(".planner-head").focus();
+  await page.locator(".walk .maker-head").focus();
   await page.keyboard.press("Home");
   for (let i = 0; i < 25; i++) await page.keyboard.press("ArrowRight");
 }

@@ -67,17 +67,17 @@ export class Foot {
     this.#needModel = [...this.#ofKeys, ...this.#ofTrail, this.#loop, add, this.#remove];
     this.element = html(
       "footer",
-      { class: "key-style-foot" },
-      html("div", { class: "key-style-transport" }, this.#play, previous, next, this.#loop),
+      { class: "maker-foot" },
+      html("div", { class: "maker-transport" }, this.#play, previous, next, this.#loop),
       html(
         "p",
-        { class: "key-style-time" },
+        { class: "maker-time" },
         this.#clock,
         html("span", { class: "caption" }, words.ofLength, " ", this.#length, " ", words.seconds),
       ),
       this.#pane.element,
       html("p", { class: "key-style-hint caption" }, words.drags, " ", html("kbd", {}, "K"), " ", words.setsKey),
-      html("div", { class: "key-style-actions" }, replay, toKeys, add, this.#remove, bvh, glb),
+      html("div", { class: "maker-actions" }, replay, toKeys, add, this.#remove, bvh, glb),
     );
     this.#length.addEventListener("change", () => {
       const secs = Number(this.#length.value);

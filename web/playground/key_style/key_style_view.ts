@@ -1,5 +1,6 @@
 /** The Key-style view: a point that is dragged over a plane of style variables is a pose, and keys of it are a motion. */
 import "../styles/key_style.css";
+import "../styles/maker.css";
 import type { DroppedFile } from "../../worker/build/protocol";
 import type { Between, PuppetFrame } from "../../worker/key_style/key_style";
 import { html } from "../dom";

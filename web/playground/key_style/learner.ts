@@ -27,7 +27,7 @@ export interface Learned {
 export class Learner {
   readonly progress = new ProgressLine();
   /** What is shown instead of the picture where nothing could be learned. */
-  readonly empty = html("div", { class: "key-style-empty", hidden: true });
+  readonly empty = html("div", { class: "maker-empty", hidden: true });
   files: readonly DroppedFile[] = [];
   readonly #host: ViewHost;
   readonly #onLearned: (learned: Learned) => void;

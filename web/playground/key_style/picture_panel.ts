@@ -25,7 +25,7 @@ export interface PicturePanelListeners extends ModelMenuListeners {
 
 export class PicturePanel {
   readonly element: HTMLElement;
-  readonly #stage = html("div", { class: "key-style-stage" });
+  readonly #stage = html("div", { class: "maker-stage" });
   readonly #title = html("h1", { class: "stage-title" });
   readonly #caption = html("p", { class: "caption" });
   readonly #dimensions = new DimensionLines();
@@ -50,7 +50,7 @@ export class PicturePanel {
     this.#ghost = button(words.ghost, listeners.onGhost, { icon: "ghost", label: true, class: "chip", keys: "G" });
     this.element = html(
       "section",
-      { class: "key-style-picture", "aria-label": words.picture },
+      { class: "maker-picture", "aria-label": words.picture },
       this.#stage,
       this.#dimensions.element,
       this.#comparison.element,

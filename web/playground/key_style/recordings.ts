@@ -35,7 +35,7 @@ export class Recordings {
   readonly #head = svg(
     "g",
     {
-      class: "keys-head",
+      class: "maker-head",
       role: "slider",
       tabindex: 0,
       "aria-label": strings.keyStyle.recordedPose,

@@ -52,7 +52,7 @@ export class Timeline {
   readonly #played = svg("clipPath", { id: "keys-played" }, svg("rect", { x: 0, y: 0, height: 1000 }));
   readonly #head = svg(
     "g",
-    { class: "keys-head", role: "slider", tabindex: 0, "aria-label": strings.keyStyle.time, "aria-valuemin": 0 },
+    { class: "maker-head", role: "slider", tabindex: 0, "aria-label": strings.keyStyle.time, "aria-valuemin": 0 },
     svg("line", { y1: 24 }),
     svg("path", { d: "M-6 22h12v8l-6 6-6-6z" }),
     svg("rect", { class: "keys-grip", x: -12, y: 14, width: 24, height: 28 }),
@@ -173,7 +173,7 @@ export class Timeline {
 
   #onPointerDown(event: PointerEvent): void {
     if (event.button !== 0 || !this.#model || this.#drag) return;
-    const target = (event.target as Element).closest<SVGElement>(".keys-key, .keys-head, .keys-seek");
+    const target = (event.target as Element).closest<SVGElement>(".keys-key, .maker-head, .keys-seek");
     if (!target) return;
     const { x, y } = this.#place(event);
     const key = target.dataset.key === undefined ? -1 : Number(target.dataset.key);

@@ -80,7 +80,7 @@ export class Planner {
     this.#listeners = listeners;
     this.#head = svg(
       "g",
-      { class: "planner-head", role: "slider", tabindex: 0, "aria-label": strings.walk.time, "aria-valuemin": 0 },
+      { class: "maker-head", role: "slider", tabindex: 0, "aria-label": strings.walk.time, "aria-valuemin": 0 },
       svg("line", { y1: ROWS.ruler - 6, y2: ROWS.chart + CHART_HEIGHT }),
       svg("path", { d: `M-6 ${ROWS.ruler - 16}h12v9l-6 6-6-6z` }),
     );

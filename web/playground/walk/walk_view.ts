@@ -1,4 +1,5 @@
 /** The Walk view: somebody who walks without end, in styles that a plan of blocks and transitions mixes. */
+import "../styles/maker.css";
 import "../styles/walk.css";
 import { VIEWER_DEFAULTS } from "../../viewer";
 import { WalkModel } from "../../worker/walk/walk";
@@ -62,12 +63,12 @@ class Walk implements View {
   readonly #host: ViewHost;
   readonly #models = new WalkModels();
   readonly #progress = new ProgressLine();
-  readonly #stage = html("div", { class: "walk-stage" });
+  readonly #stage = html("div", { class: "maker-stage" });
   readonly #title = html("h1", { class: "stage-title" });
   readonly #caption = html("p", { class: "caption" }, strings.walk.generated);
   readonly #form: Segment<"3d" | "strip">;
   readonly #strip = new Strip();
-  readonly #empty = html("div", { class: "walk-empty", hidden: true });
+  readonly #empty = html("div", { class: "maker-empty", hidden: true });
   readonly #planner: Planner;
   readonly #panel: BlockPanel;
   readonly #play: HTMLButtonElement;
@@ -154,7 +155,7 @@ class Walk implements View {
       { class: "view walk" },
       html(
         "div",
-        { class: "walk-picture" },
+        { class: "maker-picture" },
         this.#stage,
         this.#strip.element,
         html("div", { class: "stage-heading" }, this.#title, this.#caption),
@@ -165,10 +166,10 @@ class Walk implements View {
       html("div", { class: "walk-plan" }, this.#planner.element, legend()),
       html(
         "footer",
-        { class: "walk-foot" },
-        html("div", { class: "walk-transport" }, this.#play, previous, next, this.#loop),
-        html("p", { class: "walk-time" }, this.#clock, this.#duration),
-        html("div", { class: "walk-actions" }, this.#add, this.#remove, bvh, glb, style),
+        { class: "maker-foot" },
+        html("div", { class: "maker-transport" }, this.#play, previous, next, this.#loop),
+        html("p", { class: "maker-time" }, this.#clock, this.#duration),
+        html("div", { class: "maker-actions" }, this.#add, this.#remove, bvh, glb, style),
       ),
       this.#panel.element,
     );
