@@ -16,7 +16,7 @@
 //! (their names) and `contexts`, the step of each of the two sides' models: models of other contexts, such as the first step
 //! of a walk, may follow in a later version.
 
-use crate::model_file::{self, ModelFileError, ModelKind};
+use crate::model_file::{self, ModelFileError, ModelKind, value};
 use crate::strutdb::SkeletonInfo;
 use serde::{Deserialize, Serialize};
 use strut_core::hsmm::{DIMS, PerState, RATE_HZ, SIDES, STATES, StyleMeans, WalkModel, numbers};
@@ -27,6 +27,8 @@ use thiserror::Error;
 pub const KIND: ModelKind = ModelKind { name: "walk model", entry: "strut-walk", version: "1.0", max_bytes: 64 << 20 };
 /// Most styles of a model.
 pub const MAX_STYLES: usize = 1000;
+/// Most frames of a state.
+const MAX_FRAMES: f32 = 1000.0;
 
 const CONTEXTS: [&str; SIDES] = ["left", "right"];
 const OBSERVATION: usize = 3 * DIMS;
@@ -106,12 +108,23 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
 
     let means = tensors.numbers("means", &[styles, SIDES, STATES, 3, DIMS])?;
     let durations = tensors.positive("durations", &[styles, SIDES, STATES])?;
+    if let Some(frames) = durations.iter().find(|frames| **frames > MAX_FRAMES) {
+        return Err(value("durations", frames.to_string(), "at most 1000 frames").into());
+    }
+    let duration_variances = tensors.positive("duration_variances", &[SIDES, STATES])?;
+    if let Some(variance) = duration_variances.iter().find(|variance| **variance > MAX_FRAMES * MAX_FRAMES) {
+        return Err(value("duration_variances", variance.to_string(), "at most 1000000 frames²").into());
+    }
     let range = tensors.numbers("range", &[2, DIMS])?;
+    let (low, high) = range.split_at(DIMS);
+    if let Some((low, high)) = low.iter().zip(high).find(|(low, high)| low > high) {
+        return Err(value("range", format!("{low} to {high}"), "the least and the greatest of some numbers").into());
+    }
     Ok(WalkModel {
         proportions,
         reference: tensors.rotations("reference")?,
         variances: Box::new(observations(&tensors.positive("variances", &[SIDES, STATES, 3, DIMS])?)),
-        duration_variances: per_state(&tensors.positive("duration_variances", &[SIDES, STATES])?),
+        duration_variances: per_state(&duration_variances),
         range: std::array::from_fn(|end| std::array::from_fn(|d| range[end * DIMS + d].into())),
         styles: metadata.styles,
         means: means
@@ -145,6 +158,8 @@ fn per_state(values: &[f32]) -> [[f64; STATES]; SIDES] {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use std::sync::Arc;
+    use strut_core::hsmm::{WalkVoices, Walker};
     use strut_core::humanoid::Proportions;
     use strut_core::math::Quat;
 
@@ -186,17 +201,38 @@ mod tests {
         other.means[1].means[0][0][0][0] = f64::NAN;
         assert!(refused(&write(&other, "test")).contains("'means' holds NaN"));
         other = model();
+        other.means[0].durations[1][4] = 1e38;
+        assert!(refused(&write(&other, "test")).contains("'durations' holds 1"));
+        other = model();
+        other.range[0][7] = 2.0;
+        assert!(refused(&write(&other, "test")).contains("'range' holds 2 to 1.5"));
+        other = model();
         (other.styles, other.means) = (Vec::new(), Vec::new());
         assert_eq!(read(&write(&other, "test")), Err(WalkModelError::Styles(0)));
     }
 
     proptest! {
         #[test]
-        fn changed_bytes_never_panic(at in 0usize..3000, value: u8, cut in 0usize..100) {
+        fn changed_bytes_never_panic(at: usize, value: u8, cut in 0usize..100) {
             let mut bytes = write(&model(), "test");
+            let at = at % bytes.len();
             bytes[at] = value;
             bytes.truncate(bytes.len() - cut);
             let _ = read(&bytes);
+        }
+
+        #[test]
+        fn whatever_is_read_can_be_walked(at: usize, value: u8) {
+            let mut bytes = write(&model(), "test");
+            let at = at % bytes.len();
+            bytes[at] = value;
+            if let Ok(model) = read(&bytes) {
+                let mut walker = Walker::new(Arc::new(WalkVoices::new(&model)));
+                walker.set_styles(&vec![-5.0; model.styles.len()]).unwrap();
+                for _ in 0..40 {
+                    walker.advance();
+                }
+            }
         }
     }
 }
