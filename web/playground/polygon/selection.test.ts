@@ -84,7 +84,21 @@ describe("editing a selection", () => {
     const triangle = toTriangle(mixed, XIA);
     expect(triangle.map((s) => s.name)).toEqual(["angry", "childlike", "depressed"]);
     expect(total(triangle)).toBeCloseTo(1);
-    expect(toTriangle([{ name: "old", weight: 1 }], ["proud", "sexy"])).toHaveLength(3);
+  });
+
+  it("makes the triangle of one or two styles as wide as it can be", () => {
+    const vertices = Array.from({ length: 24 }, (_, i) => `style ${i}`);
+    const names = (...selected: string[]) =>
+      toTriangle(
+        selected.map((name) => ({ name, weight: 1 / selected.length })),
+        vertices,
+      ).map((s) => s.name);
+    expect(names("style 4")).toEqual(["style 4", "style 12", "style 20"]);
+    expect(names("style 0", "style 6")).toEqual(["style 0", "style 6", "style 15"]);
+    expect(toTriangle([{ name: "old", weight: 1 }], ["proud", "old"])).toEqual([
+      { name: "old", weight: 1 },
+      { name: "proud", weight: 0 },
+    ]);
   });
 });
 

@@ -97,12 +97,30 @@ export function fromPolygon(names: readonly string[], weights: readonly number[]
   );
 }
 
-/** The triangle that comes nearest to a selection of the whole polygon: its heaviest styles, filled up from `spare`. */
-export function toTriangle(selection: Selection, spare: readonly string[]): Selection {
+/** How unevenly corners part the way around a polygon of `count` vertices: the squares of its parts. */
+function unevenness(corners: readonly number[], count: number): number {
+  const places = [...corners].sort((a, b) => a - b);
+  const parts = places.map((place, i) => (places[i + 1] ?? places[0]! + count) - place);
+  return parts.reduce((sum, part) => sum + part * part, 0);
+}
+
+/** Vertices that make `corners` a triangle as wide as it can be; fewer where the polygon has no more. */
+function widened(corners: readonly number[], count: number): readonly number[] {
+  if (corners.length >= Math.min(TRIANGLE, count)) return corners;
+  const others = Array.from({ length: count }, (_, i) => i).filter((i) => !corners.includes(i));
+  const triangles = others.map((i) => widened([...corners, i], count));
+  return triangles.reduce((a, b) => (unevenness(b, count) < unevenness(a, count) ? b : a));
+}
+
+/**
+ * The triangle that comes nearest to a selection of the whole polygon: its heaviest styles. Fewer than three are given
+ * those of the `vertices`, in their order around the polygon, that make the triangle widest.
+ */
+export function toTriangle(selection: Selection, vertices: readonly string[]): Selection {
   const heaviest = [...selection].sort((a, b) => b.weight - a.weight).slice(0, TRIANGLE);
-  const fill = spare.filter((name) => !heaviest.some((s) => s.name === name));
-  while (heaviest.length < TRIANGLE && fill.length > 0) heaviest.push({ name: fill.shift()!, weight: 0 });
-  return normalised(heaviest);
+  const corners = heaviest.map(({ name }) => vertices.indexOf(name));
+  const others = widened(corners, vertices.length).slice(heaviest.length);
+  return normalised([...heaviest, ...others.map((i) => ({ name: vertices[i]!, weight: 0 }))]);
 }
 
 /**
