@@ -25,6 +25,12 @@ export function distance(a: Point, b: Point): number {
   return Math.hypot(a.x - b.x, a.y - b.y);
 }
 
+/** The unit vector from the centre to a point; the centre itself has none. */
+export function direction(p: Point): Point {
+  const length = Math.hypot(p.x, p.y) || 1;
+  return { x: p.x / length, y: p.y / length };
+}
+
 /** `count` vertices of a regular polygon, clockwise from the top. */
 export function circleVertices(count: number, radius: number): Point[] {
   return Array.from({ length: count }, (_, i) => {

@@ -6,6 +6,7 @@ import { formatNumber, html, prefersReducedMotion, setAttributes, svg } from "..
 import { strings } from "../strings/strings";
 import { hatching, isolines, label, path, weightBar } from "./drawing";
 import { circleVertices, isInside, nearestInside, type Point, pointOf, weightsAt } from "./geometry";
+import { placeLabels } from "./labels";
 import { allOf, drop, fromPolygon, type Selection, select, TRIANGLE, weightOf } from "./selection";
 import { Trail } from "./trail";
 
@@ -236,15 +237,19 @@ export class Polygon {
       }),
     );
     layers.bars.replaceChildren();
+    const labelled = vertices.map((name, i) => ({
+      name,
+      weight: selection.find((s) => s.name === name)?.weight,
+      position: this.#positions[i]!,
+    }));
+    const places = placeLabels(labelled, { left: -edge, right: edge, top: -ROOM.above, bottom: ROOM.below });
     for (const [i, vertex] of this.#vertexElements.entries()) {
-      const name = vertices[i]!;
-      const position = this.#positions[i]!;
-      const weight = selection.find((s) => s.name === name)?.weight;
+      const { name, weight, position } = labelled[i]!;
       if (weight !== undefined) layers.bars.append(weightBar(position, weight));
       vertex.classList.toggle("selected", weight !== undefined);
       vertex.querySelector(".vertex-dot")?.setAttribute("r", weight === undefined ? "3" : "5");
       vertex.querySelector(".vertex-label")?.remove();
-      vertex.append(label({ name, weight, position }, edge));
+      vertex.append(label(labelled[i]!, places[i]!));
       setAttributes(vertex, {
         "aria-pressed": weight === undefined ? "false" : "true",
         "aria-label": weight === undefined ? name : `${name} ${formatNumber(weight, 2)}`,
