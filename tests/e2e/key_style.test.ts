@@ -263,6 +263,32 @@ describe("what is learned", () => {
     await eventually(() => page.locator(".key-style .stage-title").textContent()).toMatch(/^Walk/);
   });
 
+  it("leaves the handle in the hand, which moves nothing until the new model is there", async () => {
+    const axes = () => page.locator(".pad-axis").allTextContents();
+    await eventually(axes).toEqual(["foot separation, cm", "foot height difference, cm"]);
+    const box = (await page.locator(".pad-plot").boundingBox())!;
+    const goTo = (share: number) => page.mouse.move(box.x + box.width * share, box.y + box.height * 0.4);
+    await goTo(0.3);
+    await page.mouse.down();
+    // All in one moment: learning takes its time, but may not take long.
+    const handle = await page.getByLabel("Motions to learn from").evaluate((select: HTMLSelectElement) => {
+      select.value = "punch";
+      select.dispatchEvent(new Event("change", { bubbles: true }));
+      const pad = document.querySelector(".pad-plot")!;
+      const { x, y } = pad.getBoundingClientRect();
+      const at = { clientX: x + 200, clientY: y + 200, bubbles: true, pointerId: 1 };
+      pad.dispatchEvent(new PointerEvent("pointermove", at));
+      return window.strut.state.keyHandle;
+    });
+    expect(handle, "a place among walks means nothing to punches").toEqual([]);
+    await eventually(axes).toEqual(["left reach, cm", "hips height, cm"]);
+    await goTo(0.5);
+    await eventually(async () => (await state()).keyTrail.length).toBeGreaterThan(0);
+    await page.mouse.up();
+    await visit(page, "view=key-style&play=0");
+    await eventually(axes).toEqual(["foot separation, cm", "foot height difference, cm"]);
+  });
+
   it("is any style variable, one to three, or an expression whose error points at the character", async () => {
     await page.getByLabel("Third style variable").selectOption("torso_lean");
     await eventually(() => page.locator(".key-style-sliders input").count()).toBe(1);

@@ -72,14 +72,14 @@ class KeyStyle implements View {
       onDrop: () => this.#drop(),
       onChooseKey: (key) => this.#choose(key),
       onMoveKey: (key, x, y) => {
-        const { keys } = store.state;
-        const values = keys[key]!.values.with(0, x).with(1, y);
-        store.edit({ keys: withValues(keys, key, values) }, `key-style pad ${key}`);
+        const keys = this.#keys;
+        const values = keys[key]?.values.with(0, x).with(1, y);
+        if (values) store.edit({ keys: withValues(keys, key, values) }, `key-style pad ${key}`);
       },
       onSettle: () => store.endGesture(),
     });
     this.#timeline = new Timeline({
-      keys: () => store.state.keys,
+      keys: () => this.#keys,
       onChoose: (key) => this.#choose(key),
       onEdit: (keys, gesture, keyChosen) => store.edit({ keys, keyChosen }, gesture),
       onSettle: () => store.endGesture(),
@@ -198,8 +198,9 @@ class KeyStyle implements View {
   #present(learned: Learned): void {
     const { store } = this.#host;
     const former = this.#learned;
-    former?.performance.dispose();
     this.#learned = learned;
+    this.#player.acting = learned.performance;
+    former?.performance.dispose();
     // Where the handle was means nothing to other variables.
     const others = former !== undefined && former.axes.join() !== learned.axes.join();
     const { model, rows, ranges } = learned.performance;
@@ -209,7 +210,6 @@ class KeyStyle implements View {
     this.#recordings.show({ rows, ranges, clips, values, rateHz });
     this.#pad.present(learned.performance);
     this.#dirty = true;
-    this.#player.acting = learned.performance;
     // A link may have left the handle beside the way between keys.
     if (handled && !store.state.playing && !this.#onWay(store.state)) this.#player.grab();
     this.#showState();
@@ -259,7 +259,7 @@ class KeyStyle implements View {
 
   /** Brings the handle somewhere. The pose is that of this very moment: it is on screen in the same frame. */
   #moveTo(values: readonly number[]): void {
-    if (!this.#acting) return;
+    if (!this.#player.ready) return;
     const now = performance.now();
     this.#player.grab();
     if (this.#recording) this.#recorder.add(now / 1000, values);
@@ -282,14 +282,20 @@ class KeyStyle implements View {
 
   // --- keys ---
 
+  /** The keys that can be edited: none while other variables are learned. */
+  get #keys(): readonly TimedValue[] {
+    return this.#player.ready ? this.#host.store.state.keys : [];
+  }
+
   #choose(keyChosen: number): void {
-    const { store } = this.#host;
-    store.edit({ keyChosen, playing: false });
-    this.#player.seek(store.state.keys[keyChosen]?.secs ?? 0);
+    const key = this.#keys[keyChosen];
+    if (!key) return;
+    this.#host.store.edit({ keyChosen, playing: false });
+    this.#player.seek(key.secs);
   }
 
   #goToKey(by: number): void {
-    const { keys } = this.#host.store.state;
+    const keys = this.#keys;
     if (keys.length === 0) return;
     const after = keys.findIndex((key) => key.secs > this.#player.secs + 1e-3);
     const before = keys.findLastIndex((key) => key.secs < this.#player.secs - 1e-3);
@@ -298,7 +304,7 @@ class KeyStyle implements View {
 
   #addKey(): void {
     const { store, notices } = this.#host;
-    if (!this.#acting) return;
+    if (!this.#player.ready) return;
     const secs = Math.min(store.state.keyLength, Math.round(this.#player.secs * 100) / 100);
     const { keys, key } = setKey(store.state.keys, secs, this.#handle);
     if (key < 0) {

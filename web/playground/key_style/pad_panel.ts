@@ -39,10 +39,7 @@ export class PadPanel {
     this.#axes = new AxisChooser(listeners.onAxes);
     this.#pad = new Pad({
       ...listeners,
-      onMove: (x, y) => {
-        const handle = listeners.handle().with(0, x);
-        listeners.onMove(handle.length > 1 ? handle.with(1, y) : handle);
-      },
+      onMove: (x, y) => listeners.onMove(listeners.handle().map((value, axis) => [x, y][axis] ?? value)),
     });
     const legend = html(
       "p",
@@ -141,13 +138,13 @@ export class PadPanel {
       onInput: (value) => {
         if (!this.#sliding) onGrab();
         this.#sliding = true;
-        onMove(handle().with(axis, value));
+        onMove(handle().map((former, i) => (i === axis ? value : former)));
       },
       onSettle: () => {
         this.#sliding = false;
         onDrop();
-        // What is known depends on the variable that has no direction.
-        this.#showPad(acting);
+        // What is known depends on the variable that has no direction. While others are learned it stays.
+        if (this.#slider?.control === control && handle().length === acting.rows.length) this.#showPad(acting);
       },
     });
     control.words = (value) => `${formatNumber(value, digits)} ${unit}`.trim();

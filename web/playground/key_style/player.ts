@@ -47,6 +47,16 @@ export class Player {
     this.#moved = true;
   }
 
+  /**
+   * Whether the model at work is of the variables that the state has: while another one is learned, the former is shown and
+   * nothing can be moved.
+   */
+  get ready(): boolean {
+    const { keyHandle, keys } = this.#store.state;
+    const axes = this.#acting?.rows.length;
+    return keyHandle.length === axes && keys.every(({ values }) => values.length === axes);
+  }
+
   /** Begins to count time. */
   start(now: number, secs: number): void {
     this.#last = now;
@@ -62,8 +72,7 @@ export class Player {
   /** Goes on to a frame of the screen. */
   tick(now: number): void {
     const { state } = this.#store;
-    // After a change of variables those of the former ones are shown until the model is there.
-    if (this.#acting && state.keyHandle.length === this.#acting.rows.length) {
+    if (this.ready) {
       this.#listeners.prepare();
       if (this.#replayed !== undefined) this.#replayAt((now - this.#replayed) / 1000, now);
       else if (state.playing && state.keys.length > 0) this.#playOn(now, state);
@@ -83,7 +92,7 @@ export class Player {
   /** A hand takes the handle: the body begins to follow it from where it is. */
   grab(): void {
     this.#replayed = undefined;
-    if (this.free || !this.#acting) return;
+    if (this.free || !this.#acting || !this.ready) return;
     if (this.#store.state.playing) this.#store.edit({ playing: false, keyTime: Math.round(this.secs * 100) / 100 });
     this.free = true;
     this.#acting.follow(this.#valuesAt(this.secs), undefined);
@@ -97,7 +106,7 @@ export class Player {
 
   /** Plays the last drag again. */
   replay(): void {
-    if (this.#store.state.keyTrail.length < 2) return;
+    if (this.#store.state.keyTrail.length < 2 || !this.ready) return;
     this.grab();
     this.#replayed = performance.now();
     this.#store.edit({ playing: false });
@@ -137,7 +146,7 @@ export class Player {
   /** The variables of the keys' motion at a time. */
   #valuesAt(secs: number): readonly number[] {
     const { keys, keyHandle } = this.#store.state;
-    if (!this.#acting || keys.length === 0) return keyHandle;
+    if (!this.#acting || keys.length === 0 || !this.ready) return keyHandle;
     this.#listeners.prepare();
     return Array.from(this.#acting.at(secs, "style").reached);
   }

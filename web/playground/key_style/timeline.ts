@@ -205,8 +205,11 @@ export class Timeline {
       this.#seekTo(x);
       return;
     }
+    const present = this.#listeners.keys();
+    // It may have been removed in the hand, by undo or by other variables.
+    if (!present[drag.key]) return;
     const secs = valueAt(this.#layout.time, x - drag.dx);
-    const keys = moveKey(this.#listeners.keys(), drag.key, secs, this.#model!.length);
+    const keys = moveKey(present, drag.key, secs, this.#model!.length);
     const value = valueAt(this.#scale(drag.axis), y - drag.dy);
     this.#edit(this.#withValue(keys, drag.key, drag.axis, value), `drag ${drag.key}`, drag.key);
   }
@@ -253,6 +256,7 @@ export class Timeline {
     } else if (target.dataset.key !== undefined) {
       const [key, axis] = [Number(target.dataset.key), Number(target.dataset.axis)];
       const keys = this.#listeners.keys();
+      if (!keys[key]) return;
       if (along !== 0) this.#edit(moveKey(keys, key, keys[key]!.secs + along * LEAST_GAP, length), `time ${key}`, key);
       else if (up !== 0) {
         const { least, most } = this.#model.ranges[axis]!;
