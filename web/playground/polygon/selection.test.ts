@@ -93,6 +93,11 @@ describe("editing a selection", () => {
         selected.map((name) => ({ name, weight: 1 / selected.length })),
         vertices,
       ).map((s) => s.name);
+    expect(toTriangle([{ name: "proud", weight: 1 }], vertexOrder(XIA, "neutral")).map((s) => s.name)).toEqual([
+      "proud",
+      "childlike",
+      "old",
+    ]);
     expect(names("style 4")).toEqual(["style 4", "style 12", "style 20"]);
     expect(names("style 0", "style 6")).toEqual(["style 0", "style 6", "style 15"]);
     expect(toTriangle([{ name: "old", weight: 1 }], ["proud", "old"])).toEqual([

@@ -97,11 +97,15 @@ export function fromPolygon(names: readonly string[], weights: readonly number[]
   );
 }
 
-/** How unevenly corners part the way around a polygon of `count` vertices: the squares of its parts. */
+/**
+ * How unevenly corners part the way around a polygon of `count` vertices: the squares of its parts and, among equals, the
+ * difference of those beside the first corner.
+ */
 function unevenness(corners: readonly number[], count: number): number {
-  const places = [...corners].sort((a, b) => a - b);
-  const parts = places.map((place, i) => (places[i + 1] ?? places[0]! + count) - place);
-  return parts.reduce((sum, part) => sum + part * part, 0);
+  const places = corners.map((corner) => (corner - corners[0]! + count) % count).sort((a, b) => a - b);
+  const parts = places.map((place, i) => (places[i + 1] ?? count) - place);
+  const squares = parts.reduce((sum, part) => sum + part * part, 0);
+  return squares + Math.abs(parts[0]! - parts.at(-1)!) / (count + 1);
 }
 
 /** Vertices that make `corners` a triangle as wide as it can be; fewer where the polygon has no more. */
