@@ -140,19 +140,12 @@ interface Choice {
 const covered = (box: Box, by: readonly Box[]): number =>
   COVERED * by.reduce((sum, other) => sum + overlap(box, other), 0);
 
+const boxesOf = (choices: readonly Choice[]): Box[] => choices.map(({ box }) => box);
+
 /** One choice of each of some labels: those that together are least bad. */
 function together(labels: readonly Choice[][]): Choice[] {
   const cost = (chosen: readonly Choice[]) =>
-    chosen.reduce(
-      (sum, { box, cost }, i) =>
-        sum +
-        cost +
-        covered(
-          box,
-          chosen.slice(0, i).map((other) => other.box),
-        ),
-      0,
-    );
+    chosen.reduce((sum, one, i) => sum + one.cost + covered(one.box, boxesOf(chosen.slice(0, i))), 0);
   const all = labels.reduce<Choice[][]>(
     (some, next) => some.flatMap((chosen) => next.map((one) => [...chosen, one])),
     [[]],
@@ -176,7 +169,7 @@ export function placeLabels(vertices: readonly LabelledVertex[], room: Box): Lab
   const selected = choices.filter((_, i) => vertices[i]!.weight !== undefined);
   const chosen = together(selected.slice(0, TOGETHER));
   const free = (places: readonly Choice[]) => {
-    const boxes = chosen.map(({ box }) => box);
+    const boxes = boxesOf(chosen);
     const costs = places.map(({ box, cost }) => cost + covered(box, boxes));
     return places[costs.indexOf(Math.min(...costs))]!;
   };
