@@ -9,8 +9,7 @@ await main(async () => {
   const { rust, wasm } = await buildSite();
   const browser = await setupBrowser();
   const cargo = (...args) => run(rust.CARGO ?? "cargo", args, { env: rust, cwd: join(root, "rust") });
-  await step("Building the command", () => cargo("build", "--release", "--quiet", "-p", "strut-cli"));
-  await step("Rust tests", () => cargo("test", "--workspace", "--quiet"));
+  await step("Rust tests", () => cargo("tests", "--quiet"));
   await step("TypeScript, parity and browser tests", () =>
     run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run"], {
       env: { ...wasm, ...browser },

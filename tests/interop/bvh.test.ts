@@ -5,9 +5,9 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { buildPrograms, COMMAND } from "../programs";
 import { recordings, root } from "../recordings";
 
-const strut = join(root, "rust", "target", "release", "strut");
 const blender = ["/usr/bin/blender", process.env.BLENDER_PATH ?? ""].find(existsSync);
 if (!blender) console.warn("skipping: no Blender at /usr/bin/blender or $BLENDER_PATH");
 const data = recordings();
@@ -17,8 +17,9 @@ const folder = mkdtempSync(join(tmpdir(), "strut-interop-"));
 const pairs: { name: string; input: string; output: string }[] = [];
 
 beforeAll(() => {
+  buildPrograms();
   const db = join(folder, "demo.strutdb");
-  execFileSync(strut, ["demo-db", "--page", "-o", db, "--bvh", join(folder, "demo")]);
+  execFileSync(COMMAND, ["demo-db", "--page", "-o", db, "--bvh", join(folder, "demo")]);
   const demo = readdirSync(join(folder, "demo")).filter((file) => file.includes("neutral"));
   const inputs = [
     join(folder, "demo", demo[0]!),
@@ -30,10 +31,10 @@ beforeAll(() => {
   ];
   inputs.forEach((input, i) => {
     const output = join(folder, `styled-${i}.bvh`);
-    execFileSync(strut, ["stylize", "--db", db, "--input", input, "--style", "old", "-o", output]);
+    execFileSync(COMMAND, ["stylize", "--db", db, "--input", input, "--style", "old", "-o", output]);
     pairs.push({ name: input, input, output });
   });
-});
+}, 900_000);
 
 afterAll(() => rmSync(folder, { recursive: true }));
 

@@ -7,15 +7,13 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { createBuildClient } from "../../web/worker/build/client";
 import type { ChosenFile, DroppedFile } from "../../web/worker/build/protocol";
 import { InlineBuildWorker } from "../inline_build_worker";
-import { recordings, root } from "../recordings";
+import { buildPrograms, COMMAND } from "../programs";
+import { recordings } from "../recordings";
 import { zipOf } from "../zip";
-
-const COMMAND = join(root, "rust/target/release/strut");
 
 let folder: string;
 beforeAll(() => {
-  const cargo = process.env.CARGO ?? "cargo";
-  execFileSync(cargo, ["build", "--release", "--quiet", "-p", "strut-cli"], { cwd: join(root, "rust") });
+  buildPrograms();
   folder = mkdtempSync(join(tmpdir(), "strut-parity-"));
 }, 900_000);
 afterAll(() => {

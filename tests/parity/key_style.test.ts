@@ -7,17 +7,16 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { createBuildClient } from "../../web/worker/build/client";
 import { KeyStyleModel } from "../../web/worker/key_style/key_style";
 import { InlineBuildWorker } from "../inline_build_worker";
-import { recordings, root } from "../recordings";
+import { buildPrograms, COMMAND } from "../programs";
+import { recordings } from "../recordings";
 
-const COMMAND = join(root, "rust/target/release/strut");
 const AXES = ["foot_separation", "foot_height_difference", "hand_l.y - hips.y"];
 /** The page's seed. */
 const SEED = "1";
 
 let folder: string;
 beforeAll(() => {
-  const cargo = process.env.CARGO ?? "cargo";
-  execFileSync(cargo, ["build", "--release", "--quiet", "-p", "strut-cli"], { cwd: join(root, "rust") });
+  buildPrograms();
   folder = mkdtempSync(join(tmpdir(), "strut-key-style-"));
   const run = (...args: string[]) => execFileSync(COMMAND, args, { cwd: folder, stdio: "pipe" });
   run("demo-db", "-o", "demo.strutdb", "--bvh", "demo");

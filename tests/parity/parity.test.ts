@@ -8,6 +8,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { beforeAll, describe, expect, test } from "vitest";
+import { buildPrograms, REPORT } from "../programs";
 import { firstDifference } from "./compare";
 
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
@@ -26,11 +27,6 @@ const REAL_CLIPS = [
 const mocap = [process.env.STRUT_MOCAP, join(ROOT, "..", "shared", "data")].find((path) => path && existsSync(path));
 const clips = mocap ? REAL_CLIPS.map((clip) => join(mocap, clip)) : [];
 if (!mocap) console.warn("Neither $STRUT_MOCAP nor ../shared/data is there: parity covers the built-in motions only.");
-
-function cargoRun(...args: string[]): string {
-  const options = { cwd: join(ROOT, "rust"), encoding: "utf8", maxBuffer: 1 << 28 } as const;
-  return execFileSync(process.env.CARGO ?? "cargo", ["run", "--quiet", ...args], options);
-}
 
 /** As much of the package as is used here; it is built by this test, so that its own types may not be there yet. */
 interface ParityGlue {
@@ -59,8 +55,11 @@ async function wasmReport(build: "simd" | "scalar", files: string[], nudgedFrame
 describe("native and WASM", () => {
   let native: string;
   beforeAll(() => {
-    cargoRun("--profile", "tool", "-p", "xtask", "--", "bench");
-    native = cargoRun("--release", "-p", "strut-wasm", "--features", "parity", "--example", "parity", "--", ...clips);
+    execFileSync(process.env.CARGO ?? "cargo", ["run", "--quiet", "--profile", "tool", "-p", "xtask", "--", "bench"], {
+      cwd: join(ROOT, "rust"),
+    });
+    buildPrograms();
+    native = execFileSync(REPORT, clips, { encoding: "utf8", maxBuffer: 1 << 28 });
   }, 900_000);
 
   test("give the same bits at every stage of every frame", { timeout: 600_000 }, async () => {
