@@ -4,14 +4,12 @@
  * report.
  */
 import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { basename, join } from "node:path";
-import { fileURLToPath } from "node:url";
 import { beforeAll, describe, expect, test } from "vitest";
 import { buildPrograms, REPORT } from "../programs";
+import { recordings, root } from "../recordings";
 import { firstDifference } from "./compare";
-
-const ROOT = fileURLToPath(new URL("../../", import.meta.url));
 
 /** Real clips of every skeleton there is; four of one cast, to be registered with each other. */
 const REAL_CLIPS = [
@@ -24,9 +22,8 @@ const REAL_CLIPS = [
   "cmu/female-walk.bvh",
 ];
 
-const mocap = [process.env.STRUT_MOCAP, join(ROOT, "..", "shared", "data")].find((path) => path && existsSync(path));
+const mocap = recordings();
 const clips = mocap ? REAL_CLIPS.map((clip) => join(mocap, clip)) : [];
-if (!mocap) console.warn("Neither $STRUT_MOCAP nor ../shared/data is there: parity covers the built-in motions only.");
 
 /** As much of the package as is used here; it is built by this test, so that its own types may not be there yet. */
 interface ParityGlue {
@@ -56,7 +53,7 @@ describe("native and WASM", () => {
   let native: string;
   beforeAll(() => {
     execFileSync(process.env.CARGO ?? "cargo", ["run", "--quiet", "--profile", "tool", "-p", "xtask", "--", "bench"], {
-      cwd: join(ROOT, "rust"),
+      cwd: join(root, "rust"),
     });
     buildPrograms();
     native = execFileSync(REPORT, clips, { encoding: "utf8", maxBuffer: 1 << 28 });

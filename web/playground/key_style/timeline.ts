@@ -256,12 +256,13 @@ export class Timeline {
     } else if (target.dataset.key !== undefined) {
       const [key, axis] = [Number(target.dataset.key), Number(target.dataset.axis)];
       const keys = this.#listeners.keys();
-      if (!keys[key]) return;
-      if (along !== 0) this.#edit(moveKey(keys, key, keys[key]!.secs + along * LEAST_GAP, length), `time ${key}`, key);
+      const own = keys[key];
+      if (!own) return;
+      if (along !== 0) this.#edit(moveKey(keys, key, own.secs + along * LEAST_GAP, length), `time ${key}`, key);
       else if (up !== 0) {
         const { least, most } = this.#model.ranges[axis]!;
         const by = up * (event.shiftKey ? STEP.fine : STEP.coarse) * (most - least);
-        this.#edit(this.#withValue(keys, key, axis, keys[key]!.values[axis]! + by), `value ${key}`, key);
+        this.#edit(this.#withValue(keys, key, axis, own.values[axis]! + by), `value ${key}`, key);
       } else if (event.key === "Delete" || event.key === "Backspace") {
         this.#edit(removeKey(keys, key), undefined, Math.max(0, key - 1));
         handled = true;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { circleVertices } from "./geometry";
-import { type Box, boxOf, type LabelledVertex, overlap, placeLabels } from "./labels";
+import { area, type Box, boxOf, type LabelledVertex, overlap, placeLabels } from "./labels";
 
 const ROOM: Box = { left: -152, right: 152, top: -144, bottom: 120 };
 
@@ -18,8 +18,6 @@ const all = (most: number): [count: number, i: number][] =>
   Array.from({ length: most - 2 }, (_, n) => n + 3).flatMap((count) =>
     Array.from({ length: count }, (_, i): [number, number] => [count, i]),
   );
-
-const area = ({ left, right, top, bottom }: Box) => (right - left) * (bottom - top);
 
 /** Boxes of the labels of the selected vertices. */
 function boxes(vertices: readonly LabelledVertex[]): Box[] {

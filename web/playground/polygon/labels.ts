@@ -128,7 +128,8 @@ export function overlap(a: Box, b: Box): number {
   return Math.max(0, width) * Math.max(0, height);
 }
 
-const area = ({ left, right, top, bottom }: Box): number => (right - left) * (bottom - top);
+/** Square pixels of a box. */
+export const area = ({ left, right, top, bottom }: Box): number => (right - left) * (bottom - top);
 
 /** A place that a label may take, its box, and how bad it is for itself. */
 interface Choice {
