@@ -28,6 +28,40 @@ async function drag(from: number, to: number, y: number): Promise<void> {
   await page.mouse.up();
 }
 
+/** Stops the walk just after the page has asked for a frame 100 ms on; the frame that was on screen then. */
+async function stopWithFrameOnItsWay(): Promise<number> {
+  await visit(page, "play=1");
+  await eventually(frame).toBeGreaterThan(5);
+  return page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        requestAnimationFrame(() => {
+          const busyUntil = performance.now() + 100;
+          while (performance.now() < busyUntil);
+          // The page's own callback comes before this one.
+          requestAnimationFrame(() => {
+            dispatchEvent(new KeyboardEvent("keydown", { key: " " }));
+            resolve(window.strut.frame!.inputFrame);
+          });
+        });
+      }),
+  );
+}
+
+describe("the playhead", () => {
+  it("rests at the frame on screen, also where one was on its way when the walk was stopped", async () => {
+    const walkedOn = async () => {
+      const stopped = await stopWithFrameOnItsWay();
+      await settledPose(page);
+      return (await frame()) - stopped;
+    };
+    await eventually(walkedOn, "a frame came after").toBeGreaterThan(1);
+    await eventually(async () => (await state()).frame - (await frame())).toBe(0);
+    const inLink = `frame=${Number((await frame()).toFixed(2))}`;
+    await eventually(() => page.url()).toContain(inLink);
+  });
+});
+
 describe("a range", () => {
   it("is selected in the ruler and looped", async () => {
     await visit(page, PAUSED);
@@ -108,7 +142,7 @@ describe("a style track", () => {
       `${page
         .url()
         .split("#")[1]!
-        .replace(/&frame=\d+/, "")}&frame=100`,
+        .replace(/&frame=[\d.]+/, "")}&frame=100`,
     );
     expect(turnBetween(proud, await settledPose(page)), "still proud at the first key").toBeLessThan(0.3);
     const depressed = await (async () => {

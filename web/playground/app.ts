@@ -332,7 +332,7 @@ export class App {
     const now = performance.now();
     const passing = this.#store.state.track.length > 1 && now - this.#headedAt > HEADING_MS;
     if (this.#action.take(frame.reads) || passing) this.#showHeading();
-    if (frame.ended && this.#store.state.playing) this.#playhead.pauseAt(frame.inputFrame);
+    if (frame.ended && this.#store.state.playing) this.#playhead.pause();
   }
 
   // --- from the state ---

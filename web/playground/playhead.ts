@@ -54,7 +54,7 @@ export class Playhead {
   togglePlay(): void {
     const { playing, loop } = this.#store.state;
     if (playing) {
-      this.pauseAt(this.at);
+      this.pause();
       return;
     }
     if (this.#previewing) this.session?.playback.seek(this.#store.state.frame);
@@ -63,8 +63,12 @@ export class Playhead {
     this.#store.edit({ playing: true, frame: 0 });
   }
 
-  pauseAt(frame: number): void {
-    this.#store.edit({ playing: false, frame: Math.round(frame) });
+  /** Stops where the motion is: at the frame that the engine was asked for before, if one is on its way. */
+  pause(): void {
+    this.#store.edit({ playing: false, frame: this.at });
+    void this.session?.shown().then(() => {
+      if (!this.#store.state.playing) this.#store.adopt({ frame: this.at });
+    });
   }
 
   /** Goes to an input frame, or as near as there is one. */
@@ -75,7 +79,7 @@ export class Playhead {
     this.#previewing = false;
     this.#target = at;
     this.session?.playback.seek(at);
-    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(at) });
+    if (!this.#store.state.playing) this.#store.edit({ frame: at });
   }
 
   step(by: number): void {
@@ -99,7 +103,7 @@ export class Playhead {
 
   endScrub(): void {
     this.#scrubbing = false;
-    if (!this.#store.state.playing) this.#store.edit({ frame: Math.round(this.at) });
+    if (!this.#store.state.playing) this.#store.edit({ frame: this.at });
     this.#onScrub(undefined);
   }
 }

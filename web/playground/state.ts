@@ -78,7 +78,7 @@ export interface PlayState {
   range: FrameRange | undefined;
   speed: number;
   playing: boolean;
-  /** Input frame at which a paused motion stands. */
+  /** Input frame at which a paused motion stands, or a place between two. */
   frame: number;
   /** Joint whose curve the timeline shows. */
   curve: string;
@@ -311,7 +311,7 @@ export const FIELDS: { readonly [K in keyof PlayState]: Field<PlayState[K]> } = 
   range: optional("range", encodeRange, decodeRange),
   speed: number("speed", 1, { min: 0.1, max: 4, digits: 2 }, false),
   playing: flag("play", true, false),
-  frame: number("frame", 0, { min: 0, max: 1e7, digits: 0 }, false),
+  frame: number("frame", 0, { min: 0, max: 1e7, digits: 2 }, false),
   curve: text("curve", "knee L", false),
   columns: listed(
     "columns",
