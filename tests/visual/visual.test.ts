@@ -66,11 +66,9 @@ const PUNCH = "play=0&view=key-style&set=punch&keyno=2&secs=0.4";
 /** The middle of a step. */
 const STEP = "play=0&view=key-style&secs=0.3";
 
-/** Waits until the motions are learned. */
+/** Waits until the motions are learned; what the link before asked for may still be on the stage. */
 async function learn(page: Page): Promise<void> {
-  await page.locator(".pad-key").first().waitFor();
-  // What the link before asked for may still be on the stage.
-  await page.waitForTimeout(3000);
+  await page.locator('.key-style[aria-busy="false"] .pad-key').first().waitFor();
 }
 
 const CASES: readonly Case[] = [

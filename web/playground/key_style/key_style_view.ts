@@ -3,7 +3,7 @@ import "../styles/key_style.css";
 import "../styles/maker.css";
 import type { DroppedFile } from "../../worker/build/protocol";
 import type { Between, PuppetFrame } from "../../worker/key_style/key_style";
-import { html } from "../dom";
+import { html, setAttributes } from "../dom";
 import { saveBvh, saveGlb } from "../outputs/save_motion";
 import type { PlayState } from "../state";
 import { strings } from "../strings/strings";
@@ -404,6 +404,7 @@ class KeyStyle implements View {
     this.#pad.show(set, this.#learner.axesOf(state), state.keyTrail);
     const ready = this.#learned !== undefined && !this.#learner.refused;
     this.element.classList.toggle("without-model", !ready);
+    setAttributes(this.element, { "aria-busy": String(this.#learner.learning(state)) });
     this.#foot.show(state, ready);
     this.element.dataset.pane = state.keyPane;
     this.#picture.show(state, ready ? this.#learned : undefined, this.#learner.refused);

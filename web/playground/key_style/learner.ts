@@ -36,6 +36,7 @@ export class Learner {
   /** What was asked for last. */
   #asked = "";
   #round = 0;
+  #busy = false;
 
   constructor(host: ViewHost, onLearned: (learned: Learned) => void, onRefused: () => void) {
     this.#host = host;
@@ -61,6 +62,11 @@ export class Learner {
     return this.#keyOf(source, order) === this.#asked;
   }
 
+  /** Whether what the state asks for is still to come. */
+  learning(state: Readonly<PlayState>): boolean {
+    return !this.refused && (this.#busy || !this.has(state));
+  }
+
   /** Learns what the state asks for, unless that is what was learned last. */
   async learn(state: Readonly<PlayState>, again = false): Promise<void> {
     const { source, order } = this.#orderOf(state);
@@ -70,16 +76,22 @@ export class Learner {
     this.#round += 1;
     const round = this.#round;
     this.empty.hidden = true;
+    this.#busy = true;
     try {
       const learned = await this.progress.run(words.reading, async (call): Promise<Learned> => {
         const trained = await this.#models.of(source, order, call);
         const model = await KeyStyleModel.open(trained.file);
         return { performance: new Performance(model, titleOf), trained, axes: order.axes };
       });
-      if (round === this.#round) this.#onLearned(learned);
-      else learned.performance.dispose();
+      if (round !== this.#round) {
+        learned.performance.dispose();
+        return;
+      }
+      this.#busy = false;
+      this.#onLearned(learned);
     } catch (error) {
       if (round !== this.#round) return;
+      this.#busy = false;
       this.#asked = "";
       this.#refuse(isCancellation(error) ? "" : errorText(error));
     }
