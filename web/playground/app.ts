@@ -5,6 +5,7 @@ import { commandsOf } from "./commands";
 import { Databases } from "./databases";
 import { html } from "./dom";
 import { DropZone } from "./drop";
+import { Heading } from "./heading";
 import { type KeyActions, listenToKeys } from "./keys";
 import { Links, linkedFile } from "./links";
 import { Notices } from "./notices";
@@ -20,7 +21,6 @@ import { Transport } from "./panels/transport";
 import { Playhead } from "./playhead";
 import { firstSelection } from "./polygon/selection";
 import { ProgressLine } from "./progress";
-import { ReadAction } from "./read_action";
 import { Session } from "./session";
 import { Stage } from "./stage";
 import { ENGINE_FIELDS, fromHash, type PlayState } from "./state";
@@ -31,10 +31,8 @@ import {
   chosenKey,
   engineOptions,
   moveKey,
-  ownParts,
   partOf,
   removeKey,
-  stylesAt,
   withKnownLabels,
   withKnownStyles,
 } from "./style_settings";
@@ -43,13 +41,10 @@ import { plantedStretches } from "./timeline/curves";
 import { Timeline } from "./timeline/timeline";
 import { TrackKeys } from "./timeline/track_keys";
 import { Views } from "./views";
-import { manner, stageCaption, stageTitle } from "./words";
+import { manner } from "./words";
 
 /** What the Style panel and the title show. */
 const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon", "intensity", "side"] as const;
-
-/** The title follows a style track this often, so that it can be read. */
-const HEADING_MS = 300;
 
 type Changed = ReadonlySet<keyof PlayState>;
 const any = (changed: Changed, ...names: (keyof PlayState)[]): boolean => names.some((name) => changed.has(name));
@@ -64,6 +59,7 @@ export class App {
   readonly #drop: DropZone;
   readonly #topBar: TopBar;
   readonly #stage: Stage;
+  readonly #heading: Heading;
   readonly #style: StylePanel;
   readonly #input: InputPanel;
   readonly #model: ModelPanel;
@@ -82,9 +78,6 @@ export class App {
   #analysed = false;
   /** Styled poses of the whole input, whose path the picture shows. */
   #path: Float32Array | undefined;
-  readonly #action = new ReadAction();
-  /** When the title was written last. */
-  #headedAt = 0;
   /** The file that a link was made with and does not hold, and the frame that it shows of it. */
   #awaited: { input: string; frame: number } | undefined;
 
@@ -111,6 +104,7 @@ export class App {
       onTrace: () => this.#commands.trace(),
       onJoint: (role) => store.edit({ part: partOf(role), tab: "style" }),
     });
+    this.#heading = new Heading(store, this.#stage, this.#playhead);
     this.#style = new StylePanel(store, this.#progress.database.element);
     this.#commands = commandsOf(store, this.#playhead, this.#style, this.#help, () => this.#history);
     this.#input = new InputPanel(
@@ -223,6 +217,7 @@ export class App {
     this.#session = session;
     session.curve = this.#timeline.subject;
     this.#playhead.session = session;
+    this.#heading.session = session;
     const wanted = this.#store.state.input;
     const carried = linkedFile(this.#hash);
     await session.openDatabase(await this.#databases.wanted(), wanted);
@@ -307,7 +302,7 @@ export class App {
     this.#keys.input = input;
     this.#topBar.canExport = true;
     this.#notices.clearErrors();
-    this.#showHeading();
+    this.#heading.show();
     this.#views.shown?.refresh?.();
   }
 
@@ -329,9 +324,7 @@ export class App {
       this.#transport.frame = frame.inputFrame;
       if (!this.#playhead.scrubbing) this.#timeline.frame = frame.inputFrame;
     }
-    const now = performance.now();
-    const passing = this.#store.state.track.length > 1 && now - this.#headedAt > HEADING_MS;
-    if (this.#action.take(frame.reads) || passing) this.#showHeading();
+    this.#heading.take(frame.reads);
     if (frame.ended && this.#store.state.playing) this.#playhead.pause();
   }
 
@@ -376,7 +369,7 @@ export class App {
     if (!changed || any(changed, ...STYLE_FIELDS)) {
       this.#style.show(state, changed !== undefined);
       this.#showTrack(state);
-      this.#showHeading();
+      this.#heading.show();
     }
     if (!changed || changed.has("range")) this.#timeline.range = state.range;
     if (!changed || changed.has("curve")) {
@@ -407,27 +400,6 @@ export class App {
 
   get #history(): History {
     return this.#views.shown?.history ?? this.#store;
-  }
-
-  #showHeading(): void {
-    const session = this.#session;
-    this.#headedAt = performance.now();
-    if (!session?.database) return;
-    const { intensity, track } = this.#store.state;
-    const styles = stylesAt(this.#store.state, this.#playhead.at);
-    const { neutral, rateHz } = session.database;
-    this.#stage.heading = {
-      title: stageTitle(this.#action.name, styles, intensity, neutral),
-      caption: stageCaption(
-        session.library.title(session.inputName),
-        {
-          styles: styles.filter((s) => s.weight !== 0).length,
-          parts: ownParts(this.#store.state).length,
-          keys: track.length,
-        },
-        rateHz,
-      ),
-    };
   }
 
   /** Shows in the picture what it showed before another view borrowed it. */
