@@ -1,7 +1,7 @@
 /** What the end-to-end tests share: the built site behind a server, real Chromium, and a page that runs. */
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { resolve } from "node:path";
-import { type Browser, chromium, type Page } from "playwright-core";
+import { type Browser, chromium, type Locator, type Page } from "playwright-core";
 import { preview } from "vite";
 import { expect } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
@@ -111,6 +111,31 @@ export async function closePage(page: Page): Promise<void> {
   await page.context().close();
   const errors = faults.get(page) ?? [];
   if (errors.length > 0) throw new Error(`The page threw: ${errors.join("; ")}`);
+}
+
+/** A place on the page, pixels. */
+export interface Place {
+  x: number;
+  y: number;
+}
+
+/** The middle of something on the page. */
+export async function middleOf(thing: Locator): Promise<Place> {
+  const box = (await thing.boundingBox())!;
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+/** Presses the pointer at a place and moves it to another, where it stays pressed. */
+export async function dragHolding(page: Page, from: Place, to: Place): Promise<void> {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps: 10 });
+}
+
+/** {@link dragHolding}, and lets go. */
+export async function drag(page: Page, from: Place, to: Place): Promise<void> {
+  await dragHolding(page, from, to);
+  await page.mouse.up();
 }
 
 /** The styled pose that is on screen. */

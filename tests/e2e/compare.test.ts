@@ -1,11 +1,11 @@
 /** The Compare view: one instant, several ways. */
-import axe from "axe-core";
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
+import { axeFaults } from "./axe";
 import { eventually, openSite, screenshot, visit } from "./browser";
 
-declare const window: { strut: StrutHook; axe: typeof axe };
+declare const window: { strut: StrutHook };
 
 const COMPARED = "view=compare&play=0&frame=160&styles=old:1,proud:0,childlike:0";
 
@@ -23,11 +23,7 @@ const columns = () => page.getByLabel("Column", { exact: true });
 const figure = (column: string, row: string) =>
   page.locator(`.compare-table[data-column="${column}"] > div`).filter({ hasText: row }).locator("dd").textContent();
 
-async function faults(): Promise<string[]> {
-  await page.addScriptTag({ content: axe.source });
-  const { violations } = await page.evaluate(() => window.axe.run());
-  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
-}
+const faults = () => axeFaults(page);
 
 describe("the columns", () => {
   it("show the input and three methods with live figures, and what differs behind", async () => {

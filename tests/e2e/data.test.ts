@@ -2,16 +2,16 @@
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import axe from "axe-core";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
 import { everyNth, playedAt, walksIn } from "../clips";
 import { recordings } from "../recordings";
 import { zipOf } from "../zip";
+import { axeFaults } from "./axe";
 import { closePage, dropFile, eventually, launchBrowser, openPage, screenshot, serveSite } from "./browser";
 
-declare const window: { strut: StrutHook; axe: typeof axe };
+declare const window: { strut: StrutHook };
 
 let browser: Browser;
 let site: Awaited<ReturnType<typeof serveSite>>;
@@ -57,11 +57,7 @@ async function build(): Promise<string> {
   return (await said.textContent())!;
 }
 
-async function faults(): Promise<string[]> {
-  await page.addScriptTag({ content: axe.source });
-  const { violations } = await page.evaluate(() => window.axe.run());
-  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
-}
+const faults = () => axeFaults(page);
 
 /** A small set of three styles. */
 function smallSet() {

@@ -1,13 +1,13 @@
 /** The Key-style view: a hand drags a point over style variables and the body follows; keys of it are a motion. */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
-import axe from "axe-core";
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import { dropFile, eventually, openSite, screenshot, visit } from "./browser";
+import { axeFaults } from "./axe";
+import { drag, dropFile, eventually, middleOf, openSite, screenshot, visit } from "./browser";
 
-declare const window: { strut: StrutHook; axe: typeof axe; drags?: number[] };
+declare const window: { strut: StrutHook; drags?: number[] };
 
 let page: Page;
 let bvh: Buffer;
@@ -28,11 +28,6 @@ const measured = async (name: string) =>
 const joint = (role: Parameters<StrutHook["jointScreenPosition"]>[0]) =>
   page.evaluate((role) => window.strut.jointScreenPosition(role), role);
 
-async function middle(selector: string): Promise<{ x: number; y: number }> {
-  const box = (await page.locator(selector).first().boundingBox())!;
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-}
-
 /** Middle and radii of the turn that the keys make on the pad, pixels. */
 async function turn(): Promise<{ x: number; y: number; rx: number; ry: number }> {
   const at = await page.evaluate(() =>
@@ -47,11 +42,7 @@ async function turn(): Promise<{ x: number; y: number; rx: number; ry: number }>
   return { x: mean(xs), y: mean(ys), rx: 0.85 * half(xs), ry: 0.8 * half(ys) };
 }
 
-async function faults(): Promise<string[]> {
-  await page.addScriptTag({ content: axe.source });
-  const { violations } = await page.evaluate(() => window.axe.run());
-  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
-}
+const faults = () => axeFaults(page);
 
 describe("opening the view", () => {
   it("learns the built-in walk, says what it took, and walks by keys", async () => {
@@ -202,11 +193,8 @@ describe("keys", () => {
     await eventually(() => page.locator(".keys-key").count()).toBe(20);
     const { keys, keyChosen } = await state();
     const place = `[data-place="${keyChosen}-0"]`;
-    const from = await middle(place);
-    await page.mouse.move(from.x, from.y);
-    await page.mouse.down();
-    for (let i = 1; i <= 6; i++) await page.mouse.move(from.x + 4 * i, from.y - 2 * i);
-    await page.mouse.up();
+    const { x, y } = await middleOf(page.locator(place));
+    await drag(page, { x, y }, { x: x + 24, y: y - 12 });
     const moved = (await state()).keys[keyChosen]!;
     expect(moved.secs).toBeGreaterThan(keys[keyChosen]!.secs + 0.01);
     expect(moved.values[0]).toBeGreaterThan(keys[keyChosen]!.values[0]!);

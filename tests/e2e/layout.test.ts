@@ -1,11 +1,11 @@
 /** The page on wide and narrow screens, in both themes, from any folder, and for everybody. */
-import axe from "axe-core";
 import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
+import { axeFaults } from "./axe";
 import { eventually, openSite, screenshot, type serveSite, visit } from "./browser";
 
-declare const window: { strut: StrutHook; axe: typeof axe };
+declare const window: { strut: StrutHook };
 
 let browser: Browser;
 let site: Awaited<ReturnType<typeof serveSite>>;
@@ -44,12 +44,7 @@ const overflow = () =>
     return { x: scrollWidth - clientWidth, y: scrollHeight - clientHeight };
   });
 
-/** What axe finds, one line for each kind of fault. */
-async function faults(): Promise<string[]> {
-  await page.addScriptTag({ content: axe.source });
-  const { violations } = await page.evaluate(() => window.axe.run());
-  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
-}
+const faults = () => axeFaults(page);
 
 describe("a wide screen", () => {
   for (const theme of ["dark", "light"] as const)

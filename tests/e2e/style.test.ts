@@ -5,9 +5,11 @@ import type { StrutHook } from "../../web/playground/hook";
 import { walksIn } from "../clips";
 import {
   closePage,
+  dragHolding,
   dropFile,
   eventually,
   inputName,
+  middleOf,
   openPage,
   openSite,
   screenshot,
@@ -34,10 +36,6 @@ const PAUSED = "play=0&frame=60&styles=proud:1,old:0,depressed:0";
 
 const handle = () => page.getByRole("slider", { name: "Style", exact: true });
 const weights = () => page.evaluate(() => window.strut.state.styles.map((s) => s.weight));
-const centre = async () => {
-  const box = (await handle().boundingBox())!;
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-};
 
 describe("the page", () => {
   it("opens with a character that walks", async () => {
@@ -73,12 +71,8 @@ describe("the point in the triangle", () => {
   it("changes the pose where it is dragged, and undo brings the pose back", async () => {
     await visit(page, PAUSED);
     const before = await settledPose(page);
-    const from = await centre();
-    const to = (await page.locator('.vertex[data-style="depressed"] .vertex-dot').boundingBox())!;
-    await page.mouse.move(from.x, from.y);
-    await page.mouse.down();
-    for (let i = 1; i <= 12; i++)
-      await page.mouse.move(from.x + ((to.x + 5 - from.x) * i) / 12, from.y + ((to.y + 5 - from.y) * i) / 12);
+    const depressed = page.locator('.vertex[data-style="depressed"] .vertex-dot');
+    await dragHolding(page, await middleOf(handle()), await middleOf(depressed));
     await screenshot(page, "drag");
     await page.mouse.up();
     const after = await settledPose(page);
@@ -104,12 +98,12 @@ describe("the point in the triangle", () => {
     await visit(page, "play=0&frame=60&styles=proud:0.4,old:0.3,depressed:0.3");
     const before = await settledPose(page);
     await handle().focus();
-    const start = await centre();
+    const start = await middleOf(handle());
     await page.keyboard.press("ArrowUp");
-    const up = await centre();
+    const up = await middleOf(handle());
     expect(start.y - up.y).toBeCloseTo(0.05 * 92, 0);
     await page.keyboard.press("Shift+ArrowRight");
-    expect((await centre()).x - up.x).toBeCloseTo(0.01 * 92, 0);
+    expect((await middleOf(handle())).x - up.x).toBeCloseTo(0.01 * 92, 0);
     for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowUp");
     expect(await handle().getAttribute("aria-valuetext")).toMatch(/^proud 0\.\d\d, old 0\.\d\d, depressed 0\.\d\d$/);
     expect(turnBetween(before, await settledPose(page))).toBeGreaterThan(1);

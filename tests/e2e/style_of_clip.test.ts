@@ -3,7 +3,7 @@ import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
 import { everyNth, walksIn } from "../clips";
-import { dropFile, eventually, inputName, openSite, screenshot } from "./browser";
+import { dropFile, eventually, inputName, middleOf, openSite, screenshot } from "./browser";
 
 declare const window: { strut: StrutHook };
 
@@ -20,8 +20,8 @@ const vertices = () => page.locator(".vertex").evaluateAll((v) => v.map((e) => e
 const weights = () => page.evaluate(() => Object.fromEntries(window.strut.state.styles.map((s) => [s.name, s.weight])));
 const alert = () => page.getByRole("alert").textContent();
 const polygon = async () => {
-  const box = (await page.locator(".polygon-box").boundingBox())!;
-  return { clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 };
+  const { x, y } = await middleOf(page.locator(".polygon-box"));
+  return { clientX: x, clientY: y };
 };
 
 describe("a walk that falls on the polygon", () => {

@@ -7,10 +7,12 @@ import type { StrutHook } from "../../web/playground/hook";
 import { recordings } from "../recordings";
 import {
   closePage,
+  drag,
   dropFile,
   eventually,
   inputName,
   launchBrowser,
+  middleOf,
   openPage,
   saved,
   serveSite,
@@ -54,12 +56,9 @@ async function task(
 
 /** Drags the point of the polygon to a place between two corners. */
 async function dragBetween(page: Page, a: string, b: string): Promise<void> {
-  const handle = (await page.getByRole("slider", { name: "Style", exact: true }).boundingBox())!;
-  const [from, to] = [(await corner(page, a).boundingBox())!, (await corner(page, b).boundingBox())!];
-  await page.mouse.move(handle.x + handle.width / 2, handle.y + handle.height / 2);
-  await page.mouse.down();
-  await page.mouse.move((from.x + to.x) / 2 + 5, (from.y + to.y) / 2 + 5, { steps: 8 });
-  await page.mouse.up();
+  const handle = page.getByRole("slider", { name: "Style", exact: true });
+  const [from, to] = [await middleOf(corner(page, a)), await middleOf(corner(page, b))];
+  await drag(page, await middleOf(handle), { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 });
 }
 
 const data = recordings();

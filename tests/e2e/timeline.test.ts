@@ -2,7 +2,7 @@
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import { eventually, openSite, screenshot, settledPose, turnBetween, visit } from "./browser";
+import { drag, eventually, middleOf, openSite, screenshot, settledPose, turnBetween, visit } from "./browser";
 
 declare const window: { strut: StrutHook };
 
@@ -20,12 +20,10 @@ const rows = async () => (await page.locator(".timeline-rows").boundingBox())!;
 const PAUSED = "play=0&frame=100&styles=proud:1,old:0,depressed:0";
 
 /** Presses, moves and lets go on the timeline, at shares of its width. */
-async function drag(from: number, to: number, y: number): Promise<void> {
+async function dragAcross(from: number, to: number, y: number): Promise<void> {
   const box = await rows();
-  await page.mouse.move(box.x + from * box.width, box.y + y);
-  await page.mouse.down();
-  for (let i = 1; i <= 6; i++) await page.mouse.move(box.x + (from + ((to - from) * i) / 6) * box.width, box.y + y);
-  await page.mouse.up();
+  const at = (share: number) => ({ x: box.x + share * box.width, y: box.y + y });
+  await drag(page, at(from), at(to));
 }
 
 /** Stops the walk just after the page has asked for a frame 100 ms on; the frame that was on screen then. */
@@ -66,7 +64,7 @@ describe("a range", () => {
   it("is selected in the ruler and looped", async () => {
     await visit(page, PAUSED);
     await settledPose(page);
-    await drag(0.5, 0.6, 6);
+    await dragAcross(0.5, 0.6, 6);
     const { range } = await state();
     const last = Number(await page.locator(".scrub input").getAttribute("max"));
     expect(range!.first / last).toBeCloseTo(0.5, 1);
@@ -157,11 +155,8 @@ describe("a style track", () => {
   it("moves a key with the pointer and with arrow keys, and removes it", async () => {
     await visit(page, `${PAUSED}&track=60~proud:1,old:0,depressed:0;300~proud:0,old:0,depressed:1`);
     const first = keys().first();
-    const box = (await first.boundingBox())!;
-    await page.mouse.move(box.x + 9, box.y + 9);
-    await page.mouse.down();
-    await page.mouse.move(box.x + 69, box.y + 9, { steps: 5 });
-    await page.mouse.up();
+    const { x, y } = await middleOf(first);
+    await drag(page, { x, y }, { x: x + 60, y });
     const moved = (await state()).track[0]!.frame;
     expect(moved).toBeGreaterThan(80);
     await page.keyboard.press("ArrowRight");

@@ -1,11 +1,11 @@
 /** The Walk view: a plan of styles that somebody walks by. */
-import axe from "axe-core";
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import { eventually, openSite, screenshot, visit } from "./browser";
+import { axeFaults } from "./axe";
+import { drag, dragHolding, eventually, middleOf, openSite, screenshot, visit } from "./browser";
 
-declare const window: { strut: StrutHook; axe: typeof axe };
+declare const window: { strut: StrutHook };
 
 /** Paused in the middle of the way from neutral to proud. */
 const THREE = "walk=1_3_2~neutral:1,old:0,sexy:0;1_4_2~proud:1,old:0,sexy:0;1_3_2~old:1,proud:0,sexy:0";
@@ -26,24 +26,13 @@ const figure = (name: string) =>
   page.locator(".walk-figures > div").filter({ hasText: name }).locator("dd").textContent();
 const number = async (name: string) => Number.parseFloat((await figure(name))!);
 const secs = async () => Number(await page.locator(".walk .clock").textContent());
-/** The middle of something on the page. */
-async function middle(selector: string): Promise<{ x: number; y: number }> {
-  const box = (await page.locator(selector).boundingBox())!;
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-}
-async function drag(selector: string, dx: number): Promise<void> {
-  const { x, y } = await middle(selector);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  for (let i = 1; i <= 8; i++) await page.mouse.move(x + (dx * i) / 8, y);
-  await page.mouse.up();
+/** Drags an edge of a block to the right. */
+async function dragEdge(selector: string, dx: number): Promise<void> {
+  const { x, y } = await middleOf(page.locator(selector));
+  await drag(page, { x, y }, { x: x + dx, y });
 }
 
-async function faults(): Promise<string[]> {
-  await page.addScriptTag({ content: axe.source });
-  const { violations } = await page.evaluate(() => window.axe.run());
-  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
-}
+const faults = () => axeFaults(page);
 
 describe("opening the view", () => {
   it("trains on the built-in walks, says so, and walks", async () => {
@@ -94,7 +83,7 @@ describe("the plan", () => {
   it("takes steps by the end of a block, and gives them back by undo", async () => {
     await visit(page, `view=walk&play=0&${THREE}`);
     await eventually(title).toBe("16 steps, three styles");
-    await drag('[data-key="end-1"]', 200);
+    await dragEdge('[data-key="end-1"]', 200);
     const steps = (await state()).walk[1]!.steps;
     expect(steps).toBeGreaterThan(5);
     await eventually(() => page.url()).toContain(`1_${steps}_2~proud:1`);
@@ -104,7 +93,7 @@ describe("the plan", () => {
   });
 
   it("moves a transition between its neighbours, by pointer and by keys", async () => {
-    await drag('[data-key="middle-1"]', 70);
+    await dragEdge('[data-key="middle-1"]', 70);
     const { walk } = await state();
     expect(walk[0]!.steps).toBeGreaterThan(3);
     expect(walk[0]!.steps + walk[1]!.steps).toBe(7);
@@ -117,12 +106,8 @@ describe("the plan", () => {
 
   it("changes the order of blocks, adds and removes them", async () => {
     await visit(page, `view=walk&play=0&${THREE}`);
-    const to = await middle('[data-key="block-0"]');
-    const from = await middle('[data-key="block-2"]');
-    await page.mouse.move(from.x, from.y);
-    await page.mouse.down();
-    for (let i = 1; i <= 10; i++) await page.mouse.move(from.x + ((to.x - from.x) * i) / 10, from.y);
-    await page.mouse.move(to.x - 4, to.y);
+    const to = await middleOf(block(0));
+    await dragHolding(page, await middleOf(block(2)), { x: to.x - 4, y: to.y });
     const order = async () => (await state()).walk.map((b) => b.styles[0]!.name);
     await eventually(async () => {
       await page.mouse.move(to.x - 4 - Math.random(), to.y);
@@ -158,13 +143,9 @@ describe("the block", () => {
     const speed = await number("Speed");
     // The handle glides to where it belongs.
     await page.waitForTimeout(600);
-    const handle = await middle(".walk-panel .handle-body");
-    const old = await middle('.walk-panel .vertex[data-style="old"] .vertex-dot');
-    await page.mouse.move(handle.x, handle.y);
-    await page.mouse.down();
-    for (let i = 1; i <= 8; i++)
-      await page.mouse.move(handle.x + ((old.x - handle.x) * i) / 8, handle.y + ((old.y - handle.y) * i) / 8);
-    await page.mouse.up();
+    const panel = page.locator(".walk-panel");
+    const old = panel.locator('.vertex[data-style="old"] .vertex-dot');
+    await drag(page, await middleOf(panel.locator(".handle-body")), await middleOf(old));
     const { walk } = await state();
     expect(walk[1]!.styles.find((s) => s.name === "old")!.weight).toBeGreaterThan(0.9);
     expect(walk[0]!.styles[0]!.weight, "the others stay").toBe(1);

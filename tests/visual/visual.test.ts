@@ -7,7 +7,7 @@ import { resolve } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/playground/hook";
-import { closePage, launchBrowser, openPage, saved, serveSite, visit } from "../e2e/browser";
+import { closePage, dragHolding, launchBrowser, middleOf, openPage, saved, serveSite, visit } from "../e2e/browser";
 
 declare const window: { strut: StrutHook };
 
@@ -46,11 +46,9 @@ async function walkOn(page: Page): Promise<void> {
 
 /** Holds the handle of the polygon half way to a corner. */
 async function dragHandle(page: Page): Promise<void> {
-  const handle = (await page.getByRole("slider", { name: "Style", exact: true }).boundingBox())!;
-  const to = (await page.locator('.vertex[data-style="old"] .vertex-dot').boundingBox())!;
-  await page.mouse.move(handle.x + handle.width / 2, handle.y + handle.height / 2);
-  await page.mouse.down();
-  await page.mouse.move((handle.x + to.x) / 2, (handle.y + to.y) / 2, { steps: 5 });
+  const from = await middleOf(page.getByRole("slider", { name: "Style", exact: true }));
+  const to = await middleOf(page.locator('.vertex[data-style="old"] .vertex-dot'));
+  await dragHolding(page, from, { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 });
 }
 
 /** Drops clips of two styles, of which one has no name that tells. */

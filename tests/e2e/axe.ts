@@ -1,0 +1,12 @@
+/** What axe finds: faults that shut out who does not see the page, or has no pointer. */
+import axe from "axe-core";
+import type { Page } from "playwright-core";
+
+declare const window: { axe: typeof axe };
+
+/** One line for each kind of fault of a page, with the places. */
+export async function axeFaults(page: Page): Promise<string[]> {
+  await page.addScriptTag({ content: axe.source });
+  const { violations } = await page.evaluate(() => window.axe.run());
+  return violations.map((v) => `${v.id}: ${v.nodes.map((node) => node.target.join(" ")).join(", ")}`);
+}
