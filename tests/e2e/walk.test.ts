@@ -26,6 +26,7 @@ const figure = (name: string) =>
   page.locator(".walk-figures > div").filter({ hasText: name }).locator("dd").textContent();
 const number = async (name: string) => Number.parseFloat((await figure(name))!);
 const secs = async () => Number(await page.locator(".walk .clock").textContent());
+
 /** Drags an edge of a block to the right. */
 async function dragEdge(selector: string, dx: number): Promise<void> {
   const { x, y } = await middleOf(page.locator(selector));

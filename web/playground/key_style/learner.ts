@@ -31,17 +31,18 @@ export class Learner {
   files: readonly DroppedFile[] = [];
   readonly #host: ViewHost;
   readonly #onLearned: (learned: Learned) => void;
-  readonly #onRefused: () => void;
+  readonly #onChange: () => void;
   readonly #models = new KeyStyleModels();
   /** What was asked for last. */
   #asked = "";
   #round = 0;
   #busy = false;
 
-  constructor(host: ViewHost, onLearned: (learned: Learned) => void, onRefused: () => void) {
+  /** `onChange` hears when it begins to learn, and when that has failed. */
+  constructor(host: ViewHost, onLearned: (learned: Learned) => void, onChange: () => void) {
     this.#host = host;
     this.#onLearned = onLearned;
-    this.#onRefused = onRefused;
+    this.#onChange = onChange;
   }
 
   /** Whether what was asked for last could not be learned. */
@@ -77,6 +78,7 @@ export class Learner {
     const round = this.#round;
     this.empty.hidden = true;
     this.#busy = true;
+    this.#onChange();
     try {
       const learned = await this.progress.run(words.reading, async (call): Promise<Learned> => {
         const trained = await this.#models.of(source, order, call);
@@ -129,7 +131,7 @@ export class Learner {
       html("div", {}, ...choices),
     );
     this.empty.hidden = false;
-    this.#onRefused();
+    this.#onChange();
   }
 }
 
