@@ -7,18 +7,18 @@ const pages = existsSync(resolve(import.meta.dirname, "bench/pkg/scalar/stamp"))
 
 // Relative base: the built site works from any folder of any host.
 export default defineConfig({
-  root: "web/playground",
+  root: "web/app",
   base: "./",
   publicDir: "../../public",
   build: {
     outDir: "../../dist",
+    // scripts/size.mjs reads what is loaded with what.
+    manifest: true,
     emptyOutDir: true,
     target: "es2022",
     assetsInlineLimit: 0,
     rolldownOptions: {
-      input: Object.fromEntries(
-        pages.map((page) => [page, resolve(import.meta.dirname, `web/playground/${page}.html`)]),
-      ),
+      input: Object.fromEntries(pages.map((page) => [page, resolve(import.meta.dirname, `web/app/${page}.html`)])),
     },
   },
   worker: { format: "es" },

@@ -1,10 +1,22 @@
 import { defineConfig } from "vitest/config";
 
+/** The projects run one after the other, in this order. */
+const projects = [
+  // Beside the code; as many files at once as there are cores.
+  { name: "unit", include: ["web/**/*.test.ts"] },
+  // The page's modules beside the native programs.
+  { name: "native", include: ["tests/**/*.test.ts"], exclude: ["tests/{e2e,visual}/**"] },
+  // One Chromium at a time: drawing in software takes every core.
+  { name: "browser", include: ["tests/{e2e,visual}/**/*.test.ts"], maxWorkers: 1 },
+];
+
 export default defineConfig({
   test: {
-    include: ["web/**/*.test.ts", "tests/**/*.test.ts"],
     testTimeout: 120_000,
     hookTimeout: 120_000,
-    fileParallelism: false,
+    projects: projects.map((project, groupOrder) => ({
+      extends: true,
+      test: { ...project, sequence: { groupOrder } },
+    })),
   },
 });

@@ -139,7 +139,7 @@ await main(async () => {
   if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
   if (!existsSync(resolve(root, "dist/index.html"))) throw new Sentence("dist/ is missing; run 'npm run build' first.");
   const server = await preview({
-    root: resolve(root, "web/playground"),
+    root: resolve(root, "web/app"),
     configFile: resolve(root, "vite.config.ts"),
     preview: { port: 0, strictPort: false, open: false },
     logLevel: "error",

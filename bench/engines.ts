@@ -3,7 +3,7 @@
 import * as scalar from "./pkg/scalar/strut_bench.js";
 import * as simd from "./pkg/simd/strut_bench.js";
 
-/** The generated bindings of the packages that `xtask bench` builds. */
+/** The generated bindings of the packages that `scripts/wasm.mjs` builds. */
 export type Glue = typeof simd;
 
 /** An open database, and a stream of frames. */

@@ -7,7 +7,7 @@ import { basename, join, resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { runnerImport } from "vite";
 import { setupRust } from "../scripts/setup.mjs";
-import { buildBench } from "../scripts/site.mjs";
+import { buildWasm } from "../scripts/site.mjs";
 import { main, root, run, Sentence, step } from "../scripts/steps.mjs";
 
 /** Fewest frames of a procedural database. */
@@ -44,7 +44,7 @@ await main(async () => {
   });
   if (values.db && values.frames) throw new Sentence("--db and --frames exclude each other.");
   if (values.db && !existsSync(path(values.db))) throw new Sentence(`${values.db}: there is no such file.`);
-  await buildBench();
+  await buildWasm({ mode: "full", bench: true });
   const { module: bench } = await runnerImport(join(root, "bench", "node.ts"));
   const frames = Number(values.frames ?? bench.PAPER_FRAMES);
   if (!Number.isInteger(frames) || frames < LEAST_FRAMES)

@@ -1,30 +1,57 @@
-// Fails when an arrow of DESIGN §2 turns, when the core learns of the outside world, or when docs/ARCHITECTURE.md
-// names a path that does not exist.
+// Fails when an arrow of DESIGN §2 turns, when modules of a crate use each other in a circle, when the core learns of the
+// outside world, or when documents or comments name what does not exist.
 import { existsSync, readdirSync, readFileSync } from "node:fs";
-import { dirname, join, relative, resolve } from "node:path";
+import { join, relative } from "node:path";
+import { referenceFaults } from "./methods.mjs";
+import { moduleCircles } from "./rust_modules.mjs";
 import { root, Sentence } from "./steps.mjs";
+import { importCircles, webModules } from "./web_modules.mjs";
 
 /** Which crates each crate may depend on. */
 const CRATES = {
   "strut-core": [],
   "strut-formats": ["strut-core"],
   "strut-demo": ["strut-core"],
-  "strut-wasm": ["strut-core", "strut-formats", "strut-demo"],
-  "strut-wasm-build": ["strut-core", "strut-formats"],
-  "strut-wasm-walk": ["strut-core", "strut-formats"],
-  "strut-wasm-key-style": ["strut-core", "strut-formats"],
+  "strut-wasm-common": ["strut-core", "strut-formats"],
+  "strut-wasm": ["strut-wasm-common", "strut-core", "strut-formats", "strut-demo"],
+  "strut-wasm-build": ["strut-wasm-common", "strut-core", "strut-formats"],
+  "strut-wasm-walk": ["strut-wasm-common", "strut-core", "strut-formats"],
+  "strut-wasm-key-style": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-cli": ["strut-core", "strut-formats", "strut-demo"],
-  xtask: ["strut-demo", "strut-formats"],
+  xtask: [],
 };
 
-/** Which folders of web/ each folder may import from; a file after a slash narrows it. */
-const FOLDERS = {
-  engine: [],
-  worker: ["engine"],
-  viewer: [],
-  element: ["viewer", "worker"],
-  playground: ["element", "viewer", "worker"],
+/** Which rooms of web/ each room may import from. The room of a file is the longest of these paths that leads to it. */
+const ROOMS = {
+  humanoid: [],
+  engine: ["humanoid"],
+  client: ["engine", "humanoid"],
+  viewer: ["humanoid"],
+  formats: ["client", "viewer", "humanoid"],
+  player: ["client", "humanoid"],
+  "app/strings": [],
+  "app/ui": ["app/strings", "formats", "player", "viewer", "client", "humanoid"],
+  "app/state": ["app/ui", "app/strings", "player", "viewer", "client", "humanoid"],
+  "app/outputs": ["app/state", "app/ui", "app/strings", "formats", "player", "viewer", "client", "humanoid"],
+  // What a view may ask of the page, and what it is.
+  "app/view.ts": ["app/state", "app/ui", "player", "viewer", "client", "humanoid"],
+  "app/views": ["app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
+    "formats",
+    "player",
+    "viewer",
+    "client",
+    "humanoid",
+  ]),
+  app: ["app/views", "app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
+    "player",
+    "viewer",
+    "client",
+    "humanoid",
+  ]),
 };
+
+/** Folders of `app/views/` that several views share; other views know nothing of each other. */
+const SHARED_VIEWS = ["synthesis"];
 
 // Tests may look outward: only what is shipped is bound by the arrows.
 
@@ -46,9 +73,26 @@ function crateFaults() {
   return Object.entries(CRATES).flatMap(([crate, allowed]) => {
     const manifest = readFileSync(join(root, "rust", crate, "Cargo.toml"), "utf8");
     const shipped = manifest.split(/^\[dev-dependencies\]/m)[0];
-    const used = [...shipped.matchAll(/^(strut-[a-z]+)\b/gm)].map((match) => match[1]);
+    const used = [...shipped.matchAll(/^(strut-[a-z-]+)\b/gm)].map((match) => match[1]);
     return used.filter((name) => !allowed.includes(name)).map((name) => `rust/${crate} must not depend on ${name}`);
   });
+}
+
+/** Circles among the modules of each crate. */
+function moduleFaults() {
+  return Object.keys(CRATES).flatMap((crate) => {
+    const source = join(root, "rust", crate, "src");
+    const roots = ["lib.rs", "main.rs"].map((file) => join(source, file)).filter(existsSync);
+    return roots.flatMap((file) => moduleCircles(file).map((circle) => `rust/${crate}: ${circle}`));
+  });
+}
+
+/** Comments that refer to a section of docs/methods/ that is not there. */
+function methodFaults() {
+  const folder = join(root, "docs", "methods");
+  return [...filesUnder(join(root, "rust"), [".rs"])].flatMap((path) =>
+    referenceFaults(readFileSync(path, "utf8"), folder).map((fault) => `${shown(path)}: ${fault}`),
+  );
 }
 
 function coreFaults() {
@@ -61,22 +105,35 @@ function coreFaults() {
   });
 }
 
+/** The room of a file below web/. Tables of strings are one room, wherever they lie. */
+function roomOf(path) {
+  if (path.endsWith(".en.ts")) return "app/strings";
+  const rooms = Object.keys(ROOMS).filter((room) => path === room || path.startsWith(`${room}/`));
+  return rooms.sort((a, b) => b.length - a.length)[0];
+}
+
+/** The view that a file belongs to, if it does. */
+const viewOf = (path) => /^app\/views\/([^/]+)\//.exec(path)?.[1];
+
 function importFaults() {
-  const web = join(root, "web");
-  const shipped = [...filesUnder(web, [".ts"])].filter((path) => !path.endsWith(".test.ts"));
-  return shipped.flatMap((path) => {
-    const folder = relative(web, path).split(/[\\/]/)[0];
-    const allowed = FOLDERS[folder];
-    if (!allowed) return [`web/${folder} is not in the folder tree of scripts/architecture.mjs`];
-    const imports = [...readFileSync(path, "utf8").matchAll(/(?:from|import|URL)\s*\(?\s*["'](\.[^"']+)["']/g)];
-    return imports.flatMap(([, specifier]) => {
-      const target = relative(web, resolve(dirname(path), specifier)).split(/[\\/]/)[0];
-      if (target === folder || allowed.includes(target)) return [];
-      return [
-        `${shown(path)} must not import ${specifier}: web/${folder} may use ${allowed.join(", ") || "nothing else"}`,
-      ];
+  const modules = webModules(join(root, "web"));
+  const faults = [...modules].flatMap(([path, imports]) => {
+    const room = roomOf(path);
+    if (!room) return [`web/${path} is in no room of scripts/architecture.mjs`];
+    return [...imports].flatMap(([target, specifier]) => {
+      const other = roomOf(target);
+      if (other !== room && !ROOMS[room].includes(other))
+        return [
+          `web/${path} must not import ${specifier}: web/${room} may use ${ROOMS[room].join(", ") || "nothing else"}`,
+        ];
+      const [view, otherView] = [viewOf(path), viewOf(target)];
+      const foreign = view && otherView && view !== otherView && !SHARED_VIEWS.includes(otherView);
+      return foreign && room !== "app/strings" && other !== "app/strings"
+        ? [`web/${path} must not import ${specifier}: views know nothing of each other`]
+        : [];
     });
   });
+  return [...faults, ...importCircles(modules)];
 }
 
 function documentFaults() {
@@ -91,7 +148,14 @@ function documentFaults() {
 
 /** Throws a sentence that lists every fault. */
 export function checkArchitecture() {
-  const faults = [...crateFaults(), ...coreFaults(), ...importFaults(), ...documentFaults()];
+  const faults = [
+    ...crateFaults(),
+    ...moduleFaults(),
+    ...coreFaults(),
+    ...methodFaults(),
+    ...importFaults(),
+    ...documentFaults(),
+  ];
   if (faults.length) throw new Sentence(`the architecture is broken:\n  ${faults.join("\n  ")}`);
   return "every arrow points inward";
 }

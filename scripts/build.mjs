@@ -1,8 +1,7 @@
 // npm run build: the static site in dist/, which works from any folder of any host.
-import { buildBench, buildSite } from "./site.mjs";
+import { buildSite } from "./site.mjs";
 import { main } from "./steps.mjs";
 
 await main(async () => {
-  await buildBench();
-  await buildSite();
+  await buildSite({ mode: "full", bench: true });
 });

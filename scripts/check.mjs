@@ -1,7 +1,7 @@
 // npm run check: formatting, lints, types, architecture, size budget.
 import { join } from "node:path";
 import { checkArchitecture } from "./architecture.mjs";
-import { buildBench, buildSite } from "./site.mjs";
+import { buildSite } from "./site.mjs";
 import { checkSize } from "./size.mjs";
 import { findProgram, main, output, root, run, step } from "./steps.mjs";
 
@@ -23,8 +23,7 @@ async function setupLints(env) {
 
 await main(async () => {
   await step("Architecture", checkArchitecture);
-  await buildBench();
-  const { rust: env } = await buildSite();
+  const { rust: env } = await buildSite({ mode: "full", bench: true });
   await setupLints(env);
   const rust = { env, cwd: join(root, "rust") };
   await step("Rust formatting", () => run("cargo", ["fmt", "--all", "--check"], rust));

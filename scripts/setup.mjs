@@ -89,7 +89,7 @@ async function debianRust() {
  * Makes the compiler able to build for WebAssembly: the target of the active toolchain if it is there or rustup can
  * add it, else Debian's compiler with the standard library built from source.
  * @param rust environment of {@link setupRust}
- * @returns the environment in which `cargo run -p xtask -- wasm` builds the package.
+ * @returns the environment in which cargo builds the packages (wasm.mjs).
  */
 export async function setupWasm(rust) {
   const sysroot = rust.RUSTC === undefined && (await output("rustc", ["--print", "sysroot"], { env: rust }));
@@ -146,13 +146,16 @@ function findBrowser() {
   return known.find((path) => path && existsSync(path)) ?? names.map((name) => findProgram(name)).find(Boolean);
 }
 
+/** Mesa draws twice as fast as Chromium's own software renderer; the tests use it where it is there. */
+const MESA = ["libegl1", "libegl-mesa0", "libgl1-mesa-dri"];
+
 /**
  * Finds or installs a Chromium for the browser tests.
  * @returns the environment that names it as CHROME_PATH.
  */
 export async function setupBrowser() {
   if (!findBrowser()) {
-    await step("Installing Chromium (Debian's package)", () => installDebian(["chromium"]));
+    await step("Installing Chromium (Debian's package)", () => installDebian(["chromium", ...MESA]));
   }
   const browser = findBrowser();
   if (!browser) throw new Sentence("The tests need Chrome or Chromium. Install one, or set CHROME_PATH.");

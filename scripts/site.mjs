@@ -2,17 +2,10 @@
 import { join } from "node:path";
 import { checkNode, setupPackages, setupRust, setupWasm } from "./setup.mjs";
 import { root, run, step } from "./steps.mjs";
+import { buildPackages } from "./wasm.mjs";
 
 /** Path of vite's command. */
 export const vite = join(root, "node_modules", "vite", "bin", "vite.js");
-
-/** Builds one of xtask's packages for WebAssembly. */
-async function xtask(wasm, word) {
-  await run(wasm.CARGO ?? "cargo", ["run", "--profile", "tool", "--quiet", "-p", "xtask", "--", word], {
-    env: wasm,
-    cwd: join(root, "rust"),
-  });
-}
 
 /**
  * Sets up what the build needs.
@@ -25,23 +18,16 @@ async function setup() {
   return { rust, wasm: await setupWasm(rust) };
 }
 
-/** Builds the WASM packages and the built-in motions; returns what {@link setup} does. */
-export async function buildWasm() {
+/** Builds the WASM packages; see {@link buildPackages}. Returns what {@link setup} does. */
+export async function buildWasm(options) {
   const environments = await setup();
-  await step("Building the engine for WebAssembly", () => xtask(environments.wasm, "wasm"));
-  await step("Performing the built-in motions", () => xtask(environments.wasm, "motions"));
+  await buildPackages(environments.wasm, options);
   return environments;
 }
 
-/** Builds the engine with what benchmarks need, with and without SIMD. */
-export async function buildBench() {
-  const { wasm } = await setup();
-  await step("Building the benchmarks for WebAssembly", () => xtask(wasm, "bench"));
-}
-
-/** Builds the static site; returns what {@link buildWasm} does. */
-export async function buildSite() {
-  const environments = await buildWasm();
+/** Builds the static site; takes and returns what {@link buildWasm} does. */
+export async function buildSite(options) {
+  const environments = await buildWasm(options);
   await step("Building the page", () => run(process.execPath, [vite, "build", "--logLevel", "warn"]));
   return environments;
 }

@@ -1,12 +1,11 @@
 // npm test: sets up all it needs and runs every test: Rust, TypeScript, parity, end to end in Chromium.
 import { join } from "node:path";
 import { setupBrowser } from "./setup.mjs";
-import { buildBench, buildSite } from "./site.mjs";
+import { buildSite } from "./site.mjs";
 import { main, root, run, step } from "./steps.mjs";
 
 await main(async () => {
-  await buildBench();
-  const { rust, wasm } = await buildSite();
+  const { rust, wasm } = await buildSite({ mode: "quick", bench: true });
   const browser = await setupBrowser();
   const cargo = (...args) => run(rust.CARGO ?? "cargo", args, { env: rust, cwd: join(root, "rust") });
   await step("Rust tests", () => cargo("tests", "--quiet"));

@@ -1,7 +1,7 @@
 /** Clips for tests that need several styles: the built-in walk, styled by the engine and written as BVH. */
 import { loadBuiltIn } from "../web/engine/built_in";
 import { Engine } from "../web/engine/engine";
-import { DEFAULT_OPTIONS } from "../web/engine/stylizer";
+import { DEFAULT_OPTIONS } from "../web/engine/types";
 
 /** Frames that a clip of `clipsIn` has unless it says otherwise: about four steps. */
 const FRAMES = 150;
@@ -31,4 +31,32 @@ export function everyNth(bvh: string, n: number, most = Number.MAX_SAFE_INTEGER)
 /** The clip as if it had been recorded at another rate: faster or slower, not resampled. */
 export function playedAt(bvh: string, rateHz: number): string {
   return bvh.replace(/Frame Time:\s*\S+/, `Frame Time: ${(1 / rateHz).toFixed(7)}`);
+}
+
+/** Joint names of another convention for parts of ours; those of arms and legs follow their side. */
+const FOREIGN_NAMES: readonly [ours: RegExp, theirs: string][] = [
+  [/UpperArm$/, "Arm"],
+  [/LowerArm$/, "ForeArm"],
+  [/UpperLeg$/, "UpLeg"],
+  [/LowerLeg$/, "Leg"],
+  [/Toes$/, "ToeBase"],
+  [/^Chest$/, "Spine1"],
+];
+
+/** The clip as another tool would write it: other joint names, inches instead of centimetres, and 30 frames a second. */
+export function asForeignTool(bvh: string): string {
+  const inches = (centimetres: string) => (Number(centimetres) / 2.54).toFixed(5);
+  const [hierarchy, motion] = everyNth(bvh, 2).split("MOTION\n") as [string, string];
+  const named = hierarchy
+    .replace(/(ROOT|JOINT) (\S+)/g, (_, kind, name) => {
+      const [ours, theirs] = FOREIGN_NAMES.find(([pattern]) => pattern.test(name)) ?? [/$/, ""];
+      return `${kind} Actor_${name.replace(ours, theirs)}`;
+    })
+    .replace(/OFFSET (\S+) (\S+) (\S+)/g, (_, ...offset) => `OFFSET ${offset.slice(0, 3).map(inches).join(" ")}`);
+  const [frames, time, ...lines] = motion.trimEnd().split("\n");
+  const poses = lines.map((line) => {
+    const values = line.split(" ");
+    return [...values.slice(0, 3).map(inches), ...values.slice(3)].join(" ");
+  });
+  return `${named}MOTION\n${[frames, time, ...poses].join("\n")}\n`;
 }

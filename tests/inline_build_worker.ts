@@ -1,7 +1,7 @@
 /** The build worker on this thread, with the real module; messages arrive later, as from a real one. */
-import type { BuildWorkerPort } from "../web/worker/build/client";
-import type { BuildReply, BuildRequest } from "../web/worker/build/messages";
-import { type BuildPort, serveBuilds } from "../web/worker/build/server";
+import type { BuildWorkerPort } from "../web/client/build/client";
+import type { BuildReply, BuildRequest } from "../web/client/build/messages";
+import { type BuildPort, serveBuilds } from "../web/client/build/server";
 
 export class InlineBuildWorker implements BuildWorkerPort {
   onmessage: ((event: MessageEvent<BuildReply>) => void) | null = null;

@@ -1,5 +1,6 @@
 /** Zip archives for tests, hostile ones too. */
 import { deflateRawSync } from "node:zlib";
+import { crc32 } from "../web/client/build/crc32";
 
 /** A file to be packed. */
 export interface Packed {
@@ -7,6 +8,8 @@ export interface Packed {
   content: string | Uint8Array;
   /** What the archive shall claim that it unpacks to, instead of the truth. */
   claimedBytes?: number;
+  /** Whether it is stored as it is instead of deflated. */
+  stored?: boolean;
 }
 
 /** An archive of these files; `wide` writes counts and places with 64 bits, as archives of over 4 GB must. */
@@ -14,15 +17,15 @@ export function zipOf(files: readonly Packed[], wide = false): Uint8Array<ArrayB
   const bodies: Buffer[] = [];
   const directory: Buffer[] = [];
   let offset = 0;
-  for (const { name, content, claimedBytes } of files) {
+  for (const { name, content, claimedBytes, stored } of files) {
     const bytes = Buffer.from(content);
-    const packed = deflateRawSync(bytes);
+    const packed = stored ? bytes : deflateRawSync(bytes);
     const nameBytes = Buffer.from(name);
-    // Version, flags (names are UTF-8), deflated, time, date, checksum, sizes, length of the name.
+    // Version, flags (names are UTF-8), method, time, date, checksum, sizes, length of the name.
     const fields = Buffer.alloc(26);
     fields.writeUInt16LE(20, 0);
     fields.writeUInt16LE(0x800, 2);
-    fields.writeUInt16LE(8, 4);
+    fields.writeUInt16LE(stored ? 0 : 8, 4);
     fields.writeUInt32LE(crc32(bytes), 10);
     fields.writeUInt32LE(packed.length, 14);
     fields.writeUInt32LE(claimedBytes ?? bytes.length, 18);
@@ -67,15 +70,3 @@ function wideEndOf(count: number, bytes: number, offset: number): Buffer {
   end.writeUInt32LE(1, 72);
   return end;
 }
-
-function crc32(bytes: Uint8Array): number {
-  let crc = -1;
-  for (const byte of bytes) crc = (crc >>> 8) ^ TABLE[(crc ^ byte) & 0xff]!;
-  return ~crc >>> 0;
-}
-
-const TABLE = Int32Array.from({ length: 256 }, (_, n) => {
-  let value = n;
-  for (let bit = 0; bit < 8; bit++) value = value & 1 ? (value >>> 1) ^ 0xedb88320 : value >>> 1;
-  return value;
-});

@@ -1,15 +1,15 @@
-/** The benchmark on a thread of its own. */
+/** Runs the benchmark in a worker. */
 import { benchmark } from "../benchmark";
 import { loadInstances } from "../engines";
 import type { Report } from "../report";
 
-/** What the page asks for. */
+/** Message from the page. */
 export interface Job {
   frames: number;
   machine: string;
 }
 
-/** What it hears. */
+/** Messages to the page. */
 export type Message =
   | { kind: "progress"; what: string; done: number }
   | { kind: "report"; report: Report }

@@ -1,7 +1,8 @@
 /** The page that draws film strips: the instants of a clip side by side, performed by the playground's mannequin. */
+import { JOINT, POSE_FLOATS, createWorldPose, headingOf, worldFromLocal } from "../../web/humanoid";
 import { DatabaseBuilder, type Preview } from "../../web/engine/build/builder";
-import { type CameraView, createWorldPose, headingOf, JOINT, POSE_FLOATS, worldFromLocal } from "../../web/viewer";
-import { RowViewer } from "../../web/viewer/row_viewer";
+import { type CameraView } from "../../web/viewer";
+import { SideBySideViewer } from "../../web/viewer/side_by_side_viewer";
 
 /** What is drawn of a clip. */
 export interface Strip {
@@ -32,7 +33,7 @@ const STEP = 0.2;
 
 const root = document.getElementById("stage")!;
 root.style.width = `${COLUMNS * COLUMN_PX.width}px`;
-const viewer = new RowViewer(root, "light", "");
+const viewer = new SideBySideViewer(root, "light", "");
 const builder = DatabaseBuilder.load();
 let time = 0;
 

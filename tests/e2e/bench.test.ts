@@ -3,6 +3,7 @@ import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { ENGINES, MODES, type Report } from "../../bench/report";
 import { launchBrowser, screenshot, serveSite } from "./browser";
+import { expectNoViolation, recordViolations } from "./policy";
 
 let browser: Browser;
 let site: Awaited<ReturnType<typeof serveSite>>;
@@ -16,6 +17,7 @@ beforeAll(async () => {
     colorScheme: "dark",
     permissions: ["clipboard-read", "clipboard-write"],
   });
+  await recordViolations(context);
   page = await context.newPage();
   page.on("pageerror", (error) => faults.push(error.message));
   await page.goto(`${site.url}bench.html`);
@@ -68,4 +70,5 @@ test("it measures every engine in every mode, and the yardsticks agree with Stru
   await screenshot(page, "bench-narrow");
   expect(await overflow()).toBe(false);
   expect(faults).toEqual([]);
+  await expectNoViolation(page);
 });

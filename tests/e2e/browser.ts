@@ -1,27 +1,20 @@
 /** What the end-to-end tests share: the built site behind a server, real Chromium, and a page that runs. */
+
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { type Browser, chromium, type Locator, type Page } from "playwright-core";
 import { preview } from "vite";
 import { expect } from "vitest";
-import type { StrutHook } from "../../web/playground/hook";
-import { POSE_FLOATS } from "../../web/worker/protocol";
+import type { StrutHook } from "../../web/app/shell/hook";
+import { POSE_FLOATS } from "../../web/humanoid";
+import { type Graphics, softwareGraphics } from "./graphics";
 
 const ROOT = resolve(import.meta.dirname, "../..");
 /** Where screenshots go; git ignores it. */
 const OUTPUT = resolve(ROOT, "tests/output");
 
-/** WebGL 2 and WebGPU without a graphics card (DESIGN §3). */
-const FLAGS = [
-  "--no-sandbox",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--enable-unsafe-webgpu",
-  "--use-webgpu-adapter=swiftshader",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-];
+/** What Chromium need not do in a test. */
+const FLAGS = ["--no-sandbox", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 
 /** Software rendering on a busy machine takes its time; what fails does not wait for this. */
 const SLOW_MS = 110_000;
@@ -37,7 +30,7 @@ declare const window: { strut?: StrutHook };
 export async function serveSite(folder = "/"): Promise<{ url: string; close: () => Promise<void> }> {
   if (!existsSync(resolve(ROOT, "dist/index.html"))) throw new Error("dist/ is missing; run 'npm run build' first.");
   const server = await preview({
-    root: resolve(ROOT, "web/playground"),
+    root: resolve(ROOT, "web/app"),
     configFile: resolve(ROOT, "vite.config.ts"),
     base: folder,
     preview: { port: 0, strictPort: false, open: false },
@@ -47,8 +40,12 @@ export async function serveSite(folder = "/"): Promise<{ url: string; close: () 
 }
 
 /** Chromium: CHROME_PATH, or where Debian puts it. */
-export function launchBrowser(): Promise<Browser> {
-  return chromium.launch({ executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium", args: FLAGS });
+export function launchBrowser(graphics: Graphics = softwareGraphics()): Promise<Browser> {
+  return chromium.launch({
+    executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
+    args: [...FLAGS, ...graphics.args],
+    env: { ...process.env, ...graphics.env },
+  });
 }
 
 /** How a page is opened. */
@@ -191,6 +188,13 @@ export async function saved(page: Page, format: string): Promise<{ name: string;
 /** The input that is open, by the name the page gives it. */
 export function inputName(page: Page): Promise<string> {
   return page.getByLabel("Input motion").inputValue();
+}
+
+/** Lets the page draw so many pictures. */
+export function drawn(page: Page, pictures: number): Promise<void> {
+  return page.evaluate(async (pictures) => {
+    for (let i = 0; i < pictures; i++) await new Promise(requestAnimationFrame);
+  }, pictures);
 }
 
 /** Saves what is on screen to tests/output. */

@@ -1,45 +1,36 @@
-/** Public data sets: fetched from a local server that serves the recordings, kept, and used. */
-import { readFileSync } from "node:fs";
-import { createServer, type Server } from "node:http";
-import type { AddressInfo } from "node:net";
-import { basename, join } from "node:path";
+/** Public data sets: fetched from their host, for which the test answers, kept, and used. */
+import { createHash } from "node:crypto";
+import { basename } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { recordings } from "../recordings";
+import { walksIn } from "../clips";
 import { closePage, eventually, launchBrowser, openPage, screenshot, serveSite } from "./browser";
 
-const data = recordings();
-const CLIPS = ["active", "elderly", "normal"].flatMap((style) =>
-  [1, 2].map((take) => `dataset-2_walk_${style}_00${take}.bvh`),
-);
+const STYLES = ["neutral", "old", "proud"] as const;
+/** A host that the page may fetch from; nothing reaches the network. */
+const BASE = "https://raw.githubusercontent.com/nobody/small-set/0000000000000000000000000000000000000000/";
 
 let browser: Browser;
 let site: Awaited<ReturnType<typeof serveSite>>;
-let server: Server;
-/** Whether the server lets other pages read, and after how many files it stops answering. */
-const host = { open: true, most: Number.POSITIVE_INFINITY, asked: 0 };
+/** The files of the set. */
+let clips: Map<string, string>;
+/** Whether the host can be reached, after how many files it stops answering, and which file it has changed. */
+const host = { reachable: true, limit: Number.POSITIVE_INFINITY, asked: 0, changed: "" };
 
 beforeAll(async () => {
-  if (!data) return;
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-  server = createServer((request, response) => {
-    host.asked += 1;
-    if (host.open) response.setHeader("Access-Control-Allow-Origin", "*");
-    if (host.asked > host.most) return;
-    response.end(readFileSync(join(data, "bandai-namco-2", basename(request.url!))));
-  });
-  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const [walks, ...opened] = await Promise.all([walksIn([...STYLES]), launchBrowser(), serveSite()]);
+  clips = new Map(STYLES.flatMap((style) => [1, 2].map((take) => [`walk_${style}_${take}.bvh`, walks[style]])));
+  [browser, site] = opened;
 });
 afterAll(async () => {
-  await browser?.close();
-  await site?.close();
-  server?.close();
+  await browser.close();
+  await site.close();
 });
 
-/** A page whose catalogue names one set on the local server. */
+/** A page whose catalogue names one set. */
 async function open(): Promise<Page> {
+  Object.assign(host, { reachable: true, limit: Number.POSITIVE_INFINITY, asked: 0, changed: "" });
   const page = await openPage(browser, site.url, { size: { width: 1440, height: 900 } });
-  const { port } = server.address() as AddressInfo;
   const set = {
     id: "small",
     name: "Small set",
@@ -48,18 +39,31 @@ async function open(): Promise<Page> {
     citation: "Nobody, 2026",
     page: "https://example.org/set",
     bytes: 0,
-    base: `http://127.0.0.1:${port}/`,
-    files: CLIPS,
-    pattern: "{any}_{action}_{style}_{take}.bvh",
+    base: BASE,
+    files: [...clips].map(([path, text]) => ({ path, sha256: createHash("sha256").update(text).digest("hex") })),
+    pattern: "{action}_{style}_{take}.bvh",
   };
   await page.route("**/catalog.json", (route) => route.fulfill({ json: { version: 1, sets: [set] } }));
+  await page.route(`${BASE}**`, async (route) => {
+    host.asked += 1;
+    // A request that is not answered stays open.
+    if (host.asked > host.limit) return;
+    // A page cannot tell this from a host that refuses other pages.
+    if (!host.reachable) return route.abort();
+    const name = basename(new URL(route.request().url()).pathname);
+    await route.fulfill({
+      body: host.changed === name ? `${clips.get(name)} ` : clips.get(name)!,
+      headers: { "Access-Control-Allow-Origin": "*" },
+    });
+  });
   await page.getByRole("link", { name: "Data" }).click();
   return page;
 }
 
 const note = (page: Page) => page.locator(".catalogue [role=status].caption").textContent();
+const heading = (page: Page) => page.locator(".data-clips h1").textContent();
 
-describe.skipIf(!data)("a public data set", () => {
+describe("a public data set", () => {
   it("is fetched after its licence was shown, goes on where it was cancelled, and is kept", async () => {
     const page = await open();
     await page.getByRole("button", { name: "Get Small set" }).click();
@@ -67,34 +71,52 @@ describe.skipIf(!data)("a public data set", () => {
     expect(await licence.textContent()).toContain("Licence: CC BY-NC 4.0. Credit it.");
     expect(host.asked, "nothing is fetched before").toBe(0);
     await screenshot(page, "catalogue-licence");
-    host.most = 3;
+    host.limit = 3;
     await licence.getByRole("button", { name: "Download" }).click();
     await eventually(() => page.locator(".catalogue .progress").textContent()).toContain("3 files of 6");
     await page.locator(".catalogue").getByRole("button", { name: "Cancel" }).click();
-    host.most = Number.POSITIVE_INFINITY;
-    await page.getByRole("button", { name: "Go on Small set" }).click();
+    host.limit = Number.POSITIVE_INFINITY;
+    await page.getByRole("button", { name: "Resume Small set" }).click();
     await licence.getByRole("button", { name: "Download" }).click();
-    await eventually(() => page.locator(".data-clips h1").textContent()).toBe("6 clips, 3 styles");
+    await eventually(() => heading(page)).toBe("6 clips, 3 styles");
     expect(await note(page)).toBe("Cite it as: Nobody, 2026.");
+    expect(await page.getByLabel("Name of the database").inputValue()).toBe("Small set");
     await screenshot(page, "catalogue");
 
     await page.reload();
-    host.most = 0;
+    host.limit = 0;
     await page.getByRole("button", { name: "Use Small set" }).click();
-    await eventually(() => page.locator(".data-clips h1").textContent()).toBe("6 clips, 3 styles");
+    await eventually(() => heading(page)).toBe("6 clips, 3 styles");
     await page.getByRole("button", { name: "Delete Small set" }).click();
     await page.getByRole("button", { name: "Get Small set" }).waitFor();
     await closePage(page);
   });
 
-  it("whose host refuses other pages is said to do so", async () => {
-    host.open = false;
-    host.most = Number.POSITIVE_INFINITY;
+  it("of which a file was changed is refused, and the file is not kept", async () => {
     const page = await open();
+    host.changed = "walk_old_2.bvh";
     await page.getByRole("button", { name: "Get Small set" }).click();
     await page.getByRole("button", { name: "Download" }).click();
-    await eventually(() => note(page)).toMatch(
-      /^127\.0\.0\.1:\d+ cannot be reached, or does not let other pages read its files\. Get the files from https:\/\/example\.org\/set and drop them here\.$/,
+    await eventually(() => note(page)).toBe(
+      "walk_old_2.bvh is not the file that the list of public data sets names, and was not kept. Get the files from https://example.org/set and drop them here.",
+    );
+    host.changed = "";
+    await page
+      .getByRole("button", { name: /Small set$/ })
+      .last()
+      .click();
+    await page.getByRole("button", { name: "Download" }).click();
+    await eventually(() => heading(page)).toBe("6 clips, 3 styles");
+    await closePage(page);
+  });
+
+  it("whose host cannot be reached is said to be out of reach", async () => {
+    const page = await open();
+    host.reachable = false;
+    await page.getByRole("button", { name: "Get Small set" }).click();
+    await page.getByRole("button", { name: "Download" }).click();
+    await eventually(() => note(page)).toBe(
+      "raw.githubusercontent.com cannot be reached, or does not let other pages read its files. Get the files from https://example.org/set and drop them here.",
     );
     await closePage(page);
   });

@@ -1,9 +1,10 @@
 /** The Compare view: one instant, several ways. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
-import type { StrutHook } from "../../web/playground/hook";
+import type { StrutHook } from "../../web/app/shell/hook";
 import { axeFaults } from "./axe";
-import { eventually, openSite, screenshot, visit } from "./browser";
+import { drawn, eventually, openSite, screenshot, visit } from "./browser";
+import { transitionsEnded } from "./rest";
 
 declare const window: { strut: StrutHook };
 
@@ -42,7 +43,7 @@ describe("the columns", () => {
     expect(await page.locator(".compare-summary").textContent()).toContain("the real counterpart");
     expect(await page.getByRole("heading", { level: 1, name: /four ways/ }).isVisible()).toBe(true);
     expect(await faults()).toEqual([]);
-    await page.waitForTimeout(1500);
+    await drawn(page, 5);
     await screenshot(page, "compare-light");
   });
 
@@ -125,7 +126,7 @@ describe("a narrow screen", () => {
     await eventually(() => page.locator(".compare-body").isVisible()).toBe(true);
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     expect(width).toBe(390);
-    await page.waitForTimeout(1500);
+    await transitionsEnded(page);
     await screenshot(page, "compare-narrow");
     expect(await faults()).toEqual([]);
   });

@@ -1,9 +1,11 @@
 /** Beyond the triangle: parts of the body with styles of their own, two settings, chance. */
+
 import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
-import type { StrutHook } from "../../web/playground/hook";
-import { JOINT, type Role } from "../../web/viewer";
+import type { StrutHook } from "../../web/app/shell/hook";
+import { JOINT, type Role } from "../../web/humanoid";
 import { closePage, eventually, openPage, openSite, screenshot, settledPose, turnBetween, visit } from "./browser";
+import { atRest } from "./rest";
 
 declare const window: { strut: StrutHook };
 
@@ -49,7 +51,7 @@ describe("a part of the body", () => {
   it("is chosen by a click on the body", async () => {
     await visit(page, `${PAUSED}&camera=front`);
     await settledPose(page);
-    await page.waitForTimeout(1500);
+    await atRest(page, () => page.evaluate(() => window.strut.jointScreenPosition("head")));
     for (const [role, expected] of [
       ["left_lower_arm", "left_arm"],
       ["head", "head"],
@@ -106,12 +108,12 @@ describe("chance", () => {
 describe("the intensity", () => {
   it("marks what the data holds", async () => {
     await visit(page, "play=0&frame=60&styles=proud:0.5,old:0.5");
-    const most = () =>
-      page.locator(".slider-track").evaluate((e) => Number(getComputedStyle(e).getPropertyValue("--most")));
+    const max = () =>
+      page.locator(".slider-track").evaluate((e) => Number(getComputedStyle(e).getPropertyValue("--max")));
     // −1 to 2: the heaviest weight is 1 at an intensity of 2, and at 1 once it is all of one style.
-    await eventually(most).toBeCloseTo(1, 5);
+    await eventually(max).toBeCloseTo(1, 5);
     await visit(page, PAUSED);
-    await eventually(most).toBeCloseTo(2 / 3, 5);
+    await eventually(max).toBeCloseTo(2 / 3, 5);
   });
 });
 

@@ -4,12 +4,13 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
-import type { StrutHook } from "../../web/playground/hook";
+import type { StrutHook } from "../../web/app/shell/hook";
 import { everyNth, playedAt, walksIn } from "../clips";
 import { recordings } from "../recordings";
 import { zipOf } from "../zip";
 import { axeFaults } from "./axe";
 import { closePage, dropFile, eventually, launchBrowser, openPage, screenshot, serveSite } from "./browser";
+import { transitionsEnded } from "./rest";
 
 declare const window: { strut: StrutHook };
 
@@ -47,15 +48,31 @@ const read = () => page.locator('.data[aria-busy="false"]').waitFor();
 const heading = () => page.locator(".data-clips h1").textContent();
 const alert = () => page.getByRole("alert").textContent();
 const buildButton = () => page.getByRole("button", { name: "Build the database" });
-const shelf = () => page.locator("[aria-labelledby=shelf-heading] .shelf-name").allTextContents();
+/** Names of the databases that can be opened. */
+const databases = () =>
+  page
+    .locator("section")
+    .filter({ has: page.getByRole("heading", { name: "Databases", exact: true }) })
+    .getByRole("listitem")
+    .filter({ has: page.getByRole("button", { name: /^Open/ }) })
+    .locator("bdi")
+    .allTextContents();
+
+/** What the page says of a database that is built. */
+const saidReady = () => page.getByRole("status").filter({ hasText: "ready" });
 
 /** Builds, and gives what the page says of it. */
 async function build(): Promise<string> {
   await buildButton().click();
-  const said = page.getByRole("status").filter({ hasText: "ready" });
-  await eventually(() => said.count()).toBe(1);
-  return (await said.textContent())!;
+  await eventually(() => saidReady().count()).toBe(1);
+  return (await saidReady().textContent())!;
 }
+
+/** Takes away what the page said, so that what it says next can be waited for. */
+const dismissNotes = () =>
+  page.locator('[role="status"] .toast').evaluateAll((notes) => {
+    for (const note of notes) note.querySelector("button")!.click();
+  });
 
 const faults = () => axeFaults(page);
 
@@ -78,7 +95,7 @@ describe("a zip of clips", () => {
     expect(await page.getByLabel("Pattern of the file names").inputValue()).toBe("{action}_{style}_{take}.bvh");
     expect(await page.getByRole("radio", { name: "neutral is neutral" }).isChecked()).toBe(true);
     expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\.$/);
-    expect(await shelf()).toEqual(["Built-in", "small"]);
+    expect(await databases()).toEqual(["Built-in", "small"]);
 
     const [download] = await Promise.all([
       page.waitForEvent("download"),
@@ -106,7 +123,15 @@ describe("a zip of clips", () => {
 
     await page.getByRole("link", { name: "Data" }).click();
     await page.getByRole("button", { name: "Delete small" }).click();
-    await eventually(shelf).toEqual(["Built-in"]);
+    await eventually(databases).toEqual(["Built-in"]);
+    await page.getByRole("button", { name: "Undo deleting small" }).click();
+    await eventually(databases).toEqual(["Built-in", "small"]);
+    await page.getByRole("button", { name: "Open small" }).click();
+    await eventually(() => vertices()).toEqual(["neutral", "old", "proud"]);
+    await page.getByRole("link", { name: "Data" }).click();
+    await page.getByRole("button", { name: "Delete small" }).click();
+    await eventually(databases).toEqual(["Built-in"]);
+    await screenshot(page, "data-deleted");
     await page.getByRole("button", { name: "Open" }).click();
     await eventually(() => vertices()).toContain("strutting");
     expect(await page.evaluate(() => window.strut.state.database)).toBe("");
@@ -118,6 +143,67 @@ describe("a zip of clips", () => {
     await eventually(heading).toBe("5 clips, 3 styles");
     await read();
     expect(await page.evaluate(() => window.strut.state.view)).toBe("data");
+  });
+});
+
+describe("a database of a name that is taken", () => {
+  it("is another one, unless the person wants it replaced", async () => {
+    await choose(written("walk_neutral_1.bvh", walks.neutral), written("walk_old_1.bvh", walks.old));
+    await read();
+    const name = page.getByLabel("Name of the database");
+    expect(await name.inputValue()).toBe("My clips");
+    await build();
+    await page.getByRole("button", { name: "Clear", exact: true }).click();
+    await choose(written("walk_neutral_1.bvh", walks.neutral), written("walk_proud_1.bvh", walks.proud));
+    await read();
+    await eventually(() => name.inputValue(), "a free name is proposed").toBe("My clips 2");
+    expect(await page.locator(".clip-file").allTextContents()).toEqual(["walk_neutral_1.bvh", "walk_proud_1.bvh"]);
+
+    await name.fill("My clips");
+    await buildButton().click();
+    const question = page.getByRole("dialog", { name: "There is a database “My clips”" });
+    expect(await question.textContent()).toContain("It has 2 clips, 2 styles.");
+    expect(await faults()).toEqual([]);
+    await screenshot(page, "data-replace");
+    await question.getByRole("button", { name: "Cancel" }).click();
+    await eventually(() => buildButton().isEnabled()).toBe(true);
+    expect(await databases()).toEqual(["Built-in", "My clips"]);
+
+    await buildButton().click();
+    await question.getByRole("button", { name: "Keep both" }).click();
+    await eventually(databases).toEqual(["Built-in", "My clips", "My clips 2"]);
+    expect(await name.inputValue()).toBe("My clips 2");
+    await name.fill("My clips");
+    await eventually(() => buildButton().isEnabled()).toBe(true);
+    await buildButton().click();
+    await dismissNotes();
+    await question.getByRole("button", { name: "Replace it" }).click();
+    await eventually(() => saidReady().count()).toBe(1);
+    await eventually(() => buildButton().isEnabled()).toBe(true);
+    expect(await databases()).toEqual(["Built-in", "My clips", "My clips 2"]);
+    await page.getByRole("button", { name: "Open My clips", exact: true }).click();
+    await eventually(() => page.locator(".vertex[data-style=proud]").count(), "the new one").toBe(1);
+  });
+});
+
+describe("a browser that keeps nothing", () => {
+  it("says so, and what was built can be opened until the page is closed", async () => {
+    await page.evaluate(() => {
+      IDBFactory.prototype.open = () => {
+        throw new DOMException("refused", "SecurityError");
+      };
+    });
+    await choose(written("small.zip", smallSet()));
+    await read();
+    await build();
+    await eventually(alert).toContain(
+      "“small” is ready, but it will not be here after a reload. The browser does not let this page keep files",
+    );
+    expect(await heading(), "the clips stay").toBe("5 clips, 3 styles");
+    expect(await databases()).toEqual(["Built-in", "small"]);
+    await page.getByRole("button", { name: "Open small" }).click();
+    await eventually(() => page.locator(".vertex").count()).toBe(3);
+    expect(await page.evaluate(() => window.strut.state.database), "no link could bring it back").toBe("");
   });
 });
 
@@ -260,7 +346,7 @@ describe("building", () => {
     await buildButton().click();
     await page.locator(".build .progress").getByRole("button", { name: "Cancel" }).click();
     await eventually(() => buildButton().isEnabled()).toBe(true);
-    expect(await shelf()).toEqual(["Built-in"]);
+    expect(await databases()).toEqual(["Built-in"]);
     expect(await alert()).toBe("");
     expect(await build()).toMatch(/^Three styles ready/);
   });
@@ -295,13 +381,12 @@ describe("the view", () => {
       it(`fits and is for everybody (${name}, ${theme})`, async () => {
         await page.setViewportSize({ width, height });
         await page.emulateMedia({ colorScheme: theme });
-        // The change of theme takes its time.
-        await page.waitForTimeout(500);
+        await transitionsEnded(page);
         await screenshot(page, `data-${name}-${theme}-empty`);
         expect(await faults()).toEqual([]);
         await choose(written("small.zip", smallSet()));
         await read();
-        await page.waitForTimeout(500);
+        await transitionsEnded(page);
         const { scrollWidth, scrollHeight, clientWidth, clientHeight } = await page.evaluate(
           () => document.documentElement,
         );

@@ -1,8 +1,9 @@
 /** What goes wrong around the page: a sentence, and nothing lost that was on screen. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
-import type { StrutHook } from "../../web/playground/hook";
+import type { StrutHook } from "../../web/app/shell/hook";
 import {
+  drawn,
   dropFile,
   eventually,
   inputName,
@@ -25,7 +26,7 @@ beforeAll(async () => {
 });
 
 const PAUSED = "play=0&frame=60&styles=proud:1,old:0,depressed:0";
-const notes = () => page.locator(".notices").textContent();
+const notes = () => page.locator(".toasts").textContent();
 
 describe("a worker that is killed", () => {
   it("is replaced; style, frame and pose are as they were", async () => {
@@ -65,8 +66,11 @@ describe("a lost graphics context", () => {
     await page.locator(".stage canvas").evaluate(async (element) => {
       const context = (element as HTMLCanvasElement).getContext("webgl2")!;
       const extension = context.getExtension("WEBGL_lose_context")!;
+      const lost = new Promise((resolve) => element.addEventListener("webglcontextlost", resolve, { once: true }));
       extension.loseContext();
-      await new Promise((resolve) => setTimeout(resolve, 300));
+      await lost;
+      // All listeners have heard of it by then.
+      await new Promise(requestAnimationFrame);
       extension.restoreContext();
     });
     await eventually(picture).toBeGreaterThan(40);
@@ -160,7 +164,7 @@ describe("the motion trail", () => {
     for (let i = 0; i < 3; i++) {
       await page.keyboard.press("t");
       modes.push(await page.evaluate(() => window.strut.state.trace));
-      await page.waitForTimeout(500);
+      await drawn(page, 5);
       await screenshot(page, `trail-${modes.at(-1)}`);
     }
     expect(modes).toEqual(["lines", "onion", "off"]);

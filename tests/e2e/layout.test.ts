@@ -1,9 +1,10 @@
 /** The page on wide and narrow screens, in both themes, from any folder, and for everybody. */
 import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
-import type { StrutHook } from "../../web/playground/hook";
+import type { StrutHook } from "../../web/app/shell/hook";
 import { axeFaults } from "./axe";
 import { eventually, openSite, screenshot, type serveSite, visit } from "./browser";
+import { transitionsEnded } from "./rest";
 
 declare const window: { strut: StrutHook };
 
@@ -31,10 +32,7 @@ async function showAt(viewport: { width: number; height: number }, theme: "dark"
   await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, theme);
   await page.waitForFunction(() => window.strut.analysed);
   // Colours are on their way from one theme to the other for a moment.
-  await page.evaluate(() => {
-    const transitions = document.getAnimations().filter((animation) => animation instanceof CSSTransition);
-    return Promise.allSettled(transitions.map(({ finished }) => finished)).then(() => undefined);
-  });
+  await transitionsEnded(page);
 }
 
 /** How far the page is larger than the window. */
@@ -45,6 +43,20 @@ const overflow = () =>
   });
 
 const faults = () => axeFaults(page);
+
+describe("hidden panels", () => {
+  for (const size of [WIDE, NARROW])
+    it(`leave the whole page below the bar to the picture (${size.width} px)`, async () => {
+      await page.setViewportSize(size);
+      await visit(page, "panels=0");
+      const { stage, bar } = await page.evaluate(() => {
+        const box = (selector: string) => document.querySelector(selector)!.getBoundingClientRect().toJSON();
+        return { stage: box(".stage"), bar: box(".bar") };
+      });
+      expect(bar).toMatchObject({ left: 0, width: size.width });
+      expect(stage).toMatchObject({ left: 0, top: bar.bottom, width: size.width, bottom: size.height });
+    });
+});
 
 describe("a wide screen", () => {
   for (const theme of ["dark", "light"] as const)
@@ -142,7 +154,8 @@ describe("a browser that cannot", () => {
     const context = await browser.newContext({ javaScriptEnabled: false });
     const poor = await context.newPage();
     await poor.goto(site.url);
-    expect(await poor.locator(".fallback").textContent()).toMatch(/needs JavaScript/);
+    expect(await poor.locator("noscript .fallback").textContent()).toMatch(/needs JavaScript/);
+    expect(await poor.getByText("Strut is loading").isVisible()).toBe(false);
     await context.close();
   });
 });

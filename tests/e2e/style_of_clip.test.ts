@@ -1,7 +1,7 @@
 /** A style from one clip: what falls on the polygon becomes a vertex of it. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
-import type { StrutHook } from "../../web/playground/hook";
+import type { StrutHook } from "../../web/app/shell/hook";
 import { everyNth, walksIn } from "../clips";
 import { dropFile, eventually, inputName, middleOf, openSite, screenshot } from "./browser";
 
@@ -94,9 +94,9 @@ describe("a walk that falls on the polygon", () => {
 
   it("is a style until the page is closed where the browser has no room left", async () => {
     await page.evaluate(() => {
-      const { put } = IDBObjectStore.prototype;
-      IDBObjectStore.prototype.put = function (this: IDBObjectStore, ...args: Parameters<typeof put>) {
-        const request = put.apply(this, args);
+      const { add } = IDBObjectStore.prototype;
+      IDBObjectStore.prototype.add = function (this: IDBObjectStore, ...args: Parameters<typeof add>) {
+        const request = add.apply(this, args);
         this.transaction.abort();
         return request;
       };

@@ -1,7 +1,7 @@
 /** The timeline: ranges, curves of every joint, what the pointer reads, and styles over time. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
-import type { StrutHook } from "../../web/playground/hook";
+import type { StrutHook } from "../../web/app/shell/hook";
 import { drag, eventually, middleOf, openSite, screenshot, settledPose, turnBetween, visit } from "./browser";
 
 declare const window: { strut: StrutHook };

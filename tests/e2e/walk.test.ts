@@ -1,9 +1,11 @@
 /** The Walk view: a plan of styles that somebody walks by. */
-import type { Page } from "playwright-core";
+import type { Locator, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
-import type { StrutHook } from "../../web/playground/hook";
+import type { StrutHook } from "../../web/app/shell/hook";
 import { axeFaults } from "./axe";
-import { drag, dragHolding, eventually, middleOf, openSite, screenshot, visit } from "./browser";
+import { drag, dragHolding, drawn, eventually, middleOf, openSite, visit } from "./browser";
+import { expectFitsNarrow } from "./narrow";
+import { atRest } from "./rest";
 
 declare const window: { strut: StrutHook };
 
@@ -35,11 +37,14 @@ async function dragEdge(selector: string, dx: number): Promise<void> {
 
 const faults = () => axeFaults(page);
 
+/** Waits until something that glides has come to rest. */
+const resting = (thing: Locator) => atRest(page, () => middleOf(thing));
+
 describe("opening the view", () => {
   it("trains on the built-in walks, says so, and walks", async () => {
     await page.getByRole("link", { name: "Walk", exact: true }).click();
     await eventually(() => blocks().count()).toBe(3);
-    await eventually(() => page.locator(".notices").textContent()).toMatch(/8 styles ready to walk, from 8 clips/);
+    await eventually(() => page.locator(".toasts").textContent()).toMatch(/8 styles ready to walk, from 8 clips/);
     expect(await title()).toBe("22 steps, three styles");
     const before = await secs();
     await eventually(secs, "it walks by itself").not.toBe(before);
@@ -69,14 +74,14 @@ describe("opening the view", () => {
     await page.locator("body").press("Space");
     expect((await state()).playing).toBe(false);
     const still = await secs();
-    await page.waitForTimeout(300);
+    await drawn(page, 20);
     expect(await secs()).toBe(still);
     await page.locator("body").press("Home");
     await eventually(secs).toBe(0);
     await page.locator("body").press("ArrowRight");
-    await eventually(() => page.locator(".walk .maker-head").getAttribute("aria-valuetext")).toMatch(/step 2$/);
+    await eventually(() => page.locator(".walk .editor-head").getAttribute("aria-valuetext")).toMatch(/step 2$/);
     await page.locator("body").press("ArrowLeft");
-    await eventually(() => page.locator(".walk .maker-head").getAttribute("aria-valuetext")).toMatch(/step 1$/);
+    await eventually(() => page.locator(".walk .editor-head").getAttribute("aria-valuetext")).toMatch(/step 1$/);
   });
 });
 
@@ -105,6 +110,21 @@ describe("the plan", () => {
     expect((await state()).walk[0]!.steps).toBe(walk[0]!.steps - 1);
   });
 
+  it("has sliders that say what every key changes, and know Home and End", async () => {
+    await visit(page, `view=walk&play=0&${THREE}`);
+    const slider = (key: string) => page.locator(`[data-key="${key}"]`);
+    const spoken = (key: string) => slider(key).getAttribute("aria-valuetext");
+    await eventually(() => spoken("middle-1")).toBe("over 2 steps, from step 4");
+    await slider("middle-1").press("ArrowRight");
+    await eventually(() => spoken("middle-1"), "its length is the same").toBe("over 2 steps, from step 5");
+    await slider("middle-1").press("Home");
+    await eventually(() => spoken("middle-1")).toBe("at once, from step 5");
+    expect(await slider("middle-1").getAttribute("aria-valuenow")).toBe("0");
+    await slider("end-2").press("End");
+    await eventually(() => spoken("end-2")).toBe("16 steps");
+    expect(await slider("end-2").getAttribute("aria-valuenow")).toBe("16");
+  });
+
   it("changes the order of blocks, adds and removes them", async () => {
     await visit(page, `view=walk&play=0&${THREE}`);
     const to = await middleOf(block(0));
@@ -126,12 +146,25 @@ describe("the plan", () => {
     await eventually(() => blocks().count()).toBe(3);
   });
 
+  it("is put back by Escape during a drag", async () => {
+    await visit(page, `view=walk&play=0&${THREE}`);
+    await eventually(title).toBe("16 steps, three styles");
+    const { x, y } = await middleOf(page.locator('[data-key="end-1"]'));
+    await dragHolding(page, { x, y }, { x: x + 200, y });
+    expect((await state()).walk[1]!.steps).toBeGreaterThan(5);
+    await page.keyboard.press("Escape");
+    expect((await state()).walk[1]!.steps).toBe(4);
+    await page.mouse.move(x + 100, y);
+    await page.mouse.up();
+    expect((await state()).walk[1]!.steps, "the pointer drags no longer").toBe(4);
+  });
+
   it("is sought by its playhead", async () => {
-    const ruler = (await page.locator(".planner-seek").boundingBox())!;
+    const ruler = (await page.locator(".timeline-seek").boundingBox())!;
     await page.mouse.click(ruler.x + ruler.width / 2, ruler.y + 10);
-    const half = Number.parseFloat((await page.locator(".walk .maker-time .caption").textContent())!.slice(3)) / 2;
+    const half = Number.parseFloat((await page.locator(".walk .editor-time .caption").textContent())!.slice(3)) / 2;
     await eventually(secs).toBeCloseTo(half, 0);
-    await page.locator(".walk .maker-head").focus();
+    await page.locator(".walk .editor-head").focus();
     await page.keyboard.press("Home");
     await eventually(secs).toBe(0);
   });
@@ -142,9 +175,8 @@ describe("the block", () => {
     await visit(page, `view=walk&play=0&block=1&${THREE}`);
     await eventually(() => page.locator("#walk-block-heading").textContent()).toBe("Block 2, proud");
     const speed = await number("Speed");
-    // The handle glides to where it belongs.
-    await page.waitForTimeout(600);
     const panel = page.locator(".walk-panel");
+    await resting(panel.locator(".handle-body"));
     const old = panel.locator('.vertex[data-style="old"] .vertex-dot');
     await drag(page, await middleOf(panel.locator(".handle-body")), await middleOf(old));
     const { walk } = await state();
@@ -208,10 +240,9 @@ describe("the block", () => {
     await eventually(() => number("Step length")).toBeLessThan(0.8 * before);
     await eventually(() => page.url()).toContain("stride=60");
     // Who does not walk on stands at the end.
-    await page.getByRole("button", { name: "Walk on from the beginning" }).click();
+    await page.getByRole("button", { name: "Repeat the plan" }).click();
     await page.getByRole("button", { name: "Play" }).first().click();
     await eventually(async () => (await page.evaluate(() => window.strut.state)).playing).toBe(false);
-    await screenshot(page, "walk-stopped");
   });
 
   it("shows the ends of states and the curves of joints", async () => {
@@ -233,10 +264,10 @@ describe("what leaves the view", () => {
       ["GLB", "walk.glb"],
     ] as const) {
       const download = page.waitForEvent("download");
-      await page.locator(".walk .maker-actions").getByRole("button", { name, exact: true }).click();
+      await page.locator(".walk .editor-actions").getByRole("button", { name, exact: true }).click();
       expect((await download).suggestedFilename()).toBe(file);
     }
-    await page.getByRole("button", { name: "Style this" }).click();
+    await page.getByRole("button", { name: "Style in Play" }).click();
     await eventually(async () => (await state()).view).toBe("play");
     await eventually(async () => (await state()).input).toBe("walk");
     await eventually(() => page.locator(".stage .stage-title").textContent()).toMatch(/^Walk/);
@@ -244,41 +275,21 @@ describe("what leaves the view", () => {
 });
 
 describe("the picture", () => {
-  it("is one walker in the middle of a transition, or a strip of steps", async () => {
+  it("is a strip of steps where that is chosen", async () => {
     await visit(page, `view=walk&play=0&block=1&${THREE}`);
     await eventually(title).toBe("16 steps, three styles");
-    await page.locator(".walk .maker-head").focus();
+    await page.locator(".walk .editor-head").focus();
     await page.keyboard.press("Home");
     for (let i = 0; i < 25; i++) await page.keyboard.press("ArrowRight");
-    await page.waitForTimeout(2500);
-    await screenshot(page, "walk-wide-dark");
     await page.locator(".walk-form label").filter({ hasText: "Strip" }).click();
     await eventually(() => page.locator(".walk-strip-captions .present").textContent()).toMatch(/^step [45]to proud$/);
-    await page.waitForTimeout(3000);
-    expect(await faults()).toEqual([]);
-    await screenshot(page, "walk-strip-dark");
+    await eventually(faults).toEqual([]);
     await page.emulateMedia({ colorScheme: "light" });
-    await page.waitForTimeout(3000);
-    await screenshot(page, "walk-strip-light");
+    await eventually(faults).toEqual([]);
     await page.locator(".walk-form label").filter({ hasText: "3-D" }).click();
-    await page.waitForTimeout(2500);
-    expect(await faults()).toEqual([]);
-    await screenshot(page, "walk-wide-light");
+    await eventually(() => page.locator(".walk-strip").isVisible()).toBe(false);
+    await eventually(faults).toEqual([]);
   });
 
-  it("has everything on a narrow screen as well", async () => {
-    await page.setViewportSize({ width: 390, height: 844 });
-    await page.waitForTimeout(1500);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
-    expect(await faults()).toEqual([]);
-    await screenshot(page, "walk-narrow-light");
-    await page.locator(".walk-figures").scrollIntoViewIfNeeded();
-    await page.emulateMedia({ colorScheme: "dark" });
-    await page.waitForTimeout(1500);
-    await screenshot(page, "walk-narrow-dark");
-    for (const control of await page.locator(".walk .maker-foot button").all()) {
-      const { width, height } = (await control.boundingBox())!;
-      expect(Math.min(width, height)).toBeGreaterThanOrEqual(44);
-    }
-  });
+  it("has everything on a narrow screen as well", () => expectFitsNarrow(page, ".walk .editor-foot button"));
 });

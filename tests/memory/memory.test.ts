@@ -2,10 +2,11 @@
  * The page's module needs no more memory however long a character walks: 10,000 frames, or STRUT_MEMORY_FRAMES (100,000
  * take minutes).
  */
+
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { loadBuiltIn } from "../../web/engine/built_in";
-import { POSE_FLOATS } from "../../web/engine/types";
+import { POSE_FLOATS } from "../../web/humanoid";
 
 const FRAMES = Number(process.env.STRUT_MEMORY_FRAMES ?? 10_000);
 /** Frames of a call. */

@@ -4,8 +4,8 @@ import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
-import { createBuildClient } from "../../web/worker/build/client";
-import type { ChosenFile, DroppedFile } from "../../web/worker/build/protocol";
+import { createBuildClient } from "../../web/client/build/client";
+import type { ChosenFile, DroppedFile } from "../../web/client/build/protocol";
 import { InlineBuildWorker } from "../inline_build_worker";
 import { buildPrograms, COMMAND } from "../programs";
 import { recordings } from "../recordings";

@@ -4,7 +4,7 @@
 export interface Difference {
   /** Clip or database and stage. */
   stage: string;
-  /** Number of the frame, line or clip; -1 if a report lacks the stage or frames of it. */
+  /** Number of the frame, line or clip; -1 if what both reports have of the stage is the same, or one lacks it. */
   frame: number;
 }
 
@@ -16,10 +16,10 @@ export function firstDifference(native: string, wasm: string): Difference | unde
     if (left === right) continue;
     const [stage, ...hashes] = left.split(" ");
     const [otherStage, ...otherHashes] = right.split(" ");
-    const comparable = stage === otherStage && hashes.length === otherHashes.length;
+    const common = stage === otherStage ? hashes.slice(0, otherHashes.length) : [];
     return {
       stage: stage || otherStage || "",
-      frame: comparable ? hashes.findIndex((hash, frame) => hash !== otherHashes[frame]) : -1,
+      frame: common.findIndex((hash, frame) => hash !== otherHashes[frame]),
     };
   }
   return undefined;

@@ -8,7 +8,7 @@ export type PackedMotions = Uint8Array<ArrayBuffer>;
 
 /**
  * Loads the built-in motions.
- * @param onProgress is told the share that has arrived, 0–1, where the server says how much there is
+ * @param onProgress is called with the received share, 0–1, if the server sends the length
  * @throws StrutError if they cannot be had
  */
 export async function loadBuiltIn(onProgress: (fraction: number) => void = () => {}): Promise<PackedMotions> {
@@ -16,12 +16,12 @@ export async function loadBuiltIn(onProgress: (fraction: number) => void = () =>
   if (url.protocol === "file:") return inflate(new Blob([await readFile(url)]).stream());
   const response = await download(url, WHAT);
   if (!response.body) throw incomplete(WHAT, "the answer is empty");
-  // Where the server deflates what is deflated already, the length that it tells is not that of what arrives.
+  // If the server compresses the compressed file again, its Content-Length is not that of the received bytes.
   const total = response.headers.has("Content-Encoding") ? 0 : Number(response.headers.get("Content-Length"));
   return inflate(response.body.pipeThrough(counted((bytes) => total > 0 && onProgress(Math.min(bytes / total, 1)))));
 }
 
-/** Passes everything on and tells how many bytes it was. */
+/** Passes all chunks on and counts their bytes. */
 function counted(tell: (bytes: number) => void): TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>> {
   let bytes = 0;
   return new TransformStream({

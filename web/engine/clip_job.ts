@@ -1,4 +1,4 @@
-/** Styling a whole clip, in portions that leave time for other things. */
+/** Styling of a whole clip in steps, between which other work can run. */
 import { Handle } from "./handle";
 import type { Input } from "./input";
 import type { ClipJob as RawClipJob } from "./pkg/strut_wasm.js";
@@ -7,7 +7,7 @@ import type { Stylizer } from "./stylizer";
 import type { Analysis, CurveSubject, Examples, StyleKey } from "./types";
 import { type Glue, guarded } from "./wasm";
 
-/** An input on its way through the engine. Unlike live playback it may look ahead for its foot contacts. */
+/** The styling of one input. Unlike live playback it may look ahead for foot contacts. */
 export class ClipJob extends Handle<RawClipJob> {
   /** Frames done. */
   done = 0;
@@ -50,7 +50,7 @@ export class ClipJob extends Handle<RawClipJob> {
     return done;
   }
 
-  /** What was styled; call it after {@link run} gave true. */
+  /** The styled clip; call it after {@link run} returned true. */
   result(): Analysis {
     return guarded(() => ({
       poses: this.raw.poses(),

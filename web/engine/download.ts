@@ -9,9 +9,9 @@ export async function readFile(url: URL): Promise<Uint8Array<ArrayBuffer>> {
 }
 
 /**
- * A server's answer that is good.
- * @param what for messages: the part of Strut that it is
- * @throws StrutError if there is none
+ * A successful response of the server.
+ * @param what the part of Strut that the file is, for messages
+ * @throws StrutError `load` if there is none
  */
 export async function download(url: URL, what: string): Promise<Response> {
   let response: Response;
@@ -30,5 +30,5 @@ export function incomplete(what: string, why: string): StrutError {
 }
 
 function unloadable(what: string, why: string, hint: string): StrutError {
-  return new StrutError({ code: "bad-file", message: `The ${what} could not be loaded: ${why}.`, hint });
+  return new StrutError({ code: "load", message: `The ${what} could not be loaded: ${why}.`, hint });
 }

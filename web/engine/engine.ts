@@ -1,4 +1,4 @@
-/** The engine on the present thread: what the worker serves. */
+/** The engine on the calling thread; the worker runs it. */
 import type { PackedMotions } from "./built_in";
 import { ClipJob } from "./clip_job";
 import { Database, type DatabaseSource } from "./database";
@@ -7,7 +7,7 @@ import { Stylizer } from "./stylizer";
 import type { StyleKey, StylizeOptions } from "./types";
 import { type Glue, guarded, loadWasm } from "./wasm";
 
-/** Opens things; every object it gives belongs to the caller, who disposes it. Calls are synchronous. */
+/** Opens databases and motions and creates stylizers, which the caller disposes of. Calls are synchronous. */
 export class Engine {
   private constructor(private readonly glue: Glue) {}
 

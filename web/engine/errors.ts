@@ -4,12 +4,22 @@
  * Codes of {@link StrutError}.
  * - `bad-file`: the bytes are not what they should be;
  * - `bad-input`: an argument or an option is outside its range;
- * - `not-open`: a database or an input is needed first;
- * - `cancelled`: the caller's signal was aborted;
+ * - `not-open`: a database, a motion or a session is needed first, or was closed after a fault;
+ * - `cancelled`: the caller's signal was aborted; `cause` is the signal's reason;
  * - `disposed`: the object was used after `dispose()`;
+ * - `load`: a part of Strut could not be loaded;
+ * - `unsupported`: the browser lacks something that Strut needs;
  * - `fault`: a bug in the engine; its instance was lost.
  */
-export type StrutErrorCode = "bad-file" | "bad-input" | "not-open" | "cancelled" | "disposed" | "fault";
+export type StrutErrorCode =
+  | "bad-file"
+  | "bad-input"
+  | "not-open"
+  | "cancelled"
+  | "disposed"
+  | "load"
+  | "unsupported"
+  | "fault";
 
 /** What a {@link StrutError} is made of: travels between threads. */
 export interface ErrorParts {
@@ -27,8 +37,8 @@ export class StrutError extends Error {
   /** What to do about it, or empty. */
   readonly hint: string;
 
-  constructor({ code, message, hint }: ErrorParts) {
-    super(message);
+  constructor({ code, message, hint }: ErrorParts, cause?: unknown) {
+    super(message, cause === undefined ? undefined : { cause });
     this.code = code;
     this.hint = hint;
   }
@@ -39,9 +49,9 @@ export class StrutError extends Error {
   }
 }
 
-/** The error of an aborted call. */
-export function cancelled(): StrutError {
-  return new StrutError({ code: "cancelled", message: "The call was cancelled.", hint: "" });
+/** The error of an aborted call. @param reason the signal's */
+export function cancelled(reason?: unknown): StrutError {
+  return new StrutError({ code: "cancelled", message: "The call was cancelled.", hint: "" }, reason);
 }
 
 /** The error of a use after `dispose()`. */
@@ -49,13 +59,26 @@ export function disposed(what: string): StrutError {
   return new StrutError({ code: "disposed", message: `The ${what} was used after dispose().`, hint: "" });
 }
 
+/** The error of a bug. @param what failed: a sentence without its full stop */
+export function fault(what: string): StrutError {
+  const hint = "This is a bug in Strut; please report it with the file that caused it.";
+  return new StrutError({ code: "fault", message: `${what}.`, hint });
+}
+
 /** Any thrown value as a {@link StrutError}; what is not one already is a fault. */
 export function toStrutError(thrown: unknown): StrutError {
   if (thrown instanceof StrutError) return thrown;
   const message = thrown instanceof Error ? thrown.message : String(thrown);
-  return new StrutError({
-    code: "fault",
-    message: `The engine failed: ${message}`,
-    hint: "This is a bug in Strut; please report it with the file that caused it.",
-  });
+  return fault(`The engine failed: ${message.replace(/\.$/, "")}`);
+}
+
+/** Whether a rejection only says that its call was cancelled. */
+export function isCancellation(error: unknown): boolean {
+  const { code, name } = error as { code?: unknown; name?: unknown };
+  return code === "cancelled" || name === "AbortError";
+}
+
+/** Whether the engine was started again because of this error. */
+export function isFault(error: unknown): boolean {
+  return (error as { code?: unknown }).code === "fault";
 }

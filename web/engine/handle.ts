@@ -1,4 +1,4 @@
-/** What lives in the engine's memory until it is freed. */
+/** Ownership of objects in a module's memory, which must be freed. */
 import { disposed } from "./errors";
 
 /** Owner of one object of the WASM package; `dispose()` frees it, and a second time does nothing. */

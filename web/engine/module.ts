@@ -1,16 +1,34 @@
 /** Loads a WASM module, in a browser and in Node. */
 import { download, readFile } from "./download";
+import { StrutError } from "./errors";
+
+/** A module whose only function uses 128-bit vectors. */
+const SIMD_MODULE = new Uint8Array([
+  ...[0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0],
+  ...[10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11],
+]);
 
 /**
  * The compiled module at a URL.
- * @throws StrutError if it cannot be had
+ * @throws StrutError `unsupported` if WebAssembly or its SIMD instructions are missing, `load` if the module cannot be had
  */
 export async function compileModule(url: URL): Promise<WebAssembly.Module> {
+  requireSimd();
   if (url.protocol === "file:") return WebAssembly.compile(await readFile(url));
   const response = await download(url, "engine");
   const type = response.headers.get("Content-Type") ?? "";
-  // Some static hosts do not know the type that streaming compilation insists on.
+  // Some static hosts do not send the MIME type that streaming compilation requires.
   return type.startsWith("application/wasm")
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** Without this check the module would fail to compile, which looks like a fault of Strut's. */
+function requireSimd(): void {
+  if (typeof WebAssembly === "object" && WebAssembly.validate(SIMD_MODULE)) return;
+  throw new StrutError({
+    code: "unsupported",
+    message: "This browser cannot run Strut's engine: it lacks WebAssembly with SIMD.",
+    hint: "Use a current Chrome, Edge, Firefox or Safari (16.4 or newer).",
+  });
 }

@@ -1,25 +1,21 @@
-/** WASM packages beside the engine's, each loaded by those who need it and by nobody else. */
-import { StrutError, type StrutErrorCode, toStrutError } from "./errors";
+/** WASM packages besides the engine's, each loaded when it is first needed. */
+import { toStrutError } from "./errors";
 import { compileModule } from "./module";
+import { type ErrorClass, valueError } from "./value_error";
 
-/** What wasm-bindgen makes of any package. */
-interface Bindings {
-  initSync: (source: { module: WebAssembly.Module }) => { readonly memory: WebAssembly.Memory };
+/** The part of wasm-bindgen's output that every package has. */
+interface Bindings extends ErrorClass {
+  initSync: (source: { module: WebAssembly.Module }) => unknown;
 }
 
-/** A package, loaded once for a thread. A string that it throws says what is wrong with an argument. */
+/** A package, loaded once in each thread. */
 export class SidePackage<Glue extends Bindings> {
   #loading: Promise<Glue> | undefined;
-  #memory: WebAssembly.Memory | undefined;
 
-  /**
-   * @param module where it is
-   * @param code what a string that it throws is
-   */
+  /** @param module URL of the module */
   constructor(
     private readonly glue: Glue,
     private readonly module: URL,
-    private readonly code: StrutErrorCode,
   ) {}
 
   /**
@@ -34,29 +30,17 @@ export class SidePackage<Glue extends Bindings> {
     return this.#loading;
   }
 
-  /** The memory's bytes now; not to be kept, for it may grow. */
-  get bytes(): ArrayBuffer {
-    return this.#memory!.buffer as ArrayBuffer;
-  }
-
-  /** Runs a call into the module; anything but a string that it throws is a fault. */
+  /** Runs a call into the module. An error that it gives as a value is a {@link StrutError}; anything else is a fault. */
   guarded<T>(call: () => T): T {
     try {
       return call();
     } catch (thrown) {
-      if (typeof thrown !== "string") throw toStrutError(thrown);
-      throw new StrutError({ code: this.code, message: sentence(thrown), hint: "" });
+      throw valueError(this.glue, thrown) ?? toStrutError(thrown);
     }
   }
 
   async #instantiate(): Promise<Glue> {
-    this.#memory = this.glue.initSync({ module: await compileModule(this.module) }).memory;
+    this.glue.initSync({ module: await compileModule(this.module) });
     return this.glue;
   }
-}
-
-/** Rust's messages begin small and end without a full stop. */
-export function sentence(message: string): string {
-  const ended = /[.!?]$/.test(message) ? message : `${message}.`;
-  return ended.charAt(0).toUpperCase() + ended.slice(1);
 }

@@ -3,29 +3,16 @@ import type { Database } from "./database";
 import { StrutError } from "./errors";
 import { Handle } from "./handle";
 import type { Stylizer as RawStylizer } from "./pkg/strut_wasm.js";
-import { BODY_PARTS, type BodyPart, type DatabaseInfo, type StyleWeights, type StylizeOptions } from "./types";
+import {
+  BODY_PARTS,
+  type BodyPart,
+  type DatabaseInfo,
+  DEFAULT_OPTIONS,
+  type ModelOptions,
+  type StyleWeights,
+  type StylizeOptions,
+} from "./types";
 import { type Glue, guarded } from "./wasm";
-
-/** Options without the styles. */
-export type ModelOptions = Omit<StylizeOptions, "styles" | "parts" | "track">;
-
-/** The engine's defaults (`rust/strut-core/src/transfer/options.rs` says why), in the neutral style. */
-export const DEFAULT_OPTIONS: Readonly<StylizeOptions> = {
-  styles: {},
-  parts: {},
-  track: [],
-  k: 40,
-  lambda: 0.1,
-  rho: 0.7,
-  kappa: 3,
-  delta: 0.7,
-  coherence: true,
-  timing: true,
-  footplant: true,
-  method: "mar",
-  action: "",
-  inputStyle: "",
-};
 
 /** A batch of styled frames, one an input frame. */
 export interface Styled {
@@ -94,7 +81,7 @@ export class Stylizer extends Handle<RawStylizer> {
     guarded(() => this.raw.setPartStyles(BODY_PARTS.indexOf(part), weights ?? new Float32Array(0)));
   }
 
-  /** Starts anew where the next input frame is, as after a cut. */
+  /** Restarts at the next input frame, as after a cut. */
   reset(): void {
     guarded(() => this.raw.reset());
   }

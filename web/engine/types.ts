@@ -1,15 +1,10 @@
 /**
  * What goes in and out of the engine.
  *
- * Poses are `Float32Array`s of {@link POSE_FLOATS} numbers a frame: root x y z in metres, then the quaternion x y z w
+ * Poses are `Float32Array`s of `POSE_FLOATS` numbers a frame: root x y z in metres, then the quaternion x y z w
  * of the 21 joints of the canonical humanoid (`rust/strut-core/src/humanoid.rs`), each relative to its parent, the
  * hips relative to the world. Times are seconds.
  */
-
-/** Joints of the canonical humanoid. */
-export const JOINTS = 21;
-/** Numbers of one pose in a flat array. */
-export const POSE_FLOATS = 3 + 4 * JOINTS;
 
 /** A database that is open in the worker. */
 export interface DatabaseInfo {
@@ -79,7 +74,7 @@ export interface StylizeOptions {
   kappa: number;
   /** Sharpness of the mixture. */
   delta: number;
-  /** Whether the output is kept from trembling where the database does not know the input; method `mar` only. */
+  /** Whether temporal coherence suppresses jitter where the input is far from the database; method `mar` only. */
   coherence: boolean;
   /** Whether the output has its own timing. */
   timing: boolean;
@@ -90,6 +85,27 @@ export interface StylizeOptions {
   action: string;
   inputStyle: string;
 }
+
+/** Options without the styles. */
+export type ModelOptions = Omit<StylizeOptions, "styles" | "parts" | "track">;
+
+/** The engine's defaults (`rust/strut-core/src/transfer/options.rs` says why), in the neutral style. */
+export const DEFAULT_OPTIONS: Readonly<StylizeOptions> = {
+  styles: {},
+  parts: {},
+  track: [],
+  k: 40,
+  lambda: 0.1,
+  rho: 0.7,
+  kappa: 3,
+  delta: 0.7,
+  coherence: true,
+  timing: true,
+  footplant: true,
+  method: "mar",
+  action: "",
+  inputStyle: "",
+};
 
 /** One class of the database and how much the engine reads the input as it. */
 export interface Reading {

@@ -1,8 +1,9 @@
-/** The WASM package that styles motion, loaded once for a thread. */
+/** The WASM package that styles motion, loaded once in each thread. */
 
 import { StrutError, toStrutError } from "./errors";
 import { compileModule } from "./module";
 import * as engineGlue from "./pkg/strut_wasm.js";
+import { valueError } from "./value_error";
 
 /** The generated bindings. */
 export type Glue = typeof engineGlue;
@@ -13,13 +14,13 @@ let moduleUrl = new URL("./pkg/strut_wasm_bg.wasm", import.meta.url);
 let loading: Promise<Glue> | undefined;
 let lost = false;
 
-/** Takes another package for the engine's on this thread, one with the same bindings; before anything is loaded. */
+/** Uses another package with the same bindings on this thread; call it before anything is loaded. */
 export function servePackage(other: Glue, module: URL): void {
   [glue, moduleUrl] = [other, module];
 }
 
 /**
- * The bindings, loaded once for a thread. After a fault ({@link guarded}) a fresh instance takes the place of the lost
+ * The bindings, loaded once in each thread. After a fault ({@link guarded}) a fresh instance takes the place of the lost
  * one; objects of the lost one are dead.
  * @throws StrutError if the module cannot be had
  */
@@ -45,12 +46,8 @@ export function guarded<T>(call: () => T): T {
   try {
     return call();
   } catch (thrown) {
-    if (thrown instanceof glue.EngineError) {
-      const { code, message, hint } = thrown;
-      thrown.free();
-      throw new StrutError({ code: code as StrutError["code"], message, hint });
-    }
-    if (thrown instanceof StrutError) throw thrown;
+    const error = thrown instanceof StrutError ? thrown : valueError(glue, thrown);
+    if (error) throw error;
     lost = true;
     throw toStrutError(thrown);
   }

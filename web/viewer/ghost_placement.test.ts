@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { BESIDE, GhostPlacement, STRAY } from "./ghost_placement";
-import { createWorldPose, DEFAULT_PROPORTIONS, headingOf, placePose, restPose, worldFromLocal } from "./humanoid";
+import { createWorldPose, DEFAULT_PROPORTIONS, headingOf, placePose, restPose, worldFromLocal } from "../humanoid";
+import { BESIDE, GhostPlacement, MAX_DRIFT } from "./ghost_placement";
 
 /** A body at a place on the ground, facing `heading`. */
 function bodyAt(x: number, z: number, heading = 0) {
@@ -35,10 +35,10 @@ describe("ghost placement", () => {
     const placement = new GhostPlacement();
     const input = bodyAt(0, 0).pose;
     expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 0).world, true)).toBe(false);
-    expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 0.9 * STRAY.along).world, true)).toBe(false);
+    expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 0.9 * MAX_DRIFT.along).world, true)).toBe(false);
     expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 5).world, true)).toBe(true);
     // It lagged, so it gets a head start.
-    expect(placement.pose[2]).toBeCloseTo(5 + STRAY.along / 2, 5);
+    expect(placement.pose[2]).toBeCloseTo(5 + MAX_DRIFT.along / 2, 5);
     expect(placement.pose[0]).toBeCloseTo(-BESIDE, 5);
   });
 

@@ -2,18 +2,18 @@
  * Where the ghost of the input walks.
  *
  * Beside the character, the ghost keeps its own path: its whole world is turned and moved once, so that its feet never
- * slide. Style changes speed and heading, so the two drift apart; when the ghost has strayed from the character's side
- * it is set there anew, half as far on the other side of its place, since it will drift the same way again. Over the character, its hips and heading are put on the character's every frame, so that only
- * the pose differs.
+ * slide. Style changes speed and heading, so the two drift apart. When the ghost has drifted too far it is placed again,
+ * half of that distance on the other side of its place, since it will drift the same way again. Over the character, its
+ * hips and heading are those of the character in every frame, so that only the pose differs.
  */
 
-import { createWorldPose, headingOf, placePose, restPose, type WorldPose, worldFromLocal } from "./humanoid";
+import { createWorldPose, headingOf, placePose, restPose, type WorldPose, worldFromLocal } from "../humanoid";
 
 /** Distance of the ghost's hips from the character's, to its right, metres. */
 export const BESIDE = 1;
-/** How far the ghost may stray from there along the character's heading and across it, metres. */
-export const STRAY = { along: 1.1, across: 0.45 };
-/** Share of the drift along the heading by which a ghost that is set anew has a head start. */
+/** Maximum drift of the ghost from there along the character's heading and across it, metres. */
+export const MAX_DRIFT = { along: 1.1, across: 0.45 };
+/** Share of the drift along the heading by which a ghost that is placed again is ahead. */
 const HEAD_START = 0.5;
 
 /** Keeps the transform from the input's world to the ghost's. */
@@ -26,12 +26,12 @@ export class GhostPlacement {
   #z = 0;
   #placed = false;
 
-  /** Chooses the place anew with the next pose. */
+  /** Chooses a new place with the next pose. */
   reset(): void {
     this.#placed = false;
   }
 
-  /** Places an input pose into {@link pose}; returns whether the ghost had strayed and was set anew. */
+  /** Places an input pose into {@link pose}; returns whether the ghost had drifted too far and was placed again. */
   place(input: ArrayLike<number>, proportions: ArrayLike<number>, body: WorldPose, beside: boolean): boolean {
     if (!beside || !this.#placed) {
       this.#anchor(input, proportions, body, beside ? BESIDE : 0, 0);
@@ -42,8 +42,8 @@ export class GhostPlacement {
     const [dx, dz] = [this.pose[0]! - body.positions[0]!, this.pose[2]! - body.positions[2]!];
     const along = dx * Math.sin(heading) + dz * Math.cos(heading);
     const right = dz * Math.sin(heading) - dx * Math.cos(heading);
-    if (Math.abs(along) <= STRAY.along && Math.abs(right - BESIDE) <= STRAY.across) return false;
-    const drift = Math.max(-STRAY.along, Math.min(STRAY.along, along));
+    if (Math.abs(along) <= MAX_DRIFT.along && Math.abs(right - BESIDE) <= MAX_DRIFT.across) return false;
+    const drift = Math.max(-MAX_DRIFT.along, Math.min(MAX_DRIFT.along, along));
     this.#anchor(input, proportions, body, BESIDE, -HEAD_START * drift);
     return true;
   }

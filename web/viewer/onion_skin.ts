@@ -1,7 +1,7 @@
 /** The character a moment before and after, as ghosts that fade with their distance in time. */
 
 import { Group } from "three";
-import { POSE_FLOATS, placePose, restPose } from "./humanoid";
+import { POSE_FLOATS, placePose, restPose } from "../humanoid";
 import { Mannequin } from "./mannequin/mannequin";
 import { GhostLook } from "./mannequin/materials";
 import type { Placement } from "./stage/motion_trail";
@@ -9,7 +9,7 @@ import type { Theme } from "./themes";
 
 /** Frames between two skins: a fifth of a second at 60 Hz. */
 const STEP = 12;
-/** Skins in steps from the present, and how much of a ghost each is. */
+/** Offset of each skin from the present, in steps, and its opacity as a share of the ghost's. */
 const SKINS = [
   { steps: -2, fade: 0.3 },
   { steps: -1, fade: 0.6 },
@@ -35,7 +35,7 @@ export class OnionSkin {
     this.setTheme(theme);
   }
 
-  /** What was and what comes belongs to the output: the skins have its colour. */
+  /** The skins show the output, so they have its colour. */
   setTheme(theme: Theme): void {
     const ghost = { body: theme.signal, rim: theme.signal, opacity: theme.ghost.opacity };
     for (const skin of this.#skins) skin.look.setTheme({ ...theme, ghost });

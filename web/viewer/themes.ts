@@ -10,7 +10,7 @@ export interface Theme {
   /** The mannequin's two tones. */
   shell: string;
   joint: string;
-  /** Chosen and produced things: the planted footprint. */
+  /** The colour of what is selected and produced: planted footprints. */
   signal: string;
   /** Labels. */
   ink: string;

@@ -1,13 +1,14 @@
 /** The 3-D view: a styled character, its input as a ghost, and the ground they walk on. */
 
 import { MathUtils, Quaternion, Vector3 } from "three";
+import { headingOf, hipsTurn, isPose, JOINT, POSE_FLOATS, type Role, restPose, type WorldPose } from "../humanoid";
 import { GhostPlacement } from "./ghost_placement";
-import { headingOf, hipsTurn, isPose, JOINT, POSE_FLOATS, type Role, restPose, type WorldPose } from "./humanoid";
 import { Mannequin } from "./mannequin/mannequin";
 import { BodyLook, GhostLook } from "./mannequin/materials";
 import { OnionSkin } from "./onion_skin";
 import { MotionTrail } from "./stage/motion_trail";
 import type { CameraView } from "./stage/orbit_camera";
+import { Redraw } from "./stage/redraw";
 import { Stage } from "./stage/stage";
 import { THEMES, type ThemeName } from "./themes";
 
@@ -15,7 +16,7 @@ import { THEMES, type ThemeName } from "./themes";
 export type GhostMode = "beside" | "overlay" | "off";
 
 /** What is drawn of the moments before and after: nothing, lines of hands, feet and head, or whole bodies as well. */
-export type TraceMode = "off" | "lines" | "onion";
+export type MotionTrailMode = "off" | "lines" | "onion";
 
 /** Options of a viewer. */
 export interface ViewerOptions {
@@ -40,10 +41,8 @@ export const VIEWER_DEFAULTS: Required<Omit<ViewerOptions, "quality">> = {
   description: "A mannequin performing the styled motion, beside a translucent one performing the input.",
 };
 
-/** Duration of the ghost's fade in after it was set beside the character anew, seconds. */
+/** Duration of the ghost's fade in after it was placed again beside the character, seconds. */
 const FADE_IN = 0.25;
-/** Time after the last change in which glides and fades end, seconds; then the picture is still. */
-const SETTLING = 0.8;
 /** Middle of the head above its joint, and its radius, metres. */
 const HEAD = { rise: 0.088, radius: 0.122 };
 /** Bones that can be clicked: the joint that turns each one, and its ends. */
@@ -62,7 +61,7 @@ const BONES: readonly [Role, Role, Role][] = [
   ]),
 ];
 /** A click this near to a bone is on it, however small the character is. */
-const LEAST_REACH_PX = 10;
+const MIN_REACH_PX = 10;
 /** Room left and right of what the camera follows, metres. */
 const HALF_WIDTH = { alone: 0.75, withGhost: 1.15 };
 
@@ -79,14 +78,12 @@ export class Viewer {
   #clip: Float32Array | null = null;
   #pathFrame = 0;
   #lastTime: number | undefined;
-  /** When the picture last changed. */
-  #changedAt = 0;
-  #changed = true;
+  readonly #redraw = new Redraw();
   readonly #placement = new GhostPlacement();
   readonly #input = restPose();
   readonly #trail = new MotionTrail();
   #onion: OnionSkin | undefined;
-  #trace: TraceMode = "off";
+  #motionTrail: MotionTrailMode = "off";
   #ghostFade = 1;
   /** Whether the camera follows the character. */
   follow: boolean;
@@ -144,14 +141,14 @@ export class Viewer {
   }
 
   /** What is drawn of the moments before and after; it needs the clip of {@link setPath}. */
-  get trace(): TraceMode {
-    return this.#trace;
+  get motionTrail(): MotionTrailMode {
+    return this.#motionTrail;
   }
 
-  set trace(mode: TraceMode) {
-    if (mode === this.#trace) return;
-    this.#trace = mode;
-    this.#changed = true;
+  set motionTrail(mode: MotionTrailMode) {
+    if (mode === this.#motionTrail) return;
+    this.#motionTrail = mode;
+    this.#redraw.request();
     this.#trail.object.visible = mode !== "off";
     this.#onion?.dispose();
     this.#onion = undefined;
@@ -163,7 +160,7 @@ export class Viewer {
 
   /** The joints of the styled character whose parts are tinted. */
   set tinted(joints: readonly Role[]) {
-    this.#changed = true;
+    this.#redraw.request();
     this.#body.look.tinted = joints;
   }
 
@@ -190,7 +187,7 @@ export class Viewer {
 
   /** Whether the picture has stood still for a while and its finer version is on screen: nothing is left to draw. */
   get still(): boolean {
-    return this.#stage.still && !this.#changed;
+    return this.#stage.still && !this.#redraw.pending;
   }
 
   /** Triangles and draw calls of the last frame. */
@@ -200,7 +197,7 @@ export class Viewer {
 
   /** Takes the bone offsets of both characters: 21 × xyz, metres; see `mannequin/fit.ts`. */
   setProportions(proportions: ArrayLike<number>): void {
-    this.#changed = true;
+    this.#redraw.request();
     this.#body.setProportions(proportions);
     this.#ghost.setProportions(proportions);
     this.#onion?.setProportions(proportions);
@@ -210,7 +207,7 @@ export class Viewer {
   /** Takes the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
   setStyled(pose: ArrayLike<number>): void {
     if (!isPose(pose)) return;
-    this.#changed ||= differ(pose, this.#body.pose);
+    if (differ(pose, this.#body.pose)) this.#redraw.request();
     this.#body.setPose(pose);
   }
 
@@ -218,7 +215,7 @@ export class Viewer {
   setInput(pose: ArrayLike<number> | null): void {
     const has = pose !== null && isPose(pose);
     if (has) {
-      this.#changed ||= differ(pose, this.#input);
+      if (differ(pose, this.#input)) this.#redraw.request();
       this.#input.set(pose);
     }
     if (has === this.#hasInput) return;
@@ -228,13 +225,13 @@ export class Viewer {
 
   /** Takes which feet of the styled character are planted; a planted foot leaves a footprint. */
   setPlanted(planted: readonly [left: boolean, right: boolean]): void {
-    this.#changed ||= planted[0] !== this.#planted[0] || planted[1] !== this.#planted[1];
+    if (planted[0] !== this.#planted[0] || planted[1] !== this.#planted[1]) this.#redraw.request();
     this.#planted = [...planted];
   }
 
   /** Takes the styled poses of the whole clip, whose path ahead of {@link pathFrame} is drawn; `null` draws none. */
   setPath(poses: Float32Array | null): void {
-    this.#changed = true;
+    this.#redraw.request();
     this.#clip = poses;
     this.#stage.path.setClip(poses);
     this.#trail.setClip(poses, this.#body.fit.proportions);
@@ -245,9 +242,9 @@ export class Viewer {
     this.#pathFrame = frame;
   }
 
-  /** Forgets trail and footprints and sets the camera and the ghost anew: after a seek or when a clip begins again. */
+  /** Clears trail and footprints and places the camera and the ghost again: after a seek or when a clip loops. */
   resetTrail(): void {
-    this.#changed = true;
+    this.#redraw.request();
     this.#stage.footprints.clear();
     this.#stage.path.clear();
     if (this.follow) this.#stage.view.settle();
@@ -286,7 +283,7 @@ export class Viewer {
     }
     // The trunk is half as wide as it is long.
     const [neck, hips] = [this.jointScreenPosition("neck"), this.jointScreenPosition("hips")];
-    const reach = Math.max(LEAST_REACH_PX, Math.hypot(neck.x - hips.x, neck.y - hips.y) / 4);
+    const reach = Math.max(MIN_REACH_PX, Math.hypot(neck.x - hips.x, neck.y - hips.y) / 4);
     return nearest && nearest.distance <= reach ? nearest.role : undefined;
   }
 
@@ -303,10 +300,10 @@ export class Viewer {
     const centre = followed.copy(hips);
     if (this.#ghost.object.visible && this.#ghostMode === "beside") centre.lerp(ghostHips, 0.5);
     const moved = stage.view.update(dt, centre, this.follow);
-    if (this.#changed || moved) this.#changedAt = timeSecs;
-    this.#changed = false;
-    const still = timeSecs - this.#changedAt > SETTLING;
+    if (moved) this.#redraw.request();
+    const still = this.#redraw.settled(timeSecs);
     if ((still && stage.still) || !stage.begin(dt, still)) return false;
+    this.#redraw.drawn();
     stage.render(hips);
     stage.end();
     const { width, height } = stage.size;
@@ -323,7 +320,7 @@ export class Viewer {
 
   /** Asks for the picture to be drawn again, though nothing of it has changed. */
   invalidate(): void {
-    this.#changed = true;
+    this.#redraw.request();
   }
 
   /** A copy of the picture; only right after {@link render} has drawn it, in the same task. */
@@ -350,7 +347,7 @@ export class Viewer {
     footprints.draw(dtSecs, fit.stature);
     path.push(hips.x, hips.z);
     path.draw(hips.x, hips.z, this.#pathFrame, this.#pathTurn());
-    this.#drawTrace();
+    this.#drawMotionTrail();
     this.#placeGhost(dtSecs);
   }
 
@@ -374,7 +371,7 @@ export class Viewer {
   }
 
   #applyLabels(): void {
-    this.#changed = true;
+    this.#redraw.request();
     const theme = THEMES[this.#theme];
     const beside = this.#hasInput && this.#ghostMode === "beside";
     this.#stage.labels.set("styled", this.#labels.styled, theme.ink);
@@ -390,9 +387,9 @@ export class Viewer {
   }
 
   /** Lays the moments before and after along the character, as the clip has them. */
-  #drawTrace(): void {
+  #drawMotionTrail(): void {
     const clip = this.#clip;
-    if (this.#trace === "off" || !clip) return;
+    if (this.#motionTrail === "off" || !clip) return;
     const turn = this.#pathTurn();
     const [c, s] = [Math.cos(turn), Math.sin(turn)];
     const frames = clip.length / POSE_FLOATS;

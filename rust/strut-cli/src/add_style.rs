@@ -7,6 +7,7 @@ use crate::threads::ThreadPool;
 use std::path::PathBuf;
 use strut_core::database::build::add_style;
 use strut_core::registration;
+use strut_core::search::Index;
 use strut_formats::corpus::{Entry, Labels};
 use strut_formats::strutdb;
 
@@ -39,7 +40,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let added = add_style(&db, &clip, &registration::Options::default(), &ThreadPool)
         .map_err(|reason| Failure::in_file(&args.input, reason))?;
     let mut outputs = Outputs::default();
-    outputs.stage(&args.output, &strutdb::write(&added.database, strutdb::GENERATOR))?;
+    let plan = Index::build(&added.database).plan();
+    outputs.stage(&args.output, &strutdb::write(&added.database, &plan, strut_formats::GENERATOR))?;
     outputs.commit()?;
     let action = &added.database.actions[usize::from(added.action)];
     print(&format!("{}: style '{}', from '{action}', cost {:.1}\n", args.output.display(), args.style, added.cost));

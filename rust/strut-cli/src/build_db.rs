@@ -16,10 +16,11 @@ use std::time::Instant;
 use strut_core::database::build::{self, BuildOptions, BuildReport};
 use strut_core::database::{Database, residuals};
 use strut_core::registration::{self, Method, WarpMethod};
+use strut_core::search::Index;
 use strut_formats::corpus::Pattern;
 use strut_formats::strutdb;
 
-/// What `--json` writes.
+/// Output of `--json`.
 const JSON_HELP: &str = "\
 The report of --json:
   database, seconds, rate_hz, neutral, styles
@@ -111,15 +112,13 @@ pub(crate) fn run(args: &Args) -> Outcome {
         };
         build::build(&clips, &options, &ThreadPool, &mut progress).map_err(Failure::new)?
     };
-    let bytes = strutdb::write(&db, strutdb::GENERATOR);
+    let bytes = strutdb::write(&db, &Index::build(&db).plan(), strut_formats::GENERATOR);
     let files: HashMap<&str, &str> = clips.iter().map(|c| (c.name.as_str(), c.source.as_str())).collect();
     let report = Report::new(args, &db, &report, &files, refused, bytes.len(), begin.elapsed().as_secs_f64());
 
     let mut outputs = Outputs::default();
     outputs.stage(&args.output, &bytes)?;
-    if let Some(target) = &args.json {
-        outputs.stage(target, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
-    }
+    outputs.stage_json(args.json.as_deref(), &report)?;
     if let Some(target) = &args.report {
         outputs.stage(target, report.markdown().as_bytes())?;
     }
@@ -264,7 +263,7 @@ impl Report {
     }
 
     /// One line for each file refused.
-    /// What was refused and why, then every clip and its faulty cycles, worst first.
+    /// Refused clips with the reason, then every clip and its faulty cycles, worst first.
     fn markdown(&self) -> String {
         let mut out = format!("# Registration of {}\n\n## Refused\n\n", self.database);
         // Writing to a string cannot fail.

@@ -5,6 +5,7 @@ use crate::files::{self, print_warnings};
 use crate::search::Search;
 use std::path::Path;
 use std::time::Instant;
+use strut_core::catalogue::Catalogue;
 use strut_core::database::Database;
 use strut_core::search::Index;
 use strut_core::transfer::Model;
@@ -23,20 +24,21 @@ pub(crate) fn read_database(path: &Path) -> Outcome<Database> {
 }
 
 fn read_contents(path: &Path) -> Outcome<Contents> {
-    strutdb::read(&files::read(path, strutdb::MAX_BYTES)?).map_err(|reason| Failure::in_file(path, reason))
+    strutdb::read(&files::read(path, strutdb::KIND.max_bytes)?).map_err(|reason| Failure::in_file(path, reason))
 }
 
 /// The database in a file, ready for use and to be searched so; says so if its search index had to be made.
 pub(crate) fn read_model(path: &Path, search: Search) -> Outcome<Model> {
-    let mut contents = read_contents(path)?;
-    let index = contents.planned_index().unwrap_or_else(|| {
+    let Contents { database, plan } = read_contents(path)?;
+    let planned = plan.and_then(|plan| Index::from_plan(&database, plan).ok());
+    let index = planned.unwrap_or_else(|| {
         let begin = Instant::now();
-        let index = Index::build(&contents.database);
+        let index = Index::build(&database);
         let (path, ms) = (path.display(), begin.elapsed().as_millis());
         print_warnings(&format!(
             "note: {path} has no search index of this version; it was built in {ms} ms. 'strut build-db' stores one.\n"
         ));
         index
     });
-    Ok(Model::with_index(contents.database, search.of(index)))
+    Ok(Model::of(Catalogue::with_index(database, search.of(index))))
 }

@@ -1,4 +1,4 @@
-//! Labelled clips, read and brought to one body: what a database is built from and an evaluation run on.
+//! Labelled clips, read and retargeted to one body, for builds and evaluations.
 
 use crate::failure::{Failure, Outcome};
 use crate::files;
@@ -11,7 +11,7 @@ use std::path::Path;
 use strut_core::database::build::SourceClip;
 use strut_formats::corpus::{self, Clip, DEFAULT_PATTERN, Entry, Labels, Pattern, Table};
 
-/// Most bytes of a table.
+/// Greatest size of a table, bytes.
 const MAX_TABLE_BYTES: usize = 64 << 20;
 
 /// A file that did not enter the database.
@@ -21,7 +21,7 @@ pub(crate) struct RefusedFile {
     pub(crate) reason: String,
 }
 
-/// What was refused and why, one line each.
+/// Refused clips with the reason, one line each.
 pub(crate) fn warnings(refused: &[RefusedFile]) -> String {
     refused.iter().fold(String::new(), |mut out, r| {
         // Writing to a string cannot fail.
@@ -63,7 +63,7 @@ pub(crate) fn label<'a>(
     Ok(labelled)
 }
 
-/// Reads all clips and brings them to the body of the first clip in the neutral style.
+/// Reads all clips and retargets them to the body of the first clip in the neutral style.
 pub(crate) fn read_clips(
     neutral: Option<&str>,
     labelled: Vec<(&Source, Labels)>,

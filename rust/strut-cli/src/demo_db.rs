@@ -4,6 +4,7 @@ use crate::demo_report;
 use crate::failure::{Failure, Outcome};
 use crate::files::{self, Outputs, print};
 use std::path::PathBuf;
+use strut_core::search::Index;
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::strutdb;
 
@@ -19,10 +20,10 @@ pub(crate) struct Args {
     /// The smaller set at 60 Hz that the page loads: every action, but fewer takes and no transitions
     #[arg(long)]
     page: bool,
-    /// Write how the motions measure up as Markdown into this file
+    /// Write measures of the motions as Markdown into this file
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-    /// A folder with `xia/` and `bandai-namco-2/`, with which the report compares
+    /// A folder with `xia/` and `bandai-namco-2/`, with whose clips the report compares the motions
     #[arg(long, value_name = "DIR", requires = "report")]
     recordings: Option<PathBuf>,
 }
@@ -46,7 +47,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if let Some(path) = &args.report {
         outputs.stage(path, demo_report::report(args.recordings.as_deref())?.as_bytes())?;
     }
-    outputs.stage(&args.output, &strutdb::write(&db, strutdb::GENERATOR))?;
+    outputs.stage(&args.output, &strutdb::write(&db, &Index::build(&db).plan(), strut_formats::GENERATOR))?;
     outputs.commit()?;
     print(&format!(
         "{}: {} clips, {} frames at {} Hz, styles {}\n",

@@ -1,7 +1,7 @@
 //! The report `docs/demo-motions.md`: what the built-in motions are and how they measure up.
 
 use crate::clip::read_clip;
-use crate::failure::Outcome;
+use crate::failure::{Failure, Outcome};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
@@ -182,7 +182,8 @@ fn quality(out: &mut String, clips: &[PlannedClip], recordings: Option<&Path>) -
         let ratio = match (recordings, number) {
             (Some(folder), Some((_, number))) => {
                 let path = folder.join(format!("xia/neutral_{number}_000.bvh"));
-                format!("{:.2}", jerk / metrics::mean_jerk(&recorded(&path)?.resampled(FULL_RATE_HZ)))
+                let recorded = recorded(&path)?.resampled(FULL_RATE_HZ).map_err(|e| Failure::in_file(&path, e))?;
+                format!("{:.2}", jerk / metrics::mean_jerk(&recorded))
             }
             _ => "–".to_owned(),
         };

@@ -1,18 +1,18 @@
-//! `strut evaluate-key-style`: how well a few numbers say poses that were not learnt from.
+//! `strut evaluate-key-style`: errors of key-style models on held-out poses.
 
 mod data;
 mod keys;
 mod tables;
 
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print};
+use crate::files::{Outputs, write_or_print};
 use data::{ALL, DataSet};
 use std::fmt::Write;
 use std::path::PathBuf;
 
 /// Measure key-styling on clips that were not learnt from
 ///
-/// DATA holds the folders bandai-namco-1 and bandai-namco-2, or is these: the clips that the specification was measured on.
+/// DATA holds the folders bandai-namco-1 and bandai-namco-2, or is these: the clips that the prototype was measured on.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// Folders of clips
@@ -42,11 +42,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     text.push_str(
         "Written by `strut evaluate-key-style` on clips of bandai-namco-1 and bandai-namco-2, with 16 components. What \
          is measured are poses that were not learnt from. *Error* is the mean angle between joints and, with the hips at one \
-         place, their mean distance. In *italics* what the prototype of the specification reached.\n\n",
+         place, their mean distance. In *italics* what the prototype reached.\n\n",
     );
     // Writing to a string cannot fail.
     text.push_str(
-        "| data | clips | style | learnt from | tested on | left open |\n| --- | --- | --- | ---: | ---: | ---: |\n",
+        "| data | clips | style | learnt from | tested on | unexplained |\n| --- | --- | --- | ---: | ---: | ---: |\n",
     );
     for set in &sets {
         let axes: Vec<&str> = set.axes.iter().map(strut_core::somn::Measure::text).collect();
@@ -57,12 +57,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
             set.plan.name,
             set.plan.clips,
             axes.join(", "),
-            100.0 * set.model()?.left_open()
+            100.0 * set.model()?.unexplained_share()
         );
     }
     text.push_str(
-        "\n*Left open* is the share of the poses' variation that recorded poses of similar styles do not say: above 60 % \
-         the command advises another style.\n\n",
+        "\n*Unexplained* is the share of the poses' variance that the style does not explain, by recorded poses of similar \
+         styles: above 60 % the command advises another style.\n\n",
     );
     tables::errors(&mut text, &sets, args.seeds)?;
     tables::baselines(&mut text, &sets)?;
@@ -75,13 +75,5 @@ pub(crate) fn run(args: &Args) -> Outcome {
         keys::circle(&mut text, walk)?;
     }
     tables::cost(&mut text, &shown)?;
-    match &args.output {
-        Some(path) => {
-            let mut outputs = Outputs::default();
-            outputs.stage(path, text.as_bytes())?;
-            outputs.commit()?;
-        }
-        None => print(&text),
-    }
-    Ok(())
+    write_or_print(args.output.as_deref(), &text)
 }

@@ -1,26 +1,28 @@
-//! `strut evaluate-walk`: how well models of walks say what they were not trained on.
+//! `strut evaluate-walk`: errors of walk models on held-out takes.
 
 mod halves;
 mod intensity;
+mod mixture;
 
 use crate::corpus;
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print, print_warnings};
+use crate::files::{Outputs, print_warnings, write_or_print};
 use crate::threads::ThreadPool;
 use crate::walks::{Walk, read_walks};
+use mixture::{STEPS, weights};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 use strut_core::hsmm::evaluation::{
-    ContextTree, Manner, Peaks, Reconstruction, horizon_error, recognise, stopping_peaks, transition_peaks,
+    ContextTree, GaitStatistics, Peaks, Reconstruction, horizon_error, recognise, stopping_peaks, transition_peaks,
 };
-use strut_core::hsmm::{HORIZON, Options, Track, Training, WalkModel, WalkVoices, Walker, WeightsError, train};
+use strut_core::hsmm::{
+    HORIZON, LabelledClip, Options, RuntimeWalkModel, Track, WalkModel, Walker, WeightsError, train,
+};
 use strut_formats::corpus::Pattern;
-use strut_formats::{strutdb, walk_model};
+use strut_formats::walk_model;
 
-/// Steps of the walks that are measured: a frame more or less counts little in so many.
-const STEPS: u64 = 100;
 /// Steps in between of the transitions that are measured.
 const BETWEEN: [u32; 4] = [0, 2, 4, 6];
 /// Frames that are timed.
@@ -38,7 +40,7 @@ pub(crate) struct Args {
     /// Takes of every style that are tested on
     #[arg(long, value_name = "TAKES", value_delimiter = ',', default_value = "1,2")]
     held_out: Vec<u32>,
-    /// Walks of which the first half of every take is to say the second; files, folders or archives
+    /// Walks of which the first half of every take predicts the second; files, folders or archives
     #[arg(long, value_name = "INPUT")]
     halves: Vec<PathBuf>,
     /// Write the tables as Markdown
@@ -54,7 +56,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if tests.is_empty() || rest.is_empty() {
         return Err(Failure::new("--held-out leaves no walk to train on, or none to test"));
     }
-    let clips: Vec<Training> = rest.iter().map(|w| Training { style: &w.style, track: &w.track }).collect();
+    let clips: Vec<LabelledClip> = rest.iter().map(|w| LabelledClip { style: &w.style, track: &w.track }).collect();
     let begin = Instant::now();
     let refined = train(&body, &clips, Options { refined: true }, &ThreadPool).map_err(Failure::new)?;
     let seconds = begin.elapsed().as_secs_f64();
@@ -70,7 +72,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         rest.len(),
         refined.styles.len(),
         tests.len(),
-        walk_model::write(&refined, strutdb::GENERATOR).len().div_ceil(1000)
+        walk_model::write(&refined, strut_formats::GENERATOR).len().div_ceil(1000)
     );
     held_out(&mut text, &[("adapted", &plain), ("refined", &refined)], &tests);
     let takes = match args.halves.as_slice() {
@@ -80,35 +82,27 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if !takes.is_empty() {
         halves::write(&mut text, &names(&args.halves), (&body, &clips), &takes).map_err(Failure::new)?;
     }
-    let voices = Arc::new(WalkVoices::new(&refined));
-    let plain_voices = Arc::new(WalkVoices::new(&plain));
-    linearity(&mut text, [(&plain, &plain_voices), (&refined, &voices)]).map_err(Failure::new)?;
+    let runtime = Arc::new(RuntimeWalkModel::new(&refined));
+    let plain_runtime = Arc::new(RuntimeWalkModel::new(&plain));
+    linearity(&mut text, [(&plain, &plain_runtime), (&refined, &runtime)]).map_err(Failure::new)?;
     text.push_str(intensity::INTRODUCTION);
     let _ = writeln!(text, "### {} styles\n", refined.styles.len());
-    intensity::write(&mut text, &refined, &voices).map_err(Failure::new)?;
+    intensity::write(&mut text, &refined, &runtime).map_err(Failure::new)?;
     if !takes.is_empty() {
         let more = halves::with_first_takes((&body, &clips), &takes).map_err(Failure::new)?;
         let _ = writeln!(text, "### {} styles: with the first takes of {}\n", more.styles.len(), names(&args.halves));
-        intensity::write(&mut text, &more, &Arc::new(WalkVoices::new(&more))).map_err(Failure::new)?;
+        intensity::write(&mut text, &more, &Arc::new(RuntimeWalkModel::new(&more))).map_err(Failure::new)?;
     }
-    transitions(&mut text, &refined, &voices).map_err(Failure::new)?;
+    transitions(&mut text, &refined, &runtime).map_err(Failure::new)?;
     contexts(&mut text, &plain, &walks);
-    horizon(&mut text, &refined, &voices).map_err(Failure::new)?;
-    let _ = writeln!(text, "## Cost\n\n{:.1} µs a frame, natively, with root and joint limits.", cost_us(&voices));
+    horizon(&mut text, &refined, &runtime).map_err(Failure::new)?;
+    let _ = writeln!(text, "## Cost\n\n{:.1} µs a frame, natively, with root and joint limits.", cost_us(&runtime));
 
     print_warnings(&corpus::warnings(&refused));
-    match &args.output {
-        Some(path) => {
-            let mut outputs = Outputs::default();
-            outputs.stage(path, text.as_bytes())?;
-            outputs.commit()?;
-        }
-        None => print(&text),
-    }
-    Ok(())
+    write_or_print(args.output.as_deref(), &text)
 }
 
-/// What held-out walks show of each model.
+/// Reconstruction errors of each model on held-out walks.
 fn held_out(text: &mut String, models: &[(&str, &WalkModel)], tests: &[&Walk]) {
     text.push_str(
         "## Held-out walks\n\nWith the states' likeliest durations. *Amplitude* and *step length* are shares of ",
@@ -138,24 +132,15 @@ fn held_out(text: &mut String, models: &[(&str, &WalkModel)], tests: &[&Walk]) {
     text.push('\n');
 }
 
-/// Weights of one style, or of two.
-fn weights(model: &WalkModel, of: &[(usize, f32)]) -> Vec<f32> {
-    let mut weights = vec![0.0; model.styles.len()];
-    for &(style, weight) in of {
-        weights[style] += weight;
-    }
-    weights
-}
-
 /// Pairs of different styles.
 fn pairs(model: &WalkModel) -> impl Iterator<Item = (usize, usize)> {
     let styles = model.styles.len();
     (0..styles).flat_map(move |a| (a + 1..styles).map(move |b| (a, b)))
 }
 
-/// How straight the way between two styles is, by the adapted means and by the refined ones.
-fn linearity(text: &mut String, models: [(&WalkModel, &Arc<WalkVoices>); 2]) -> Result<(), WeightsError> {
-    let [adapted, refined] = models.map(|(model, voices)| deviations(model, voices));
+/// Linearity of interpolation between two styles, with the adapted and with the refined means.
+fn linearity(text: &mut String, models: [(&WalkModel, &Arc<RuntimeWalkModel>); 2]) -> Result<(), WeightsError> {
+    let [adapted, refined] = models.map(|(model, runtime)| deviations(model, runtime));
     text.push_str(
         "## Interpolation\n\nGreatest deviation from the straight line between two styles, of eleven mixtures, ",
     );
@@ -172,14 +157,14 @@ fn linearity(text: &mut String, models: [(&WalkModel, &Arc<WalkVoices>); 2]) -> 
 }
 
 /// Median deviations from the straight line between styles, by name.
-fn deviations(model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<Vec<(&'static str, f64)>, WeightsError> {
+fn deviations(model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<Vec<(&'static str, f64)>, WeightsError> {
     let mut all: Vec<(&str, Vec<f64>)> = Vec::new();
     for (a, b) in pairs(model) {
-        let at = |k: f32| Manner::of(model, voices, &weights(model, &[(a, 1.0 - k), (b, k)]), STEPS);
+        let at = |k: f32| GaitStatistics::of(model, runtime, &weights(model, &[(a, 1.0 - k), (b, k)]), STEPS);
         let manners = (0..=10).map(|i| at(i as f32 / 10.0)).collect::<Result<Vec<_>, _>>()?;
         let (first, last) = (manners[0].named(), manners[10].named());
         for (i, ((name, from), (_, to))) in first.into_iter().zip(last).enumerate() {
-            let off = |(n, m): (usize, &Manner)| (m.named()[i].1 - from - (to - from) * n as f64 / 10.0).abs();
+            let off = |(n, m): (usize, &GaitStatistics)| (m.named()[i].1 - from - (to - from) * n as f64 / 10.0).abs();
             let worst = manners.iter().enumerate().map(off).fold(0.0, f64::max) / (to - from).abs().max(1e-9);
             match all.get_mut(i) {
                 Some((_, of_name)) => of_name.push(worst),
@@ -190,7 +175,7 @@ fn deviations(model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<Vec<(&'stat
     Ok(all.into_iter().map(|(name, of_name)| (name, median(of_name))).collect())
 }
 
-/// Which steps deserve models of their own.
+/// Contexts whose steps need models of their own.
 fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
     let walks: Vec<(usize, &Track)> = walks
         .iter()
@@ -216,8 +201,8 @@ fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
     text.push_str("models are those of left and right steps.\n\n");
 }
 
-/// How hard changes of style are.
-fn transitions(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
+/// Joint velocities during changes of style.
+fn transitions(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {
     text.push_str("## Transitions\n\nGreatest acceleration while one style gives way to another, as a share of the ");
     text.push_str(
         "greatest of steady walking in either: of the joint where that share is largest, of the single degree of ",
@@ -231,7 +216,7 @@ fn transitions(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -
     let middle = |peaks: &[Peaks], of: fn(&Peaks) -> f64| median(peaks.iter().map(of).collect());
     for between in BETWEEN {
         let peaks = |(a, b)| {
-            transition_peaks(model, voices, [&weights(model, &[(a, 1.0)]), &weights(model, &[(b, 1.0)])], between)
+            transition_peaks(model, runtime, [&weights(model, &[(a, 1.0)]), &weights(model, &[(b, 1.0)])], between)
         };
         let peaks = pairs(model).map(peaks).collect::<Result<Vec<_>, _>>()?;
         let _ = writeln!(
@@ -245,7 +230,7 @@ fn transitions(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -
         );
     }
     let stops = (0..model.styles.len())
-        .map(|s| stopping_peaks(model, voices, &weights(model, &[(s, 1.0)])))
+        .map(|s| stopping_peaks(model, runtime, &weights(model, &[(s, 1.0)])))
         .collect::<Result<Vec<_>, _>>()?;
     let _ = writeln!(
         text,
@@ -257,9 +242,9 @@ fn transitions(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -
     Ok(())
 }
 
-/// What looking ahead no farther costs.
-fn horizon(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
-    let errors = (0..model.styles.len()).map(|s| horizon_error(model, voices, s)).collect::<Result<Vec<_>, _>>()?;
+/// Error of the finite horizon.
+fn horizon(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {
+    let errors = (0..model.styles.len()).map(|s| horizon_error(model, runtime, s)).collect::<Result<Vec<_>, _>>()?;
     let mean = errors.iter().map(|e| e[0]).sum::<f64>() / errors.len() as f64;
     let worst = errors.iter().map(|e| e[1]).fold(0.0, f64::max);
     let _ = writeln!(
@@ -282,8 +267,8 @@ fn names(inputs: &[PathBuf]) -> String {
 }
 
 /// Microseconds of a frame.
-fn cost_us(voices: &Arc<WalkVoices>) -> f64 {
-    let mut walker = Walker::new(Arc::clone(voices));
+fn cost_us(runtime: &Arc<RuntimeWalkModel>) -> f64 {
+    let mut walker = Walker::new(Arc::clone(runtime));
     let begin = Instant::now();
     (0..FRAMES).for_each(|_| _ = walker.advance());
     1e6 * begin.elapsed().as_secs_f64() / f64::from(FRAMES)

@@ -1,4 +1,4 @@
-//! What ends the command early.
+//! Errors of the command.
 
 use std::fmt::{self, Display};
 use std::path::Path;
@@ -10,7 +10,7 @@ pub(crate) struct Failure {
     pub(crate) exit_code: u8,
 }
 
-/// What a step gives.
+/// Result of a step.
 pub(crate) type Outcome<T = ()> = Result<T, Failure>;
 
 impl Failure {

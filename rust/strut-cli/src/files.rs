@@ -1,6 +1,7 @@
 //! Reading whole files within limits, and writing several or none.
 
 use crate::failure::{Failure, Outcome};
+use serde::Serialize;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -36,13 +37,24 @@ pub(crate) fn reason(error: &io::Error) -> String {
     }
 }
 
-/// Prints to stdout; a reader that has gone away is no error.
+/// Prints to stdout; a closed pipe is not an error.
 pub(crate) fn print(text: &str) {
     let mut out = io::stdout().lock();
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
 }
 
-/// Prints to stderr; a reader that has gone away is no error.
+/// Writes a text to a file, or to stdout without one.
+pub(crate) fn write_or_print(target: Option<&Path>, text: &str) -> Outcome {
+    let Some(target) = target else {
+        print(text);
+        return Ok(());
+    };
+    let mut outputs = Outputs::default();
+    outputs.stage(target, text.as_bytes())?;
+    outputs.commit()
+}
+
+/// Prints to stderr; a closed pipe is not an error.
 pub(crate) fn print_warnings(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
@@ -61,7 +73,7 @@ struct Staged {
 }
 
 impl Outputs {
-    /// Checks before the work begins that these files can be made: their folders exist and no two are the same.
+    /// Checks beforehand that these files can be written: their folders exist and no two are the same.
     pub(crate) fn check<'a>(targets: impl IntoIterator<Item = &'a Path>) -> Outcome {
         let mut seen: Vec<&Path> = Vec::new();
         for target in targets {
@@ -93,6 +105,14 @@ impl Outputs {
         write_through(file, bytes).map_err(fail)
     }
 
+    /// Writes a report as JSON under a temporary name, if there is a target.
+    pub(crate) fn stage_json(&mut self, target: Option<&Path>, report: &impl Serialize) -> Outcome {
+        match target {
+            Some(target) => self.stage(target, &serde_json::to_vec_pretty(report).map_err(Failure::new)?),
+            None => Ok(()),
+        }
+    }
+
     /// Gives all files their names.
     pub(crate) fn commit(mut self) -> Outcome {
         while let Some(Staged { temporary, target }) = self.staged.first() {
@@ -106,7 +126,7 @@ impl Outputs {
 impl Drop for Outputs {
     fn drop(&mut self) {
         for staged in &self.staged {
-            // The failure that led here is the one to report.
+            // The earlier failure is the one to report.
             let _ = fs::remove_file(&staged.temporary);
         }
     }

@@ -7,11 +7,11 @@ use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
 use strut_formats::{bvh, corpus, strutdb};
 
-/// Folders within folders at most.
+/// Greatest depth of nested folders.
 const MAX_DEPTH: usize = 16;
-/// Most bytes of an archive, and of all that it unpacks to: as much as a database may hold.
-const MAX_ARCHIVE_BYTES: usize = strutdb::MAX_BYTES;
-/// Most bytes of a licence file.
+/// Greatest size of an archive, and of its unpacked files, bytes: that of a database.
+const MAX_ARCHIVE_BYTES: usize = strutdb::KIND.max_bytes;
+/// Greatest size of a licence file, bytes.
 const MAX_LICENCE_BYTES: usize = 1 << 20;
 
 /// A file to read.
@@ -27,7 +27,7 @@ enum Content {
 }
 
 impl Source {
-    /// The file's bytes, or why they cannot be had.
+    /// The file's bytes, or why they cannot be read.
     pub(crate) fn bytes(&self) -> Result<std::borrow::Cow<'_, [u8]>, String> {
         match &self.content {
             Content::OnDisk(path) => files::contents(path, bvh::MAX_BYTES).map(Into::into),
@@ -81,7 +81,7 @@ fn walk(folder: &Path, depth: usize, found: &mut BTreeMap<String, Content>) -> O
     for entry in std::fs::read_dir(folder).map_err(fail)? {
         let entry = entry.map_err(fail)?;
         let path = entry.path();
-        // The entry's own type: a link to a folder is not followed, it may lead in a circle.
+        // The entry's own type: links to folders are not followed, as they may form a cycle.
         if entry.file_type().map_err(fail)?.is_dir() {
             walk(&path, depth + 1, found)?;
         } else if has_extension(&path, "bvh") && path.is_file() {
@@ -105,7 +105,7 @@ fn unpack(archive: &Path, found: &mut BTreeMap<String, Content>) -> Outcome {
         if hidden || !file.is_file() || !has_extension(Path::new(&name), "bvh") {
             continue;
         }
-        // The size in the archive's directory may be wrong: what is unpacked counts.
+        // The size in the archive's directory may be wrong; the unpacked bytes are counted.
         let most = left.min(bvh::MAX_BYTES);
         let mut content = Vec::new();
         file.take(most as u64 + 1).read_to_end(&mut content).map_err(|e| fail(&e))?;
@@ -119,7 +119,7 @@ fn unpack(archive: &Path, found: &mut BTreeMap<String, Content>) -> Outcome {
     Ok(())
 }
 
-/// Titles of the licences in an archive by their folders; those that cannot be read are none.
+/// Titles of the licences in an archive by their folders; unreadable ones are ignored.
 fn licences_in(zip: &mut zip::ZipArchive<Cursor<Vec<u8>>>) -> BTreeMap<String, String> {
     let mut titles = BTreeMap::new();
     for licence in corpus::LICENCE_NAMES {

@@ -1,4 +1,4 @@
-//! `strut inspect`: what a file holds.
+//! `strut inspect`: contents of a file.
 
 use crate::failure::{Failure, Outcome};
 use crate::files::{self, Outputs};
@@ -14,7 +14,7 @@ use strut_core::retarget::{Binding, to_humanoid};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::strutdb::{self, ClipInfo, SkeletonInfo};
 
-/// What `--json` writes.
+/// Output of `--json`.
 const JSON_HELP: &str = "\
 The report of --json on a BVH file:
   file, kind (\"bvh\"), frames, frame_time_secs, rate_hz, duration_secs
@@ -47,7 +47,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check(args.json.as_deref())?;
     let path = args.file.display().to_string();
     let is_database = args.file.extension().is_some_and(|e| e.eq_ignore_ascii_case("strutdb"));
-    let bytes = files::read(&args.file, if is_database { strutdb::MAX_BYTES } else { bvh::MAX_BYTES })?;
+    let bytes = files::read(&args.file, if is_database { strutdb::KIND.max_bytes } else { bvh::MAX_BYTES })?;
     // A safetensors header begins after its eight bytes of length.
     let (json, text) = if is_database || bytes.get(8) == Some(&b'{') {
         let report = database_report(path, &bytes).map_err(|e| Failure::in_file(&args.file, e))?;

@@ -8,7 +8,7 @@ use strut_core::somn::{Interpolation, KeyStyling, Method, Mode, Synthesis};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::{key_style_model, style_keys};
 
-/// Most bytes of a table of keys.
+/// Greatest size of a table of keys, bytes.
 const MAX_TABLE_BYTES: usize = 16 << 20;
 
 /// Make a motion from a few style values over time
@@ -25,7 +25,7 @@ pub(crate) struct Args {
     /// Curves through the keys: catmull-rom, or monotone, which never overshoots them
     #[arg(long, value_name = "CURVE", default_value = "catmull-rom", value_parser = ["catmull-rom", "monotone"])]
     interpolation: String,
-    /// How the components of the model share in a pose: smooth, or hard, the likeliest alone
+    /// How the components of the model are combined: smooth, a weighted mean, or hard, the likeliest alone
     #[arg(long, value_name = "MODE", default_value = "smooth", value_parser = ["smooth", "hard"])]
     mode: String,
     /// The BVH file to write

@@ -11,11 +11,11 @@ use strut_core::retarget::to_humanoid;
 use strut_core::somn::Recording;
 use strut_formats::corpus::{Clip, stem};
 
-/// All clips of the inputs on the body of the first that can be read, in the order of their paths; files that are none join
-/// the `refused`.
+/// All clips of the inputs on the body of the first readable one, in the order of their paths; unusable files are added to
+/// `refused`.
 ///
 /// # Errors
-/// If no file can be used; the sentence is about the first.
+/// If no file can be used; with the reason for the first.
 pub(crate) fn read_recordings(inputs: &[PathBuf], refused: &mut Vec<RefusedFile>) -> Outcome<Vec<Recording>> {
     let sources = gather(inputs)?;
     let parse = |source: &Source| source.bytes().and_then(|bytes| Clip::parse(&bytes).map_err(|e| e.to_string()));

@@ -1,4 +1,4 @@
-//! How neighbours are found, on the command line: `exact`, or `kdtree:160`.
+//! The search method on the command line: `exact`, or `kdtree:160`.
 
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -9,7 +9,7 @@ use strut_core::search::Index;
 /// Candidates of a kd-tree where no number is given.
 const CANDIDATES: NonZero<usize> = NonZero::new(160).unwrap();
 
-/// All windows by bounds, or so many candidates of each class's kd-tree.
+/// Exact search, or search among this many candidates of each class's kd-tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Search {
     Exact,
@@ -17,7 +17,7 @@ pub(crate) enum Search {
 }
 
 impl Search {
-    /// An index that searches so.
+    /// The index with this search.
     pub(crate) fn of(self, index: Index) -> Index {
         match self {
             Self::Exact => index,

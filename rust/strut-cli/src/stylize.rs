@@ -12,7 +12,7 @@ use clap::ValueEnum;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use strut_core::database::Database;
+use strut_core::catalogue::Catalogue;
 use strut_core::database::build::MIN_CLIP_FRAMES;
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::retarget::to_humanoid;
@@ -26,7 +26,7 @@ const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", 
 /// Give a BVH file another style
 ///
 /// The output keeps the input's skeleton, names, units, channel order and frame rate. Without --action and
-/// --input-style the input may be anything: the engine finds out what it resembles.
+/// --input-style the input may be of any action and style: the engine finds the most similar classes.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// The database
@@ -35,8 +35,8 @@ pub(crate) struct Args {
     /// The .bvh file to style
     #[arg(long, value_name = "IN.bvh")]
     input: PathBuf,
-    /// Styles with their weights; a name alone weighs 1, what is missing to 1 is neutral, less than 0 and
-    /// more than 1 exaggerate
+    /// Styles with their weights; a name alone has weight 1, the remainder to 1 is neutral, weights below 0 or above 1
+    /// extrapolate
     #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
     style: StyleWeights,
     /// The .bvh file to write
@@ -54,16 +54,16 @@ pub(crate) struct Args {
     /// Ridge of the regressions, as a share of K
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.lambda)]
     lambda: f32,
-    /// Share of what the database does not know that is kept: 0 to 1
+    /// Share of the bias that is kept in the output: 0 to 1
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.rho)]
     rho: f32,
-    /// Deviations from the neighbours that the database is taken to know
+    /// Standard deviations from the neighbours beyond which input is bias
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.kappa)]
     kappa: f32,
-    /// How far classes less near than the nearest take part
+    /// How slowly the weight of a class falls with its distance
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.delta)]
     delta: f32,
-    /// Whether the output is kept from trembling where the database does not know the input
+    /// Whether output is smoothed where the input is unlike the database
     #[arg(long, default_value = "on")]
     coherence: Switch,
     /// Whether the style changes durations
@@ -83,7 +83,7 @@ pub(crate) struct Args {
     /// How neighbours are found: exact, or kdtree:M, among M candidates of a kd-tree in each class
     #[arg(long, value_name = "SEARCH", default_value = "exact")]
     search: Search,
-    /// Write how every frame came about, as JSON lines
+    /// Write how every frame was computed, as JSON lines
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
 }
@@ -98,10 +98,10 @@ pub(crate) enum Switch {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.trace.as_deref()].into_iter().flatten())?;
-    numbers(args).validate().map_err(Failure::usage)?;
+    numeric_options(args).validate().map_err(Failure::usage)?;
     let clip = read_clip(&args.input)?;
     let model = Arc::new(read_model(&args.db, args.search)?);
-    let db = model.database();
+    let db = model.catalogue();
     let stylizer = stylizer(args, &model)?;
     let input = input_of(&clip, db).map_err(|reason| Failure::in_file(&args.input, reason))?;
 
@@ -134,8 +134,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Ok(())
 }
 
-/// Options without what depends on the database.
-fn numbers(args: &Args) -> Options {
+/// Options that do not depend on the database.
+fn numeric_options(args: &Args) -> Options {
     Options {
         k: args.k,
         delta: args.delta,
@@ -151,9 +151,9 @@ fn numbers(args: &Args) -> Options {
 }
 
 fn stylizer(args: &Args, model: &Arc<Model>) -> Outcome<Stylizer> {
-    let db = model.database();
+    let db = model.catalogue();
     let in_db = |reason: String| Failure::in_file(&args.db, reason);
-    let mut options = numbers(args);
+    let mut options = numeric_options(args);
     if let Some(name) = &args.action {
         options.action = Some(db.action_index(name).ok_or_else(|| in_db(unknown("action", name, &db.actions)))?);
     }
@@ -167,7 +167,7 @@ fn stylizer(args: &Args, model: &Arc<Model>) -> Outcome<Stylizer> {
         parts.extend(of.iter().map(|&part| (part, weights.clone())));
     }
     let mut stylizer = Stylizer::new(Arc::clone(model), options).map_err(|_| {
-        // The numbers are checked: only the pair of labels can be wrong.
+        // The numbers were checked before; only the labels can be wrong.
         let label = |name: &Option<String>| name.clone().unwrap_or_else(|| "any".into());
         let (action, style) = (label(&args.action), label(&args.input_style));
         in_db(format!("there is no clip of action '{action}' in style '{style}'"))
@@ -180,8 +180,9 @@ fn stylizer(args: &Args, model: &Arc<Model>) -> Outcome<Stylizer> {
 }
 
 /// The clip on the database's body and at its rate, or why it cannot be styled.
-fn input_of(clip: &Clip, db: &Database) -> Result<HumanoidMotion, String> {
-    let input = to_humanoid(&clip.motion, &clip.binding, &db.proportions).resampled(db.rate_hz);
+fn input_of(clip: &Clip, db: &Catalogue) -> Result<HumanoidMotion, String> {
+    let input =
+        to_humanoid(&clip.motion, &clip.binding, &db.proportions).resampled(db.rate_hz).map_err(|e| e.to_string())?;
     if input.poses.len() < MIN_CLIP_FRAMES {
         let frames = if clip.file.frames == 1 { "1 frame".into() } else { format!("{} frames", clip.file.frames) };
         return Err(format!(
@@ -194,11 +195,11 @@ fn input_of(clip: &Clip, db: &Database) -> Result<HumanoidMotion, String> {
 }
 
 /// The styled clip on the input's skeleton and at its rate.
-fn output_of(clip: &Clip, db: &Database, styled: &StyledMotion) -> Result<bvh::Bvh, bvh::BvhError> {
+fn output_of(clip: &Clip, db: &Catalogue, styled: &StyledMotion) -> Result<bvh::Bvh, bvh::BvhError> {
     clip.file.with_motion(&styled.on_skeleton(db.rate_hz, &clip.motion, &clip.binding))
 }
 
-/// What is said at the end.
+/// Summary that is printed at the end.
 struct Summary {
     weights: Vec<f64>,
     frames: usize,

@@ -1,19 +1,19 @@
 //! "Did you mean …?"
 
-/// Names listed in a message at most.
-const MOST_LISTED: usize = 12;
+/// Greatest number of names in a message.
+const MAX_LISTED: usize = 12;
 /// Likeness (1: equal) from which a name is suggested: "eldery" and "elderly" have 0.86.
-const LEAST_LIKENESS: f64 = 0.6;
+const MIN_LIKENESS: f64 = 0.6;
 
-/// The sentence for a name that is not among those there are.
+/// The message for an unknown name.
 pub(crate) fn unknown(what: &str, name: &str, known: &[impl AsRef<str>]) -> String {
     let likeness = |k: &str| strsim::normalized_damerau_levenshtein(&name.to_lowercase(), &k.to_lowercase());
     let closest = known.iter().map(AsRef::as_ref).max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
-    let advice = if let Some(closest) = closest.filter(|c| likeness(c) >= LEAST_LIKENESS) {
+    let advice = if let Some(closest) = closest.filter(|c| likeness(c) >= MIN_LIKENESS) {
         format!("did you mean '{closest}'?")
     } else {
-        let listed: Vec<&str> = known.iter().take(MOST_LISTED).map(AsRef::as_ref).collect();
-        let more = if known.len() > MOST_LISTED { ", …" } else { "" };
+        let listed: Vec<&str> = known.iter().take(MAX_LISTED).map(AsRef::as_ref).collect();
+        let more = if known.len() > MAX_LISTED { ", …" } else { "" };
         format!("there are {}{more}", listed.join(", "))
     };
     format!("there is no {what} '{name}'; {advice}")

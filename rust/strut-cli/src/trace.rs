@@ -1,13 +1,14 @@
-//! `stylize --trace`: how every frame came about, as JSON lines.
+//! `stylize --trace`: how every frame was computed, as JSON lines.
 
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::time::Instant;
-use strut_core::database::{Class, Database};
+use strut_core::catalogue::Catalogue;
+use strut_core::database::Class;
 use strut_core::transfer::{Stage, StageClock, StyledFrame, Trace};
 
-/// Class weights below this are left out: they take no part in the mixture.
-const LEAST_WEIGHT: f32 = 1e-4;
+/// Class weights below this are left out as negligible.
+const MIN_WEIGHT: f32 = 1e-4;
 
 /// One line.
 #[derive(Serialize)]
@@ -33,21 +34,21 @@ struct Line<'a> {
 }
 
 /// "action/style" of every class of a database.
-pub(crate) fn class_names(db: &Database) -> Vec<String> {
+pub(crate) fn class_names(db: &Catalogue) -> Vec<String> {
     let name = |c: &Class| format!("{}/{}", db.actions[usize::from(c.action)], db.styles[usize::from(c.style)]);
     db.classes().iter().map(name).collect()
 }
 
 /// Collects the lines of a clip.
 pub(crate) struct TraceLog<'a> {
-    db: &'a Database,
+    db: &'a Catalogue,
     /// See [`class_names`].
     classes: &'a [String],
     lines: Vec<Line<'a>>,
 }
 
 impl<'a> TraceLog<'a> {
-    pub(crate) fn new(db: &'a Database, classes: &'a [String]) -> Self {
+    pub(crate) fn new(db: &'a Catalogue, classes: &'a [String]) -> Self {
         Self { db, classes, lines: Vec::new() }
     }
 
@@ -60,7 +61,7 @@ impl<'a> TraceLog<'a> {
             time_in: trace.frame.time_in_secs,
             time_out: trace.frame.time_out_secs,
             dt: trace.frame.dt_secs,
-            class_weights: weights.filter(|(_, w)| *w >= LEAST_WEIGHT).collect(),
+            class_weights: weights.filter(|(_, w)| *w >= MIN_WEIGHT).collect(),
             neighbours: neighbours.collect(),
             bias: trace.bias,
             contact: trace.frame.contact,

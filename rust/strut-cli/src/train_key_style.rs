@@ -1,4 +1,4 @@
-//! `strut train-key-style`: clips become a map from a few numbers to poses.
+//! `strut train-key-style`: learns a map from a few style variables to poses.
 
 use crate::corpus::{self, RefusedFile};
 use crate::failure::{Failure, Outcome};
@@ -10,13 +10,15 @@ use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
 use strut_core::humanoid::Role;
+use strut_core::incremental::IncrementalJob;
+use strut_core::parallel::Sequential;
 use strut_core::somn::{Fault, KeyStyleModel, Learning, MAX_COMPONENTS, Measure, Options, Recording, Trainer};
-use strut_formats::{key_style_model, strutdb};
+use strut_formats::key_style_model;
 
 /// Ridge of expectation and maximisation.
 const RIDGE: f64 = 0.01;
 
-/// Learn poses from a few numbers that are measured on them
+/// Learn poses from a few style variables that are measured on them
 ///
 /// Axes: hips_height reach_left reach_right hand_height_left hand_height_right foot_separation foot_height_difference
 /// hands_apart (cm), torso_lean knee_bend_left knee_bend_right (degrees), speed (cm/s), or an expression such as
@@ -34,7 +36,7 @@ pub(crate) struct Args {
     /// The model to write
     #[arg(short, long, value_name = "M")]
     output: PathBuf,
-    /// What chance is drawn by: the same seed gives the same model
+    /// Random seed: the same seed gives the same model
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
     /// Number of linear maps [default: one for 40 frames, but 4 to 16]
@@ -43,7 +45,7 @@ pub(crate) struct Args {
     /// A self-organising mixture network, or expectation and maximisation to compare it with
     #[arg(long, value_name = "METHOD", default_value = "som", value_parser = ["som", "em"])]
     method: String,
-    /// Write a report as JSON: {model, seconds, components, `left_open`, axes: [{axis, unit, mean, deviation}],
+    /// Write a report as JSON: {model, seconds, components, `unexplained_share`, axes: [{axis, unit, mean, deviation}],
     /// clips: [{clip, frames}], refused: [{file, reason}]}
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -54,7 +56,7 @@ struct Report {
     model: String,
     seconds: f64,
     components: usize,
-    left_open: f64,
+    unexplained_share: f64,
     axes: Vec<AxisEntry>,
     clips: Vec<ClipEntry>,
     refused: Vec<RefusedFile>,
@@ -98,12 +100,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let of: Vec<&Recording> = recordings.iter().collect();
     let mut trainer = Trainer::new(&of, &axes, options).map_err(Failure::new)?;
     let bar = Bar::new("learning", 0);
-    while let Some(p) = trainer.step() {
+    while let Ok(Some(p)) = trainer.step(&Sequential) {
         bar.show("learning", p.done, p.total);
     }
     drop(bar);
-    let model = trainer.finish();
-    let bytes = key_style_model::write(&model, strutdb::GENERATOR);
+    let Ok(model) = trainer.conclude(&Sequential);
+    let bytes = key_style_model::write(&model, strut_formats::GENERATOR);
     let entry = |(j, axis): (usize, &Measure)| AxisEntry {
         axis: axis.to_string(),
         unit: axis.unit().to_string(),
@@ -114,22 +116,20 @@ pub(crate) fn run(args: &Args) -> Outcome {
         model: args.output.display().to_string(),
         seconds: begin.elapsed().as_secs_f64(),
         components: model.components.len(),
-        left_open: model.left_open(),
+        unexplained_share: model.unexplained_share(),
         axes: model.axes.iter().enumerate().map(entry).collect(),
         clips: model.clips.iter().map(|c| ClipEntry { clip: c.name.clone(), frames: c.frames }).collect(),
         refused,
     };
     let mut outputs = Outputs::default();
     outputs.stage(&args.output, &bytes)?;
-    if let Some(target) = &args.json {
-        outputs.stage(target, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
-    }
+    outputs.stage_json(args.json.as_deref(), &report)?;
     outputs.commit()?;
     print_warnings(&corpus::warnings(&report.refused));
-    if report.left_open > KeyStyleModel::MOST_LEFT_OPEN {
+    if report.unexplained_share > KeyStyleModel::MAX_UNEXPLAINED_SHARE {
         print_warnings(&format!(
-            "note: these style variables leave {:.0} % of the poses' variation open; poses will be means of different ones\n",
-            100.0 * report.left_open
+            "note: these style variables do not explain {:.0} % of the poses' variance; poses will be means of different ones\n",
+            100.0 * report.unexplained_share
         ));
     }
     let axes = report.axes.iter().map(|a| format!("{} {:.1} ± {:.1} {}", a.axis, a.mean, a.deviation, a.unit));

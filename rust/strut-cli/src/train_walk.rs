@@ -8,9 +8,9 @@ use crate::walks::read_walks;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
-use strut_core::hsmm::{Options, Training, landmarks, train};
+use strut_core::hsmm::{LabelledClip, Options, landmarks, train};
 use strut_formats::corpus::Pattern;
-use strut_formats::{strutdb, walk_model};
+use strut_formats::walk_model;
 
 /// Train a model of walk styles on labelled clips
 ///
@@ -57,12 +57,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let begin = Instant::now();
     let mut refused = Vec::new();
     let (body, mut walks) = read_walks(&args.inputs, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
-    let training: Vec<Training> = walks.iter().map(|w| Training { style: &w.style, track: &w.track }).collect();
+    let training: Vec<LabelledClip> = walks.iter().map(|w| LabelledClip { style: &w.style, track: &w.track }).collect();
     let landmarks = landmarks(&training);
     walks.iter_mut().zip(landmarks).for_each(|(walk, landmark)| walk.style = landmark);
-    let training: Vec<Training> = walks.iter().map(|w| Training { style: &w.style, track: &w.track }).collect();
+    let training: Vec<LabelledClip> = walks.iter().map(|w| LabelledClip { style: &w.style, track: &w.track }).collect();
     let model = train(&body, &training, Options::default(), &ThreadPool).map_err(Failure::new)?;
-    let bytes = walk_model::write(&model, strutdb::GENERATOR);
+    let bytes = walk_model::write(&model, strut_formats::GENERATOR);
 
     let styles = model.styles.iter().zip(&model.means).map(|(style, means)| {
         let of = || walks.iter().filter(|w| w.style == *style);
@@ -78,9 +78,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     };
     let mut outputs = Outputs::default();
     outputs.stage(&args.output, &bytes)?;
-    if let Some(target) = &args.json {
-        outputs.stage(target, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
-    }
+    outputs.stage_json(args.json.as_deref(), &report)?;
     outputs.commit()?;
     print_warnings(&corpus::warnings(&report.refused));
     let steps: usize = report.styles.iter().map(|s| s.steps).sum();

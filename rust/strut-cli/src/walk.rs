@@ -6,7 +6,7 @@ use crate::weights::StyleWeights;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::Arc;
-use strut_core::hsmm::{MAX_TURN, RATE_HZ, SIDES, STRIDE, WalkVoices, Walker};
+use strut_core::hsmm::{MAX_TURN, RATE_HZ, RuntimeWalkModel, SIDES, STRIDE, Walker};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::math::Vec3;
 use strut_formats::bvh::{self, Bvh};
@@ -99,7 +99,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let file = files::read(&args.model, walk_model::KIND.max_bytes)?;
     let model = walk_model::read(&file).map_err(|e| Failure::in_file(&args.model, e))?;
     let weights = |style: &StyleWeights| style.of_walks(&model.styles).map_err(Failure::new);
-    let mut walker = Walker::new(Arc::new(WalkVoices::new(&model)));
+    let mut walker = Walker::new(Arc::new(RuntimeWalkModel::new(&model)));
     walker.set_styles(&weights(&args.style)?).map_err(Failure::new)?;
     for Transition { style, step, between } in &args.transition {
         let weights = weights(style)?;

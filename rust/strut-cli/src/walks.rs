@@ -19,8 +19,8 @@ pub(crate) struct Walk {
     pub(crate) steps: usize,
 }
 
-/// The body that walks, and the walks; files that are none join the `refused`. Walks are those of the action `walk`; where
-/// there is none, of the action that holds the most steps.
+/// The body and the walks; unusable files are added to `refused`. Walks are the clips of the action `walk`, or if there is
+/// none, of the action with the most steps.
 pub(crate) fn read_walks(
     inputs: &[PathBuf],
     pattern: Option<&Pattern>,

@@ -2,7 +2,7 @@
 
 use crate::suggestion::unknown;
 use std::str::FromStr;
-use strut_core::database::Database;
+use strut_core::catalogue::Catalogue;
 use strut_core::hsmm::styles_named;
 use strut_core::transfer::{BodyPart, MAX_WEIGHT};
 
@@ -45,7 +45,7 @@ impl StyleWeights {
     ///
     /// # Errors
     /// A sentence about the first name that is not a style.
-    pub(crate) fn of(&self, db: &Database) -> Result<Vec<f32>, String> {
+    pub(crate) fn of(&self, db: &Catalogue) -> Result<Vec<f32>, String> {
         self.among(&db.styles, |name| db.styles.iter().position(|s| s == name).into_iter().collect())
     }
 

@@ -108,6 +108,29 @@ fn too_few_frames() {
 }
 
 #[test]
+fn motions_that_would_become_too_long_at_the_database_s_rate() {
+    let folder = folder();
+    let at = folder.path();
+    let frame = demo_walk().lines().last().unwrap().to_owned();
+    let frames = 20_000;
+    let long = walk_with(|i, line| match i {
+        1 => format!("Frames: {frames}"),
+        2 => "Frame Time: 10".to_owned(),
+        3 => vec![frame.as_str(); frames].join("\n"),
+        i if i > 3 => String::new(),
+        _ => line.to_owned(),
+    });
+    fs::write(at.join("in.bvh"), long.trim_end().to_owned() + "\n").unwrap();
+    let expected = "in.bvh: the motion has 11999400 frames at 60 Hz; at most 1000000 are supported";
+    let begin = Instant::now();
+    assert_refused(at, &STYLIZE, expected);
+    assert!(begin.elapsed() < Duration::from_secs(20), "it was resampled before it was refused");
+    fs::write(at.join("labels.csv"), "file,action,style\nin.bvh,walk,old\n").unwrap();
+    let build = ["build-db", "in.bvh", "-o", "new.strutdb", "--labels", "labels.csv"];
+    assert_refused(at, &build, "the motion has 11999400 frames at 60 Hz; at most 1000000 are supported");
+}
+
+#[test]
 fn skeletons_that_cannot_be_used() {
     let folder = folder();
     let at = folder.path();
@@ -149,7 +172,7 @@ fn damaged_databases() {
     flipped[good.len() / 2] ^= 0x10;
     for (bytes, expected) in [
         (&good[..good.len() / 2], "demo.strutdb: the file is cut short or damaged"),
-        (&flipped, "demo.strutdb: the database is damaged: its checksum is "),
+        (&flipped, "demo.strutdb: the Strut database is damaged: its checksum is "),
         (b"", "demo.strutdb: this is no Strut database"),
         (demo_walk().as_bytes(), "demo.strutdb: this is no Strut database"),
     ] {

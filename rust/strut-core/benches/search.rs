@@ -30,7 +30,7 @@ fn search(criterion: &mut Criterion) {
         group.bench_function("index of a plan", |b| {
             b.iter_batched(
                 || (db.clone(), plan.clone()),
-                |(mut db, plan)| Index::from_plan(&mut db, plan).unwrap(),
+                |(db, plan)| Index::from_plan(&db, plan).unwrap(),
                 BatchSize::LargeInput,
             );
         });

@@ -1,4 +1,4 @@
-//! Labels the foot contacts of a clip (specification §3).
+//! Labels the foot contacts of a clip (`docs/methods/mar.md` §3).
 //!
 //! A foot is planted while one of its two points, ankle (heel) or toes, is low *and* slow. Each point has
 //! its own hysteresis, so that a point that rolls or jitters near a threshold does not flicker. Heights are
@@ -32,7 +32,7 @@ pub struct Thresholds {
 }
 
 impl Default for Thresholds {
-    /// Measured on a person whose legs are 0.8 m long (specification §3): clean gait cycles on every
+    /// Measured on a person whose legs are 0.8 m long (`docs/methods/mar.md` §3): clean gait cycles on every
     /// locomotion clip.
     fn default() -> Self {
         Self {

@@ -5,6 +5,7 @@
 //! ([`Proportions`]). `retarget` leads from files' skeletons to this one and back.
 
 use crate::math::{Quat, Vec3};
+use thiserror::Error;
 
 /// Number of joints of the canonical humanoid.
 pub const JOINTS: usize = 21;
@@ -249,17 +250,46 @@ pub struct HumanoidMotion {
     pub poses: Vec<Pose>,
 }
 
+/// Most frames that a motion may be resampled to: more than four hours at 60 Hz.
+pub const MAX_FRAMES: usize = 1_000_000;
+
+/// A motion is too long to be resampled to a rate.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("the motion has {frames} frames at {rate_hz} Hz; at most {MAX_FRAMES} are supported")]
+pub struct TooManyFrames {
+    /// Frames at the new rate.
+    pub frames: usize,
+    /// The new rate.
+    pub rate_hz: f32,
+}
+
 impl HumanoidMotion {
     /// The same motion at another rate. The first frame is kept; the last one falls on the last whole
     /// new frame within the clip. At least one frame if there was one.
-    pub fn resampled(&self, rate_hz: f32) -> Self {
-        let step = f64::from(self.rate_hz) / f64::from(rate_hz);
-        let frames = match self.poses.len() {
-            0 => 0,
-            n => (((n - 1) as f64) / step + 1e-6).floor() as usize + 1,
-        };
+    ///
+    /// # Errors
+    /// See [`HumanoidMotion::frames_at`]; nothing is allocated then.
+    pub fn resampled(&self, rate_hz: f32) -> Result<Self, TooManyFrames> {
+        let frames = self.frames_at(rate_hz)?;
+        let step = self.frames_per_frame_at(rate_hz);
         let poses = (0..frames).map(|f| self.sample(f as f64 * step)).collect();
-        Self { proportions: self.proportions, rate_hz, poses }
+        Ok(Self { proportions: self.proportions, rate_hz, poses })
+    }
+
+    /// Number of frames that the motion has at another rate.
+    ///
+    /// # Errors
+    /// If there are more than [`MAX_FRAMES`].
+    pub fn frames_at(&self, rate_hz: f32) -> Result<usize, TooManyFrames> {
+        let Some(last) = self.poses.len().checked_sub(1) else { return Ok(0) };
+        // The cast saturates.
+        let frames = ((last as f64 / self.frames_per_frame_at(rate_hz) + 1e-6).floor() as usize).saturating_add(1);
+        if frames > MAX_FRAMES { Err(TooManyFrames { frames, rate_hz }) } else { Ok(frames) }
+    }
+
+    /// Frames of this motion from one frame at another rate to the next.
+    fn frames_per_frame_at(&self, rate_hz: f32) -> f64 {
+        f64::from(self.rate_hz) / f64::from(rate_hz)
     }
 
     /// The pose at a fractional frame, clamped to the clip; the default pose if the clip is empty.
@@ -301,9 +331,24 @@ mod tests {
     fn resampling_keeps_first_and_last_frame() {
         let poses = (0..11).map(|i| Pose { root: Vec3::new(i as f32, 0.0, 0.0), ..Pose::default() }).collect();
         let clip = HumanoidMotion { proportions: Proportions::default(), rate_hz: 30.0, poses };
-        let up = clip.resampled(60.0);
+        let up = clip.resampled(60.0).unwrap();
         assert_eq!(up.poses.len(), 21);
         assert!((up.poses[20].root.x - 10.0).abs() < 1e-5);
         assert!((up.poses[3].root.x - 1.5).abs() < 1e-5);
+    }
+
+    #[test]
+    fn resampling_to_too_many_frames_is_refused() {
+        let clip = |rate_hz: f32, frames: usize| HumanoidMotion {
+            proportions: Proportions::default(),
+            rate_hz,
+            poses: vec![Pose::default(); frames],
+        };
+        // 20,000 frames of 10 s each.
+        let refusal = clip(0.1, 20_000).resampled(60.0).unwrap_err();
+        assert_eq!(refusal.to_string(), "the motion has 11999400 frames at 60 Hz; at most 1000000 are supported");
+        assert_eq!(clip(1.0, 2).frames_at(1e6), Err(TooManyFrames { frames: 1_000_001, rate_hz: 1e6 }));
+        assert_eq!(clip(1.0, 2).frames_at(999_999.0), Ok(MAX_FRAMES));
+        assert_eq!(clip(f32::MIN_POSITIVE, 2).frames_at(f32::MAX).unwrap_err().frames, usize::MAX);
     }
 }

@@ -5,14 +5,19 @@
 //! functions go through [`math::float_funcs`], reductions have a fixed order, nothing contracts to FMA.
 #![deny(unsafe_code)]
 
-#[cfg(feature = "offline")]
+pub mod autoregression;
+#[cfg(feature = "baselines")]
 mod baselines;
+pub mod catalogue;
 pub mod contact;
 pub mod database;
-#[cfg(feature = "offline")]
+#[cfg(feature = "baselines")]
 pub mod evaluation;
+#[cfg(test)]
+mod fixtures;
 pub mod hsmm;
 pub mod humanoid;
+pub mod incremental;
 pub mod kinematics;
 pub mod math;
 pub mod metrics;

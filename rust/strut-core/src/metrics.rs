@@ -1,15 +1,14 @@
 //! Measures of a motion's quality: numbers only, no thresholds.
 
 use crate::humanoid::{HumanoidMotion, JOINTS};
-use crate::kinematics::world_from_local;
+use crate::kinematics::{Sole, Soles, world_from_local};
 use crate::math::Vec3;
-use crate::transfer::{Sole, Soles};
 
 /// Joint positions of a frame, metres.
 pub type Points = [Vec3; JOINTS];
 
 /// Mean distance of corresponding joints over the frames that both have, metres; 0 without frames. With
-/// [`crate::pose_vector::point_cloud`]s it is the pose error of the specification, §12: root and heading
+/// [`crate::pose_vector::point_cloud`]s it is the pose error of `docs/methods/mar.md` §12: root and heading
 /// removed.
 pub fn pose_error(a: &[Points], b: &[Points]) -> f32 {
     let frames = a.len().min(b.len());

@@ -1,4 +1,4 @@
-//! Pose ↔ degrees of freedom: the vector that search-free modelling works on (specification §2).
+//! Pose ↔ degrees of freedom: the vector that search-free modelling works on (`docs/methods/mar.md` §2).
 //!
 //! A row holds, in this order: the root's tilt (3: exponential map of the root rotation after removing
 //! the heading), the 20 other joints (3 each), hip height (m), planar velocity in the heading frame

@@ -5,10 +5,10 @@ use crate::humanoid::{JOINTS, Pose};
 use crate::math::{Quat, Vec3, exp_map};
 
 /// Degrees of freedom of a pose: an exponential map for every joint.
-pub(crate) const ROTATION_DIMS: usize = 3 * JOINTS;
+pub const ROTATION_DIMS: usize = 3 * JOINTS;
 
 /// One number for every degree of freedom; of a pose, radians.
-pub(crate) type RotationRow = [f64; ROTATION_DIMS];
+pub type RotationRow = [f64; ROTATION_DIMS];
 
 /// The mean rotation of every joint.
 pub(crate) fn mean_rotations<'a>(poses: impl Iterator<Item = &'a Pose> + Clone) -> [Quat; JOINTS] {

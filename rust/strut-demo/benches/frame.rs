@@ -23,7 +23,7 @@ fn frame(c: &mut Criterion) {
     ] {
         let mut stylizer = Stylizer::new(Arc::clone(&model), options).expect("the class exists");
         let share = |style| if style < styles { 1.0 / styles as f32 } else { 0.0 };
-        let weights: Vec<f32> = (0..model.database().styles.len()).map(share).collect();
+        let weights: Vec<f32> = (0..model.catalogue().styles.len()).map(share).collect();
         stylizer.set_styles(&weights).expect("one weight a style");
         let mut poses = query.motion.poses.iter().cycle();
         group.bench_function(name, |b| {

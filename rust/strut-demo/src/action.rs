@@ -1,4 +1,4 @@
-//! What sets walking and running apart, whatever the style.
+//! Mechanics of walking and running that do not depend on the style.
 
 use crate::normative::{Knots, NATURAL_DUTY, RUNNING_STANCE_KNEE, STANCE_KNEE};
 use crate::style::Style;

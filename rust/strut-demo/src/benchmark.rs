@@ -1,4 +1,4 @@
-//! What the benchmarks run on: a database of any size, and motion that it does not hold.
+//! Data for benchmarks: a database of any size, and motion outside it.
 //!
 //! Six ways of getting on in eight styles, 48 classes. A take is performed in every style with irregularities and
 //! with habits of its own (tempo, step, posture, arms, each within some tenth of the style's), so that windows are

@@ -4,9 +4,10 @@ use crate::drill::{Drill, perform_drill, script_secs};
 use crate::drills::PAGE_DRILLS;
 use crate::interlude::perform_interlude;
 use crate::perform::{Performance, perform, perform_excursion};
-use crate::script::{INPUT_EXCURSION, INPUT_TAKES, INTERLUDES, RUN_TAKES, Script, WALK_TAKES};
+use crate::script::Script;
 use crate::style::Style;
 use crate::styles::STYLES;
+use crate::takes::{INPUT_EXCURSION, INPUT_TAKES, INTERLUDES, RUN_TAKES, WALK_TAKES};
 use std::ops::ControlFlow;
 use strut_core::database::Database;
 use strut_core::database::build::{self, BuildError, BuildOptions, SourceClip};
@@ -17,7 +18,7 @@ use strut_core::registration;
 /// Rate of the built-in motions, frames per second.
 pub const RATE_HZ: f32 = 60.0;
 
-/// A motion with a name for people.
+/// A motion with a display name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedMotion {
     /// For example "neutral walk".
@@ -92,7 +93,7 @@ pub(crate) fn build(clips: &[SourceClip], rate_hz: f32) -> Result<Database, Buil
     Ok(database)
 }
 
-/// What the page offers as input: neutral motions of other scripts than the database's, so that nothing is
+/// The page's inputs: neutral motions of other scripts than the database's, so that nothing is
 /// transferred by finding itself. Each can be repeated: after its last frame comes its first one's pose.
 pub fn input_clips() -> Vec<NamedMotion> {
     let interludes = INTERLUDES.iter().map(|interlude| &interlude.gait.script);

@@ -1,4 +1,4 @@
-//! What is done on the spot: jumps, punches and kicks, from key poses that every style performs in its own way.
+//! Actions on the spot: jumps, punches and kicks, from key poses that every style performs in its own way.
 
 use crate::feet::{FootGeometry, FootPose, pitched};
 use crate::forms::{Arm, Swing};
@@ -7,13 +7,13 @@ use crate::noise::{Channel, Noise};
 use crate::path::Side;
 use crate::pelvis::{Legs, soft_min};
 use crate::perform::{Performance, place_leg};
-use crate::periodic::smooth_step;
 use crate::style::Style;
 use crate::styles::STYLES;
 use crate::upper_body::{ArmTarget, Posture, Turn, UpperBody};
 use std::f32::consts::TAU;
 use strut_core::humanoid::{HumanoidMotion, Pose, Proportions, Role};
 use strut_core::math::float_funcs::sin;
+use strut_core::math::interpolation::smooth_step;
 use strut_core::math::{Quat, Vec3};
 
 /// One jump, punch or kick of a drill.
@@ -44,7 +44,7 @@ pub struct Drill {
     pub(crate) rise: fn(&Style) -> f32,
     /// How firmly the hands are held, 0 to 1.
     pub(crate) firm: f32,
-    /// What is done, one after the other.
+    /// The moves, in order.
     pub(crate) moves: &'static [Move],
     /// Seed of all irregularities.
     pub(crate) seed: u64,

@@ -1,4 +1,4 @@
-//! The scripts of jumps, punches and kicks, and what everybody does in them in the same way.
+//! The scripts of jumps, punches and kicks, with the key poses that all styles share.
 
 use crate::drill::{Drill, Move};
 use crate::forms::{Arm, Swing, arm};
@@ -288,7 +288,7 @@ const fn first(moves: usize, drill: Drill) -> Drill {
     Drill { moves: drill.moves.split_at(moves).0, ..drill }
 }
 
-/// What the page's database has of the drills: a room of 1.5 MB does not hold all.
+/// The drills of the page's database, which must stay below 1.5 MB.
 pub(crate) const PAGE_DRILLS: [Drill; 3] = [first(3, JUMPS), first(4, PUNCHES), first(3, KICKS)];
 
 /// Jumps, punches and kicks of the page's inputs: other moves than the database's.

@@ -9,10 +9,11 @@ use crate::action::{Action, Mechanics};
 use crate::jet::Jet;
 use crate::noise::Noise;
 use crate::path::{Footprint, Path, Side, stretch};
-use crate::periodic::{PeriodicCurve, smooth_step};
+use crate::periodic::PeriodicCurve;
 use crate::script::Script;
 use crate::style::Style;
 use strut_core::humanoid::{Proportions, Role};
+use strut_core::math::interpolation::smooth_step;
 use strut_core::math::{Quat, Vec3};
 
 /// Behind the ankle, the point of the sole that strikes the ground.

@@ -4,9 +4,10 @@ use crate::database::{build, neutral_secs, source_clip};
 use crate::drill::{Drill, perform_drill, script_secs};
 use crate::drills::{JUMPS, KICKS, PUNCHES};
 use crate::perform::{Performance, Transition, perform, perform_transition};
-use crate::script::{LONG_WALK, RUN_TAKES, Script, TRANSITIONS, WALK_TAKES};
+use crate::script::Script;
 use crate::style::Style;
 use crate::styles::STYLES;
+use crate::takes::{LONG_WALK, RUN_TAKES, TRANSITIONS, WALK_TAKES};
 use strut_core::database::Database;
 use strut_core::database::build::{BuildError, SourceClip};
 use strut_core::humanoid::Proportions;
@@ -18,7 +19,7 @@ pub const FULL_RATE_HZ: f32 = 120.0;
 pub const TABLE_1: [(&str, usize); 6] =
     [("walk", 49_461), ("run", 7_835), ("jump", 6_293), ("punch", 7_125), ("kick", 6_970), ("transition", 2_145)];
 
-/// What is performed.
+/// A planned performance.
 enum Take {
     Gait(&'static Script),
     Drill(&'static Drill),

@@ -1,4 +1,4 @@
-//! Who walks halts, does drills, and walks on.
+//! A walk that halts for drills and goes on.
 //!
 //! A halt is a closing step: one foot stays planted while the other comes beside it; walking on is a step out of it. On
 //! the way every quantity follows a quintic that continues the motions before and after (Flash & Hogan 1985), the
@@ -10,11 +10,11 @@ use crate::keys::quintic;
 use crate::path::Side;
 use crate::pelvis::{Legs, soft_min};
 use crate::perform::{Excursion, Performance, perform_excursion, place_leg};
-use crate::periodic::smooth_step;
 use crate::style::Style;
 use crate::styles::STYLES;
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions, Role};
 use strut_core::math::float_funcs::{asin, atan2};
+use strut_core::math::interpolation::smooth_step;
 use strut_core::math::{Quat, Vec3, exp_map};
 
 /// A gait with drills in its middle. It ends as it begins, so that it can be repeated.
@@ -24,7 +24,7 @@ pub struct Interlude {
     pub(crate) gait: Excursion,
     /// Stride of the gait in which it halts.
     pub(crate) halt: u32,
-    /// What is done then, one after the other.
+    /// The drills, in order.
     pub(crate) drills: &'static [Drill],
 }
 

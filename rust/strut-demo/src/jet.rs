@@ -11,7 +11,7 @@ pub(crate) struct Jet {
 }
 
 impl Jet {
-    /// Difference step in cycles: several samples of a [`PeriodicCurve`].
+    /// Difference step in cycles: several samples of a [`crate::periodic::PeriodicCurve`].
     const STEP: f32 = 0.008;
 
     /// At the begin of a motion given by time since then.
@@ -38,15 +38,28 @@ impl Jet {
 
     /// The polynomial of least degree from one jet to the next; `t` in [0, 1].
     pub(crate) fn quintic(from: &Self, to: &Self, t: f32) -> Vec3 {
-        let (t2, t3) = (t * t, t * t * t);
-        let (t4, t5) = (t2 * t2, t2 * t3);
-        from.position * (1.0 - 10.0 * t3 + 15.0 * t4 - 6.0 * t5)
-            + from.velocity * (t - 6.0 * t3 + 8.0 * t4 - 3.0 * t5)
-            + from.acceleration * (0.5 * t2 - 1.5 * t3 + 1.5 * t4 - 0.5 * t5)
-            + to.acceleration * (0.5 * t3 - t4 + 0.5 * t5)
-            + to.velocity * (7.0 * t4 - 4.0 * t3 - 3.0 * t5)
-            + to.position * (10.0 * t3 - 15.0 * t4 + 6.0 * t5)
+        let [[p0, v0, a0], [p1, v1, a1]] = quintic_weights(t);
+        from.position * p0
+            + from.velocity * v0
+            + from.acceleration * a0
+            + to.acceleration * a1
+            + to.velocity * v1
+            + to.position * p1
     }
+}
+
+/// Weights of a quintic Hermite piece at `t` in [0, 1]: of value, first and second derivative at its beginning and at its
+/// end.
+pub(crate) fn quintic_weights(t: f32) -> [[f32; 3]; 2] {
+    let (t2, t3) = (t * t, t * t * t);
+    let (t4, t5) = (t2 * t2, t2 * t3);
+    let from = [
+        1.0 - 10.0 * t3 + 15.0 * t4 - 6.0 * t5,
+        t - 6.0 * t3 + 8.0 * t4 - 3.0 * t5,
+        0.5 * t2 - 1.5 * t3 + 1.5 * t4 - 0.5 * t5,
+    ];
+    let to = [10.0 * t3 - 15.0 * t4 + 6.0 * t5, 7.0 * t4 - 4.0 * t3 - 3.0 * t5, 0.5 * t3 - t4 + 0.5 * t5];
+    [from, to]
 }
 
 #[cfg(test)]

@@ -5,7 +5,9 @@
 //! is in free fall.
 
 use crate::forms::{Arm, Swing};
+use crate::jet::quintic_weights;
 use crate::pelvis::GRAVITY;
+use strut_core::math::interpolation::monotone_slope;
 
 /// How the pelvis and the trunk are.
 #[derive(Clone, Copy, Debug)]
@@ -237,18 +239,12 @@ fn passing_speeds(a: &Instant, b: &Instant, c: &Instant) -> [f32; CHANNELS] {
     std::array::from_fn(|i| {
         let before = (b.values[i] - a.values[i]) / (b.secs - a.secs);
         let after = (c.values[i] - b.values[i]) / (c.secs - b.secs);
-        if before * after <= 0.0 { 0.0 } else { 2.0 * before * after / (before + after) }
+        monotone_slope(before, after)
     })
 }
 
 /// The quintic from value, speed and acceleration to another three; `t` in [0, 1].
 pub(crate) fn quintic(from: [f32; 3], to: [f32; 3], t: f32) -> f32 {
-    let (t2, t3) = (t * t, t * t * t);
-    let (t4, t5) = (t2 * t2, t2 * t3);
-    from[0]
-        + (to[0] - from[0]) * (10.0 * t3 - 15.0 * t4 + 6.0 * t5)
-        + from[1] * (t - 6.0 * t3 + 8.0 * t4 - 3.0 * t5)
-        + from[2] * (0.5 * t2 - 1.5 * t3 + 1.5 * t4 - 0.5 * t5)
-        + to[2] * (0.5 * t3 - t4 + 0.5 * t5)
-        + to[1] * (7.0 * t4 - 4.0 * t3 - 3.0 * t5)
+    let [[_, v0, a0], [p1, v1, a1]] = quintic_weights(t);
+    from[0] + (to[0] - from[0]) * p1 + from[1] * v0 + from[2] * a0 + to[2] * a1 + to[1] * v1
 }

@@ -1,6 +1,7 @@
 //! Small, smooth, seeded irregularity, so that no two strides are identical.
 
 use crate::periodic::b_spline;
+use strut_core::math::random::SplitMix64;
 
 /// Random functions of the script phase that repeat with the script, so that a take can loop.
 #[derive(Clone, Copy, Debug)]
@@ -9,7 +10,7 @@ pub(crate) struct Noise {
     strides: u32,
 }
 
-/// What a noise value acts on. The same channel of the same script has the same noise in every style:
+/// The quantity that a noise value acts on. The same channel of the same script has the same noise in every style:
 /// irregularities belong to the script, their size to the style.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Channel {
@@ -56,12 +57,9 @@ pub(crate) fn within_one(bits: u64) -> f32 {
     (bits >> 40) as f32 / (1_u32 << 23) as f32 - 1.0
 }
 
-/// One output of the `SplitMix64` generator (Steele, Lea and Flood 2014).
+/// The first random bits of a seed: a hash of it.
 pub(crate) fn split_mix(seed: u64) -> u64 {
-    let mut z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
+    SplitMix64::new(seed).next_u64()
 }
 
 #[cfg(test)]

@@ -52,7 +52,7 @@ pub(crate) const ELBOW_SWING: Knots = &[(0.08, -1.0), (0.34, 0.1), (0.57, 1.0), 
 /// A published mean with its standard deviation between people, over the cycle.
 #[derive(Clone, Copy, Debug)]
 pub struct Band {
-    /// What the angle is.
+    /// Name of the angle.
     pub name: &'static str,
     /// (phase, mean, standard deviation), phases ascending in [0, 1), degrees.
     knots: &'static [(f32, f32, f32)],

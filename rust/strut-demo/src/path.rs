@@ -5,6 +5,7 @@ use crate::noise::{Channel, Noise};
 use crate::script::Script;
 use crate::style::Style;
 use strut_core::math::float_funcs::sin_cos;
+use strut_core::math::interpolation::hermite_weights;
 use strut_core::math::{Quat, Vec3};
 
 /// Points of the line per stride.
@@ -109,11 +110,11 @@ impl Path {
     pub(crate) fn position(&self, phase: f32) -> Vec3 {
         let (i, t) = self.locate(phase);
         let h = 1.0 / SAMPLES_PER_STRIDE as f32;
-        let (t2, t3) = (t * t, t * t * t);
-        self.positions[i] * (2.0 * t3 - 3.0 * t2 + 1.0)
-            + self.velocities[i] * (h * (t3 - 2.0 * t2 + t))
-            + self.positions[i + 1] * (3.0 * t2 - 2.0 * t3)
-            + self.velocities[i + 1] * (h * (t3 - t2))
+        let [from, leaving, to, arriving] = hermite_weights(t);
+        self.positions[i] * from
+            + self.velocities[i] * (h * leaving)
+            + self.positions[i + 1] * to
+            + self.velocities[i + 1] * (h * arriving)
     }
 
     /// Direction of walking in radians about +Y, not wrapped.
@@ -160,8 +161,8 @@ impl Path {
 mod tests {
     use super::*;
     use crate::action::Action;
-    use crate::script::WALK_TAKES;
     use crate::styles::STYLES;
+    use crate::takes::WALK_TAKES;
 
     #[test]
     fn a_straight_stride_is_two_steps_long() {

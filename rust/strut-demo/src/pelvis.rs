@@ -5,12 +5,14 @@ use crate::feet::FootPose;
 use crate::forms::Swing;
 use crate::normative::{PELVIS_ROLL, PELVIS_YAW};
 use crate::path::Side;
-use crate::periodic::{PeriodicCurve, smooth_step};
+use crate::periodic::PeriodicCurve;
+use crate::smoothing::gaussian_smoothed;
 use crate::style::Style;
 use crate::upper_body::Support;
 use std::f32::consts::TAU;
 use strut_core::humanoid::{Proportions, Role};
-use strut_core::math::float_funcs::{cos, exp, sin};
+use strut_core::math::float_funcs::{cos, sin};
+use strut_core::math::interpolation::smooth_step;
 use strut_core::math::{Quat, Vec3};
 
 /// Largest extension of a leg as a share of its length: a knee flexion of some 4°, so that the knee does not lock.
@@ -72,9 +74,9 @@ impl PelvisCurves {
 /// Heights that the legs ask of the pelvis at a frame, metres.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Heights {
-    /// What gives the supporting knee its flexion.
+    /// Height at which the supporting knee has its flexion.
     pub(crate) supported: f32,
-    /// What no leg must exceed.
+    /// Greatest height that the legs reach.
     pub(crate) limit: f32,
 }
 
@@ -101,21 +103,8 @@ pub(crate) fn smooth_heights(heights: &[Heights], sigma: f32) -> Vec<f32> {
             soft_min(h.supported, limit, LIMIT_SOFTNESS)
         })
         .collect();
-    gaussian(&limited, sigma)
-}
-
-/// Gaussian smoothing with a standard deviation in frames; the ends are held.
-fn gaussian(values: &[f32], sigma: f32) -> Vec<f32> {
-    let radius = (3.0 * sigma) as usize + 1;
-    let weights: Vec<f32> = (0..=radius).map(|k| exp(-0.5 * (k as f32 / sigma) * (k as f32 / sigma))).collect();
-    let total = weights[0] + 2.0 * weights[1..].iter().sum::<f32>();
-    let last = values.len().saturating_sub(1);
-    (0..values.len())
-        .map(|i| {
-            let pair = |k: usize| values[i.saturating_sub(k)] + values[(i + k).min(last)];
-            (weights[0] * values[i] + (1..=radius).map(|k| weights[k] * pair(k)).sum::<f32>()) / total
-        })
-        .collect()
+    let last = limited.len() as isize - 1;
+    gaussian_smoothed(limited.len(), sigma, |i| limited[i.clamp(0, last) as usize])
 }
 
 /// The legs of a body: lengths and where the hips are in the pelvis.

@@ -5,13 +5,13 @@ use crate::feet::{Feet, FootPose};
 use crate::noise::{Channel, Noise};
 use crate::path::{Path, Side, stretch};
 use crate::pelvis::{GRAVITY, Heights, Legs, PelvisCurves, smooth_heights};
-use crate::periodic::smooth_step;
 use crate::script::Script;
 use crate::style::Style;
 use crate::upper_body::{Gait, Support, Turn, UpperBody};
 use std::f32::consts::TAU;
 use strut_core::humanoid::{HumanoidMotion, Pose, Proportions, Role};
 use strut_core::math::float_funcs::{sin, wrap_angle};
+use strut_core::math::interpolation::smooth_step;
 use strut_core::math::{Quat, Vec3};
 
 /// A take in one style.
@@ -55,7 +55,7 @@ pub fn perform(script: &Script, style: &Style, proportions: &Proportions, rate_h
 /// A script that begins in its action and becomes another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transition {
-    /// What is performed, and the action that it begins in.
+    /// The script, with the action that it begins in.
     pub script: Script,
     /// The action that it ends in.
     pub to: Action,
@@ -73,7 +73,7 @@ pub fn perform_transition(transition: &Transition, style: &Style, body: &Proport
 /// A script that leaves its action for another one and comes back to it, so that it can be repeated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Excursion {
-    /// What is performed, and the action that it begins and ends in.
+    /// The script, with the action that it begins and ends in.
     pub script: Script,
     /// The action in between.
     pub to: Action,

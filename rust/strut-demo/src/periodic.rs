@@ -1,6 +1,7 @@
 //! Smooth functions of the gait phase, which repeats every stride.
 
-use strut_core::math::float_funcs::exp;
+use crate::smoothing::gaussian_smoothed;
+use strut_core::math::interpolation::{hermite_weights, monotone_slope};
 
 /// Samples of a tabulated cycle.
 const SAMPLES: usize = 256;
@@ -18,19 +19,8 @@ impl PeriodicCurve {
     /// flat, then smoothed by a Gaussian of standard deviation `softness` cycles, which rounds its corners.
     pub(crate) fn through(knots: &[(f32, f32)], softness: f32) -> Self {
         let sharp: Vec<f32> = (0..SAMPLES).map(|i| interpolate(knots, i as f32 / SAMPLES as f32)).collect();
-        let sigma = softness * SAMPLES as f32;
-        let radius = (3.0 * sigma) as usize + 1;
-        let weights: Vec<f32> =
-            (0..=radius).map(|k| exp(-0.5 * (k as f32 / sigma.max(0.1)) * (k as f32 / sigma.max(0.1)))).collect();
-        let total = weights[0] + 2.0 * weights[1..].iter().sum::<f32>();
-        let samples = (0..SAMPLES)
-            .map(|i| {
-                let around = |k: usize| sharp[(i + k) % SAMPLES] + sharp[(i + SAMPLES - k % SAMPLES) % SAMPLES];
-                let sum = weights[0] * sharp[i] + (1..=radius).map(|k| weights[k] * around(k)).sum::<f32>();
-                sum / total
-            })
-            .collect();
-        Self { samples }
+        let at = |i: isize| sharp[i.rem_euclid(SAMPLES as isize) as usize];
+        Self { samples: gaussian_smoothed(SAMPLES, softness * SAMPLES as f32, at) }
     }
 
     /// The value at a phase, taken modulo 1.
@@ -50,12 +40,6 @@ pub(crate) fn b_spline(c: [f32; 4], t: f32) -> f32 {
         / 6.0
 }
 
-/// Rises from 0 at `from` to 1 at `to` with zero slope and curvature at both ends.
-pub(crate) fn smooth_step(from: f32, to: f32, x: f32) -> f32 {
-    let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
-    t * t * t * (t * (6.0 * t - 15.0) + 10.0)
-}
-
 fn interpolate(knots: &[(f32, f32)], phase: f32) -> f32 {
     let n = knots.len();
     // Knot `i` of the infinitely repeated list; the index may run one period out on either side.
@@ -66,13 +50,11 @@ fn interpolate(knots: &[(f32, f32)], phase: f32) -> f32 {
     let next = (n..2 * n).find(|&i| knot(i).0 > phase).unwrap_or(2 * n);
     let [a, b, c, d] = [next - 2, next - 1, next, next + 1].map(knot);
     let secant = |p: (f32, f32), q: (f32, f32)| (q.1 - p.1) / (q.0 - p.0);
-    let slope = |l: f32, r: f32| if l * r <= 0.0 { 0.0 } else { 2.0 * l * r / (l + r) };
     let middle = secant(b, c);
-    let (m0, m1) = (slope(secant(a, b), middle), slope(middle, secant(c, d)));
+    let (m0, m1) = (monotone_slope(secant(a, b), middle), monotone_slope(middle, secant(c, d)));
     let h = c.0 - b.0;
-    let t = (phase - b.0) / h;
-    let (t2, t3) = (t * t, t * t * t);
-    b.1 * (2.0 * t3 - 3.0 * t2 + 1.0) + m0 * h * (t3 - 2.0 * t2 + t) + c.1 * (3.0 * t2 - 2.0 * t3) + m1 * h * (t3 - t2)
+    let [from, leaving, to, arriving] = hermite_weights((phase - b.0) / h);
+    b.1 * from + m0 * h * leaving + c.1 * to + m1 * h * arriving
 }
 
 #[cfg(test)]

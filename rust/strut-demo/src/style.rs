@@ -1,4 +1,4 @@
-//! What makes a style: movement parameters. The rows are in [`crate::styles`].
+//! Movement parameters of a style. The rows are in [`crate::styles`].
 
 use crate::forms::{Jump, Kick, Punch};
 

@@ -18,7 +18,7 @@ const ARMS_FOLLOW_TRUNK: f32 = 0.25;
 /// Strides a breath: 16 breaths a minute at 56 strides a minute.
 const STRIDES_PER_BREATH: f32 = 3.5;
 
-/// What the pelvis and the path give to the upper body at a frame; radians.
+/// Inputs of the upper body from pelvis and path at a frame; radians.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Support {
     /// Phase of the script.
@@ -130,7 +130,7 @@ impl Turn {
     }
 }
 
-/// What the upper body is to do at a frame. Turns are in the world.
+/// Target posture of the upper body at a frame. Turns are in the world.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Posture {
     pub(crate) chest: Turn,

@@ -14,7 +14,7 @@ const WARM_UP: usize = 30;
 #[test]
 fn nothing_is_allocated_from_file_to_file() {
     let model = Arc::new(Model::new(benchmark::database(benchmark::LEAST_FRAMES).unwrap()));
-    let db = model.database();
+    let db = model.catalogue();
     for (query, action) in benchmark::queries().iter().take(4).zip([None, None, None, Some(0)]) {
         let file = Bvh::from_humanoid(&query.motion).unwrap().to_motion().unwrap();
         let binding = Binding::detect(&file).unwrap();

@@ -3,6 +3,7 @@
 #![allow(missing_docs)] // Criterion's macro makes an undocumented public function.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use strut_core::math::float_funcs::double;
 use strut_formats::bvh::{self, Axis, Bvh, Channel, Joint};
 
 const FRAMES: usize = 2000;
@@ -19,7 +20,7 @@ fn generated() -> Bvh {
         end_site: (i + 1 == JOINTS).then_some([0.0, 5.0, 0.0]),
     });
     let channels = JOINTS * channels.len();
-    let value = |i: usize| ((i as f64 * 0.37).sin() * 180e6).round() / 1e6;
+    let value = |i: usize| (double::sin(i as f64 * 0.37) * 180e6).round() / 1e6;
     Bvh {
         joints: joints.collect(),
         frame_time_secs: 1.0 / 60.0,

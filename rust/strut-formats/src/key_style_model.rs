@@ -1,4 +1,4 @@
-//! The file of a key-style model, `.strutkeys`: a [safetensors](https://github.com/huggingface/safetensors) container.
+//! The file of a key-style model, `.strutkeys`: a [container](crate::container).
 //!
 //! Tensors, little-endian f32; A axes (1 to 3), K components, N recorded frames, D = 64 numbers of a pose (an exponential map
 //! about its reference for every joint, then (height of the hips − 0.9 m) / 0.8 m):
@@ -6,37 +6,38 @@
 //! | Name | Shape | Content |
 //! | --- | --- | --- |
 //! | `reference` | 21, 4 | mean rotations x y z w; that of the hips without the facing direction |
-//! | `style_mean`, `style_deviation` | A | of the recorded styles, in the axes' units; all else is standardised by them |
-//! | `slopes` | K, A, D | a pose's change with a style |
+//! | `style_mean`, `style_deviation` | A | of the recorded styles, in the axes' units; other tensors hold standardised styles |
+//! | `slopes` | K, A, D | change of the pose per unit of style |
 //! | `means` | K, D | the pose of the mean style |
 //! | `weights` | K | shares of the components |
-//! | `centres`, `spreads` | K, A; K, A, A | mean and covariance of the styles that each knows |
+//! | `centres`, `spreads` | K, A; K, A, A | mean and covariance of the styles of each component |
 //! | `styles` | N, A | the recorded styles |
 //! | `poses` | N, D | the recorded poses |
 //!
 //! The metadata entry `strut-keys` is a JSON object: `version`, `generator`, `rate_hz`, `skeleton` as in a database, `axes`
 //! (name or expression, and unit), `variance`, `least_support`, `travels`, and `clips` with their names and frames.
 
-use crate::model_file::{self, ModelFileError, ModelKind, Tensor, value};
+use crate::container::{self, ContainerError, Kind, floats, rounded};
 use crate::strutdb::SkeletonInfo;
 use serde::{Deserialize, Serialize};
 use strut_core::humanoid::JOINTS;
+use strut_core::math::Quat;
 use strut_core::somn::{
     ClipSpan, Component, DIMS, KeyStyleModel, MAX_AXES, MAX_COMPONENTS, Measure, PoseSpace, RATE_HZ, Style,
 };
 use thiserror::Error;
 
-/// What the file is.
-pub const KIND: ModelKind =
-    ModelKind { name: "key-style model", entry: "strut-keys", version: "1.0", max_bytes: 256 << 20 };
+/// The kind of file.
+pub const KIND: Kind =
+    Kind { name: "key-style model", entry: "strut-keys", version: "1.1", checksum_since: 1, max_bytes: 256 << 20 };
 
-/// Why bytes are no key-style model.
+/// Why bytes are not a key-style model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[allow(missing_docs)]
 pub enum KeyStyleModelError {
-    /// No such file, or a damaged one.
+    /// Not a container of this kind, or a damaged one.
     #[error(transparent)]
-    File(#[from] ModelFileError),
+    File(#[from] ContainerError),
     /// Another body or rate.
     #[error("the key-style model's {0} differ from those of this Strut")]
     Layout(&'static str),
@@ -51,6 +52,9 @@ pub enum KeyStyleModelError {
 #[derive(Serialize, Deserialize)]
 struct Metadata {
     version: String,
+    /// Absent before version 1.1.
+    #[serde(default)]
+    checksum: String,
     generator: String,
     rate_hz: f32,
     skeleton: SkeletonInfo,
@@ -82,6 +86,7 @@ pub fn write(model: &KeyStyleModel, generator: &str) -> Vec<u8> {
     let axes = model.axis_count();
     let metadata = Metadata {
         version: KIND.version.to_owned(),
+        checksum: container::BLANK.to_owned(),
         generator: generator.to_owned(),
         rate_hz: RATE_HZ,
         skeleton: SkeletonInfo::of(&model.space.proportions),
@@ -93,30 +98,32 @@ pub fn write(model: &KeyStyleModel, generator: &str) -> Vec<u8> {
     };
     let (count, frames) = (model.components.len(), model.rows.len());
     let parts = || model.components.iter();
-    let single = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v as f32).collect::<Vec<f32>>();
-    let slopes = parts().flat_map(|c| c.slopes[..axes].as_flattened()).copied();
-    let spreads = parts().flat_map(|c| c.spread[..axes].iter().flat_map(|row| &row[..axes])).copied();
-    let tensors: Vec<Tensor> = vec![
-        ("reference", vec![JOINTS, 4], model.space.reference.iter().flat_map(|q| q.to_array()).collect()),
-        ("style_mean", vec![axes], single(&mut model.style_mean[..axes].iter().copied())),
-        ("style_deviation", vec![axes], single(&mut model.style_deviation[..axes].iter().copied())),
-        ("slopes", vec![count, axes, DIMS], single(&mut { slopes })),
-        ("means", vec![count, DIMS], single(&mut parts().flat_map(|c| c.mean))),
-        ("weights", vec![count], single(&mut parts().map(|c| c.weight))),
-        ("centres", vec![count, axes], single(&mut parts().flat_map(|c| &c.centre[..axes]).copied())),
-        ("spreads", vec![count, axes, axes], single(&mut { spreads })),
-        ("styles", vec![frames, axes], single(&mut model.styles.iter().flat_map(|u| &u[..axes]).copied())),
-        ("poses", vec![frames, DIMS], model.rows.as_flattened().to_vec()),
+    let tensors = [
+        ("reference", floats(vec![JOINTS, 4], || model.space.reference.iter().copied().flat_map(Quat::to_array))),
+        ("style_mean", rounded(vec![axes], || model.style_mean[..axes].iter().copied())),
+        ("style_deviation", rounded(vec![axes], || model.style_deviation[..axes].iter().copied())),
+        ("slopes", rounded(vec![count, axes, DIMS], || parts().flat_map(|c| c.slopes[..axes].as_flattened()).copied())),
+        ("means", rounded(vec![count, DIMS], || parts().flat_map(|c| c.mean))),
+        ("weights", rounded(vec![count], || parts().map(|c| c.weight))),
+        ("centres", rounded(vec![count, axes], || parts().flat_map(|c| &c.centre[..axes]).copied())),
+        (
+            "spreads",
+            rounded(vec![count, axes, axes], || {
+                parts().flat_map(|c| c.spread[..axes].iter().flat_map(|row| &row[..axes])).copied()
+            }),
+        ),
+        ("styles", rounded(vec![frames, axes], || model.styles.iter().flat_map(|u| &u[..axes]).copied())),
+        ("poses", floats(vec![frames, DIMS], || model.rows.as_flattened().iter().copied())),
     ];
-    model_file::write(KIND, &metadata, tensors)
+    container::write(KIND, &metadata, &tensors)
 }
 
-/// Reads a file; trusts nothing.
+/// Reads a file; checks every value.
 ///
 /// # Errors
 /// [`KeyStyleModelError`] for anything but a key-style model of this major version.
 pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
-    let (metadata, tensors): (Metadata, _) = model_file::open(KIND, file)?;
+    let (metadata, tensors): (Metadata, _) = container::open(KIND, file)?;
     let proportions = metadata.skeleton.proportions().ok_or(KeyStyleModelError::Layout("joints"))?;
     if metadata.rate_hz != RATE_HZ {
         return Err(KeyStyleModelError::Layout("frames per second"));
@@ -139,13 +146,13 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
         return Err(KeyStyleModelError::Layout("clips and frames"));
     }
     let reference = tensors.rotations("reference")?;
-    let style_mean = tensors.numbers("style_mean", &[axes])?;
+    let style_mean = tensors.finite("style_mean", &[axes])?;
     let style_deviation = tensors.positive("style_deviation", &[axes])?;
-    let slopes = tensors.numbers("slopes", &[count, axes, DIMS])?;
-    let means = tensors.numbers("means", &[count, DIMS])?;
+    let slopes = tensors.finite("slopes", &[count, axes, DIMS])?;
+    let means = tensors.finite("means", &[count, DIMS])?;
     let weights = tensors.positive("weights", &[count])?;
-    let centres = tensors.numbers("centres", &[count, axes])?;
-    let spreads = tensors.numbers("spreads", &[count, axes, axes])?;
+    let centres = tensors.finite("centres", &[count, axes])?;
+    let spreads = tensors.finite("spreads", &[count, axes, axes])?;
     let components = (0..count).map(|i| Component {
         slopes: std::array::from_fn(|j| {
             std::array::from_fn(|d| if j < axes { slopes[(i * axes + j) * DIMS + d].into() } else { 0.0 })
@@ -164,10 +171,10 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
     let components: Vec<Component> = components.collect();
     if let Some(i) = components.iter().position(|c| !c.knows_a_region(axes)) {
         let found = format!("that of component {}", i + 1);
-        return Err(value("spreads", found, "a positive definite covariance").into());
+        return Err(ContainerError::value("spreads", found, "a positive definite covariance").into());
     }
     if !(metadata.variance > 0.0 && metadata.variance.is_finite()) {
-        return Err(value("variance", metadata.variance.to_string(), "a positive number").into());
+        return Err(ContainerError::value("variance", metadata.variance.to_string(), "a positive number").into());
     }
     let mut deviation = style(&style_deviation);
     deviation[axes..].fill(1.0);
@@ -181,8 +188,8 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
         least_support: metadata.least_support,
         travels: metadata.travels,
         clips,
-        styles: tensors.numbers("styles", &[frames, axes])?.chunks_exact(axes).map(style).collect(),
-        rows: tensors.numbers("poses", &[frames, DIMS])?.as_chunks().0.to_vec(),
+        styles: tensors.finite("styles", &[frames, axes])?.chunks_exact(axes).map(style).collect(),
+        rows: tensors.finite("poses", &[frames, DIMS])?.as_chunks().0.to_vec(),
     })
 }
 
@@ -190,7 +197,7 @@ fn within(what: &'static str, found: usize, least: usize, most: usize) -> Result
     if (least..=most).contains(&found) { Ok(()) } else { Err(KeyStyleModelError::Count { what, found, least, most }) }
 }
 
-/// Clips one after the other, and how many frames they have; none if these are beyond all numbers.
+/// Consecutive spans of the clips, and their number of frames; `None` if it overflows.
 fn spans(clips: Vec<ClipInfo>) -> (Vec<ClipSpan>, Option<usize>) {
     let mut next = Some(0_usize);
     let spans = clips.into_iter().map(|ClipInfo { name, frames }| {
@@ -208,9 +215,9 @@ fn style(values: &[f32]) -> Style {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::container::version_1_0;
     use proptest::prelude::*;
     use strut_core::humanoid::Proportions;
-    use strut_core::math::Quat;
 
     fn model() -> KeyStyleModel {
         let spread = [[0.5, 0.25, 0.0], [0.25, 0.5, 0.0], [0.0, 0.0, 1.0]];
@@ -247,10 +254,15 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_model_is_refused_with_a_reason() {
+    fn a_file_of_version_1_0_without_checksum_opens() {
+        let file = write(&model(), "test");
+        assert_eq!(write(&read(&version_1_0(KIND, &file)).unwrap(), "test"), file);
+    }
+
+    #[test]
+    fn other_files_are_refused_with_a_reason() {
         let bytes = write(&model(), "test");
         let refused = |bytes: &[u8]| read(bytes).unwrap_err().to_string();
-        assert!(refused(&bytes[..bytes.len() - 7]).contains("cut short"));
         assert!(refused(b"HIERARCHY\nROOT Hips\n").contains("no key-style model"));
         let changed = |change: &dyn Fn(&mut KeyStyleModel)| {
             let mut other = model();
@@ -264,17 +276,17 @@ mod tests {
         assert!(changed(&|m| m.components.clear()).contains("has 0 components; 1 to 64 were expected"));
         assert!(changed(&|m| m.axes.clear()).contains("has 0 axes; 1 to 3 were expected"));
         assert!(changed(&|m| m.variance = -1.0).contains("'variance' holds -1; a positive number"));
-        let mut unknown = bytes.clone();
-        let name = bytes.windows(11).position(|w| w == b"hips_height").unwrap();
+        let mut unknown = version_1_0(KIND, &bytes);
+        let name = unknown.windows(11).position(|w| w == b"hips_height").unwrap();
         unknown[name + 10] = b'd';
         assert!(refused(&unknown).contains("axis 'hips_heighd' cannot be measured: column 1"));
     }
 
     proptest! {
         #[test]
-        fn changed_bytes_never_panic(at in 0usize..4000, value: u8, cut in 0usize..100) {
-            let mut bytes = write(&model(), "test");
-            let at = at % bytes.len();
+        fn changed_bytes_without_checksum_never_panic(at: prop::sample::Index, value: u8, cut in 0usize..100) {
+            let mut bytes = version_1_0(KIND, &write(&model(), "test"));
+            let at = at.index(bytes.len());
             bytes[at] = value;
             bytes.truncate(bytes.len() - cut);
             let _ = read(&bytes);

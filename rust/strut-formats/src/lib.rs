@@ -2,9 +2,12 @@
 #![forbid(unsafe_code)]
 
 pub mod bvh;
+pub mod container;
 pub mod corpus;
 pub mod key_style_model;
-pub mod model_file;
 pub mod strutdb;
 pub mod style_keys;
 pub mod walk_model;
+
+/// Program and version, as files that Strut writes record it.
+pub const GENERATOR: &str = concat!("strut ", env!("CARGO_PKG_VERSION"));

@@ -27,7 +27,7 @@ pub enum StyleKeysError {
         /// Columns of the header.
         expected: usize,
     },
-    /// A cell that is no number.
+    /// A cell that is not a number.
     #[error("line {line}: {column} is '{found}'; a number was expected")]
     Number {
         /// Line in the file, from 1.
@@ -37,7 +37,7 @@ pub enum StyleKeysError {
         /// The cell.
         found: String,
     },
-    /// Times that do not ascend.
+    /// Times that are not ascending.
     #[error("line {line}: the time {secs} s does not come after the one before; ascending times were expected")]
     Order {
         /// Line in the file, from 1.
@@ -45,10 +45,10 @@ pub enum StyleKeysError {
         /// The time.
         secs: f64,
     },
-    /// No row.
+    /// No keys.
     #[error("there is no key below the header; at least one was expected")]
     Empty,
-    /// It is no CSV.
+    /// Not a CSV file.
     #[error("{0}")]
     Csv(String),
 }
@@ -61,7 +61,7 @@ pub fn parse(bytes: &[u8], axes: &[Measure]) -> Result<Vec<Key>, StyleKeysError>
     let no_csv = |e: csv::Error| StyleKeysError::Csv(format!("this is no CSV file: {e}"));
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).flexible(true).from_reader(bytes);
     let header: Vec<String> = reader.headers().map_err(no_csv)?.iter().map(str::to_owned).collect();
-    // Expressions are the same however they are spaced.
+    // Spaces in expressions do not matter.
     let bare = |text: &str| text.split_whitespace().collect::<String>();
     let column = |name: &str| header.iter().position(|h| bare(h) == bare(name));
     let found = axes.iter().map(|axis| column(axis.text())).collect::<Option<Vec<usize>>>();

@@ -1,45 +1,56 @@
-//! The file of a walk model, `.strutwalk`: a [safetensors](https://github.com/huggingface/safetensors) container.
+//! The file of a walk model, `.strutwalk`: a [container](crate::container).
 //!
 //! Tensors, little-endian f32; S styles, two sides (left, right), five states, D = 63 degrees of freedom (an exponential map
-//! about its reference for every joint), three parts (pose, velocity and acceleration per frame):
+//! about its reference for every joint), three streams (static, delta and delta-delta: pose, velocity and acceleration per frame):
 //!
 //! | Name | Shape | Content |
 //! | --- | --- | --- |
 //! | `reference` | 21, 4 | mean rotations x y z w; that of the hips without the heading |
 //! | `means` | S, 2, 5, 3, D | means of every style's states |
-//! | `durations` | S, 2, 5 | how many frames they last |
-//! | `variances` | 2, 5, 3, D | what all styles share |
-//! | `duration_variances` | 2, 5 | frames² |
+//! | `durations` | S, 2, 5 | mean durations of the states, frames |
+//! | `variances` | 2, 5, 3, D | variances, shared by all styles |
+//! | `duration_variances` | 2, 5 | variances of the durations, frames² |
 //! | `range` | 2, D | least and greatest value in the recorded walks |
 //!
 //! The metadata entry `strut-walk` is a JSON object: `version`, `generator`, `rate_hz`, `skeleton` as in a database, `styles`
 //! (their names) and `contexts`, the step of each of the two sides' models: models of other contexts, such as the first step
 //! of a walk, may follow in a later version.
 
-use crate::model_file::{self, ModelFileError, ModelKind, value};
+use crate::container::{self, ContainerError, Kind, floats, rounded};
 use crate::strutdb::SkeletonInfo;
 use serde::{Deserialize, Serialize};
-use strut_core::hsmm::{DIMS, PerState, RATE_HZ, SIDES, STATES, StyleMeans, WalkModel, numbers};
+use std::ops::RangeInclusive;
+use strut_core::hsmm::{
+    Observation, PerState, RATE_HZ, ROTATION_DIMS, SIDES, STATES, StyleMeans, WalkModel, flattened,
+};
 use strut_core::humanoid::JOINTS;
+use strut_core::math::Quat;
 use thiserror::Error;
 
-/// What the file is.
-pub const KIND: ModelKind = ModelKind { name: "walk model", entry: "strut-walk", version: "1.0", max_bytes: 64 << 20 };
-/// Most styles of a model.
+/// The kind of file.
+pub const KIND: Kind =
+    Kind { name: "walk model", entry: "strut-walk", version: "1.1", checksum_since: 1, max_bytes: 64 << 20 };
+/// Greatest number of styles of a model.
 pub const MAX_STYLES: usize = 1000;
-/// Most frames of a state.
-const MAX_FRAMES: f32 = 1000.0;
+/// Greatest magnitude of a mean and of a range's end, radians.
+const MAX_RADIANS: f32 = 100.0;
+/// Variances, radians²; training gives at least 1e-9. Walking divides by them in single precision.
+const VARIANCES: RangeInclusive<f32> = 1e-10..=1e4;
+/// Durations of a state, frames.
+const DURATIONS: RangeInclusive<f32> = 1e-3..=1e3;
+/// Variances of durations, frames²; training gives at least 0.25.
+const DURATION_VARIANCES: RangeInclusive<f32> = 1e-6..=1e6;
 
 const CONTEXTS: [&str; SIDES] = ["left", "right"];
-const OBSERVATION: usize = 3 * DIMS;
+const OBSERVATION: usize = 3 * ROTATION_DIMS;
 
-/// Why bytes are no walk model.
+/// Why bytes are not a walk model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[allow(missing_docs)]
 pub enum WalkModelError {
-    /// No such file, or a damaged one.
+    /// Not a container of this kind, or a damaged one.
     #[error(transparent)]
-    File(#[from] ModelFileError),
+    File(#[from] ContainerError),
     /// Another body, rate, or set of contexts.
     #[error("the walk model's {0} differ from those of this Strut")]
     Layout(&'static str),
@@ -51,6 +62,9 @@ pub enum WalkModelError {
 #[derive(Serialize, Deserialize)]
 struct Metadata {
     version: String,
+    /// Absent before version 1.1.
+    #[serde(default)]
+    checksum: String,
     generator: String,
     rate_hz: f32,
     skeleton: SkeletonInfo,
@@ -65,6 +79,7 @@ struct Metadata {
 pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
     let metadata = Metadata {
         version: KIND.version.to_owned(),
+        checksum: container::BLANK.to_owned(),
         generator: generator.to_owned(),
         rate_hz: RATE_HZ,
         skeleton: SkeletonInfo::of(&model.proportions),
@@ -72,28 +87,35 @@ pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
         contexts: CONTEXTS.map(str::to_owned).to_vec(),
     };
     let styles = model.means.len();
-    let per_state = |of: &PerState<f64>| single(of.as_flattened());
-    let tensors = vec![
-        ("reference", vec![JOINTS, 4], model.reference.iter().flat_map(|q| q.to_array()).collect()),
+    let means = || model.means.iter();
+    let tensors = [
+        ("reference", floats(vec![JOINTS, 4], || model.reference.iter().copied().flat_map(Quat::to_array))),
         (
             "means",
-            vec![styles, SIDES, STATES, 3, DIMS],
-            model.means.iter().flat_map(|m| single(numbers(&m.means))).collect(),
+            rounded(vec![styles, SIDES, STATES, 3, ROTATION_DIMS], || {
+                means().flat_map(|m| flattened(&m.means)).copied()
+            }),
         ),
-        ("durations", vec![styles, SIDES, STATES], model.means.iter().flat_map(|m| per_state(&m.durations)).collect()),
-        ("variances", vec![SIDES, STATES, 3, DIMS], single(numbers(&model.variances))),
-        ("duration_variances", vec![SIDES, STATES], per_state(&model.duration_variances)),
-        ("range", vec![2, DIMS], single(model.range.as_flattened())),
+        (
+            "durations",
+            rounded(vec![styles, SIDES, STATES], || means().flat_map(|m| m.durations.as_flattened()).copied()),
+        ),
+        ("variances", rounded(vec![SIDES, STATES, 3, ROTATION_DIMS], || flattened(&model.variances).iter().copied())),
+        (
+            "duration_variances",
+            rounded(vec![SIDES, STATES], || model.duration_variances.as_flattened().iter().copied()),
+        ),
+        ("range", rounded(vec![2, ROTATION_DIMS], || model.range.as_flattened().iter().copied())),
     ];
-    model_file::write(KIND, &metadata, tensors)
+    container::write(KIND, &metadata, &tensors)
 }
 
-/// Reads a file; trusts nothing.
+/// Reads a file; checks every value.
 ///
 /// # Errors
 /// [`WalkModelError`] for anything but a walk model of this major version.
 pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
-    let (metadata, tensors): (Metadata, _) = model_file::open(KIND, file)?;
+    let (metadata, tensors): (Metadata, _) = container::open(KIND, file)?;
     let proportions = metadata.skeleton.proportions().ok_or(WalkModelError::Layout("joints"))?;
     if metadata.rate_hz != RATE_HZ {
         return Err(WalkModelError::Layout("frames per second"));
@@ -106,26 +128,38 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
         return Err(WalkModelError::Styles(styles));
     }
 
-    let means = tensors.numbers("means", &[styles, SIDES, STATES, 3, DIMS])?;
-    let durations = tensors.positive("durations", &[styles, SIDES, STATES])?;
-    if let Some(frames) = durations.iter().find(|frames| **frames > MAX_FRAMES) {
-        return Err(value("durations", frames.to_string(), "at most 1000 frames").into());
-    }
-    let duration_variances = tensors.positive("duration_variances", &[SIDES, STATES])?;
-    if let Some(variance) = duration_variances.iter().find(|variance| **variance > MAX_FRAMES * MAX_FRAMES) {
-        return Err(value("duration_variances", variance.to_string(), "at most 1000000 frames²").into());
-    }
-    let range = tensors.numbers("range", &[2, DIMS])?;
-    let (low, high) = range.split_at(DIMS);
+    let radians = -MAX_RADIANS..=MAX_RADIANS;
+    let radians_expected = "a number within ±100 rad";
+    let means = tensors.within("means", &[styles, SIDES, STATES, 3, ROTATION_DIMS], &radians, radians_expected)?;
+    let durations = tensors.within("durations", &[styles, SIDES, STATES], &DURATIONS, "0.001 to 1000 frames")?;
+    let variances = tensors.within(
+        "variances",
+        &[SIDES, STATES, 3, ROTATION_DIMS],
+        &VARIANCES,
+        "a variance of 1e-10 to 10000 rad²",
+    )?;
+    let duration_variances = tensors.within(
+        "duration_variances",
+        &[SIDES, STATES],
+        &DURATION_VARIANCES,
+        "a variance of 0.000001 to 1000000 frames²",
+    )?;
+    let range = tensors.within("range", &[2, ROTATION_DIMS], &radians, radians_expected)?;
+    let (low, high) = range.split_at(ROTATION_DIMS);
     if let Some((low, high)) = low.iter().zip(high).find(|(low, high)| low > high) {
-        return Err(value("range", format!("{low} to {high}"), "the least and the greatest of some numbers").into());
+        return Err(ContainerError::value(
+            "range",
+            format!("{low} to {high}"),
+            "the least and the greatest of some numbers",
+        )
+        .into());
     }
     Ok(WalkModel {
         proportions,
         reference: tensors.rotations("reference")?,
-        variances: Box::new(observations(&tensors.positive("variances", &[SIDES, STATES, 3, DIMS])?)),
+        variances: Box::new(observations(&variances)),
         duration_variances: per_state(&duration_variances),
-        range: std::array::from_fn(|end| std::array::from_fn(|d| range[end * DIMS + d].into())),
+        range: std::array::from_fn(|end| std::array::from_fn(|d| range[end * ROTATION_DIMS + d].into())),
         styles: metadata.styles,
         means: means
             .chunks_exact(SIDES * STATES * OBSERVATION)
@@ -138,42 +172,37 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
     })
 }
 
-/// In single precision.
-fn single(values: &[f64]) -> Vec<f32> {
-    values.iter().map(|v| *v as f32).collect()
-}
-
-fn observations(values: &[f32]) -> [[[[f64; DIMS]; 3]; STATES]; SIDES] {
-    let at = |side, state, part, d| f64::from(values[((side * STATES + state) * 3 + part) * DIMS + d]);
+fn observations(values: &[f32]) -> PerState<Observation> {
+    let at = |side, state, part, d| f64::from(values[((side * STATES + state) * 3 + part) * ROTATION_DIMS + d]);
     std::array::from_fn(|side| {
         std::array::from_fn(|state| std::array::from_fn(|part| std::array::from_fn(|d| at(side, state, part, d))))
     })
 }
 
-fn per_state(values: &[f32]) -> [[f64; STATES]; SIDES] {
+fn per_state(values: &[f32]) -> PerState<f64> {
     std::array::from_fn(|side| std::array::from_fn(|state| values[side * STATES + state].into()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::container::version_1_0;
     use proptest::prelude::*;
     use std::sync::Arc;
-    use strut_core::hsmm::{WalkVoices, Walker};
+    use strut_core::hsmm::{RuntimeWalkModel, Walker};
     use strut_core::humanoid::Proportions;
-    use strut_core::math::Quat;
 
     fn model() -> WalkModel {
         let means = |value: f64| StyleMeans {
-            means: Box::new([[[[value; DIMS]; 3]; STATES]; SIDES]),
+            means: Box::new([[[[value; ROTATION_DIMS]; 3]; STATES]; SIDES]),
             durations: [[3.0; STATES]; SIDES],
         };
         WalkModel {
             proportions: Proportions::default(),
             reference: [Quat::IDENTITY; JOINTS],
-            variances: Box::new([[[[0.25; DIMS]; 3]; STATES]; SIDES]),
+            variances: Box::new([[[[0.25; ROTATION_DIMS]; 3]; STATES]; SIDES]),
             duration_variances: [[0.5; STATES]; SIDES],
-            range: [[-1.0; DIMS], [1.5; DIMS]],
+            range: [[-1.0; ROTATION_DIMS], [1.5; ROTATION_DIMS]],
             styles: vec!["proud \"<b>".into(), "悲しい".into()],
             means: vec![means(0.5), means(-0.125)],
         }
@@ -189,20 +218,33 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_model_is_refused_with_a_reason() {
-        let bytes = write(&model(), "test");
+    fn a_file_of_version_1_0_without_checksum_opens() {
+        let file = write(&model(), "test");
+        assert_eq!(write(&read(&version_1_0(KIND, &file)).unwrap(), "test"), file);
+    }
+
+    #[test]
+    fn other_files_are_refused_with_a_reason() {
         let refused = |bytes: &[u8]| read(bytes).unwrap_err().to_string();
-        assert!(refused(&bytes[..bytes.len() - 7]).contains("cut short"));
         assert!(refused(b"HIERARCHY\nROOT Hips\n").contains("no walk model"));
         let mut other = model();
         other.variances[0][0][0][0] = 0.0;
-        assert!(refused(&write(&other, "test")).contains("'variances' holds 0; a positive number"));
+        assert!(refused(&write(&other, "test")).contains("'variances' holds 0; a variance of 1e-10 to 10000 rad²"));
         other = model();
         other.means[1].means[0][0][0][0] = f64::NAN;
         assert!(refused(&write(&other, "test")).contains("'means' holds NaN"));
         other = model();
         other.means[0].durations[1][4] = 1e38;
         assert!(refused(&write(&other, "test")).contains("'durations' holds 1"));
+        other = model();
+        other.variances[1][2][0][5] = 1e-40;
+        assert!(refused(&write(&other, "test")).contains("'variances' holds 0.0000"));
+        other = model();
+        other.duration_variances[1][2] = 1e-40;
+        assert!(refused(&write(&other, "test")).contains("'duration_variances' holds 0.0000"));
+        other = model();
+        other.means[1].means[0][0][2][0] = 1e30;
+        assert!(refused(&write(&other, "test")).contains("'means' holds 1000000"));
         other = model();
         other.range[0][7] = 2.0;
         assert!(refused(&write(&other, "test")).contains("'range' holds 2 to 1.5"));
@@ -213,24 +255,24 @@ mod tests {
 
     proptest! {
         #[test]
-        fn changed_bytes_never_panic(at: usize, value: u8, cut in 0usize..100) {
-            let mut bytes = write(&model(), "test");
-            let at = at % bytes.len();
+        fn changed_bytes_without_checksum_never_panic(at: prop::sample::Index, value: u8, cut in 0usize..100) {
+            let mut bytes = version_1_0(KIND, &write(&model(), "test"));
+            let at = at.index(bytes.len());
             bytes[at] = value;
             bytes.truncate(bytes.len() - cut);
             let _ = read(&bytes);
         }
 
         #[test]
-        fn whatever_is_read_can_be_walked(at: usize, value: u8) {
-            let mut bytes = write(&model(), "test");
-            let at = at % bytes.len();
+        fn every_model_that_is_accepted_walks(at: prop::sample::Index, value: u8) {
+            let mut bytes = version_1_0(KIND, &write(&model(), "test"));
+            let at = at.index(bytes.len());
             bytes[at] = value;
             if let Ok(model) = read(&bytes) {
-                let mut walker = Walker::new(Arc::new(WalkVoices::new(&model)));
+                let mut walker = Walker::new(Arc::new(RuntimeWalkModel::new(&model)));
                 walker.set_styles(&vec![-5.0; model.styles.len()]).unwrap();
                 for _ in 0..40 {
-                    walker.advance();
+                    prop_assert!(walker.advance().is_finite());
                 }
             }
         }

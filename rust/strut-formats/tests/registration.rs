@@ -5,8 +5,9 @@ mod mocap;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use strut_core::catalogue::{Catalogue, TargetTable};
+use strut_core::database::Database;
 use strut_core::database::build::{BuildOptions, BuildReport, Refusal, SourceClip, build};
-use strut_core::database::{Database, TargetTable};
 use strut_core::humanoid::{Proportions, Role};
 use strut_core::math::Vec3;
 use strut_core::parallel::ParallelMap;
@@ -57,7 +58,7 @@ fn database(wanted: &[&str]) -> Option<(Database, BuildReport)> {
     let is_wanted = |p: &PathBuf| wanted.iter().any(|w| p.to_string_lossy().contains(w));
     let paths: Vec<PathBuf> = mocap::clips()?.into_iter().filter(is_wanted).collect();
     if paths.is_empty() {
-        println!("skipped: no clips named {wanted:?}");
+        mocap::skip(&format!("no clips named {wanted:?}"));
         return None;
     }
     let clips = TwoThreads.map(paths.len(), &|i| load(&paths[i]));
@@ -88,9 +89,10 @@ fn walking_is_registered_and_its_label_errors_are_found() {
         assert!((0.85..1.35).contains(&secs), "{}: {secs} s a cycle", clip.name);
     }
 
+    let catalogue = Catalogue::new(db.clone());
     // Counterparts stand on the same foot.
     for style in 0..db.styles.len() {
-        let targets = TargetTable::build(&db, style as u16);
+        let targets = TargetTable::build(&catalogue, style as u16);
         let agreeing: usize = (0..db.frames())
             .map(|row| {
                 let planted = |side: usize| db.contact[row][side] == 1;
@@ -105,7 +107,7 @@ fn walking_is_registered_and_its_label_errors_are_found() {
     let walk = db.action_index("walk").unwrap();
     let class = db.classes().iter().find(|c| (c.action, c.style) == (walk, db.neutral)).unwrap();
     for (style, expected) in [("elderly", 0.92), ("active", 0.83), ("exhausted", 0.97), ("normal", 1.0)] {
-        let targets = TargetTable::build(&db, db.style_index(style).unwrap());
+        let targets = TargetTable::build(&catalogue, db.style_index(style).unwrap());
         let secs: f32 = targets.step_secs[class.rows.clone()].iter().sum();
         let ratio = secs * db.rate_hz / class.rows.len() as f32;
         assert!((ratio - expected).abs() <= 0.04, "{style}: {ratio} times as long; about {expected} was expected");

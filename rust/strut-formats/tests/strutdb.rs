@@ -3,9 +3,11 @@
 use proptest::prelude::*;
 use strut_core::database::{Clip, Database, DatabaseParts};
 use strut_core::humanoid::{JOINTS, Proportions};
+use strut_core::math::float_funcs::sin;
 use strut_core::math::{Quat, Vec3};
 use strut_core::pose_vector::{DOFS, PoseChart, ROW};
 use strut_core::search::Index;
+use strut_formats::container::ContainerError;
 use strut_formats::strutdb::{self, Contents, Metadata, StrutdbError};
 
 /// Two actions, two styles, three clips of different lengths, every value distinct.
@@ -22,7 +24,7 @@ fn small() -> Database {
     };
     let clips = vec![clip("a", 0, 0, 0, 4), clip("b", 0, 1, 4, 3), clip("c", 1, 0, 7, 2)];
     let n = 9;
-    let number = |i: usize| (i as f32 * 0.731).sin();
+    let number = |i: usize| sin(i as f32 * 0.731);
     let mut chart = PoseChart::default();
     chart.means[3] = Quat::from_rotation_x(0.4);
     let parts = DatabaseParts {
@@ -46,13 +48,17 @@ fn small() -> Database {
     Database::new(parts).unwrap()
 }
 
+fn file_of(db: &Database) -> Vec<u8> {
+    strutdb::write(db, &Index::build(db).plan(), "test 1")
+}
+
 fn error(bytes: &[u8]) -> String {
     strutdb::read(bytes).expect_err("refused").to_string()
 }
 
 /// The file with a part of its header replaced by one of the same length.
 fn replaced(from: &str, to: &str) -> Vec<u8> {
-    let mut bytes = strutdb::write(&small(), "test 1");
+    let mut bytes = file_of(&small());
     let at = bytes.windows(from.len()).position(|w| w == from.as_bytes()).expect("occurs");
     bytes[at..at + to.len()].copy_from_slice(to.as_bytes());
     bytes
@@ -61,9 +67,9 @@ fn replaced(from: &str, to: &str) -> Vec<u8> {
 #[test]
 fn a_database_comes_back_as_it_was() {
     let db = small();
-    let file = strutdb::write(&db, "test 1");
+    let file = file_of(&db);
     assert_eq!(*read(&file).database, *db);
-    assert_eq!(strutdb::write(&read(&file).database, "test 1"), file);
+    assert_eq!(file_of(&read(&file).database), file);
 }
 
 fn read(file: &[u8]) -> Contents {
@@ -73,14 +79,14 @@ fn read(file: &[u8]) -> Contents {
 #[test]
 fn the_plan_of_the_search_index_comes_back_as_it_was() {
     let db = small();
-    let file = strutdb::write(&db, "test 1");
+    let file = file_of(&db);
     assert_eq!(read(&file).plan.unwrap(), Index::build(&db).plan());
-    assert_eq!(read(&file).planned_index().unwrap().plan(), Index::build(&db).plan());
+    assert_eq!(read(&file).into_catalogue().index().plan(), Index::build(&db).plan());
 }
 
 #[test]
 fn the_metadata_are_those_of_the_contract() {
-    let file = strutdb::write(&small(), "test 1");
+    let file = file_of(&small());
     let (_, header) = safetensors::SafeTensors::read_metadata(&file).unwrap();
     let json = &header.metadata().as_ref().unwrap()["strut"];
     let metadata: Metadata = serde_json::from_str(json).unwrap();
@@ -95,7 +101,7 @@ type Views<'a> = Vec<(String, safetensors::tensor::TensorView<'a>)>;
 
 #[test]
 fn further_tensors_are_ignored_but_missing_ones_named() {
-    let file = strutdb::write(&small(), "test 1");
+    let file = file_of(&small());
     let (_, header) = safetensors::SafeTensors::read_metadata(&file).unwrap();
     let tensors = safetensors::SafeTensors::deserialize(&file).unwrap();
     let with = |change: &dyn Fn(&mut Views)| {
@@ -125,9 +131,10 @@ fn further_tensors_are_ignored_but_missing_ones_named() {
         let order = safetensors::tensor::TensorView::new(safetensors::Dtype::U32, vec![9], times.data()).unwrap();
         views.iter_mut().find(|(name, _)| name == "search_order").unwrap().1 = order;
     });
-    assert!(read(&file).planned_index().is_some() && read(&wrong_index).planned_index().is_none());
+    let is_accepted = |contents: Contents| Index::from_plan(&contents.database, contents.plan.unwrap()).is_ok();
+    assert!(is_accepted(read(&file)) && !is_accepted(read(&wrong_index)));
     let less = with(&|views| views.retain(|(name, _)| name != "contact"));
-    assert_eq!(error(&less), "the database has no tensor 'contact'");
+    assert_eq!(error(&less), "the Strut database has no tensor 'contact'");
     let other = with(&|views| {
         let pose = views.iter().find(|(name, _)| name == "pose").unwrap().1.clone();
         views.iter_mut().find(|(name, _)| name == "time_step").unwrap().1 = pose;
@@ -137,7 +144,7 @@ fn further_tensors_are_ignored_but_missing_ones_named() {
 
 #[test]
 fn damage_is_described_in_a_sentence() {
-    let file = strutdb::write(&small(), "test 1");
+    let file = file_of(&small());
     assert_eq!(
         error(&file[..file.len() / 2]),
         "the file is cut short or damaged: its length does not agree with its header"
@@ -147,13 +154,24 @@ fn damage_is_described_in_a_sentence() {
     assert_eq!(error(b"HIERARCHY\nROOT Hips\n{\n"), no_database);
     assert_eq!(
         error(&replaced("\\\"version\\\":\\\"1.0", "\\\"version\\\":\\\"2.0")),
-        "the database has version 2.0; this Strut reads version 1.0"
+        "the Strut database has version 2.0; this Strut reads version 1.0"
     );
     assert_eq!(error(&replaced("__metadata__", "__metadatb__")), no_database);
     let flipped = replaced("proud", "prouD");
-    assert!(matches!(strutdb::read(&flipped), Err(StrutdbError::Checksum { .. })));
+    assert!(matches!(strutdb::read(&flipped), Err(StrutdbError::File(ContainerError::Checksum { .. }))));
     let other = safetensors::serialize(Vec::<(&str, safetensors::tensor::TensorView)>::new(), None).unwrap();
     assert_eq!(error(&other), "this safetensors file is no Strut database: it has no 'strut' metadata");
+}
+
+/// What a style's step lasts is a ratio of two of these.
+#[test]
+fn time_steps_whose_ratios_are_no_numbers_are_refused() {
+    for (secs, shown) in [(1e-40, "0.0000"), (0.0, "0"), (f32::INFINITY, "inf"), (f32::NAN, "NaN")] {
+        let mut parts = (*small()).clone();
+        parts.time_step[3] = secs;
+        let refusal = Database::new(parts).expect_err("refused").to_string();
+        assert!(refusal.contains("time_step") && refusal.contains(shown), "{refusal}");
+    }
 }
 
 proptest! {
@@ -161,7 +179,7 @@ proptest! {
 
     #[test]
     fn every_changed_byte_is_noticed(at: prop::sample::Index, change in 1_u8..) {
-        let mut file = strutdb::write(&small(), "test 1");
+        let mut file = file_of(&small());
         let at = at.index(file.len());
         file[at] ^= change;
         let message = error(&file);
@@ -170,7 +188,7 @@ proptest! {
 
     #[test]
     fn every_cut_is_noticed(length: prop::sample::Index) {
-        let file = strutdb::write(&small(), "test 1");
+        let file = file_of(&small());
         prop_assert!(strutdb::read(&file[..length.index(file.len())]).is_err());
     }
 
@@ -190,6 +208,7 @@ mod packed {
     use strut_core::humanoid::{HumanoidMotion, Pose, Proportions, Role};
     use strut_core::math::{Quat, Vec3};
     use strut_core::pose_vector::{Placement, point_cloud};
+    use strut_formats::container::ContainerError;
     use strut_formats::strutdb::packed::{self, MAGIC, NamedMotion, ROW_STEP, STEP};
     use strut_formats::strutdb::{self, StrutdbError};
 
@@ -254,13 +273,16 @@ mod packed {
 
     #[test]
     fn another_file_is_refused_with_a_sentence() {
-        assert_eq!(packed::read_database(&strutdb::write(&built(), "test 1")).unwrap_err(), StrutdbError::NotPacked);
+        assert_eq!(packed::read_database(&super::file_of(&built())).unwrap_err(), StrutdbError::NotPacked);
         assert_eq!(packed::input_names(b"").unwrap_err(), StrutdbError::NotPacked);
         let newer = String::from_utf8_lossy(&file()).into_owned();
         let at = newer.find("\"version\":\"1").unwrap() + 11;
         let mut bytes = file();
         bytes[at] = b'2';
-        assert_eq!(packed::read_database(&bytes).unwrap_err(), StrutdbError::Version { found: "2.0".into() });
+        assert_eq!(
+            packed::read_database(&bytes).unwrap_err(),
+            StrutdbError::File(ContainerError::Version { kind: strutdb::KIND, found: "2.0".into() })
+        );
     }
 
     /// What says that it is larger than it is makes no room for it.

@@ -1,23 +1,16 @@
 //! Handle of a build: clips go in one at a time, a database comes out.
 
+use crate::built::Built;
 use crate::clip::bind;
-use crate::labels::text;
+use crate::progress::Progress;
 use std::collections::HashMap;
-use strut_core::database::Database;
 use strut_core::database::build::{self, Build, BuildOptions, BuildReport, SourceClip};
 use strut_core::humanoid::Proportions;
+use strut_core::incremental::IncrementalJob;
 use strut_core::parallel::Sequential;
 use strut_formats::corpus::{self, Clip, Entry, Labels};
-use strut_formats::strutdb;
+use strut_wasm_common::{EngineError, sentence};
 use wasm_bindgen::prelude::wasm_bindgen;
-
-#[wasm_bindgen]
-extern "C" {
-    /// Who is told how far a build has come: an object with a method `progress(stage, done, total)`.
-    pub type Progress;
-    #[wasm_bindgen(method)]
-    pub(crate) fn progress(this: &Progress, stage: &str, done: usize, total: usize);
-}
 
 /// A build that takes its clips one at a time: what a file has besides its motion is gone when [`Builder::add`] returns.
 #[wasm_bindgen]
@@ -60,10 +53,12 @@ impl Builder {
     ///
     /// # Errors
     /// With why it cannot be used; the others can still be built without it.
-    pub fn add(&mut self, path: &str, bytes: &[u8], roles: Option<Vec<i32>>) -> Result<(), String> {
+    pub fn add(&mut self, path: &str, bytes: &[u8], roles: Option<Vec<i32>>) -> Result<(), EngineError> {
         let at = self.entries.binary_search_by(|e| e.path.as_str().cmp(path));
-        let entry = &self.entries[at.map_err(|_| format!("'{path}' is not among the files of this build"))?];
-        let clip = Clip::with_binding(bytes, |motion| bind(motion, roles.as_deref())).map_err(text)?;
+        let unknown = |_| EngineError::bad_input(format!("'{path}' is not among the files of this build"));
+        let entry = &self.entries[at.map_err(unknown)?];
+        let clip = Clip::with_binding(bytes, |motion| bind(motion, roles.as_deref()));
+        let clip = clip.map_err(EngineError::unusable_file)?;
         let body = self.body.get_or_insert(clip.binding.proportions);
         self.clips.push(entry.source_clip(&clip, body));
         Ok(())
@@ -73,12 +68,12 @@ impl Builder {
     ///
     /// # Errors
     /// If nothing can be built from it.
-    pub fn begin(mut self, rate_hz: f32) -> Result<Building, String> {
+    pub fn begin(mut self, rate_hz: f32) -> Result<Building, EngineError> {
         // As the command reads them: by their paths.
         self.clips.sort_by(|a, b| a.source.cmp(&b.source));
         corpus::name_apart(&mut self.clips);
         let options = BuildOptions { rate_hz, neutral: self.neutral, ..BuildOptions::default() };
-        Ok(Building { build: Build::new(self.clips, &options).map_err(text)? })
+        Ok(Building { build: Build::new(self.clips, &options).map_err(EngineError::unusable_file)? })
     }
 }
 
@@ -94,8 +89,8 @@ impl Building {
     ///
     /// # Errors
     /// If nothing can be built.
-    pub fn step(&mut self, listener: &Progress) -> Result<bool, String> {
-        let come = self.build.step(&Sequential).map_err(text)?;
+    pub fn step(&mut self, listener: &Progress) -> Result<bool, EngineError> {
+        let come = self.build.step(&Sequential).map_err(EngineError::unusable_file)?;
         if let Some(p) = come {
             listener.progress(p.stage.name(), p.done, p.total);
         }
@@ -106,10 +101,10 @@ impl Building {
     ///
     /// # Errors
     /// If nothing could be built.
-    pub fn finish(self, listener: &Progress) -> Result<Built, String> {
+    pub fn finish(self, listener: &Progress) -> Result<Built, EngineError> {
         listener.progress("indexing", 0, 1);
         let sources = self.build.clips().iter().map(|c| (c.name.clone(), c.source.clone())).collect();
-        let (database, report) = self.build.finish().map_err(text)?;
+        let (database, report) = self.build.finish(&Sequential).map_err(EngineError::unusable_file)?;
         let built = Built::new(database, refused(&report, &sources));
         listener.progress("indexing", 1, 1);
         Ok(built)
@@ -119,66 +114,6 @@ impl Building {
 /// Path of and reason for every clip that the build left out.
 fn refused(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<String> {
     let path = |name: &String| sources.get(name).unwrap_or(name).clone();
-    let entry = |clip: &build::ClipReport| Some([path(&clip.name), clip.refused.as_ref()?.to_string()]);
+    let entry = |clip: &build::ClipReport| Some([path(&clip.name), sentence(clip.refused.as_ref()?)]);
     report.refused().filter_map(entry).flatten().collect()
-}
-
-/// A database that was built.
-#[wasm_bindgen]
-pub struct Built {
-    database: Database,
-    bytes: Vec<u8>,
-    refused: Vec<String>,
-}
-
-impl Built {
-    pub(crate) fn new(database: Database, refused: Vec<String>) -> Self {
-        let bytes = strutdb::write(&database, strutdb::GENERATOR);
-        Self { database, bytes, refused }
-    }
-}
-
-#[wasm_bindgen]
-impl Built {
-    /// Where the `.strutdb` file lies in this memory: it is large, and whoever keeps it makes a copy anyhow.
-    #[wasm_bindgen(js_name = fileAddress)]
-    pub fn file_address(&self) -> *const u8 {
-        self.bytes.as_ptr()
-    }
-
-    /// Bytes of the file.
-    #[wasm_bindgen(js_name = fileLength)]
-    pub fn file_length(&self) -> usize {
-        self.bytes.len()
-    }
-
-    /// Number of clips.
-    pub fn clips(&self) -> usize {
-        self.database.clips.len()
-    }
-
-    /// Number of frames.
-    pub fn frames(&self) -> usize {
-        self.database.frames()
-    }
-
-    /// Names of the actions.
-    pub fn actions(&self) -> Vec<String> {
-        self.database.actions.clone()
-    }
-
-    /// Names of the styles.
-    pub fn styles(&self) -> Vec<String> {
-        self.database.styles.clone()
-    }
-
-    /// Name of the neutral style.
-    pub fn neutral(&self) -> String {
-        self.database.styles[usize::from(self.database.neutral)].clone()
-    }
-
-    /// Path of and reason for every clip that the build left out, in turn.
-    pub fn refused(&self) -> Vec<String> {
-        self.refused.clone()
-    }
 }

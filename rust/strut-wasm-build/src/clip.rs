@@ -1,11 +1,10 @@
-//! Handle of a clip: what is said of it before a build, and its preview.
+//! Handle of a clip before a build: its labels, its roles and its preview.
 
-use crate::labels::text;
-use strut_core::humanoid::{JOINTS, POSE_FLOATS};
-use strut_core::math::Vec3;
+use strut_core::humanoid::JOINTS;
 use strut_core::motion::Motion;
 use strut_core::retarget::{BindError, Binding, to_humanoid};
 use strut_formats::bvh;
+use strut_wasm_common::{EngineError, floats_of, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A BVH file with its skeleton as humanoid, as far as that could be found.
@@ -23,8 +22,8 @@ impl Clip {
     /// # Errors
     /// With what is wrong with the file; a skeleton that is no humanoid is a [`Clip::fault`].
     #[wasm_bindgen(constructor)]
-    pub fn new(bytes: &[u8], roles: Option<Vec<i32>>) -> Result<Self, String> {
-        let motion = bvh::parse(bytes).and_then(|file| file.to_motion()).map_err(text)?;
+    pub fn new(bytes: &[u8], roles: Option<Vec<i32>>) -> Result<Self, EngineError> {
+        let motion = bvh::parse(bytes).and_then(|file| file.to_motion()).map_err(EngineError::unusable_file)?;
         let binding = bind(&motion, roles.as_deref());
         Ok(Self { motion, binding })
     }
@@ -67,7 +66,7 @@ impl Clip {
         self.binding.as_ref().err().map(ToString::to_string).unwrap_or_default()
     }
 
-    /// What people should know about the match; empty if there is nothing to say.
+    /// Notes on the match of the skeletons; empty if there are none.
     pub fn note(&self) -> String {
         self.binding.as_ref().map(|binding| binding.notes.join(" ")).unwrap_or_default()
     }
@@ -76,23 +75,19 @@ impl Clip {
     ///
     /// # Errors
     /// If the skeleton is no humanoid.
-    pub fn proportions(&self) -> Result<Vec<f32>, String> {
-        let binding = self.binding.as_ref().map_err(text)?;
-        Ok(binding.proportions.offsets.iter().flat_map(Vec3::to_array).collect())
+    pub fn proportions(&self) -> Result<Vec<f32>, EngineError> {
+        let binding = self.binding.as_ref().map_err(EngineError::unusable_file)?;
+        Ok(offsets_of(&binding.proportions))
     }
 
     /// Poses on the clip's own body, [`POSE_FLOATS`] numbers each.
     ///
     /// # Errors
     /// If the skeleton is no humanoid.
-    pub fn poses(&self) -> Result<Vec<f32>, String> {
-        let binding = self.binding.as_ref().map_err(text)?;
+    pub fn poses(&self) -> Result<Vec<f32>, EngineError> {
+        let binding = self.binding.as_ref().map_err(EngineError::unusable_file)?;
         let motion = to_humanoid(&self.motion, binding, &binding.proportions);
-        let mut floats = vec![0.0; motion.poses.len() * POSE_FLOATS];
-        for (pose, out) in motion.poses.iter().zip(floats.as_chunks_mut::<POSE_FLOATS>().0) {
-            pose.write_to(out);
-        }
-        Ok(floats)
+        Ok(floats_of(motion.poses.iter()))
     }
 }
 

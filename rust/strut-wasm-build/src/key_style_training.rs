@@ -1,14 +1,16 @@
 //! Handles of a key-style model's training: clips go in, a `.strutkeys` file comes out.
 
-use crate::builder::Progress;
-use crate::database::read_database;
-use crate::labels::text;
+use crate::progress::Progress;
+use js_sys::Uint8Array;
 use strut_core::database::Database;
 use strut_core::humanoid::{HumanoidMotion, Proportions};
+use strut_core::incremental::IncrementalJob;
+use strut_core::parallel::Sequential;
 use strut_core::retarget::to_humanoid;
 use strut_core::somn::{KeyStyleModel, Learning, Measure, Options, Recording, Trainer};
 use strut_formats::corpus::Clip;
-use strut_formats::{key_style_model, strutdb};
+use strut_formats::key_style_model;
+use strut_wasm_common::{EngineError, read_database};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Ridge of expectation maximisation, per sample.
@@ -37,8 +39,8 @@ impl KeyStyleClips {
     /// # Errors
     /// With what is wrong with the file.
     #[wasm_bindgen(js_name = ofDatabase)]
-    pub fn of_database(database: Vec<u8>) -> Result<Self, String> {
-        Ok(Self { database: Some(read_database(&database)?), files: Vec::new() })
+    pub fn of_database(database: Uint8Array) -> Result<Self, EngineError> {
+        Ok(Self { database: Some(read_database(database)?), files: Vec::new() })
     }
 
     /// Adds a BVH file; the body is the first one's.
@@ -46,8 +48,8 @@ impl KeyStyleClips {
     /// # Errors
     /// With why it cannot be used.
     #[wasm_bindgen(js_name = addFile)]
-    pub fn add_file(&mut self, name: String, bytes: &[u8]) -> Result<(), String> {
-        let clip = Clip::parse(bytes).map_err(text)?;
+    pub fn add_file(&mut self, name: String, bytes: &[u8]) -> Result<(), EngineError> {
+        let clip = Clip::parse(bytes).map_err(EngineError::unusable_file)?;
         let body: &Proportions = self.files.first().map_or(&clip.binding.proportions, |(_, first)| &first.proportions);
         let motion = to_humanoid(&clip.motion, &clip.binding, body);
         self.files.push((name, motion));
@@ -60,17 +62,17 @@ impl KeyStyleClips {
         of_database.chain(self.files.iter().map(|(name, _)| name.clone())).collect()
     }
 
-    /// What they show; empty for files.
+    /// Their actions; empty for files.
     pub fn actions(&self) -> Vec<String> {
         self.labels(|db, clip| db.actions[usize::from(db.clips[clip].action)].clone())
     }
 
-    /// How; empty for files.
+    /// Their styles; empty for files.
     pub fn styles(&self) -> Vec<String> {
         self.labels(|db, clip| db.styles[usize::from(db.clips[clip].style)].clone())
     }
 
-    /// How long they are, seconds.
+    /// Their durations, seconds.
     pub fn secs(&self) -> Vec<f32> {
         let of_database =
             self.database.iter().flat_map(|db| db.clips.iter().map(|clip| clip.frames as f32 / db.rate_hz));
@@ -88,17 +90,22 @@ impl KeyStyleClips {
         axes: Vec<String>,
         components: usize,
         em: bool,
-    ) -> Result<KeyStyleTraining, String> {
-        let axes = axes.iter().map(|axis| Measure::parse(axis).map_err(text)).collect::<Result<Vec<_>, _>>()?;
+    ) -> Result<KeyStyleTraining, EngineError> {
+        let axes = axes
+            .iter()
+            .map(|axis| Measure::parse(axis).map_err(EngineError::bad_input))
+            .collect::<Result<Vec<_>, _>>()?;
         let recording = |clip: &u32| {
-            let (name, motion) = self.motion(*clip as usize).ok_or_else(|| format!("there is no clip {clip}"))?;
-            Recording::new(name.clone(), &motion).map_err(|error| format!("{name}: {error}"))
+            let (name, motion) = self
+                .motion(*clip as usize)
+                .ok_or_else(|| EngineError::bad_input(format!("there is no clip {clip}")))?;
+            Recording::new(name.clone(), &motion).map_err(|error| EngineError::bad_input(format!("{name}: {error}")))
         };
         let recordings = clips.iter().map(recording).collect::<Result<Vec<_>, _>>()?;
         let learning = if em { Learning::Em { ridge: RIDGE } } else { Learning::Som };
         let options = Options { components: (components > 0).then_some(components), seed: SEED, learning };
         let borrowed: Vec<&Recording> = recordings.iter().collect();
-        Ok(KeyStyleTraining { trainer: Trainer::new(&borrowed, &axes, options).map_err(text)? })
+        Ok(KeyStyleTraining { trainer: Trainer::new(&borrowed, &axes, options).map_err(EngineError::bad_input)? })
     }
 }
 
@@ -126,16 +133,17 @@ pub struct KeyStyleTraining {
 impl KeyStyleTraining {
     /// Goes on by a pass; whether anything was left but to finish.
     pub fn step(&mut self, listener: &Progress) -> bool {
-        let come = self.trainer.step();
+        let Ok(come) = self.trainer.step(&Sequential);
         if let Some(p) = come {
             listener.progress("learning", p.done, p.total);
         }
         come.is_some()
     }
 
-    /// What was learned, once nothing is left.
+    /// The model, once nothing is left.
     pub fn finish(self) -> TrainedKeyStyle {
-        TrainedKeyStyle { model: self.trainer.finish() }
+        let Ok(model) = self.trainer.finish(&Sequential);
+        TrainedKeyStyle { model }
     }
 }
 
@@ -149,13 +157,13 @@ pub struct TrainedKeyStyle {
 impl TrainedKeyStyle {
     /// The `.strutkeys` file.
     pub fn file(&self) -> Vec<u8> {
-        key_style_model::write(&self.model, strutdb::GENERATOR)
+        key_style_model::write(&self.model, strut_formats::GENERATOR)
     }
 
-    /// Share of the poses that the style variables leave open, where that is too much; else 0.
-    #[wasm_bindgen(js_name = leftOpen)]
-    pub fn left_open(&self) -> f64 {
-        let share = self.model.left_open();
-        if share > KeyStyleModel::MOST_LEFT_OPEN { share } else { 0.0 }
+    /// Share of the poses' variance that the style variables do not explain, where that is too much; else 0.
+    #[wasm_bindgen(js_name = unexplainedShare)]
+    pub fn unexplained_share(&self) -> f64 {
+        let share = self.model.unexplained_share();
+        if share > KeyStyleModel::MAX_UNEXPLAINED_SHARE { share } else { 0.0 }
     }
 }

@@ -1,6 +1,7 @@
 //! Labels of files.
 
 use strut_formats::corpus::{self, Labels, Pattern, Table};
+use strut_wasm_common::{EngineError, sentence};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The most likely pattern of these paths; none if their names have no two parts.
@@ -14,15 +15,19 @@ pub fn guess_pattern(paths: Vec<String>) -> Option<String> {
 /// # Errors
 /// If the pattern is none, or with the line of the table that is wrong.
 #[wasm_bindgen(js_name = labelsOf)]
-pub fn labels_of(paths: Vec<String>, pattern: Option<String>, table: Option<Vec<u8>>) -> Result<Vec<String>, String> {
-    let pattern: Option<Pattern> = pattern.map(|p| p.parse()).transpose().map_err(text)?;
-    let table = table.map(|bytes| Table::parse(&bytes)).transpose().map_err(text)?;
-    let labels = corpus::assign(&paths, pattern.as_ref(), table.as_ref()).map_err(text)?;
+pub fn labels_of(
+    paths: Vec<String>,
+    pattern: Option<String>,
+    table: Option<Vec<u8>>,
+) -> Result<Vec<String>, EngineError> {
+    let pattern: Option<Pattern> = pattern.map(|p| p.parse()).transpose().map_err(EngineError::bad_input)?;
+    let table = table.map(|bytes| Table::parse(&bytes)).transpose().map_err(EngineError::bad_input)?;
+    let labels = corpus::assign(&paths, pattern.as_ref(), table.as_ref()).map_err(EngineError::bad_input)?;
     let row = |labels| match labels {
         Ok(Labels { action, style, take }) => {
             [action, style, take.map(|t| t.to_string()).unwrap_or_default(), String::new()]
         }
-        Err(reason) => [String::new(), String::new(), String::new(), text(reason)],
+        Err(reason) => [String::new(), String::new(), String::new(), sentence(reason)],
     };
     Ok(labels.into_iter().flat_map(row).collect())
 }
@@ -31,8 +36,4 @@ pub fn labels_of(paths: Vec<String>, pattern: Option<String>, table: Option<Vec<
 #[wasm_bindgen(js_name = licenceTitle)]
 pub fn licence_title(text: &[u8]) -> String {
     corpus::licence_title(text)
-}
-
-pub(crate) fn text(error: impl ToString) -> String {
-    error.to_string()
 }

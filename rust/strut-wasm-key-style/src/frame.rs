@@ -1,7 +1,9 @@
-//! What is shown of a moment, where JavaScript can read it.
+//! A frame as numbers.
 
+use js_sys::Float32Array;
 use strut_core::humanoid::{POSE_FLOATS, Pose};
 use strut_core::somn::Style;
+use strut_wasm_common::{EngineError, write_floats};
 
 /// The pose, each component's share, the style as measured on the pose and the style that the pose was made of: one number a
 /// component, and one an axis.
@@ -15,8 +17,9 @@ impl Frame {
         Self { axes, floats: vec![0.0; POSE_FLOATS + components + 2 * axes].into() }
     }
 
-    pub(crate) fn address(&self) -> *const f32 {
-        self.floats.as_ptr()
+    /// Writes all numbers into an array of as many.
+    pub(crate) fn write(&self, into: &Float32Array) -> Result<(), EngineError> {
+        write_floats(&self.floats, into)
     }
 
     pub(crate) fn show(&mut self, pose: &Pose, weights: &[f64], measured: &Style, reached: &Style) {

@@ -1,9 +1,10 @@
-//! Style variables as a person writes them.
+//! Parsing of style variables.
 
 use strut_core::somn::Measure;
+use strut_wasm_common::sentence;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// What is said of a style variable.
+/// A style variable that was parsed, or its error.
 #[wasm_bindgen]
 pub struct CheckedMeasure {
     unit: String,
@@ -12,17 +13,17 @@ pub struct CheckedMeasure {
 
 #[wasm_bindgen]
 impl CheckedMeasure {
-    /// Its unit; empty where it has none, and where it is none.
+    /// Its unit; empty for pure numbers, and for errors.
     pub fn unit(&self) -> String {
         self.unit.clone()
     }
 
-    /// Number of the character that is wrong, from 0; −1 if none is.
+    /// Number of the character with the error, from 0; −1 if there is none.
     pub fn column(&self) -> i32 {
         self.fault.as_ref().map_or(-1, |(column, _)| i32::try_from(column.saturating_sub(1)).unwrap_or(0))
     }
 
-    /// What is wrong there; empty if nothing is.
+    /// The error; empty if there is none.
     pub fn message(&self) -> String {
         self.fault.as_ref().map_or(String::new(), |(_, message)| message.clone())
     }
@@ -33,6 +34,6 @@ impl CheckedMeasure {
 pub fn check_measure(text: &str) -> CheckedMeasure {
     match Measure::parse(text) {
         Ok(measure) => CheckedMeasure { unit: measure.unit().to_string(), fault: None },
-        Err(error) => CheckedMeasure { unit: String::new(), fault: Some((error.column, error.fault.to_string())) },
+        Err(error) => CheckedMeasure { unit: String::new(), fault: Some((error.column, sentence(error.fault))) },
     }
 }

@@ -1,15 +1,13 @@
 //! Handle of a key-style model.
 
 use crate::frame::style;
-use crate::text;
 use std::sync::Arc;
-use strut_core::humanoid::POSE_FLOATS;
-use strut_core::math::Vec3;
 use strut_core::somn::{self, RATE_HZ, Style, Synthesis};
 use strut_formats::key_style_model;
+use strut_wasm_common::{EngineError, floats_of, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// What a model has learned; shared with all that is made from it.
+/// A key-style model; shared with all objects that are made from it.
 #[wasm_bindgen]
 pub struct KeyStyleModel {
     pub(crate) model: Arc<somn::KeyStyleModel>,
@@ -23,8 +21,8 @@ impl KeyStyleModel {
     /// # Errors
     /// With what is wrong with the bytes.
     #[wasm_bindgen(constructor)]
-    pub fn new(bytes: &[u8]) -> Result<Self, String> {
-        let model = Arc::new(key_style_model::read(bytes).map_err(text)?);
+    pub fn new(bytes: &[u8]) -> Result<Self, EngineError> {
+        let model = Arc::new(key_style_model::read(bytes).map_err(EngineError::unusable_file)?);
         Ok(Self { synthesis: Synthesis::new(Arc::clone(&model)), model })
     }
 
@@ -38,7 +36,7 @@ impl KeyStyleModel {
         self.model.axes.iter().map(|axis| axis.unit().to_string()).collect()
     }
 
-    /// Frames per second of recordings and of what is exported.
+    /// Frames per second of recordings and of exports.
     #[wasm_bindgen(js_name = rateHz)]
     pub fn rate_hz(&self) -> f32 {
         RATE_HZ
@@ -51,7 +49,7 @@ impl KeyStyleModel {
 
     /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
     pub fn proportions(&self) -> Vec<f32> {
-        self.model.space.proportions.offsets.iter().flat_map(Vec3::to_array).collect()
+        offsets_of(&self.model.space.proportions)
     }
 
     /// Names of the training motions.
@@ -71,7 +69,7 @@ impl KeyStyleModel {
         self.flat(self.model.styles.iter().map(|u| self.model.in_units(u)))
     }
 
-    /// Where each component is at home, one number an axis.
+    /// Centre of each component's region of styles, one number an axis.
     pub fn centres(&self) -> Vec<f32> {
         self.flat(self.model.components.iter().map(|component| self.model.in_units(&component.centre)))
     }
@@ -93,14 +91,11 @@ impl KeyStyleModel {
 
     /// The pose of a training frame; none if there is no such frame.
     pub fn recorded(&self, frame: usize) -> Option<Vec<f32>> {
-        (frame < self.model.rows.len()).then(|| {
-            let mut floats = [0.0; POSE_FLOATS];
-            self.model.space.pose(&self.model.recorded_row(frame)).write_to(&mut floats);
-            floats.to_vec()
-        })
+        let pose = || self.model.space.pose(&self.model.recorded_row(frame));
+        (frame < self.model.rows.len()).then(|| floats_of([pose()].iter()))
     }
 
-    /// How much better than needed each place is supported by recorded styles, row after row from the greatest value of the
+    /// Support of each place by recorded styles, above the least that counts as supported, row after row from the greatest value of the
     /// second axis; further axes are as in `values`.
     ///
     /// # Errors
@@ -115,10 +110,11 @@ impl KeyStyleModel {
         y_least: f64,
         y_most: f64,
         rows: usize,
-    ) -> Result<Vec<f32>, String> {
+    ) -> Result<Vec<f32>, EngineError> {
         const MOST_PLACES: usize = 1 << 18;
         if columns.saturating_mul(rows) > MOST_PLACES {
-            return Err(format!("{columns} × {rows} places were asked for; at most {MOST_PLACES} are mapped"));
+            let places = format!("{columns} × {rows} places were asked for; at most {MOST_PLACES} are mapped");
+            return Err(EngineError::bad_input(places));
         }
         let share = |i: usize, count: usize| if count > 1 { i as f64 / (count - 1) as f64 } else { 0.0 };
         let mut at = style(values);

@@ -1,12 +1,12 @@
-//! Handle of keys that are performed.
+//! Handle of an animation by keys.
 
 use crate::frame::{Frame, style};
 use crate::model::KeyStyleModel;
-use crate::text;
+use js_sys::Float32Array;
 use std::sync::Arc;
-use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose};
-use strut_core::somn::{Interpolation, Key, KeyStyling, Method, Mode, Puppet, RATE_HZ, Synthesis};
-use strut_formats::bvh::{self, Bvh};
+use strut_core::humanoid::{HumanoidMotion, Pose};
+use strut_core::somn::{DragCharacter, Interpolation, Key, KeyStyling, Method, Mode, RATE_HZ, Synthesis};
+use strut_wasm_common::{EngineError, bvh_of, floats_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Longest animation, seconds.
@@ -22,8 +22,10 @@ pub struct Styling {
     synthesis: Synthesis,
     mode: Mode,
     keyed: Option<KeyStyling>,
-    /// Who stands where its feet carry it, for each method; and who does so in what is exported.
-    bodies: [Puppet; 3],
+    /// For each method the character, which its supporting feet move.
+    bodies: [DragCharacter; 3],
+    /// Time of the last pose of each method, seconds.
+    shown_secs: [f64; 3],
     frame: Frame,
 }
 
@@ -36,7 +38,8 @@ impl Styling {
             synthesis: Synthesis::new(Arc::clone(&model.model)),
             mode: Mode::KEYED,
             keyed: None,
-            bodies: std::array::from_fn(|_| Puppet::new(Arc::clone(&model.model))),
+            bodies: std::array::from_fn(|_| DragCharacter::new(Arc::clone(&model.model))),
+            shown_secs: [0.0; 3],
             frame: Frame::new(model.model.components.len(), model.model.axis_count()),
         }
     }
@@ -50,12 +53,13 @@ impl Styling {
     /// Takes keys in the order of their times, one number an axis for each.
     ///
     /// # Errors
-    /// With what is wrong with them; the former keys then stay.
+    /// If keys are invalid; the former keys then stay.
     #[wasm_bindgen(js_name = setKeys)]
-    pub fn set_keys(&mut self, secs: &[f64], values: &[f64], monotone: bool) -> Result<(), String> {
+    pub fn set_keys(&mut self, secs: &[f64], values: &[f64], monotone: bool) -> Result<(), EngineError> {
         let axes = self.synthesis.model().axis_count();
         if values.len() != secs.len() * axes {
-            return Err(format!("{} values were given for {} keys of {axes}", values.len(), secs.len()));
+            let (values, keys) = (values.len(), secs.len());
+            return Err(EngineError::bad_input(format!("{values} values were given for {keys} keys of {axes}")));
         }
         let key = |(secs, values): (&f64, &[f64])| {
             let style = style(values);
@@ -64,29 +68,35 @@ impl Styling {
         };
         let keys: Vec<Key> = secs.iter().zip(values.chunks_exact(axes)).map(key).collect();
         let interpolation = if monotone { Interpolation::Monotone } else { Interpolation::CatmullRom };
-        self.keyed = Some(KeyStyling::new(&keys, interpolation, &mut self.synthesis, self.mode).map_err(text)?);
+        self.keyed = Some(
+            KeyStyling::new(&keys, interpolation, &mut self.synthesis, self.mode).map_err(EngineError::bad_input)?,
+        );
         Ok(())
     }
 
-    /// Writes the pose at a time where [`Styling::frame_address`] points: by key-styling (0), hybrid (1) or key-framing (2).
+    /// Takes the pose at a time, which [`Styling::read`] gives: by key-styling (0), hybrid (1) or key-framing (2).
     pub fn at(&mut self, secs: f64, method: u8) {
-        let Self { synthesis, keyed: Some(keyed), bodies, frame, .. } = self else { return };
+        let Self { synthesis, keyed: Some(keyed), bodies, shown_secs, frame, .. } = self else { return };
         let row = keyed.row(synthesis, secs, METHODS[usize::from(method) % METHODS.len()]);
-        let body = &mut bodies[usize::from(method) % METHODS.len()];
-        body.take(&row);
+        let method = usize::from(method) % METHODS.len();
+        let (body, shown_secs) = (&mut bodies[method], &mut shown_secs[method]);
+        body.take(&row, (secs - *shown_secs).max(0.0));
+        *shown_secs = secs;
         frame.show(body.pose(), synthesis.weights(), &body.measured(), &keyed.style(secs));
     }
 
     /// Puts all bodies back above the origin, where they began.
     #[wasm_bindgen(js_name = goBack)]
     pub fn go_back(&mut self) {
-        self.bodies.iter_mut().for_each(Puppet::go_back);
+        self.bodies.iter_mut().for_each(DragCharacter::go_back);
     }
 
-    /// Where the numbers of the present frame lie in this memory.
-    #[wasm_bindgen(js_name = frameAddress)]
-    pub fn frame_address(&self) -> *const f32 {
-        self.frame.address()
+    /// Writes the numbers of the present frame into an array.
+    ///
+    /// # Errors
+    /// If the array has another length.
+    pub fn read(&self, into: &Float32Array) -> Result<(), EngineError> {
+        self.frame.write(into)
     }
 
     /// The style at so many moments from 0 to a time, one number an axis.
@@ -100,12 +110,10 @@ impl Styling {
     /// The poses from 0 to a time, where the feet carry the body.
     ///
     /// # Errors
-    /// If that is longer than anybody needs, or there is no key.
-    pub fn perform(&mut self, secs: f64, method: u8) -> Result<Vec<f32>, String> {
+    /// If that is longer than [`MOST_SECS`], or there is no key.
+    pub fn perform(&mut self, secs: f64, method: u8) -> Result<Vec<f32>, EngineError> {
         let poses = self.poses(secs, method)?;
-        let mut floats = vec![0.0; poses.len() * POSE_FLOATS];
-        floats.as_chunks_mut::<POSE_FLOATS>().0.iter_mut().zip(&poses).for_each(|(out, pose)| pose.write_to(out));
-        Ok(floats)
+        Ok(floats_of(poses.iter()))
     }
 
     /// The text of a BVH file of the same.
@@ -113,25 +121,30 @@ impl Styling {
     /// # Errors
     /// As for [`Styling::perform`].
     #[wasm_bindgen(js_name = toBvh)]
-    pub fn to_bvh(&mut self, secs: f64, method: u8) -> Result<String, String> {
+    pub fn to_bvh(&mut self, secs: f64, method: u8) -> Result<String, EngineError> {
         let poses = self.poses(secs, method)?;
         let motion = HumanoidMotion { proportions: self.synthesis.model().space.proportions, rate_hz: RATE_HZ, poses };
-        Bvh::from_humanoid(&motion).map(|file| bvh::write(&file)).map_err(text)
+        bvh_of(&motion)
     }
 }
 
 impl Styling {
-    fn poses(&mut self, secs: f64, method: u8) -> Result<Vec<Pose>, String> {
+    fn poses(&mut self, secs: f64, method: u8) -> Result<Vec<Pose>, EngineError> {
         if !(0.0..=MOST_SECS).contains(&secs) {
-            return Err(format!("{secs} s were asked for; up to {MOST_SECS} s are made"));
+            return Err(EngineError::bad_input(format!("{secs} s were asked for; up to {MOST_SECS} s are made")));
         }
-        let Self { synthesis, keyed: Some(keyed), .. } = self else { return Err("there is no key".to_owned()) };
-        let mut body = Puppet::new(Arc::clone(synthesis.model()));
+        let Self { synthesis, keyed: Some(keyed), .. } = self else {
+            return Err(EngineError::bad_input("there is no key"));
+        };
+        let mut body = DragCharacter::new(Arc::clone(synthesis.model()));
         // A last frame at the very end belongs to the motion, whatever rounding does.
         let frames = (secs * f64::from(RATE_HZ) + 1e-6).floor() as usize + 1;
         let mut pose = |frame: usize| {
             let secs = frame as f64 / f64::from(RATE_HZ);
-            body.take(&keyed.row(synthesis, secs, METHODS[usize::from(method) % METHODS.len()]));
+            body.take(
+                &keyed.row(synthesis, secs, METHODS[usize::from(method) % METHODS.len()]),
+                1.0 / f64::from(RATE_HZ),
+            );
             if frame == 0 {
                 body.go_back();
             }

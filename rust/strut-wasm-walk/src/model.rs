@@ -1,19 +1,17 @@
 //! Handle of a walk model.
 
-use crate::text;
 use std::sync::Arc;
-use strut_core::hsmm::{self, CurvePoint, JointCurve, RATE_HZ, Side, WalkVoices};
-use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose, Role};
-use strut_core::math::Vec3;
-use strut_formats::bvh::{self, Bvh};
+use strut_core::hsmm::{self, CurvePoint, JointCurve, RATE_HZ, RuntimeWalkModel, Side};
+use strut_core::humanoid::{HumanoidMotion, Role};
 use strut_formats::walk_model;
+use strut_wasm_common::{EngineError, bvh_of, offsets_of, poses_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A model of walk styles; shared with all walks that were made from it.
 #[wasm_bindgen]
 pub struct WalkModel {
     pub(crate) model: hsmm::WalkModel,
-    pub(crate) voices: Arc<WalkVoices>,
+    pub(crate) runtime: Arc<RuntimeWalkModel>,
 }
 
 #[wasm_bindgen]
@@ -23,9 +21,9 @@ impl WalkModel {
     /// # Errors
     /// With what is wrong with the bytes.
     #[wasm_bindgen(constructor)]
-    pub fn new(bytes: &[u8]) -> Result<Self, String> {
-        let model = walk_model::read(bytes).map_err(text)?;
-        Ok(Self { voices: Arc::new(WalkVoices::new(&model)), model })
+    pub fn new(bytes: &[u8]) -> Result<Self, EngineError> {
+        let model = walk_model::read(bytes).map_err(EngineError::unusable_file)?;
+        Ok(Self { runtime: Arc::new(RuntimeWalkModel::new(&model)), model })
     }
 
     /// Names of the styles.
@@ -41,7 +39,7 @@ impl WalkModel {
 
     /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
     pub fn proportions(&self) -> Vec<f32> {
-        self.model.proportions.offsets.iter().flat_map(Vec3::to_array).collect()
+        offsets_of(&self.model.proportions)
     }
 
     /// Frames that the states of a left step (0) or a right one (1) last in a mixture of styles, one weight a style: five as
@@ -49,7 +47,7 @@ impl WalkModel {
     pub fn durations(&self, weights: &[f32], side: usize) -> Vec<f32> {
         let side = if side == 0 { Side::Left } else { Side::Right };
         let variances = self.model.duration_variances[side as usize].map(|v| v as f32);
-        [self.voices.durations(weights, side), variances].concat()
+        [self.runtime.durations(weights, side), variances].concat()
     }
 
     /// A joint's angle through a left step and a right one, in a mixture of styles for either: the axis, then five numbers a
@@ -58,9 +56,10 @@ impl WalkModel {
     ///
     /// # Errors
     /// If there is not one weight a style, or no such joint.
-    pub fn curve(&self, left: &[f32], right: &[f32], joint: usize) -> Result<Vec<f32>, String> {
-        let joint = Role::ALL.get(joint).ok_or("there is no such joint")?;
-        let curve = JointCurve::new(&self.model, &self.voices, [left, right], *joint).map_err(text)?;
+    pub fn curve(&self, left: &[f32], right: &[f32], joint: usize) -> Result<Vec<f32>, EngineError> {
+        let joint = Role::ALL.get(joint).ok_or_else(|| EngineError::bad_input("there is no such joint"))?;
+        let curve =
+            JointCurve::new(&self.model, &self.runtime, [left, right], *joint).map_err(EngineError::bad_input)?;
         let numbers = |p: &CurvePoint| [p.angle, p.mean, p.deviation, p.side as usize as f32, p.state as f32];
         Ok(std::iter::once(curve.axis as f32).chain(curve.points.iter().flat_map(numbers)).collect())
     }
@@ -70,13 +69,9 @@ impl WalkModel {
     /// # Errors
     /// If the array is not a whole number of poses, or holds none.
     #[wasm_bindgen(js_name = toBvh)]
-    pub fn to_bvh(&self, poses: &[f32]) -> Result<String, String> {
-        let (poses, rest) = poses.as_chunks::<POSE_FLOATS>();
-        if !rest.is_empty() {
-            return Err("the numbers are not a whole number of poses".to_owned());
-        }
-        let poses = poses.iter().map(Pose::read_from).collect();
+    pub fn to_bvh(&self, poses: &[f32]) -> Result<String, EngineError> {
+        let poses = poses_of(poses)?.collect();
         let motion = HumanoidMotion { proportions: self.model.proportions, rate_hz: RATE_HZ, poses };
-        Bvh::from_humanoid(&motion).map(|file| bvh::write(&file)).map_err(text)
+        bvh_of(&motion)
     }
 }

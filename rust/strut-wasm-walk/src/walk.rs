@@ -1,22 +1,22 @@
-//! Handle of somebody who walks.
+//! Handle of a walking character.
 
 use crate::model::WalkModel;
-use crate::text;
+use js_sys::Float32Array;
 use std::sync::Arc;
 use strut_core::hsmm::{RATE_HZ, STATES, Walker};
 use strut_core::humanoid::{POSE_FLOATS, Pose};
 use strut_core::math::Vec3;
+use strut_wasm_common::{EngineError, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Numbers of a frame: the pose, the step, how much of it is done, the state, which feet stand (left, right), and how many
 /// frames each of the step's states lasts.
 pub const FRAME: usize = POSE_FLOATS + 5 + STATES;
 
-/// Most frames that are made up for at once, when nobody has asked for a while.
+/// Most frames that one call goes on by, as after a pause of the page.
 const MOST_FRAMES: f64 = 8.0;
 
-/// Somebody who walks, and never stops. One call a frame of the screen: [`Walk::advance`] writes what is to be shown where
-/// [`Walk::frame_address`] points.
+/// A character that walks without end. For every frame of the screen [`Walk::advance`], then [`Walk::read`] the frame.
 #[wasm_bindgen]
 pub struct Walk {
     walker: Walker,
@@ -34,7 +34,7 @@ impl Walk {
     /// In the average of all styles, from the origin along +Z.
     #[wasm_bindgen(constructor)]
     pub fn new(model: &WalkModel) -> Self {
-        let walker = Walker::new(Arc::clone(&model.voices));
+        let walker = Walker::new(Arc::clone(&model.runtime));
         let poses = [Pose::default(); 2];
         let mut walk = Self { walker, poses, share: 0.0, step: 0, frames: 0, shown: Box::new([0.0; FRAME]) };
         walk.reset();
@@ -56,8 +56,8 @@ impl Walk {
     /// # Errors
     /// If a weight is none; the former weights then stay.
     #[wasm_bindgen(js_name = setStyles)]
-    pub fn set_styles(&mut self, left: &[f32], right: &[f32]) -> Result<(), String> {
-        self.walker.set_sides([left, right]).map_err(text)
+    pub fn set_styles(&mut self, left: &[f32], right: &[f32]) -> Result<(), EngineError> {
+        self.walker.set_sides([left, right]).map_err(EngineError::bad_input)
     }
 
     /// Changes styles from a step on, over so many steps in between.
@@ -65,8 +65,8 @@ impl Walk {
     /// # Errors
     /// If a weight is none; nothing changes then.
     #[wasm_bindgen(js_name = planTransition)]
-    pub fn plan_transition(&mut self, step: u32, between: u32, left: &[f32], right: &[f32]) -> Result<(), String> {
-        self.walker.plan_transition(step.into(), between, [left, right]).map_err(text)
+    pub fn plan_transition(&mut self, step: u32, between: u32, left: &[f32], right: &[f32]) -> Result<(), EngineError> {
+        self.walker.plan_transition(step.into(), between, [left, right]).map_err(EngineError::bad_input)
     }
 
     /// Steps a minute; none leaves it to the style.
@@ -81,7 +81,7 @@ impl Walk {
         self.walker.set_beat(steps_per_minute, secs);
     }
 
-    /// What the durations of states are drawn by; without it they are the means.
+    /// Seed of the sampled durations of states; without it they are the means.
     #[wasm_bindgen(js_name = setVariation)]
     pub fn set_variation(&mut self, seed: Option<u32>) {
         self.walker.set_variation(seed);
@@ -124,10 +124,12 @@ impl Walk {
         self.show();
     }
 
-    /// Where [`FRAME`] numbers of the present frame lie in this memory.
-    #[wasm_bindgen(js_name = frameAddress)]
-    pub fn frame_address(&self) -> *const f32 {
-        self.shown.as_ptr()
+    /// Writes the [`FRAME`] numbers of the present frame into an array.
+    ///
+    /// # Errors
+    /// If the array has another length.
+    pub fn read(&self, into: &Float32Array) -> Result<(), EngineError> {
+        write_floats(&self.shown[..], into)
     }
 
     /// Number of the first step whose style can still be changed.

@@ -1,13 +1,13 @@
 //! Handle of a clip that is styled as a whole.
 
-use crate::error::EngineError;
 use crate::input::Input;
-use crate::poses::floats_of;
 use crate::stylizer::{Stylizer, planted_of};
 use std::sync::Arc;
 use strut_core::humanoid::{Pose, Role};
 use strut_core::pose_vector::HIP_HEIGHT;
-use strut_core::transfer::{self, Examples, Model, NoClock, StyledMotion};
+use strut_core::transfer::{self, Examples, Model, NoClock, StyledMotion, Trace};
+use strut_wasm_common::EngineError;
+use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// An input on its way through the engine in portions.
@@ -18,13 +18,10 @@ pub struct ClipJob {
     class_weights: Vec<f32>,
     examples: Examples,
     model: Arc<Model>,
-    state: State,
-}
-
-#[allow(clippy::large_enum_variant)] // One a clip.
-enum State {
-    Running(transfer::ClipJob),
-    Finished(StyledMotion),
+    /// Until all frames are styled.
+    job: Option<transfer::ClipJob>,
+    /// From then on.
+    styled: Option<StyledMotion>,
 }
 
 #[wasm_bindgen]
@@ -38,7 +35,8 @@ impl ClipJob {
             class_weights: Vec::new(),
             examples: Examples::default(),
             model: Arc::clone(stylizer.core().model()),
-            state: State::Running(job),
+            job: Some(job),
+            styled: None,
         }
     }
 
@@ -48,26 +46,16 @@ impl ClipJob {
     /// As [`Stylizer::set_styles`].
     #[wasm_bindgen(js_name = setStyles)]
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), EngineError> {
-        match &mut self.state {
-            State::Running(job) => job.set_styles(weights).map_err(EngineError::bad_input),
-            State::Finished(_) => Ok(()),
+        match &mut self.job {
+            Some(job) => job.set_styles(weights).map_err(EngineError::bad_input),
+            None => Ok(()),
         }
     }
 
     /// Styles up to `frames` more frames and gives the number done; once that is all of the input's, the
     /// result is there.
     pub fn run(&mut self, frames: usize) -> usize {
-        let State::Running(job) = &mut self.state else { return self.poses.len() };
-        for pose in self.poses.iter().skip(job.frames().len()).take(frames) {
-            let trace = job.push(pose, &mut NoClock);
-            self.class_weights.extend_from_slice(trace.class_weights);
-            self.examples.record(&trace);
-        }
-        let done = job.frames().len();
-        if done == self.poses.len() {
-            self.state = State::Finished(job.clone().finish());
-        }
-        done
+        self.run_traced(frames, |_| ())
     }
 
     /// Styled poses, one an input frame.
@@ -104,7 +92,7 @@ impl ClipJob {
     pub fn example_rotations(&self, joint: usize) -> Result<Vec<f32>, EngineError> {
         let role = Role::ALL.get(joint);
         let role = *role.ok_or_else(|| EngineError::bad_input(String::from("there is no such joint")))?;
-        let chart = &self.model.database().chart;
+        let chart = &self.model.catalogue().chart;
         Ok(self.examples.targets(&self.model).flat_map(|row| chart.rotation(role, &row).to_array()).collect())
     }
 
@@ -148,15 +136,30 @@ impl ClipJob {
     pub fn to_bvh(&self, input: &Input) -> Result<String, EngineError> {
         input.export(self.styled()?)
     }
+}
+
+impl ClipJob {
+    /// [`Self::run`] that shows what every frame was made of.
+    pub(crate) fn run_traced(&mut self, frames: usize, mut on_frame: impl FnMut(&Trace)) -> usize {
+        let Some(job) = &mut self.job else { return self.poses.len() };
+        for pose in self.poses.iter().skip(job.frames().len()).take(frames) {
+            let trace = job.push(pose, &mut NoClock);
+            self.class_weights.extend_from_slice(trace.class_weights);
+            self.examples.record(&trace);
+            on_frame(&trace);
+        }
+        let done = job.frames().len();
+        if done == self.poses.len() {
+            self.styled = self.job.take().map(transfer::ClipJob::finish);
+        }
+        done
+    }
 
     fn styled(&self) -> Result<&StyledMotion, EngineError> {
-        match &self.state {
-            State::Finished(styled) => Ok(styled),
-            State::Running(job) => Err(EngineError::bad_input(format!(
-                "{} of {} frames are styled; all must be before there is a result",
-                job.frames().len(),
-                self.poses.len()
-            ))),
-        }
+        self.styled.as_ref().ok_or_else(|| {
+            let done = self.job.as_ref().map_or(0, |job| job.frames().len());
+            let all = self.poses.len();
+            EngineError::bad_input(format!("{done} of {all} frames are styled; all must be before there is a result"))
+        })
     }
 }

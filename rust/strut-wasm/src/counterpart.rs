@@ -1,7 +1,21 @@
-//! A built-in input as another style performs it.
+//! The built-in motions: as the file that the page loads, and a built-in input as another style performs it.
 
-use crate::poses::floats_of;
+use strut_formats::strutdb::packed::{self, NamedMotion};
+use strut_wasm_common::EngineError;
+use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
+
+/// The built-in database and inputs in the packed format, not yet deflated: the build writes them to
+/// `web/engine/motions/built_in.bin`.
+#[wasm_bindgen(js_name = builtInMotions)]
+pub fn built_in_motions() -> Result<Vec<u8>, EngineError> {
+    let database = strut_demo::database().map_err(EngineError::bad_input)?;
+    let inputs: Vec<NamedMotion> = strut_demo::input_clips()
+        .into_iter()
+        .map(|clip| NamedMotion { name: clip.name.into(), motion: clip.motion })
+        .collect();
+    Ok(packed::write(&database, &inputs, "strut"))
+}
 
 /// The poses of another style at the content of each input frame.
 #[wasm_bindgen]

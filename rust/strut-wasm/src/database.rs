@@ -1,12 +1,10 @@
 //! Handle of a database.
 
-use crate::error::EngineError;
 use js_sys::Uint8Array;
 use std::sync::Arc;
-use strut_core::math::Vec3;
-use strut_core::search::Index;
 use strut_core::transfer::Model;
-use strut_formats::strutdb::{self, Source, StrutdbError, packed};
+use strut_formats::strutdb::{self, StrutdbError, packed};
+use strut_wasm_common::{Bytes, EngineError, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A database with its search index; shared with all that was made from it.
@@ -32,61 +30,47 @@ impl Database {
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromBytes)]
     pub fn from_bytes(bytes: Uint8Array) -> Result<Self, EngineError> {
-        let mut contents = strutdb::read(&Bytes(bytes)).map_err(|e| {
+        let contents = strutdb::read(&Bytes(bytes)).map_err(|e| {
             EngineError::bad_file(e, "Copy the file once more, or build the database again with 'strut build-db'.")
         })?;
-        let index = contents.planned_index().unwrap_or_else(|| Index::build(&contents.database));
-        Ok(Self { model: Arc::new(Model::with_index(contents.database, index)) })
+        Ok(Self { model: Arc::new(Model::of(contents.into_catalogue())) })
     }
 
     /// Number of rows.
     pub fn frames(&self) -> usize {
-        self.model.database().frames()
+        self.model.catalogue().frames()
     }
 
     /// Frames per second.
     #[wasm_bindgen(js_name = rateHz)]
     pub fn rate_hz(&self) -> f32 {
-        self.model.database().rate_hz
+        self.model.catalogue().rate_hz
     }
 
     /// Names of the actions.
     pub fn actions(&self) -> Vec<String> {
-        self.model.database().actions.clone()
+        self.model.catalogue().actions.clone()
     }
 
     /// Names of the styles.
     pub fn styles(&self) -> Vec<String> {
-        self.model.database().styles.clone()
+        self.model.catalogue().styles.clone()
     }
 
     /// Index of the neutral style.
     pub fn neutral(&self) -> u16 {
-        self.model.database().neutral
+        self.model.catalogue().neutral
     }
 
     /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
     pub fn proportions(&self) -> Vec<f32> {
-        self.model.database().proportions.offsets.iter().flat_map(Vec3::to_array).collect()
+        offsets_of(&self.model.catalogue().proportions)
     }
 
     /// For each class the index of its action, the index of its style and its number of rows.
     pub fn classes(&self) -> Vec<u32> {
-        let classes = self.model.database().classes();
+        let classes = self.model.catalogue().classes();
         classes.iter().flat_map(|c| [c.action.into(), c.style.into(), c.rows.len() as u32]).collect()
-    }
-}
-
-/// Bytes in the heap of JavaScript: memory that this module takes is never given back.
-struct Bytes(Uint8Array);
-
-impl Source for Bytes {
-    fn len(&self) -> usize {
-        self.0.length() as usize
-    }
-
-    fn copy(&self, begin: usize, to: &mut [u8]) {
-        self.0.subarray(begin as u32, (begin + to.len()) as u32).copy_to(to);
     }
 }
 

@@ -1,15 +1,15 @@
 //! Handle of an input motion.
 
 use crate::database::{Database, unpackable};
-use crate::error::EngineError;
-use crate::poses::floats_of;
 use strut_core::contact;
-use strut_core::humanoid::HumanoidMotion;
+use strut_core::humanoid::{HumanoidMotion, TooManyFrames};
 use strut_core::motion::Motion;
 use strut_core::retarget::{Binding, to_humanoid};
 use strut_core::transfer::StyledMotion;
 use strut_formats::bvh::{self, Bvh, BvhError};
 use strut_formats::strutdb::packed;
+use strut_wasm_common::EngineError;
+use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A motion on a database's humanoid and at its rate, with the file that it came from.
@@ -20,7 +20,7 @@ pub struct Input {
     file: Option<File>,
 }
 
-/// What an export needs of a file.
+/// The parts of a file that an export needs.
 #[derive(Clone)]
 struct File {
     bvh: Bvh,
@@ -47,9 +47,9 @@ impl Input {
     pub fn from_packed(database: &Database, bytes: &[u8], name: &str) -> Result<Self, EngineError> {
         let motion = packed::read_input(bytes, name).map_err(unpackable)?;
         let motion = motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))?;
-        let db = database.model().database();
+        let db = database.model().catalogue();
         let humanoid = if motion.proportions == db.proportions {
-            motion.resampled(db.rate_hz)
+            motion.resampled(db.rate_hz).map_err(too_long)?
         } else {
             let bvh = Bvh::from_humanoid(&motion).map_err(unreadable)?;
             Self::from_file(database, bvh)?.humanoid
@@ -72,7 +72,7 @@ impl Input {
         self.humanoid.poses.len()
     }
 
-    /// What people should know about the match of the skeletons; empty if there is nothing to say.
+    /// Notes on the match of the skeletons; empty if there are none.
     pub fn note(&self) -> String {
         self.file.as_ref().map(|f| f.binding.notes.join(" ")).unwrap_or_default()
     }
@@ -90,15 +90,15 @@ impl Input {
 
 impl Input {
     fn from_file(database: &Database, bvh: Bvh) -> Result<Self, EngineError> {
-        let db = database.model().database();
+        let db = database.model().catalogue();
         let motion = bvh.to_motion().map_err(unreadable)?;
         let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
-        let humanoid = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz);
+        let humanoid = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz).map_err(too_long)?;
         Ok(Self { humanoid, file: Some(File { bvh, motion, binding }) })
     }
 
     #[cfg(feature = "parity")]
-    pub(crate) fn poses_mut(&mut self) -> &mut [strut_core::humanoid::Pose] {
+    pub(crate) fn poses_mut(&mut self) -> &mut Vec<strut_core::humanoid::Pose> {
         &mut self.humanoid.poses
     }
 
@@ -120,6 +120,10 @@ impl Input {
         };
         bvh.map(|bvh| bvh::write(&bvh)).map_err(unreadable)
     }
+}
+
+fn too_long(error: TooManyFrames) -> EngineError {
+    EngineError::bad_file(error, "Cut the clip into shorter ones, or drop another file.")
 }
 
 fn unreadable(error: BvhError) -> EngineError {

@@ -1,8 +1,5 @@
 //! The core behind handles and typed arrays, for JavaScript; no algorithm.
-//!
-//! JavaScript owns every object and frees it. Arrays are copied once a call in either direction, so that no
-//! view of this memory outlives a call. Errors are values ([`EngineError`]); a panic, which is a bug, ends
-//! as a JavaScript exception with its message, and the instance must then be thrown away.
+//! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
 
 #[cfg(feature = "bench")]
 mod bench;
@@ -10,7 +7,6 @@ mod clip_job;
 #[cfg(feature = "compare")]
 mod counterpart;
 mod database;
-mod error;
 mod input;
 #[cfg(feature = "parity")]
 mod parity;
@@ -21,19 +17,11 @@ mod stylizer;
 pub use bench::{Naive, Workload, joint_weights, leg_joints, positions_of, rows_of, stage_names};
 pub use clip_job::ClipJob;
 #[cfg(feature = "compare")]
-pub use counterpart::Counterpart;
+pub use counterpart::{Counterpart, built_in_motions};
 pub use database::Database;
-pub use error::EngineError;
 pub use input::{Input, packed_inputs};
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;
 pub use poses::interpolate_poses;
+pub use strut_wasm_common::EngineError;
 pub use stylizer::Stylizer;
-
-use wasm_bindgen::prelude::wasm_bindgen;
-
-/// Makes a panic throw its message instead of the bare "unreachable" of a trap.
-#[wasm_bindgen(start)]
-fn throw_panics() {
-    std::panic::set_hook(Box::new(|panic| wasm_bindgen::throw_str(&panic.to_string())));
-}

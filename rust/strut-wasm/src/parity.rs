@@ -5,24 +5,25 @@
 
 use crate::clip_job::ClipJob;
 use crate::database::Database;
-use crate::error::EngineError;
 use crate::input::{Input, packed_inputs};
-use crate::poses::floats_of;
 use crate::stylizer::Stylizer;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use strut_core::database::build::{BuildOptions, SourceClip, build};
 use strut_core::hsmm::{
-    Options as WalkOptions, StyleMeans, Track, Training, WalkVoices, Walker, numbers, train, walk_of, walks_among,
+    LabelledClip, Options as WalkOptions, RuntimeWalkModel, StyleMeans, Track, Walker, flattened, train, walk_of,
+    walks_among,
 };
 use strut_core::humanoid::Pose;
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
 use strut_core::parallel::Sequential;
 use strut_core::pose_vector::{HeadingFilter, Placement};
-use strut_core::transfer::{self, NoClock, StyledFrame};
+use strut_core::transfer::StyledFrame;
 use strut_formats::strutdb::packed::{self, NamedMotion};
+use strut_wasm_common::EngineError;
+use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Takes of the built-in walk that are registered anew, as if their correspondence were not known.
@@ -32,6 +33,9 @@ const REGISTERED_STYLES: [&str; 2] = ["neutral", "proud"];
 
 /// Frames of the walk that is compared.
 const WALK_FRAMES: usize = 600;
+
+/// Frames of an input that are styled after one that was nudged: enough to show what follows from it.
+const FRAMES_AFTER_NUDGE: usize = 60;
 
 /// Runs every stage on the built-in motions and on files.
 #[wasm_bindgen]
@@ -57,7 +61,7 @@ impl ParityReport {
     /// One line a stage: its name, then a hash for each frame, separated by blanks.
     ///
     /// With `nudged_frame` the input's root is one unit in the last place higher in that frame, after
-    /// retargeting: a report that does not change shows that the comparison is blind.
+    /// retargeting: a report that does not change shows that the comparison is blind. Inputs end soon after that frame.
     ///
     /// # Errors
     /// If a file cannot be read or nothing can be built from the files.
@@ -98,8 +102,12 @@ fn clip_stages(
     nudged_frame: Option<usize>,
 ) -> Result<(), EngineError> {
     let mut input = input.clone();
-    if let Some(pose) = nudged_frame.and_then(|f| input.poses_mut().get_mut(f)) {
-        pose.root.y = pose.root.y.next_up();
+    if let Some(frame) = nudged_frame {
+        let poses = input.poses_mut();
+        poses.truncate(frame + FRAMES_AFTER_NUDGE);
+        if let Some(pose) = poses.get_mut(frame) {
+            pose.root.y = pose.root.y.next_up();
+        }
     }
     let poses = &input.humanoid().poses;
     let mut stage = |stage: &str, hashes: Vec<u64>| line(report, name, stage, hashes);
@@ -108,17 +116,16 @@ fn clip_stages(
 
     let mut online = Stylizer::new(database)?;
     online.set_styles(&mixed_styles(database))?;
-    let mut job = transfer::ClipJob::new(online.core().clone());
+    let mut whole = ClipJob::new(&online, &input);
     let (mut search, mut prediction, mut timing, mut contacts) = (vec![], vec![], vec![], vec![]);
-    for pose in poses {
-        let trace = job.push(pose, &mut NoClock);
+    whole.run_traced(poses.len(), |trace| {
         let neighbours = trace.neighbours().flat_map(|n| [n.clip as u32, n.frame as u32, n.distance.to_bits()]);
         let weights = trace.class_weights.iter().chain([&trace.bias]).map(|w| w.to_bits());
         search.push(hash(neighbours.chain(weights)));
         prediction.push(pose_hash(&trace.frame.pose));
         timing.push(time_hash(trace.frame));
         contacts.push(hash(trace.frame.contact.map(f32::to_bits)));
-    }
+    });
     stage("search", search);
     stage("prediction", prediction);
     stage("timing", timing);
@@ -126,8 +133,6 @@ fn clip_stages(
 
     let styled = online.push(&floats_of(poses.iter()))?;
     stage("online pose", styled.chunks_exact(styled.len() / poses.len()).map(float_hash).collect());
-    let mut whole = ClipJob::new(&online, &input);
-    whole.run(poses.len());
     let styled = whole.poses()?;
     stage("final pose", styled.chunks_exact(styled.len() / poses.len()).map(float_hash).collect());
     let bvh = whole.to_bvh(&input)?;
@@ -143,16 +148,16 @@ fn walk_stages(report: &mut String, db: &strut_core::database::Database) -> Resu
             Some((db.styles[usize::from(db.clips[clip].style)].as_str(), walk_of(&db.motion_of_clip(clip)).ok()?.0))
         })
         .collect();
-    let training: Vec<Training> = walks.iter().map(|(style, track)| Training { style, track }).collect();
+    let training: Vec<LabelledClip> = walks.iter().map(|(style, track)| LabelledClip { style, track }).collect();
     let model =
         train(&db.proportions, &training, WalkOptions::default(), &Sequential).map_err(EngineError::bad_input)?;
     let of_style = |m: &StyleMeans| {
-        let numbers = numbers(&m.means).iter().chain(m.durations.as_flattened());
+        let numbers = flattened(&m.means).iter().chain(m.durations.as_flattened());
         hash(numbers.flat_map(|v| [v.to_bits() as u32, (v.to_bits() >> 32) as u32]))
     };
     line(report, "built-in walks", "model", model.means.iter().map(of_style).collect());
 
-    let mut walker = Walker::new(Arc::new(WalkVoices::new(&model)));
+    let mut walker = Walker::new(Arc::new(RuntimeWalkModel::new(&model)));
     let alone = |style: usize, weight: f32| {
         let mut weights = vec![0.0; model.styles.len()];
         weights[style] = weight;
@@ -191,14 +196,14 @@ fn database_stages(report: &mut String, name: &str, db: &strut_core::database::D
 
 /// Two styles whose weights sum to more than 1, so that blending and extrapolation take part.
 fn mixed_styles(database: &Database) -> Vec<f32> {
-    let db = database.model().database();
+    let db = database.model().catalogue();
     let mut rest = [0.8, 0.4].into_iter();
     let neutral = usize::from(db.neutral);
     (0..db.styles.len()).map(|s| if s == neutral { 0.0 } else { rest.next().unwrap_or(0.0) }).collect()
 }
 
 fn row_hashes(database: &Database, poses: &[Pose]) -> Vec<u64> {
-    let db = database.model().database();
+    let db = database.model().catalogue();
     let dt = 1.0 / db.rate_hz;
     let mut filter = HeadingFilter::default();
     let mut previous = None;

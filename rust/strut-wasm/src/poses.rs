@@ -1,33 +1,7 @@
-//! Poses ↔ flat arrays.
+//! Interpolation of poses.
 
-use crate::error::EngineError;
-use strut_core::humanoid::{POSE_FLOATS, Pose};
+use strut_wasm_common::{EngineError, floats_of, poses_of};
 use wasm_bindgen::prelude::wasm_bindgen;
-
-/// The poses of a flat array of [`POSE_FLOATS`] numbers each.
-///
-/// # Errors
-/// If the array is not a whole number of poses.
-pub(crate) fn poses_of(floats: &[f32]) -> Result<impl ExactSizeIterator<Item = Pose>, EngineError> {
-    let (poses, rest) = floats.as_chunks::<POSE_FLOATS>();
-    if rest.is_empty() {
-        Ok(poses.iter().map(Pose::read_from))
-    } else {
-        Err(EngineError::bad_input(format!(
-            "{} numbers are not a whole number of poses of {POSE_FLOATS}",
-            floats.len()
-        )))
-    }
-}
-
-/// Poses as one flat array.
-pub(crate) fn floats_of<'a>(poses: impl ExactSizeIterator<Item = &'a Pose>) -> Vec<f32> {
-    let mut floats = vec![0.0; poses.len() * POSE_FLOATS];
-    for (pose, out) in poses.zip(floats.as_chunks_mut::<POSE_FLOATS>().0) {
-        pose.write_to(out);
-    }
-    floats
-}
 
 /// The pose between two, `t` in [0, 1].
 ///
@@ -44,6 +18,7 @@ pub fn interpolate_poses(a: &[f32], b: &[f32], t: f32) -> Result<Vec<f32>, Engin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use strut_core::humanoid::{POSE_FLOATS, Pose};
     use strut_core::math::Vec3;
 
     #[test]

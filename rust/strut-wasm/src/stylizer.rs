@@ -1,10 +1,10 @@
 //! Handle of an online stylizer.
 
 use crate::database::Database;
-use crate::error::EngineError;
-use crate::poses::{floats_of, poses_of};
 use std::sync::Arc;
 use strut_core::transfer::{self, BodyPart, Method, Options, StyledFrame};
+use strut_wasm_common::EngineError;
+use strut_wasm_common::{floats_of, poses_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// One character's stream of frames. The results of the last batch stay here until the next and are copied

@@ -1,39 +1,46 @@
-//! Builds the WASM packages and the file of the built-in motions: `cargo run --profile tool -p xtask -- wasm`.
+//! Binds a WebAssembly module to JavaScript with the version of wasm-bindgen that it was compiled with:
+//! `xtask bind MODULE FOLDER NAME`. `scripts/wasm.mjs` compiles the modules and runs this.
 #![forbid(unsafe_code)]
 
-mod motions;
-mod wasm;
-
+use std::path::Path;
 use std::process::ExitCode;
-use wasm::Package;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let packages = |packages: &[Package]| packages.iter().try_for_each(wasm::build);
-    let built = match &arguments[..] {
-        [word] if word == "wasm" => {
-            packages(&[Package::ENGINE, Package::BUILD, Package::WALK, Package::KEY_STYLE, Package::COMPARE])
-        }
-        [word] if word == "bench" => packages(&[Package::BENCH, Package::BENCH_SCALAR]),
-        [word] if word == "motions" => motions::build(),
-        _ => {
-            let [engine, build, walk, key_style, compare, bench] =
-                [Package::ENGINE, Package::BUILD, Package::WALK, Package::KEY_STYLE, Package::COMPARE, Package::BENCH]
-                    .map(|p| p.folder);
-            eprintln!("usage: xtask wasm     builds {engine} and {compare} from strut-wasm,");
-            eprintln!("                      {build}, {walk} and {key_style} from their crates");
-            eprintln!(
-                "       xtask bench    builds {bench}, the same with reports and yardsticks, and its scalar twin"
-            );
-            eprintln!("       xtask motions  makes {}, the built-in motions that the page loads", motions::FILE);
-            return ExitCode::from(2);
-        }
-    };
-    match built {
+    let [command, module, folder, name] = &arguments[..] else { return usage() };
+    if command != "bind" {
+        return usage();
+    }
+    match bind(Path::new(module), Path::new(folder), name) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("error: {message}");
             ExitCode::FAILURE
         }
     }
+}
+
+fn usage() -> ExitCode {
+    eprintln!("usage: xtask bind MODULE FOLDER NAME   writes NAME.js, its types and NAME_bg.wasm to FOLDER");
+    ExitCode::from(2)
+}
+
+/// Writes the JavaScript, its types and the module without the binding sections to `folder`.
+fn bind(module: &Path, folder: &Path, name: &str) -> Result<(), String> {
+    let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();
+    bindgen
+        .web(true)
+        .and_then(|bindgen| {
+            bindgen
+                .input_path(module)
+                .out_name(name)
+                .typescript(true)
+                // `web/engine` finds the module itself, in Node as in a browser.
+                .omit_default_module_path(true)
+                .remove_producers_section(true)
+                // A trap leaves the instance unusable; this lets `web/engine` start another.
+                .reset_state_function(true)
+                .generate(folder)
+        })
+        .map_err(|error| format!("{}: {error:#}", module.display()))
 }

@@ -1,9 +1,8 @@
-/** Databases from labelled clips, on the present thread: what the build worker serves. */
-import { sentence } from "../side_package";
+/** Builds databases from labelled clips on the calling thread; the build worker runs it. */
 import type { Building } from "./pkg/strut_wasm_build";
 import { type BuildGlue, buildPackage } from "./wasm";
 
-/** What a file shows. */
+/** Labels of a file. */
 export interface Labels {
   action: string;
   style: string;
@@ -25,7 +24,7 @@ export interface BuildFile extends Labels {
 /** Joint of each of the 21 humanoid roles, −1 where there is none. */
 export type Roles = Int32Array;
 
-/** What is said of a clip before a build. */
+/** Properties of a clip before a build. */
 export interface ClipInfo {
   frames: number;
   rateHz: number;
@@ -33,15 +32,15 @@ export interface ClipInfo {
   joints: string[];
   parents: Int32Array;
   roles: Roles;
-  /** How sure the roles are, 0 to 1. */
+  /** Confidence of the roles, 0 to 1. */
   confidence: number;
   /** Why the skeleton is no humanoid; empty if it is one. */
   fault: string;
-  /** What people should know about the match of the skeletons. */
+  /** A sentence for people about the match of the skeletons, or empty. */
   note: string;
 }
 
-/** A clip on its own body, to be looked at. */
+/** A clip on its own skeleton, to be previewed. */
 export interface Preview extends ClipInfo {
   /** Bone offsets, 21 × xyz, metres; empty where the skeleton is no humanoid. */
   proportions: Float32Array;
@@ -58,7 +57,7 @@ export interface RefusedFile {
 /** A stage of {@link Build.step} and {@link Build.finish}. */
 export type BuildStage = "preparing" | "registering" | "indexing";
 
-/** Hears how far a stage has come. */
+/** Receives the progress of a stage. */
 export type OnBuildProgress = (stage: BuildStage, done: number, total: number) => void;
 
 /** A database that was built. */
@@ -98,7 +97,7 @@ export class DatabaseBuilder {
     const flat = buildPackage.guarded(() => this.glue.labelsOf(paths, pattern, table));
     return paths.map((_, i) => {
       const [action, style, take, reason] = flat.slice(4 * i, 4 * i + 4) as [string, string, string, string];
-      return reason ? { reason: sentence(reason) } : { action, style, take: take ? Number(take) : undefined };
+      return reason ? { reason } : { action, style, take: take ? Number(take) : undefined };
     });
   }
 
@@ -146,7 +145,7 @@ export class DatabaseBuilder {
   }
 }
 
-/** A build that takes its files one at a time, and then goes on in steps. */
+/** A build: files are added one at a time, then it runs in steps. */
 export class Build {
   /** Paths in the order in which they must be added. */
   readonly order: string[];
@@ -179,7 +178,7 @@ export class Build {
   }
 
   /**
-   * Goes on by a few clips, once all files were added; whether anything was left but to {@link finish}.
+   * Processes a few clips, once all files were added; false when only {@link finish} is left.
    * @throws StrutError if nothing can be built from them
    */
   step(onProgress: OnBuildProgress): boolean {
@@ -187,14 +186,14 @@ export class Build {
   }
 
   /**
-   * The database of what was added; afterwards this object is used up.
+   * The database of the files that were added; this object cannot be used afterwards.
    * @throws StrutError if nothing could be built
    */
   finish(onProgress: OnBuildProgress): BuiltDatabase {
     return databaseOf(buildPackage.guarded(() => this.building().finish({ progress: onProgress })));
   }
 
-  /** Gives up what was added. */
+  /** Abandons the build. */
   dispose(): void {
     this.raw.free();
   }
@@ -207,14 +206,13 @@ export class Build {
   }
 }
 
-/** What was built, which is freed. */
+/** Takes the result out of the module and frees it there. */
 function databaseOf(built: ReturnType<BuildGlue["addStyle"]>): BuiltDatabase {
   try {
     return buildPackage.guarded(() => {
       const refused = built.refused();
       return {
-        // A copy, without a second one on the way there.
-        file: new Blob([new Uint8Array(buildPackage.bytes, built.fileAddress(), built.fileLength())]),
+        file: new Blob([built.takeFile() as Uint8Array<ArrayBuffer>]),
         clips: built.clips(),
         frames: built.frames(),
         actions: built.actions(),
@@ -222,7 +220,7 @@ function databaseOf(built: ReturnType<BuildGlue["addStyle"]>): BuiltDatabase {
         neutral: built.neutral(),
         refused: Array.from({ length: refused.length / 2 }, (_, i) => ({
           path: refused[2 * i]!,
-          reason: sentence(refused[2 * i + 1]!),
+          reason: refused[2 * i + 1]!,
         })),
       };
     });

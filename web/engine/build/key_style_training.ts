@@ -1,23 +1,23 @@
-/** Key-style models from clips, on the present thread: what the build worker serves. */
+/** Trains key-style models on clips on the calling thread; the build worker runs it. */
 
 import type { RefusedFile } from "./builder";
 import { buildPackage } from "./wasm";
 
-/** What is to be learned. */
+/** What a model is trained on, and how. */
 export interface KeyStyleOrder {
-  /** Names of clips; without any those of the action, in the neutral style where there is one. */
+  /** Names of clips; if empty, those of the action, in the neutral style if there is one. */
   clips: readonly string[];
-  /** Without clips and action all files are taken, or what the database has first. */
+  /** Action of the clips; if empty, all files, or the first action of the database. */
   action: string;
-  /** Names of measures, or expressions. */
+  /** Style variables: names of measures, or expressions. */
   axes: readonly string[];
-  /** Components of the mixture, 0 to have them counted. */
+  /** Components of the mixture; 0 lets the training choose. */
   components: number;
-  /** Whether expectation maximisation learns it, for comparison. */
+  /** Whether the model is trained with expectation maximisation, for comparison. */
   em: boolean;
 }
 
-/** A clip that may be learned from. */
+/** A clip that a model may be trained on. */
 export interface KeyStyleClip {
   name: string;
   action: string;
@@ -29,20 +29,20 @@ export interface KeyStyleClip {
 export interface TrainedKeyStyle {
   /** The `.strutkeys` file. */
   file: Uint8Array<ArrayBuffer>;
-  /** All clips there are, and the names of those that were learned from. */
+  /** All clips there are, and the names of those that the model was trained on. */
   clips: KeyStyleClip[];
-  learned: string[];
+  trainedOn: string[];
   refused: RefusedFile[];
-  /** Share of the poses that the style variables leave open, where that is too much; else 0. */
-  leftOpen: number;
-  /** Seconds that the training took, without reading. */
+  /** Share of the variation of the poses that the style variables do not explain, where that is too much; else 0. */
+  unexplainedShare: number;
+  /** Duration of the training without reading, seconds. */
   secs: number;
 }
 
-/** Passes of the training that were done, of how many. */
+/** Receives the number of passes done, of a total. */
 export type OnTrainProgress = (done: number, total: number) => void;
 
-/** BVH files that are learned from instead of a database. */
+/** BVH files to train on instead of a database. */
 export type KeyStyleFiles = readonly { name: string; bytes: Uint8Array }[];
 
 /** Clips that models are trained on. */
@@ -84,7 +84,7 @@ export class KeyStyleClips {
 
   /**
    * Trains a model.
-   * @throws StrutError with why nothing can be learned
+   * @throws StrutError with why nothing can be trained
    */
   train(order: KeyStyleOrder, onProgress: OnTrainProgress): TrainedKeyStyle {
     const chosen = chosenClips(this.clips, order);
@@ -100,9 +100,9 @@ export class KeyStyleClips {
       return buildPackage.guarded(() => ({
         file: trained.file() as Uint8Array<ArrayBuffer>,
         clips: this.clips,
-        learned: chosen.map((clip) => this.clips[clip]!.name),
+        trainedOn: chosen.map((clip) => this.clips[clip]!.name),
         refused: this.refused,
-        leftOpen: trained.leftOpen(),
+        unexplainedShare: trained.unexplainedShare(),
         secs,
       }));
     } finally {
@@ -115,10 +115,10 @@ export class KeyStyleClips {
   }
 }
 
-/** Names that say that a style is none in particular. */
+/** Names of the neutral style. */
 const NEUTRAL = ["neutral", "normal"];
 
-/** Numbers of the clips that an order asks for. */
+/** Indices of the clips that an order selects. */
 export function chosenClips(clips: readonly KeyStyleClip[], order: Pick<KeyStyleOrder, "clips" | "action">): number[] {
   const all = [...clips.keys()];
   const named = all.filter((i) => order.clips.includes(clips[i]!.name));

@@ -1,6 +1,5 @@
-/** Walk models from databases, on the present thread: what the build worker serves. */
+/** Trains walk models on databases on the calling thread; the build worker runs it. */
 
-import { sentence } from "../side_package";
 import type { RefusedFile } from "./builder";
 import { buildPackage } from "./wasm";
 
@@ -41,7 +40,7 @@ export async function trainWalk(
         clips: trained.clips(),
         refused: Array.from({ length: refused.length / 2 }, (_, i) => ({
           path: refused[2 * i]!,
-          reason: sentence(refused[2 * i + 1]!),
+          reason: refused[2 * i + 1]!,
         })),
       };
     });

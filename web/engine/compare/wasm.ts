@@ -1,12 +1,12 @@
 /**
  * The WASM package of the Compare view: the engine's, with the methods that are trained beforehand and the built-in inputs
- * in every style. Loaded by those who compare, and by nobody else.
+ * in every style. Only the Compare view loads it.
  */
 import type { Performed } from "../types";
 import { type Glue, guarded, servePackage } from "../wasm";
 import * as glue from "./pkg/strut_compare.js";
 
-/** Lets this package stand for the engine's on the present thread; call it before anything is loaded. */
+/** Uses this package as the engine's on this thread; call it before anything is loaded. */
 export function serveComparePackage(): void {
   // The same classes with some more: those of two packages are only different by name.
   servePackage(glue as unknown as Glue, new URL("./pkg/strut_compare_bg.wasm", import.meta.url));

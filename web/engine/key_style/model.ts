@@ -1,50 +1,49 @@
 /**
- * Poses of style variables, on the present thread: a pose takes microseconds, and where a hand drags the variables is to be
- * seen in the same frame of the screen. A {@link KeyStyleModel} says what it has learned, a {@link Puppet} follows a hand, a
- * {@link Styling} performs keys.
+ * Poses from style variables on the calling thread: a pose takes microseconds and follows the pointer within the same display
+ * frame. A {@link KeyStyleModel} is the trained model, a {@link Poser} is posed interactively, a {@link Styling} interpolates
+ * keys.
  */
+import { POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
-import { sentence } from "../side_package";
-import { POSE_FLOATS } from "../types";
 import { type KeyStyleGlue, keyStylePackage } from "./wasm";
 
-/** A clip among the training motions: its first frame among all, and how many there are. */
+/** A clip of the training motions: its first frame among those of all clips, and its length in frames. */
 export interface TrainingClip {
   name: string;
   first: number;
   frames: number;
 }
 
-/** What a style variable is: its unit, or what is wrong with its expression and at which character, from 0. */
+/** A style variable that was parsed: its unit, or the error in its expression and its column, from 0. */
 export type CheckedAxis = { unit: string } | { message: string; column: number };
 
-/** Where a key is, and what the variables are there. */
+/** A key: its time and the values of the style variables. */
 export interface StyleKey {
   secs: number;
   values: readonly number[];
 }
 
-/** What is between keys: style variables alone, those through recorded poses at the keys, or recorded poses blended. */
+/** Interpolation between keys: of style variables, of style variables with recorded poses at the keys, or of recorded poses. */
 export type Between = "style" | "hybrid" | "frame";
 const BETWEEN: Readonly<Record<Between, number>> = { style: 0, hybrid: 1, frame: 2 };
 
-/** The curve of the variables between keys: a Catmull-Rom spline, or one that never leaves what keys ask for. */
+/** The curve of the variables between keys: a Catmull-Rom spline, or a monotone one, which does not overshoot. */
 export type Curve = "spline" | "monotone";
 
-/** A range of a style variable, with the number of places in it. */
+/** A range of a style variable and the number of samples in it. */
 export interface Span {
-  least: number;
-  most: number;
+  min: number;
+  max: number;
   count: number;
 }
 
-/** Reads a style variable by its name or as an expression. */
+/** Parses a style variable: the name of a measure, or an expression. */
 export async function checkAxis(text: string): Promise<CheckedAxis> {
   const glue = await keyStylePackage.load();
   const checked = keyStylePackage.guarded(() => glue.checkMeasure(text));
   try {
     const column = checked.column();
-    return column < 0 ? { unit: checked.unit() } : { message: sentence(checked.message()), column };
+    return column < 0 ? { unit: checked.unit() } : { message: checked.message(), column };
   } finally {
     checked.free();
   }
@@ -59,9 +58,9 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
   /** Bone offsets, 21 × xyz, metres. */
   readonly proportions: Float32Array;
   readonly clips: readonly TrainingClip[];
-  /** The variables of every training frame, all of a frame behind each other. */
+  /** The variables of every training frame, frame after frame. */
   readonly values: Float32Array;
-  /** Where each component is at home, all variables of one behind each other. */
+  /** The mean of each mixture component in the style variables, component after component. */
   readonly centres: Float32Array;
   /** Mean and standard deviation of each variable. */
   readonly mean: Float32Array;
@@ -102,8 +101,8 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
     return new KeyStyleModel(await keyStylePackage.load(), file);
   }
 
-  puppet(): Puppet {
-    return new Puppet(this, this.glue);
+  poser(): Poser {
+    return new Poser(this, this.glue);
   }
 
   styling(): Styling {
@@ -121,46 +120,46 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
   }
 
   /**
-   * How well each place is known, row after row from the greatest value of the second variable: below 0 a pose is a guess.
-   * Without a second variable a row is enough. Further variables are as in `values`.
+   * Support of the training data at each point of a grid, row after row from the largest value of the second variable: below 0
+   * a pose is extrapolated. Without a second variable there is one row. Further variables are as in `values`.
    */
   support(x: Span, y: Span | undefined, values: readonly number[]): Float32Array {
-    const { least, most, count } = y ?? { least: 0, most: 0, count: 1 };
+    const { min, max, count } = y ?? { min: 0, max: 0, count: 1 };
     return keyStylePackage.guarded(() =>
-      this.raw.support(Float64Array.from(values), x.least, x.most, x.count, least, most, count),
+      this.raw.support(Float64Array.from(values), x.min, x.max, x.count, min, max, count),
     );
   }
 }
 
-/** What a puppet shows. */
-export interface PuppetFrame {
+/** A pose and how it came about. */
+export interface KeyStyleFrame {
   /** `POSE_FLOATS` numbers. */
   readonly pose: Float32Array;
-  /** How much each component is of the pose. */
+  /** Weight of each mixture component in the pose. */
   readonly weights: Float32Array;
-  /** The variables as measured on the pose, and those that the model was asked for: within what it has learned. */
+  /** The variables measured on the pose, and those asked for, clamped to the range of the training data. */
   readonly measured: Float32Array;
   readonly reached: Float32Array;
 }
 
-/** Somebody whose pose follows a hand that drags the style variables. */
-export class Puppet extends Handle<InstanceType<KeyStyleGlue["Puppet"]>> {
-  /** The present frame; every call writes it anew. */
-  readonly frame: PuppetFrame;
-  private readonly asked: Float64Array;
-  private readonly address: number;
-  private readonly floats: number;
+/** An object of the package that fills an array with its present frame. */
+interface RawFrames {
+  free(): void;
+  setHard(hard: boolean): void;
+  read(floats: Float32Array): void;
+}
 
-  constructor(model: KeyStyleModel, glue: KeyStyleGlue) {
-    super(
-      keyStylePackage.guarded(() => new glue.Puppet(model.raw)),
-      "puppet",
-    );
-    this.frame = emptyFrame(model);
-    this.asked = new Float64Array(model.axes.length);
-    this.address = this.raw.frameAddress();
-    this.floats = lengthOf(this.frame);
-    this.read();
+/** What poses a character: every call overwrites its one frame. */
+abstract class FrameSource<Raw extends RawFrames> extends Handle<Raw> {
+  /** The present frame; every call overwrites it. */
+  readonly frame: KeyStyleFrame;
+  private readonly floats: Float32Array;
+
+  /** @param noun for messages */
+  protected constructor(model: KeyStyleModel, make: () => Raw, noun: string) {
+    super(keyStylePackage.guarded(make), noun);
+    this.floats = new Float32Array(POSE_FLOATS + model.components + 2 * model.axes.length);
+    this.frame = frameOf(this.floats, model);
   }
 
   /** Whether the winning component alone is the pose. */
@@ -168,49 +167,45 @@ export class Puppet extends Handle<InstanceType<KeyStyleGlue["Puppet"]>> {
     this.raw.setHard(hard);
   }
 
-  /** Takes a pose at once. */
-  jump(values: ArrayLike<number>): PuppetFrame {
+  protected read(): KeyStyleFrame {
+    this.raw.read(this.floats);
+    return this.frame;
+  }
+}
+
+/** A character whose pose follows style variables that are dragged. */
+export class Poser extends FrameSource<InstanceType<KeyStyleGlue["DragCharacter"]>> {
+  private readonly asked: Float64Array;
+
+  constructor(model: KeyStyleModel, glue: KeyStyleGlue) {
+    super(model, () => new glue.DragCharacter(model.raw), "poser");
+    this.asked = new Float64Array(model.axes.length);
+    this.read();
+  }
+
+  /** Jumps to the pose of these variables. */
+  jump(values: ArrayLike<number>): KeyStyleFrame {
     this.asked.set(values);
     this.raw.jump(this.asked);
     return this.read();
   }
 
-  /** Follows the hand by so many seconds. */
-  advance(secs: number, values: ArrayLike<number>): PuppetFrame {
+  /** Moves towards the pose of these variables for `secs` seconds. */
+  advance(secs: number, values: ArrayLike<number>): KeyStyleFrame {
     this.asked.set(values);
     this.raw.advance(secs, this.asked);
     return this.read();
   }
-
-  private read(): PuppetFrame {
-    return readFrame(this.frame, this.address, this.floats);
-  }
 }
 
-/** Keys that are performed. */
-export class Styling extends Handle<InstanceType<KeyStyleGlue["Styling"]>> {
-  /** The present frame; every call writes it anew. */
-  readonly frame: PuppetFrame;
-  private readonly address: number;
-  private readonly floats: number;
-
+/** An animation that is interpolated from keys. */
+export class Styling extends FrameSource<InstanceType<KeyStyleGlue["Styling"]>> {
   constructor(model: KeyStyleModel, glue: KeyStyleGlue) {
-    super(
-      keyStylePackage.guarded(() => new glue.Styling(model.raw)),
-      "key-styling",
-    );
-    this.frame = emptyFrame(model);
-    this.address = this.raw.frameAddress();
-    this.floats = lengthOf(this.frame);
-  }
-
-  /** Whether the winning component alone is the pose. */
-  set hard(hard: boolean) {
-    this.raw.setHard(hard);
+    super(model, () => new glue.Styling(model.raw), "key-styling");
   }
 
   /**
-   * Takes keys in the order of their times.
+   * Replaces the keys, which are in the order of their times.
    * @throws StrutError with what is wrong with them
    */
   set(keys: readonly StyleKey[], curve: Curve): void {
@@ -220,55 +215,40 @@ export class Styling extends Handle<InstanceType<KeyStyleGlue["Styling"]>> {
   }
 
   /** The pose at a time. `reached` of the frame are the variables that the keys ask for there. */
-  at(secs: number, between: Between): PuppetFrame {
+  at(secs: number, between: Between): KeyStyleFrame {
     this.raw.at(secs, BETWEEN[between]);
-    return readFrame(this.frame, this.address, this.floats);
+    return this.read();
   }
 
-  /** The variables at so many moments from the beginning to `length`, all of a moment behind each other. */
+  /** The variables at `moments` equally spaced times from 0 to `length` seconds, time after time. */
   way(length: number, moments: number): Float32Array {
     return keyStylePackage.guarded(() => this.raw.way(length, moments));
   }
 
-  /** Puts the body back above the origin, where it began. */
+  /** Moves the body back to the origin. */
   goBack(): void {
     this.raw.goBack();
   }
 
-  /** Poses of the whole animation at the model's rate. */
+  /** Poses of the whole animation, `length` seconds at the model's rate. */
   perform(length: number, between: Between): Float32Array {
     return keyStylePackage.guarded(() => this.raw.perform(length, BETWEEN[between]));
   }
 
-  /** The text of a BVH file of the same. */
+  /** The same as the text of a BVH file. */
   toBvh(length: number, between: Between): string {
     return keyStylePackage.guarded(() => this.raw.toBvh(length, BETWEEN[between]));
   }
 }
 
-/** Room for a frame of a model. */
-function emptyFrame({ components, axes }: KeyStyleModel): PuppetFrame {
+/** A frame whose numbers lie one after the other in an array, which the package fills. */
+function frameOf(floats: Float32Array, { components, axes }: KeyStyleModel): KeyStyleFrame {
+  const measured = POSE_FLOATS + components;
+  const reached = measured + axes.length;
   return {
-    pose: new Float32Array(POSE_FLOATS),
-    weights: new Float32Array(components),
-    measured: new Float32Array(axes.length),
-    reached: new Float32Array(axes.length),
+    pose: floats.subarray(0, POSE_FLOATS),
+    weights: floats.subarray(POSE_FLOATS, measured),
+    measured: floats.subarray(measured, reached),
+    reached: floats.subarray(reached),
   };
-}
-
-/** The parts of a frame in the order in which they lie in memory. */
-function partsOf({ pose, weights, measured, reached }: PuppetFrame): Float32Array[] {
-  return [pose, weights, measured, reached];
-}
-
-function lengthOf(frame: PuppetFrame): number {
-  return partsOf(frame).reduce((sum, part) => sum + part.length, 0);
-}
-
-/** Copies a frame out of the package's memory: no view of it outlives the call. */
-function readFrame(frame: PuppetFrame, address: number, length: number): PuppetFrame {
-  const floats = new Float32Array(keyStylePackage.bytes, address, length);
-  let at = 0;
-  for (const part of partsOf(frame)) for (let i = 0; i < part.length; i++) part[i] = floats[at++]!;
-  return frame;
 }

@@ -1,12 +1,8 @@
-/** The WASM package that makes poses of style variables: loaded with the Key-style view. */
+/** The WASM package of key-style synthesis, loaded with the first key-style model. */
 import { SidePackage } from "../side_package";
 import * as glue from "./pkg/strut_wasm_key_style.js";
 
 /** The generated bindings. */
 export type KeyStyleGlue = typeof glue;
 
-export const keyStylePackage = new SidePackage(
-  glue,
-  new URL("./pkg/strut_wasm_key_style_bg.wasm", import.meta.url),
-  "bad-input",
-);
+export const keyStylePackage = new SidePackage(glue, new URL("./pkg/strut_wasm_key_style_bg.wasm", import.meta.url));

@@ -1,41 +1,41 @@
 /**
- * Walk synthesis, on the present thread: a frame takes microseconds, and what is controlled acts on the next one. A
- * {@link WalkModel} says what its styles are like, a {@link Walker} walks.
+ * Walk synthesis on the calling thread: a frame takes microseconds, and a control acts on the next frame. A {@link WalkModel}
+ * holds the walk styles that were learned, a {@link Walker} is one endless walk.
  */
+import { POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
-import { POSE_FLOATS } from "../types";
 import { type WalkGlue, walkPackage } from "./wasm";
 
 /** States of a step. */
 export const STATES = 5;
-/** Numbers of a frame, as `rust/strut-wasm-walk` says. */
+/** Floats of a frame, laid out as in `rust/strut-wasm-walk`. */
 const FRAME_FLOATS = POSE_FLOATS + 5 + STATES;
-/** Greatest turn of a step, radians. */
-export const MOST_TURN = 0.18;
+/** Largest turn of a step, radians. */
+export const MAX_TURN = 0.18;
 
-/** For the steps of the left foot and of the right one weight a style; what they lack to a sum of 1 is the average's. */
+/** A weight for each style, for left steps and for right steps; the remainder to 1 belongs to the average model. */
 export type Weights = readonly [left: Float32Array, right: Float32Array];
 
-/** A foot that swings: left or right. */
+/** The swing foot: 0 left, 1 right. */
 export type Side = 0 | 1;
 
-/** Where a walk stands. */
+/** The present state of a walk. */
 export interface WalkFrame {
   /** `POSE_FLOATS` numbers. */
   readonly pose: Float32Array;
-  /** Number of the step, how much of it is done (0–1), and its state (0–4). */
+  /** Number of the step, its phase (0–1), and its HSMM state (0–4). */
   step: number;
   done: number;
   state: number;
-  /** Feet that stand, left and right. */
+  /** Planted feet, left and right. */
   readonly planted: [boolean, boolean];
-  /** Frames that each state of the step lasts. */
+  /** Duration of each state of the step, frames. */
   readonly durations: Float32Array;
 }
 
-/** A joint's angle through a left step and a right one, a number for each frame; angles in radians. */
+/** A joint's angle over a left and a right step, a value for each frame; angles in radians. */
 export interface JointCurve {
-  /** Axis of the joint's own frame that it turns about most. */
+  /** Axis of the joint's own frame about which it turns most: 0 x, 1 y, 2 z. */
   axis: number;
   angle: Float32Array;
   mean: Float32Array;
@@ -43,19 +43,19 @@ export interface JointCurve {
   side: Uint8Array;
 }
 
-/** A change of style that is spread over steps. */
+/** A change of style that is interpolated over steps. */
 export interface WalkTransition {
-  /** The first step in between. */
+  /** The first interpolated step. */
   step: number;
-  /** Steps in between. */
+  /** Number of interpolated steps. */
   between: number;
   weights: Weights;
 }
 
-/** How long steps last: as in the model, drawn about that by a seed, or all the same (steps a minute). */
+/** Step durations: the means of the model, samples of its distributions, or a fixed cadence (steps a minute). */
 export type Tempo = { kind: "model" } | { kind: "sampled"; seed: number } | { kind: "fixed"; cadence: number };
 
-/** A model of walk styles. */
+/** A model of walk styles (a hidden semi-Markov model for each). */
 export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
   readonly styles: readonly string[];
   readonly rateHz: number;
@@ -83,12 +83,12 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
     return new WalkModel(await walkPackage.load(), file);
   }
 
-  /** Somebody who walks as the average of all styles. */
+  /** A new walk in the average of all styles. */
   walker(): Walker {
     return new Walker(this, this.glue);
   }
 
-  /** Seconds that the states of a step last: means and standard deviations. */
+  /** Durations of the states of a step, seconds: means and standard deviations. */
   durations(weights: Weights, side: Side): { means: number[]; deviations: number[] } {
     const numbers = walkPackage.guarded(() => this.raw.durations(weights[side], side));
     return {
@@ -97,7 +97,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
     };
   }
 
-  /** @throws StrutError if weights are none */
+  /** @throws StrutError unless there is one finite weight for each style */
   curve(weights: Weights, joint: number): JointCurve {
     const numbers = walkPackage.guarded(() => this.raw.curve(...weights, joint));
     const frames = (numbers.length - 1) / 5;
@@ -117,25 +117,25 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
   }
 }
 
-/** Somebody who walks, and never stops. */
+/** One endless walk, synthesised frame by frame. */
 export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
-  /** The present frame; every call writes it anew. */
+  /** The floats of the present frame, which the package fills; the pose and the durations are views of it. */
+  private readonly floats = new Float32Array(FRAME_FLOATS);
+  /** The present frame; every call overwrites it. */
   readonly frame: WalkFrame = {
-    pose: new Float32Array(POSE_FLOATS),
+    pose: this.floats.subarray(0, POSE_FLOATS),
     step: 0,
     done: 0,
     state: 0,
     planted: [false, false],
-    durations: new Float32Array(STATES),
+    durations: this.floats.subarray(POSE_FLOATS + 5),
   };
-  private readonly address: number;
 
   constructor(model: WalkModel, glue: WalkGlue) {
     super(
       walkPackage.guarded(() => new glue.Walk(model.raw)),
       "walker",
     );
-    this.address = this.raw.frameAddress();
     this.read();
   }
 
@@ -144,15 +144,15 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
     return this.raw.nextStep();
   }
 
-  /** Begins anew at the origin; styles and controls stay. */
+  /** Starts again at the origin; styles and controls are kept. */
   reset(): void {
     this.raw.reset();
     this.read();
   }
 
   /**
-   * Walks in a style from the next frame on, and changes it as planned.
-   * @throws StrutError if weights are none
+   * Sets the style from the next frame on, and the transitions that follow.
+   * @throws StrutError unless there is one finite weight for each style
    */
   plan(weights: Weights, transitions: readonly WalkTransition[]): void {
     walkPackage.guarded(() => {
@@ -161,7 +161,7 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
     });
   }
 
-  /** Another change of style. */
+  /** Adds a transition. */
   add({ step, between, weights }: WalkTransition): void {
     walkPackage.guarded(() => this.raw.planTransition(step, between, ...weights));
   }
@@ -171,48 +171,46 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
     this.raw.setVariation(tempo.kind === "sampled" ? tempo.seed : undefined);
   }
 
-  /** Steps that come to end on a beat: so many a minute, and one of them now. */
+  /** Synchronises the ends of steps with a beat of `cadence` steps a minute, one of which is now. */
   beatNow(cadence: number): void {
     this.raw.setBeat(cadence, 0);
   }
 
-  /** Radians to the left that a step turns. */
+  /** Turn of a step to the left, radians. */
   set turn(turn: number) {
     this.raw.setTurn(turn);
   }
 
-  /** Length of steps as a share of the style's; the engine takes the nearest that it can. */
+  /** Length of steps as a share of the style's; the engine clamps it. */
   set stride(share: number) {
     this.raw.setStride(share);
   }
 
-  /** Whether to walk or to stand, from the next frame on; either takes two steps. */
+  /** Whether to walk or to stand, from the next frame on; the change takes two steps. */
   set walks(walks: boolean) {
     this.raw.setWalking(walks);
   }
 
-  /** Goes on by so many seconds. */
+  /** Advances by `secs` seconds. */
   advance(secs: number): WalkFrame {
     this.raw.advance(secs);
     return this.read();
   }
 
-  /** Goes on by one frame of the model's rate. */
+  /** Advances by one frame of the model's rate. */
   next(): WalkFrame {
     this.raw.nextFrame();
     return this.read();
   }
 
   private read(): WalkFrame {
-    const { frame } = this;
-    const floats = new Float32Array(walkPackage.bytes, this.address, FRAME_FLOATS);
-    for (let i = 0; i < POSE_FLOATS; i++) frame.pose[i] = floats[i]!;
+    const { frame, floats } = this;
+    this.raw.read(floats);
     frame.step = floats[POSE_FLOATS]!;
     frame.done = floats[POSE_FLOATS + 1]!;
     frame.state = floats[POSE_FLOATS + 2]!;
     frame.planted[0] = floats[POSE_FLOATS + 3] === 1;
     frame.planted[1] = floats[POSE_FLOATS + 4] === 1;
-    for (let i = 0; i < STATES; i++) frame.durations[i] = floats[POSE_FLOATS + 5 + i]!;
     return frame;
   }
 }

@@ -1,12 +1,8 @@
-/** The WASM package that walks: loaded with the Walk view. */
+/** The WASM package of walk synthesis, loaded with the first walk model. */
 import { SidePackage } from "../side_package";
 import * as glue from "./pkg/strut_wasm_walk.js";
 
 /** The generated bindings. */
 export type WalkGlue = typeof glue;
 
-export const walkPackage = new SidePackage(
-  glue,
-  new URL("./pkg/strut_wasm_walk_bg.wasm", import.meta.url),
-  "bad-input",
-);
+export const walkPackage = new SidePackage(glue, new URL("./pkg/strut_wasm_walk_bg.wasm", import.meta.url));

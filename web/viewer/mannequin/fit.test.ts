@@ -1,9 +1,10 @@
 import fc from "fast-check";
 import { Quaternion, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { createWorldPose, DEFAULT_PROPORTIONS, JOINT, JOINTS, restPose, worldFromLocal } from "../humanoid";
+import { createWorldPose, DEFAULT_PROPORTIONS, JOINT, JOINTS, restPose, worldFromLocal } from "../../humanoid";
 import { fitTo } from "./fit";
-import { bodyParts, type Slot } from "./parts";
+import type { Slot } from "./part";
+import { bodyParts } from "./parts";
 import { SlotRows } from "./slot_rows";
 import { RIGID_SLOTS, SLOTS, slotIndex } from "./slots";
 import { WAIST_RINGS, waistSlot } from "./waist";

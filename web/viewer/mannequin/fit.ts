@@ -12,9 +12,9 @@
  */
 
 import { Matrix4, Quaternion, Vector3 } from "three";
-import { DEFAULT_PROPORTIONS, JOINT, JOINTS, type Role } from "../humanoid";
+import { DEFAULT_PROPORTIONS, JOINT, JOINTS, type Role } from "../../humanoid";
 import { ANKLE_HEIGHT, TOE_HEIGHT } from "./extremities";
-import { SIDE_SLOTS, type SideSlot, type Slot } from "./parts";
+import { SIDE_SLOTS, type SideSlot, type Slot } from "./part";
 import { RIGID_SLOTS, slotIndex } from "./slots";
 import { WAIST_END, WAIST_START } from "./waist";
 

@@ -2,7 +2,8 @@
 
 import { BufferAttribute, BufferGeometry } from "three";
 import { vertexNormals } from "./loft";
-import { bodyParts, type Tone } from "./parts";
+import type { Tone } from "./part";
+import { bodyParts } from "./parts";
 import { slotIndex } from "./slots";
 import { waistRestHeight, waistRingOf, waistSlot } from "./waist";
 

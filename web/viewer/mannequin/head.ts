@@ -1,7 +1,7 @@
 /** The head and the dark plate that shows where it faces. */
 
 import { atDetail, capFactor, loft, type Section, type Station, type Surface, sectionAt, superellipse } from "./loft";
-import type { MidlineSlot, Part } from "./parts";
+import type { MidlineSlot, Part } from "./part";
 
 // Heights above the skull's base joint; w is the front.
 const HEAD: Station[] = [

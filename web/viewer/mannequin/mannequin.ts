@@ -1,8 +1,8 @@
 /** One mannequin on the stage: a mesh that takes poses. */
 
 import { Group, Mesh } from "three";
-import { DEFAULT_PROPORTIONS, restPose, type WorldPose } from "../humanoid";
-import { CASTER_LAYER } from "../stage/layers";
+import { DEFAULT_PROPORTIONS, restPose, type WorldPose } from "../../humanoid";
+import { CASTER_LAYER } from "../light/layers";
 import { type Fit, fitTo } from "./fit";
 import { acquireGeometry, releaseGeometry } from "./geometry";
 import type { Look } from "./materials";
@@ -15,7 +15,7 @@ import type { SlotUniforms } from "./slot_skinning";
  * @typeParam L - The look, which draws it.
  */
 export class Mannequin<L extends Look> {
-  /** To be put into a scene. */
+  /** What is added to a scene. */
   readonly object = new Group();
   readonly look: L;
   readonly #rows = new SlotRows();
@@ -38,7 +38,7 @@ export class Mannequin<L extends Look> {
         mesh.customDepthMaterial = shadow;
         mesh.layers.enable(CASTER_LAYER);
       }
-      // The mesh's own bounds know nothing of the pose.
+      // The geometry's bounds are those of the rest pose.
       mesh.frustumCulled = false;
       this.object.add(mesh);
     }

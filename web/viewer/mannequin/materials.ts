@@ -15,9 +15,10 @@ import {
   ReplaceStencilOp,
   ShaderMaterial,
 } from "three";
-import type { Role } from "../humanoid";
-import { KEY_FRUSTUM } from "../stage/lights";
-import { type ShadowTaps, setShadowTaps, useSoftShadow } from "../stage/soft_shadow";
+import type { Role } from "../../humanoid";
+import { KEY_FRUSTUM } from "../light/lights";
+import type { Shading } from "../light/shading";
+import { type ShadowTaps, setShadowTaps, useSoftShadow } from "../light/soft_shadow";
 import type { Theme } from "../themes";
 import { noTint, slotsOf, useTint } from "./part_tint";
 import { SLOT_SHADER, type SlotUniforms, useSlots } from "./slot_skinning";
@@ -45,9 +46,6 @@ export interface Look {
 
 /** Share of their colour that matt joints glow with: it stands in for the sheen that lifts dark plastic. */
 const MATT_SHEEN = 0.22;
-
-/** How the light on a body is computed: physically with a coat and the room's reflections, or as a matt surface. */
-export type Shading = "physical" | "matt";
 
 /** A solid mannequin. */
 export class BodyLook implements Look {

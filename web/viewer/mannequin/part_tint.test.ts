@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { ROLES } from "../humanoid";
+import { ROLES } from "../../humanoid";
 import { slotsOf } from "./part_tint";
 import { SLOTS, slotIndex } from "./slots";
 

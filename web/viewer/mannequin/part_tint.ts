@@ -1,7 +1,7 @@
 /** A tint over some parts of a body: those that follow certain joints. */
 
 import { Color, type IUniform, type Material } from "three";
-import { JOINT, type Role } from "../humanoid";
+import { JOINT, type Role } from "../../humanoid";
 import { editShader } from "./shader_edit";
 import { RIGID_SLOTS, SLOT_JOINTS, SLOTS } from "./slots";
 

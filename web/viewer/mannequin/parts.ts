@@ -5,44 +5,9 @@
 
 import { extremities } from "./extremities";
 import { headParts } from "./head";
-import { ball, type LoftOptions, loft, mirror, orient, type Station, type Surface, type Vec3 } from "./loft";
+import { ball, type LoftOptions, loft, mirror, orient, type Station, type Vec3 } from "./loft";
+import type { MidlineSlot, Part, SideSlot, Tone } from "./part";
 import { waistParts } from "./waist";
-
-/** Rigid frames on the body's midline. */
-export const MIDLINE_SLOTS = ["pelvis", "ribcage", "neck", "head"] as const;
-/** Rigid frames that exist on both sides, named for one. */
-export const SIDE_SLOTS = [
-  "clavicle",
-  "shoulder_ball",
-  "upper_arm",
-  "elbow_ball",
-  "forearm",
-  "wrist_ball",
-  "hand",
-  "thigh",
-  "knee_ball",
-  "shin",
-  "ankle_ball",
-  "foot",
-  "toes",
-] as const;
-
-/** Name of a midline slot. */
-export type MidlineSlot = (typeof MIDLINE_SLOTS)[number];
-/** Name of a slot that exists on both sides. */
-export type SideSlot = (typeof SIDE_SLOTS)[number];
-/** A rigid frame: the midline's by name, a limb's with its side, the waist's by the ring's number. */
-export type Slot = MidlineSlot | `${"left" | "right"}_${SideSlot}` | `waist_${number}`;
-
-/** Which of the two materials a part wears. */
-export type Tone = "shell" | "joint";
-
-/** One part of the body. */
-export interface Part<S extends string = Slot> {
-  slot: S;
-  tone: Tone;
-  surface: Surface;
-}
 
 const UP: Vec3 = [0, 1, 0];
 const DOWN: Vec3 = [0, -1, 0];

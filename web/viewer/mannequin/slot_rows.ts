@@ -1,6 +1,6 @@
 /** The matrices of one mannequin: forward kinematics, then one affine transform a slot, as the shaders read them. */
 
-import { createWorldPose, JOINT, type WorldPose, worldFromLocal } from "../humanoid";
+import { createWorldPose, JOINT, type WorldPose, worldFromLocal } from "../../humanoid";
 import type { Fit } from "./fit";
 import { RIGID_SLOTS, SLOT_JOINTS, SLOTS } from "./slots";
 import { WAIST_RINGS, waistParameter } from "./waist";

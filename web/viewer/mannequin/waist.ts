@@ -4,7 +4,7 @@
  */
 
 import { atDetail, type Station, type Surface, sectionAt, superellipse } from "./loft";
-import type { Part, Slot } from "./parts";
+import type { Part, Slot } from "./part";
 
 /** Number of rings, the first in the pelvis, the last in the ribcage. */
 export const WAIST_RINGS = 13;

@@ -14,7 +14,7 @@ import {
   ShaderMaterial,
   Vector3,
 } from "three";
-import { JOINT, type WorldPose } from "../humanoid";
+import { JOINT, type WorldPose } from "../../humanoid";
 import type { Theme } from "../themes";
 import { FADE_STEPS, FootprintTrail, MAX_PRINTS, type Sole } from "./footprint_trail";
 

@@ -1,13 +1,15 @@
 /**
- * What the graphics processor has before it. Whatever asks it a question, such as for new memory or for what a shader
- * takes, waits for all of that, the rest of the page included: without a graphics card that may be half a second.
+ * Frames that the graphics processor has been given and not drawn yet, by fences. A synchronous WebGL call, such as an
+ * allocation or a query of a shader's uniforms, blocks the page until all of them are drawn: without a graphics card that
+ * may be half a second.
  */
 
-/** A fence that comes back within this time found nothing before it, milliseconds. */
+/** A fence that is signalled within this time found the queue empty, milliseconds. */
 const QUICK_MS = 24;
-/** A fence is looked at this often, milliseconds. */
-const LOOK_MS = 4;
+/** Interval at which a fence is polled, milliseconds. */
+const POLL_MS = 4;
 
+/** The queue of one context. */
 export class GpuQueue {
   readonly #gl: WebGL2RenderingContext;
   #frames: WebGLSync[] = [];
@@ -28,22 +30,22 @@ export class GpuQueue {
     return this.#frames.length;
   }
 
-  /** Resolves when what it was given is done and, unless that takes longer than `patienceMs`, others' work is too. */
-  async idle(patienceMs: number): Promise<void> {
-    await this.#answer();
-    const until = performance.now() + patienceMs;
-    while ((await this.#answer()) > QUICK_MS && performance.now() < until);
+  /** Resolves when this context's frames are drawn and the work of other contexts too, for which it waits `timeoutMs` at most. */
+  async idle(timeoutMs: number): Promise<void> {
+    await this.#latency();
+    const until = performance.now() + timeoutMs;
+    while ((await this.#latency()) > QUICK_MS && performance.now() < until);
   }
 
-  /** How long a fence takes to come back, milliseconds. */
-  async #answer(): Promise<number> {
-    const asked = performance.now();
+  /** How long a fence takes to be signalled, milliseconds. */
+  async #latency(): Promise<number> {
+    const begun = performance.now();
     const fence = this.#fence();
-    while (fence && !this.#passed(fence)) await new Promise((resolve) => setTimeout(resolve, LOOK_MS));
-    return performance.now() - asked;
+    while (fence && !this.#passed(fence)) await new Promise((resolve) => setTimeout(resolve, POLL_MS));
+    return performance.now() - begun;
   }
 
-  /** Forgets what a context had that was lost. */
+  /** Forgets the frames of a context that was lost. */
   forget(): void {
     this.#frames = [];
   }

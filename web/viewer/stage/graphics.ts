@@ -8,7 +8,7 @@ const SOFTWARE = /swiftshader|llvmpipe|softpipe|basic render|software/i;
 
 let known: Graphics | undefined;
 
-/** Asked once, of a context of its own: multisampling must be chosen before there is one to draw with. */
+/** Queried once from a temporary context: multisampling must be chosen before the drawing context is made. */
 export function graphics(): Graphics {
   known ??= detect();
   return known;

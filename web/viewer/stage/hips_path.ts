@@ -1,12 +1,12 @@
 /** The way of the hips over the ground: solid behind the character, dashed ahead of it. */
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Mesh, ShaderMaterial } from "three";
-import { POSE_FLOATS } from "../humanoid";
+import { POSE_FLOATS } from "../../humanoid";
 import type { Theme } from "../themes";
 
 /** Points kept of each half. */
 const POINTS = 160;
-/** Least distance between two kept points, metres. */
+/** Minimum distance between two kept points, metres. */
 const SPACING = 0.03;
 /** Length ahead that is drawn, metres. */
 const AHEAD = 2.6;

@@ -45,7 +45,8 @@ export class Labels {
     const pixelsPerMetre = (camera.projectionMatrix.elements[5]! * height) / (2 * Math.max(camera.near, -p.z));
     p.applyMatrix4(camera.projectionMatrix);
     const visible = p.z < 1 && Math.abs(p.x) < 1.1 && Math.abs(p.y) < 1.1;
-    name.style.visibility = visible ? "visible" : "hidden";
+    // Hidden with the view that it is in.
+    name.style.visibility = visible ? "inherit" : "hidden";
     const x = ((p.x + 1) / 2) * width;
     const y = ((1 - p.y) / 2) * height - radius * pixelsPerMetre - GAP;
     name.style.transform = `translate(${x.toFixed(1)}px,${y.toFixed(1)}px) translate(-50%,-50%)`;

@@ -1,7 +1,7 @@
 /** Where hands, feet and head come from and go to: a line each around the present frame, fading with time. */
 
 import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Group, Line, ShaderMaterial } from "three";
-import { createWorldPose, JOINT, POSE_FLOATS, worldFromLocal } from "../humanoid";
+import { createWorldPose, JOINT, POSE_FLOATS, worldFromLocal } from "../../humanoid";
 import type { Theme } from "../themes";
 
 /** Joints that draw a line. */

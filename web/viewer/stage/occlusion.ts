@@ -4,7 +4,7 @@
  */
 
 import { Vector4 } from "three";
-import { JOINT, type Role, type WorldPose } from "../humanoid";
+import { JOINT, type Role, type WorldPose } from "../../humanoid";
 
 /** A sphere between two joints: share of the way, radius in metres at the mannequin's own stature. */
 type Ball = readonly [from: Role, to: Role, share: number, radius: number];

@@ -1,7 +1,7 @@
 /** Adaptive quality: fewer pixels and samples where frames come too slowly. */
 
-import type { Shading } from "../mannequin/materials";
-import type { ShadowTaps } from "./soft_shadow";
+import type { Shading } from "../light/shading";
+import type { ShadowTaps } from "../light/soft_shadow";
 
 /** What a level of quality means. */
 export interface QualityLevel {
@@ -36,12 +36,12 @@ const STILL_FACTOR = 4;
 const FAST = 55;
 /** Length of one measurement, seconds. */
 const WINDOW = 0.5;
-/** Slow measurements in a row that lower the quality; one alone may be the page being busy. */
-const PATIENCE = 3;
+/** Slow measurements in a row that lower the quality; a single one may come from other work of the page. */
+const SLOW_TO_LOWER = 3;
 /** Fast measurements in a row that raise it, at first. */
-const HOPE = 10;
+const FAST_TO_RAISE = 10;
 /** Factor on that number after a level proved too slow again. */
-const DISAPPOINTMENT = 4;
+const BACKOFF = 4;
 /** A longer pause between frames is a hidden tab, not a slow one, seconds. */
 const PAUSE = 0.9;
 
@@ -73,7 +73,7 @@ export class QualityGovernor {
   #frames = 0;
   #slow = 0;
   #fast = 0;
-  #hope = HOPE;
+  #fastToRaise = FAST_TO_RAISE;
   #raised = false;
 
   /** Starts at a level, which is never exceeded; 0 is the best. */
@@ -108,11 +108,11 @@ export class QualityGovernor {
   #judge(fps: number): boolean {
     this.#slow = fps < QUALITY_LEVELS[this.#level]!.slowest ? this.#slow + 1 : 0;
     this.#fast = fps > FAST ? this.#fast + 1 : 0;
-    if (this.#slow >= PATIENCE && this.#level < QUALITY_LEVELS.length - 1) {
-      if (this.#raised) this.#hope *= DISAPPOINTMENT;
+    if (this.#slow >= SLOW_TO_LOWER && this.#level < QUALITY_LEVELS.length - 1) {
+      if (this.#raised) this.#fastToRaise *= BACKOFF;
       return this.#move(1);
     }
-    if (this.#fast >= this.#hope && this.#level > this.#best) return this.#move(-1);
+    if (this.#fast >= this.#fastToRaise && this.#level > this.#best) return this.#move(-1);
     return false;
   }
 

@@ -17,11 +17,11 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from "three";
-import type { WorldPose } from "../humanoid";
-import { SHADE_LAYER } from "./layers";
-import { KEY_FRUSTUM } from "./lights";
+import type { WorldPose } from "../../humanoid";
+import { SHADE_LAYER } from "../light/layers";
+import { KEY_FRUSTUM } from "../light/lights";
+import { type ShadowTaps, setShadowTaps, useSoftShadow } from "../light/soft_shadow";
 import { createOccluders, hideOccluders, OCCLUSION_SHADER, placeOccluders } from "./occlusion";
-import { type ShadowTaps, setShadowTaps, useSoftShadow } from "./soft_shadow";
 
 /** Side of the square that has shade, metres. */
 export const SHADE_SIZE = 4.8;

@@ -10,6 +10,7 @@ import {
   type WebGLRenderTarget,
 } from "three";
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import { Lights } from "../light/lights";
 import type { Theme } from "../themes";
 import { Background } from "./background";
 import { Footprints } from "./footprints";
@@ -18,7 +19,6 @@ import { graphics } from "./graphics";
 import { Ground } from "./ground";
 import { HipsPath } from "./hips_path";
 import { Labels } from "./labels";
-import { Lights } from "./lights";
 import { type CameraView, OrbitCamera } from "./orbit_camera";
 import { pixelRatio, QUALITY_LEVELS, QualityGovernor, type QualityLevel } from "./quality";
 import { ShadeMap } from "./shade_map";
@@ -26,11 +26,14 @@ import { ShadeMap } from "./shade_map";
 /** Quality that a renderer without a graphics processor starts with. */
 const SOFTWARE_LEVEL = 2;
 
-/** Frames that the graphics processor may have before it: more are only waited for. */
-const MOST_FRAMES = 2;
+/** Attribute of a canvas on which the finer picture of what stands still is: there is nothing left to draw. */
+const STILL = "data-still";
 
-/** The rest of the page may keep the graphics processor from answers for so long, milliseconds. */
-const PATIENCE_MS = { memory: 2000, firstShaders: 300, shaders: 2000 };
+/** Frames that may be queued: more would only add latency. */
+const MAX_FRAMES = 2;
+
+/** Longest waits for the graphics processor to become idle, milliseconds. */
+const TIMEOUT_MS = { memory: 2000, firstShaders: 300, shaders: 2000 };
 
 /** Scene, camera, light and ground. */
 export class Stage {
@@ -60,10 +63,10 @@ export class Stage {
   #still = false;
   readonly #gl: WebGL2RenderingContext;
   readonly #queue: GpuQueue;
-  /** Programs whose uniforms and attributes are known. */
-  readonly #asked = new WeakSet<object>();
-  /** Whether it may be asked questions now, is to be waited for, or neither. */
-  #question: "may" | "waits" | "none" = "none";
+  /** Programs whose uniforms and attributes three.js has looked up. */
+  readonly #queried = new WeakSet<object>();
+  /** Whether synchronous calls are allowed now, the queue is being waited for, or neither. */
+  #synchronous: "allowed" | "waiting" | "none" = "none";
   #compiled = false;
   #compilation = 0;
   /** Seconds since the last frame. */
@@ -101,15 +104,17 @@ export class Stage {
     renderer.shadowMap.autoUpdate = false;
     // A frame is two passes; both count.
     renderer.info.autoReset = false;
-    // Each check is a question to the graphics processor. A shader that is wrong draws nothing, and the console says so.
+    // Each check is a synchronous call. A shader that is wrong draws nothing, and the console says so.
     renderer.debug.checkShaderErrors = false;
-    // The first question for an extension waits for all that was asked before: here that is nothing.
+    // The first query of an extension is a synchronous call: here nothing is waiting to be drawn.
     renderer.capabilities.getMaxAnisotropy();
     this.#gl = renderer.getContext() as WebGL2RenderingContext;
     this.#queue = new GpuQueue(this.#gl);
     this.canvas = canvas;
     this.canvas.style.cssText = "display:block;position:absolute;left:0;bottom:0;touch-action:pan-y";
-    this.canvas.setAttribute("role", "img");
+    // It takes the arrow keys, which no picture does; its label says what is seen.
+    this.canvas.setAttribute("role", "application");
+    this.canvas.setAttribute("aria-keyshortcuts", "ArrowLeft ArrowRight ArrowUp ArrowDown + -");
     this.canvas.tabIndex = 0;
     this.#root.append(this.canvas, this.labels.element);
     container.append(this.#root);
@@ -193,7 +198,7 @@ export class Stage {
     this.#compiled = false;
     try {
       await this.#compileScene(current);
-      await this.#askShaders(current);
+      await this.#queryShaders(current);
     } finally {
       if (turn === this.#compilation) {
         this.#compiled = true;
@@ -213,18 +218,18 @@ export class Stage {
     await Promise.all(compiling);
   }
 
-  /** Asks what shaders take, before anything is drawn: between two drawings every answer would wait for the first. */
-  async #askShaders(current: () => boolean): Promise<void> {
-    const programs = (this.#renderer.info.programs ?? []).filter((program) => !this.#asked.has(program));
-    // Nothing that can be waited for tells that a shader is linked; but its validation comes after that.
+  /** Queries uniforms and attributes before anything is drawn: later each query would wait for the frames before it. */
+  async #queryShaders(current: () => boolean): Promise<void> {
+    const programs = (this.#renderer.info.programs ?? []).filter((program) => !this.#queried.has(program));
+    // WebGL has no fence for linking; validation comes after it in the queue.
     for (const { program } of programs) this.#gl.validateProgram(program as WebGLProgram);
-    // Nobody waits for a first picture any more once there has been one.
-    await this.#queue.idle(this.#compilation === 1 ? PATIENCE_MS.firstShaders : PATIENCE_MS.shaders);
-    // One may have been given up meanwhile.
+    // The first picture must come soon; later ones may wait.
+    await this.#queue.idle(this.#compilation === 1 ? TIMEOUT_MS.firstShaders : TIMEOUT_MS.shaders);
+    // A program may have been deleted meanwhile.
     for (const program of programs.filter(({ program }) => current() && program !== undefined)) {
       program.getUniforms();
       program.getAttributes();
-      this.#asked.add(program);
+      this.#queried.add(program);
     }
   }
 
@@ -244,24 +249,25 @@ export class Stage {
   }
 
   /**
-   * Begins a frame `dtSecs` after it was last asked for one, with more pixels if the picture stands `still`; whether it is
+   * Begins a frame `dtSecs` after the last call, with more pixels if the picture stands `still`; whether it is
    * to be drawn now. The graphics processor is given few frames at a time, and what it has to be asked is put off until it
    * has nothing to do.
    */
   begin(dtSecs: number, still: boolean): boolean {
     this.#elapsed += dtSecs;
-    if (!this.#compiled || this.#question === "waits" || this.#queue.frames >= MOST_FRAMES) return false;
+    if (!this.#compiled || this.#synchronous === "waiting" || this.#queue.frames >= MAX_FRAMES) return false;
     const elapsed = this.#elapsed;
     this.#elapsed = 0;
     if (!this.#still && !still && this.governor.frame(elapsed)) {
       this.applyQuality();
       return false;
     }
-    if (!this.#fits(still) && this.#question !== "may") {
+    if (!this.#fits(still) && this.#synchronous !== "allowed") {
       void this.#whenIdle();
       return false;
     }
-    this.#question = "none";
+    this.#synchronous = "none";
+    if (still !== this.#still) this.canvas.toggleAttribute(STILL, still);
     this.#still = still;
     this.#resize();
     this.#renderer.info.reset();
@@ -308,10 +314,12 @@ export class Stage {
       part.dispose();
     this.#dropRoom();
     this.#renderer.dispose();
+    // The context is released now, not when its canvas is collected: browsers have few of them.
+    this.#renderer.forceContextLoss();
     this.#root.remove();
   }
 
-  /** Draws the room that physical materials reflect; nobody else pays for it. */
+  /** Renders the environment map that physical materials reflect; only these need it. */
   #lightRoom(): void {
     if (this.#environment) return;
     const generator = new PMREMGenerator(this.#renderer);
@@ -329,9 +337,9 @@ export class Stage {
   }
 
   async #whenIdle(): Promise<void> {
-    this.#question = "waits";
-    await this.#queue.idle(PATIENCE_MS.memory);
-    this.#question = "may";
+    this.#synchronous = "waiting";
+    await this.#queue.idle(TIMEOUT_MS.memory);
+    this.#synchronous = "allowed";
     this.onIdle?.();
   }
 
@@ -367,8 +375,8 @@ export class Stage {
     const { canvas } = this;
     // Every assignment to the canvas's size gives it new memory: one each at most.
     if (!this.#fits(this.#still)) {
-      const least = this.#keepsMemory ? canvas : { width: 0, height: 0 };
-      const memory = { width: Math.max(pixels.width, least.width), height: Math.max(pixels.height, least.height) };
+      const former = this.#keepsMemory ? canvas : { width: 0, height: 0 };
+      const memory = { width: Math.max(pixels.width, former.width), height: Math.max(pixels.height, former.height) };
       this.#renderer.setDrawingBufferSize(memory.width, memory.height, 1);
     }
     this.#pixels = pixels;

@@ -1,4 +1,4 @@
-//! The engine under a stop-watch.
+//! Timing of the engine's stages.
 
 use serde::Serialize;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use strut_core::humanoid::Pose;
 use strut_core::transfer::{Model, Options, Stage, StageClock, Stylizer};
 use strut_demo::benchmark::Query;
 
-/// What the engine is told of the input, and how many classes take part.
+/// Labels of the input that the engine is given, and how many classes take part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mode {
     /// Action and style of the input are known: one class.
@@ -123,7 +123,7 @@ impl<'a> Run<'a> {
             stylizer.push_timed(pose, &mut clock);
             clock.stages_ms[Stage::Search as usize]
         };
-        // What was found is forgotten where something new is known of the input.
+        // New labels of the input reset the search.
         let other = if self.mode == Mode::Labelled { Mode::Unlabelled } else { Mode::Labelled };
         for i in (WARM_UP..poses.len()).step_by(COLD_STRIDE) {
             self.first_search.push(search_ms(stylizer.clone(), &poses[i]));
@@ -139,7 +139,7 @@ impl<'a> Run<'a> {
 
     /// One row for the frame, the stages and the cold starts.
     pub(crate) fn rows(self) -> Vec<Row> {
-        let db = self.model.database();
+        let db = self.model.catalogue();
         let row = |stage, samples| Row::new(stage, self.mode.name(), db.frames(), db.classes().len(), samples);
         let stages = Stage::ALL.into_iter().map(Stage::name).zip(self.stages);
         let cold = [("cold search", self.cold_search), ("first search", self.first_search)];

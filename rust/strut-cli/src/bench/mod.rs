@@ -1,4 +1,4 @@
-//! `strut bench`: how long the engine takes for a frame, stage by stage.
+//! `strut bench`: the engine's time for a frame, stage by stage.
 
 mod measure;
 mod recall;
@@ -14,11 +14,12 @@ use serde::Serialize;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
+use strut_core::catalogue::Catalogue;
 use strut_core::database::{Database, MAX_FRAMES};
 use strut_core::search::Index;
 use strut_core::transfer::Model;
 use strut_demo::benchmark::{self, LEAST_FRAMES, PAPER_FRAMES, Query};
-use strut_formats::strutdb;
+use strut_formats::strutdb::{self, Contents};
 
 /// Measure how long a frame takes
 ///
@@ -37,7 +38,7 @@ pub(crate) struct Args {
     json: Option<PathBuf>,
 }
 
-/// What `--json` writes; `npm run bench` writes the same.
+/// Output of `--json`; `npm run bench` writes the same.
 #[derive(Serialize)]
 struct Report {
     machine: String,
@@ -68,9 +69,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         }
     }
     let mut outputs = Outputs::default();
-    if let Some(path) = &args.json {
-        outputs.stage(path, &serde_json::to_vec_pretty(&report).map_err(Failure::new)?)?;
-    }
+    outputs.stage_json(args.json.as_deref(), &report)?;
     outputs.commit()
 }
 
@@ -78,16 +77,17 @@ pub(crate) fn run(args: &Args) -> Outcome {
 fn measure_on(database: Database, queries: &[Query], report: &mut Report) {
     let rows = &mut report.rows;
     let first = rows.len();
-    let file = (database.frames() <= MOST_TO_OPEN).then(|| strutdb::write(&database, strutdb::GENERATOR));
-    // Opened from its file where there is one, so that what is measured is what was opened.
+    let write = || strutdb::write(&database, &Index::build(&database).plan(), strut_formats::GENERATOR);
+    let file = (database.frames() <= MOST_TO_OPEN).then(write);
+    // Opened from its file where there is one, as users do.
     let started = Instant::now();
     let opened = file.and_then(|bytes| {
-        let mut contents = strutdb::read(&bytes).ok()?;
-        Some((contents.planned_index()?, contents.database))
+        let Contents { database, plan } = strutdb::read(&bytes).ok()?;
+        Some((Index::from_plan(&database, plan?).ok()?, database))
     });
     let (index, database) = opened.unwrap_or_else(|| (Index::build(&database), database));
     let (frames, classes) = (database.frames(), database.classes().len());
-    let model = Arc::new(Model::with_index(database, index));
+    let model = Arc::new(Model::of(Catalogue::with_index(database, index)));
     let opened_ms = started.elapsed().as_secs_f64() * 1e3;
     if frames <= MOST_TO_OPEN {
         rows.push(Row::new("open", "all", frames, classes, vec![opened_ms]));
@@ -104,7 +104,7 @@ fn measure_on(database: Database, queries: &[Query], report: &mut Report) {
     drop(bar);
     print(&table::text(&rows[first..], frames, classes));
     if frames <= MOST_TO_OPEN {
-        let recall = recall::measure(model.database(), model.index(), queries);
+        let recall = recall::measure(model.catalogue(), model.index(), queries);
         print(&recall::text(&recall));
         report.recall.extend(recall);
     }

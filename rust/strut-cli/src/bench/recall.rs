@@ -1,4 +1,4 @@
-//! How many of the nearest windows kd-trees find, and how long they take, beside the exact search.
+//! Recall and time of kd-trees, beside the exact search.
 
 use super::measure::{ms_since, percentile};
 use crate::search::Search;
@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::fmt::Write;
 use std::num::NonZero;
 use std::time::Instant;
-use strut_core::database::Database;
+use strut_core::catalogue::Catalogue;
 use strut_core::pose_vector::HeadingFilter;
 use strut_core::search::{Index, Metric, Neighbours, QueryWindow, Scratch};
 use strut_demo::benchmark::Query;
@@ -32,7 +32,7 @@ pub(crate) struct SearchRow {
 }
 
 /// The exact search and kd-trees of several sizes on the same windows.
-pub(super) fn measure(db: &Database, index: &Index, queries: &[Query]) -> Vec<SearchRow> {
+pub(super) fn measure(db: &Catalogue, index: &Index, queries: &[Query]) -> Vec<SearchRow> {
     let windows: Vec<QueryWindow> = queries.iter().flat_map(|query| windows(db, query)).collect();
     let (exact, times) = search(index, &windows);
     let trees = CANDIDATES.into_iter().filter_map(NonZero::new).map(|candidates| Search::KdTree { candidates });
@@ -76,7 +76,7 @@ pub(super) fn text(rows: &[SearchRow]) -> String {
 }
 
 /// Windows of a motion, here and there.
-fn windows(db: &Database, query: &Query) -> Vec<QueryWindow> {
+fn windows(db: &Catalogue, query: &Query) -> Vec<QueryWindow> {
     let (mut window, mut filter) = (QueryWindow::default(), HeadingFilter::default());
     let all = query.motion.poses.iter().map(|pose| {
         window.follow(pose, &db.proportions, db.rate_hz, &mut filter);
@@ -120,8 +120,8 @@ mod tests {
 
     #[test]
     fn more_candidates_find_more_of_the_nearest_and_the_exact_search_all() {
-        let db = benchmark::database(20_000).unwrap();
-        let rows = measure(&db, &Index::build(&db), &benchmark::queries()[..1]);
+        let catalogue = Catalogue::new(benchmark::database(20_000).unwrap());
+        let rows = measure(&catalogue, catalogue.index(), &benchmark::queries()[..1]);
         let recalls: Vec<f64> = rows.iter().map(|row| row.recall).collect();
         assert!((recalls[0] - 1.0).abs() < f64::EPSILON);
         assert!(recalls[1] < 0.98, "{recalls:?}");

@@ -1,4 +1,4 @@
-//! The figures for people, beside the paper's.
+//! Timings as a table, beside the paper's.
 
 use super::measure::{Mode, Row};
 use std::fmt::Write;

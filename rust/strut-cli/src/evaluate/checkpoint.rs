@@ -1,4 +1,4 @@
-//! Samples kept while an evaluation runs, so that one that was stopped goes on where it was.
+//! Checkpoints: samples saved during an evaluation, so that a stopped one can be resumed.
 
 use super::results::Sample;
 use crate::failure::{Failure, Outcome};
@@ -9,12 +9,12 @@ use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use strut_formats::strutdb::GENERATOR;
+use strut_formats::GENERATOR;
 
-/// Most bytes of a checkpoint.
+/// Greatest size of a checkpoint, bytes.
 const MAX_BYTES: usize = 1 << 30;
 
-/// Lines of JSON beside the results: first what they are good for, then one line a unit of work.
+/// Lines of JSON beside the results: first the command line, then one line a unit of work.
 pub(super) struct Checkpoint {
     done: HashMap<String, Vec<Sample>>,
     file: Option<(PathBuf, Mutex<File>)>,
@@ -33,8 +33,8 @@ struct Unit {
 }
 
 impl Checkpoint {
-    /// Opens the checkpoint of a results file; one of another command or version is begun anew. Without a
-    /// results file nothing is kept.
+    /// Opens the checkpoint of a results file; one of another command or version is discarded. Without a results file
+    /// nothing is saved.
     pub(super) fn open(results: Option<&Path>, command: &str) -> Outcome<Self> {
         let Some(results) = results else { return Ok(Self { done: HashMap::new(), file: None }) };
         let mut name = results.file_name().unwrap_or_default().to_owned();
@@ -71,13 +71,13 @@ impl Checkpoint {
     /// Removes the file: the results are written.
     pub(super) fn remove(self) {
         if let Some((path, _)) = self.file {
-            // A checkpoint left behind is only begun anew.
+            // A checkpoint left behind is discarded next time.
             let _ = fs::remove_file(path);
         }
     }
 }
 
-/// The units in a checkpoint; `None` if it is for something else. A line that was cut off is left out.
+/// The units in a checkpoint; `None` if it is of another command or version. An incomplete line is ignored.
 fn samples(bytes: &[u8], expected: &Header) -> Option<HashMap<String, Vec<Sample>>> {
     let text = String::from_utf8_lossy(bytes);
     let mut lines = text.lines();

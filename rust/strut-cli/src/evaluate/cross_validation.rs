@@ -1,6 +1,6 @@
 //! Leave-one-out cross-validation, fold by fold.
 
-use super::Args;
+use super::args::Args;
 use super::checkpoint::Checkpoint;
 use super::results::{Sample, quality_values};
 use super::settings::{Build, Grid, Setting};
@@ -13,7 +13,7 @@ use strut_core::evaluation::leave_one_out::{LeaveOneOut, Trial};
 use strut_core::evaluation::truth::Errors;
 use strut_core::transfer::Model;
 
-/// All samples of all folds, in an order that does not depend on how work was spread.
+/// All samples of all folds, in an order that does not depend on the threads.
 pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &Checkpoint) -> Outcome<Vec<Sample>> {
     let plain = grid.builds[0].options(&args.source);
     let mut takes = protocol(args, clips, grid.builds[0], &plain).takes();
@@ -40,7 +40,7 @@ pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &C
     Ok(samples.into_iter().flatten().collect())
 }
 
-/// The protocol that the arguments ask for, with a way of building databases.
+/// The protocol of the arguments with these build settings.
 pub(super) fn protocol<'a>(
     args: &'a Args,
     clips: &'a [SourceClip],
@@ -66,7 +66,7 @@ fn fold(args: &Args, grid: &Grid, clips: &[SourceClip], build: usize, take: u32)
         return Ok(Vec::new());
     }
     let model = grid.builds[build].model(protocol.database_without(take).map_err(Failure::new)?);
-    let trials: Vec<&Trial> = trials.iter().filter(|t| model.database().style_index(&t.target).is_some()).collect();
+    let trials: Vec<&Trial> = trials.iter().filter(|t| model.catalogue().style_index(&t.target).is_some()).collect();
     let jobs: Vec<(&Trial, usize)> =
         trials.iter().flat_map(|t| (0..grid.settings.len()).map(move |s| (*t, s))).collect();
     jobs.par_iter()
@@ -76,7 +76,7 @@ fn fold(args: &Args, grid: &Grid, clips: &[SourceClip], build: usize, take: u32)
         .collect()
 }
 
-/// What one setting makes of a trial.
+/// Result of a trial with one setting.
 fn sample(trial: &Trial, setting: &Setting, model: &Arc<Model>) -> Outcome<Vec<(&'static str, f64)>> {
     let stylizer = setting.stylizer(model, Some(&trial.action), &trial.target)?;
     let (styled, ms_per_frame) = setting.styled(&stylizer, &trial.input);

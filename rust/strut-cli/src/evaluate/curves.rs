@@ -1,6 +1,6 @@
-//! Curves over time of the first fold: what Figures 3 and 4 of the paper show.
+//! Curves over time of the first fold, as in Figures 3 and 4 of the paper.
 
-use super::Args;
+use super::args::Args;
 use super::cross_validation::protocol;
 use super::settings::{Grid, Setting};
 use crate::failure::{Failure, Outcome};
@@ -9,9 +9,10 @@ use strut_core::database::build::SourceClip;
 use strut_core::evaluation::leave_one_out::Trial;
 use strut_core::evaluation::truth::Aligned;
 use strut_core::humanoid::Role;
+use strut_core::math::float_funcs::acos;
 use strut_core::metrics::Points;
 
-/// One trial with what every setting made of it.
+/// One trial with the results of all settings.
 #[derive(Serialize)]
 pub(super) struct TrialCurves {
     action: String,
@@ -22,7 +23,7 @@ pub(super) struct TrialCurves {
     curves: Vec<Curve>,
 }
 
-/// A frame of the input is an entry.
+/// Curves with one entry a frame of the input.
 #[derive(Serialize)]
 struct Curve {
     /// "input", "truth", or the setting's method.
@@ -76,5 +77,5 @@ fn left_knee_degrees(points: &Points) -> f32 {
     let at = |role: Role| points[role.index()];
     let thigh = at(Role::LeftLowerLeg) - at(Role::LeftUpperLeg);
     let shin = at(Role::LeftFoot) - at(Role::LeftLowerLeg);
-    (thigh.dot(shin) / (thigh.length() * shin.length()).max(1e-6)).clamp(-1.0, 1.0).acos().to_degrees()
+    acos(thigh.dot(shin) / (thigh.length() * shin.length()).max(1e-6)).to_degrees()
 }

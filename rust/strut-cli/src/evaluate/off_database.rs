@@ -1,6 +1,6 @@
-//! Motion that the database does not hold, clip by clip.
+//! Motion unlike the database's, clip by clip.
 
-use super::Args;
+use super::args::Args;
 use super::checkpoint::Checkpoint;
 use super::cross_validation::protocol;
 use super::results::{Sample, quality_values};
@@ -57,9 +57,10 @@ pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &C
 
 /// The clip on the database's body and at its rate.
 fn input_of(bytes: &[u8], model: &Model) -> Result<HumanoidMotion, String> {
-    let db = model.database();
+    let db = model.catalogue();
     let clip = Clip::parse(bytes).map_err(|e| e.to_string())?;
     let input = to_humanoid(&clip.motion, &clip.binding, &db.proportions).resampled(db.rate_hz);
+    let input = input.map_err(|e| e.to_string())?;
     if input.poses.len() < MIN_CLIP_FRAMES { Err("it is too short".into()) } else { Ok(input) }
 }
 

@@ -1,13 +1,14 @@
-//! Samples, their means, and how they are shown.
+//! Samples, their means, and tables of them.
 
-use super::settings::{Build, Grid, Part, Setting};
+use super::choices::Part;
+use super::settings::{Build, Grid, Setting};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use strut_core::database::build::BuildOptions;
 use strut_core::evaluation::quality::Quality;
 use strut_core::transfer::BodyPart;
-use strut_formats::strutdb::GENERATOR;
+use strut_formats::GENERATOR;
 
 /// Values whose standard deviation over the samples is given.
 const SPREAD: [&str; 3] = ["pose_error_cm", "timing_error_ms", "velocity_error_cm_s"];
@@ -48,7 +49,7 @@ const PART_COLUMNS: &[Column] = &[
     ("beyond anatomy °", "beyond_anatomy_deg", 1),
 ];
 
-/// What was measured of one clip with one setting.
+/// Measurements of one clip with one setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Sample {
     action: String,
@@ -73,7 +74,7 @@ impl Sample {
     }
 }
 
-/// What does not depend on a truth, under the names of the results.
+/// Measurements that need no ground truth, by the names of the results.
 pub(super) fn quality_values(quality: &Quality) -> [(&'static str, f64); 12] {
     let turned = |part: BodyPart| quality.turned[part as usize].to_degrees();
     [
@@ -92,7 +93,7 @@ pub(super) fn quality_values(quality: &Quality) -> [(&'static str, f64); 12] {
     ]
 }
 
-/// What `--json` writes.
+/// Output of `--json`.
 #[derive(Serialize)]
 pub(super) struct Report {
     protocol: &'static str,
@@ -102,7 +103,7 @@ pub(super) struct Report {
     results: Vec<Row>,
 }
 
-/// Names and values of all that a setting may vary.
+/// Names and values of a setting's parameters.
 type Description = Vec<(&'static str, String)>;
 
 /// Means over the samples of an action, a target and a setting.
@@ -144,7 +145,7 @@ impl Report {
         }
     }
 
-    /// A table of the means over actions and targets, a line a setting, with what varies between them.
+    /// A table of the means over actions and targets, a line per setting, with the values in which settings differ.
     pub(super) fn markdown(&self) -> String {
         let cross_validation = self.results.iter().any(|r| r.values.contains_key("pose_error_cm"));
         let by_part = self.results.iter().any(|r| r.setting.part != Part::Whole);
@@ -195,7 +196,7 @@ impl Report {
 }
 
 impl Row {
-    /// Everything that a setting may vary, for people.
+    /// All values of a setting, as text.
     fn description(&self) -> Description {
         let s = &self.setting;
         let text = |v: &dyn std::fmt::Debug| format!("{v:?}").to_lowercase();

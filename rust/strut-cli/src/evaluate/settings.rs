@@ -1,63 +1,27 @@
 //! The settings that an evaluation varies.
 
-use super::Args;
+use super::args::Args;
+use super::choices::{Labels, Part, PassMode, Registration};
 use crate::failure::{Failure, Outcome};
 use crate::search::Search;
 use crate::stylize::Switch;
-use clap::ValueEnum;
 use serde::Serialize;
 use std::sync::Arc;
 use std::time::Instant;
+use strut_core::catalogue::Catalogue;
 use strut_core::database::Database;
 use strut_core::database::build::BuildOptions;
-use strut_core::evaluation::quality::{Mode, Styled, style};
+use strut_core::evaluation::quality::{Styled, style};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::registration::{self, WarpMethod};
 use strut_core::search::{Index, MAX_WINDOW};
-use strut_core::transfer::{BodyPart, MAX_WEIGHT, Method, Model, Options, Stylizer};
-
-/// What the engine is told of the input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum Labels {
-    Both,
-    Action,
-    Style,
-    None,
-}
-
-/// Whether clips pass as a whole or frame by frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum PassMode {
-    Offline,
-    Online,
-}
-
-impl PassMode {
-    /// The core's name for it.
-    fn mode(self) -> Mode {
-        match self {
-            Self::Offline => Mode::Offline,
-            Self::Online => Mode::Online,
-        }
-    }
-}
-
-/// How the databases are registered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum Registration {
-    Dtw,
-    Imw,
-    Linear,
-}
+use strut_core::transfer::{MAX_WEIGHT, Method, Model, Options, Stylizer};
 
 /// A database to build.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub(super) struct Build {
     pub(super) registration: Registration,
-    /// Takes of each target class at most; 0 for all.
+    /// Greatest number of takes of each target class; 0 for all.
     pub(super) takes: usize,
     /// Frames of a search window.
     pub(super) window: usize,
@@ -76,10 +40,10 @@ impl Build {
         BuildOptions { neutral: Some(source.to_owned()), registration, ..BuildOptions::default() }
     }
 
-    /// A database that was built so, to be searched so.
+    /// The model of a database built with these settings, with their search index.
     pub(super) fn model(self, database: Database) -> Arc<Model> {
         let index = self.search.of(Index::with_window(&database, self.window));
-        Arc::new(Model::with_index(database, index))
+        Arc::new(Model::of(Catalogue::with_index(database, index)))
     }
 }
 
@@ -98,36 +62,12 @@ pub(super) struct Setting {
     pub(super) coherence: Switch,
     /// Weight of the target style.
     pub(super) intensity: f32,
-    /// What of the body takes it; the rest is neutral.
+    /// Part of the body that takes it; the rest is neutral.
     pub(super) part: Part,
 }
 
-/// What of the body takes the target style.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum Part {
-    Whole,
-    Head,
-    Torso,
-    Arms,
-    Legs,
-}
-
-impl Part {
-    /// The core's names for it; `None` is the whole body.
-    fn parts(self) -> Option<&'static [BodyPart]> {
-        match self {
-            Self::Whole => None,
-            Self::Head => Some(&[BodyPart::Head]),
-            Self::Torso => Some(&[BodyPart::Torso]),
-            Self::Arms => Some(&[BodyPart::LeftArm, BodyPart::RightArm]),
-            Self::Legs => Some(&[BodyPart::Legs]),
-        }
-    }
-}
-
 /// JSON has no infinity.
-#[allow(clippy::trivially_copy_pass_by_ref)] // What serde calls.
+#[allow(clippy::trivially_copy_pass_by_ref)] // The signature that serde expects.
 fn finite_or_text<S: serde::Serializer>(value: &f32, to: S) -> Result<S::Ok, S::Error> {
     if value.is_finite() { to.serialize_f32(*value) } else { to.serialize_str("inf") }
 }
@@ -153,7 +93,7 @@ impl Setting {
 
     /// A stylizer that turns inputs of an action, if the database has it, wholly into a target style.
     pub(super) fn stylizer(&self, model: &Arc<Model>, action: Option<&str>, target: &str) -> Outcome<Stylizer> {
-        let db = model.database();
+        let db = model.catalogue();
         let mut options = self.options()?;
         if matches!(self.labels, Labels::Both | Labels::Action) {
             options.action = action.and_then(|a| db.action_index(a));
@@ -176,7 +116,7 @@ impl Setting {
         Ok(stylizer)
     }
 
-    /// Styles an input; what came of it, and milliseconds a frame.
+    /// Styles an input; returns the result and milliseconds a frame.
     pub(super) fn styled(&self, stylizer: &Stylizer, input: &HumanoidMotion) -> (Styled, f64) {
         let begin = Instant::now();
         let styled = style(stylizer, input, self.mode.mode());
@@ -212,7 +152,7 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// What the arguments ask for.
+    /// All combinations of the arguments' values.
     pub(super) fn new(args: &Args) -> Outcome<Self> {
         if let Some(window) = args.window.iter().find(|&&w| !(1..=MAX_WINDOW).contains(&w)) {
             return Err(Failure::usage(format_args!("a window has {window} frames; 1 to {MAX_WINDOW} were expected")));

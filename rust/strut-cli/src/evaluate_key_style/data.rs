@@ -1,4 +1,4 @@
-//! The clips of the specification, and what of them is held out (§2).
+//! The clips of the prototype, and which of them are held out (`docs/methods/somn.md` §2).
 
 use crate::failure::{Failure, Outcome};
 use crate::recordings::read_recordings;
@@ -8,7 +8,7 @@ use strut_core::somn::{KeyStyleModel, Learning, Measure, Options, Recording, Tra
 /// Components of all models.
 const COMPONENTS: usize = 16;
 
-/// What is held out.
+/// How clips are held out.
 #[derive(Clone, Copy, Debug)]
 enum Held {
     /// Every fourth block of so many frames, the clips one after the other.
@@ -17,11 +17,11 @@ enum Held {
     Clips { first: usize, of: usize },
 }
 
-/// A data set of the specification.
+/// A data set of the prototype.
 #[derive(Debug)]
 pub(super) struct Plan {
     pub(super) name: &'static str,
-    /// Which clips, for people.
+    /// Description of the clips.
     pub(super) clips: &'static str,
     axes: &'static str,
     folder: &'static str,
@@ -29,11 +29,11 @@ pub(super) struct Plan {
     files: &'static [&'static str],
     takes: usize,
     held: Held,
-    /// Whether it is one that is shown to people, of which more is measured.
+    /// Whether it is one of the main data sets, of which more is measured.
     pub(super) is_shown: bool,
     /// Errors in degrees and centimetres that the prototype reached: SOMN and EM.
     pub(super) published: [[f64; 2]; 2],
-    /// Differences between styles asked for and measured that it reached.
+    /// The prototype's differences between requested and measured styles.
     pub(super) published_control: &'static str,
 }
 
@@ -112,7 +112,7 @@ pub(super) struct DataSet {
 }
 
 impl DataSet {
-    /// From folders that hold the plan's folder, or are it.
+    /// From folders that contain the plan's folder, or are it.
     pub(super) fn read(plan: &'static Plan, folders: &[PathBuf]) -> Outcome<Self> {
         let names: Vec<String> = plan
             .files
@@ -145,7 +145,7 @@ impl DataSet {
         Ok(Self { plan, axes, training, test })
     }
 
-    /// A model of what is to be learnt from.
+    /// A model of the training clips.
     pub(super) fn train(&self, learning: Learning, components: usize, seed: u64) -> Result<KeyStyleModel, TrainError> {
         let options = Options { components: Some(components), seed, learning };
         train(&self.training.iter().collect::<Vec<_>>(), &self.axes, options)

@@ -1,4 +1,4 @@
-//! Keys against recorded motion, and a walk that goes round in a circle (specification, §8 and §10).
+//! Keys against recorded motion, and a walk that goes round in a circle (`docs/methods/somn.md` §8 and §10).
 
 use super::data::DataSet;
 use super::tables::{AS_LEARNT, nearest, observed, roughness};
@@ -8,9 +8,10 @@ use std::fmt::Write;
 use std::sync::Arc;
 use strut_core::contact::label;
 use strut_core::humanoid::HumanoidMotion;
+use strut_core::math::float_funcs::double;
 use strut_core::metrics::foot_skate;
 use strut_core::somn::evaluation::{Observed, pose_error};
-use strut_core::somn::{Interpolation, Key, KeyStyling, Method, Mode, Puppet, RATE_HZ, Row, Style, Synthesis};
+use strut_core::somn::{DragCharacter, Interpolation, Key, KeyStyling, Method, Mode, RATE_HZ, Row, Style, Synthesis};
 
 /// Frames from key to key.
 const EVERY: [usize; 6] = [4, 8, 10, 12, 15, 20];
@@ -20,7 +21,7 @@ const RADIUS: f64 = 1.35;
 const TURN: usize = 35;
 const TURNS: usize = 10;
 
-/// What the prototype reached: key frames, key styles monotone and Catmull-Rom, hybrid.
+/// The prototype's errors: key frames, key styles monotone and Catmull-Rom, hybrid.
 const PUBLISHED: [(&str, usize, [&str; 4]); 8] = [
     ("walk", 4, ["0.92° / 0.29 cm / 4.1", "2.50° / 1.29 cm / 8.7", "2.46° / 1.26 cm / 8.4", "0.72° / 0.31 cm / 8.7"]),
     ("walk", 8, ["2.91° / 1.44 cm / 1.3", "3.52° / 1.99 cm / 11.0", "3.25° / 1.80 cm / 9.5", "2.09° / 1.12 cm / 9.5"]),
@@ -110,7 +111,7 @@ pub(super) fn circle(text: &mut String, set: &DataSet) -> Outcome {
     let model = Arc::new(set.model()?);
     let style = |frame: usize| -> Style {
         let angle = -TAU * frame as f64 / TURN as f64;
-        model.in_units(&[RADIUS * angle.cos(), RADIUS * angle.sin(), 0.0])
+        model.in_units(&[RADIUS * double::cos(angle), RADIUS * double::sin(angle), 0.0])
     };
     let recorded: Vec<Row> = (0..model.rows.len()).map(|i| model.recorded_row(i)).collect();
     let mut synthesis = Synthesis::new(Arc::clone(&model));
@@ -121,11 +122,11 @@ pub(super) fn circle(text: &mut String, set: &DataSet) -> Outcome {
     let held_out = observed(&model, &set.test);
     let real: Vec<f64> = held_out.iter().flat_map(|o| &o.rows).map(|row| nearest(&model, &recorded, row)).collect();
 
-    let mut puppet = Puppet::new(Arc::clone(&model));
-    puppet.reset(&style(0));
+    let mut character = DragCharacter::new(Arc::clone(&model));
+    character.reset(&style(0));
     let mut poses = Vec::new();
     for frame in 0..TURN * TURNS {
-        poses.push(*puppet.drag(&style(frame), 1.0 / f64::from(RATE_HZ)));
+        poses.push(*character.drag(&style(frame), 1.0 / f64::from(RATE_HZ)));
     }
     let motion = HumanoidMotion { proportions: model.space.proportions, rate_hz: RATE_HZ, poses };
     let planted = label(&motion);

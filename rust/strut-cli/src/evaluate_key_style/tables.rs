@@ -1,4 +1,4 @@
-//! Errors, jumps, control, support and cost (specification, §7 and §9).
+//! Errors, jumps, control, support and cost (`docs/methods/somn.md` §7 and §9).
 
 use super::data::DataSet;
 use crate::failure::{Failure, Outcome};
@@ -7,12 +7,11 @@ use std::sync::Arc;
 use std::time::Instant;
 use strut_core::somn::evaluation::{Baseline, Observed, largest_change, pose_error, third_difference};
 use strut_core::somn::{
-    KeyStyleModel, Learning, MAX_AXES, Mode, Options, PoseSpace, Puppet, RATE_HZ, Recording, Row, Style, Synthesis,
-    train,
+    DragCharacter, KeyStyleModel, Learning, MAX_AXES, Mode, Options, PoseSpace, RATE_HZ, Recording, Row, Style,
+    Synthesis, train,
 };
 
-/// Polylines that are dragged along, how many make a draw, the recorded styles that each goes through, and frames from one to
-/// the next.
+/// Number of polylines to drag along, polylines per draw, recorded styles on each, and frames from one to the next.
 const LINES: usize = 100;
 const LINES_A_DRAW: usize = 10;
 const STYLES_EACH: usize = 6;
@@ -22,12 +21,12 @@ pub(super) const AS_LEARNT: Mode = temperature(1.0);
 /// Poses that are timed.
 const POSES: usize = 20_000;
 
-/// Recordings that were not learnt from, as a model sees them.
+/// Held-out recordings with their measured styles.
 pub(super) fn observed(model: &KeyStyleModel, recordings: &[Recording]) -> Vec<Observed> {
     recordings.iter().map(|recording| Observed::new(model, recording)).collect()
 }
 
-/// Mean error of what is said of poses by their styles.
+/// Mean error of poses predicted from their styles.
 fn mean_error(model: &KeyStyleModel, of: &[Observed], mut row: impl FnMut(&Style) -> Row) -> [f64; 2] {
     let (mut sums, mut count) = ([0.0; 2], 0.0);
     for (x, style) in of.iter().flat_map(|o| o.rows.iter().zip(&o.styles)) {
@@ -108,7 +107,7 @@ fn published_pair([degrees, centimetres]: [f64; 2]) -> String {
     }
 }
 
-/// What needs no model.
+/// Baselines without a model.
 pub(super) fn baselines(text: &mut String, sets: &[DataSet]) -> Outcome {
     text.push_str(
         "## What needs no mixture\n\nThe mean pose, one linear map (least squares), the recorded pose of the nearest style, and \
@@ -160,17 +159,17 @@ pub(super) fn jumps(text: &mut String, sets: &[&DataSet]) -> Outcome {
             draws
         };
         let mut row = |name: &str, mode: Mode, is_sprung: bool, published: Option<[f64; 2]>| {
-            let mut puppet = Puppet::new(Arc::clone(&model));
-            puppet.set_mode(mode);
+            let mut character = DragCharacter::new(Arc::clone(&model));
+            character.set_mode(mode);
             let mut synthesis = Synthesis::new(Arc::clone(&model));
             let draws = draws(&mut |line| {
-                puppet.reset(&line[0]);
+                character.reset(&line[0]);
                 let mut follow = |style| {
                     if !is_sprung {
                         return synthesis.row(style, mode);
                     }
-                    puppet.drag(style, 1.0 / f64::from(RATE_HZ));
-                    *puppet.row()
+                    character.drag(style, 1.0 / f64::from(RATE_HZ));
+                    *character.row()
                 };
                 line.iter().map(&mut follow).collect()
             });
@@ -209,7 +208,7 @@ pub(super) fn jumps(text: &mut String, sets: &[&DataSet]) -> Outcome {
     Ok(())
 }
 
-/// Numbers that look random, the same in every run.
+/// Pseudorandom numbers, the same in every run.
 fn random() -> impl FnMut(usize) -> usize {
     let mut seed = 1_u64;
     move |end| {
@@ -233,7 +232,7 @@ fn between(a: &Style, b: &Style, frame: usize) -> Style {
     std::array::from_fn(|j| a[j] + share * (b[j] - a[j]))
 }
 
-/// How well the style that is asked for is what is measured.
+/// Control accuracy: requested against measured style.
 pub(super) fn control(text: &mut String, sets: &[DataSet]) -> Outcome {
     text.push_str(
         "## Control\n\nMean difference between the held-out style that is asked for and what is measured on the pose: as it is \
@@ -265,7 +264,7 @@ pub(super) fn control(text: &mut String, sets: &[DataSet]) -> Outcome {
     Ok(())
 }
 
-/// How near to recorded poses those of styles that nobody recorded are.
+/// Distance to the nearest recorded pose, by the distance of the style to the nearest recorded style.
 pub(super) fn support(text: &mut String, sets: &[&DataSet]) -> Outcome {
     /// Styles that are tried, and how far from the mean, in standard deviations.
     const TRIED: usize = 1500;
@@ -310,7 +309,7 @@ pub(super) fn nearest(model: &KeyStyleModel, recorded: &[Row], row: &Row) -> f64
     nearest.map_or(f64::NAN, |(_, x)| pose_error(&model.space, x, row)[0])
 }
 
-/// Time.
+/// Training and synthesis times, and file sizes.
 pub(super) fn cost(text: &mut String, sets: &[&DataSet]) -> Outcome {
     text.push_str(
         "## Cost\n\n| data | frames | learning | a dragged pose | model file |\n| --- | ---: | ---: | ---: | ---: |\n",
@@ -320,11 +319,11 @@ pub(super) fn cost(text: &mut String, sets: &[&DataSet]) -> Outcome {
         let begin = Instant::now();
         let model = Arc::new(train(&all, &set.axes, Options::default()).map_err(Failure::new)?);
         let secs = begin.elapsed().as_secs_f64();
-        let bytes = strut_formats::key_style_model::write(&model, strut_formats::strutdb::GENERATOR).len();
-        let mut puppet = Puppet::new(Arc::clone(&model));
+        let bytes = strut_formats::key_style_model::write(&model, strut_formats::GENERATOR).len();
+        let mut character = DragCharacter::new(Arc::clone(&model));
         let styles: Vec<Style> = model.styles.iter().map(|u| model.in_units(u)).collect();
         let begin = Instant::now();
-        (0..POSES).for_each(|i| _ = puppet.drag(&styles[i % styles.len()], 1.0 / 60.0));
+        (0..POSES).for_each(|i| _ = character.drag(&styles[i % styles.len()], 1.0 / 60.0));
         let us = 1e6 * begin.elapsed().as_secs_f64() / POSES as f64;
         let _ = writeln!(
             text,

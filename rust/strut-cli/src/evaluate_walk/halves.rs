@@ -1,17 +1,17 @@
-//! What one performance holds, beside other styles of which there is more.
+//! Prediction of the second half of a take from its first half.
 
 use crate::threads::ThreadPool;
 use crate::walks::Walk;
 use std::fmt::Write;
 use strut_core::hsmm::evaluation::Reconstruction;
-use strut_core::hsmm::{Options, Side, Track, TrainError, Training, WalkModel, steps_of, train};
+use strut_core::hsmm::{LabelledClip, Options, Side, Track, TrainError, WalkModel, steps_of, train};
 use strut_core::humanoid::Proportions;
 
-/// Appends how well the first half of every take says its second half.
+/// Appends how well a model of the first half of every take predicts its second half.
 pub(super) fn write(
     text: &mut String,
     name: &str,
-    (body, others): (&Proportions, &[Training<'_>]),
+    (body, others): (&Proportions, &[LabelledClip<'_>]),
     takes: &[Walk],
 ) -> Result<(), TrainError> {
     let halves: Vec<(String, [Track; 2])> = takes.iter().map(|w| (name_of(w), w.track.halves())).collect();
@@ -21,8 +21,8 @@ pub(super) fn write(
         [Side::Left, Side::Right].iter().all(|side| steps.iter().any(|step| step.side == *side))
     };
     let usable: Vec<_> = halves.iter().filter(|(_, [first, _])| has_both(first)).collect();
-    let first_halves = usable.iter().map(|(style, [first, _])| Training { style, track: first });
-    let clips: Vec<Training> = others.iter().copied().chain(first_halves).collect();
+    let first_halves = usable.iter().map(|(style, [first, _])| LabelledClip { style, track: first });
+    let clips: Vec<LabelledClip> = others.iter().copied().chain(first_halves).collect();
     let _ = writeln!(
         text,
         "## Half a take\n\nThe first half of each of {} takes of {name} trains a style of its own beside the styles above, and is \
@@ -59,13 +59,13 @@ pub(super) fn write(
 
 /// A model of some clips and of every style's first take, which is a style of its own.
 pub(super) fn with_first_takes(
-    (body, clips): (&Proportions, &[Training<'_>]),
+    (body, clips): (&Proportions, &[LabelledClip<'_>]),
     takes: &[Walk],
 ) -> Result<WalkModel, TrainError> {
     let is_first = |walk: &&Walk| takes.iter().all(|other| other.style != walk.style || other.take >= walk.take);
     let first: Vec<(String, &Track)> = takes.iter().filter(is_first).map(|w| (name_of(w), &w.track)).collect();
-    let first = first.iter().map(|(style, track)| Training { style, track });
-    let all: Vec<Training> = clips.iter().copied().chain(first).collect();
+    let first = first.iter().map(|(style, track)| LabelledClip { style, track });
+    let all: Vec<LabelledClip> = clips.iter().copied().chain(first).collect();
     train(body, &all, Options { refined: true }, &ThreadPool)
 }
 

@@ -1,18 +1,18 @@
-//! How styles bear being weakened, exaggerated and negated.
+//! Robustness of styles to weakening, exaggeration and negation.
 
-use super::{STEPS, weights};
+use super::mixture::{STEPS, weights};
 use std::fmt::Write;
 use std::sync::Arc;
-use strut_core::hsmm::evaluation::{Bearing, Manner, bearing, strengths};
-use strut_core::hsmm::{WalkModel, WalkVoices, WeightsError};
+use strut_core::hsmm::evaluation::{Bearing, GaitStatistics, bearing, strengths};
+use strut_core::hsmm::{RuntimeWalkModel, WalkModel, WeightsError};
 
-/// Intensities that styles are tried at.
+/// Intensities that are measured.
 const INTENSITIES: [f32; 9] = [-3.0, -2.0, -1.0, 0.0, 1.0, 1.5, 2.0, 2.5, 3.0];
-/// Those between which their manner shall change in one direction, in steps of a share.
+/// Intensities between which the gait's statistics should change monotonically, in steps of [`MONOTONE_STEP`].
 const MONOTONE: std::ops::RangeInclusive<i16> = -4..=8;
 const MONOTONE_STEP: f32 = 0.25;
 
-/// What the tables show.
+/// Text above the tables.
 pub(super) const INTRODUCTION: &str = "## Intensity\n\nStyles that fail at an intensity against the average: over 1 % of the joints' angles more than 10° outside \
      what was recorded, a knee bent the wrong way by over 8°, or the wrong foot bearing the body for over 15 % of the time. \
      *Limited* is with the soft limits of joints and durations, *free* without them; a state below half a frame is a failure \
@@ -20,12 +20,12 @@ pub(super) const INTRODUCTION: &str = "## Intensity\n\nStyles that fail at an in
      greatest increment that does not, as a share of what lies between the ends of the style that changes most. The *style itself* is how far the mean poses of its states are on the way from the average walk to the style's.\n\n";
 
 /// Appends the tables of a model.
-pub(super) fn write(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
-    failures(text, model, voices)?;
-    monotony(text, model, voices)
+pub(super) fn write(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {
+    failures(text, model, runtime)?;
+    monotony(text, model, runtime)
 }
 
-fn failures(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
+fn failures(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {
     let styles = model.styles.len();
     let row = |first: &str, cells: [String; INTENSITIES.len()]| format!("| {first} | {} |\n", cells.join(" | "));
     text.push_str(&row("", INTENSITIES.map(|at| at.to_string())));
@@ -33,7 +33,7 @@ fn failures(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> R
     for (name, limits) in [("free", false), ("limited", true)] {
         let all = INTENSITIES
             .iter()
-            .map(|at| (0..styles).map(|s| bearing(model, voices, s, *at, limits)).collect::<Result<Vec<_>, _>>())
+            .map(|at| (0..styles).map(|s| bearing(model, runtime, s, *at, limits)).collect::<Result<Vec<_>, _>>())
             .collect::<Result<Vec<_>, _>>()?;
         let each = |f: fn(&[Bearing]) -> String| std::array::from_fn(|i| f(&all[i]));
         text.push_str(&row(&format!("fail, {name}"), each(|b| b.iter().filter(|b| b.fails).count().to_string())));
@@ -44,14 +44,14 @@ fn failures(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> R
     Ok(())
 }
 
-fn monotony(text: &mut String, model: &WalkModel, voices: &Arc<WalkVoices>) -> Result<(), WeightsError> {
+fn monotony(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {
     let intensities: Vec<f32> = MONOTONE.map(|i| f32::from(i) * MONOTONE_STEP).collect();
     let styles = 0..model.styles.len();
-    let own = styles.clone().map(|style| strengths(model, voices, style, &intensities, STEPS));
+    let own = styles.clone().map(|style| strengths(model, runtime, style, &intensities, STEPS));
     let mut measures: Vec<(&str, Vec<Vec<f64>>)> = vec![("style itself", own.collect::<Result<_, _>>()?)];
     for style in styles {
-        let manner = |at: &f32| Manner::of(model, voices, &weights(model, &[(style, *at)]), STEPS);
-        let manners: Vec<Manner> = intensities.iter().map(manner).collect::<Result<_, _>>()?;
+        let manner = |at: &f32| GaitStatistics::of(model, runtime, &weights(model, &[(style, *at)]), STEPS);
+        let manners: Vec<GaitStatistics> = intensities.iter().map(manner).collect::<Result<_, _>>()?;
         for (i, (name, _)) in manners[0].named().into_iter().enumerate() {
             if measures.iter().all(|(other, _)| *other != name) {
                 measures.push((name, Vec::new()));

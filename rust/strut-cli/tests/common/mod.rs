@@ -1,12 +1,14 @@
 //! Running the command, and files to run it on.
 #![allow(dead_code)] // Each test file uses its part.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::motion::Motion;
 use strut_core::retarget::{Binding, to_humanoid};
+use strut_core::search::Index;
 use strut_formats::{bvh, strutdb};
 
 /// Runs `strut` with these arguments in a folder.
@@ -43,7 +45,10 @@ pub(crate) fn names(folder: &Path) -> Vec<String> {
 /// The built-in database as a file.
 pub(crate) fn demo_database() -> &'static [u8] {
     static FILE: OnceLock<Vec<u8>> = OnceLock::new();
-    FILE.get_or_init(|| strutdb::write(&strut_demo::database().unwrap(), "test"))
+    FILE.get_or_init(|| {
+        let database = strut_demo::database().unwrap();
+        strutdb::write(&database, &Index::build(&database).plan(), "test")
+    })
 }
 
 /// Two seconds of the built-in walk as BVH text.
@@ -76,6 +81,7 @@ pub(crate) fn mocap_folder() -> Option<PathBuf> {
     if folder.is_dir() {
         return Some(folder);
     }
-    println!("skipped: no real motion capture; set STRUT_MOCAP to its folder");
+    // Not `println!`, whose output cargo shows of failed tests only.
+    let _ = writeln!(std::io::stderr(), "skipped: no real motion capture; set STRUT_MOCAP to its folder");
     None
 }

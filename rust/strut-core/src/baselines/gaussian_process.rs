@@ -6,7 +6,7 @@
 //! falls back to the prior's zero.
 
 use super::products::dot;
-use libm::exp;
+use crate::math::float_funcs::double::exp;
 use nalgebra::{Cholesky, DMatrix};
 
 /// Added to the diagonal of `K_ZZ`, which would be singular for points that lie close together.
@@ -153,11 +153,12 @@ pub(super) fn farthest_points(inputs: &[f64], width: usize, count: usize) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::float_funcs::double;
 
     const KERNEL: Kernel = Kernel { length: 0.5, noise: 1e-6 };
 
     fn wave(x: f64) -> f64 {
-        libm::sin(2.0 * x) + 0.3 * x
+        double::sin(2.0 * x) + 0.3 * x
     }
 
     fn trained(points: Vec<f64>) -> Process {

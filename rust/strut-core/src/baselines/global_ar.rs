@@ -7,9 +7,9 @@
 //! their mean, and the output keeps one tempo.
 
 use super::{Now, Pairs, Prediction, Predictor};
+use crate::autoregression::MAX_FEEDBACK;
 use crate::math::float_funcs::exp;
 use crate::pose_vector::{DOFS, PoseRow, ROW};
-use crate::transfer::MAX_FEEDBACK;
 
 /// See the module documentation.
 #[derive(Clone, Debug)]
@@ -23,7 +23,7 @@ impl GlobalAr {
     /// Fits all pairs; `lambda` is the ridge as a share of their number, in units of the database's variances.
     pub(super) fn train(pairs: &Pairs<'_>, lambda: f64) -> Self {
         let (x, y) = (&pairs.inputs, &pairs.targets);
-        let sigma = pairs.db.sigma();
+        let sigma = pairs.catalogue.sigma();
         let coefficients = (0..DOFS)
             .map(|d| {
                 let samples = pairs.rows().map(|t| {
@@ -35,7 +35,7 @@ impl GlobalAr {
             .collect();
         let count = pairs.rows().count().max(1) as f64;
         let log_duration = pairs.rows().map(|t| pairs.log_duration(t)).sum::<f64>() / count;
-        Self { coefficients, step_secs: exp(log_duration as f32) / pairs.db.rate_hz }
+        Self { coefficients, step_secs: exp(log_duration as f32) / pairs.catalogue.rate_hz }
     }
 }
 
@@ -98,13 +98,8 @@ impl Predictor for GlobalAr {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::noise;
     use proptest::prelude::*;
-
-    /// Numbers between −1 and 1 (Numerical Recipes' linear congruence).
-    fn noise(seed: u32) -> impl Iterator<Item = f64> {
-        let next = |s: &u32| Some(s.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
-        std::iter::successors(Some(seed), next).skip(1).map(|s| f64::from(s >> 8) / f64::from(1 << 23) - 1.0)
-    }
 
     /// Samples of yₜ = a xₜ₋₁ + b yₜ₋₁ + c xₜ + d on random x.
     fn planted(seed: u32, [a, b, c, d]: [f64; 4]) -> Vec<([f64; 3], f64)> {

@@ -3,8 +3,8 @@
 //! From kinematic features of the input (pose and velocity, by their principal components) a process
 //! predicts the difference between target and input, and the log duration. Predicted frame by frame on its own
 //! the difference flickers where training frames of similar features differ; so a second process also sees the
-//! last difference. It is trained on the first process's predictions in place of the true last differences: having
-//! seen errors as it will make them itself, it returns from them instead of drifting.
+//! last difference. It is trained on the first process's predictions in place of the true last differences, and so on
+//! errors like its own, from which it recovers instead of drifting.
 
 use super::gaussian_process::{Basis, Kernel, Process, farthest_points};
 use super::principal::Principal;
@@ -25,14 +25,14 @@ const OUTPUTS: usize = DOFS + 1;
 const VELOCITY_SHARE: f64 = 0.2;
 /// Variance of the last difference's features as a share of the input's.
 const DIFFERENCE_SHARE: f64 = 0.25;
-/// Training rows at most: at 60 Hz neighbours in time say nearly the same.
+/// Greatest number of training rows: at 60 Hz neighbours in time are nearly equal.
 const MAX_ROWS: usize = 6000;
-/// Inducing points at most.
+/// Greatest number of inducing points.
 const POINTS: usize = 256;
 /// ℓ in standard deviations of the features taken together, and σ².
 const KERNEL: Kernel = Kernel { length: 1.0, noise: 0.2 };
 
-/// What the processes of all target styles share: features of the input, and the first process's basis.
+/// The part shared by the processes of all target styles: features of the input, and the first process's basis.
 #[derive(Clone, Debug)]
 pub(super) struct Features {
     principal: Principal,
@@ -55,7 +55,7 @@ impl Features {
     pub(super) fn new(pairs: &Pairs<'_>) -> Self {
         let rows = || pairs.segments.iter().flat_map(|s| s.start + 2..s.end);
         let rows: Vec<usize> = rows().step_by(rows().count().div_ceil(MAX_ROWS).max(1)).collect();
-        let rate_hz = f64::from(pairs.db.rate_hz);
+        let rate_hz = f64::from(pairs.catalogue.rate_hz);
         let mut features = Self {
             principal: Principal::new(&[], 2 * DOFS, 0),
             velocity_scale: 1.0,
@@ -139,7 +139,7 @@ pub(super) struct Gp {
     difference_scale: f64,
     /// The second process; none without training rows.
     process: Option<Process>,
-    /// Means of the outputs: what the prior falls back to.
+    /// Means of the outputs, to which the prior falls back.
     mean: [f64; OUTPUTS],
     frame_secs: f32,
 }
@@ -168,7 +168,7 @@ impl Gp {
             difference_scale,
             process: None,
             mean,
-            frame_secs: 1.0 / pairs.db.rate_hz,
+            frame_secs: 1.0 / pairs.catalogue.rate_hz,
         };
         gp.process = features.basis.as_ref().and_then(|basis| {
             let first = basis.fit(&outputs);

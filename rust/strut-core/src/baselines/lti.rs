@@ -2,26 +2,27 @@
 //!
 //! A state-space model translates the input's degrees of freedom into the output's. Its pairs are registered
 //! rows, as the paper's are warped clips. Two variants: one system of order 8 for each degree of freedom (the
-//! specification's figures are of this one), or one system for the leading principal components of all.
+//! figures of `docs/methods/mar.md` are of this one), or one system for the leading principal components of all.
 //! Timing is one more output: the log duration, from the input's leading components. The paper smooths it
 //! afterwards, and so do we; feet are planted by the stylizer as for every method.
 
 use super::principal::Principal;
 use super::subspace::{Recording, Shape, StateSpace};
 use super::{Now, Pairs, Prediction, Predictor};
+use crate::math::float_funcs::double;
 use crate::math::float_funcs::exp;
 use crate::pose_vector::{DOFS, PoseRow, ROW};
 
-/// Shape of the systems of one degree of freedom: the specification's order, and lags of a third of a second at
+/// Shape of the systems of one degree of freedom: the order of the literature, and lags of a third of a second at
 /// 60 Hz, enough to tell a step's phase.
 const SINGLE: Shape = Shape { inputs: 1, outputs: 1, order: 8, lags: 20 };
 /// Principal components of the input and of the output that the joint system sees.
 const COMPONENTS: usize = 16;
-/// Shape of the joint system: with more outputs fewer lags tell as much of the state.
+/// Shape of the joint system: with more outputs fewer lags determine the state.
 const JOINT: Shape = Shape { inputs: COMPONENTS, outputs: COMPONENTS, order: 32, lags: 8 };
 /// Shape of the system that predicts the log duration from the leading components of the input.
 const TIMING: Shape = Shape { inputs: 6, outputs: 1, order: 8, lags: 12 };
-/// Least deviation of a degree of freedom that is taken for motion.
+/// Degrees of freedom with a smaller deviation count as constant.
 const STILL: f64 = 1e-5;
 /// Half-life of the smoothing of log durations, seconds: a tempo changes over a step, not within it.
 const TIMING_HALF_LIFE_SECS: f64 = 0.1;
@@ -97,12 +98,12 @@ impl Lti {
             input_mean,
             input_deviation,
             output_mean,
-            frame_secs: 1.0 / pairs.db.rate_hz,
-            timing_share: 1.0 - libm::exp2(-1.0 / (TIMING_HALF_LIFE_SECS * f64::from(pairs.db.rate_hz))),
+            frame_secs: 1.0 / pairs.catalogue.rate_hz,
+            timing_share: 1.0 - double::exp2(-1.0 / (TIMING_HALF_LIFE_SECS * f64::from(pairs.catalogue.rate_hz))),
         }
     }
 
-    /// Runs `f` for every system with its memory and its input for a row, and with what to do with the output.
+    /// Calls `f` for every system with the quantity it predicts, its memory and its input for a row.
     fn for_each(&self, memory: &mut [f64], row: &PoseRow, mut f: impl FnMut(Part, &StateSpace, &mut [f64], &[f64])) {
         let components = projected(&self.components, row);
         let (timing, mut rest) = memory.split_at_mut(2 * self.timing.order());
@@ -215,7 +216,7 @@ fn wide(row: &PoseRow) -> [f64; DOFS] {
     std::array::from_fn(|d| f64::from(row[d]))
 }
 
-/// The components of a row; those that there are not are zero.
+/// The components of a row; missing ones are zero.
 fn projected(principal: &Principal, row: &PoseRow) -> [f64; COMPONENTS] {
     let mut out = [0.0; COMPONENTS];
     principal.project(&wide(row), &mut out);

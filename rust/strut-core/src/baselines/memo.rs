@@ -7,7 +7,7 @@ use super::{Baseline, Pairs, Predictor};
 use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// What a predictor depends on, for one database.
+/// Everything that a predictor depends on, for one database.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
     baseline: Baseline,
@@ -17,7 +17,7 @@ struct Key {
     segments: Vec<Range<usize>>,
 }
 
-/// Predictors trained so far, and what those of several styles share.
+/// Predictors trained so far, and features shared by those of several styles.
 #[derive(Debug, Default)]
 pub(crate) struct Baselines {
     predictors: Memo<Key, Arc<dyn Predictor>>,
@@ -25,8 +25,8 @@ pub(crate) struct Baselines {
 }
 
 impl Baselines {
-    /// The predictor for some pairs: trained when it is first asked for. Threads that ask for others at the same
-    /// time do not wait.
+    /// The predictor for some pairs, trained on first use. Threads that train different predictors do not wait for each
+    /// other.
     pub(crate) fn predictor(&self, baseline: Baseline, pairs: &Pairs<'_>, lambda: f32) -> Arc<dyn Predictor> {
         let key = Key {
             baseline,
@@ -46,7 +46,7 @@ impl Baselines {
     }
 }
 
-/// Values by key; there are few.
+/// Values by key; a list, as there are few.
 #[derive(Debug)]
 struct Memo<K, V> {
     entries: Mutex<Vec<(K, Arc<OnceLock<V>>)>>,

@@ -1,10 +1,10 @@
-//! Methods that Strut is compared with and that are trained beforehand: global autoregression, linear
+//! Baselines with training, for comparison: global autoregression, linear
 //! time-invariant systems and Gaussian processes. (Nearest neighbour, KNN interpolation and the local
 //! autoregression share the search and live beside the mixture in [`crate::transfer`].)
 //!
 //! All learn from the same pairs: rows of a database and their registered targets in one style. They are
 //! reached through [`crate::transfer::Method`] like every other method; training happens when a style is
-//! activated, once a model. Nothing here runs in the browser, so sums are in double precision.
+//! activated, once a model. Sums are in double precision. In the browser only the Compare view's package contains them.
 
 mod gaussian_process;
 mod global_ar;
@@ -35,7 +35,7 @@ pub(crate) enum Baseline {
     Gp,
 }
 
-/// What is known when a frame is predicted.
+/// Input of the prediction of a frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Now<'a> {
     /// xₜ.
@@ -60,8 +60,8 @@ pub(crate) trait Predictor: Debug + Send + Sync {
     /// Numbers that [`Predictor::predict`] keeps from frame to frame.
     fn memory_len(&self) -> usize;
 
-    /// Sets the memory to what it would be after the rows of `past`, the stored frames that lead up to the
-    /// one that resembles the first input most. May be empty.
+    /// Sets the memory to its value after the rows of `past`, the stored frames up to the one nearest to the first input.
+    /// May be empty.
     fn start(&self, memory: &mut [f64], past: &[PoseRow]);
 
     /// Predicts the next frame. Allocates nothing.

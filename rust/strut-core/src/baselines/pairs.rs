@@ -1,15 +1,15 @@
-//! The pairs that the baselines learn from.
+//! The training pairs of the baselines.
 
-use crate::database::{Database, QuantisedRows, TargetTable};
+use crate::catalogue::{Catalogue, TargetTable};
 use crate::math::float_funcs::ln;
 use crate::pose_vector::{DOFS, PoseRow};
 use std::ops::Range;
 
-/// Rows of some classes of a database and what they become in one style.
+/// Rows of some classes of a database and their targets in one style.
 #[derive(Clone, Debug)]
 pub(crate) struct Pairs<'a> {
     /// Their rate and ranges.
-    pub(crate) db: &'a Database,
+    pub(crate) catalogue: &'a Catalogue,
     /// x.
     pub(crate) inputs: Vec<PoseRow>,
     /// y.
@@ -25,18 +25,18 @@ pub(crate) struct Pairs<'a> {
 impl<'a> Pairs<'a> {
     /// The pairs of some classes. Classes without the style are left out, unless that leaves none: their
     /// targets are their own rows.
-    pub(crate) fn new(db: &'a Database, rows: &QuantisedRows, targets: &'a TargetTable, classes: &[usize]) -> Self {
+    pub(crate) fn new(catalogue: &'a Catalogue, targets: &'a TargetTable, classes: &[usize]) -> Self {
         let any = classes.iter().any(|&c| targets.class_has_target[c]);
         let segments = classes
             .iter()
             .filter(|&&c| targets.class_has_target[c] || !any)
-            .flat_map(|&c| db.clips[db.classes()[c].clips.clone()].iter())
+            .flat_map(|&c| catalogue.clips[catalogue.classes()[c].clips.clone()].iter())
             .map(crate::database::Clip::rows)
             .filter(|rows| rows.len() >= 2)
             .collect();
         Self {
-            db,
-            inputs: rows.to_vec(),
+            catalogue,
+            inputs: catalogue.rows().to_vec(),
             targets: targets.pose.to_vec(),
             style: targets.style,
             step_secs: &targets.step_secs,
@@ -51,7 +51,7 @@ impl<'a> Pairs<'a> {
 
     /// Logarithm of the target's duration in frames at a row: 0 where the style keeps the input's tempo.
     pub(crate) fn log_duration(&self, row: usize) -> f64 {
-        f64::from(ln((self.step_secs[row] * self.db.rate_hz).max(1e-3)))
+        f64::from(ln((self.step_secs[row] * self.catalogue.rate_hz).max(1e-3)))
     }
 
     /// Mean and standard deviation of each degree of freedom of some rows over the pairs.

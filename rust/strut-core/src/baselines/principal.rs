@@ -13,8 +13,8 @@ pub(super) struct Principal {
 }
 
 impl Principal {
-    /// Of the vectors of `width` numbers that follow each other in `data`; at most `count` directions, and none
-    /// in which they do not vary.
+    /// Principal components of the vectors of `width` numbers in `data`; at most `count` directions, only those of positive
+    /// variance.
     pub(super) fn new(data: &[f64], width: usize, count: usize) -> Self {
         let n = (data.len() / width).max(1) as f64;
         let mut mean = vec![0.0; width];
@@ -33,8 +33,8 @@ impl Principal {
         let eigen = SymmetricEigen::new(covariance);
         let mut order: Vec<usize> = (0..width).collect();
         order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]).then(a.cmp(&b)));
-        let least = 1e-9 * eigen.eigenvalues.iter().copied().fold(0.0, f64::max);
-        order.retain(|&i| eigen.eigenvalues[i] > least);
+        let negligible = 1e-9 * eigen.eigenvalues.iter().copied().fold(0.0, f64::max);
+        order.retain(|&i| eigen.eigenvalues[i] > negligible);
         order.truncate(count);
         let directions = order.iter().flat_map(|&i| eigen.eigenvectors.column(i).iter().copied().collect::<Vec<_>>());
         Self { mean, directions: directions.collect(), variance: order.iter().map(|&i| eigen.eigenvalues[i]).collect() }

@@ -4,20 +4,19 @@
 //! xₜ₊₁ = A xₜ + B uₜ,  yₜ = C xₜ + D uₜ + e. With i lags, the past wₜ = [uₜ₋ᵢ, yₜ₋ᵢ, …, uₜ₋₁, yₜ₋₁] and the
 //! future inputs predict the future outputs by least squares; the part Γ xₜ = L wₜ that comes from the past has
 //! rank n, and its leading directions (weighted as in MOESP, by the past that the future inputs do not explain)
-//! give the states as xₜ = T wₜ. Regressing xₜ₊₁ on xₜ and uₜ gives A and B. Since the system will run without
-//! ever seeing y, C, D and the offset are those of least error along the states that it reaches by itself, which
-//! after a while do not depend on the first.
+//! give the states as xₜ = T wₜ. Regressing xₜ₊₁ on xₜ and uₜ gives A and B. Since the system runs in open loop, without
+//! y, C, D and the offset are fitted to the states of a simulation, which after a while do not depend on the first one.
 //!
 //! Everything but that last step needs only the lagged products of the recordings, a block Hankel Gram matrix
 //! whose blocks follow from their upper left neighbours.
 
 use super::products::{dot, product};
+use crate::math::float_funcs::double;
 use nalgebra::{Cholesky, DMatrix, DVector, Schur, SymmetricEigen};
 
 /// Greatest spectral radius of A: a memory of about 1 s at 60 Hz.
 const MAX_RADIUS: f64 = 0.985;
-/// Added to the diagonals of Gram matrices, as a share of their mean: recordings of a periodic motion hardly
-/// tell the lags apart.
+/// Ridge of Gram matrices, as a share of their mean diagonal: for periodic motion the lags are nearly collinear.
 const RIDGE: f64 = 1e-5;
 /// Added to each diagonal entry of the regression of C and D, as a share of itself: inputs may be collinear.
 const OUTPUT_RIDGE: f64 = 1e-7;
@@ -53,8 +52,8 @@ pub(super) struct StateSpace {
 }
 
 impl StateSpace {
-    /// The system of a shape that explains some recordings. Where they are too short or too poor for dynamics the
-    /// order is lower, down to a static map; without any frame it gives zeros.
+    /// Identifies a system of this shape. Where recordings are too short or not exciting enough the order is lower, down to
+    /// a static map; without any frame the output is zero.
     pub(super) fn identify(recordings: &[Recording], shape: Shape) -> Self {
         let none = || (DMatrix::zeros(0, 0), DMatrix::zeros(0, shape.inputs));
         let (a, b) = dynamics(recordings, shape).unwrap_or_else(none);
@@ -76,7 +75,7 @@ impl StateSpace {
         system
     }
 
-    /// Size of the state; [`StateSpace::step`] needs twice as many numbers of memory.
+    /// Dimension of the state; [`StateSpace::step`] needs twice as many numbers of memory.
     pub(super) fn order(&self) -> usize {
         self.order
     }
@@ -138,7 +137,7 @@ impl StateSpace {
             }
         }
         gram.fill_upper_triangle_with_lower_triangle();
-        // Each regressor by its own size: states may be much smaller than inputs.
+        // Relative to each regressor's size: states may be much smaller than inputs.
         for i in 0..width {
             gram[(i, i)] += OUTPUT_RIDGE * gram[(i, i)] + f64::MIN_POSITIVE.max(1e-12 * count);
         }
@@ -173,7 +172,7 @@ fn centred(recordings: &[Recording], shape: Shape) -> Vec<Vec<Vec<f64>>> {
     all
 }
 
-/// A and B, or `None` if the recordings do not tell.
+/// A and B, or `None` if the recordings do not determine them.
 fn dynamics(recordings: &[Recording], shape: Shape) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
     let Shape { inputs: m, outputs: l, lags, .. } = shape;
     let p = m + l;
@@ -233,7 +232,7 @@ fn stabilised(a: DMatrix<f64>) -> Option<DMatrix<f64>> {
         return Some(a);
     }
     let eigenvalues: DVector<_> = Schur::try_new(a.clone(), f64::EPSILON, 10_000)?.complex_eigenvalues();
-    let radius = eigenvalues.iter().map(|z| z.re.hypot(z.im)).fold(0.0, f64::max);
+    let radius = eigenvalues.iter().map(|z| double::hypot(z.re, z.im)).fold(0.0, f64::max);
     Some(if radius > MAX_RADIUS { a * (MAX_RADIUS / radius) } else { a })
 }
 
@@ -251,8 +250,8 @@ fn hankel_gram(recordings: &[Vec<Vec<f64>>], lags: usize) -> Option<DMatrix<f64>
         }
         let windows = frames + 1 - length;
         count += windows;
-        // Products of one lag at a time: of the first frame of the windows with the one `lag` later, then of the
-        // second with the one after that, which loses the first window's and gains one behind the last's.
+        // Products of one lag at a time: of the first frame of the windows with the one `lag` later, then of the second with
+        // the one after that, by subtracting the first window's product and adding that of a window after the last.
         for lag in 0..length {
             for (i, x) in series.iter().enumerate() {
                 for (j, y) in series.iter().enumerate() {
@@ -275,14 +274,9 @@ fn hankel_gram(recordings: &[Vec<Vec<f64>>], lags: usize) -> Option<DMatrix<f64>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::noise;
 
-    /// Numbers between −1 and 1 (Numerical Recipes' linear congruence).
-    fn noise(seed: u32) -> impl Iterator<Item = f64> {
-        let next = |s: &u32| Some(s.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
-        std::iter::successors(Some(seed), next).skip(1).map(|s| f64::from(s >> 8) / f64::from(1 << 23) - 1.0)
-    }
-
-    /// Inputs that are at rest in the first frame.
+    /// Inputs that begin at rest.
     fn from_rest(seed: u32, frames: usize) -> Vec<f64> {
         std::iter::once(0.0).chain(noise(seed)).take(frames).collect()
     }

@@ -1,13 +1,17 @@
-//! The baselines through the stylizer where there is little to learn from. What they learn where there is enough is
-//! tested with [`crate::transfer::Stylizer`] and, part by part, beside each of them.
+//! The baselines as wholes: on sparse training data through the stylizer, and on their training targets. Their parts are
+//! tested in their own modules.
 
 use crate::database::{Database, DatabaseParts};
+use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ, database, walk};
+use crate::math::float_funcs::ln;
 use crate::pose_vector::DOFS;
-use crate::transfer::sine_walk::{BENT, Gait, NEUTRAL, database, walk};
 use crate::transfer::{Method, Model, Options, Stylizer};
 use std::sync::Arc;
 
-const METHODS: [Method; 4] = [Method::GlobalAr, Method::Lti, Method::LtiJoint, Method::Gp];
+/// The methods, and how high their hips may be for wild input, metres. 0.98 to 1.2 were measured; a joint system of few
+/// frames extrapolates farther, to 5.2.
+const METHODS: [(Method, f32); 4] =
+    [(Method::GlobalAr, 1.5), (Method::Lti, 1.5), (Method::LtiJoint, 6.0), (Method::Gp, 1.5)];
 
 /// The synthetic walks with one clip of a few frames in each class, registered frame by frame.
 fn sparse(frames: usize) -> Database {
@@ -44,7 +48,7 @@ fn one_short_clip_a_class_gives_finite_motion_for_any_input() {
     let wild = Gait { period: 23.0, swing: 1.4, knee: 1.9, lean: -0.8, arms: 1.5, turn: 2.5 };
     for frames in [8, 30, 90] {
         let model = Arc::new(Model::new(sparse(frames)));
-        for method in METHODS {
+        for (method, highest) in METHODS {
             for (action, input_style) in [(None, None), (Some(0), Some(0)), (Some(1), Some(1))] {
                 let options = Options { action, input_style, method, ..Options::DEFAULT };
                 let mut s = Stylizer::new(Arc::clone(&model), options).unwrap();
@@ -56,7 +60,7 @@ fn one_short_clip_a_class_gives_finite_motion_for_any_input() {
                             let frame = s.push(&pose);
                             let height = frame.pose.root.y;
                             assert!(frame.pose.is_finite() && frame.dt_secs.is_finite(), "{method:?}, {frames}");
-                            assert!(height.abs() < 10.0, "{method:?}, {frames} frames: the hips are at {height} m");
+                            assert!(height.abs() < highest, "{method:?}, {frames} frames: the hips are at {height} m");
                         }
                     }
                 }
@@ -65,13 +69,54 @@ fn one_short_clip_a_class_gives_finite_motion_for_any_input() {
     }
 }
 
-/// What all styles share is kept, and threads that ask at once get the same predictor.
+/// Mean distance of predictions and targets over rows in time, in standard deviations of the degrees of freedom, and mean
+/// difference of their durations as a share.
+fn training_error(pairs: &super::Pairs<'_>, predictor: &dyn super::Predictor) -> [f32; 2] {
+    let sigma = pairs.catalogue.sigma();
+    let (mut error, mut of_duration, mut count) = (0.0, 0.0, 0);
+    for rows in pairs.segments.iter().cloned() {
+        let mut memory = vec![0.0; predictor.memory_len()];
+        predictor.start(&mut memory, &pairs.inputs[rows.start..=rows.start]);
+        let mut previous_output = pairs.targets[rows.start];
+        for t in rows.skip(1) {
+            let (input, previous_input) = (&pairs.inputs[t], &pairs.inputs[t - 1]);
+            let now = super::Now { input, previous_input, previous_output: &previous_output };
+            let prediction = predictor.predict(&mut memory, now);
+            let distance = |d: usize| (prediction.output[d] - pairs.targets[t][d]).abs() / sigma[d];
+            error += (0..DOFS).map(distance).sum::<f32>() / DOFS as f32;
+            of_duration += (ln(prediction.step_secs * RATE_HZ) - pairs.log_duration(t) as f32).abs();
+            count += 1;
+            previous_output = prediction.output;
+        }
+    }
+    [error, of_duration].map(|sum| sum / count as f32)
+}
+
+/// Each method, fed back its own output, follows the targets that it was trained on.
+#[test]
+fn training_targets_are_predicted() {
+    let model = Model::new(database());
+    let pairs = super::Pairs::new(model.catalogue(), model.target_table(1), &[0]);
+    // Twice the errors that were measured.
+    for (baseline, greatest) in [
+        (super::Baseline::GlobalAr, [0.03, 0.03]),
+        (super::Baseline::Lti, [0.02, 0.0025]),
+        (super::Baseline::LtiJoint, [0.009, 0.0025]),
+        (super::Baseline::Gp, [0.05, 0.02]),
+    ] {
+        let predictor = model.baselines().predictor(baseline, &pairs, 0.1);
+        let found = training_error(&pairs, &*predictor);
+        assert!(found[0] < greatest[0] && found[1] < greatest[1], "{baseline:?}: {found:?}");
+    }
+}
+
+/// Shared features are kept, and concurrent requests get the same predictor.
 #[test]
 fn a_predictor_is_trained_once_a_model() {
     let model = Model::new(sparse(60));
     let classes = [0, 1];
     let train = |style: usize| {
-        let pairs = super::Pairs::new(model.database(), model.rows(), model.target_table(style), &classes);
+        let pairs = super::Pairs::new(model.catalogue(), model.target_table(style), &classes);
         let predictor = model.baselines().predictor(super::Baseline::Gp, &pairs, 0.1);
         Arc::as_ptr(&predictor).cast::<()>() as usize
     };
@@ -86,7 +131,7 @@ fn a_predictor_is_trained_once_a_model() {
 #[test]
 fn memory_of_the_start_dies_out() {
     let model = Model::new(database());
-    let pairs = super::Pairs::new(model.database(), model.rows(), model.target_table(1), &[0]);
+    let pairs = super::Pairs::new(model.catalogue(), model.target_table(1), &[0]);
     for baseline in [super::Baseline::Lti, super::Baseline::LtiJoint] {
         let predictor = model.baselines().predictor(baseline, &pairs, 0.1);
         let input = &pairs.inputs[40];

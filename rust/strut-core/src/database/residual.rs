@@ -1,15 +1,15 @@
-//! How far registered clips remain apart: a report's figure, in centimetres a reader can judge.
+//! Residual distance of registered clips, for reports.
 
-use super::Database;
+use super::offline::Database;
 use crate::humanoid::JOINTS;
 use crate::math::Vec3;
 
-/// Frames between two that are measured: neighbours are much alike.
+/// Every so many frames are measured: neighbouring frames are nearly equal.
 const STRIDE: usize = 4;
 
 /// For every clip the mean distance of its joints from those of its counterparts in all styles, metres, after
-/// the mean offset from its class to the style is removed: what neither timing nor a held pose explains. 0 for
-/// a clip without counterparts.
+/// the mean offset from its class to the style is removed: the part that neither timing nor a constant pose explains. 0
+/// for a clip without counterparts.
 pub fn residuals(db: &Database) -> Vec<f32> {
     let mut sums = vec![(0.0_f64, 0_usize); db.clips.len()];
     for class in db.classes() {

@@ -1,6 +1,8 @@
-//! A database less some of its clips: what is held out for evaluation or measurement.
+//! A database without some of its clips, which are held out for evaluation or measurement.
 
-use super::{Clip, Database, DatabaseError, DatabaseParts};
+use super::offline::Database;
+use super::parts::{Clip, DatabaseParts};
+use super::validation::DatabaseError;
 use crate::humanoid::HumanoidMotion;
 use crate::pose_vector::{HEADING_RATE, Placement};
 
@@ -22,7 +24,7 @@ impl Database {
             counterpart: Vec::new(),
             actions: self.actions.clone(),
             styles: self.styles.clone(),
-            ..self.parts
+            ..**self
         };
         for clip in &kept {
             parts.clips.push(Clip { first_frame: parts.pose.len(), ..(*clip).clone() });
@@ -35,7 +37,7 @@ impl Database {
         let moved = |at: f32| {
             let new = kept.iter().position(|c| c.rows().contains(&(at as usize)))?;
             let (from, to) = (kept[new].first_frame, parts.clips[new].first_frame);
-            // A row number between two clips would be interpolated with a stranger.
+            // A row number between two clips would be interpolated across clips.
             Some((to as f32 + (at - from as f32)).min((to + kept[new].frames - 1) as f32))
         };
         for row in kept.iter().flat_map(|c| c.rows()) {

@@ -1,8 +1,7 @@
-//! Leave-one-out cross-validation over takes (specification §12).
+//! Leave-one-out cross-validation over takes (`docs/methods/mar.md` §12).
 //!
 //! Fold k removes take k of every style and action from the database. Take k of the source style is styled,
-//! and compared with take k of the target style: what is trained on and what is compared with never share a
-//! take.
+//! and compared with take k of the target style: training and test data never share a take.
 
 use super::quality::{Quality, Styled, quality};
 use super::truth::{Aligned, Alignment, Errors, align, root_free};
@@ -15,7 +14,7 @@ use crate::transfer::StyledFrame;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{ControlFlow, Range};
 
-/// What is cross-validated.
+/// Settings of the cross-validation.
 #[derive(Clone, Copy, Debug)]
 pub struct LeaveOneOut<'a> {
     /// All clips.
@@ -28,14 +27,13 @@ pub struct LeaveOneOut<'a> {
     pub database_actions: &'a [String],
     /// Styles to predict; empty for all but the source.
     pub targets: &'a [String],
-    /// Takes of each (action, style) but the source style's that a database holds at most, the first ones; 0
-    /// for all.
+    /// Greatest number of takes of each (action, style) but the source style's in a database, the first ones; 0 for all.
     pub target_takes: usize,
     /// How the databases are built; the neutral style is the source.
     pub build: &'a BuildOptions,
 }
 
-/// A performance held out, and what it should become.
+/// A performance held out, and its ground truth.
 #[derive(Clone, Debug)]
 pub struct Trial {
     /// Name of the action.
@@ -46,17 +44,17 @@ pub struct Trial {
     pub take: u32,
     /// The source take at the database's rate.
     pub input: HumanoidMotion,
-    /// Where it is compared: whole gait cycles, or all of a clip that has none.
+    /// Frames that are compared: whole gait cycles, or all of a clip without any.
     pub segments: Vec<Range<usize>>,
     /// The target style's take.
     pub truth: Aligned,
-    /// Errors of doing nothing: the ceiling.
+    /// Errors of the unchanged input: the ceiling.
     pub unchanged: Errors,
     /// Errors of the target style's other takes: the floor.
     pub floor: Option<Floor>,
 }
 
-/// How well other real takes of the target style stand in for the one held out.
+/// Errors of other real takes of the target style against the one held out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Floor {
     /// Errors of the best one.
@@ -65,14 +63,14 @@ pub struct Floor {
     pub mean_of_takes: Errors,
 }
 
-/// What a method makes of a trial.
+/// Result of a method in a trial.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measurement {
     /// Prediction against the truth, before feet are planted.
     pub errors: Errors,
     /// Finished output against the truth.
     pub finished_errors: Errors,
-    /// What does not depend on the truth.
+    /// Measures that need no ground truth.
     pub quality: Quality,
 }
 
@@ -127,8 +125,7 @@ impl<'a> LeaveOneOut<'a> {
         build::build(&kept, &options, &Sequential, &mut |_| ControlFlow::Continue(())).map(|(db, _)| db)
     }
 
-    /// What is predicted in the fold of a take: one trial an action and target style. A take that cannot be
-    /// registered makes no trial.
+    /// The trials in the fold of a take: one an action and target style. A take that cannot be registered gives none.
     pub fn trials(&self, take: u32) -> Vec<Trial> {
         let actions: BTreeSet<&str> =
             self.clips.iter().map(|c| c.action.as_str()).filter(|a| self.predicted(a)).collect();
@@ -145,11 +142,11 @@ impl<'a> LeaveOneOut<'a> {
             clips.sort_by_key(|c| c.take);
             clips
         };
-        let at_rate = |c: &SourceClip| c.motion.resampled(self.build.rate_hz);
-        let input = at_rate(of(self.source).into_iter().find(|c| c.take == take)?);
+        let at_rate = |c: &SourceClip| c.motion.resampled(self.build.rate_hz).ok();
+        let input = at_rate(of(self.source).into_iter().find(|c| c.take == take)?)?;
         let takes = of(target);
         let held_out = takes.iter().position(|c| c.take == take)?;
-        let motions: Vec<HumanoidMotion> = takes.iter().map(|c| at_rate(c)).collect();
+        let motions: Vec<HumanoidMotion> = takes.iter().map(|c| at_rate(c)).collect::<Option<_>>()?;
         let Alignment { segments, others: aligned } = align(&input, &motions.iter().collect::<Vec<_>>())?;
         let truth = aligned[held_out].clone()?;
         let errors = |a: &Aligned| a.errors(&truth, &segments, input.rate_hz);
@@ -171,7 +168,7 @@ impl<'a> LeaveOneOut<'a> {
 }
 
 impl Trial {
-    /// Measures what [`super::quality::style`] made of the input.
+    /// Measures the output of [`super::quality::style`].
     pub fn measure(&self, styled: &Styled) -> Measurement {
         let errors = |frames| self.aligned(frames).errors(&self.truth, &self.segments, self.input.rate_hz);
         Measurement {

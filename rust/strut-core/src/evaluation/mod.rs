@@ -1,9 +1,8 @@
-//! How good the transfer is, measured on real performances (specification §12; the paper's section 7).
+//! Evaluation of the transfer on real performances (`docs/methods/mar.md` §12; the paper's section 7).
 //!
-//! [`leave_one_out`] holds a take out of a database, styles it and compares the result with what the same
-//! performer did in the target style ([`truth`]). [`off_database`] measures what becomes of motion that a
-//! database does not hold; [`quality`] what can be said of any output. Numbers only: what they should be is
-//! for others to say.
+//! [`leave_one_out`] holds a take out of a database, styles it and compares the result with the same performer's take in
+//! the target style ([`truth`]). [`off_database`] measures the result for motion unlike the database's; [`quality`]
+//! needs no reference. Numbers only, no thresholds.
 
 pub mod leave_one_out;
 pub mod off_database;

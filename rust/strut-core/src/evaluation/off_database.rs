@@ -1,7 +1,7 @@
-//! Motion that the database does not hold: the protocol of the specification, §12, second table.
+//! Motion unlike the database's: the protocol of `docs/methods/mar.md` §12, second table.
 //!
-//! There is no truth to compare with, so three numbers say together how well a clip came through: how much
-//! rougher it became, how much of its own content is left, and how far it moved towards the style.
+//! Without a ground truth, three numbers together measure the quality of the result: how much rougher it is than the
+//! input, how much of the input's own content is left, and how far it moved towards the style.
 
 use crate::database::build::prepare::headings;
 use crate::humanoid::HumanoidMotion;
@@ -9,10 +9,10 @@ use crate::math::Vec3;
 use crate::metrics::{Points, pose_error};
 use crate::pose_vector::point_cloud;
 
-/// Length of the moving average that [`content_correlation`] takes off, seconds.
+/// Length of the moving average that [`content_correlation`] subtracts, seconds.
 pub const HIGH_PASS_SECS: f32 = 0.5;
 
-/// What became of a clip that the database does not hold.
+/// Measures of the result for a clip unlike the database's.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OffDatabase {
     /// [`mean_acceleration`] of the output over the input's: 1 is as smooth as the input.
@@ -23,8 +23,8 @@ pub struct OffDatabase {
     pub distance: f32,
 }
 
-/// The three numbers of two clips whose frames correspond: frame i of the output is what frame i of the input
-/// became before feet are planted, whenever it is due.
+/// The three numbers of two clips whose frames correspond: frame i of the output is frame i of the input styled, before
+/// feet are planted, whatever its output time.
 pub fn compare(input: &HumanoidMotion, output: &HumanoidMotion) -> OffDatabase {
     let (before, after) = (heading_free_points(input), heading_free_points(output));
     let window = (HIGH_PASS_SECS * input.rate_hz) as usize | 1;
@@ -55,7 +55,7 @@ pub fn mean_acceleration(points: &[Points]) -> f32 {
 /// the hips, less its centred moving average over `window` frames, an odd number; shorter at the ends),
 /// and the correlation coefficient is taken over all joints, axes and frames together.
 ///
-/// A high-passed track has no mean to speak of, so that the coefficient is Σab / √(Σa² Σb²); 0 if either
+/// The mean of a high-passed track is negligible, so that the coefficient is Σab / √(Σa² Σb²); 0 if either
 /// does not move.
 pub fn content_correlation(input: &[Points], output: &[Points], window: usize) -> f32 {
     let (a, b) = (high_passed(input, window), high_passed(output, window));
@@ -86,8 +86,8 @@ fn high_passed(points: &[Points], window: usize) -> Vec<Points> {
 mod tests {
     use super::*;
     use crate::evaluation::quality::{Mode, quality, style};
+    use crate::fixtures::{Gait, NEUTRAL, RATE_HZ, database, walk};
     use crate::math::float_funcs::sin;
-    use crate::transfer::sine_walk::{Gait, NEUTRAL, RATE_HZ, database, walk};
     use crate::transfer::{Model, Options, Stylizer};
     use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! What can be measured of any output without knowing what it should be.
+//! Measures of any output that need no ground truth.
 
 use super::off_database::compare;
 use crate::contact;
@@ -8,7 +8,7 @@ use crate::transfer::{
     BodyPart, ClipJob, NoClock, PARTS, StyledFrame, StyledMotion, Stylizer, beyond_anatomy, ground_clearance,
 };
 
-/// How a clip goes through the engine.
+/// How a clip is styled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Mode {
     /// As a whole: contacts and footplant see what comes after.

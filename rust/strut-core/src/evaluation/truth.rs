@@ -1,4 +1,4 @@
-//! What a performance should become: the target style's own take, registered to it.
+//! Ground truth of a performance: the target style's own take, registered to it.
 
 use super::off_database::heading_free_points;
 use crate::database::build::prepare::{encode, headings};
@@ -10,8 +10,8 @@ use crate::pose_vector::PoseChart;
 use crate::registration::{Example, Job, Options};
 use std::ops::Range;
 
-/// Frames that a warp passes in one frame at most (its slope limit, and a little for smoothing); more is another
-/// cycle.
+/// Greatest slope of a warp in frames per frame (its limit, and a little for smoothing); a larger step is a change to
+/// another cycle.
 const GREATEST_PACE: f64 = 4.0;
 
 /// Another performance of the same action, frame by frame beside a source.
@@ -86,8 +86,8 @@ pub fn align(source: &HumanoidMotion, others: &[&HumanoidMotion]) -> Option<Alig
     Some(Alignment { segments, others })
 }
 
-/// The time that passes along counterparts, seconds. Where one gives way to another, in another cycle, time goes
-/// on at the pace it had.
+/// The time that passes along counterparts, seconds. At a change to a counterpart in another cycle the last pace is
+/// kept.
 fn running_time(frames: &[f32], rate_hz: f32) -> Vec<f64> {
     let (mut time, mut pace) = (0.0, 1.0);
     let mut elapsed = vec![0.0; frames.len().min(1)];
@@ -107,13 +107,13 @@ fn between(points: &[Points], at: f32) -> Points {
 }
 
 impl Aligned {
-    /// The source as it is: what doing nothing predicts.
+    /// The unchanged source, as a prediction.
     pub fn unchanged(source: &HumanoidMotion) -> Self {
         let rate = f64::from(source.rate_hz);
         Self { points: points_of(source), time_secs: (0..source.poses.len()).map(|i| i as f64 / rate).collect() }
     }
 
-    /// The frame-by-frame mean of some performances; `None` of none.
+    /// The frame-by-frame mean of some performances; `None` without any.
     pub fn mean(of: &[&Self]) -> Option<Self> {
         let first = of.first()?;
         let share = 1.0 / of.len() as f32;

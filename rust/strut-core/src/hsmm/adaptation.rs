@@ -1,10 +1,10 @@
 //! A style as a change of the model of all styles: a linear transform for every joint, then the mean between that and what
-//! its own steps say (specification, §6c).
+//! its own steps say (`docs/methods/hsmm.md` §6c).
 
-use super::model::{Part, SIDES, STATES, StyleMeans};
-use super::training::{Sample, Shared, Sums, states};
+use super::model::{SIDES, STATES, Stream, StyleMeans};
+use super::statistics::{Sample, SharedVariances, Statistics, states};
 use crate::humanoid::JOINTS;
-use crate::math::linear::solve_symmetric;
+use crate::math::linear::solve_positive_definite;
 
 /// Rounds of alignment and estimation, of either method.
 const ROUNDS: usize = 3;
@@ -18,26 +18,26 @@ const STEPS: f64 = 2.0;
 const MANY_STEPS: f64 = 100.0;
 
 /// The means of a style with these samples, all of which are of the style.
-pub(super) fn adapt(samples: &[&Sample], all: &StyleMeans, shared: &Shared) -> StyleMeans {
+pub(super) fn adapt(samples: &[&Sample], all: &StyleMeans, shared: &SharedVariances) -> StyleMeans {
     let mut means = all.clone();
     for _ in 0..ROUNDS {
-        means = transformed(all, shared, &Sums::aligned(samples, Some((&means, shared))));
+        means = transformed(all, shared, &Statistics::aligned(samples, Some((&means, shared))));
     }
     let before = means.clone();
     for _ in 0..ROUNDS {
-        means = mean_with_own(&before, &Sums::aligned(samples, Some((&means, shared))));
+        means = mean_with_own(&before, &Statistics::aligned(samples, Some((&means, shared))));
     }
     means
 }
 
 /// One 3 × 4 transform for every joint and all its states: pose and shift, and velocity and acceleration without the shift.
-fn transformed(all: &StyleMeans, shared: &Shared, sums: &Sums) -> StyleMeans {
+fn transformed(all: &StyleMeans, shared: &SharedVariances, sums: &Statistics) -> StyleMeans {
     let mut means = all.clone();
     for joint in 0..JOINTS {
         let dims = 3 * joint..3 * joint + 3;
-        let regressors = |part: Part, side: usize, state: usize| {
+        let regressors = |part: Stream, side: usize, state: usize| {
             let mean = &all.means[side][state][part as usize][dims.clone()];
-            [mean[0], mean[1], mean[2], f64::from(u8::from(part == Part::Pose))]
+            [mean[0], mean[1], mean[2], f64::from(u8::from(part == Stream::Static))]
         };
         let rows: [[f64; 4]; 3] = std::array::from_fn(|row| {
             let d = dims.start + row;
@@ -47,7 +47,7 @@ fn transformed(all: &StyleMeans, shared: &Shared, sums: &Sums) -> StyleMeans {
                 matrix[5 * i] = RIDGE[i];
             }
             right[row] = RIDGE[row];
-            for part in Part::ALL {
+            for part in Stream::ALL {
                 for (side, state) in states() {
                     let z = regressors(part, side, state);
                     let weight = 1.0 / shared.variances[side][state][part as usize][d];
@@ -59,10 +59,13 @@ fn transformed(all: &StyleMeans, shared: &Shared, sums: &Sums) -> StyleMeans {
                     }
                 }
             }
-            solve_symmetric(&mut matrix, &mut right);
-            right
+            match solve_positive_definite(&mut matrix, &mut right) {
+                Some(()) => right,
+                // No transform: the row of the identity.
+                None => std::array::from_fn(|i| f64::from(u8::from(i == row))),
+            }
         });
-        for part in Part::ALL {
+        for part in Stream::ALL {
             for (side, state) in states() {
                 let z = regressors(part, side, state);
                 let out = &mut means.means[side][state][part as usize][dims.clone()];
@@ -84,7 +87,7 @@ fn transformed(all: &StyleMeans, shared: &Shared, sums: &Sums) -> StyleMeans {
 }
 
 /// Maximum a posteriori: what was known before counts like a few frames.
-fn mean_with_own(before: &StyleMeans, sums: &Sums) -> StyleMeans {
+fn mean_with_own(before: &StyleMeans, sums: &Statistics) -> StyleMeans {
     let mut means = before.clone();
     let steps: f64 = sums.steps.iter().sum();
     let prior = if steps >= MANY_STEPS { FRAMES_OF_MANY } else { FRAMES };

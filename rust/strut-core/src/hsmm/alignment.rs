@@ -1,6 +1,7 @@
-//! The states of a step's frames: Viterbi's recursion over durations (specification, §5).
+//! The states of a step's frames: Viterbi's recursion over durations (`docs/methods/hsmm.md` §5).
 
 use super::model::{Observation, STATES};
+use crate::math::float_funcs::double;
 use std::f64::consts::TAU;
 
 /// One side's states, ready to be compared with frames.
@@ -22,7 +23,7 @@ impl<'a> States<'a> {
         duration_variances: [f64; STATES],
     ) -> Self {
         let constant =
-            |state: &Observation| -0.5 * state.as_flattened().iter().map(|v| libm::log(TAU * v)).sum::<f64>();
+            |state: &Observation| -0.5 * state.as_flattened().iter().map(|v| double::ln(TAU * v)).sum::<f64>();
         Self {
             means,
             inverse_variances: variances.map(|state| state.map(|row| row.map(|v| 1.0 / v))),
@@ -43,7 +44,7 @@ impl<'a> States<'a> {
     /// Log-likelihood of a state's duration in frames.
     fn of_duration(&self, state: usize, frames: usize) -> f64 {
         let (distance, variance) = (frames as f64 - self.durations[state], self.duration_variances[state]);
-        -0.5 * (libm::log(TAU * variance) + distance * distance / variance)
+        -0.5 * (double::ln(TAU * variance) + distance * distance / variance)
     }
 
     /// The likeliest durations of the states of a step, and the log-likelihood of the step; `None` if it has fewer frames
@@ -101,11 +102,11 @@ pub(super) fn equal_split(frames: usize) -> Option<[usize; STATES]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hsmm::model::DIMS;
+    use crate::rotation_row::ROTATION_DIMS;
     use proptest::prelude::*;
 
     fn observation(value: f64) -> Observation {
-        [[value; DIMS], [0.0; DIMS], [0.0; DIMS]]
+        [[value; ROTATION_DIMS], [0.0; ROTATION_DIMS], [0.0; ROTATION_DIMS]]
     }
 
     proptest! {
@@ -113,7 +114,7 @@ mod tests {
         fn no_other_durations_are_likelier(values in prop::collection::vec(0.0f64..5.0, 8), spread in 0.5f64..3.0) {
             let step: Vec<Observation> = values.iter().map(|v| observation(*v)).collect();
             let means: [Observation; STATES] = std::array::from_fn(|s| observation(s as f64));
-            let states = States::new(&means, &[[[40.0; DIMS]; 3]; STATES], [1.6; STATES], [spread; STATES]);
+            let states = States::new(&means, &[[[40.0; ROTATION_DIMS]; 3]; STATES], [1.6; STATES], [spread; STATES]);
             let (found, likelihood) = states.align(&step).unwrap();
             prop_assert_eq!(found.iter().sum::<usize>(), 8);
             let score = |durations: &[usize; STATES]| {

@@ -1,8 +1,8 @@
-//! What a model says of one joint through a pair of steps, to be drawn.
+//! The model's curve of one joint over a pair of steps, for display.
 
-use super::model::{Part, SIDES, Side, StyleMeans, WalkModel};
-use super::training::states;
-use super::walker::{WalkVoices, Walker, WeightsError};
+use super::model::{SIDES, Side, Stream, StyleMeans, WalkModel};
+use super::statistics::states;
+use super::walker::{RuntimeWalkModel, Walker, WeightsError};
 use crate::humanoid::Role;
 use crate::math::{Vec3, exp_map};
 use std::sync::Arc;
@@ -41,17 +41,17 @@ impl JointCurve {
     /// See [`WeightsError`].
     pub fn new(
         model: &WalkModel,
-        voices: &Arc<WalkVoices>,
+        runtime: &Arc<RuntimeWalkModel>,
         weights: [&[f32]; SIDES],
         joint: Role,
     ) -> Result<Self, WeightsError> {
-        let mut walker = Walker::new(Arc::clone(voices));
+        let mut walker = Walker::new(Arc::clone(runtime));
         walker.set_sides(weights)?;
         let average = model.average();
         let mixed: [StyleMeans; SIDES] =
             weights.map(|weights| model.mix(&average, &weights.iter().map(|w| f64::from(*w)).collect::<Vec<_>>()));
         let dims = 3 * joint.index()..3 * joint.index() + 3;
-        let pose = Part::Pose as usize;
+        let pose = Stream::Static as usize;
         let spread = |d: usize| {
             let means = || states().map(|(side, state)| average.means[side][state][pose][d]);
             means().fold(f64::NEG_INFINITY, f64::max) - means().fold(f64::INFINITY, f64::min)

@@ -1,12 +1,13 @@
-//! Walks as degrees of freedom (specification, §3).
+//! Walks as degrees of freedom (`docs/methods/hsmm.md` §3).
 
 use super::RATE_HZ;
-use super::model::{Observation, Row};
-use crate::humanoid::{HumanoidMotion, JOINTS, Pose};
+use super::model::Observation;
+use crate::humanoid::{HumanoidMotion, JOINTS, Pose, TooManyFrames};
 use crate::kinematics::{WorldPose, world_from_local};
 use crate::math::float_funcs::atan2;
 use crate::math::{Quat, Vec3};
 use crate::pose_vector::heading_of;
+use crate::rotation_row::RotationRow;
 use crate::rotation_row::mean_rotations;
 use thiserror::Error;
 
@@ -22,6 +23,9 @@ const REFERENCE_STRIDE: usize = 4;
 /// Why a clip is not one of walking.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum TrackError {
+    /// It has too many frames at [`RATE_HZ`].
+    #[error(transparent)]
+    TooLong(#[from] TooManyFrames),
     /// The body stays where it is.
     #[error("the body moves {0:.2} m in all; a walk of at least {LEAST_WAY} m was expected")]
     NoWay(f32),
@@ -47,7 +51,7 @@ impl Track {
     /// # Errors
     /// See [`TrackError`].
     pub fn new(motion: &HumanoidMotion) -> Result<Self, TrackError> {
-        let motion = motion.resampled(RATE_HZ);
+        let motion = motion.resampled(RATE_HZ)?;
         let way = match (motion.poses.first(), motion.poses.last()) {
             (Some(first), Some(last)) => (last.root - first.root) * Vec3::new(1.0, 0.0, 1.0),
             _ => Vec3::ZERO,
@@ -83,7 +87,7 @@ impl Track {
     }
 
     /// The poses as exponential maps about a reference.
-    pub(super) fn rows(&self, reference: &[Quat; JOINTS]) -> Vec<Row> {
+    pub(super) fn rows(&self, reference: &[Quat; JOINTS]) -> Vec<RotationRow> {
         self.poses.iter().map(|pose| row_of(reference, &pose.rotations)).collect()
     }
 }
@@ -94,7 +98,7 @@ pub(super) fn reference(tracks: &[&Track]) -> [Quat; JOINTS] {
 }
 
 /// Poses with velocities and accelerations per frame; the end frames stand for what is beyond them.
-pub(super) fn observations(rows: &[Row]) -> Vec<Observation> {
+pub(super) fn observations(rows: &[RotationRow]) -> Vec<Observation> {
     let at = |t: usize| {
         let (before, after) = (&rows[t.saturating_sub(1)], &rows[(t + 1).min(rows.len() - 1)]);
         let velocity = std::array::from_fn(|d| 0.5 * (after[d] - before[d]));

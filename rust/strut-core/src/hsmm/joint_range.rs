@@ -1,4 +1,4 @@
-//! Soft limits of the joints: what exaggerated styles may ask for (specification, §10; the paper's future work).
+//! Soft limits of the joints: what exaggerated styles may ask for (`docs/methods/hsmm.md` §10; the paper's future work).
 
 use crate::math::float_funcs::exp;
 

@@ -1,8 +1,9 @@
-//! Takes of a style that differ too much to be one (specification, §6: styles with two takes).
+//! Takes of a style that differ too much to be one (`docs/methods/hsmm.md` §6: styles with two takes).
 
 use super::features::{Track, reference};
 use super::model::{SIDES, STATES, Side, StyleMeans};
-use super::training::{Sample, Sums, Training, states};
+use super::statistics::{Sample, Statistics, states};
+use super::training::LabelledClip;
 use crate::humanoid::JOINTS;
 use crate::math::{Quat, Vec3, exp_map};
 
@@ -12,7 +13,7 @@ const APART: f64 = 6.0;
 /// The style of every clip: its own, with a letter where its takes are different expressions, as in `proud A` and `proud B`.
 /// Takes are put together as long as their mean steps are near each other on average; one without a step of either foot goes
 /// with the first.
-pub fn landmarks(clips: &[Training<'_>]) -> Vec<String> {
+pub fn landmarks(clips: &[LabelledClip<'_>]) -> Vec<String> {
     let tracks: Vec<_> = clips.iter().map(|clip| clip.track).collect();
     let reference = reference(&tracks);
     let steps: Vec<Option<StyleMeans>> = tracks.iter().map(|track| mean_steps(track, &reference)).collect();
@@ -51,7 +52,7 @@ fn landmark(style: &str, group: usize) -> String {
 fn mean_steps(track: &Track, reference: &[Quat; JOINTS]) -> Option<StyleMeans> {
     let sample = Sample::new(0, track, reference);
     let has = |side: Side| sample.steps.iter().any(|step| step.side == side);
-    (has(Side::Left) && has(Side::Right)).then(|| Sums::aligned(&[&sample], None).means())
+    (has(Side::Left) && has(Side::Right)).then(|| Statistics::aligned(&[&sample], None).means())
 }
 
 /// Mean angle between the joints of two clips' mean steps, degrees.

@@ -1,5 +1,5 @@
 //! Maximum-likelihood parameter generation: the trajectory whose poses, velocities and accelerations agree best with their
-//! means (specification, §8).
+//! means (`docs/methods/hsmm.md` §8).
 //!
 //! For each degree of freedom it minimises Σₜ p (cₜ − m)² + p′ (Δcₜ − m′)² + p″ (Δ²cₜ − m″)², with Δcₜ = (cₜ₊₁ − cₜ₋₁) / 2 and
 //! Δ²cₜ = cₜ₊₁ − 2cₜ + cₜ₋₁: a symmetric system with five diagonals.
@@ -7,7 +7,7 @@
 use crate::math::lanes::Lane;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// What trajectories are computed in: one degree of freedom, or four at once.
+/// The scalar type of a trajectory: one degree of freedom, or four side by side.
 pub(super) trait Number:
     Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
@@ -96,7 +96,7 @@ impl<T: Number> Banded<T> {
         self.pull(t + 1, of.weight * of.mean);
     }
 
-    /// c₋₁ and c₋₂ are what they are: the velocities and accelerations of frames −1 and 0 tie the trajectory to them.
+    /// Adds the terms that couple the trajectory to the known values c₋₁ and c₋₂: deltas of frames −1 and 0.
     pub(super) fn after(&mut self, [before, last]: [T; 2], velocities: [Term<T>; 2], accelerations: [Term<T>; 2]) {
         // (c₀ − c₋₂) / 2 and (c₁ − c₋₁) / 2.
         for (t, (of, known)) in velocities.iter().zip([before, last]).enumerate() {
@@ -124,7 +124,7 @@ impl<T: Number> Banded<T> {
         &self.right
     }
 
-    /// What [`Banded::solve`] gave last.
+    /// The last solution of [`Banded::solve`].
     pub(super) fn trajectory(&self) -> &[T] {
         &self.right
     }
@@ -197,7 +197,7 @@ mod tests {
         system.solve().to_vec()
     }
 
-    /// What is minimised.
+    /// The objective.
     fn cost(terms: &Terms, c: &[f64]) -> f64 {
         terms
             .iter()

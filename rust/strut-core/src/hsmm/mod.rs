@@ -1,5 +1,5 @@
 //! Walk synthesis: Tilmanne, Dutoit, "Continuous Control of Style and Style Transitions through Linear Interpolation in
-//! Hidden Markov Model Based Walk Synthesis", 2012, with the decisions of the specification in `docs/`.
+//! Hidden Markov Model Based Walk Synthesis", 2012, with the decisions in `docs/methods/hsmm.md`.
 //!
 //! Steps of recorded walks ([`steps_of`]) train a hidden semi-Markov model of five states for either side, and every style
 //! is a set of its means ([`train`]). Means are added and scaled as vectors ([`WalkModel::mix`]), a banded system turns them
@@ -10,7 +10,7 @@
 mod adaptation;
 mod alignment;
 mod curve;
-#[cfg(any(test, feature = "offline"))]
+#[cfg(any(test, feature = "baselines"))]
 pub mod evaluation;
 mod features;
 mod joint_range;
@@ -19,21 +19,23 @@ mod mlpg;
 mod model;
 mod refinement;
 mod root;
+mod statistics;
 mod steps;
 mod training;
 mod walker;
 mod walks;
 
+pub use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 pub use curve::{CurvePoint, JointCurve};
 pub use features::{Track, TrackError};
 pub use landmarks::{landmarks, styles_named};
-pub use model::{DIMS, Observation, PerState, Row, SIDES, STATES, Side, StyleMeans, WalkModel, numbers};
+pub use model::{Observation, PerState, SIDES, STATES, Side, StyleMeans, WalkModel, flattened};
 pub use steps::{Step, steps_of};
-pub use training::{Options, TrainError, TrainProgress, Trainer, Training, train};
-pub use walker::{HORIZON, MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WalkVoices, Walker, WeightsError};
+pub use training::{LabelledClip, Options, TrainError, TrainProgress, Trainer, train};
+pub use walker::{HORIZON, MAX_TURN, MAX_WEIGHT, RuntimeWalkModel, STEP_FRAMES, STRIDE, Walker, WeightsError};
 pub use walks::{WALK, walk_of, walking_action, walks_among};
 
-/// Frames per second of every walk that is modelled (specification, §2).
+/// Frames per second of every walk that is modelled (`docs/methods/hsmm.md` §2).
 pub const RATE_HZ: f32 = 30.0;
 
 #[cfg(test)]

@@ -2,32 +2,27 @@
 
 use crate::humanoid::{JOINTS, Proportions};
 use crate::math::Quat;
-use crate::rotation_row::rotations_of;
+use crate::rotation_row::{ROTATION_DIMS, RotationRow, rotations_of};
 
-/// Degrees of freedom of a pose: an exponential map for every joint.
-pub const DIMS: usize = 3 * JOINTS;
 /// States of a step, from left to right.
 pub const STATES: usize = 5;
 /// A step is that of the left or the right foot.
 pub const SIDES: usize = 2;
 
-/// One number for every degree of freedom.
-pub type Row = [f64; DIMS];
-
 /// A pose, its velocity and its acceleration, per frame.
-pub type Observation = [Row; 3];
+pub type Observation = [RotationRow; 3];
 
 /// The parts of an [`Observation`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
-    Pose,
-    Velocity,
-    Acceleration,
+pub(super) enum Stream {
+    Static,
+    Delta,
+    DeltaDelta,
 }
 
-impl Part {
+impl Stream {
     /// All parts in order.
-    pub(super) const ALL: [Self; 3] = [Self::Pose, Self::Velocity, Self::Acceleration];
+    pub(super) const ALL: [Self; 3] = [Self::Static, Self::Delta, Self::DeltaDelta];
 }
 
 /// The foot that swings in a step; the other one supports.
@@ -52,16 +47,16 @@ impl Side {
 pub type PerState<T> = [[T; STATES]; SIDES];
 
 /// All numbers of all states, one after the other.
-pub fn numbers(of: &PerState<Observation>) -> &[f64] {
+pub fn flattened(of: &PerState<Observation>) -> &[f64] {
     of.as_flattened().as_flattened().as_flattened()
 }
 
-/// [`numbers`], to be changed.
-pub(super) fn numbers_mut(of: &mut PerState<Observation>) -> &mut [f64] {
+/// [`flattened`], to be changed.
+pub(super) fn flattened_mut(of: &mut PerState<Observation>) -> &mut [f64] {
     of.as_flattened_mut().as_flattened_mut().as_flattened_mut()
 }
 
-/// What makes a style: the means of its states, and how many frames each lasts.
+/// A style: the means of its states, and their mean durations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StyleMeans {
     /// Means of observations.
@@ -71,23 +66,23 @@ pub struct StyleMeans {
 }
 
 impl StyleMeans {
-    /// All zero: what sums begin with.
+    /// All zero.
     pub(super) fn zero() -> Self {
-        Self { means: Box::new([[[[0.0; DIMS]; 3]; STATES]; SIDES]), durations: [[0.0; STATES]; SIDES] }
+        Self { means: Box::new([[[[0.0; ROTATION_DIMS]; 3]; STATES]; SIDES]), durations: [[0.0; STATES]; SIDES] }
     }
 
     /// With a pose added to that of every state.
-    pub(super) fn with_pose(&self, added: &Row) -> Self {
+    pub(super) fn with_pose(&self, added: &RotationRow) -> Self {
         let mut means = self.clone();
         for state in means.means.as_flattened_mut() {
-            state[Part::Pose as usize].iter_mut().zip(added).for_each(|(mean, added)| *mean += added);
+            state[Stream::Static as usize].iter_mut().zip(added).for_each(|(mean, added)| *mean += added);
         }
         means
     }
 
     /// Adds `weight` times another.
     pub(super) fn add(&mut self, weight: f64, other: &Self) {
-        numbers_mut(&mut self.means).iter_mut().zip(numbers(&other.means)).for_each(|(a, b)| *a += weight * b);
+        flattened_mut(&mut self.means).iter_mut().zip(flattened(&other.means)).for_each(|(a, b)| *a += weight * b);
         let durations = self.durations.as_flattened_mut().iter_mut();
         durations.zip(other.durations.as_flattened()).for_each(|(a, b)| *a += weight * b);
     }
@@ -105,7 +100,7 @@ pub struct WalkModel {
     /// Variances of durations, frames².
     pub duration_variances: PerState<f64>,
     /// Least and greatest value of every degree of freedom in the walks that the model was trained on.
-    pub range: [Row; 2],
+    pub range: [RotationRow; 2],
     /// Names of the styles.
     pub styles: Vec<String>,
     /// One for every style.
@@ -123,12 +118,12 @@ impl WalkModel {
     }
 
     /// The rotations of a pose's degrees of freedom; that of the hips is free of the heading.
-    pub fn rotations(&self, row: &Row) -> [Quat; JOINTS] {
+    pub fn rotations(&self, row: &RotationRow) -> [Quat; JOINTS] {
         rotations_of(&self.reference, row)
     }
 
-    /// A style of these weights, one a style of the model; what they lack to a sum of 1 is the `average`'s
-    /// (specification, §9). One style alone with weight 1 is that style to the bit.
+    /// A style of these weights, one a style of the model; the remainder to a sum of 1 is the weight of the `average`
+    /// (`docs/methods/hsmm.md` §9). One style alone with weight 1 is that style to the bit.
     pub fn mix(&self, average: &StyleMeans, weights: &[f64]) -> StyleMeans {
         let mut mixed = StyleMeans::zero();
         let rest = 1.0 - weights.iter().sum::<f64>();

@@ -1,15 +1,18 @@
-//! Means whose trajectories are nearest to the recorded ones: minimum generation error (specification, §6d).
+//! Refinement of means by the minimum generation error criterion (`docs/methods/hsmm.md` §6d).
 //!
 //! Trajectories that agree with means and variances at best move less than what these were measured on. But each degree of
 //! freedom of a trajectory is linear in its 30 means, so that least squares find better ones.
 
 use super::mlpg::{Banded, Term};
-use super::model::{DIMS, Part, SIDES, STATES, StyleMeans};
-use super::training::{Sample, Shared, states, states_of};
-use crate::math::linear::solve_symmetric;
+use super::model::{SIDES, STATES, Stream, StyleMeans};
+use super::statistics::{Sample, SharedVariances, states, states_of};
+use crate::math::linear::solve_positive_definite;
+use crate::rotation_row::ROTATION_DIMS;
+#[cfg(any(test, feature = "baselines"))]
+use crate::rotation_row::RotationRow;
 
 /// Means of one degree of freedom.
-const MEANS: usize = SIDES * STATES * Part::ALL.len();
+const MEANS: usize = SIDES * STATES * Stream::ALL.len();
 /// How much the means hold to what they were. With less, states that last a frame or two swing far out to make up for their
 /// neighbours, and mixtures, whose states last differently, do not.
 const RIDGE: f64 = 3.0;
@@ -26,7 +29,7 @@ pub(super) struct Chain {
 }
 
 /// A sample's steps with the likeliest states, those that follow each other together.
-pub(super) fn chains(sample: &Sample, means: &StyleMeans, shared: &Shared) -> Vec<Chain> {
+pub(super) fn chains(sample: &Sample, means: &StyleMeans, shared: &SharedVariances) -> Vec<Chain> {
     let sides = states_of(means, shared);
     let mut chains: Vec<Chain> = Vec::new();
     for step in &sample.steps {
@@ -47,31 +50,31 @@ pub(super) fn chains(sample: &Sample, means: &StyleMeans, shared: &Shared) -> Ve
 pub(super) fn trajectory<'a>(
     states: &[FrameState],
     d: usize,
-    shared: &Shared,
-    mean: impl Fn(usize, usize, Part) -> f64,
+    shared: &SharedVariances,
+    mean: impl Fn(usize, usize, Stream) -> f64,
     system: &'a mut Banded<f64>,
 ) -> &'a [f64] {
     system.begin(states.len());
     for (t, &(side, state)) in states.iter().enumerate() {
-        let term = |part: Part| Term {
+        let term = |part: Stream| Term {
             mean: mean(side, state, part),
             weight: 1.0 / shared.variances[side][state][part as usize][d],
         };
-        system.pose(t, term(Part::Pose));
+        system.pose(t, term(Stream::Static));
         if t > 0 && t + 1 < states.len() {
-            system.velocity(t, term(Part::Velocity));
-            system.acceleration(t, term(Part::Acceleration));
+            system.velocity(t, term(Stream::Delta));
+            system.acceleration(t, term(Stream::DeltaDelta));
         }
     }
     system.solve()
 }
 
 /// The trajectory of a style through states.
-#[cfg(any(test, feature = "offline"))]
-pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &Shared) -> Vec<super::model::Row> {
-    let (mut rows, mut system) = (vec![[0.0; DIMS]; states.len()], Banded::default());
-    for d in 0..DIMS {
-        let mean = |side: usize, state: usize, part: Part| means.means[side][state][part as usize][d];
+#[cfg(any(test, feature = "baselines"))]
+pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &SharedVariances) -> Vec<RotationRow> {
+    let (mut rows, mut system) = (vec![[0.0; ROTATION_DIMS]; states.len()], Banded::default());
+    for d in 0..ROTATION_DIMS {
+        let mean = |side: usize, state: usize, part: Stream| means.means[side][state][part as usize][d];
         let values = trajectory(states, d, shared, mean, &mut system);
         rows.iter_mut().zip(values).for_each(|(row, v)| row[d] = *v);
     }
@@ -79,24 +82,29 @@ pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &Share
 }
 
 /// The refined means of a style with these samples.
-pub(super) fn refine(samples: &[&Sample], means: &StyleMeans, shared: &Shared) -> StyleMeans {
+pub(super) fn refine(samples: &[&Sample], means: &StyleMeans, shared: &SharedVariances) -> StyleMeans {
     (0..ROUNDS).fold(means.clone(), |refined, _| refine_aligned(samples, &refined, means, shared))
 }
 
 /// Means nearest to some others for steps whose states are the likeliest by means that were refined before.
-fn refine_aligned(samples: &[&Sample], aligned: &StyleMeans, means: &StyleMeans, shared: &Shared) -> StyleMeans {
+fn refine_aligned(
+    samples: &[&Sample],
+    aligned: &StyleMeans,
+    means: &StyleMeans,
+    shared: &SharedVariances,
+) -> StyleMeans {
     let chains: Vec<(&Sample, Chain)> =
         samples.iter().flat_map(|s| chains(s, aligned, shared).into_iter().map(move |chain| (*s, chain))).collect();
-    let index = |side: usize, state: usize, part: Part| (side * STATES + state) * Part::ALL.len() + part as usize;
+    let index = |side: usize, state: usize, part: Stream| (side * STATES + state) * Stream::ALL.len() + part as usize;
     let mut refined = means.clone();
     let mut system = Banded::default();
-    for d in 0..DIMS {
+    for d in 0..ROTATION_DIMS {
         let (mut matrix, mut right) = ([0.0; MEANS * MEANS], [0.0; MEANS]);
         for (sample, chain) in &chains {
             let columns: Vec<Vec<f64>> = (0..MEANS)
                 .map(|i| {
                     let unit =
-                        |side: usize, state: usize, part: Part| f64::from(u8::from(index(side, state, part) == i));
+                        |side: usize, state: usize, part: Stream| f64::from(u8::from(index(side, state, part) == i));
                     trajectory(&chain.states, d, shared, unit, &mut system).to_vec()
                 })
                 .collect();
@@ -112,18 +120,20 @@ fn refine_aligned(samples: &[&Sample], aligned: &StyleMeans, means: &StyleMeans,
                 right[i] += a.iter().zip(recorded).map(|(a, row)| a * row[d]).sum::<f64>();
             }
         }
-        let variance = |side: usize, state: usize, part: Part| shared.variances[side][state][part as usize][d];
-        let poses = states().map(|(side, state)| variance(side, state, Part::Pose)).sum::<f64>();
+        let variance = |side: usize, state: usize, part: Stream| shared.variances[side][state][part as usize][d];
+        let poses = states().map(|(side, state)| variance(side, state, Stream::Static)).sum::<f64>();
         let mean_variance = poses / (SIDES * STATES) as f64;
-        for part in Part::ALL {
+        for part in Stream::ALL {
             for (side, state) in states() {
                 let (i, hold) = (index(side, state, part), RIDGE * mean_variance / variance(side, state, part));
                 matrix[i * MEANS + i] += hold;
                 right[i] += hold * means.means[side][state][part as usize][d];
             }
         }
-        solve_symmetric(&mut matrix, &mut right);
-        for part in Part::ALL {
+        if solve_positive_definite(&mut matrix, &mut right).is_none() {
+            continue;
+        }
+        for part in Stream::ALL {
             for (side, state) in states() {
                 refined.means[side][state][part as usize][d] = right[index(side, state, part)];
             }

@@ -1,4 +1,4 @@
-//! Where the body goes (specification, §11): the walk says which foot supports it.
+//! The path of the root (`docs/methods/hsmm.md` §11): the model gives the supporting foot.
 
 use super::model::Side;
 use crate::root_path::Support;

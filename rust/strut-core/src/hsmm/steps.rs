@@ -1,4 +1,4 @@
-//! Walks cut into steps (specification, §4).
+//! Walks cut into steps (`docs/methods/hsmm.md` §4).
 
 use super::features::Track;
 use super::model::Side;

@@ -1,9 +1,10 @@
 use super::evaluation::horizon_error;
 use super::*;
-use crate::humanoid::{HumanoidMotion, JOINTS, Proportions};
+use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ as SINE_RATE_HZ, walk};
+use crate::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions};
+use crate::incremental::IncrementalJob;
 use crate::math::{Vec3, exp_map};
 use crate::parallel::Sequential;
-use crate::transfer::sine_walk::{BENT, Gait, NEUTRAL, RATE_HZ as SINE_RATE_HZ, walk};
 use std::sync::{Arc, LazyLock};
 
 /// Half a minute of a gait, trembling as people do: what never varies would be certain beyond measure.
@@ -26,12 +27,12 @@ static MODEL: LazyLock<WalkModel> = LazyLock::new(|| {
         .into_iter()
         .flat_map(|(name, gait)| [0.0, 3.0].map(|more| (name, track(&Gait { period: gait.period + more, ..gait }))))
         .collect();
-    let clips: Vec<Training> = tracks.iter().map(|(style, track)| Training { style, track }).collect();
+    let clips: Vec<LabelledClip> = tracks.iter().map(|(style, track)| LabelledClip { style, track }).collect();
     train(&Proportions::default(), &clips, Options::default(), &Sequential).unwrap()
 });
 
-fn walker(weights: &[f32]) -> Walker {
-    let mut walker = Walker::new(Arc::new(WalkVoices::new(&MODEL)));
+pub(super) fn walker(weights: &[f32]) -> Walker {
+    let mut walker = Walker::new(Arc::new(RuntimeWalkModel::new(&MODEL)));
     walker.set_styles(weights).unwrap();
     walker.reset(Vec3::ZERO, 0.0);
     walker
@@ -69,7 +70,7 @@ fn clips_without_steps_are_refused_by_name() {
     let (walking, mut gliding) = (track(&NEUTRAL), track(&NEUTRAL));
     let pose = gliding.positions[0];
     gliding.positions.fill(pose);
-    let clips = [Training { style: "walks", track: &walking }, Training { style: "glides", track: &gliding }];
+    let clips = [LabelledClip { style: "walks", track: &walking }, LabelledClip { style: "glides", track: &gliding }];
     let refused = train(&Proportions::default(), &clips, Options::default(), &Sequential);
     assert_eq!(refused.unwrap_err(), TrainError::NoStepInStyle("glides".into()));
 }
@@ -77,17 +78,17 @@ fn clips_without_steps_are_refused_by_name() {
 #[test]
 fn training_in_steps_gives_the_same_model() {
     let tracks = [track(&NEUTRAL), track(&BENT)];
-    let clips: Vec<Training> =
-        ["upright", "bent"].iter().zip(&tracks).map(|(style, track)| Training { style, track }).collect();
+    let clips: Vec<LabelledClip> =
+        ["upright", "bent"].iter().zip(&tracks).map(|(style, track)| LabelledClip { style, track }).collect();
     let whole = train(&Proportions::default(), &clips, Options::default(), &Sequential).unwrap();
     let mut trainer = Trainer::new(&Proportions::default(), &clips, Options::default(), &Sequential).unwrap();
     let mut done = Vec::new();
-    while let Some(progress) = trainer.step(1, &Sequential) {
+    while let Ok(Some(progress)) = trainer.step(&Sequential) {
         assert_eq!(progress.total, 5);
         done.push(progress.done);
     }
     assert_eq!(done, [1, 2, 3, 4, 5]);
-    assert_eq!(trainer.finish(), whole);
+    assert_eq!(trainer.conclude(&Sequential), Ok(whole));
 }
 
 #[test]
@@ -132,8 +133,8 @@ fn feet_stand_in_turn_and_never_slide() {
 
 #[test]
 fn a_joint_is_drawn_near_its_means() {
-    let voices = Arc::new(WalkVoices::new(&MODEL));
-    let curve = JointCurve::new(&MODEL, &voices, [&[1.0, 0.0]; SIDES], crate::humanoid::Role::LeftLowerLeg).unwrap();
+    let runtime = Arc::new(RuntimeWalkModel::new(&MODEL));
+    let curve = JointCurve::new(&MODEL, &runtime, [&[1.0, 0.0]; SIDES], crate::humanoid::Role::LeftLowerLeg).unwrap();
     assert!((25..45).contains(&curve.points.len()), "{}", curve.points.len());
     let outside = curve.points.iter().filter(|p| (p.angle - p.mean).abs() > 2.5 * p.deviation).count();
     assert!(outside * 5 < curve.points.len(), "{outside} of {}", curve.points.len());
@@ -165,7 +166,7 @@ fn the_style_that_is_asked_for_is_walked() {
 
 #[test]
 fn looking_ahead_gives_the_trajectory_of_the_whole_walk() {
-    let [mean, greatest] = horizon_error(&MODEL, &Arc::new(WalkVoices::new(&MODEL)), 0).unwrap();
+    let [mean, greatest] = horizon_error(&MODEL, &Arc::new(RuntimeWalkModel::new(&MODEL)), 0).unwrap();
     assert!(mean < 0.1 && greatest < 1.0, "{mean} {greatest}");
 }
 
@@ -182,7 +183,7 @@ fn what_touches_the_ground_stays_where_it_is() {
                 && (foot, point) == (now.0, now.1)
             {
                 let moved: Vec3 = now.2 - at;
-                assert!(moved.x.hypot(moved.z) < 1e-5, "{moved}");
+                assert!(moved.x * moved.x + moved.z * moved.z < 1e-10, "{moved}");
             }
             last = Some(now);
         }
@@ -190,15 +191,26 @@ fn what_touches_the_ground_stays_where_it_is() {
 }
 
 #[test]
-fn ten_minutes_neither_drift_nor_grow() {
+fn an_hour_of_walking_neither_drifts_nor_grows() {
+    /// Frames of an hour, and of the ten seconds at its ends that are compared.
+    const HOUR: usize = 3600 * RATE_HZ as usize;
+    const ENDS: usize = 10 * RATE_HZ as usize;
     let mut walker = walker(&[0.6, 0.7]);
-    let first: Vec<f32> = (0..300).map(|_| walker.advance().root.y).collect();
-    (0..17_400).for_each(|_| _ = walker.advance());
-    let last: Vec<f32> = (0..300).map(|_| walker.advance().root.y).collect();
-    let mean = |v: &[f32]| v.iter().sum::<f32>() / v.len() as f32;
-    assert!((mean(&first) - mean(&last)).abs() < 0.002);
+    let frames = |walker: &mut Walker| -> Vec<Pose> { (0..ENDS).map(|_| *walker.advance()).collect() };
+    let first = frames(&mut walker);
+    (0..HOUR - 2 * ENDS).for_each(|_| _ = walker.advance());
+    let last = frames(&mut walker);
+    let mean = |of: &dyn Fn(&Pose) -> f32, poses: &[Pose]| poses.iter().map(of).sum::<f32>() / poses.len() as f32;
+    let height = |poses| mean(&|pose| pose.root.y, poses);
+    assert!((height(&first) - height(&last)).abs() < 0.002, "{} {}", height(&first), height(&last));
+    for joint in 0..JOINTS {
+        let angle = |poses| mean(&|pose| pose.rotations[joint].angle(), poses);
+        let drift = angle(&last) - angle(&first);
+        // 0.009 rad was measured: the ends hold different parts of a step.
+        assert!(drift.abs() < 0.02, "joint {joint}: {drift} rad");
+    }
     let end = walker.pose().root;
-    assert!(end.z > 200.0 && end.x.abs() < 0.05 * end.z, "{end}");
+    assert!(end.z > 1200.0 && end.x.abs() < 0.05 * end.z, "{end}");
 }
 
 #[test]

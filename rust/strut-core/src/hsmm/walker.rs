@@ -1,26 +1,26 @@
-//! Endless walking, frame by frame: what is controlled acts on the next frame (specification, §8, §9 and §11).
+//! Endless walk synthesis, frame by frame; controls act on the next frame (`docs/methods/hsmm.md` §8, §9 and §11).
 
 mod controls;
 mod durations;
 mod planner;
-mod voice;
+mod runtime_model;
 
 pub use controls::{MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WeightsError};
-pub use voice::WalkVoices;
+pub use planner::HORIZON;
+pub use runtime_model::RuntimeWalkModel;
 
+use super::RATE_HZ;
 use super::joint_range::limited;
 use super::mlpg::{Banded, Term};
-use super::model::{Part, STATES, Side};
+use super::model::{STATES, Side, Stream};
 use super::root::RootPath;
 use crate::humanoid::Pose;
+use crate::math::float_funcs::wrap_angle;
 use crate::math::lanes::{Lane, WIDTH};
 use crate::math::{Vec3, exp_map};
 use planner::{Planner, Start, side_of};
+use runtime_model::{PADDED, Padded};
 use std::sync::Arc;
-use voice::{PADDED, Padded};
-
-/// Frames that are looked ahead: with them the trajectory is within 0.1° of that of the whole walk on average.
-pub const HORIZON: usize = 20;
 
 const LANES: usize = PADDED / WIDTH;
 
@@ -36,10 +36,10 @@ struct Position {
     reckoned: f64,
 }
 
-/// Someone who walks, and never stops unless told to.
+/// The synthesiser of one character's walk.
 #[derive(Clone, Debug)]
 pub struct Walker {
-    voices: Arc<WalkVoices>,
+    runtime: Arc<RuntimeWalkModel>,
     planner: Planner,
     /// Turn of a step, radians.
     turn: f32,
@@ -57,10 +57,10 @@ pub struct Walker {
 }
 
 impl Walker {
-    /// Someone who walks as the average of all styles, from the origin along +Z.
-    pub fn new(voices: Arc<WalkVoices>) -> Self {
+    /// Walks in the average of all styles, from the origin along +Z.
+    pub fn new(runtime: Arc<RuntimeWalkModel>) -> Self {
         let mut walker = Self {
-            planner: Planner::new(Arc::clone(&voices)),
+            planner: Planner::new(Arc::clone(&runtime)),
             turn: 0.0,
             heading: 0.0,
             frame: 0,
@@ -69,18 +69,18 @@ impl Walker {
             last: (0, 0, [[0.0; PADDED]; 2]),
             systems: vec![Banded::with_capacity(HORIZON + 1); LANES],
             path: Vec::with_capacity(HORIZON + 1),
-            root: RootPath::new(&voices.proportions),
+            root: RootPath::new(&runtime.proportions),
             pose: Pose::default(),
-            voices,
+            runtime,
         };
         walker.begin();
         walker
     }
 
-    /// Begins anew at a place with a heading; styles and controls stay.
+    /// Restarts at a place with a heading; styles and controls stay.
     pub fn reset(&mut self, at: Vec3, heading: f32) {
         self.root.reset(at);
-        self.heading = heading;
+        self.heading = wrap_angle(heading);
         let to = self.planner.start.to;
         self.planner.start = Start { first: 0, from: to, to };
         self.begin();
@@ -123,29 +123,29 @@ impl Walker {
         let row = self.row(0);
         self.emitted = [self.emitted[1], row];
         self.remember_means();
-        let mut rotations = self.voices.reference;
+        let mut rotations = self.runtime.reference;
         for (j, q) in rotations.iter_mut().enumerate() {
             let of = |d: usize| {
                 let x = row[3 * j + d];
-                if self.planner.limits { limited(x, self.voices.range[3 * j + d]) } else { x }
+                if self.planner.limits { limited(x, self.runtime.range[3 * j + d]) } else { x }
             };
             *q = *q * exp_map::exp(Vec3::new(of(0), of(1), of(2)));
         }
         self.pose = Pose { root: Vec3::ZERO, rotations };
         let (step, state) = self.path[0];
         let frames = self.durations().iter().sum::<f32>();
-        self.heading += self.planner.start.share(step, state) * self.turn / frames;
-        self.root.place(&mut self.pose, side_of(step), self.heading);
+        self.heading = wrap_angle(self.heading + self.planner.start.share(step, state) * self.turn / frames);
+        self.root.place(&mut self.pose, side_of(step), self.heading, 1.0 / RATE_HZ);
         &self.pose
     }
 
     /// Foot, point and place in the world that touch the ground.
-    #[cfg(any(test, feature = "offline"))]
+    #[cfg(any(test, feature = "baselines"))]
     pub(super) fn contact(&self) -> Option<(usize, usize, Vec3)> {
         self.root.contact()
     }
 
-    /// Takes two frames that nobody sees: those after them have a past.
+    /// Synthesises two frames that are not shown, so that the first shown frame has predecessors.
     fn begin(&mut self) {
         (self.frame, self.position) = (0, Position::default());
         self.planner.forget();
@@ -188,27 +188,27 @@ impl Walker {
         for l in 0..LANES {
             let system = &mut self.systems[l];
             system.begin(self.path.len());
-            let term = |side: usize, state: usize, part: Part, means: &Padded| Term {
+            let term = |side: usize, state: usize, part: Stream, means: &Padded| Term {
                 mean: Lane::of(means, l),
-                weight: Lane::of(&self.voices.inverse_variances[side][state][part as usize], l),
+                weight: Lane::of(&self.runtime.inverse_variances[side][state][part as usize], l),
             };
-            let at = |t: usize, part: Part| {
+            let at = |t: usize, part: Stream| {
                 let (number, state) = self.path[t];
                 let means = &self.planner.step(number).means[state];
                 term(side_of(number) as usize, state, part, &means[part as usize])
             };
             for t in 0..self.path.len() {
-                system.pose(t, at(t, Part::Pose));
+                system.pose(t, at(t, Stream::Static));
                 if t > 0 && t + 1 < self.path.len() {
-                    system.velocity(t, at(t, Part::Velocity));
-                    system.acceleration(t, at(t, Part::Acceleration));
+                    system.velocity(t, at(t, Stream::Delta));
+                    system.acceleration(t, at(t, Stream::DeltaDelta));
                 }
             }
             if goes_on {
                 let terms =
-                    |part: Part| [term(*last_side, *last_state, part, &last_means[part as usize - 1]), at(0, part)];
+                    |part: Stream| [term(*last_side, *last_state, part, &last_means[part as usize - 1]), at(0, part)];
                 let known = self.emitted.each_ref().map(|row| Lane::of(row, l));
-                system.after(known, terms(Part::Velocity), terms(Part::Acceleration));
+                system.after(known, terms(Stream::Delta), terms(Stream::DeltaDelta));
             }
             system.solve();
         }
@@ -221,10 +221,31 @@ impl Walker {
         row
     }
 
-    /// Keeps what the next frame's trajectory needs of this one's means.
+    /// Keeps this frame's delta means for the next frame's system.
     fn remember_means(&mut self) {
         let (number, state) = self.path[0];
         let [_, velocity, acceleration] = self.planner.step(number).means[state];
         self.last = (side_of(number) as usize, state, [velocity, acceleration]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hsmm::tests::walker;
+    use std::f32::consts::PI;
+
+    #[test]
+    fn the_heading_stays_within_half_a_turn() {
+        let mut walker = walker(&[1.0, 0.0]);
+        walker.set_turn(MAX_TURN);
+        let mut last = walker.advance().rotations[0];
+        for _ in 0..2000 {
+            let hips = walker.advance().rotations[0];
+            assert!(walker.heading.abs() <= PI + 1e-5, "{}", walker.heading);
+            let turn = last.inv_mul(hips).angle();
+            assert!(turn < 0.3, "no jump where the heading wraps: {turn}");
+            last = hips;
+        }
     }
 }

@@ -17,7 +17,7 @@ pub fn walks_among(db: &Database) -> Vec<usize> {
 /// A clip as a walk, with the number of its steps.
 ///
 /// # Errors
-/// With why it is none.
+/// If the clip is not a walk; with the reason.
 pub fn walk_of(motion: &HumanoidMotion) -> Result<(Track, usize), String> {
     let track = Track::new(motion).map_err(|e| e.to_string())?;
     match steps_of(&track).len() {

@@ -1,7 +1,9 @@
 //! From rotations to positions and back.
 
 mod forward;
+mod soles;
 mod two_bone_ik;
 
 pub use forward::{WorldPose, world_from_local};
+pub use soles::{Sole, Soles};
 pub use two_bone_ik::{Limb, Reach, SOFT_SHARE, TwoBones, two_bone_ik};

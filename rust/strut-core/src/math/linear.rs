@@ -1,11 +1,18 @@
 //! Small dense systems of linear equations.
 
-/// Solves A x = b for a symmetric positive definite A, row by row, which is overwritten; `right` becomes x.
-pub(crate) fn solve_symmetric(matrix: &mut [f64], right: &mut [f64]) {
+/// Solves A x = b for a symmetric positive definite A by its square-root-free Cholesky decomposition A = L D Lᵀ.
+///
+/// `matrix` holds A row by row and is overwritten; `right` holds b and becomes x. `None`, with both in an unspecified
+/// state, if a pivot is not positive and finite: A is not positive definite to working precision.
+pub(crate) fn solve_positive_definite(matrix: &mut [f64], right: &mut [f64]) -> Option<()> {
     let n = right.len();
     for i in 0..n {
+        let pivot = matrix[i * n + i];
+        if !(pivot > 0.0 && pivot.is_finite()) {
+            return None;
+        }
         for j in i + 1..n {
-            let factor = matrix[j * n + i] / matrix[i * n + i];
+            let factor = matrix[j * n + i] / pivot;
             for k in i..n {
                 matrix[j * n + k] -= factor * matrix[i * n + k];
             }
@@ -16,6 +23,7 @@ pub(crate) fn solve_symmetric(matrix: &mut [f64], right: &mut [f64]) {
         let known: f64 = (i + 1..n).map(|k| matrix[i * n + k] * right[k]).sum();
         right[i] = (right[i] - known) / matrix[i * n + i];
     }
+    Some(())
 }
 
 #[cfg(test)]
@@ -32,10 +40,21 @@ mod tests {
             };
             let mut matrix: Vec<f64> = (0..36).map(|n| entry(n / 6, n % 6)).collect();
             let mut right: Vec<f64> = (0..6).map(|i| (0..6).map(|j| entry(i, j) * x[j]).sum()).collect();
-            solve_symmetric(&mut matrix, &mut right);
+            solve_positive_definite(&mut matrix, &mut right).unwrap();
             for (found, x) in right.iter().zip(x) {
                 prop_assert!((found - x).abs() < 1e-9);
             }
+        }
+    }
+
+    #[test]
+    fn matrices_that_are_not_positive_definite_are_refused() {
+        for matrix in [[0.0, 0.0, 0.0, 0.0], [1.0, 1.0, 1.0, 1.0], [1.0, 2.0, 2.0, 1.0], [-1.0, 0.0, 0.0, 1.0]] {
+            assert_eq!(solve_positive_definite(&mut matrix.clone(), &mut [1.0, 2.0]), None, "{matrix:?}");
+        }
+        for bad in [f64::NAN, f64::INFINITY] {
+            assert_eq!(solve_positive_definite(&mut [bad, 0.0, 0.0, 1.0], &mut [1.0, 2.0]), None);
+            assert_eq!(solve_positive_definite(&mut [1.0, 0.0, 0.0, bad], &mut [1.0, 2.0]), None);
         }
     }
 }

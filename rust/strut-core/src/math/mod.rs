@@ -2,10 +2,13 @@
 
 pub mod exp_map;
 pub mod float_funcs;
+pub mod gaussian;
+pub mod interpolation;
 pub(crate) mod lanes;
 pub(crate) mod linear;
 pub(crate) mod order;
 mod quat;
+pub mod random;
 
 pub use glam::{Vec2, Vec3};
 pub use order::sort_by_number;

@@ -1,7 +1,7 @@
 //! Unit quaternions.
 //!
 //! Ours rather than glam's, whose SIMD layout and trigonometry give other bits in scalar WebAssembly
-//! (measured, `docs/` of the search specification, §5).
+//! (measured, `docs/` of `docs/methods/mar.md` §5).
 
 use super::Vec3;
 use super::float_funcs::{acos, atan2, sin, sin_cos};

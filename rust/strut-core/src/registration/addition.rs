@@ -1,9 +1,10 @@
-//! One more clip beside clips that are registered already.
+//! Registers one more clip with clips that are registered already.
 
 use super::gait::{self, SegmentKind};
+use super::job::Job;
 use super::matching::Warper;
+use super::outcome::{Counterparts, Refusal};
 use super::pairing::{self, Part};
-use super::{Counterparts, Job, Refusal};
 use crate::parallel::ParallelMap;
 
 /// How a clip in a style of its own corresponds to the others of its action.
@@ -11,15 +12,15 @@ use crate::parallel::ParallelMap;
 pub struct Addition {
     /// Its counterparts: frames × styles, its own the last.
     pub counterparts: Vec<Counterparts>,
-    /// Of every other example the counterparts in the clip's style, one entry a frame.
+    /// For every other example, the counterparts of its frames in the clip's style.
     pub of_others: Vec<Vec<Counterparts>>,
     /// Mean cost of its warps to the others (squared feature distance a frame).
     pub cost: f32,
 }
 
 impl Job<'_> {
-    /// Registers the last example, the only one of the last style, with the others, whose own correspondence is left as
-    /// it is: as [`Job::run`] would, but in the time that one clip takes. Scripts are not looked at.
+    /// Registers the last example, the only one of the last style, with the others, whose own correspondence is kept. The
+    /// result is that of [`Job::run`], in the time of one clip. Scripts are ignored.
     ///
     /// # Errors
     /// If the clip does not fit the others. Where they walk or run it needs a whole gait cycle.

@@ -1,13 +1,13 @@
-//! Dynamic time warping with limited slope (specification §4; Sakoe and Chiba 1978).
+//! Dynamic time warping with limited slope (`docs/methods/mar.md` §4; Sakoe and Chiba 1978).
 //!
-//! Steps (1, 1), (1, s) and (s, 1) with s ≤ 3; every cell that a step crosses is charged, so that a slope
-//! costs what it covers. The warp is read off as a piecewise linear function through the steps' ends. Frames at the
-//! ends may be skipped, free of cost ([`Ends::open_begin`], [`Ends::open_end`]) or at one ([`Ends::skip`]).
+//! Steps (1, 1), (1, s) and (s, 1) with s ≤ 3; the cost of a step is that of all cells that it crosses. The warp is the
+//! piecewise linear function through the steps' ends. Frames at the ends may be skipped, free of cost
+//! ([`Ends::open_begin`], [`Ends::open_end`]) or at a cost ([`Ends::skip`]).
 
 use super::warp::{Ends, Warp};
 
-/// Most frames of one sequence that one frame of the other may be stretched to.
-pub const MAX_SLOPE: usize = 3;
+/// Greatest slope: one frame of a sequence corresponds to at most this many of the other.
+pub(super) const MAX_SLOPE: usize = 3;
 /// A quarter of the shorter sequence may be skipped at either end.
 const SKIPPED_PART: usize = 4;
 
@@ -20,20 +20,26 @@ const DIAGONAL: u8 = 1;
 const ALONG_A: u8 = 2;
 const ALONG_B: u8 = 8;
 
-/// Dynamic time warping; holds the tables, to be used again.
+/// Dynamic time warping; reuses its tables.
 #[derive(Clone, Debug, Default)]
-pub struct Dtw {
+pub(super) struct Dtw {
     local: Vec<f32>,
     total: Vec<f32>,
     step: Vec<u8>,
 }
 
 impl Dtw {
-    /// The warp of least cost from `n` frames of a to `m` frames of b, where `distance(i, j)` is the cost of
-    /// showing frame i of a as frame j of b; not smoothed. `None` if the slope limit allows none.
+    /// The warp of least cost from `n` frames of a to `m` frames of b, where `distance(i, j)` is the cost of matching frame
+    /// i of a with frame j of b; not smoothed. `None` if the slope limit allows none.
     ///
     /// The warp's cost is the path's, skipped frames included, divided by `n`.
-    pub fn warp(&mut self, n: usize, m: usize, ends: Ends, distance: impl Fn(usize, usize) -> f32) -> Option<Warp> {
+    pub(super) fn warp(
+        &mut self,
+        n: usize,
+        m: usize,
+        ends: Ends,
+        distance: impl Fn(usize, usize) -> f32,
+    ) -> Option<Warp> {
         if n == 0 || m == 0 {
             return None;
         }
@@ -53,7 +59,7 @@ impl Dtw {
         self.step.resize(n * m, START);
         for i in 0..n {
             let nodes = reachable(i, n, m, last_begin, first_end);
-            // Steps cross cells that no step may end on.
+            // Steps also cross cells on which no step may end.
             for j in nodes.start.saturating_sub(MAX_SLOPE - 1)..(nodes.end + MAX_SLOPE - 1).min(m) {
                 self.local[i * m + j] = if real.contains(&j) { distance(i, j - beyond) } else { skip };
             }

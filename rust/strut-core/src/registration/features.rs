@@ -1,21 +1,21 @@
-//! What registration compares: style-normalised features of every frame (specification §4).
+//! The features that registration compares: style-normalised features of every frame (`docs/methods/mar.md` §4).
 //!
 //! Joint positions and velocities in the heading frame, speed and turning, each z-scored within its style,
 //! so that a bent back or a raised arm, which last a whole clip, do not dominate the timing; then events: foot
 //! contacts and, of clips that are registered as a whole, where hands, feet, head and hips are fastest. A
 //! projection on the principal axes over the action's clips makes distances cheap.
 
-use super::Example;
+use super::example::Example;
 use super::rest::EFFECTORS;
-use super::smooth::gaussian;
 use crate::humanoid::{JOINTS, Role};
+use crate::math::gaussian::smoothed;
 use crate::math::{Vec3, sort_by_number};
 use crate::parallel::ParallelMap;
 use crate::pose_vector::{HEADING_RATE, VELOCITY_X, VELOCITY_Z};
 use std::f32::consts::TAU;
 use std::ops::Range;
 
-/// Legs tell the phase of most actions best.
+/// In most actions the legs show the phase best.
 const LEG_WEIGHT: f32 = 3.0;
 const VELOCITY_WEIGHT: f32 = 0.5;
 /// Speed and turning differ between styles for reasons other than timing.
@@ -29,18 +29,18 @@ const CONTACT_SIGMA_SECS: f32 = 0.035;
 const EVENT_SHARE: f32 = 0.5;
 const EVENT_SPEED_FLOOR: f32 = 0.2;
 const EVENT_PROMINENCE: f32 = 1.05;
-/// An event is a bump of this width, and of this height where the effector is fastest. Events and skips bring
-/// corresponding moments nearer: 222 → 176 ms for bowing, 55 → 50 ms for jumping, punching and kicking.
+/// An event is a Gaussian of this width, and of this height where the effector is fastest. Events and skips reduce the
+/// timing error: 222 → 176 ms for bowing, 55 → 50 ms for jumping, punching and kicking.
 const EVENT_SIGMA_SECS: f32 = 0.1;
 const EVENT_WEIGHT: f32 = 3.0;
-/// Deviations are floored at these, so that z-scores do not blow up the noise of what hardly moves:
-/// metres, m/s, m/s, rad/s.
+/// Floors of the deviations, so that z-scores do not amplify the noise of joints that hardly move: metres, m/s, m/s,
+/// rad/s.
 const POSITION_FLOOR: f32 = 0.01;
 const VELOCITY_FLOOR: f32 = 0.1;
 const SPEED_FLOOR: f32 = 0.1;
 const TURNING_FLOOR: f32 = 0.3;
-/// Who waves or bows stands meanwhile, and how he sways tells nothing: higher floors for whole clips, metres and
-/// m/s, and legs that count like arms. Leave-one-out error of waving: 2.81 → 2.16 cm.
+/// In waving or bowing the body stands and its sway carries no information: higher floors for whole clips, metres and
+/// m/s, and legs weighted like arms. Leave-one-out error of waving: 2.81 → 2.16 cm.
 const WHOLE_CLIP_POSITION_FLOOR: f32 = 0.05;
 const WHOLE_CLIP_VELOCITY_FLOOR: f32 = 0.5;
 
@@ -53,7 +53,7 @@ const RAW: usize = EVENTS + EFFECTORS.len();
 
 /// Dimensions of the projected features: more than 97 % of the variance of walking.
 pub(super) const DIMS: usize = 32;
-/// Frames that the principal axes are found from, at most.
+/// Greatest number of frames from which the principal axes are computed.
 const PCA_FRAMES: usize = 6000;
 /// Subspace iterations: the captured variance settles long before the single axes do.
 const PCA_ITERATIONS: usize = 12;
@@ -74,8 +74,8 @@ pub(super) fn squared_distance(a: &Feature, b: &Feature) -> f32 {
     ((a + e) + (b + f)) + ((c + g) + (d + h))
 }
 
-/// The features of every frame of every example. What is usual in a style is taken from the frames of `compared`:
-/// how long a clip stands before it moves would shift it.
+/// The features of every frame of every example. A style's means and deviations are those of the frames of `compared`:
+/// frames in which a clip stands still at its ends would shift them.
 pub(super) fn of_examples(
     examples: &[&Example],
     compared: &[Range<usize>],
@@ -103,7 +103,7 @@ fn raw_features(example: &Example, rate_hz: f32) -> Vec<RawFeature> {
     let last = cloud.len().saturating_sub(1);
     let contacts: [Vec<f32>; 2] = [0, 1].map(|side| {
         let bits: Vec<f32> = example.contact.iter().map(|c| f32::from(u8::from(c[side]))).collect();
-        gaussian(&bits, CONTACT_SIGMA_SECS * rate_hz)
+        smoothed(&bits, CONTACT_SIGMA_SECS * rate_hz)
     });
     (0..cloud.len())
         .map(|f| {
@@ -137,12 +137,12 @@ fn add_events(raw: &mut [RawFeature], rate_hz: f32) {
     }
 }
 
-/// A bump at every pronounced maximum of a speed in m/s, of height 1 at the greatest.
+/// A Gaussian at every pronounced maximum of a speed in m/s, of height 1 at the greatest.
 fn speed_maxima(speed: &[f32], rate_hz: f32) -> Vec<f32> {
-    let speed = gaussian(speed, CONTACT_SIGMA_SECS * rate_hz);
+    let speed = smoothed(speed, CONTACT_SIGMA_SECS * rate_hz);
     let greatest = speed.iter().copied().fold(EVENT_SPEED_FLOOR, f32::max);
     let sigma = EVENT_SIGMA_SECS * rate_hz;
-    // What a peak of height 1 is smoothed to is this much lower.
+    // Smoothing lowers an isolated peak by this factor.
     let height = sigma * TAU.sqrt();
     let mut peaks = vec![0.0; speed.len()];
     let around = (2.0 * sigma) as usize;
@@ -153,7 +153,7 @@ fn speed_maxima(speed: &[f32], rate_hz: f32) -> Vec<f32> {
             peaks[f] = height * s / greatest;
         }
     }
-    gaussian(&peaks, sigma)
+    smoothed(&peaks, sigma)
 }
 
 /// Replaces every feature but the events by its weighted z-score within the style.

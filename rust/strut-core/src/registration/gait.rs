@@ -1,34 +1,35 @@
-//! Cuts clips at left heel strikes (specification §4).
+//! Cuts clips at left heel strikes (`docs/methods/mar.md` §4).
 
-use super::{CycleFault, Example, FaultyCycle};
+use super::example::Example;
+use super::outcome::{CycleFault, FaultyCycle};
 use crate::pose_vector::{VELOCITY_X, VELOCITY_Z};
 use std::ops::Range;
 
-/// An action walks or runs if at least half of its clips do, and one of them for a whole cycle. A clip does
-/// if it travels, and its feet mostly strike in turn, not together as after a jump.
+/// An action is locomotion if at least half of its clips are, and one of them for a whole cycle. A clip is if it
+/// travels, and its feet mostly strike alternately, not together as after a jump.
 const LOCOMOTION_SHARE: f32 = 0.5;
 const MIN_STEP_SECS: f32 = 0.12;
 const MIN_ALTERNATION: f32 = 0.7;
 const MIN_SPEED: f32 = 0.25;
 /// A cycle's duration may differ from the usual one by this factor.
 const DURATION_TOLERANCE: f32 = 1.6;
-/// A clip with as many cycles sets its own usual duration.
+/// A clip with this many cycles has a usual duration of its own.
 const MIN_OWN_CYCLES: usize = 5;
-/// No gait cycle is shorter or longer, seconds.
+/// Plausible durations of a gait cycle, seconds.
 const PLAUSIBLE_SECS: Range<f32> = 0.3..3.0;
 
 /// A piece of a clip that is registered on its own.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Segment {
+pub(super) struct Segment {
     /// Frames that belong to it.
     pub frames: Range<usize>,
-    /// What it is.
+    /// Its kind.
     pub kind: SegmentKind,
 }
 
-/// What a [`Segment`] is.
+/// Kind of a [`Segment`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SegmentKind {
+pub(super) enum SegmentKind {
     /// The whole clip but for standing at its ends.
     Clip,
     /// From the clip's start to the first strike.
@@ -51,19 +52,20 @@ impl Segment {
     }
 }
 
-/// The frames of an example of `total` that segment `k` speaks for: standing at the ends goes with the motion.
+/// The frames of an example of `total` that segment `k` covers, including frames at the clip's ends that belong to no
+/// segment.
 pub(super) fn covered(segments: &[Segment], k: usize, total: usize) -> Range<usize> {
     let first = if k == 0 { 0 } else { segments[k].frames.start };
     first..if k + 1 == segments.len() { total } else { segments[k].frames.end }
 }
 
 /// Frames at which a foot (0 left, 1 right) touches down.
-pub fn strikes(contact: &[[bool; 2]], side: usize) -> Vec<usize> {
+pub(super) fn strikes(contact: &[[bool; 2]], side: usize) -> Vec<usize> {
     (1..contact.len()).filter(|&f| contact[f][side] && !contact[f - 1][side]).collect()
 }
 
 /// Whether the clips of an action walk or run.
-pub fn is_locomotion(examples: &[Example], rate_hz: f32) -> bool {
+pub(super) fn is_locomotion(examples: &[Example], rate_hz: f32) -> bool {
     let walking = examples.iter().filter(|e| walks(e, rate_hz)).count();
     let share = walking as f32 / examples.len().max(1) as f32;
     share >= LOCOMOTION_SHARE && examples.iter().any(|e| !plain_cycles(e).is_empty())
@@ -87,9 +89,9 @@ fn plain_cycles(example: &Example) -> Vec<usize> {
     left.windows(2).filter(|w| between(&right, w[0], w[1]) == 1).map(|w| w[1] - w[0]).collect()
 }
 
-/// The segments of every example, which cover it without a gap, and what is wrong with its faulty cycles.
+/// The segments of every example, which cover it without a gap, and the faults of its faulty cycles.
 /// An example without a left heel strike has no segments.
-pub fn cut(examples: &[Example], styles: usize, rate_hz: f32) -> Vec<(Vec<Segment>, Vec<FaultyCycle>)> {
+pub(super) fn cut(examples: &[Example], styles: usize, rate_hz: f32) -> Vec<(Vec<Segment>, Vec<FaultyCycle>)> {
     let usual: Vec<Option<f32>> = (0..styles).map(|s| usual_frames(examples, s as u16, rate_hz)).collect();
     examples.iter().map(|e| cut_one(e, usual[usize::from(e.style)], rate_hz)).collect()
 }
@@ -109,7 +111,7 @@ fn cut_one(example: &Example, usual: Option<f32>, rate_hz: f32) -> (Vec<Segment>
     let left = strikes(&example.contact, 0);
     let right = strikes(&example.contact, 1);
     let (mut segments, mut faulty) = (Vec::new(), Vec::new());
-    // A clip may keep a pace of its own.
+    // A clip may have a pace of its own.
     let own = plain_cycles(example);
     let usual = if own.len() >= MIN_OWN_CYCLES { median(own.into_iter(), rate_hz).or(usual) } else { usual };
     let (Some(&first), Some(&last)) = (left.first(), left.last()) else { return (segments, faulty) };

@@ -12,9 +12,9 @@ use super::warp::{Ends, Warp};
 
 /// Scale and offset are smooth over about this time, seconds.
 const SMOOTHNESS_SECS: f32 = 0.25;
-/// Pull of the scale to 1 and of the offset to 0: keeps a stretch without motion from being ill-posed.
+/// Weight of the terms that pull the scale to 1 and the offset to 0: without them a stretch without motion is ill-posed.
 const PULL: f32 = 0.1;
-/// Passes at most; most segments settle after three or four.
+/// Greatest number of iterations; most segments converge after three or four.
 const ITERATIONS: usize = 6;
 
 /// Iterative motion warping of feature sequences.
@@ -61,7 +61,7 @@ impl Imw {
                     let (j, next) = (at as usize, at.ceil() as usize);
                     b[j][d] + (b[next][d] - b[j][d]) * (at - j as f32)
                 } else {
-                    // Skipped: there is nothing to fit.
+                    // A skipped frame has no counterpart to fit.
                     x[i]
                 };
             }

@@ -3,21 +3,21 @@
 use super::dtw::Dtw;
 use super::features::{Feature, squared_distance};
 use super::imw::Imw;
+use super::options::{Options, WarpMethod};
 use super::warp::{Ends, Warp};
-use super::{Options, WarpMethod};
 use crate::math::sort_by_number;
 
-/// Warps are smoothed over this time: frame steps go, the timing of steps and strikes stays.
+/// Warps are smoothed over this time, which removes steps of single frames but keeps the timing of footsteps.
 const SMOOTHING_SECS: f32 = 0.03;
-/// Time around a heel strike within which the counterparts of one cycle give way to those of the next.
+/// Time around a heel strike within which counterparts change from those of one cycle to those of the next.
 const CHANGE_SECS: f32 = 0.1;
 /// Longer sequences are warped on every second, third … frame: the tables grow with the product of lengths.
 const MAX_TABLE_SIDE: usize = 1024;
 /// Instants at which segments are compared in linear time.
 const LINEAR_SAMPLES: usize = 12;
 
-/// Whole clips are warped from start to end, but one may have been cut sooner than the other: what has no
-/// counterpart costs more than what has one usually does (about 20).
+/// Whole clips are warped from start to end, but one may be cut shorter than the other: a frame without counterpart costs
+/// more than the usual distance of frames with one (about 20).
 pub(super) const WHOLE_CLIP: Ends = Ends { open_begin: 0, open_end: 0, skip: Some(30.0) };
 
 /// A stretch of an example's features that a segment may be warped to, or that is to be warped.
@@ -30,7 +30,7 @@ pub(super) struct Piece<'a> {
     /// The piece's frames, the last included.
     pub(super) first: usize,
     pub(super) last: usize,
-    /// Which ends need not be met.
+    /// Which ends may stay open.
     pub(super) ends: Ends,
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Match {
     pub(super) warp: Warp,
 }
 
-/// Warps by the method of the options; holds the tables, to be used again.
+/// Warps by the method of the options; reuses its tables.
 pub(super) struct Warper {
     method: WarpMethod,
     sigma_frames: f32,
@@ -69,7 +69,7 @@ impl Warper {
         }
     }
 
-    /// Frames around a border between segments within which one may give way to the other.
+    /// Frames around a border between segments within which the change from one to the other may lie.
     pub(super) fn reach(&self) -> usize {
         self.reach
     }
@@ -130,7 +130,7 @@ impl Warper {
             })
             .collect();
         sort_by_number(&mut matches, |m| m.warp.cost);
-        // One of each clip before a second of any: clips that differ make the better mean.
+        // One of each clip before a second of any: the mean of different clips is better.
         let mut ranked: Vec<(usize, Match)> = Vec::with_capacity(matches.len());
         for m in matches {
             ranked.push((ranked.iter().filter(|(_, o)| o.example == m.example).count(), m));

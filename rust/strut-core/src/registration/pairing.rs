@@ -1,11 +1,11 @@
-//! Counterparts: each segment is registered to the pieces of a style that fit it best (specification §4).
+//! Counterparts: each segment is registered to the pieces of a style that fit it best (`docs/methods/mar.md` §4).
 
 use super::features::Feature;
 use super::gait::{Segment, SegmentKind, covered};
 use super::matching::{Match, Piece, WHOLE_CLIP, Warper};
+use super::options::{MAX_COUNTERPARTS, Options};
+use super::outcome::{Counterpart, Counterparts};
 use super::warp::{Ends, Warp};
-use super::{Counterpart, Counterparts, Options};
-use crate::database::MAX_COUNTERPARTS;
 use crate::humanoid::JOINTS;
 use crate::math::{Vec3, sort_by_number};
 use std::ops::Range;
@@ -81,7 +81,7 @@ fn matches_of(segment: &Segment, part: &Part, others: &[&Part], options: &Option
         matches = best(&anywhere);
     }
     if matches.is_empty() {
-        // Longer than anything in the style by more than the slope limit: linear time is all there is.
+        // Longer than any piece in the style by more than the slope limit: only linear time is left.
         matches.extend(others.iter().max_by_key(|o| o.features.len()).map(|o| Match {
             example: o.example,
             warp: Warp::linear(frames, 0.0, (o.features.len() - 1) as f32, 0.0),
@@ -121,7 +121,7 @@ fn pieces_for<'a>(segment: &Segment, n: usize, other: &Part<'a>) -> Vec<Piece<'a
             .collect(),
         SegmentKind::LeadIn => {
             let open = Ends { open_begin: Ends::OPEN, open_end: 0, skip: None };
-            // Too short a run-up would be stretched to fill the lead-in.
+            // A shorter piece would be stretched to the length of the lead-in.
             strikes().filter(|s| s + 1 >= n).map(|s| piece(s.saturating_sub(reach), s, open)).collect()
         }
         SegmentKind::LeadOut => {
@@ -132,10 +132,9 @@ fn pieces_for<'a>(segment: &Segment, n: usize, other: &Part<'a>) -> Vec<Piece<'a
     }
 }
 
-/// Where the matches of a segment give way to those of the next: for every border and slot the frames after
-/// the border (or before, if negative). All count alike in the mean, so that one match cannot fade into
-/// another; but it can take its place where both are most alike. The matches of the later segment are
-/// brought into the order of the slots that they take.
+/// Where the matches of a segment change to those of the next: for every border and slot the frames after the border (or
+/// before, if negative). All have equal weight in the mean, so that matches cannot be cross-faded; a match is replaced at
+/// the frame where both are most alike. The matches of the later segment are brought into the order of their slots.
 fn changes(part: &Part, matches: &mut [Vec<Match>], others: &[&Part], reach: usize) -> Vec<Vec<isize>> {
     let reach = reach as isize;
     let points = |m: &Match, segment: &Segment, frame: isize| -> Option<&[Vec3; JOINTS]> {
@@ -158,8 +157,8 @@ fn changes(part: &Part, matches: &mut [Vec<Match>], others: &[&Part], reach: usi
                 };
                 // Of equal instants the one nearest to the border.
                 let nearest_first = (0..=reach).flat_map(|d| [d, -d]);
-                let least = nearest_first.map(|d| (distance_at(&d), d)).min_by(|a, b| a.0.total_cmp(&b.0));
-                options.extend(least.map(|(distance, d)| (distance, slot, number, d)));
+                let nearest = nearest_first.map(|d| (distance_at(&d), d)).min_by(|a, b| a.0.total_cmp(&b.0));
+                options.extend(nearest.map(|(distance, d)| (distance, slot, number, d)));
             }
         }
         sort_by_number(&mut options, |(distance, ..)| *distance);
@@ -185,8 +184,8 @@ fn changes(part: &Part, matches: &mut [Vec<Match>], others: &[&Part], reach: usi
     changes
 }
 
-/// Hands every frame its counterparts: in each slot the match of its segment, or of a neighbouring segment
-/// near a border.
+/// Sets the counterparts of every frame: in each slot the match of its segment, or of a neighbouring segment near a
+/// border.
 fn fill(
     part: &Part,
     matches: &[Vec<Match>],

@@ -1,19 +1,19 @@
-//! Where a clip that is registered as a whole moves: it may stand for any time before and after.
+//! The moving part of a clip that is registered as a whole, without standing still before and after.
 
 use crate::humanoid::{JOINTS, Role};
 use crate::math::Vec3;
 use std::ops::Range;
 
-/// What moves in an action: hips, head, hands and feet.
+/// The effectors whose motion is detected: hips, head, hands and feet.
 pub(super) const EFFECTORS: [Role; 6] =
     [Role::Hips, Role::Head, Role::LeftHand, Role::RightHand, Role::LeftFoot, Role::RightFoot];
 /// A clip stands until its fastest effector reaches this share of the speed that it has in a fast moment.
 const ONSET_SHARE: f32 = 0.1;
 /// A fast moment: this share of the frames is slower.
 const FAST_PERCENTILE: f32 = 0.95;
-/// Kept of the rest on either side, so that the onset itself is compared.
+/// Time at rest that is kept on either side, so that the onset is included.
 const KEPT_SECS: f32 = 0.1;
-/// Fewer frames than this are no motion to warp; then the whole clip is.
+/// If fewer frames move than this, the whole clip is registered.
 const MIN_FRAMES: usize = 8;
 
 /// The frames from the first to the last motion of a clip, all of it if there is hardly any.

@@ -1,6 +1,8 @@
 //! Registration by known correspondence.
 
-use super::{Counterpart, Counterparts, Example, Job, Method, Outcome, Registered};
+use super::example::Example;
+use super::job::Job;
+use super::outcome::{Counterpart, Counterparts, Method, Outcome, Registered};
 
 /// Registers examples that all have a script: the counterparts of a frame are the frames at the same
 /// script time of the same script, and canonical time is script time.

@@ -1,14 +1,16 @@
 //! Warps planted on a moving body are recovered by dynamic time warping and by iterative motion warping.
 
+use super::matching::Warper;
 use super::warp::{Ends, Warp};
 use super::*;
+use crate::fixtures::{Gait, NEUTRAL, RATE_HZ, walk};
 use crate::humanoid::{Pose, Proportions};
 use crate::math::float_funcs::{exp, sin};
 use crate::parallel::Sequential;
 use crate::pose_vector::{ROW, point_cloud};
-use crate::transfer::sine_walk::{Gait, NEUTRAL, RATE_HZ, walk};
 use proptest::prelude::*;
 use std::f32::consts::TAU;
+use std::ops::Range;
 
 /// Poses on the spot and which feet stand.
 fn example(style: u16, frames: impl Iterator<Item = (Pose, [bool; 2])>) -> Example {

@@ -1,19 +1,19 @@
-//! The canonical timeline of an action: the time of its neutral reference cycle or clip (specification §4).
+//! The canonical timeline of an action: the time of its neutral reference cycle or clip (`docs/methods/mar.md` §4).
 
 use super::features::Feature;
 use super::gait::{Segment, SegmentKind, covered};
 use super::matching::{WHOLE_CLIP, Warper, linear_distance};
-use super::smooth::gaussian;
+use super::outcome::{Counterpart, Counterparts};
 use super::warp::{Ends, Warp};
-use super::{Counterpart, Counterparts};
+use crate::math::gaussian::smoothed;
 use std::ops::Range;
 
-/// Durations are smoothed over this time: how pace changes within a step is kept, jitter of the warp is not,
-/// which would make every mean duration longer (timing error 13.9 ms at 0.03 s, 13.5 at 0.05).
+/// Durations are smoothed over this time: changes of pace within a step are kept, jitter of the warp, which would bias
+/// mean durations upwards, is removed (timing error 13.9 ms at 0.03 s, 13.5 at 0.05).
 const PACE_SMOOTHING_SECS: f32 = 0.05;
 /// Slowest and fastest pace: canonical frames per frame of a clip.
 const PACE_RANGE: (f32, f32) = (0.1, 10.0);
-/// Others that each candidate for the reference is compared with, at most.
+/// Greatest number of segments with which each candidate for the reference is compared.
 const COMPARED: usize = 48;
 
 /// The reference segment of an action.
@@ -28,7 +28,7 @@ pub(super) struct Reference {
 }
 
 impl Reference {
-    /// Frames of the canonical timeline: of a cycle until it begins again.
+    /// Length of the canonical timeline in frames; of a cycle its period.
     pub(super) fn canonical_frames(&self) -> f32 {
         if self.cyclic { self.frames.len() as f32 } else { self.frames.len().saturating_sub(1) as f32 }
     }
@@ -65,9 +65,9 @@ impl Reference {
 /// Canonical time and seconds per canonical frame of every frame of an example.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct CanonicalTime {
-    /// Strictly increasing: the time of a cycle goes on where that of the one before ends.
+    /// Strictly increasing: the times of successive cycles are concatenated.
     unwrapped: Vec<f32>,
-    /// The same, of a cycle within one.
+    /// The same; of cycles modulo the period.
     pub(super) time: Vec<f32>,
     pub(super) time_step: Vec<f32>,
 }
@@ -123,7 +123,7 @@ pub(super) fn canonical_time(
             cycles += 1.0;
         }
     }
-    // On a border both segments' times count alike; where they differ, one gives way to the other.
+    // On a border both segments' times have equal weight; away from it the weights change linearly.
     let reach = warper.reach().max(1) as f32;
     let at = |k: usize, frame: usize| warps[k].extrapolated(frame as isize - segments[k].frames.start as isize);
     let mut unwrapped: Vec<f32> = Vec::with_capacity(features.len());
@@ -138,8 +138,8 @@ pub(super) fn canonical_time(
             if k + 1 < segments.len() {
                 time += share(segment.frames.end - frame) * (at(k + 1, frame) - here);
             }
-            let least = unwrapped.last().map_or(time, |t| t + PACE_RANGE.0);
-            unwrapped.push(time.max(least));
+            let earliest = unwrapped.last().map_or(time, |t| t + PACE_RANGE.0);
+            unwrapped.push(time.max(earliest));
         }
     }
     Some(CanonicalTime::new(unwrapped, reference, rate_hz))
@@ -171,8 +171,8 @@ pub(super) fn agreed<'a>(
             count += 1.0;
         }
         let agreed = if count > 0.0 { time + sum / count } else { time };
-        let least = unwrapped.last().map_or(agreed, |t| t + PACE_RANGE.0);
-        unwrapped.push(agreed.max(least));
+        let earliest = unwrapped.last().map_or(agreed, |t| t + PACE_RANGE.0);
+        unwrapped.push(agreed.max(earliest));
     }
     CanonicalTime::new(unwrapped, reference, rate_hz)
 }
@@ -194,5 +194,5 @@ pub(crate) fn time_steps(unwrapped: &[f32], rate_hz: f32) -> Vec<f32> {
             ((unwrapped[b] - unwrapped[a]) / (b - a).max(1) as f32).clamp(PACE_RANGE.0, PACE_RANGE.1)
         })
         .collect();
-    gaussian(&pace, PACE_SMOOTHING_SECS * rate_hz).iter().map(|p| 1.0 / (p * rate_hz)).collect()
+    smoothed(&pace, PACE_SMOOTHING_SECS * rate_hz).iter().map(|p| 1.0 / (p * rate_hz)).collect()
 }

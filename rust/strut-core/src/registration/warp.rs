@@ -1,27 +1,27 @@
 //! A warp: which frame of one sequence every frame of another corresponds to.
 
-use super::smooth::gaussian_with_fixed_ends;
+use crate::math::gaussian::smoothed_with_fixed_ends;
 
-/// How far the ends of a segment may stay away from the ends of what it is warped to.
+/// How the ends of a segment may differ from the ends of the frames that it is warped to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Ends {
+pub(super) struct Ends {
     /// The first frame may fall on any of the first frames, as many after the very first.
     pub open_begin: usize,
     /// The last frame may fall on any of the last frames, as many before the very last.
     pub open_end: usize,
-    /// Where frames at the ends of both, up to a quarter of the shorter, need no counterpart: what each costs, in
-    /// place of a distance. The segment's are warped to frames beyond what it is warped to: below 0, after the last.
+    /// Cost of skipping a frame at either end of either sequence, up to a quarter of the shorter, in place of a distance;
+    /// `None` forbids it. Skipped frames of the segment are warped beyond the other's ends: below 0, after the last.
     pub skip: Option<f32>,
 }
 
 impl Ends {
     /// Anywhere.
-    pub const OPEN: usize = usize::MAX;
+    pub(super) const OPEN: usize = usize::MAX;
 }
 
 /// For every frame of a the fractional frame of b: strictly increasing.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Warp {
+pub(super) struct Warp {
     /// Frames of b.
     pub at: Vec<f32>,
     /// Mean cost per frame of a.
@@ -30,18 +30,18 @@ pub struct Warp {
 
 impl Warp {
     /// Linear time from `n` frames to the frames from `first` to `last`.
-    pub fn linear(n: usize, first: f32, last: f32, cost: f32) -> Self {
+    pub(super) fn linear(n: usize, first: f32, last: f32, cost: f32) -> Self {
         let steps = n.saturating_sub(1).max(1) as f32;
         Self { at: (0..n).map(|i| first + (last - first) * (i as f32 / steps)).collect(), cost }
     }
 
     /// The warp smoothed over time; ends and order stay.
-    pub fn smoothed(self, sigma_frames: f32) -> Self {
-        Self { at: gaussian_with_fixed_ends(&self.at, sigma_frames), cost: self.cost }
+    pub(super) fn smoothed(self, sigma_frames: f32) -> Self {
+        Self { at: smoothed_with_fixed_ends(&self.at, sigma_frames), cost: self.cost }
     }
 
-    /// The frame of b at a frame of a, which may lie outside a: then the warp goes on with its mean slope.
-    pub fn extrapolated(&self, frame: isize) -> f32 {
+    /// The frame of b at a frame of a; outside a by linear extrapolation with the warp's mean slope.
+    pub(super) fn extrapolated(&self, frame: isize) -> f32 {
         let last = self.at.len() as isize - 1;
         let inside = frame.clamp(0, last);
         let slope = (self.at[last as usize] - self.at[0]) / last.max(1) as f32;

@@ -1,4 +1,4 @@
-//! What a file's skeleton is in terms of the canonical humanoid.
+//! How a file's skeleton maps to the canonical humanoid.
 
 use super::find_roles::find_roles;
 use super::rest_pose::{RestPose, positions, rest_pose};
@@ -31,10 +31,10 @@ const REQUIRED: [Role; 14] = [
 /// Usual length units: metres, and the words for a note.
 const UNITS: [(f32, &str); 5] =
     [(1.0, "metres"), (0.01, "centimetres"), (0.0254, "inches"), (0.001, "millimetres"), (0.1, "decimetres")];
-/// Leg lengths, hip joint to ankle, of people from children to basketball players: metres. A unit that
-/// puts the leg here is taken; no two usual units can.
+/// Plausible leg lengths, hip joint to ankle, from children to basketball players: metres. The unit is chosen that puts
+/// the leg in this range; at most one of the usual units does.
 const LEG_RANGE: std::ops::RangeInclusive<f32> = 0.6..=1.1;
-/// Leg length given to skeletons in no usual unit, metres.
+/// Leg length assumed for skeletons in an unknown unit, metres.
 const USUAL_LEG: f32 = 0.85;
 
 /// Ankle height above the sole per drop from ankle to toe joint. Measured standing: Bandai Namco 1.57,
@@ -51,8 +51,7 @@ const ANKLE_HEIGHT_PER_LEG: f32 = 0.147;
 pub struct Binding {
     /// Joint of each role; `None` for roles that the skeleton lacks (toes, shoulders, chest, neck, head).
     pub joint_of_role: [Option<usize>; JOINTS],
-    /// How sure the roles are: 1 when every role has a joint and names said so, about 0.6 when only the
-    /// shape of the tree did.
+    /// Confidence in the roles: 1 if every role was found by name, about 0.6 if by the shape of the tree alone.
     pub confidence: f32,
     /// World rotation of each file joint in the T-pose facing +Z, +Y up.
     pub rest_world_rotations: Vec<Quat>,
@@ -64,7 +63,7 @@ pub struct Binding {
     pub proportions: Proportions,
     /// Joints without a role, ascending; they keep their own motion.
     pub unmapped: Vec<usize>,
-    /// Sentences for people about what was matched and assumed.
+    /// Sentences for users on what was matched and assumed.
     pub notes: Vec<String>,
     /// Parent of each file joint.
     pub(super) parents: Vec<Option<usize>>,
@@ -95,7 +94,7 @@ pub enum BindError {
     NoLength(Role),
 }
 
-/// What people call the joint of a role.
+/// Common name of the joint of a role, for messages.
 fn joint_word(role: Role) -> &'static str {
     match role {
         Role::Hips => "hips",
@@ -126,7 +125,7 @@ impl Binding {
     /// Finds roles, rest pose, unit and axes of a clip's skeleton.
     ///
     /// # Errors
-    /// See [`BindError`]; its sentences are for people.
+    /// See [`BindError`]; its messages are shown to users.
     pub fn detect(motion: &Motion) -> Result<Self, BindError> {
         let sample = Sample::of(motion);
         if sample.is_empty() {
@@ -139,14 +138,14 @@ impl Binding {
         Self::of(&motion.skeleton, &sample, &found.joint_of_role, found.confidence)
     }
 
-    /// The joint of each role as far as names and shape tell: what a person corrects where [`Binding::detect`] is unsure
-    /// or fails. All `None` for a clip without frames.
+    /// The joint of each role as far as it can be detected: a proposal for users to correct where [`Binding::detect`] is
+    /// unsure or fails. All `None` for a clip without frames.
     pub fn likely_roles(motion: &Motion) -> [Option<usize>; JOINTS] {
         let sample = Sample::of(motion);
         if sample.is_empty() { [None; JOINTS] } else { find_roles(&motion.skeleton, &sample).joint_of_role }
     }
 
-    /// A binding with joints chosen by a person; confidence 1.
+    /// A binding with joints chosen by the user; confidence 1.
     ///
     /// # Errors
     /// See [`BindError`].
@@ -278,8 +277,8 @@ fn hips_height(roles: &[Option<usize>; JOINTS], p: &Proportions) -> f32 {
     legs.iter().sum::<f32>() + ankle
 }
 
-/// Rotation from the file's axes to ours. A body that is mostly upright along +Z in a file is one whose
-/// up is +Z, unless its zero pose stands along +Y: then it lies down.
+/// Rotation from the file's axes to ours. If the body is mostly upright along +Z, the file's up axis is +Z, unless the
+/// zero pose stands along +Y: then the body lies down.
 fn world_from_file(roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &RestPose) -> Quat {
     let at = |r: Role| roles[r.index()].unwrap_or(0);
     let top = [Role::Head, Role::Neck, Role::Chest, Role::Spine].iter().find_map(|r| roles[r.index()]).unwrap_or(0);

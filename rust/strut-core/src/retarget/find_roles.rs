@@ -2,8 +2,8 @@
 //!
 //! A body is a tree with two pairs of equal chains: legs at the hips, arms higher up. Names pick the
 //! joints of each limb (best consistent chain over all paths from a leaf to the root); a limb that they
-//! leave incomplete is taken from the symmetric pairs of chains. The trunk needs no names: it is what
-//! lies between the joint that bears the legs and the one that bears the arms.
+//! leave incomplete is taken from the symmetric pairs of chains. The trunk needs no names: it lies between the parent
+//! joint of the legs and that of the arms.
 
 use super::names::{NameHint, Part, Side};
 use super::sample::Sample;
@@ -11,7 +11,7 @@ use crate::humanoid::{JOINTS, Role};
 use crate::math::{Vec3, sort_by_number};
 use crate::skeleton::Skeleton;
 
-/// Joint of each role, and how sure we are (0 to 1).
+/// Joint of each role, and the confidence (0 to 1).
 pub(super) struct FoundRoles {
     pub(super) joint_of_role: [Option<usize>; JOINTS],
     pub(super) confidence: f32,
@@ -25,7 +25,7 @@ const ARM: LimbParts = [Part::Shoulder, Part::UpperArm, Part::LowerArm, Part::Ha
 /// A limb as joints of the file, in the order of its parts.
 type LimbJoints = [Option<usize>; 4];
 
-/// What a role that was found by names, by the tree only, or by neither adds to the confidence.
+/// Contribution to the confidence of a role found by name, by the shape of the tree, or not at all.
 const BY_NAME: f32 = 1.0;
 const BY_TREE: f32 = 0.6;
 
@@ -65,7 +65,7 @@ pub(super) fn find_roles(skeleton: &Skeleton, sample: &Sample) -> FoundRoles {
     FoundRoles { joint_of_role, confidence }
 }
 
-/// The hierarchy with what the searches ask for again and again.
+/// The hierarchy with precomputed quantities for the searches.
 struct Tree {
     parents: Vec<Option<usize>>,
     children: Vec<Vec<usize>>,
@@ -177,7 +177,7 @@ struct Pair {
     length: f32,
 }
 
-/// Legs and arms (left, right) of a skeleton whose names say nothing.
+/// Legs and arms (left, right) of a skeleton whose names give no roles.
 fn limbs_by_shape(tree: &Tree, sample: &Sample) -> Option<([LimbJoints; 2], [LimbJoints; 2])> {
     let mut pairs = symmetric_pairs(tree);
     let longest = pairs.iter().map(|p| p.length).fold(0.0, f32::max);

@@ -22,8 +22,8 @@ pub struct FromHumanoid {
 }
 
 impl FromHumanoid {
-    /// From poses of a body of these proportions to the skeleton of `binding`. `source` is a clip of
-    /// that skeleton: it tells which joint carries the body through the world.
+    /// From poses of a body of these proportions to the skeleton of `binding`. `source` is a clip of that skeleton, from
+    /// whose channels the joint that carries the body through the world is found.
     ///
     /// # Panics
     /// If the skeleton of `source` is not the one that was bound ([`Binding::fits`]).
@@ -35,7 +35,7 @@ impl FromHumanoid {
                 role_of_joint[j] = Some(*role);
             }
         }
-        // Without a chest of its own the trunk's one joint carries what hangs on the chest.
+        // Without a chest joint, the trunk's only joint is the parent of neck and shoulders.
         if binding.joint_of_role[Role::Chest.index()].is_none()
             && let Some(spine) = binding.joint_of_role[Role::Spine.index()]
         {
@@ -109,7 +109,7 @@ impl FromHumanoid {
         let shift = self.in_file(self.scale.to_file(canonical)) - current;
         let above = self.binding.parents[self.mover].map_or(Quat::IDENTITY, |p| self.rotations[p]);
         translations[self.mover] += above.inv_mul_vec3(shift);
-        // Later joints that do not hang on the mover have no role, and nothing below asks for them.
+        // Later joints that do not descend from the mover have no role, and their positions are not used below.
         for position in &mut self.positions[self.mover..] {
             *position += shift;
         }
@@ -147,7 +147,7 @@ fn moving_joint(binding: &Binding, source: &Motion) -> usize {
 
 /// A canonical clip on the skeleton of `source`, at the canonical clip's rate.
 ///
-/// Frame i takes what the humanoid does not have, such as fingers, from the fractional frame
+/// Frame i takes joints that the humanoid does not have, such as fingers, from the fractional frame
 /// `source_frames[i]` of the source, clamped to it; if there are fewer of them than poses, the last one
 /// counts for the rest. A source without frames gives a motion without frames.
 ///

@@ -1,9 +1,8 @@
-//! From a file's skeleton to the canonical humanoid and back (specification §2).
+//! From a file's skeleton to the canonical humanoid and back (`docs/methods/mar.md` §2).
 //!
-//! A [`Binding`] says once per skeleton which joint plays which role, how every joint is turned in the
-//! T-pose, and how long the body is. World rotations by role then carry over exactly; limb inverse
-//! kinematics keeps feet where they stood and hands where they reached, as the paper does through
-//! Monzani et al. 2000. [`ToHumanoid`] and [`FromHumanoid`] work frame by frame without allocation;
+//! A [`Binding`] holds, once per skeleton, the joint of each role, every joint's rotation in the T-pose, and the body's
+//! size. World rotations by role then transfer exactly; limb inverse kinematics keeps feet and hands at their places, as
+//! in Monzani et al. 2000, which the paper uses. [`ToHumanoid`] and [`FromHumanoid`] work frame by frame without allocation;
 //! [`to_humanoid`] and [`from_humanoid`] convert whole clips.
 
 mod between_bodies;

@@ -1,4 +1,4 @@
-//! What a joint's name says about its role.
+//! Evidence in a joint's name for its role.
 //!
 //! Covers the names of CMU and Xia, Bandai Namco, Mixamo, 3ds Max Biped, VRM and glTF, 100STYLE, LAFAN,
 //! Xsens, Rokoko, SMPL, Unreal, Rigify and Daz, whatever their case, prefix and separator. A name is
@@ -108,7 +108,7 @@ const WORDS: &[(&str, &[(Part, f32)])] = &[
     ("ball", &[(Part::Toes, 0.9)]),
 ];
 
-/// Words that rigs put before every name, and words that say only that this is a joint.
+/// Prefixes of rigs, and words that mean only that this is a joint.
 const FILLERS: &[&str] = &[
     "mixamorig",
     "bip",
@@ -174,7 +174,7 @@ const OTHERS: &[&str] = &[
     "lip",
 ];
 
-/// What a name says.
+/// Evidence in a name.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct NameHint {
     /// Side, where the name gives one.

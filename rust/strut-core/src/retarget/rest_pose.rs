@@ -13,15 +13,15 @@ use crate::math::{Quat, Vec3};
 use crate::skeleton::Skeleton;
 use std::f32::consts::FRAC_PI_2;
 
-/// Directions that lie nearer than this to a coordinate axis mean the axis: cosine of 25°. Skeletons are
-/// modelled along axes; what lies between is the estimate's error.
+/// Directions nearer than this to a coordinate axis are snapped to it: cosine of 25°. Skeletons are modelled along axes;
+/// smaller deviations are errors of the estimate.
 const SNAP_COSINE: f32 = 0.906;
 
-/// Pitch of the line from ankle to toe joint below the horizontal, sole flat, where the zero pose does
-/// not tell: radians. Bandai Namco's avatars stand at 39.6°; ankles of game rigs sit as high.
+/// Pitch of the line from ankle to toe joint below the horizontal, sole flat, where it is not known from the zero pose:
+/// radians. Bandai Namco's avatars stand at 39.6°; ankles of game rigs sit as high.
 const FOOT_PITCH: f32 = 0.69;
 
-/// Upward bend of the toes against the foot, sole flat, where the zero pose does not tell: radians.
+/// Upward bend of the toes against the foot, sole flat, where it is not known from the zero pose: radians.
 /// Bandai Namco's avatars stand at 16.6°.
 const TOE_BEND: f32 = 0.29;
 
@@ -105,7 +105,7 @@ impl Body<'_> {
         self.roles[role.index()]
     }
 
-    /// Joint of a role that binding has made sure of; the root where it has not.
+    /// Joint of a required role; the root if it is missing.
     fn required(&self, role: Role) -> usize {
         self.at(role).unwrap_or(0)
     }
@@ -114,7 +114,7 @@ impl Body<'_> {
         self.skeleton.joints()[joint].parent
     }
 
-    /// Top of the trunk: what the spine points to.
+    /// Top of the trunk, to which the spine points.
     fn trunk_top(&self) -> usize {
         let tops = [Role::Neck, Role::Head, Role::Chest, Role::Spine];
         tops.iter().find_map(|&r| self.at(r)).unwrap_or(0)
@@ -220,8 +220,8 @@ impl Body<'_> {
         frame_of(left, snapped(up))
     }
 
-    /// Mean rotation of a joint relative to the canonical frame of its nearest mapped ancestor: where
-    /// the trunk, the clavicles and the feet are about at rest.
+    /// Mean rotation of a joint relative to the canonical frame of its nearest mapped ancestor: the trunk, the clavicles
+    /// and the feet are near rest on average.
     fn mean_in_parent(&self, joint: usize, rest: &[Quat]) -> Quat {
         let ancestor = std::iter::successors(self.parent(joint), |&p| self.parent(p))
             .find(|&p| self.role_of_joint[p].is_some())
@@ -266,8 +266,8 @@ impl Body<'_> {
         }
     }
 
-    /// Hands, heads and toes end in nothing: they rest like their parent's frame, unless they usually lie
-    /// more than a quarter turn from it; then along the nearest axes.
+    /// Hands, heads and toes have no child joint: their rest rotation is that of their parent's frame, or along the nearest
+    /// axes if their mean rotation is more than a quarter turn from it.
     fn leaf_rest(&self, joint: usize, rest: &[Quat]) -> Quat {
         let parent = self.parent(joint).map_or(Quat::IDENTITY, |p| rest[p]);
         let mean = self.mean_in_parent(joint, rest);
@@ -303,8 +303,8 @@ impl Body<'_> {
             w[joint].1.inv_mul_vec3(trunk_frame * raised.inv_mul_vec3(hinge))
         });
         let evidence = (seen + GUESSED_HINGE * guessed).normalize_or_zero();
-        // A forearm whose zero rotation continues the upper arm is at rest there: what its frame turns
-        // about the bone is pronation and no matter of the hinge. Shins hardly turn.
+        // A forearm whose zero rotation continues the upper arm is at rest there: rotation about the bone is pronation and
+        // does not affect the hinge. Shins hardly twist.
         let above = self.parent(joint).map_or(Quat::IDENTITY, |p| rest[p]);
         let turned = if is_arm { -0.7 } else { 0.7 };
         let continues = role == chain[1] && (above * bone).dot(direction) > SNAP_COSINE;

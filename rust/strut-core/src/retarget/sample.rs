@@ -1,10 +1,10 @@
-//! World transforms of a clip at a few frames: the evidence that binding works on.
+//! World transforms of a clip at a few frames, on which binding is based.
 
 use crate::math::{Quat, Vec3, exp_map};
 use crate::motion::Motion;
 
-/// Most frames that binding looks at, evenly spread over the clip. Every estimate is a mean over them
-/// that is then snapped, so that more frames change nothing but the time.
+/// Greatest number of frames sampled, evenly spread over the clip. Every estimate is a mean that is then snapped, so that
+/// more frames would only take more time.
 const MAX_FRAMES: usize = 64;
 
 /// World transforms of every joint at some frames, in the file's units and axes.
@@ -27,7 +27,7 @@ impl Sample {
         Self { parents, frames, translations }
     }
 
-    /// Whether no frame was there to sample.
+    /// Whether the clip had no frames.
     pub(super) fn is_empty(&self) -> bool {
         self.frames.is_empty()
     }

@@ -4,21 +4,20 @@ use crate::humanoid::{Pose, Proportions, Role};
 use crate::kinematics::{Limb, two_bone_ik, world_from_local};
 use crate::math::Vec3;
 
-/// Extension of a leg, as a share of its length, from which the difference between its own ratio and
-/// the mean of both legs is made up. Lower spreads the correction over more of the stride, higher makes
-/// it steeper.
+/// Extension of a leg, as a share of its length, from which the difference between its own ratio and the mean of both
+/// legs is corrected. Lower values spread the correction over more of the stride, higher ones make it steeper.
 const EXTENDED: f32 = 0.9;
 
-/// Lengths of a canonical body per length of a file's body (both in metres), and the shift that puts
-/// one's soles where the other's were.
+/// Ratios of lengths of a canonical body to those of a file's body, and the vertical shift that brings the soles to the
+/// same height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct BodyScale {
     /// Ratio of the legs (mean of both): scales the travel, so that steps fit the legs that take them.
     legs: f32,
     /// Metres added to scaled heights: ankles differ in their height above the sole.
     lift: f32,
-    /// What `legs` makes of each fully extended leg of the file, as a share of the target's leg. Legs of
-    /// captured skeletons differ by a few percent; left first.
+    /// Length of each fully extended leg of the file, scaled by `legs`, as a share of the target's leg. Legs of captured
+    /// skeletons differ by a few percent; left first.
     full_extension: [f32; 2],
     /// Length of the target's legs, metres, left first.
     target_legs: [f32; 2],
@@ -76,10 +75,10 @@ impl BodyScale {
         if extension > bent { hip_to_ankle * (map(extension) / extension) } else { hip_to_ankle }
     }
 
-    /// Puts the target's body where the file's is and its ankles and wrists where the file's reach, given the
-    /// file's joint positions; `pose` has the rotations.
+    /// Places the target's body, its ankles and its wrists as the file's, scaled, given the file's joint positions; `pose`
+    /// has the rotations.
     pub(super) fn place(self, target: &Proportions, pose: &mut Pose, file: impl Fn(Role) -> Vec3) {
-        // The body hangs on its hip joints: scaled like the ankles, they leave the legs as bent as they were.
+        // Hip joints are scaled like the ankles, so that the bend of the legs is kept.
         let hip_joints = 0.5 * (file(Role::LeftUpperLeg) + file(Role::RightUpperLeg));
         let from_hips = |r: Role| target.offsets[r.index()];
         let below = 0.5 * (from_hips(Role::LeftUpperLeg) + from_hips(Role::RightUpperLeg));

@@ -174,8 +174,8 @@ fn rigs_with_bones_along_any_local_axis_agree() {
             let n = seed * (7 * j + 3) + j * j;
             rig.frames[j] = quarter(Vec3::X, n % 4) * quarter(Vec3::Y, n / 4 % 4) * quarter(Vec3::Z, n / 16 % 4);
         }
-        // Pronation makes the twist of forearms uncertain: they continue the upper arm. What ends in
-        // nothing lies like its parent.
+        // Pronation makes the twist of forearms uncertain: they continue the upper arm. End joints have the frame of their
+        // parent.
         for (role, above) in [
             (Role::LeftLowerArm, Role::LeftUpperArm),
             (Role::RightLowerArm, Role::RightUpperArm),

@@ -3,7 +3,7 @@
 //! Coordinates in the [subspace](super::subspace) are 16-bit integers. No vector is longer than [`MAX_LENGTH`] by more
 //! than rounding, so that by the inequality of Cauchy and Schwarz no inner product leaves 32 bits.
 
-use super::lanes::{Floats, Integers, Lane, Pairs};
+use super::lanes::{FloatLane, Floats, Integers, Pairs};
 use super::subspace::{COORDINATES, GROUND_DIMENSIONS, Projection, REAL};
 
 /// Windows of a block.
@@ -17,10 +17,9 @@ const PAIRS: usize = COORDINATES / 2;
 pub(super) const PER_METRE: f32 = 32_760.0;
 /// Greatest length of a vector in metres, twice what a person reaches.
 const MAX_LENGTH: f32 = 1.0;
-/// Bound on what rounding to integers does to a vector, √40 · 0.51, and on what else is rounded when lengths of this
-/// size are compared.
+/// Bound on the error of a vector by rounding to integers, √40 · 0.51, with that of comparing lengths of this size.
 pub(super) const QUANTISATION: f32 = 4.0;
-/// Bound on the rounding error of [`Block::separations`]: integers below 2³⁰ become floats (32 each), and sums, a root
+/// Bound on the rounding error of [`Block::squared_distances`]: integers below 2³⁰ become floats (32 each), and sums, a root
 /// and differences are made of them; 1 120 in all.
 pub(super) const ERROR: f32 = 2048.0;
 
@@ -32,15 +31,20 @@ pub(super) type Point = [i16; COORDINATES];
 /// That is the projection onto a ball, which takes no two vectors further apart: bounds remain bounds.
 pub(super) fn quantise(of: &Projection) -> Point {
     let scale = if of.length <= MAX_LENGTH { PER_METRE } else { PER_METRE * MAX_LENGTH / of.length };
-    // Rounded to the nearest by cutting off a positive number, for which there is an instruction everywhere.
+    // Rounded to the nearest by truncating a positive number, for which every machine has an instruction.
     of.coordinates.map(|c| ((c * scale + 65_536.5) as i32 - 65_536) as i16)
 }
 
-/// Whether a point may be that of a window: no longer than [`quantise`] makes them.
-pub(super) fn is_within_bounds(point: &Point) -> bool {
-    let squared_length: i64 = point.iter().map(|&v| i64::from(v) * i64::from(v)).sum();
-    let greatest = PER_METRE * MAX_LENGTH + QUANTISATION;
-    squared_length as f32 <= greatest * greatest
+/// Whether a point may be that of a window whose projection has this squared length, which is off by at most `error`;
+/// metres². No point is longer than [`quantise`] makes them.
+pub(super) fn has_squared_length(point: &Point, expected: f32, error: f32) -> bool {
+    let found: i64 = point.iter().map(|&v| i64::from(v) * i64::from(v)).sum();
+    let found = found as f64 / f64::from(PER_METRE * PER_METRE);
+    let (expected, error) = (f64::from(expected), f64::from(error));
+    let longest = f64::from(MAX_LENGTH * MAX_LENGTH);
+    let [least, greatest] = [expected - error, expected + error].map(|squared| squared.clamp(0.0, longest).sqrt());
+    let rounding = f64::from(QUANTISATION / PER_METRE);
+    (least - rounding..=greatest + rounding).contains(&found.sqrt())
 }
 
 /// Squared length, below 2³¹.
@@ -59,7 +63,7 @@ pub(super) fn complex_product(a: &Point, b: &Point) -> [i32; 2] {
     [re, im]
 }
 
-/// A query as a block wants it: every pair four times.
+/// A query in the layout of a block: every pair four times.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Probe {
     straight: [Pairs; PAIRS],
@@ -81,12 +85,12 @@ impl Probe {
 
 /// Squared distances of sixteen windows, four at a time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Separations(pub(super) [Lane; QUADS]);
+pub(super) struct SquaredDistances(pub(super) [FloatLane; QUADS]);
 
-impl Separations {
+impl SquaredDistances {
     /// Bit i is set unless number i is greater than limit i. It is set where the limit is not a number.
     #[inline]
-    pub(super) fn within(&self, limits: &[Lane; QUADS]) -> u32 {
+    pub(super) fn within(&self, limits: &[FloatLane; QUADS]) -> u32 {
         let pairs = self.0.iter().zip(limits).rev();
         pairs.fold(0, |bits, (s, limit)| (bits << 4) | (Floats::of(s).greater_than(Floats::of(limit)) ^ 15))
     }
@@ -96,11 +100,11 @@ impl Separations {
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     pairs: [[Pairs; PAIRS]; QUADS],
-    squared_lengths: [Lane; QUADS],
+    squared_lengths: [FloatLane; QUADS],
 }
 
 impl Block {
-    /// Of at most sixteen; the others are zero.
+    /// A block of at most sixteen points; the others are zero.
     pub(super) fn new(points: &[Point]) -> Self {
         let mut block = Self { pairs: [[[0; 8]; PAIRS]; QUADS], squared_lengths: [[0.0; 4]; QUADS] };
         for (i, point) in points.iter().enumerate() {
@@ -119,13 +123,13 @@ impl Block {
 
     /// Squared distances of the windows to the query, modulo the phase of the complex part and within [`ERROR`].
     #[inline(never)]
-    pub(super) fn separations(&self, probe: &Probe) -> Separations {
-        Separations(std::array::from_fn(|quad| self.separations_of_quad(probe, quad).array()))
+    pub(super) fn squared_distances(&self, probe: &Probe) -> SquaredDistances {
+        SquaredDistances(std::array::from_fn(|quad| self.squared_distances_of_quad(probe, quad).array()))
     }
 
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn separations_of_quad(&self, probe: &Probe, quad: usize) -> Floats {
+    fn squared_distances_of_quad(&self, probe: &Probe, quad: usize) -> Floats {
         let (real, complex) = self.pairs[quad].split_at(REAL_PAIRS);
         let product = |a: &[Pairs], b: &[Pairs]| {
             let sum = a.iter().zip(b).fold(Integers::zero(), |sum, (a, b)| sum.plus(Integers::products(a, b)));

@@ -1,10 +1,11 @@
 //! Every window of a class, one after the other: the definition that the search must equal.
 
+use super::index::{Index, Query};
 use super::metric::{LENGTH, WINDOW};
-use super::{Index, Neighbour, Neighbours, Query};
+use super::neighbours::{Neighbour, Neighbours};
 
 impl Index {
-    /// What [`Index::nearest`] finds, without any means of finding it sooner.
+    /// [`Index::nearest`] without any pruning.
     ///
     /// # Panics
     /// If there is no such class.

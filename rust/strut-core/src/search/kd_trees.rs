@@ -1,13 +1,13 @@
 //! Candidates from kd-trees: the usual approximate search, to compare the exact one with.
 //!
-//! A kd-tree needs points with a Euclidean distance. A window's coordinates in the [subspace](super::subspace) are one
-//! once their phase, which the metric does not see, is chosen: here the first complex coordinate becomes a positive
-//! number. Windows that a better turn would bring together are missed, and so are those whose differences lie outside
-//! the coordinates; so many candidates are taken from the tree and ordered by their true D.
+//! A kd-tree needs points with a Euclidean distance. A window's coordinates in the [subspace](super::subspace) become
+//! such a point once their phase, to which the metric is invariant, is fixed: here the first complex coordinate becomes
+//! a positive number. Windows that are near only by another phase are missed, and so are those whose differences lie
+//! outside the subspace; so several candidates are taken from the tree and ordered by their true D.
 
 use super::metric::{CentredWindow, Metric};
-use super::subspace::{Projection, REAL};
-use super::{Index, Neighbours, Query};
+use super::subspace::{Projection, REAL, Subspace};
+use super::windows::Windows;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use std::num::NonZero;
 
@@ -27,52 +27,44 @@ pub(super) struct KdTrees {
 
 #[derive(Clone, Debug)]
 struct Class {
-    /// Where the windows end that the items of the tree number.
+    /// Rows at which the windows of the tree's items end.
     rows: Vec<u32>,
-    /// `None` of no windows.
+    /// `None` without windows.
     tree: Option<ImmutableKdTree<f32, DIMENSIONS>>,
 }
 
-impl Index {
-    /// The same windows, searched approximately: of each class only the `candidates` that a kd-tree finds nearest in 15
-    /// dimensions are looked at. Only queries by [`Metric::FullBody`] differ. Unlike the exact search, this allocates.
-    #[must_use]
-    pub fn with_kd_trees(self, candidates: NonZero<usize>) -> Self {
+impl KdTrees {
+    /// Trees of all windows by their coordinates in a subspace, searched for this many candidates.
+    pub(super) fn new(windows: &Windows, subspace: &Subspace, candidates: NonZero<usize>) -> Self {
         let class = |class| {
-            let rows: Vec<u32> = self.windows.of_class(class).map(|row| row as u32).collect();
-            let points: Vec<_> =
-                rows.iter().map(|&r| self.place(&self.windows.centred(r as usize, Metric::FullBody))).collect();
+            let rows: Vec<u32> = windows.of_class(class).map(|row| row as u32).collect();
+            let points: Vec<_> = rows
+                .iter()
+                .map(|&row| aligned(&subspace.project(&windows.centred(row as usize, Metric::FullBody))))
+                .collect();
             let tree = (!points.is_empty()).then(|| ImmutableKdTree::new_from_slice(&points));
             Class { rows, tree }
         };
-        let classes = (0..self.classes()).map(class).collect();
-        Self { kd_trees: Some(KdTrees { candidates, classes }), ..self }
+        Self { candidates, classes: (0..windows.classes.len()).map(class).collect() }
     }
 
-    /// [`Index::nearest`] among the candidates of kd-trees.
-    pub(super) fn nearest_of_candidates<const S: usize>(
+    /// Visits the rows at which the candidates for a window end.
+    pub(super) fn for_each_candidate(
         &self,
-        trees: &KdTrees,
-        query: &Query<'_>,
+        subspace: &Subspace,
+        window: &CentredWindow,
         classes: &[usize],
-        k: usize,
-        out: &mut Neighbours,
+        mut visit: impl FnMut(u32),
     ) {
-        let at = self.place(query.window);
-        out.begin(k);
-        for Class { rows, tree } in classes.iter().map(|&class| &trees.classes[class]) {
-            let candidates = tree.iter().flat_map(|t| t.nearest_n::<SquaredEuclidean>(&at, trees.candidates));
-            candidates.for_each(|c| self.look_at::<S>(query, rows[c.item as usize], out));
+        let at = aligned(&subspace.project(window));
+        for Class { rows, tree } in classes.iter().map(|&class| &self.classes[class]) {
+            let candidates = tree.iter().flat_map(|t| t.nearest_n::<SquaredEuclidean>(&at, self.candidates));
+            candidates.for_each(|c| visit(rows[c.item as usize]));
         }
-    }
-
-    /// Where a window lies in its tree.
-    fn place(&self, window: &CentredWindow) -> [f32; DIMENSIONS] {
-        aligned(&self.leaves[Metric::FullBody as usize].subspace().project(window))
     }
 }
 
-/// The first coordinates, in the phase that makes the first complex one a positive number.
+/// The first coordinates, with the phase by which the first complex one is a positive number.
 fn aligned(projection: &Projection) -> [f32; DIMENSIONS] {
     let (real, complex) = projection.coordinates.split_at(REAL);
     let (re, im) = (complex[0], complex[1]);

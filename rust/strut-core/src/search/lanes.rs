@@ -1,11 +1,12 @@
 //! Explicit lanes of arithmetic: the one place that decides the order of floating-point sums in a search.
 //!
-//! [`Floats`] and [`Integers`] are four numbers in a register of WebAssembly, where compilers keep plain arrays in
-//! single numbers, and plain arrays elsewhere, which they do turn into registers. The operations are the same, in the
-//! same order, with and without SIMD, so the bits are too.
+//! [`Floats`] and [`Integers`] are SIMD registers in WebAssembly, where compilers do not vectorise arrays, and arrays
+//! elsewhere, where they do. The operations are the same, in the same order, with and without SIMD, and so are the bits.
+//! `crate::math::lanes` wraps glam's vector instead, which has neither a vectorised square root nor products of pairs of
+//! 16-bit integers.
 
 /// Four numbers side by side.
-pub(super) type Lane = [f32; 4];
+pub(super) type FloatLane = [f32; 4];
 
 /// Four pairs of integers side by side.
 pub(super) type Pairs = [i16; 8];
@@ -25,12 +26,12 @@ pub(super) fn total(sum: Floats) -> f32 {
 /// Inner product of two windows of equally many frames by the first `USED` of their `N` lanes, with `SUMS` running sums
 /// so that additions need not wait for each other. Where the other lanes are zero, it is that of all lanes to the bit.
 ///
-/// Called for every window that is looked at: a function call would be half of its time.
+/// Called for every window that is compared: a function call would take half of its time.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn inner_product<const N: usize, const USED: usize, const SUMS: usize>(
-    a: &[[Lane; N]],
-    b: &[[Lane; N]],
+    a: &[[FloatLane; N]],
+    b: &[[FloatLane; N]],
 ) -> f32 {
     let mut sums = [Floats::splat(0.0); SUMS];
     for (a, b) in a.iter().zip(b) {
@@ -45,8 +46,8 @@ pub(super) fn inner_product<const N: usize, const USED: usize, const SUMS: usize
 #[allow(clippy::inline_always)] // see `inner_product`
 #[inline(always)]
 pub(super) fn inner_products<const N: usize, const USED: usize, const SUMS: usize>(
-    a: [&[[Lane; N]]; 2],
-    b: &[[Lane; N]],
+    a: [&[[FloatLane; N]]; 2],
+    b: &[[FloatLane; N]],
 ) -> [f32; 2] {
     let mut sums = [[Floats::splat(0.0); SUMS]; 2];
     for ((a0, a1), b) in a[0].iter().zip(a[1]).zip(b) {
@@ -62,15 +63,15 @@ pub(super) fn inner_products<const N: usize, const USED: usize, const SUMS: usiz
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
 #[allow(clippy::inline_always)] // single instructions
 mod arrays {
-    use super::{Lane, Pairs};
+    use super::{FloatLane, Pairs};
     use std::array::from_fn;
 
     #[derive(Clone, Copy)]
-    pub(in super::super) struct Floats(Lane);
+    pub(in super::super) struct Floats(FloatLane);
 
     impl Floats {
         #[inline(always)]
-        pub(in super::super) fn of(lane: &Lane) -> Self {
+        pub(in super::super) fn of(lane: &FloatLane) -> Self {
             Self(*lane)
         }
 
@@ -80,7 +81,7 @@ mod arrays {
         }
 
         #[inline(always)]
-        pub(in super::super) fn array(self) -> Lane {
+        pub(in super::super) fn array(self) -> FloatLane {
             self.0
         }
 
@@ -125,13 +126,13 @@ mod arrays {
             Self(from_fn(|i| self.0[i].wrapping_add(other.0[i])))
         }
 
-        /// Inner product of each pair. Compilers do not see that there is an instruction for it.
+        /// Inner product of each pair. Compilers do not find the instruction for it.
         #[cfg(target_arch = "x86_64")]
         #[allow(unsafe_code)]
         #[inline(always)]
         pub(in super::super) fn products(a: &Pairs, b: &Pairs) -> Self {
             use std::arch::x86_64::{_mm_loadu_si128, _mm_madd_epi16};
-            // SAFETY: every x86-64 processor has SSE2; both pointers are those of 16 bytes, and so large is the result.
+            // SAFETY: every x86-64 processor has SSE2; both pointers are to 16 bytes, and the result has 16 bytes.
             unsafe {
                 let [a, b] = [a, b].map(|v| _mm_loadu_si128(v.as_ptr().cast()));
                 Self(std::mem::transmute::<std::arch::x86_64::__m128i, [i32; 4]>(_mm_madd_epi16(a, b)))
@@ -156,7 +157,7 @@ mod arrays {
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 #[allow(clippy::inline_always, unsafe_code)] // single instructions
 mod registers {
-    use super::{Lane, Pairs};
+    use super::{FloatLane, Pairs};
     use std::arch::wasm32 as simd;
 
     #[derive(Clone, Copy)]
@@ -164,7 +165,7 @@ mod registers {
 
     impl Floats {
         #[inline(always)]
-        pub(in super::super) fn of(lane: &Lane) -> Self {
+        pub(in super::super) fn of(lane: &FloatLane) -> Self {
             // SAFETY: the pointer is that of 16 bytes. (From four numbers compilers would load four times.)
             Self(unsafe { simd::v128_load(lane.as_ptr().cast()) })
         }
@@ -175,9 +176,9 @@ mod registers {
         }
 
         #[inline(always)]
-        pub(in super::super) fn array(self) -> Lane {
+        pub(in super::super) fn array(self) -> FloatLane {
             // SAFETY: both are 16 bytes.
-            unsafe { std::mem::transmute::<simd::v128, Lane>(self.0) }
+            unsafe { std::mem::transmute::<simd::v128, FloatLane>(self.0) }
         }
 
         #[inline(always)]

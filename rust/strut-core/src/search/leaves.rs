@@ -3,11 +3,11 @@
 //! Distances in a [subspace](Subspace) bound those of windows from below, and are those of a metric themselves. So they
 //! rule out whole leaves, whose centres stand in blocks like the windows' own, and single windows of the other leaves.
 //!
-//! Bounds hold for the D that is computed, not only for the exact one: whatever is rounded on the way has a bound of
-//! its own, and what is not a number rules nothing out.
+//! Bounds hold for the D as computed, not only for the exact one: every rounding error is bounded, and NaN rules nothing
+//! out.
 
 use super::block::{
-    BLOCK, Block, ERROR, PER_METRE, Point, Probe, QUADS, QUANTISATION, Separations, complex_product, quantise,
+    BLOCK, Block, ERROR, PER_METRE, Point, Probe, QUADS, QUANTISATION, SquaredDistances, complex_product, quantise,
 };
 use super::metric::CentredWindow;
 use super::subspace::{COORDINATES, REAL, Subspace};
@@ -39,7 +39,7 @@ pub(super) struct Leaves {
     classes: Vec<Class>,
 }
 
-/// What is common to the leaves of a class.
+/// Data shared by the leaves of a class.
 #[derive(Clone, Debug)]
 struct Class {
     leaves: Range<usize>,
@@ -51,7 +51,7 @@ struct Class {
     bounds: Bounds,
 }
 
-/// What holds for all windows of a class.
+/// Bounds that hold for all windows of a class.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
     /// [`CentredWindow::scale`].
@@ -61,7 +61,7 @@ pub(super) struct Bounds {
     pub(super) uncentred_length: f32,
 }
 
-/// What a computed D says about distances of integers, and the reverse, for a query in a class.
+/// Conversion between a computed D and distances of integers, with error bounds, for a query in a class.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Margins {
     /// Bound on the error of a distance, in integers.
@@ -76,15 +76,15 @@ impl Margins {
         (threshold + self.rounding).sqrt() * PER_METRE + self.slack
     }
 
-    /// A computed D that no window at this distance in integers, or further away, is below.
-    fn least(self, distance: f32) -> f32 {
+    /// A lower bound of the computed D of windows at this distance in integers or farther away.
+    fn lower_bound(self, distance: f32) -> f32 {
         let metres = (distance - self.slack).max(0.0) / PER_METRE;
         metres * metres - self.rounding
     }
 }
 
 impl Leaves {
-    /// With room for so many.
+    /// No leaves, with room for this many.
     pub(super) fn new(subspace: Subspace, leaves: usize) -> Self {
         Self {
             subspace,
@@ -110,7 +110,7 @@ impl Leaves {
         let mut middles = Vec::with_capacity(points.len().div_ceil(BLOCK));
         for members in points.chunks(BLOCK) {
             let (centre, block) = (centre(members), Block::new(members));
-            let greatest = block.separations(&Probe::new(&centre));
+            let greatest = block.squared_distances(&Probe::new(&centre));
             let greatest = greatest.0.as_flattened()[..members.len()].iter().copied().fold(0.0, f32::max);
             self.radii.push((greatest + ERROR).sqrt());
             self.blocks.push(block);
@@ -132,13 +132,13 @@ impl Leaves {
         self.classes[class].leaves.clone()
     }
 
-    /// Where a window lies in the subspace, and how far that may be off in metres.
+    /// A window's point in the subspace, and a bound on its error in metres.
     pub(super) fn probe(&self, window: &CentredWindow) -> (Probe, f32) {
         let projection = self.subspace.project(window);
         (Probe::new(&quantise(&projection)), projection.error)
     }
 
-    /// For a window that may be off by so much.
+    /// The margins for a window whose point has this error bound.
     pub(super) fn margins(&self, class: usize, window: &CentredWindow, error: f32) -> Margins {
         let class = &self.classes[class];
         Margins {
@@ -148,8 +148,8 @@ impl Leaves {
         }
     }
 
-    /// The leaves of a class that may hold a window with a computed D of at most `threshold`, each after the least D
-    /// that it may hold.
+    /// The leaves of a class that may hold a window with a computed D of at most `threshold`, each with a lower bound of
+    /// the D of its windows.
     pub(super) fn candidates(
         &self,
         class: usize,
@@ -158,24 +158,24 @@ impl Leaves {
         threshold: f32,
         out: &mut Vec<(f32, usize)>,
     ) {
-        for (first, separations, mut bits) in self.leaves_within(class, probe, margins.limit(threshold)) {
+        for (first, squared_distances, mut bits) in self.leaves_within(class, probe, margins.limit(threshold)) {
             while bits != 0 {
                 let i = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let distance = (separations.0[i / 4][i % 4] - ERROR).max(0.0).sqrt() - self.radii[first + i];
-                out.push((margins.least(distance), first + i));
+                let distance = (squared_distances.0[i / 4][i % 4] - ERROR).max(0.0).sqrt() - self.radii[first + i];
+                out.push((margins.lower_bound(distance), first + i));
             }
         }
     }
 
-    /// The leaves of a class, sixteen at a time: the index of the first, the separations of their centres and, as bits,
+    /// The leaves of a class, sixteen at a time: the index of the first, the squared distances of their centres and, as bits,
     /// which of them may hold a window at a distance of at most `limit` in integers.
     fn leaves_within(
         &self,
         class: usize,
         probe: &Probe,
         limit: f32,
-    ) -> impl Iterator<Item = (usize, Separations, u32)> {
+    ) -> impl Iterator<Item = (usize, SquaredDistances, u32)> {
         let class = &self.classes[class];
         class.leaves.clone().step_by(BLOCK).zip(&self.centres[class.centres.clone()]).map(move |(first, centres)| {
             let leaves = first..class.leaves.end.min(first + BLOCK);
@@ -183,8 +183,8 @@ impl Leaves {
             for (l, r) in limits.as_flattened_mut().iter_mut().zip(&self.radii[leaves.clone()]) {
                 *l = (limit + r) * (limit + r) + ERROR;
             }
-            let separations = centres.separations(probe);
-            (first, separations, separations.within(&limits) & ((1 << leaves.len()) - 1))
+            let squared_distances = centres.squared_distances(probe);
+            (first, squared_distances, squared_distances.within(&limits) & ((1 << leaves.len()) - 1))
         })
     }
 
@@ -192,11 +192,11 @@ impl Leaves {
     pub(super) fn nearest_centre(&self, class: usize, probe: &Probe) -> f32 {
         let Class { leaves, centres, .. } = &self.classes[class];
         let blocks = self.centres[centres.clone()].iter();
-        let distances = blocks.flat_map(|block| block.separations(probe).0).flatten().take(leaves.len());
+        let distances = blocks.flat_map(|block| block.squared_distances(probe).0).flatten().take(leaves.len());
         distances.fold(f32::INFINITY, f32::min) / (PER_METRE * PER_METRE)
     }
 
-    /// Whether the mean of the `k` least computed D of a class certainly exceeds `mean`.
+    /// Whether the mean of the `k` smallest computed D of a class certainly exceeds `mean`.
     ///
     /// If n of a class's windows have a D of at most t, k − n of its k nearest have a greater one. Summed over levels of
     /// t, each with its distance from the one below, that is a lower bound of the sum of their D.
@@ -217,9 +217,9 @@ impl Leaves {
             while bits != 0 {
                 let leaf = first + bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let separations = self.blocks[leaf].separations(probe);
+                let squared_distances = self.blocks[leaf].squared_distances(probe);
                 for (count, limit) in counts.iter_mut().zip(&squares) {
-                    *count += separations.within(limit).count_ones();
+                    *count += squared_distances.within(limit).count_ones();
                 }
                 if !exceeds(&counts) {
                     return false;
@@ -233,11 +233,11 @@ impl Leaves {
     #[inline]
     pub(super) fn windows_within(&self, leaf: usize, probe: &Probe, margins: Margins, threshold: f32) -> u32 {
         let limit = margins.limit(threshold);
-        self.blocks[leaf].separations(probe).within(&[[limit * limit + ERROR; 4]; QUADS])
+        self.blocks[leaf].squared_distances(probe).within(&[[limit * limit + ERROR; 4]; QUADS])
     }
 }
 
-/// A point amid others: their mean, once all are turned like the first.
+/// The mean of points, once all have the phase of the first.
 fn centre(members: &[Point]) -> Point {
     let mut sums = [0.0_f32; COORDINATES];
     for point in members {

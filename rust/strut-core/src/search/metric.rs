@@ -1,4 +1,4 @@
-//! The window metric: Eq. 1 of Xia et al. 2015 in the closed form of the search specification, §1.
+//! The window metric: Eq. 1 of Xia et al. 2015 in the closed form of `docs/methods/search.md` §1.
 //!
 //! A window is a point cloud: the joints of s successive frames ([`WINDOW`]) in one common frame of
 //! reference, so that travel within the window counts. Two windows are compared after the best motion
@@ -10,7 +10,7 @@
 //! and the ground plane as a complex one z = x + i·z:  D = |y − y'|² + |z|² + |z'|² − 2 |⟨z, z'⟩|.
 //! As the weights sum to 1, D is a mean squared distance in m².
 
-use super::lanes::{Lane, inner_product, inner_products};
+use super::lanes::{FloatLane, inner_product, inner_products};
 use crate::humanoid::{JOINTS, Pose, Proportions, Role};
 use crate::kinematics::world_from_local;
 use crate::math::Vec3;
@@ -18,11 +18,11 @@ use crate::math::float_funcs::sin_cos;
 use crate::pose_vector::{HeadingFilter, Placement, heading_free_positions};
 use std::sync::LazyLock;
 
-/// Frames of a window unless asked otherwise (s in the specification: 67 ms at 60 Hz). The figures are flat
+/// Frames of a window unless asked otherwise (s; at 60 Hz they span 67 ms). The figures are flat
 /// from 1 to 15.
 pub const WINDOW: usize = 5;
-/// Most frames of a window: only experiments need others than the default.
-pub const MAX_WINDOW: usize = if cfg!(feature = "offline") { 15 } else { WINDOW };
+/// Greatest number of frames of a window: only experiments use others than the default.
+pub const MAX_WINDOW: usize = if cfg!(feature = "baselines") { 15 } else { WINDOW };
 
 /// Frames of a window: `S`, which the compiler knows and unrolls its loops for, or `frames` if `S` is
 /// [`ANY`].
@@ -31,15 +31,15 @@ pub(super) const fn frames_of<const S: usize>(frames: usize) -> usize {
     if S == ANY { frames } else { S }
 }
 
-/// The length where nothing else is known of it: without experiments there is only one.
+/// The length as a constant where only one is possible, else [`ANY`].
 pub(super) const LENGTH: usize = if MAX_WINDOW == WINDOW { WINDOW } else { ANY };
 
-/// For a length that only the running program knows.
+/// A length known at run time only.
 pub(super) const ANY: usize = 0;
 
-/// Joints that count.
+/// Joints of the metric.
 pub(super) const POINTS: usize = JOINT_WEIGHTS.len();
-/// Joints that count in the lower-body metric: the first of [`POINTS`].
+/// Joints of the lower-body metric: the first of [`POINTS`].
 const LEG_POINTS: usize = 4 * LEG_LANES;
 /// 4-float lanes of a frame's heights (and of x, and of z).
 pub(super) const LANES: usize = POINTS / 4;
@@ -73,19 +73,19 @@ pub const JOINT_WEIGHTS: [(Role, f32); 20] = [
 
 /// The lane that holds the feet.
 const FEET: usize = 1;
-/// What it holds.
+/// The joints in it.
 pub(crate) const FEET_ROLES: [Role; 4] = [Role::LeftFoot, Role::RightFoot, Role::LeftToes, Role::RightToes];
 /// x, y and z of [`FEET_ROLES`], metres.
-pub(crate) type Feet = [Lane; 3];
+pub(crate) type Feet = [FloatLane; 3];
 
 /// Where the feet are in a frame of these points.
 pub(super) fn feet(height: &HeightRow, ground: &GroundRow) -> Feet {
     let roots = &point_roots()[4 * FEET..][..4];
-    let metres = |lane: &Lane| std::array::from_fn(|i| lane[i] / roots[i]);
+    let metres = |lane: &FloatLane| std::array::from_fn(|i| lane[i] / roots[i]);
     [&ground[2 * FEET], &height[FEET], &ground[2 * FEET + 1]].map(metres)
 }
 
-/// Which joints count.
+/// Which joints are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
     /// All joints, by size and visibility: finds poses to regress on.
@@ -95,7 +95,7 @@ pub enum Metric {
 }
 
 impl Metric {
-    /// Number of points that count, the first ones.
+    /// Number of points that are compared, the first ones.
     pub(super) fn points(self) -> usize {
         match self {
             Self::FullBody => POINTS,
@@ -132,9 +132,9 @@ pub(super) struct FramePoints {
 }
 
 /// Heights of one frame's points.
-pub(super) type HeightRow = [Lane; LANES];
+pub(super) type HeightRow = [FloatLane; LANES];
 /// x and z of one frame's points: four x, four z, and so on.
-pub(super) type GroundRow = [Lane; 2 * LANES];
+pub(super) type GroundRow = [FloatLane; 2 * LANES];
 
 impl FramePoints {
     /// Of a heading-free point cloud (hips above the origin) put at a placement on the ground.
@@ -178,7 +178,7 @@ impl FramePoints {
     }
 }
 
-/// What the norms of windows need of one frame: sums over the points that count, in double precision.
+/// Sums over the points of one frame from which windows' norms are computed, in double precision.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FrameSums {
     squares: f64,
@@ -205,18 +205,18 @@ pub(super) fn window_norm(frames: &[FrameSums], metric: Metric) -> f32 {
     let scale = 1.0 / (frames.len() as f64 * f64::from(metric.share()));
     let sum = |of: fn(&FrameSums) -> f64| scale * frames.iter().map(of).sum::<f64>();
     let (x, z) = (sum(|f| f.x), sum(|f| f.z));
-    // 1 but for the weights' rounding, which matters where the centroid is far off.
+    // 1 but for the weights' rounding, which matters where the centroid is far away.
     let weights: f64 = point_roots()[..metric.points()].iter().map(|w| f64::from(*w) * f64::from(*w)).sum();
     let weights = scale * frames.len() as f64 * weights;
     (sum(|f| f.squares) - (2.0 - weights) * (x * x + z * z)).max(0.0) as f32
 }
 
-/// A window's vector in one metric: zero where a joint does not count, centred, and scaled so that its inner product with stored points, which
-/// need not be centred, is that of the weighted window vectors.
+/// A window's vector in one metric: zero where a joint has no weight, centred, and scaled so that its inner product with
+/// stored points, which need not be centred, is that of the weighted window vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct CentredWindow {
     pub(super) frames: usize,
-    /// Weight of a frame, which is folded in once too often.
+    /// Weight of a frame, by which the vector is too large.
     pub(super) scale: f32,
     pub(super) height: [HeightRow; MAX_WINDOW],
     /// z, for the real part of ⟨z, z'⟩ …
@@ -378,6 +378,7 @@ impl QueryWindow {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::float_funcs::double;
     use proptest::prelude::*;
     use std::f32::consts::PI;
 
@@ -414,9 +415,9 @@ mod tests {
 
     /// Σ w |p − T q|² for the best shift at a given turn, straight from Eq. 1.
     fn eq1_at_turn(p: &Frames, q: &Frames, turn: f64) -> f64 {
-        let (sin, cos) = (libm::sin(turn), libm::cos(turn));
+        let (sin, cos) = double::sin_cos(turn);
         let world = |(cloud, at): &([Vec3; JOINTS], Placement), j: usize| {
-            let (s, c) = (libm::sin(at.heading.into()), libm::cos(at.heading.into()));
+            let (s, c) = double::sin_cos(at.heading.into());
             let [x, y, z] = cloud[j].to_array().map(f64::from);
             [f64::from(at.x) + c * x + s * z, y, f64::from(at.z) - s * x + c * z]
         };
@@ -430,7 +431,7 @@ mod tests {
         }
         let mean = |i: usize| differences.iter().map(|(w, d)| w * d[i]).sum::<f64>();
         let (x0, z0) = (mean(0), mean(2));
-        differences.iter().map(|(w, d)| w * ((d[0] - x0).powi(2) + d[1] * d[1] + (d[2] - z0).powi(2))).sum()
+        differences.iter().map(|(w, d)| w * ((d[0] - x0) * (d[0] - x0) + d[1] * d[1] + (d[2] - z0) * (d[2] - z0))).sum()
     }
 
     proptest! {

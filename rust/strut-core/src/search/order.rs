@@ -1,4 +1,4 @@
-//! An order of windows in which near ones stand together.
+//! An order of windows in which near ones are adjacent.
 
 use super::block::{BLOCK, Point, complex_product, squared_length};
 use super::subspace::REAL;
@@ -6,8 +6,8 @@ use crate::math::order::sort_pairs;
 
 /// Puts `items`, indices of points, into an order in which every sixteen are near each other.
 ///
-/// A ball tree without its nodes: two items that are far apart are found, and the others ordered by which of them is
-/// nearer; then each half in itself.
+/// A ball tree without its nodes: the items are split by which of two distant items is nearer, then each half
+/// recursively.
 pub(super) fn arrange(points: &[Point], items: &mut [usize]) {
     if items.len() <= BLOCK {
         return;
@@ -18,7 +18,7 @@ pub(super) fn arrange(points: &[Point], items: &mut [usize]) {
     let mut sides: Vec<(f32, usize)> = items.iter().map(|&i| (side(i), i)).collect();
     sort_pairs(&mut sides);
     items.iter_mut().zip(sides).for_each(|(item, (_, i))| *item = i);
-    // Whole leaves, but for the last.
+    // All leaves are full but the last.
     let (left, right) = items.split_at_mut((items.len() / 2).next_multiple_of(BLOCK));
     arrange(points, left);
     arrange(points, right);

@@ -1,22 +1,26 @@
-//! What takes long to find out about an index, and does not change what it finds.
+//! Plans: the parts of an index that take long to compute, as a file stores them.
 
-use super::block::{BLOCK, Point, is_within_bounds, quantise};
+use super::block::{BLOCK, Point, has_squared_length};
+use super::index::{Index, NO_ROW};
 use super::leaves::Leaves;
-use super::metric::{CentredWindow, Metric, WINDOW};
+use super::metric::{CentredWindow, LENGTH, Metric, WINDOW};
 use super::order::arrange;
 use super::subspace::{COORDINATES, Subspace};
 use super::windows::Windows;
-use super::{Index, NO_ROW};
 use crate::database::Database;
 use thiserror::Error;
 
-/// Windows that the directions of a subspace are taken from, and that stored points are compared with.
+/// Windows that the directions of a subspace are fitted to, and whose points in a plan are compared in full.
 const SAMPLES: usize = 512;
 
 const METRICS: [Metric; 2] = [Metric::FullBody, Metric::LowerBody];
 
-/// The parts of an [`Index`] that a file may hold. How fast a search is depends on them. What it finds does not depend on
-/// the order and the bases, so that they need not be trusted; the points are compared with the database here and there.
+/// The parts of an [`Index`] that a file may hold: they take long to compute.
+///
+/// The order and the bases affect the speed of a search, not its result. The points decide what is pruned: a search is
+/// exact if every point is that of its window. Computing all of them would take as long as building the index;
+/// [`Index::from_plan`] computes some of them and checks the length of all. That finds damage and mistakes; a plan with
+/// deliberately wrong points of the right lengths can make a search miss windows, but do no other harm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// The rows at which windows end, class by class; within a class near ones together.
@@ -28,7 +32,7 @@ pub struct Plan {
     pub points: [Vec<[i16; Plan::COORDINATES]>; 2],
 }
 
-/// Why a plan is none for a database.
+/// Why a plan is not one for a database.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum PlanError {
     /// The rows are not those at which windows of the database end, each once and by class.
@@ -43,7 +47,7 @@ pub enum PlanError {
 }
 
 impl Plan {
-    /// Changes whenever what [`Plan::bases`] or [`Plan::points`] mean does.
+    /// Changes with the meaning of [`Plan::bases`] or [`Plan::points`].
     pub const VERSION: u32 = 2;
     /// Numbers of each of [`Plan::bases`].
     pub const BASIS_LENGTH: usize = Subspace::float_count(WINDOW);
@@ -52,9 +56,20 @@ impl Plan {
 }
 
 impl Index {
-    /// The windows of `length` frames, 1 to [`super::MAX_WINDOW`], by a plan that is made for them.
-    pub(super) fn planned(db: &Database, length: usize) -> Self {
-        let windows = Windows::new(db, length);
+    /// The index of these windows: by a plan if there is one of theirs, else built.
+    pub(crate) fn of_windows(windows: Windows, plan: Option<Plan>) -> Self {
+        match plan.map(|plan| (Self::subspaces_of(&windows, &plan), plan)) {
+            Some((Ok(subspaces), plan)) => {
+                let empty = Self::new(windows, subspaces);
+                empty.planned(plan).unwrap_or_else(|(empty, _)| Self::fitted(empty.windows))
+            }
+            _ => Self::fitted(windows),
+        }
+    }
+
+    /// The index of these windows, computed.
+    pub(super) fn fitted(windows: Windows) -> Self {
+        let length = windows.length;
         let ends: Vec<usize> = (0..windows.classes.len()).flat_map(|class| windows.of_class(class)).collect();
         let sample =
             |metric| -> Vec<CentredWindow> { sample(&ends).map(|&row| windows.centred(row, metric)).collect() };
@@ -75,19 +90,24 @@ impl Index {
         index
     }
 
-    /// The windows of [`WINDOW`] frames by a plan: the same as [`Index::build`] makes, sooner. The database's point clouds
-    /// are forgotten, as the index takes their place.
+    /// The windows of [`WINDOW`] frames by a plan: the same as [`Index::build`] makes, sooner.
     ///
     /// # Errors
-    /// [`PlanError`] if the plan is not one for this database, which then stays as it is.
-    pub fn from_plan(db: &mut Database, plan: Plan) -> Result<Self, PlanError> {
-        let Plan { order, bases, points } = plan;
-        let subspaces = METRICS.map(|metric| Subspace::from_floats(&bases[metric as usize], WINDOW, metric));
+    /// [`PlanError`] if the plan is not one for this database.
+    pub fn from_plan(db: &Database, plan: Plan) -> Result<Self, PlanError> {
+        let windows = Windows::new(db, WINDOW);
+        let subspaces = Self::subspaces_of(&windows, &plan)?;
+        Self::new(windows, subspaces).planned(plan).map_err(|(_, error)| error)
+    }
+
+    /// The subspaces of a plan whose order is one of these windows.
+    fn subspaces_of(windows: &Windows, plan: &Plan) -> Result<[Subspace; 2], PlanError> {
+        let subspaces =
+            METRICS.map(|metric| Subspace::from_floats(&plan.bases[metric as usize], windows.length, metric));
         let [Some(full), Some(lower)] = subspaces else {
             return Err(PlanError::Basis);
         };
-        let (windows, subspaces) = (Windows::new(db, WINDOW), [full, lower]);
-        let mut rest = &order[..];
+        let mut rest = &plan.order[..];
         for class in 0..windows.classes.len() {
             let rows: Vec<u32> = windows.of_class(class).map(|row| row as u32).collect();
             let (here, others) = rest.split_at_checked(rows.len()).ok_or(PlanError::Order)?;
@@ -96,34 +116,28 @@ impl Index {
             }
             rest = others;
         }
-        if !rest.is_empty() {
-            return Err(PlanError::Order);
-        }
-        for ((metric, points), subspace) in METRICS.into_iter().zip(&points).zip(&subspaces) {
-            let agrees = |(row, found): (&u32, &Point)| {
-                *found == quantise(&subspace.project(&windows.centred(*row as usize, metric)))
-            };
-            let all_agree = points.len() == order.len() && sample(&order).zip(sample(points)).all(agrees);
-            if !all_agree || !points.iter().all(is_within_bounds) {
-                return Err(PlanError::Points);
-            }
-        }
-
-        db.forget_point_clouds();
-        let mut index = Self::new(windows, subspaces);
-        let mut begin = 0;
-        for class in 0..index.classes() {
-            let here = begin..begin + index.windows_in_class(class);
-            begin = here.end;
-            index.add_rows(&order[here.clone()]);
-            for (metric, points) in METRICS.into_iter().zip(&points) {
-                index.add_points(class, metric, &points[here.clone()]);
-            }
-        }
-        Ok(index)
+        if rest.is_empty() { Ok([full, lower]) } else { Err(PlanError::Order) }
     }
 
-    /// What [`Index::from_plan`] takes.
+    /// An index without leaves, with those of a plan; itself if the points are not those of its windows.
+    fn planned(mut self, plan: Plan) -> Result<Self, (Box<Self>, PlanError)> {
+        let Plan { order, points, .. } = plan;
+        if !METRICS.into_iter().zip(&points).all(|(metric, points)| self.are_points_of(metric, &order, points)) {
+            return Err((Box::new(self), PlanError::Points));
+        }
+        let mut begin = 0;
+        for class in 0..self.classes() {
+            let here = begin..begin + self.windows_in_class(class);
+            begin = here.end;
+            self.add_rows(&order[here.clone()]);
+            for (metric, points) in METRICS.into_iter().zip(&points) {
+                self.add_points(class, metric, &points[here.clone()]);
+            }
+        }
+        Ok(self)
+    }
+
+    /// The plan of this index, for [`Index::from_plan`].
     pub fn plan(&self) -> Plan {
         let windows =
             || self.rows.iter().enumerate().flat_map(|(leaf, rows)| (0..BLOCK).map(move |i| (leaf, i, rows[i])));
@@ -135,7 +149,7 @@ impl Index {
         }
     }
 
-    /// With room for its leaves.
+    /// An index without leaves, with room for them.
     fn new(windows: Windows, subspaces: [Subspace; 2]) -> Self {
         let classes = 0..windows.classes.len();
         let leaves = classes.map(|class| windows.of_class(class).count().div_ceil(BLOCK)).sum();
@@ -145,9 +159,23 @@ impl Index {
             rows: Vec::with_capacity(leaves),
             slots: vec![NO_ROW; windows.rows()],
             windows,
-            #[cfg(feature = "offline")]
+            #[cfg(feature = "baselines")]
             kd_trees: None,
         }
+    }
+
+    /// Whether these are the points of the windows that end at these rows: of some by comparison, of all by length.
+    fn are_points_of(&self, metric: Metric, rows: &[u32], points: &[Point]) -> bool {
+        let (subspace, norms) = (self.leaves[metric as usize].subspace(), &self.norms[metric as usize]);
+        let scale = self.windows.scale(metric);
+        let has_length = |(row, point): (&u32, &Point)| {
+            let (heights, _) = self.windows.points::<LENGTH>(*row as usize);
+            let (expected, error) = subspace.squared_length(metric, heights, scale, norms[*row as usize]);
+            has_squared_length(point, expected, error)
+        };
+        points.len() == rows.len()
+            && sample(rows).zip(sample(points)).all(|(row, point)| *point == self.point(*row, metric))
+            && rows.iter().zip(points).all(has_length)
     }
 
     /// The integers of the window that ends at a row.

@@ -3,7 +3,7 @@
 /// A complex number.
 pub(super) type Complex = [f64; 2];
 
-/// Iterations. Any orthonormal directions serve: more of them would make the last ones a little better.
+/// Iterations. Any orthonormal directions give valid bounds; more iterations would improve the last ones a little.
 const ITERATIONS: usize = 8;
 
 /// The `count` orthonormal directions in which vectors vary most about zero; real ones for real vectors. `count` is
@@ -27,7 +27,7 @@ pub(super) fn principal_directions(vectors: &[Vec<Complex>], dimension: usize, c
     directions
 }
 
-/// Σ v vᴴ, with so much added to the diagonal that it has full rank.
+/// Σ v vᴴ, with a ridge that gives it full rank.
 fn covariance(vectors: &[Vec<Complex>], dimension: usize) -> Vec<Complex> {
     let mut sums = vec![[0.0; 2]; dimension * dimension];
     for v in vectors {
@@ -49,7 +49,7 @@ fn covariance(vectors: &[Vec<Complex>], dimension: usize) -> Vec<Complex> {
     sums
 }
 
-/// Gram and Schmidt's, twice: once leaves too much where vectors are nearly parallel.
+/// Modified Gram–Schmidt orthonormalisation, twice for accuracy where vectors are nearly parallel.
 fn orthonormalise(vectors: &mut [Vec<Complex>]) {
     for i in 0..vectors.len() {
         let (done, rest) = vectors.split_at_mut(i);
@@ -105,7 +105,7 @@ mod tests {
         }
 
         #[test]
-        fn they_capture_what_there_is(mut vectors in vectors(), scale in 0.001f64..0.1) {
+        fn they_capture_the_variance(mut vectors in vectors(), scale in 0.001f64..0.1) {
             // Two strong axes and three weak ones.
             for x in vectors.iter_mut().flat_map(|v| v[2..].iter_mut().flatten()) {
                 *x *= scale;

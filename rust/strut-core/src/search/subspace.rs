@@ -1,15 +1,15 @@
 //! The subspace in which most of the differences between windows lie.
 //!
 //! A window is a real vector y of heights and a complex one z of the ground plane ([`super::metric`]). Let a be the
-//! coordinates of y − mean in an orthonormal basis of a few dimensions, r the length of what lies outside, and c and q
-//! the same for z. Then, by the inequalities of Bessel and Cauchy–Schwarz, for any basis and any mean,
+//! coordinates of y − mean in an orthonormal basis of a few dimensions, r the length of the residual, and c and q the
+//! same for z. Then, by the inequalities of Bessel and Cauchy–Schwarz, for any basis and any mean,
 //!
 //! D ≥ |a − a'|² + (r − r')² + |c|² + |c'|² − 2 |⟨c, c'⟩| + (q − q')².
 //!
 //! The right-hand side is the squared distance of two short vectors modulo the phase of their complex parts: a metric
 //! too. The bound is tightest where the basis holds the directions of greatest variance.
 
-use super::lanes::{Floats, Lane, inner_product, total};
+use super::lanes::{FloatLane, Floats, inner_product, total};
 use super::metric::{CentredWindow, GroundRow, HeightRow, LANES, LEG_LANES, Metric, POINTS};
 use super::principal::{Complex, inner, principal_directions};
 
@@ -22,17 +22,21 @@ pub(super) const REAL: usize = HEIGHT_DIMENSIONS + 2;
 /// All coordinates; the complex ones follow the real ones, real and imaginary part in turn.
 pub(super) const COORDINATES: usize = REAL + 2 * GROUND_DIMENSIONS;
 
-/// Bound on what rounding does to a projection, as a share of the window's length, for windows of at most 15 frames.
+/// Bound on the rounding error of a projection, as a share of the window's length, for windows of at most 15 frames.
 ///
 /// Each of 38 real coordinates is a sum that rounds at most 82 times (75 products a running sum, and the sums of those),
-/// and what remains is off by as much in every direction: √(2 · 38) · 82 · 2⁻²⁴ of the length. Taking a direction away
-/// rounds thrice. With 1e-6 for bases that are orthonormal to so much ([`Subspace::from_floats`]) it is 5e-5.
+/// and the residual has the same error in every direction: √(2 · 38) · 82 · 2⁻²⁴ of the length. Subtracting a direction
+/// rounds three times. With 1e-6 for the bases' departure from orthonormality ([`Subspace::from_floats`]) it is 5e-5.
 const ROUNDING: f32 = 1.0 / 16_384.0;
 
-/// Bound on what rounding does to the window itself, as a share of its length before the mean is taken off.
+/// Bound on the rounding error of the window itself, as a share of its length before the mean is subtracted.
 const INPUT_ROUNDING: f32 = 1.0 / 4_194_304.0;
 
-/// Greatest departure from orthonormality (Frobenius norm): what rounding to single precision makes.
+/// Bound on the rounding error of a sum of squares and products of two windows, as a share of the sum of their squared
+/// lengths: each of the terms rounds at most 82 times.
+const SUM_ROUNDING: f32 = 128.0 / 16_777_216.0;
+
+/// Greatest departure from orthonormality (Frobenius norm), as rounding to single precision causes it.
 const MAX_SKEW: f64 = 1e-6;
 
 /// A mean of heights, and orthonormal directions.
@@ -52,7 +56,7 @@ pub(super) struct Projection {
     pub(super) coordinates: [f32; COORDINATES],
     /// Length of the coordinates.
     pub(super) length: f32,
-    /// How far the coordinates may be from those of exact arithmetic.
+    /// Bound on the error of the coordinates against exact arithmetic.
     pub(super) error: f32,
 }
 
@@ -64,7 +68,7 @@ impl Subspace {
 
     /// The directions in which these windows of a metric, each of `frames` frames, differ most.
     pub(super) fn fit(windows: &[CentredWindow], frames: usize, metric: Metric) -> Self {
-        // Where all directions fit in, they keep to the points that count.
+        // Where they suffice for all directions, only the points of the metric are used.
         let points = if frames * metric.points() >= HEIGHT_DIMENSIONS { metric.points() } else { POINTS };
         let dimension = frames * points;
         let root = windows.first().map_or(1.0, |w| f64::from(w.scale).sqrt());
@@ -109,7 +113,7 @@ impl Subspace {
 
     /// For windows of this metric only.
     fn for_metric(self, metric: Metric) -> Self {
-        let are_zero = |lanes: &[Lane]| lanes.as_flattened().iter().all(|v| *v == 0.0);
+        let are_zero = |lanes: &[FloatLane]| lanes.as_flattened().iter().all(|v| *v == 0.0);
         let heights = self.mean.iter().chain(&self.height).all(|row| are_zero(&row[LEG_LANES..]));
         let legs_only =
             metric == Metric::LowerBody && heights && self.ground.iter().all(|row| are_zero(&row[2 * LEG_LANES..]));
@@ -122,8 +126,8 @@ impl Subspace {
         heights.chain(self.ground.iter().flatten().flatten()).copied().collect()
     }
 
-    /// Of the numbers of another subspace for windows of so many frames; `None` if they are none: whatever else they
-    /// are, bounds hold.
+    /// From the numbers of another subspace for windows of this many frames; `None` if they are not finite, of the wrong
+    /// count or not orthonormal. Bounds hold for any orthonormal basis.
     pub(super) fn from_floats(floats: &[f32], frames: usize, metric: Metric) -> Option<Self> {
         if floats.len() != Self::float_count(frames) || !floats.iter().all(|v| v.is_finite()) {
             return None;
@@ -166,6 +170,22 @@ impl Subspace {
         ROUNDING * (norm.sqrt() + mean.sqrt()) + INPUT_ROUNDING * norm.sqrt()
     }
 
+    /// Squared length of the [projection](Subspace::project) of a stored window of a metric, metres², by its heights
+    /// as they are stored, its [`CentredWindow::scale`] and its [`CentredWindow::norm`]; and a bound on its error.
+    ///
+    /// A projection keeps the length of the part outside the basis, so that the squared length of the whole is
+    /// |y − mean|² + |z|² = |y|² + |z|² − 2 ⟨y, mean⟩ + |mean|².
+    pub(super) fn squared_length(&self, metric: Metric, heights: &[HeightRow], scale: f32, norm: f32) -> (f32, f32) {
+        let product = match metric {
+            Metric::FullBody => inner_product::<LANES, LANES, LANES>(heights, &self.mean),
+            Metric::LowerBody => inner_product::<LANES, LEG_LANES, LANES>(heights, &self.mean),
+        };
+        let mean = inner_product::<LANES, LANES, LANES>(&self.mean, &self.mean) / scale;
+        let squared = (norm - (product + product) + mean).max(0.0);
+        let error = self.greatest_error(norm, scale);
+        (squared, error * (2.0 * squared.sqrt() + error) + SUM_ROUNDING * (norm + mean))
+    }
+
     /// A window in this subspace, of the metric that it was made for.
     pub(super) fn project(&self, window: &CentredWindow) -> Projection {
         if self.legs_only {
@@ -184,7 +204,7 @@ impl Subspace {
         let mut coordinates = [0.0; COORDINATES];
         let (real, complex) = coordinates.split_at_mut(REAL);
         let (of_height, outside) = real.split_at_mut(HEIGHT_DIMENSIONS);
-        // All coordinates before anything is taken away: none need wait for another.
+        // All coordinates before any direction is subtracted, so that none waits for another.
         for (c, direction) in of_height.iter_mut().zip(self.height.chunks_exact(frames)) {
             *c = inner_product::<LANES, H, LANES>(height, direction);
         }

@@ -11,7 +11,7 @@ use std::ops::Range;
 
 /// All windows of a database, row by row.
 #[derive(Clone, Debug)]
-pub(super) struct Windows {
+pub(crate) struct Windows {
     /// Frames of a window.
     pub(super) length: usize,
     heights: Vec<HeightRow>,
@@ -26,7 +26,7 @@ pub(super) struct Windows {
 
 impl Windows {
     /// The windows of `length` frames, 1 to [`MAX_WINDOW`].
-    pub(super) fn new(db: &Database, length: usize) -> Self {
+    pub(crate) fn new(db: &Database, length: usize) -> Self {
         let mut windows = Self {
             length,
             heights: Vec::with_capacity(db.frames()),
@@ -62,7 +62,7 @@ impl Windows {
         (clip.start + frames_of::<LENGTH>(self.length).max(2) - 1).min(clip.end)..clip.end
     }
 
-    /// Where the feet are at a row, in the clip's frame of reference.
+    /// Positions of the feet at a row, in the clip's frame of reference.
     pub(super) fn feet(&self, row: usize) -> Feet {
         feet(&self.heights[row], &self.ground[row])
     }
@@ -90,10 +90,15 @@ impl Windows {
         (&self.heights[first..][..frames], &self.ground[first..][..frames])
     }
 
-    /// What holds for the windows of a class, whose `norms` are given.
+    /// [`CentredWindow::scale`] of all windows.
+    pub(super) fn scale(&self, metric: Metric) -> f32 {
+        1.0 / (frames_of::<LENGTH>(self.length) as f32 * metric.share())
+    }
+
+    /// Bounds on the windows of a class, whose `norms` are given.
     pub(super) fn bounds(&self, class: usize, metric: Metric, norms: &[f32]) -> Bounds {
         Bounds {
-            scale: 1.0 / (frames_of::<LENGTH>(self.length) as f32 * metric.share()),
+            scale: self.scale(metric),
             norm: self.of_class(class).map(|row| norms[row]).fold(0.0, f32::max),
             uncentred_length: (self.greatest_norms[class] / metric.share()).sqrt(),
         }

@@ -1,23 +1,24 @@
-//! Whether a style says the pose at all (specification, §6).
+//! How much of the pose's variance the style explains (`docs/methods/somn.md` §6).
 
 use super::mixture::{Style, squared_distance};
 use super::model::KeyStyleModel;
 use super::pose_space::DIMS;
+use crate::math::float_funcs::double;
 
 /// Width of the neighbourhood of a style, standard deviations.
 const WIDTH: f64 = 0.3;
 /// Frames that are too near in time to tell anything: a second.
 const SAME_MOMENT: usize = 30;
-/// Frames that are tried, at most, and that each is said from.
+/// Most frames that are predicted, and most that each is predicted from.
 const TRIED: usize = 200;
 const SAID_FROM: usize = 2000;
 
 impl KeyStyleModel {
-    /// Share of the poses' variation that their styles leave open: the error of saying a recorded pose from those of similar
+    /// Share of the poses' variation that the styles do not explain: the error of predicting a recorded pose from those of similar
     /// styles at other moments, against that of the mean pose. About 0.3 for a walk by its feet, 0.5 for punches, above
-    /// [`KeyStyleModel::MOST_LEFT_OPEN`] where poses of one style have little in common, so that what is made of them is a
+    /// [`KeyStyleModel::MAX_UNEXPLAINED_SHARE`] where poses of one style have little in common, so that what is made of them is a
     /// mean of different poses.
-    pub fn left_open(&self) -> f64 {
+    pub fn unexplained_share(&self) -> f64 {
         let frames = self.rows.len();
         let every = |most: usize| (0..frames).step_by(frames.div_ceil(most).max(1));
         let mut mean = [0.0; DIMS];
@@ -28,7 +29,7 @@ impl KeyStyleModel {
         for t in every(TRIED) {
             let (mut sum, mut said) = (0.0, [0.0; DIMS]);
             for i in every(SAID_FROM).filter(|i| i.abs_diff(t) > SAME_MOMENT) {
-                let weight = libm::exp(-0.5 * squared(&self.styles[t], &self.styles[i]) / (WIDTH * WIDTH));
+                let weight = double::exp(-0.5 * squared(&self.styles[t], &self.styles[i]) / (WIDTH * WIDTH));
                 sum += weight;
                 said.iter_mut().zip(&self.rows[i]).for_each(|(x, of)| *x += weight * f64::from(*of));
             }
@@ -41,8 +42,8 @@ impl KeyStyleModel {
         (left / all.max(f64::MIN_POSITIVE)).sqrt()
     }
 
-    /// [`KeyStyleModel::left_open`] above which another style should be chosen, or one more axis.
-    pub const MOST_LEFT_OPEN: f64 = 0.6;
+    /// [`KeyStyleModel::unexplained_share`] above which another style should be chosen, or one more axis.
+    pub const MAX_UNEXPLAINED_SHARE: f64 = 0.6;
 }
 
 fn squared(u: &Style, v: &Style) -> f64 {

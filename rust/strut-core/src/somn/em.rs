@@ -1,12 +1,12 @@
-//! Expectation and maximisation, which the network is compared with (specification, §5).
+//! Training by expectation maximisation, the baseline of the SOMN (`docs/methods/somn.md` §5).
 
 use super::learning::mean_of;
 use super::mixture::{Component, FIRST_VARIANCE, LEAST_RESPONSIBILITY, MAX_AXES, Samples, settle, squared_distance};
 use super::pose_space::{DIMS, Row};
-use super::random::Random;
-use crate::math::linear::solve_symmetric;
+use crate::math::linear::solve_positive_definite;
+use crate::math::random::SplitMix64;
 
-/// Rounds of k-means before the first estimation.
+/// Rounds of k-means before the first em.
 const CLUSTER_ROUNDS: usize = 10;
 /// Added to the sum of weights, so that a component without poses has a map.
 const LEAST_SUM: f64 = 1e-6;
@@ -15,13 +15,13 @@ const MAX_INPUTS: usize = MAX_AXES + 1;
 
 /// The mixture while it is estimated.
 #[derive(Clone, Debug)]
-pub(super) struct Estimation {
+pub(super) struct EmTrainer {
     pub(super) components: Vec<Component>,
     pub(super) variance: f64,
     ridge: f64,
 }
 
-impl Estimation {
+impl EmTrainer {
     /// From the clusters of poses that k-means finds.
     pub(super) fn new(samples: &Samples, components: usize, ridge: f64, seed: u64) -> Self {
         let clusters = clusters(&samples.rows, components, seed);
@@ -36,12 +36,12 @@ impl Estimation {
             centre: [0.0; MAX_AXES],
             spread: std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j)))),
         };
-        let mut estimation = Self { components: vec![begin; components], variance: FIRST_VARIANCE, ridge };
-        estimation.maximise(&sums, samples);
-        estimation
+        let mut em = Self { components: vec![begin; components], variance: FIRST_VARIANCE, ridge };
+        em.maximise(&sums, samples);
+        em
     }
 
-    /// One round; the mean squared distance of poses from what was said of them before.
+    /// One round; returns the mean squared prediction error of the poses before the update.
     pub(super) fn round(&mut self, samples: &Samples) -> f64 {
         let mut sums = vec![Sums::default(); self.components.len()];
         self.variance = settle(samples, &mut self.components, self.variance, |i, responsibilities| {
@@ -102,7 +102,9 @@ impl Sums {
                 matrix.extend((0..count).map(|j| self.inputs[i][j] + if i == j { diagonal } else { 0.0 }));
             }
             let mut right: Vec<f64> = self.outputs[..count].iter().map(|row| row[d]).collect();
-            solve_symmetric(&mut matrix, &mut right);
+            if solve_positive_definite(&mut matrix, &mut right).is_none() {
+                continue;
+            }
             component.mean[d] = right[0];
             component.slopes.iter_mut().zip(&right[1..]).for_each(|(slope, w)| slope[d] = *w);
         }
@@ -111,7 +113,7 @@ impl Sums {
 
 /// The cluster of every pose.
 fn clusters(rows: &[Row], count: usize, seed: u64) -> Vec<usize> {
-    let mut random = Random::new(seed);
+    let mut random = SplitMix64::new(seed);
     let mut order: Vec<usize> = (0..rows.len()).collect();
     random.shuffle(&mut order);
     let mut centres: Vec<Row> = order.iter().cycle().take(count).map(|&i| rows[i]).collect();

@@ -1,4 +1,4 @@
-//! How well a model says poses that it has not seen, and what it is compared with (specification, §7 to §9).
+//! Held-out prediction error of poses, and baselines (`docs/methods/somn.md` §7 to §9).
 
 use super::mixture::{Gate, MAX_AXES, Style, log_likelihood};
 use super::model::KeyStyleModel;
@@ -6,6 +6,7 @@ use super::pose_space::{DIMS, PoseSpace, Row};
 use super::recording::Recording;
 use crate::humanoid::{JOINTS, Pose};
 use crate::kinematics::world_from_local;
+use crate::math::float_funcs::double;
 use crate::math::{Quat, Vec3};
 use crate::rotation_row::ROTATION_DIMS;
 
@@ -69,7 +70,7 @@ pub fn third_difference(rows: &[Row]) -> Option<f64> {
     (rows.len() > 3).then(|| sum / ((rows.len() - 3) * ROTATION_DIMS) as f64)
 }
 
-/// What says the pose of a style without a model of it.
+/// Baseline predictors of the pose of a style.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Baseline {
     /// The mean of all recorded poses.
@@ -92,7 +93,7 @@ impl Baseline {
         let (mut sum, mut row) = (0.0, [0.0; DIMS]);
         for (i, v) in model.styles.iter().enumerate() {
             let weight = match self {
-                Self::Kernel(width) => libm::exp(-0.5 * square(v) / (width * width)).max(1e-300),
+                Self::Kernel(width) => double::exp(-0.5 * square(v) / (width * width)).max(1e-300),
                 _ => 1.0,
             };
             sum += weight;

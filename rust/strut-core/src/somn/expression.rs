@@ -1,7 +1,9 @@
 //! The language of measures: arithmetic on coordinates of joints. Nothing is ever executed but what is listed here.
 
-use super::measure::{Frame, Measure, Unit};
+use super::frame::Frame;
+use super::named_measures::{NAMED, Unit};
 use crate::humanoid::Role;
+use crate::math::float_funcs::double;
 use thiserror::Error;
 
 /// Most characters of an expression.
@@ -67,7 +69,7 @@ pub(super) enum Node {
     Number(f64),
     /// A joint's x, y or z.
     Coordinate(Role, usize),
-    /// One of [`Measure::NAMED`].
+    /// One of [`NAMED`].
     Named(usize),
     Unary(Unary, Box<Node>),
     Binary(Binary, Box<[Node; 2]>),
@@ -78,7 +80,7 @@ impl Node {
         match self {
             Self::Number(value) => *value,
             Self::Coordinate(role, axis) => 100.0 * f64::from(frame.positions[role.index()].to_array()[*axis]),
-            Self::Named(index) => (Measure::NAMED[*index].of)(frame),
+            Self::Named(index) => (NAMED[*index].of)(frame),
             Self::Unary(function, of) => {
                 let value = of.value(frame);
                 match function {
@@ -96,7 +98,7 @@ impl Node {
                     Binary::Divide => a / b,
                     Binary::Min => a.min(b),
                     Binary::Max => a.max(b),
-                    Binary::Atan2 => libm::atan2(a, b).to_degrees(),
+                    Binary::Atan2 => double::atan2(a, b).to_degrees(),
                 }
             }
         }
@@ -112,7 +114,7 @@ impl Node {
         match self {
             Self::Number(_) => Unit::default(),
             Self::Coordinate(..) => Unit::CM,
-            Self::Named(index) => Measure::NAMED[*index].unit,
+            Self::Named(index) => NAMED[*index].unit,
             Self::Unary(Unary::Sqrt, of) => {
                 let Unit { cm, deg, secs } = of.unit();
                 if [cm, deg, secs].iter().all(|p| p % 2 == 0) {
@@ -290,7 +292,7 @@ impl<'a> Parser<'a> {
     fn named(&mut self) -> Result<Node, ExpressionError> {
         let begin = self.at;
         let name = self.word(|c| c.is_alphanumeric() || c == '_');
-        if let Some(index) = Measure::NAMED.iter().position(|m| m.name == name) {
+        if let Some(index) = NAMED.iter().position(|m| m.name == name) {
             return Ok(Node::Named(index));
         }
         if let Some(role) = joint(name) {

@@ -1,4 +1,4 @@
-//! A motion from a few styles over time (specification, §8).
+//! Motion from styles at key times (`docs/methods/somn.md` §8).
 
 use super::RATE_HZ;
 use super::mixture::{MAX_AXES, Style};
@@ -31,17 +31,17 @@ pub enum Method {
     KeyStyle,
     /// The same, plus what key poses have beyond the poses of their styles, in between.
     Hybrid,
-    /// The pose in between key poses: what is compared with.
+    /// Key-frame interpolation of key poses: the baseline.
     KeyFrame,
 }
 
 /// Why keys give no motion.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum KeysError {
-    /// There is none.
+    /// No key was given.
     #[error("there is no key; at least one was expected")]
     None,
-    /// A number is none.
+    /// A number is not finite.
     #[error("key {0} holds a number that is not finite")]
     NotFinite(usize),
     /// Times that do not ascend.
@@ -136,7 +136,7 @@ impl KeyStyling {
             let row = self.row(synthesis, self.begin + frame as f64 / rate, method);
             let mut pose = model.space.pose(&row);
             if model.travels {
-                path.place(&mut pose, Support::Untold, 0.0);
+                path.place(&mut pose, Support::Auto, 0.0, 1.0 / RATE_HZ);
             }
             pose
         };

@@ -1,11 +1,12 @@
 //! Learning by one pose after another: a self-organising mixture network (Yin, Allinson, "Self-organizing mixture networks for
-//! probability density estimation", 2001), with the signs and the gate of the specification, §4 and §5.
+//! probability density estimation", 2001), with the signs and the gate of `docs/methods/somn.md` §4 and §5.
 
 use super::mixture::{
     Component, LEAST_RESPONSIBILITY, LEAST_SPREAD, MAX_AXES, Samples, normalise_weights, softmax, squared_distance,
 };
 use super::pose_space::{DIMS, Row};
-use super::random::Random;
+use crate::math::float_funcs::double;
+use crate::math::random::SplitMix64;
 
 /// Width of the neighbourhood from first to last, as a share of the poses' standard deviation.
 const WIDTHS: [f64; 2] = [0.5, 0.08];
@@ -18,9 +19,9 @@ const FIRST_SHARE: f64 = 0.1;
 
 /// The network while it learns.
 #[derive(Clone, Debug)]
-pub(super) struct Network {
+pub(super) struct Somn {
     pub(super) components: Vec<Component>,
-    random: Random,
+    random: SplitMix64,
     order: Vec<usize>,
     deviation: f64,
     /// Poses that were seen, of so many in all.
@@ -28,10 +29,10 @@ pub(super) struct Network {
     total: usize,
 }
 
-impl Network {
+impl Somn {
     /// Before the first of so many passes.
     pub(super) fn new(samples: &Samples, components: usize, passes: usize, seed: u64) -> Self {
-        let mut random = Random::new(seed);
+        let mut random = SplitMix64::new(seed);
         let mut order: Vec<usize> = (0..samples.rows.len()).collect();
         random.shuffle(&mut order);
         let mean = mean_of(&samples.rows);
@@ -55,7 +56,7 @@ impl Network {
         Self { components, random, order, deviation, seen: 0, total }
     }
 
-    /// One pass over all poses in random order; the mean squared distance of poses from what was said of them before.
+    /// One pass over all poses in random order; returns the mean squared prediction error of the poses before the update.
     pub(super) fn pass(&mut self, samples: &Samples) -> f64 {
         let axes = samples.axes;
         let count = self.components.len();
@@ -66,7 +67,7 @@ impl Network {
         for &i in &self.order {
             let (x, u) = (&samples.rows[i], &samples.styles[i]);
             let share = self.seen as f64 / self.total as f64;
-            let [width, rate] = [WIDTHS, RATES].map(|[first, last]| first * libm::pow(last / first, share));
+            let [width, rate] = [WIDTHS, RATES].map(|[first, last]| first * double::pow(last / first, share));
             let variance = (width * self.deviation) * (width * self.deviation);
             self.seen += 1;
             for ((component, residual), r) in self.components.iter().zip(&mut residuals).zip(&mut responsibilities) {
@@ -93,9 +94,9 @@ impl Network {
 fn log_gate(component: &Component, u: &[f64; MAX_AXES], axes: usize) -> f64 {
     let axis = |j: usize| {
         let (e, variance) = (u[j] - component.centre[j], component.spread[j][j]);
-        e * e / variance + libm::log(variance)
+        e * e / variance + double::ln(variance)
     };
-    libm::log(component.weight) - 0.5 * (0..axes).map(axis).sum::<f64>()
+    double::ln(component.weight) - 0.5 * (0..axes).map(axis).sum::<f64>()
 }
 
 fn move_gate(component: &mut Component, u: &[f64; MAX_AXES], axes: usize, rate: f64) {

@@ -1,6 +1,7 @@
-//! The mixture: linear maps from style to pose, each with the region of styles that it knows (specification, §3).
+//! The mixture: linear maps from style to pose, each with the region of styles that it knows (`docs/methods/somn.md` §3).
 
 use super::pose_space::{DIMS, Row};
+use crate::math::float_funcs::double;
 use std::f64::consts::TAU;
 
 /// Most numbers of a style.
@@ -71,13 +72,13 @@ pub(super) fn softmax(log_weights: &mut [f64]) -> f64 {
     let greatest = log_weights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let mut sum = 0.0;
     for w in log_weights.iter_mut() {
-        *w = libm::exp(*w - greatest);
+        *w = double::exp(*w - greatest);
         sum += *w;
     }
     for w in log_weights.iter_mut() {
         *w /= sum;
     }
-    greatest + libm::log(sum)
+    greatest + double::ln(sum)
 }
 
 /// Keeps shares positive and their sum at 1.
@@ -105,7 +106,7 @@ impl Gate {
     /// With a variance that is added to the component's own; `None` if the covariance is not positive definite.
     pub(super) fn new(component: &Component, axes: usize, more: f64) -> Option<Self> {
         let mut factor = [[0.0; MAX_AXES]; MAX_AXES];
-        let mut log_scale = libm::log(component.weight) - 0.5 * axes as f64 * libm::log(TAU);
+        let mut log_scale = double::ln(component.weight) - 0.5 * axes as f64 * double::ln(TAU);
         for i in 0..axes {
             for j in 0..=i {
                 let covariance = component.spread[i][j] + if i == j { more } else { 0.0 };
@@ -116,7 +117,7 @@ impl Gate {
             if !(diagonal > 0.0 && diagonal.is_finite()) {
                 return None;
             }
-            log_scale -= libm::log(diagonal);
+            log_scale -= double::ln(diagonal);
             factor[i][i] = 1.0 / diagonal;
         }
         log_scale.is_finite().then_some(Self { centre: component.centre, factor, axes, log_scale })
@@ -159,11 +160,11 @@ pub(super) fn posteriors(
         component.predict(u, gate.axes, &mut predicted);
         *r = gate.log(u) - squared_distance(x, &predicted) / (2.0 * variance);
     }
-    softmax(responsibilities) - 0.5 * DIMS as f64 * libm::log(TAU * variance)
+    softmax(responsibilities) - 0.5 * DIMS as f64 * double::ln(TAU * variance)
 }
 
 /// Log-density of a pose given its style.
-#[cfg(any(test, feature = "offline"))]
+#[cfg(any(test, feature = "baselines"))]
 pub(super) fn log_likelihood(mixture: (&[Component], &[Gate]), variance: f64, x: &Row, u: &Style) -> f64 {
     let mut shares = vec![0.0; mixture.0.len()];
     let joint = posteriors(mixture, variance, x, u, &mut shares);

@@ -1,38 +1,41 @@
 //! Key-styling: Wang, Liu, Zhou, "Key-styling: Learning Motion Style for Real-time Synthesis of 3D Animation", 2006, with the
-//! corrections of the specification in `docs/`.
+//! corrections in `docs/methods/somn.md`.
 //!
 //! One to three numbers that mean something, the style, say a whole pose. What they are is said by [`Measure`]s of recorded
 //! poses; a self-organising mixture of linear maps from style to pose is learnt from [`Recording`]s ([`Trainer`]), every map
-//! with the region of styles that it knows. [`Synthesis`] gives the pose of a style, [`Puppet`] that of a style that is
+//! with the region of styles that it knows. [`Synthesis`] gives the pose of a style, [`DragCharacter`] that of a style that is
 //! dragged about, [`KeyStyling`] a motion from a few styles over time.
 //!
 //! Poses are modelled at [`RATE_HZ`] in the frame that faces forward; where the body is on the floor is not.
 
 mod diagnosis;
+mod drag_character;
 mod em;
-#[cfg(feature = "offline")]
+#[cfg(feature = "baselines")]
 pub mod evaluation;
 mod expression;
+mod frame;
 mod key_styling;
 mod learning;
 mod measure;
 mod mixture;
 mod model;
+mod named_measures;
 mod pose_space;
-mod puppet;
-mod random;
 mod recording;
 mod spline;
 mod synthesis;
 mod training;
 
+pub use drag_character::DragCharacter;
 pub use expression::{ExpressionError, Fault};
+pub use frame::Frame;
 pub use key_styling::{Key, KeyStyling, KeysError, MAX_SECS, Method};
-pub use measure::{Frame, Measure, NamedMeasure, Unit};
+pub use measure::Measure;
 pub use mixture::{Component, MAX_AXES, Style};
 pub use model::{ClipSpan, KeyStyleModel};
+pub use named_measures::{NamedMeasure, Unit};
 pub use pose_space::{DIMS, PoseSpace, Row};
-pub use puppet::Puppet;
 pub use recording::{Recording, RecordingError};
 pub use spline::Interpolation;
 pub use synthesis::{Mode, Synthesis};

@@ -1,4 +1,4 @@
-//! What is learnt: plain numbers.
+//! The trained model: plain numbers.
 
 use super::measure::Measure;
 use super::mixture::{Component, MAX_AXES, Style};

@@ -1,4 +1,4 @@
-//! Poses as rows of numbers, and back (specification, §2).
+//! Poses as rows of numbers, and back (`docs/methods/somn.md` §2).
 
 use crate::humanoid::{JOINTS, Pose, Proportions};
 use crate::kinematics::world_from_local;

@@ -1,8 +1,8 @@
-//! Clips to learn from: poses that face forward (specification, §2).
+//! Clips to learn from: poses that face forward (`docs/methods/somn.md` §2).
 
 use super::RATE_HZ;
-use super::measure::Frame;
-use crate::humanoid::{HumanoidMotion, Pose, Proportions};
+use super::frame::Frame;
+use crate::humanoid::{HumanoidMotion, Pose, Proportions, TooManyFrames};
 use crate::kinematics::{WorldPose, world_from_local};
 use crate::math::float_funcs::{atan2, cos, sin_cos, wrap_angle};
 use crate::math::{Quat, Vec3};
@@ -23,8 +23,11 @@ const LEAST_SPEED: f32 = 0.5;
 const HALF_WINDOW: usize = RATE_HZ as usize;
 
 /// Why a clip is no recording.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum RecordingError {
+    /// It has too many frames at [`RATE_HZ`].
+    #[error(transparent)]
+    TooLong(#[from] TooManyFrames),
     /// It has no frame.
     #[error("the clip has no frame")]
     Empty,
@@ -62,7 +65,7 @@ impl Recording {
         let poses = if (motion.rate_hz / RATE_HZ - 1.0).abs() <= SAME_RATE {
             &motion.poses
         } else {
-            resampled = motion.resampled(RATE_HZ).poses;
+            resampled = motion.resampled(RATE_HZ)?.poses;
             &resampled
         };
         let (Some(first), Some(last)) = (poses.first(), poses.last()) else { return Err(RecordingError::Empty) };

@@ -1,4 +1,6 @@
-//! Cubic curves through values at knots (specification, §8).
+//! Cubic curves through values at knots (`docs/methods/somn.md` §8).
+
+use crate::math::interpolation::hermite_weights;
 
 /// How the curve goes between values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,9 +54,8 @@ impl<const N: usize> Spline<N> {
         let (a, b) = (next - 1, next);
         let length = self.knots[b] - self.knots[a];
         let t = (time - self.knots[a]) / length;
-        let (t2, t3) = (t * t, t * t * t);
-        let (from, to) = (2.0 * t3 - 3.0 * t2 + 1.0, -2.0 * t3 + 3.0 * t2);
-        let (leaving, arriving) = ((t3 - 2.0 * t2 + t) * length, (t3 - t2) * length);
+        let [from, leaving, to, arriving] = hermite_weights(t);
+        let [leaving, arriving] = [leaving * length, arriving * length];
         std::array::from_fn(|d| {
             from * self.values[a][d]
                 + to * self.values[b][d]

@@ -1,6 +1,6 @@
-//! From style to pose (specification, §7).
+//! Synthesis of a pose from a style (`docs/methods/somn.md` §7).
 
-use super::measure::Frame;
+use super::frame::Frame;
 use super::mixture::{Gate, MAX_AXES, Style, softmax};
 use super::model::KeyStyleModel;
 use super::pose_space::{DIMS, Row};
@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// How far from all recorded styles one may be, in standard deviations: beyond, poses soon are nobody's.
 const FARTHEST_FROM_RECORDED: f64 = 0.5;
 
-/// How much every component has to say.
+/// How components are weighted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
     /// The likeliest one alone: Algorithm 1 of the paper, by regions of styles instead of by the components' shares, by which
@@ -31,14 +31,13 @@ impl Mode {
 }
 
 impl Default for Mode {
-    /// For a style that is dragged about. The specification has no blur, by which poses change half as abruptly at the same error: the temperature alone leaves
-    /// narrow regions narrow.
+    /// For a style that is dragged about. With blur poses change half as abruptly at the same error: the temperature alone leaves narrow regions narrow.
     fn default() -> Self {
         Self::Smooth { temperature: 2.0, blur: 0.3 }
     }
 }
 
-/// A model, ready to be asked for poses; nothing is allocated by asking.
+/// Synthesis of poses from a model, without allocation.
 #[derive(Clone, Debug)]
 pub struct Synthesis {
     model: Arc<KeyStyleModel>,
@@ -49,7 +48,7 @@ pub struct Synthesis {
 }
 
 impl Synthesis {
-    /// Of a model; a component whose region is none is never asked.
+    /// Synthesis from a model; if a component's covariance is not positive definite, there are no components.
     pub fn new(model: Arc<KeyStyleModel>) -> Self {
         let gates = Gate::all(&model.components, model.axis_count()).unwrap_or_default();
         let weights = vec![0.0; gates.len()];
@@ -81,7 +80,7 @@ impl Synthesis {
         self.model.space.pose(&row)
     }
 
-    /// What share every component had in the last row.
+    /// Weights of the components in the last row.
     pub fn weights(&self) -> &[f64] {
         &self.weights
     }

@@ -1,27 +1,30 @@
-use super::em::Estimation;
-use super::learning::Network;
+use super::em::EmTrainer;
+use super::learning::Somn;
 use super::mixture::{
     Component, FIRST_VARIANCE, Gate, SETTLING_ROUNDS, Samples, log_likelihood, posteriors, settle, squared_distance,
 };
-use super::random::Random;
 use super::*;
+use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ as SINE_RATE_HZ, walk};
 use crate::humanoid::{HumanoidMotion, Proportions};
-use crate::transfer::sine_walk::{BENT, Gait, NEUTRAL, RATE_HZ as SINE_RATE_HZ, walk};
+use crate::incremental::IncrementalJob;
+use crate::math::float_funcs::double;
+use crate::math::random::SplitMix64;
+use crate::parallel::Sequential;
 use std::sync::{Arc, LazyLock};
 
 /// A number from −1 to 1.
-fn uniform(random: &mut Random) -> f64 {
+fn uniform(random: &mut SplitMix64) -> f64 {
     random.below(1 << 30) as f64 / f64::from(1 << 29) - 1.0
 }
 
 /// About normal: of variance 1.
-fn normal(random: &mut Random) -> f64 {
+fn normal(random: &mut SplitMix64) -> f64 {
     (0..12).map(|_| 0.5 * uniform(random)).sum()
 }
 
 /// Poses of two numbers on one of two lines, two fifths on the one and three on the other.
 fn two_lines(seed: u64) -> Samples {
-    let mut random = Random::new(seed);
+    let mut random = SplitMix64::new(seed);
     let mut samples = Samples { axes: 1, ..Samples::default() };
     for i in 0..2000 {
         let u = 3.0_f64.sqrt() * uniform(&mut random);
@@ -60,7 +63,7 @@ fn synthesis() -> Synthesis {
 
 /// The style at an angle of a circle about the mean, in standard deviations.
 fn on_circle(radius: f64, angle: f64) -> Style {
-    MODEL.in_units(&[radius * libm::cos(angle), -radius * libm::sin(angle), 0.0])
+    MODEL.in_units(&[radius * double::cos(angle), -radius * double::sin(angle), 0.0])
 }
 
 fn distance(a: &Row, b: &Row) -> f64 {
@@ -70,7 +73,7 @@ fn distance(a: &Row, b: &Row) -> f64 {
 #[test]
 fn the_step_follows_the_gradient_of_the_likelihood() {
     let samples = two_lines(1);
-    let mut network = Network::new(&samples, 2, 20, 1);
+    let mut network = Somn::new(&samples, 2, 20, 1);
     (0..3).for_each(|_| _ = network.pass(&samples));
     let (components, variance) = (network.components, 0.2);
     let gates = Gate::all(&components, 1).unwrap();
@@ -109,7 +112,7 @@ fn the_step_follows_the_gradient_of_the_likelihood() {
 fn two_lines_are_told_apart() {
     for seed in 0..3 {
         let samples = two_lines(seed);
-        let mut network = Network::new(&samples, 2, 20, seed);
+        let mut network = Somn::new(&samples, 2, 20, seed);
         (0..20).for_each(|_| _ = network.pass(&samples));
         let mut components = network.components;
         let mut variance = FIRST_VARIANCE;
@@ -136,7 +139,7 @@ fn with_the_printed_sign_it_diverges() {
     let samples = two_lines(1);
     let mut greatest = [0.0_f64; 2];
     for (greatest, sign) in greatest.iter_mut().zip([1.0, -1.0]) {
-        let mut component = Network::new(&samples, 1, 20, 1).components.remove(0);
+        let mut component = Somn::new(&samples, 1, 20, 1).components.remove(0);
         for (x, u) in samples.rows.iter().zip(&samples.styles) {
             let mut residual = [0.0; DIMS];
             component.predict(u, 1, &mut residual);
@@ -151,9 +154,9 @@ fn with_the_printed_sign_it_diverges() {
 #[test]
 fn a_single_map_is_that_of_least_squares() {
     let (learnt, held_out) = (two_lines(1), two_lines(2));
-    let mut network = Network::new(&learnt, 1, 20, 1);
+    let mut network = Somn::new(&learnt, 1, 20, 1);
     (0..20).for_each(|_| _ = network.pass(&learnt));
-    let least_squares = Estimation::new(&learnt, 1, 0.0, 1);
+    let least_squares = EmTrainer::new(&learnt, 1, 0.0, 1);
     let [a, b] = [&network.components[0], &least_squares.components[0]].map(|component| {
         let squares = held_out.rows.iter().zip(&held_out.styles).map(|(x, u)| {
             let mut predicted = [0.0; DIMS];
@@ -176,7 +179,7 @@ fn a_seed_gives_one_model_and_another_seed_another() {
 #[test]
 fn shares_stay_positive_and_whole() {
     let samples = two_lines(2);
-    let mut network = Network::new(&samples, 12, 20, 3);
+    let mut network = Somn::new(&samples, 12, 20, 3);
     let whole = |components: &[Component]| {
         let sum: f64 = components.iter().map(|c| c.weight).sum();
         assert!((sum - 1.0).abs() < 1e-12 && components.iter().all(|c| c.weight > 0.0), "{sum}");
@@ -185,10 +188,33 @@ fn shares_stay_positive_and_whole() {
         network.pass(&samples);
         whole(&network.components);
     }
-    let mut estimation = Estimation::new(&samples, 12, 0.01, 3);
+    let mut em = EmTrainer::new(&samples, 12, 0.01, 3);
     for _ in 0..10 {
-        estimation.round(&samples);
-        whole(&estimation.components);
+        em.round(&samples);
+        whole(&em.components);
+    }
+}
+
+/// Logarithm of the density of all poses with their styles.
+fn joint_log_likelihood(samples: &Samples, em: &EmTrainer) -> f64 {
+    let gates = Gate::all(&em.components, samples.axes).unwrap();
+    let mut responsibilities = vec![0.0; gates.len()];
+    let pairs = samples.rows.iter().zip(&samples.styles);
+    pairs.map(|(x, u)| posteriors((&em.components, &gates), em.variance, x, u, &mut responsibilities)).sum()
+}
+
+#[test]
+fn expectation_maximisation_never_lowers_the_likelihood() {
+    let samples = two_lines(4);
+    for components in [1, 2, 4] {
+        let mut em = EmTrainer::new(&samples, components, 0.0, 1);
+        let mut last = f64::NEG_INFINITY;
+        for round in 0..15 {
+            em.round(&samples);
+            let likelihood = joint_log_likelihood(&samples, &em);
+            assert!(likelihood >= last - 1e-3, "{components} components, round {round}: {likelihood} after {last}");
+            last = likelihood;
+        }
     }
 }
 
@@ -197,18 +223,18 @@ fn the_error_falls_while_learning_and_expectation_and_maximisation_raises_the_li
     let walk = recording(&NEUTRAL);
     let mut trainer = Trainer::new(&[&walk], &axes("foot_separation"), Options::default()).unwrap();
     let mut progress = Vec::new();
-    while let Some(p) = trainer.step() {
+    while let Ok(Some(p)) = trainer.step(&Sequential) {
         assert_eq!((p.done, p.total), (progress.len() + 1, 26));
         progress.push(p.error);
     }
     assert!(progress[19] < 0.7 * progress[0], "{progress:?}");
 
     let samples = two_lines(4);
-    let mut estimation = Estimation::new(&samples, 4, 0.0, 1);
+    let mut em = EmTrainer::new(&samples, 4, 0.0, 1);
     let mut variances = Vec::new();
     for _ in 0..12 {
-        estimation.round(&samples);
-        variances.push(estimation.variance);
+        em.round(&samples);
+        variances.push(em.variance);
     }
     assert!(variances.windows(2).all(|w| w[1] < w[0] + 1e-4), "{variances:?}");
 }
@@ -249,12 +275,12 @@ fn what_is_asked_for_is_what_is_measured() {
 
 #[test]
 fn styles_that_do_not_say_the_pose_are_found_out() {
-    assert!(MODEL.left_open() < KeyStyleModel::MOST_LEFT_OPEN, "{}", MODEL.left_open());
+    assert!(MODEL.unexplained_share() < KeyStyleModel::MAX_UNEXPLAINED_SHARE, "{}", MODEL.unexplained_share());
     // The same poses by numbers that have nothing to do with them.
-    let mut random = Random::new(1);
+    let mut random = SplitMix64::new(1);
     let mut other = (**MODEL).clone();
     other.styles.iter_mut().for_each(|u| *u = [normal(&mut random), normal(&mut random), 0.0]);
-    assert!(other.left_open() > 0.9, "{}", other.left_open());
+    assert!(other.unexplained_share() > 0.9, "{}", other.unexplained_share());
 }
 
 #[test]
@@ -266,7 +292,7 @@ fn styles_beyond_reach_are_brought_back() {
     for far in [100.0, -100.0, 1e300, f64::INFINITY, f64::NAN] {
         let reached = MODEL.standardised(&synthesis.within_reach(&MODEL.in_units(&[far, -far, 0.0])));
         let nearest =
-            MODEL.styles.iter().map(|u| (u[0] - reached[0]).hypot(u[1] - reached[1])).fold(f64::MAX, f64::min);
+            MODEL.styles.iter().map(|u| double::hypot(u[0] - reached[0], u[1] - reached[1])).fold(f64::MAX, f64::min);
         assert!(nearest <= 0.5 + 1e-9, "{far}: {nearest}");
         for mode in [Mode::Hard, Mode::default()] {
             let pose = synthesis.pose(&MODEL.in_units(&[far, -far, 0.0]), mode);
@@ -341,7 +367,7 @@ fn a_walk_travels_and_faces_where_it_goes_and_who_stays_faces_ahead() {
     let mut motion = HumanoidMotion {
         proportions: Proportions::default(),
         rate_hz: SINE_RATE_HZ,
-        poses: super::super::transfer::sine_walk::walk(&gait, 200, 0.0).poses,
+        poses: crate::fixtures::walk(&gait, 200, 0.0).poses,
     };
     let turn = crate::math::Quat::from_rotation_y(2.0);
     for pose in &mut motion.poses {
@@ -363,36 +389,36 @@ fn a_walk_travels_and_faces_where_it_goes_and_who_stays_faces_ahead() {
 
 #[test]
 fn turning_the_style_in_a_circle_walks_and_the_standing_foot_stays() {
-    let mut puppet = Puppet::new(Arc::clone(&MODEL));
-    puppet.reset(&on_circle(1.2, 0.0));
-    let turns = |direction: f64, puppet: &mut Puppet| {
-        let from = puppet.pose().root.z;
+    let mut character = DragCharacter::new(Arc::clone(&MODEL));
+    character.reset(&on_circle(1.2, 0.0));
+    let turns = |direction: f64, character: &mut DragCharacter| {
+        let from = character.pose().root.z;
         for i in 0..350 {
-            puppet.drag(&on_circle(1.2, direction * std::f64::consts::TAU * f64::from(i) / 35.0), 1.0 / 30.0);
-            assert!(puppet.planted().iter().any(|p| *p));
+            character.drag(&on_circle(1.2, direction * std::f64::consts::TAU * f64::from(i) / 35.0), 1.0 / 30.0);
+            assert!(character.planted().iter().any(|p| *p));
         }
-        puppet.pose().root.z - from
+        character.pose().root.z - from
     };
-    let ways = [1.0, -1.0].map(|direction| turns(direction, &mut puppet));
+    let ways = [1.0, -1.0].map(|direction| turns(direction, &mut character));
     assert!(ways[0] * ways[1] < 0.0 && ways.iter().all(|way| way.abs() > 3.0), "{ways:?}");
 }
 
 #[test]
 fn the_spring_arrives_and_stays() {
-    let mut puppet = Puppet::new(Arc::clone(&MODEL));
-    puppet.reset(&on_circle(1.0, 0.0));
+    let mut character = DragCharacter::new(Arc::clone(&MODEL));
+    character.reset(&on_circle(1.0, 0.0));
     let target = synthesis().row(&on_circle(1.0, 0.4), Mode::default());
-    let begin = distance(puppet.row(), &target);
+    let begin = distance(character.row(), &target);
     let mut distances = Vec::new();
     for _ in 0..60 {
-        puppet.drag(&on_circle(1.0, 0.4), 1.0 / 60.0);
-        distances.push(distance(puppet.row(), &target));
+        character.drag(&on_circle(1.0, 0.4), 1.0 / 60.0);
+        distances.push(distance(character.row(), &target));
     }
     assert!(distances.windows(2).all(|w| w[1] < w[0]) && distances[0] < begin);
     // A critically damped spring has more than half of its way left after the half-life of the free decay.
     assert!(distances[6] < 0.7 * begin && distances[59] < 1e-3 * begin, "{distances:?}");
     for secs in [f64::NAN, -1.0, f64::INFINITY] {
-        assert!(puppet.drag(&on_circle(1.0, 2.0), secs).is_finite());
+        assert!(character.drag(&on_circle(1.0, 2.0), secs).is_finite());
     }
 }
 
@@ -409,28 +435,28 @@ fn a_recorded_style_is_nearest_to_itself() {
 }
 
 #[test]
-fn a_puppet_takes_poses_as_they_are_and_goes_back() {
-    let mut puppet = Puppet::new(Arc::clone(&MODEL));
+fn a_dragged_character_takes_poses_unchanged_and_goes_back() {
+    let mut character = DragCharacter::new(Arc::clone(&MODEL));
     for row in MODEL.rows.iter().take(60) {
         let row = row.map(f64::from);
-        let taken = *puppet.take(&row);
+        let taken = *character.take(&row, 1.0 / f64::from(RATE_HZ));
         assert_eq!(taken.rotations, MODEL.space.pose(&row).rotations);
     }
-    assert!(puppet.pose().root.z > 0.3, "the feet carry it ahead");
-    let before = *puppet.pose();
-    puppet.go_back();
-    assert_eq!((puppet.pose().root.x, puppet.pose().root.z), (0.0, 0.0));
-    assert_eq!(puppet.pose().rotations, before.rotations);
+    assert!(character.pose().root.z > 0.3, "the feet carry it ahead");
+    let before = *character.pose();
+    character.go_back();
+    assert_eq!((character.pose().root.x, character.pose().root.z), (0.0, 0.0));
+    assert_eq!(character.pose().rotations, before.rotations);
 }
 
 #[test]
 fn nothing_is_allocated_while_dragging() {
-    let mut puppet = Puppet::new(Arc::clone(&MODEL));
+    let mut character = DragCharacter::new(Arc::clone(&MODEL));
     let counted = allocation_counter::measure(|| {
         for i in 0..100 {
-            puppet.drag(&on_circle(1.0, 0.1 * f64::from(i)), 1.0 / 60.0);
+            character.drag(&on_circle(1.0, 0.1 * f64::from(i)), 1.0 / 60.0);
         }
-        puppet.measured();
+        character.measured();
     });
     assert_eq!(counted.count_total, 0);
 }

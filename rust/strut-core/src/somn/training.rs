@@ -1,7 +1,7 @@
-//! From recordings to a model (specification, §5).
+//! Training of a model on recordings (`docs/methods/somn.md` §5).
 
-use super::em::Estimation;
-use super::learning::Network;
+use super::em::EmTrainer;
+use super::learning::Somn;
 use super::measure::Measure;
 use super::mixture::{
     Component, FIRST_VARIANCE, Gate, MAX_AXES, SETTLING_ROUNDS, Samples, Style, normalise_weights, settle,
@@ -10,6 +10,9 @@ use super::model::{ClipSpan, KeyStyleModel};
 use super::pose_space::{DIMS, PoseSpace};
 use super::recording::Recording;
 use super::synthesis::greatest;
+use crate::incremental::IncrementalJob;
+use crate::parallel::{ParallelMap, Sequential};
+use std::convert::Infallible;
 use thiserror::Error;
 
 /// Passes over all poses.
@@ -48,7 +51,7 @@ pub enum Learning {
 pub struct Options {
     /// Number of components; a fortieth of the frames, but 4 to 16, unless said otherwise. Each gets twelve frames at least.
     pub components: Option<usize>,
-    /// What chance is drawn by.
+    /// Random seed.
     pub seed: u64,
     /// How the maps are learnt.
     pub learning: Learning,
@@ -104,15 +107,15 @@ pub struct TrainProgress {
     pub done: usize,
     /// All passes.
     pub total: usize,
-    /// Error of what was said of the poses in the last pass: root of the mean square of a number of a row, radians.
+    /// Prediction error in the last pass: root mean square over the numbers of a row, radians.
     pub error: f64,
 }
 
-/// What learns.
+/// The training algorithm and its state.
 #[derive(Clone, Debug)]
 enum Learner {
-    Som(Network),
-    Em(Estimation),
+    Som(Somn),
+    Em(EmTrainer),
     /// The maps are learnt, their regions are settled.
     Settling(Vec<Component>),
 }
@@ -134,7 +137,8 @@ pub struct Trainer {
 /// # Errors
 /// See [`TrainError`].
 pub fn train(recordings: &[&Recording], axes: &[Measure], options: Options) -> Result<KeyStyleModel, TrainError> {
-    Trainer::new(recordings, axes, options).map(Trainer::finish)
+    let Ok(model) = Trainer::new(recordings, axes, options)?.finish(&Sequential);
+    Ok(model)
 }
 
 impl Trainer {
@@ -181,24 +185,30 @@ impl Trainer {
         let components = options.components.unwrap_or((frames / FRAMES_EACH).clamp(COMPONENTS[0], COMPONENTS[1]));
         let components = components.clamp(1, (frames / FEWEST_FRAMES_EACH).min(MAX_COMPONENTS));
         let (learner, passes) = match options.learning {
-            Learning::Som => (Learner::Som(Network::new(&samples, components, PASSES, options.seed)), PASSES),
-            Learning::Em { ridge } => (Learner::Em(Estimation::new(&samples, components, ridge, options.seed)), ROUNDS),
+            Learning::Som => (Learner::Som(Somn::new(&samples, components, PASSES, options.seed)), PASSES),
+            Learning::Em { ridge } => (Learner::Em(EmTrainer::new(&samples, components, ridge, options.seed)), ROUNDS),
         };
         Ok(Self { model, samples, learner, passes, done: 0, error: f64::NAN })
     }
+}
 
-    /// Goes on by a pass and says how far it has come; `None` when nothing is left but to [`finish`](Trainer::finish).
-    pub fn step(&mut self) -> Option<TrainProgress> {
+impl IncrementalJob for Trainer {
+    type Progress = TrainProgress;
+    type Output = KeyStyleModel;
+    type Error = Infallible;
+
+    /// Goes on by a pass.
+    fn step(&mut self, _executor: &impl ParallelMap) -> Result<Option<TrainProgress>, Infallible> {
         let total = self.passes + SETTLING_ROUNDS;
         if self.done == total {
-            return None;
+            return Ok(None);
         }
         if self.done == self.passes {
             let learnt = match &mut self.learner {
                 Learner::Som(network) => std::mem::take(&mut network.components),
-                Learner::Em(estimation) => {
-                    self.model.variance = estimation.variance;
-                    std::mem::take(&mut estimation.components)
+                Learner::Em(em) => {
+                    self.model.variance = em.variance;
+                    std::mem::take(&mut em.components)
                 }
                 Learner::Settling(components) => std::mem::take(components),
             };
@@ -206,7 +216,7 @@ impl Trainer {
         }
         let square = match &mut self.learner {
             Learner::Som(network) => network.pass(&self.samples) / DIMS as f64,
-            Learner::Em(estimation) => estimation.round(&self.samples) / DIMS as f64,
+            Learner::Em(em) => em.round(&self.samples) / DIMS as f64,
             Learner::Settling(components) => {
                 self.model.variance = settle(&self.samples, components, self.model.variance, |_, _| {});
                 self.model.variance
@@ -214,12 +224,10 @@ impl Trainer {
         };
         self.done += 1;
         self.error = square.sqrt();
-        Some(TrainProgress { done: self.done, total, error: self.error })
+        Ok(Some(TrainProgress { done: self.done, total, error: self.error }))
     }
 
-    /// The model. What was not learnt yet is.
-    pub fn finish(mut self) -> KeyStyleModel {
-        while self.step().is_some() {}
+    fn conclude(mut self, _executor: &impl ParallelMap) -> Result<KeyStyleModel, Infallible> {
         if let Learner::Settling(mut components) = self.learner {
             // A component that no pose is left to knows nothing, and would speak for all styles far from the others'.
             components.retain(|c| c.weight * self.samples.rows.len() as f64 >= LEAST_FRAMES);
@@ -230,7 +238,7 @@ impl Trainer {
         let mut support: Vec<f64> = self.samples.styles.iter().map(|u| greatest(&gates, u)).collect();
         support.sort_by(f64::total_cmp);
         self.model.least_support = support[(UNSUPPORTED * support.len() as f64) as usize];
-        self.model
+        Ok(self.model)
     }
 }
 

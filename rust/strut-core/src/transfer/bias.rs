@@ -1,16 +1,16 @@
-//! Input outside the database: Eq. 6–7 with consistent signs (specification, §8).
+//! Input outside the database: Eq. 6–7 with consistent signs (`docs/methods/mar.md` §8).
 //!
 //! What the neighbours cannot explain, Δx, is taken off the input before the regression and a share ρ of
 //! it is put on the output: the person's own content survives, the rest of the pose is styled.
 
 use crate::pose_vector::{PoseRow, ROW};
 
-/// Least deviation of the neighbours, as a share of the global one: identical neighbours are no reason to
-/// take every millimetre for bias.
-const LEAST_SHARE: f32 = 0.05;
-/// Least deviation whatever the global one, in the units of the degrees of freedom (0.3°, 5 mm): joints that
-/// never move in the database have no deviation at all.
-const LEAST_DEVIATION: f32 = 0.005;
+/// Floor of the neighbours' deviation, as a share of the global one: among identical neighbours every millimetre would
+/// count as bias.
+const MIN_SHARE: f32 = 0.05;
+/// Absolute floor of the deviation, in the units of the degrees of freedom (0.3°, 5 mm): joints that never move in the
+/// database have no deviation at all.
+const MIN_DEVIATION: f32 = 0.005;
 
 /// Mean μ and standard deviation σ of a class's neighbours, for each degree of freedom.
 #[derive(Clone, Debug)]
@@ -38,7 +38,7 @@ impl Bias {
     pub(super) fn new(input: &PoseRow, statistics: &InputStatistics, sigma: &PoseRow, kappa: f32, rho: f32) -> Self {
         let mut bias = Self::NONE;
         for d in 0..ROW {
-            let deviation = statistics.deviation[d].max(LEAST_SHARE * sigma[d]).max(LEAST_DEVIATION);
+            let deviation = statistics.deviation[d].max(MIN_SHARE * sigma[d]).max(MIN_DEVIATION);
             let (mean, reach) = (statistics.mean[d], kappa * deviation);
             let delta = input[d] - input[d].clamp(mean - reach, mean + reach);
             bias.input[d] = delta;
@@ -69,7 +69,7 @@ mod tests {
         }
 
         #[test]
-        fn beyond_it_the_bias_is_what_sticks_out(mean in -1.0f32..1.0, excess in 0.01f32..5.0) {
+        fn beyond_the_clamp_the_bias_is_the_excess(mean in -1.0f32..1.0, excess in 0.01f32..5.0) {
             let statistics = InputStatistics { mean: [mean; ROW], deviation: [0.0; ROW] };
             // The deviation is floored at 0.05 · 2.
             let bias = Bias::new(&[mean - 0.3 - excess; ROW], &statistics, &[2.0; ROW], 3.0, 0.7);

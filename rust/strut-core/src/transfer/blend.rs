@@ -1,4 +1,4 @@
-//! Several styles at once: s(t) of the specification, §10.
+//! Several styles at once: s(t) of `docs/methods/mar.md` §10.
 
 use super::body_part::{BodyPart, PARTS};
 use super::joint_limits::JointLimits;
@@ -8,8 +8,8 @@ use thiserror::Error;
 /// Greatest magnitude of a weight.
 pub const MAX_WEIGHT: f32 = 10.0;
 
-/// A style whose weights are all below this takes no part.
-const LEAST_WEIGHT: f32 = 1e-6;
+/// A style whose weights are all below this is inactive.
+const MIN_WEIGHT: f32 = 1e-6;
 
 /// Why style weights are refused.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -32,8 +32,8 @@ pub enum StyleError {
     },
 }
 
-/// Weights of every style for every part of the body. They may be negative or above 1; what is missing
-/// to a sum of 1 belongs to the neutral style.
+/// Weights of every style for every part of the body. They may be negative or above 1; the remainder to a sum of 1
+/// is the weight of the neutral style.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StyleBlend {
     neutral: usize,
@@ -80,7 +80,7 @@ impl StyleBlend {
 
     /// Whether any part takes anything of a style.
     pub(super) fn is_active(&self, style: usize) -> bool {
-        BodyPart::ALL.into_iter().any(|p| self.weight(p, style).abs() > LEAST_WEIGHT)
+        BodyPart::ALL.into_iter().any(|p| self.weight(p, style).abs() > MIN_WEIGHT)
     }
 }
 
@@ -95,8 +95,8 @@ fn validate(weights: &[f32], styles: usize) -> Result<(), StyleError> {
 }
 
 /// The weighted sum of the styles' rows. Where a weight is below 0 or above 1 the sum is kept within the
-/// limits, widened to whatever the styles themselves and the input reach: interpolation and the input's
-/// own content are never cut.
+/// limits, widened by the values of the styles themselves and of the input: neither interpolation nor the input's own
+/// content is clipped.
 pub(super) fn blended<'a>(
     blend: &StyleBlend,
     parts: &[BodyPart; ROW],
@@ -110,7 +110,7 @@ pub(super) fn blended<'a>(
     for (style, row) in styles {
         let weights: [f32; PARTS] = std::array::from_fn(|p| blend.weight(BodyPart::ALL[p], style));
         for (e, w) in extrapolates.iter_mut().zip(&weights) {
-            *e |= !(0.0..=1.0 + LEAST_WEIGHT).contains(w);
+            *e |= !(0.0..=1.0 + MIN_WEIGHT).contains(w);
         }
         for d in 0..DOFS {
             sum[d] += weights[parts[d] as usize] * row[d];

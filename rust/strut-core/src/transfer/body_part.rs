@@ -14,7 +14,7 @@ pub enum BodyPart {
     LeftArm,
     /// Right shoulder to hand.
     RightArm,
-    /// Both legs with the pelvis, its height and travel, and the timing: they make one gait.
+    /// Both legs with the pelvis, its height and travel, and the timing: together they are the gait.
     Legs,
 }
 

@@ -1,4 +1,4 @@
-//! Styling a whole clip: the online engine, with contacts and footplant that may look both ways.
+//! Styling a whole clip: the online engine, with contacts and footplant that use past and future frames.
 
 use super::blend::StyleError;
 use super::clip_footplant::plant_feet;
@@ -28,8 +28,7 @@ pub struct Resampled {
     pub input_frame: Vec<f64>,
 }
 
-/// A clip on its way through the engine, frame by frame: for callers that have other things to do in
-/// between. [`stylize_clip`] is the same in one call.
+/// Styles a clip frame by frame, for callers that do other work in between. [`stylize_clip`] is the same in one call.
 #[derive(Clone, Debug)]
 pub struct ClipJob {
     stylizer: Stylizer,
@@ -44,7 +43,7 @@ impl ClipJob {
         Self { stylizer, frames: Vec::new() }
     }
 
-    /// Changes the styles of the whole body from the next frame on: so a style track is played.
+    /// Changes the styles of the whole body from the next frame on, as a style track does.
     ///
     /// # Errors
     /// As [`Stylizer::set_styles`].
@@ -70,7 +69,7 @@ impl ClipJob {
         &self.frames
     }
 
-    /// Ends the clip: contacts are smoothed and feet planted with a view of what comes after.
+    /// Ends the clip: smooths contacts and plants feet, both with knowledge of later frames.
     pub fn finish(self) -> StyledMotion {
         let Self { stylizer, mut frames } = self;
         let of_input = smoothed(&frames.iter().map(|f| f.contact).collect::<Vec<_>>());
@@ -78,7 +77,7 @@ impl ClipJob {
         for (frame, (input, output)) in frames.iter_mut().zip(of_input.into_iter().zip(of_output)) {
             (frame.contact, frame.contact_out) = (input, output);
         }
-        let db = stylizer.model().database();
+        let db = stylizer.model().catalogue();
         let mut styled = StyledMotion { proportions: db.proportions, frames };
         if stylizer.options().footplant {
             styled.plant_feet(db.rate_hz);
@@ -194,9 +193,9 @@ impl StyledMotion {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::{NEUTRAL, database, walk};
     use crate::humanoid::Role;
     use crate::metrics::foot_skate;
-    use crate::transfer::sine_walk::{NEUTRAL, database, walk};
     use crate::transfer::{Model, NoClock, Options};
     use std::sync::Arc;
 
@@ -264,7 +263,7 @@ mod tests {
 
     #[test]
     fn a_track_acts_from_its_frame_on_and_without_a_jump() {
-        // Feet that are held would be so from before the change on.
+        // The footplant looks ahead and would hold feet before the change.
         let options = Options { footplant: false, ..Options::DEFAULT };
         let still = tracked(options, |_| 0.0);
         let turned = tracked(options, |i| ((i as f32 - 30.0) / 60.0).clamp(0.0, 1.0));

@@ -1,50 +1,50 @@
-//! Plants the feet of a whole clip, with a view of what comes after (specification, §11).
+//! Plants the feet of a whole clip, using past and future frames (`docs/methods/mar.md` §11).
 //!
-//! A foot is held while it stands: where the caller says so, and where it is low and slow after that by the
-//! rule of §3, so that what looks planted is. What standing feet slide by is shared out. Its slow part is a
-//! mistake of the root's velocity and moves the root; the rest moves the foot under the root, each hold about
-//! the middle of its slide, and the swing leads smoothly from one hold's correction to the next.
+//! A foot is held while it stands: in the frames that the caller gives, and in those in which the corrected foot is low
+//! and slow by the rule of §3. The slide of standing feet is split in two. Its low-frequency part is an error of the
+//! root's velocity and moves the root; the rest moves the foot relative to the root, in each hold about the middle of its
+//! slide, and during the swing the correction changes smoothly from that of one hold to that of the next.
 
-use super::sole::{Sole, Soles};
 use crate::contact;
 use crate::humanoid::{HumanoidMotion, Proportions};
-use crate::kinematics::{Limb, SOFT_SHARE, WorldPose, two_bone_ik, world_from_local};
+use crate::kinematics::{Limb, SOFT_SHARE, Sole, Soles, WorldPose, two_bone_ik, world_from_local};
 use crate::math::Vec3;
-use crate::math::float_funcs::exp;
+use crate::math::gaussian;
+use crate::math::interpolation::smooth_step;
 use std::ops::Range;
 
-/// Around a hold what the foot slides by fades in over this time, seconds.
+/// The correction of the slide fades in and out around a hold over this time, seconds.
 const EASE_SECS: f32 = 0.034;
-/// What a hold has displaced returns within this time, or within the swing if that is shorter; seconds.
+/// After a hold the foot returns to its own path within this time, or within the swing if that is shorter; seconds.
 const RETURN_SECS: f32 = 0.35;
 /// Standard deviation of the low-pass that gives the root its share of the slide, seconds.
 const ROOT_SIGMA_SECS: f32 = 0.12;
 /// At the ends of a hold the foot rolls on or off: over this time its slide counts less for the root, seconds.
 const ROLL_SECS: f32 = 0.15;
-/// How far around a frame feet are lifted and hips lowered for it, seconds.
+/// Half width of the envelope by which feet are lifted and hips lowered, seconds.
 const ENVELOPE_SECS: f32 = 0.1;
-/// Depth of a sole below the ground that is left alone, metres.
+/// Depth of a sole below the ground that is tolerated, metres.
 const TOLERATED_DEPTH: f32 = 0.003;
-/// A foot whose sole is higher than this is in the air, whatever is said of it; metres.
+/// A foot whose sole is higher than this is not held, whatever the labels say; metres.
 const MAX_HELD_HEIGHT: f32 = 0.08;
-/// Swings shorter than this are part of the hold: the rule of §3 hardly sees them. Seconds.
+/// Swings shorter than this, which the rule of §3 can hardly detect, are part of the hold; seconds.
 const MIN_SWING_SECS: f32 = 0.15;
 /// A hold begins and ends only with a foot slower than this, m/s …
 const MAX_TOUCH_SPEED: f32 = 1.5;
 /// … but is shortened by no more than this at either end, seconds.
 const MAX_TRIM_SECS: f32 = 0.1;
-/// Most that the hips are lowered to let a foot reach its place, metres.
+/// The hips are lowered by no more than this for a foot to reach its place, metres.
 const MAX_DROP: f32 = 0.15;
 
-/// Holds the feet of a clip in place while they stand, left and right, and keeps soles above the ground; tells
-/// which feet are held.
+/// Holds the feet of a clip in place while they stand, left and right, and keeps soles above the ground. Returns which
+/// feet are held in each frame.
 ///
 /// # Panics
 /// If `stands` has fewer entries than the clip has frames.
-pub fn plant_feet(motion: &mut HumanoidMotion, stands: &[[bool; 2]]) -> Vec<[bool; 2]> {
+pub(super) fn plant_feet(motion: &mut HumanoidMotion, stands: &[[bool; 2]]) -> Vec<[bool; 2]> {
     let steps = Steps::of(motion);
     let mut held = steps.plausible(&stands[..motion.poses.len()]);
-    // Held feet stop the body, and what it stops stands. Further rounds add next to nothing.
+    // Held feet slow the body, so that the other foot may stand too. Further iterations change next to nothing.
     let labels = contact::label(&steps.corrected(motion, &held));
     for (held, label) in held.iter_mut().zip(labels) {
         *held = [held[0] || label[0], held[1] || label[1]];
@@ -59,7 +59,7 @@ pub fn plant_feet(motion: &mut HumanoidMotion, stands: &[[bool; 2]]) -> Vec<[boo
     held
 }
 
-/// What the correction asks of the motion as it was.
+/// Quantities of the uncorrected motion.
 struct Steps {
     worlds: Vec<WorldPose>,
     soles: [Vec<Sole>; 2],
@@ -78,8 +78,8 @@ impl Steps {
         ((secs * self.rate_hz).round() as usize).max(1)
     }
 
-    /// The holds without frames in which the foot is in the air, and without what of their first and last moments
-    /// would bring a fast foot to a sudden stand.
+    /// The holds without frames in which the foot is in the air, and without fast frames at their ends, where holding
+    /// would stop the foot abruptly.
     fn plausible(&self, stands: &[[bool; 2]]) -> Vec<[bool; 2]> {
         let on_ground = |side: usize, f: usize| self.soles[side][f].lowest() < MAX_HELD_HEIGHT;
         let mut held: Vec<[bool; 2]> =
@@ -88,7 +88,7 @@ impl Steps {
         for side in 0..2 {
             let is_fast = |f: &usize| self.travel(side, *f).length() * self.rate_hz > MAX_TOUCH_SPEED;
             for hold in runs(&held, side) {
-                // At the clip's ends no foot comes or goes.
+                // Holds at the clip's ends have no touch-down or lift-off there.
                 let late = if hold.start > 0 { hold.clone().take(most).take_while(is_fast).count() } else { 0 };
                 let leaves = hold.end < held.len();
                 let early = if leaves { hold.clone().rev().take(most).take_while(is_fast).count() } else { 0 };
@@ -143,11 +143,11 @@ impl Steps {
         }
         let sigma = ROOT_SIGMA_SECS * self.rate_hz;
         let reach = (3.0 * sigma) as usize;
-        let kernel: Vec<f32> = (0..=reach).map(|i| exp(-0.5 * (i as f32 / sigma) * (i as f32 / sigma))).collect();
+        let kernel: Vec<f32> = (0..=reach).map(|i| gaussian::weight(i as f32, sigma)).collect();
         let mut path = Vec3::ZERO;
         (0..held.len())
             .map(|f| {
-                // The 1: where no foot is held for long, the root keeps its own way.
+                // The 1 keeps the root's own path where no foot is held for long.
                 let (mut sum, mut weights) = (Vec3::ZERO, 1.0);
                 for i in f.saturating_sub(reach)..(f + reach + 1).min(held.len()) {
                     sum += slides[i].0 * kernel[f.abs_diff(i)];
@@ -192,8 +192,8 @@ impl Steps {
         shares
     }
 
-    /// What the slides are counted from: in each hold their mean, in a long swing the slide itself, so that
-    /// the foot is where the motion had it; smoothly from one to the next.
+    /// The offset from which slides are counted: the mean slide in each hold, the slide itself in a long swing, so that
+    /// the foot is on its original path, and smooth transitions in between.
     fn middles(&self, holds: &[Range<usize>], slides: &[Vec3]) -> Vec<Vec3> {
         let (frames, back) = (slides.len(), self.frames(RETURN_SECS));
         let mut keys: Vec<(Range<usize>, Vec3)> = Vec::new();
@@ -220,7 +220,7 @@ impl Steps {
                 (Some((range, middle)), None) if f >= range.end => *middle,
                 (Some((range, a)), Some((to, b))) if f >= range.end => {
                     let t = (f + 1 - range.end) as f32 / (to.start + 1 - range.end) as f32;
-                    *a + (*b - *a) * smooth_step(t)
+                    *a + (*b - *a) * smooth_step(0.0, 1.0, t)
                 }
                 (Some((_, middle)), _) | (None, Some((_, middle))) => *middle,
                 (None, None) => Vec3::ZERO,
@@ -250,7 +250,7 @@ impl Steps {
     }
 }
 
-/// A smooth curve that is nowhere below the values.
+/// A smooth upper envelope of the values.
 fn envelope(values: &[f32], reach: usize) -> Vec<f32> {
     let around = |f: usize, n: usize| f.saturating_sub(n)..(f + n + 1).min(values.len());
     let peaks: Vec<f32> =
@@ -259,20 +259,14 @@ fn envelope(values: &[f32], reach: usize) -> Vec<f32> {
         .map(|f| {
             let (mut sum, mut weights) = (0.0, 0.0);
             for i in around(f, reach) {
-                // A bell that ends where the peaks do.
-                let weight = smooth_step(1.0 - f.abs_diff(i) as f32 / (reach + 1) as f32);
+                // The window has the same width as the running maximum.
+                let weight = smooth_step(0.0, 1.0, 1.0 - f.abs_diff(i) as f32 / (reach + 1) as f32);
                 sum += weight * peaks[i];
                 weights += weight;
             }
             sum / weights
         })
         .collect()
-}
-
-/// From 0 to 1 with level ends, without a jump in acceleration.
-fn smooth_step(t: f32) -> f32 {
-    let t = t.clamp(0.0, 1.0);
-    t * t * t * (t * (6.0 * t - 15.0) + 10.0)
 }
 
 /// Maximal runs of frames in which a foot is held.
@@ -290,10 +284,10 @@ fn runs(held: &[[bool; 2]], side: usize) -> Vec<Range<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::{NEUTRAL, walk};
     use crate::metrics::foot_skate;
     use crate::transfer::footplant::tests::crouch;
     use crate::transfer::ground_clearance;
-    use crate::transfer::sine_walk::{NEUTRAL, walk};
     use proptest::prelude::*;
 
     /// A crouching figure, changed in each frame.
@@ -356,13 +350,13 @@ mod tests {
     }
 
     #[test]
-    fn what_neither_stands_nor_sinks_is_not_touched() {
+    fn feet_that_neither_stand_nor_sink_are_unchanged() {
         let flight = crouching(60, |pose, t| {
             pose.root.y += 0.2;
             pose.root.z += 2.0 * t;
         });
         let mut motion = flight.clone();
-        // Feet this high are not held, whatever is said of them.
+        // Feet this high are not held, whatever the labels say.
         let held = plant_feet(&mut motion, &[[true; 2]; 60]);
         assert!(held.iter().all(|h| *h == [false; 2]));
         for (a, b) in motion.poses.iter().zip(&flight.poses) {

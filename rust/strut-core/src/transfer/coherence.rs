@@ -1,20 +1,20 @@
-//! Smooth output from input that the database does not hold (specification, §13); not in the paper.
+//! Smooth output from input that the database does not hold (`docs/methods/mar.md` §13); not in the paper.
 //!
-//! Far from the database the K nearest change by several from frame to frame, and with them means and
-//! slopes. Two measures, [`super::Options::coherence`], keep that out of the output. Neighbours enter and
-//! leave with weight zero ([`taper`]). And each prediction corrects an expectation rather than replace it
-//! ([`Expectation`]): with its fixed share that is a steady-state Kalman filter whose model of motion is the
-//! neighbours' own, so that it lags only where they are wrong.
+//! Far from the database several of the K nearest neighbours change from frame to frame, and with them the means and
+//! slopes of the regression. Two measures, [`super::Options::coherence`], keep this jitter out of the output. Neighbours
+//! enter and leave with weight zero ([`taper`]), and a [`ComplementaryFilter`] blends each prediction with the row
+//! expected from the neighbours' own steps. With its fixed gain it is a steady-state Kalman filter whose motion model is
+//! that of the neighbours, so that it lags only where they are wrong.
 //!
 //! Measured over the 41 clips of `cmu` and `xia` in four styles: acceleration ratio 1.59 → 1.24 at a content
 //! correlation of .83; in database error no change.
 
-use super::mar::Input;
+use super::input::Input;
 use crate::pose_vector::{PoseRow, ROW};
 use crate::search::Neighbour;
 
-/// Half-life of what separates the expectation from the predictions, seconds: three quarters of it are gone
-/// within a frame at 60 Hz. Twice as long smooths little more and begins to cost accuracy on runs.
+/// Half-life of the difference between expected and predicted rows, seconds: three quarters of it decay within a frame
+/// at 60 Hz. Twice as long smooths little more and begins to cost accuracy on runs.
 pub(super) const HALF_LIFE_SECS: f32 = 1.0 / 120.0;
 
 /// Weights of neighbours, nearest first: 1 for the nearest, falling with D to 0 for the last.
@@ -25,14 +25,14 @@ pub(super) fn taper(neighbours: &[Neighbour], weights: &mut Vec<f32>) {
     weights.extend(neighbours.iter().map(|n| if range > 0.0 { (last.distance - n.distance) / range } else { 1.0 }));
 }
 
-/// How a style's row is expected to change in this frame: as the neighbours' targets do, and by the share ρ
-/// of what the input does otherwise than the neighbours.
+/// The expected change of a style's row in this frame: that of the neighbours' targets, plus the share ρ of the
+/// difference between the input's change and the neighbours'.
 #[derive(Clone, Debug)]
-pub(super) struct Expectation {
+pub(super) struct ComplementaryFilter {
     step: PoseRow,
 }
 
-impl Expectation {
+impl ComplementaryFilter {
     /// No change.
     pub(super) const NONE: Self = Self { step: [0.0; ROW] };
 
@@ -48,8 +48,7 @@ impl Expectation {
         }
     }
 
-    /// Takes the expected row after `previous` for what is predicted and corrects it by a share of the
-    /// difference.
+    /// Replaces the prediction by the row expected after `previous`, corrected by a share of the difference.
     pub(super) fn correct(&self, previous: &PoseRow, share: f32, predicted: &mut PoseRow) {
         for (d, y) in predicted.iter_mut().enumerate() {
             let expected = previous[d] + self.step[d];
@@ -82,14 +81,14 @@ mod tests {
         #[test]
         fn a_prediction_as_expected_is_kept(step in -0.1f32..0.1, foreign in -0.1f32..0.1, rho in 0.0f32..1.0) {
             let (before, now) = ([0.2; ROW], [0.2 + step + foreign; ROW]);
-            let mut expectation = Expectation::of_input(Input { current: &now, previous: &before }, rho);
-            expectation.add(0.25, rho, &[step; ROW], &[2.0 * step; ROW]);
-            expectation.add(0.75, rho, &[step; ROW], &[2.0 * step; ROW]);
+            let mut filter = ComplementaryFilter::of_input(Input { current: &now, previous: &before }, rho);
+            filter.add(0.25, rho, &[step; ROW], &[2.0 * step; ROW]);
+            filter.add(0.75, rho, &[step; ROW], &[2.0 * step; ROW]);
             let mut row = [1.0 + 2.0 * step + rho * foreign; ROW];
-            expectation.correct(&[1.0; ROW], 0.75, &mut row);
+            filter.correct(&[1.0; ROW], 0.75, &mut row);
             prop_assert!((row[5] - (1.0 + 2.0 * step + rho * foreign)).abs() < 1e-5);
             let mut jump = [2.0; ROW];
-            Expectation::NONE.correct(&[1.0; ROW], 0.75, &mut jump);
+            ComplementaryFilter::NONE.correct(&[1.0; ROW], 0.75, &mut jump);
             prop_assert_eq!(jump[5], 1.75);
         }
     }

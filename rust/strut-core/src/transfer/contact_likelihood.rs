@@ -1,9 +1,9 @@
-//! How likely each foot of the input is planted (specification, §11): the nearest frames by the lower-body metric
-//! vote, weighed by how much their feet do what the input's do.
+//! Likelihood that each foot of the input is planted (`docs/methods/mar.md` §11): a vote of the nearest frames by the
+//! lower-body metric, weighted by how similar the heights and speeds of their feet are to the input's.
 
-use crate::database::Database;
+use crate::catalogue::Catalogue;
 use crate::kinematics::WorldPose;
-use crate::math::float_funcs::exp;
+use crate::math::gaussian;
 use crate::math::lanes::Lane;
 use crate::search::{FEET_ROLES, Feet, Index, Neighbour};
 
@@ -20,12 +20,12 @@ const PLANT: f32 = 0.6;
 /// … until it falls below this one.
 const RELEASE: f32 = 0.4;
 
-/// Differences from the input that halve a voter's say: of a point's height, metres, and of its speed, m/s.
-/// Contacts are read off these (§3), so that among neighbours those with like feet know best: on held-out
-/// walks 99.3 % of the votes are right; with voices by the distance of the legs it is 98.2 %.
+/// Scales of differences from the input: of a point's height, metres, and of its speed, m/s. Contacts are labelled by
+/// height and speed (§3), so that neighbours with similar feet are the best predictors: on held-out walks 99.3 % of the
+/// votes are right; with weights by the distance of the legs it is 98.2 %.
 const SAME_HEIGHT: f32 = 0.01;
 const SAME_SPEED: f32 = 0.15;
-/// Below this sum of squared differences, in those units, voters count as equal.
+/// Added to the sum of squared differences, in those units: neighbours nearer than this have about equal weight.
 const SAME: f32 = 0.05;
 
 /// Heights and speeds of the four of [`FEET_ROLES`] in the frame before the last.
@@ -43,7 +43,7 @@ impl FeetState {
         Self { heights: Lane::of(&middle[1], 0), speeds: lengths * Lane::splat(0.5) * Lane::splat(rate_hz) }
     }
 
-    /// Of a row and the two before it in its clip.
+    /// The state at the row before this one, from its clip's rows `row` − 2 to `row`.
     fn of_row(index: &Index, row: usize, rate_hz: f32) -> Self {
         Self::new(&[row - 2, row - 1, row].map(|row| index.feet(row)), rate_hz)
     }
@@ -78,26 +78,27 @@ impl RecentFeet {
 pub(super) struct Votes {
     /// For the last frame.
     pub(super) now: [f32; 2],
-    /// For the frame before the last, with the last one as its future: right more often.
+    /// For the frame before the last, whose next frame is known: right more often.
     pub(super) before: [f32; 2],
 }
 
-/// Has the neighbours vote, whose windows reach back two frames at least; 0 without neighbours.
-pub(super) fn vote(db: &Database, index: &Index, neighbours: &[Neighbour], feet: &RecentFeet) -> Votes {
+/// The votes of neighbours, whose windows reach back two frames at least; 0 without neighbours.
+pub(super) fn vote(catalogue: &Catalogue, neighbours: &[Neighbour], feet: &RecentFeet) -> Votes {
     let Some(frames) = &feet.frames else { return Votes::default() };
-    let input = FeetState::new(frames, db.rate_hz);
-    let (mut votes, mut voices) = (Votes::default(), [0.0_f32; 2]);
+    let (index, rate_hz) = (catalogue.index(), catalogue.rate_hz);
+    let input = FeetState::new(frames, rate_hz);
+    let (mut votes, mut weights) = (Votes::default(), [0.0_f32; 2]);
     for row in neighbours.iter().map(|n| n.row as usize) {
-        let state = FeetState::of_row(index, row, db.rate_hz);
+        let state = FeetState::of_row(index, row, rate_hz);
         for (side, difference) in state.differences(&input).into_iter().enumerate() {
-            let voice = 1.0 / (difference + SAME);
-            voices[side] += voice;
-            votes.now[side] += voice * f32::from(db.contact[row][side]);
-            votes.before[side] += voice * f32::from(db.contact[row - 1][side]);
+            let weight = 1.0 / (difference + SAME);
+            weights[side] += weight;
+            votes.now[side] += weight * f32::from(catalogue.contact(row)[side]);
+            votes.before[side] += weight * f32::from(catalogue.contact(row - 1)[side]);
         }
     }
     // 0 without neighbours.
-    let share = |votes: [f32; 2]| std::array::from_fn(|side| votes[side] / voices[side].max(f32::MIN_POSITIVE));
+    let share = |votes: [f32; 2]| std::array::from_fn(|side| votes[side] / weights[side].max(f32::MIN_POSITIVE));
     Votes { now: share(votes.now), before: share(votes.before) }
 }
 
@@ -107,7 +108,7 @@ pub(super) fn stands(stood: bool, likelihood: f32) -> bool {
 }
 
 fn kernel() -> [f32; REACH + 1] {
-    std::array::from_fn(|i| exp(-0.5 * (i * i) as f32 / (SIGMA_FRAMES * SIGMA_FRAMES)))
+    std::array::from_fn(|i| gaussian::weight(i as f32, SIGMA_FRAMES))
 }
 
 /// Gaussian smoothing that looks back only, so that it adds no latency.
@@ -160,16 +161,16 @@ fn weighted<'a>(terms: impl Iterator<Item = (&'a f32, &'a [f32; 2])>) -> [f32; 2
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::{NEUTRAL, walk};
     use crate::kinematics::world_from_local;
-    use crate::transfer::sine_walk::{NEUTRAL, walk};
 
     #[test]
     fn frames_of_the_database_are_recognised() {
-        let db = crate::transfer::sine_walk::database();
-        let (proportions, index) = (db.proportions, Index::build(&db));
+        let db = crate::fixtures::database();
+        let (proportions, catalogue) = (db.proportions, Catalogue::new(db));
         let walk = walk(&NEUTRAL, 120, 0.0);
         let mut feet = RecentFeet::default();
-        // Row i of the first clip is frame i of this walk; voters from half a cycle away say the opposite.
+        // Row i of the first clip is frame i of this walk; neighbours half a cycle away have the opposite contacts.
         for (i, pose) in walk.poses.iter().enumerate() {
             feet.push(&world_from_local(&proportions, pose));
             if i < 40 {
@@ -177,13 +178,13 @@ mod tests {
             }
             let rows = [i, i - 1, i - 32, i - 33, i - 34, i - 35];
             let voters = rows.map(|row| Neighbour { distance: 1e-3, row: row as u32 });
-            let votes = vote(&db, &index, &voters, &feet);
+            let votes = vote(&catalogue, &voters, &feet);
             for side in 0..2 {
                 assert_eq!(votes.now[side] > 0.5, walk.contact[i][side] == 1, "frame {i}: {votes:?}");
                 assert_eq!(votes.before[side] > 0.5, walk.contact[i - 1][side] == 1, "frame {i}: {votes:?}");
             }
         }
-        assert_eq!(vote(&db, &index, &[], &feet), Votes::default());
+        assert_eq!(vote(&catalogue, &[], &feet), Votes::default());
     }
 
     #[test]

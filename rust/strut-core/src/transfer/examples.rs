@@ -1,4 +1,4 @@
-//! The examples behind a clip: the rows that each frame was predicted from, to be drawn beside the prediction.
+//! The rows that each frame of a clip was predicted from, for display beside the prediction.
 
 use super::blend::StyleBlend;
 use super::body_part::BodyPart;
@@ -6,7 +6,7 @@ use super::frame::Trace;
 use super::model::Model;
 use crate::pose_vector::{DOFS, PoseRow, ROW};
 
-/// A row of the database and how much it counted, 0 to 1.
+/// A row of the database and its weight, 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Example {
     row: u32,
@@ -40,13 +40,13 @@ impl Examples {
         &self.counts
     }
 
-    /// How much each counted, 0 to 1.
+    /// Weight of each, 0 to 1.
     pub fn weights(&self) -> impl Iterator<Item = f32> + '_ {
         self.entries.iter().map(|e| e.weight)
     }
 
-    /// What each is in the styles of its frame: the weighted sum of its registered targets, as in
-    /// `blended`, without limits.
+    /// Each example in the styles of its frame: the weighted sum of its registered targets, as in `blended`, without
+    /// limits.
     pub fn targets<'a>(&'a self, model: &'a Model) -> impl Iterator<Item = PoseRow> + 'a {
         let parts = BodyPart::of_row();
         let mut later = self.blends.iter().peekable();
@@ -56,7 +56,7 @@ impl Examples {
                 blend = Some(next);
             }
             let mut sum = [0.0; ROW];
-            let styles = 0..model.database().styles.len();
+            let styles = 0..model.catalogue().styles.len();
             for (style, blend) in styles.filter_map(|style| Some((style, blend.filter(|b| b.is_active(style))?))) {
                 let target = model.target_table(style).pose.get(example.row as usize);
                 for d in 0..DOFS {
@@ -71,8 +71,8 @@ impl Examples {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::{BENT, NEUTRAL, database, walk};
     use crate::humanoid::Role;
-    use crate::transfer::sine_walk::{BENT, NEUTRAL, database, walk};
     use crate::transfer::{ClipJob, NoClock, Options, Stylizer};
     use std::sync::Arc;
 
@@ -95,7 +95,7 @@ mod tests {
         assert_eq!(examples.counts().iter().sum::<usize>(), examples.weights().count());
         assert!(examples.weights().all(|w| (0.0..=1.0).contains(&w)));
         let lean_of = |row: &PoseRow| {
-            let chart = &model.database().chart;
+            let chart = &model.catalogue().chart;
             let up = [Role::Hips, Role::Spine, Role::Chest]
                 .iter()
                 .fold(crate::math::Quat::IDENTITY, |q, &role| q * chart.rotation(role, row))
@@ -113,7 +113,7 @@ mod tests {
     fn the_prediction_is_among_its_examples() {
         let model = Arc::new(Model::new(database()));
         let (examples, job) = examples(&model);
-        let chart = &model.database().chart;
+        let chart = &model.catalogue().chart;
         let knee = |row: &PoseRow| chart.rotation(Role::LeftLowerLeg, row);
         let targets: Vec<PoseRow> = examples.targets(&model).collect();
         let first: usize = examples.counts()[..30].iter().sum();

@@ -1,27 +1,21 @@
-//! Holds planted feet in place and soles above the ground (specification, §11), frame by frame.
+//! Holds planted feet in place and soles above the ground (`docs/methods/mar.md` §11), frame by frame.
 
 use super::contact_likelihood::stands;
-use super::sole::{Sole, Soles};
+use crate::contact::Thresholds;
 use crate::humanoid::{Pose, Proportions};
-use crate::kinematics::{Limb, WorldPose, two_bone_ik, world_from_local};
+use crate::kinematics::{Limb, Sole, Soles, WorldPose, two_bone_ik, world_from_local};
 use crate::math::Vec3;
 use crate::math::float_funcs::exp;
 
-/// A foot that is lower and slower than this stands as well (§3), metres and m/s …
-const ON_HEIGHT: f32 = 0.03;
-const ON_SPEED: f32 = 0.45;
-/// … until it is higher or faster than this.
-const OFF_HEIGHT: f32 = 0.06;
-const OFF_SPEED: f32 = 0.9;
 /// Frames over which the hold sets in.
 const EASE_FRAMES: u32 = 3;
 /// Time constant of the return to the predicted place after release, seconds. The return is a critically
 /// damped spring rather than a plain decay, so that the foot leaves with the speed it has.
 const DECAY_SECS: f32 = 0.12;
-/// Greatest correction of a foot, metres; the root follows what goes beyond.
+/// Greatest correction of a foot, metres; the root takes up the excess.
 const MAX_CORRECTION: f32 = 0.2;
-/// Out-of-reach targets nearer than this do not move the root, metres.
-const LEAST_SHIFT: f32 = 1e-4;
+/// The root moves only if a target is out of reach by more than this, metres.
+const MIN_SHIFT: f32 = 1e-4;
 /// Greatest step of the root towards a target out of reach, metres.
 const MAX_ROOT_STEP: f32 = 0.02;
 
@@ -41,16 +35,21 @@ impl Foot {
         self.planted_frames > 0
     }
 
-    /// Whether a foot is as low and slow as one that stands, whatever is said of it.
-    fn is_still(&self, sole: Sole, speed: f32) -> bool {
-        let [height, limit] = if self.is_planted() { [OFF_HEIGHT, OFF_SPEED] } else { [ON_HEIGHT, ON_SPEED] };
+    /// Whether a foot is as low and slow as a planted one (§3), whatever its likelihood.
+    fn is_still(&self, sole: Sole, speed: f32, thresholds: &Thresholds) -> bool {
+        let [height, limit] = if self.is_planted() {
+            [thresholds.off_height, thresholds.off_speed]
+        } else {
+            [thresholds.on_height, thresholds.on_speed]
+        };
         self.last.is_some() && sole.lowest() < height && speed < limit
     }
 
     /// Accumulates c ← c − travel of the pivot while planted, else lets it decay.
-    fn update(&mut self, sole: Sole, likelihood: f32, dt_secs: f32) {
+    fn update(&mut self, sole: Sole, likelihood: f32, thresholds: &Thresholds, dt_secs: f32) {
         let travel = self.last.map_or(Vec3::ZERO, |last| sole.pivot_travel(&last));
-        let planted = stands(self.is_planted(), likelihood) || self.is_still(sole, travel.length() / dt_secs);
+        let still = self.is_still(sole, travel.length() / dt_secs, thresholds);
+        let planted = stands(self.is_planted(), likelihood) || still;
         self.planted_frames = if planted { self.planted_frames.saturating_add(1) } else { 0 };
         if planted {
             let step = travel * (self.planted_frames.min(EASE_FRAMES) as f32 / EASE_FRAMES as f32);
@@ -66,7 +65,7 @@ impl Foot {
         self.last = Some(sole);
     }
 
-    /// What the correction exceeds its cap by.
+    /// The part of the correction beyond its limit.
     fn excess(&self) -> Vec3 {
         self.correction - self.correction.clamp_length_max(MAX_CORRECTION)
     }
@@ -77,37 +76,44 @@ impl Foot {
 pub struct Footplant {
     proportions: Proportions,
     soles: Soles,
+    thresholds: Thresholds,
     feet: [Foot; 2],
-    /// What the root has moved to keep planted feet in place where their corrections reached the cap.
+    /// Total shift of the root that kept planted feet in place where their corrections reached the limit.
     root_shift: Vec3,
 }
 
 impl Footplant {
     /// For a humanoid.
     pub fn new(proportions: Proportions) -> Self {
-        Self { proportions, soles: Soles::new(&proportions), feet: [Foot::default(); 2], root_shift: Vec3::ZERO }
+        Self {
+            proportions,
+            soles: Soles::new(&proportions),
+            thresholds: Thresholds::scaled_to(&proportions),
+            feet: [Foot::default(); 2],
+            root_shift: Vec3::ZERO,
+        }
     }
 
-    /// Forgets the past.
+    /// Resets the state.
     pub fn reset(&mut self) {
         self.feet = [Foot::default(); 2];
         self.root_shift = Vec3::ZERO;
     }
 
     /// Corrects the next frame in place, `dt_secs` of output time after the one before, given the
-    /// likelihood that each foot is planted; tells which are.
+    /// likelihood that each foot is planted. Returns which feet are held.
     pub fn apply(&mut self, pose: &mut Pose, likelihood: [f32; 2], dt_secs: f32) -> [bool; 2] {
         pose.root += self.root_shift;
         let mut world = world_from_local(&self.proportions, pose);
         for (side, (foot, likelihood)) in self.feet.iter_mut().zip(likelihood).enumerate() {
-            foot.update(self.soles.of(&world, side), likelihood, dt_secs);
+            foot.update(self.soles.of(&world, side), likelihood, &self.thresholds, dt_secs);
         }
         let planted = self.feet.map(|f| f.is_planted());
         let over_cap = mean_of_planted(planted, |side| self.feet[side].excess());
         self.move_root(over_cap, pose, &mut world);
         let corrected = self.with_feet_in_place(pose, &world);
         let out_of_reach = mean_of_planted(planted, |side| corrected.1[side]);
-        if out_of_reach.length() > LEAST_SHIFT {
+        if out_of_reach.length() > MIN_SHIFT {
             self.move_root(out_of_reach.clamp_length_max(MAX_ROOT_STEP), pose, &mut world);
             *pose = self.with_feet_in_place(pose, &world).0;
         } else {
@@ -132,8 +138,8 @@ impl Footplant {
         }
     }
 
-    /// The pose with both feet where their corrections and the ground want them, and what the legs could
-    /// not reach, horizontally.
+    /// The pose with both feet at their corrected places above the ground, and the horizontal part of the corrections
+    /// that the legs could not reach.
     fn with_feet_in_place(&self, pose: &Pose, world: &WorldPose) -> (Pose, [Vec3; 2]) {
         let (mut pose, mut world) = (*pose, *world);
         let mut residual = [Vec3::ZERO; 2];
@@ -238,7 +244,7 @@ pub(super) mod tests {
             last.root.x += 0.01 * i as f32;
             filter.apply(&mut last, [1.0; 2], DT);
         }
-        // 0.6 m of drift: 0.2 m in the legs, the rest given up by the root; the feet stay where they eased in.
+        // 0.6 m of drift: 0.2 m in the legs, the rest in the root; the feet stay where they were planted.
         assert!(last.root.x < 0.25, "{}", last.root.x);
         let eased = 0.02;
         assert!((sole(&last, 0).ball.x - sole(&crouch(), 0).ball.x).abs() < eased, "{:?}", sole(&last, 0));
@@ -273,5 +279,24 @@ pub(super) mod tests {
             planted = filter.apply(&mut pose, [0.0; 2], DT);
         }
         assert_eq!(planted, [true; 2]);
+    }
+
+    /// Half the size, half the thresholds: a speed at which the foot of a tall body still stands is fast for a child.
+    #[test]
+    fn the_thresholds_of_a_still_foot_are_scaled_to_the_legs() {
+        let tall = Proportions::default();
+        let small = Proportions { offsets: tall.offsets.map(|offset| offset * 0.5) };
+        let is_held = |proportions: Proportions, size: f32| {
+            let mut filter = Footplant::new(proportions);
+            let mut planted = [false; 2];
+            for i in 0..30 {
+                let mut pose = crouch();
+                pose.root = pose.root * size + Vec3::X * 0.006 * i as f32;
+                planted = filter.apply(&mut pose, [0.0; 2], DT);
+            }
+            planted
+        };
+        assert_eq!(is_held(tall, 1.0), [true; 2]);
+        assert_eq!(is_held(small, 0.5), [false; 2]);
     }
 }

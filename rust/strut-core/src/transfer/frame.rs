@@ -1,7 +1,7 @@
-//! What the stylizer gives for a frame, and where its stages end.
+//! The output of the stylizer for a frame, and its stages.
 
 use super::blend::StyleBlend;
-use crate::database::Database;
+use crate::catalogue::Catalogue;
 use crate::humanoid::Pose;
 use crate::search::Neighbour;
 
@@ -18,9 +18,9 @@ pub struct StyledFrame {
     pub dt_secs: f32,
     /// Likelihood that the left and the right foot of the input is planted.
     pub contact: [f32; 2],
-    /// The same of the output: mean of the input's and of the registered targets'. Each alone skates more: the
-    /// input's where its phase is not the output's (a stand that becomes a stride), the targets' where the
-    /// neighbours are far off.
+    /// The same of the output: mean of the input's and of the registered targets'. Either alone skates more: the input's
+    /// where its phase differs from the output's (standing that becomes a stride), the targets' where the neighbours are
+    /// far away.
     pub contact_out: [f32; 2],
     /// Whether the left and the right foot is held in place.
     pub planted: [bool; 2],
@@ -30,7 +30,7 @@ pub struct StyledFrame {
     pub repaired_total: u32,
 }
 
-/// Stages of a frame in order; a [`StageClock`] hears when each ends.
+/// Stages of a frame in order; a [`StageClock`] is called when each ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// Input checked and turned into degrees of freedom and points.
@@ -45,7 +45,7 @@ pub enum Stage {
     Blend,
     /// Contact likelihood.
     Contact,
-    /// Footplant and inverse kinematics; offline it comes after the last frame and is not heard.
+    /// Footplant and inverse kinematics; offline it runs after the last frame and is not timed.
     Footplant,
 }
 
@@ -78,20 +78,20 @@ pub trait StageClock {
     }
 }
 
-/// Measures nothing.
+/// A clock that measures nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoClock;
 
 impl StageClock for NoClock {}
 
-/// How the last frame came about: the contents of a line of `--trace`.
+/// How the last frame was computed: the contents of a line of `--trace`.
 #[derive(Clone, Copy, Debug)]
 pub struct Trace<'a> {
-    pub(super) db: &'a Database,
+    pub(super) catalogue: &'a Catalogue,
     /// Weight of every class of the database; they sum to 1.
     pub class_weights: &'a [f32],
     pub(super) neighbours: &'a [Neighbour],
-    /// How much each of them counts.
+    /// Weight of each of them.
     pub(super) neighbour_weights: &'a [f32],
     pub(super) blend: &'a StyleBlend,
     /// Largest |Δx| of the heaviest class in standard deviations of its neighbours.
@@ -100,7 +100,7 @@ pub struct Trace<'a> {
     pub frame: &'a StyledFrame,
 }
 
-/// A neighbour as people name it.
+/// A neighbour by clip and frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TracedNeighbour {
     /// Index of the clip.
@@ -116,8 +116,8 @@ impl Trace<'_> {
     pub fn neighbours(&self) -> impl Iterator<Item = TracedNeighbour> + '_ {
         self.neighbours.iter().map(|n| {
             let row = n.row as usize;
-            let clip = self.db.clip_of_row(row);
-            TracedNeighbour { clip, frame: row - self.db.clips[clip].first_frame, distance: n.distance.sqrt() }
+            let clip = self.catalogue.clip_of_row(row);
+            TracedNeighbour { clip, frame: row - self.catalogue.clips[clip].first_frame, distance: n.distance.sqrt() }
         })
     }
 }

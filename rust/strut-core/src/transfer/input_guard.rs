@@ -9,19 +9,19 @@ use std::f32::consts::FRAC_PI_2;
 const MAX_SPEED: f32 = 25.0;
 /// Faster than any joint (a thrown ball's arm reaches about 130 rad/s for a few milliseconds).
 const MAX_TURN_RATE: f32 = 90.0;
-/// After this many frames in a row that are far from what is held, the input is believed: a cut.
+/// After this many successive frames far from the held pose, the input is accepted as a cut.
 const MAX_HELD: u32 = 6;
 /// Beyond this distance from the origin (m) `f32` no longer resolves millimetres.
 const MAX_COORDINATE: f32 = 1e4;
 
-/// What became of a frame.
+/// Result for a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Admitted {
-    /// Taken as it is.
+    /// Unchanged.
     Good(Pose),
     /// Joints, or all of the figure, replaced by their last good rotation; the hips move on.
     Repaired(Pose),
-    /// Taken as it is, but it does not continue what came before.
+    /// Unchanged, but not continuous with the frames before.
     Cut(Pose),
 }
 
@@ -42,7 +42,7 @@ impl InputGuard {
         let Some(last) = self.last else {
             return match normalised(pose) {
                 Some(pose) if root_is_usable => self.begin(&pose, Admitted::Good),
-                // A default pose in place of a bad first frame is no evidence: the next frame starts afresh.
+                // A default pose in place of a bad first frame says nothing about the next frame.
                 _ => Admitted::Repaired(Pose::default()),
             };
         };
@@ -87,7 +87,7 @@ impl InputGuard {
     }
 }
 
-/// The rotation at unit length, if it is anywhere near it.
+/// The rotation at unit length, if its length is plausible.
 fn usable(q: Quat) -> Option<Quat> {
     (q.is_finite() && (0.5..2.0).contains(&q.dot(q))).then(|| q.normalized())
 }

@@ -1,9 +1,9 @@
-//! What no joint may leave: ranges learnt from the database, and anatomy (specification, §10).
+//! Joint limits: ranges learnt from the database, and anatomy (`docs/methods/mar.md` §10).
 //!
 //! The ranges bound each degree of freedom of an extrapolation. Anatomy bounds every output: how far a bone
 //! swings from its direction in the T-pose, how far it turns about itself, and how little knees and elbows
-//! bend backwards. Neither cuts what the input itself does; anatomy yields to the database as well, whose
-//! skeletons may have been captured bent.
+//! bend backwards. Neither clips the input's own motion; the anatomical limits are widened to the database's range, as
+//! its skeletons may have been captured with bent joints.
 
 use crate::humanoid::{Pose, Role};
 use crate::math::float_funcs::{atan2, wrap_angle};
@@ -44,8 +44,8 @@ fn hinge(role: Role) -> Option<Vec3> {
     }
 }
 
-/// What anatomy allows. Generous: no clip of the four data sets at hand comes near, except where a skeleton's
-/// T-pose has bent joints. `None` for the hips, which may lie any way in the world.
+/// Anatomical limits. Generous: no clip of the four data sets at hand comes near, except where a skeleton's T-pose has
+/// bent joints. `None` for the hips, which may have any orientation in the world.
 fn anatomical(role: Role) -> Option<Angles> {
     use Role as R;
     let [swing, twist] = match role {
@@ -81,7 +81,7 @@ fn measure(role: Role, rotation: Quat) -> Angles {
 /// By how much a joint is beyond what anatomy allows, radians; 0 within it and for the hips.
 pub fn beyond_anatomy(role: Role, rotation: Quat) -> f32 {
     let Some(limit) = anatomical(role) else { return 0.0 };
-    // None of the angles exceeds the whole turn, and that is at most π sin(turn / 2): enough for most joints.
+    // No angle exceeds the total rotation angle, which is at most π sin(angle / 2): a cheap test that passes most joints.
     let backwards = if hinge(role).is_some() { limit.backwards } else { PI };
     let least = limit.swing.min(limit.twist).min(backwards);
     let sine = Vec3::new(rotation.x, rotation.y, rotation.z);
@@ -123,8 +123,7 @@ impl JointLimits {
         Self { range, observed: *observed }
     }
 
-    /// Brings the joints of a pose, which `row` encodes, back into what anatomy, the database or the input
-    /// does.
+    /// Limits the joints of a pose, which `row` encodes, to the ranges of anatomy, the database and the input.
     pub(super) fn apply(&self, chart: &PoseChart, row: &PoseRow, input: &PoseRow, pose: &mut Pose) {
         for role in Role::ALL {
             let rotation = &mut pose.rotations[role.index()];
@@ -174,7 +173,7 @@ mod tests {
         }
 
         #[test]
-        fn what_the_input_does_is_not_cut(v in prop::array::uniform3(-1.7f32..1.7), role in 1usize..21) {
+        fn motion_of_the_input_is_not_clipped(v in prop::array::uniform3(-1.7f32..1.7), role in 1usize..21) {
             let rotation = exp_map::exp(Vec3::from_array(v));
             let out = applied(Role::ALL[role], rotation, rotation);
             prop_assert!(out.inv_mul(rotation).angle() < 2e-3);

@@ -1,7 +1,8 @@
 //! The mixture of autoregressive models of one frame: neighbours → classes → styles (Eq. 2–7).
 
 use super::bias::Bias;
-use super::coherence::{Expectation, HALF_LIFE_SECS, taper};
+use super::coherence::{ComplementaryFilter, HALF_LIFE_SECS, taper};
+use super::input::Input;
 use super::mixture::{class_weights, greatest_distance};
 use super::model::Model;
 use super::options::{Method, Options};
@@ -19,7 +20,7 @@ struct Component {
     classes: Vec<usize>,
     k: usize,
     neighbours: Neighbours,
-    /// How much each neighbour counts in regressions and durations.
+    /// Weight of each neighbour in regressions and durations.
     neighbour_weights: Vec<f32>,
 }
 
@@ -35,17 +36,17 @@ pub(super) struct StylePrediction {
     /// yₜ.
     pub(super) current: PoseRow,
     /// How yₜ is expected to differ from yₜ₋₁.
-    expectation: Expectation,
+    filter: ComplementaryFilter,
     /// How long the frame lasts, seconds.
     pub(super) step_secs: f32,
     /// Likelihood that each foot of the registered targets is planted.
     pub(super) contact: [f32; 2],
-    /// What predicts, if the method is one that is trained.
+    /// The trained predictor; `None` for methods without training.
     trained: Option<Trained>,
 }
 
 impl StylePrediction {
-    /// The row that a trained method predicts; `None` if the method is none.
+    /// The row that a trained method predicts; `None` for methods without training.
     fn trained_row(&mut self, model: &Model, input: Input<'_>, neighbours: &[Neighbour]) -> Option<PoseRow> {
         let trained = self.trained.as_mut()?;
         if self.started {
@@ -57,24 +58,17 @@ impl StylePrediction {
     }
 }
 
-/// The degrees of freedom of the input at t and t−1.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Input<'a> {
-    pub(super) current: &'a PoseRow,
-    pub(super) previous: &'a PoseRow,
-}
-
 /// Mixture of one stream of frames: working memory and last results.
 #[derive(Clone, Debug)]
 pub(super) struct Mixture {
     components: Vec<Component>,
     distances: Vec<f32>,
-    /// The order in which the components are searched, each after the distance that it is expected to have.
+    /// The components in the order in which they are searched, each with its expected distance.
     order: Vec<(f32, usize)>,
     weights: Vec<f32>,
     class_weights: Vec<f32>,
     active_classes: Vec<usize>,
-    /// Rows of a class's neighbours, and what they become in a style.
+    /// Rows of a class's neighbours, and their targets in a style.
     inputs: Gathered,
     targets: Gathered,
     /// Squared distances of the neighbours' inputs and outputs.
@@ -88,7 +82,7 @@ impl Mixture {
     /// For the classes that `options` allow; `None` if there are none.
     pub(super) fn new(model: &Model, options: &Options) -> Option<Self> {
         let classes: Vec<usize> = model
-            .database()
+            .catalogue()
             .classes()
             .iter()
             .enumerate()
@@ -114,8 +108,8 @@ impl Mixture {
             distances: vec![f32::INFINITY; components.len()],
             order: Vec::with_capacity(components.len()),
             weights: vec![0.0; components.len()],
-            class_weights: vec![0.0; model.database().classes().len()],
-            active_classes: Vec::with_capacity(model.database().classes().len()),
+            class_weights: vec![0.0; model.catalogue().classes().len()],
+            active_classes: Vec::with_capacity(model.catalogue().classes().len()),
             inputs: Gathered::with_capacity(options.k),
             targets: Gathered::with_capacity(options.k),
             timing_distances: [(); 2].map(|()| Vec::with_capacity(options.k)),
@@ -125,7 +119,7 @@ impl Mixture {
         })
     }
 
-    /// A prediction of a style, not started. A method that is trained beforehand is trained here.
+    /// A prediction of a style, not started. Methods with training are trained here.
     pub(super) fn prediction_of(&self, model: &Model, options: &Options, style: usize) -> StylePrediction {
         let classes: Vec<usize> = self.components.iter().flat_map(|c| c.classes.iter().copied()).collect();
         StylePrediction {
@@ -133,7 +127,7 @@ impl Mixture {
             started: false,
             previous: [0.0; ROW],
             current: [0.0; ROW],
-            expectation: Expectation::NONE,
+            filter: ComplementaryFilter::NONE,
             step_secs: 0.0,
             contact: [0.0; 2],
             trained: Trained::new(model, options, &classes, style),
@@ -149,7 +143,7 @@ impl Mixture {
                 *d = c.classes.iter().map(|&class| index.rough_distance(&query, class)).fold(f32::INFINITY, f32::min);
             }
         }
-        // The nearest of the last frame first: the sooner the least distance is known, the more can be passed over.
+        // The nearest of the last frame first: the sooner a small distance is known, the more can be skipped.
         self.order.clear();
         self.order.extend(self.distances.iter().copied().zip(0..));
         sort_pairs(&mut self.order);
@@ -191,7 +185,7 @@ impl Mixture {
             }
             let neighbours = component.neighbours.as_slice();
             for n in neighbours {
-                let class = model.database().class_of_row(n.row as usize);
+                let class = model.catalogue().class_of_row(n.row as usize);
                 self.class_weights[class] += weight / neighbours.len() as f32;
             }
         }
@@ -207,10 +201,10 @@ impl Mixture {
         input: Input<'_>,
         styles: &mut [StylePrediction],
     ) {
-        let db = model.database();
+        let db = model.catalogue();
         for s in styles.iter_mut() {
             s.current = [0.0; ROW];
-            s.expectation = Expectation::of_input(input, options.rho);
+            s.filter = ComplementaryFilter::of_input(input, options.rho);
         }
         let heaviest = self.heaviest();
         for (i, (component, &weight)) in self.components.iter().zip(&self.weights).enumerate() {
@@ -239,7 +233,7 @@ impl Mixture {
                 let row = if let Some(row) = s.trained_row(model, input, neighbours) {
                     row
                 } else if let Some(moments) = &moments {
-                    // A style that begins takes the neighbours' mean for its past.
+                    // A style that begins has no previous output: the neighbours' mean takes its place.
                     let start = if s.started {
                         s.previous
                     } else {
@@ -250,7 +244,7 @@ impl Mixture {
                     let u =
                         Regressors { previous_input: input.previous, input: input.current, previous_output: &start };
                     let Prediction { output, target_step } = predict(u, moments, samples, ridge, db.sigma(), &bias);
-                    s.expectation.add(weight, options.rho, &moments.input_step(), &target_step);
+                    s.filter.add(weight, options.rho, &moments.input_step(), &target_step);
                     output
                 } else {
                     let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
@@ -262,7 +256,7 @@ impl Mixture {
         if is_coherent(options) && heaviest.is_some() {
             let share = half_life_share(1.0 / db.rate_hz, HALF_LIFE_SECS);
             for s in styles.iter_mut().filter(|s| s.started) {
-                s.expectation.correct(&s.previous, share, &mut s.current);
+                s.filter.correct(&s.previous, share, &mut s.current);
             }
         }
     }
@@ -275,7 +269,7 @@ impl Mixture {
         input: Input<'_>,
         styles: &mut [StylePrediction],
     ) {
-        let db = model.database();
+        let db = model.catalogue();
         let frame_secs = 1.0 / db.rate_hz;
         for s in styles.iter_mut() {
             (s.step_secs, s.contact) = (0.0, [0.0; 2]);
@@ -307,7 +301,7 @@ impl Mixture {
         }
     }
 
-    /// Nearest windows by the lower-body metric within the classes that the input reads as.
+    /// Nearest windows by the lower-body metric within the active classes.
     pub(super) fn search_contacts(&mut self, model: &Model, window: &QueryWindow, k: usize, out: &mut Neighbours) {
         let query = model.index().prepare(window, Metric::LowerBody);
         model.index().nearest(&query, &self.active_classes, k, &mut self.scratch, out);
@@ -323,7 +317,7 @@ impl Mixture {
         self.heaviest().map_or(&[], |i| self.components[i].neighbours.as_slice())
     }
 
-    /// How much each of them counts in regressions and durations.
+    /// Weight of each of them in regressions and durations.
     pub(super) fn heaviest_neighbour_weights(&self) -> &[f32] {
         self.heaviest().map_or(&[], |i| self.components[i].neighbour_weights.as_slice())
     }
@@ -340,13 +334,12 @@ impl Mixture {
     }
 }
 
-/// Whether the measures of [`super::coherence`] are taken: they belong to the product, not to what it is
-/// compared with.
+/// Whether the measures of [`super::coherence`] apply: only to MAR, not to the baselines.
 fn is_coherent(options: &Options) -> bool {
     options.coherence && options.method == Method::Mar
 }
 
-/// K of a class: small classes take a quarter of their windows, so that neighbours stay near.
+/// K of a class: at most a quarter of its windows, so that neighbours stay near in small classes.
 fn class_k(options: &Options, windows: usize) -> usize {
     if windows >= 4 * options.k { options.k } else { options.k.min((windows / 4).max(5)) }
 }

@@ -1,22 +1,22 @@
-//! Mixture over classes: Eq. 3–5 and the specification, §7.
+//! Mixture over classes: Eq. 3–5 and `docs/methods/mar.md` §7.
 
 use crate::math::float_funcs::{exp, ln};
 
-/// Least of the distances, (1 mm)²: below it the measurement is noise and one class would take all.
+/// Floor of the distances, (1 mm)²: below it they are noise, and a single class would take all the weight.
 const FLOOR: f32 = 1e-6;
 
-/// Least weight before they are made to sum to 1, so that no class drops out by underflow.
-const LEAST_WEIGHT: f32 = 1e-30;
+/// Floor of the weights before normalisation, so that no class drops out by underflow.
+const MIN_WEIGHT: f32 = 1e-30;
 
 /// Fills `weights` with λⱼ ∝ exp(−Dⱼ / (δ · min D)) from the classes' mean squared neighbour distances
-/// (m²; infinite for a class that takes no part). Those below `least_weight` times the largest become zero; the
-/// rest sums to 1, or all is zero if no class takes part.
-pub fn class_weights(distances: &[f32], delta: f32, least_weight: f32, weights: &mut [f32]) {
+/// (m²; infinite for an inactive class). Those below `least_weight` times the largest become zero; the rest sums to 1,
+/// or all are zero if no class is active.
+pub(super) fn class_weights(distances: &[f32], delta: f32, least_weight: f32, weights: &mut [f32]) {
     let least = distances.iter().copied().fold(f32::INFINITY, f32::min).max(FLOOR);
     let scale = 1.0 / (delta * least);
     for (w, &d) in weights.iter_mut().zip(distances) {
         // Relative to the nearest class, whose weight is 1.
-        let weight = if d.is_finite() { exp((least - d).min(0.0) * scale).max(LEAST_WEIGHT) } else { 0.0 };
+        let weight = if d.is_finite() { exp((least - d).min(0.0) * scale).max(MIN_WEIGHT) } else { 0.0 };
         *w = if weight < least_weight { 0.0 } else { weight };
     }
     let sum: f32 = weights.iter().sum();
@@ -27,9 +27,9 @@ pub fn class_weights(distances: &[f32], delta: f32, least_weight: f32, weights: 
     }
 }
 
-/// A distance from which on [`class_weights`] are certainly zero, if the least distance is at most `least`.
+/// A distance from which on [`class_weights`] are certainly zero, if the smallest distance is at most `least`.
 pub(super) fn greatest_distance(least: f32, delta: f32, least_weight: f32) -> f32 {
-    // A thousandth is more than anything rounds by.
+    // A thousandth exceeds all rounding errors.
     1.001 * least.max(FLOOR) * (1.0 - delta * ln(least_weight))
 }
 

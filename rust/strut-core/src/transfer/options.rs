@@ -1,11 +1,11 @@
-//! Knobs of the transfer, with the reasons for their defaults.
+//! Options of the transfer, with the reasons for their defaults.
 
 use thiserror::Error;
 
 /// How the neighbours become a prediction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Method {
-    /// Mixture of autoregressive models, one a class (Eq. 2–5), with bias correction: the product.
+    /// Mixture of autoregressive models, one a class (Eq. 2–5), with bias correction: Strut's own method.
     #[default]
     Mar,
     /// One local autoregression on the K nearest of all allowed classes pooled.
@@ -15,16 +15,16 @@ pub enum Method {
     /// Inverse-distance mean of the registered targets of the K nearest of all allowed classes.
     Knn,
     /// One autoregression a degree of freedom, fitted to all rows of the allowed classes.
-    #[cfg(feature = "offline")]
+    #[cfg(feature = "baselines")]
     GlobalAr,
     /// A linear time-invariant system for each degree of freedom (Hsu, Pulli, Popović 2005).
-    #[cfg(feature = "offline")]
+    #[cfg(feature = "baselines")]
     Lti,
     /// A linear time-invariant system for the principal components of all degrees of freedom.
-    #[cfg(feature = "offline")]
+    #[cfg(feature = "baselines")]
     LtiJoint,
     /// Gaussian processes from the input to the change of pose (Ikemoto, Arikan, Forsyth 2009).
-    #[cfg(feature = "offline")]
+    #[cfg(feature = "baselines")]
     Gp,
 }
 
@@ -32,13 +32,13 @@ impl Method {
     /// The method of a command-line name.
     pub fn from_name(name: &str) -> Option<Self> {
         match name {
-            #[cfg(feature = "offline")]
+            #[cfg(feature = "baselines")]
             "gar" => Some(Self::GlobalAr),
-            #[cfg(feature = "offline")]
+            #[cfg(feature = "baselines")]
             "lti" => Some(Self::LtiJoint),
-            #[cfg(feature = "offline")]
+            #[cfg(feature = "baselines")]
             "lti-dof" => Some(Self::Lti),
-            #[cfg(feature = "offline")]
+            #[cfg(feature = "baselines")]
             "gp" => Some(Self::Gp),
             "mar" => Some(Self::Mar),
             "lar" => Some(Self::LocalAr),
@@ -49,7 +49,7 @@ impl Method {
     }
 
     /// Which trained predictor the method runs, if any.
-    #[cfg(feature = "offline")]
+    #[cfg(feature = "baselines")]
     pub(super) fn baseline(self) -> Option<crate::baselines::Baseline> {
         use crate::baselines::Baseline;
         match self {
@@ -75,15 +75,15 @@ pub struct Options {
     pub least_weight: f32,
     /// λ: ridge of the regressions as a share of K, on variables in global standard deviations.
     pub lambda: f32,
-    /// κ of Eq. 6: the input is taken as it is within μ ± κσ of its neighbours; beyond, as bias. 3 costs
-    /// nothing inside the database.
+    /// κ of Eq. 6: the part of the input beyond μ ± κσ of its neighbours is bias. With 3, input like the database's has
+    /// none.
     pub kappa: f32,
     /// ρ of Eq. 7: share of the bias that returns in the output. More keeps more of the input's own
     /// content, less gives more of the style.
     pub rho: f32,
-    /// Whether the output of [`Method::Mar`] is kept from trembling where the database does not know the input:
-    /// neighbours weigh less the farther they are, and predictions correct an expectation. Not in the paper; the
-    /// acceleration ratio outside the database falls from 1.59 to 1.24, inside nothing changes.
+    /// Whether the output of [`Method::Mar`] is smoothed where the input is unlike the database:
+    /// neighbours weigh less the farther they are, and a complementary filter smooths the predictions. Not in the paper;
+    /// the acceleration ratio outside the database falls from 1.59 to 1.24, inside nothing changes.
     pub coherence: bool,
     /// Whether output frames last as long as predicted; otherwise as long as the input's.
     pub timing: bool,
@@ -98,7 +98,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// The defaults of the specification, §1: unlabelled input, everything on.
+    /// The defaults of `docs/methods/mar.md` §1: unlabelled input, everything on.
     pub const DEFAULT: Self = Self {
         k: 40,
         delta: 0.7,
@@ -121,7 +121,7 @@ impl Default for Options {
     }
 }
 
-/// Most neighbours a class.
+/// Greatest number of neighbours a class.
 pub const MAX_K: usize = 1000;
 
 /// Why options are refused.

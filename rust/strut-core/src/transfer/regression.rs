@@ -1,20 +1,18 @@
-//! Local autoregression of one class: Eq. 2 and the specification, §6.
+//! Local autoregression of one class: Eq. 2 and `docs/methods/mar.md` §6.
 //!
 //! Each degree of freedom is predicted on its own as yₜ = uᵀβ with u = [xₜ₋₁, yₜ₋₁, xₜ, 1], β fitted
 //! by ridge to the class's neighbours. The neighbours' rows are gathered first; then four degrees of freedom at
 //! once go through all neighbours in their order, with their sums in registers.
 
 use super::bias::{Bias, InputStatistics};
-use crate::database::Rows;
+use crate::autoregression::MAX_FEEDBACK;
+use crate::catalogue::Rows;
 use crate::math::lanes::Lane;
 use crate::pose_vector::{LANES, PoseRow, ROW};
 use crate::search::Neighbour;
 
-/// Greatest weight of the previous output: more feeds errors back faster than they die out.
-pub const MAX_FEEDBACK: f32 = 0.9;
-
-/// Rows at the neighbours and just before them, in the order in which the sums need them: for four degrees of
-/// freedom after the other, of all neighbours, xₜ₋₁ and xₜ. Keeps its memory.
+/// The neighbours' rows xₜ and those before them xₜ₋₁, in the order in which the sums read them: for each lane of four
+/// degrees of freedom, [xₜ₋₁, xₜ] of all neighbours. Reuses its memory.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Gathered {
     pairs: Vec<[Lane; 2]>,
@@ -57,7 +55,7 @@ pub(super) struct InputMoments {
 }
 
 impl InputMoments {
-    /// Of the neighbours' inputs, as far as each counts.
+    /// The sums over the neighbours' inputs, with these weights.
     pub(super) fn new(inputs: &Gathered, weights: &[f32]) -> Self {
         let zero = [0.0; ROW];
         let mut moments = Self {
@@ -99,9 +97,9 @@ impl InputMoments {
 pub(super) struct Samples<'a> {
     /// x.
     pub(super) inputs: &'a Gathered,
-    /// What they become in the style: y.
+    /// Their targets in the style: y.
     pub(super) targets: &'a Gathered,
-    /// How much each of them counts: 0 to 1, not all 0.
+    /// Weight of each of them: 0 to 1, not all 0.
     pub(super) weights: &'a [f32],
 }
 
@@ -116,7 +114,7 @@ pub(super) struct Regressors<'a> {
     pub(super) previous_output: &'a PoseRow,
 }
 
-/// What the regression gives.
+/// Result of the regression.
 #[derive(Clone, Debug)]
 pub(super) struct Prediction {
     /// yₜ.
@@ -128,7 +126,8 @@ pub(super) struct Prediction {
 /// Predicts yₜ of one style from the registered target rows of the neighbours.
 ///
 /// `ridge` is λ·K (the sum of the weights stands for K) in squared standard deviations; `sigma` the global standard
-/// deviation of each degree of freedom. The bias is taken off the regressors and its share ρ put back on the result (Eq. 6–7).
+/// deviation of each degree of freedom. The bias is subtracted from the regressors and its share ρ added to the result
+/// (Eq. 6–7).
 pub(super) fn predict(
     u: Regressors<'_>,
     moments: &InputMoments,
@@ -220,7 +219,7 @@ fn means(pairs: &[[Lane; 2]], weights: &[f32]) -> [Lane; 2] {
     [before / count, at / count]
 }
 
-/// Distance below which neighbours are taken as equally near, (3 mm)².
+/// Added to distances before they are inverted, (3 mm)²: neighbours nearer than this have about equal weight.
 const SAME: f32 = 1e-5;
 
 /// Inverse-distance mean of the neighbours' values: KNN interpolation.

@@ -1,13 +1,14 @@
-//! The online stylizer: one input frame in, one styled frame out. The only place where the stages meet.
+//! The online stylizer: one input frame in, one styled frame out. Composes all stages.
 
 use super::blend::{StyleBlend, StyleError, blended};
 use super::body_part::BodyPart;
 use super::contact_likelihood::{CausalSmoother, RecentFeet, VOTERS, Votes, vote};
 use super::footplant::Footplant;
 use super::frame::{NoClock, Stage, StageClock, StyledFrame, Trace};
+use super::input::Input;
 use super::input_guard::{Admitted, InputGuard};
 use super::joint_limits::JointLimits;
-use super::mar::{Input, Mixture, StylePrediction};
+use super::mar::{Mixture, StylePrediction};
 use super::model::Model;
 use super::options::{Options, OptionsError};
 use crate::humanoid::Pose;
@@ -44,7 +45,7 @@ pub struct Stylizer {
     start: Option<Placement>,
     /// Place of the last output frame before the footplant.
     place: Option<Placement>,
-    /// Of the input's and the output's contacts.
+    /// Smoothers of the input's and of the output's contacts.
     smoothers: [CausalSmoother; 2],
     footplant: Footplant,
     frames: u64,
@@ -60,7 +61,7 @@ impl Stylizer {
         options.validate()?;
         let mixture = Mixture::new(&model, &options)
             .ok_or(OptionsError::NoClass { action: options.action, style: options.input_style })?;
-        let db = model.database();
+        let db = model.catalogue();
         let mut stylizer = Self {
             blend: StyleBlend::new(db.styles.len(), db.neutral.into()),
             parts: BodyPart::of_row(),
@@ -146,14 +147,15 @@ impl Stylizer {
         self.push_timed(pose, &mut NoClock)
     }
 
-    /// [`Stylizer::push`], telling a clock when each stage ends.
+    /// [`Stylizer::push`]; calls a clock when each stage ends.
     pub fn push_timed(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
         self.predict_frame(pose, clock);
         self.frame.contact = self.smoothers[0].push(self.frame.contact);
         self.frame.contact_out = self.smoothers[1].push(self.frame.contact_out);
         if self.options.footplant {
-            let moved_secs = self.frame_secs();
-            self.frame.planted = self.footplant.apply(&mut self.frame.pose, self.frame.contact_out, moved_secs);
+            // The first frame has no duration, and no speed is measured in it.
+            let dt_secs = if self.frame.dt_secs > 0.0 { self.frame.dt_secs } else { self.frame_secs() };
+            self.frame.planted = self.footplant.apply(&mut self.frame.pose, self.frame.contact_out, dt_secs);
         }
         clock.end(Stage::Footplant);
         &self.frame
@@ -164,10 +166,10 @@ impl Stylizer {
         &self.frame
     }
 
-    /// How the last frame came about.
+    /// How the last frame was computed.
     pub fn trace(&self) -> Trace<'_> {
         Trace {
-            db: self.model.database(),
+            catalogue: self.model.catalogue(),
             class_weights: self.mixture.class_weights(),
             neighbours: self.mixture.heaviest_neighbours(),
             neighbour_weights: self.mixture.heaviest_neighbour_weights(),
@@ -199,7 +201,7 @@ impl Stylizer {
     }
 
     fn frame_secs(&self) -> f32 {
-        1.0 / self.model.database().rate_hz
+        1.0 / self.model.catalogue().rate_hz
     }
 
     /// Everything but contact smoothing and footplant; its contacts are not smoothed yet.
@@ -227,7 +229,7 @@ impl Stylizer {
         clock.end(Stage::Blend);
 
         self.mixture.search_contacts(&model, &self.window, VOTERS, &mut self.contacts);
-        self.votes = vote(model.database(), model.index(), self.contacts.as_slice(), &self.feet);
+        self.votes = vote(model.catalogue(), self.contacts.as_slice(), &self.feet);
         self.frame.contact = self.votes.now;
         self.frame.contact_out = self.output_contact(self.frame.contact);
         clock.end(Stage::Contact);
@@ -255,14 +257,14 @@ impl Stylizer {
                 pose
             }
         };
-        let db = self.model.database();
+        let db = self.model.catalogue();
         let world = world_from_local(&db.proportions, &pose);
         self.feet.push(&world);
         let heading = self.heading.update(&world, dt);
         let at = Placement { x: pose.root.x, z: pose.root.z, heading };
         let row = db.chart.encode(&pose, heading, self.last_input.map(|(_, p)| p), dt);
         if self.window.frames() == 1 {
-            // The first frame had no velocity; the second's is the better guess than zero.
+            // The first frame had no velocity; that of the second is a better estimate than zero.
             if let Some((first, _)) = &mut self.last_input {
                 first[VELOCITY_X..].copy_from_slice(&row[VELOCITY_X..]);
             }
@@ -276,7 +278,7 @@ impl Stylizer {
         let frame_secs = self.frame_secs();
         let mut step_secs = 0.0;
         for s in &mut self.styles {
-            let finite = s.current.iter().all(|v| v.is_finite());
+            let finite = s.current.iter().chain(&s.contact).chain([&s.step_secs]).all(|v| v.is_finite());
             if !finite || !self.mixture.found_any() {
                 s.current = *input;
                 s.step_secs = frame_secs;
@@ -304,7 +306,7 @@ impl Stylizer {
             s.previous = s.current;
         }
         let frame_secs = self.frame_secs();
-        let chart = &self.model.database().chart;
+        let chart = &self.model.catalogue().chart;
         self.frame.pose = chart.decode(&row, place);
         self.limits.apply(chart, &row, input, &mut self.frame.pose);
         self.frame.dt_secs = match (first, self.options.timing) {
@@ -312,7 +314,7 @@ impl Stylizer {
             (false, true) => step_secs,
             (false, false) => frame_secs,
         };
-        self.frame.time_in_secs = self.frames as f64 / f64::from(self.model.database().rate_hz);
+        self.frame.time_in_secs = self.frames as f64 / f64::from(self.model.catalogue().rate_hz);
         self.frame.time_out_secs += f64::from(self.frame.dt_secs);
         self.frames += 1;
     }
@@ -327,7 +329,7 @@ impl Stylizer {
         std::array::from_fn(|side| 0.5 * (of_input[side] + of_targets[side].clamp(0.0, 1.0)))
     }
 
-    /// Forgets what came before, but not where the output is.
+    /// Resets everything but the place of the output.
     fn forget_input(&mut self) {
         self.heading = HeadingFilter::default();
         self.window.clear();
@@ -340,7 +342,7 @@ impl Stylizer {
     fn activate_styles(&mut self) {
         let blend = &self.blend;
         self.styles.retain(|s| blend.is_active(s.style));
-        for style in 0..self.model.database().styles.len() {
+        for style in 0..self.model.catalogue().styles.len() {
             if blend.is_active(style) && self.styles.iter().all(|s| s.style != style) {
                 self.model.target_table(style);
                 let at = self.styles.partition_point(|s| s.style < style);

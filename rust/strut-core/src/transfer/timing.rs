@@ -1,12 +1,13 @@
-//! How long an output frame lasts (specification, §9).
+//! Durations of output frames (`docs/methods/mar.md` §9).
 
-use crate::database::Rows;
+use crate::catalogue::Rows;
 use crate::math::float_funcs::exp;
 use crate::math::lanes::Lane;
 use crate::pose_vector::{LANES, PoseRow};
 use crate::search::Neighbour;
 
-/// A pose and the one before it, of the input or of the output: half of what a neighbour's duration is weighed by.
+/// A pose and the one before it, of the input or of the output; neighbours' durations are weighted by their distances
+/// from both.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moment<'a> {
     pub(super) pose: &'a PoseRow,

@@ -1,21 +1,21 @@
-//! What is wrong with a file, and where.
+//! Errors of reading and writing, with line and column.
 
 use super::{FRAME_TIME_SECS, MAX_ABS_VALUE, MAX_BYTES, MAX_CHANNELS_PER_JOINT, MAX_FRAMES, MAX_JOINTS};
 use strut_core::motion::MotionError;
 use strut_core::skeleton::SkeletonError;
 use thiserror::Error;
 
-/// Why bytes are no BVH file, or a motion does not fit one. Lines and columns (in bytes) count from 1.
+/// Why bytes are not a BVH file, or a motion does not fit one. Lines and columns (in bytes) count from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[allow(missing_docs)]
 pub enum BvhError {
     /// Above [`MAX_BYTES`].
     #[error("the file has {bytes} bytes; at most {MAX_BYTES} are supported")]
     TooManyBytes { bytes: usize },
-    /// Nothing but blanks.
+    /// Only white space.
     #[error("the file is empty; a BVH file begins with HIERARCHY")]
     Empty,
-    /// Something else than the grammar allows.
+    /// A token that the grammar does not allow.
     #[error("line {line}, column {column} has {found}; {expected} was expected")]
     Unexpected { line: usize, column: usize, found: String, expected: &'static str },
     /// A second `ROOT`.
@@ -58,10 +58,10 @@ pub enum BvhError {
     /// Text after the announced number of frames.
     #[error("line {line} comes after the last of the {announced} announced frames; the end was expected")]
     ExtraFrames { line: usize, announced: usize },
-    /// The hierarchy is no skeleton of the core.
+    /// The hierarchy is not a valid skeleton.
     #[error(transparent)]
     Skeleton(#[from] SkeletonError),
-    /// The frames are no motion of the core.
+    /// The frames are not a valid motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
     /// A motion of another hierarchy.

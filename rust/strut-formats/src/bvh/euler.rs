@@ -7,6 +7,7 @@
 
 use super::Axis;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
+use strut_core::math::float_funcs::double;
 
 /// A unit quaternion in double precision: x, y, z, w.
 pub(super) type Quat64 = [f64; 4];
@@ -18,7 +19,7 @@ const LOCK: f64 = 1e-5;
 /// The rotation of a sequence of axes with their angles in radians.
 pub(super) fn compose(axes_and_angles: impl Iterator<Item = (Axis, f64)>) -> Quat64 {
     axes_and_angles.fold([0.0, 0.0, 0.0, 1.0], |q, (axis, angle)| {
-        let (s, c) = libm::sincos(0.5 * angle);
+        let (s, c) = double::sin_cos(0.5 * angle);
         times_axis(q, axis as usize, s, c)
     })
 }
@@ -51,7 +52,7 @@ pub(super) fn decompose(q: Quat64, axes: &[Axis], previous: &[f64], angles: &mut
     let before = |n: usize| previous[used[n]];
     match count {
         0 => {}
-        1 => angles[used[0]] = nearest(2.0 * libm::atan2(q[axis(0)], q[3]), before(0)),
+        1 => angles[used[0]] = nearest(2.0 * double::atan2(q[axis(0)], q[3]), before(0)),
         2 => {
             let [a, b] = two_axes(q, [axis(0), axis(1)]);
             // The same rotation with both half-angles moved by π/2: (a + π, b + π) is another one, but
@@ -74,8 +75,8 @@ fn two_axes(q: Quat64, [i, j]: [usize; 2]) -> [f64; 2] {
     let k = 3 - i - j;
     let sign = if (j + 3 - i) % 3 == 1 { 1.0 } else { -1.0 };
     let (w, x, y, z) = (q[3], q[i], q[j], sign * q[k]);
-    let sum = libm::atan2(x + y, w - z);
-    let difference = libm::atan2(x - y, w + z);
+    let sum = double::atan2(x + y, w - z);
+    let difference = double::atan2(x - y, w + z);
     [sum + difference, sum - difference]
 }
 
@@ -90,9 +91,9 @@ fn three_axes(q: Quat64, [i, j, k]: [usize; 3], previous: [f64; 3]) -> [f64; 3] 
     // Components of R(i, α)·R(j, μ)·R(i, γ): w and i are cos μ/2 times cosine and sine of (α + γ)/2,
     // j and k are sin μ/2 times those of (α − γ)/2.
     let (a, b, c, d) = (q[3], q[i], q[j], sign * q[3 - i - j]);
-    let middle = 2.0 * libm::atan2(libm::hypot(c, d), libm::hypot(a, b));
-    let half_sum = libm::atan2(b, a);
-    let half_difference = libm::atan2(d, c);
+    let middle = 2.0 * double::atan2(double::hypot(c, d), double::hypot(a, b));
+    let half_sum = double::atan2(b, a);
+    let half_difference = double::atan2(d, c);
     let nearest_each = |angles: [f64; 3]| [0, 1, 2].map(|n| nearest(angles[n], previous[n]));
     if !(LOCK..=PI - LOCK).contains(&middle) {
         // Only the sum or only the difference counts: the third angle stays where it was.
@@ -109,7 +110,7 @@ fn three_axes(q: Quat64, [i, j, k]: [usize; 3], previous: [f64; 3]) -> [f64; 3] 
 
 /// The angle equal to `angle` modulo 2π that lies nearest to `to`.
 fn nearest(angle: f64, to: f64) -> f64 {
-    angle - TAU * libm::round((angle - to) / TAU)
+    angle - TAU * ((angle - to) / TAU).round()
 }
 
 #[cfg(test)]
@@ -165,7 +166,7 @@ mod tests {
             let axes = [first, first + second, first + second + third].map(|i| [Axis::X, Axis::Y, Axis::Z][i % 3]);
             let symmetric = axes[0] == axes[2];
             let at = |t: f64| {
-                let middle = 0.9 * libm::sin(rate[1] * t) + if symmetric { FRAC_PI_2 } else { 0.0 };
+                let middle = 0.9 * double::sin(rate[1] * t) + if symmetric { FRAC_PI_2 } else { 0.0 };
                 [rate[0] * t, middle, rate[2] * t]
             };
             let mut previous = at(0.0);

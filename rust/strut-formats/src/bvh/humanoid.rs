@@ -83,7 +83,7 @@ impl Bvh {
 
 /// A length to six decimals, all that `f32` holds.
 fn rounded(v: Vec3) -> [f64; 3] {
-    v.to_array().map(|v| libm::round(f64::from(v) * 1e6) / 1e6)
+    v.to_array().map(|v| (f64::from(v) * 1e6).round() / 1e6)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@
 //!   translation in its parent's frame and replace `OFFSET` on their axis;
 //! - names with spaces: a name is the rest of its line.
 //!
-//! Everything else is refused with a [`BvhError`] that says where and what was expected. Lengths stay in
+//! Everything else is refused with a [`BvhError`] that names the place and what was expected there. Lengths stay in
 //! the file's own unit, angles in degrees.
 
 mod error;
@@ -25,15 +25,15 @@ pub use error::BvhError;
 pub use parse::parse;
 pub use write::write;
 
-/// Most bytes a file may have: 256 MiB.
+/// Greatest size of a file, bytes: 256 MiB.
 pub const MAX_BYTES: usize = 256 << 20;
-/// Most joints a skeleton may have.
+/// Greatest number of joints of a skeleton.
 pub const MAX_JOINTS: usize = strut_core::skeleton::MAX_JOINTS;
-/// Most channels of one joint.
+/// Greatest number of channels of a joint.
 pub const MAX_CHANNELS_PER_JOINT: usize = 12;
-/// Most frames a file may have: over two hours at 120 Hz.
+/// Greatest number of frames of a file: over two hours at 120 Hz.
 pub const MAX_FRAMES: usize = 1_000_000;
-/// Most characters of a joint's name, in bytes.
+/// Greatest length of a joint's name, bytes.
 pub const MAX_NAME_BYTES: usize = 256;
 /// Largest magnitude of an offset or a channel value, in the file's length unit or degrees. Single
 /// precision is too coarse for motion beyond it.
@@ -50,7 +50,7 @@ pub enum Axis {
     Z,
 }
 
-/// What a number of a frame does to its joint.
+/// A channel: the quantity that a number of a frame sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Channel {
     /// Translation along an axis of the parent's frame, in the file's length unit.

@@ -74,7 +74,7 @@ impl Bvh {
                     return Err(BvhError::Unwritable { frame: f, joint: joint.name.clone(), value });
                 }
             }
-            values.extend(previous.iter().map(|v| libm::round(v * 1e6) / 1e6));
+            values.extend(previous.iter().map(|v| (v * 1e6).round() / 1e6));
         }
         Ok(Self {
             joints: self.joints.clone(),

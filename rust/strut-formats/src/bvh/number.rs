@@ -4,6 +4,10 @@
 //! the power of ten at most 10²², itself exact, so that one correctly rounded multiplication or division
 //! gives the nearest `f64` (Clinger, "How to Read Floating Point Numbers Accurately", 1990). Anything
 //! else goes to the standard library.
+//!
+//! `fast-float2` does the same for all decimals. On the six decimals of usual files it takes 1.5 times as long (133 ns a
+//! number against 90 ns, on one noisy machine; 2 million numbers), saves 0.7 kB of gzipped WebAssembly, and accepts "nan"
+//! and "inf", which are not valid in a file.
 
 /// Powers of ten that are exact in `f64`.
 const EXACT_POWERS: [f64; 23] = [
@@ -13,7 +17,7 @@ const EXACT_POWERS: [f64; 23] = [
 
 /// The number at the beginning of `text` and the count of bytes it takes: optional sign, digits with an
 /// optional point, optional exponent. `None` if there is none. The value is the nearest `f64`, infinite
-/// if it overflows; what follows the number is the caller's to check.
+/// if it overflows; the caller checks what follows the number.
 pub(super) fn parse_prefix(text: &[u8]) -> Option<(f64, usize)> {
     let mut at = 0;
     let negative = match text.first() {

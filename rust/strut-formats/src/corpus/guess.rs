@@ -1,25 +1,25 @@
 //! Finds the pattern that a set of file names follows.
 //!
-//! Names are cut into columns at a delimiter, folders being columns too. A column whose values are known words for
-//! actions, or for styles, is most likely that; a last column of numbers counts takes. Where no word is known, columns
-//! that vary go before those that do not, and the action before the style, as in most published sets.
+//! Names are split into columns at a delimiter, folders being columns too. A column whose values are known words for
+//! actions, or for styles, is most likely that label; a last column of numbers is the take. Where no word is known,
+//! columns that vary are preferred, and the action comes before the style, as in most published sets.
 
 use super::pattern::{Pattern, without_extension};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What names are cut at, the usual one first.
+/// Separators of the parts of a name, the usual one first.
 const DELIMITERS: [char; 4] = ['_', '-', ' ', '.'];
 /// Folders above a file that may hold a label.
 const MAX_FOLDERS: usize = 2;
 
-/// Beginnings of words for what people do; of two letters, whole words …
+/// Beginnings of words for actions; of two letters, whole words …
 const ACTIONS: [&str; 44] = [
     "walk", "run", "jog", "sprint", "jump", "hop", "leap", "skip", "kick", "punch", "box", "fight", "slash", "throw",
     "catch", "dance", "wave", "bow", "greet", "call", "respond", "turn", "sit", "stand", "idle", "crawl", "climb",
     "march", "step", "stair", "sneak", "lift", "push", "pull", "reach", "guide", "fw", "bw", "fr", "br", "sw", "sr",
     "tr1", "tr2",
 ];
-/// … and for how they do it.
+/// … and for styles.
 const STYLES: [&str; 60] = [
     "neutral",
     "normal",
@@ -83,7 +83,7 @@ const STYLES: [&str; 60] = [
     "style",
 ];
 
-/// The values of one place in every name.
+/// The values of one column of the names.
 struct Column<'a> {
     values: BTreeSet<&'a str>,
     names: usize,
@@ -109,10 +109,9 @@ impl Column<'_> {
         self.values.iter().filter(known).count() as f32 / self.values.len() as f32
     }
 
-    /// How well the column is what these words are for.
+    /// Likelihood that the column holds the label that these words are for.
     fn fits(&self, beginnings: &[&str]) -> f32 {
-        // Known words decide; then variation, but labels repeat; a name says more than a folder, which often holds a
-        // whole set.
+        // Known words decide; then variation, but labels repeat; file names before folders, which often hold a whole set.
         let varies = if self.varies() { 0.3 } else { 0.0 };
         let repeats = 0.2 * (1.0 - self.values.len() as f32 / self.names as f32);
         self.share_of(beginnings) + varies + repeats - if self.is_folder { 0.1 } else { 0.0 }
@@ -158,7 +157,7 @@ fn candidate<P: AsRef<str>>(paths: &[P], delimiter: char) -> Option<(f32, Patter
     let (score, action, style) = best?;
 
     let mut text = String::new();
-    // Folders above the first label say nothing.
+    // Folders above the first label are ignored.
     for (i, column) in columns.iter().enumerate().skip(action.min(style).min(folders)) {
         if !text.is_empty() {
             text.push(if i <= folders { '/' } else { delimiter });
@@ -226,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_guessed_matches_what_it_was_guessed_from() {
+    fn a_guessed_pattern_matches_the_names() {
         for paths in [["a/b/c.bvh", "a/d/e.bvh"], ["a_b.bvh", "c_d.bvh"], ["s/1_2_3_4.bvh", "t/1_2_3_5.bvh"]] {
             let pattern = guess_pattern(&paths).unwrap();
             for path in paths {

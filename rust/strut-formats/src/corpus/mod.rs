@@ -1,8 +1,8 @@
 //! Labelled BVH files as the clips of a build: which action, style and take a file is, and its motion on the body that
 //! all clips of a database share.
 //!
-//! The command and the page read files differently, one from a disk on all processors, the other from archives one
-//! after another. What they make of the same files is decided here, so that both give the same database.
+//! The command line reads files from disk on all processors, the page from archives one after another. Labels, order and
+//! body are decided here, so that both build the same database from the same files.
 
 mod guess;
 mod pattern;
@@ -20,14 +20,14 @@ use strut_core::motion::Motion;
 use strut_core::retarget::{BindError, Binding, to_humanoid};
 use thiserror::Error;
 
-/// What files are called unless a pattern or a table says otherwise.
+/// Default pattern of file names.
 pub const DEFAULT_PATTERN: &str = "{action}_{style}_{take}.bvh";
 /// Names of the files beside clips that hold their licence.
 pub const LICENCE_NAMES: [&str; 4] = ["LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE"];
-/// Most characters of a licence's title.
+/// Greatest length of a licence's title, characters.
 const MAX_TITLE_CHARS: usize = 100;
 
-/// A BVH file, its motion, and which of its joints are which.
+/// A BVH file, its motion, and the roles of its joints.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clip {
     /// The file.
@@ -38,13 +38,13 @@ pub struct Clip {
     pub binding: Binding,
 }
 
-/// Why bytes are no clip; both sentences are for people.
+/// Why bytes are not a clip; the messages are shown to users.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ClipError {
-    /// They are no BVH.
+    /// Not a BVH file.
     #[error(transparent)]
     Bvh(#[from] BvhError),
-    /// Its skeleton is no humanoid.
+    /// Its skeleton is not a humanoid.
     #[error(transparent)]
     Bind(#[from] BindError),
 }
@@ -73,19 +73,19 @@ impl Clip {
     }
 }
 
-/// A file and what is known of it before it is read.
+/// A file with its labels, before it is read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// Path with `/`; for a file in an archive the archive's path, then the path in it.
     pub path: String,
-    /// What it shows.
+    /// Name of the action.
     pub labels: Labels,
     /// Title of its licence, empty if unknown.
     pub licence: String,
 }
 
 impl Entry {
-    /// The clip that was read from this file, for a build. Its name is the file's until [`name_apart`] was called.
+    /// The clip read from this file, for a build, named after the file; see [`name_apart`].
     pub fn source_clip(&self, clip: &Clip, body: &Proportions) -> SourceClip {
         SourceClip {
             name: stem(&self.path).to_owned(),
@@ -100,7 +100,7 @@ impl Entry {
     }
 }
 
-/// Gives clips without a take the number that they are of their class, in the order given: that of the paths.
+/// Numbers clips without a take within their class, in the order given: that of the paths.
 pub fn count_takes<'a>(labels: impl IntoIterator<Item = &'a mut Labels>) {
     let mut counts: BTreeMap<(String, String), u32> = BTreeMap::new();
     for labels in labels {
@@ -111,7 +111,7 @@ pub fn count_takes<'a>(labels: impl IntoIterator<Item = &'a mut Labels>) {
 }
 
 /// The order in which files, given in the order of their paths, are tried for the body of the database: the skeleton of
-/// the first that can be read is the one that all clips are brought to. Those in the neutral style come first.
+/// the first readable one is that of the database. Files in the neutral style come first.
 pub fn body_order(styles: &[&str], neutral: Option<&str>) -> Vec<usize> {
     let is_neutral = |style: &str| match neutral {
         Some(name) => style == name,

@@ -4,7 +4,7 @@ use std::fmt::{self, Display};
 use std::str::FromStr;
 use thiserror::Error;
 
-/// What a file name says.
+/// Labels of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Labels {
     /// Name of the action.
@@ -18,27 +18,27 @@ pub struct Labels {
 /// Why a file has no labels.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum LabelError {
-    /// The pattern is about other names.
+    /// The name does not match the pattern.
     #[error("its name does not match '{0}'")]
     NoMatch(String),
-    /// What should be the take is no number.
+    /// The take is not a number.
     #[error("its take is '{0}'; a number was expected")]
     Take(String),
-    /// There is no pattern, and the table leaves it out.
+    /// There is no pattern, and the file is not in the table.
     #[error("it is not in the table of labels")]
     NotListed,
 }
 
-/// Why a text is no pattern.
+/// Why a text is not a valid pattern.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum PatternError {
-    /// A field that does not end.
+    /// A field without closing brace.
     #[error("a '{{' has no '}}'")]
     Unclosed,
-    /// Nothing tells where the field before ends.
+    /// Two fields without text between them.
     #[error("'{{{0}}}' follows another field; text between them was expected")]
     Adjacent(String),
-    /// A label is missing or there twice.
+    /// A label is missing or occurs twice.
     #[error("'{{{0}}}' was expected once, as in '{{action}}_{{style}}_{{take}}.bvh'")]
     NotOnce(&'static str),
 }
@@ -114,7 +114,7 @@ impl Pattern {
     /// The labels of a file.
     ///
     /// # Errors
-    /// If its name is none that the pattern is about.
+    /// If its name does not match the pattern.
     pub fn labels(&self, path: &str) -> Result<Labels, LabelError> {
         let no_match = || LabelError::NoMatch(self.text.clone());
         let mut rest = tail(without_extension(path), self.slashes);

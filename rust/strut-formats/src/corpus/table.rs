@@ -36,7 +36,7 @@ pub enum TableError {
         /// Columns of the header.
         expected: u64,
     },
-    /// No UTF-8.
+    /// Not UTF-8.
     #[error("line {0} is not UTF-8 text")]
     NotText(u64),
     /// An empty cell.
@@ -47,12 +47,12 @@ pub enum TableError {
         /// The column's name.
         column: &'static str,
     },
-    /// A take that is no number.
+    /// A take that is not a number.
     #[error("line {line}: {error}")]
     Take {
         /// Line in the file, from 1.
         line: u64,
-        /// What is wrong with it.
+        /// The reason.
         error: LabelError,
     },
     /// A row does not name one input.
@@ -62,10 +62,10 @@ pub enum TableError {
         line: u64,
         /// Name in the row.
         file: String,
-        /// What is wrong with it.
+        /// The reason.
         fault: &'static str,
     },
-    /// It is no CSV.
+    /// Not a CSV file.
     #[error("{0}")]
     Csv(String),
 }
@@ -102,8 +102,8 @@ impl Table {
     }
 }
 
-/// The labels of every path, or why it has none. The table, whose rows must each name one of the paths, goes before the
-/// pattern.
+/// The labels of every path, or why it has none. The table, each of whose rows must name exactly one of the paths, takes
+/// precedence over the pattern.
 ///
 /// # Errors
 /// If a row of the table names no input, several, or one that another row names.

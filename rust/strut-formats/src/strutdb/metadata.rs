@@ -1,5 +1,6 @@
-//! What the file says in JSON.
+//! The metadata of a database file.
 
+use crate::container;
 use serde::{Deserialize, Serialize};
 use strut_core::database::Database;
 use strut_core::humanoid::{JOINTS, Proportions, Role};
@@ -12,7 +13,7 @@ use strut_core::search::Plan;
 pub struct Metadata {
     /// Version of the format, major.minor; a reader refuses another major version.
     pub version: String,
-    /// CRC-32 of the file; see the [module documentation](super).
+    /// CRC-32 of the file; see [`container`].
     pub checksum: String,
     /// Program and version that wrote the file.
     pub generator: String,
@@ -83,8 +84,8 @@ impl Metadata {
             licence: c.licence.clone(),
         });
         Self {
-            version: super::VERSION.to_owned(),
-            checksum: super::checksum::BLANK.to_owned(),
+            version: super::KIND.version.to_owned(),
+            checksum: container::BLANK.to_owned(),
             generator: generator.to_owned(),
             rate_hz: db.rate_hz,
             skeleton: SkeletonInfo::of(&db.proportions),

@@ -1,7 +1,7 @@
-//! A database and a few motions in a tenth of the bytes: what the page loads of the built-in motions.
+//! A database and a few motions in a tenth of the bytes: the format in which the page loads the built-in motions.
 //!
-//! What follows from something else is left out (point clouds from rows), numbers become multiples of a step, and
-//! columns become second differences, most of which are small. The bytes are meant to be deflated on their way:
+//! Derived data are left out (point clouds follow from rows), numbers become multiples of a step, and columns become
+//! second differences, most of which are small. The file is meant to be sent deflated:
 //!
 //! | Bytes | Content |
 //! | --- | --- |
@@ -19,14 +19,15 @@
 //! 0.09 mm, none of the built-in inputs by more than 0.11 mm.
 
 use super::metadata::Metadata;
-use super::{StrutdbError, VERSION, read};
+use super::{KIND, StrutdbError, read};
+use crate::container::ContainerError;
 use serde::{Deserialize, Serialize};
 use strut_core::database::{Database, DatabaseParts, MAX_COUNTERPARTS, MAX_FRAMES};
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions};
 use strut_core::math::{Quat, Vec3, exp_map};
 use strut_core::pose_vector::{DOFS, Placement, PoseChart, PoseRow, ROW, point_cloud};
 
-/// How packed motions begin.
+/// First bytes of packed motions.
 pub const MAGIC: [u8; 8] = *b"strutpk1";
 /// Step of rotations, radians, of lengths, metres, and of their rates a second.
 pub const STEP: f32 = 1.0 / 16_384.0;
@@ -40,7 +41,7 @@ pub const ROW_STEP: f32 = 1.0 / 256.0;
 /// Columns of an input: the root and a rotation vector a joint.
 const INPUT_COLUMNS: usize = 3 + 3 * JOINTS;
 
-/// What is said in JSON.
+/// The header, in JSON.
 #[derive(Serialize, Deserialize)]
 struct Header {
     /// As in a `.strutdb`; there is no checksum.
@@ -58,7 +59,7 @@ struct InputInfo {
     frames: usize,
 }
 
-/// A motion with a name for people.
+/// A motion with a display name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedMotion {
     /// For example "neutral walk".
@@ -173,14 +174,16 @@ pub fn read_database(bytes: &[u8]) -> Result<Database, StrutdbError> {
     Ok(Database::new(parts)?)
 }
 
-/// The header and what comes after it.
+/// The header and the columns after it.
 fn open(bytes: &[u8]) -> Result<(Header, Columns<'_>), StrutdbError> {
     let rest = bytes.strip_prefix(&MAGIC).ok_or(StrutdbError::NotPacked)?;
-    let (length, rest) = rest.split_first_chunk::<4>().ok_or(StrutdbError::Length)?;
-    let (json, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize).ok_or(StrutdbError::Length)?;
-    let header: Header = serde_json::from_slice(json).map_err(|e| StrutdbError::Metadata(e.to_string()))?;
-    if header.database.version != VERSION {
-        return Err(StrutdbError::Version { found: header.database.version.chars().take(20).collect() });
+    let (length, rest) = rest.split_first_chunk::<4>().ok_or(ContainerError::Length)?;
+    let (json, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize).ok_or(ContainerError::Length)?;
+    let header: Header =
+        serde_json::from_slice(json).map_err(|e| ContainerError::Metadata { kind: KIND, reason: e.to_string() })?;
+    if header.database.version != KIND.version {
+        let found = header.database.version.chars().take(20).collect();
+        return Err(ContainerError::Version { kind: KIND, found }.into());
     }
     Ok((header, Columns { rest }))
 }
@@ -226,19 +229,19 @@ fn write_column(file: &mut Vec<u8>, step: f32, values: impl Iterator<Item = f32>
     }
 }
 
-/// Columns that are still to be read.
+/// Columns not yet read.
 struct Columns<'a> {
     rest: &'a [u8],
 }
 
 impl Columns<'_> {
-    /// Refuses to make room for more numbers than there can be: each has a byte at least.
-    fn expect(&self, numbers: usize) -> Result<(), StrutdbError> {
-        if numbers > self.rest.len() { Err(StrutdbError::Length) } else { Ok(()) }
+    /// Refuses to allocate for more numbers than the remaining bytes can hold, at least one byte each.
+    fn expect(&self, numbers: usize) -> Result<(), ContainerError> {
+        if numbers > self.rest.len() { Err(ContainerError::Length) } else { Ok(()) }
     }
 
     /// The next column of `n` numbers.
-    fn column(&mut self, n: usize, step: f32) -> Result<impl Iterator<Item = f32> + use<>, StrutdbError> {
+    fn column(&mut self, n: usize, step: f32) -> Result<impl Iterator<Item = f32> + use<>, ContainerError> {
         self.expect(n)?;
         let mut numbers = Vec::with_capacity(n);
         let [mut before, mut last] = [0_i32; 2];
@@ -252,8 +255,8 @@ impl Columns<'_> {
         Ok(numbers.into_iter())
     }
 
-    /// The next `columns` columns as `n` rows; what a row has beyond them is zero.
-    fn rows<const R: usize>(&mut self, n: usize, columns: usize, step: f32) -> Result<Vec<[f32; R]>, StrutdbError> {
+    /// The next `columns` columns as `n` rows; the padding of rows is zero.
+    fn rows<const R: usize>(&mut self, n: usize, columns: usize, step: f32) -> Result<Vec<[f32; R]>, ContainerError> {
         self.expect(n.saturating_mul(columns))?;
         let mut rows = vec![[0.0; R]; n];
         for c in 0..columns {
@@ -262,21 +265,21 @@ impl Columns<'_> {
         Ok(rows)
     }
 
-    fn skip(&mut self, n: usize, columns: usize) -> Result<(), StrutdbError> {
+    fn skip(&mut self, n: usize, columns: usize) -> Result<(), ContainerError> {
         (0..n.min(MAX_FRAMES) * columns).try_for_each(|_| self.number().map(drop))
     }
 
     /// One number in LEB128, of at most 32 bits.
-    fn number(&mut self) -> Result<u32, StrutdbError> {
+    fn number(&mut self) -> Result<u32, ContainerError> {
         let mut number = 0;
         for shift in (0..32).step_by(7) {
-            let (&byte, rest) = self.rest.split_first().ok_or(StrutdbError::Length)?;
+            let (&byte, rest) = self.rest.split_first().ok_or(ContainerError::Length)?;
             self.rest = rest;
             number |= u32::from(byte & 0x7F) << shift;
             if byte < 0x80 {
                 return Ok(number);
             }
         }
-        Err(StrutdbError::Length)
+        Err(ContainerError::Length)
     }
 }

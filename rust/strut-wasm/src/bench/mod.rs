@@ -8,14 +8,14 @@ pub use naive::Naive;
 pub use workload::Workload;
 
 use crate::database::Database;
-use crate::error::EngineError;
-use crate::poses::poses_of;
 use crate::stylizer::Stylizer;
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
 use strut_core::pose_vector::{HeadingFilter, Placement};
 use strut_core::search::{JOINT_WEIGHTS, Metric, Neighbours, QueryWindow, Scratch};
 use strut_core::transfer::{Options, Stage, StageClock};
+use strut_wasm_common::EngineError;
+use strut_wasm_common::poses_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
@@ -72,7 +72,7 @@ pub fn leg_joints() -> Vec<usize> {
 /// If the array is not a whole number of poses.
 #[wasm_bindgen(js_name = rowsOf)]
 pub fn rows_of(database: &Database, poses: &[f32]) -> Result<Vec<f32>, EngineError> {
-    let db = database.model().database();
+    let db = database.model().catalogue();
     let dt = 1.0 / db.rate_hz;
     let (mut filter, mut previous) = (HeadingFilter::default(), None);
     let row = |pose: strut_core::humanoid::Pose| {
@@ -90,7 +90,7 @@ pub fn rows_of(database: &Database, poses: &[f32]) -> Result<Vec<f32>, EngineErr
 /// If the array is not a whole number of poses.
 #[wasm_bindgen(js_name = positionsOf)]
 pub fn positions_of(database: &Database, poses: &[f32]) -> Result<Vec<f32>, EngineError> {
-    let proportions = &database.model().database().proportions;
+    let proportions = &database.model().catalogue().proportions;
     let positions = |pose| world_from_local(proportions, &pose).positions;
     Ok(poses_of(poses)?.flat_map(positions).flat_map(|p: Vec3| p.to_array()).collect())
 }
@@ -122,12 +122,12 @@ impl Stylizer {
         Ok(clock.stages_ms.to_vec())
     }
 
-    /// What was predicted for a style in the last frame: its degrees of freedom; empty if it has no weight.
+    /// Degrees of freedom predicted for a style in the last frame; empty if it has no weight.
     pub fn predicted(&self, style: usize) -> Vec<f32> {
         self.core().predicted_row(style).map(|row| row.to_vec()).unwrap_or_default()
     }
 
-    /// What the last frame says of its time and feet: its duration, seconds, and the likelihood that the left and the right
+    /// Duration of the last frame, seconds, and the likelihood that the left and the right
     /// foot of the input is planted, before it is smoothed.
     #[wasm_bindgen(js_name = stepAndContacts)]
     pub fn step_and_contacts(&self) -> Vec<f32> {
@@ -141,7 +141,7 @@ impl Stylizer {
     /// If the array is not a whole number of poses.
     #[wasm_bindgen(js_name = neighboursIn)]
     pub fn neighbours_in(&self, class: usize, k: usize, poses: &[f32]) -> Result<Vec<u32>, EngineError> {
-        let (db, index) = (self.core().model().database(), self.core().model().index());
+        let (db, index) = (self.core().model().catalogue(), self.core().model().index());
         let (mut window, mut filter) = (QueryWindow::new(index.window_length()), HeadingFilter::default());
         for pose in poses_of(poses)? {
             window.follow(&pose, &db.proportions, db.rate_hz, &mut filter);

@@ -4,14 +4,16 @@
 //! No index, no lanes, no thought of memory. `bench/naive.ts` is the same in plain JavaScript.
 #![allow(clippy::needless_range_loop)] // The loops of the formulas.
 
-use crate::error::EngineError;
-use strut_core::database::{Database, TargetTable};
+use strut_core::autoregression::MAX_FEEDBACK;
+use strut_core::catalogue::{Catalogue, TargetTable};
+use strut_core::database::Database;
 use strut_core::humanoid::JOINTS;
 use strut_core::math::float_funcs::{exp, half_life_share, sin_cos};
 use strut_core::pose_vector::{DOFS, HEADING_RATE, Placement, PoseRow, ROW};
 use strut_core::search::{JOINT_WEIGHTS, WINDOW};
-use strut_core::transfer::{MAX_FEEDBACK, Options};
+use strut_core::transfer::Options;
 use strut_formats::strutdb;
+use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Points of a frame; the first of them are those of the legs, and the last four of those of the feet.
@@ -94,7 +96,7 @@ impl Naive {
             windows[db.class_of_row(clip.first_frame)].push(row as u32);
         }
         let nearest = vec![Vec::new(); windows.len()];
-        let table = TargetTable::build(&db, style);
+        let table = TargetTable::build(&Catalogue::new(db.clone()), style);
         let targets = (0..db.frames()).map(|row| table.pose.get(row)).collect();
         let (step_secs, step_sigma, weights) = (table.step_secs, step_deviation(&db), Vec::new());
         Ok(Self { db, targets, step_secs, step_sigma, points, norms, windows, nearest, weights })
@@ -140,7 +142,7 @@ impl Naive {
                 let mut difference = 0.0;
                 for point in [side, side + 2] {
                     let [height, speed] = [0, 1].map(|i| feet[point][i] - input[point][i]);
-                    difference += (height / SAME_HEIGHT).powi(2) + (speed / SAME_SPEED).powi(2);
+                    difference += square(height / SAME_HEIGHT) + square(speed / SAME_SPEED);
                 }
                 let voice = 1.0 / (difference + SAME);
                 voices[side] += voice;
@@ -237,15 +239,15 @@ impl Naive {
             let (first, last) = (nearest[0].distance, nearest[nearest.len() - 1].distance);
             let mut squares = Vec::new();
             for row in nearest.iter().map(|n| n.row as usize) {
-                let mut square = 0.0;
+                let mut sum = 0.0;
                 for (rows, now, before) in [(&self.db.pose, x, x_before), (&self.targets, y, y_before)] {
                     for d in 0..DOFS {
                         let pose = now[d] - rows[row][d];
                         let step = pose - (before[d] - rows[row - 1][d]);
-                        square += (pose / self.db.sigma()[d]).powi(2) + (step / self.step_sigma[d]).powi(2);
+                        sum += square(pose / self.db.sigma()[d]) + square(step / self.step_sigma[d]);
                     }
                 }
-                squares.push(square);
+                squares.push(sum);
             }
             let bandwidth = squares.iter().map(|s: &f32| s.sqrt()).sum::<f32>() / squares.len() as f32;
             let least = squares.iter().copied().fold(f32::INFINITY, f32::min);
@@ -377,4 +379,8 @@ fn solve(mut m: [[f32; 4]; 3]) -> [f32; 3] {
     let feedback = (m[2][3] / m[2][2]).clamp(-MAX_FEEDBACK, MAX_FEEDBACK);
     let second = (m[1][3] - m[1][2] * feedback) / m[1][1];
     [(m[0][3] - m[0][2] * feedback - m[0][1] * second) / m[0][0], second, feedback]
+}
+
+fn square(x: f32) -> f32 {
+    x * x
 }

@@ -1,13 +1,14 @@
 //! Handle of a database and of motion that it does not hold.
 
-use crate::error::EngineError;
-use crate::poses::floats_of;
 use strut_core::database::Database;
+use strut_core::search::Index;
 use strut_demo::benchmark::{self, Query};
 use strut_formats::strutdb;
+use strut_wasm_common::EngineError;
+use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// What is measured on.
+/// A database and motion to measure on.
 #[wasm_bindgen]
 pub struct Workload {
     database: Database,
@@ -38,7 +39,7 @@ impl Workload {
 
     /// The database as a `.strutdb` file.
     pub fn database(&self) -> Vec<u8> {
-        strutdb::write(&self.database, concat!("strut ", env!("CARGO_PKG_VERSION")))
+        strutdb::write(&self.database, &Index::build(&self.database).plan(), strut_formats::GENERATOR)
     }
 
     /// Number of queries.

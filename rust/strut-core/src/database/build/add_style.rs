@@ -1,20 +1,21 @@
 //! A style from one clip: the clip joins a database as a style of its own.
 
 use super::prepare::{encode, headings};
-use super::{MIN_CLIP_FRAMES, Refusal, SourceClip};
-use crate::database::{Class, Clip, Database, DatabaseError, DatabaseParts, MAX_COUNTERPARTS};
+use super::report::Refusal;
+use super::source::{MIN_CLIP_FRAMES, SourceClip};
+use crate::database::{Class, Clip, Database, DatabaseError, DatabaseParts};
 use crate::parallel::ParallelMap;
-use crate::registration::{self, Addition, Counterparts, Example, Job, time_steps};
+use crate::registration::{self, Addition, Counterparts, Example, Job, MAX_COUNTERPARTS, time_steps};
 use thiserror::Error;
 
 /// Clips that fit an action cost less to warp to it (squared feature distance a frame). With the built-in database
 /// recorded walks cost 75 to 166 and runs 118 to 189, a jump of three strides 215, walking backwards 325 to 355.
-const MOST_COST: f32 = 200.0;
+const MAX_COST: f32 = 200.0;
 
-/// Least length of a clip, seconds. A shorter piece of a walk fits somewhere in the actions that are done once.
-const LEAST_SECS: f32 = 1.0;
+/// Minimum length of a clip, seconds. A shorter piece of a walk would fit part of any non-cyclic action.
+const MIN_SECS: f32 = 1.0;
 
-/// What became of a clip.
+/// A database with a new style.
 #[derive(Clone, Debug)]
 pub struct AddedStyle {
     /// The database with the clip as its last style.
@@ -25,7 +26,7 @@ pub struct AddedStyle {
     pub cost: f32,
 }
 
-/// Why a clip is no style of a database.
+/// Why a clip cannot become a style of a database.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AddStyleError {
     /// The database has a style of this name.
@@ -35,17 +36,17 @@ pub enum AddStyleError {
     #[error(transparent)]
     Clip(#[from] Refusal),
     /// It is too short to show an action.
-    #[error("it lasts {0:.1} s; an action from its beginning to its end, of at least {LEAST_SECS:.1} s, was expected")]
+    #[error("it lasts {0:.1} s; an action from its beginning to its end, of at least {MIN_SECS:.1} s, was expected")]
     Brief(f32),
-    /// It shows none of the actions; why it does not show the nearest one.
+    /// It shows none of the actions; with the reason for the most similar one.
     #[error("it fits none of the database's actions ({actions}): {reason}")]
     NoAction {
         /// Names of the actions.
         actions: String,
-        /// Why the first of them was not it.
+        /// Why it was refused for that action.
         reason: Refusal,
     },
-    /// It is unlike what the database shows.
+    /// It is unlike all actions of the database.
     #[error("it fits none of the database's actions ({actions}): it moves too differently from all of them")]
     Unlike {
         /// Names of the actions.
@@ -57,8 +58,8 @@ pub enum AddStyleError {
 }
 
 /// Adds a clip as a style of its own. It is registered with the clips of the action that it fits best, in the time that
-/// one clip takes; the correspondence of all others stays as it is. The clip's `action` and `script` are not looked at,
-/// its motion is on the database's proportions.
+/// one clip takes; the correspondence of all others is kept. The clip's `action` and `script` are ignored; its motion is
+/// on the database's proportions.
 ///
 /// # Errors
 /// See [`AddStyleError`].
@@ -73,7 +74,7 @@ pub fn add_style(
     }
     let example = example_of(db, clip)?;
     let secs = example.frames() as f32 / db.rate_hz;
-    if secs < LEAST_SECS {
+    if secs < MIN_SECS {
         return Err(AddStyleError::Brief(secs));
     }
     let options =
@@ -82,7 +83,7 @@ pub fn add_style(
     let mut refusal = None;
     for action in 0..db.actions.len() as u16 {
         let mut examples: Vec<Example> = clips_of(db, action).map(|i| existing(db, &db.clips[i])).collect();
-        // Without a neutral clip of the action there is no timeline to be brought to.
+        // Without a neutral clip of the action there is no canonical timeline.
         if !db.clips.iter().any(|c| c.action == action && c.style == db.neutral) {
             continue;
         }
@@ -97,7 +98,7 @@ pub fn add_style(
     }
     let actions = || db.actions.join(", ");
     match best {
-        Some((_, found)) if found.cost > MOST_COST => Err(AddStyleError::Unlike { actions: actions() }),
+        Some((_, found)) if found.cost > MAX_COST => Err(AddStyleError::Unlike { actions: actions() }),
         Some((action, found)) => {
             let cost = found.cost;
             let database = Database::new(joined(db, clip, action, &example, &found))?;
@@ -122,7 +123,7 @@ fn example_of(db: &Database, clip: &SourceClip) -> Result<Example, Refusal> {
     if let Some(frame) = motion.poses.iter().position(|p| !p.is_finite()) {
         return Err(Refusal::NotFinite(frame));
     }
-    let motion = motion.resampled(db.rate_hz);
+    let motion = motion.resampled(db.rate_hz)?;
     if motion.poses.len() < MIN_CLIP_FRAMES {
         return Err(Refusal::TooShort(motion.poses.len()));
     }
@@ -214,7 +215,7 @@ fn insert<T: Clone>(all: &mut Vec<T>, at: usize, new: &[T]) {
     all.splice(at..at, new.iter().cloned());
 }
 
-/// Canonical times of the clip's frames: those of the neutral rows that show the same.
+/// Canonical times of the clip's frames: those of their neutral counterparts.
 fn canonical_times(db: &Database, neutral: &[Vec<f32>]) -> Vec<f32> {
     let at =
         |frame: &Vec<f32>| frame.iter().find(|row| **row >= 0.0).map(|row| db.canonical_time[row.round() as usize]);
@@ -227,7 +228,7 @@ fn canonical_times(db: &Database, neutral: &[Vec<f32>]) -> Vec<f32> {
 }
 
 /// Seconds of the clip per canonical frame: its pace through the neutral rows, and theirs through canonical time.
-/// Counterparts that give way to others between two frames tell nothing about pace.
+/// Where counterparts change between two frames, the pace is unknown.
 fn durations(db: &Database, neutral: &[Vec<f32>]) -> Vec<f32> {
     /// Fastest pace through the rows of another clip, frames a frame.
     const FASTEST: f32 = 10.0;

@@ -1,7 +1,8 @@
 //! From registered clips to the tensors of a database.
 
+use super::options::BuildOptions;
 use super::prepare::Labels;
-use super::{BuildOptions, SourceClip};
+use super::source::SourceClip;
 use crate::database::{Clip, DatabaseParts};
 use crate::pose_vector::PoseChart;
 use crate::registration::{self, Counterpart, Example, Registered};
@@ -12,7 +13,7 @@ pub(super) struct Kept {
     /// Index into the sorted source clips.
     source: usize,
     example: Example,
-    /// Counterparts name kept clips.
+    /// Counterparts refer to kept clips.
     registered: Registered,
 }
 
@@ -42,7 +43,7 @@ pub(super) fn keep(
     }
 }
 
-/// The database's parts. Labels that no clip is left with are dropped.
+/// The database's parts. Labels without clips are dropped.
 pub(super) fn parts<C: Borrow<SourceClip>>(
     clips: &[C],
     kept: &[Kept],
@@ -104,7 +105,7 @@ pub(super) fn parts<C: Borrow<SourceClip>>(
                     c.map_or(-1.0, |c| {
                         let target = &kept[c.example as usize].example;
                         let row = first_rows[c.example as usize] as f32;
-                        // The sum is rounded to f32: keep it from leaving the clip.
+                        // The sum is rounded to f32 and might leave the clip.
                         (row + c.frame).min(row + (target.frames() - 1) as f32)
                     })
                 }));

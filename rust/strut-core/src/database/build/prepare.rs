@@ -1,8 +1,12 @@
-//! From labelled clips to what registration and the database need of them.
+//! From labelled clips to the data that registration and the database need.
 
-use super::{BuildError, BuildOptions, MIN_CLIP_FRAMES, Refusal, SourceClip};
+use super::error::BuildError;
+use super::options::BuildOptions;
+use super::report::Refusal;
+use super::source::{MIN_CLIP_FRAMES, SourceClip};
 use crate::contact;
 use crate::humanoid::HumanoidMotion;
+use crate::incremental::IncrementalJob;
 use crate::kinematics::world_from_local;
 use crate::parallel::ParallelMap;
 use crate::pose_vector::{
@@ -12,9 +16,9 @@ use crate::registration::Example;
 use std::borrow::Borrow;
 use std::collections::BTreeSet;
 
-/// Clips handed to the executor at a time: between two batches other things can be done.
+/// Clips per batch; a step of the job is one batch.
 const BATCH: usize = 24;
-/// The chart's means are taken over at most about this many neutral poses: more change nothing.
+/// The chart's means are computed from about this many neutral poses at most; more would change nothing.
 const CHART_POSES: usize = 4096;
 
 /// Names of styles and actions in order, and the neutral style.
@@ -24,8 +28,9 @@ pub(super) struct Labels {
     pub(super) neutral: u16,
 }
 
-/// What [`Preparation::finish`] makes of the clips.
-pub(super) struct Prepared {
+/// The output of a [`Preparation`].
+pub(super) struct Prepared<C> {
+    pub(super) clips: Vec<C>,
     pub(super) labels: Labels,
     pub(super) chart: PoseChart,
     /// One entry a clip, in the clips' order.
@@ -38,41 +43,47 @@ struct Resampled {
     script: Option<(u32, Vec<f32>)>,
 }
 
-/// Clips checked and resampled so far.
-#[derive(Default)]
-pub(super) struct Preparation {
+/// Checks, resamples and encodes clips.
+pub(super) struct Preparation<C> {
+    clips: Vec<C>,
+    options: BuildOptions,
+    /// Of the clips so far.
     resampled: Vec<Result<Resampled, Refusal>>,
 }
 
-impl Preparation {
-    /// Number of clips that are done.
-    pub(super) fn done(&self) -> usize {
-        self.resampled.len()
+impl<C> Preparation<C> {
+    /// The preparation of these clips.
+    pub(super) fn new(clips: Vec<C>, options: BuildOptions) -> Self {
+        Self { clips, options, resampled: Vec::new() }
     }
 
-    /// Checks and resamples a few more clips; whether there were any left.
-    pub(super) fn step<C: Borrow<SourceClip> + Sync>(
-        &mut self,
-        clips: &[C],
-        options: &BuildOptions,
-        executor: &impl ParallelMap,
-    ) -> bool {
-        let from = self.resampled.len().min(clips.len());
-        let batch = &clips[from..clips.len().min(from + BATCH)];
-        let one = |i: usize| resample(batch[i].borrow(), clips[0].borrow(), options.rate_hz);
-        self.resampled.extend(executor.map(batch.len(), &one));
-        !batch.is_empty()
+    /// The clips.
+    pub(super) fn clips(&self) -> &[C] {
+        &self.clips
+    }
+}
+
+impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Preparation<C> {
+    /// Number of clips that are resampled.
+    type Progress = usize;
+    type Output = Prepared<C>;
+    type Error = BuildError;
+
+    /// Checks and resamples a batch of clips.
+    fn step(&mut self, executor: &impl ParallelMap) -> Result<Option<usize>, BuildError> {
+        let from = self.resampled.len().min(self.clips.len());
+        let batch = &self.clips[from..self.clips.len().min(from + BATCH)];
+        let one = |i: usize| resample(batch[i].borrow(), self.clips[0].borrow(), self.options.rate_hz);
+        let resampled = executor.map(batch.len(), &one);
+        let any = !resampled.is_empty();
+        self.resampled.extend(resampled);
+        Ok(any.then_some(self.resampled.len()))
     }
 
-    /// Encodes all clips, once [`Preparation::step`] has nothing left.
-    pub(super) fn finish<C: Borrow<SourceClip> + Sync>(
-        self,
-        clips: &[C],
-        options: &BuildOptions,
-        executor: &impl ParallelMap,
-    ) -> Result<Prepared, BuildError> {
-        let Self { resampled } = self;
-        let labels = labels(clips, &resampled, options)?;
+    /// Encodes all clips.
+    fn conclude(self, executor: &impl ParallelMap) -> Result<Prepared<C>, BuildError> {
+        let Self { clips, options, resampled } = self;
+        let labels = labels(&clips, &resampled, &options)?;
         let neutral_clips = || {
             clips.iter().zip(&resampled).filter_map(|(c, r)| {
                 let r = r.as_ref().ok()?;
@@ -89,7 +100,7 @@ impl Preparation {
                 |r: &Resampled| Example { script: r.script.clone(), ..encode(&r.motion, &r.headings, style, &chart) };
             resampled[i].as_ref().map(encoded).map_err(Clone::clone)
         });
-        Ok(Prepared { labels, chart, examples })
+        Ok(Prepared { clips, labels, chart, examples })
     }
 }
 
@@ -104,6 +115,7 @@ fn resample(clip: &SourceClip, first: &SourceClip, rate_hz: f32) -> Result<Resam
     if let Some(frame) = motion.poses.iter().position(|p| !p.is_finite()) {
         return Err(Refusal::NotFinite(frame));
     }
+    motion.frames_at(rate_hz)?;
     let script = match &clip.script {
         None => None,
         Some(script) => {
@@ -117,7 +129,7 @@ fn resample(clip: &SourceClip, first: &SourceClip, rate_hz: f32) -> Result<Resam
             Some((script.id, resampled_times(times, motion.rate_hz, rate_hz)))
         }
     };
-    let motion = motion.resampled(rate_hz);
+    let motion = motion.resampled(rate_hz)?;
     if motion.poses.len() < MIN_CLIP_FRAMES {
         return Err(Refusal::TooShort(motion.poses.len()));
     }
@@ -156,7 +168,7 @@ pub(crate) fn encode(motion: &HumanoidMotion, headings: &[f32], style: u16, char
         previous = Some(Placement { x: p.root.x, z: p.root.z, heading });
     }
     if pose.len() > 1 {
-        // Nothing comes before the first frame; standing still would be a false observation.
+        // The first frame has no predecessor; zero velocity would be a false observation.
         for d in [VELOCITY_X, VELOCITY_Z, HEADING_RATE] {
             pose[0][d] = pose[1][d];
         }

@@ -1,9 +1,10 @@
-//! What a build did with each clip, for people and for the command line's JSON.
+//! Report of a build on each clip, for messages and for the command line's JSON.
 
+use crate::humanoid::TooManyFrames;
 use crate::registration::{self, FaultyCycle};
 use thiserror::Error;
 
-/// What became of the clips of a build.
+/// Results of a build by clip and action.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildReport {
     /// One entry an action that entered the database, in the database's order.
@@ -37,7 +38,7 @@ pub struct ActionReport {
     pub canonical_frames: f32,
 }
 
-/// What became of one clip.
+/// Result for one clip.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClipReport {
     /// Name of the clip.
@@ -74,8 +75,11 @@ pub enum Refusal {
     /// The rate is no positive number of frames per second.
     #[error("its rate is {0} Hz; a positive number was expected")]
     Rate(f32),
+    /// Too many frames at the database's rate.
+    #[error(transparent)]
+    TooLong(#[from] TooManyFrames),
     /// Too few frames at the database's rate.
-    #[error("it has only {0} frames; at least {min} are needed", min = super::MIN_CLIP_FRAMES)]
+    #[error("it has only {0} frames; at least {min} are needed", min = super::source::MIN_CLIP_FRAMES)]
     TooShort(usize),
     /// Other bone lengths than the first clip: clips must be retargeted to common proportions first.
     #[error("its bone lengths differ from those of the first clip")]

@@ -1,8 +1,12 @@
 use super::*;
-use crate::humanoid::{Pose, Proportions, Role};
+use crate::catalogue::{Catalogue, TargetTable};
+use crate::database::Database;
+use crate::humanoid::{HumanoidMotion, Pose, Proportions, Role};
 use crate::math::Quat;
 use crate::math::float_funcs::{cos, sin};
-use crate::parallel::Sequential;
+use crate::parallel::{ParallelMap, Sequential};
+use crate::registration;
+use std::ops::ControlFlow;
 
 fn clip(action: &str, style: &str, take: u32, motion: HumanoidMotion) -> SourceClip {
     SourceClip {
@@ -91,8 +95,9 @@ fn a_style_added_later_has_nearly_the_counterparts_that_a_build_gives_it() {
     // What every row becomes in the new style, and what the new style's rows become in every other.
     let style = found.style_index("weary").unwrap();
     let new_rows = found.clips[found.clips.len() - 1].rows();
+    let catalogues = [found, &whole].map(|db| Catalogue::new(db.clone()));
     for to in 0..found.styles.len() as u16 {
-        let [a, b] = [found, &whole].map(|db| crate::database::TargetTable::build(db, to));
+        let [a, b] = catalogues.each_ref().map(|catalogue| TargetTable::build(catalogue, to));
         for row in 0..found.frames() {
             if to != style && !new_rows.contains(&row) {
                 continue;
@@ -243,7 +248,7 @@ fn a_gait_is_registered_cycle_by_cycle() {
         }
     }
     // A step of a neutral frame takes 1.2 times as long in the old style.
-    let old = crate::database::TargetTable::build(&db, 1);
+    let old = TargetTable::build(&Catalogue::new(db.clone()), 1);
     let neutral_rows = db.classes()[0].rows.clone();
     let mean = old.step_secs[neutral_rows.clone()].iter().sum::<f32>() / neutral_rows.len() as f32;
     assert!((mean * 60.0 - 1.2).abs() < 0.02, "{mean}");
@@ -308,7 +313,7 @@ fn every_warp_method_registers_a_gait() {
             ..BuildOptions::default()
         };
         let (db, _) = build(&two_styles(), &options, &Sequential, &mut quiet).unwrap();
-        let old = crate::database::TargetTable::build(&db, 1);
+        let old = TargetTable::build(&Catalogue::new(db.clone()), 1);
         let rows = db.classes()[0].rows.clone();
         let mean = old.step_secs[rows.clone()].iter().sum::<f32>() / rows.len() as f32;
         assert!((mean * 60.0 - 1.2).abs() < 0.03, "{warp:?}: {mean}");
@@ -363,7 +368,7 @@ fn standing_of_different_length_is_not_stretched_onto_the_motion() {
 }
 
 #[test]
-#[cfg(feature = "offline")]
+#[cfg(feature = "baselines")]
 fn a_clip_unlike_the_others_has_the_greatest_residual() {
     let mut clips = two_styles();
     for (f, pose) in clips[0].motion.poses.iter_mut().enumerate() {

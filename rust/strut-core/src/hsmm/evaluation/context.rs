@@ -1,9 +1,11 @@
-//! Which contexts of a step deserve a model of their own: a tree by minimum description length (specification, §7).
+//! Context clustering of steps: a decision tree by minimum description length (`docs/methods/hsmm.md` §7).
 
 use super::shared_of;
 use crate::hsmm::features::Track;
-use crate::hsmm::model::{DIMS, Part, Row, SIDES, STATES, WalkModel};
-use crate::hsmm::training::{Sample, Sums, states, states_of};
+use crate::hsmm::model::{SIDES, STATES, Stream, WalkModel};
+use crate::hsmm::statistics::{Sample, Statistics, states, states_of};
+use crate::math::float_funcs::double;
+use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 use std::f64::consts::TAU;
 
 /// Where a step stands in its clip: first, second, last but one, last, or another.
@@ -31,14 +33,14 @@ pub struct Split {
     pub gain: f64,
 }
 
-/// What a tree of contexts came to.
+/// The result of context clustering.
 #[derive(Clone, Debug)]
 pub struct ContextTree {
     /// In the order of growth.
     pub splits: Vec<Split>,
     /// The greatest gain of a question that was not worth its cost.
     pub rejected: f64,
-    /// What a split costs: half the parameters that it adds, times the logarithm of the number of frames, twice.
+    /// Description length of a split: half the parameters that it adds, times the logarithm of the number of frames, twice.
     pub cost: f64,
 }
 
@@ -46,11 +48,11 @@ impl ContextTree {
     /// Grown on walks with the numbers of their styles. Style-free frames have their style's mean pose taken off.
     pub fn grow(model: &WalkModel, walks: &[(usize, &Track)], style_free: bool) -> Self {
         let shared = shared_of(model);
-        let mut sums: Vec<Sums> = (0..POSITIONS).map(|_| Sums::zero()).collect();
+        let mut sums: Vec<Statistics> = (0..POSITIONS).map(|_| Statistics::zero()).collect();
         for &(style, track) in walks {
             let sample = Sample::new(style, track, &model.reference);
             let states = states_of(&model.means[style], &shared);
-            let offset = if style_free { mean_pose(model, style) } else { [0.0; DIMS] };
+            let offset = if style_free { mean_pose(model, style) } else { [0.0; ROTATION_DIMS] };
             for (i, step) in sample.steps.iter().enumerate() {
                 let from_end = sample.steps.len() - 1 - i;
                 let position = match (i, from_end) {
@@ -64,20 +66,20 @@ impl ContextTree {
                 let mut frames = sample.observations[step.frames.clone()].to_vec();
                 let Some((durations, _)) = states[side].align(&frames) else { continue };
                 for frame in &mut frames {
-                    frame[Part::Pose as usize].iter_mut().zip(&offset).for_each(|(x, offset)| *x -= offset);
+                    frame[Stream::Static as usize].iter_mut().zip(&offset).for_each(|(x, offset)| *x -= offset);
                 }
                 sums[position].add(side, &frames, &durations);
             }
         }
         let frames: f64 = sums.iter().flat_map(|s| s.frames.as_flattened()).sum();
-        let cost = (STATES * 3 * DIMS) as f64 * frames.max(1.0).ln();
+        let cost = (STATES * 3 * ROTATION_DIMS) as f64 * double::ln(frames.max(1.0));
         let mut tree = Self { splits: Vec::new(), rejected: 0.0, cost };
         tree.part(&sums, [true; CONTEXTS]);
         tree
     }
 
     /// Parts contexts by the question that gains most, as long as it is worth its cost.
-    fn part(&mut self, sums: &[Sums], contexts: [bool; CONTEXTS]) {
+    fn part(&mut self, sums: &[Statistics], contexts: [bool; CONTEXTS]) {
         let whole = likelihood(sums, &contexts);
         let parts = QUESTIONS.iter().filter_map(|&(question, positions)| {
             let yes =
@@ -99,16 +101,16 @@ impl ContextTree {
 }
 
 /// Log-likelihood of the frames of some contexts by one model of theirs.
-fn likelihood(sums: &[Sums], contexts: &[bool; CONTEXTS]) -> f64 {
+fn likelihood(sums: &[Statistics], contexts: &[bool; CONTEXTS]) -> f64 {
     (0..STATES)
         .map(|state| {
             let of = || (0..CONTEXTS).filter(|&i| contexts[i]).map(|i| (&sums[i % POSITIONS], i / POSITIONS));
             let frames: f64 = of().map(|(sums, side)| sums.frames[side][state]).sum();
-            let dims = (0..3 * DIMS).map(|d| {
+            let dims = (0..3 * ROTATION_DIMS).map(|d| {
                 let sum: f64 = of().map(|(sums, side)| sums.values[side][state].as_flattened()[d]).sum();
                 let squares: f64 = of().map(|(sums, side)| sums.squares[side][state].as_flattened()[d]).sum();
                 let variance = (squares / frames - (sum / frames) * (sum / frames)).max(1e-9);
-                (TAU * variance).ln() + 1.0
+                double::ln(TAU * variance) + 1.0
             });
             if frames > 0.0 { -0.5 * frames * dims.sum::<f64>() } else { 0.0 }
         })
@@ -116,8 +118,8 @@ fn likelihood(sums: &[Sums], contexts: &[bool; CONTEXTS]) -> f64 {
 }
 
 /// The mean of a style's states.
-fn mean_pose(model: &WalkModel, style: usize) -> Row {
-    let pose = Part::Pose as usize;
+fn mean_pose(model: &WalkModel, style: usize) -> RotationRow {
+    let pose = Stream::Static as usize;
     let count = (SIDES * STATES) as f64;
     std::array::from_fn(|d| states().map(|(side, state)| model.means[style].means[side][state][pose][d] / count).sum())
 }

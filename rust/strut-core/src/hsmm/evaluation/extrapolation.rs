@@ -1,10 +1,11 @@
-//! How styles bear being weakened, exaggerated and negated (specification, §10).
+//! Robustness of styles to weakening, exaggeration and negation (`docs/methods/hsmm.md` §10).
 
 use crate::hsmm::features::row_of;
-use crate::hsmm::model::{DIMS, Row, SIDES, STATES, WalkModel};
-use crate::hsmm::walker::{WalkVoices, Walker, WeightsError};
+use crate::hsmm::model::{SIDES, STATES, WalkModel};
+use crate::hsmm::walker::{RuntimeWalkModel, Walker, WeightsError};
 use crate::humanoid::Role;
 use crate::math::{Vec3, exp_map};
+use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 use std::sync::Arc;
 
 /// Steps that are watched.
@@ -22,7 +23,7 @@ const MOST_WRONG_FOOT: f64 = 0.15;
 /// How a style at an intensity is walked.
 #[derive(Clone, Copy, Debug)]
 pub struct Bearing {
-    /// Whether it is no walk of a body, by any of the specification's four signs.
+    /// Whether the walk fails by any of the four criteria of `docs/methods/hsmm.md` §10.
     pub fails: bool,
     /// Least angle of a knee, degrees; negative is bent the wrong way.
     pub knee: f64,
@@ -34,12 +35,12 @@ pub struct Bearing {
 /// See [`WeightsError`].
 pub fn bearing(
     model: &WalkModel,
-    voices: &Arc<WalkVoices>,
+    runtime: &Arc<RuntimeWalkModel>,
     style: usize,
     intensity: f32,
     limits: bool,
 ) -> Result<Bearing, WeightsError> {
-    let mut walker = walker(voices, style, intensity)?;
+    let mut walker = walker(runtime, style, intensity)?;
     walker.set_limits(limits);
     walker.reset(Vec3::ZERO, 0.0);
     let (mut frames, mut beyond, mut wrong_foot, mut knee) = (0_usize, 0_usize, 0_usize, f64::INFINITY);
@@ -48,19 +49,19 @@ pub fn bearing(
         let row = row_of(&model.reference, &pose.rotations);
         frames += 1;
         let outside = |d: &usize| row[*d] < model.range[0][*d] - BEYOND || row[*d] > model.range[1][*d] + BEYOND;
-        beyond += (0..DIMS).filter(outside).count();
+        beyond += (0..ROTATION_DIMS).filter(outside).count();
         for role in [Role::LeftLowerLeg, Role::RightLowerLeg] {
             knee = knee.min(f64::from(exp_map::log(pose.rotations[role.index()]).x.to_degrees()));
         }
         let supporting = walker.step().1.other() as usize;
         wrong_foot += usize::from(walker.contact().is_some_and(|(foot, ..)| foot != supporting));
     }
-    let mut weights = vec![0.0; voices.styles()];
+    let mut weights = vec![0.0; runtime.styles()];
     weights[style] = f64::from(intensity);
     let durations = model.mix(&model.average(), &weights).durations;
     let shortest = durations.as_flattened().iter().copied().fold(f64::INFINITY, f64::min);
     let share = |count: usize, of: usize| count as f64 / of as f64;
-    let fails = share(beyond, frames * DIMS) > MOST_BEYOND
+    let fails = share(beyond, frames * ROTATION_DIMS) > MOST_BEYOND
         || knee < LEAST_KNEE
         || (!limits && shortest < SHORTEST)
         || share(wrong_foot, frames) > MOST_WRONG_FOOT;
@@ -74,14 +75,14 @@ pub fn bearing(
 /// See [`WeightsError`].
 pub fn strengths(
     model: &WalkModel,
-    voices: &Arc<WalkVoices>,
+    runtime: &Arc<RuntimeWalkModel>,
     style: usize,
     intensities: &[f32],
     steps: u64,
 ) -> Result<Vec<f64>, WeightsError> {
-    let at = |intensity: f32| mean_poses(model, voices, style, intensity, steps);
+    let at = |intensity: f32| mean_poses(model, runtime, style, intensity, steps);
     let (average, whole) = (at(0.0)?, at(1.0)?);
-    let along = |poses: &[Row]| -> f64 {
+    let along = |poses: &[RotationRow]| -> f64 {
         let all = poses.as_flattened().iter().zip(average.as_flattened()).zip(whole.as_flattened());
         all.map(|((pose, average), whole)| (pose - average) * (whole - average)).sum()
     };
@@ -91,13 +92,13 @@ pub fn strengths(
 /// Mean pose of every state of a walk.
 fn mean_poses(
     model: &WalkModel,
-    voices: &Arc<WalkVoices>,
+    runtime: &Arc<RuntimeWalkModel>,
     style: usize,
     intensity: f32,
     steps: u64,
-) -> Result<Vec<Row>, WeightsError> {
-    let mut walker = walker(voices, style, intensity)?;
-    let (mut sums, mut frames) = ([[0.0; DIMS]; SIDES * STATES], [0.0; SIDES * STATES]);
+) -> Result<Vec<RotationRow>, WeightsError> {
+    let mut walker = walker(runtime, style, intensity)?;
+    let (mut sums, mut frames) = ([[0.0; ROTATION_DIMS]; SIDES * STATES], [0.0; SIDES * STATES]);
     while walker.next_step() < steps {
         let row = row_of(&model.reference, &walker.advance().rotations);
         let state = walker.step().1 as usize * STATES + walker.state();
@@ -107,11 +108,11 @@ fn mean_poses(
     Ok(sums.iter().zip(frames).map(|(sum, frames)| sum.map(|v| v / f64::max(frames, 1.0))).collect())
 }
 
-/// Somebody who walks in a style at an intensity against the average.
-fn walker(voices: &Arc<WalkVoices>, style: usize, intensity: f32) -> Result<Walker, WeightsError> {
-    let mut weights = vec![0.0; voices.styles()];
+/// A walker in a style at an intensity relative to the average.
+fn walker(runtime: &Arc<RuntimeWalkModel>, style: usize, intensity: f32) -> Result<Walker, WeightsError> {
+    let mut weights = vec![0.0; runtime.styles()];
     weights[style] = intensity;
-    let mut walker = Walker::new(Arc::clone(voices));
+    let mut walker = Walker::new(Arc::clone(runtime));
     walker.set_styles(&weights)?;
     walker.reset(Vec3::ZERO, 0.0);
     Ok(walker)

@@ -1,9 +1,9 @@
-//! What looking ahead no farther than the horizon costs.
+//! Error caused by the finite look-ahead.
 
 use super::shared_of;
 use crate::hsmm::model::WalkModel;
 use crate::hsmm::refinement::generate;
-use crate::hsmm::walker::{WalkVoices, Walker, WeightsError};
+use crate::hsmm::walker::{RuntimeWalkModel, Walker, WeightsError};
 use crate::humanoid::JOINTS;
 use crate::math::Vec3;
 use std::sync::Arc;
@@ -16,10 +16,14 @@ const ENDS: usize = 30;
 ///
 /// # Errors
 /// See [`WeightsError`].
-pub fn horizon_error(model: &WalkModel, voices: &Arc<WalkVoices>, style: usize) -> Result<[f64; 2], WeightsError> {
-    let mut weights = vec![0.0; voices.styles()];
+pub fn horizon_error(
+    model: &WalkModel,
+    runtime: &Arc<RuntimeWalkModel>,
+    style: usize,
+) -> Result<[f64; 2], WeightsError> {
+    let mut weights = vec![0.0; runtime.styles()];
     weights[style] = 1.0;
-    let mut walker = Walker::new(Arc::clone(voices));
+    let mut walker = Walker::new(Arc::clone(runtime));
     walker.set_styles(&weights)?;
     walker.set_limits(false);
     walker.reset(Vec3::ZERO, 0.0);

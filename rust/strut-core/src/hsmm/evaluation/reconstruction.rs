@@ -1,14 +1,15 @@
-//! Recorded walks beside the model's, and the styles that their steps are taken for.
+//! Reconstruction error of recorded walks, and recognition of their styles.
 
 use super::shared_of;
 use crate::hsmm::features::Track;
-use crate::hsmm::model::{DIMS, Row, WalkModel};
+use crate::hsmm::model::WalkModel;
 use crate::hsmm::refinement::{chains, generate};
+use crate::hsmm::statistics::{Sample, states_of};
 use crate::hsmm::steps::Step;
-use crate::hsmm::training::{Sample, states_of};
 use crate::humanoid::{JOINTS, Pose, Role};
 use crate::kinematics::world_from_local;
 use crate::math::Vec3;
+use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 
 /// Frames of recorded walks beside the model's, whose states last as long as is likeliest for the recording.
 #[derive(Clone, Debug, Default)]
@@ -52,7 +53,7 @@ impl Reconstruction {
                 self.centimetres += f64::from(distances.sum::<f32>()) / JOINTS as f64;
             }
             for (sum, rows) in self.deviations.iter_mut().zip([&generated[..], recorded]) {
-                *sum += rows.len() as f64 * (0..DIMS).map(|d| deviation(rows, d)).sum::<f64>();
+                *sum += rows.len() as f64 * (0..ROTATION_DIMS).map(|d| deviation(rows, d)).sum::<f64>();
             }
         }
     }
@@ -90,7 +91,7 @@ pub fn recognise(model: &WalkModel, track: &Track) -> Vec<usize> {
     sample.steps.iter().filter_map(of_step).collect()
 }
 
-fn deviation(rows: &[Row], d: usize) -> f64 {
+fn deviation(rows: &[RotationRow], d: usize) -> f64 {
     let mean = rows.iter().map(|row| row[d]).sum::<f64>() / rows.len() as f64;
     (rows.iter().map(|row| (row[d] - mean) * (row[d] - mean)).sum::<f64>() / rows.len() as f64).sqrt()
 }

@@ -1,10 +1,11 @@
-//! How abruptly the joints move while one style gives way to another.
+//! Peak joint accelerations during style transitions.
 
 use crate::hsmm::features::row_of;
-use crate::hsmm::model::{DIMS, Row, SIDES, WalkModel};
-use crate::hsmm::walker::{WalkVoices, Walker, WeightsError};
+use crate::hsmm::model::{SIDES, WalkModel};
+use crate::hsmm::walker::{RuntimeWalkModel, Walker, WeightsError};
 use crate::humanoid::JOINTS;
 use crate::math::Vec3;
+use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -30,26 +31,30 @@ pub struct Peaks {
 /// See [`WeightsError`].
 pub fn transition_peaks(
     model: &WalkModel,
-    voices: &Arc<WalkVoices>,
+    runtime: &Arc<RuntimeWalkModel>,
     [from, to]: [&[f32]; 2],
     between: u32,
 ) -> Result<Peaks, WeightsError> {
     let begin = SETTLING + STEADY;
     let end = begin + u64::from(between) + 1;
-    let mut walker = walker(voices, from)?;
+    let mut walker = walker(runtime, from)?;
     walker.plan_transition(begin, between, [to; SIDES])?;
     let mut watched = Watched::default();
     watched.walk(model, &mut walker, end + SETTLING + STEADY);
     Ok(watched.peaks(&(begin - 1..end + 1), &[SETTLING..begin - 1, end + SETTLING..end + SETTLING + STEADY]))
 }
 
-/// [`Peaks`] of one who stops, stands and goes again.
+/// [`Peaks`] of a walk that stops, stands and starts again.
 ///
 /// # Errors
 /// See [`WeightsError`].
-pub fn stopping_peaks(model: &WalkModel, voices: &Arc<WalkVoices>, weights: &[f32]) -> Result<Peaks, WeightsError> {
+pub fn stopping_peaks(
+    model: &WalkModel,
+    runtime: &Arc<RuntimeWalkModel>,
+    weights: &[f32],
+) -> Result<Peaks, WeightsError> {
     let begin = SETTLING + STEADY;
-    let mut walker = walker(voices, weights)?;
+    let mut walker = walker(runtime, weights)?;
     let mut watched = Watched::default();
     watched.walk(model, &mut walker, begin);
     walker.set_walking(false);
@@ -60,8 +65,8 @@ pub fn stopping_peaks(model: &WalkModel, voices: &Arc<WalkVoices>, weights: &[f3
     Ok(watched.peaks(&(begin - 1..begin + 2 * SETTLING), &[steady]))
 }
 
-fn walker(voices: &Arc<WalkVoices>, weights: &[f32]) -> Result<Walker, WeightsError> {
-    let mut walker = Walker::new(Arc::clone(voices));
+fn walker(runtime: &Arc<RuntimeWalkModel>, weights: &[f32]) -> Result<Walker, WeightsError> {
+    let mut walker = Walker::new(Arc::clone(runtime));
     walker.set_styles(weights)?;
     walker.reset(Vec3::ZERO, 0.0);
     Ok(walker)
@@ -70,7 +75,7 @@ fn walker(voices: &Arc<WalkVoices>, weights: &[f32]) -> Result<Walker, WeightsEr
 /// The frames of a walk with the numbers of their steps.
 #[derive(Default)]
 struct Watched {
-    rows: Vec<Row>,
+    rows: Vec<RotationRow>,
     steps: Vec<u64>,
 }
 
@@ -102,7 +107,7 @@ impl Watched {
         let of_all = |i: usize| most(&mut joints.iter().map(|peaks| peaks[i]));
         Peaks {
             joint: most(&mut joints.iter().map(|[changing, steady]| changing / steady)),
-            freedom: most(&mut (0..DIMS).map(|d| both(d..d + 1)).map(|[changing, steady]| changing / steady)),
+            freedom: most(&mut (0..ROTATION_DIMS).map(|d| both(d..d + 1)).map(|[changing, steady]| changing / steady)),
             greatest: of_all(0) / of_all(1),
         }
     }

@@ -1,4 +1,4 @@
-//! What can be wanted of somebody who walks.
+//! User controls of a [`Walker`].
 
 use super::Walker;
 use super::planner::{Start, Tempo, Transition, Weights};
@@ -15,7 +15,7 @@ pub const STRIDE: [f32; 2] = [0.6, 1.3];
 /// Greatest weight of a style, either way.
 pub const MAX_WEIGHT: f32 = 5.0;
 
-/// Why weights are none.
+/// Why style weights are refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum WeightsError {
     /// There is not one a style.
@@ -32,7 +32,7 @@ pub enum WeightsError {
 }
 
 impl Walker {
-    /// Styles of both feet's steps from the next frame on; what weights lack to a sum of 1 is the average's. Transitions that
+    /// Styles of both feet's steps from the next frame on; the remainder of the weights to a sum of 1 belongs to the average. Transitions that
     /// were planned are forgotten.
     ///
     /// # Errors
@@ -128,7 +128,7 @@ impl Walker {
     }
 
     fn check(&self, weights: &[f32]) -> Result<(), WeightsError> {
-        let styles = self.voices.styles.len();
+        let styles = self.runtime.styles.len();
         if weights.len() != styles {
             return Err(WeightsError::Count { found: weights.len(), styles });
         }

@@ -1,4 +1,4 @@
-//! How long the states of a step last: as the styles that are mixed say, within what can be walked.
+//! State durations of a step: mixed from the styles, within plausible limits.
 
 use crate::hsmm::joint_range::saturating;
 use crate::hsmm::model::STATES;

@@ -1,11 +1,13 @@
-//! The steps to come, as they are wanted: styles mixed, and states that last as long as they shall.
+//! Planning of the coming steps: mixed means and state durations.
 
-use super::HORIZON;
 use super::durations::{Durations, STATE_FRAMES, lasting};
-use super::voice::{PADDED, StateMeans, WalkVoices, swing};
+use super::runtime_model::{PADDED, RuntimeWalkModel, StateMeans, swing};
 use crate::hsmm::model::{SIDES, STATES, Side};
+use crate::math::random::SplitMix64;
 use std::sync::Arc;
 
+/// Look-ahead of the synthesis, frames: with them the trajectory is within 0.1° of that of the whole walk on average.
+pub const HORIZON: usize = 20;
 /// Steps that may begin within the horizon, and the one before.
 const PLANNED: usize = HORIZON / STATES + 2;
 /// Steps that starting and stopping take.
@@ -28,7 +30,7 @@ pub(super) struct Transition {
 }
 
 impl Transition {
-    /// How far a state is on the way, by its middle. The specification has one share a step; with one a state the joints'
+    /// Progress of the transition in the middle of a state, 0 to 1. With one share a state instead of one a step the joints'
     /// greatest acceleration is lower, by a fifth where it is highest.
     fn share(&self, step: u64, state: usize) -> f32 {
         let Some(steps) = step.checked_sub(self.first) else { return 0.0 };
@@ -86,20 +88,20 @@ pub(super) struct PlannedStep {
     pub(super) durations: Durations,
 }
 
-/// Plans steps by what is wanted of them.
+/// Plans the coming steps from the controls.
 #[derive(Clone, Debug)]
 pub(super) struct Planner {
-    voices: Arc<WalkVoices>,
+    runtime: Arc<RuntimeWalkModel>,
     pub(super) weights: Weights,
     /// In the order of their first steps.
     pub(super) transitions: Vec<Transition>,
-    /// What the durations of states are drawn by; without it they are the means.
+    /// Seed for sampled durations; `None` uses the means.
     pub(super) seed: Option<u32>,
     pub(super) tempo: Option<Tempo>,
     /// Length of steps as a share of the style's.
     pub(super) stride: f32,
     pub(super) start: Start,
-    /// Whether durations are held within what recorded walkers keep to.
+    /// Whether durations are limited to the range of the recorded walks.
     pub(super) limits: bool,
     /// A ring: the step of number n is in slot n mod the length.
     steps: Vec<PlannedStep>,
@@ -107,9 +109,9 @@ pub(super) struct Planner {
 
 impl Planner {
     /// Of steps as the average of all styles has them.
-    pub(super) fn new(voices: Arc<WalkVoices>) -> Self {
-        let none = Weights([(); SIDES].map(|()| vec![0.0; voices.styles.len()]));
-        let step = PlannedStep { number: u64::MAX, means: voices.average.means[0], durations: [0.0; STATES] };
+    pub(super) fn new(runtime: Arc<RuntimeWalkModel>) -> Self {
+        let none = Weights([(); SIDES].map(|()| vec![0.0; runtime.styles.len()]));
+        let step = PlannedStep { number: u64::MAX, means: runtime.average.means[0], durations: [0.0; STATES] };
         Self {
             weights: none,
             transitions: Vec::new(),
@@ -119,7 +121,7 @@ impl Planner {
             start: Start { first: 0, from: 1.0, to: 1.0 },
             limits: true,
             steps: vec![step; PLANNED],
-            voices,
+            runtime,
         }
     }
 
@@ -128,7 +130,7 @@ impl Planner {
         &self.steps[slot_of(number)]
     }
 
-    /// Forgets what is planned: something else is wanted.
+    /// Discards the plan, after a control has changed.
     pub(super) fn forget(&mut self) {
         self.steps.iter_mut().for_each(|step| step.number = u64::MAX);
     }
@@ -148,7 +150,7 @@ impl Planner {
             return;
         }
         let side = side_of(number) as usize;
-        let voices = &*self.voices;
+        let runtime = &*self.runtime;
         let weight = |style: usize, state: usize| {
             self.transitions.iter().fold(self.weights.0[side][style], |from, t| {
                 let share = t.share(number, state);
@@ -159,20 +161,20 @@ impl Planner {
         step.number = number;
         for (state, means) in step.means.iter_mut().enumerate() {
             *means = [[0.0; PADDED]; 3];
-            let mixed = voices.mixed(|style| weight(style, state));
+            let mixed = runtime.mixed(|style| weight(style, state));
             let mut standing = [0.0; PADDED];
-            for (weight, voice) in mixed.clone() {
+            for (weight, runtime_style) in mixed.clone() {
                 let sums = means.as_flattened_mut().iter_mut();
-                sums.zip(voice.means[side][state].as_flattened()).for_each(|(sum, v)| *sum += weight * v);
-                standing.iter_mut().zip(voice.standing).for_each(|(sum, v)| *sum += weight * v);
+                sums.zip(runtime_style.means[side][state].as_flattened()).for_each(|(sum, v)| *sum += weight * v);
+                standing.iter_mut().zip(runtime_style.standing).for_each(|(sum, v)| *sum += weight * v);
             }
             let walking = self.start.share(number, state);
             if walking < 1.0 || self.stride != 1.0 {
                 swing(means, &standing, walking, self.stride);
             }
-            step.durations[state] = voices.durations_of(mixed, side, self.limits)[state];
+            step.durations[state] = runtime.durations_of(mixed, side, self.limits)[state];
         }
-        let variances = &voices.duration_variances[side];
+        let variances = &runtime.duration_variances[side];
         if let Some(seed) = self.seed {
             for (state, duration) in step.durations.iter_mut().enumerate() {
                 *duration += variances[state].sqrt() * normal(seed, number, state);
@@ -198,14 +200,7 @@ fn slot_of(step: u64) -> usize {
 
 /// A number of a normal distribution that is always the same for a state of a step: the sum of twelve even ones.
 fn normal(seed: u32, step: u64, state: usize) -> f32 {
-    let mut bits = u64::from(seed) << 32 ^ (step * STATES as u64 + state as u64);
-    let even = (0..12).map(|_| {
-        // SplitMix64.
-        bits = bits.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = bits;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 40) as f32 / (1 << 24) as f32
-    });
+    let mut random = SplitMix64::new(u64::from(seed) << 32 ^ (step * STATES as u64 + state as u64));
+    let even = (0..12).map(|_| (random.next_u64() >> 40) as f32 / (1 << 24) as f32);
     even.sum::<f32>() - 6.0
 }

@@ -1,9 +1,9 @@
 //! The stages together, on the synthetic walks.
 
 use super::*;
+use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ, Walk, database, walk};
 use crate::humanoid::Role;
 use crate::math::Vec3;
-use crate::transfer::sine_walk::{BENT, Gait, NEUTRAL, RATE_HZ, Walk, database, walk};
 use crate::transfer::{Method, ground_clearance};
 
 fn model() -> Arc<Model> {
@@ -56,7 +56,7 @@ fn skipped_classes_would_have_changed_nothing() {
         for pose in &input {
             let pose = s.push(pose).pose;
             classes += s.trace().class_weights.iter().filter(|w| **w > 0.0).count();
-            frames.push(world_from_local(&model.database().proportions, &pose).positions);
+            frames.push(world_from_local(&model.catalogue().proportions, &pose).positions);
         }
         (frames, classes)
     };
@@ -77,13 +77,13 @@ fn every_method_styles() {
         Method::LocalAr,
         Method::NearestNeighbour,
         Method::Knn,
-        #[cfg(feature = "offline")]
+        #[cfg(feature = "baselines")]
         Method::GlobalAr,
-        #[cfg(feature = "offline")]
+        #[cfg(feature = "baselines")]
         Method::Lti,
-        #[cfg(feature = "offline")]
+        #[cfg(feature = "baselines")]
         Method::LtiJoint,
-        #[cfg(feature = "offline")]
+        #[cfg(feature = "baselines")]
         Method::Gp,
     ];
     for method in methods {
@@ -100,7 +100,7 @@ fn every_method_styles() {
 }
 
 /// A trained method keeps its memory in the stylizer and learns nothing new on the way.
-#[cfg(feature = "offline")]
+#[cfg(feature = "baselines")]
 #[test]
 fn trained_methods_give_the_same_bits_and_allocate_nothing() {
     let input = unseen_walk();
@@ -238,8 +238,8 @@ fn the_same_input_gives_the_same_bits_and_reset_forgets() {
 fn feet_neither_slide_nor_sink() {
     let model = model();
     let frames = run(&mut stylizer(&model, 1.0), &unseen_walk().poses);
-    let db = model.database();
-    let soles = crate::transfer::Soles::new(&db.proportions);
+    let db = model.catalogue();
+    let soles = crate::kinematics::Soles::new(&db.proportions);
     let (mut travel, mut secs) = (0.0, 0.0);
     for w in frames[10..].windows(2) {
         let worlds = [0, 1].map(|i| world_from_local(&db.proportions, &w[i].pose));
@@ -320,7 +320,7 @@ fn labels_restrict_the_classes_one_by_one() {
         for (i, pose) in input.poses.iter().enumerate() {
             let frame = *s.push(pose);
             lean += if i < 60 { 0.0 } else { chest_lean(&frame) / 180.0 };
-            for (class, &weight) in model.database().classes().iter().zip(s.trace().class_weights) {
+            for (class, &weight) in model.catalogue().classes().iter().zip(s.trace().class_weights) {
                 let allowed = action.is_none_or(|a| a == class.action) && input_style.is_none_or(|x| x == class.style);
                 assert!(allowed || weight == 0.0, "{action:?} {input_style:?}: {class:?} weighs {weight}");
             }
@@ -394,7 +394,39 @@ fn sparse_data_and_foreign_input_do_not_diverge() {
         for (frame, pose) in frames.iter().zip(&input.poses) {
             let pairs = frame.pose.rotations.iter().zip(&pose.rotations).skip(1);
             let apart = pairs.map(|(a, b)| a.inv_mul(*b).angle()).fold(0.0, f32::max);
-            assert!(frame.pose.is_finite() && apart < 2.5, "{bent}: {apart} rad from the input");
+            // 1.27 rad was measured.
+            assert!(frame.pose.is_finite() && apart < 1.5, "{bent}: {apart} rad from the input");
         }
+    }
+}
+
+/// The online footplant measures speeds in the time of the output, which the style stretches.
+#[test]
+fn the_footplant_runs_in_output_time() {
+    let model = model();
+    let input = unseen_walk();
+    let planted = run(&mut stylizer(&model, 1.0), &input.poses);
+    let mut unplanted = Stylizer::new(Arc::clone(&model), Options { footplant: false, ..Options::DEFAULT }).unwrap();
+    unplanted.set_styles(&[0.0, 1.0]).unwrap();
+    let mut footplant = Footplant::new(model.catalogue().proportions);
+    for (frame, pose) in planted.iter().zip(&input.poses) {
+        let mut expected = *unplanted.push(pose);
+        let dt_secs = if expected.dt_secs > 0.0 { expected.dt_secs } else { 1.0 / RATE_HZ };
+        expected.planted = footplant.apply(&mut expected.pose, expected.contact_out, dt_secs);
+        assert_eq!(*frame, expected);
+    }
+}
+
+#[test]
+fn durations_and_contacts_that_are_not_finite_are_replaced() {
+    let mut s = stylizer(&model(), 0.5);
+    run(&mut s, &unseen_walk().poses[..20]);
+    for bad in [f32::NAN, f32::INFINITY] {
+        s.styles[1].step_secs = bad;
+        let step_secs = s.blend_styles(&[0.0; ROW]);
+        assert!((step_secs - 1.0 / RATE_HZ).abs() < 0.01, "{bad}: {step_secs}");
+        s.styles[1].contact = [bad; 2];
+        s.blend_styles(&[0.0; ROW]);
+        assert_eq!(s.styles[1].contact, [0.0; 2]);
     }
 }

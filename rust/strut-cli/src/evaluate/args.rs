@@ -1,0 +1,130 @@
+//! The arguments of `strut evaluate`.
+
+use super::choices::{Labels, Part, PassMode, Registration};
+use crate::search::Search;
+use crate::stylize::Switch;
+use clap::ValueEnum;
+use std::path::PathBuf;
+use strut_core::search::WINDOW;
+use strut_core::transfer::Options;
+use strut_formats::corpus::Pattern;
+
+/// Help on the output of `--json`.
+const JSON_HELP: &str = "\
+Methods: nn nearest neighbour, knn mean of the K nearest, lar one local autoregression, mar mixture of autoregressive
+models, gar global autoregression, lti a linear time-invariant system (Hsu et al. 2005; lti-dof: one for each degree of
+freedom), gp Gaussian process (Ikemoto et al. 2009).
+
+Every option that takes a list is varied: all combinations are measured.
+
+The results of --json:
+  protocol, rate, generator, command
+  results  [{action, source, target, method, labels, mode, k, delta, lambda, kappa, rho, coherence, intensity, part,
+            window, search, registration, takes, samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s,
+            floor_cm, input_cm, …, skate_cm_s_in, skate_cm_s_out, jerk_ratio, acceleration_ratio,
+            content_correlation, ms_per_frame}]
+  Means over the samples (folds, or input clips); NAME_sd is the standard deviation of NAME over them.
+A run that is stopped goes on where it was, if --json names the same file.";
+
+/// Measure the error of styled motion against real motion
+///
+/// loo: each take of the source style is styled with a database that knows no clip of that take, and compared with the
+/// same take of the target style. off-database: other clips are styled with a database of all takes, and compared
+/// with themselves.
+#[derive(clap::Args)]
+#[command(after_long_help = JSON_HELP)]
+pub(crate) struct Args {
+    /// The clips: a folder of .bvh files
+    #[arg(long, value_name = "DIR")]
+    pub(super) data: PathBuf,
+    /// How file names give the labels [default: the usual ones are tried]
+    #[arg(long, value_name = "P")]
+    pub(super) pattern: Option<Pattern>,
+    /// The style of the inputs, neutral in the databases
+    #[arg(long, value_name = "NAME")]
+    pub(super) source: String,
+    /// Actions of the inputs and of the databases [default: all]
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    pub(super) actions: Vec<String>,
+    /// Actions of the databases, if others than the inputs'
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    pub(super) database_actions: Vec<String>,
+    /// Styles to predict [default: all but the source]
+    #[arg(long, value_name = "S,T", value_delimiter = ',')]
+    pub(super) targets: Vec<String>,
+    /// Methods to compare
+    #[arg(long, value_name = "M,…", value_delimiter = ',', default_value = "nn,knn,lar,mar")]
+    pub(super) methods: Vec<String>,
+    /// Labels of the input that the engine is given
+    #[arg(long, value_delimiter = ',', default_value = "none")]
+    pub(super) labels: Vec<Labels>,
+    /// The protocol
+    #[arg(long, default_value = "loo")]
+    pub(super) protocol: Protocol,
+    /// off-database: .bvh files and folders to style
+    #[arg(long, value_name = "INPUT", value_delimiter = ',')]
+    pub(super) inputs: Vec<PathBuf>,
+    /// Whether clips pass as a whole or frame by frame
+    #[arg(long, value_delimiter = ',', default_value = "offline")]
+    pub(super) mode: Vec<PassMode>,
+    /// How the databases are registered
+    #[arg(long, value_delimiter = ',', default_value = "dtw")]
+    pub(super) registration: Vec<Registration>,
+    /// Greatest number of takes of each target class in a database; 0 for all
+    #[arg(long, value_name = "N", value_delimiter = ',', default_value = "0")]
+    pub(super) takes: Vec<usize>,
+    /// Frames of a search window
+    #[arg(long, value_name = "S", value_delimiter = ',', default_values_t = [WINDOW])]
+    pub(super) window: Vec<usize>,
+    /// How neighbours are found: exact, or kdtree:M, among M candidates of a kd-tree in each class
+    #[arg(long, value_name = "SEARCH", value_delimiter = ',', default_value = "exact")]
+    pub(super) search: Vec<Search>,
+    /// Neighbours in each class
+    #[arg(short, value_delimiter = ',', default_values_t = [Options::DEFAULT.k])]
+    pub(super) k: Vec<usize>,
+    /// Ridge of the regressions, as a share of K
+    #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.lambda])]
+    pub(super) lambda: Vec<f32>,
+    /// Share of the bias that is kept in the output: 0 to 1
+    #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.rho])]
+    pub(super) rho: Vec<f32>,
+    /// Standard deviations from the neighbours beyond which input is bias; inf for no bias
+    #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.kappa])]
+    pub(super) kappa: Vec<f32>,
+    /// How slowly the weight of a class falls with its distance
+    #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.delta])]
+    pub(super) delta: Vec<f32>,
+    /// Whether output is smoothed where the input is unlike the database
+    #[arg(long, value_delimiter = ',', default_value = "on")]
+    pub(super) coherence: Vec<Switch>,
+    /// Weight of the target style: 0 is neutral, more than 1 exaggerates
+    #[arg(long, value_name = "F", value_delimiter = ',', default_value = "1")]
+    pub(super) intensity: Vec<f32>,
+    /// Part of the body that takes the target style; the rest is neutral
+    #[arg(long, value_delimiter = ',', default_value = "whole")]
+    pub(super) part: Vec<Part>,
+    /// loo: number of folds, the first ones; 0 for all
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(super) folds: usize,
+    /// Write the results as JSON
+    #[arg(long, value_name = "FILE")]
+    pub(super) json: Option<PathBuf>,
+    /// loo: write the knee and the time of the first fold's trials over time, for every method, as JSON
+    #[arg(long, value_name = "FILE")]
+    pub(super) curves: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Protocol {
+    Loo,
+    OffDatabase,
+}
+
+impl Protocol {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Loo => "loo",
+            Self::OffDatabase => "off-database",
+        }
+    }
+}

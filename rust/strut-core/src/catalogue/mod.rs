@@ -1,0 +1,12 @@
+//! The runtime form of a database: compact, indexed and read-only.
+
+mod header;
+mod quantised;
+mod runtime;
+mod target_table;
+
+pub use header::Header;
+pub use quantised::QuantisedRows;
+pub(crate) use quantised::Rows;
+pub use runtime::Catalogue;
+pub use target_table::TargetTable;

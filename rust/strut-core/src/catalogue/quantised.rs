@@ -1,0 +1,119 @@
+//! Rows of degrees of freedom as 16-bit integers: half the memory, and half as much to fetch for a frame.
+//!
+//! A step is the 65,534th part of a degree of freedom's range in the database: some 1e-5 … 1e-4 rad. In styled clips of
+//! motion capture half the channels change by less than 2e-5° and one in a hundred by 1e-3°.
+
+use crate::math::lanes::Lane;
+use crate::pose_vector::{PoseRow, ROW};
+
+/// Rows that can be read four degrees of freedom at a time.
+pub(crate) trait Rows {
+    /// The numbers 4 `l` … of a row.
+    fn lane(&self, row: usize, l: usize) -> Lane;
+}
+
+impl Rows for [PoseRow] {
+    #[inline]
+    fn lane(&self, row: usize, l: usize) -> Lane {
+        Lane::of(&self[row], l)
+    }
+}
+
+/// Rows, quantised.
+#[derive(Clone, Debug)]
+pub struct QuantisedRows {
+    middle: PoseRow,
+    step: PoseRow,
+    rows: Vec<[i16; ROW]>,
+}
+
+impl QuantisedRows {
+    /// Rows between the least and the greatest values of `range`.
+    pub(super) fn new(rows: &[PoseRow], range: &[PoseRow; 2]) -> Self {
+        let mut quantised = Self::with_range(range, rows.len());
+        for row in rows {
+            quantised.push(row);
+        }
+        quantised
+    }
+
+    /// Room for `capacity` rows between the least and the greatest values of `range`.
+    pub(super) fn with_range([least, greatest]: &[PoseRow; 2], capacity: usize) -> Self {
+        Self {
+            middle: std::array::from_fn(|d| 0.5 * (least[d] + greatest[d])),
+            step: std::array::from_fn(|d| (greatest[d] - least[d]) / (2.0 * f32::from(i16::MAX))),
+            rows: Vec::with_capacity(capacity),
+        }
+    }
+
+    #[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+    pub(super) fn push(&mut self, row: &PoseRow) {
+        self.rows.push(std::array::from_fn(|d| {
+            let steps = if self.step[d] > 0.0 { (row[d] - self.middle[d]) / self.step[d] } else { 0.0 };
+            // Where the range is narrow and far from zero, the rounding error of its middle may be a step.
+            let steps = steps.clamp(-f32::from(i16::MAX), f32::from(i16::MAX));
+            // Rounded to the nearest by truncating a positive number.
+            ((steps + 65_536.5) as i32 - 65_536) as i16
+        }));
+    }
+
+    /// A row.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn get(&self, row: usize) -> PoseRow {
+        let steps = &self.rows[row];
+        std::array::from_fn(|d| self.middle[d] + self.step[d] * f32::from(steps[d]))
+    }
+
+    /// All rows.
+    #[cfg(feature = "baselines")]
+    pub(crate) fn to_vec(&self) -> Vec<PoseRow> {
+        (0..self.rows.len()).map(|row| self.get(row)).collect()
+    }
+}
+
+impl Rows for QuantisedRows {
+    #[inline]
+    fn lane(&self, row: usize, l: usize) -> Lane {
+        Lane::of(&self.middle, l) + Lane::of(&self.step, l) * Lane::of_integers(&self.rows[row], l)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pose_vector::LANES;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn rows_come_back_to_half_a_step_and_the_same_by_lanes(
+            rows in prop::collection::vec(prop::array::uniform4(-4.0f32..4.0), 1..20),
+        ) {
+            // The last degree of freedom is the same in all rows.
+            let rows: Vec<PoseRow> = rows
+                .iter()
+                .map(|four| std::array::from_fn(|d| if d + 1 < ROW { four[d % 4] * d as f32 } else { 0.7 }))
+                .collect();
+            let mut range = [rows[0]; 2];
+            for row in &rows {
+                range[0].iter_mut().zip(row).for_each(|(least, v)| *least = least.min(*v));
+                range[1].iter_mut().zip(row).for_each(|(greatest, v)| *greatest = greatest.max(*v));
+            }
+            let mut quantised = QuantisedRows::with_range(&range, rows.len());
+            for row in &rows {
+                quantised.push(row);
+            }
+            for (i, row) in rows.iter().enumerate() {
+                let found = quantised.get(i);
+                for d in 0..ROW {
+                    let step = (range[1][d] - range[0][d]) / 65_534.0;
+                    prop_assert!((found[d] - row[d]).abs() <= 0.51 * step + 1e-6 * row[d].abs(), "{} {}", found[d], row[d]);
+                }
+                let by_lanes: Vec<f32> = (0..LANES).flat_map(|l| quantised.lane(i, l).to_array()).collect();
+                prop_assert_eq!(&by_lanes[..], &found[..]);
+            }
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! The offline form of a database.
+
+use super::parts::{Class, DatabaseParts};
+use super::validation::{DatabaseError, validate_tensors, validated_classes};
+use crate::pose_vector::{DOFS, PoseRow, ROW};
+
+/// A database as it is built, stored and edited: validated data. For use it becomes a
+/// [`Catalogue`](crate::catalogue::Catalogue).
+#[derive(Clone, Debug)]
+pub struct Database {
+    parts: DatabaseParts,
+    classes: Vec<Class>,
+    sigma: PoseRow,
+    limits: Box<[PoseRow; 2]>,
+}
+
+impl Database {
+    /// A database of these parts; every shape, index and value is checked.
+    ///
+    /// # Errors
+    /// See [`DatabaseError`].
+    pub fn new(parts: DatabaseParts) -> Result<Self, DatabaseError> {
+        let classes = validated_classes(&parts)?;
+        validate_tensors(&parts)?;
+        let sigma = standard_deviation(&parts.pose);
+        let limits = Box::new(observed_range(&parts.pose));
+        Ok(Self { parts, classes, sigma, limits })
+    }
+
+    /// Number of rows.
+    pub fn frames(&self) -> usize {
+        self.parts.time_step.len()
+    }
+
+    /// Classes in order of their rows.
+    pub fn classes(&self) -> &[Class] {
+        &self.classes
+    }
+
+    /// Index of the class that a row belongs to.
+    ///
+    /// # Panics
+    /// If `row` is not below [`Database::frames`].
+    pub fn class_of_row(&self, row: usize) -> usize {
+        assert!(row < self.frames(), "row {row} of {}", self.frames());
+        self.classes.partition_point(|c| c.rows.end <= row)
+    }
+
+    /// Index of the clip that a row belongs to.
+    ///
+    /// # Panics
+    /// If `row` is not below [`Database::frames`].
+    pub fn clip_of_row(&self, row: usize) -> usize {
+        assert!(row < self.frames(), "row {row} of {}", self.frames());
+        self.parts.clips.partition_point(|c| c.first_frame + c.frames <= row)
+    }
+
+    /// Standard deviation of each degree of freedom over all rows, floored at 1e-4; padding is 1.
+    pub fn sigma(&self) -> &PoseRow {
+        &self.sigma
+    }
+
+    /// Least and greatest value of each degree of freedom over all rows.
+    pub fn observed_range(&self) -> &[PoseRow; 2] {
+        &self.limits
+    }
+
+    /// Index of the style of this name.
+    pub fn style_index(&self, name: &str) -> Option<u16> {
+        self.styles.iter().position(|s| s == name).map(|i| i as u16)
+    }
+
+    /// Index of the action of this name.
+    pub fn action_index(&self, name: &str) -> Option<u16> {
+        self.actions.iter().position(|s| s == name).map(|i| i as u16)
+    }
+
+    /// Counterparts of a row in a style: fractional row indices, at most M, none if the style is missing
+    /// for the row's action.
+    pub fn counterparts(&self, row: usize, style: u16) -> impl Iterator<Item = f32> + '_ {
+        let m = self.parts.counterparts_per_style;
+        let first = (row * self.parts.styles.len() + usize::from(style)) * m;
+        self.parts.counterpart[first..first + m].iter().copied().take_while(|&c| c >= 0.0)
+    }
+
+    /// The data, and the classes of their rows.
+    pub(crate) fn into_parts(self) -> (DatabaseParts, Vec<Class>) {
+        (self.parts, self.classes)
+    }
+}
+
+impl std::ops::Deref for Database {
+    type Target = DatabaseParts;
+    fn deref(&self) -> &DatabaseParts {
+        &self.parts
+    }
+}
+
+fn standard_deviation(rows: &[PoseRow]) -> PoseRow {
+    let n = rows.len().max(1) as f64;
+    let mut mean = [0.0_f64; ROW];
+    for row in rows {
+        add(row, &mut mean);
+    }
+    let mean = mean.map(|sum| sum / n);
+    let mut variance = [0.0_f64; ROW];
+    for row in rows {
+        add_squared_differences(row, &mean, &mut variance);
+    }
+    std::array::from_fn(|d| if d < DOFS { ((variance[d] / n).sqrt() as f32).max(1e-4) } else { 1.0 })
+}
+
+#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+fn add(row: &PoseRow, sums: &mut [f64; ROW]) {
+    sums.iter_mut().zip(row).for_each(|(sum, &v)| *sum += f64::from(v));
+}
+
+#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+fn add_squared_differences(row: &PoseRow, mean: &[f64; ROW], sums: &mut [f64; ROW]) {
+    for ((sum, mean), &v) in sums.iter_mut().zip(mean).zip(row) {
+        let difference = f64::from(v) - mean;
+        *sum += difference * difference;
+    }
+}
+
+fn observed_range(rows: &[PoseRow]) -> [PoseRow; 2] {
+    let mut range = [[0.0; ROW]; 2];
+    if let Some(first) = rows.first() {
+        range = [*first; 2];
+    }
+    for row in rows {
+        widen(&mut range, row);
+    }
+    range
+}
+
+#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+fn widen([least, greatest]: &mut [PoseRow; 2], row: &PoseRow) {
+    for ((least, greatest), &v) in least.iter_mut().zip(greatest).zip(row) {
+        *least = least.min(v);
+        *greatest = greatest.max(v);
+    }
+}

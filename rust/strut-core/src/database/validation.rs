@@ -1,0 +1,173 @@
+//! Checks of the data of a database.
+
+use super::parts::{Class, DatabaseParts};
+use crate::registration::MAX_COUNTERPARTS;
+use thiserror::Error;
+
+/// Greatest number of frames of a database.
+pub const MAX_FRAMES: usize = 4_000_000;
+/// Shortest and longest duration of a canonical frame, seconds. Target durations are quotients of durations: with
+/// these bounds none overflows.
+const TIME_STEP_RANGE: [f32; 2] = [1e-5, 10.0];
+
+/// Why data are not a valid database.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum DatabaseError {
+    /// A tensor has another number of rows than the clips say.
+    #[error("'{tensor}' has {found} entries; the clips need {expected}")]
+    Shape {
+        /// Name of the tensor.
+        tensor: &'static str,
+        /// Entries found.
+        found: usize,
+        /// Entries expected.
+        expected: usize,
+    },
+    /// Too many or too few of something, or an index outside its table.
+    #[error("{0}")]
+    Invalid(String),
+    /// A tensor holds NaN or infinity, or a value outside its range.
+    #[error("'{tensor}' holds {value} at frame {frame}; {expected} was expected")]
+    Value {
+        /// Name of the tensor.
+        tensor: &'static str,
+        /// Row of the value.
+        frame: usize,
+        /// The value.
+        value: f32,
+        /// What was expected.
+        expected: &'static str,
+    },
+}
+
+/// The classes of valid clips.
+pub(super) fn validated_classes(parts: &DatabaseParts) -> Result<Vec<Class>, DatabaseError> {
+    let invalid = |s: String| Err(DatabaseError::Invalid(s));
+    if !(parts.rate_hz.is_finite() && parts.rate_hz >= 1.0 && parts.rate_hz <= 1000.0) {
+        return invalid(format!("the rate is {} Hz; 1 to 1000 was expected", parts.rate_hz));
+    }
+    if !parts.proportions.is_valid() {
+        return invalid("a limb bone has no length, or an offset is not a finite number".into());
+    }
+    if parts.clips.is_empty() {
+        return invalid("it has no clips".into());
+    }
+    if usize::from(parts.neutral) >= parts.styles.len() {
+        return invalid(format!("the neutral style is number {} of {}", parts.neutral, parts.styles.len()));
+    }
+    if parts.counterparts_per_style == 0 || parts.counterparts_per_style > MAX_COUNTERPARTS {
+        return invalid(format!(
+            "{} counterparts a style; 1 to {MAX_COUNTERPARTS} were expected",
+            parts.counterparts_per_style
+        ));
+    }
+    let mut classes: Vec<Class> = Vec::new();
+    let mut rows = 0_usize;
+    for (i, clip) in parts.clips.iter().enumerate() {
+        if usize::from(clip.action) >= parts.actions.len() || usize::from(clip.style) >= parts.styles.len() {
+            return invalid(format!("clip '{}' has an action or style that is not in the lists", clip.name));
+        }
+        if clip.first_frame != rows || clip.frames == 0 || clip.frames > MAX_FRAMES - rows {
+            return invalid(format!("clip '{}' must begin at frame {rows} and have at least one", clip.name));
+        }
+        rows += clip.frames;
+        match classes.last_mut() {
+            Some(c) if (c.action, c.style) == (clip.action, clip.style) => {
+                c.rows.end = rows;
+                c.clips.end = i + 1;
+            }
+            last => {
+                if last.is_some_and(|c| (c.action, c.style) > (clip.action, clip.style)) {
+                    return invalid(format!(
+                        "clip '{}' is out of order: clips are sorted by action, then style",
+                        clip.name
+                    ));
+                }
+                classes.push(Class {
+                    action: clip.action,
+                    style: clip.style,
+                    rows: clip.first_frame..rows,
+                    clips: i..i + 1,
+                });
+            }
+        }
+    }
+    Ok(classes)
+}
+
+/// Checks the shape and every value of the tensors.
+pub(super) fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseError> {
+    let n = parts.clips.last().map_or(0, |c| c.first_frame + c.frames);
+    let shape = |tensor, found: usize, expected: usize| {
+        if found == expected { Ok(()) } else { Err(DatabaseError::Shape { tensor, found, expected }) }
+    };
+    shape("pose", parts.pose.len(), n)?;
+    shape("point_cloud", parts.point_cloud.len(), n)?;
+    shape("canonical_time", parts.canonical_time.len(), n)?;
+    shape("time_step", parts.time_step.len(), n)?;
+    shape("contact", parts.contact.len(), n)?;
+    shape("counterpart", parts.counterpart.len(), n * parts.styles.len() * parts.counterparts_per_style)?;
+
+    let bad = |tensor, frame, value, expected| Err(DatabaseError::Value { tensor, frame, value, expected });
+    for frame in 0..n {
+        if let Some(v) = first_beyond(&parts.pose[frame], 1e4) {
+            return bad("pose", frame, v, "a number below 10 000");
+        }
+        if let Some(v) = first_beyond(bytemuck::cast_slice(&parts.point_cloud[frame]), 1e3) {
+            return bad("point_cloud", frame, v, "a position within 1 km");
+        }
+        let (t, w) = (parts.canonical_time[frame], parts.time_step[frame]);
+        if !t.is_finite() {
+            return bad("canonical_time", frame, t, "a finite number");
+        }
+        if !(TIME_STEP_RANGE[0]..TIME_STEP_RANGE[1]).contains(&w) {
+            return bad("time_step", frame, w, "a duration between 0.00001 and 10 s");
+        }
+        if let Some(&c) = parts.contact[frame].iter().find(|&&c| c > 1) {
+            return bad("contact", frame, f32::from(c), "0 or 1");
+        }
+    }
+    let per_frame = parts.styles.len() * parts.counterparts_per_style;
+    let last_row = (n - 1) as f32;
+    for (i, &c) in parts.counterpart.iter().enumerate() {
+        if c != -1.0 && !(c >= 0.0 && c <= last_row) {
+            return bad("counterpart", i / per_frame, c, "a row of the database, or −1");
+        }
+    }
+    Ok(())
+}
+
+/// The first value that is no number or whose size is not below `limit`.
+#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+fn first_beyond(values: &[f32], limit: f32) -> Option<f32> {
+    let within = |v: f32| v.abs() < limit;
+    // Nearly all values are good: without an early exit the loop is vectorised.
+    if values.iter().fold(true, |good, &v| good & within(v)) {
+        return None;
+    }
+    values.iter().copied().find(|&v| !within(v))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::database::Database;
+    use crate::fixtures;
+
+    /// Quotients of durations must not overflow.
+    #[test]
+    fn durations_must_be_ones_that_can_be_divided_by() {
+        let with = |secs: f32| {
+            let mut parts = DatabaseParts::clone(&fixtures::database());
+            parts.time_step[5] = secs;
+            Database::new(parts)
+        };
+        for bad in [f32::NAN, f32::INFINITY, -1.0, 0.0, f32::MIN_POSITIVE, 1e-38, 1e-6, 10.0] {
+            let error = with(bad).expect_err("it is no duration");
+            assert!(matches!(error, DatabaseError::Value { tensor: "time_step", frame: 5, .. }), "{bad}: {error}");
+        }
+        for good in [1e-4, 1.0 / 480.0, 1.0 / 60.0, 5.0] {
+            assert!(with(good).is_ok(), "{good}");
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! The runtime form of a walk model: synthesis parameters in single precision, in whole lanes.
+
+use super::durations::{Durations, limited, shortest_and_longest};
+use crate::hsmm::model::{Observation, SIDES, STATES, Side, StyleMeans, WalkModel};
+use crate::humanoid::{JOINTS, Pose, Proportions, Role};
+use crate::kinematics::world_from_local;
+use crate::math::lanes::WIDTH;
+use crate::math::{Quat, Vec3};
+use crate::rotation_row::{ROTATION_DIMS, RotationRow};
+use std::ops::RangeInclusive;
+
+/// Distance of the ankles behind the mean of the joints in a standing pose, metres.
+const ANKLE_BEHIND: f32 = 0.03;
+
+/// Joints of either leg.
+const LEGS: [RangeInclusive<usize>; SIDES] =
+    [Role::LeftUpperLeg as usize..=Role::LeftToes as usize, Role::RightUpperLeg as usize..=Role::RightToes as usize];
+
+pub(super) const PADDED: usize = ROTATION_DIMS.next_multiple_of(WIDTH);
+
+/// A row in whole lanes.
+pub(super) type Padded = [f32; PADDED];
+/// Means of a state: pose, velocity and acceleration per frame.
+pub(super) type StateMeans = [Padded; 3];
+
+/// A style's precomputed synthesis parameters.
+#[derive(Clone, Debug)]
+pub(super) struct RuntimeStyle {
+    pub(super) means: [[StateMeans; STATES]; SIDES],
+    pub(super) durations: [Durations; SIDES],
+    /// The pose that walking swings about, and stops in: either leg as it is below the body, and all else in between.
+    pub(super) standing: Padded,
+}
+
+impl RuntimeStyle {
+    fn new(model: &WalkModel, means: &StyleMeans) -> Self {
+        let below: [RotationRow; SIDES] = std::array::from_fn(|leg| below_the_body(model, means, leg));
+        let standing = |d: usize| match LEGS.iter().position(|leg| leg.contains(&(d / 3))) {
+            Some(leg) => below[leg][d],
+            None => 0.5 * (below[0][d] + below[1][d]),
+        };
+        Self {
+            means: means.means.each_ref().map(|side| side.each_ref().map(padded)),
+            durations: means.durations.map(|side| side.map(|d| d as f32)),
+            standing: std::array::from_fn(|d| if d < ROTATION_DIMS { standing(d) as f32 } else { 0.0 }),
+        }
+    }
+}
+
+/// The runtime form of a [`WalkModel`]; walkers share it.
+#[derive(Debug)]
+pub struct RuntimeWalkModel {
+    pub(super) proportions: Proportions,
+    pub(super) reference: [Quat; JOINTS],
+    pub(super) inverse_variances: [[StateMeans; STATES]; SIDES],
+    pub(super) duration_variances: [Durations; SIDES],
+    /// Frames of the shortest style's step and of the longest one's.
+    pub(super) step_frames: [[f32; 2]; SIDES],
+    pub(super) range: Vec<[f32; 2]>,
+    pub(super) average: RuntimeStyle,
+    pub(super) styles: Vec<RuntimeStyle>,
+}
+
+impl RuntimeWalkModel {
+    /// Of a model.
+    pub fn new(model: &WalkModel) -> Self {
+        // Where a degree of freedom is padding it is certain to be zero.
+        let inverse = |of: &Observation| padded(of).map(|row| row.map(|v| if v > 0.0 { 1.0 / v } else { 1.0 }));
+        let [low, high] = &model.range;
+        let styles: Vec<RuntimeStyle> = model.means.iter().map(|means| RuntimeStyle::new(model, means)).collect();
+        Self {
+            proportions: model.proportions,
+            reference: model.reference,
+            inverse_variances: model.variances.each_ref().map(|side| side.each_ref().map(inverse)),
+            duration_variances: model.duration_variances.map(|side| side.map(|v| v as f32)),
+            range: low.iter().zip(high).map(|(l, h)| [*l as f32, *h as f32]).collect(),
+            average: RuntimeStyle::new(model, &model.average()),
+            step_frames: std::array::from_fn(|side| shortest_and_longest(styles.iter().map(|v| &v.durations[side]))),
+            styles,
+        }
+    }
+
+    /// Number of styles.
+    pub fn styles(&self) -> usize {
+        self.styles.len()
+    }
+
+    /// How many frames the states of a foot's step last in a mixture of styles, one weight a style, as it is walked without a
+    /// beat of its own; the remainder of the weights to a sum of 1 belongs to the average.
+    pub fn durations(&self, weights: &[f32], side: Side) -> [f32; STATES] {
+        let mixed = self.mixed(|style| weights.get(style).copied().unwrap_or(0.0));
+        self.durations_of(mixed, side as usize, true)
+    }
+
+    /// All that is mixed, with its weights; the average last.
+    pub(super) fn mixed(
+        &self,
+        weight: impl Fn(usize) -> f32 + Clone,
+    ) -> impl Iterator<Item = (f32, &RuntimeStyle)> + Clone {
+        let styles = self.styles.iter().enumerate().map(move |(style, runtime_style)| (weight(style), runtime_style));
+        let rest = 1.0 - styles.clone().map(|(weight, _)| weight).sum::<f32>();
+        styles.chain([(rest, &self.average)]).filter(|(weight, _)| *weight != 0.0)
+    }
+
+    /// Durations of a mixture, within what can be walked or as they come.
+    pub(super) fn durations_of<'a>(
+        &self,
+        mixed: impl Iterator<Item = (f32, &'a RuntimeStyle)> + Clone,
+        side: usize,
+        limits: bool,
+    ) -> Durations {
+        let mut durations = [0.0; STATES];
+        for (weight, runtime_style) in mixed.clone() {
+            durations.iter_mut().zip(runtime_style.durations[side]).for_each(|(sum, d)| *sum += weight * d);
+        }
+        if !limits {
+            return durations;
+        }
+        let styles = mixed.map(|(_, runtime_style)| &runtime_style.durations[side]);
+        limited(&durations, styles, self.step_frames[side], &self.duration_variances[side])
+    }
+}
+
+fn padded(of: &Observation) -> StateMeans {
+    of.map(|row| std::array::from_fn(|d| row.get(d).map_or(0.0, |v| *v as f32)))
+}
+
+/// The pose of a step in which the supporting leg has the body above it.
+fn below_the_body(model: &WalkModel, means: &StyleMeans, leg: usize) -> RotationRow {
+    let states = means.means[1 - leg].each_ref().map(|state| &state[0]);
+    let foot = [Role::LeftFoot, Role::RightFoot][leg].index();
+    // How far the ankle is before where it would be in standing, in the pose of each state.
+    let ahead = states.map(|row| {
+        let pose = Pose { root: Vec3::ZERO, rotations: model.rotations(row) };
+        let world = world_from_local(&model.proportions, &pose);
+        let centre = world.positions.iter().map(|p| p.z).sum::<f32>() / JOINTS as f32;
+        f64::from(world.positions[foot].z - (centre - ANKLE_BEHIND))
+    });
+    let passes = (1..STATES).find(|&s| ahead[s - 1] > 0.0 && ahead[s] <= 0.0);
+    let nearest = (0..STATES).min_by(|a, b| ahead[*a].abs().total_cmp(&ahead[*b].abs())).unwrap_or(0);
+    let (before, after) = passes.map_or((nearest, nearest), |s| (s - 1, s));
+    let share = if before == after { 0.0 } else { ahead[before] / (ahead[before] - ahead[after]) };
+    std::array::from_fn(|d| states[before][d] + share * (states[after][d] - states[before][d]))
+}
+
+/// Makes a state's joints swing less about how they stand, or more, the legs by another share than the rest.
+pub(super) fn swing(means: &mut StateMeans, standing: &Padded, share: f32, legs: f32) {
+    for d in 0..ROTATION_DIMS {
+        let is_leg = LEGS.iter().any(|leg| leg.contains(&(d / 3)));
+        let share = if is_leg { share * legs } else { share };
+        means[0][d] = standing[d] + share * (means[0][d] - standing[d]);
+        means[1][d] *= share;
+        means[2][d] *= share;
+    }
+}

@@ -1,0 +1,119 @@
+//! Results of registration.
+
+use super::options::MAX_COUNTERPARTS;
+use std::ops::Range;
+use thiserror::Error;
+
+/// A frame of another example, possibly between two frames.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Counterpart {
+    /// Number of the example.
+    pub example: u32,
+    /// Frame in it, 0 to its last.
+    pub frame: f32,
+}
+
+/// A frame's counterparts in one style; `None`s come last.
+pub type Counterparts = [Option<Counterpart>; MAX_COUNTERPARTS];
+
+/// Result for one example.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Registered {
+    /// Time on the action's canonical timeline of every frame, in canonical frames.
+    pub canonical_time: Vec<f32>,
+    /// Seconds of the clip per canonical frame at every frame; positive.
+    pub time_step: Vec<f32>,
+    /// Counterparts: frames × styles.
+    pub counterparts: Vec<Counterparts>,
+    /// Whole gait cycles.
+    pub cycles: Vec<Range<usize>>,
+    /// Stretches between heel strikes that are no gait cycle.
+    pub faulty_cycles: Vec<FaultyCycle>,
+    /// Mean cost of the counterparts' warps (squared feature distance a frame); `None` for known correspondence.
+    pub cost: Option<f32>,
+}
+
+/// A stretch between two left heel strikes that is no gait cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FaultyCycle {
+    /// Its frames.
+    pub frames: Range<usize>,
+    /// Its fault.
+    pub fault: CycleFault,
+}
+
+/// Why a stretch between two left heel strikes is no gait cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum CycleFault {
+    /// Not exactly one right heel strike.
+    #[error("{0} right heel strikes; 1 was expected")]
+    RightStrikes(usize),
+    /// A duration far from the usual one.
+    #[error("it lasts {found_secs:.2} s; about {usual_secs:.2} s is usual")]
+    Duration {
+        /// Its duration, seconds.
+        found_secs: f32,
+        /// Median over the clip's cycles, or the style's if the clip has few; seconds.
+        usual_secs: f32,
+    },
+}
+
+/// Why an example does not fit the others of its action.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Refusal {
+    /// The action walks or runs, and this clip has no left heel strike to cut it at.
+    #[error("no left heel strike was found in it, though the action walks or runs")]
+    NoHeelStrikes,
+    /// A clip that is to be a style of a walk or a run has no whole cycle of steps.
+    #[error("no left, right and left step in a row were found in it; a walk of three seconds or more was expected")]
+    NoGait,
+    /// A walk or a run that is to be a style of an action that is neither.
+    #[error("it walks or runs, which the action does not")]
+    Gait,
+    /// It turns against the action's usual direction; radians, positive to the left.
+    #[error("it turns the other way: {:.0}°, where {:.0}° is usual for the action", turn.to_degrees(), usual.to_degrees())]
+    TurnsTheOtherWay {
+        /// Turn of the clip.
+        turn: f32,
+        /// Median turn of the action's clips.
+        usual: f32,
+    },
+    /// No time warp within the slope limit leads to the action's reference.
+    #[error("no time warp leads to the action's reference clip: it is more than three times longer or shorter")]
+    NoWarp,
+}
+
+/// How an action's correspondence was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Gait cycle by gait cycle.
+    Cycles,
+    /// Each clip as a whole.
+    WholeClips,
+    /// Known from scripts.
+    Scripts,
+}
+
+impl Method {
+    /// Name in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Cycles => "cycles",
+            Self::WholeClips => "whole clips",
+            Self::Scripts => "scripts",
+        }
+    }
+}
+
+/// Results for the examples of an action.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// How the correspondence was found.
+    pub method: Method,
+    /// The example that the canonical timeline comes from; `None` if all were refused.
+    pub reference: Option<usize>,
+    /// Length of the canonical timeline in frames.
+    pub canonical_frames: f32,
+    /// One entry an example.
+    pub clips: Vec<Result<Registered, Refusal>>,
+}

@@ -1,0 +1,53 @@
+//! The methods that are trained beforehand, as predictions of one target style.
+
+use crate::baselines::{Now, Pairs, Predictor};
+use crate::pose_vector::PoseRow;
+use crate::transfer::input::Input;
+use crate::transfer::model::Model;
+use crate::transfer::options::Options;
+use std::sync::Arc;
+
+/// Stored frames that lead a predictor up to the first input.
+const RUN_UP: usize = 64;
+
+/// A predictor and what it remembers of the frames so far.
+#[derive(Clone, Debug)]
+pub(in crate::transfer) struct Trained {
+    predictor: Arc<dyn Predictor>,
+    memory: Vec<f64>,
+    step_secs: f32,
+}
+
+impl Trained {
+    /// For one style and the classes that `options` allow; `None` if the method needs no training. Takes up to a
+    /// second when the model has not trained it yet.
+    pub(in crate::transfer) fn new(model: &Model, options: &Options, classes: &[usize], style: usize) -> Option<Self> {
+        let baseline = options.method.baseline()?;
+        let pairs = Pairs::new(model.catalogue(), model.target_table(style), classes);
+        let predictor = model.baselines().predictor(baseline, &pairs, options.lambda);
+        Some(Self { memory: vec![0.0; predictor.memory_len()], step_secs: 1.0 / model.catalogue().rate_hz, predictor })
+    }
+
+    /// Begins as if the frames that led up to the row `nearest` had been the input so far.
+    pub(in crate::transfer) fn start(&mut self, model: &Model, nearest: Option<usize>) {
+        let db = model.catalogue();
+        let past: Vec<PoseRow> = nearest.map_or_else(Vec::new, |row| {
+            let first = db.clips[db.clip_of_row(row)].first_frame;
+            (first.max(row.saturating_sub(RUN_UP))..row).map(|row| model.rows().get(row)).collect()
+        });
+        self.predictor.start(&mut self.memory, &past);
+    }
+
+    /// The next row.
+    pub(in crate::transfer) fn predict(&mut self, input: Input<'_>, previous_output: &PoseRow) -> PoseRow {
+        let now = Now { input: input.current, previous_input: input.previous, previous_output };
+        let prediction = self.predictor.predict(&mut self.memory, now);
+        self.step_secs = prediction.step_secs;
+        prediction.output
+    }
+
+    /// How long the last predicted row lasts, seconds.
+    pub(in crate::transfer) fn step_secs(&self) -> f32 {
+        self.step_secs
+    }
+}

@@ -1,0 +1,16 @@
+//! Kinds of files.
+
+/// A kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Kind {
+    /// Name in messages.
+    pub name: &'static str,
+    /// The metadata entry.
+    pub entry: &'static str,
+    /// Version that is written, major.minor; files of another major version are refused.
+    pub version: &'static str,
+    /// First minor version whose files have a checksum.
+    pub checksum_since: u32,
+    /// Greatest size of a file, bytes.
+    pub max_bytes: usize,
+}

@@ -1,0 +1,60 @@
+//! Handle of a database that was built.
+
+use strut_core::database::Database;
+use strut_core::search::Index;
+use strut_formats::strutdb;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// A database that was built.
+#[wasm_bindgen]
+pub struct Built {
+    database: Database,
+    file: Vec<u8>,
+    refused: Vec<String>,
+}
+
+impl Built {
+    pub(crate) fn new(database: Database, refused: Vec<String>) -> Self {
+        let file = strutdb::write(&database, &Index::build(&database).plan(), strut_formats::GENERATOR);
+        Self { database, file, refused }
+    }
+}
+
+#[wasm_bindgen]
+impl Built {
+    /// The `.strutdb` file, which is handed over: a second call gives none.
+    #[wasm_bindgen(js_name = takeFile)]
+    pub fn take_file(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.file)
+    }
+
+    /// Number of clips.
+    pub fn clips(&self) -> usize {
+        self.database.clips.len()
+    }
+
+    /// Number of frames.
+    pub fn frames(&self) -> usize {
+        self.database.frames()
+    }
+
+    /// Names of the actions.
+    pub fn actions(&self) -> Vec<String> {
+        self.database.actions.clone()
+    }
+
+    /// Names of the styles.
+    pub fn styles(&self) -> Vec<String> {
+        self.database.styles.clone()
+    }
+
+    /// Name of the neutral style.
+    pub fn neutral(&self) -> String {
+        self.database.styles[usize::from(self.database.neutral)].clone()
+    }
+
+    /// Path of and reason for every clip that the build left out, in turn.
+    pub fn refused(&self) -> Vec<String> {
+        self.refused.clone()
+    }
+}

@@ -1,0 +1,72 @@
+//! Errors as values for JavaScript.
+
+use std::fmt::Display;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// What every fallible call throws: `web/engine/errors.ts` makes it a `StrutError`.
+#[wasm_bindgen]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EngineError {
+    code: &'static str,
+    message: String,
+    hint: String,
+}
+
+#[wasm_bindgen]
+impl EngineError {
+    /// `bad-file` or `bad-input`.
+    #[wasm_bindgen(getter)]
+    pub fn code(&self) -> String {
+        self.code.into()
+    }
+
+    /// A sentence for people.
+    #[wasm_bindgen(getter)]
+    pub fn message(&self) -> String {
+        self.message.clone()
+    }
+
+    /// What to do about it, or empty.
+    #[wasm_bindgen(getter)]
+    pub fn hint(&self) -> String {
+        self.hint.clone()
+    }
+}
+
+impl EngineError {
+    /// The bytes of a file cannot be used.
+    pub fn bad_file(error: impl Display, hint: &str) -> Self {
+        Self { code: "bad-file", message: sentence(error), hint: hint.into() }
+    }
+
+    /// The same without a hint.
+    pub fn unusable_file(error: impl Display) -> Self {
+        Self::bad_file(error, "")
+    }
+
+    /// An argument is outside its range.
+    pub fn bad_input(error: impl Display) -> Self {
+        Self { code: "bad-input", message: sentence(error), hint: String::new() }
+    }
+}
+
+/// A message as a sentence: messages of Rust begin with a small letter and have no full stop.
+pub fn sentence(message: impl Display) -> String {
+    let message = message.to_string();
+    let mut letters = message.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    let stop = if message.ends_with(['.', '!', '?']) { "" } else { "." };
+    format!("{first}{}{stop}", letters.as_str())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_become_sentences() {
+        let error = EngineError::bad_input("k is 0; 1 to 1000 was expected");
+        assert_eq!(error.message(), "K is 0; 1 to 1000 was expected.");
+        assert_eq!(EngineError::bad_file("No frames.", "").message(), "No frames.");
+    }
+}

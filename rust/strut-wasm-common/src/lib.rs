@@ -1,0 +1,17 @@
+//! What the packages for JavaScript have in common: errors as values, poses as flat arrays, files, and panics that say what
+//! they are.
+//!
+//! JavaScript owns every object and frees it. Arrays are copied once a call in either direction, so that no view of a
+//! package's memory outlives a call. What is wrong with a file or an argument is thrown as an [`EngineError`]. A panic, which
+//! is a bug, is thrown as a JavaScript `Error` with its message, and the instance must then be thrown away.
+
+mod bytes;
+mod database;
+mod error;
+mod panic;
+mod poses;
+
+pub use bytes::Bytes;
+pub use database::read_database;
+pub use error::{EngineError, sentence};
+pub use poses::{bvh_of, floats_of, offsets_of, poses_of, write_floats};

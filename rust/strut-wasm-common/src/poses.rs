@@ -1,0 +1,58 @@
+//! Poses ↔ flat arrays.
+
+use crate::EngineError;
+use js_sys::Float32Array;
+use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose, Proportions};
+use strut_core::math::Vec3;
+use strut_formats::bvh::{self, Bvh};
+
+/// The poses of a flat array of [`POSE_FLOATS`] numbers each.
+///
+/// # Errors
+/// If the array is not a whole number of poses.
+pub fn poses_of(floats: &[f32]) -> Result<impl ExactSizeIterator<Item = Pose>, EngineError> {
+    let (poses, rest) = floats.as_chunks::<POSE_FLOATS>();
+    if rest.is_empty() {
+        Ok(poses.iter().map(Pose::read_from))
+    } else {
+        Err(EngineError::bad_input(format!(
+            "{} numbers are not a whole number of poses of {POSE_FLOATS}",
+            floats.len()
+        )))
+    }
+}
+
+/// Poses as one flat array.
+pub fn floats_of<'a>(poses: impl ExactSizeIterator<Item = &'a Pose>) -> Vec<f32> {
+    let mut floats = vec![0.0; poses.len() * POSE_FLOATS];
+    for (pose, out) in poses.zip(floats.as_chunks_mut::<POSE_FLOATS>().0) {
+        pose.write_to(out);
+    }
+    floats
+}
+
+/// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
+pub fn offsets_of(proportions: &Proportions) -> Vec<f32> {
+    proportions.offsets.iter().flat_map(Vec3::to_array).collect()
+}
+
+/// The text of a BVH file of a motion.
+///
+/// # Errors
+/// If there is no pose, or a number is beyond all that files hold.
+pub fn bvh_of(motion: &HumanoidMotion) -> Result<String, EngineError> {
+    Bvh::from_humanoid(motion).map(|file| bvh::write(&file)).map_err(EngineError::bad_input)
+}
+
+/// Fills an array of JavaScript's: a call every frame of the screen allocates nothing.
+///
+/// # Errors
+/// If the array has another length.
+pub fn write_floats(floats: &[f32], into: &Float32Array) -> Result<(), EngineError> {
+    if into.length() as usize != floats.len() {
+        let (found, expected) = (into.length(), floats.len());
+        return Err(EngineError::bad_input(format!("the array has {found} numbers; {expected} were expected")));
+    }
+    into.copy_from(floats);
+    Ok(())
+}

@@ -1,0 +1,62 @@
+//! Handle of a dragged character.
+
+use crate::frame::{Frame, style};
+use crate::model::KeyStyleModel;
+use js_sys::Float32Array;
+use std::sync::Arc;
+use strut_core::somn::{self, Mode};
+use strut_wasm_common::EngineError;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Handle of a dragged character: its pose follows the pointer that drags the style. For every displayed frame call
+/// [`DragCharacter::advance`], then [`DragCharacter::read`].
+#[wasm_bindgen]
+pub struct DragCharacter {
+    character: somn::DragCharacter,
+    frame: Frame,
+}
+
+#[wasm_bindgen]
+impl DragCharacter {
+    /// At rest in the mean style.
+    #[wasm_bindgen(constructor)]
+    pub fn new(model: &KeyStyleModel) -> Self {
+        let frame = Frame::new(model.model.components.len(), model.model.axis_count());
+        let mut made = Self { character: somn::DragCharacter::new(Arc::clone(&model.model)), frame };
+        made.show();
+        made
+    }
+
+    /// Whether the likeliest component alone is the pose.
+    #[wasm_bindgen(js_name = setHard)]
+    pub fn set_hard(&mut self, hard: bool) {
+        self.character.set_mode(if hard { Mode::Hard } else { Mode::default() });
+    }
+
+    /// Takes the pose of a style at once, above the origin.
+    pub fn jump(&mut self, values: &[f64]) {
+        self.character.reset(&style(values));
+        self.show();
+    }
+
+    /// Moves towards a style for this many seconds.
+    pub fn advance(&mut self, secs: f64, values: &[f64]) {
+        self.character.drag(&style(values), secs);
+        self.show();
+    }
+
+    /// Writes the numbers of the present frame into an array.
+    ///
+    /// # Errors
+    /// If the array has another length.
+    pub fn read(&self, into: &Float32Array) -> Result<(), EngineError> {
+        self.frame.write(into)
+    }
+}
+
+impl DragCharacter {
+    fn show(&mut self) {
+        let Self { character, frame } = self;
+        frame.show(character.pose(), character.synthesis().weights(), &character.measured(), character.style());
+    }
+}

@@ -1,0 +1,245 @@
+// The WASM packages: cargo compiles a crate, xtask binds it to JavaScript, wasm-opt makes it small and fast.
+//
+// Two modes. `full` is what visitors download: each package from a build of its own with fat LTO, then wasm-opt. `quick` is
+// for developers and tests: one build with the features of all packages and no wasm-opt; the same bits come out of it
+// (tests/parity), in a fifth of the time. A package that is up to date in full mode serves the quick one too.
+import { createHash } from "node:crypto";
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { join, relative } from "node:path";
+import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
+import { findProgram, output, root, run, step } from "./steps.mjs";
+
+const TARGET = "wasm32-unknown-unknown";
+const RUST = join(root, "rust");
+
+/**
+ * LLVM inlines what it thinks fast until the module is larger than visitors should have to load. At this threshold, and
+ * with wasm-opt's -O3 for its -Os, a frame takes an eighth less than at a quarter of it, and the module is a twentieth
+ * larger.
+ */
+const INLINE_LESS = "-Cllvm-args=-inline-threshold=100";
+
+/** A build of a database takes seconds of work: whoever waits for it would rather load more. */
+const FAST_BUILDING = ["--config", "profile.web.package.strut-formats.opt-level=3"];
+
+/** The yardsticks in `strut-wasm` are optimised as the core is. */
+const FAST_YARDSTICKS = ["--config", "profile.web.package.strut-wasm.opt-level=3"];
+
+/**
+ * Each package: where it goes, its crate, the beginning of its files' names, features of the crate, and in full mode
+ * further flags of the compiler and settings of cargo.
+ */
+const PACKAGES = {
+  // What the page loads …
+  engine: { folder: "web/engine/pkg", crate: "strut-wasm", name: "strut_wasm", flags: [INLINE_LESS] },
+  // … for those who build a database of their own clips …
+  build: { folder: "web/engine/build/pkg", crate: "strut-wasm-build", name: "strut_wasm_build", config: FAST_BUILDING },
+  // … for those who open the Walk view, the Key-style view …
+  walk: { folder: "web/engine/walk/pkg", crate: "strut-wasm-walk", name: "strut_wasm_walk" },
+  keyStyle: { folder: "web/engine/key_style/pkg", crate: "strut-wasm-key-style", name: "strut_wasm_key_style" },
+  // … and the Compare view: the engine with what it is compared with.
+  compare: {
+    folder: "web/engine/compare/pkg",
+    crate: "strut-wasm",
+    name: "strut_compare",
+    features: ["compare"],
+    flags: [INLINE_LESS],
+  },
+  // The engine with the report that `tests/parity` compares and the yardsticks of `bench/` …
+  bench: {
+    folder: "bench/pkg/simd",
+    crate: "strut-wasm",
+    name: "strut_bench",
+    features: ["bench", "parity"],
+    flags: [INLINE_LESS],
+    config: FAST_YARDSTICKS,
+  },
+  // … and without SIMD, whose bits must be the same.
+  benchScalar: {
+    folder: "bench/pkg/scalar",
+    crate: "strut-wasm",
+    name: "strut_bench",
+    features: ["bench", "parity"],
+    flags: [INLINE_LESS],
+    config: FAST_YARDSTICKS,
+    simd: false,
+  },
+};
+
+/** What the page loads, and what benchmarks and parity tests need besides. */
+const PAGE = ["engine", "build", "walk", "keyStyle", "compare"];
+const BENCH = ["bench", "benchScalar"];
+
+/** The built-in motions that the page loads. */
+const MOTIONS = join(root, "web", "engine", "motions", "built_in.bin");
+
+/**
+ * Features that every browser with WASM SIMD has (Chrome 91, Firefox 89, Safari 16.4) and that rustc emits. Relaxed SIMD
+ * stays off: its results differ between machines.
+ */
+const WASM_OPT_FLAGS = [
+  "-O3",
+  "--converge",
+  "--enable-simd",
+  "--enable-bulk-memory",
+  "--enable-bulk-memory-opt",
+  "--enable-nontrapping-float-to-int",
+  "--enable-sign-ext",
+  "--enable-mutable-globals",
+  "--enable-reference-types",
+  "--enable-multivalue",
+];
+/** Oldest wasm-opt that knows these flags. */
+const MIN_WASM_OPT = 120;
+
+/**
+ * Builds what the page loads, and with `bench` what benchmarks and parity tests load; what is up to date stays.
+ * @param env environment in which cargo builds for WebAssembly
+ * @param mode `full` or `quick`
+ */
+export async function buildPackages(env, { mode, bench }) {
+  const names = bench ? [...PAGE, ...BENCH] : PAGE;
+  const stamp = await sourcesHash(env);
+  const outdated = names.filter((name) => !isCurrent(PACKAGES[name], mode, stamp));
+  if (outdated.length > 0)
+    await step(`Building the engine for WebAssembly${mode === "full" ? ", fully optimised" : ""}`, () =>
+      mode === "full" ? buildFull(env, outdated, stamp) : buildQuick(env, outdated, stamp),
+    );
+  const performed = `${MOTIONS}.stamp`;
+  if (!existsSync(MOTIONS) || read(performed) !== stamp)
+    await step("Performing the built-in motions", async () => {
+      await writeMotions();
+      writeFileSync(performed, stamp);
+    });
+}
+
+/** One compilation for all packages with SIMD and, if it is wanted, one for those without. */
+async function buildQuick(env, names, stamp) {
+  const binding = buildXtask(env);
+  // A failure is reported where the result is awaited.
+  binding.catch(() => {});
+  for (const simd of [true, false]) {
+    const group = names.map((name) => PACKAGES[name]).filter((p) => (p.simd ?? true) === simd);
+    if (group.length === 0) continue;
+    const features = group.flatMap((p) => (p.features ?? []).map((feature) => `${p.crate}/${feature}`));
+    const crates = [...new Set(group.map((p) => p.crate))];
+    await compile(env, { crates, features: [...new Set(features)], profile: "quick", simd });
+    const xtask = await binding;
+    await Promise.all(group.map((p) => bind(xtask, p, "quick")));
+    for (const p of group) writeStamp(p, "quick", stamp);
+  }
+}
+
+/** A compilation a package; while the next one is compiled the last one is optimised. */
+async function buildFull(env, names, stamp) {
+  const xtask = await buildXtask(env);
+  const tool = await findWasmOpt();
+  let optimising = Promise.resolve();
+  for (const name of names) {
+    const p = PACKAGES[name];
+    const { crate, features = [], flags = [], config = [], simd = true } = p;
+    await compile(env, { crates: [crate], features, profile: "web", simd, flags, config });
+    await bind(xtask, p, "web");
+    await optimising;
+    optimising = optimise(tool, p).then(() => writeStamp(p, "full", stamp));
+    optimising.catch(() => {});
+  }
+  await optimising;
+}
+
+const targetDir = (env) => env.CARGO_TARGET_DIR ?? process.env.CARGO_TARGET_DIR ?? join(RUST, "target");
+
+/** Runs cargo for WebAssembly. */
+async function compile(env, { crates, features, profile, simd, flags = [], config = [] }) {
+  const source = env.STRUT_BUILD_STD === "1" ? ["-Zbuild-std=std,panic_abort"] : [];
+  const selected = crates.flatMap((crate) => ["--package", crate]);
+  const chosen = features.length > 0 ? ["--features", features.join()] : [];
+  const options = ["--profile", profile, "--lib", "--target", TARGET, ...selected, ...chosen, ...config, ...source];
+  await run(env.CARGO ?? "cargo", ["build", "--quiet", ...options], {
+    cwd: RUST,
+    env: {
+      ...env,
+      // The encoded form has precedence over RUSTFLAGS, so that no flag of the user's can change results.
+      CARGO_ENCODED_RUSTFLAGS: [...flags, `-Ctarget-feature=${simd ? "+" : "-"}simd128`].join("\x1f"),
+    },
+  });
+}
+
+/** Builds the tool that binds modules to JavaScript; gives what {@link bind} needs. */
+async function buildXtask(env) {
+  await run(env.CARGO ?? "cargo", ["build", "--quiet", "--profile", "tool", "--package", "xtask"], { cwd: RUST, env });
+  return { program: join(targetDir(env), "tool", "xtask"), modules: join(targetDir(env), TARGET) };
+}
+
+/** Writes a package's JavaScript, its types and its module. */
+async function bind({ program, modules }, { folder, crate, name }, profile) {
+  const module = join(modules, profile, `${crate.replaceAll("-", "_")}.wasm`);
+  rmSync(join(root, folder), { recursive: true, force: true });
+  await run(program, ["bind", module, join(root, folder), name]);
+}
+
+/** Runs wasm-opt on a package's module in place. */
+async function optimise(tool, { folder, name, simd = true }) {
+  const module = join(root, folder, `${name}_bg.wasm`);
+  const flags = WASM_OPT_FLAGS.filter((flag) => simd || flag !== "--enable-simd");
+  const bound = statSync(module).size;
+  await run(tool[0], [...tool.slice(1), ...flags, module, "-o", module]);
+  const kb = (bytes) => Math.round(bytes / 1000);
+  console.log(`  ${folder}: ${kb(bound)} kB bound, ${kb(statSync(module).size)} kB optimised`);
+}
+
+/** An installed wasm-opt, which is native, if it is recent enough; else the one of npm's `binaryen`. */
+async function findWasmOpt() {
+  const native = findProgram("wasm-opt");
+  const version = native && /version (\d+)/.exec((await output(native, ["--version"])) ?? "");
+  if (version && Number(version[1]) >= MIN_WASM_OPT) return [native];
+  return [process.execPath, join(root, "node_modules", "binaryen", "bin", "wasm-opt")];
+}
+
+/** The built-in motions are performed by the Compare view's package, which has them all. */
+async function writeMotions() {
+  const { folder, name } = PACKAGES.compare;
+  const glue = await import(pathToFileURL(join(root, folder, `${name}.js`)).href);
+  glue.initSync({ module: readFileSync(join(root, folder, `${name}_bg.wasm`)) });
+  // Of all sizes of zlib's memory this one packs the motions best: its blocks are short, and the columns differ.
+  const bytes = gzipSync(glue.builtInMotions(), { level: 9, memLevel: 6 });
+  mkdirSync(join(MOTIONS, ".."), { recursive: true });
+  writeFileSync(MOTIONS, bytes);
+  return `${Math.round(bytes.length / 1000)} kB`;
+}
+
+const stampFile = ({ folder }) => join(root, folder, "stamp");
+const read = (path) => (existsSync(path) ? readFileSync(path, "utf8") : undefined);
+
+function isCurrent(p, mode, stamp) {
+  const [builtMode, builtStamp] = read(stampFile(p))?.split(" ") ?? [];
+  return builtStamp === stamp && (builtMode === mode || builtMode === "full");
+}
+
+/** Written last: an interrupted build has no stamp and is done again. */
+function writeStamp(p, mode, stamp) {
+  writeFileSync(stampFile(p), `${mode} ${stamp}`);
+}
+
+/** What the packages depend on: the Rust sources, the compiler, this file and the versions of its tools. */
+async function sourcesHash(env) {
+  const hash = createHash("sha256");
+  for (const path of [...rustSources(RUST), join(root, "scripts", "wasm.mjs"), join(root, "package-lock.json")])
+    hash
+      .update(`${relative(root, path)}\0`)
+      .update(readFileSync(path))
+      .update("\0");
+  hash.update((await output(env.RUSTC ?? "rustc", ["--version"], { env })) ?? "");
+  return hash.digest("hex");
+}
+
+function* rustSources(folder) {
+  const entries = readdirSync(folder, { withFileTypes: true }).sort((a, b) => (a.name < b.name ? -1 : 1));
+  for (const entry of entries) {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory()) {
+      if (!["target", "tests", "benches", "strut-cli"].includes(entry.name)) yield* rustSources(path);
+    } else if (/\.(rs|toml|lock)$/.test(entry.name) && entry.name !== "tests.rs") yield path;
+  }
+}

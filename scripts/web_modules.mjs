@@ -1,0 +1,47 @@
+// The modules of web/, which of them imports which, and the circles among them. An import of types alone counts too.
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { dirname, join, relative, resolve, sep } from "node:path";
+import { circles } from "./circles.mjs";
+
+/** Imports, re-exports, dynamic imports and URLs of files beside the module. */
+const SPECIFIER = /(?:from|import|URL)\s*\(?\s*["'](\.[^"']+)["']/g;
+
+/**
+ * The TypeScript files below a folder that are shipped, by their paths from it, each with the files that it imports.
+ * @returns a map from a path to a map from the paths of what it imports to the specifiers that it names them with
+ */
+export function webModules(folder) {
+  const shipped = [...filesUnder(folder)].filter((path) => path.endsWith(".ts") && !path.endsWith(".test.ts"));
+  return new Map(shipped.map((path) => [shown(folder, path), importsOf(folder, path)]));
+}
+
+/** The circles among modules, a sentence each. */
+export function importCircles(modules) {
+  const edges = new Map(
+    [...modules].map(([path, imports]) => [
+      path,
+      new Map([...imports.keys()].map((to) => [to, `${path} imports ${to}`])),
+    ]),
+  );
+  return circles(edges).map((circle) => `circle in web: ${circle.join("; ")}`);
+}
+
+function importsOf(folder, path) {
+  const specifiers = [...readFileSync(path, "utf8").matchAll(SPECIFIER)].map(([, specifier]) => specifier);
+  return new Map(specifiers.map((specifier) => [shown(folder, fileOf(resolve(dirname(path), specifier))), specifier]));
+}
+
+/** The file that a specifier without its ending names. */
+function fileOf(path) {
+  return [`${path}.ts`, join(path, "index.ts")].find((file) => existsSync(file)) ?? path;
+}
+
+const shown = (folder, path) => relative(folder, path).split(sep).join("/");
+
+function* filesUnder(folder) {
+  for (const entry of readdirSync(folder, { withFileTypes: true })) {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory() && entry.name !== "pkg") yield* filesUnder(path);
+    else if (entry.isFile()) yield path;
+  }
+}

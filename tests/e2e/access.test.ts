@@ -1,0 +1,238 @@
+/** Everybody's ways to the controls: large text, forced colours, fingers, keys and screen readers. */
+import type { Browser, Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/app/shell/hook";
+import { axeFaults } from "./axe";
+import { closePage, dragHolding, eventually, middleOf, openPage, openSite, screenshot, visit } from "./browser";
+
+declare const window: { strut: StrutHook };
+
+const WIDE = { width: 1440, height: 900 };
+const STYLES = "play=0&frame=60&styles=proud:0.6,old:0.1,childlike:0.3";
+
+let browser: Browser;
+let page: Page;
+let url: string;
+
+beforeAll(async () => {
+  const opened = await openSite({ size: WIDE, hash: STYLES });
+  [browser, page, url] = [opened.browser, opened.page, opened.site.url];
+  return opened.close;
+});
+
+const weights = () =>
+  page.evaluate(() => Object.fromEntries(window.strut.state.styles.map(({ name, weight }) => [name, weight])));
+const handle = () => page.getByRole("slider", { name: "Style", exact: true });
+
+describe("a drag", () => {
+  it("is undone by Escape, while the page's own Escape stays silent", async () => {
+    await visit(page, STYLES);
+    const [from, to] = [
+      await middleOf(handle()),
+      await middleOf(page.locator('.vertex[data-style="old"] .vertex-dot')),
+    ];
+    await dragHolding(page, from, { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 });
+    await eventually(weights).not.toEqual({ proud: 0.6, old: 0.1, childlike: 0.3 });
+    await page.keyboard.press("Escape");
+    await eventually(weights).toEqual({ proud: 0.6, old: 0.1, childlike: 0.3 });
+    await page.mouse.move(to.x, to.y);
+    expect(await weights()).toEqual({ proud: 0.6, old: 0.1, childlike: 0.3 });
+    await page.mouse.up();
+  });
+
+  it("that Escape cancels leaves nothing to undo", async () => {
+    const fresh = await openPage(browser, url, { size: WIDE, hash: `${STYLES}&part=legs` });
+    const state = () => fresh.evaluate(() => window.strut.state);
+    const { x, y } = await middleOf(fresh.getByRole("slider", { name: "Style", exact: true }));
+    await dragHolding(fresh, { x, y }, { x, y: y + 15 });
+    expect((await state()).parts.legs).toBeDefined();
+    await fresh.keyboard.press("Escape");
+    await fresh.mouse.up();
+    expect((await state()).parts, "the legs have no style of their own").toEqual({});
+    expect(await fresh.getByRole("button", { name: "Undo", exact: true }).isDisabled()).toBe(true);
+    await closePage(fresh);
+  });
+
+  it("ends where the pointer is lost", async () => {
+    await visit(page, STYLES);
+    const [from, to] = [
+      await middleOf(handle()),
+      await middleOf(page.locator('.vertex[data-style="old"] .vertex-dot')),
+    ];
+    await dragHolding(page, from, { x: from.x, y: from.y + 10 });
+    await page.locator("svg.polygon").evaluate((polygon) => {
+      for (let pointer = 0; pointer < 100; pointer++)
+        if (polygon.hasPointerCapture(pointer)) polygon.releasePointerCapture(pointer);
+    });
+    // The browser tells of the loss with the next movement.
+    await page.mouse.move(from.x, from.y + 11);
+    await eventually(() => page.locator("svg.polygon").getAttribute("class")).not.toContain("dragging");
+    const kept = await weights();
+    await page.mouse.move(to.x, to.y);
+    expect(await weights()).toEqual(kept);
+    await page.mouse.up();
+  });
+});
+
+describe("the weights", () => {
+  it("are number fields for keyboards and screen readers", async () => {
+    await visit(page, STYLES);
+    const group = page.getByRole("group", { name: "Weights of the styles" });
+    const field = group.getByRole("textbox", { name: "proud" });
+    expect(await group.getByRole("textbox").count()).toBe(3);
+    await field.focus();
+    // It can be seen while it is used.
+    expect(await field.evaluate((e) => getComputedStyle(e.closest(".polygon-weights")!).clipPath)).toBe("none");
+    await field.fill("0.2");
+    await page.keyboard.press("Enter");
+    await eventually(weights).toEqual({ proud: 0.2, old: 0.2, childlike: expect.closeTo(0.6) });
+    await field.fill("much");
+    await page.keyboard.press("Tab");
+    expect(await field.inputValue()).toBe("0.20");
+    expect(await axeFaults(page)).toEqual([]);
+  });
+});
+
+describe("the 3-D view", () => {
+  it("says that it takes keys, and what is seen", async () => {
+    const view = page.locator(".stage canvas");
+    expect(await view.getAttribute("role")).toBe("application");
+    expect(await view.getAttribute("aria-label")).toMatch(/\w/);
+    expect(await view.evaluate((e) => (e as HTMLElement).tabIndex)).toBe(0);
+  });
+});
+
+/** Texts that are cut off: wider or higher than what holds them and hides the rest. Names of files may end in dots. */
+const cutOff = (of: Page) =>
+  of.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>("#app *")]
+      .filter((e) => e.checkVisibility({ visibilityProperty: true, opacityProperty: true }))
+      .filter((e) =>
+        [...e.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent!.trim() !== ""),
+      )
+      .filter((e) => !e.closest("svg, select, .visually-hidden, .polygon-weights"))
+      .flatMap((e) => {
+        const range = document.createRange();
+        range.selectNodeContents(e);
+        const text = range.getBoundingClientRect();
+        for (let box: HTMLElement | null = e; box && box.id !== "app"; box = box.parentElement) {
+          const style = getComputedStyle(box);
+          const frame = box.getBoundingClientRect();
+          const clips = style.overflow !== "visible" || box.matches("button, label");
+          const scrolls = /auto|scroll/.test(style.overflow);
+          if (style.textOverflow === "ellipsis" || scrolls) return [];
+          const out = Math.max(text.right - frame.right, frame.left - text.left, text.bottom - frame.bottom - 2);
+          if (clips && out > 1) return [`${e.textContent} in .${box.className}`];
+        }
+        return [];
+      }),
+  );
+
+/** Size of the text of a drawing, pixels, and its labels that lie partly outside of it. */
+const labelsOf = (of: Page, drawing: string) =>
+  of
+    .locator(drawing)
+    .first()
+    .evaluate((root) => {
+      const frame = root.getBoundingClientRect();
+      const labels = [...root.querySelectorAll("text")].filter((label) => label.textContent !== "");
+      const outside = labels.filter((label) => {
+        const { left, right, top, bottom } = label.getBoundingClientRect();
+        return left < frame.left - 1 || right > frame.right + 1 || top < frame.top - 1 || bottom > frame.bottom + 1;
+      });
+      const [first] = labels;
+      const size = Number.parseFloat(getComputedStyle(first!).fontSize) * first!.getScreenCTM()!.a;
+      return { size, outside: outside.map((label) => label.textContent) };
+    });
+
+describe("text of twice the size", () => {
+  it("is nowhere cut off, and all panels can be reached", async () => {
+    const context = await browser.newContext({ viewport: WIDE, colorScheme: "dark" });
+    const large = await context.newPage();
+    const session = await context.newCDPSession(large);
+    await session.send("Page.enable");
+    await session.send("Page.setFontSizes", { fontSizes: { standard: 32, fixed: 26 } });
+    await large.goto(`${url}#${STYLES}`);
+    await large.waitForFunction(() => window.strut?.analysed);
+    expect(await large.evaluate(() => getComputedStyle(document.querySelector(".label")!).fontSize)).toMatch(
+      /^2[4-8]px$/,
+    );
+    for (const tab of ["style", "input", "model", "curves"]) {
+      await visit(large, `${STYLES}&tab=${tab}`);
+      expect(await cutOff(large), tab).toEqual([]);
+      const wide = await large.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      expect(wide, tab).toBeLessThanOrEqual(0);
+    }
+    expect(await axeFaults(large)).toEqual([]);
+    await screenshot(large, "large-text");
+    for (const [view, drawing] of [
+      ["walk", ".planner"],
+      ["walk", ".walk-plot"],
+      ["key-style", ".pad-plot"],
+      ["key-style", ".keys-plot"],
+    ] as const) {
+      const hash = `view=${view}&play=0`;
+      await visit(large, hash);
+      await visit(page, hash);
+      await large.locator(`${drawing} text`).first().waitFor({ state: "visible" });
+      await page.locator(`${drawing} text`).first().waitFor({ state: "visible" });
+      const [{ size: usual }, { size, outside }] = [await labelsOf(page, drawing), await labelsOf(large, drawing)];
+      expect(size / usual, drawing).toBeCloseTo(2, 5);
+      expect(outside, drawing).toEqual([]);
+      await screenshot(large, `large-text-${view}`);
+    }
+    await context.close();
+  });
+});
+
+describe("forced colours", () => {
+  it("keep what is on apart from what is off, and sliders visible", async () => {
+    await visit(page, `${STYLES}&ghost=off`);
+    await page.emulateMedia({ forcedColors: "active" });
+    const look = (name: string) =>
+      page.getByRole("button", { name, exact: true }).evaluate((e) => getComputedStyle(e).backgroundColor);
+    expect(await look("Follow")).not.toBe(await look("Ghost"));
+    expect(await page.getByRole("slider", { name: "Intensity" }).evaluate((e) => getComputedStyle(e).appearance)).toBe(
+      "auto",
+    );
+    const [outline, panel] = await page.evaluate(() => {
+      const of = (selector: string) => getComputedStyle(document.querySelector(selector)!);
+      return [of(".polygon-outline").stroke, of("#app").backgroundColor];
+    });
+    expect(outline).not.toBe(panel);
+    await screenshot(page, "forced-colours");
+    await page.emulateMedia({ forcedColors: "none" });
+  });
+});
+
+describe("a finger", () => {
+  /** Controls that a finger's tip, 24 px, misses: what is at its edges is neither the control nor its label. */
+  const missed = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll<HTMLElement>("#app :is(button, select, input, [role=slider], [role=button])")]
+        .filter((e) => e.checkVisibility({ visibilityProperty: true, opacityProperty: true }))
+        .filter((e) => !e.closest(".polygon-weights") && !(e as HTMLButtonElement).disabled)
+        .flatMap((e) => {
+          // A corner of the polygon has a label beside its target.
+          const { left, right, top, bottom } = (e.querySelector(".vertex-target") ?? e).getBoundingClientRect();
+          const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+          const panel = e.closest(".panels")?.getBoundingClientRect();
+          if (x < 12 || y < 12 || x > innerWidth - 12 || y > (panel?.bottom ?? innerHeight) - 12) return [];
+          // A label is its control's target too, and a knob's dial its number's.
+          const target = e.closest("label, .toggle-row, .knob") ?? e;
+          const hits = (dx: number, dy: number) => target.contains(document.elementFromPoint(x + dx, y + dy));
+          const all = [hits(0, 0), hits(-11, 0), hits(11, 0), hits(0, -11), hits(0, 11)];
+          return all.every(Boolean) ? [] : [`${e.getAttribute("aria-label") ?? e.textContent}`];
+        }),
+    );
+
+  it("finds targets of 24 px at least on a narrow screen", async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    // The weights' fields cover a corner while one has the focus.
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    for (const tab of ["style", "input", "model", "curves"]) {
+      await visit(page, `${STYLES}&tab=${tab}`);
+      expect(await missed(), tab).toEqual([]);
+    }
+  });
+});

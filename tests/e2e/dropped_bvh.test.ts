@@ -1,0 +1,48 @@
+/** A BVH of another tool, as people have them: other joint names, units and rate than ours. Needs no recordings. */
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/app/shell/hook";
+import { asForeignTool, walksIn } from "../clips";
+import { dropFile, eventually, inputName, openSite, saved, settledPose, turnBetween, visit } from "./browser";
+
+declare const window: { strut: StrutHook };
+
+let page: Page;
+let walk: string;
+
+beforeAll(async () => {
+  const [opened, { neutral }] = await Promise.all([openSite(), walksIn(["neutral"], 260)]);
+  [page, walk] = [opened.page, asForeignTool(neutral)];
+  return opened.close;
+});
+
+describe("a BVH of another tool", () => {
+  it("walks in the style", async () => {
+    await visit(page, "styles=proud:1,old:0,depressed:0");
+    await dropFile(page, "mine.bvh", walk);
+    await eventually(() => inputName(page)).toBe("mine");
+    await page.waitForFunction(() => window.strut.analysed && window.strut.frame!.inputFrame > 30);
+    await visit(page, "play=0&frame=60&input=mine&styles=proud:1,old:0,depressed:0");
+    const styled = await settledPose(page);
+    expect(styled.every(Number.isFinite)).toBe(true);
+    // Its hips are as high as a person's, not as an inch in centimetres.
+    expect(styled[1]).toBeGreaterThan(0.7);
+    expect(styled[1]).toBeLessThan(1.2);
+    // The same instant without the style.
+    await visit(page, "play=0&frame=60&input=mine&intensity=0&styles=proud:1,old:0,depressed:0");
+    expect(turnBetween(styled, await settledPose(page))).toBeGreaterThan(1);
+    expect(await page.getByRole("alert").textContent()).toBe("");
+  });
+
+  it("is exported on its own skeleton", async () => {
+    await visit(page, "input=mine&styles=proud:1,old:0,depressed:0");
+    const { name, bytes } = await saved(page, "BVH");
+    expect(name).toBe("mine-proud.bvh");
+    const joints = (bvh: string) => [...bvh.matchAll(/(?:ROOT|JOINT)\s+(\S+)/g)].map((match) => match[1]);
+    expect(joints(bytes.toString())).toEqual(joints(walk));
+    const offsets = (bvh: string) =>
+      [...bvh.matchAll(/OFFSET\s+(.*)/g)].map((match) => match[1]!.split(/\s+/).map(Number));
+    for (const [i, offset] of offsets(bytes.toString()).entries())
+      for (const [axis, value] of offset.entries()) expect(value).toBeCloseTo(offsets(walk)[i]![axis]!, 2);
+  });
+});

@@ -1,0 +1,23 @@
+/** Waiting for the page to come to rest: instead of pauses of a fixed length. */
+import type { Page } from "playwright-core";
+import { drawn, eventually, type Place } from "./browser";
+
+/** Waits until something that glides stands still: its place is the same over five display frames. */
+export async function atRest(page: Page, place: () => Promise<Place>): Promise<void> {
+  let before = await place();
+  await eventually(async () => {
+    await drawn(page, 5);
+    const now = await place();
+    const moved = Math.hypot(now.x - before.x, now.y - before.y);
+    before = now;
+    return moved;
+  }).toBeLessThan(0.1);
+}
+
+/** Waits until all transitions of style sheets are over, such as those from one theme to the other. */
+export async function transitionsEnded(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const transitions = document.getAnimations().filter((animation) => animation instanceof CSSTransition);
+    return Promise.allSettled(transitions.map(({ finished }) => finished)).then(() => undefined);
+  });
+}

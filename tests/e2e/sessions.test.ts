@@ -1,0 +1,44 @@
+/** The client without the playground, in a page of its own: a worker with three sessions is ended, and all three come back. */
+import { mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { build, preview } from "vite";
+import { expect, it } from "vitest";
+import { launchBrowser } from "./browser";
+import type { SessionsHook } from "./sessions/main";
+
+declare const window: { sessions: SessionsHook };
+/** The worker's scope, inside `evaluate`. */
+declare const self: { close(): void };
+
+it("a worker that is ended with three sessions open comes back with all three", async () => {
+  const outDir = mkdtempSync(join(tmpdir(), "strut-sessions-"));
+  const site = {
+    root: join(import.meta.dirname, "sessions"),
+    configFile: false,
+    logLevel: "error",
+    build: { outDir, emptyOutDir: true, target: "es2022" },
+    worker: { format: "es" },
+    preview: { port: 0, open: false },
+  } as const;
+  await build(site);
+  const [browser, server] = await Promise.all([launchBrowser(), preview(site)]);
+  try {
+    const page = await browser.newPage();
+    await page.goto(server.resolvedUrls!.local[0]!);
+    await page.waitForFunction(() => window.sessions !== undefined);
+    const before = await page.evaluate(() => window.sessions.begin());
+    expect(before.map(({ inputFrame }) => inputFrame)).toEqual([20, 30, 40]);
+    expect(page.workers()).toHaveLength(1);
+    // It ends without a word, as one that the browser ends for want of memory.
+    await page.workers()[0]!.evaluate(() => {
+      setTimeout(() => self.close());
+    });
+    const after = await page.evaluate(() => window.sessions.comeBack());
+    expect(after).toEqual({ code: "fault", lost: 0, places: before });
+    expect(page.workers()).toHaveLength(1);
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+});

@@ -1,0 +1,175 @@
+/**
+ * What the Walk and Key-style views have in common: they show the model of what is open now, whatever happens while it is
+ * trained, and they release what they hold when they are hidden.
+ */
+import type { Page } from "playwright-core";
+import { beforeAll, describe, it } from "vitest";
+import type { StrutHook } from "../../web/app/shell/hook";
+import { createBuildClient } from "../../web/client/build/client";
+import { walksIn } from "../clips";
+import { InlineBuildWorker } from "../inline_build_worker";
+import { dropFile, eventually, openSite, visit } from "./browser";
+
+declare const window: {
+  strut: StrutHook;
+  /** WebGL contexts made since {@link watchResources}, and size observers that observe something. */
+  contexts: WebGL2RenderingContext[];
+  observers: Set<ResizeObserver>;
+};
+
+let page: Page;
+let walks: Record<"neutral" | "old" | "proud", string>;
+
+beforeAll(async () => {
+  const [opened, made] = await Promise.all([
+    openSite({ size: { width: 1440, height: 900 } }),
+    walksIn(["neutral", "old", "proud"]),
+  ]);
+  [page, walks] = [opened.page, made];
+  return opened.close;
+});
+
+/** A `.strutdb` file of clips, by their names. */
+async function databaseOf(clips: Readonly<Record<string, string>>): Promise<Uint8Array> {
+  const client = createBuildClient(() => new InlineBuildWorker());
+  try {
+    const paths = Object.keys(clips);
+    await client.open(paths.map((path) => ({ path, file: new File([clips[path]!], path) })));
+    const labels = await client.label("{action}_{style}_{take}.bvh", undefined);
+    const files = labels.map((label, index) => {
+      if ("reason" in label) throw new Error(label.reason);
+      return { index, path: paths[index]!, ...label, source: "", licence: "", roles: undefined };
+    });
+    return new Uint8Array(await (await client.build(files, "neutral")).file.arrayBuffer());
+  } finally {
+    client.dispose();
+  }
+}
+
+const vertices = (root: string) =>
+  page.locator(`${root} .vertex`).evaluateAll((all) => all.map((one) => one.getAttribute("data-style")).sort());
+const goTo = (name: string) => page.getByRole("link", { name, exact: true }).click();
+const input = () => page.evaluate(() => window.strut.state.input);
+
+/** Drops a database and waits until Play shows its styles. */
+async function open(name: string, file: Uint8Array, styles: readonly string[]): Promise<void> {
+  await dropFile(page, name, file);
+  await eventually(() => vertices(".panels")).toEqual(styles);
+  await eventually(() => page.evaluate(() => window.strut.analysed)).toBe(true);
+}
+
+/** Keeps workers that train from starting until the result is called. */
+async function holdTraining(): Promise<() => void> {
+  let release = () => {};
+  const released = new Promise<void>((resolve) => {
+    release = resolve;
+  });
+  await page.route("**/build_worker-*.js", async (route) => {
+    await released;
+    // The page may have given up the worker meanwhile.
+    await route.continue().catch(() => {});
+  });
+  return release;
+}
+
+describe("the Walk view", () => {
+  it("shows the model of the open database, though a motion is opened while it is trained", async () => {
+    await goTo("Walk");
+    await eventually(() => vertices(".walk-panel")).toHaveLength(8);
+    const file = await databaseOf({ "walk_neutral_1.bvh": walks.neutral, "walk_old_1.bvh": walks.old });
+    await open("two.strutdb", file, ["neutral", "old"]);
+    const release = await holdTraining();
+    await goTo("Walk");
+    await eventually(() => page.locator(".walk .stage-title").textContent()).toBe("Training the walks.");
+    await dropFile(page, "other.bvh", walks.proud);
+    await eventually(input).toBe("other");
+    release();
+    await eventually(() => vertices(".walk-panel")).toEqual(["neutral", "old"]);
+    await eventually(() => page.locator(".walk .stage-title").textContent()).toMatch(/ steps, /);
+  });
+
+  it("shows the database that was opened last, though the one before is still being trained on", async () => {
+    const release = await holdTraining();
+    const three = { "walk_neutral_1.bvh": walks.neutral, "walk_old_1.bvh": walks.old, "walk_proud_1.bvh": walks.proud };
+    await open("three.strutdb", await databaseOf(three), ["neutral", "old", "proud"]);
+    await goTo("Walk");
+    await eventually(() => page.locator(".walk .stage-title").textContent()).toBe("Training the walks.");
+    const file = await databaseOf({ "walk_neutral_1.bvh": walks.neutral, "walk_proud_1.bvh": walks.proud });
+    await open("other.strutdb", file, ["neutral", "proud"]);
+    await goTo("Walk");
+    release();
+    await eventually(() => vertices(".walk-panel")).toEqual(["neutral", "proud"]);
+  });
+});
+
+describe("the Key-style view", () => {
+  const recorded = () => page.locator(".recordings-clip option").allTextContents();
+
+  it("learns a database anew that was built again under its name", async () => {
+    await open("mine.strutdb", await databaseOf({ "walk_neutral_1.bvh": walks.neutral, "walk_old_1.bvh": walks.old }), [
+      "neutral",
+      "old",
+    ]);
+    await goTo("Key-style");
+    await page.getByLabel("Training motions").selectOption("open/walk");
+    await eventually(recorded).toEqual(["walk neutral 1"]);
+    const file = await databaseOf({ "walk_neutral_7.bvh": walks.neutral, "walk_proud_1.bvh": walks.proud });
+    await open("mine.strutdb", file, ["neutral", "proud"]);
+    await goTo("Key-style");
+    await eventually(recorded).toEqual(["walk neutral 7"]);
+  });
+
+  it("learns files anew that are dropped again under their name", async () => {
+    const last = () => page.getByRole("slider", { name: "Place in the recording" }).getAttribute("aria-valuemax");
+    await page.locator('.key-style [aria-label="Below the pad"] label').filter({ hasText: "Recordings" }).click();
+    await dropFile(page, "mine.bvh", walks.old);
+    await eventually(recorded).toEqual(["mine"]);
+    await eventually(last).toBe("74");
+    const [longer] = Object.values(await walksIn(["old"], 240));
+    await dropFile(page, "mine.bvh", longer!);
+    await eventually(last).toBe("119");
+  });
+});
+
+describe("a view that is hidden", () => {
+  /** Records the WebGL contexts and the size observers that the page makes from now on. */
+  const watchResources = () =>
+    page.evaluate(() => {
+      window.contexts = [];
+      window.observers = new Set();
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: unknown[]) {
+        const context = (getContext as (...args: unknown[]) => unknown).apply(this, args);
+        if (context instanceof WebGL2RenderingContext) window.contexts.push(context);
+        return context;
+      } as typeof getContext;
+      const { observe, disconnect } = ResizeObserver.prototype;
+      ResizeObserver.prototype.observe = function (...args) {
+        window.observers.add(this);
+        observe.apply(this, args);
+      };
+      ResizeObserver.prototype.disconnect = function () {
+        window.observers.delete(this);
+        disconnect.apply(this);
+      };
+    });
+  const liveContexts = () =>
+    page.evaluate(() => new Set(window.contexts.filter((context) => !context.isContextLost())).size);
+  const liveObservers = () => page.evaluate(() => window.observers.size);
+
+  it.for([
+    { view: "walk", hash: "view=walk&strip=1&play=0", canvas: ".walk-strip canvas" },
+    { view: "key-style", hash: "view=key-style&between=all&play=0", canvas: ".comparison canvas" },
+  ])("$view: releases its WebGL context and its observers, and shows them again", async ({ hash, canvas }) => {
+    await watchResources();
+    for (let visits = 0; visits < 2; visits++) {
+      await visit(page, hash);
+      await eventually(() => page.locator(canvas).count()).toBe(1);
+      await eventually(liveContexts).toBe(1);
+      await eventually(liveObservers).toBeGreaterThan(0);
+      await goTo("Play");
+      await eventually(liveContexts).toBe(0);
+      await eventually(liveObservers).toBe(0);
+    }
+  });
+});

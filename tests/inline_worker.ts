@@ -1,0 +1,78 @@
+/** The engine's worker on this thread, with the real engine; messages are copied and arrive later, as with a real one. */
+import type { WorkerPort } from "../web/client/client";
+import type { Call, Reply, Request } from "../web/client/messages";
+import { type ServerPort, serve } from "../web/client/server/serve";
+import type { ErrorParts } from "../web/engine/errors";
+
+/** How a call is answered without reaching the engine. */
+type Answer = (call: Call) => ErrorParts | undefined;
+
+/** What a trap in the engine is reported as. */
+export const TRAP: ErrorParts = { code: "fault", message: "The engine failed: unreachable.", hint: "" };
+
+export class InlineWorker implements WorkerPort {
+  onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
+  onerror: ((event: ErrorEvent) => void) | null = null;
+  terminated = false;
+  readonly received: Request[] = [];
+  /** The method whose next call fails as if the engine had trapped. */
+  faultAt: string | undefined;
+  /** Whether nothing is answered any more, as if the browser had ended the worker. */
+  deaf = false;
+  private readonly server: ServerPort;
+  /** What is on its way to the page while the worker is asleep. */
+  private held: Reply[] | undefined;
+
+  /** @param answer refuses calls */
+  constructor(private readonly answer: Answer = () => undefined) {
+    this.server = {
+      onmessage: null,
+      postMessage: (reply, transfer) => {
+        const data = structuredClone(reply, { transfer });
+        setTimeout(() => this.deliver(data), 0);
+      },
+    };
+    void serve(this.server);
+  }
+
+  postMessage(message: Request): void {
+    if (this.deaf) return;
+    const data = structuredClone(message);
+    this.received.push(data);
+    const error = data.kind === "call" ? this.refusal(data) : undefined;
+    if (data.kind === "call" && error) this.server.postMessage({ kind: "failure", id: data.id, error }, []);
+    else setTimeout(() => !this.terminated && this.server.onmessage?.({ data } as MessageEvent<Request>), 0);
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+
+  /** Holds back everything that the worker says until {@link wake}, as a browser does while the machine is asleep. */
+  sleep(): void {
+    this.held = [];
+  }
+
+  wake(): void {
+    const held = this.held ?? [];
+    this.held = undefined;
+    for (const data of held) this.deliver(data);
+  }
+
+  /** Methods that were called. */
+  calls(): string[] {
+    return this.received.flatMap((message) => (message.kind === "call" ? [message.method] : []));
+  }
+
+  private refusal(call: Call): ErrorParts | undefined {
+    if (call.method !== this.faultAt) return this.answer(call);
+    this.faultAt = undefined;
+    return TRAP;
+  }
+
+  private deliver(data: Reply): void {
+    if (this.terminated) return;
+    if (this.held) this.held.push(data);
+    else this.onmessage?.({ data } as MessageEvent<Reply>);
+  }
+}

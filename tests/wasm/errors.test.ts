@@ -1,0 +1,78 @@
+/** Every WASM package gives errors as values of one shape, and panics as JavaScript errors. */
+import { readFileSync } from "node:fs";
+import { expect, test } from "vitest";
+
+/** What a package throws. */
+interface EngineError {
+  readonly code: string;
+  readonly message: string;
+  readonly hint: string;
+}
+
+type Constructor = new (...args: unknown[]) => unknown;
+type Method = (...args: unknown[]) => unknown;
+
+/** The bindings of a package. */
+type Glue = Record<string, unknown> & { initSync: Method; EngineError: Constructor };
+
+const make = (glue: Glue, name: string, ...args: unknown[]) => new (glue[name] as Constructor)(...args);
+const call = (glue: object, name: string, ...args: unknown[]) => (glue as Record<string, Method>)[name]!(...args);
+
+/** Each package with a call that is refused for its bytes, and where there is one a call that is refused for an argument. */
+const PACKAGES = [
+  {
+    folder: "web/engine/pkg",
+    name: "strut_wasm",
+    file: (glue: Glue) => call(glue.Database as object, "fromBytes", new Uint8Array(100)),
+    message: "This is no Strut database, or its beginning is damaged; a safetensors header was expected.",
+    argument: (glue: Glue) => call(glue, "interpolatePoses", new Float32Array(3), new Float32Array(3), 0.5),
+  },
+  {
+    folder: "web/engine/build/pkg",
+    name: "strut_wasm_build",
+    file: (glue: Glue) => make(glue, "WalkTraining", new Uint8Array(100)),
+    message: "This is no Strut database, or its beginning is damaged; a safetensors header was expected.",
+    argument: (glue: Glue) => call(glue, "labelsOf", ["a.bvh"], "{", undefined),
+  },
+  {
+    folder: "web/engine/walk/pkg",
+    name: "strut_wasm_walk",
+    file: (glue: Glue) => make(glue, "WalkModel", new Uint8Array(100)),
+    message: "This is no walk model, or its beginning is damaged; a safetensors header was expected.",
+  },
+  {
+    folder: "web/engine/key_style/pkg",
+    name: "strut_wasm_key_style",
+    file: (glue: Glue) => make(glue, "KeyStyleModel", new Uint8Array(100)),
+    message: "This is no key-style model, or its beginning is damaged; a safetensors header was expected.",
+  },
+];
+
+async function load(folder: string, name: string): Promise<Glue> {
+  const at = new URL(`../../${folder}/`, import.meta.url);
+  const glue = await import(/* @vite-ignore */ new URL(`${name}.js`, at).href);
+  glue.initSync({ module: readFileSync(new URL(`${name}_bg.wasm`, at)) });
+  return glue;
+}
+
+function thrownBy(call: () => unknown): unknown {
+  try {
+    call();
+  } catch (thrown) {
+    return thrown;
+  }
+  throw new Error("nothing was thrown");
+}
+
+test.each(PACKAGES)("$name", async ({ folder, name, file, message, argument }) => {
+  const glue = await load(folder, name);
+  const refused = thrownBy(() => file(glue));
+  expect(refused).toBeInstanceOf(glue.EngineError);
+  const error = refused as EngineError;
+  expect([error.code, error.message, typeof error.hint]).toEqual(["bad-file", message, "string"]);
+  if (!argument) return;
+  const wrong = thrownBy(() => argument(glue));
+  expect(wrong).toBeInstanceOf(glue.EngineError);
+  expect((wrong as EngineError).code).toBe("bad-input");
+  expect((wrong as EngineError).message).toMatch(/\.$/);
+});

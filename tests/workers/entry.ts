@@ -1,0 +1,12 @@
+/** The engine's worker as a thread of Node. */
+import { parentPort } from "node:worker_threads";
+import type { Request } from "../../web/client/messages";
+import { type ServerPort, serve } from "../../web/client/server/serve";
+
+const parent = parentPort!;
+const port: ServerPort = {
+  onmessage: null,
+  postMessage: (reply, transfer) => parent.postMessage(reply, transfer as ArrayBuffer[]),
+};
+parent.on("message", (data: Request) => port.onmessage?.({ data } as MessageEvent<Request>));
+void serve(port);

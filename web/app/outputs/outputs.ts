@@ -1,0 +1,135 @@
+/** Exported files. Loaded with the first export. */
+
+import type { CallOptions } from "../../client/protocol";
+import { traceAsCsv, traceAsJson } from "../../formats/trace";
+import type { Session } from "../../player/session";
+import type { Playhead } from "../state/playhead";
+import type { Store } from "../state/store";
+import { strings } from "../strings/strings";
+import { saveFile } from "../ui/dom";
+import type { ProgressLine } from "../ui/progress";
+import type { Toasts } from "../ui/toasts";
+import { cancelled, exportName } from "../ui/words";
+import type { OutputFormat, VideoSize } from "./formats";
+
+/** Renders the viewer's picture off the clock. */
+export interface Pictures {
+  /** A copy of the picture. */
+  picture(): Promise<HTMLCanvasElement>;
+  /**
+   * Runs a task while pictures are drawn for it alone, each at its own time, seconds from the start.
+   * @throws what `signal` was aborted with
+   */
+  film<T>(
+    task: (pictureAt: (secs: number) => Promise<HTMLCanvasElement>) => Promise<T>,
+    signal?: AbortSignal,
+  ): Promise<T>;
+}
+
+/** Sources of exported files. */
+export interface OutputSources {
+  session: Session;
+  store: Store;
+  pictures: Pictures;
+  playhead: Playhead;
+  toasts: Toasts;
+  progress: ProgressLine;
+}
+
+/** Makes a file and saves it; its name, or `undefined` where it was cancelled or failed. */
+export async function saveOutput(
+  format: OutputFormat,
+  size: VideoSize,
+  sources: OutputSources,
+): Promise<string | undefined> {
+  const blob = await makeOutput(format, size, sources);
+  if (!blob) return undefined;
+  const { session, store } = sources;
+  const name = exportName(session.inputName, store.state.styles, format === "jsonl" ? "jsonl" : format);
+  saveFile(name, blob);
+  return name;
+}
+
+async function makeOutput(format: OutputFormat, size: VideoSize, sources: OutputSources): Promise<Blob | undefined> {
+  const { session, toasts, pictures } = sources;
+  switch (format) {
+    case "bvh": {
+      const text = await session.exportBvh();
+      return text === undefined ? undefined : new Blob([text], { type: "text/plain" });
+    }
+    case "glb":
+      return glb(session);
+    case "csv":
+    case "jsonl":
+      return trace(session, format);
+    case "png":
+      return png(await pictures.picture());
+    case "webm": {
+      const blob = await video(size, sources);
+      if (!blob) toasts.error(strings.page.outputs.noVideo);
+      return blob;
+    }
+  }
+}
+
+async function glb(session: Session): Promise<Blob | undefined> {
+  const analysis = await session.styled();
+  if (!analysis || !session.database) return undefined;
+  const { mannequinGlb } = await import("../../formats/mannequin_glb");
+  const { poses, timeOut: times } = analysis;
+  const bytes = mannequinGlb({ name: session.inputName, proportions: session.database.proportions, poses, times });
+  return new Blob([bytes], { type: "model/gltf-binary" });
+}
+
+async function trace(session: Session, format: "csv" | "jsonl"): Promise<Blob | undefined> {
+  const analysis = await session.styled();
+  if (!analysis || !session.database || !session.input) return undefined;
+  const traced = { analysis, input: session.input, classes: session.database.classes };
+  return format === "csv"
+    ? new Blob([traceAsCsv(traced)], { type: "text/csv" })
+    : new Blob([traceAsJson(traced)], { type: "application/jsonl" });
+}
+
+function png(picture: HTMLCanvasElement): Promise<Blob | undefined> {
+  return new Promise((resolve) => picture.toBlob((blob) => resolve(blob ?? undefined)));
+}
+
+/**
+ * Records the range once at the current speed, frame by frame; `undefined` where the browser has no encoder.
+ * @throws DOMException `AbortError` where it is cancelled, or another input or view is shown
+ */
+async function video(
+  size: VideoSize,
+  { session, store, pictures, playhead, progress }: OutputSources,
+): Promise<Blob | undefined> {
+  const { input } = session;
+  if (!input) return undefined;
+  const before = store.state;
+  const first = before.range?.first ?? 0;
+  const last = Math.min(before.range?.last ?? input.frames - 1, input.frames - 1);
+  const label = strings.page.outputs.recording;
+  const { makeVideo, VIDEO_RATE } = await import("./video");
+  store.edit({ playing: false, loop: false });
+  playhead.goTo(first);
+  await session.shown();
+  const film = ({ signal, onProgress }: CallOptions) =>
+    pictures.film((pictureAt) => {
+      async function* frames(): AsyncGenerator<HTMLCanvasElement> {
+        yield pictureAt(0);
+        for (let count = 1, ended = false; !ended; count++) {
+          if (session.input !== input || store.state.view !== before.view) throw cancelled();
+          const frame = await session.playback.advance(before.speed / VIDEO_RATE);
+          ({ ended } = frame);
+          onProgress?.({ label, fraction: (frame.inputFrame - first) / Math.max(1, last - first) });
+          yield pictureAt(count / VIDEO_RATE);
+        }
+      }
+      return makeVideo(frames(), size);
+    }, signal);
+  try {
+    return await session.playback.hold(() => progress.run(label, film));
+  } finally {
+    store.edit({ loop: before.loop, playing: before.playing, frame: before.frame });
+    if (!before.playing) playhead.goTo(before.frame);
+  }
+}

@@ -1,0 +1,253 @@
+/** The app: builds the page around the views, and keeps it in step with the state. */
+import type { DroppedFile } from "../../client/build/protocol";
+import type { DatabaseSource, StrutClient } from "../../client/protocol";
+import type { OutputFormat, VideoSize } from "../outputs/formats";
+import { launchOutput } from "../outputs/launch";
+import type { UndoRedo } from "../state/history";
+import type { ViewName } from "../state/page";
+import type { AppState } from "../state/state";
+import { Store } from "../state/store";
+import { strings } from "../strings/strings";
+import { announce } from "../ui/announce";
+import { applyTheme, isDark, onSystemTheme, opposite } from "../ui/theme";
+import { Toasts } from "../ui/toasts";
+import { errorText } from "../ui/words";
+import type { View, ViewHost } from "../view";
+import { DropZone } from "./drop";
+import { Help } from "./help";
+import type { StrutHook } from "./hook";
+import { listenToKeys } from "./keys";
+import { AddressBar, stateOfLink } from "./links";
+import { SessionProgressLines } from "./session_progress";
+import { shareLink } from "./share";
+import { SharedViewer } from "./shared_viewer";
+import { SingleKeys } from "./single_keys";
+import { TopBar } from "./top_bar";
+import { VIEWS, viewEntry } from "./view_table";
+import { Views } from "./views";
+import { Workspace } from "./workspace";
+
+export class App {
+  /** The link that the page was opened with. */
+  readonly #hash = location.hash;
+  readonly #store = new Store(stateOfLink(this.#hash));
+  readonly #toasts = new Toasts();
+  readonly #progress = new SessionProgressLines();
+  readonly #singleKeys = new SingleKeys();
+  readonly #help = new Help(this.#singleKeys);
+  readonly #address = new AddressBar(this.#store);
+  readonly #listening = new AbortController();
+  readonly #root: HTMLElement;
+  readonly #workspace: Workspace;
+  readonly #viewer: SharedViewer;
+  readonly #topBar: TopBar;
+  readonly #drop: DropZone;
+  readonly #views: Views;
+
+  constructor(root: HTMLElement, client: StrutClient) {
+    const store = this.#store;
+    const { signal } = this.#listening;
+    applyTheme(store.state.theme);
+    this.#root = root;
+    this.#workspace = new Workspace(client, store, this.#toasts, this.#progress);
+    this.#viewer = new SharedViewer(isDark(store.state.theme) ? "dark" : "light");
+    this.#topBar = new TopBar({
+      onView: (view) => store.edit({ view }),
+      onUndo: () => this.#history.undo(),
+      onRedo: () => this.#history.redo(),
+      onShare: () => void shareLink(store.state, this.#workspace.session.library, this.#toasts),
+      onExport: (format, size) => void this.#export(format, size),
+      onTheme: () => store.edit({ theme: opposite(store.state.theme) }),
+      onHelp: () => this.#help.open(),
+    });
+    this.#topBar.canExport = false;
+    this.#drop = new DropZone(
+      {
+        takes: () => viewEntry(store.state.view).takes,
+        onMotion: (name, bytes) => void this.#workspace.takeMotion(name, bytes),
+        onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
+        onStyle: (file) => void this.#workspace.databases.addStyle(file, this.#progress.database),
+        styleTarget: () => this.#views.shown?.styleTarget,
+        onClips: (files) => void this.#takeClips(files),
+        onRefused: (sentence) => this.#toasts.error(sentence),
+      },
+      signal,
+    );
+    root.replaceChildren(this.#topBar.element, this.#toasts.element, this.#drop.element, this.#help.element);
+    this.#views = new Views(
+      (element) => this.#topBar.element.after(element),
+      {
+        host: (life) => this.#hostOf(life),
+        onShow: (name, view, first) => this.#onView(name, view, first),
+        onRefused: (name, error) => this.#onRefused(name, error),
+      },
+      VIEWS,
+    );
+    this.#workspace.session.listen({
+      onTick: (now) => this.#viewer.draw(now),
+      onInput: () => {
+        this.#topBar.canExport = true;
+        this.#toasts.clearErrors();
+        this.#views.shown?.refresh?.();
+      },
+    });
+    store.subscribe((_, changed) => this.#onChange(changed), signal);
+    onSystemTheme(() => this.#applyTheme(), signal);
+    addEventListener("hashchange", ({ newURL }) => this.#followLink(new URL(newURL).hash), { signal });
+    listenToKeys(
+      {
+        undo: () => this.#history.undo(),
+        redo: () => this.#history.redo(),
+        help: () => this.#help.open(),
+        view: () => this.#views.shown?.keys,
+        singleKeys: () => this.#singleKeys.on,
+      },
+      signal,
+    );
+    this.#showView();
+  }
+
+  /** Opens what the link asks for, and begins to play. */
+  start(): Promise<void> {
+    return this.#workspace.start(this.#hash);
+  }
+
+  /** Says why there is no engine; the page stays as it is. */
+  fail(sentence: string): void {
+    this.#toasts.error(sentence);
+  }
+
+  /** What is on screen, for scripts. */
+  get hook(): StrutHook {
+    const { session } = this.#workspace;
+    const store = this.#store;
+    const viewer = this.#viewer;
+    return {
+      get frame() {
+        return session.frame;
+      },
+      get state() {
+        return store.state;
+      },
+      get upToDate() {
+        return session.playback.upToDate;
+      },
+      get analysed() {
+        return session.analysed;
+      },
+      jointScreenPosition: (role) => viewer.jointPosition(role),
+    };
+  }
+
+  dispose(): void {
+    this.#listening.abort();
+    this.#address.dispose();
+    this.#views.dispose();
+    this.#workspace.dispose();
+    this.#viewer.dispose();
+    this.#root.replaceChildren();
+  }
+
+  #hostOf(signal: AbortSignal): ViewHost {
+    const { session, playhead, databases } = this.#workspace;
+    return {
+      store: this.#store,
+      toasts: this.#toasts,
+      session,
+      playhead,
+      progress: this.#progress,
+      signal,
+      openDatabase: (name, file, kept) => this.#openDatabase({ kind: "strutdb", name, file }, kept ? name : ""),
+      openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),
+      databaseFile: () => databases.file,
+      borrowViewer: (container) => this.#viewer.borrow(container),
+      historyChanged: () => this.#showTopBar(),
+      chooseInput: (name) => this.#workspace.chooseInput(name),
+      chooseFile: () => this.#drop.choose(),
+      playMotion: async (name, bytes) => {
+        this.#store.edit({ view: "play" });
+        await this.#workspace.takeMotion(name, bytes);
+      },
+    };
+  }
+
+  // --- from the state ---
+
+  #onChange(changed: ReadonlySet<keyof AppState>): void {
+    if (changed.has("theme")) this.#applyTheme();
+    if (changed.has("view")) this.#showView();
+    else this.#showTopBar();
+    this.#address.write();
+  }
+
+  #showView(): void {
+    this.#showTopBar();
+    void this.#views.show(this.#store.state.view);
+  }
+
+  #onView(name: ViewName, view: View, first: boolean): void {
+    const { title } = viewEntry(name);
+    this.#root.dataset.view = name;
+    document.title = strings.page.title(title);
+    this.#showTopBar();
+    if (first) return;
+    announce(strings.page.viewShown(title));
+    const heading = view.element.querySelector<HTMLElement>("h1") ?? view.element;
+    heading.tabIndex = -1;
+    heading.focus({ preventScroll: true });
+  }
+
+  #onRefused(name: ViewName, error: unknown): void {
+    this.#toasts.error(strings.page.viewNotLoaded(errorText(error)));
+    if (name !== "play") this.#store.edit({ view: "play" });
+  }
+
+  #showTopBar(): void {
+    const { view, theme } = this.#store.state;
+    const { canUndo, canRedo } = this.#history;
+    this.#topBar.show({ view, canUndo, canRedo, dark: isDark(theme) });
+  }
+
+  #applyTheme(): void {
+    const { theme } = this.#store.state;
+    applyTheme(theme);
+    this.#viewer.theme = isDark(theme) ? "dark" : "light";
+    this.#showTopBar();
+  }
+
+  get #history(): UndoRedo {
+    return this.#views.shown?.history ?? this.#store;
+  }
+
+  // --- from the person ---
+
+  #followLink(hash: string): void {
+    void this.#workspace.arrive(this.#address.arrive(hash), hash);
+  }
+
+  async #openDatabase(source: DatabaseSource, kept: string): Promise<boolean> {
+    return this.#workspace.databases.open(source, kept);
+  }
+
+  /** Clips go to the view if it takes them; elsewhere they are a database to be. */
+  async #takeClips(files: DroppedFile[]): Promise<void> {
+    const { view: shown } = this.#store.state;
+    const view = viewEntry(shown).takes ? shown : "data";
+    this.#store.edit({ view });
+    (await this.#views.show(view))?.takeFiles?.(files);
+  }
+
+  async #export(format: OutputFormat, size: VideoSize): Promise<void> {
+    const { session, playhead } = this.#workspace;
+    this.#topBar.canExport = false;
+    await launchOutput(format, size, {
+      session,
+      playhead,
+      store: this.#store,
+      pictures: this.#viewer,
+      toasts: this.#toasts,
+      progress: this.#progress.database,
+    });
+    this.#topBar.canExport = true;
+  }
+}

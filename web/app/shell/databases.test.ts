@@ -1,0 +1,90 @@
+import { describe, expect, it } from "vitest";
+import type { DatabaseInfo, DatabaseSource } from "../../client/protocol";
+import type { Outcome, Session } from "../../player/session";
+import { initialState } from "../state/state";
+import { Store } from "../state/store";
+import type { Toasts } from "../ui/toasts";
+import { Databases } from "./databases";
+
+/** A session that opens every database but those of the given names. */
+class FakeSession {
+  database: DatabaseInfo | undefined;
+  databaseSource: DatabaseSource | undefined;
+  inputName = "walk";
+  opened: string[] = [];
+
+  constructor(readonly broken: readonly string[]) {}
+
+  async openDatabase(source: DatabaseSource): Promise<Outcome> {
+    const name = source.kind === "demo" ? "built in" : source.name;
+    if (this.broken.includes(name)) return "failed";
+    this.opened.push(name);
+    this.database = { styles: ["old"], frames: 9 } as unknown as DatabaseInfo;
+    this.databaseSource = source;
+    return "done";
+  }
+}
+
+function made(database: string, { broken = [] as string[], kept = ["mine", "bad"] } = {}) {
+  const store = new Store({ ...initialState(), database });
+  const session = new FakeSession(broken);
+  const said: string[] = [];
+  const toasts = { note: (text: string) => said.push(text), error: (text: string) => said.push(text) };
+  const databases = new Databases(store, toasts as unknown as Toasts, session as unknown as Session, async (name) =>
+    kept.includes(name) ? new Blob([name]) : undefined,
+  );
+  return { store, session, databases, said };
+}
+
+describe("the database of a link", () => {
+  it("is opened where it is kept here", async () => {
+    const { store, session, databases } = made("mine");
+    await databases.follow("");
+    expect(session.opened).toEqual(["mine"]);
+    expect([store.state.database, databases.moving, databases.file.name]).toEqual(["mine", false, "mine"]);
+  });
+
+  it("gives way to the built-in one, with a sentence, where it cannot be opened", async () => {
+    const { store, session, databases, said } = made("bad", { broken: ["bad"] });
+    await databases.follow("");
+    expect(session.opened).toEqual(["built in"]);
+    expect([store.state.database, databases.moving]).toEqual(["", false]);
+    expect(said.join()).toContain("“bad” could not be opened");
+  });
+
+  it("gives way to the built-in one where it is not here", async () => {
+    const { store, session, databases, said } = made("gone");
+    await databases.follow("");
+    expect([session.opened, store.state.database]).toEqual([["built in"], ""]);
+    expect(said.join()).toContain("“gone”");
+  });
+
+  it("leaves the one that was open, and the state says so", async () => {
+    const { store, session, databases } = made("mine", { broken: ["bad"] });
+    await databases.follow("");
+    store.edit({ database: "bad" });
+    await databases.follow("");
+    expect([session.opened, store.state.database]).toEqual([["mine"], "mine"]);
+    expect(databases.file.name).toBe("mine");
+  });
+
+  it("counts only where nothing else was asked for meanwhile", async () => {
+    const { store, session, databases } = made("mine");
+    const first = databases.follow("");
+    store.edit({ database: "" });
+    await databases.follow("");
+    await first;
+    expect([session.opened.at(-1), store.state.database]).toEqual(["built in", ""]);
+  });
+});
+
+describe("a database that a person opens", () => {
+  it("enters the state once it is open, and not before", async () => {
+    const { store, databases } = made("", { broken: ["bad"] });
+    await databases.follow("");
+    expect(await databases.open({ kind: "strutdb", name: "bad", file: new Blob() }, "bad")).toBe(false);
+    expect(store.state.database).toBe("");
+    expect(await databases.open({ kind: "strutdb", name: "mine", file: new Blob() }, "mine")).toBe(true);
+    expect([store.state.database, store.state.view]).toEqual(["mine", "play"]);
+  });
+});

@@ -1,0 +1,131 @@
+/** Which database is open: the built-in one, one that is kept on this device, or one that was dropped. */
+
+import type { DatabaseSource } from "../../client/protocol";
+import { isCancellation } from "../../client/protocol";
+import type { Session } from "../../player/session";
+import type { Store } from "../state/store";
+import { grouped } from "../strings/numerals";
+import { strings } from "../strings/strings";
+import { allOf, type Selection } from "../ui/polygon/selection";
+import type { ProgressLine } from "../ui/progress";
+import type { Toasts } from "../ui/toasts";
+import { errorText } from "../ui/words";
+
+/** Reads a database that is kept on this device by its name; `undefined` where there is none. */
+export type ReadSaved = (name: string) => Promise<Blob | undefined>;
+
+const BUILT_IN: DatabaseSource = { kind: "demo" };
+
+export class Databases {
+  readonly #store: Store;
+  readonly #toasts: Toasts;
+  readonly #session: Session;
+  readonly #readSaved: ReadSaved;
+  /** Name on this device of the database that is open; empty for others. */
+  #name = "";
+  /** The last open database that is not saved under a name. */
+  #unnamed: DatabaseSource = BUILT_IN;
+  /** Number of requests for a database: only the last one counts. */
+  #requests = 0;
+
+  constructor(store: Store, toasts: Toasts, session: Session, readSaved: ReadSaved = readSavedDatabase) {
+    this.#store = store;
+    this.#toasts = toasts;
+    this.#session = session;
+    this.#readSaved = readSaved;
+  }
+
+  /** Whether the state asks for another database than the one that is open. */
+  get moving(): boolean {
+    return this.#store.state.database !== this.#name;
+  }
+
+  /** Name for people and file of the database that is open; no file where it is the built-in one. */
+  get file(): { name: string; file: Blob | undefined } {
+    const source = this.#source;
+    return source.kind === "demo" ? { name: "", file: undefined } : { name: source.name, file: source.file };
+  }
+
+  /**
+   * Opens a database and shows it, in other styles where they are given; `kept` is its name on this device, empty if it
+   * is not kept here. Whether it is open now; otherwise what was open still is.
+   */
+  async open(source: DatabaseSource, kept: string, styles?: Selection): Promise<boolean> {
+    const opening = this.#load(source, kept, this.#session.inputName);
+    this.#store.edit({ view: "play" });
+    if (!(await opening)) return false;
+    this.#store.edit({ database: kept, ...(styles && { styles }) });
+    this.#announce();
+    return true;
+  }
+
+  /**
+   * Opens what the state asks for, and the input `inputName` on it. Where that cannot be opened what was open stays, or
+   * the built-in database is opened; the state then says so.
+   */
+  async follow(inputName: string): Promise<void> {
+    const request = ++this.#requests;
+    const name = this.#store.state.database;
+    const source = await this.#wanted(name);
+    if (request !== this.#requests) return;
+    if (source && (await this.#load(source, name, inputName, request))) return;
+    if (request !== this.#requests) return;
+    if (!this.#session.database && source !== BUILT_IN) await this.#load(BUILT_IN, "", inputName, request);
+    if (request !== this.#requests) return;
+    if (name !== "" && source) this.#toasts.note(strings.page.links.databaseRefused(name));
+    this.#store.adopt({ database: this.#name });
+  }
+
+  /** Makes a clip a style of the database that is open, by the name that the person gives it, and shows it. */
+  async addStyle(clip: File, progress: ProgressLine): Promise<void> {
+    const known = this.#session.database;
+    if (!known) return;
+    try {
+      const { styleName, styleOfClip } = await import("../views/data/style_of_clip");
+      const { askForStyleName } = await import("../views/data/name_dialog");
+      const style = await askForStyleName(styleName(clip.name, known.actions, known.styles), known.styles);
+      if (style === undefined) return;
+      const { database, lost } = await progress.run(strings.page.engine.registering(clip.name), (options) =>
+        styleOfClip(known, this.file.file, clip, style, options),
+      );
+      const source = { kind: "strutdb" as const, name: database.name, file: database.file };
+      const styles = allOf(this.#store.state.styles, style);
+      const opened = await this.open(source, lost ? "" : database.name, styles);
+      if (opened && lost) this.#toasts.error(strings.page.engine.notKept(style, lost));
+    } catch (error) {
+      if (!isCancellation(error)) this.#toasts.error(errorText(error));
+    }
+  }
+
+  get #source(): DatabaseSource {
+    return this.#session.databaseSource ?? BUILT_IN;
+  }
+
+  /** The database of a name on this device, empty for the last one without a name; `undefined` where it is not here. */
+  async #wanted(name: string): Promise<DatabaseSource | undefined> {
+    if (name === "") return this.#unnamed;
+    const file = await this.#readSaved(name).catch(() => undefined);
+    if (file) return { kind: "strutdb", name, file };
+    this.#toasts.note(strings.page.links.databaseMissing(name));
+    return undefined;
+  }
+
+  /** Opens a database; whether it is open now, be it without the input. */
+  async #load(source: DatabaseSource, kept: string, inputName: string, request = ++this.#requests): Promise<boolean> {
+    await this.#session.openDatabase(source, inputName);
+    if (request !== this.#requests || this.#session.databaseSource !== source) return false;
+    this.#name = kept;
+    if (kept === "") this.#unnamed = source;
+    return true;
+  }
+
+  #announce(): void {
+    const { database } = this.#session;
+    if (database) this.#toasts.note(strings.page.engine.stylesReady(database.styles.length, grouped(database.frames)));
+  }
+}
+
+async function readSavedDatabase(name: string): Promise<Blob | undefined> {
+  const { savedDatabase } = await import("../views/data/saved_databases");
+  return (await savedDatabase(name))?.file;
+}

@@ -1,0 +1,165 @@
+/** Files dropped anywhere on the page or chosen with a button. */
+
+import type { DroppedFile } from "../../client/build/protocol";
+import { strings } from "../strings/strings";
+import { icon } from "../ui/controls/icons";
+import { html } from "../ui/dom";
+import { filesOfDialog, filesOfDrop } from "../ui/dropped_files";
+
+/** Larger files are refused before they are read into memory. */
+const MAX_BYTES = 512 * 1024 * 1024;
+
+export interface FileListeners {
+  /** Which files go to the view that is shown, through {@link FileListeners.onClips}. */
+  takes: () => "motions" | "all" | undefined;
+  onMotion: (name: string, bytes: ArrayBuffer) => void;
+  onDatabase: (name: string, file: File) => void;
+  /** Several files, folders and archives: clips to build a database from. */
+  onClips: (files: DroppedFile[]) => void;
+  /** One motion that was dropped on {@link styleTarget}. */
+  onStyle: (file: File) => void;
+  /** Element on which a dropped motion becomes a style; undefined where there is none. */
+  styleTarget: () => Element | undefined;
+  onRefused: (sentence: string) => void;
+}
+
+/** Routes dropped files by their number, their type and the view that is shown. */
+async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListeners): Promise<void> {
+  const [first, ...others] = files;
+  if (!first) return;
+  const { path, file } = first;
+  if (listeners.takes() === "all" || others.length > 0 || path.includes("/") || /\.zip$/i.test(path)) {
+    listeners.onClips(files);
+    return;
+  }
+  if (file.size > MAX_BYTES) {
+    const megabytes = Math.round(file.size / (1024 * 1024));
+    listeners.onRefused(strings.page.drop.tooLarge(file.name, megabytes, MAX_BYTES / (1024 * 1024)));
+    return;
+  }
+  const isDatabase = /\.strutdb$/i.test(file.name);
+  if (!isDatabase && !/\.bvh$/i.test(file.name)) {
+    listeners.onRefused(strings.page.drop.unknown(file.name));
+    return;
+  }
+  if (isDatabase) {
+    listeners.onDatabase(file.name, file);
+    return;
+  }
+  if (asStyle) {
+    listeners.onStyle(file);
+    return;
+  }
+  if (listeners.takes() === "motions") {
+    listeners.onClips(files);
+    return;
+  }
+  try {
+    listeners.onMotion(file.name, await file.arrayBuffer());
+  } catch {
+    listeners.onRefused(strings.page.drop.unreadable(file.name));
+  }
+}
+
+/** Inset of the drop target for styles from the edges of the polygon, pixels. */
+const INSET = 20;
+
+const carriesFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
+
+/** Whether the pointer is over the drop target for styles. */
+function isOverStyles(event: DragEvent, listeners: FileListeners): boolean {
+  const box = listeners.styleTarget()?.getBoundingClientRect();
+  const { clientX: x, clientY: y } = event;
+  return box !== undefined && x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;
+}
+
+/** The overlay that is shown while a file is dragged over the page; handles the drop. */
+export class DropZone {
+  readonly element = html(
+    "div",
+    { class: "drop-overlay", hidden: true },
+    icon("drop", 24),
+    html("p", {}, strings.page.drop.invitation),
+  );
+  /** The drop target for styles, over the polygon. */
+  readonly #target = html("p", { class: "drop-style", hidden: true }, strings.page.drop.style);
+  readonly #picker = html("input", {
+    type: "file",
+    accept: ".bvh,.strutdb",
+    hidden: true,
+    "aria-label": strings.page.drop.file,
+  });
+
+  constructor(listeners: FileListeners, signal: AbortSignal) {
+    this.element.append(this.#target, this.#picker);
+    // Moving between two elements fires dragenter before dragleave: only the outermost dragleave leaves the page.
+    let depth = 0;
+    const reset = () => {
+      depth = 0;
+      this.element.hidden = true;
+      this.#target.hidden = true;
+    };
+    addEventListener(
+      "dragenter",
+      (event) => {
+        if (!carriesFiles(event)) return;
+        event.preventDefault();
+        depth += 1;
+        this.element.hidden = false;
+        this.#showTarget(listeners.styleTarget());
+      },
+      { signal },
+    );
+    addEventListener(
+      "dragleave",
+      (event) => {
+        if (carriesFiles(event)) depth -= 1;
+        if (depth <= 0) reset();
+      },
+      { signal },
+    );
+    addEventListener(
+      "dragover",
+      (event) => {
+        if (!carriesFiles(event)) return;
+        event.preventDefault();
+        this.#target.classList.toggle("over", isOverStyles(event, listeners));
+      },
+      { signal },
+    );
+    addEventListener(
+      "drop",
+      (event) => {
+        if (!carriesFiles(event)) return;
+        event.preventDefault();
+        const asStyle = isOverStyles(event, listeners);
+        reset();
+        if (!event.dataTransfer) return;
+        filesOfDrop(event.dataTransfer).then(
+          (files) => take(files, asStyle, listeners),
+          () => listeners.onRefused(strings.page.drop.oneUnreadable),
+        );
+      },
+      { signal },
+    );
+    this.#picker.addEventListener("change", () => {
+      void take(filesOfDialog(this.#picker.files ?? []), false, listeners);
+      this.#picker.value = "";
+    });
+  }
+
+  #showTarget(target: Element | undefined): void {
+    const box = target?.getBoundingClientRect();
+    this.#target.hidden = !box || box.width === 0;
+    if (!box) return;
+    const { top, height } = box;
+    const [left, width] = [box.left + INSET, box.width - 2 * INSET];
+    for (const [name, value] of Object.entries({ left, top, width, height }))
+      this.#target.style.setProperty(name, `${value}px`);
+  }
+
+  /** Opens the browser's file dialog. */
+  choose(): void {
+    this.#picker.click();
+  }
+}

@@ -1,0 +1,39 @@
+/** The help dialog: what the keys do, and a switch for those of a single character. */
+
+import { strings } from "../strings/strings";
+import { button, Toggle } from "../ui/controls/buttons";
+import { html } from "../ui/dom";
+import type { SingleKeys } from "./single_keys";
+
+const list = (rows: readonly (readonly [string, string])[]) =>
+  html("dl", {}, ...rows.flatMap(([keys, does]) => [html("dt", {}, keys), html("dd", {}, does)]));
+
+export class Help {
+  readonly element: HTMLDialogElement;
+
+  constructor(singleKeys: SingleKeys) {
+    const letters = new Toggle(strings.play.help.singleKeys, (on) => {
+      singleKeys.on = on;
+      letters.on = on;
+    });
+    letters.on = singleKeys.on;
+    const close = button(strings.play.help.close, () => this.element.close(), { icon: "close", class: "plain" });
+    this.element = html(
+      "dialog",
+      { class: "help", "aria-labelledby": "help-heading" },
+      html("div", { class: "section-heading" }, html("h2", { id: "help-heading" }, strings.play.help.heading), close),
+      list(strings.play.help.keys),
+      letters.element,
+      html("h3", {}, strings.play.help.polygonHeading),
+      list(strings.play.help.polygon),
+      html("p", { class: "caption" }, strings.play.help.drop),
+    );
+    this.element.addEventListener("click", (event) => {
+      if (event.target === this.element) this.element.close();
+    });
+  }
+
+  open(): void {
+    if (!this.element.open) this.element.showModal();
+  }
+}

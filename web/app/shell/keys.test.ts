@@ -1,0 +1,60 @@
+import { describe, expect, it } from "vitest";
+import { actionOf, type PageKeys } from "./keys";
+
+const said: string[] = [];
+const say = (what: string) => () => void said.push(what);
+const page = (singleKeys = true): PageKeys => ({
+  undo: say("undo"),
+  redo: say("redo"),
+  help: say("help"),
+  view: () => ({ " ": say("play"), l: say("loop"), ArrowLeft: say("back") }),
+  singleKeys: () => singleKeys,
+});
+
+/** An element that is what one of its selectors says. */
+const focus = (kind: string) => ({ matches: (selectors: string) => selectors.split(", ").includes(kind) }) as Element;
+
+function press(
+  key: string,
+  options: { focused?: Element; singleKeys?: boolean; ctrlKey?: boolean; shiftKey?: boolean } = {},
+) {
+  const { focused = null, singleKeys = true, ctrlKey = false, shiftKey = false } = options;
+  said.length = 0;
+  actionOf({ key, ctrlKey, shiftKey, metaKey: false, altKey: false }, focused, page(singleKeys))?.();
+  return said.join();
+}
+
+describe("a key", () => {
+  it("does what the view says, whatever the case", () => {
+    expect([press("l"), press("L"), press("ArrowLeft"), press(" ")]).toEqual(["loop", "loop", "back", "play"]);
+    expect(press("constructor")).toBe("");
+  });
+
+  it("undoes and redoes", () => {
+    const ctrl = { ctrlKey: true };
+    expect([press("z", ctrl), press("Z", { ...ctrl, shiftKey: true }), press("y", ctrl)]).toEqual([
+      "undo",
+      "redo",
+      "redo",
+    ]);
+    expect(press("l", ctrl)).toBe("");
+  });
+
+  it("is left to what has the focus", () => {
+    expect(press("l", { focused: focus("select") })).toBe("");
+    expect(press(" ", { focused: focus("button") })).toBe("");
+    expect(press("ArrowLeft", { focused: focus("button") })).toBe("back");
+    expect(press("z", { focused: focus("input[type=text]"), ctrlKey: true })).toBe("");
+  });
+
+  it("of a single character does nothing where those are switched off; Space and arrows still act", () => {
+    const off = { singleKeys: false };
+    expect([press("l", off), press("?", off), press("3", off)]).toEqual(["", "", ""]);
+    expect([press(" ", off), press("ArrowLeft", off), press("z", { ...off, ctrlKey: true })]).toEqual([
+      "play",
+      "back",
+      "undo",
+    ]);
+    expect(press("?")).toBe("help");
+  });
+});

@@ -1,0 +1,163 @@
+/** The state in the address bar and in links; a link may carry a small input file. */
+
+import type { InputLibrary } from "../../player/input_library";
+import { type AppState, fromHash, toHash } from "../state/state";
+import type { Store } from "../state/store";
+import { prefersReducedMotion } from "../ui/media";
+
+/** Debounce of URL updates: browsers limit how often a page may change its URL. */
+const WRITE_MS = 200;
+/** Key of the input file in a link; it is not part of the state, so that the address bar stays short. */
+const FILE_KEY = "file";
+/** Maximum number of characters of an input file in a link: what messengers and mail programs still accept. */
+const MAX_CHARACTERS = 24_000;
+
+/** A file that came in a link. */
+export interface LinkedFile {
+  name: string;
+  bytes: ArrayBuffer;
+}
+
+/** The state of a link. Playback does not start by itself where reduced motion is preferred. */
+export function stateOfLink(hash: string, reducedMotion = prefersReducedMotion()): AppState {
+  const state = fromHash(hash);
+  return reducedMotion ? { ...state, playing: false } : state;
+}
+
+/** The part of the browser's history that is used. */
+type BrowserHistory = Pick<History, "state" | "pushState" | "replaceState">;
+
+/** State of an entry in the browser's history. Entries with the same `link` follow from one opened link: they differ by view. */
+interface Entry {
+  link: number;
+}
+
+/** Keeps the address bar in step with the state. A change of view adds a history entry, so that Back returns to the previous view. */
+export class AddressBar {
+  readonly #store: Store;
+  readonly #history: BrowserHistory;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  /** The state that the current history entry stands for. */
+  #state: Readonly<AppState>;
+  #link: number;
+
+  constructor(store: Store, browserHistory: BrowserHistory = history) {
+    this.#store = store;
+    this.#history = browserHistory;
+    this.#state = store.state;
+    this.#link = entryOf(browserHistory.state)?.link ?? Date.now();
+    this.#claim();
+  }
+
+  /** Writes the state after a debounce; a change of view adds a history entry at once. */
+  write(): void {
+    const { state } = this.#store;
+    clearTimeout(this.#timer);
+    if (state.view !== this.#state.view) {
+      this.#replace();
+      this.#state = state;
+      this.#history.pushState(this.#entry, "", addressOf(state));
+      return;
+    }
+    this.#state = state;
+    this.#timer = setTimeout(() => this.#replace(), WRITE_MS);
+  }
+
+  /**
+   * Handles a `hashchange`: Back, Forward, or a link entered in the address bar.
+   * @returns the fields to change: only the view within the entries of one link, otherwise everything
+   */
+  arrive(hash: string): Partial<AppState> {
+    clearTimeout(this.#timer);
+    const entry = entryOf(this.#history.state);
+    const linked = stateOfLink(hash);
+    const within = entry?.link === this.#link;
+    this.#link = entry?.link ?? Date.now();
+    this.#claim();
+    const arrived = within ? { view: linked.view } : linked;
+    // This entry exists already: the edit that follows must not add another one.
+    this.#state = { ...this.#store.state, ...arrived };
+    this.#timer = setTimeout(() => this.#replace(), WRITE_MS);
+    return arrived;
+  }
+
+  dispose(): void {
+    clearTimeout(this.#timer);
+  }
+
+  get #entry(): Entry {
+    return { link: this.#link };
+  }
+
+  /** Marks the current entry as the page's own. */
+  #claim(): void {
+    this.#history.replaceState(this.#entry, "");
+  }
+
+  #replace(): void {
+    // A link was followed, and its `hashchange` is on the way: its address must not be overwritten.
+    if (!entryOf(this.#history.state)) return;
+    this.#history.replaceState(this.#entry, "", addressOf(this.#state));
+  }
+}
+
+function entryOf(state: unknown): Entry | undefined {
+  const { link } = (state ?? {}) as Partial<Entry>;
+  return typeof link === "number" ? { link } : undefined;
+}
+
+/** The relative URL of a state. */
+function addressOf(state: AppState): string {
+  const hash = toHash(state);
+  return hash ? `#${hash}` : location.pathname + location.search;
+}
+
+/** A link to what is shown, and whether it carries the dropped motion; `undefined` where there is none to carry. */
+export async function linkTo(
+  state: AppState,
+  library: InputLibrary,
+  page: string,
+): Promise<{ href: string; carried: boolean | undefined }> {
+  const url = new URL(page);
+  url.hash = toHash(state);
+  const source = library.source(state.input);
+  if (source?.kind !== "bvh") return { href: url.href, carried: undefined };
+  const packed = await pack(source.bytes);
+  const carried = packed.length <= MAX_CHARACTERS;
+  if (carried) url.hash += `&${FILE_KEY}=${encodeURIComponent(state.input)}~${packed}`;
+  return { href: url.href, carried };
+}
+
+/**
+ * The file in a link; `undefined` where there is none that can be read, or a longer one than {@link linkTo} makes, which
+ * might inflate without end.
+ */
+export async function linkedFile(hash: string): Promise<LinkedFile | undefined> {
+  const value = new URLSearchParams(hash.replace(/^#/, "")).get(FILE_KEY);
+  const at = value?.lastIndexOf("~") ?? -1;
+  if (!value || at < 1 || value.length - at > 1 + MAX_CHARACTERS) return undefined;
+  try {
+    return { name: value.slice(0, at), bytes: await unpack(value.slice(at + 1)) };
+  } catch {
+    return undefined;
+  }
+}
+
+/** Bytes as URL-safe text: deflate-raw, then base64url. */
+export async function pack(bytes: ArrayBuffer): Promise<string> {
+  const deflated = await through(bytes, new CompressionStream("deflate-raw"));
+  let binary = "";
+  for (const byte of new Uint8Array(deflated)) binary += String.fromCharCode(byte);
+  return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+}
+
+/** Inverse of {@link pack}. */
+export function unpack(text: string): Promise<ArrayBuffer> {
+  const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
+  const bytes = Uint8Array.from(binary, (c) => c.charCodeAt(0));
+  return through(bytes.buffer, new DecompressionStream("deflate-raw"));
+}
+
+function through(bytes: ArrayBuffer, stream: CompressionStream | DecompressionStream): Promise<ArrayBuffer> {
+  return new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
+}

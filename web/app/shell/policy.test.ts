@@ -1,0 +1,19 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { expect, test } from "vitest";
+
+const read = (path: string) => readFileSync(join(import.meta.dirname, path), "utf8");
+
+const policyOf = (page: string) => /content="(default-src [^"]*)"/.exec(read(page))![1]!;
+
+test("the page may fetch from its own host and those of the catalogue, and from no other", () => {
+  const [, allowed] = /connect-src 'self' ([^;]*);/.exec(policyOf("../index.html"))!;
+  const { sets } = JSON.parse(read("../../../public/catalog.json")) as { sets: { base: string }[] };
+  const hosts = new Set(sets.map(({ base }) => new URL(base).origin));
+  expect(allowed!.split(" ").sort()).toEqual([...hosts].sort());
+});
+
+test("the benchmark has the policy of the page, but fetches from its own host alone", () => {
+  const policy = policyOf("../index.html").replace(/connect-src 'self' [^;]*;/, "connect-src 'self';");
+  expect(policyOf("../bench.html")).toBe(policy);
+});

@@ -1,0 +1,132 @@
+/** The one 3-D viewer of the page: views borrow it, because a second one would compile all shaders again. */
+import type { Role } from "../../humanoid";
+import { VIEWER_DEFAULTS, Viewer } from "../../viewer";
+import { html } from "../ui/dom";
+import type { ViewerLease } from "../view";
+
+/** Drawing goes on for so long after the last change: glides and fades end within it. */
+const AFTERGLOW_MS = 1200;
+/** A picture that the graphics processor was not ready for is tried again after this time. */
+const RETRY_MS = 4;
+
+export class SharedViewer {
+  readonly #viewer: Viewer;
+  readonly #container = html("div", { class: "stage-view" });
+  readonly #observer = new ResizeObserver(() => this.#invalidate());
+  #borrower: HTMLElement | undefined;
+  #tinted: readonly Role[] = [];
+  /** Whether nothing is drawn: not even the finer picture of what stands still, which takes its time. */
+  #frozen = false;
+  #drawUntil = 0;
+
+  constructor(theme: "dark" | "light") {
+    this.#viewer = new Viewer(this.#container, { theme, labels: { styled: "", input: "" } });
+    for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
+      this.#container.addEventListener(type, () => this.#invalidate(), { passive: true });
+    this.#observer.observe(this.#container);
+  }
+
+  set theme(theme: "dark" | "light") {
+    this.#viewer.theme = theme;
+    this.#invalidate();
+  }
+
+  /** Moves the viewer into a container, where it shows nothing of what it showed in another one. */
+  borrow(container: HTMLElement): ViewerLease {
+    const viewer = this.#viewer;
+    this.#frozen = false;
+    if (this.#borrower !== container) {
+      if (this.#borrower) this.#clear();
+      this.#borrower = container;
+      container.append(this.#container);
+    }
+    viewer.resetTrail();
+    this.#invalidate();
+    return {
+      viewer,
+      element: this.#container,
+      invalidate: () => this.#invalidate(),
+      freeze: (frozen) => {
+        this.#frozen = frozen;
+      },
+      tint: (joints) => {
+        this.#tinted = joints;
+        viewer.tinted = joints;
+        this.#invalidate();
+      },
+    };
+  }
+
+  #clear(): void {
+    const viewer = this.#viewer;
+    this.#tinted = [];
+    viewer.tinted = [];
+    viewer.labels = { styled: "", input: "" };
+    viewer.description = VIEWER_DEFAULTS.description;
+    viewer.setInput(null);
+    viewer.setPath(null);
+    viewer.motionTrail = "off";
+    viewer.setPlanted([false, false]);
+    viewer.follow = true;
+    viewer.camera("orbit");
+    viewer.onViewChange = undefined;
+    viewer.onFps = undefined;
+  }
+
+  #invalidate(): void {
+    this.#drawUntil = performance.now() + AFTERGLOW_MS;
+  }
+
+  /** Draws if anything may have changed, and until the viewer has drawn its still picture. */
+  draw(now: number): void {
+    if (this.#frozen) return;
+    if (now < this.#drawUntil || !this.#viewer.still) this.#viewer.render(now / 1000);
+  }
+
+  /** A copy of the picture, drawn now or as soon as the graphics processor is ready for it. */
+  picture(): Promise<HTMLCanvasElement> {
+    return this.film((pictureAt) => pictureAt(0));
+  }
+
+  /**
+   * Runs a task while pictures are drawn for it alone: each shows its own time, seconds from the start, however long it
+   * takes to draw. They bear no mark of what is being edited.
+   * @throws what `signal` was aborted with
+   */
+  async film<T>(
+    task: (pictureAt: (secs: number) => Promise<HTMLCanvasElement>) => Promise<T>,
+    signal?: AbortSignal,
+  ): Promise<T> {
+    const viewer = this.#viewer;
+    const start = performance.now() / 1000;
+    const frozen = this.#frozen;
+    this.#frozen = true;
+    viewer.tinted = [];
+    try {
+      return await task(async (secs) => {
+        for (;;) {
+          signal?.throwIfAborted();
+          viewer.invalidate();
+          if (viewer.render(start + secs)) return viewer.copy();
+          await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
+        }
+      });
+    } finally {
+      this.#frozen = frozen;
+      viewer.tinted = this.#tinted;
+      this.#invalidate();
+    }
+  }
+
+  /** Place of a joint of the styled character in the page, CSS pixels. */
+  jointPosition(role: Role): { x: number; y: number } {
+    const box = this.#container.getBoundingClientRect();
+    const { x, y } = this.#viewer.jointScreenPosition(role);
+    return { x: box.left + x, y: box.top + y };
+  }
+
+  dispose(): void {
+    this.#observer.disconnect();
+    this.#viewer.dispose();
+  }
+}

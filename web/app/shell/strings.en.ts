@@ -1,0 +1,119 @@
+/** What is said everywhere: titles, menus, toasts, what went wrong. */
+export const page = {
+  views: { play: "Play", compare: "Compare", walk: "Walk", "key-style": "Key-style", data: "Data" },
+  title: (view: string) => `${view} · Strut`,
+  viewShown: (view: string) => `${view} view`,
+  viewNotLoaded: (why: string) => `This view could not be loaded. Reload the page. ${why}`,
+  oldBrowser:
+    "This browser is too old for Strut. It needs Chrome or Edge 123, Firefox 125, Safari 17.5, or a newer one.",
+  notBuilt: (why: string) => `The page could not be built. Reload it, or use another browser. ${why}`,
+  noWebGl:
+    "Strut draws with WebGL 2, which this browser does not offer. Switch on hardware acceleration or use another browser.",
+
+  bar: {
+    undo: "Undo",
+    redo: "Redo",
+    share: "Share",
+    theme: "Theme",
+    help: "Help",
+    lightOrDark: "Light or dark",
+    lightTheme: "Light theme",
+    darkTheme: "Dark theme",
+    menu: "Menu",
+    home: "Strut home",
+    views: "Views",
+  },
+
+  outputs: {
+    export: "Export",
+    why: "Save what you made as a file",
+    size: "Size of the video",
+    asOnScreen: "as on screen",
+    what: {
+      bvh: "the motion on the input's own skeleton",
+      glb: "the mannequin with the animation",
+      webm: "a video of what you see",
+      png: "this picture",
+      csv: "times, contacts and class weights, a row a frame",
+      jsonl: "the same, a line a frame",
+    },
+    saved: (name: string) => `Saved ${name}.`,
+    noVideo: "This browser does not record video. Use the GLB in another program, or another browser.",
+    recording: "Recording.",
+  },
+
+  drop: {
+    invitation: "Drop a BVH, or a folder or zip of clips in several styles. Any humanoid skeleton works.",
+    file: "Motion file",
+    tooLarge: (name: string, megabytes: number, max: number) =>
+      `“${name}” has ${megabytes} MB; files up to ${max} MB work. Export a shorter part.`,
+    unknown: (name: string) => `“${name}” is neither a .bvh motion nor a .strutdb database. Drop one of those.`,
+    unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
+    style: "Drop a walk here to make it a style.",
+    oneUnreadable: "A file could not be read. Drop it again.",
+  },
+
+  links: {
+    copied: "Link copied.",
+    copiedWithMotion: "Link copied, with the motion in it.",
+    copiedWithoutMotion: "Link copied. The dropped file is too large for it: send the file along.",
+    fileMissing: (name: string) =>
+      `This link was made with “${name}”, a file that is not part of it. Drop the file here.`,
+    databaseMissing: (name: string) => `This link was made with the database “${name}”, which is not on this device.`,
+    databaseRefused: (name: string) => `The database “${name}” could not be opened; another one is open instead.`,
+    copyThis: "The browser does not let this page copy. Copy the link here:",
+    link: "Link",
+  },
+
+  progress: { cancel: "Cancel", done: "Done.", stopped: "Stopped." },
+  engine: {
+    restarted: (why: string) => `The engine stopped and was started again. Your settings are kept. ${why}`,
+    restartedWithout: (lost: readonly string[], why: string, reason: string) =>
+      `The engine stopped and was started again, without the ${lost.join(" and the ")}: open ${lost.length > 1 ? "them" : "it"} again. ${why} ${reason}`,
+    preparing: "Preparing the styles.",
+    reading: (name: string) => `Reading ${name}.`,
+    styling: "Styling the whole motion.",
+    exporting: "Exporting.",
+    registering: (name: string) => `Registering ${name}.`,
+    noInput: (name: string) => `There is no input “${name}” here. Choose another or drop a BVH.`,
+    stylesReady: (styles: number, frames: string) => `${styles} styles ready. ${frames} frames.`,
+    notKept: (style: string, why: string) => `“${style}” will not be here after a reload. ${why}`,
+    cancelled: "It was cancelled.",
+    silentFailure: "Something failed without saying what.",
+  },
+
+  numbers: [
+    "none",
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+  ] as readonly string[],
+  manner: {
+    opposite: (style: string) => `the opposite of ${style}`,
+    little: (style: string) => `a little ${style}`,
+    very: (style: string) => `very ${style}`,
+    mostly: (style: string) => `mostly ${style}`,
+    two: (first: string, second: string) => `${first} and ${second}`,
+    mix: (count: string) => `a mix of ${count} styles`,
+    exaggerated: (manner: string) => `${manner}, exaggerated`,
+    title: (action: string, manner: string) => `${action}, ${manner}`,
+  },
+
+  /** The line under the title. */
+  caption: {
+    input: (name: string) => `${name} in`,
+    styles: (n: number) => (n === 1 ? "1 style" : `${n} styles`),
+    parts: (n: number) => `${n === 1 ? "1 body part" : `${n} body parts`} styled separately`,
+    keys: (n: number) => (n === 1 ? "1 key" : `${n} keys`),
+    rate: (hz: number) => `${hz} Hz`,
+  },
+};

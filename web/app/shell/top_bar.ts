@@ -1,0 +1,106 @@
+/** The top bar: name, tabs, undo and redo, share, export, theme, help; on a narrow screen partly in a menu. */
+
+import type { OutputFormat, VideoSize } from "../outputs/formats";
+import type { ViewName } from "../state/page";
+import { strings } from "../strings/strings";
+import { button } from "../ui/controls/buttons";
+import { icon, mark } from "../ui/controls/icons";
+import { html, setAttributes } from "../ui/dom";
+import { ExportMenu } from "./export_menu";
+import { VIEWS } from "./view_table";
+
+export interface TopBarListeners {
+  onView: (view: ViewName) => void;
+  onUndo: () => void;
+  onRedo: () => void;
+  onShare: () => void;
+  onExport: (format: OutputFormat, size: VideoSize) => void;
+  onTheme: () => void;
+  onHelp: () => void;
+}
+
+export class TopBar {
+  readonly element: HTMLElement;
+  readonly #undo: HTMLButtonElement[];
+  readonly #redo: HTMLButtonElement[];
+  readonly #theme: HTMLButtonElement;
+  readonly #export: ExportMenu;
+  /** The tabs, and the menu items for them on a narrow screen. */
+  readonly #views: { name: ViewName; element: HTMLElement }[];
+
+  constructor(listeners: TopBarListeners) {
+    const divider = () => html("span", { class: "bar-divider" });
+    const undo = button(strings.page.bar.undo, listeners.onUndo, { icon: "undo", keys: "Ctrl+Z" });
+    const redo = button(strings.page.bar.redo, listeners.onRedo, { icon: "redo", keys: "Ctrl+Shift+Z" });
+    const share = button(strings.page.bar.share, listeners.onShare, {
+      icon: "share",
+      label: true,
+      class: "bar-action",
+    });
+    this.#export = new ExportMenu(listeners.onExport);
+    this.#theme = button(strings.page.bar.theme, listeners.onTheme, { icon: "sun" });
+    const help = button(strings.page.bar.help, listeners.onHelp, { icon: "help", keys: "?" });
+    const menuUndo = button(strings.page.bar.undo, listeners.onUndo, { icon: "undo", label: true, class: "menu-item" });
+    const menuRedo = button(strings.page.bar.redo, listeners.onRedo, { icon: "redo", label: true, class: "menu-item" });
+    const menuTheme = button(strings.page.bar.lightOrDark, listeners.onTheme, {
+      icon: "moon",
+      label: true,
+      class: "menu-item",
+    });
+    const menuHelp = button(strings.page.bar.help, listeners.onHelp, { icon: "help", label: true, class: "menu-item" });
+    const tabs = VIEWS.map(({ name, title }) => {
+      const element = html("a", { href: `#view=${name}`, class: "tab" }, title);
+      element.addEventListener("click", (event) => {
+        if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+        event.preventDefault();
+        listeners.onView(name);
+      });
+      return { name, element };
+    });
+    const menuViews = VIEWS.map(({ name, title }) => {
+      const element = button(title, () => listeners.onView(name), { label: true, class: "menu-item" });
+      element.addEventListener("click", () => menu.hidePopover());
+      return { name, element };
+    });
+    this.#views = [...tabs, ...menuViews];
+    const menu = html("div", { id: "menu", class: "menu", popover: "auto" });
+    menu.append(...menuViews.map(({ element }) => element), menuUndo, menuRedo, menuTheme, menuHelp);
+    for (const item of [menuTheme, menuHelp]) item.addEventListener("click", () => menu.hidePopover());
+    const menuButton = button(strings.page.bar.menu, () => {}, { icon: "menu", class: "menu-button" });
+    menuButton.setAttribute("popovertarget", "menu");
+    this.#undo = [undo, menuUndo];
+    this.#redo = [redo, menuRedo];
+    this.element = html(
+      "header",
+      { class: "bar" },
+      html("a", { class: "wordmark", href: "./", "aria-label": strings.page.bar.home }, mark(), "Strut"),
+      html("nav", { "aria-label": strings.page.bar.views }, ...tabs.map(({ element }) => element)),
+      html(
+        "div",
+        { class: "bar-actions" },
+        html("span", { class: "wide" }, undo, redo, divider()),
+        share,
+        ...this.#export.elements,
+        html("span", { class: "wide" }, divider(), this.#theme, help),
+        menuButton,
+        menu,
+      ),
+    );
+  }
+
+  show({ view, canUndo, canRedo, dark }: { view: ViewName; canUndo: boolean; canRedo: boolean; dark: boolean }): void {
+    for (const { name, element } of this.#views) setAttributes(element, { "aria-current": name === view && "page" });
+    for (const undo of this.#undo) undo.disabled = !canUndo;
+    for (const redo of this.#redo) redo.disabled = !canRedo;
+    const name = dark ? strings.page.bar.lightTheme : strings.page.bar.darkTheme;
+    if (this.#theme.title === name) return;
+    this.#theme.title = name;
+    this.#theme.setAttribute("aria-label", name);
+    this.#theme.replaceChildren(icon(dark ? "sun" : "moon"));
+  }
+
+  /** Disabled until an input is open, and during an export. */
+  set canExport(can: boolean) {
+    this.#export.enabled = can;
+  }
+}

@@ -1,0 +1,40 @@
+/** The views that there are. */
+
+import type { ViewName } from "../state/page";
+import { strings } from "../strings/strings";
+import type { View, ViewHost } from "../view";
+import { createView as createPlay } from "../views/play/play_view";
+
+interface ViewModule {
+  createView(host: ViewHost): View;
+}
+
+export interface ViewEntry {
+  name: ViewName;
+  title: string;
+  /** Loads the code of the view when it is first shown; that of Play is part of the page. */
+  load: () => Promise<ViewModule>;
+  /** Which dropped files go to the view; the page handles the others. */
+  takes?: "motions" | "all";
+}
+
+const titles = strings.page.views;
+
+/** Every view in the order of the tabs. A new view is a name in `state/page.ts` and a row here. */
+export const VIEWS: readonly ViewEntry[] = [
+  { name: "play", title: titles.play, load: () => Promise.resolve({ createView: createPlay }) },
+  { name: "compare", title: titles.compare, load: () => import("../views/compare/compare_view") },
+  { name: "walk", title: titles.walk, load: () => import("../views/walk/walk_view") },
+  {
+    name: "key-style",
+    title: titles["key-style"],
+    load: () => import("../views/key_style/key_style_view"),
+    takes: "motions",
+  },
+  { name: "data", title: titles.data, load: () => import("../views/data/data_view"), takes: "all" },
+];
+
+/** The entry of a view. */
+export function viewEntry(name: ViewName): ViewEntry {
+  return VIEWS.find((view) => view.name === name)!;
+}

@@ -1,0 +1,164 @@
+/** What is open, in step with the state: database, input, the styles that there are, and the engine's options. */
+import type { DatabaseInfo, StrutClient } from "../../client/protocol";
+import { Session, UnknownInput } from "../../player/session";
+import { ENGINE_FIELDS } from "../state/play";
+import { Playhead } from "../state/playhead";
+import type { AppState } from "../state/state";
+import type { Store } from "../state/store";
+import { engineOptions, withKnownLabels, withKnownStyles } from "../state/style_settings";
+import { strings } from "../strings/strings";
+import { firstSelection } from "../ui/polygon/selection";
+import type { Toasts } from "../ui/toasts";
+import { errorText } from "../ui/words";
+import { Databases } from "./databases";
+import { linkedFile } from "./links";
+import type { SessionProgressLines } from "./session_progress";
+
+type Changed = ReadonlySet<keyof AppState>;
+const any = (changed: Changed, ...names: (keyof AppState)[]): boolean => names.some((name) => changed.has(name));
+
+export class Workspace {
+  readonly session: Session;
+  readonly playhead: Playhead;
+  readonly databases: Databases;
+  readonly #store: Store;
+  readonly #toasts: Toasts;
+  /** What is being opened because the state asks for it. */
+  #opening: Promise<void> = Promise.resolve();
+  /** The file that a link was made with and does not hold, and the frame that it shows of it. */
+  #awaited: { input: string; frame: number } | undefined;
+
+  constructor(client: StrutClient, store: Store, toasts: Toasts, progress: SessionProgressLines) {
+    this.#store = store;
+    this.#toasts = toasts;
+    this.session = new Session(client, progress);
+    this.playhead = new Playhead(store, this.session);
+    this.databases = new Databases(store, toasts, this.session);
+    this.session.listen({
+      onDatabase: (database) => {
+        this.#completeStyles(database);
+        this.#configure();
+      },
+      onError: (error) =>
+        toasts.error(error instanceof UnknownInput ? strings.page.engine.noInput(error.input) : errorText(error)),
+      onStopped: () => store.edit({ playing: false }),
+      onRestart: ({ why, lost, reason }) =>
+        lost.length > 0
+          ? toasts.error(strings.page.engine.restartedWithout(lost, why, reason))
+          : toasts.note(strings.page.engine.restarted(why)),
+    });
+    store.subscribe((_, changed) => this.#onChange(changed));
+  }
+
+  /** Opens what the state asks for, and the file that the link carries, and begins to play. */
+  async start(hash: string): Promise<void> {
+    const { session } = this;
+    const carried = await this.#carriedInput(hash);
+    if (carried !== undefined) this.#store.adopt({ input: carried });
+    await this.databases.follow(this.#store.state.input);
+    if (carried !== undefined && session.inputName !== carried) session.library.remove(carried);
+    if (session.database && !session.input) await session.openInput(session.library.first);
+    this.#settleInput();
+    const { loop, range, frame, playing, speed } = this.#store.state;
+    session.setLoop(loop, range);
+    session.playback.speed = speed;
+    if (!playing && frame > 0) session.playback.seek(frame);
+    session.playback.start();
+  }
+
+  /** Goes to the state of a link, or to what of it is given; the link may carry a file. */
+  async arrive(arrived: Partial<AppState>, hash: string): Promise<void> {
+    const carried = arrived.input === undefined ? undefined : await this.#carriedInput(hash);
+    this.#store.edit(carried === undefined ? arrived : { ...arrived, input: carried });
+    await this.#opening;
+    const { playing, frame } = this.#store.state;
+    if (arrived.frame !== undefined && !playing) this.playhead.goTo(frame);
+  }
+
+  /** Opens an input of the library and makes it the state's; whether it is open now. */
+  async chooseInput(name: string): Promise<boolean> {
+    const opened = (await this.session.openInput(name)) === "done";
+    if (opened) this.#store.edit({ input: this.#openInput });
+    return opened;
+  }
+
+  /** Opens a dropped motion. */
+  async takeMotion(fileName: string, bytes: ArrayBuffer): Promise<void> {
+    const name = await this.session.openFile(fileName, bytes);
+    if (name === undefined) return;
+    this.#store.edit({ input: name });
+    // The link is complete now: it shows its own instant.
+    if (name === this.#awaited?.input && !this.#store.state.playing) this.playhead.goTo(this.#awaited.frame);
+    this.#awaited = undefined;
+  }
+
+  dispose(): void {
+    this.session.dispose();
+  }
+
+  #onChange(changed: Changed): void {
+    const { session } = this;
+    const moving = changed.has("database") && this.databases.moving;
+    // Another database has other styles: they are looked at when it is open.
+    if (session.database && !moving && any(changed, "styles", "parts", "track", "action", "inputStyle"))
+      this.#completeStyles(session.database);
+    const { loop, range, speed, input } = this.#store.state;
+    if (any(changed, "loop", "range")) session.setLoop(loop, range);
+    if (changed.has("speed")) session.playback.speed = speed;
+    if (!moving && any(changed, ...ENGINE_FIELDS)) this.#configure();
+    if (session.database && moving) this.#opening = this.#followDatabase(input);
+    else if (session.input && changed.has("input")) this.#opening = this.#followInput(input);
+  }
+
+  #configure(): void {
+    const { session } = this;
+    if (!session.database) return;
+    session.playback.options = engineOptions(this.#store.state, session.database.neutral);
+    session.analyseSoon();
+  }
+
+  /** Drops styles that the database does not have, and chooses some where none is left. */
+  #completeStyles(database: DatabaseInfo): void {
+    const first = firstSelection(database.styles, database.neutral);
+    const styles = withKnownStyles(this.#store.state, database.styles, first);
+    const labels = withKnownLabels(this.#store.state, database.classes);
+    if (styles || labels) this.#store.adopt({ ...styles, ...labels });
+  }
+
+  async #followDatabase(inputName: string): Promise<void> {
+    await this.databases.follow(inputName);
+    if (!this.databases.moving) this.#settleInput();
+  }
+
+  /** Opens the input that undo, redo or a link brought; where that fails the state goes back to what is open. */
+  async #followInput(wanted: string): Promise<void> {
+    const { session } = this;
+    const name = wanted || session.library.first;
+    if (name === session.inputName) return;
+    if (session.library.has(name)) await session.openInput(name);
+    if (this.#store.state.input === wanted) this.#settleInput();
+  }
+
+  /** Writes the open input to the state, and reports a missing file if the state named another one. */
+  #settleInput(): void {
+    const { input: wanted, frame } = this.#store.state;
+    if (!this.session.input || wanted === this.#openInput || wanted === this.session.inputName) return;
+    if (!this.session.library.has(wanted)) {
+      this.#awaited = { input: wanted, frame };
+      this.#toasts.note(strings.page.links.fileMissing(wanted));
+    }
+    this.#store.adopt({ input: this.#openInput });
+  }
+
+  /** The input that is open, as the state names it. */
+  get #openInput(): string {
+    const { library, inputName } = this.session;
+    return inputName === library.first ? "" : inputName;
+  }
+
+  /** Puts the file that a link carries into the library; its name there. */
+  async #carriedInput(hash: string): Promise<string | undefined> {
+    const file = await linkedFile(hash);
+    return file && this.session.library.add(file.name, file.bytes);
+  }
+}

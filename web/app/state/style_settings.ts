@@ -1,0 +1,181 @@
+/**
+ * Edits of styles in the state: of the whole body, a body part or a key of the style track; settings A and B; random
+ * styles. Pure functions over {@link AppState}.
+ */
+
+import { BODY_PARTS, type BodyPart, type DatabaseInfo, type StylizeOptions } from "../../client/protocol";
+import type { Role } from "../../humanoid";
+import { engineWeights, normalised, type Selection, TRIANGLE } from "../ui/polygon/selection";
+import { MAX_TRACK_KEYS, type TrackKey } from "./play";
+import { type AppState, fromHash, initialState, toHash, UNDOABLE } from "./state";
+
+type Patch = Partial<AppState>;
+
+/** The engine's options for a state. */
+export function engineOptions(state: AppState, neutral: string): StylizeOptions {
+  const { k, lambda, rho, kappa, delta, coherence, timing, footplant, method, action, inputStyle, intensity } = state;
+  const weights = (styles: Selection) => engineWeights(styles, intensity, neutral);
+  const parts = Object.entries(state.parts).map(([part, styles]) => [part, weights(styles)]);
+  return {
+    styles: weights(state.styles),
+    parts: Object.fromEntries(parts),
+    track: state.track.map(({ frame, styles }) => ({ frame, styles: weights(styles) })),
+    k,
+    lambda,
+    rho,
+    kappa,
+    delta,
+    coherence,
+    timing,
+    footplant,
+    method,
+    action,
+    inputStyle,
+  };
+}
+
+/** The styles that the polygon shows: those of the chosen body part if it has its own, otherwise the whole body's. */
+export function shownStyles({ part, parts, styles }: AppState): Selection {
+  return (part && parts[part]) || styles;
+}
+
+/** Sets the styles of what the polygon shows: the chosen body part, or the whole body at the chosen key. */
+export function withStyles(state: AppState, styles: Selection): Patch {
+  const { part, parts, track } = state;
+  if (part) return { parts: { ...parts, [part]: styles } };
+  const at = chosenKey(state);
+  return { styles, track: track.map((key, i) => (i === at ? { ...key, styles } : key)) };
+}
+
+/** Removes the styles of a body part: it follows the whole body again. */
+export function withoutPart({ parts }: AppState, part: BodyPart): Patch {
+  return { parts: Object.fromEntries(Object.entries(parts).filter(([name]) => name !== part)) };
+}
+
+/** Number of the chosen key; −1 without a track. */
+export function chosenKey({ track, key }: AppState): number {
+  return Math.min(key, track.length - 1);
+}
+
+/** Chooses a key: the polygon shows its styles. */
+export function chooseKey({ track }: AppState, key: number): Patch {
+  const styles = track[key]?.styles;
+  return styles ? { key, styles, part: "" } : {};
+}
+
+/** The styles of the track at a frame, interpolated as in the engine; the state's styles where there is no track. */
+export function stylesAt({ track, styles }: AppState, frame: number): Selection {
+  const after = track.findIndex((key) => key.frame > frame);
+  const to = track[after < 0 ? track.length - 1 : after];
+  if (!to) return styles;
+  const from = track[after - 1] ?? to;
+  const share = to.frame > from.frame ? (frame - from.frame) / (to.frame - from.frame) : 1;
+  const weight = (of: Selection, name: string) => of.find((s) => s.name === name)?.weight ?? 0;
+  const names = new Set([...from.styles, ...to.styles].map((s) => s.name));
+  return [...names].map((name) => ({
+    name,
+    weight: (1 - share) * weight(from.styles, name) + share * weight(to.styles, name),
+  }));
+}
+
+/** Adds a key with the current styles at a frame and chooses it; an existing key at that frame is chosen. */
+export function addKey(state: AppState, frame: number): Patch {
+  const at = Math.max(0, Math.round(frame));
+  const present = state.track.findIndex((key) => key.frame === at);
+  if (present >= 0) return chooseKey(state, present);
+  if (state.track.length >= MAX_TRACK_KEYS) return {};
+  const added: TrackKey = { frame: at, styles: state.styles };
+  const track = [...state.track, added].sort((a, b) => a.frame - b.frame);
+  return { track, key: track.indexOf(added), part: "" };
+}
+
+/** Removes a key and chooses the one before it. */
+export function removeKey(state: AppState, key: number): Patch {
+  const track = state.track.filter((_, i) => i !== key);
+  const next = Math.max(0, key - 1);
+  return { track, key: next, styles: track[next]?.styles ?? state.styles };
+}
+
+/** Moves a key to a frame, at most next to its neighbours. */
+export function moveKey({ track }: AppState, key: number, frame: number): Patch {
+  const min = (track[key - 1]?.frame ?? -1) + 1;
+  const max = (track[key + 1]?.frame ?? Number.MAX_SAFE_INTEGER) - 1;
+  const at = Math.min(max, Math.max(min, Math.round(frame)));
+  return { track: track.map((k, i) => (i === key ? { ...k, frame: at } : k)) };
+}
+
+/**
+ * What changes where a database has only the styles `known`: others are dropped, and `first` is selected where nothing
+ * is left. `undefined` where nothing changes.
+ */
+export function withKnownStyles(state: AppState, known: readonly string[], first: Selection): Patch | undefined {
+  const isKnown = (s: { name: string }) => known.includes(s.name);
+  const all = [state.styles, ...Object.values(state.parts), ...state.track.map((key) => key.styles)];
+  if (all.every((styles) => styles.length > 0 && styles.every(isKnown))) return undefined;
+  const keep = (styles: Selection): Selection => {
+    if (styles.length > 0 && styles.every(isKnown)) return styles;
+    const left = styles.filter(isKnown);
+    return left.length > 0 ? normalised(left) : first;
+  };
+  const parts = Object.entries(state.parts).filter(([, styles]) => styles.some(isKnown));
+  return {
+    styles: keep(state.styles),
+    parts: Object.fromEntries(parts.map(([part, styles]) => [part, keep(styles)])),
+    track: state.track.map((key) => ({ ...key, styles: keep(key.styles) })),
+    wholePolygon: false,
+  };
+}
+
+/** What changes where a database has no class of the labels that the input was given; `undefined` where it has one. */
+export function withKnownLabels({ action, inputStyle }: AppState, classes: DatabaseInfo["classes"]): Patch | undefined {
+  const known = classes.some((c) => (!action || action === c.action) && (!inputStyle || inputStyle === c.style));
+  return known ? undefined : { action: "", inputStyle: "" };
+}
+
+/** The fields that belong to a setting, A or B. */
+const SETTING = UNDOABLE.filter((name) => !["database", "input", "side", "other"].includes(name));
+
+function setting(state: AppState): AppState {
+  return { ...initialState(), ...Object.fromEntries(SETTING.map((name) => [name, state[name]])) };
+}
+
+/** Switches between settings A and B; B begins as a copy of A. */
+export function otherSide(state: AppState): Patch {
+  const side = state.side === "a" ? "b" : "a";
+  const other = toHash(setting(state));
+  if (state.other === "") return { side, other };
+  const next = fromHash(state.other);
+  return { ...Object.fromEntries(SETTING.map((name) => [name, next[name]])), side, other };
+}
+
+/** Three random styles with random weights; `random` gives numbers from 0 to 1. The neutral style is as likely as others. */
+export function randomStyles(styles: readonly string[], random: () => number = Math.random): Selection {
+  const left = [...styles];
+  const chosen: Selection[number][] = [];
+  while (chosen.length < TRIANGLE && left.length > 0) {
+    const [name] = left.splice(Math.floor(random() * left.length) % left.length, 1);
+    // Normalised exponential variates are uniform over the triangle.
+    chosen.push({ name: name!, weight: -Math.log(1 - Math.min(random(), 0.999)) });
+  }
+  return normalised(chosen).map((s) => ({ ...s, weight: Math.round(s.weight * 1000) / 1000 }));
+}
+
+/** Range of the intensity in which all weights stay within the data. */
+export function plausibleIntensity(styles: Selection): { min: number; max: number } {
+  const max = Math.max(...styles.map((s) => s.weight), 0);
+  const negative = styles.some((s) => s.weight < 0);
+  return { min: 0, max: negative || max <= 0 ? 0 : 1 / max };
+}
+
+/** The body part of a joint, as in the engine. */
+export function partOf(joint: Role): BodyPart {
+  if (joint === "neck" || joint === "head") return "head";
+  if (joint === "spine" || joint === "chest") return "torso";
+  if (/_(shoulder|upper_arm|lower_arm|hand)$/.test(joint)) return joint.startsWith("left") ? "left_arm" : "right_arm";
+  return "legs";
+}
+
+/** The body parts that have their own styles. */
+export function ownParts({ parts }: AppState): BodyPart[] {
+  return BODY_PARTS.filter((part) => parts[part]);
+}

@@ -1,0 +1,27 @@
+/**
+ * Everything that the page says, in one table. English is complete; another language is a second table of the type
+ * {@link Strings}, in modules like those of `en/`, and a choice here.
+ */
+
+import { page } from "../shell/strings.en";
+import { compare } from "../views/compare/strings.en";
+import { data } from "../views/data/strings.en";
+import { keyStyle } from "../views/key_style/strings.en";
+import { play } from "../views/play/strings.en";
+import { synthesis } from "../views/synthesis/strings.en";
+import { walk } from "../views/walk/strings.en";
+
+const en = { page, play, compare, data, walk, keyStyle, synthesis };
+
+/** A text where English has one, and a sentence of the same parts where it has a function. */
+type Said<T> = T extends string
+  ? string
+  : T extends (...parts: infer P) => string
+    ? (...parts: P) => string
+    : { readonly [K in keyof T]: Said<T[K]> };
+
+/** What a language has to say. */
+export type Strings = Said<typeof en>;
+
+/** The present language. */
+export const strings: Strings = en;

@@ -1,0 +1,25 @@
+/** The button that plays and pauses. */
+import { strings } from "../../strings/strings";
+import { button } from "./buttons";
+import { icon } from "./icons";
+
+const KEYS = "Space";
+
+export class PlayButton {
+  readonly element: HTMLButtonElement;
+  #playing = false;
+
+  constructor(onPress: () => void) {
+    this.element = button(strings.play.transport.play, onPress, { icon: "play", class: "play", keys: KEYS });
+  }
+
+  /** Whether the motion plays: the button then pauses. */
+  set playing(playing: boolean) {
+    if (playing === this.#playing) return;
+    this.#playing = playing;
+    const name = strings.play.transport[playing ? "pause" : "play"];
+    this.element.setAttribute("aria-label", name);
+    this.element.title = `${name} (${KEYS})`;
+    this.element.replaceChildren(icon(playing ? "pause" : "play", 18));
+  }
+}

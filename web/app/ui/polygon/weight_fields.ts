@@ -1,0 +1,61 @@
+/**
+ * The weights of the selected styles as number fields: the polygon for keyboards and screen readers, to which one slider
+ * cannot say two dimensions. Sighted people see them while one of them has the focus.
+ */
+import { strings } from "../../strings/strings";
+import { parseTyped } from "../controls/dial";
+import { formatNumber, html } from "../dom";
+import type { StyleWeight } from "./selection";
+
+/** Weights beyond the polygon come by dragging alone. */
+const RANGE = { min: 0, max: 1, digits: 2, scale: "linear" } as const;
+
+export class WeightFields {
+  readonly element = html("div", {
+    class: "polygon-weights",
+    role: "group",
+    "aria-label": strings.play.style.weights,
+  });
+  readonly #onChange: (name: string, weight: number) => void;
+  #fields: { name: string; input: HTMLInputElement }[] = [];
+
+  /** `onChange` is called with a typed weight, 0–1. */
+  constructor(onChange: (name: string, weight: number) => void) {
+    this.#onChange = onChange;
+  }
+
+  /** Shows styles and their weights; one style alone has all of it and no field. */
+  show(styles: readonly StyleWeight[]): void {
+    const shown = styles.length > 1 ? styles : [];
+    if (shown.map(({ name }) => name).join("\n") !== this.#fields.map(({ name }) => name).join("\n"))
+      this.#build(shown);
+    for (const [i, { input }] of this.#fields.entries()) {
+      const text = formatNumber(shown[i]!.weight, RANGE.digits);
+      input.defaultValue = text;
+      // What is being typed stays.
+      if (document.activeElement !== input) input.value = text;
+    }
+  }
+
+  #build(styles: readonly StyleWeight[]): void {
+    this.#fields = styles.map(({ name }) => ({ name, input: this.#field(name) }));
+    this.element.replaceChildren(
+      ...this.#fields.map(({ name, input }) => html("label", {}, html("span", {}, name), input)),
+    );
+  }
+
+  #field(name: string): HTMLInputElement {
+    const input = html("input", { type: "text", inputmode: "decimal" });
+    input.addEventListener("focus", () => input.select());
+    input.addEventListener("change", () => {
+      const weight = parseTyped(input.value, RANGE);
+      if (weight !== undefined) this.#onChange(name, weight);
+      input.value = input.defaultValue;
+    });
+    // Letters and digits are the page's keys elsewhere.
+    input.addEventListener("keydown", (event) => {
+      if (event.key !== "Tab" && event.key !== "Escape") event.stopPropagation();
+    });
+    return input;
+  }
+}

@@ -1,0 +1,43 @@
+/** What the page says over the stage: errors stay until dismissed, notes go by themselves. */
+import { button } from "./controls/buttons";
+import { html } from "./dom";
+
+const NOTE_MS = 6000;
+/** Maximum number of toasts at a time; the oldest is removed first. */
+const MOST = 3;
+
+export class Toasts {
+  readonly element = html("div", { class: "toasts" });
+  /** Live regions must be in the page before their text comes, or screen readers miss it. */
+  readonly #alerts = html("div", { role: "alert" });
+  readonly #notes = html("div", { role: "status" });
+
+  constructor() {
+    this.element.append(this.#alerts, this.#notes);
+  }
+
+  /** Something failed: a sentence that says what, and what to do. */
+  error(text: string): void {
+    if ([...this.#alerts.children].some((child) => child.firstElementChild?.textContent === text)) return;
+    this.#add(this.#alerts, text, "error");
+  }
+
+  /** Shows a message. */
+  note(text: string): void {
+    const toast = this.#add(this.#notes, text, "note");
+    setTimeout(() => toast.remove(), NOTE_MS);
+  }
+
+  /** Takes all errors away, after what they were about has worked. */
+  clearErrors(): void {
+    this.#alerts.replaceChildren();
+  }
+
+  #add(region: HTMLElement, text: string, kind: "error" | "note"): HTMLElement {
+    const toast = html("div", { class: `toast ${kind}` }, html("p", {}, text));
+    toast.append(button("Dismiss", () => toast.remove(), { icon: "close", class: "plain" }));
+    region.append(toast);
+    while (region.children.length > MOST) region.firstElementChild?.remove();
+    return toast;
+  }
+}

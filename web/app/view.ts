@@ -1,0 +1,86 @@
+/** What a view is to the page, and what the page is to a view. */
+
+import type { DroppedFile } from "../client/build/protocol";
+import type { Role } from "../humanoid";
+import type { Session } from "../player/session";
+import type { Viewer } from "../viewer";
+import type { UndoRedo } from "./state/history";
+import type { Playhead } from "./state/playhead";
+import type { Store } from "./state/store";
+import type { ProgressLine } from "./ui/progress";
+import type { Toasts } from "./ui/toasts";
+
+/** What a view may ask of the page. */
+export interface ViewHost {
+  readonly store: Store;
+  readonly toasts: Toasts;
+  /** What is open in the engine. */
+  readonly session: Session;
+  /** Where the motion stands. */
+  readonly playhead: Playhead;
+  /** The lines that show what the session is busy with. */
+  readonly progress: ProgressLines;
+  /** Aborts when the view is disposed of: listeners that it made with the signal end then. */
+  readonly signal: AbortSignal;
+  /** Makes a database the app's and shows it in Play, by its name in the URL if it is kept here; whether that worked. */
+  openDatabase(name: string, file: Blob, kept: boolean): Promise<boolean>;
+  /** Goes back to the built-in database. */
+  openBuiltIn(): Promise<boolean>;
+  /** The database that is open: its name for people, and its file unless it is the built-in one. */
+  databaseFile(): { name: string; file: Blob | undefined };
+  /** Moves the 3-D viewer into a container of the view's, until another view borrows it. */
+  borrowViewer(container: HTMLElement): ViewerLease;
+  /** Says that {@link View.history} has other things to undo or redo. */
+  historyChanged(): void;
+  /** Opens an input by its name in the library; whether it is open now. */
+  chooseInput(name: string): Promise<boolean>;
+  /** Opens the browser's file dialog for a motion or a database. */
+  chooseFile(): void;
+  /** Makes a motion the input of Play, and goes there. */
+  playMotion(name: string, bytes: ArrayBuffer): Promise<void>;
+}
+
+/** A line each for databases and files, for inputs, and for the analysis of the present one. */
+export interface ProgressLines {
+  readonly database: ProgressLine;
+  readonly input: ProgressLine;
+  readonly analysis: ProgressLine;
+}
+
+/** The 3-D viewer while a view has it: after every change the view asks for drawing. */
+export interface ViewerLease {
+  readonly viewer: Viewer;
+  /** What the viewer draws in. */
+  readonly element: HTMLElement;
+  invalidate(): void;
+  /** Stops drawing while something else needs the processor. */
+  freeze(frozen: boolean): void;
+  /** Marks the parts of the body that joints turn; exported pictures do not show it. */
+  tint(joints: readonly Role[]): void;
+}
+
+/**
+ * What keys do, by `KeyboardEvent.key`, letters in lower case. The page listens; it leaves keys to controls that need
+ * them, and those of a single character can be switched off.
+ */
+export type KeyTable = Readonly<Record<string, () => void>>;
+
+/** A view of the page. */
+export interface View {
+  /** Fills the page below the top bar. */
+  readonly element: HTMLElement;
+  /** What undo and redo act upon while the view is shown. */
+  readonly history: UndoRedo;
+  readonly keys?: KeyTable;
+  /** Where a clip is dropped that is to be a style; undefined where none can be. */
+  readonly styleTarget?: Element | undefined;
+  /** Whether disposing of the view would lose what a person made; other views are disposed of after a while out of sight. */
+  readonly holdsWork?: boolean;
+  show(): void;
+  /** Another database or input is open. */
+  refresh?(): void;
+  hide(): void;
+  /** Takes files that were dropped while the view is shown, or that the view takes by its kind. */
+  takeFiles?(files: DroppedFile[]): void;
+  dispose(): void;
+}

@@ -1,0 +1,102 @@
+/** A second engine with the trained methods and the real counterparts, which the engine of Play does not have. */
+
+import { createCompareClient } from "../../../client/compare/client";
+import {
+  type CallOptions,
+  type DatabaseSource,
+  isFault,
+  type Performed,
+  type StrutClient,
+  type StyleWeights,
+  type StylizeOptions,
+} from "../../../client/protocol";
+import type { Session } from "../../../player/session";
+import { mixed, shares } from "./counterpart";
+
+/** What is open in Play, as far as this engine opens the same. */
+export type OpenSources = Pick<Session, "database" | "databaseSource" | "inputName"> & {
+  library: Pick<Session["library"], "source">;
+};
+
+export class BaselineClient {
+  readonly #start: () => Promise<StrutClient>;
+  #starting: Promise<StrutClient> | undefined;
+  /** What the engine has open; nothing after it failed, because it may have closed everything. */
+  #database: DatabaseSource | undefined;
+  #input = "";
+  /** Performances of the input by style; `undefined` for a style in which it was never performed. */
+  readonly #counterparts = new Map<string, Performed | undefined>();
+
+  /** @param start starts the engine, when it is needed first */
+  constructor(start: () => Promise<StrutClient> = createCompareClient) {
+    this.#start = start;
+  }
+
+  /** The whole input in options whose method only this engine has. */
+  style(session: OpenSources, options: StylizeOptions, call: CallOptions) {
+    return this.#ask(session, call, (client) => client.style(options, call));
+  }
+
+  /** The input as it really is in a mixture of styles; `undefined` where a style of it was never performed. */
+  counterpart(session: OpenSources, weights: StyleWeights, call: CallOptions): Promise<Performed | undefined> {
+    return this.#ask(session, call, async (client) => {
+      const { styles, neutral } = session.database!;
+      const performances: (Performed & { weight: number })[] = [];
+      for (const { style, weight } of shares(weights, styles, neutral)) {
+        if (!this.#counterparts.has(style)) this.#counterparts.set(style, await client.counterpart(style));
+        const performed = this.#counterparts.get(style);
+        if (!performed) return undefined;
+        performances.push({ ...performed, weight });
+      }
+      return mixed(performances);
+    });
+  }
+
+  dispose(): void {
+    this.#starting?.then(
+      (client) => client.dispose(),
+      () => {},
+    );
+    this.#starting = undefined;
+    this.#forgetOpen();
+  }
+
+  /** Asks the engine once it has open what the session has; after a fault everything is opened again by the next call. */
+  async #ask<T>(session: OpenSources, call: CallOptions, ask: (client: StrutClient) => Promise<T>): Promise<T> {
+    try {
+      return await ask(await this.#opened(session, call));
+    } catch (error) {
+      if (isFault(error)) this.#forgetOpen();
+      throw error;
+    }
+  }
+
+  #forgetOpen(): void {
+    this.#database = undefined;
+    this.#input = "";
+    this.#counterparts.clear();
+  }
+
+  /** The engine with the database and the input of the session. */
+  async #opened(session: OpenSources, call: CallOptions): Promise<StrutClient> {
+    this.#starting ??= this.#start().catch((error) => {
+      this.#starting = undefined;
+      throw error;
+    });
+    const client = await this.#starting;
+    const database = session.databaseSource!;
+    const input = session.library.source(session.inputName)!;
+    if (this.#database !== database) {
+      this.#forgetOpen();
+      await client.openDatabase(database, call);
+      this.#database = database;
+    }
+    if (this.#input !== session.inputName) {
+      this.#input = "";
+      this.#counterparts.clear();
+      await client.openInput(input, call);
+      this.#input = session.inputName;
+    }
+    return client;
+  }
+}

@@ -1,0 +1,96 @@
+/** A column of the Compare view: what it shows, above the picture, and its live figures, below. */
+
+import { strings } from "../../strings/strings";
+import { button } from "../../ui/controls/buttons";
+import { icon } from "../../ui/controls/icons";
+import { formatNumber, html, setText } from "../../ui/dom";
+import { COLUMN_NAMES, type ColumnName } from "./columns";
+import type { Figures } from "./figures";
+
+/** The rows from the top; a bar is full at `full`, in the row's unit. */
+const ROWS: readonly { field: keyof Figures; unit: string; digits: number; full: number }[] = [
+  { field: "difference", unit: "cm", digits: 1, full: 12 },
+  { field: "later", unit: "ms", digits: 0, full: 1000 },
+  { field: "skate", unit: "cm/s", digits: 1, full: 12 },
+  { field: "jerk", unit: "×", digits: 2, full: 6 },
+  { field: "cost", unit: "ms", digits: 2, full: 1 },
+];
+
+/** Figures whose smallest value is the best one and stands out. */
+const LESS_IS_BETTER: readonly (keyof Figures)[] = ["skate", "cost"];
+
+export interface ColumnListeners {
+  onChange: (to: ColumnName) => void;
+  onRemove: () => void;
+}
+
+export class CompareColumn {
+  readonly head: HTMLElement;
+  readonly table: HTMLElement;
+  readonly #caption = html("p", { class: "caption" });
+  readonly #rows: { term: HTMLElement; bar: HTMLElement; value: HTMLElement }[];
+
+  constructor(
+    readonly name: ColumnName,
+    removable: boolean,
+    listeners: ColumnListeners,
+  ) {
+    const select = html("select", { "aria-label": strings.compare.column });
+    select.append(...COLUMN_NAMES.map((option) => html("option", { value: option }, strings.compare.columns[option])));
+    select.value = name;
+    select.addEventListener("change", () => listeners.onChange(select.value as ColumnName));
+    const remove = button(strings.compare.remove(strings.compare.columns[name]), listeners.onRemove, {
+      icon: "close",
+      class: "plain",
+    });
+    remove.hidden = !removable;
+    this.head = html(
+      "section",
+      { class: "compare-column-head", "data-column": name },
+      html("div", { class: "compare-column-title" }, html("div", { class: "select" }, select, icon("chevron")), remove),
+      this.#caption,
+    );
+    this.table = html("dl", {
+      class: "compare-table",
+      "data-column": name,
+      "aria-label": strings.compare.columns[name],
+    });
+    this.#rows = ROWS.map((row) => {
+      const term = html("dt", {}, strings.compare.figures[row.field].name);
+      const bar = html("i", {});
+      const value = html("dd", {});
+      this.table.append(
+        html(
+          "div",
+          { title: strings.compare.figures[row.field].why },
+          term,
+          html("span", { class: "compare-bar", "aria-hidden": "true" }, bar),
+          value,
+        ),
+      );
+      return { term, bar, value };
+    });
+  }
+
+  set caption(text: string) {
+    setText(this.#caption, text);
+  }
+
+  /**
+   * Shows the figures of the instant, `undefined` while the column is being styled; the best of a row stands out. Against
+   * the real counterpart a difference is an error.
+   */
+  showFigures(figures: Figures | undefined, all: readonly (Figures | undefined)[], real: boolean): void {
+    for (const [i, { field, unit, digits, full }] of ROWS.entries()) {
+      const { name, error } = strings.compare.figures[field];
+      const { term, bar, value } = this.#rows[i]!;
+      setText(term, real ? error : name);
+      const number = figures?.[field];
+      setText(value, number === undefined ? "–" : `${formatNumber(number, digits)} ${unit}`);
+      bar.style.transform = `scaleX(${Math.min(1, Math.abs(number ?? 0) / full)})`;
+      const smallest = Math.min(...all.map((other) => Math.abs(other?.[field] ?? Number.POSITIVE_INFINITY)));
+      const ranked = LESS_IS_BETTER.includes(field) || (real && error !== name);
+      value.classList.toggle("best", ranked && number !== undefined && Math.abs(number) === smallest);
+    }
+  }
+}

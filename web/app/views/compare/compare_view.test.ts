@@ -1,0 +1,129 @@
+/** What the Compare view holds, a second engine and a viewer, is released where nobody needs it any more. */
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import type { StrutClient } from "../../../client/protocol";
+import { JOINTS, POSE_FLOATS } from "../../../humanoid";
+import type { Session } from "../../../player/session";
+import { Views } from "../../shell/views";
+import { initialState } from "../../state/state";
+import { Store } from "../../state/store";
+import type { View, ViewHost } from "../../view";
+
+/** What is held: an entry for every engine and viewer that was made and not disposed of. */
+const held = vi.hoisted(() => new Set<string>());
+
+vi.mock("../../../viewer/side_by_side_viewer", () => ({
+  SideBySideViewer: class {
+    still = false;
+    constructor() {
+      held.add("viewer");
+    }
+    setProportions() {}
+    setFigures() {}
+    settle() {}
+    render() {}
+    dispose() {
+      held.delete("viewer");
+    }
+  },
+}));
+
+vi.mock("../../../client/compare/client", () => ({
+  createCompareClient: async () => {
+    held.add("engine");
+    const client: Partial<StrutClient> = {
+      openDatabase: async () => ({}) as never,
+      openInput: async () => ({}) as never,
+      counterpart: async () => undefined,
+      dispose: () => void held.delete("engine"),
+    };
+    return client;
+  },
+}));
+
+/** An element, as far as the view asks it. */
+class FakeElement {
+  value = "";
+  hidden = false;
+  disabled = false;
+  textContent = "";
+  readonly options: FakeElement[] = [];
+  readonly dataset = {};
+  readonly style = { setProperty: () => {} };
+  readonly classList = { toggle: () => {} };
+  setAttribute() {}
+  removeAttribute() {}
+  append() {}
+  replaceChildren() {}
+  addEventListener() {}
+  remove() {}
+}
+
+/** The page's next display frame. */
+let draw: FrameRequestCallback | undefined;
+
+const input = {
+  poses: new Float32Array(POSE_FLOATS),
+  contacts: new Uint8Array(2),
+  frames: 1,
+  rateHz: 60,
+  durationSecs: 1 / 60,
+};
+const session = {
+  database: { proportions: new Float32Array(3 * JOINTS), styles: ["neutral", "old"], neutral: "neutral" },
+  databaseSource: { kind: "demo" },
+  input,
+  inputName: "walk",
+  library: { builtIn: ["walk"], dropped: [], isDropped: () => false, source: () => ({}) },
+} as unknown as Session;
+
+/** The Compare view among the views of a page, after its engine and its viewer were made. */
+async function shownView(): Promise<{ views: Views; view: View }> {
+  const store = new Store({ ...initialState(), columns: ["input"], behind: "real" });
+  const host = { store, session, playhead: { at: 0, goTo: () => {} }, toasts: { error: () => {} } };
+  const other = { element: new FakeElement(), show() {}, hide() {}, dispose() {} } as unknown as View;
+  const views = new Views(
+    () => {},
+    { host: () => host as unknown as ViewHost, onShow: () => {}, onRefused: (_, error) => expect.fail(String(error)) },
+    [
+      { name: "compare", load: () => import("./compare_view") },
+      { name: "play", load: async () => ({ createView: () => other }) },
+    ],
+  );
+  const view = (await views.show("compare"))!;
+  await vi.advanceTimersByTimeAsync(1000);
+  draw!(1000);
+  expect(held).toEqual(new Set(["engine", "viewer"]));
+  return { views, view };
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  held.clear();
+  const create = () => new FakeElement();
+  vi.stubGlobal("document", { createElement: create, createElementNS: create, body: new FakeElement() });
+  vi.stubGlobal("matchMedia", () => ({ matches: false, addEventListener: () => {} }));
+  vi.stubGlobal("requestAnimationFrame", (callback: FrameRequestCallback) => {
+    draw = callback;
+  });
+  vi.stubGlobal("cancelAnimationFrame", () => {});
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+it("keeps its engine and its viewer for a minute out of sight, then releases both", async () => {
+  const { views } = await shownView();
+  await views.show("play");
+  await vi.advanceTimersByTimeAsync(59_000);
+  expect(held).toEqual(new Set(["engine", "viewer"]));
+  await vi.advanceTimersByTimeAsync(2000);
+  expect(held).toEqual(new Set());
+});
+
+it("releases its engine and its viewer where it is disposed of", async () => {
+  const { view } = await shownView();
+  view.dispose();
+  await vi.advanceTimersByTimeAsync(0);
+  expect(held).toEqual(new Set());
+});

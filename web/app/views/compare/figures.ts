@@ -1,0 +1,137 @@
+/** Figures of a motion at an instant, measured from poses, times and planted feet. Pure. */
+import { createWorldPose, headingOf, JOINT, JOINTS, POSE_FLOATS, worldFromLocal } from "../../../humanoid";
+
+/** A motion, frame for frame with its input. */
+export interface ColumnMotion {
+  poses: Float32Array;
+  /** Output time of each frame, seconds. */
+  timeOut: Float32Array;
+  /** Planted feet, left and right interleaved. */
+  planted: Uint8Array;
+  /** Median cost of a frame in the engine, milliseconds; `undefined` for the input. */
+  frameMs: number | undefined;
+}
+
+/** A motion with the positions of its joints, which are computed once. */
+export interface MeasuredMotion extends ColumnMotion {
+  frames: number;
+  /** Joints in the world, frames × 21 × xyz, metres. */
+  world: Float32Array;
+  /** The same with the hips over the origin and the heading along +Z. */
+  local: Float32Array;
+}
+
+/** The figures under a column; `undefined` where there is nothing to measure. */
+export interface Figures {
+  /** Mean distance of the joints from the reference's, hips and heading aside, centimetres. */
+  difference: number | undefined;
+  /** By how much the output is later than the reference's, milliseconds. */
+  later: number | undefined;
+  /** Mean speed over the ground of planted feet around the instant, cm/s. */
+  skate: number | undefined;
+  /** Mean jerk of the joints around the instant as a multiple of the input's. */
+  jerk: number | undefined;
+  /** Cost of a frame, milliseconds. */
+  cost: number | undefined;
+}
+
+/** Skate and jerk are means over so many frames before and after the instant: half a second at 60 Hz. */
+const AROUND = 30;
+
+/** Computes the joints of every frame. */
+export function measure(motion: ColumnMotion, proportions: ArrayLike<number>): MeasuredMotion {
+  const frames = motion.poses.length / POSE_FLOATS;
+  const [world, local] = [new Float32Array(3 * JOINTS * frames), new Float32Array(3 * JOINTS * frames)];
+  const joints = createWorldPose();
+  let heading = 0;
+  for (let f = 0; f < frames; f++) {
+    worldFromLocal(proportions, motion.poses.subarray(f * POSE_FLOATS, (f + 1) * POSE_FLOATS), joints);
+    const p = joints.positions;
+    world.set(p, 3 * JOINTS * f);
+    heading = headingOf(joints, heading);
+    const [s, c] = [Math.sin(heading), Math.cos(heading)];
+    for (let j = 0; j < JOINTS; j++) {
+      const [x, z] = [p[3 * j]! - p[0]!, p[3 * j + 2]! - p[2]!];
+      local.set([c * x - s * z, p[3 * j + 1]!, s * x + c * z], 3 * (JOINTS * f + j));
+    }
+  }
+  return { ...motion, frames, world, local };
+}
+
+/** The figures of a motion at an input frame; the reference is what it is compared with. */
+export function figuresAt(
+  motion: MeasuredMotion,
+  input: MeasuredMotion,
+  reference: MeasuredMotion | undefined,
+  inputFrame: number,
+): Figures {
+  const f = Math.min(Math.max(0, Math.round(inputFrame)), motion.frames - 1);
+  const other = reference === motion ? undefined : reference;
+  const jerk = meanJerk(motion, f);
+  const inputJerk = meanJerk(input, f);
+  return {
+    difference: other && 100 * distance(motion.local, other.local, f),
+    later: other && 1000 * (motion.timeOut[f]! - other.timeOut[f]!),
+    skate: footSkate(motion, f),
+    jerk: jerk !== undefined && inputJerk ? jerk / inputJerk : undefined,
+    cost: motion.frameMs,
+  };
+}
+
+function distance(a: Float32Array, b: Float32Array, frame: number): number {
+  let sum = 0;
+  const first = 3 * JOINTS * frame;
+  for (let i = first; i < first + 3 * JOINTS; i += 3)
+    sum += Math.hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!);
+  return sum / JOINTS;
+}
+
+const window = ({ frames }: MeasuredMotion, f: number): [number, number] => [
+  Math.max(0, f - AROUND),
+  Math.min(frames - 1, f + AROUND),
+];
+
+/** Mean speed over the ground of planted feet, cm/s; `undefined` where none is planted. */
+function footSkate(motion: MeasuredMotion, frame: number): number | undefined {
+  const { world, planted, timeOut } = motion;
+  const [from, to] = window(motion, frame);
+  let [travel, secs] = [0, 0];
+  for (let f = from; f < to; f++)
+    for (const [side, foot, toes] of [
+      [0, JOINT.left_foot, JOINT.left_toes],
+      [1, JOINT.right_foot, JOINT.right_toes],
+    ] as const) {
+      if (planted[2 * f + side] !== 1 || planted[2 * (f + 1) + side] !== 1) continue;
+      // A foot rolls on its heel or on its ball: the joint that moves less is the one that stands.
+      travel += Math.min(...[foot, toes].map((joint) => groundTravel(world, f, joint)));
+      secs += timeOut[f + 1]! - timeOut[f]!;
+    }
+  return secs > 0 ? (100 * travel) / secs : undefined;
+}
+
+function groundTravel(world: Float32Array, frame: number, joint: number): number {
+  const a = 3 * (JOINTS * frame + joint);
+  const b = a + 3 * JOINTS;
+  return Math.hypot(world[b]! - world[a]!, world[b + 2]! - world[a + 2]!);
+}
+
+/** Mean magnitude of the joints' third derivative, m/s³; `undefined` where there are too few frames. */
+function meanJerk(motion: MeasuredMotion, frame: number): number | undefined {
+  const { world, timeOut } = motion;
+  const [from, to] = window(motion, frame);
+  const secs = (timeOut[to]! - timeOut[from]!) / Math.max(1, to - from);
+  if (to - from < 3 || secs <= 0) return undefined;
+  const stride = 3 * JOINTS;
+  let sum = 0;
+  for (let f = from; f + 3 <= to; f++)
+    for (let j = 0; j < JOINTS; j++) {
+      const i = stride * f + 3 * j;
+      const third = (axis: number) =>
+        world[i + 3 * stride + axis]! -
+        3 * world[i + 2 * stride + axis]! +
+        3 * world[i + stride + axis]! -
+        world[i + axis]!;
+      sum += Math.hypot(third(0), third(1), third(2));
+    }
+  return sum / ((to - from - 2) * JOINTS) / secs ** 3;
+}

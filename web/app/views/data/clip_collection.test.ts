@@ -1,0 +1,88 @@
+import { beforeEach, describe, expect, test } from "vitest";
+import type { BuildClient, DroppedFile, Labelled } from "../../../client/build/protocol";
+import { ClipCollection } from "./clip_collection";
+
+/** What the client was told to label with. */
+let labelled: { pattern: string | undefined; table: string | undefined }[];
+let opened: string[];
+let clips: ClipCollection;
+let changes: number;
+beforeEach(() => {
+  [labelled, opened, changes] = [[], [], 0];
+  // Takes “action_style.bvh” apart; a table calls everything “tabled”, unless it is broken.
+  const client = {
+    open: async (files: DroppedFile[]) => {
+      opened = files.map(({ path }) => path).sort();
+      return { clips: opened.map((path) => ({ path, licence: "" })), pattern: "{action}_{style}.bvh", notes: [] };
+    },
+    label: async (pattern: string | undefined, table: File | undefined): Promise<Labelled[]> => {
+      labelled.push({ pattern, table: table?.name });
+      if (table?.name === "broken.csv") throw new Error("Line 1 is wrong.");
+      return opened.map((path) => {
+        const [action = "", style = ""] = path.replace(".bvh", "").split("_");
+        if (style === "") return { reason: "Its name does not match." };
+        return { action, style: table ? "tabled" : style, take: undefined };
+      });
+    },
+    dispose: () => {},
+  } as unknown as BuildClient;
+  clips = new ClipCollection(client, () => {
+    changes += 1;
+  });
+});
+
+const files = (...paths: string[]): DroppedFile[] => paths.map((path) => ({ path, file: new File([], path) }));
+const styles = () => Object.fromEntries(clips.rows.map(({ path, style }) => [path, style]));
+
+describe("clips that are opened", () => {
+  test("are labelled by the pattern of their names, and the neutral style is found", async () => {
+    expect(await clips.open(files("walk_old.bvh", "walk_neutral.bvh", "odd.bvh"), {}, {})).toEqual([]);
+    expect(styles()).toEqual({ "odd.bvh": "", "walk_neutral.bvh": "neutral", "walk_old.bvh": "old" });
+    expect([clips.usable.length, clips.neutral, clips.labelNote]).toEqual([2, "neutral", "2 of 3 match"]);
+    expect(changes).toBeGreaterThan(0);
+  });
+
+  test("join those that are open, with labels that a person typed and the pattern as they were", async () => {
+    await clips.open(files("walk_old.bvh", "walk_neutral.bvh"), {}, {});
+    await clips.label({ pattern: "{style}_{action}.bvh" });
+    clips.edit(clips.rows.find(({ path }) => path === "walk_old.bvh")!, "style", " ancient ");
+    await clips.open(files("walk_proud.bvh", "walk_old.bvh"), {}, {});
+    expect(styles()).toEqual({ "walk_neutral.bvh": "neutral", "walk_old.bvh": "ancient", "walk_proud.bvh": "proud" });
+    expect(labelled.at(-1)).toEqual({ pattern: "{style}_{action}.bvh", table: undefined });
+    expect(clips.edits.canUndo, "the rows of the edit are gone").toBe(false);
+  });
+
+  test("among which there is none are said so", async () => {
+    expect(await clips.open([], {}, {})).toEqual([
+      "There is no BVH among these files. Drop BVH files, a folder or a zip of them.",
+    ]);
+  });
+
+  test("are forgotten altogether", async () => {
+    await clips.open(files("walk_old.bvh"), { table: new File([], "labels.csv") }, {});
+    clips.clear();
+    expect([clips.rows, clips.neutral]).toEqual([[], ""]);
+    await clips.open(files("run_sad.bvh"), {}, {});
+    expect(styles()).toEqual({ "run_sad.bvh": "sad" });
+    expect(labelled.at(-1)!.table, "its table too").toBeUndefined();
+  });
+});
+
+test("a table goes before the pattern until it turns out to be wrong", async () => {
+  await clips.open(files("walk_old.bvh"), {}, {});
+  await clips.label({ table: new File([], "labels.csv") });
+  expect(styles()).toEqual({ "walk_old.bvh": "tabled" });
+  expect(clips.labelNote).toBe("all match; labels.csv goes first");
+  await clips.label({ table: new File([], "broken.csv") });
+  expect([clips.labelNote, styles()]).toEqual(["Line 1 is wrong.", { "walk_old.bvh": "tabled" }]);
+  await clips.label();
+  expect(styles()).toEqual({ "walk_old.bvh": "old" });
+});
+
+test("a style is renamed wherever it is, with its being neutral, and back", async () => {
+  await clips.open(files("walk_neutral.bvh", "run_neutral.bvh", "walk_old.bvh"), {}, {});
+  clips.rename("style", "neutral", "calm");
+  expect([styles()["run_neutral.bvh"], clips.neutral]).toEqual(["calm", "calm"]);
+  clips.edits.undo();
+  expect([styles()["run_neutral.bvh"], clips.neutral]).toEqual(["neutral", "neutral"]);
+});

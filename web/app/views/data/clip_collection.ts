@@ -1,0 +1,198 @@
+/** The clips of the Data view: opened, labelled, read and edited, without the page. */
+import type {
+  BuildClient,
+  BuiltDatabase,
+  ChosenFile,
+  DroppedFile,
+  Preview,
+  Roles,
+} from "../../../client/build/protocol";
+import { type CallOptions, isCancellation } from "../../../client/protocol";
+import { strings } from "../../strings/strings";
+import { errorText } from "../../ui/words";
+import {
+  applyLabels,
+  applyRead,
+  classTable,
+  databaseName,
+  type KnownSkeleton,
+  type LabelField,
+  likelyNeutral,
+  obstacle,
+  type Row,
+  rowOf,
+} from "./corpus";
+import { Edits } from "./edits";
+
+const words = strings.data;
+
+/** How clips are labelled where no person says it. */
+export interface Labelling {
+  /** Pattern of the file names. */
+  pattern?: string;
+  /** A CSV that goes before the pattern. */
+  table?: File;
+}
+
+export class ClipCollection {
+  readonly edits: Edits;
+  /** Every clip that was found, usable or not. */
+  rows: Row[] = [];
+  skeletons: KnownSkeleton[] = [];
+  pattern = "";
+  /** How many names match the pattern or the table, or why these cannot be used. */
+  labelNote = "";
+  readonly #client: BuildClient;
+  readonly #onChange: () => void;
+  #files: DroppedFile[] = [];
+  #table: File | undefined;
+  #neutral = "";
+
+  /** @param onChange is called whenever rows, labels or the neutral style are others */
+  constructor(client: BuildClient, onChange: () => void) {
+    this.#client = client;
+    this.#onChange = onChange;
+    this.edits = new Edits(() => this.#labelled());
+  }
+
+  /** The clips that will be part of the database. */
+  get usable(): Row[] {
+    return this.rows.filter((row) => obstacle(row, this.skeletons) === "");
+  }
+
+  /** The style that the others are compared with. */
+  get neutral(): string {
+    return this.#neutral;
+  }
+
+  set neutral(style: string) {
+    this.#neutral = style;
+    this.#onChange();
+  }
+
+  /** What the database would be called after the folder or archive of the clips. */
+  get name(): string {
+    return databaseName(this.rows.map(({ path }) => path));
+  }
+
+  /** Forgets all clips. */
+  clear(): void {
+    this.#client.dispose();
+    this.#files = [];
+    this.rows = [];
+    this.#table = undefined;
+    this.#neutral = "";
+    this.#forgetRead();
+    this.#onChange();
+  }
+
+  /**
+   * Lists and labels the clips among files, beside those that are open; a file of the same path takes the place of the one
+   * before. Labels that a person typed stay, and the pattern of the clips that were open. {@link read} reads the clips.
+   * @returns sentences about what was left out
+   */
+  async open(files: readonly DroppedFile[], labelling: Labelling, options: CallOptions): Promise<string[]> {
+    const paths = new Set(files.map(({ path }) => path));
+    const edited = new Map(this.rows.filter((row) => row.edited).map((row) => [row.path, row]));
+    const wereOpen = this.rows.length > 0;
+    this.#files = [...this.#files.filter(({ path }) => !paths.has(path)), ...files];
+    this.#forgetRead();
+    const found = await this.#client.open(this.#files, options);
+    this.rows = found.clips.map(rowOf);
+    for (const row of this.rows) {
+      const edit = edited.get(row.path);
+      if (edit) Object.assign(row, { action: edit.action, style: edit.style, take: edit.take, edited: true });
+    }
+    if (this.rows.length === 0) this.#files = [];
+    await this.label(
+      wereOpen ? { ...labelling, pattern: this.pattern } : { pattern: found.pattern ?? "", ...labelling },
+    );
+    return found.clips.length === 0 && found.notes.length === 0 ? [words.noClips] : found.notes;
+  }
+
+  /** Reads every clip for its length, rate and skeleton. */
+  read(options: CallOptions): Promise<void> {
+    const { rows, skeletons } = this;
+    return this.#client.readAll((event) => {
+      applyRead(rows, skeletons, event);
+      this.#onChange();
+    }, options);
+  }
+
+  /** Takes the labels from the table, where there is one, and the pattern. */
+  async label({ pattern = this.pattern, table = this.#table }: Labelling = {}): Promise<void> {
+    this.pattern = pattern;
+    this.#table = table;
+    if (this.rows.length === 0) return;
+    try {
+      applyLabels(this.rows, await this.#client.label(pattern || undefined, table));
+      const matching = this.rows.filter((row) => row.unlabelled === "").length;
+      const all = this.rows.length;
+      const matches = matching === all ? words.names.all : words.names.some(matching, all);
+      this.labelNote = table ? words.names.tableFirst(matches, table.name) : matches;
+    } catch (error) {
+      if (isCancellation(error)) return;
+      // A table that cannot be read is not tried again.
+      this.#table = undefined;
+      this.labelNote = errorText(error);
+    }
+    this.#labelled();
+  }
+
+  /** Changes a label of one clip to what a person typed. */
+  edit(row: Row, field: LabelField, value: string): void {
+    const text = value.trim();
+    const take = /^\d{1,9}$/.test(text) ? Number(text) : undefined;
+    this.edits.edit([row], field === "take" ? { take } : { [field]: text });
+  }
+
+  /** Renames an action or a style wherever it is; with the name of another the two become one. */
+  rename(field: "action" | "style", from: string, to: string): void {
+    if (field === "style" && this.#neutral === from) this.#neutral = to;
+    this.edits.edit(
+      this.rows.filter((row) => row[field].trim() === from),
+      { [field]: to },
+    );
+  }
+
+  /** A clip as it will enter the database. */
+  preview(row: Row): Promise<Preview> {
+    return this.#client.preview(row.index, this.#rolesOf(row));
+  }
+
+  /** Builds a database of the usable clips; clips that turn out not to be are marked with the reason. */
+  async build(options: CallOptions): Promise<BuiltDatabase> {
+    const files = this.usable.map(
+      (row): ChosenFile => ({
+        index: row.index,
+        path: row.path,
+        licence: row.licence,
+        action: row.action.trim(),
+        style: row.style.trim(),
+        take: row.take,
+        roles: this.#rolesOf(row),
+      }),
+    );
+    const built = await this.#client.build(files, this.#neutral, options);
+    const reasons = new Map(built.refused.map(({ path, reason }) => [path, reason]));
+    for (const row of this.rows) row.fault = reasons.get(row.path) ?? row.fault;
+    return built;
+  }
+
+  /** Edits and skeletons are those of the clips before. */
+  #forgetRead(): void {
+    this.edits.forget();
+    this.skeletons = [];
+  }
+
+  #rolesOf({ read }: Row): Roles | undefined {
+    return read && this.skeletons[read.skeleton]?.chosen;
+  }
+
+  /** Where no clip has the neutral style any more, another style takes its place. */
+  #labelled(): void {
+    const { styles } = classTable(this.usable);
+    if (!styles.includes(this.#neutral)) this.#neutral = likelyNeutral(styles);
+    this.#onChange();
+  }
+}

@@ -1,0 +1,303 @@
+/** The Data view: clips that a person has become a database, here in the page. */
+import "./data.css";
+import { createBuildClient } from "../../../client/build/client";
+import type { DroppedFile } from "../../../client/build/protocol";
+import { isCancellation } from "../../../client/protocol";
+import { strings } from "../../strings/strings";
+import { button } from "../../ui/controls/buttons";
+import { icon } from "../../ui/controls/icons";
+import { html, saveFile, setAttributes } from "../../ui/dom";
+import { filesOfDialog } from "../../ui/dropped_files";
+import { capitalised, errorText, numberWord } from "../../ui/words";
+import type { View, ViewHost } from "../../view";
+import { BuildPanel } from "./build_panel";
+import type { PublicSet } from "./catalogue";
+import { CataloguePanel } from "./catalogue_panel";
+import { ClipCollection, type Labelling } from "./clip_collection";
+import { ClipsPanel } from "./clips_panel";
+import { classTable, concerns, type Row } from "./corpus";
+import { DatabasesPanel } from "./databases_panel";
+import { DeviceDatabases, type Placed } from "./device_databases";
+import { ClipPreview } from "./preview";
+import { askToReplace } from "./replace_dialog";
+import { askForRoles } from "./roles_dialog";
+import type { SavedDatabase } from "./saved_databases";
+
+const words = strings.data;
+
+export function createView(host: ViewHost): View {
+  return new DatabaseView(host);
+}
+
+class DatabaseView implements View {
+  readonly element: HTMLElement;
+  readonly #host: ViewHost;
+  readonly #client = createBuildClient();
+  readonly #clips: ClipCollection;
+  readonly #databases = new DeviceDatabases();
+  readonly #files = html("input", { type: "file", multiple: true, hidden: true, accept: ".bvh,.zip,.csv,.strutdb" });
+  readonly #folder = html("input", { type: "file", webkitdirectory: true, hidden: true });
+  readonly #clipsPanel: ClipsPanel;
+  readonly #preview: ClipPreview;
+  readonly #build: BuildPanel;
+  readonly #databasesPanel: DatabasesPanel;
+  readonly #catalogue = new CataloguePanel((set, files) => this.#takeSet(set, files));
+  /** Index of the clip that the preview shows. */
+  #selected: number | undefined;
+  #building = false;
+
+  constructor(host: ViewHost) {
+    this.#host = host;
+    this.#clips = new ClipCollection(this.#client, () => {
+      this.#show();
+      host.historyChanged();
+    });
+    this.#preview = new ClipPreview((container) => host.borrowViewer(container));
+    this.#clipsPanel = new ClipsPanel(this.#clips, {
+      onAddFiles: () => this.#files.click(),
+      onAddFolder: () => this.#folder.click(),
+      onClear: () => this.#clear(),
+      onPattern: (pattern) => void this.#clips.label({ pattern }),
+      onSelect: (row) => void this.#select(row),
+    });
+    this.#build = new BuildPanel({
+      onBuild: (name) => void this.#start(name),
+      onRoles: (skeleton) => void this.#chooseRoles(skeleton),
+    });
+    this.#databasesPanel = new DatabasesPanel({
+      onOpen: ({ name, file }) => void host.openDatabase(name, file, this.#databases.isKept(name)),
+      onOpenBuiltIn: () => void host.openBuiltIn(),
+      onExport: ({ name, file }) => saveFile(`${name}.strutdb`, file),
+      onDelete: ({ name }) => void this.#changeDatabases(() => this.#databases.delete(name)),
+      onRestore: ({ name }) =>
+        void this.#changeDatabases(async () => this.#sayUnkept(await this.#databases.restore(name))),
+    });
+    this.element = this.#compose();
+    this.#files.addEventListener("change", () => this.#takeChosen(this.#files));
+    this.#folder.addEventListener("change", () => this.#takeChosen(this.#folder));
+    host.store.subscribe((_, changed) => {
+      if (changed.has("database")) void this.#changeDatabases(() => this.#databases.load());
+    }, host.signal);
+    this.#show();
+  }
+
+  get history() {
+    return this.#clips.edits;
+  }
+
+  get holdsWork(): boolean {
+    return this.#clips.rows.length > 0 || this.#databases.holdsUnkept;
+  }
+
+  show(): void {
+    this.#preview.resume();
+    this.#catalogue.show();
+    void this.#changeDatabases(() => this.#databases.load());
+  }
+
+  hide(): void {
+    this.#preview.stop();
+  }
+
+  dispose(): void {
+    this.#preview.stop();
+    this.#build.progress.cancel();
+    this.#clipsPanel.dispose();
+    this.#catalogue.dispose();
+    this.#client.dispose();
+  }
+
+  takeFiles(files: DroppedFile[]): void {
+    const ending = (pattern: RegExp) => files.filter(({ path }) => pattern.test(path));
+    const databases = ending(/\.strutdb$/i);
+    const table = ending(/\.csv$/i).at(-1)?.file;
+    for (const { path, file } of databases) void this.#host.openDatabase(path.replace(/\.strutdb$/i, ""), file, false);
+    if (ending(/\.(bvh|zip)$/i).length > 0) {
+      const clips = files.filter(({ path }) => !/\.(strutdb|csv)$/i.test(path));
+      void this.#open(clips, table ? { table } : {});
+    } else if (table) void this.#clips.label({ table });
+    else if (files.length > 0 && databases.length === 0) this.#host.toasts.error(words.noneOf(files.length));
+  }
+
+  #compose(): HTMLElement {
+    const empty = html(
+      "div",
+      { class: "data-empty" },
+      icon("drop", 24),
+      html("h1", { class: "page-title" }, words.empty.heading),
+      html("p", {}, words.empty.what),
+      html(
+        "div",
+        { class: "data-actions" },
+        button(words.empty.files, () => this.#files.click(), { icon: "drop", label: true, class: "outlined" }),
+        button(words.empty.folder, () => this.#folder.click(), { icon: "folder", label: true, class: "outlined" }),
+      ),
+      html("p", { class: "caption" }, words.empty.best),
+    );
+    const panels = html(
+      "aside",
+      { class: "data-panels", "aria-label": words.build.panels },
+      this.#preview.element,
+      this.#build.element,
+      this.#databasesPanel.element,
+      this.#catalogue.element,
+    );
+    return html("main", { class: "view data" }, empty, this.#clipsPanel.element, panels, this.#files, this.#folder);
+  }
+
+  // --- clips ---
+
+  #takeChosen(input: HTMLInputElement): void {
+    const files = filesOfDialog(input.files ?? []);
+    input.value = "";
+    this.takeFiles(files);
+  }
+
+  /** Takes a public data set in the place of what there was. */
+  #takeSet({ name, pattern, labels }: PublicSet, files: DroppedFile[]): void {
+    this.#clear();
+    void this.#open(files, {
+      ...(pattern !== undefined && { pattern }),
+      ...(labels !== undefined && { table: new File([labels], `${name}.csv`) }),
+    });
+  }
+
+  #clear(): void {
+    this.#clipsPanel.progress.cancel();
+    this.#forgetShown();
+    this.#clips.clear();
+  }
+
+  /** Opens clips and reads them; the first that can be read is shown. */
+  async #open(files: readonly DroppedFile[], labelling: Labelling): Promise<void> {
+    const wereOpen = this.#clips.rows.length > 0;
+    this.#forgetShown();
+    setAttributes(this.element, { "aria-busy": "true" });
+    await this.#attempt(() =>
+      this.#clipsPanel.progress.run(words.looking, async (options) => {
+        for (const note of await this.#clips.open(files, labelling, options)) this.#host.toasts.error(note);
+        if (!wereOpen) await this.#proposeName();
+        await this.#clips.read(options);
+      }),
+    );
+    setAttributes(this.element, { "aria-busy": "false" });
+    this.#show();
+  }
+
+  #forgetShown(): void {
+    this.#selected = undefined;
+    this.#clipsPanel.reset();
+    this.#preview.clear();
+  }
+
+  async #proposeName(): Promise<void> {
+    await this.#databases.load();
+    this.#build.name = this.#databases.freeName(this.#clips.name);
+  }
+
+  async #select(row: Row): Promise<void> {
+    this.#selected = row.index;
+    this.#clipsPanel.selected = row.index;
+    const file = row.path.slice(row.path.lastIndexOf("/") + 1);
+    const title = row.action && row.style ? words.preview.title(row.action, row.style) : file;
+    if (row.fault) {
+      this.#preview.fail(title, row.fault);
+      return;
+    }
+    try {
+      const clip = await this.#clips.preview(row);
+      if (this.#selected === row.index) this.#preview.show(title, clip);
+    } catch (error) {
+      if (!isCancellation(error) && this.#selected === row.index) this.#preview.fail(title, errorText(error));
+    }
+  }
+
+  async #chooseRoles(number: number): Promise<void> {
+    const { skeletons, rows } = this.#clips;
+    const skeleton = skeletons[number];
+    const roles = skeleton && (await askForRoles(skeleton));
+    if (!roles) return;
+    skeleton.chosen = roles;
+    const ofSkeleton = rows.filter((row) => row.read?.skeleton === number);
+    const shown = ofSkeleton.find((row) => row.index === this.#selected) ?? ofSkeleton[0];
+    if (shown) await this.#select(shown);
+    this.#show();
+  }
+
+  // --- databases ---
+
+  async #start(name: string): Promise<void> {
+    if (this.#building) return;
+    this.#building = true;
+    const place = await this.#placeFor(name);
+    if (place) await this.#buildInto(place, name);
+    this.#building = false;
+    this.#show();
+  }
+
+  /** How to save a database: asks if one of that name exists; `undefined` if it is not to be saved. */
+  async #placeFor(name: string): Promise<((database: SavedDatabase) => Promise<Placed>) | undefined> {
+    await this.#databases.load();
+    const present = this.#databases.find(name);
+    const answer = present ? await askToReplace(present) : "keep both";
+    if (answer === "keep both") return (database) => this.#databases.add(database);
+    return answer && ((database) => this.#databases.replace(database));
+  }
+
+  async #buildInto(place: (database: SavedDatabase) => Promise<Placed>, name: string): Promise<void> {
+    this.#build.busy = true;
+    this.#preview.playing = false;
+    const started = performance.now();
+    await this.#attempt(() =>
+      this.#build.progress.run(words.build.progress, async (options) => {
+        const { refused, neutral: _, ...built } = await this.#clips.build(options);
+        const placed = await place({ name, ...built });
+        this.#build.name = placed.name;
+        this.#sayUnkept(placed);
+        const seconds = ((performance.now() - started) / 1000).toFixed(1);
+        const styles = built.styles.length;
+        const ready = words.build.ready(capitalised(numberWord(styles)), styles, built.frames, seconds);
+        this.#host.toasts.note(refused.length > 0 ? `${ready} ${words.build.refused(refused.length)}` : ready);
+      }),
+    );
+    this.#build.busy = false;
+    this.#preview.playing = true;
+    this.#databasesPanel.show(this.#databases, this.#host.store.state.database);
+  }
+
+  #sayUnkept(placed: Placed | undefined): void {
+    if (placed?.unkept) this.#host.toasts.error(words.build.unkept(placed.name, placed.unkept));
+  }
+
+  async #changeDatabases(change: () => Promise<void>): Promise<void> {
+    await this.#attempt(change);
+    this.#databasesPanel.show(this.#databases, this.#host.store.state.database);
+  }
+
+  // --- what is shown ---
+
+  #show(): void {
+    const { rows, skeletons, usable } = this.#clips;
+    this.element.classList.toggle("filled", rows.length > 0);
+    if (rows.length === 0) return;
+    const classes = classTable(usable);
+    this.#clipsPanel.show(usable, classes);
+    this.#build.show({
+      usable: this.#building ? 0 : usable.length,
+      styles: classes.styles.length,
+      skeletons,
+      clipsOf: skeletons.map((_, i) => rows.filter((row) => row.read?.skeleton === i).length),
+      concerns: concerns(classes),
+    });
+    const first = this.#selected === undefined && rows.find((row) => row.read);
+    if (first) void this.#select(first);
+  }
+
+  async #attempt(task: () => Promise<void>): Promise<void> {
+    try {
+      await task();
+    } catch (error) {
+      if (!isCancellation(error)) this.#host.toasts.error(errorText(error));
+    }
+  }
+}

@@ -1,0 +1,87 @@
+/** The databases of this device: opened, exported, deleted and brought back. */
+
+import { megabytes } from "../../strings/numerals";
+import { strings } from "../../strings/strings";
+import { button } from "../../ui/controls/buttons";
+import { html, setText } from "../../ui/dom";
+import type { DeviceDatabases } from "./device_databases";
+import type { SavedDatabase } from "./saved_databases";
+
+const words = strings.data.saved;
+
+export interface DatabasesPanelListeners {
+  onOpen: (database: SavedDatabase) => void;
+  onOpenBuiltIn: () => void;
+  onExport: (database: SavedDatabase) => void;
+  onDelete: (database: SavedDatabase) => void;
+  onRestore: (database: SavedDatabase) => void;
+}
+
+export class DatabasesPanel {
+  readonly element: HTMLElement;
+  readonly #list = html("ul", { class: "stored" });
+  readonly #note = html("p", { class: "caption" });
+  readonly #listeners: DatabasesPanelListeners;
+
+  constructor(listeners: DatabasesPanelListeners) {
+    this.#listeners = listeners;
+    this.element = html(
+      "section",
+      { class: "section", "aria-labelledby": "databases-heading" },
+      html("div", { class: "section-heading" }, html("h2", { id: "databases-heading" }, words.heading)),
+      this.#list,
+      this.#note,
+    );
+  }
+
+  /** Lists them; `open` is the name of the one that Play uses, empty for the built-in one. */
+  show({ all, deleted, fault }: DeviceDatabases, open: string): void {
+    this.#list.replaceChildren(
+      this.#builtIn(open === ""),
+      ...all.map((database) => this.#item(database, database.name === open)),
+      ...deleted.map((database) => this.#deleted(database)),
+    );
+    setText(this.#note, fault || (all.length > 0 ? words.kept : words.none));
+  }
+
+  #builtIn(isOpen: boolean): HTMLElement {
+    const open = button(words.open, this.#listeners.onOpenBuiltIn, { label: true, class: "outlined" });
+    return item(words.builtIn, words.comesAlong, isOpen, [open]);
+  }
+
+  #item(database: SavedDatabase, isOpen: boolean): HTMLElement {
+    const { name, styles, clips, file } = database;
+    const open = button(words.open, () => this.#listeners.onOpen(database), { label: true, class: "outlined" });
+    const save = button(words.export, () => this.#listeners.onExport(database), { icon: "export" });
+    const remove = button(words.delete, () => this.#listeners.onDelete(database), { icon: "remove" });
+    for (const [made, does] of [
+      [open, words.open],
+      [save, words.export],
+      [remove, words.delete],
+    ] as const)
+      made.setAttribute("aria-label", words.does(does, name));
+    const caption = words.contents(styles.length, clips, megabytes(file.size));
+    return item(name, caption, isOpen, [save, remove, open]);
+  }
+
+  #deleted(database: SavedDatabase): HTMLElement {
+    const restore = button(words.restore, () => this.#listeners.onRestore(database), {
+      label: true,
+      class: "outlined",
+    });
+    restore.setAttribute("aria-label", words.does(words.restore, database.name));
+    const made = item(database.name, words.deleted, false, [restore]);
+    made.classList.add("deleted");
+    return made;
+  }
+}
+
+function item(name: string, caption: string, isOpen: boolean, buttons: HTMLButtonElement[]): HTMLElement {
+  const text = html(
+    "div",
+    { class: "stored-words" },
+    html("p", { class: "stored-name", title: name }, html("bdi", {}, name)),
+    html("p", { class: "caption" }, isOpen ? words.isOpen(caption) : caption),
+  );
+  return html("li", isOpen ? { "aria-current": "true" } : {}, text, ...buttons);
+}

@@ -1,0 +1,191 @@
+/** What the Data view says. */
+import { grouped } from "../../strings/numerals";
+
+const counted = (one: string) => (n: number) => `${grouped(n)} ${n === 1 ? one : `${one}s`}`;
+const [clips, styles] = [counted("clip"), counted("style")];
+const quoted = (name: string) => `“${name}”`;
+
+/** Names in quotes; of many the first few. */
+function listed(names: readonly string[]): string {
+  const first = names.slice(0, 3).map(quoted);
+  const more = names.length - first.length;
+  return more > 0 ? `${first.join(", ")} and ${more} more` : first.join(" and ");
+}
+
+export const data = {
+  empty: {
+    heading: "Your own styles",
+    what: "Drop BVH files, a folder or a zip of them here. Their names say who does what in which style; the rest is found. Nothing leaves this device.",
+    best: "The same actions in every style work best: walk, run and jump, in neutral and in others. A CSV with the columns file, action, style is taken too.",
+    files: "Choose files",
+    folder: "Choose a folder",
+  },
+  add: { files: "Add files", folder: "Add a folder", clear: "Clear" },
+  looking: "Looking for clips.",
+  noClips: "There is no BVH among these files. Drop BVH files, a folder or a zip of them.",
+  noneOf: (n: number) => `${counted("file")(n)} dropped, but no BVH and no zip among them.`,
+
+  names: {
+    label: "File names",
+    pattern: "Pattern of the file names",
+    all: "all match",
+    some: (matching: number, all: number) => `${grouped(matching)} of ${grouped(all)} match`,
+    tableFirst: (matches: string, table: string) => `${matches}; ${table} goes first`,
+  },
+  leftOut: "Left out",
+  leftOutCount: (n: number) => `${grouped(n)} left out`,
+  heading: (n: number, ofStyles: number) => `${clips(n)}, ${styles(ofStyles)}`,
+  summary: (actions: number, source: string) => `${counted("action")(actions)} · ${source}`,
+  sources: counted("source"),
+  unlabelled: "It needs an action and a style.",
+  oneStyle: "There is one style; a second one gives something to mix it with.",
+  single: (names: readonly string[]) =>
+    `${listed(names)} ${names.length === 1 ? "has" : "have"} one clip; more would make it steadier.`,
+  missing: (names: readonly string[], action: string) =>
+    `${listed(names)} ${names.length === 1 ? "has" : "have"} no “${action}”; there the style is a guess from other actions.`,
+  unnamed: "My clips",
+
+  matrix: {
+    name: "Styles and actions",
+    style: "Style",
+    neutral: "Neutral",
+    isNeutral: (style: string) => `${style} is neutral`,
+    rename: {
+      action: (name: string) => `Name of the action ${name}`,
+      style: (name: string) => `Name of the style ${name}`,
+    },
+    cell: (action: string, style: string, clips: number) => `${action}, ${style}: ${clips}`,
+  },
+
+  list: {
+    name: "Clips",
+    columns: {
+      file: "File",
+      action: "Action",
+      style: "Style",
+      take: "Take",
+      length: "Length",
+      rate: "Rate",
+      note: "Note",
+    },
+    field: {
+      action: (file: string) => `action of ${file}`,
+      style: (file: string) => `style of ${file}`,
+      take: (file: string) => `take of ${file}`,
+    },
+    seconds: (secs: string) => `${secs} s`,
+    hertz: (rate: string) => `${rate} Hz`,
+    skeleton: (number: number, joints: number) => `skeleton ${number}, ${counted("joint")(joints)}`,
+  },
+
+  preview: {
+    name: "Preview",
+    invitation: "Choose a clip to see it.",
+    title: (action: string, style: string) => `${action}, ${style}`,
+    note: (frames: number, secs: string, note: string) => `${counted("frame")(frames)}, ${secs} s. ${note}`,
+  },
+
+  roles: {
+    heading: "Which joint is which",
+    none: "none",
+    use: "Use these joints",
+  },
+
+  build: {
+    heading: "Database",
+    panels: "Database",
+    name: "Name",
+    nameOf: "Name of the database",
+    build: "Build the database",
+    building: "Building",
+    progress: "Building.",
+    more: (n: number) => `${counted("more remark")(n)} like these.`,
+    skeleton: (number: number) => (number > 1 ? `Skeleton ${number}` : "Skeleton"),
+    joints: "Joints",
+    checkJoints: "Check joints",
+    jointsOf: (number: number) => `Joints of skeleton ${number}`,
+    chosen: "chosen by you",
+    unmatched: "not matched",
+    matched: (percent: number) => `matched, ${percent} % sure`,
+    has: (joints: number, n: number) => `${counted("joint")(joints)}, ${clips(n)}`,
+    ready: (number: string, n: number, frames: number, secs: string) =>
+      `${number} ${n === 1 ? "style" : "styles"} ready. ${grouped(frames)} frames, ${secs} s.`,
+    refused: (n: number) => `${clips(n)} left out.`,
+    unkept: (name: string, why: string) => `${quoted(name)} is ready, but it will not be here after a reload. ${why}`,
+  },
+
+  replace: {
+    heading: (name: string) => `There is a database ${quoted(name)}`,
+    what: (contents: string) => `It has ${contents}. Replace it, or keep it and give the new one a number?`,
+    replace: "Replace it",
+    keepBoth: "Keep both",
+  },
+
+  saved: {
+    heading: "Databases",
+    kept: "Kept by this browser, on this device.",
+    none: "What you build is kept here.",
+    builtIn: "Built-in",
+    comesAlong: "comes with the page",
+    open: "Open",
+    export: "Export",
+    delete: "Delete",
+    deleted: "deleted",
+    restore: "Undo deleting",
+    does: (what: string, name: string) => `${what} ${name}`,
+    contents: (ofStyles: number, n: number, size: string) => `${styles(ofStyles)}, ${clips(n)}, ${size}`,
+    isOpen: (contents: string) => `open · ${contents}`,
+    full: "The browser has no room left for it. Delete a database, or export this one before the page is closed.",
+    refused: "The browser does not let this page keep files, as in a private window. Export the database to keep it.",
+  },
+
+  sets: {
+    heading: "Public data sets",
+    note: "Others made these. Each has a licence of its own, which is shown before anything is fetched.",
+    get: "Get",
+    resume: "Resume",
+    use: "Use",
+    here: "on this device",
+    files: counted("file"),
+    some: (kept: number, all: number) => `${kept} of ${counted("file")(all)}`,
+    state: (licence: string, state: string) => `${licence} · ${state}`,
+    fetching: (name: string) => `Fetching ${name}.`,
+    arrived: (name: string, n: number, all: number, size: string) =>
+      `${name}: ${counted("file")(n)} of ${all}, ${size}.`,
+    licence: "Licence: ",
+    about: (text: string) => `${text}.`,
+    licenceNote: (note: string) => `. ${note}`,
+    cite: (citation: string) => `Cite it as: ${citation}.`,
+    more: "More about it",
+    from: (host: string) => `It is fetched from ${host}, and kept here.`,
+    fromSized: (host: string, size: string) => `It is fetched from ${host}, ${size}, and kept here.`,
+    download: "Download",
+    noList: "The list of public data sets could not be loaded.",
+    badList: (at: string, what: string) => `The list of public data sets is not as expected: ${at} should be ${what}.`,
+    noCache: "The browser does not let this page keep files, as in a private window.",
+    dropHere: "Drop the files here.",
+    cancelled: "Cancelled.",
+    notKept: (file: string) => `The browser has not kept ${file}.`,
+    again: "Download the set again.",
+    offline: "There is no connection to the network.",
+    unreachable: (host: string) => `${host} cannot be reached, or does not let other pages read its files.`,
+    answered: (host: string, status: number, file: string) => `${host} answered ${status} for ${file}.`,
+    byHand: (page: string) => `Get the files from ${page} and drop them here.`,
+    changed: (file: string) => `${file} is not the file that the list of public data sets names, and was not kept.`,
+    full: (name: string) => `The browser has no room for ${name}.`,
+    makeRoom: "Delete databases or other sets.",
+    brokeOff: (file: string, size: string) => `${file} broke off after ${size}.`,
+    tryAgain: "Try again: what has arrived is kept.",
+  },
+
+  style: {
+    heading: "Name of the new style",
+    name: "Name of the style",
+    make: "Make it a style",
+    taken: (name: string) => `There is a style ${quoted(name)} already.`,
+    unnamed: "new style",
+    database: (base: string, style: string) => `${base} + ${style}`,
+  },
+
+  cancel: "Cancel",
+};

@@ -1,0 +1,108 @@
+/** What the timelines of keys and of recordings share: the places of their rows, the ruler, and the line of a variable. */
+import "./timeline.css";
+import { strings } from "../../strings/strings";
+import { svg } from "../../ui/dom";
+import { pixelOf, type Scale } from "../../ui/scale";
+import { timeRuler } from "../synthesis/time_ruler";
+
+/** Left of the rows, for their names, and right of them, units. */
+const GUTTER = 152;
+const NARROW_GUTTER = 92;
+const MARGIN = 20;
+/** A timeline narrower than this has the narrow gutter, units. */
+const NARROW_PX = 700;
+/** Vertical places of the ruler and of the first row, and the distance of two rows, units. */
+export const RULER_Y = 38;
+const FIRST_ROW_Y = 54;
+const ROW_GAP = 12;
+const MIN_ROW_HEIGHT = 24;
+const MIN_HEIGHT = 120;
+/** What values keep clear of at the edges of their row, units. */
+const ROW_PADDING = 6;
+/** Minimum distance of two labels of the ruler, units. */
+const LABEL_PX = 72;
+
+/** A range of values. */
+export interface Extent {
+  min: number;
+  max: number;
+}
+
+/** A style variable as its row names it. */
+export interface RowName {
+  title: string;
+  unit: string;
+  /** Decimals that its values are read with. */
+  digits: number;
+}
+
+export interface Layout {
+  width: number;
+  height: number;
+  /** Seconds. */
+  time: Scale;
+  rows: readonly RowPlace[];
+  /** Where the playhead's line ends. */
+  bottom: number;
+}
+
+/** Vertical place of a row, units. */
+export interface RowPlace {
+  top: number;
+  height: number;
+}
+
+/** Lays out so many rows over a time in seconds. */
+export function layOut(width: number, height: number, rowCount: number, secs: number): Layout {
+  const used = Math.max(MIN_HEIGHT, height);
+  const gutter = width < NARROW_PX ? NARROW_GUTTER : GUTTER;
+  const rowHeight = Math.max(MIN_ROW_HEIGHT, (used - FIRST_ROW_Y - ROW_GAP * rowCount) / Math.max(1, rowCount));
+  const rows = Array.from({ length: rowCount }, (_, i) => ({
+    top: FIRST_ROW_Y + i * (rowHeight + ROW_GAP),
+    height: rowHeight,
+  }));
+  return {
+    width,
+    height: used,
+    time: { min: 0, max: Math.max(secs, 0.01), from: gutter, to: width - MARGIN },
+    rows,
+    bottom: (rows.at(-1)?.top ?? FIRST_ROW_Y) + rowHeight + 6,
+  };
+}
+
+/** The scale of the values of a row. */
+export function rowScale({ top, height }: RowPlace, { min, max }: Extent): Scale {
+  return { min, max, from: top + height - ROW_PADDING, to: top + ROW_PADDING };
+}
+
+/** The ruler, which seeks. */
+export function rulerOf({ time }: Layout): SVGGElement {
+  return timeRuler({ time, y: RULER_Y, labelPx: LABEL_PX, zero: strings.synthesis.zero });
+}
+
+/** The ground of a row with the name of its variable; `read` is what stands below the name. */
+export function rowGround({ time }: Layout, place: RowPlace, title: string, ...read: (Node | string)[]): SVGElement[] {
+  const middle = place.top + place.height / 2;
+  const ground = { x: time.from, y: place.top, width: time.to - time.from, height: place.height, rx: 3 };
+  return [
+    svg("rect", { class: "keys-row", ...ground }),
+    svg("text", { class: "keys-title", x: MARGIN, y: middle - 3 }, title),
+    svg("text", { class: "keys-read", x: MARGIN, y: middle + 14 }, ...read),
+  ];
+}
+
+/**
+ * A variable over time as the data of a path.
+ *
+ * @param values - Values of all variables at equal times, those of one time behind each other.
+ * @param axis - Number of the variable of `axes`.
+ */
+export function lineOf(values: ArrayLike<number>, axis: number, axes: number, time: Scale, row: Scale): string {
+  const count = Math.floor(values.length / axes);
+  const points: string[] = [];
+  for (let i = 0; i < count; i++) {
+    const x = time.from + (i / Math.max(1, count - 1)) * (time.to - time.from);
+    points.push(`${x.toFixed(1)} ${pixelOf(row, values[i * axes + axis]!).toFixed(1)}`);
+  }
+  return points.length > 1 ? `M${points.join("L")}` : "";
+}

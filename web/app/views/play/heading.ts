@@ -1,0 +1,56 @@
+/** Title and caption over the picture: the recognised action and the styles. */
+import type { Reading } from "../../../client/protocol";
+import type { Session } from "../../../player/session";
+import type { Playhead } from "../../state/playhead";
+import type { Store } from "../../state/store";
+import { ownParts, stylesAt } from "../../state/style_settings";
+import { inputTitle, stageCaption, stageTitle } from "../../ui/words";
+import { ReadAction } from "./read_action";
+import type { ViewportPanel } from "./viewport_panel";
+
+/** Minimum time between updates along a style track, so that the title can be read. */
+const FOLLOW_MS = 300;
+
+export class Heading {
+  readonly #store: Store;
+  readonly #session: Session;
+  readonly #playhead: Playhead;
+  readonly #viewport: ViewportPanel;
+  readonly #action = new ReadAction();
+  #shownAt = 0;
+
+  constructor(store: Store, session: Session, playhead: Playhead, viewport: ViewportPanel) {
+    this.#store = store;
+    this.#session = session;
+    this.#playhead = playhead;
+    this.#viewport = viewport;
+  }
+
+  /** Takes the classes of a new frame, heaviest first. */
+  take(reads: readonly Reading[]): void {
+    const passing = this.#store.state.track.length > 1 && performance.now() - this.#shownAt > FOLLOW_MS;
+    if (this.#action.take(reads) || passing) this.show();
+  }
+
+  /** Updates title and caption. */
+  show(): void {
+    const session = this.#session;
+    this.#shownAt = performance.now();
+    if (!session.database) return;
+    const { intensity, track } = this.#store.state;
+    const styles = stylesAt(this.#store.state, this.#playhead.at);
+    const { neutral, rateHz } = session.database;
+    this.#viewport.heading = {
+      title: stageTitle(this.#action.name, styles, intensity, neutral),
+      caption: stageCaption(
+        inputTitle(session.library, session.inputName),
+        {
+          styles: styles.filter((s) => s.weight !== 0).length,
+          parts: ownParts(this.#store.state).length,
+          keys: track.length,
+        },
+        rateHz,
+      ),
+    };
+  }
+}

@@ -1,0 +1,48 @@
+/** Three hints for new users, one at a time; a hint that was followed is not shown again. */
+import { strings } from "../../strings/strings";
+
+/** In the order in which they come. */
+const NAMES = ["drag", "part", "key"] as const;
+
+/** What a hint is about. */
+export type HintName = (typeof NAMES)[number];
+
+/** Key in localStorage. */
+const STORAGE_KEY = "strut.hints";
+
+/** The part of `Storage` that is used. */
+type Memory = Pick<Storage, "getItem" | "setItem">;
+
+export class Hints {
+  readonly #memory: () => Memory;
+  readonly #followed: Set<string>;
+
+  /** Where storage is refused, as in a private window, the hints are shown again. */
+  constructor(memory: () => Memory = () => localStorage) {
+    this.#memory = memory;
+    let followed = "";
+    try {
+      followed = memory().getItem(STORAGE_KEY) ?? "";
+    } catch {
+      // Nothing depends on it.
+    }
+    this.#followed = new Set(followed.split(" "));
+  }
+
+  /** The present hint; empty once all were followed. */
+  get text(): string {
+    const next = NAMES.find((name) => !this.#followed.has(name));
+    return next ? strings.play.hints[next] : "";
+  }
+
+  /** Marks a hint as followed, whether it was shown or not. */
+  follow(name: HintName): void {
+    if (this.#followed.has(name)) return;
+    this.#followed.add(name);
+    try {
+      this.#memory().setItem(STORAGE_KEY, [...this.#followed].filter(Boolean).join(" "));
+    } catch {
+      // As above.
+    }
+  }
+}

@@ -1,0 +1,96 @@
+/** The Input panel: the input motion, and the class that the engine recognises in it. */
+import type { InputInfo, Reading } from "../../../client/protocol";
+import type { InputLibrary } from "../../../player/input_library";
+import { strings } from "../../strings/strings";
+import { button } from "../../ui/controls/buttons";
+import { icon } from "../../ui/controls/icons";
+import { formatNumber, html, setAttributes, setText } from "../../ui/dom";
+import { inputTitle, spoken } from "../../ui/words";
+
+/** Minimum time between updates of the recognised class, so that it can be read. */
+const READING_MS = 250;
+
+export interface InputListeners {
+  onChoose: (name: string) => void;
+  onFile: () => void;
+}
+
+export class InputPanel {
+  readonly element: HTMLElement;
+  readonly #select = html("select", { "aria-label": strings.play.input.motion });
+  readonly #reading = html("span", { class: "reading" });
+  readonly #bar = html("div", { class: "weight-bar-filled" });
+  readonly #weight = html("output", { class: "value" });
+  readonly #note = html("p", { class: "caption input-note" });
+  #readAt = 0;
+  /** The reading of the next update; `undefined` where none is scheduled. */
+  #newest: Reading | undefined;
+
+  constructor(listeners: InputListeners, top: HTMLElement) {
+    this.#select.addEventListener("change", () => listeners.onChoose(this.#select.value));
+    const file = button(strings.play.input.drop, listeners.onFile, { icon: "drop", label: true, class: "outlined" });
+    file.title = strings.play.input.dropWhy;
+    this.element = html(
+      "section",
+      { class: "section input", "aria-labelledby": "input-heading" },
+      top,
+      html("div", { class: "section-heading" }, html("h2", { id: "input-heading" }, strings.play.input.heading)),
+      html(
+        "div",
+        { class: "input-row" },
+        html("div", { class: "select outlined" }, this.#select, icon("chevron")),
+        file,
+      ),
+      html(
+        "div",
+        { class: "row", title: strings.play.input.readsAsWhy },
+        html("span", { class: "label" }, strings.play.input.readsAs),
+        this.#reading,
+        html("div", { class: "weight-bar" }, this.#bar),
+        this.#weight,
+      ),
+      this.#note,
+    );
+  }
+
+  /** Lists the inputs there are and marks the one that is open. */
+  list(library: InputLibrary, chosen: string): void {
+    const option = (name: string) => html("option", { value: name }, inputTitle(library, name));
+    const group = (label: string, names: readonly string[]) =>
+      names.length > 0 ? [html("optgroup", { label }, ...names.map(option))] : [];
+    this.#select.replaceChildren(
+      ...group(strings.play.input.builtIn, library.builtIn),
+      ...group(strings.play.input.dropped, library.dropped),
+    );
+    this.#select.value = chosen;
+  }
+
+  set input(input: InputInfo) {
+    setText(this.#note, input.note);
+    this.#note.title = input.note;
+    this.#readAt = 0;
+  }
+
+  /** Shows the class with the largest weight in the newest frame, at most every {@link READING_MS}. */
+  read([heaviest]: readonly Reading[]): void {
+    if (!heaviest) return;
+    const waiting = this.#newest !== undefined;
+    this.#newest = heaviest;
+    if (waiting) return;
+    const left = this.#readAt + READING_MS - performance.now();
+    if (left <= 0) this.#showNewest();
+    else setTimeout(() => this.#showNewest(), left);
+  }
+
+  #showNewest(): void {
+    const newest = this.#newest;
+    if (!newest) return;
+    this.#newest = undefined;
+    this.#readAt = performance.now();
+    const reading = `${spoken(newest.action)}, ${spoken(newest.style)}`;
+    setText(this.#reading, reading);
+    setAttributes(this.#reading, { title: reading });
+    setText(this.#weight, formatNumber(newest.weight, 2));
+    this.#bar.style.transform = `scaleX(${Math.min(1, Math.max(0, newest.weight))})`;
+  }
+}

@@ -1,0 +1,44 @@
+/** Keyboard shortcuts of the Play view. */
+
+import type { Session } from "../../../player/session";
+import { GHOST_MODES, TRACE_MODES } from "../../state/play";
+import type { Playhead } from "../../state/playhead";
+import type { Store } from "../../state/store";
+import { addKey, otherSide } from "../../state/style_settings";
+import type { KeyTable } from "../../view";
+import type { StylePanel } from "./style_panel";
+
+/** The next mode, cyclically. */
+const after = <T>(mode: T, modes: readonly T[]): T => modes[(modes.indexOf(mode) + 1) % modes.length]!;
+
+/** Digits that select one style, clockwise from the top. */
+const DIGITS = [1, 2, 3, 4, 5, 6, 7, 8, 9];
+
+export function keysOf(store: Store, session: Session, playhead: Playhead, style: StylePanel) {
+  /** Sets the begin or end of the range to the playhead. */
+  const cutRange = (edge: "first" | "last"): void => {
+    const frames = session.input?.frames ?? 2;
+    const range = { first: 0, last: frames - 1, ...store.state.range, [edge]: Math.round(playhead.at) };
+    if (range.first < range.last) store.edit({ range });
+  };
+  const ofStyle = (number: number) => () => style.polygon.takeAllOf(style.vertices[number - 1] ?? "");
+  return {
+    " ": () => playhead.togglePlay(),
+    ArrowLeft: () => playhead.step(-1),
+    ArrowRight: () => playhead.step(1),
+    Home: () => playhead.goTo(0),
+    End: () => playhead.goTo(Number.MAX_SAFE_INTEGER),
+    l: () => store.edit({ loop: !store.state.loop }),
+    g: () => store.edit({ ghost: after(store.state.ghost, GHOST_MODES) }),
+    t: () => store.edit({ trace: after(store.state.trace, TRACE_MODES) }),
+    f: () => store.edit({ follow: !store.state.follow }),
+    h: () => store.edit({ panels: !store.state.panels }),
+    x: () => store.edit(otherSide(store.state)),
+    r: () => style.mixByChance(),
+    k: () => store.edit(addKey(store.state, playhead.at)),
+    i: () => cutRange("first"),
+    o: () => cutRange("last"),
+    u: () => store.edit({ range: undefined }),
+    ...Object.fromEntries(DIGITS.map((number) => [String(number), ofStyle(number)])),
+  } satisfies KeyTable;
+}

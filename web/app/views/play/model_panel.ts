@@ -1,0 +1,120 @@
+/** The Model panel: parameters of the regression, switches of the stages after it, and labels of the input. */
+
+import { type DatabaseInfo, METHODS, type Method } from "../../../client/protocol";
+import { PLAY_RANGES } from "../../state/play";
+import { type AppState, FIELDS } from "../../state/state";
+import type { Store } from "../../state/store";
+import { strings } from "../../strings/strings";
+import { button, Toggle } from "../../ui/controls/buttons";
+import type { DialRange } from "../../ui/controls/dial";
+import { icon } from "../../ui/controls/icons";
+import { Knob } from "../../ui/controls/knob";
+import { html } from "../../ui/dom";
+import { spoken } from "../../ui/words";
+
+type KnobField = "k" | "lambda" | "rho" | "kappa" | "delta";
+
+/** The knobs from left to right; a logarithmic scale where ratios matter. */
+const KNOBS: readonly { field: KnobField; symbol: string; scale: DialRange["scale"] }[] = [
+  { field: "k", symbol: "K", scale: "log" },
+  { field: "lambda", symbol: "λ", scale: "log" },
+  { field: "rho", symbol: "ρ", scale: "linear" },
+  { field: "kappa", symbol: "κ", scale: "linear" },
+  { field: "delta", symbol: "δ", scale: "log" },
+];
+
+const TOGGLES = ["timing", "footplant", "coherence"] as const;
+
+/** Labels of the input that a person may set. */
+const LABELS = ["action", "inputStyle"] as const;
+
+/** All fields of this panel. */
+const FIELDS_HERE = [...KNOBS.map(({ field }) => field), ...TOGGLES, "method", ...LABELS] as const;
+
+export class ModelPanel {
+  readonly element: HTMLElement;
+  readonly #knobs: { field: KnobField; knob: Knob }[];
+  readonly #toggles: { field: (typeof TOGGLES)[number]; toggle: Toggle }[];
+  readonly #method = html("select", { "aria-label": strings.play.model.method });
+  readonly #labels = LABELS.map((field) => ({
+    field,
+    select: html("select", { "aria-label": strings.play.model.labels[field].name }),
+  }));
+  readonly #reset: HTMLButtonElement;
+
+  constructor(store: Store) {
+    this.#knobs = KNOBS.map(({ field, symbol, scale }) => ({
+      field,
+      knob: new Knob(
+        { symbol, ...strings.play.model.knobs[field] },
+        { ...PLAY_RANGES[field], scale },
+        FIELDS[field].initial,
+        {
+          onInput: (value) => store.edit({ [field]: value }, field),
+          ...store.gestureListeners,
+        },
+      ),
+    }));
+    this.#toggles = TOGGLES.map((field) => {
+      const { name, description } = strings.play.model.toggles[field];
+      const toggle = new Toggle(name, (on) => store.edit({ [field]: on }));
+      toggle.element.title = description;
+      return { field, toggle };
+    });
+    this.#method.append(
+      ...METHODS.map((method) => html("option", { value: method }, strings.play.model.methods[method])),
+    );
+    this.#method.addEventListener("change", () => store.edit({ method: this.#method.value as Method }));
+    for (const { field, select } of this.#labels)
+      select.addEventListener("change", () => store.edit({ [field]: select.value }));
+    const fields = FIELDS_HERE;
+    const defaults = Object.fromEntries(fields.map((field) => [field, FIELDS[field].initial])) as Partial<AppState>;
+    this.#reset = button(strings.play.model.reset, () => store.edit(defaults), { label: true, class: "plain" });
+    this.#reset.setAttribute("aria-label", strings.play.model.resetModel);
+    const method = html("div", { class: "select plain-select" }, this.#method, icon("chevron"));
+    method.title = strings.play.model.methodWhy;
+    this.element = html(
+      "section",
+      { class: "section model", "aria-labelledby": "model-heading" },
+      html(
+        "div",
+        { class: "section-heading" },
+        html("h2", { id: "model-heading" }, strings.play.model.heading),
+        method,
+        this.#reset,
+      ),
+      html("div", { class: "knobs" }, ...this.#knobs.map(({ knob }) => knob.element)),
+      html("div", { class: "toggles" }, ...this.#toggles.map(({ toggle }) => toggle.element)),
+      html(
+        "div",
+        {
+          class: "row labels",
+          title: strings.play.model.labels.why,
+        },
+        html("span", { class: "label", "aria-hidden": "true" }, strings.play.model.labels.name),
+        ...this.#labels.map(({ select }) => html("div", { class: "select plain-select" }, select, icon("chevron"))),
+      ),
+    );
+  }
+
+  /** Takes the labels of another database. */
+  set database({ actions, styles }: DatabaseInfo) {
+    for (const { field, select } of this.#labels) {
+      const names = field === "action" ? actions : styles;
+      const { value } = select;
+      select.replaceChildren(
+        html("option", { value: "" }, strings.play.model.labels[field].unknown),
+        ...names.map((name) => html("option", { value: name }, spoken(name))),
+      );
+      select.value = value;
+    }
+  }
+
+  show(state: Readonly<AppState>): void {
+    for (const { field, knob } of this.#knobs) knob.value = state[field];
+    for (const { field, toggle } of this.#toggles) toggle.on = state[field];
+    this.#method.value = state.method;
+    for (const { field, select } of this.#labels) select.value = state[field];
+    this.#reset.disabled = FIELDS_HERE.every((field) => state[field] === FIELDS[field].initial);
+  }
+}

@@ -1,0 +1,275 @@
+/** The Play view: the styled character, with panels for style, input and model, transport and timeline. */
+
+import "./play_view.css";
+import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame } from "../../../client/protocol";
+import type { AppState } from "../../state/state";
+import { chooseKey, chosenKey, moveKey, partOf, removeKey } from "../../state/style_settings";
+import { strings } from "../../strings/strings";
+import { html } from "../../ui/dom";
+import { onSystemTheme } from "../../ui/theme";
+import { manner } from "../../ui/words";
+import type { View, ViewHost } from "../../view";
+import { Heading } from "./heading";
+import { InputPanel } from "./input_panel";
+import { keysOf } from "./keys";
+import { ModelPanel } from "./model_panel";
+import { StylePanel } from "./style_panel";
+import { Tabs } from "./tabs";
+import { plantedStretches } from "./timeline/curves";
+import { Timeline } from "./timeline/timeline";
+import { TrackKeys } from "./timeline/track_keys";
+import { Transport } from "./transport";
+import { ViewportPanel } from "./viewport_panel";
+
+export function createView(host: ViewHost): View {
+  return new PlayView(host);
+}
+
+/** Fields that the Style panel and the title depend on. */
+const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon", "intensity", "side"] as const;
+
+type Changed = ReadonlySet<keyof AppState>;
+const any = (changed: Changed, ...names: (keyof AppState)[]): boolean => names.some((name) => changed.has(name));
+
+class PlayView implements View {
+  readonly element: HTMLElement;
+  readonly keys: ReturnType<typeof keysOf>;
+  readonly #host: ViewHost;
+  readonly #viewport: ViewportPanel;
+  readonly #heading: Heading;
+  readonly #style: StylePanel;
+  readonly #input: InputPanel;
+  readonly #model: ModelPanel;
+  readonly #tabs: Tabs;
+  readonly #transport: Transport;
+  readonly #timeline: Timeline;
+  readonly #trackKeys: TrackKeys;
+  #shown = false;
+  /** The database that the panels show. */
+  #database: DatabaseInfo | undefined;
+
+  constructor(host: ViewHost) {
+    this.#host = host;
+    const { store, session, playhead, progress, signal } = host;
+    this.#style = new StylePanel(store, progress.database.element);
+    this.keys = keysOf(store, session, playhead, this.#style);
+    this.#viewport = new ViewportPanel({
+      onCamera: (camera) => store.edit({ camera }),
+      onFollow: () => this.keys.f(),
+      onGhost: () => this.keys.g(),
+      onTrace: () => this.keys.t(),
+      onJoint: (role) => store.edit({ part: partOf(role), tab: "style" }),
+    });
+    this.#heading = new Heading(store, session, playhead, this.#viewport);
+    this.#input = new InputPanel(
+      { onChoose: (name) => void this.#choose(name), onFile: () => host.chooseFile() },
+      progress.input.element,
+    );
+    this.#model = new ModelPanel(store);
+    this.#tabs = new Tabs((tab) => store.edit({ tab }));
+    const scrub = { onScrub: (frame: number) => playhead.scrub(frame), onScrubEnd: () => playhead.endScrub() };
+    this.#transport = new Transport(store, {
+      onPlay: () => playhead.togglePlay(),
+      onFrame: (by) => playhead.step(by),
+      onKey: () => this.keys.k(),
+      ...scrub,
+    });
+    this.#trackKeys = new TrackKeys({
+      onChoose: (key) => {
+        store.edit(chooseKey(store.state, key));
+        playhead.goTo(store.state.track[key]?.frame ?? 0);
+      },
+      onMove: (key, frame) => store.edit(moveKey(store.state, key, frame), `key ${key}`),
+      ...store.gestureListeners,
+      onRemove: (key) => store.edit(removeKey(store.state, key)),
+    });
+    this.#timeline = new Timeline(
+      {
+        ...scrub,
+        onHover: (frame) => playhead.preview(frame),
+        onRange: (range) => store.edit({ range }),
+        onCurve: (curve) => store.edit({ curve }),
+      },
+      this.#trackKeys.element,
+    );
+    this.#timeline.onLayout = () => this.#trackKeys.layOut();
+    this.#trackKeys.places = this.#timeline;
+    this.element = this.#compose();
+    playhead.onScrub = (frame) => this.#onScrub(frame);
+    session.listen(
+      {
+        onDatabase: () => this.#show(store.state),
+        onInput: (input) => this.#onInput(input),
+        onAnalysis: (analysis) => this.#onAnalysis(analysis),
+        onExamples: (examples) => this.#onExamples(examples),
+        onFrame: (frame, sought) => this.#onFrame(frame, sought),
+      },
+      signal,
+    );
+    store.subscribe((state, changed) => this.#onChange(state, changed), signal);
+    onSystemTheme(() => this.#timeline.recolour(), signal);
+    this.#show(store.state);
+    this.#catchUp();
+  }
+
+  get history() {
+    return this.#host.store;
+  }
+
+  get styleTarget(): Element | undefined {
+    return this.#database && this.#style.polygon.element;
+  }
+
+  show(): void {
+    const { session, store } = this.#host;
+    this.#shown = true;
+    this.#viewport.take(this.#host.borrowViewer(this.#viewport.picture));
+    if (this.#database) this.#viewport.proportions = this.#database.proportions;
+    this.#viewport.path = session.analysis?.poses;
+    this.#viewport.show(store.state);
+    if (session.frame) this.#viewport.draw(session.frame);
+    this.#play();
+  }
+
+  hide(): void {
+    this.#shown = false;
+    this.#viewport.give();
+    this.#play();
+  }
+
+  dispose(): void {
+    if (this.#shown) this.hide();
+    this.#host.playhead.onScrub = undefined;
+    this.#timeline.dispose();
+    this.#style.polygon.dispose();
+  }
+
+  #compose(): HTMLElement {
+    return html(
+      "div",
+      { class: "play-view" },
+      this.#viewport.element,
+      this.#tabs.element,
+      html(
+        "aside",
+        { class: "panels", "aria-label": strings.play.controls },
+        this.#style.element,
+        this.#input.element,
+        this.#model.element,
+      ),
+      html(
+        "section",
+        { class: "transport", "aria-label": strings.play.transport.name },
+        this.#host.progress.analysis.element,
+        this.#transport.element,
+        this.#timeline.element,
+      ),
+    );
+  }
+
+  /** Takes the state of the session from before the view was created. */
+  #catchUp(): void {
+    const { input, analysis, examples, frame } = this.#host.session;
+    if (input) this.#onInput(input);
+    if (analysis) this.#onAnalysis(analysis);
+    if (examples) this.#onExamples(examples);
+    if (frame) this.#onFrame(frame, true);
+  }
+
+  // --- from the engine ---
+
+  #takeDatabase(): void {
+    const { database } = this.#host.session;
+    if (!database || database === this.#database) return;
+    this.#database = database;
+    this.#style.database = database;
+    this.#model.database = database;
+    this.#timeline.classes = database.classes;
+    this.#viewport.proportions = database.proportions;
+  }
+
+  #onInput(input: InputInfo): void {
+    const { library, inputName } = this.#host.session;
+    this.#viewport.path = undefined;
+    this.#viewport.forgetTrail();
+    this.#input.list(library, inputName);
+    this.#input.input = input;
+    this.#transport.input = input;
+    this.#timeline.input = input;
+    this.#trackKeys.input = input;
+    this.#heading.show();
+  }
+
+  #onAnalysis(analysis: Analysis): void {
+    this.#timeline.analysis = analysis;
+    this.#transport.contacts = [plantedStretches(analysis.planted, 0), plantedStretches(analysis.planted, 1)];
+    this.#viewport.path = analysis.poses;
+  }
+
+  #onExamples(examples: Examples | undefined): void {
+    this.#timeline.examples = examples;
+  }
+
+  #onFrame(frame: LiveFrame, sought: boolean): void {
+    const { playhead } = this.#host;
+    if (sought) this.#viewport.forgetTrail();
+    this.#viewport.draw(frame);
+    this.#input.read(frame.reads);
+    if (!playhead.previewing) {
+      this.#transport.frame = frame.inputFrame;
+      if (!playhead.scrubbing) this.#timeline.frame = frame.inputFrame;
+    }
+    this.#heading.take(frame.reads);
+  }
+
+  // --- from the state ---
+
+  #onChange(state: Readonly<AppState>, changed: Changed): void {
+    if (changed.has("theme")) this.#timeline.recolour();
+    this.#show(state, changed);
+  }
+
+  #show(state: Readonly<AppState>, changed?: Changed): void {
+    this.#takeDatabase();
+    if (!changed || any(changed, "camera", "follow", "ghost", "trace", "part")) this.#viewport.show(state);
+    if (!changed || any(changed, ...STYLE_FIELDS)) {
+      this.#style.show(state, changed !== undefined);
+      this.#showTrack(state);
+      this.#heading.show();
+    }
+    if (!changed || changed.has("range")) this.#timeline.range = state.range;
+    if (!changed || changed.has("curve")) {
+      this.#timeline.curve = state.curve;
+      this.#host.session.curve = this.#timeline.subject;
+    }
+    this.#model.show(state);
+    this.#transport.show(state);
+    this.#tabs.show(state.tab);
+    this.element.dataset.tab = state.tab;
+    this.element.classList.toggle("bare", !state.panels);
+    this.#play();
+  }
+
+  #showTrack(state: Readonly<AppState>): void {
+    const neutral = this.#database?.neutral ?? "";
+    this.#trackKeys.show(state.track, chosenKey(state), (key) => manner(key.styles, state.intensity, neutral));
+  }
+
+  /** Plays while the view is shown and the playhead is not being dragged. */
+  #play(): void {
+    const { session, store, playhead } = this.#host;
+    session.playback.playing = this.#shown && store.state.playing && !playhead.scrubbing;
+  }
+
+  // --- from the person ---
+
+  #onScrub(frame: number | undefined): void {
+    if (frame !== undefined) this.#timeline.frame = frame;
+    else this.#show(this.#host.store.state, new Set());
+  }
+
+  async #choose(name: string): Promise<void> {
+    const { session } = this.#host;
+    if (!(await this.#host.chooseInput(name))) this.#input.list(session.library, session.inputName);
+  }
+}

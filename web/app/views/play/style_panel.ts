@@ -1,0 +1,166 @@
+/** The Style panel: the polygon, triangle or whole, and the intensity. */
+
+import { BODY_PARTS, type BodyPart, type DatabaseInfo } from "../../../client/protocol";
+import { PLAY_RANGES, type Side } from "../../state/play";
+import { type AppState, FIELDS } from "../../state/state";
+import type { Store } from "../../state/store";
+import {
+  otherSide,
+  ownParts,
+  plausibleIntensity,
+  randomStyles,
+  shownStyles,
+  withoutPart,
+  withStyles,
+} from "../../state/style_settings";
+import { strings } from "../../strings/strings";
+import { button, Segment } from "../../ui/controls/buttons";
+import { icon } from "../../ui/controls/icons";
+import { Slider } from "../../ui/controls/slider";
+import { html, setText } from "../../ui/dom";
+import { Polygon } from "../../ui/polygon/polygon";
+import { isBeyondData, type Selection, toTriangle, vertexOrder } from "../../ui/polygon/selection";
+import { manner, numberWord } from "../../ui/words";
+import { Hints } from "./hints";
+
+export class StylePanel {
+  readonly element: HTMLElement;
+  readonly polygon: Polygon;
+  readonly #mode: Segment<"triangle" | "whole">;
+  readonly #intensity: Slider;
+  readonly #side: Segment<Side>;
+  readonly #part = html("select", { "aria-label": strings.play.style.part });
+  readonly #follow: HTMLButtonElement;
+  readonly #store: Store;
+  readonly #caption = html("p", { class: "caption polygon-caption" });
+  #database: DatabaseInfo | undefined;
+  #vertices: readonly string[] = [];
+  readonly #hints = new Hints();
+
+  constructor(store: Store, top: HTMLElement) {
+    this.#store = store;
+    this.polygon = new Polygon({
+      onChange: (styles, gesture) => {
+        this.#hints.follow("drag");
+        store.edit(withStyles(store.state, styles), gesture);
+      },
+      ...store.gestureListeners,
+    });
+    this.#mode = new Segment(
+      strings.play.style.mixed,
+      [
+        { value: "triangle", label: strings.play.style.three },
+        { value: "whole", label: strings.play.style.all },
+      ],
+      (mode) => {
+        const styles = this.#stylesFor(mode, shownStyles(store.state));
+        store.edit({ wholePolygon: mode === "whole", ...withStyles(store.state, styles) });
+      },
+    );
+    this.#side = new Segment<Side>(
+      strings.play.style.setting,
+      [
+        { value: "a", label: "A" },
+        { value: "b", label: "B" },
+      ],
+      () => store.edit(otherSide(store.state)),
+    );
+    this.#side.element.title = strings.play.style.settings;
+    const random = button(strings.play.style.random, () => this.mixByChance(), { icon: "random", keys: "R" });
+    this.#part.addEventListener("change", () => store.edit({ part: this.#part.value as BodyPart | "" }));
+    this.#follow = button(strings.play.style.reset, () => this.#letPartFollow(), { label: true, class: "plain" });
+    this.#follow.setAttribute("aria-label", strings.play.style.resetPart);
+    this.#follow.title = strings.play.style.resetPartWhy;
+    this.#intensity = new Slider(strings.play.style.intensity, PLAY_RANGES.intensity, FIELDS.intensity.initial, {
+      onInput: (intensity) => store.edit({ intensity }, "intensity"),
+      onSettle: () => store.endGesture(),
+    });
+    this.element = html(
+      "section",
+      { class: "section style", "aria-labelledby": "style-heading" },
+      top,
+      html(
+        "div",
+        { class: "section-heading" },
+        html("h2", { id: "style-heading" }, strings.play.style.heading),
+        this.#side.element,
+        random,
+        this.#mode.element,
+      ),
+      this.polygon.element,
+      this.#caption,
+      this.#intensity.element,
+      html(
+        "div",
+        { class: "row body-parts" },
+        html("span", { class: "label", "aria-hidden": "true" }, strings.play.style.part),
+        html("div", { class: "select plain-select" }, this.#part, icon("chevron")),
+        this.#follow,
+      ),
+    );
+  }
+
+  /** Mixes three random styles. */
+  mixByChance(): void {
+    if (!this.#database) return;
+    const styles = randomStyles(this.#vertices);
+    this.#store.edit({ ...withStyles(this.#store.state, styles), wholePolygon: false });
+  }
+
+  /** Styles clockwise from the top, in the order of the number keys. */
+  get vertices(): readonly string[] {
+    return this.#vertices;
+  }
+
+  /** Takes the styles of another database. */
+  set database(database: DatabaseInfo) {
+    this.#database = database;
+    this.#vertices = vertexOrder(database.styles, database.neutral);
+    this.#mode.relabel(
+      "triangle",
+      `${numberWord(Math.min(3, database.styles.length))}`.replace(/^./, (c) => c.toUpperCase()),
+    );
+    this.#mode.relabel("whole", strings.play.style.allOf(numberWord(database.styles.length)));
+    this.#mode.element.hidden = database.styles.length <= 3;
+  }
+
+  /** Shows the state; with `glide` the handle is animated to its place. */
+  show(state: Readonly<AppState>, glide: boolean): void {
+    const { wholePolygon: whole, intensity, side } = state;
+    const selection = shownStyles(state);
+    const beyond = isBeyondData(selection, intensity);
+    this.polygon.show({ vertices: this.#vertices, selection, whole, beyond }, glide);
+    this.#mode.value = whole ? "whole" : "triangle";
+    this.#intensity.value = intensity;
+    this.#intensity.plausible = plausibleIntensity(selection);
+    this.#side.value = side;
+    this.#showParts(state);
+    if (state.part) this.#hints.follow("part");
+    if (state.track.length > 0) this.#hints.follow("key");
+    setText(this.#caption, beyond ? strings.play.style.beyond : this.#database ? this.#hints.text : "");
+  }
+
+  #showParts(state: Readonly<AppState>): void {
+    const own = ownParts(state);
+    const neutral = this.#database?.neutral ?? "";
+    const described = (part: BodyPart | "") => {
+      const styles = part && state.parts[part];
+      return styles
+        ? `${strings.play.style.parts[part]}: ${manner(styles, state.intensity, neutral)}`
+        : strings.play.style.parts[part];
+    };
+    const names = ["", ...BODY_PARTS] as const;
+    this.#part.replaceChildren(...names.map((part) => html("option", { value: part }, described(part))));
+    this.#part.value = state.part;
+    this.#follow.hidden = !own.some((part) => part === state.part);
+  }
+
+  #letPartFollow(): void {
+    const { state } = this.#store;
+    if (state.part) this.#store.edit(withoutPart(state, state.part));
+  }
+
+  #stylesFor(mode: "triangle" | "whole", styles: Selection): Selection {
+    return mode === "whole" ? styles : toTriangle(styles, this.#vertices);
+  }
+}

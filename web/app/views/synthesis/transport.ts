@@ -1,0 +1,40 @@
+/** The buttons that play, step through and repeat a motion. */
+import { button } from "../../ui/controls/buttons";
+import { PlayButton } from "../../ui/controls/play_button";
+import { html } from "../../ui/dom";
+
+export interface TransportListeners {
+  onPlay: () => void;
+  onPrevious: () => void;
+  onNext: () => void;
+  onLoop: () => void;
+}
+
+/** Names of the buttons whose meaning depends on the view. */
+export interface TransportNames {
+  previous: string;
+  next: string;
+  loop: string;
+}
+
+export class Transport {
+  readonly element: HTMLElement;
+  /** The button that repeats; the others play and step. */
+  readonly loop: HTMLButtonElement;
+  readonly buttons: readonly HTMLButtonElement[];
+  readonly #play: PlayButton;
+
+  constructor(names: TransportNames, listeners: TransportListeners) {
+    this.#play = new PlayButton(listeners.onPlay);
+    const previous = button(names.previous, listeners.onPrevious, { icon: "previous", keys: "←" });
+    const next = button(names.next, listeners.onNext, { icon: "next", keys: "→" });
+    this.loop = button(names.loop, listeners.onLoop, { icon: "loop", keys: "L" });
+    this.buttons = [this.#play.element, previous, next];
+    this.element = html("div", { class: "editor-transport" }, ...this.buttons, this.loop);
+  }
+
+  show(playing: boolean, loop: boolean): void {
+    this.#play.playing = playing;
+    this.loop.setAttribute("aria-pressed", String(loop));
+  }
+}

@@ -1,0 +1,255 @@
+/** The panel of the chosen block: its styles, its steps, their durations and lengths, and plots of the model. */
+
+import "./block_panel.css";
+import {
+  INTENSITY_RANGE,
+  STEP_RANGE,
+  TRANSITION_RANGE,
+  WALK_RANGES,
+  WALK_TEMPOS,
+  type WalkBlock,
+  type WalkTempo,
+} from "../../state/walk";
+import { strings } from "../../strings/strings";
+import { button, Segment } from "../../ui/controls/buttons";
+import { icon } from "../../ui/controls/icons";
+import { Slider } from "../../ui/controls/slider";
+import { formatNumber, html, setText } from "../../ui/dom";
+import type { GestureListeners } from "../../ui/drag";
+import { Polygon } from "../../ui/polygon/polygon";
+import { isBeyondData, vertexOrder } from "../../ui/polygon/selection";
+import { capitalised, numberWord } from "../../ui/words";
+import type { BlockFigures } from "./figures";
+import { PLOT_SUBJECTS, Plot, type PlotSubject } from "./plots";
+
+export interface BlockPanelListeners extends GestureListeners {
+  onBlock: (patch: Partial<WalkBlock>, gesture?: string) => void;
+  onWhole: (whole: boolean) => void;
+  onTempo: (tempo: WalkTempo) => void;
+  onCadence: (cadence: number) => void;
+  /** A beat was tapped. */
+  onTap: () => void;
+  onStride: (stride: number) => void;
+  onTurn: (turn: number) => void;
+  onSubject: (subject: PlotSubject) => void;
+}
+
+export interface BlockPanelModel {
+  block: WalkBlock;
+  title: string;
+  whole: boolean;
+  tempo: WalkTempo;
+  cadence: number;
+  stride: number;
+  turn: number;
+  /** Whether the plan has no other block, and so no transition. */
+  alone: boolean;
+  figures: BlockFigures;
+}
+
+/** The feet whose styles the polygon mixes. */
+type Feet = keyof typeof strings.walk.foot;
+
+export class BlockPanel {
+  readonly element: HTMLElement;
+  readonly plot = new Plot();
+  readonly #heading = html("h2", { id: "walk-block-heading" });
+  readonly #mode: Segment<"triangle" | "whole">;
+  readonly #polygon: Polygon;
+  readonly #caption = html("p", { class: "caption polygon-caption" });
+  readonly #intensity: Slider;
+  readonly #steps: Slider;
+  readonly #transition: Slider;
+  readonly #tempo: Segment<WalkTempo>;
+  readonly #cadence: Slider;
+  readonly #tap: HTMLButtonElement;
+  readonly #feet: Segment<Feet>;
+  readonly #stride: Slider;
+  readonly #turn: Slider;
+  readonly #subject = html("select", { "aria-label": strings.walk.plot });
+  readonly #step = html("span", { class: "caption" });
+  readonly #figures: Record<keyof BlockFigures, HTMLElement> = {
+    cadence: html("dd"),
+    stepLength: html("dd"),
+    speed: html("dd"),
+  };
+  #vertices: readonly string[] = [];
+  #block: WalkBlock | undefined;
+  /** The foot that was chosen last: where the feet differ, the polygon shows its styles. */
+  #foot: "left" | "right" = "left";
+  /** Whether the polygon's handle is dragged, and so moves without easing. */
+  #held = false;
+
+  constructor(listeners: BlockPanelListeners) {
+    const { onBlock, onSettle, onCancel } = listeners;
+    this.#polygon = new Polygon({
+      onChange: (styles, gesture) => {
+        this.#held = gesture !== undefined;
+        onBlock(this.#shownFeet === "right" ? { right: styles } : { styles }, gesture);
+      },
+      onSettle: () => {
+        this.#held = false;
+        onSettle();
+      },
+      onCancel,
+    });
+    this.#mode = new Segment(
+      strings.walk.mixed,
+      [
+        { value: "triangle", label: strings.play.style.three },
+        { value: "whole", label: strings.play.style.all },
+      ],
+      (mode) => listeners.onWhole(mode === "whole"),
+    );
+    this.#feet = new Segment<Feet>(
+      strings.walk.feet,
+      (["both", "left", "right"] as const).map((value) => ({ value, label: strings.walk.foot[value] })),
+      (feet) => {
+        if (feet !== "both") this.#foot = feet;
+        if (feet === "both") onBlock({ right: undefined });
+        else onBlock({ right: this.#block!.right ?? this.#block!.styles });
+      },
+    );
+    const slider = (
+      name: string,
+      range: typeof INTENSITY_RANGE | typeof STEP_RANGE,
+      initial: number,
+      key: keyof WalkBlock,
+    ) => new Slider(name, range, initial, { onInput: (value) => onBlock({ [key]: value }, `walk ${key}`), onSettle });
+    this.#intensity = slider(strings.walk.intensity, INTENSITY_RANGE, 1, "intensity");
+    this.#intensity.plausible = { min: -1, max: 2 };
+    this.#steps = slider(strings.walk.stepCount, STEP_RANGE, 4, "steps");
+    this.#transition = new Slider(strings.walk.transition, TRANSITION_RANGE, 4, {
+      onInput: (transition) => onBlock({ transition }, "walk transition"),
+      onSettle,
+    });
+    this.#transition.words = strings.walk.between;
+    this.#tempo = new Segment<WalkTempo>(
+      strings.walk.durations,
+      WALK_TEMPOS.map((value) => ({ value, label: strings.walk[value] })),
+      listeners.onTempo,
+    );
+    this.#cadence = new Slider(strings.walk.cadence, WALK_RANGES.cadence, 110, {
+      onInput: listeners.onCadence,
+      onSettle,
+    });
+    this.#cadence.words = strings.walk.perMinute;
+    this.#tap = button(strings.walk.tap, listeners.onTap, { label: true, class: "outlined walk-tap" });
+    this.#tap.title = strings.walk.tapWhy;
+    this.#stride = new Slider(strings.walk.stride, WALK_RANGES.stride, 100, { onInput: listeners.onStride, onSettle });
+    this.#stride.words = strings.walk.percent;
+    this.#turn = new Slider(strings.walk.turn, WALK_RANGES.turn, 0, { onInput: listeners.onTurn, onSettle });
+    this.#turn.words = strings.walk.turning;
+    this.#subject.append(
+      ...PLOT_SUBJECTS.map((value) =>
+        html("option", { value }, value === "states" ? strings.walk.stateEnds : strings.walk.joints[value]),
+      ),
+    );
+    this.#subject.addEventListener("change", () => listeners.onSubject(this.#subject.value as PlotSubject));
+    const figure = (name: string, value: HTMLElement) => html("div", { class: "row" }, html("dt", {}, name), value);
+    this.element = html(
+      "aside",
+      { class: "walk-panel", "aria-label": strings.walk.heading },
+      html(
+        "section",
+        { class: "walk-section", "aria-labelledby": "walk-block-heading" },
+        html("div", { class: "section-heading" }, this.#heading, this.#mode.element),
+        this.#polygon.element,
+        this.#caption,
+        html(
+          "div",
+          { class: "row" },
+          html("span", { class: "label", "aria-hidden": "true" }, strings.walk.feet),
+          this.#feet.element,
+        ),
+        this.#intensity.element,
+      ),
+      html(
+        "section",
+        { class: "walk-section" },
+        this.#steps.element,
+        this.#transition.element,
+        html(
+          "div",
+          { class: "row" },
+          html("span", { class: "label", "aria-hidden": "true" }, strings.walk.durations),
+          this.#tempo.element,
+        ),
+        this.#cadence.element,
+        this.#tap,
+        this.#stride.element,
+        this.#turn.element,
+      ),
+      html(
+        "section",
+        { class: "walk-section" },
+        html(
+          "div",
+          { class: "section-heading" },
+          html("div", { class: "select plain-select walk-subject" }, this.#subject, icon("chevron")),
+          this.#step,
+        ),
+        this.plot.element,
+      ),
+      html(
+        "section",
+        { class: "walk-section" },
+        html(
+          "dl",
+          { class: "walk-figures", "aria-label": strings.walk.figures },
+          figure(strings.walk.cadence, this.#figures.cadence),
+          figure(strings.walk.stepLength, this.#figures.stepLength),
+          figure(strings.walk.speed, this.#figures.speed),
+        ),
+      ),
+    );
+  }
+
+  /** Takes the styles of another model. */
+  setStyles(styles: readonly string[], neutral: string): void {
+    this.#vertices = vertexOrder(styles, neutral);
+    this.#mode.relabel("triangle", capitalised(numberWord(Math.min(3, styles.length))));
+    this.#mode.relabel("whole", strings.play.style.allOf(numberWord(styles.length)));
+    this.#mode.element.hidden = styles.length <= 3;
+  }
+
+  show(model: BlockPanelModel): void {
+    const { block, title, whole, tempo, figures } = model;
+    this.#block = block;
+    setText(this.#heading, title);
+    this.#mode.value = whole ? "whole" : "triangle";
+    this.#feet.value = this.#shownFeet;
+    const selection = this.#shownFeet === "right" ? block.right! : block.styles;
+    const beyond = isBeyondData(selection, block.intensity);
+    this.#polygon.show({ vertices: this.#vertices, selection, whole, beyond }, !this.#held);
+    setText(this.#caption, beyond ? strings.walk.beyond : strings.walk.hint);
+    this.#intensity.value = block.intensity;
+    this.#steps.value = block.steps;
+    this.#transition.value = block.transition;
+    this.#transition.element.hidden = model.alone;
+    this.#tempo.value = tempo;
+    this.#cadence.element.hidden = tempo !== "fixed";
+    this.#tap.hidden = tempo !== "fixed";
+    this.#cadence.value = model.cadence;
+    this.#stride.value = model.stride;
+    this.#turn.value = model.turn;
+    setText(this.#figures.cadence, strings.walk.cadenceFigure(formatNumber(figures.cadence, 0)));
+    setText(this.#figures.stepLength, strings.walk.metres(formatNumber(figures.stepLength, 2)));
+    setText(this.#figures.speed, strings.walk.metresPerSecond(formatNumber(figures.speed, 2)));
+  }
+
+  dispose(): void {
+    this.#polygon.dispose();
+  }
+
+  /** The feet whose styles the polygon shows. */
+  get #shownFeet(): Feet {
+    return this.#block?.right ? this.#foot : "both";
+  }
+
+  /** Shows what is plotted, and of which step. */
+  showSubject(subject: PlotSubject, step: string): void {
+    this.#subject.value = subject;
+    setText(this.#step, step);
+  }
+}

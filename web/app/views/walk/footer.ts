@@ -1,0 +1,71 @@
+/** The footer of the view: transport, clock, and what is done with blocks and with the whole walk. */
+import { strings } from "../../strings/strings";
+import { button } from "../../ui/controls/buttons";
+import { clock, formatNumber, html, setText } from "../../ui/dom";
+import { Transport, type TransportListeners } from "../synthesis/transport";
+
+const words = strings.walk;
+
+export interface FooterListeners extends TransportListeners {
+  onAdd: () => void;
+  onRemove: () => void;
+  onBvh: () => void;
+  onGlb: () => void;
+  /** Takes the walk to Play as the input. */
+  onStyle: () => void;
+}
+
+export interface FooterModel {
+  playing: boolean;
+  loop: boolean;
+  /** Whether there is a walk to play and save. */
+  ready: boolean;
+  canAdd: boolean;
+  canRemove: boolean;
+}
+
+export class Footer {
+  readonly element: HTMLElement;
+  readonly #transport: Transport;
+  readonly #clock = html("span", { class: "clock" });
+  readonly #length = html("span", { class: "caption" });
+  readonly #add: HTMLButtonElement;
+  readonly #remove: HTMLButtonElement;
+  readonly #others: readonly HTMLButtonElement[];
+
+  constructor(listeners: FooterListeners) {
+    this.#transport = new Transport({ previous: words.previous, next: words.next, loop: words.loop }, listeners);
+    this.#add = button(words.add, listeners.onAdd, { icon: "add", label: true });
+    this.#remove = button(words.remove, listeners.onRemove, { icon: "remove" });
+    const outlined = { icon: "export", label: true, class: "outlined" } as const;
+    const bvh = button(strings.synthesis.exportBvh, listeners.onBvh, outlined);
+    const glb = button(strings.synthesis.exportGlb, listeners.onGlb, outlined);
+    const style = button(words.styleThis, listeners.onStyle, { ...outlined, icon: "share" });
+    style.title = words.styleThisWhy;
+    this.#others = [...this.#transport.buttons, this.#transport.loop, bvh, glb, style];
+    this.element = html(
+      "footer",
+      { class: "editor-foot" },
+      this.#transport.element,
+      html("p", { class: "editor-time" }, this.#clock, this.#length),
+      html("div", { class: "editor-actions" }, this.#add, this.#remove, bvh, glb, style),
+    );
+  }
+
+  show({ playing, loop, ready, canAdd, canRemove }: FooterModel): void {
+    this.#transport.show(playing, loop);
+    for (const element of this.#others) element.disabled = !ready;
+    this.#add.disabled = !ready || !canAdd;
+    this.#remove.disabled = !ready || !canRemove;
+  }
+
+  /** Seconds from the beginning of the plan. */
+  set secs(secs: number) {
+    setText(this.#clock, clock(secs));
+  }
+
+  /** Length of the plan, seconds. */
+  set length(secs: number) {
+    setText(this.#length, words.of(formatNumber(secs, 2)));
+  }
+}

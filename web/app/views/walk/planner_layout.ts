@@ -1,0 +1,43 @@
+/** Where the planner's rows and steps are, units. */
+import type { Scale } from "../../ui/scale";
+import type { PlannedWalk } from "./plan_walker";
+
+/** Left of the rows, for their names, and right of them. */
+export const GUTTER = 88;
+export const MARGIN = 20;
+/** From the top. */
+export const ROWS = {
+  ruler: 22,
+  caption: 38,
+  style: 46,
+  steps: 110,
+  numbers: 140,
+  heading: 166,
+  chart: 184,
+  height: 284,
+};
+export const STYLE_HEIGHT = 40;
+export const CHART_HEIGHT = 92;
+const MIN_WIDTH = 320;
+
+export interface PlannerLayout {
+  width: number;
+  /** Seconds of the plan. */
+  time: Scale;
+  /** Where each step starts, and where the last one ends. */
+  stepX: number[];
+  /** Mean width of a step. */
+  stepWidth: number;
+}
+
+export function layOutPlanner(width: number, { frames, rateHz, stepStarts }: PlannedWalk): PlannerLayout {
+  const used = Math.max(MIN_WIDTH, width);
+  const time = { min: 0, max: frames / rateHz, from: GUTTER, to: used - MARGIN };
+  const extent = time.to - time.from;
+  return {
+    width: used,
+    time,
+    stepX: stepStarts.map((frame) => time.from + (frame / frames) * extent),
+    stepWidth: extent / Math.max(1, stepStarts.length - 1),
+  };
+}

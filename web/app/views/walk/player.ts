@@ -1,0 +1,159 @@
+/** Plays the plan of the state: live, from where it stands, or put at a time of the plan. */
+import type { WalkFrame } from "../../../client/models/walk";
+import { stepSecs } from "../../../player/clock";
+import type { AppState } from "../../state/state";
+import type { Store } from "../../state/store";
+import { WALK_RANGES } from "../../state/walk";
+import type { PlannedWalk, PlanWalker, WalkSettings } from "./plan_walker";
+import { TapTempo } from "./tap_tempo";
+
+/** Seed of sampled durations: a link shows everybody the same walk. */
+const SEED = 1;
+/** Where a walk that is not repeated stands at its end: just before the step is complete. */
+const END = 0.999;
+
+export interface PlayerListeners {
+  /** One pass through a new plan. */
+  onPlan: (walk: PlannedWalk) => void;
+  /** The live walk's frame, which is at a time and in a step of the plan. */
+  onFrame: (frame: WalkFrame, secs: number, step: number) => void;
+  /** The walk was put somewhere else, where it has this frame. */
+  onJump: (frame: WalkFrame) => void;
+}
+
+export class Player {
+  readonly #store: Store;
+  readonly #listeners: PlayerListeners;
+  readonly #taps = new TapTempo();
+  #walker: PlanWalker | undefined;
+  #walk: PlannedWalk | undefined;
+  /** Whether the plan of the state is another than {@link #walk}. */
+  #planChanged = true;
+  /** Whether a paused walk must be redrawn. */
+  #moved = true;
+  #last = 0;
+
+  constructor(store: Store, listeners: PlayerListeners) {
+    this.#store = store;
+    this.#listeners = listeners;
+  }
+
+  /** Takes the walker of another model, which restarts the plan; without one nothing is played. */
+  set walker(walker: PlanWalker | undefined) {
+    if (walker === this.#walker) return;
+    this.#walker = walker;
+    this.#walk = undefined;
+    this.#planChanged = true;
+    this.seek(0);
+  }
+
+  get walk(): PlannedWalk | undefined {
+    return this.#walk;
+  }
+
+  /** Begins to count time. */
+  start(now: number): void {
+    this.#last = now;
+    this.changePlan();
+  }
+
+  /** The plan of the state, or how it is drawn, is another. */
+  changePlan(): void {
+    this.#planChanged = true;
+    this.#moved = true;
+  }
+
+  /** Goes on to a display frame; times in milliseconds. */
+  tick(now: number): void {
+    const secs = stepSecs(this.#last, now);
+    this.#last = now;
+    const walker = this.#ready();
+    if (!walker) return;
+    const { state } = this.#store;
+    if (state.playing) {
+      walker.advance(secs * state.speed);
+      this.#moved = true;
+      if (!state.loop && walker.place.rounds > 0) {
+        walker.seek(walker.steps - 1, END);
+        this.#store.edit({ playing: false });
+      }
+    }
+    if (!this.#moved) return;
+    this.#moved = false;
+    const { frame, place } = walker;
+    this.#listeners.onFrame(frame, this.#secsAt(place.step, frame.done), place.step);
+  }
+
+  /** Puts the walk at a time of the plan, seconds. */
+  seek(secs: number): void {
+    const walker = this.#ready();
+    if (!walker) return;
+    const { stepStarts, rateHz, frames } = this.#walk!;
+    const frame = Math.min(Math.max(0, secs * rateHz), frames - 0.01);
+    const step = Math.min(
+      stepStarts.findLastIndex((start) => start <= frame),
+      stepStarts.length - 2,
+    );
+    const [from, to] = [stepStarts[step]!, stepStarts[step + 1]!];
+    walker.seek(step, (frame - from) / Math.max(1, to - from));
+    this.#moved = true;
+    this.#listeners.onJump(walker.frame);
+  }
+
+  /** Stops in the middle of the step that is so many away. */
+  stepBy(steps: number): void {
+    const walker = this.#ready();
+    if (!walker) return;
+    this.#store.edit({ playing: false });
+    const step = (walker.place.step + steps + walker.steps) % walker.steps;
+    this.seek(this.#secsAt(step, 0.5));
+  }
+
+  togglePlay(): void {
+    const walker = this.#ready();
+    if (!walker) return;
+    const { playing, loop } = this.#store.state;
+    if (!playing && !loop && walker.place.step === walker.steps - 1) this.seek(0);
+    this.#store.edit({ playing: !playing });
+  }
+
+  /** A tapped beat: the cadence becomes that of the last ones, and a step ends with it. */
+  tapBeat(): void {
+    if (!this.#walker || this.#store.state.walkTempo !== "fixed") return;
+    const cadence = this.#taps.tap(performance.now());
+    if (cadence === undefined) return;
+    const { min, max } = WALK_RANGES.cadence;
+    this.#store.edit({ walkCadence: Math.round(Math.min(max, Math.max(min, cadence))) }, "walk cadence");
+    this.#ready()?.beatNow();
+  }
+
+  /** The walker with the plan of the state; `undefined` without a walker or a plan. */
+  #ready(): PlanWalker | undefined {
+    const { state } = this.#store;
+    if (!this.#walker || state.walk.length === 0) return undefined;
+    if (this.#planChanged || !this.#walk) {
+      this.#planChanged = false;
+      this.#moved = true;
+      this.#walk = this.#walker.set(settingsOf(state));
+      this.#listeners.onPlan(this.#walk);
+    }
+    return this.#walker;
+  }
+
+  #secsAt(step: number, done: number): number {
+    const { stepStarts, rateHz } = this.#walk!;
+    const [from, to] = [stepStarts[step] ?? 0, stepStarts[step + 1] ?? stepStarts.at(-1)!];
+    return (from + (to - from) * done) / rateHz;
+  }
+}
+
+function settingsOf(state: Readonly<AppState>): WalkSettings {
+  const { walk, loop, walkTempo, walkCadence, walkStride, walkTurn } = state;
+  const tempo: WalkSettings["tempo"] =
+    walkTempo === "fixed"
+      ? { kind: "fixed", cadence: walkCadence }
+      : walkTempo === "sampled"
+        ? { kind: "sampled", seed: SEED }
+        : { kind: "model" };
+  return { blocks: walk, loop, tempo, stride: walkStride / 100, turn: (walkTurn * Math.PI) / 180 };
+}

@@ -1,0 +1,56 @@
+/** Walk models that were trained on this device: a database that has not changed has the same model. */
+import { IndexedDbStore } from "../indexed_db_store";
+import type { TrainedWalk } from "./protocol";
+
+const models = new IndexedDbStore("strut-walks", "models");
+/** Maximum number of models that are kept; the least recently used one is removed first. */
+export const MAX_MODELS = 8;
+/** Names of built files end with a hash of their content. */
+const HASHED = /-([\w-]{8})\.wasm$/;
+
+/** A model as it is kept. */
+interface SavedModel {
+  trained: TrainedWalk;
+  /** Time of its last use, milliseconds since 1970. */
+  usedAt: number;
+}
+
+/**
+ * The model of a database, trained only if this device has not done so before by the same module. Where the browser keeps
+ * nothing, as in a private window, it is trained every time.
+ * @param module URL of the module that trains
+ * @param now the present time, milliseconds since 1970
+ */
+export async function trainedOnce(
+  module: URL,
+  database: Uint8Array,
+  train: () => Promise<TrainedWalk>,
+  now: number = Date.now(),
+): Promise<TrainedWalk> {
+  const version = HASHED.exec(module.pathname)?.[1];
+  // A module whose name has no hash may change under the same name.
+  if (version === undefined || typeof indexedDB === "undefined" || !globalThis.crypto?.subtle) return train();
+  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", database as Uint8Array<ArrayBuffer>));
+  const key = `${version} ${Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
+  const known = await models
+    .transact("readonly", (store) => store.get(key) as IDBRequest<SavedModel | undefined>)
+    .catch(() => undefined);
+  const trained = known?.trained ?? (await train());
+  // If storage is full the model is trained again next time.
+  await keep(version, key, { trained, usedAt: now }).catch(() => {});
+  return trained;
+}
+
+/** Keeps a model, and forgets those of other modules and those beyond {@link MAX_MODELS}. */
+async function keep(version: string, key: string, model: SavedModel): Promise<void> {
+  const keys = await models.transact("readonly", (store) => store.getAllKeys());
+  const values = await models.transact("readonly", (store) => store.getAll() as IDBRequest<SavedModel[]>);
+  const others = keys.map((known, i) => ({ key: String(known), usedAt: values[i]?.usedAt ?? 0 }));
+  const usable = others.filter((other) => other.key.startsWith(version) && other.key !== key);
+  usable.sort((a, b) => b.usedAt - a.usedAt);
+  const kept = new Set(usable.slice(0, MAX_MODELS - 1).map((other) => other.key));
+  await models.transact("readwrite", (store) => {
+    for (const known of keys) if (!kept.has(String(known))) store.delete(known);
+    return store.put(model, key);
+  });
+}

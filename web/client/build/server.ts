@@ -1,0 +1,342 @@
+/** The build worker's side of the wire: the files that are open, and what is made of them. */
+import { type Build, DatabaseBuilder, type OnBuildProgress } from "../../engine/build/builder";
+import { KeyStyleClips, type KeyStyleOrder, type TrainedKeyStyle } from "../../engine/build/key_style_training";
+import { type TrainedWalk, trainWalk } from "../../engine/build/walk_training";
+import { BUILD_MODULE } from "../../engine/build/wasm";
+import { loadBuiltIn } from "../../engine/built_in";
+import { cancelled, toStrutError } from "../../engine/errors";
+import type { Progress } from "../../engine/types";
+import { otherMessages } from "../server/time_slices";
+import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
+import type {
+  BuiltDatabase,
+  ChosenFile,
+  DroppedFile,
+  Found,
+  Labelled,
+  ReadClip,
+  ReadEvent,
+  RefusedFile,
+  Skeleton,
+} from "./protocol";
+import { trainedOnce } from "./saved_walk_models";
+import { findSources, folderOf, LICENCE_NAMES, reasonOf, type Source } from "./sources";
+
+/** As much of a worker's global scope as the server needs. */
+export interface BuildPort {
+  postMessage(message: BuildReply, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<BuildRequest>) => void) | null;
+}
+
+/** Maximum number of bytes of a table of labels. */
+const MAX_TABLE_BYTES = 64 << 20;
+/** Time between two reports of clips that were read. */
+const EVENT_MS = 300;
+/** Shares of a build's time: reading, preparing, registering; the index has the rest. */
+const SHARES = { reading: 0.2, preparing: 0.15, registering: 0.6 };
+
+/** Share of a walk model's training that reading is, and of a key-style model's. */
+const TRAIN_READING = 0.15;
+const KEY_STYLE_READING = 0.3;
+
+/** What a long task needs of its caller. */
+interface Caller {
+  report(progress: Progress): void;
+  tell(event: ReadEvent): void;
+}
+
+/** Answers the calls that arrive at `port`. */
+export function serveBuilds(port: BuildPort): void {
+  const server = new BuildServer(DatabaseBuilder.load());
+  port.onmessage = async ({ data: call }) => {
+    const { id } = call;
+    const caller: Caller = {
+      report: (progress) => port.postMessage({ kind: "progress", id, progress }, []),
+      tell: (event) => port.postMessage({ kind: "read", id, event }, []),
+    };
+    try {
+      const value = await server.answer(call, caller);
+      port.postMessage({ kind: "result", id, value }, []);
+    } catch (thrown) {
+      port.postMessage({ kind: "failure", id, error: toStrutError(thrown).parts() }, []);
+    }
+  };
+}
+
+/** A build that was not finished. */
+interface BegunBuild {
+  /** What is to be built. */
+  readonly key: string;
+  readonly build: Build;
+  /** Files that were read, and those among them that could not be. */
+  read: number;
+  readonly unread: RefusedFile[];
+  /** The database, where only its answer was not wanted any more. */
+  built: BuiltDatabase | undefined;
+}
+
+class BuildServer {
+  private clips: Source[] = [];
+  /** Every other call is about the files that were opened before it. */
+  private opening: Promise<Found> | undefined;
+  private begun: BegunBuild | undefined;
+  private pauseAsked = false;
+  /** Settles when no build is under way. */
+  private building: Promise<BuiltDatabase | undefined> = Promise.resolve(undefined);
+
+  constructor(private readonly loading: Promise<DatabaseBuilder>) {
+    // The first call reports the load error.
+    loading.catch(() => {});
+  }
+
+  async answer(call: BuildCall, caller: Caller): Promise<BuildResults[BuildCall["method"]]> {
+    if (call.method === "pause") {
+      this.pauseAsked = true;
+      await this.building.catch(() => {});
+      return undefined;
+    }
+    if (call.method === "open") {
+      this.opening = this.loading.then((builder) => this.open(builder, call.files));
+      return this.opening;
+    }
+    const [builder] = await Promise.all([this.loading, this.opening]);
+    switch (call.method) {
+      case "label":
+        return this.label(builder, call.pattern, call.table);
+      case "readAll":
+        return this.readAll(builder, caller);
+      case "preview":
+        return builder.preview(await this.clips[call.index]!.read(), call.roles);
+      case "build":
+        this.building = this.build(builder, call.files, call.neutral, caller);
+        return this.building;
+      case "addStyle":
+        return this.addStyle(builder, call.database, call.clip, call.style, caller);
+      case "trainWalk":
+        return this.trainWalk(call.database, caller);
+      case "trainKeyStyle":
+        return this.trainKeyStyle(call.database, call.files, call.order, caller);
+    }
+  }
+
+  private async open(builder: DatabaseBuilder, files: DroppedFile[]): Promise<Found> {
+    const { clips, licences, notes } = await findSources(files);
+    this.clips = clips;
+    this.forgetBuild();
+    const titles = await titlesOf(builder, licences);
+    return {
+      clips: clips.map(({ path }) => ({ path, licence: titles.get(folderOf(path)) ?? "" })),
+      pattern: builder.guessPattern(clips.map(({ path }) => path)),
+      notes,
+    };
+  }
+
+  private async label(
+    builder: DatabaseBuilder,
+    pattern: string | undefined,
+    table: File | undefined,
+  ): Promise<Labelled[]> {
+    const bytes = table && new Uint8Array(await table.slice(0, MAX_TABLE_BYTES).arrayBuffer());
+    return builder.labelsOf(
+      this.clips.map(({ path }) => path),
+      pattern,
+      bytes,
+    );
+  }
+
+  private async readAll(builder: DatabaseBuilder, caller: Caller): Promise<undefined> {
+    const known = new Map<string, number>();
+    let event: ReadEvent = { clips: [], skeletons: [] };
+    let told = performance.now();
+    const tell = (done: number) => {
+      const total = this.clips.length;
+      caller.tell(event);
+      caller.report({ label: `Reading ${total} clips, ${done} done.`, fraction: done / total });
+      event = { clips: [], skeletons: [] };
+      told = performance.now();
+    };
+    for (const [index, clip] of this.clips.entries()) {
+      event.clips.push(await readClip(builder, clip, index, known, event.skeletons));
+      if (performance.now() - told > EVENT_MS) tell(index + 1);
+    }
+    tell(this.clips.length);
+    return undefined;
+  }
+
+  private async addStyle(
+    builder: DatabaseBuilder,
+    database: Blob | undefined,
+    clip: File,
+    style: string,
+    caller: Caller,
+  ): Promise<BuiltDatabase> {
+    const [known, bvh] = await Promise.all([bytesOf(database), clip.arrayBuffer()]);
+    caller.report({ label: `Registering ${clip.name}.`, fraction: 0.2 });
+    return builder.addStyle(known, clip.name, style, new Uint8Array(bvh));
+  }
+
+  private async trainWalk(database: Blob | undefined, caller: Caller): Promise<TrainedWalk> {
+    const bytes = await bytesOf(database);
+    return trainedOnce(BUILD_MODULE, bytes, () =>
+      trainWalk(bytes, (stage, done, total) => caller.report(trainProgress(stage, done, total))),
+    );
+  }
+
+  private async trainKeyStyle(
+    database: Blob | undefined,
+    files: DroppedFile[],
+    order: KeyStyleOrder,
+    caller: Caller,
+  ): Promise<TrainedKeyStyle> {
+    const clips =
+      files.length > 0
+        ? await this.readKeyStyle(files, caller)
+        : await KeyStyleClips.ofDatabase(await bytesOf(database));
+    try {
+      return clips.train(order, (done, total) => caller.report(keyStyleProgress(done, total)));
+    } finally {
+      clips.dispose();
+    }
+  }
+
+  /** The clips of files, archives too; what cannot be read is refused. */
+  private async readKeyStyle(files: DroppedFile[], caller: Caller): Promise<KeyStyleClips> {
+    const { clips } = await findSources(files);
+    const read: { name: string; bytes: Uint8Array }[] = [];
+    const unread: RefusedFile[] = [];
+    for (const [done, { path, read: bytes }] of clips.entries()) {
+      const label = `Reading ${clips.length} clips, ${done} done.`;
+      caller.report({ label, fraction: (KEY_STYLE_READING * done) / clips.length });
+      const content = await bytes().catch((thrown) => reasonOf(thrown));
+      if (typeof content === "string") unread.push({ path, reason: content });
+      else read.push({ name: path.replace(/^.*\//, "").replace(/\.bvh$/i, ""), bytes: content });
+    }
+    const made = await KeyStyleClips.ofFiles(read);
+    made.refused.push(...unread);
+    return made;
+  }
+
+  private async build(
+    builder: DatabaseBuilder,
+    files: ChosenFile[],
+    neutral: string,
+    caller: Caller,
+  ): Promise<BuiltDatabase> {
+    const total = files.length;
+    const byPath = new Map(files.map((file) => [file.path, file]));
+    const key = JSON.stringify([files, neutral]);
+    if (this.begun?.key !== key) {
+      this.forgetBuild();
+      this.begun = { key, build: builder.begin(files, neutral), read: 0, unread: [], built: undefined };
+    }
+    const { begun } = this;
+    const { build, unread } = begun;
+    // What fails cannot go on: only a pause keeps it.
+    this.begun = undefined;
+    this.pauseAsked = false;
+    while (begun.read < build.order.length) {
+      const done = begun.read;
+      const path = build.order[done]!;
+      caller.report({ label: `Reading ${total} clips, ${done} done.`, fraction: (SHARES.reading * done) / total });
+      const { index, roles } = byPath.get(path)!;
+      const bytes = await this.clips[index]!.read().catch((thrown) => reasonOf(thrown));
+      await this.mayPause(begun);
+      try {
+        if (typeof bytes === "string") unread.push({ path, reason: bytes });
+        else build.add(path, bytes, roles);
+      } catch (thrown) {
+        unread.push({ path, reason: reasonOf(thrown) });
+      }
+      begun.read += 1;
+    }
+    const report: OnBuildProgress = (stage, done, of) => caller.report(buildProgress(stage, done, of));
+    while (begun.built === undefined && build.step(report)) await this.mayPause(begun);
+    begun.built ??= build.finish(report);
+    await this.mayPause(begun);
+    return { ...begun.built, refused: [...unread, ...begun.built.refused] };
+  }
+
+  /**
+   * Hears what has been asked meanwhile.
+   * @throws StrutError `cancelled` where the build is to be left as it is
+   */
+  private async mayPause(begun: BegunBuild): Promise<void> {
+    await otherMessages();
+    if (!this.pauseAsked) return;
+    this.begun = begun;
+    throw cancelled();
+  }
+
+  private forgetBuild(): void {
+    if (this.begun?.built === undefined) this.begun?.build.dispose();
+    this.begun = undefined;
+  }
+}
+
+/** A database's file, or the built-in one's. */
+async function bytesOf(database: Blob | undefined): Promise<Uint8Array> {
+  return database ? new Uint8Array(await database.arrayBuffer()) : loadBuiltIn();
+}
+
+/** The title of the licence in every folder that has one. */
+async function titlesOf(builder: DatabaseBuilder, licences: readonly Source[]): Promise<Map<string, string>> {
+  const titles = new Map<string, string>();
+  for (const name of LICENCE_NAMES)
+    for (const { path, read } of licences) {
+      const folder = folderOf(path);
+      if (path !== folder + name || titles.has(folder)) continue;
+      // A licence that cannot be read is none.
+      const text = await read().catch(() => new Uint8Array());
+      const title = builder.licenceTitle(text);
+      if (title) titles.set(folder, title);
+    }
+  return titles;
+}
+
+/** What is to be known of a clip; a skeleton that `known` lacks is added to it and to `skeletons`. */
+async function readClip(
+  builder: DatabaseBuilder,
+  clip: Source,
+  index: number,
+  known: Map<string, number>,
+  skeletons: Skeleton[],
+): Promise<ReadClip> {
+  try {
+    const { frames, rateHz, ...skeleton } = builder.inspect(await clip.read());
+    const key = JSON.stringify([skeleton.joints, [...skeleton.parents]]);
+    let number = known.get(key);
+    if (number === undefined) {
+      number = known.size;
+      known.set(key, number);
+      skeletons.push(skeleton);
+    }
+    return { index, frames, rateHz, skeleton: number };
+  } catch (thrown) {
+    return { index, fault: reasonOf(thrown) };
+  }
+}
+
+function trainProgress(stage: "reading" | "training", done: number, total: number): Progress {
+  const share = done / Math.max(1, total);
+  return stage === "reading"
+    ? { label: `Reading ${total} walks, ${done} done.`, fraction: TRAIN_READING * share }
+    : { label: "Training the walks.", fraction: TRAIN_READING + (1 - TRAIN_READING) * share };
+}
+
+function keyStyleProgress(done: number, total: number): Progress {
+  const fraction = KEY_STYLE_READING + (1 - KEY_STYLE_READING) * (done / Math.max(1, total));
+  return { label: `Learning, pass ${done} of ${total}.`, fraction };
+}
+
+function buildProgress(stage: "preparing" | "registering" | "indexing", done: number, total: number): Progress {
+  const { reading, preparing, registering } = SHARES;
+  const share = total > 0 ? done / total : 1;
+  if (stage === "preparing")
+    return { label: `Preparing ${total} clips, ${done} done.`, fraction: reading + preparing * share };
+  if (stage === "registering")
+    return {
+      label: `Registering ${total} clips, ${done} done.`,
+      fraction: reading + preparing + registering * share,
+    };
+  return { label: "Sorting the frames for the search.", fraction: reading + preparing + registering };
+}

@@ -1,0 +1,211 @@
+/** {@link StrutClient}: one database, one input and one session of an {@link EngineClient}. */
+import { disposed, StrutError } from "../engine/errors";
+import type { Patience, WorkerPort } from "./connection";
+import { EngineClient, type EngineRestart } from "./engine_client";
+import type { ClientDatabase, ClientMotion, ClientSession } from "./handles";
+import { optionsKnownTo } from "./options";
+import {
+  type Analysis,
+  type CallOptions,
+  type CurveSubject,
+  type DatabaseInfo,
+  type DatabaseSource,
+  DEFAULT_OPTIONS,
+  type Examples,
+  type FrameRange,
+  type InputInfo,
+  type InputSource,
+  type LiveFrame,
+  type Performed,
+  type Restarted,
+  type StrutClient,
+  type StyledClip,
+  type StylizeOptions,
+} from "./protocol";
+
+export type { WorkerPort };
+
+/**
+ * Starts a worker and waits until its engine is loaded.
+ * @param spawn starts the worker; the default is `worker.ts` in a module worker
+ * @throws StrutError if the engine cannot be loaded
+ */
+export async function createStrutClient(
+  spawn?: () => WorkerPort,
+  patience: Partial<Patience> = {},
+): Promise<StrutClient> {
+  const engine = new EngineClient({ ...(spawn && { spawn }), patience });
+  try {
+    await engine.ready();
+  } catch (thrown) {
+    engine.dispose();
+    throw thrown;
+  }
+  return new SingleSessionClient(engine);
+}
+
+/** Starts a worker that takes calls at once and answers them when its engine is loaded; what cannot be loaded rejects them. */
+export function startStrutClient(): StrutClient {
+  return new SingleSessionClient(new EngineClient());
+}
+
+/** What is open. */
+interface Opened {
+  database: ClientDatabase;
+  /** The input and its session. */
+  playing: { motion: ClientMotion; session: ClientSession } | undefined;
+}
+
+class SingleSessionClient implements StrutClient {
+  onRestart: ((restarted: Restarted) => void) | undefined;
+  private opened: Opened | undefined;
+  private options: StylizeOptions = DEFAULT_OPTIONS;
+  private loop: [loop: boolean, range: FrameRange | undefined] = [true, undefined];
+  /** Requests to open run one after another, so that the last one wins. */
+  private opening: Promise<unknown> = Promise.resolve();
+  private disposed = false;
+
+  constructor(private readonly engine: EngineClient) {
+    engine.onRestart = (restart) => this.restarted(restart);
+  }
+
+  openDatabase(source: DatabaseSource, call?: CallOptions): Promise<DatabaseInfo> {
+    return this.inTurn(async () => {
+      const database = await this.engine.openDatabase(source, call);
+      try {
+        const motion = this.opened?.playing?.motion;
+        const session = motion && (await this.createSession(database, motion, call?.signal));
+        const before = this.opened;
+        this.opened = { database, playing: motion && session && { motion, session } };
+        before?.database.dispose();
+      } catch (thrown) {
+        database.dispose();
+        throw thrown;
+      }
+      return database.info;
+    });
+  }
+
+  builtInInputs(): Promise<string[]> {
+    return this.engine.builtInMotions();
+  }
+
+  openInput(source: InputSource, call?: CallOptions): Promise<InputInfo> {
+    return this.inTurn(async () => {
+      const { database } = this.openedDatabase();
+      const motion = await this.engine.openMotion(source, database, call);
+      try {
+        const session = await this.createSession(database, motion, call?.signal);
+        const before = this.opened?.playing;
+        this.opened = { database, playing: { motion, session } };
+        before?.motion.dispose();
+      } catch (thrown) {
+        motion.dispose();
+        throw thrown;
+      }
+      return motion.info;
+    });
+  }
+
+  async configure(options: StylizeOptions): Promise<void> {
+    const before = this.options;
+    this.options = options;
+    try {
+      await this.opened?.playing?.session.configure(options);
+    } catch (thrown) {
+      if (this.options === options) this.options = before;
+      throw thrown;
+    }
+  }
+
+  async setLoop(loop: boolean, range?: FrameRange): Promise<void> {
+    this.loop = [loop, range];
+    await this.opened?.playing?.session.setLoop(loop, range);
+  }
+
+  async step(dtSecs: number): Promise<LiveFrame> {
+    return this.openedInput().session.step(dtSecs);
+  }
+
+  async seek(inputFrame: number): Promise<LiveFrame> {
+    return this.openedInput().session.seek(inputFrame);
+  }
+
+  async analyse(call?: CallOptions): Promise<Analysis> {
+    return this.openedInput().session.analyse(call);
+  }
+
+  async examples(subject: CurveSubject, call?: CallOptions): Promise<Examples> {
+    return this.openedInput().session.examples(subject, call);
+  }
+
+  async style(options: StylizeOptions, call?: CallOptions): Promise<StyledClip> {
+    const { motion, session } = this.openedInput();
+    return motion.stylize(session.database, options, false, call);
+  }
+
+  async counterpart(style: string): Promise<Performed | undefined> {
+    return this.openedInput().motion.counterpart(style);
+  }
+
+  async exportBvh(call?: CallOptions): Promise<string> {
+    return this.openedInput().session.exportBvh(call);
+  }
+
+  dispose(): void {
+    this.disposed = true;
+    this.engine.dispose();
+  }
+
+  /** A session with the present options, without the styles that only another database had. */
+  private async createSession(
+    database: ClientDatabase,
+    motion: ClientMotion,
+    signal: AbortSignal | undefined,
+  ): Promise<ClientSession> {
+    const asked = this.options;
+    const options = optionsKnownTo(database.info, asked);
+    const session = await this.engine.createSession(database, motion, options, signal && { signal });
+    // What is asked next is answered after these.
+    if (this.options === asked) this.options = options;
+    else session.configure(optionsKnownTo(database.info, this.options)).catch(() => {});
+    session.setLoop(...this.loop).catch(() => {});
+    return session;
+  }
+
+  private restarted({ message, lost }: EngineRestart): void {
+    const kinds: ("database" | "input")[] = [];
+    if (this.opened?.playing?.session.closed) {
+      this.opened.playing.motion.dispose();
+      this.opened.playing = undefined;
+      kinds.push("input");
+    }
+    if (this.opened?.database.closed) {
+      this.opened = undefined;
+      kinds.unshift("database");
+    }
+    this.onRestart?.({ why: message, lost: kinds, reason: kinds.length > 0 ? lost[0]!.reason : "" });
+  }
+
+  private openedDatabase(): Opened {
+    if (this.disposed) throw disposed("client");
+    if (!this.opened) throw notOpen("database");
+    return this.opened;
+  }
+
+  private openedInput(): { motion: ClientMotion; session: ClientSession } {
+    const { playing } = this.openedDatabase();
+    if (!playing) throw notOpen("input");
+    return playing;
+  }
+
+  private inTurn<T>(open: () => Promise<T>): Promise<T> {
+    const turn = this.opening.then(open, open);
+    this.opening = turn;
+    return turn;
+  }
+}
+
+function notOpen(what: string): StrutError {
+  return new StrutError({ code: "not-open", message: `No ${what} is open.`, hint: `Open a ${what} first.` });
+}

@@ -1,0 +1,307 @@
+/**
+ * A worker as the client sees it: calls with cancellation and progress, and another worker in its place after a fault, in
+ * which all that was open is opened again under the same numbers.
+ */
+import { cancelled, disposed, fault, StrutError } from "../engine/errors";
+import type { Arguments, Call, Id, Method, Reply, Request, Result } from "./messages";
+import type { CallOptions, Progress } from "./protocol";
+
+/** As much of a `Worker` as the connection needs. */
+export interface WorkerPort {
+  postMessage(message: Request): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<Reply>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+/** How long a silent worker is waited for. */
+export interface Patience {
+  /** A worker that says nothing for so long, though it was asked, is sent a ping; milliseconds. */
+  silenceMs: number;
+  /** A worker that does not answer a ping for so long is replaced; milliseconds. */
+  pingMs: number;
+}
+
+export const DEFAULT_PATIENCE: Patience = { silenceMs: 20_000, pingMs: 5000 };
+
+/** Makes a call that does not wait until everything is reopened. */
+export type Post = <M extends Method>(method: M, args: Arguments<M>) => Promise<Result<M>>;
+
+/** Something open in the worker, as the connection reopens it. */
+export interface Reopenable {
+  readonly id: Id;
+  /** Why it takes no more calls; `undefined` while it is open. */
+  readonly closed: StrutError | undefined;
+  /** Opens it in a new worker under the same number. */
+  reopen(post: Post): Promise<unknown>;
+  /** Closes it for good. */
+  lose(reason: StrutError): void;
+}
+
+/** What happened to what was open when another worker took the place of one that failed. */
+export interface Restart {
+  /** The fault, a sentence for people. */
+  message: string;
+  /** What could not be opened again, and why. */
+  lost: { thing: Reopenable; reason: string }[];
+}
+
+/** Calls during which a worker may be silent: they read files in one piece, the others work in time slices. */
+const SILENT: ReadonlySet<Method> = new Set([
+  "openDatabase",
+  "builtInInputs",
+  "openMotion",
+  "motionOn",
+  "createSession",
+  "counterpart",
+  "exportBvh",
+]);
+/** Calls that open something under the number that is their first argument. */
+const OPENING: ReadonlySet<Method> = new Set(["openDatabase", "openMotion", "createSession", "createStylizer"]);
+/** Calls whose results show that the engine works with what is open. */
+const STYLING: ReadonlySet<Method> = new Set([
+  "step",
+  "seek",
+  "analyse",
+  "examples",
+  "exportBvh",
+  "stylize",
+  "counterpart",
+  "push",
+]);
+
+interface Pending {
+  method: Method;
+  /** Number of what the call opens. */
+  opens: Id | undefined;
+  /** Whether its caller has cancelled it and waits no longer. */
+  abandoned: boolean;
+  resolve(value: Result<Method>): void;
+  reject(error: StrutError): void;
+  onProgress: ((progress: Progress) => void) | undefined;
+}
+
+export class Connection {
+  onRestart: ((restart: Restart) => void) | undefined;
+  private worker: WorkerPort | undefined;
+  /** Settles when the worker is loaded and everything is reopened; `undefined` where it must be started first. */
+  private running: Promise<void> | undefined;
+  private disposed = false;
+  private readonly pending = new Map<number, Pending>();
+  private lastCall = 0;
+  private lastId = 0;
+  /** In the order of opening, so that everything follows what it was made of. */
+  private readonly open = new Set<Reopenable>();
+  /** Whether the present worker has styled anything: if not, reopening the same would probably fail again. */
+  private proven = true;
+  /** Argument of `onRestart`, called once the new worker is ready. */
+  private restart: Restart | undefined;
+  private silence: ReturnType<typeof setTimeout> | undefined;
+  /** Ends the wait for a worker that is loading. */
+  private failStart: (error: StrutError) => void = () => {};
+
+  constructor(
+    private readonly spawn: () => WorkerPort,
+    private readonly patience: Patience,
+  ) {}
+
+  /**
+   * Resolves when the worker takes calls. A worker that could not be started is tried again.
+   * @throws StrutError `load`, `unsupported` or `disposed`
+   */
+  ready(): Promise<void> {
+    if (this.disposed) return Promise.reject(disposed("client"));
+    this.running ??= this.start();
+    return this.running;
+  }
+
+  /** A number for something that is to be opened. */
+  nextId(): Id {
+    this.lastId += 1;
+    return this.lastId;
+  }
+
+  /** From now on something is reopened after a fault. */
+  keep(thing: Reopenable): void {
+    this.open.add(thing);
+  }
+
+  /** Closes something that was disposed of, and what was made of it. */
+  forget(thing: Reopenable): void {
+    for (const kept of this.open) if (kept.closed) this.open.delete(kept);
+    // Without a worker there is nothing to close.
+    if (this.running && !this.disposed) void this.call("close", [thing.id]).catch(() => {});
+  }
+
+  call<M extends Method>(method: M, args: Arguments<M>, options: CallOptions = {}): Promise<Result<M>> {
+    const { signal, onProgress } = options;
+    if (signal?.aborted) return Promise.reject(cancelled(signal.reason));
+    const id = ++this.lastCall;
+    let cancel = () => {};
+    const answer = new Promise<Result<Method>>((resolve, reject) => {
+      const opens = OPENING.has(method) ? (args[0] as Id) : undefined;
+      const call: Pending = { method, opens, abandoned: false, resolve, reject, onProgress };
+      cancel = () => {
+        call.abandoned = true;
+        reject(cancelled(signal?.reason));
+        if (this.pending.has(id)) this.worker?.postMessage({ kind: "cancel", id });
+      };
+      this.whenReady(() => !call.abandoned && this.post(id, call, args as Arguments<Method>), reject);
+    });
+    signal?.addEventListener("abort", cancel, { once: true });
+    return answer.finally(() => signal?.removeEventListener("abort", cancel)) as Promise<Result<M>>;
+  }
+
+  /** Ends the worker and answers every call with an error. */
+  dispose(): void {
+    this.disposed = true;
+    const error = disposed("client");
+    this.stop(error);
+    for (const thing of this.open) thing.lose(error);
+    this.open.clear();
+  }
+
+  private whenReady(act: () => void, reject: (error: StrutError) => void): void {
+    const running = this.ready();
+    // A worker may have failed between its start and this callback.
+    running.then(() => (running === this.running ? act() : this.whenReady(act, reject)), reject);
+  }
+
+  private post(id: number, call: Pending, args: Arguments<Method>): void {
+    this.pending.set(id, call);
+    this.watch();
+    this.worker!.postMessage({ kind: "call", id, method: call.method, args } as Call);
+  }
+
+  private start(): Promise<void> {
+    const running = this.load().then((worker) => this.reopenAll(worker));
+    running.catch(() => {
+      if (this.running === running) this.running = undefined;
+    });
+    return running;
+  }
+
+  /** Starts a worker and resolves when its engine is loaded. */
+  private load(): Promise<WorkerPort> {
+    return new Promise((resolve, reject) => {
+      const worker = this.spawn();
+      this.worker = worker;
+      this.failStart = reject;
+      let loaded = false;
+      worker.onmessage = ({ data }) => {
+        if (this.worker !== worker) return;
+        if (data.kind === "ready") {
+          loaded = true;
+          resolve(worker);
+        } else if (data.kind === "not-ready") this.stop(new StrutError(data.error));
+        else this.receive(data);
+      };
+      worker.onerror = (event) => {
+        if (this.worker !== worker) return;
+        if (loaded) this.replace(fault(`The engine failed: ${event.message || "its worker stopped"}`));
+        else this.stop(unloadable(event.message));
+      };
+    });
+  }
+
+  /** Opens in a new worker all that was open in the one before. */
+  private async reopenAll(worker: WorkerPort): Promise<void> {
+    for (const thing of this.open) {
+      if (this.worker !== worker) return this.ready();
+      try {
+        if (!thing.closed) await thing.reopen((method, args) => this.postNow(method, args));
+        if (thing.closed) this.open.delete(thing);
+      } catch (thrown) {
+        if (this.worker !== worker) return this.ready();
+        this.lose(thing, (thrown as StrutError).message);
+      }
+    }
+    if (this.worker !== worker) return this.ready();
+    const { restart } = this;
+    this.restart = undefined;
+    if (restart) this.onRestart?.(restart);
+  }
+
+  private postNow<M extends Method>(method: M, args: Arguments<M>): Promise<Result<M>> {
+    return new Promise<Result<Method>>((resolve, reject) => {
+      // What is reopened shows nothing of whether the engine works with it.
+      const call: Pending = { method, opens: undefined, abandoned: false, resolve, reject, onProgress: undefined };
+      this.post(++this.lastCall, call, args);
+    }) as Promise<Result<M>>;
+  }
+
+  private lose(thing: Reopenable, reason: string): void {
+    thing.lose(new StrutError({ code: "not-open", message: reason, hint: "Open it again." }));
+    this.open.delete(thing);
+    this.restart?.lost.push({ thing, reason });
+  }
+
+  /**
+   * Watches for a worker that was ended from outside, which says nothing. Its silence alone does not tell: after the machine
+   * was asleep, or the page in the browser's history, the timer fires before the messages that have arrived are handled.
+   */
+  private watch(): void {
+    clearTimeout(this.silence);
+    const { worker } = this;
+    const isWaiting = () => this.worker === worker && this.pending.size > 0;
+    this.silence = setTimeout(() => {
+      if (!isWaiting()) return;
+      if ([...this.pending.values()].some(({ method }) => SILENT.has(method))) {
+        this.watch();
+        return;
+      }
+      worker?.postMessage({ kind: "ping" });
+      this.silence = setTimeout(() => {
+        if (isWaiting()) this.replace(fault("The engine failed: its worker does not answer"));
+      }, this.patience.pingMs);
+    }, this.patience.silenceMs);
+  }
+
+  private receive(reply: Exclude<Reply, { kind: "ready" } | { kind: "not-ready" }>): void {
+    if (this.pending.size > 0) this.watch();
+    if (reply.kind === "pong") return;
+    const call = this.pending.get(reply.id);
+    if (!call) return;
+    if (reply.kind === "progress") {
+      if (!call.abandoned) call.onProgress?.(reply.progress);
+      return;
+    }
+    this.pending.delete(reply.id);
+    if (reply.kind === "result") {
+      this.proven ||= STYLING.has(call.method);
+      if (call.abandoned && call.opens !== undefined) void this.call("close", [call.opens]).catch(() => {});
+      call.resolve(reply.value);
+      return;
+    }
+    const error = new StrutError(reply.error);
+    call.reject(error);
+    if (error.code === "fault") this.replace(error);
+  }
+
+  /** Ends the worker; all that it had not answered is rejected. */
+  private stop(error: StrutError): void {
+    clearTimeout(this.silence);
+    this.worker?.terminate();
+    this.worker = undefined;
+    this.failStart(error);
+    for (const call of this.pending.values()) call.reject(error);
+    this.pending.clear();
+  }
+
+  /** Starts another worker in the place of one that failed. */
+  private replace(error: StrutError): void {
+    this.restart ??= { message: error.message, lost: [] };
+    if (!this.proven) for (const thing of this.open) this.lose(thing, "It failed twice in a row.");
+    this.proven = false;
+    this.stop(error);
+    this.running = this.start();
+  }
+}
+
+function unloadable(why: string): StrutError {
+  return new StrutError({
+    code: "load",
+    message: `The engine's worker could not be started${why ? `: ${why}` : ""}.`,
+    hint: "Reload the page; if that does not help, the site was not deployed completely.",
+  });
+}

@@ -1,0 +1,280 @@
+import { afterEach, beforeAll, describe, expect, test } from "vitest";
+import { walksIn } from "../../tests/clips";
+import { InlineBuildWorker } from "../../tests/inline_build_worker";
+import { InlineWorker } from "../../tests/inline_worker";
+import { POSE_FLOATS } from "../humanoid";
+import { EngineClient, type EngineRestart } from "./engine_client";
+import type { ClientSession } from "./handles";
+import { OPTION_RANGES } from "./options";
+import { DEFAULT_OPTIONS, MAX_PUSH_FRAMES, type Progress } from "./protocol";
+
+let workers: InlineWorker[] = [];
+let clients: EngineClient[] = [];
+afterEach(() => {
+  for (const client of clients) client.dispose();
+  clients = [];
+  workers = [];
+});
+
+function connect(): EngineClient {
+  const spawn = () => {
+    workers.push(new InlineWorker());
+    return workers.at(-1)!;
+  };
+  const client = new EngineClient({ spawn, spawnBuild: () => new InlineBuildWorker() });
+  clients.push(client);
+  return client;
+}
+
+/** The worker that was started last. */
+const worker = () => workers.at(-1)!;
+
+/** A client with the built-in database and one of its motions. */
+async function openDemo(name = "neutral walk") {
+  const client = connect();
+  const database = await client.openDatabase({ kind: "demo" });
+  const motion = await client.openMotion({ kind: "built-in", name }, database);
+  return { client, database, motion };
+}
+
+const restarted = (client: EngineClient) =>
+  new Promise<EngineRestart>((resolve) => {
+    client.onRestart = resolve;
+  });
+
+/** The poses of so many steps of a sixtieth of a second. */
+async function played(session: ClientSession, steps: number): Promise<Float32Array[]> {
+  const poses: Float32Array[] = [];
+  for (let i = 0; i < steps; i++) poses.push((await session.step(1 / 60)).pose);
+  return poses;
+}
+
+let proudWalk: ArrayBuffer;
+beforeAll(async () => {
+  const { proud } = await walksIn(["proud"]);
+  proudWalk = new TextEncoder().encode(proud).buffer as ArrayBuffer;
+});
+
+describe("handles", () => {
+  test("a whole motion is styled while another session plays", async () => {
+    const { client, database, motion } = await openDemo();
+    const session = await client.createSession(database, motion, { styles: { old: 1 } });
+    const alone = await motion.stylize(database, { ...DEFAULT_OPTIONS, styles: { proud: 0.7 } });
+    const progress: Progress[] = [];
+    const styling = motion.stylize(database, { ...DEFAULT_OPTIONS, styles: { proud: 0.7 } }, true, {
+      onProgress: (p) => progress.push(p),
+    });
+    const frames = await played(session, 5);
+    const { bvh, poses } = await styling;
+    expect(frames).toHaveLength(5);
+    expect(poses).toEqual(alone.poses);
+    expect(bvh).toMatch(/^HIERARCHY/);
+    const fractions = progress.map(({ fraction }) => fraction);
+    expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
+    expect(fractions.length).toBeGreaterThan(3);
+  });
+
+  test("a motion is used with two databases, each with its own humanoid", async () => {
+    const { client, database } = await openDemo();
+    const motion = await client.openMotion({ kind: "bvh", name: "mine", bytes: proudWalk }, database);
+    const other = await client.openDatabase({ kind: "demo" });
+    expect((await motion.on(other)).poses).toEqual(motion.info.poses);
+    database.dispose();
+    const session = await client.createSession(other, motion);
+    expect((await session.step(0)).pose).toHaveLength(POSE_FLOATS);
+  });
+
+  test("disposing of a database closes what was made of it, and only that", async () => {
+    const { client, database, motion } = await openDemo();
+    const other = await client.openDatabase({ kind: "demo" });
+    const [first, second] = [await client.createSession(database, motion), await client.createSession(other, motion)];
+    const stylizer = await client.createStylizer(database);
+    const analysing = first.analyse();
+    database.dispose();
+    await expect(analysing).rejects.toMatchObject({ code: "cancelled" });
+    await expect(first.step(0)).rejects.toMatchObject({ code: "disposed" });
+    await expect(stylizer.push(motion.info.poses.slice(0, POSE_FLOATS))).rejects.toMatchObject({ code: "disposed" });
+    await expect(client.createSession(database, motion)).rejects.toMatchObject({ code: "disposed" });
+    expect((await second.step(0)).inputFrame).toBe(0);
+  });
+
+  test("a cancelled opening is refused at once, and nothing of it stays open", async () => {
+    const { client } = await openDemo();
+    const controller = new AbortController();
+    const opening = client.openDatabase({ kind: "demo" }, { signal: controller.signal });
+    await new Promise((resolve) => setTimeout(resolve));
+    controller.abort("changed my mind");
+    await expect(opening).rejects.toMatchObject({ code: "cancelled", cause: "changed my mind" });
+    // The worker opens no more than it closes.
+    await client.builtInMotions();
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    const restart = restarted(client);
+    worker().onerror?.({ message: "killed" } as ErrorEvent);
+    await restart;
+    expect(worker().calls()).toEqual(["openDatabase", "openMotion"]);
+  });
+
+  test("bad bytes and unknown options are refused", async () => {
+    const { client, database, motion } = await openDemo();
+    const bytes = new TextEncoder().encode("HIERARCHY").buffer as ArrayBuffer;
+    await expect(client.openMotion({ kind: "bvh", name: "x", bytes }, database)).rejects.toMatchObject({
+      code: "bad-file",
+    });
+    const wrong: object[] = [
+      { styles: { none: 1 } },
+      { k: 0 },
+      { bogus: 1 },
+      { action: "swim" },
+      { parts: { tail: {} } },
+    ];
+    for (const options of wrong)
+      await expect(client.createSession(database, motion, options)).rejects.toMatchObject({ code: "bad-input" });
+  });
+
+  test("the source of a motion may be changed by its caller", async () => {
+    const { client, database } = await openDemo();
+    const bytes = proudWalk.slice(0);
+    const motion = await client.openMotion({ kind: "bvh", name: "mine", bytes }, database);
+    const session = await client.createSession(database, motion);
+    const before = await session.seek(30);
+    new Uint8Array(bytes).fill(0);
+    const restart = restarted(client);
+    worker().onerror?.({ message: "killed" } as ErrorEvent);
+    expect((await restart).lost).toEqual([]);
+    expect((await session.step(0)).pose).toEqual(before.pose);
+  });
+});
+
+describe("a live stylizer", () => {
+  const OLD = { styles: { old: 1 } };
+
+  test("gives the same for one batch and for many, with a change of style between", async () => {
+    const { client, database, motion } = await openDemo();
+    const poses = motion.info.poses.subarray(0, 60 * POSE_FLOATS);
+    const pushed = async (batch: number) => {
+      const stylizer = await client.createStylizer(database, OLD);
+      const out: number[] = [];
+      for (let frame = 0; frame < 60; frame += batch) {
+        if (frame === 30) stylizer.setStyles({ proud: 1 });
+        const { poses: styled } = await stylizer.push(
+          poses.subarray(frame * POSE_FLOATS, (frame + batch) * POSE_FLOATS),
+        );
+        out.push(...styled);
+      }
+      stylizer.dispose();
+      return out;
+    };
+    const whole = await pushed(30);
+    expect(whole).toEqual(await pushed(1));
+    expect(whole).toHaveLength(60 * POSE_FLOATS);
+    expect(whole.every(Number.isFinite)).toBe(true);
+  });
+
+  test("takes a change at once where the half-life is none", async () => {
+    const { client, database, motion } = await openDemo();
+    const poses = motion.info.poses.subarray(0, 40 * POSE_FLOATS);
+    const changed = await client.createStylizer(database, OLD);
+    changed.setStyles({ proud: 1 }, { halfLifeSecs: 0 });
+    const proud = await client.createStylizer(database, { styles: { proud: 1 } });
+    expect((await changed.push(poses)).poses).toEqual((await proud.push(poses)).poses);
+  });
+
+  test("refuses at once what is out of range, and goes on", async () => {
+    const { client, database, motion } = await openDemo();
+    const pose = motion.info.poses.subarray(0, POSE_FLOATS);
+    const stylizer = await client.createStylizer(database);
+    expect(() => stylizer.setStyles({ none: 1 })).toThrow(/no style 'none'/);
+    expect(() => stylizer.setStyles({ old: Number.NaN })).toThrow(/NaN/);
+    expect(() => stylizer.configure({ rho: 2 })).toThrow(/rho is 2/);
+    await expect(stylizer.push(new Float32Array(POSE_FLOATS + 1))).rejects.toMatchObject({ code: "bad-input" });
+    const many = new Float32Array((MAX_PUSH_FRAMES + 1) * POSE_FLOATS);
+    await expect(stylizer.push(many)).rejects.toMatchObject({ code: "bad-input" });
+    expect((await stylizer.push(pose)).durations).toEqual(new Float32Array([0]));
+    await stylizer.push(pose);
+    stylizer.reset();
+    expect((await stylizer.push(pose)).durations).toEqual(new Float32Array([0]));
+  });
+});
+
+test("the ranges of options are the engine's", async () => {
+  const { client, database, motion } = await openDemo();
+  const session = await client.createSession(database, motion);
+  for (const [name, [min, max]] of Object.entries(OPTION_RANGES)) {
+    const outside = [min === 0 ? -1 : min / 2, max * 1.02];
+    for (const value of [min, max].filter(Number.isFinite))
+      await session.configure({ ...DEFAULT_OPTIONS, [name]: value });
+    for (const value of outside.filter(Number.isFinite))
+      await expect(session.configure({ ...DEFAULT_OPTIONS, [name]: value }), `${name} ${value}`).rejects.toMatchObject({
+        code: "bad-input",
+      });
+  }
+});
+
+describe("a worker that is killed", () => {
+  /** Three sessions and a stylizer, over two databases and two motions, each somewhere else. */
+  async function openThree() {
+    const { client, database, motion } = await openDemo();
+    const other = await client.openDatabase({ kind: "demo" });
+    const mine = await client.openMotion({ kind: "bvh", name: "mine", bytes: proudWalk }, database);
+    const sessions = [
+      await client.createSession(database, motion, { styles: { old: 1 } }),
+      await client.createSession(other, motion, { styles: { proud: 0.5 } }),
+      await client.createSession(other, mine, { k: 10 }),
+    ];
+    await sessions[0]!.setLoop(false);
+    await sessions[2]!.setLoop(true, { first: 10, last: 50 });
+    const stylizer = await client.createStylizer(database);
+    stylizer.setStyles({ old: 1 });
+    await sessions[1]!.configure({ ...DEFAULT_OPTIONS, styles: { proud: 1 } });
+    const frames = await Promise.all(sessions.map((session, i) => session.seek(20 + 10 * i)));
+    return { client, database, motion, sessions, stylizer, frames };
+  }
+
+  test("comes back with all three of its sessions, each at its place", async () => {
+    const { client, database, motion, sessions, stylizer, frames } = await openThree();
+    const poses = motion.info.poses.subarray(0, 30 * POSE_FLOATS);
+    const first = worker();
+    const restart = restarted(client);
+    const waiting = sessions[0]!.analyse();
+    await Promise.resolve();
+    first.onerror?.({ message: "killed" } as ErrorEvent);
+    await expect(waiting).rejects.toMatchObject({ code: "fault" });
+    expect(await restart).toEqual({ message: "The engine failed: killed.", lost: [] });
+    expect(first.terminated).toBe(true);
+    const again = await Promise.all(sessions.map((session) => session.step(0)));
+    expect(again.map(({ pose }) => pose)).toEqual(frames.map(({ pose }) => pose));
+    expect(again.map(({ inputFrame }) => inputFrame)).toEqual([20, 30, 40]);
+    expect((await sessions[2]!.step(0.5)).looped).toBe(true);
+    await sessions[0]!.seek(motion.info.frames);
+    expect((await sessions[0]!.step(1)).ended).toBe(true);
+    const fresh = await client.createStylizer(database, { styles: { old: 1 } });
+    expect((await stylizer.push(poses)).poses).toEqual((await fresh.push(poses)).poses);
+  });
+
+  test("while it is reopening, is replaced by one where all is closed", async () => {
+    const { client, sessions } = await openThree();
+    const restart = restarted(client);
+    worker().onerror?.({ message: "killed" } as ErrorEvent);
+    while (worker().calls().length < 2) await new Promise((resolve) => setTimeout(resolve));
+    worker().onerror?.({ message: "killed again" } as ErrorEvent);
+    expect((await restart).lost).toHaveLength(8);
+    for (const session of sessions) await expect(session.step(0)).rejects.toMatchObject({ code: "not-open" });
+    expect((await client.openDatabase({ kind: "demo" })).info.styles).toContain("proud");
+  });
+});
+
+describe("models", () => {
+  test("of walks and key styles are trained, opened and disposed of", async () => {
+    const client = connect();
+    const progress: Progress[] = [];
+    const walk = await client.openWalk({ database: undefined }, { onProgress: (p) => progress.push(p) });
+    expect(walk.walker().next().pose).toHaveLength(POSE_FLOATS);
+    expect(progress.at(-1)!.fraction).toBe(1);
+    const order = { clips: [], action: "walk", axes: ["foot_separation"], components: 0, em: false };
+    const keys = await client.openKeyStyle({ motions: { database: undefined }, order });
+    expect(keys.axes).toEqual(["foot_separation"]);
+    client.dispose();
+    expect(() => walk.walker()).toThrow(/disposed|dispose\(\)/);
+    expect(() => keys.poser()).toThrow(/disposed|dispose\(\)/);
+  });
+});

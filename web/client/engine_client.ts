@@ -1,0 +1,162 @@
+/**
+ * The engine for callers on another thread: any number of databases, motions, sessions and live stylizers in one worker, and
+ * the models of walks and key styles, which run on the calling thread.
+ */
+import { disposed } from "../engine/errors";
+import { DEFAULT_OPTIONS } from "../engine/types";
+import type { BuildWorkerPort } from "./build/client";
+import { Connection, DEFAULT_PATIENCE, type Patience, type Reopenable, type WorkerPort } from "./connection";
+import { ClientDatabase, ClientMotion, ClientSession, ClientStylizer } from "./handles";
+import type { KeyStyleModel, KeyStyleModelSource } from "./models/key_style";
+import type { WalkModel, WalkModelSource } from "./models/walk";
+import { changedOptions } from "./options";
+import {
+  type CallOptions,
+  type DatabaseSource,
+  type InputSource,
+  STYLE_HALF_LIFE_SECS,
+  type StylizeOptions,
+} from "./protocol";
+
+/** How the workers are started and watched; tests replace it. */
+export interface EngineClientSetup {
+  spawn?: () => WorkerPort;
+  spawnBuild?: () => BuildWorkerPort;
+  patience?: Partial<Patience>;
+}
+
+/** Event after a fault. */
+export interface EngineRestart {
+  /** What failed, a sentence for people. */
+  message: string;
+  /** Handles that could not be reopened and take no more calls, and why. */
+  lost: { thing: object; reason: string }[];
+}
+
+/**
+ * The caller owns every returned handle and disposes of it. Sources are copied and kept. After a fault all calls
+ * under way reject with code `fault`; another worker takes the place of the one that failed, everything is reopened with its
+ * options and place, and `onRestart` is called. What cannot be reopened is closed; after a second fault before anything was
+ * styled, everything is.
+ */
+export class EngineClient {
+  onRestart: ((restart: EngineRestart) => void) | undefined;
+  private readonly connection: Connection;
+  private disposed = false;
+  private readonly models = new Set<{ dispose(): void }>();
+  private readonly spawnBuild: (() => BuildWorkerPort) | undefined;
+
+  /** The worker starts at once; calls wait until its engine is loaded. */
+  constructor({ spawn = spawnWorker, spawnBuild, patience }: EngineClientSetup = {}) {
+    this.connection = new Connection(spawn, { ...DEFAULT_PATIENCE, ...patience });
+    this.connection.onRestart = (restart) => this.onRestart?.(restart);
+    this.spawnBuild = spawnBuild;
+    // Calls are rejected with the same error.
+    this.ready().catch(() => {});
+  }
+
+  /**
+   * Resolves when the engine is loaded.
+   * @throws StrutError `load` or `unsupported`
+   */
+  ready(): Promise<void> {
+    return this.connection.ready();
+  }
+
+  async openDatabase(source: DatabaseSource, options?: CallOptions): Promise<ClientDatabase> {
+    const { connection } = this;
+    const id = connection.nextId();
+    const info = await connection.call("openDatabase", [id, source], options);
+    return new ClientDatabase(connection, id, info, source);
+  }
+
+  /** Names of the built-in motions, the default first. */
+  builtInMotions(): Promise<string[]> {
+    return this.connection.call("builtInInputs", []);
+  }
+
+  /** Reads a motion and carries it over to the humanoid of a database; it can be used with others as well. */
+  async openMotion(source: InputSource, database: ClientDatabase, options?: CallOptions): Promise<ClientMotion> {
+    const { connection } = this;
+    const id = connection.nextId();
+    // The caller may use its bytes otherwise; they are needed again after a fault.
+    const copy = source.kind === "bvh" ? { ...source, bytes: source.bytes.slice(0) } : source;
+    const opening = connection.call("openMotion", [id, copy], options);
+    const reading = connection.call("motionOn", [id, openId(database)], options);
+    try {
+      const [info] = await Promise.all([reading, opening]);
+      return new ClientMotion(connection, id, info, copy);
+    } catch (thrown) {
+      void connection.call("close", [id]).catch(() => {});
+      throw thrown;
+    }
+  }
+
+  /** A motion that is played in a database. */
+  async createSession(
+    database: ClientDatabase,
+    motion: ClientMotion,
+    options: Partial<StylizeOptions> = {},
+    call?: CallOptions,
+  ): Promise<ClientSession> {
+    const { connection } = this;
+    const id = connection.nextId();
+    const all = changedOptions(database.info, DEFAULT_OPTIONS, options);
+    const ids = { database: openId(database), motion: openId(motion) };
+    const setup = { ...ids, options: all, loop: true, range: undefined, inputFrame: undefined };
+    await connection.call("createSession", [id, setup], call);
+    return new ClientSession(connection, id, database, motion, all);
+  }
+
+  /** Poses that are styled as they arrive. */
+  async createStylizer(
+    database: ClientDatabase,
+    options: Partial<StylizeOptions> = {},
+    call?: CallOptions,
+  ): Promise<ClientStylizer> {
+    const { connection } = this;
+    const id = connection.nextId();
+    const all = changedOptions(database.info, DEFAULT_OPTIONS, options);
+    await connection.call("createStylizer", [id, openId(database), all, STYLE_HALF_LIFE_SECS], call);
+    return new ClientStylizer(connection, id, database, all, STYLE_HALF_LIFE_SECS);
+  }
+
+  /** A walk model, trained first where a database is given. */
+  async openWalk(source: WalkModelSource, options?: CallOptions): Promise<WalkModel> {
+    const { openWalk } = await import("./models/walk");
+    return this.own(await openWalk(source, options, this.spawnBuild));
+  }
+
+  /** A key-style model, trained first where motions are given. */
+  async openKeyStyle(source: KeyStyleModelSource, options?: CallOptions): Promise<KeyStyleModel> {
+    const { openKeyStyle } = await import("./models/key_style");
+    return this.own(await openKeyStyle(source, options, this.spawnBuild));
+  }
+
+  /** Closes everything, the models too, and ends the worker. */
+  dispose(): void {
+    this.disposed = true;
+    this.connection.dispose();
+    for (const model of this.models) model.dispose();
+    this.models.clear();
+  }
+
+  private own<M extends { dispose(): void }>(model: M): M {
+    if (this.disposed) {
+      model.dispose();
+      throw disposed("client");
+    }
+    this.models.add(model);
+    return model;
+  }
+}
+
+/** @throws StrutError with why it is not open any more */
+function openId(handle: Reopenable): number {
+  if (handle.closed) throw handle.closed;
+  return handle.id;
+}
+
+function spawnWorker(): WorkerPort {
+  return new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "strut" });
+}

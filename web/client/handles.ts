@@ -1,0 +1,253 @@
+/** Handles of what is open in the worker. Disposing of one closes it there, with all that was made of it. */
+import { disposed, type StrutError } from "../engine/errors";
+import type { Styled } from "../engine/stylizer";
+import type { Connection, Post, Reopenable } from "./connection";
+import type { Arguments, Id, Method, Result } from "./messages";
+import { changedOptions } from "./options";
+import type {
+  Analysis,
+  CallOptions,
+  CurveSubject,
+  DatabaseInfo,
+  DatabaseSource,
+  Examples,
+  FrameRange,
+  InputInfo,
+  InputSource,
+  LiveFrame,
+  Performed,
+  StyledClip,
+  StyleWeights,
+  StylizeOptions,
+} from "./protocol";
+
+/** Owner of something open in the worker. It survives a fault of the engine; see `EngineClient.onRestart`. */
+abstract class ClientHandle implements Reopenable {
+  private reason: StrutError | undefined;
+
+  /**
+   * @param uses what it was made of
+   * @param noun for messages
+   */
+  protected constructor(
+    protected readonly connection: Connection,
+    readonly id: Id,
+    private readonly uses: readonly ClientHandle[],
+    private readonly noun: string,
+  ) {
+    connection.keep(this);
+  }
+
+  /** Why it takes no more calls; `undefined` while it is open. */
+  get closed(): StrutError | undefined {
+    return this.reason ?? this.uses.find((used) => used.closed)?.closed;
+  }
+
+  dispose(): void {
+    if (this.reason) return;
+    this.reason = disposed(this.noun);
+    this.connection.forget(this);
+  }
+
+  lose(reason: StrutError): void {
+    this.reason ??= reason;
+  }
+
+  abstract reopen(post: Post): Promise<unknown>;
+
+  protected call<M extends Method>(method: M, args: Arguments<M>, options?: CallOptions): Promise<Result<M>> {
+    const { closed } = this;
+    return closed ? Promise.reject(closed) : this.connection.call(method, args, options);
+  }
+}
+
+/** An open database. */
+export class ClientDatabase extends ClientHandle {
+  constructor(
+    connection: Connection,
+    id: Id,
+    readonly info: DatabaseInfo,
+    private readonly source: DatabaseSource,
+  ) {
+    super(connection, id, [], "database");
+  }
+
+  reopen(post: Post): Promise<unknown> {
+    return post("openDatabase", [this.id, this.source]);
+  }
+}
+
+/** An open motion, which can be used with any database. */
+export class ClientMotion extends ClientHandle {
+  /** @param info the motion on the humanoid of the database that it was opened with */
+  constructor(
+    connection: Connection,
+    id: Id,
+    readonly info: InputInfo,
+    private readonly source: InputSource,
+  ) {
+    super(connection, id, [], "motion");
+  }
+
+  /** The motion on the humanoid of another database and at its rate. */
+  on(database: ClientDatabase, options?: CallOptions): Promise<InputInfo> {
+    return this.call("motionOn", [this.id, database.id], options);
+  }
+
+  /** The motion as a style really performs it, where that is known: a built-in one, in a worker with counterparts. */
+  counterpart(style: string): Promise<Performed | undefined> {
+    return this.call("counterpart", [this.id, style]);
+  }
+
+  /** The whole motion in a style; `bvh` asks for the text of a BVH file, too. */
+  stylize(database: ClientDatabase, options: StylizeOptions, bvh = false, call?: CallOptions): Promise<StyledClip> {
+    return this.call("stylize", [this.id, database.id, options, bvh], call);
+  }
+
+  reopen(post: Post): Promise<unknown> {
+    return post("openMotion", [this.id, this.source]);
+  }
+}
+
+/** A motion playing in a database: an output clock that styles input frames as they are needed. */
+export class ClientSession extends ClientHandle {
+  private loop = true;
+  private range: FrameRange | undefined;
+  /** Where playback stands; `undefined` before the first frame. */
+  private inputFrame: number | undefined;
+
+  constructor(
+    connection: Connection,
+    id: Id,
+    readonly database: ClientDatabase,
+    readonly motion: ClientMotion,
+    private options: StylizeOptions,
+  ) {
+    super(connection, id, [database, motion], "session");
+  }
+
+  /** Takes effect with the next frame; a change of the styles fades in. */
+  async configure(options: StylizeOptions): Promise<void> {
+    await this.call("configure", [this.id, options]);
+    this.options = options;
+  }
+
+  /** Whether playback loops; `range` is the part of the motion that is played. */
+  async setLoop(loop: boolean, range?: FrameRange): Promise<void> {
+    await this.call("setLoop", [this.id, loop, range]);
+    this.loop = loop;
+    this.range = range;
+  }
+
+  /** Advances the output clock by `dtSecs` (≥ 0; 0 repeats the present content in the present style). */
+  async step(dtSecs: number): Promise<LiveFrame> {
+    return this.stand(await this.call("step", [this.id, dtSecs]));
+  }
+
+  /** Jumps to an input frame; the engine is warmed up on the frames before it. */
+  async seek(inputFrame: number): Promise<LiveFrame> {
+    return this.stand(await this.call("seek", [this.id, inputFrame]));
+  }
+
+  /** The whole motion in the present options. */
+  analyse(options?: CallOptions): Promise<Analysis> {
+    return this.call("analyse", [this.id], options);
+  }
+
+  /** The examples of the database behind what {@link analyse} gives. */
+  examples(subject: CurveSubject, options?: CallOptions): Promise<Examples> {
+    return this.call("examples", [this.id, subject], options);
+  }
+
+  /** The styled motion as BVH text, on its own skeleton. */
+  exportBvh(options?: CallOptions): Promise<string> {
+    return this.call("exportBvh", [this.id], options);
+  }
+
+  reopen(post: Post): Promise<unknown> {
+    const { options, loop, range, inputFrame } = this;
+    const setup = { database: this.database.id, motion: this.motion.id, options, loop, range, inputFrame };
+    return post("createSession", [this.id, setup]);
+  }
+
+  private stand(frame: LiveFrame): LiveFrame {
+    this.inputFrame = frame.inputFrame;
+    return frame;
+  }
+}
+
+/** What {@link ClientStylizer.setStyles} may change besides the styles. */
+export interface StyleChange {
+  /** Styles of the parts of the body that have their own; as they are if there are none. */
+  parts?: StylizeOptions["parts"];
+  /** Half-life with which this change and those after it are taken up, 0 for at once. */
+  halfLifeSecs?: number;
+}
+
+/**
+ * Styles poses as they arrive, with no latency. After a fault it restarts with the present options, as after {@link reset}.
+ */
+export class ClientStylizer extends ClientHandle {
+  /** Frames by which the output lags behind the input. */
+  readonly latencyFrames = 0;
+  /** Settles when the worker has the present options. */
+  private changing: Promise<unknown> = Promise.resolve();
+
+  constructor(
+    connection: Connection,
+    id: Id,
+    readonly database: ClientDatabase,
+    private options: StylizeOptions,
+    private halfLifeSecs: number,
+  ) {
+    super(connection, id, [database], "stylizer");
+  }
+
+  /**
+   * Takes effect with the next {@link push}.
+   * @throws StrutError `bad-input` for a style or part that there is not, at once
+   */
+  setStyles(styles: StyleWeights, { parts, halfLifeSecs }: StyleChange = {}): void {
+    this.change({ styles, ...(parts && { parts }) }, halfLifeSecs ?? this.halfLifeSecs);
+  }
+
+  /**
+   * Takes effect with the next {@link push}.
+   * @throws StrutError `bad-input` for an option outside its range, at once
+   */
+  configure(options: Partial<StylizeOptions>): void {
+    this.change(options, this.halfLifeSecs);
+  }
+
+  /**
+   * Styles the next poses, one frame of the database's rate apart, on its humanoid.
+   * @param poses a whole number of poses, at most `MAX_PUSH_FRAMES`; copied
+   */
+  async push(poses: Float32Array): Promise<Styled> {
+    const { changing } = this;
+    const [styled] = await Promise.all([this.call("push", [this.id, poses]), changing]);
+    return styled;
+  }
+
+  /** Restarts at the next pose, as after a cut. */
+  reset(): void {
+    this.follow(this.call("reset", [this.id]));
+  }
+
+  reopen(post: Post): Promise<unknown> {
+    return post("createStylizer", [this.id, this.database.id, this.options, this.halfLifeSecs]);
+  }
+
+  private change(change: Partial<StylizeOptions>, halfLifeSecs: number): void {
+    if (this.closed) throw this.closed;
+    this.options = changedOptions(this.database.info, this.options, change);
+    this.halfLifeSecs = halfLifeSecs;
+    this.follow(this.call("restyle", [this.id, this.options, halfLifeSecs]));
+  }
+
+  /** A change that fails is reported by the next push. */
+  private follow(change: Promise<unknown>): void {
+    this.changing = change;
+    change.catch(() => {});
+  }
+}

@@ -1,0 +1,36 @@
+/** What the browser keeps for this page in IndexedDB: one store of one kind of thing a database. */
+export class IndexedDbStore {
+  /** @param keyPath field of the things that is their key; without it the key is given with each */
+  constructor(
+    private readonly database: string,
+    private readonly store: string,
+    private readonly keyPath?: string,
+  ) {}
+
+  /**
+   * Runs one request; resolves when what it did is on the disk.
+   * @throws DOMException where the browser has no storage, or it is full
+   */
+  async transact<T>(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
+    const database = await this.#open();
+    try {
+      return await new Promise<T>((resolve, reject) => {
+        const transaction = database.transaction(this.store, mode);
+        const request = ask(transaction.objectStore(this.store));
+        transaction.oncomplete = () => resolve(request.result);
+        transaction.onabort = () => reject(transaction.error);
+      });
+    } finally {
+      database.close();
+    }
+  }
+
+  #open(): Promise<IDBDatabase> {
+    return new Promise((resolve, reject) => {
+      const request = indexedDB.open(this.database, 1);
+      request.onupgradeneeded = () => request.result.createObjectStore(this.store, { keyPath: this.keyPath ?? null });
+      request.onsuccess = () => resolve(request.result);
+      request.onerror = () => reject(request.error);
+    });
+  }
+}

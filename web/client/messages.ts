@@ -1,0 +1,80 @@
+/** The wire format between `connection.ts` and `server/`; callers see only `protocol.ts` and the handles. */
+import type { ErrorParts } from "../engine/errors";
+import type { Styled } from "../engine/stylizer";
+import type {
+  Analysis,
+  CurveSubject,
+  DatabaseInfo,
+  DatabaseSource,
+  Examples,
+  FrameRange,
+  InputInfo,
+  InputSource,
+  LiveFrame,
+  Performed,
+  Progress,
+  StyledClip,
+  StylizeOptions,
+} from "./protocol";
+
+/** Number of an open thing. The client chooses it, so that a thing keeps its number when it is reopened. */
+export type Id = number;
+
+/** What a session is made of. */
+export interface SessionSetup {
+  database: Id;
+  motion: Id;
+  options: StylizeOptions;
+  loop: boolean;
+  range: FrameRange | undefined;
+  /** Where playback stands; `undefined` before the first frame. */
+  inputFrame: number | undefined;
+}
+
+/** What the worker answers. The first argument of a call that opens something is the number that it gets. */
+export interface WorkerCalls {
+  openDatabase(database: Id, source: DatabaseSource): DatabaseInfo;
+  /** Names of the built-in motions, the default first. */
+  builtInInputs(): string[];
+  /** The motion is read when it is first used with a database. */
+  openMotion(motion: Id, source: InputSource): undefined;
+  /** A motion on the humanoid of a database and at its rate. */
+  motionOn(motion: Id, database: Id): InputInfo;
+  stylize(motion: Id, database: Id, options: StylizeOptions, bvh: boolean): StyledClip;
+  counterpart(motion: Id, style: string): Performed | undefined;
+  createSession(session: Id, setup: SessionSetup): undefined;
+  configure(session: Id, options: StylizeOptions): undefined;
+  setLoop(session: Id, loop: boolean, range: FrameRange | undefined): undefined;
+  step(session: Id, dtSecs: number): LiveFrame;
+  seek(session: Id, inputFrame: number): LiveFrame;
+  analyse(session: Id): Analysis;
+  examples(session: Id, subject: CurveSubject): Examples;
+  exportBvh(session: Id): string;
+  createStylizer(stylizer: Id, database: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
+  restyle(stylizer: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
+  push(stylizer: Id, poses: Float32Array): Styled;
+  reset(stylizer: Id): undefined;
+  /** Closes something and all that was made of it; nothing happens where it is not open. */
+  close(id: Id): undefined;
+}
+
+export type Method = keyof WorkerCalls;
+export type Arguments<M extends Method> = Parameters<WorkerCalls[M]>;
+/** What a method resolves to. */
+export type Result<M extends Method> = ReturnType<WorkerCalls[M]>;
+
+/** A call under way; the client numbers its calls. */
+export type Call = { [M in Method]: { kind: "call"; id: number; method: M; args: Arguments<M> } }[Method];
+
+/** Page → worker. A cancellation that comes too late has no effect; a `ping` is answered by a `pong` at once. */
+export type Request = Call | { kind: "cancel"; id: number } | { kind: "ping" };
+
+/** Worker → page. Every call is answered by one `result` or `failure`, after any number of `progress`. */
+export type Reply =
+  /** Sent once, unasked: the engine is loaded, or could not be. */
+  | { kind: "ready" }
+  | { kind: "not-ready"; error: ErrorParts }
+  | { kind: "pong" }
+  | { kind: "progress"; id: number; progress: Progress }
+  | { kind: "result"; id: number; value: Result<Method> }
+  | { kind: "failure"; id: number; error: ErrorParts };

@@ -1,0 +1,114 @@
+/**
+ * What callers and the worker exchange.
+ *
+ * Poses travel as `Float32Array`s of `POSE_FLOATS` numbers a frame: root x y z in metres, then the
+ * quaternion x y z w of the 21 joints of the canonical humanoid (`rust/strut-core/src/humanoid.rs`), each relative
+ * to its parent, the hips relative to the world. Times are seconds.
+ */
+import type {
+  Analysis,
+  CallOptions,
+  CurveSubject,
+  DatabaseInfo,
+  Examples,
+  InputInfo,
+  Performed,
+  Reading,
+  StylizeOptions,
+} from "../engine/types";
+
+export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
+export * from "../engine/types";
+
+/** What is on screen at one instant of live playback. */
+export interface LiveFrame {
+  /** Styled pose. */
+  pose: Float32Array;
+  /** Input pose at the same content. */
+  inputPose: Float32Array;
+  /** Fractional input frame. */
+  inputFrame: number;
+  /** Seconds of output since the last seek or loop. */
+  timeOut: number;
+  /** Feet planted by the engine. */
+  planted: [left: boolean, right: boolean];
+  /** The heaviest classes, heaviest first, at most three. */
+  reads: Reading[];
+  /** Median cost of a styled frame in the engine, milliseconds. */
+  frameMs: number;
+  /** Whether the clip looped since the last frame. */
+  looped: boolean;
+  /** Whether the end was reached and looping is off. */
+  ended: boolean;
+}
+
+/** The input frames from `first` to `last`, both of them included. */
+export interface FrameRange {
+  first: number;
+  last: number;
+}
+
+/** A motion in a style, as a whole. */
+export interface StyledClip extends Analysis {
+  /** Median cost of a frame in the engine, milliseconds. */
+  frameMs: number;
+  /** The text of a BVH file on the motion's own skeleton; empty unless it was asked for. */
+  bvh: string;
+}
+
+/** Default half-life of a change of style. */
+export const STYLE_HALF_LIFE_SECS = 0.1;
+
+/** Maximum number of poses of one `push` of a live stylizer. */
+export const MAX_PUSH_FRAMES = 4096;
+
+/** Where a database comes from. */
+export type DatabaseSource = { kind: "demo" } | { kind: "strutdb"; name: string; file: Blob };
+/** Where a motion comes from. */
+export type InputSource = { kind: "built-in"; name: string } | { kind: "bvh"; name: string; bytes: ArrayBuffer };
+
+/** Event after a failed worker was replaced. */
+export interface Restarted {
+  /** The fault, a sentence. */
+  why: string;
+  /** What could not be opened again, and must be opened by the caller; empty if all is as it was. */
+  lost: readonly ("database" | "input")[];
+  /** Why it could not, a sentence; empty if nothing was lost. */
+  reason: string;
+}
+
+/**
+ * A client with one database, one input and one session, as the page needs it; `engine_client.ts` has any number of each.
+ * Opening a database or an input replaces the one before only if it succeeds; an open input is carried over to a new database.
+ * Rejections are `StrutError`s with `code`, `message` (a sentence for people) and `hint`. After a fault the client starts a
+ * new worker, reopens the same database and input with the same options at the same place, and then calls `onRestart`.
+ */
+export interface StrutClient {
+  openDatabase(source: DatabaseSource, options?: CallOptions): Promise<DatabaseInfo>;
+  /** Names of the built-in inputs, the default first. */
+  builtInInputs(): Promise<string[]>;
+  openInput(source: InputSource, options?: CallOptions): Promise<InputInfo>;
+  /** Takes effect with the next frame. */
+  configure(options: StylizeOptions): Promise<void>;
+  /** Whether playback loops; `range` is the part of the input that is played. */
+  setLoop(loop: boolean, range?: FrameRange): Promise<void>;
+  /** Advances the output clock by `dtSecs` (≥ 0; 0 repeats the present content in the present style). */
+  step(dtSecs: number): Promise<LiveFrame>;
+  /** Jumps to an input frame; the engine is warmed up on the frames before it. */
+  seek(inputFrame: number): Promise<LiveFrame>;
+  /** The whole input in the present options. */
+  analyse(options?: CallOptions): Promise<Analysis>;
+  /** The examples behind what {@link analyse} gives. */
+  examples(subject: CurveSubject, options?: CallOptions): Promise<Examples>;
+  /** The whole input in other options, as fast as the engine can; what plays is not touched. */
+  style(options: StylizeOptions, call?: CallOptions): Promise<StyledClip>;
+  /**
+   * The input as a style really performs it, as far as that is known: a built-in input, and a package that has the
+   * counterparts (`compare/`).
+   */
+  counterpart(style: string): Promise<Performed | undefined>;
+  /** The styled input as BVH text, on the input's own skeleton. */
+  exportBvh(options?: CallOptions): Promise<string>;
+  onRestart: ((restarted: Restarted) => void) | undefined;
+  dispose(): void;
+}

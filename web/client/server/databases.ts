@@ -1,0 +1,43 @@
+/** Calls about databases. */
+import type { Database } from "../../engine/database";
+import type { DatabaseInfo, DatabaseSource } from "../protocol";
+import type { Host } from "./host";
+import type { OpenThing } from "./registry";
+import { type Caller, stage } from "./time_slices";
+
+export class OpenDatabase implements OpenThing {
+  static readonly noun = "database";
+  readonly uses = [];
+
+  constructor(readonly database: Database) {}
+
+  dispose(): void {
+    this.database.dispose();
+  }
+}
+
+export async function openDatabase(
+  { engine, builtIn, open }: Host,
+  caller: Caller,
+  id: number,
+  source: DatabaseSource,
+): Promise<DatabaseInfo> {
+  await stage(caller, "Opening the database", 0);
+  const database = engine.openDatabase(
+    source.kind === "demo"
+      ? { kind: "demo", motions: await builtIn.load(caller) }
+      : { ...source, bytes: await source.file.arrayBuffer() },
+  );
+  try {
+    await stage(caller, "Opening the database", 0.9);
+  } catch (thrown) {
+    database.dispose();
+    throw thrown;
+  }
+  open.add(id, new OpenDatabase(database));
+  return { ...database.info, proportions: database.info.proportions.slice() };
+}
+
+export async function builtInInputs({ engine, builtIn }: Host, caller: Caller): Promise<string[]> {
+  return engine.inputsOf(await builtIn.load(caller));
+}

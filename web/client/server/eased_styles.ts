@@ -1,0 +1,110 @@
+/** Style weights that approach their targets exponentially, so that a change of style fades in. */
+import { type WeightKey, weightsAt } from "../../engine/style_track";
+import type { Stylizer } from "../../engine/stylizer";
+import { BODY_PARTS, STYLE_HALF_LIFE_SECS, type StylizeOptions } from "../protocol";
+
+/** A weight that is nearer to its target than this is set to it. */
+const WEIGHT_EPSILON = 1e-3;
+
+/** As much of the engine's stylizer as this needs. */
+export type StyledStream = Pick<Stylizer, "setWeights" | "setPartWeights" | "weightsOf">;
+
+/** The weights of the whole body, or of a part of it; `target` is `undefined` where the part follows the whole. */
+interface Weights {
+  now: Float32Array;
+  target: Float32Array | undefined;
+  /** Whether the engine has `now`; for a part that follows the whole, whether the engine still has its own weights. */
+  sent: boolean;
+}
+
+/** Nothing is allocated while weights are eased. */
+export class EasedStyles {
+  /** Whole body, then each of {@link BODY_PARTS}. */
+  private readonly weights: Weights[];
+  private track: WeightKey[] = [];
+  /** Half-life of a change of style; 0 takes it up at once. */
+  halfLifeSecs = STYLE_HALF_LIFE_SECS;
+
+  constructor(
+    private readonly stream: StyledStream,
+    options: StylizeOptions,
+  ) {
+    const whole = stream.weightsOf(options.styles);
+    this.weights = [undefined, ...BODY_PARTS].map(() => ({ now: whole.slice(), target: undefined, sent: false }));
+    this.setTargets(options);
+    this.arrive(0);
+  }
+
+  /** Sets the targets. What is refused changes nothing. */
+  setTargets({ styles, parts, track }: StylizeOptions): void {
+    const { stream } = this;
+    const whole = stream.weightsOf(styles);
+    const own = BODY_PARTS.map((part) => parts[part] && stream.weightsOf(parts[part]));
+    const keys = track.map((key) => ({ frame: key.frame, weights: stream.weightsOf(key.styles) }));
+    this.track = keys;
+    this.weights[0]!.target = whole;
+    for (const [i, weights] of own.entries()) {
+      const part = this.weights[1 + i]!;
+      // A part that begins to have its own starts from what it has in common with the whole.
+      if (weights && !part.target) part.now.set(this.weights[0]!.now);
+      part.target = weights;
+    }
+  }
+
+  /** Jumps to the styles of an input frame. */
+  arrive(frame: number): void {
+    this.move(frame, 1);
+  }
+
+  /** Advances by one input frame, which lasts `frameSecs`, to `frame`. */
+  ease(frame: number, frameSecs: number): void {
+    this.move(frame, this.halfLifeSecs > 0 ? 1 - 0.5 ** (frameSecs / this.halfLifeSecs) : 1);
+  }
+
+  /** Whether the engine has the target weights and the frame does not matter, so that {@link ease} would change nothing. */
+  get settled(): boolean {
+    return !this.changesOverTime && this.weights.every(isSettled);
+  }
+
+  /** Whether the styles depend on the frame. */
+  get changesOverTime(): boolean {
+    return this.track.length > 0;
+  }
+
+  private move(frame: number, share: number): void {
+    const whole = this.weights[0]!;
+    if (this.changesOverTime) {
+      weightsAt(this.track, frame, whole.now);
+      whole.sent = false;
+    } else if (approach(whole.now, whole.target!, share)) whole.sent = false;
+    if (!whole.sent) this.stream.setWeights(whole.now);
+    whole.sent = true;
+    for (const [i, name] of BODY_PARTS.entries()) {
+      const part = this.weights[1 + i]!;
+      if (part.target) {
+        if (approach(part.now, part.target, share)) part.sent = false;
+        if (!part.sent) this.stream.setPartWeights(name, part.now);
+        part.sent = true;
+      } else if (part.sent) {
+        this.stream.setPartWeights(name, undefined);
+        part.sent = false;
+      }
+    }
+  }
+}
+
+function isSettled({ now, target, sent }: Weights): boolean {
+  return target ? sent && now.every((weight, i) => weight === target[i]) : !sent;
+}
+
+/** Moves weights towards their targets by a share of the way; whether any was not there yet. */
+function approach(now: Float32Array, target: Float32Array, share: number): boolean {
+  let moved = false;
+  for (let i = 0; i < now.length; i++) {
+    const left = target[i]! - now[i]!;
+    if (left === 0) continue;
+    moved = true;
+    now[i] = Math.abs(left) < WEIGHT_EPSILON ? target[i]! : now[i]! + left * share;
+  }
+  return moved;
+}

@@ -1,0 +1,86 @@
+/** Styling of poses as they arrive, in styles that may change between any two of them. */
+import { StrutError } from "../../engine/errors";
+import type { Styled } from "../../engine/stylizer";
+import { POSE_FLOATS } from "../../humanoid";
+import { MAX_PUSH_FRAMES, type StylizeOptions } from "../protocol";
+import { EasedStyles } from "./eased_styles";
+import type { OnlineStylizer } from "./session";
+
+export class LiveStylizer {
+  private readonly styles: EasedStyles;
+  /** Frames since the last reset. */
+  private frames = 0;
+
+  /** @param halfLifeSecs half-life with which a change of style is taken up, 0 for at once */
+  constructor(
+    private readonly stylizer: OnlineStylizer,
+    options: StylizeOptions,
+    private readonly rateHz: number,
+    halfLifeSecs: number,
+  ) {
+    stylizer.configure(options);
+    this.styles = new EasedStyles(stylizer, options);
+    this.styles.halfLifeSecs = halfLifeSecs;
+  }
+
+  /** Holds from the next frame on. What is refused changes nothing. */
+  configure(options: StylizeOptions, halfLifeSecs: number): void {
+    this.stylizer.configure(options);
+    this.styles.setTargets(options);
+    this.styles.halfLifeSecs = halfLifeSecs;
+  }
+
+  /** Restarts at the next pose, as after a cut, without a transition of the styles. */
+  reset(): void {
+    this.stylizer.reset();
+    this.styles.arrive(0);
+    this.frames = 0;
+  }
+
+  /**
+   * Styles the next poses, `1 / rateHz` apart.
+   * @throws StrutError `bad-input` unless it is a whole number of poses, at most {@link MAX_PUSH_FRAMES}
+   */
+  push(poses: Float32Array): Styled {
+    const count = poses.length / POSE_FLOATS;
+    if (!Number.isInteger(count) || count < 1 || count > MAX_PUSH_FRAMES) throw badLength(poses.length);
+    let done = 0;
+    const parts: Styled[] = [];
+    while (done < count && !this.styles.settled) {
+      this.styles.ease(this.frames, 1 / this.rateHz);
+      parts.push(this.pushFrames(poses, done, 1));
+      done += 1;
+    }
+    if (done < count) parts.push(this.pushFrames(poses, done, count - done));
+    return parts.length === 1 ? parts[0]! : joined(parts);
+  }
+
+  private pushFrames(poses: Float32Array, first: number, count: number): Styled {
+    this.frames += count;
+    return this.stylizer.push(poses.subarray(first * POSE_FLOATS, (first + count) * POSE_FLOATS));
+  }
+}
+
+/** Batches as one; the class weights are those of the last frame. */
+function joined(parts: readonly Styled[]): Styled {
+  const frames = parts.reduce((sum, { durations }) => sum + durations.length, 0);
+  const poses = new Float32Array(frames * POSE_FLOATS);
+  const durations = new Float32Array(frames);
+  const planted = new Uint8Array(2 * frames);
+  let frame = 0;
+  for (const part of parts) {
+    poses.set(part.poses, frame * POSE_FLOATS);
+    durations.set(part.durations, frame);
+    planted.set(part.planted, 2 * frame);
+    frame += part.durations.length;
+  }
+  return { poses, durations, planted, classWeights: parts.at(-1)!.classWeights };
+}
+
+function badLength(length: number): StrutError {
+  return new StrutError({
+    code: "bad-input",
+    message: `${length} numbers were pushed; 1 to ${MAX_PUSH_FRAMES} poses of ${POSE_FLOATS} numbers were expected.`,
+    hint: "",
+  });
+}

@@ -1,0 +1,72 @@
+/** What the engine did in every frame, as files for other programs. Pure. */
+
+/** A styled motion, frame for frame with its input. */
+export interface Traced {
+  analysis: {
+    /** Output time of each frame, seconds. */
+    timeOut: Float32Array;
+    /** Planted feet, frames × (left, right), 0 or 1. */
+    planted: Uint8Array;
+    /** Weight of each class in each frame, frames × classes. */
+    classWeights: Float32Array;
+  };
+  input: { rateHz: number };
+  classes: readonly { action: string; style: string }[];
+}
+
+/** Weights below this are left out. */
+const MIN_WEIGHT = 1e-4;
+
+const rounded = (value: number): number => Number(value.toFixed(5));
+
+/** One frame, as `strut stylize --trace` names its fields. */
+interface TraceFrame {
+  frame: number;
+  time_in: number;
+  time_out: number;
+  dt: number;
+  class_weights: Record<string, number>;
+  planted: [left: number, right: number];
+}
+
+function framesOf({ analysis, input, classes }: Traced): TraceFrame[] {
+  const { timeOut, planted, classWeights } = analysis;
+  return Array.from(timeOut, (time, frame) => {
+    const weights = classes.map(({ action, style }, c): [string, number] => [
+      `${action}/${style}`,
+      rounded(classWeights[frame * classes.length + c] ?? 0),
+    ]);
+    return {
+      frame,
+      time_in: rounded(frame / input.rateHz),
+      time_out: rounded(time),
+      dt: rounded(frame > 0 ? time - timeOut[frame - 1]! : 0),
+      class_weights: Object.fromEntries(weights.filter(([, weight]) => weight >= MIN_WEIGHT)),
+      planted: [planted[2 * frame]!, planted[2 * frame + 1]!],
+    };
+  });
+}
+
+/** JSON lines, one object a frame. */
+export function traceAsJson(traced: Traced): string {
+  return framesOf(traced)
+    .map((frame) => `${JSON.stringify(frame)}\n`)
+    .join("");
+}
+
+/** Comma-separated values with a header; one column a class that has any weight. */
+export function traceAsCsv(traced: Traced): string {
+  const frames = framesOf(traced);
+  const names = [...new Set(frames.flatMap((frame) => Object.keys(frame.class_weights)))].sort();
+  const header = ["frame", "time_in", "time_out", "dt", "planted_left", "planted_right", ...names.map(cell)];
+  const rows = frames.map(({ frame, time_in, time_out, dt, planted, class_weights }) =>
+    [frame, time_in, time_out, dt, ...planted, ...names.map((name) => class_weights[name] ?? 0)].join(","),
+  );
+  return `${[header.join(","), ...rows].join("\n")}\n`;
+}
+
+/** Text as one cell: quoted where it must be, and never a formula, which a spreadsheet would run. */
+function cell(text: string): string {
+  const plain = /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
+  return /[",\r\n]/.test(plain) ? `"${plain.replaceAll('"', '""')}"` : plain;
+}

@@ -1,0 +1,4 @@
+/** The canonical humanoid: the layout of poses, forward kinematics, placement. */
+export * from "./forward_kinematics";
+export * from "./layout";
+export * from "./placement";

@@ -1,0 +1,54 @@
+/** The inputs that can be chosen: the engine's built-in ones and the files that were dropped on this page. */
+import type { InputSource } from "../client/protocol";
+
+export class InputLibrary {
+  builtIn: readonly string[] = [];
+  readonly #dropped = new Map<string, ArrayBuffer>();
+
+  get dropped(): string[] {
+    return [...this.#dropped.keys()];
+  }
+
+  /** Name of the input that a page starts with. */
+  get first(): string {
+    return this.builtIn[0] ?? "";
+  }
+
+  has(name: string): boolean {
+    return this.builtIn.includes(name) || this.#dropped.has(name);
+  }
+
+  isDropped(name: string): boolean {
+    return this.#dropped.has(name);
+  }
+
+  /**
+   * Adds a file and returns the name it goes by: its own, with a number where that belongs to another one. The same
+   * file keeps its name.
+   */
+  add(fileName: string, bytes: ArrayBuffer): string {
+    const base = fileName.replace(/\.bvh$/i, "") || "motion";
+    let name = base;
+    for (let n = 2; this.has(name) && !sameBytes(this.#dropped.get(name), bytes); n++) name = `${base} (${n})`;
+    this.#dropped.set(name, bytes);
+    return name;
+  }
+
+  /** Forgets a file that could not be opened. */
+  remove(name: string): void {
+    this.#dropped.delete(name);
+  }
+
+  /** What the engine opens for a name; `undefined` where there is no such input. */
+  source(name: string): InputSource | undefined {
+    const bytes = this.#dropped.get(name);
+    if (bytes) return { kind: "bvh", name, bytes };
+    return this.builtIn.includes(name) ? { kind: "built-in", name } : undefined;
+  }
+}
+
+function sameBytes(a: ArrayBuffer | undefined, b: ArrayBuffer): boolean {
+  if (!a || a.byteLength !== b.byteLength) return false;
+  const [left, right] = [new Uint8Array(a), new Uint8Array(b)];
+  return left.every((value, i) => value === right[i]);
+}

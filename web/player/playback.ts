@@ -1,0 +1,147 @@
+/**
+ * The loop that keeps the character moving: every animation frame it draws the newest frame and asks the engine for
+ * the next, one request at a time. A change of style therefore acts with the next frame, also while paused.
+ */
+
+import type { LiveFrame, StrutClient, StylizeOptions } from "../client/protocol";
+import { isCancellation } from "../client/protocol";
+import { stepSecs } from "./clock";
+import { approach, type Weights } from "./smoothing";
+
+/** Failures in a row after which playing stops. */
+const MAX_FAILURES = 3;
+
+export interface PlaybackListeners {
+  /** A new frame came from the engine; `sought` where it does not follow the one before. */
+  onFrame: (frame: LiveFrame, sought: boolean) => void;
+  /** Before every repaint of the browser. */
+  onTick: (now: number) => void;
+  onError: (error: unknown, stopped: boolean) => void;
+  /** The engine has the latest options, and the styles have been eased to them. */
+  onSettled: () => void;
+}
+
+export class Playback {
+  playing = false;
+  speed = 1;
+  readonly #client: StrutClient;
+  readonly #listeners: PlaybackListeners;
+  #target: StylizeOptions | undefined;
+  /** Weights that the engine has now; they follow the target's with a half-life. */
+  #weights: Weights | undefined;
+  #stale = false;
+  #seek: number | undefined;
+  #last = 0;
+  #busy = false;
+  #held = 0;
+  #failures = 0;
+  #request = 0;
+
+  constructor(client: StrutClient, listeners: PlaybackListeners) {
+    this.#client = client;
+    this.#listeners = listeners;
+  }
+
+  start(): void {
+    this.#last = performance.now();
+    this.#request = requestAnimationFrame(this.#tick);
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#request);
+  }
+
+  /** Whether the engine has the latest options; false while styles are eased to them. */
+  get settled(): boolean {
+    return !this.#stale;
+  }
+
+  /** Whether the pose on screen answers the latest request. While playing, a new request follows at once. */
+  get upToDate(): boolean {
+    return this.settled && !this.#busy && this.#seek === undefined;
+  }
+
+  /** Options from the next frame on. Styles are eased to them; all other options act at once. */
+  set options(options: StylizeOptions) {
+    this.#target = options;
+    this.#weights ??= options.styles;
+    this.#stale = true;
+  }
+
+  /** Goes to an input frame; only the last request before a repaint counts. */
+  seek(frame: number): void {
+    this.#seek = frame;
+  }
+
+  /** Requests the current pose again, after something other than the options changed it. */
+  refresh(): void {
+    this.#stale = true;
+  }
+
+  /** Forgets the current styles, which another database does not have: the next ones act without easing. */
+  forgetStyle(): void {
+    this.#weights = undefined;
+  }
+
+  /** Sends no requests while `task` runs, such as opening another database. */
+  async hold<T>(task: () => Promise<T>): Promise<T> {
+    this.#held += 1;
+    try {
+      return await task();
+    } finally {
+      this.#held -= 1;
+      this.#stale = true;
+      this.#last = performance.now();
+    }
+  }
+
+  /** Advances by a fixed time step, independent of the clock; for use within {@link hold}. */
+  async advance(secs: number): Promise<LiveFrame> {
+    const frame = await this.#client.step(secs);
+    this.#listeners.onFrame(frame, false);
+    return frame;
+  }
+
+  readonly #tick = (now: number): void => {
+    this.#request = requestAnimationFrame(this.#tick);
+    this.#listeners.onTick(now);
+    if (this.#busy || this.#held > 0 || !this.#target) return;
+    const elapsed = Math.max(0, (now - this.#last) / 1000);
+    const dt = stepSecs(this.#last, now);
+    this.#last = now;
+    const restyled = this.#configure(this.#target, elapsed);
+    const seek = this.#seek;
+    if (seek === undefined && !this.playing && !restyled) return;
+    this.#seek = undefined;
+    this.#busy = true;
+    const answer = seek === undefined ? this.#client.step(this.playing ? dt * this.speed : 0) : this.#client.seek(seek);
+    answer
+      .then((frame) => {
+        this.#failures = 0;
+        this.#listeners.onFrame(frame, seek !== undefined);
+      })
+      .catch((error: unknown) => this.#fail(error))
+      .finally(() => {
+        this.#busy = false;
+      });
+  };
+
+  /** Tells the engine of changed options; whether there were any. The step that follows is answered after it. */
+  #configure(target: StylizeOptions, dt: number): boolean {
+    if (!this.#stale) return false;
+    const weights = approach(this.#weights ?? target.styles, target.styles, dt);
+    this.#weights = weights;
+    this.#stale = weights !== target.styles;
+    this.#client.configure({ ...target, styles: { ...weights } }).catch((error: unknown) => this.#fail(error));
+    if (!this.#stale) this.#listeners.onSettled();
+    return true;
+  }
+
+  #fail(error: unknown): void {
+    if (isCancellation(error)) return;
+    this.#failures += 1;
+    const stopped = this.#failures >= MAX_FAILURES;
+    if (stopped) this.playing = false;
+    this.#listeners.onError(error, stopped);
+  }
+}

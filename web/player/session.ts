@@ -1,0 +1,282 @@
+/**
+ * What is open in the engine: one database, one input, and the analysis of that input in the present style. Opens,
+ * replaces and exports; a failure leaves what was open. Independent of the page, which listens to its events.
+ */
+
+import type {
+  Analysis,
+  CallOptions,
+  CurveSubject,
+  DatabaseInfo,
+  DatabaseSource,
+  Examples,
+  FrameRange,
+  InputInfo,
+  LiveFrame,
+  Restarted,
+  StrutClient,
+  StylizeOptions,
+} from "../client/protocol";
+import { isCancellation, isFault } from "../client/protocol";
+import { InputLibrary } from "./input_library";
+import { Playback } from "./playback";
+
+/** An edit has settled when nothing has changed for so long. */
+const SETTLE_MS = 150;
+
+/** Events of a session. */
+export interface SessionListeners {
+  onDatabase: (database: DatabaseInfo) => void;
+  onInput: (input: InputInfo) => void;
+  onAnalysis: (analysis: Analysis) => void;
+  /** The examples behind the last analysis, as far as the curve shows them. */
+  onExamples: (examples: Examples | undefined) => void;
+  /** A new frame; `sought` where it does not follow the one before. */
+  onFrame: (frame: LiveFrame, sought: boolean) => void;
+  /** Before every repaint of the browser; `now` in milliseconds. */
+  onTick: (now: number) => void;
+  /** Something failed. */
+  onError: (error: unknown) => void;
+  /** The engine failed too often to go on playing. */
+  onStopped: () => void;
+  /** The engine stopped and was started again. */
+  onRestart: (restarted: Restarted) => void;
+}
+
+/** How something that may fail or be cancelled ended. */
+export type Outcome = "done" | "failed" | "cancelled";
+
+/** What may take long: opening a database or an input, the analysis in the background, or making a file. */
+export type SessionTask = "database" | "input" | "analysis" | "styling" | "export";
+
+/** Shows what takes long, and lets it be cancelled. */
+export interface SessionProgress {
+  /** Runs a task about `subject`, a name; a task of the same kind that is running is cancelled. */
+  run<T>(task: SessionTask, subject: string, work: (options: CallOptions) => Promise<T>): Promise<T>;
+  cancel(task: SessionTask): void;
+}
+
+/** An input was requested that the library does not have. */
+export class UnknownInput extends Error {
+  constructor(readonly input: string) {
+    super(`the library has no input “${input}”`);
+  }
+}
+
+export class Session {
+  readonly library = new InputLibrary();
+  readonly playback: Playback;
+  database: DatabaseInfo | undefined;
+  /** Where {@link database} comes from. */
+  databaseSource: DatabaseSource | undefined;
+  input: InputInfo | undefined;
+  /** Name, in the library, of the input that is open. */
+  inputName = "";
+  /** The last analysis of the input that is open; {@link analysed} says whether it is in the present style. */
+  analysis: Analysis | undefined;
+  /** The examples behind {@link analysis}, as far as the curve shows them. */
+  examples: Examples | undefined;
+  /** The newest frame of the engine. */
+  frame: LiveFrame | undefined;
+  /** What the timeline's curve shows, where examples of it can be shown beside it. */
+  #curve: CurveSubject | undefined;
+  /** Whether the engine has the clip in the present options. */
+  #analysed = false;
+  readonly #client: StrutClient;
+  readonly #progress: SessionProgress;
+  readonly #listeners = new Set<Partial<SessionListeners>>();
+  #settle: ReturnType<typeof setTimeout> | undefined;
+  /** What waits until the engine has the present style all the way. */
+  #whenSettled: (() => void)[] = [];
+
+  constructor(client: StrutClient, progress: SessionProgress) {
+    this.#client = client;
+    this.#progress = progress;
+    this.playback = new Playback(client, {
+      onFrame: (frame, sought) => {
+        this.frame = frame;
+        this.#tell("onFrame", frame, sought);
+      },
+      onTick: (now) => this.#tell("onTick", now),
+      onError: (error, stopped) => {
+        if (stopped) this.#tell("onStopped");
+        // What is asked again once the engine has been started again has not failed.
+        if (stopped || !isFault(error)) this.#tell("onError", error);
+      },
+      onSettled: () => {
+        for (const resume of this.#whenSettled.splice(0)) resume();
+      },
+    });
+    client.onRestart = (restarted) => {
+      this.#tell("onRestart", restarted);
+      if (restarted.lost.length > 0) {
+        this.#tell("onStopped");
+        return;
+      }
+      this.playback.refresh();
+      this.analyseSoon();
+    };
+  }
+
+  /** Tells `listeners` what happens, in the order in which they came, until `signal` aborts. */
+  listen(listeners: Partial<SessionListeners>, signal?: AbortSignal): void {
+    if (signal?.aborted) return;
+    this.#listeners.add(listeners);
+    signal?.addEventListener("abort", () => this.#listeners.delete(listeners), { once: true });
+  }
+
+  /** Opens a database and then the input `inputName` on it. */
+  openDatabase(source: DatabaseSource, inputName: string): Promise<Outcome> {
+    return this.#attempt(() =>
+      this.playback.hold(async () => {
+        const subject = source.kind === "demo" ? "" : source.name;
+        const database = await this.#progress.run("database", subject, (options) =>
+          this.#client.openDatabase(source, options),
+        );
+        this.library.builtIn = await this.#client.builtInInputs();
+        this.database = database;
+        this.databaseSource = source;
+        this.playback.forgetStyle();
+        this.#tell("onDatabase", database);
+        await this.#open(this.library.has(inputName) ? inputName : this.library.first);
+      }),
+    );
+  }
+
+  /** Opens an input of the library. */
+  openInput(name: string): Promise<Outcome> {
+    return this.#attempt(() => this.#open(name));
+  }
+
+  /** Opens a dropped file as the input; the name it goes by, or `undefined` where it cannot be opened. */
+  async openFile(fileName: string, bytes: ArrayBuffer): Promise<string | undefined> {
+    const name = this.library.add(fileName, bytes);
+    const outcome = await this.openInput(name);
+    if (outcome === "failed") this.library.remove(name);
+    return outcome === "done" ? name : undefined;
+  }
+
+  setLoop(loop: boolean, range: FrameRange | undefined): void {
+    void this.#attempt(() => this.#client.setLoop(loop, range));
+  }
+
+  /** Whether {@link analysis} is of the present input in the present style. */
+  get analysed(): boolean {
+    return this.#analysed;
+  }
+
+  /** Analyses the input again once nothing has changed for a moment. */
+  analyseSoon(): void {
+    clearTimeout(this.#settle);
+    this.#analysed = false;
+    this.#progress.cancel("analysis");
+    this.#settle = setTimeout(() => void this.#attempt(() => this.#analyse()), SETTLE_MS);
+  }
+
+  /** What the timeline's curve shows; `undefined` where examples of it cannot be compared. */
+  set curve(subject: CurveSubject | undefined) {
+    if (subject === this.#curve) return;
+    this.#curve = subject;
+    if (this.#analysed) void this.#attempt(() => this.#showExamples());
+  }
+
+  /** The whole input in other options; see `StrutClient.style`. */
+  style(options: StylizeOptions, call: CallOptions): Promise<Analysis & { frameMs: number }> {
+    return this.#client.style(options, call);
+  }
+
+  /** The whole input in the present style, once the engine has it; `undefined` where that failed or was cancelled. */
+  styled(): Promise<Analysis | undefined> {
+    return this.#make("styling", (options) => this.#client.analyse(options));
+  }
+
+  /** The styled input as BVH text; `undefined` where that failed or was cancelled. */
+  exportBvh(): Promise<string | undefined> {
+    return this.#make("export", (options) => this.#client.exportBvh(options));
+  }
+
+  /** Resolves when the last request is on screen. */
+  async shown(): Promise<void> {
+    while (!this.playback.upToDate) await new Promise(requestAnimationFrame);
+  }
+
+  dispose(): void {
+    clearTimeout(this.#settle);
+    this.#listeners.clear();
+    this.playback.dispose();
+    this.#client.dispose();
+  }
+
+  async #open(name: string): Promise<void> {
+    const source = this.library.source(name);
+    if (!source) throw new UnknownInput(name);
+    const input = await this.#progress.run("input", name, (options) => this.#client.openInput(source, options));
+    this.input = input;
+    this.inputName = name;
+    this.analysis = undefined;
+    this.examples = undefined;
+    this.playback.refresh();
+    this.#tell("onInput", input);
+    this.analyseSoon();
+  }
+
+  async #analyse(): Promise<void> {
+    const asked = this.#settle;
+    await this.#settled();
+    const { input } = this;
+    if (!input || asked !== this.#settle) return;
+    try {
+      const analysis = await this.#progress.run("analysis", "", (options) => this.#client.analyse(options));
+      if (this.input !== input) return;
+      this.analysis = analysis;
+      this.examples = undefined;
+      this.#analysed = asked === this.#settle;
+      this.#tell("onAnalysis", analysis);
+      if (this.#analysed) await this.#showExamples();
+    } catch (error) {
+      if (!isFault(error)) throw error;
+    }
+  }
+
+  async #showExamples(): Promise<void> {
+    const { input } = this;
+    const subject = this.#curve;
+    const examples = subject === undefined ? undefined : await this.#client.examples(subject);
+    if (this.input !== input || !this.#analysed || subject !== this.#curve) return;
+    this.examples = examples;
+    this.#tell("onExamples", examples);
+  }
+
+  #settled(): Promise<void> {
+    return this.playback.settled ? Promise.resolve() : new Promise((resolve) => this.#whenSettled.push(resolve));
+  }
+
+  /** Makes something of the whole input once the engine has the present style. */
+  async #make<T>(task: SessionTask, work: (options: CallOptions) => Promise<T>): Promise<T | undefined> {
+    let made: T | undefined;
+    await this.#attempt(async () => {
+      await this.#settled();
+      made = await this.#progress.run(task, this.inputName, work);
+    });
+    return made;
+  }
+
+  /** Runs a task and reports its error; a cancellation is not reported. */
+  async #attempt(task: () => Promise<void>): Promise<Outcome> {
+    try {
+      await task();
+      return "done";
+    } catch (error) {
+      if (isCancellation(error)) return "cancelled";
+      this.#tell("onError", error);
+      return "failed";
+    }
+  }
+
+  #tell<K extends keyof SessionListeners>(event: K, ...what: Parameters<SessionListeners[K]>): void {
+    for (const listeners of [...this.#listeners]) {
+      const listener = listeners[event] as ((...what: Parameters<SessionListeners[K]>) => void) | undefined;
+      listener?.(...what);
+    }
+  }
+}

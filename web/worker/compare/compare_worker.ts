@@ -1,6 +1,0 @@
-/** The entry of the Compare view's worker: the engine's server over a package that can do more. */
-import { counterpartOf, serveComparePackage } from "../../engine/compare/wasm";
-import { type ServerPort, serve } from "../server";
-
-serveComparePackage();
-void serve(self as unknown as ServerPort, counterpartOf);

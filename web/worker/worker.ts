@@ -1,4 +1,0 @@
-/** The worker's entry: one engine behind its port. */
-import { type ServerPort, serve } from "./server";
-
-void serve(self as unknown as ServerPort);
