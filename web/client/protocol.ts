@@ -5,6 +5,7 @@
  * quaternion x y z w of the 21 joints of the canonical humanoid (`rust/strut-core/src/humanoid.rs`), each relative
  * to its parent, the hips relative to the world. Times are seconds.
  */
+import type { BuiltInSet } from "../engine/built_in";
 import type {
   Analysis,
   CallOptions,
@@ -19,6 +20,7 @@ import type {
 
 export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
 export * from "../engine/types";
+export type { BuiltInSet };
 
 /** What is on screen at one instant of live playback. */
 export interface LiveFrame {
@@ -63,9 +65,11 @@ export const STYLE_HALF_LIFE_SECS = 0.1;
 export const MAX_PUSH_FRAMES = 4096;
 
 /** Where a database comes from. */
-export type DatabaseSource = { kind: "demo" } | { kind: "strutdb"; name: string; file: Blob };
+export type DatabaseSource = { kind: "demo"; set?: BuiltInSet } | { kind: "strutdb"; name: string; file: Blob };
 /** Where a motion comes from. */
-export type InputSource = { kind: "built-in"; name: string } | { kind: "bvh"; name: string; bytes: ArrayBuffer };
+export type InputSource =
+  | { kind: "built-in"; name: string; set?: BuiltInSet }
+  | { kind: "bvh"; name: string; bytes: ArrayBuffer };
 
 /** Event after a failed worker was replaced. */
 export interface Restarted {

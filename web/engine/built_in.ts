@@ -1,20 +1,38 @@
-/** The built-in motions: a database and inputs in one file, which the site serves. */
+/** The built-in motions: databases, each with its inputs in one file. */
+import { type Asset, assetOf } from "./assets";
 import { download, incomplete, readFile } from "./download";
 
 const WHAT = "built-in motions";
 
+/** `built-in` is all of them, as the playground has them; `walk` is walks in eight styles and one input. */
+export type BuiltInSet = "built-in" | "walk";
+
 /** Packed motions, as `rust/strut-formats/src/strutdb/packed.rs` says. */
 export type PackedMotions = Uint8Array<ArrayBuffer>;
 
+/** Where each set lies. */
+const ASSETS: Record<BuiltInSet, () => Asset> = {
+  "built-in": () => assetOf("built_in.bin", () => new URL("./motions/built_in.bin", import.meta.url)),
+  // The playground has all motions and no use for these; whoever serves them says where they lie.
+  walk: () =>
+    assetOf("walk.bin", () => {
+      throw incomplete(WHAT, "walk.bin has no place on this site");
+    }),
+};
+
 /**
- * Loads the built-in motions.
+ * Loads a set of built-in motions.
  * @param onProgress is called with the received share, 0–1, if the server sends the length
  * @throws StrutError if they cannot be had
  */
-export async function loadBuiltIn(onProgress: (fraction: number) => void = () => {}): Promise<PackedMotions> {
-  const url = new URL("./motions/built_in.bin", import.meta.url);
-  if (url.protocol === "file:") return inflate(new Blob([await readFile(url)]).stream());
-  const response = await download(url, WHAT);
+export async function loadBuiltIn(
+  onProgress: (fraction: number) => void = () => {},
+  set: BuiltInSet = "built-in",
+): Promise<PackedMotions> {
+  const asset = ASSETS[set]();
+  if (!(asset instanceof URL)) return inflate(new Blob([asset]).stream());
+  if (asset.protocol === "file:") return inflate(new Blob([await readFile(asset)]).stream());
+  const response = await download(asset, WHAT);
   if (!response.body) throw incomplete(WHAT, "the answer is empty");
   // If the server compresses the compressed file again, its Content-Length is not that of the received bytes.
   const total = response.headers.has("Content-Encoding") ? 0 : Number(response.headers.get("Content-Length"));

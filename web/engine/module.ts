@@ -1,4 +1,5 @@
 /** Loads a WASM module, in a browser and in Node. */
+import type { Asset } from "./assets";
 import { download, readFile } from "./download";
 import { StrutError } from "./errors";
 
@@ -9,13 +10,14 @@ const SIMD_MODULE = new Uint8Array([
 ]);
 
 /**
- * The compiled module at a URL.
+ * The compiled module at a URL, or of these bytes.
  * @throws StrutError `unsupported` if WebAssembly or its SIMD instructions are missing, `load` if the module cannot be had
  */
-export async function compileModule(url: URL): Promise<WebAssembly.Module> {
+export async function compileModule(asset: Asset): Promise<WebAssembly.Module> {
   requireSimd();
-  if (url.protocol === "file:") return WebAssembly.compile(await readFile(url));
-  const response = await download(url, "engine");
+  if (!(asset instanceof URL)) return WebAssembly.compile(asset);
+  if (asset.protocol === "file:") return WebAssembly.compile(await readFile(asset));
+  const response = await download(asset, "engine");
   const type = response.headers.get("Content-Type") ?? "";
   // Some static hosts do not send the MIME type that streaming compilation requires.
   return type.startsWith("application/wasm")

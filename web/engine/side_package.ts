@@ -1,4 +1,5 @@
 /** WASM packages besides the engine's, each loaded when it is first needed. */
+import type { Asset } from "./assets";
 import { toStrutError } from "./errors";
 import { compileModule } from "./module";
 import { type ErrorClass, valueError } from "./value_error";
@@ -12,10 +13,10 @@ interface Bindings extends ErrorClass {
 export class SidePackage<Glue extends Bindings> {
   #loading: Promise<Glue> | undefined;
 
-  /** @param module URL of the module */
+  /** @param module where the module lies */
   constructor(
     private readonly glue: Glue,
-    private readonly module: URL,
+    private readonly module: () => Asset,
   ) {}
 
   /**
@@ -40,7 +41,7 @@ export class SidePackage<Glue extends Bindings> {
   }
 
   async #instantiate(): Promise<Glue> {
-    this.glue.initSync({ module: await compileModule(this.module) });
+    this.glue.initSync({ module: await compileModule(this.module()) });
     return this.glue;
   }
 }

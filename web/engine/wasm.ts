@@ -1,5 +1,6 @@
 /** The WASM package that styles motion, loaded once in each thread. */
 
+import { type Asset, assetOf } from "./assets";
 import { StrutError, toStrutError } from "./errors";
 import { compileModule } from "./module";
 import * as engineGlue from "./pkg/strut_wasm.js";
@@ -9,14 +10,14 @@ import { valueError } from "./value_error";
 export type Glue = typeof engineGlue;
 
 let glue = engineGlue;
-let moduleUrl = new URL("./pkg/strut_wasm_bg.wasm", import.meta.url);
+let module = () => assetOf("strut_wasm_bg.wasm", () => new URL("./pkg/strut_wasm_bg.wasm", import.meta.url));
 
 let loading: Promise<Glue> | undefined;
 let lost = false;
 
 /** Uses another package with the same bindings on this thread; call it before anything is loaded. */
-export function servePackage(other: Glue, module: URL): void {
-  [glue, moduleUrl] = [other, module];
+export function servePackage(other: Glue, otherModule: () => Asset): void {
+  [glue, module] = [other, otherModule];
 }
 
 /**
@@ -54,6 +55,6 @@ export function guarded<T>(call: () => T): T {
 }
 
 async function instantiate(): Promise<Glue> {
-  glue.initSync({ module: await compileModule(moduleUrl) });
+  glue.initSync({ module: await compileModule(module()) });
   return glue;
 }

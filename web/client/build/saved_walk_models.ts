@@ -1,4 +1,5 @@
 /** Walk models that were trained on this device: a database that has not changed has the same model. */
+import type { Asset } from "../../engine/assets";
 import { IndexedDbStore } from "../indexed_db_store";
 import type { TrainedWalk } from "./protocol";
 
@@ -18,16 +19,16 @@ interface SavedModel {
 /**
  * The model of a database, trained only if this device has not done so before by the same module. Where the browser keeps
  * nothing, as in a private window, it is trained every time.
- * @param module URL of the module that trains
+ * @param module where the module lies that trains; of its bytes alone no version is known, and every model is trained
  * @param now the present time, milliseconds since 1970
  */
 export async function trainedOnce(
-  module: URL,
+  module: Asset,
   database: Uint8Array,
   train: () => Promise<TrainedWalk>,
   now: number = Date.now(),
 ): Promise<TrainedWalk> {
-  const version = HASHED.exec(module.pathname)?.[1];
+  const version = module instanceof URL ? HASHED.exec(module.pathname)?.[1] : undefined;
   // A module whose name has no hash may change under the same name.
   if (version === undefined || typeof indexedDB === "undefined" || !globalThis.crypto?.subtle) return train();
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", database as Uint8Array<ArrayBuffer>));

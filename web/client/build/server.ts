@@ -2,7 +2,7 @@
 import { type Build, DatabaseBuilder, type OnBuildProgress } from "../../engine/build/builder";
 import { KeyStyleClips, type KeyStyleOrder, type TrainedKeyStyle } from "../../engine/build/key_style_training";
 import { type TrainedWalk, trainWalk } from "../../engine/build/walk_training";
-import { BUILD_MODULE } from "../../engine/build/wasm";
+import { buildModule } from "../../engine/build/wasm";
 import { loadBuiltIn } from "../../engine/built_in";
 import { cancelled, toStrutError } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
@@ -177,7 +177,7 @@ class BuildServer {
 
   private async trainWalk(database: Blob | undefined, caller: Caller): Promise<TrainedWalk> {
     const bytes = await bytesOf(database);
-    return trainedOnce(BUILD_MODULE, bytes, () =>
+    return trainedOnce(buildModule(), bytes, () =>
       trainWalk(bytes, (stage, done, total) => caller.report(trainProgress(stage, done, total))),
     );
   }

@@ -3,4 +3,4 @@ import { counterpartOf, serveComparePackage } from "../../engine/compare/wasm";
 import { type ServerPort, serve } from "../server/serve";
 
 serveComparePackage();
-void serve(self as unknown as ServerPort, counterpartOf);
+void serve(self as unknown as ServerPort, { counterparts: counterpartOf, preload: "built-in" });

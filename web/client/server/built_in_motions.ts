@@ -1,19 +1,40 @@
 /** The built-in motions as the server's calls need them. */
-import { loadBuiltIn, type PackedMotions } from "../../engine/built_in";
+import { type BuiltInSet, loadBuiltIn, type PackedMotions } from "../../engine/built_in";
 import type { Caller } from "./time_slices";
 
 /** Share of opening that is reported for the download. */
 const DOWNLOAD_SHARE = 0.8;
 
-/** The built-in motions, which begin to load with the engine. A load that failed is tried again when they are needed. */
+/** The sets of built-in motions, each loaded once. A load that failed is tried again when the set is needed. */
 export class BuiltInMotions {
+  private readonly sets = new Map<BuiltInSet, LoadingSet>();
+
+  /** Begins to load a set that will be needed. */
+  preload(set: BuiltInSet): void {
+    void this.setOf(set)
+      .start()
+      .catch(() => {});
+  }
+
+  load(caller: Caller, set: BuiltInSet = "built-in"): Promise<PackedMotions> {
+    return this.setOf(set).load(caller);
+  }
+
+  private setOf(name: BuiltInSet): LoadingSet {
+    const known = this.sets.get(name);
+    if (known) return known;
+    const set = new LoadingSet(name);
+    this.sets.set(name, set);
+    return set;
+  }
+}
+
+class LoadingSet {
   private fraction = 0;
   private loading: Promise<PackedMotions> | undefined;
   private readonly waiting = new Set<Caller>();
 
-  constructor() {
-    void this.start().catch(() => {});
-  }
+  constructor(private readonly name: BuiltInSet) {}
 
   async load(caller: Caller): Promise<PackedMotions> {
     this.waiting.add(caller);
@@ -25,11 +46,12 @@ export class BuiltInMotions {
     }
   }
 
-  private start(): Promise<PackedMotions> {
-    this.loading ??= loadBuiltIn((fraction) => {
+  start(): Promise<PackedMotions> {
+    const received = (fraction: number) => {
       this.fraction = fraction;
       for (const caller of this.waiting) this.report(caller);
-    }).catch((thrown) => {
+    };
+    this.loading ??= loadBuiltIn(received, this.name).catch((thrown) => {
       this.loading = undefined;
       throw thrown;
     });

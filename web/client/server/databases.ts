@@ -25,7 +25,7 @@ export async function openDatabase(
   await stage(caller, "Opening the database", 0);
   const database = engine.openDatabase(
     source.kind === "demo"
-      ? { kind: "demo", motions: await builtIn.load(caller) }
+      ? { kind: "demo", motions: await builtIn.load(caller, source.set) }
       : { ...source, bytes: await source.file.arrayBuffer() },
   );
   try {

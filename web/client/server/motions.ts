@@ -124,7 +124,7 @@ async function readInput(
   source: InputSource,
   database: number,
 ): Promise<Input> {
-  const found = source.kind === "bvh" ? source : { ...source, motions: await builtIn.load(caller) };
+  const found = source.kind === "bvh" ? source : { ...source, motions: await builtIn.load(caller, source.set) };
   return engine.openInput(open.get(OpenDatabase, database).database, found);
 }
 

@@ -1,4 +1,5 @@
 /** The worker's side of the wire: one engine, and any number of databases, motions, sessions and stylizers by number. */
+import type { BuiltInSet } from "../../engine/built_in";
 import { Engine } from "../../engine/engine";
 import { toStrutError } from "../../engine/errors";
 import type { Arguments, Call, Method, Reply, Request, Result } from "../messages";
@@ -45,11 +46,22 @@ const HANDLERS: Handlers = {
   },
 };
 
+/** What a server does besides. */
+export interface ServerSetup {
+  counterparts?: Counterparts;
+  /** A set of built-in motions that begins to load with the engine. */
+  preload?: BuiltInSet;
+}
+
 /** Loads the engine and answers the calls that arrive at `port`. */
-export async function serve(port: ServerPort, counterparts: Counterparts = () => undefined): Promise<void> {
+export async function serve(
+  port: ServerPort,
+  { counterparts = () => undefined, preload }: ServerSetup = {},
+): Promise<void> {
   /** Calls under way, and which of them were cancelled. */
   const cancelled = new Map<number, boolean>();
   const builtIn = new BuiltInMotions();
+  if (preload) builtIn.preload(preload);
   const open = new Registry();
   const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, open }));
 

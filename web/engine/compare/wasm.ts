@@ -2,6 +2,7 @@
  * The WASM package of the Compare view: the engine's, with the methods that are trained beforehand and the built-in inputs
  * in every style. Only the Compare view loads it.
  */
+import { assetOf } from "../assets";
 import type { Performed } from "../types";
 import { type Glue, guarded, servePackage } from "../wasm";
 import * as glue from "./pkg/strut_compare.js";
@@ -9,7 +10,9 @@ import * as glue from "./pkg/strut_compare.js";
 /** Uses this package as the engine's on this thread; call it before anything is loaded. */
 export function serveComparePackage(): void {
   // The same classes with some more: those of two packages are only different by name.
-  servePackage(glue as unknown as Glue, new URL("./pkg/strut_compare_bg.wasm", import.meta.url));
+  servePackage(glue as unknown as Glue, () =>
+    assetOf("strut_compare_bg.wasm", () => new URL("./pkg/strut_compare_bg.wasm", import.meta.url)),
+  );
 }
 
 /** A built-in input as a style performs it; `undefined` where there is no such input or style. */

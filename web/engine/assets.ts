@@ -1,0 +1,29 @@
+/** The files that the engine loads at run time, and where they lie. */
+
+/** Names of the files. */
+export type AssetName =
+  | "strut_wasm_bg.wasm"
+  | "strut_wasm_build_bg.wasm"
+  | "strut_wasm_walk_bg.wasm"
+  | "strut_wasm_key_style_bg.wasm"
+  | "strut_compare_bg.wasm"
+  | "built_in.bin"
+  | "walk.bin";
+
+/** Where a file lies, or its bytes. */
+export type Asset = URL | Uint8Array<ArrayBuffer>;
+
+/** Files that lie elsewhere than beside the engine's code. */
+export type Assets = Readonly<Partial<Record<AssetName, Asset>>>;
+
+let placed: Assets = {};
+
+/** Says where files lie on this thread; call it before anything is loaded. */
+export function placeAssets(assets: Assets): void {
+  placed = assets;
+}
+
+/** A file that lies `beside` the engine's code unless {@link placeAssets} said otherwise. */
+export function assetOf(name: AssetName, beside: () => URL): Asset {
+  return placed[name] ?? beside();
+}
