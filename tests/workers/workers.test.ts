@@ -41,7 +41,7 @@ async function openDemo(patience: Partial<Patience> = {}) {
   const client = new EngineClient({ spawn, patience });
   clients.push(client);
   const database = await client.openDatabase({ kind: "demo" });
-  const motion = await client.openMotion({ kind: "built-in", name: "neutral walk" }, database);
+  const motion = await client.openMotion({ kind: "built-in", name: "neutral walk" });
   const begin = async ({ options, range, frame }: Scene) => {
     const session = await client.createSession(database, motion, options);
     await session.setLoop(true, range);

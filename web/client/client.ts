@@ -93,17 +93,18 @@ class SingleSessionClient implements StrutClient {
   openInput(source: InputSource, call?: CallOptions): Promise<InputInfo> {
     return this.inTurn(async () => {
       const { database } = this.openedDatabase();
-      const motion = await this.engine.openMotion(source, database, call);
+      const motion = await this.engine.openMotion(source, call);
       try {
+        const info = await motion.on(database, call);
         const session = await this.createSession(database, motion, call?.signal);
         const before = this.opened?.playing;
         this.opened = { database, playing: { motion, session } };
         before?.motion.dispose();
+        return info;
       } catch (thrown) {
         motion.dispose();
         throw thrown;
       }
-      return motion.info;
     });
   }
 

@@ -33,8 +33,8 @@ const worker = () => workers.at(-1)!;
 async function openDemo(name = "neutral walk") {
   const client = connect();
   const database = await client.openDatabase({ kind: "demo" });
-  const motion = await client.openMotion({ kind: "built-in", name }, database);
-  return { client, database, motion };
+  const motion = await client.openMotion({ kind: "built-in", name });
+  return { client, database, motion, info: await motion.on(database) };
 }
 
 const restarted = (client: EngineClient) =>
@@ -76,16 +76,16 @@ describe("handles", () => {
 
   test("a motion is used with two databases, each with its own humanoid", async () => {
     const { client, database } = await openDemo();
-    const motion = await client.openMotion({ kind: "bvh", name: "mine", bytes: proudWalk }, database);
+    const motion = await client.openMotion({ kind: "bvh", name: "mine", bytes: proudWalk });
     const other = await client.openDatabase({ kind: "demo" });
-    expect((await motion.on(other)).poses).toEqual(motion.info.poses);
+    expect((await motion.on(other)).poses).toEqual((await motion.on(database)).poses);
     database.dispose();
     const session = await client.createSession(other, motion);
     expect((await session.step(0)).pose).toHaveLength(POSE_FLOATS);
   });
 
   test("disposing of a database closes what was made of it, and only that", async () => {
-    const { client, database, motion } = await openDemo();
+    const { client, database, motion, info } = await openDemo();
     const other = await client.openDatabase({ kind: "demo" });
     const [first, second] = [await client.createSession(database, motion), await client.createSession(other, motion)];
     const stylizer = await client.createStylizer(database);
@@ -93,7 +93,7 @@ describe("handles", () => {
     database.dispose();
     await expect(analysing).rejects.toMatchObject({ code: "cancelled" });
     await expect(first.step(0)).rejects.toMatchObject({ code: "disposed" });
-    await expect(stylizer.push(motion.info.poses.slice(0, POSE_FLOATS))).rejects.toMatchObject({ code: "disposed" });
+    await expect(stylizer.push(info.poses.slice(0, POSE_FLOATS))).rejects.toMatchObject({ code: "disposed" });
     await expect(client.createSession(database, motion)).rejects.toMatchObject({ code: "disposed" });
     expect((await second.step(0)).inputFrame).toBe(0);
   });
@@ -117,9 +117,8 @@ describe("handles", () => {
   test("bad bytes and unknown options are refused", async () => {
     const { client, database, motion } = await openDemo();
     const bytes = new TextEncoder().encode("HIERARCHY").buffer as ArrayBuffer;
-    await expect(client.openMotion({ kind: "bvh", name: "x", bytes }, database)).rejects.toMatchObject({
-      code: "bad-file",
-    });
+    const unreadable = await client.openMotion({ kind: "bvh", name: "x", bytes });
+    await expect(unreadable.on(database)).rejects.toMatchObject({ code: "bad-file" });
     const wrong: object[] = [
       { styles: { none: 1 } },
       { k: 0 },
@@ -134,7 +133,7 @@ describe("handles", () => {
   test("the source of a motion may be changed by its caller", async () => {
     const { client, database } = await openDemo();
     const bytes = proudWalk.slice(0);
-    const motion = await client.openMotion({ kind: "bvh", name: "mine", bytes }, database);
+    const motion = await client.openMotion({ kind: "bvh", name: "mine", bytes });
     const session = await client.createSession(database, motion);
     const before = await session.seek(30);
     new Uint8Array(bytes).fill(0);
@@ -149,8 +148,8 @@ describe("a live stylizer", () => {
   const OLD = { styles: { old: 1 } };
 
   test("gives the same for one batch and for many, with a change of style between", async () => {
-    const { client, database, motion } = await openDemo();
-    const poses = motion.info.poses.subarray(0, 60 * POSE_FLOATS);
+    const { client, database, info } = await openDemo();
+    const poses = info.poses.subarray(0, 60 * POSE_FLOATS);
     const pushed = async (batch: number) => {
       const stylizer = await client.createStylizer(database, OLD);
       const out: number[] = [];
@@ -171,8 +170,8 @@ describe("a live stylizer", () => {
   });
 
   test("takes a change at once where the half-life is none", async () => {
-    const { client, database, motion } = await openDemo();
-    const poses = motion.info.poses.subarray(0, 40 * POSE_FLOATS);
+    const { client, database, info } = await openDemo();
+    const poses = info.poses.subarray(0, 40 * POSE_FLOATS);
     const changed = await client.createStylizer(database, OLD);
     changed.setStyles({ proud: 1 }, { halfLifeSecs: 0 });
     const proud = await client.createStylizer(database, { styles: { proud: 1 } });
@@ -180,8 +179,8 @@ describe("a live stylizer", () => {
   });
 
   test("refuses at once what is out of range, and goes on", async () => {
-    const { client, database, motion } = await openDemo();
-    const pose = motion.info.poses.subarray(0, POSE_FLOATS);
+    const { client, database, info } = await openDemo();
+    const pose = info.poses.subarray(0, POSE_FLOATS);
     const stylizer = await client.createStylizer(database);
     expect(() => stylizer.setStyles({ none: 1 })).toThrow(/no style 'none'/);
     expect(() => stylizer.setStyles({ old: Number.NaN })).toThrow(/NaN/);
@@ -213,9 +212,9 @@ test("the ranges of options are the engine's", async () => {
 describe("a worker that is killed", () => {
   /** Three sessions and a stylizer, over two databases and two motions, each somewhere else. */
   async function openThree() {
-    const { client, database, motion } = await openDemo();
+    const { client, database, motion, info } = await openDemo();
     const other = await client.openDatabase({ kind: "demo" });
-    const mine = await client.openMotion({ kind: "bvh", name: "mine", bytes: proudWalk }, database);
+    const mine = await client.openMotion({ kind: "bvh", name: "mine", bytes: proudWalk });
     const sessions = [
       await client.createSession(database, motion, { styles: { old: 1 } }),
       await client.createSession(other, motion, { styles: { proud: 0.5 } }),
@@ -227,12 +226,12 @@ describe("a worker that is killed", () => {
     stylizer.setStyles({ old: 1 });
     await sessions[1]!.configure({ ...DEFAULT_OPTIONS, styles: { proud: 1 } });
     const frames = await Promise.all(sessions.map((session, i) => session.seek(20 + 10 * i)));
-    return { client, database, motion, sessions, stylizer, frames };
+    return { client, database, info, sessions, stylizer, frames };
   }
 
   test("comes back with all three of its sessions, each at its place", async () => {
-    const { client, database, motion, sessions, stylizer, frames } = await openThree();
-    const poses = motion.info.poses.subarray(0, 30 * POSE_FLOATS);
+    const { client, database, info, sessions, stylizer, frames } = await openThree();
+    const poses = info.poses.subarray(0, 30 * POSE_FLOATS);
     const first = worker();
     const restart = restarted(client);
     const waiting = sessions[0]!.analyse();
@@ -245,7 +244,7 @@ describe("a worker that is killed", () => {
     expect(again.map(({ pose }) => pose)).toEqual(frames.map(({ pose }) => pose));
     expect(again.map(({ inputFrame }) => inputFrame)).toEqual([20, 30, 40]);
     expect((await sessions[2]!.step(0.5)).looped).toBe(true);
-    await sessions[0]!.seek(motion.info.frames);
+    await sessions[0]!.seek(info.frames);
     expect((await sessions[0]!.step(1)).ended).toBe(true);
     const fresh = await client.createStylizer(database, { styles: { old: 1 } });
     expect((await stylizer.push(poses)).poses).toEqual((await fresh.push(poses)).poses);

@@ -75,21 +75,14 @@ export class EngineClient {
     return this.connection.call("builtInInputs", []);
   }
 
-  /** Reads a motion and carries it over to the humanoid of a database; it can be used with others as well. */
-  async openMotion(source: InputSource, database: ClientDatabase, options?: CallOptions): Promise<ClientMotion> {
+  /** A motion, which is read when it is first used with a database. */
+  async openMotion(source: InputSource, options?: CallOptions): Promise<ClientMotion> {
     const { connection } = this;
     const id = connection.nextId();
     // The caller may use its bytes otherwise; they are needed again after a fault.
     const copy = source.kind === "bvh" ? { ...source, bytes: source.bytes.slice(0) } : source;
-    const opening = connection.call("openMotion", [id, copy], options);
-    const reading = connection.call("motionOn", [id, openId(database)], options);
-    try {
-      const [info] = await Promise.all([reading, opening]);
-      return new ClientMotion(connection, id, info, copy);
-    } catch (thrown) {
-      void connection.call("close", [id]).catch(() => {});
-      throw thrown;
-    }
+    await connection.call("openMotion", [id, copy], options);
+    return new ClientMotion(connection, id, copy);
   }
 
   /** A motion that is played in a database. */

@@ -79,17 +79,18 @@ export class ClientDatabase extends ClientHandle {
 
 /** An open motion, which can be used with any database. */
 export class ClientMotion extends ClientHandle {
-  /** @param info the motion on the humanoid of the database that it was opened with */
   constructor(
     connection: Connection,
     id: Id,
-    readonly info: InputInfo,
     private readonly source: InputSource,
   ) {
     super(connection, id, [], "motion");
   }
 
-  /** The motion on the humanoid of another database and at its rate. */
+  /**
+   * The motion on the humanoid of a database and at its rate.
+   * @throws StrutError `bad-file` if it is no motion that Strut can read, `bad-input` for a built-in one that there is not
+   */
   on(database: ClientDatabase, options?: CallOptions): Promise<InputInfo> {
     return this.call("motionOn", [this.id, database.id], options);
   }

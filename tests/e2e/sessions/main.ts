@@ -30,7 +30,7 @@ const hook: SessionsHook = {
   async begin() {
     const database = await client.openDatabase({ kind: "demo" });
     const names = await client.builtInMotions();
-    const open = (name: string) => client.openMotion({ kind: "built-in", name }, database);
+    const open = (name: string) => client.openMotion({ kind: "built-in", name });
     const [first, second] = [await open(names[0]!), await open(names[1]!)];
     sessions = [
       await client.createSession(database, first, { styles: { old: 1 } }),
