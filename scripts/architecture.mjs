@@ -29,6 +29,7 @@ const ROOMS = {
   viewer: ["humanoid"],
   formats: ["client", "viewer", "humanoid"],
   player: ["client", "humanoid"],
+  package: ["formats", "client", "engine", "humanoid"],
   "app/strings": [],
   "app/ui": ["app/strings", "formats", "player", "viewer", "client", "humanoid"],
   "app/state": ["app/ui", "app/strings", "player", "viewer", "client", "humanoid"],

@@ -71,8 +71,9 @@ const PACKAGES = {
 const PAGE = ["engine", "build", "walk", "keyStyle", "compare"];
 const BENCH = ["bench", "benchScalar"];
 
-/** The built-in motions that the page loads. */
-const MOTIONS = join(root, "web", "engine", "motions", "built_in.bin");
+/** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */
+const MOTIONS = join(root, "web", "engine", "motions");
+const MOTIONS_STAMP = join(MOTIONS, "stamp");
 
 /**
  * Features that every browser with WASM SIMD has (Chrome 91, Firefox 89, Safari 16.4) and that rustc emits. Relaxed SIMD
@@ -106,11 +107,11 @@ export async function buildPackages(env, { mode, bench }) {
     await step(`Building the engine for WebAssembly${mode === "full" ? ", fully optimised" : ""}`, () =>
       mode === "full" ? buildFull(env, outdated, stamp) : buildQuick(env, outdated, stamp),
     );
-  const performed = `${MOTIONS}.stamp`;
-  if (!existsSync(MOTIONS) || read(performed) !== stamp)
+  if (read(MOTIONS_STAMP) !== stamp)
     await step("Performing the built-in motions", async () => {
-      await writeMotions();
-      writeFileSync(performed, stamp);
+      const sizes = await writeMotions();
+      writeFileSync(MOTIONS_STAMP, stamp);
+      return sizes;
     });
 }
 
@@ -202,11 +203,15 @@ async function writeMotions() {
   const { folder, name } = PACKAGES.compare;
   const glue = await import(pathToFileURL(join(root, folder, `${name}.js`)).href);
   glue.initSync({ module: readFileSync(join(root, folder, `${name}_bg.wasm`)) });
-  // Of all sizes of zlib's memory this one packs the motions best: its blocks are short, and the columns differ.
-  const bytes = gzipSync(glue.builtInMotions(), { level: 9, memLevel: 6 });
-  mkdirSync(join(MOTIONS, ".."), { recursive: true });
-  writeFileSync(MOTIONS, bytes);
-  return `${Math.round(bytes.length / 1000)} kB`;
+  mkdirSync(MOTIONS, { recursive: true });
+  const sets = { "built_in.bin": glue.builtInMotions(), "walk.bin": glue.builtInWalk() };
+  const sizes = Object.entries(sets).map(([name, motions]) => {
+    // Of all sizes of zlib's memory this one packs the motions best: its blocks are short, and the columns differ.
+    const bytes = gzipSync(motions, { level: 9, memLevel: 6 });
+    writeFileSync(join(MOTIONS, name), bytes);
+    return `${name} ${Math.round(bytes.length / 1000)} kB`;
+  });
+  return sizes.join(", ");
 }
 
 const stampFile = ({ folder }) => join(root, folder, "stamp");

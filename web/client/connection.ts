@@ -51,6 +51,7 @@ const SILENT: ReadonlySet<Method> = new Set([
   "openDatabase",
   "builtInInputs",
   "openMotion",
+  "readMotion",
   "motionOn",
   "createSession",
   "counterpart",

@@ -130,6 +130,22 @@ describe("handles", () => {
       await expect(client.createSession(database, motion, options)).rejects.toMatchObject({ code: "bad-input" });
   });
 
+  test("a motion says what its file holds before there is a database", async () => {
+    const client = connect();
+    const mine = await client.openMotion({ kind: "bvh", name: "mine", bytes: proudWalk });
+    const { frames, rateHz, durationSecs, note } = await mine.read();
+    const text = new TextDecoder().decode(proudWalk);
+    expect(frames).toBe(Number(/Frames:\s*(\d+)/.exec(text)![1]));
+    expect(1 / rateHz).toBeCloseTo(Number(/Frame Time:\s*(\S+)/.exec(text)![1]), 12);
+    expect(durationSecs).toBe(frames / rateHz);
+    expect(note).toMatch(/\.$/);
+    const walk = await client.openMotion({ kind: "built-in", name: "neutral walk" });
+    expect((await walk.read()).rateHz).toBe(60);
+    const bytes = new TextEncoder().encode("HIERARCHY").buffer as ArrayBuffer;
+    const unreadable = await client.openMotion({ kind: "bvh", name: "x", bytes });
+    await expect(unreadable.read()).rejects.toMatchObject({ code: "bad-file" });
+  });
+
   test("the source of a motion may be changed by its caller", async () => {
     const { client, database } = await openDemo();
     const bytes = proudWalk.slice(0);

@@ -6,7 +6,7 @@ import { disposed } from "../engine/errors";
 import { DEFAULT_OPTIONS } from "../engine/types";
 import type { BuildWorkerPort } from "./build/client";
 import { Connection, DEFAULT_PATIENCE, type Patience, type Reopenable, type WorkerPort } from "./connection";
-import { ClientDatabase, ClientMotion, ClientSession, ClientStylizer } from "./handles";
+import { ClientDatabase, type ClientHandle, ClientMotion, ClientSession, ClientStylizer } from "./handles";
 import type { KeyStyleModel, KeyStyleModelSource } from "./models/key_style";
 import type { WalkModel, WalkModelSource } from "./models/walk";
 import { changedOptions } from "./options";
@@ -124,6 +124,11 @@ export class EngineClient {
   async openKeyStyle(source: KeyStyleModelSource, options?: CallOptions): Promise<KeyStyleModel> {
     const { openKeyStyle } = await import("./models/key_style");
     return this.own(await openKeyStyle(source, options, this.spawnBuild));
+  }
+
+  /** Whether a handle is of this client. */
+  owns(handle: ClientHandle): boolean {
+    return handle.isOf(this.connection);
   }
 
   /** Closes everything, the models too, and ends the worker. */

@@ -1,6 +1,6 @@
 /** Handles of what is open in the worker. Disposing of one closes it there, with all that was made of it. */
 import { disposed, type StrutError } from "../engine/errors";
-import type { Styled } from "../engine/stylizer";
+import type { Styled } from "../engine/types";
 import type { Connection, Post, Reopenable } from "./connection";
 import type { Arguments, Id, Method, Result } from "./messages";
 import { changedOptions } from "./options";
@@ -15,6 +15,7 @@ import type {
   InputInfo,
   InputSource,
   LiveFrame,
+  MotionFacts,
   Performed,
   StyledClip,
   StyleWeights,
@@ -22,7 +23,7 @@ import type {
 } from "./protocol";
 
 /** Owner of something open in the worker. It survives a fault of the engine; see `EngineClient.onRestart`. */
-abstract class ClientHandle implements Reopenable {
+export abstract class ClientHandle implements Reopenable {
   private reason: StrutError | undefined;
 
   /**
@@ -41,6 +42,11 @@ abstract class ClientHandle implements Reopenable {
   /** Why it takes no more calls; `undefined` while it is open. */
   get closed(): StrutError | undefined {
     return this.reason ?? this.uses.find((used) => used.closed)?.closed;
+  }
+
+  /** Whether its worker is behind this connection. */
+  isOf(connection: Connection): boolean {
+    return this.connection === connection;
   }
 
   dispose(): void {
@@ -85,6 +91,14 @@ export class ClientMotion extends ClientHandle {
     private readonly source: InputSource,
   ) {
     super(connection, id, [], "motion");
+  }
+
+  /**
+   * What its file says.
+   * @throws StrutError as for {@link on}
+   */
+  read(options?: CallOptions): Promise<MotionFacts> {
+    return this.call("readMotion", [this.id], options);
   }
 
   /**

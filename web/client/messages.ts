@@ -1,6 +1,6 @@
 /** The wire format between `connection.ts` and `server/`; callers see only `protocol.ts` and the handles. */
 import type { ErrorParts } from "../engine/errors";
-import type { Styled } from "../engine/stylizer";
+import type { Styled } from "../engine/types";
 import type {
   Analysis,
   CurveSubject,
@@ -11,6 +11,7 @@ import type {
   InputInfo,
   InputSource,
   LiveFrame,
+  MotionFacts,
   Performed,
   Progress,
   StyledClip,
@@ -38,6 +39,8 @@ export interface WorkerCalls {
   builtInInputs(): string[];
   /** The motion is read when it is first used with a database. */
   openMotion(motion: Id, source: InputSource): undefined;
+  /** What a motion's file says. */
+  readMotion(motion: Id): MotionFacts;
   /** A motion on the humanoid of a database and at its rate. */
   motionOn(motion: Id, database: Id): InputInfo;
   stylize(motion: Id, database: Id, options: StylizeOptions, bvh: boolean): StyledClip;

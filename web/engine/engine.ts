@@ -2,9 +2,9 @@
 import type { PackedMotions } from "./built_in";
 import { ClipJob } from "./clip_job";
 import { Database, type DatabaseSource } from "./database";
-import { Input, type InputSource } from "./input";
+import { Input, type InputSource, readMotion } from "./input";
 import { Stylizer } from "./stylizer";
-import type { StyleKey, StylizeOptions } from "./types";
+import type { MotionFacts, StyleKey, StylizeOptions } from "./types";
 import { type Glue, guarded, loadWasm } from "./wasm";
 
 /** Opens databases and motions and creates stylizers, which the caller disposes of. Calls are synchronous. */
@@ -26,6 +26,11 @@ export class Engine {
   /** Names of the inputs among packed motions, the default first. */
   inputsOf(motions: PackedMotions): string[] {
     return guarded(() => this.glue.packedInputs(motions));
+  }
+
+  /** What a motion's file says. @throws StrutError `bad-file` or `bad-input` */
+  readMotion(source: InputSource): MotionFacts {
+    return readMotion(this.glue, source);
   }
 
   openInput(database: Database, source: InputSource): Input {

@@ -3,7 +3,7 @@ import type { PackedMotions } from "./built_in";
 import type { Database } from "./database";
 import { Handle } from "./handle";
 import type { Input as RawInput } from "./pkg/strut_wasm.js";
-import type { InputInfo } from "./types";
+import type { InputInfo, MotionFacts } from "./types";
 import { type Glue, guarded } from "./wasm";
 
 /** Where an input comes from. */
@@ -38,4 +38,21 @@ export class Input extends Handle<RawInput> {
       contacts: raw.contacts(),
     }));
   }
+}
+
+/**
+ * What a motion's file says.
+ * @throws StrutError `bad-file` or, for a built-in name that there is not, `bad-input`
+ */
+export function readMotion(glue: Glue, source: InputSource): MotionFacts {
+  return guarded(() => {
+    const raw =
+      source.kind === "built-in"
+        ? glue.MotionFacts.ofPacked(source.motions, source.name)
+        : glue.MotionFacts.ofBvh(new Uint8Array(source.bytes));
+    const [frames, rateHz] = [raw.frames(), raw.rateHz()];
+    const facts = { frames, rateHz, durationSecs: frames / rateHz, note: raw.note() };
+    raw.free();
+    return facts;
+  });
 }

@@ -9,22 +9,11 @@ import {
   type DatabaseInfo,
   DEFAULT_OPTIONS,
   type ModelOptions,
+  type Styled,
   type StyleWeights,
   type StylizeOptions,
 } from "./types";
 import { type Glue, guarded } from "./wasm";
-
-/** A batch of styled frames, one an input frame. */
-export interface Styled {
-  /** Poses. */
-  poses: Float32Array;
-  /** Seconds since the frame before; 0 for the first after a reset. */
-  durations: Float32Array;
-  /** Feet held in place, left and right interleaved. */
-  planted: Uint8Array;
-  /** Weight of each class of the database in the last frame. */
-  classWeights: Float32Array;
-}
 
 /** One character's stream. */
 export class Stylizer extends Handle<RawStylizer> {

@@ -19,6 +19,17 @@ export interface DatabaseInfo {
   classes: { action: string; style: string; frames: number }[];
 }
 
+/** What a motion's file says, before it is carried over to a database. */
+export interface MotionFacts {
+  /** Frames of the file. */
+  frames: number;
+  /** Frames a second of the file. */
+  rateHz: number;
+  durationSecs: number;
+  /** A sentence for people about the match of the skeletons; empty if there is nothing to say. */
+  note: string;
+}
+
 /** A motion that is open as the input. */
 export interface InputInfo {
   name: string;
@@ -125,6 +136,18 @@ export interface Analysis {
   /** Weight of each class of the database in each frame. */
   classWeights: Float32Array;
   durationOutSecs: number;
+}
+
+/** A batch of styled frames, one an input frame. */
+export interface Styled {
+  /** Poses. */
+  poses: Float32Array;
+  /** Seconds since the frame before; 0 for the first after a reset. */
+  durations: Float32Array;
+  /** Feet held in place, left and right interleaved. */
+  planted: Uint8Array;
+  /** Weight of each class of the database in the last frame. */
+  classWeights: Float32Array;
 }
 
 /** A motion that was performed in a style instead of styled: frame for frame with its input. */

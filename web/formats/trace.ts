@@ -20,7 +20,7 @@ const MIN_WEIGHT = 1e-4;
 const rounded = (value: number): number => Number(value.toFixed(5));
 
 /** One frame, as `strut stylize --trace` names its fields. */
-interface TraceFrame {
+export interface TraceFrame {
   frame: number;
   time_in: number;
   time_out: number;
@@ -29,7 +29,8 @@ interface TraceFrame {
   planted: [left: number, right: number];
 }
 
-function framesOf({ analysis, input, classes }: Traced): TraceFrame[] {
+/** The trace of a styled motion. */
+export function traceOf({ analysis, input, classes }: Traced): TraceFrame[] {
   const { timeOut, planted, classWeights } = analysis;
   return Array.from(timeOut, (time, frame) => {
     const weights = classes.map(({ action, style }, c): [string, number] => [
@@ -49,14 +50,14 @@ function framesOf({ analysis, input, classes }: Traced): TraceFrame[] {
 
 /** JSON lines, one object a frame. */
 export function traceAsJson(traced: Traced): string {
-  return framesOf(traced)
+  return traceOf(traced)
     .map((frame) => `${JSON.stringify(frame)}\n`)
     .join("");
 }
 
 /** Comma-separated values with a header; one column a class that has any weight. */
 export function traceAsCsv(traced: Traced): string {
-  const frames = framesOf(traced);
+  const frames = traceOf(traced);
   const names = [...new Set(frames.flatMap((frame) => Object.keys(frame.class_weights)))].sort();
   const header = ["frame", "time_in", "time_out", "dt", "planted_left", "planted_right", ...names.map(cell)];
   const rows = frames.map(({ frame, time_in, time_out, dt, planted, class_weights }) =>

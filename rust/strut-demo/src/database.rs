@@ -83,6 +83,22 @@ pub fn database() -> Result<Database, BuildError> {
     build(&clips(), RATE_HZ)
 }
 
+/// The smallest database of use: the first walking take in every style of [`STYLES`].
+///
+/// # Errors
+/// As for [`database`].
+pub fn walk_database() -> Result<Database, BuildError> {
+    let clips: Vec<SourceClip> = STYLES.iter().map(|style| gait_clip(style, 1, &WALK_TAKES[0])).collect();
+    build(&clips, RATE_HZ)
+}
+
+/// The input that goes with [`walk_database`]: the first of [`input_clips`].
+pub fn walk_input() -> NamedMotion {
+    let script = &INPUT_TAKES[0];
+    let motion = perform(script, &STYLES[0], &Proportions::default(), RATE_HZ).motion;
+    NamedMotion { name: script.name, motion }
+}
+
 pub(crate) fn build(clips: &[SourceClip], rate_hz: f32) -> Result<Database, BuildError> {
     let options = BuildOptions {
         rate_hz,

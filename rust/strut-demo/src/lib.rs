@@ -34,7 +34,9 @@ mod takes;
 mod upper_body;
 
 pub use action::Action;
-pub use database::{Counterpart, NamedMotion, RATE_HZ, clips, counterpart, database, input_clips};
+pub use database::{
+    Counterpart, NamedMotion, RATE_HZ, clips, counterpart, database, input_clips, walk_database, walk_input,
+};
 pub use drill::{Drill, Move, keys_of, perform_drill};
 pub use drills::{JUMPS, KICKS, PUNCHES};
 pub use full::{FULL_RATE_HZ, PlannedClip, TABLE_1, full_clips, full_database};

@@ -10,11 +10,18 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen(js_name = builtInMotions)]
 pub fn built_in_motions() -> Result<Vec<u8>, EngineError> {
     let database = strut_demo::database().map_err(EngineError::bad_input)?;
-    let inputs: Vec<NamedMotion> = strut_demo::input_clips()
-        .into_iter()
-        .map(|clip| NamedMotion { name: clip.name.into(), motion: clip.motion })
-        .collect();
-    Ok(packed::write(&database, &inputs, "strut"))
+    Ok(packed::write(&database, &named(strut_demo::input_clips()), "strut"))
+}
+
+/// Walks in every style and one input, likewise: `web/engine/motions/walk.bin`.
+#[wasm_bindgen(js_name = builtInWalk)]
+pub fn built_in_walk() -> Result<Vec<u8>, EngineError> {
+    let database = strut_demo::walk_database().map_err(EngineError::bad_input)?;
+    Ok(packed::write(&database, &named(vec![strut_demo::walk_input()]), "strut"))
+}
+
+fn named(clips: Vec<strut_demo::NamedMotion>) -> Vec<NamedMotion> {
+    clips.into_iter().map(|clip| NamedMotion { name: clip.name.into(), motion: clip.motion }).collect()
 }
 
 /// The poses of another style at the content of each input frame.

@@ -45,8 +45,7 @@ impl Input {
     /// If there is none of this name, or with what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromPacked)]
     pub fn from_packed(database: &Database, bytes: &[u8], name: &str) -> Result<Self, EngineError> {
-        let motion = packed::read_input(bytes, name).map_err(unpackable)?;
-        let motion = motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))?;
+        let motion = packed_motion(bytes, name)?;
         let db = database.model().catalogue();
         let humanoid = if motion.proportions == db.proportions {
             motion.resampled(db.rate_hz).map_err(too_long)?
@@ -122,10 +121,19 @@ impl Input {
     }
 }
 
+/// A motion among packed ones.
+///
+/// # Errors
+/// If there is none of this name, or with what is wrong with the bytes.
+pub(crate) fn packed_motion(bytes: &[u8], name: &str) -> Result<HumanoidMotion, EngineError> {
+    let motion = packed::read_input(bytes, name).map_err(unpackable)?;
+    motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))
+}
+
 fn too_long(error: TooManyFrames) -> EngineError {
     EngineError::bad_file(error, "Cut the clip into shorter ones, or drop another file.")
 }
 
-fn unreadable(error: BvhError) -> EngineError {
+pub(crate) fn unreadable(error: BvhError) -> EngineError {
     EngineError::bad_file(error, "Export the clip again as BVH, or drop another file.")
 }

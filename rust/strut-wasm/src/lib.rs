@@ -8,6 +8,7 @@ mod clip_job;
 mod counterpart;
 mod database;
 mod input;
+mod motion_facts;
 #[cfg(feature = "parity")]
 mod parity;
 mod poses;
@@ -17,9 +18,10 @@ mod stylizer;
 pub use bench::{Naive, Workload, joint_weights, leg_joints, positions_of, rows_of, stage_names};
 pub use clip_job::ClipJob;
 #[cfg(feature = "compare")]
-pub use counterpart::{Counterpart, built_in_motions};
+pub use counterpart::{Counterpart, built_in_motions, built_in_walk};
 pub use database::Database;
 pub use input::{Input, packed_inputs};
+pub use motion_facts::MotionFacts;
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;
 pub use poses::interpolate_poses;

@@ -1,6 +1,6 @@
 /** Styling of poses as they arrive, in styles that may change between any two of them. */
 import { StrutError } from "../../engine/errors";
-import type { Styled } from "../../engine/stylizer";
+import type { Styled } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 import { MAX_PUSH_FRAMES, type StylizeOptions } from "../protocol";
 import { EasedStyles } from "./eased_styles";

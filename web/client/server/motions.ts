@@ -1,7 +1,7 @@
 /** Calls about motions, which are carried over to the humanoid of every database that they are used with. */
 import type { ClipJob } from "../../engine/clip_job";
-import type { Input } from "../../engine/input";
-import type { InputInfo, InputSource, Performed, StyledClip, StylizeOptions } from "../protocol";
+import type { InputSource as EngineInputSource, Input } from "../../engine/input";
+import type { InputInfo, InputSource, MotionFacts, Performed, StyledClip, StylizeOptions } from "../protocol";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import type { OpenThing } from "./registry";
@@ -40,6 +40,12 @@ export class CarriedMotion implements OpenThing {
 
 export function openMotion({ open }: Host, _: Caller, id: number, source: InputSource): undefined {
   open.add(id, new OpenMotion(source));
+}
+
+export async function readMotion(host: Host, caller: Caller, motion: number): Promise<MotionFacts> {
+  const { source } = host.open.get(OpenMotion, motion);
+  await stage(caller, "Reading the motion", 0);
+  return host.engine.readMotion(await fileOf(host, caller, source));
 }
 
 export async function motionOn(host: Host, caller: Caller, motion: number, database: number): Promise<InputInfo> {
@@ -118,14 +124,14 @@ export async function styleClip(
   }
 }
 
-async function readInput(
-  { engine, builtIn, open }: Host,
-  caller: Caller,
-  source: InputSource,
-  database: number,
-): Promise<Input> {
-  const found = source.kind === "bvh" ? source : { ...source, motions: await builtIn.load(caller, source.set) };
-  return engine.openInput(open.get(OpenDatabase, database).database, found);
+async function readInput(host: Host, caller: Caller, source: InputSource, database: number): Promise<Input> {
+  const file = await fileOf(host, caller, source);
+  return host.engine.openInput(host.open.get(OpenDatabase, database).database, file);
+}
+
+/** A source with the set of built-in motions that it is in. */
+async function fileOf({ builtIn }: Host, caller: Caller, source: InputSource): Promise<EngineInputSource> {
+  return source.kind === "bvh" ? source : { ...source, motions: await builtIn.load(caller, source.set) };
 }
 
 /** What travels is transferred: the worker keeps its own arrays. */

@@ -26,6 +26,7 @@ const HANDLERS: Handlers = {
   openDatabase: databases.openDatabase,
   builtInInputs: databases.builtInInputs,
   openMotion: motions.openMotion,
+  readMotion: motions.readMotion,
   motionOn: motions.motionOn,
   stylize: motions.stylize,
   counterpart: motions.counterpart,

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { Styled } from "../../engine/stylizer";
+import type { Styled } from "../../engine/types";
 import { DEFAULT_OPTIONS } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 import type { BodyPart, StyleWeights, StylizeOptions } from "../protocol";

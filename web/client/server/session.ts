@@ -1,6 +1,7 @@
 /** Live playback: an output clock that styles input frames as they are needed. */
 
-import type { Styled, Stylizer } from "../../engine/stylizer";
+import type { Stylizer } from "../../engine/stylizer";
+import type { Styled } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 import type { FrameRange, InputInfo, LiveFrame, Reading, StylizeOptions } from "../protocol";
 import { EasedStyles, type StyledStream } from "./eased_styles";

@@ -1,5 +1,6 @@
 /** Calls about live stylizers. */
-import type { Styled, Stylizer } from "../../engine/stylizer";
+import type { Stylizer } from "../../engine/stylizer";
+import type { Styled } from "../../engine/types";
 import type { StylizeOptions } from "../protocol";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";

@@ -1,0 +1,55 @@
+//! What a motion's file says, before it is carried over to a database.
+
+use crate::input::{packed_motion, unreadable};
+use strut_core::retarget::Binding;
+use strut_formats::bvh;
+use strut_wasm_common::EngineError;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Length and rate of a motion, and how its skeleton matches the humanoid.
+#[wasm_bindgen]
+pub struct MotionFacts {
+    frames: usize,
+    rate_hz: f64,
+    note: String,
+}
+
+#[wasm_bindgen]
+impl MotionFacts {
+    /// Of a BVH file.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes, or with the skeleton.
+    #[wasm_bindgen(js_name = ofBvh)]
+    pub fn of_bvh(bytes: &[u8]) -> Result<Self, EngineError> {
+        let motion = bvh::parse(bytes).and_then(|bvh| bvh.to_motion()).map_err(unreadable)?;
+        let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
+        Ok(Self { frames: motion.frames(), rate_hz: motion.frame_time_secs.recip(), note: binding.notes.join(" ") })
+    }
+
+    /// Of an input among packed motions.
+    ///
+    /// # Errors
+    /// If there is none of this name, or with what is wrong with the bytes.
+    #[wasm_bindgen(js_name = ofPacked)]
+    pub fn of_packed(bytes: &[u8], name: &str) -> Result<Self, EngineError> {
+        let motion = packed_motion(bytes, name)?;
+        Ok(Self { frames: motion.poses.len(), rate_hz: f64::from(motion.rate_hz), note: String::new() })
+    }
+
+    /// Frames of the file.
+    pub fn frames(&self) -> usize {
+        self.frames
+    }
+
+    /// Frames per second of the file.
+    #[wasm_bindgen(js_name = rateHz)]
+    pub fn rate_hz(&self) -> f64 {
+        self.rate_hz
+    }
+
+    /// Notes on the match of the skeletons; empty if there are none.
+    pub fn note(&self) -> String {
+        self.note.clone()
+    }
+}
