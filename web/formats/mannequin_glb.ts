@@ -4,12 +4,12 @@
  */
 
 import { JOINT, JOINTS, PARENTS, POSE_FLOATS, ROLES, restPose } from "../humanoid";
-import { fitTo } from "../viewer/mannequin/fit";
-import { buildGeometry, TONES } from "../viewer/mannequin/geometry";
-import { SlotRows } from "../viewer/mannequin/slot_rows";
-import { RIGID_SLOTS, SLOT_JOINTS } from "../viewer/mannequin/slots";
-import { WAIST_RINGS } from "../viewer/mannequin/waist";
-import { THEMES } from "../viewer/themes";
+import { TONE_COLOURS } from "../mannequin/colours";
+import { fitTo } from "../mannequin/fit";
+import { buildMesh, TONES } from "../mannequin/mesh";
+import { SlotRows } from "../mannequin/slot_rows";
+import { RIGID_SLOTS, SLOT_JOINTS } from "../mannequin/slots";
+import { WAIST_RINGS } from "../mannequin/waist";
 
 /** An animation of the mannequin. */
 export interface MannequinAnimation {
@@ -71,6 +71,9 @@ function boundsOf(values: Values, width: number): { min: number[]; max: number[]
 /** Weight of the ribcage on each ring of the waist: the others follow the pelvis. */
 const chestShare = (ring: number): number => ring / (WAIST_RINGS - 1);
 
+/** Level of detail of the mesh in the file. */
+const DETAIL = 0.6;
+
 /** The mesh in the T-pose, with joints and weights of every vertex. */
 function bindMesh(proportions: ArrayLike<number>): {
   positions: Float32Array;
@@ -83,9 +86,7 @@ function bindMesh(proportions: ArrayLike<number>): {
   const fit = fitTo(proportions);
   const rows = new SlotRows();
   rows.setPose(fit, restPose());
-  const geometry = buildGeometry(0.6);
-  const source = (name: string) => geometry.getAttribute(name).array as ArrayLike<number>;
-  const [place, direction, slot] = [source("position"), source("normal"), source("slot")];
+  const { positions: place, normals: direction, slots: slot, indices, groups: runs } = buildMesh(DETAIL);
   const count = slot.length;
   const positions = new Float32Array(3 * count);
   const normals = new Float32Array(3 * count);
@@ -117,12 +118,7 @@ function bindMesh(proportions: ArrayLike<number>): {
       weights[4 * v + 1] = share === 1 ? 0 : share;
     }
   }
-  const index = geometry.getIndex()!.array as Uint16Array;
-  const groups = geometry.groups.map(({ start, count, materialIndex }) => ({
-    indices: index.slice(start, start + count),
-    tone: materialIndex ?? 0,
-  }));
-  geometry.dispose();
+  const groups = runs.map(({ start, count }, tone) => ({ indices: indices.slice(start, start + count), tone }));
   const rest = rows.world.positions.slice();
   return { positions, normals, joints, weights, groups, rest };
 }
@@ -166,7 +162,11 @@ export function mannequinGlb({ name, proportions, poses, times }: MannequinAnima
   }));
   const materials = TONES.map((tone) => ({
     name: tone,
-    pbrMetallicRoughness: { baseColorFactor: linear(THEMES.light[tone]), metallicFactor: 0, roughnessFactor: 0.56 },
+    pbrMetallicRoughness: {
+      baseColorFactor: linear(TONE_COLOURS.light[tone]),
+      metallicFactor: 0,
+      roughnessFactor: 0.56,
+    },
   }));
   const document = {
     asset: { version: "2.0", generator: "Strut" },
