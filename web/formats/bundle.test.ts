@@ -16,7 +16,10 @@ async function bundled(file: string): Promise<Rolldown.OutputChunk> {
   return (result as Rolldown.RolldownOutput).output[0];
 }
 
-const WRITERS = [{ file: "mannequin_glb.ts", limit: 10_000 }];
+const WRITERS = [
+  { file: "mannequin_glb.ts", limit: 10_000 },
+  { file: "animation_clip.ts", limit: 2_000 },
+];
 
 describe.each(WRITERS)("$file", ({ file, limit }) => {
   it("is loaded without three.js or any other package", async () => {
