@@ -19,6 +19,7 @@ async function bundled(file: string): Promise<Rolldown.OutputChunk> {
 const WRITERS = [
   { file: "mannequin_glb.ts", limit: 10_000 },
   { file: "animation_clip.ts", limit: 2_000 },
+  { file: "vrma.ts", limit: 2_500 },
 ];
 
 describe.each(WRITERS)("$file", ({ file, limit }) => {
