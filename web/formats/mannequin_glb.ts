@@ -5,8 +5,8 @@
 
 import { JOINT, JOINTS, ROLES, restPose } from "../humanoid";
 import { TONE_COLOURS } from "../mannequin/colours";
-import { type Fit, fitTo } from "../mannequin/fit";
-import { buildMesh, TONES } from "../mannequin/mesh";
+import { fitTo } from "../mannequin/fit";
+import { buildMesh, type MannequinMesh, TONES } from "../mannequin/mesh";
 import { SlotRows } from "../mannequin/slot_rows";
 import { RIGID_SLOTS, SLOT_JOINTS } from "../mannequin/slots";
 import { WAIST_RINGS } from "../mannequin/waist";
@@ -20,50 +20,37 @@ const chestShare = (ring: number): number => ring / (WAIST_RINGS - 1);
 /** Level of detail of the mesh in the file. */
 const DETAIL = 0.6;
 
-/** The mesh in the T-pose as glTF skins it. */
-interface BoundMesh {
-  /** xyz of every vertex in the world, metres. */
-  positions: Float32Array;
-  /** Unit normal xyz of every vertex. */
-  normals: Float32Array;
-  /** Four joints of every vertex, of which at most two have a weight. */
-  joints: Uint8Array;
-  /** Their weights, which sum to 1. */
-  weights: Float32Array;
-  /** Indices of the triangles of each tone. */
-  groups: Uint16Array[];
-  /** Joints in the world, 21 × xyz, metres. */
-  rest: Float32Array;
-}
-
-function bindMesh(fit: Fit): BoundMesh {
-  const rows = new SlotRows();
-  rows.setPose(fit, restPose());
-  const { positions: place, normals: direction, slots: slot, indices, groups: runs } = buildMesh(DETAIL);
-  const count = slot.length;
-  const positions = new Float32Array(3 * count);
-  const normals = new Float32Array(3 * count);
-  const joints = new Uint8Array(4 * count);
-  const weights = new Float32Array(4 * count);
-  for (let v = 0; v < count; v++) {
-    const m = 12 * slot[v]!;
+/** Positions and unit normals of all vertices in the world, both xyz; positions in metres. */
+function placeVertices(mesh: MannequinMesh, rows: Float32Array): { positions: Float32Array; normals: Float32Array } {
+  const positions = new Float32Array(mesh.positions.length);
+  const normals = new Float32Array(mesh.normals.length);
+  for (const [v, slot] of mesh.slots.entries()) {
     for (let axis = 0; axis < 3; axis++) {
-      const row = m + 4 * axis;
-      let [p, n] = [rows.values[row + 3]!, 0];
+      const row = 12 * slot + 4 * axis;
+      let [p, n] = [rows[row + 3]!, 0];
       for (let k = 0; k < 3; k++) {
-        p += rows.values[row + k]! * place[3 * v + k]!;
-        n += rows.values[row + k]! * direction[3 * v + k]!;
+        p += rows[row + k]! * mesh.positions[3 * v + k]!;
+        n += rows[row + k]! * mesh.normals[3 * v + k]!;
       }
       positions[3 * v + axis] = p;
       normals[3 * v + axis] = n;
     }
     const length = Math.hypot(normals[3 * v]!, normals[3 * v + 1]!, normals[3 * v + 2]!) || 1;
     for (let axis = 0; axis < 3; axis++) normals[3 * v + axis]! /= length;
-    if (slot[v]! < RIGID_SLOTS.length) {
-      joints[4 * v] = SLOT_JOINTS[slot[v]!]!;
+  }
+  return { positions, normals };
+}
+
+/** Four joints a vertex and their weights, which sum to 1: one joint, or hips and chest at the waist. */
+function skinVertices(slots: Uint8Array): { joints: Uint8Array; weights: Float32Array } {
+  const joints = new Uint8Array(4 * slots.length);
+  const weights = new Float32Array(4 * slots.length);
+  for (const [v, slot] of slots.entries()) {
+    if (slot < RIGID_SLOTS.length) {
+      joints[4 * v] = SLOT_JOINTS[slot]!;
       weights[4 * v] = 1;
     } else {
-      const share = chestShare(slot[v]! - RIGID_SLOTS.length);
+      const share = chestShare(slot - RIGID_SLOTS.length);
       // The ends have one joint: a joint without weight must be 0.
       joints[4 * v] = share === 1 ? JOINT.chest : JOINT.hips;
       joints[4 * v + 1] = share > 0 && share < 1 ? JOINT.chest : 0;
@@ -71,9 +58,7 @@ function bindMesh(fit: Fit): BoundMesh {
       weights[4 * v + 1] = share === 1 ? 0 : share;
     }
   }
-  const groups = runs.map(({ start, count }) => indices.slice(start, start + count));
-  const rest = rows.world.positions.slice();
-  return { positions, normals, joints, weights, groups, rest };
+  return { joints, weights };
 }
 
 /** Colour of a tone, linear as glTF has it. */
@@ -88,20 +73,25 @@ function linear(hex: string): [number, number, number, number] {
 /** Writes the file. @throws RangeError unless there are 63 proportions */
 export function mannequinGlb(animation: HumanoidAnimation): Uint8Array<ArrayBuffer> {
   const fit = fitTo(animation.proportions);
-  const mesh = bindMesh(fit);
+  const rest = new SlotRows();
+  rest.setPose(fit, restPose());
+  const restPositions = rest.world.positions;
+  const mesh = buildMesh(DETAIL);
+  const { positions, normals } = placeVertices(mesh, rest.values);
+  const { joints, weights } = skinVertices(mesh.slots);
   const buffer = new BufferBuilder();
   const attributes = {
-    POSITION: buffer.add(mesh.positions, "VEC3", true),
-    NORMAL: buffer.add(mesh.normals, "VEC3"),
-    JOINTS_0: buffer.add(mesh.joints, "VEC4"),
-    WEIGHTS_0: buffer.add(mesh.weights, "VEC4"),
+    POSITION: buffer.add(positions, "VEC3", true),
+    NORMAL: buffer.add(normals, "VEC3"),
+    JOINTS_0: buffer.add(joints, "VEC4"),
+    WEIGHTS_0: buffer.add(weights, "VEC4"),
   };
-  const primitives = mesh.groups.map((indices, material) => ({
+  const primitives = mesh.groups.map(({ start, count }, material) => ({
     attributes,
-    indices: buffer.add(indices, "SCALAR"),
+    indices: buffer.add(mesh.indices.slice(start, start + count), "SCALAR"),
     material,
   }));
-  const inverseBindMatrices = buffer.add(inverseBind(mesh.rest), "MAT4");
+  const inverseBindMatrices = buffer.add(inverseBind(restPositions), "MAT4");
   const materials = TONES.map((tone) => ({
     name: tone,
     pbrMetallicRoughness: {
@@ -113,7 +103,10 @@ export function mannequinGlb(animation: HumanoidAnimation): Uint8Array<ArrayBuff
   const content = {
     scene: 0,
     scenes: [{ nodes: [0, JOINTS] }],
-    nodes: [...jointNodes(ROLES, mesh.rest.subarray(0, 3), fit.proportions), { name: "mannequin", mesh: 0, skin: 0 }],
+    nodes: [
+      ...jointNodes(ROLES, restPositions.subarray(0, 3), fit.proportions),
+      { name: "mannequin", mesh: 0, skin: 0 },
+    ],
     meshes: [{ name: "mannequin", primitives }],
     materials,
     skins: [{ joints: ROLES.map((_, j) => j), skeleton: 0, inverseBindMatrices }],
