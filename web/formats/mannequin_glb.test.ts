@@ -3,7 +3,7 @@ import { AnimationMixer, type Bone, type Object3D, type SkinnedMesh, Vector3 } f
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { describe, expect, it } from "vitest";
 import { createWorldPose, DEFAULT_PROPORTIONS, JOINT, POSE_FLOATS, ROLES, restPose, worldFromLocal } from "../humanoid";
-import { fitTo } from "../viewer/mannequin/fit";
+import { fitTo } from "../mannequin/fit";
 import { mannequinGlb } from "./mannequin_glb";
 
 /** Severity of the validator's warnings; that of errors is less. */

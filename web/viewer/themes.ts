@@ -1,5 +1,7 @@
 /** Colours and light levels of the two themes, from the project's visual tokens. */
 
+import { TONE_COLOURS } from "../mannequin/colours";
+
 /** Name of a theme. */
 export type ThemeName = "dark" | "light";
 
@@ -40,8 +42,7 @@ export interface Theme {
 export const THEMES: Readonly<Record<ThemeName, Theme>> = {
   dark: {
     background: { inner: "#26282c", outer: "#141517" },
-    shell: "#dcdbd6",
-    joint: "#4b4e54",
+    ...TONE_COLOURS.dark,
     signal: "#ff5a36",
     ink: "#edeeec",
     input: "#8fa9cf",
@@ -62,8 +63,7 @@ export const THEMES: Readonly<Record<ThemeName, Theme>> = {
   },
   light: {
     background: { inner: "#fbfbfa", outer: "#e6e7e6" },
-    shell: "#f1f0ec",
-    joint: "#3a3d42",
+    ...TONE_COLOURS.light,
     signal: "#d23c14",
     ink: "#17181a",
     input: "#43628e",

@@ -195,7 +195,7 @@ export class Viewer {
     return this.#stage.cost;
   }
 
-  /** Takes the bone offsets of both characters: 21 × xyz, metres; see `mannequin/fit.ts`. */
+  /** Takes the bone offsets of both characters: 21 × xyz, metres; see `web/mannequin/fit.ts`. */
   setProportions(proportions: ArrayLike<number>): void {
     this.#redraw.request();
     this.#body.setProportions(proportions);

@@ -2,11 +2,11 @@
 
 import { Group, Mesh } from "three";
 import { DEFAULT_PROPORTIONS, restPose, type WorldPose } from "../../humanoid";
+import { type Fit, fitTo } from "../../mannequin/fit";
+import { SlotRows } from "../../mannequin/slot_rows";
 import { CASTER_LAYER } from "../light/layers";
-import { type Fit, fitTo } from "./fit";
 import { acquireGeometry, releaseGeometry } from "./geometry";
 import type { Look } from "./materials";
-import { SlotRows } from "./slot_rows";
 import type { SlotUniforms } from "./slot_skinning";
 
 /**
@@ -78,7 +78,7 @@ export class Mannequin<L extends Look> {
     this.#detail = detail;
   }
 
-  /** Takes bone offsets, 21 × xyz in metres (see `fit.ts` for what follows them). */
+  /** Takes bone offsets, 21 × xyz in metres (see `web/mannequin/fit.ts` for what follows them). */
   setProportions(proportions: ArrayLike<number>): void {
     this.#proportions = proportions;
     this.#fit = fitTo(proportions);

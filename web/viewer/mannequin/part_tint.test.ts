@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { ROLES } from "../../humanoid";
+import { SLOTS, slotIndex } from "../../mannequin/slots";
 import { slotsOf } from "./part_tint";
-import { SLOTS, slotIndex } from "./slots";
 
 /** The slots of a mask, by name. */
 const named = ([low, high]: [number, number]) =>

@@ -2,8 +2,8 @@
 
 import { Color, type IUniform, type Material } from "three";
 import { JOINT, type Role } from "../../humanoid";
+import { RIGID_SLOTS, SLOT_JOINTS, SLOTS } from "../../mannequin/slots";
 import { editShader } from "./shader_edit";
-import { RIGID_SLOTS, SLOT_JOINTS, SLOTS } from "./slots";
 
 /** How much of its colour a tinted part gives up. */
 const SHARE = 0.34;

@@ -4,8 +4,8 @@
  */
 
 import type { IUniform, Material } from "three";
+import { SLOTS } from "../../mannequin/slots";
 import { editShader } from "./shader_edit";
-import { SLOTS } from "./slots";
 
 /** Uniforms of one mannequin, shared by all of its materials. */
 export interface SlotUniforms {

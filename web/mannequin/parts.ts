@@ -5,8 +5,9 @@
 
 import { extremities } from "./extremities";
 import { headParts } from "./head";
-import { ball, type LoftOptions, loft, mirror, orient, type Station, type Vec3 } from "./loft";
+import { ball, type LoftOptions, loft, mirror, orient, type Station } from "./loft";
 import type { MidlineSlot, Part, SideSlot, Tone } from "./part";
+import type { Vec3 } from "./vectors";
 import { waistParts } from "./waist";
 
 const UP: Vec3 = [0, 1, 0];

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { Quaternion, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { createWorldPose, DEFAULT_PROPORTIONS, JOINT, JOINTS, restPose, worldFromLocal } from "../../humanoid";
+import { createWorldPose, DEFAULT_PROPORTIONS, JOINT, JOINTS, restPose, worldFromLocal } from "../humanoid";
 import { fitTo } from "./fit";
 import type { Slot } from "./part";
 import { bodyParts } from "./parts";

@@ -11,11 +11,23 @@
  * joint in the T-pose, which puts the soles on its ground whatever the proportions.
  */
 
-import { Matrix4, Quaternion, Vector3 } from "three";
-import { DEFAULT_PROPORTIONS, JOINT, JOINTS, type Role } from "../../humanoid";
+import { DEFAULT_PROPORTIONS, JOINT, JOINTS, type Role } from "../humanoid";
 import { ANKLE_HEIGHT, TOE_HEIGHT } from "./extremities";
 import { SIDE_SLOTS, type SideSlot, type Slot } from "./part";
 import { RIGID_SLOTS, slotIndex } from "./slots";
+import {
+  composeInto,
+  difference,
+  lengthOf,
+  NO_TURN,
+  product,
+  type Quat,
+  scaled,
+  sum,
+  turnAboutUp,
+  turnBetween,
+  type Vec3,
+} from "./vectors";
 import { WAIST_END, WAIST_START } from "./waist";
 
 /** The mannequin on one set of proportions. */
@@ -25,9 +37,9 @@ export interface Fit {
   /** Of every rigid slot: the frame of its joint from the part's own coordinates, 4 × 4, column-major. */
   jointFromSlot: Float32Array;
   /** Where the waist starts in the hips' frame, metres. */
-  waistStart: Vector3;
+  waistStart: Vec3;
   /** Where it ends in the chest's frame, metres. */
-  waistEnd: Vector3;
+  waistEnd: Vec3;
   /** Factors on the waist's half width and half depth at both ends. */
   waistScale: { start: [x: number, z: number]; end: [x: number, z: number] };
   /** Ratio of leg lengths to the mannequin's own. */
@@ -44,15 +56,17 @@ function clampStretch(ratio: number): number {
   return Number.isFinite(ratio) ? Math.min(STRETCH.max, Math.max(STRETCH.min, ratio)) : 1;
 }
 
-function offsetOf(proportions: ArrayLike<number>, role: Role): Vector3 {
-  const [x, y, z] = [0, 1, 2].map((axis) => proportions[3 * JOINT[role] + axis]!);
-  return new Vector3(x, y, z);
+function offsetOf(proportions: ArrayLike<number>, role: Role): Vec3 {
+  const first = 3 * JOINT[role];
+  return [proportions[first]!, proportions[first + 1]!, proportions[first + 2]!];
 }
 
 const own = (role: Role) => offsetOf(DEFAULT_PROPORTIONS, role);
 
+const uniform = (factor: number): Vec3 => [factor, factor, factor];
+
 function legLength(proportions: ArrayLike<number>): number {
-  return offsetOf(proportions, "left_lower_leg").length() + offsetOf(proportions, "left_foot").length();
+  return lengthOf(offsetOf(proportions, "left_lower_leg")) + lengthOf(offsetOf(proportions, "left_foot"));
 }
 
 /** The given bones from the hips down, the mannequin's own times `stature` from the hips up. */
@@ -64,74 +78,68 @@ function drawnBones(proportions: ArrayLike<number>, stature: number): Float32Arr
 }
 
 /** Scale of a leg's shell and the turn from the mannequin's direction of the bone to the given one. */
-function fitLegBone(
-  proportions: ArrayLike<number>,
-  child: Role,
-  stature: number,
-): { scale: Vector3; turn: Quaternion } {
-  const given = offsetOf(proportions, child);
-  const length = given.length();
-  if (!(length > 1e-3)) return { scale: new Vector3(stature, stature, stature), turn: new Quaternion() };
-  const along = clampStretch(length / own(child).length());
+function fitLegBone(proportions: ArrayLike<number>, child: Role, stature: number): { scale: Vec3; turn: Quat } {
+  const [given, drawn] = [offsetOf(proportions, child), own(child)];
+  const [length, drawnLength] = [lengthOf(given), lengthOf(drawn)];
+  if (!(length > 1e-3)) return { scale: uniform(stature), turn: NO_TURN };
+  const along = clampStretch(length / drawnLength);
   const across = clampStretch(Math.sqrt(along * stature));
-  const turn = new Quaternion().setFromUnitVectors(own(child).normalize(), given.divideScalar(length));
-  return { scale: new Vector3(across, along, across), turn };
+  const turn = turnBetween(scaled(drawn, 1 / drawnLength), scaled(given, 1 / length));
+  return { scale: [across, along, across], turn };
 }
 
-/** Fits the mannequin to 21 × xyz offsets in metres. */
+/**
+ * Fits the mannequin to a body.
+ *
+ * @param given - Bone offsets, 21 × xyz, metres.
+ * @throws RangeError if there are not 63 numbers.
+ */
 export function fitTo(given: ArrayLike<number>): Fit {
   if (given.length !== 3 * JOINTS) throw new RangeError(`expected ${3 * JOINTS} numbers, not ${given.length}`);
   const stature = clampStretch(legLength(given) / legLength(DEFAULT_PROPORTIONS));
   const proportions = drawnBones(given, stature);
   const at = (role: Role) => offsetOf(proportions, role);
   const jointFromSlot = new Float32Array(16 * RIGID_SLOTS.length);
-  const origin = new Vector3();
-  const none = new Quaternion();
-  const uniform = (factor: number) => new Vector3(factor, factor, factor);
-  const put = (slot: Slot, position: Vector3, turn: Quaternion, scale: Vector3) =>
-    new Matrix4().compose(position, turn, scale).toArray(jointFromSlot, 16 * slotIndex(slot));
+  const origin: Vec3 = [0, 0, 0];
+  const put = (slot: Slot, position: Vec3, turn: Quat, scale: Vec3) =>
+    composeInto(jointFromSlot, 16 * slotIndex(slot), position, turn, scale);
 
-  for (const slot of ["ribcage", "neck", "head"] as const) put(slot, origin, none, uniform(stature));
+  for (const slot of ["ribcage", "neck", "head"] as const) put(slot, origin, NO_TURN, uniform(stature));
 
-  const hipWidth = at("left_upper_leg").x - at("right_upper_leg").x;
-  const widening = clampStretch(hipWidth / (2 * own("left_upper_leg").x * stature));
-  const pelvisScale = new Vector3(Math.sqrt(widening), 1, 1).multiplyScalar(stature);
-  const hipCentre = at("left_upper_leg").add(at("right_upper_leg")).multiplyScalar(0.5);
-  const ownHipCentre = new Vector3(0, own("left_upper_leg").y, 0).multiply(pelvisScale);
-  const pelvisPosition = hipCentre.sub(ownHipCentre);
-  put("pelvis", pelvisPosition, none, pelvisScale);
+  const hipWidth = at("left_upper_leg")[0] - at("right_upper_leg")[0];
+  const widening = clampStretch(hipWidth / (2 * own("left_upper_leg")[0] * stature));
+  const pelvisScale: Vec3 = [Math.sqrt(widening) * stature, stature, stature];
+  const hipCentre = scaled(sum(at("left_upper_leg"), at("right_upper_leg")), 0.5);
+  const ownHipCentre = product([0, own("left_upper_leg")[1], 0], pelvisScale);
+  const pelvisPosition = difference(hipCentre, ownHipCentre);
+  put("pelvis", pelvisPosition, NO_TURN, pelvisScale);
 
   for (const side of SIDES) {
     const slot = (name: SideSlot): Slot => `${side}_${name}`;
-    for (const name of SIDE_SLOTS) put(slot(name), origin, none, uniform(stature));
+    for (const name of SIDE_SLOTS) put(slot(name), origin, NO_TURN, uniform(stature));
     const thigh = fitLegBone(proportions, `${side}_lower_leg`, stature);
     const shin = fitLegBone(proportions, `${side}_foot`, stature);
     put(slot("thigh"), origin, thigh.turn, thigh.scale);
-    put(slot("knee_ball"), origin, none, uniform(Math.sqrt(thigh.scale.x * shin.scale.x)));
+    put(slot("knee_ball"), origin, NO_TURN, uniform(Math.sqrt(thigh.scale[0] * shin.scale[0])));
     put(slot("shin"), origin, shin.turn, shin.scale);
-    put(slot("ankle_ball"), origin, none, uniform(shin.scale.x));
+    put(slot("ankle_ball"), origin, NO_TURN, uniform(shin.scale[0]));
 
-    const ankle = at("hips").y + LEG_ROLES.slice(0, 3).reduce((sum, role) => sum + at(`${side}_${role}`).y, 0);
-    const toes = at(`${side}_toes`);
+    const ankle = at("hips")[1] + LEG_ROLES.slice(0, 3).reduce((height, role) => height + at(`${side}_${role}`)[1], 0);
+    const [toesX, toesY, toesZ] = at(`${side}_toes`);
     const rise = clampStretch(ankle / ANKLE_HEIGHT);
-    const reach = clampStretch(Math.hypot(toes.x, toes.z) / own(`${side}_toes`).z);
-    const heading = new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), Math.atan2(toes.x, toes.z));
+    const reach = clampStretch(Math.hypot(toesX, toesZ) / own(`${side}_toes`)[2]);
+    const heading = turnAboutUp(Math.atan2(toesX, toesZ));
     const width = Math.sqrt(reach * stature);
     // Whatever the clamp did to the height of the shoe, its sole is on the ground.
-    put(slot("foot"), new Vector3(0, ANKLE_HEIGHT * rise - ankle, 0), heading, new Vector3(width, rise, reach));
-    put(
-      slot("toes"),
-      new Vector3(0, TOE_HEIGHT * rise - ankle - toes.y, 0),
-      heading,
-      new Vector3(width, rise, stature),
-    );
+    put(slot("foot"), [0, ANKLE_HEIGHT * rise - ankle, 0], heading, [width, rise, reach]);
+    put(slot("toes"), [0, TOE_HEIGHT * rise - ankle - toesY, 0], heading, [width, rise, stature]);
   }
   return {
     proportions,
     jointFromSlot,
-    waistStart: new Vector3(...WAIST_START).multiply(pelvisScale).add(pelvisPosition),
-    waistEnd: new Vector3(...WAIST_END).multiplyScalar(stature),
-    waistScale: { start: [pelvisScale.x, pelvisScale.z], end: [stature, stature] },
+    waistStart: sum(product(WAIST_START, pelvisScale), pelvisPosition),
+    waistEnd: scaled(WAIST_END, stature),
+    waistScale: { start: [pelvisScale[0], pelvisScale[2]], end: [stature, stature] },
     stature,
   };
 }

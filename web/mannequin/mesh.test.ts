@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { buildGeometry, TONES } from "./geometry";
 import { loft, mirror, orient, type Station, type Surface, sectionAt, vertexNormals } from "./loft";
+import { buildMesh, TONES } from "./mesh";
 import { bodyParts } from "./parts";
 import { SLOTS, slotIndex } from "./slots";
 import { waistSlot } from "./waist";
@@ -104,22 +104,21 @@ describe.each([1, 0.6, 0.5])("the body at detail %d", (detail) => {
       expect(volume(of("right_")[i]!.surface)).toBeCloseTo(volume(left.surface), 9);
   });
 
-  it("becomes one geometry with two groups, every slot in use", () => {
-    const geometry = buildGeometry(detail);
-    const index = geometry.getIndex()!;
-    expect(geometry.groups.length).toBe(TONES.length);
-    expect(geometry.groups.reduce((sum, group) => sum + group.count, 0)).toBe(index.count);
-    const vertices = geometry.getAttribute("position").count;
+  it("becomes one mesh with two groups, every slot in use", () => {
+    const { positions, normals, slots, indices, groups } = buildMesh(detail);
+    expect(groups.length).toBe(TONES.length);
+    expect(groups.reduce((sum, group) => sum + group.count, 0)).toBe(indices.length);
+    const vertices = slots.length;
     expect(vertices).toBeLessThan(65536);
-    expect(Math.max(...index.array)).toBe(vertices - 1);
-    expect(new Set(geometry.getAttribute("slot").array)).toEqual(new Set(SLOTS.map((slot) => slotIndex(slot))));
-    geometry.dispose();
+    expect([positions.length, normals.length]).toEqual([3 * vertices, 3 * vertices]);
+    expect(Math.max(...indices)).toBe(vertices - 1);
+    expect(new Set(slots)).toEqual(new Set(SLOTS.map((slot) => slotIndex(slot))));
   });
 });
 
 describe("the budget of triangles", () => {
   it("is kept at every level of detail", () => {
-    const triangles = (detail: number) => buildGeometry(detail).getIndex()!.count / 3;
+    const triangles = (detail: number) => buildMesh(detail).indices.length / 3;
     expect(triangles(1)).toBeLessThan(40_000);
     expect(triangles(0.5)).toBeLessThan(14_000);
   });

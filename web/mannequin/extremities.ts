@@ -1,7 +1,8 @@
 /** The left hand (palm, four curled fingers, an opposed thumb) and the left foot (shoe, toe, soles). */
 
-import { type LoftOptions, loft, orient, type Station, type Surface, type Vec3 } from "./loft";
+import { type LoftOptions, loft, orient, type Station, type Surface } from "./loft";
 import type { Part, SideSlot } from "./part";
+import type { Vec3 } from "./vectors";
 
 /** Height of the ankle above the ground in the T-pose of the mannequin's own proportions, metres. */
 export const ANKLE_HEIGHT = 0.118;

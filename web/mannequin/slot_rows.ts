@@ -1,6 +1,6 @@
 /** The matrices of one mannequin: forward kinematics, then one affine transform a slot, as the shaders read them. */
 
-import { createWorldPose, JOINT, type WorldPose, worldFromLocal } from "../../humanoid";
+import { createWorldPose, JOINT, type WorldPose, worldFromLocal } from "../humanoid";
 import type { Fit } from "./fit";
 import { RIGID_SLOTS, SLOT_JOINTS, SLOTS } from "./slots";
 import { WAIST_RINGS, waistParameter } from "./waist";
@@ -51,9 +51,9 @@ export class SlotRows {
     const { waistStart: s0, waistEnd: e0 } = fit;
     for (let axis = 0; axis < 3; axis++) {
       const row = 3 * axis;
-      curve[axis] = positions[3 * hips + axis]! + turn[row]! * s0.x + turn[row + 1]! * s0.y + turn[row + 2]! * s0.z;
+      curve[axis] = positions[3 * hips + axis]! + turn[row]! * s0[0] + turn[row + 1]! * s0[1] + turn[row + 2]! * s0[2];
       curve[9 + axis] =
-        positions[3 * chest + axis]! + endTurn[row]! * e0.x + endTurn[row + 1]! * e0.y + endTurn[row + 2]! * e0.z;
+        positions[3 * chest + axis]! + endTurn[row]! * e0[0] + endTurn[row + 1]! * e0[1] + endTurn[row + 2]! * e0[2];
     }
     const span = Math.hypot(curve[9]! - curve[0]!, curve[10]! - curve[1]!, curve[11]! - curve[2]!);
     for (let axis = 0; axis < 3; axis++) {

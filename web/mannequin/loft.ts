@@ -6,6 +6,8 @@
  * smooth everywhere.
  */
 
+import type { Vec3 } from "./vectors";
+
 /**
  * One cross-section: position along the axis, radii towards +u, −u, +w, −w, and the centre's u and w. Metres. The axes
  * (u, along, w) become x, y, z unless {@link orient} says otherwise.
@@ -61,9 +63,6 @@ export interface Surface {
   /** Three vertices a triangle, counter-clockwise from outside. */
   indices: number[];
 }
-
-/** A direction or a point. */
-export type Vec3 = readonly [x: number, y: number, z: number];
 
 /** A station with its centre filled in. */
 export type Section = [

@@ -1,6 +1,6 @@
 /** The rigid frames that carry the parts: their order, and the joint that each one follows. */
 
-import { JOINT, type Role } from "../../humanoid";
+import { JOINT, type Role } from "../humanoid";
 import { MIDLINE_SLOTS, type MidlineSlot, SIDE_SLOTS, type SideSlot, type Slot } from "./part";
 import { WAIST_RINGS, waistSlot } from "./waist";
 
