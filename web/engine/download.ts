@@ -3,8 +3,9 @@ import { StrutError } from "./errors";
 
 /** The bytes of a file on disk: Node only. */
 export async function readFile(url: URL): Promise<Uint8Array<ArrayBuffer>> {
-  // The bundler must not look for it.
-  const fs: typeof import("node:fs/promises") = await import(/* @vite-ignore */ `node:${"fs/promises"}`);
+  // No bundler may look for it.
+  const name = ["node:fs", "promises"].join("/");
+  const fs: typeof import("node:fs/promises") = await import(/* webpackIgnore: true */ /* @vite-ignore */ name);
   return new Uint8Array(await fs.readFile(url));
 }
 

@@ -1,0 +1,12 @@
+// npm run package: the package `strut-motion`, fully optimised, in dist/package/.
+import { checkPackageSize, writePackage } from "./package.mjs";
+import { buildWasm } from "./site.mjs";
+import { main, step } from "./steps.mjs";
+
+await main(async () => {
+  await buildWasm({ mode: "full", bench: false });
+  await step("Writing the package", async () => {
+    await writePackage();
+    return checkPackageSize();
+  });
+});

@@ -1,0 +1,151 @@
+// The package `strut-motion` in dist/package/, ready for `npm pack`: entries, worker, modules, data, types.
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { dirname, join, relative } from "node:path";
+import { gzipSync } from "node:zlib";
+import { root, run, Sentence } from "./steps.mjs";
+
+const OUT = join(root, "dist", "package");
+const SOURCE = join(root, "web", "package");
+const ENGINE = join(root, "web", "engine");
+
+/** Modules that users import. */
+const ENTRIES = ["index", "node", "inline"];
+
+/** Files that the entries load at run time. */
+const ASSETS = {
+  "strut_wasm_bg.wasm": join(ENGINE, "pkg", "strut_wasm_bg.wasm"),
+  "walk.bin": join(ENGINE, "motions", "walk.bin"),
+  "built_in.bin": join(ENGINE, "motions", "built_in.bin"),
+};
+
+/** Most kilobytes after gzip (`shared/spec/embedding.md` section 2). */
+const BUDGET_KB = { "index.js": 14, "assets/worker.js": 12, "assets/strut_wasm_bg.wasm": 300 };
+
+/**
+ * Bundlers of the package's users look for `new URL(…, import.meta.url)`. Only the entries may have it: everything else is
+ * told where files lie (`web/engine/assets.ts`), and the addresses that it would use otherwise lead nowhere.
+ */
+const OWN_ADDRESSES_ONLY = {
+  name: "own addresses only",
+  setup({ onLoad }) {
+    onLoad({ filter: /web\/(engine|client)\/.*\.(ts|js)$/ }, ({ path }) => ({
+      contents: readFileSync(path, "utf8").replaceAll("import.meta.url", '"strut:nowhere"'),
+      loader: path.endsWith(".ts") ? "ts" : "js",
+    }));
+  },
+};
+
+/** Writes assets into an entry: modules as bytes, scripts as text. */
+const INLINED = {
+  name: "inlined assets",
+  setup({ onResolve, onLoad }) {
+    onResolve({ filter: /^strut-inline:/ }, ({ path }) => ({
+      path: path.slice("strut-inline:".length),
+      namespace: "inlined",
+    }));
+    onLoad({ filter: /.*/, namespace: "inlined" }, ({ path }) => ({
+      contents: readFileSync(join(OUT, "assets", path)),
+      loader: path.endsWith(".js") ? "text" : "binary",
+    }));
+  },
+};
+
+const COMMON = {
+  bundle: true,
+  minify: true,
+  target: "es2022",
+  logLevel: "warning",
+  absWorkingDir: root,
+  plugins: [OWN_ADDRESSES_ONLY, INLINED],
+};
+
+/** Writes dist/package/ from the WASM packages as they are built. */
+export async function writePackage() {
+  // A clean checkout installs it after this file is read.
+  const { build } = await import("esbuild");
+  const manifest = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const common = { ...COMMON, define: { STRUT_VERSION: JSON.stringify(manifest.version) } };
+  rmSync(OUT, { recursive: true, force: true });
+  mkdirSync(join(OUT, "assets"), { recursive: true });
+  for (const [name, path] of Object.entries(ASSETS)) cpSync(path, join(OUT, "assets", name));
+  await build({
+    ...common,
+    entryPoints: [join(SOURCE, "worker.ts")],
+    outfile: join(OUT, "assets", "worker.js"),
+    format: "iife",
+  });
+  await build({
+    ...common,
+    entryPoints: [join(SOURCE, "index.ts")],
+    outdir: OUT,
+    format: "esm",
+    splitting: true,
+    chunkNames: "chunks/[name]-[hash]",
+  });
+  for (const entry of ["node", "inline"])
+    await build({
+      ...common,
+      entryPoints: [join(SOURCE, `${entry}.ts`)],
+      outfile: join(OUT, `${entry}.js`),
+      format: "esm",
+      platform: entry === "node" ? "node" : "browser",
+    });
+  await writeTypes();
+  for (const name of ["LICENSE", "LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(OUT, name));
+  cpSync(join(SOURCE, "README.md"), join(OUT, "README.md"));
+  writeFileSync(join(OUT, "package.json"), `${JSON.stringify(manifestOf(manifest), null, 2)}\n`);
+}
+
+/** What npm and bundlers read. `types` comes first, as the first condition that fits is taken. */
+function manifestOf({ name, version, description, license, engines }) {
+  const entry = (types, file) => ({ types: `./types/package/${types}.d.ts`, default: `./${file}.js` });
+  return {
+    name,
+    version,
+    description,
+    license,
+    type: "module",
+    engines,
+    sideEffects: false,
+    exports: {
+      ".": { types: "./types/package/index.d.ts", node: "./node.js", default: "./index.js" },
+      "./node": entry("node", "node"),
+      "./inline": entry("inline", "inline"),
+      "./assets/*": "./assets/*",
+      "./package.json": "./package.json",
+    },
+  };
+}
+
+/** Declarations of the entries and of all that these name; imports get the endings that Node's resolution demands. */
+async function writeTypes() {
+  const all = join(OUT, "all-types");
+  const config = join(SOURCE, "tsconfig.types.json");
+  await run(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", config, "--outDir", all]);
+  const files = new Set(ENTRIES.map((entry) => join(all, "package", `${entry}.d.ts`)));
+  // A set grows while it is walked.
+  for (const file of files) {
+    const text = readFileSync(file, "utf8").replace(/(from |import\()"(\.[^"]*?)(?:\.js)?"/g, (_, keyword, path) => {
+      const isFolder = existsSync(join(dirname(file), path, "index.d.ts"));
+      const named = isFolder ? `${path}/index` : path;
+      files.add(join(dirname(file), `${named}.d.ts`));
+      return `${keyword}"${named}.js"`;
+    });
+    const written = join(OUT, "types", relative(all, file));
+    mkdirSync(dirname(written), { recursive: true });
+    writeFileSync(written, text);
+  }
+  rmSync(all, { recursive: true });
+}
+
+/** Checks the sizes; a sentence for people is returned, or thrown where a budget is exceeded. */
+export function checkPackageSize() {
+  const sizes = Object.entries(BUDGET_KB).map(([file, budget]) => ({
+    file,
+    kb: gzipSync(readFileSync(join(OUT, file))).length / 1000,
+    budget,
+  }));
+  const report = sizes.map(({ file, kb, budget }) => `${file} ${kb.toFixed(1)} of ${budget} kB gzip`).join(", ");
+  if (sizes.some(({ kb, budget }) => kb > budget)) throw new Sentence(`The package is too large: ${report}.`);
+  return report;
+}

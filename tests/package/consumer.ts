@@ -1,0 +1,38 @@
+/** A folder in which somebody installed the package, with a database, a walk, and what the command makes of them. */
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { everyNth } from "../clips";
+import { buildPrograms, COMMAND } from "../programs";
+import { root } from "../recordings";
+
+/** Frames of `walk.bvh`. */
+export const FRAMES = 60;
+
+export interface Consumer {
+  folder: string;
+  /** The text of the walk in the style proud, as the command writes it. */
+  byCommand: string;
+  remove(): void;
+}
+
+/** Packs dist/package/ and installs it in an empty folder, with no network. */
+export function installPackage(): Consumer {
+  const built = join(root, "dist", "package");
+  if (!existsSync(built)) throw new Error("dist/package/ is missing; run 'npm run package' first.");
+  buildPrograms();
+  const folder = mkdtempSync(join(tmpdir(), "strut-consumer-"));
+  const run = (program: string, ...args: string[]) => execFileSync(program, args, { cwd: folder, stdio: "pipe" });
+  const packed = run("npm", "pack", built, "--silent").toString().trim();
+  writeFileSync(join(folder, "package.json"), '{ "name": "consumer", "private": true, "type": "module" }\n');
+  run("npm", "install", "--offline", "--no-audit", "--no-fund", "--silent", `./${packed}`);
+  symlinkSync(join(root, "node_modules", "three"), join(folder, "node_modules", "three"));
+  run(COMMAND, "demo-db", "-o", "demo.strutdb", "--bvh", "demo");
+  const walk = readFileSync(join(folder, "demo", "walk_neutral_001.bvh"), "utf8");
+  rmSync(join(folder, "demo"), { recursive: true });
+  writeFileSync(join(folder, "walk.bvh"), everyNth(walk, 1, FRAMES));
+  run(COMMAND, ..."stylize --db demo.strutdb --input walk.bvh --style proud -o command.bvh".split(" "));
+  const byCommand = readFileSync(join(folder, "command.bvh"), "utf8");
+  return { folder, byCommand, remove: () => rmSync(folder, { recursive: true, force: true }) };
+}

@@ -1,0 +1,27 @@
+/** The files beside the package's code. */
+
+import type { AssetName } from "../engine/assets";
+
+/** What the engine loads by itself. */
+export const ENGINE_ASSETS = ["strut_wasm_bg.wasm", "walk.bin", "built_in.bin"] as const satisfies AssetName[];
+
+export type EngineAsset = (typeof ENGINE_ASSETS)[number];
+
+/** Addresses of the engine's files, absolute URLs. */
+export type EnginePlaces = Readonly<Record<EngineAsset, string>>;
+
+/**
+ * The address of a file where the caller says that the files lie.
+ * @param assets `LoadOptions.assets`
+ * @param base what relative addresses are relative to
+ * @throws TypeError if that is not an address
+ */
+export function placeIn(assets: string | ((file: string) => string), file: string, base: string | undefined): string {
+  const address = typeof assets === "string" ? `${assets.replace(/\/?$/, "/")}${file}` : assets(file);
+  return new URL(address, base).href;
+}
+
+/** The addresses of all engine files by a function that gives one. */
+export function placesBy(place: (file: EngineAsset) => string): EnginePlaces {
+  return Object.fromEntries(ENGINE_ASSETS.map((name) => [name, place(name)])) as Record<EngineAsset, string>;
+}

@@ -1,0 +1,43 @@
+/** `strut-motion` in a browser: the engine in a worker, its files beside this one. */
+import { StrutError } from "../engine/errors";
+import { placeIn, placesBy } from "./assets";
+import { loadEngine } from "./load";
+import { startEngine } from "./start";
+import type { LoadOptions, Strut } from "./types";
+
+export { StrutError, type StrutErrorCode } from "../engine/errors";
+export type * from "./public";
+
+/**
+ * Loads the engine.
+ * @throws StrutError `load` if a file is missing, `unsupported` if the browser lacks WebAssembly with SIMD, `cancelled`
+ */
+export async function loadStrut({ assets, worker = true, signal }: LoadOptions = {}): Promise<Strut> {
+  const place = assets === undefined ? beside() : (file: string) => placeIn(assets, file, document.baseURI);
+  const workerUrl = place("worker.js");
+  const entry = {
+    workerUrl,
+    workerText: async () => (await fetch(workerUrl)).text(),
+    server: () => import("./boot"),
+    boot: { assets: placesBy(place) },
+  };
+  const { thread, spawn } = await startEngine(entry, worker, signal);
+  return loadEngine(thread, spawn, signal);
+}
+
+/** Each address stands here in the form that bundlers look for. @throws StrutError `load` where this file has no address */
+function beside(): (file: string) => string {
+  try {
+    const places: Record<string, string> = {
+      "worker.js": new URL("./assets/worker.js", import.meta.url).href,
+      "strut_wasm_bg.wasm": new URL("./assets/strut_wasm_bg.wasm", import.meta.url).href,
+      "walk.bin": new URL("./assets/walk.bin", import.meta.url).href,
+      "built_in.bin": new URL("./assets/built_in.bin", import.meta.url).href,
+    };
+    return (file) => places[file]!;
+  } catch (cause) {
+    const message = "The engine's files have no address: this module was loaded from a blob or as data.";
+    const hint = "Import 'strut-motion/inline', or say where the files lie: loadStrut({ assets }).";
+    throw new StrutError({ code: "load", message, hint }, cause);
+  }
+}

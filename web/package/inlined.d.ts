@@ -1,0 +1,10 @@
+/** Files that `scripts/package.mjs` writes into an entry. */
+declare module "strut-inline:*.wasm" {
+  const bytes: Uint8Array<ArrayBuffer>;
+  export default bytes;
+}
+
+declare module "strut-inline:*.js" {
+  const text: string;
+  export default text;
+}

@@ -1,0 +1,23 @@
+/** `strut-motion` in Node: the engine on the calling thread, in this file; the built-in motions lie beside it. */
+import engine from "strut-inline:strut_wasm_bg.wasm";
+import { cancelled } from "../engine/errors";
+import { placeIn, placesBy } from "./assets";
+import { serveBooted } from "./boot";
+import { loadEngine } from "./load";
+import { LocalPort } from "./local_port";
+import type { LoadOptions, Strut } from "./types";
+
+export { StrutError, type StrutErrorCode } from "../engine/errors";
+export type * from "./public";
+
+/**
+ * Loads the engine. Call `dispose()` when it is no longer needed: it watches over calls for some seconds.
+ * @throws StrutError `unsupported` if this Node lacks WebAssembly with SIMD, `cancelled`
+ */
+export async function loadStrut({ assets, signal }: LoadOptions = {}): Promise<Strut> {
+  if (signal?.aborted) throw cancelled(signal.reason);
+  const folder = assets ?? new URL("./assets/", import.meta.url).href;
+  const places = placesBy((file) => placeIn(folder, file, import.meta.url));
+  const boot = { assets: { ...places, "strut_wasm_bg.wasm": engine } };
+  return loadEngine("node", () => new LocalPort((port) => serveBooted(port, boot)), signal);
+}

@@ -1,0 +1,20 @@
+/** The types of the package, the same in all entries. */
+export type { StyleChange } from "../client/handles";
+export type {
+  Analysis,
+  BodyPart,
+  CallOptions,
+  DatabaseInfo,
+  FrameRange,
+  LiveFrame,
+  ModelOptions,
+  Progress,
+  Reading,
+  Styled,
+  StyleKey,
+  StyleWeights,
+  StylizeOptions,
+} from "../client/protocol";
+export type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
+export type { TraceFrame } from "../formats/trace";
+export type * from "./types";

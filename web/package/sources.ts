@@ -1,0 +1,78 @@
+/** Sources of databases and motions: URLs, texts, bytes and files, in a browser and in Node. */
+import { readFile } from "../engine/download";
+import { cancelled, StrutError } from "../engine/errors";
+import type { Source } from "./types";
+
+/** A file that was read. */
+export interface SourceFile {
+  /** Its name without folders and its ending; empty where it has none. */
+  name: string;
+  bytes: ArrayBuffer;
+}
+
+/** The name behind `strut:`, or `undefined` for other sources. */
+export function builtInName(source: Source): string | undefined {
+  return typeof source === "string" && source.startsWith("strut:") ? source.slice("strut:".length) : undefined;
+}
+
+/**
+ * Reads a source.
+ * @param what a noun for messages
+ * @throws StrutError `load` if a URL cannot be read, `bad-input` if it is none, `cancelled`
+ */
+export async function readSource(source: Source, what: string, signal?: AbortSignal): Promise<SourceFile> {
+  if (signal?.aborted) throw cancelled(signal.reason);
+  if (source instanceof ArrayBuffer) return { name: "", bytes: source };
+  if (source instanceof Uint8Array) return { name: "", bytes: source.slice().buffer };
+  if (source instanceof Blob) {
+    const name = "name" in source && typeof source.name === "string" ? source.name : "";
+    return { name: nameOf(name), bytes: await source.arrayBuffer() };
+  }
+  if (typeof source === "string" && isText(source)) return { name: "", bytes: bytesOf(source) };
+  const url = urlOf(source, what);
+  return { name: nameOf(decodeURIComponent(url.pathname)), bytes: await fetched(url, what, signal) };
+}
+
+/** A BVH file is text of several lines, which no URL is. */
+const isText = (source: string): boolean => /^\s*HIERARCHY\b/i.test(source) || source.includes("\n");
+
+function bytesOf(text: string): ArrayBuffer {
+  return new TextEncoder().encode(text).buffer as ArrayBuffer;
+}
+
+const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1).replace(/\.\w+$/, "");
+
+/** Relative URLs are relative to the page, or in Node to the working directory. */
+function urlOf(source: string | URL, what: string): URL {
+  const base = typeof document === "object" ? document.baseURI : folderOfNode();
+  try {
+    return new URL(source, base);
+  } catch (cause) {
+    const message = `The ${what} '${source}' is not a URL.`;
+    throw new StrutError({ code: "bad-input", message, hint: "Give a URL, a file, its text or its bytes." }, cause);
+  }
+}
+
+function folderOfNode(): string | undefined {
+  return typeof process === "object" ? `file://${encodeURI(process.cwd())}/` : undefined;
+}
+
+async function fetched(url: URL, what: string, signal: AbortSignal | undefined): Promise<ArrayBuffer> {
+  if (url.protocol === "file:" && typeof process === "object") {
+    return (await readFile(url).catch((cause) => unreadable(url, what, "there is no such file", cause))).buffer;
+  }
+  try {
+    const response = await fetch(url, { signal: signal ?? null });
+    if (!response.ok) return unreadable(url, what, `the server answered ${response.status}`);
+    return await response.arrayBuffer();
+  } catch (cause) {
+    if (signal?.aborted) throw cancelled(signal.reason);
+    if (cause instanceof StrutError) throw cause;
+    return unreadable(url, what, "the server cannot be reached, or does not allow this page to read it (CORS)", cause);
+  }
+}
+
+function unreadable(url: URL, what: string, why: string, cause?: unknown): never {
+  const message = `The ${what} ${url.href} could not be loaded: ${why}.`;
+  throw new StrutError({ code: "load", message, hint: "Check the address." }, cause);
+}

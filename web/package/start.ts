@@ -1,0 +1,126 @@
+/** Starts the engine of a page: in a worker; where that is forbidden in one from a blob; else on the page's thread. */
+import type { WorkerPort } from "../client/connection";
+import type { ServerPort } from "../client/server/serve";
+import { cancelled, type ErrorParts, StrutError } from "../engine/errors";
+import { type Boot, STARTED } from "./boot";
+import { LocalPort } from "./local_port";
+import type { Thread } from "./types";
+
+/** A way to start the engine that works on this page. */
+export interface Started {
+  thread: Thread;
+  /** Starts an engine; the first time it is the one that was tried. */
+  spawn: () => WorkerPort;
+}
+
+/** What differs between the package's entries. */
+export interface Entry {
+  /** Address of the worker's script; `undefined` where it has none. */
+  workerUrl: string | undefined;
+  /** The text of the worker's script. */
+  workerText: () => Promise<string>;
+  /** What serves calls on the page's thread, loaded when it is needed. */
+  server: () => Promise<{ serveBooted: (port: ServerPort, boot: Boot) => void }>;
+  boot: Boot;
+}
+
+/**
+ * Starts the engine in the first way that works.
+ * @param worker whether workers are tried
+ * @throws StrutError `cancelled`, or `load` if nothing works
+ */
+export async function startEngine(entry: Entry, worker: boolean, signal?: AbortSignal): Promise<Started> {
+  const { boot } = entry;
+  for (const { thread, address } of worker && typeof Worker === "function" ? workersOf(entry) : []) {
+    if (signal?.aborted) throw cancelled(signal.reason);
+    const url = await address().then(trusted, () => undefined);
+    const first = url === undefined ? undefined : await tryWorker(url, boot);
+    if (first && url !== undefined) return { thread, spawn: onceThen(first, () => spawnWorker(url, boot)) };
+  }
+  if (signal?.aborted) throw cancelled(signal.reason);
+  const { serveBooted } = await entry.server().catch((cause) => {
+    throw new StrutError(NOTHING_WORKS, cause);
+  });
+  return { thread: "page", spawn: () => new LocalPort((port) => serveBooted(port, boot)) };
+}
+
+const NOTHING_WORKS: ErrorParts = {
+  code: "load",
+  message: "The engine could not be started: neither in a worker nor on the page.",
+  hint: "Check that assets/ lies beside the package's code, and the page's Content-Security-Policy.",
+};
+
+/** The ways to start a worker, the best first. */
+function workersOf({ workerUrl, workerText }: Entry): { thread: Thread; address: () => Promise<string> }[] {
+  const blob = async () => URL.createObjectURL(new Blob([await workerText()], { type: "text/javascript" }));
+  return [
+    ...(workerUrl === undefined ? [] : [{ thread: "worker" as const, address: async () => workerUrl }]),
+    { thread: "blob", address: blob },
+  ];
+}
+
+function spawnWorker(url: string | TrustedScriptURL, boot: Boot): WorkerPort {
+  const worker = new Worker(url as string, { name: "strut-motion" });
+  worker.postMessage(boot);
+  return worker as WorkerPort;
+}
+
+/** Gives the first, then what `next` starts. */
+function onceThen(first: WorkerPort, next: () => WorkerPort): () => WorkerPort {
+  let unused: WorkerPort | undefined = first;
+  return () => {
+    const port = unused ?? next();
+    unused = undefined;
+    return port;
+  };
+}
+
+/** A worker whose script has begun to run; `undefined` where the browser refuses it or the script cannot be had. */
+function tryWorker(url: string | TrustedScriptURL, boot: Boot): Promise<WorkerPort | undefined> {
+  let worker: Worker;
+  try {
+    worker = new Worker(url as string, { name: "strut-motion" });
+  } catch {
+    return Promise.resolve(undefined);
+  }
+  return new Promise((resolve) => {
+    const settle = (port: WorkerPort | undefined) => {
+      [worker.onmessage, worker.onerror] = [null, null];
+      if (!port) worker.terminate();
+      resolve(port);
+    };
+    worker.onmessage = ({ data }) => {
+      if (data !== STARTED) return;
+      settle(worker as WorkerPort);
+      worker.postMessage(boot);
+    };
+    worker.onerror = (event) => {
+      // The page's console need not hear of what is then tried in another way.
+      event.preventDefault();
+      settle(undefined);
+    };
+  });
+}
+
+/** The part of the Trusted Types API that is used; TypeScript's library does not have it yet. */
+interface TrustedScriptURL {
+  toString(): string;
+}
+interface TrustedTypes {
+  createPolicy(
+    name: string,
+    rules: { createScriptURL: (url: string) => string },
+  ): {
+    createScriptURL(url: string): TrustedScriptURL;
+  };
+}
+
+let policy: ReturnType<TrustedTypes["createPolicy"]> | undefined;
+
+/** The worker's URL as the page's policy `strut-motion` allows it. @throws where the page allows no such policy */
+function trusted(url: string): string | TrustedScriptURL {
+  const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };
+  if (!trustedTypes) return url;
+  policy ??= trustedTypes.createPolicy("strut-motion", { createScriptURL: (address) => address });
+  return policy.createScriptURL(url);
+}

@@ -1,0 +1,134 @@
+/**
+ * What the package `strut-motion` gives to its users.
+ *
+ * Metres, seconds, radians; +Y up, right-handed, facing +Z. A pose is `POSE_FLOATS` = 87 numbers: root x y z, then the
+ * quaternion x y z w of the 21 joints of the canonical humanoid, each relative to its parent, the hips to the world.
+ */
+import type { ClientSession, StyleChange } from "../client/handles";
+import type { CallOptions, DatabaseInfo, Styled, StyleWeights, StylizeOptions } from "../client/protocol";
+import type { Analysis, ModelOptions } from "../engine/types";
+import type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
+import type { TraceFrame } from "../formats/trace";
+
+/** Where a file comes from: a URL, the name of something built in ("strut:…"), its text or bytes, or the file itself. */
+export type Source = string | URL | ArrayBuffer | Uint8Array<ArrayBuffer> | Blob;
+
+/** Options of styling; what is not given is the engine's default. */
+export type Options = Partial<StylizeOptions>;
+
+/** How the package is loaded. */
+export interface LoadOptions {
+  /** Where the package's files lie: the URL of their folder, or a function from a file's name to its URL. */
+  assets?: string | ((file: string) => string);
+  /** Whether the engine may have a worker of its own; otherwise it works on the calling thread. */
+  worker?: boolean;
+  /** Gives up loading. */
+  signal?: AbortSignal;
+}
+
+/** Where the engine runs: in a worker, in a worker started from a blob, on the page's thread, or on Node's. */
+export type Thread = "worker" | "blob" | "page" | "node";
+
+/** The engine. Everything that it opens belongs to the caller, who disposes of it. */
+export interface Strut {
+  /** Version of the package. */
+  readonly version: string;
+  readonly thread: Thread;
+  /** Is called after a fault, with a sentence: another engine has taken the place, and all that was open is open again. */
+  onrestart: ((message: string) => void) | undefined;
+
+  /**
+   * Opens a database: a `.strutdb` file, `"strut:walk"` (walks in eight styles) or `"strut:built-in"` (all built-in motions).
+   * @throws StrutError `bad-file`, `bad-input`, `load` or `cancelled`
+   */
+  openDatabase(source: Source, call?: CallOptions): Promise<Database>;
+
+  /**
+   * Opens a motion: a BVH file or its text, or a built-in one such as `"strut:neutral-walk"`.
+   * @throws StrutError `bad-file`, `bad-input`, `load` or `cancelled`
+   */
+  openMotion(source: Source, call?: CallOptions): Promise<Motion>;
+
+  /**
+   * Styles a whole motion.
+   * @param options also `bvh`: whether {@link StyledMotion.toBVH} will be wanted, `true` unless it is given
+   * @throws StrutError `bad-input` for an unknown or impossible option
+   */
+  stylize(
+    motion: Motion,
+    database: Database,
+    options?: Options & CallOptions & { bvh?: boolean },
+  ): Promise<StyledMotion>;
+
+  /** Styles poses as they arrive. @throws StrutError `bad-input` */
+  createStylizer(database: Database, options?: Options): Promise<LiveStylizer>;
+
+  /** Plays a motion in real time. @throws StrutError `bad-input` */
+  createPlayback(motion: Motion, database: Database, options?: Options): Promise<Playback>;
+
+  /** Closes everything and ends the engine: only this gives the memory of WebAssembly back. */
+  dispose(): void;
+}
+
+/** An open database. */
+export interface Database {
+  readonly info: DatabaseInfo;
+  dispose(): void;
+}
+
+/** An open motion, which can be used with any database. */
+export interface Motion {
+  /** Name of the file without its ending, or of the built-in motion. */
+  readonly name: string;
+  /** Frames of the file. */
+  readonly frames: number;
+  /** Frames a second of the file. */
+  readonly rateHz: number;
+  readonly durationSecs: number;
+  /** A sentence for people about the match of the skeletons; empty if there is nothing to say. */
+  readonly note: string;
+  /** The motion on the body and at the rate of a database: 87 numbers a frame. */
+  poses(database: Database, call?: CallOptions): Promise<Float32Array>;
+  dispose(): void;
+}
+
+/** A motion in a style. Poses and times are those of {@link Analysis}: one an input frame, at the database's rate. */
+export interface StyledMotion extends Analysis {
+  /** Input frames a second. */
+  readonly rateHz: number;
+  /** What the engine did in every frame. */
+  readonly trace: TraceFrame[];
+  /** The text of a BVH file on the motion's own skeleton. @throws StrutError `bad-input` after `bvh: false` */
+  toBVH(): string;
+  /** The mannequin with the motion as binary glTF 2.0. */
+  toGLB(): Uint8Array<ArrayBuffer>;
+  /** The motion as VRM Animation 1.0, which plays on every VRM. */
+  toVRMA(): Uint8Array<ArrayBuffer>;
+  /**
+   * The motion as an `AnimationClip` of the caller's three.js: a key a frame at {@link Analysis.timeOut}.
+   * @param root the mannequin of {@link toGLB} as three.js loaded it, or another rig of the same joints
+   * @throws StrutError `bad-input` if the rig lacks a joint
+   */
+  toAnimationClip<Clip, Track>(three: ThreeLike<Clip, Track>, root: RigNode, options?: ClipOptions): Clip;
+}
+
+/** Poses that are styled as they arrive. */
+export interface LiveStylizer {
+  /** Frames by which the output lags behind the input. */
+  readonly latencyFrames: number;
+  /** Takes effect with the next {@link push}. @throws StrutError `bad-input`, at once */
+  setStyles(styles: StyleWeights, change?: StyleChange): void;
+  /** Takes effect with the next {@link push}. @throws StrutError `bad-input`, at once */
+  configure(options: Partial<ModelOptions>): void;
+  /**
+   * Styles the next poses, 1/`info.rateHz` apart, on the body of the database.
+   * @param poses a whole number of poses, at most 4,096; copied
+   */
+  push(poses: Float32Array): Promise<Styled>;
+  /** Restarts at the next pose, as after a cut. */
+  reset(): void;
+  dispose(): void;
+}
+
+/** A motion that plays in real time. */
+export type Playback = Pick<ClientSession, "step" | "seek" | "setLoop" | "configure" | "analyse" | "dispose">;

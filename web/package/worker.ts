@@ -1,0 +1,13 @@
+/** The entry of the package's worker: a classic script that imports nothing. */
+import type { ServerPort } from "../client/server/serve";
+import { type Boot, STARTED, serveBooted } from "./boot";
+
+/** As much of a worker's global scope as its beginning needs. */
+interface Scope {
+  onmessage: ((event: MessageEvent<Boot>) => void) | null;
+  postMessage(message: string): void;
+}
+
+const scope = self as unknown as Scope;
+scope.onmessage = ({ data }) => serveBooted(scope as unknown as ServerPort, data);
+scope.postMessage(STARTED);
