@@ -146,6 +146,20 @@ describe("handles", () => {
     await expect(unreadable.read()).rejects.toMatchObject({ code: "bad-file" });
   });
 
+  test("the size of the engine's memory is told: whole pages of WebAssembly, never fewer than before", async () => {
+    const client = connect();
+    const before = await client.memory();
+    expect(before.wasmBytes).toBeGreaterThan(0);
+    expect(before.wasmBytes % 65_536).toBe(0);
+    const database = await client.openDatabase({ kind: "demo" });
+    const opened = await client.memory();
+    // The database's poses alone.
+    expect(opened.wasmBytes).toBeGreaterThan(database.info.frames * POSE_FLOATS * 4);
+    expect(opened.wasmBytes).toBeGreaterThanOrEqual(before.wasmBytes);
+    database.dispose();
+    expect(await client.memory()).toEqual(opened);
+  });
+
   test("the source of a motion may be changed by its caller", async () => {
     const { client, database } = await openDemo();
     const bytes = proudWalk.slice(0);

@@ -14,6 +14,7 @@ import {
   type CallOptions,
   type DatabaseSource,
   type InputSource,
+  type MemoryInfo,
   STYLE_HALF_LIFE_SECS,
   type StylizeOptions,
 } from "./protocol";
@@ -129,6 +130,11 @@ export class EngineClient {
   /** Whether a handle is of this client. */
   owns(handle: ClientHandle): boolean {
     return handle.isOf(this.connection);
+  }
+
+  /** What the engine in the worker holds; models are not in it. */
+  memory(): Promise<MemoryInfo> {
+    return this.connection.call("memory", []);
   }
 
   /** Closes everything, the models too, and ends the worker. */

@@ -11,6 +11,7 @@ import type {
   InputInfo,
   InputSource,
   LiveFrame,
+  MemoryInfo,
   MotionFacts,
   Performed,
   Progress,
@@ -57,6 +58,7 @@ export interface WorkerCalls {
   restyle(stylizer: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
   push(stylizer: Id, poses: Float32Array): Styled;
   reset(stylizer: Id): undefined;
+  memory(): MemoryInfo;
   /** Closes something and all that was made of it; nothing happens where it is not open. */
   close(id: Id): undefined;
 }

@@ -4,8 +4,8 @@ import { ClipJob } from "./clip_job";
 import { Database, type DatabaseSource } from "./database";
 import { Input, type InputSource, readMotion } from "./input";
 import { Stylizer } from "./stylizer";
-import type { MotionFacts, StyleKey, StylizeOptions } from "./types";
-import { type Glue, guarded, loadWasm } from "./wasm";
+import type { MemoryInfo, MotionFacts, StyleKey, StylizeOptions } from "./types";
+import { type Glue, guarded, loadWasm, wasmBytes } from "./wasm";
 
 /** Opens databases and motions and creates stylizers, which the caller disposes of. Calls are synchronous. */
 export class Engine {
@@ -35,6 +35,11 @@ export class Engine {
 
   openInput(database: Database, source: InputSource): Input {
     return new Input(this.glue, database, source);
+  }
+
+  /** What all that is open on this thread takes. */
+  memory(): MemoryInfo {
+    return { wasmBytes: wasmBytes() };
   }
 
   createStylizer(database: Database, options?: StylizeOptions): Stylizer {

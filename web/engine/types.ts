@@ -30,6 +30,12 @@ export interface MotionFacts {
   note: string;
 }
 
+/** What the engine holds. */
+export interface MemoryInfo {
+  /** Size of its linear memory, bytes: it grows with what is open and never shrinks. */
+  wasmBytes: number;
+}
+
 /** A motion that is open as the input. */
 export interface InputInfo {
   name: string;

@@ -12,6 +12,7 @@ export type Glue = typeof engineGlue;
 let glue = engineGlue;
 let module = () => assetOf("strut_wasm_bg.wasm", () => new URL("./pkg/strut_wasm_bg.wasm", import.meta.url));
 
+let compiled: WebAssembly.Module | undefined;
 let loading: Promise<Glue> | undefined;
 let lost = false;
 
@@ -54,7 +55,15 @@ export function guarded<T>(call: () => T): T {
   }
 }
 
+/** Size of the instance's linear memory, bytes; 0 before it is loaded. */
+export function wasmBytes(): number {
+  // Once there is an instance, `initSync` gives its exports, also after a reset.
+  return compiled ? glue.initSync({ module: compiled }).memory.buffer.byteLength : 0;
+}
+
 async function instantiate(): Promise<Glue> {
-  glue.initSync({ module: await compileModule(module()) });
+  const loaded = await compileModule(module());
+  glue.initSync({ module: loaded });
+  compiled = loaded;
   return glue;
 }

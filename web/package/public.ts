@@ -7,6 +7,7 @@ export type {
   DatabaseInfo,
   FrameRange,
   LiveFrame,
+  MemoryInfo,
   ModelOptions,
   Progress,
   Reading,

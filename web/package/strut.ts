@@ -8,6 +8,7 @@ import {
   type DatabaseInfo,
   DEFAULT_OPTIONS,
   type InputSource,
+  type MemoryInfo,
   type MotionFacts,
   StrutError,
   type StyledClip,
@@ -70,6 +71,10 @@ export class StrutEngine implements Strut {
 
   async createPlayback(motion: Motion, database: Database, options?: Options): Promise<Playback> {
     return this.client.createSession(this.#database(database), this.#motion(motion), options);
+  }
+
+  memory(): Promise<MemoryInfo> {
+    return this.client.memory();
   }
 
   dispose(): void {

@@ -5,7 +5,7 @@
  * quaternion x y z w of the 21 joints of the canonical humanoid, each relative to its parent, the hips to the world.
  */
 import type { ClientSession, StyleChange } from "../client/handles";
-import type { CallOptions, DatabaseInfo, Styled, StyleWeights, StylizeOptions } from "../client/protocol";
+import type { CallOptions, DatabaseInfo, MemoryInfo, Styled, StyleWeights, StylizeOptions } from "../client/protocol";
 import type { Analysis, ModelOptions } from "../engine/types";
 import type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
 import type { TraceFrame } from "../formats/trace";
@@ -65,6 +65,9 @@ export interface Strut {
 
   /** Plays a motion in real time. @throws StrutError `bad-input` */
   createPlayback(motion: Motion, database: Database, options?: Options): Promise<Playback>;
+
+  /** How much memory the engine holds; it grows, and only {@link dispose} gives it back. */
+  memory(): Promise<MemoryInfo>;
 
   /** Closes everything and ends the engine: only this gives the memory of WebAssembly back. */
   dispose(): void;

@@ -42,6 +42,7 @@ const HANDLERS: Handlers = {
   restyle: stylizers.restyle,
   push: stylizers.push,
   reset: stylizers.reset,
+  memory: ({ engine }) => engine.memory(),
   close: ({ open }, _, id) => {
     open.close(id);
   },
