@@ -1,7 +1,7 @@
 //! What the page loads of the built-in motions is what they are.
 
 use strut_core::kinematics::world_from_local;
-use strut_demo::{STYLES, database, input_clips, walk_database, walk_input};
+use strut_demo::{database, input_clips};
 use strut_formats::strutdb::packed::{self, NamedMotion};
 
 #[test]
@@ -25,15 +25,4 @@ fn packing_moves_no_joint_by_a_fifth_of_a_millimetre() {
     assert!(worst < 2e-4, "{worst} m");
     let rows = db.counterpart.iter().zip(&back.counterpart).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
     assert!(rows <= packed::ROW_STEP, "{rows} rows");
-}
-
-#[test]
-fn the_walk_set_has_one_walking_take_in_every_style_and_the_first_input() {
-    let walk = walk_database().unwrap();
-    assert_eq!(walk.actions, ["walk"]);
-    let mut names = STYLES.map(|style| style.name);
-    names.sort_unstable();
-    assert_eq!(walk.styles, names);
-    assert_eq!(walk.clips.len(), STYLES.len());
-    assert_eq!(walk_input(), input_clips()[0]);
 }
