@@ -22,15 +22,31 @@ export function builtInName(source: Source): string | undefined {
  */
 export async function readSource(source: Source, what: string, signal?: AbortSignal): Promise<SourceFile> {
   if (signal?.aborted) throw cancelled(signal.reason);
-  if (source instanceof ArrayBuffer) return { name: "", bytes: source };
-  if (source instanceof Uint8Array) return { name: "", bytes: source.slice().buffer };
-  if (source instanceof Blob) {
+  // What came from a frame is of other classes than this page's.
+  if (tagOf(source) === "ArrayBuffer") return { name: "", bytes: source as ArrayBuffer };
+  if (ArrayBuffer.isView(source)) return { name: "", bytes: source.slice().buffer };
+  if (isBlob(source)) {
     const name = "name" in source && typeof source.name === "string" ? source.name : "";
     return { name: nameOf(name), bytes: await source.arrayBuffer() };
   }
   if (typeof source === "string" && isText(source)) return { name: "", bytes: bytesOf(source) };
+  if (!isAddress(source)) throw noSource(what, tagOf(source));
   const url = urlOf(source, what);
-  return { name: nameOf(decodeURIComponent(url.pathname)), bytes: await fetched(url, what, signal) };
+  const path = url.protocol === "data:" ? "" : decodeURIComponent(url.pathname);
+  return { name: nameOf(path), bytes: await fetched(url, what, signal) };
+}
+
+/** The name of a value's kind, the same for all pages and frames. */
+const tagOf = (value: unknown): string => Object.prototype.toString.call(value).slice("[object ".length, -1);
+
+const isAddress = (source: Source): source is string | URL => typeof source === "string" || tagOf(source) === "URL";
+
+const isBlob = (source: Source): source is Blob => /^(Blob|File)$/.test(tagOf(source));
+
+const HINT = "Give a URL, a file, its text or its bytes.";
+
+function noSource(what: string, found: string): StrutError {
+  return new StrutError({ code: "bad-input", message: `The ${what} cannot be ${found}.`, hint: HINT });
 }
 
 /** A BVH file is text of several lines, which no URL is. */
@@ -49,7 +65,7 @@ function urlOf(source: string | URL, what: string): URL {
     return new URL(source, base);
   } catch (cause) {
     const message = `The ${what} '${source}' is not a URL.`;
-    throw new StrutError({ code: "bad-input", message, hint: "Give a URL, a file, its text or its bytes." }, cause);
+    throw new StrutError({ code: "bad-input", message, hint: HINT }, cause);
   }
 }
 

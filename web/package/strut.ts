@@ -1,17 +1,21 @@
 /** {@link Strut} over one client of the engine. */
 import type { EngineClient } from "../client/engine_client";
-import { ClientDatabase, type ClientMotion } from "../client/handles";
+import { ClientDatabase, type ClientMotion, type ClientSession } from "../client/handles";
 import { changedOptions } from "../client/options";
 import {
+  type Analysis,
   type BuiltInSet,
   type CallOptions,
   type DatabaseInfo,
   DEFAULT_OPTIONS,
+  type FrameRange,
   type InputSource,
+  type LiveFrame,
   type MemoryInfo,
   type MotionFacts,
   StrutError,
   type StyledClip,
+  type StylizeOptions,
 } from "../client/protocol";
 import type { HumanoidAnimation } from "../formats/animation";
 import type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
@@ -70,7 +74,8 @@ export class StrutEngine implements Strut {
   }
 
   async createPlayback(motion: Motion, database: Database, options?: Options): Promise<Playback> {
-    return this.client.createSession(this.#database(database), this.#motion(motion), options);
+    const session = await this.client.createSession(this.#database(database), this.#motion(motion), options);
+    return new MotionPlayback(session, { ...DEFAULT_OPTIONS, ...options });
   }
 
   memory(): Promise<MemoryInfo> {
@@ -127,6 +132,42 @@ class OpenedMotion implements Motion {
 
   dispose(): void {
     this.handle.dispose();
+  }
+}
+
+/** A session whose options can be changed one by one. */
+class MotionPlayback implements Playback {
+  readonly #session: ClientSession;
+  #options: StylizeOptions;
+
+  constructor(session: ClientSession, options: StylizeOptions) {
+    this.#session = session;
+    this.#options = options;
+  }
+
+  configure(change: Options): Promise<void> {
+    this.#options = changedOptions(this.#session.database.info, this.#options, change);
+    return this.#session.configure(this.#options);
+  }
+
+  step(dtSecs: number): Promise<LiveFrame> {
+    return this.#session.step(dtSecs);
+  }
+
+  seek(inputFrame: number): Promise<LiveFrame> {
+    return this.#session.seek(inputFrame);
+  }
+
+  setLoop(loop: boolean, range?: FrameRange): Promise<void> {
+    return this.#session.setLoop(loop, range);
+  }
+
+  analyse(call?: CallOptions): Promise<Analysis> {
+    return this.#session.analyse(call);
+  }
+
+  dispose(): void {
+    this.#session.dispose();
   }
 }
 

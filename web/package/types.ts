@@ -134,4 +134,10 @@ export interface LiveStylizer {
 }
 
 /** A motion that plays in real time. */
-export type Playback = Pick<ClientSession, "step" | "seek" | "setLoop" | "configure" | "analyse" | "dispose">;
+export interface Playback extends Pick<ClientSession, "step" | "seek" | "setLoop" | "analyse" | "dispose"> {
+  /**
+   * Changes some of the options; a change of the styles fades in from the next frame on.
+   * @throws StrutError `bad-input`, at once, and nothing is changed
+   */
+  configure(change: Options): Promise<void>;
+}

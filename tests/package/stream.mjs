@@ -1,0 +1,53 @@
+// A live stylizer for so many pushes of one pose: what the memory does, and what a push costs besides styling. Prints a report.
+import { loadStrut } from "strut-motion";
+
+const PUSHES = Number(process.argv[2]);
+const strut = await loadStrut();
+const db = await strut.openDatabase("strut:walk");
+const motion = await strut.openMotion("strut:neutral-walk");
+const poses = await motion.poses(db);
+const frames = poses.length / 87;
+const live = await strut.createStylizer(db, { styles: { proud: 1 } });
+const pushes = async (count) => {
+  for (let i = 0; i < count; i++) {
+    if (i % 5000 === 4999) live.setStyles({ old: (i % 3) / 2 });
+    const at = 87 * (i % frames);
+    await live.push(poses.subarray(at, at + 87));
+  }
+};
+const state = async () => {
+  globalThis.gc();
+  const { heapUsed, arrayBuffers } = process.memoryUsage();
+  return { heap: heapUsed, arrayBuffers, wasm: (await strut.memory()).wasmBytes };
+};
+
+await pushes(PUSHES / 10);
+const before = await state();
+await pushes(PUSHES);
+const after = await state();
+
+// The same frames one by one and in one piece differ by what a push costs besides.
+const timed = async (work) => {
+  const started = performance.now();
+  await work();
+  return performance.now() - started;
+};
+const batch = poses.slice(0, 87 * 500);
+live.reset();
+const single = await timed(() => pushes(500));
+live.reset();
+const whole = await timed(() => live.push(batch));
+
+const controller = new AbortController();
+const long = strut.stylize(motion, db, { signal: controller.signal }).then(
+  () => "none",
+  ({ code }) => code,
+);
+await new Promise((resolve) => setTimeout(resolve, 20));
+const aborted = performance.now();
+controller.abort();
+const code = await long;
+console.log(
+  JSON.stringify({ before, after, overheadMs: (single - whole) / 500, abort: { code, ms: performance.now() - aborted } }),
+);
+strut.dispose();
