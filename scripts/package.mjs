@@ -14,6 +14,9 @@ const ENTRIES = ["index", "node", "inline"];
 /** Files that the entries load at run time. */
 const ASSETS = {
   "strut_wasm_bg.wasm": join(ENGINE, "pkg", "strut_wasm_bg.wasm"),
+  "strut_wasm_build_bg.wasm": join(ENGINE, "build", "pkg", "strut_wasm_build_bg.wasm"),
+  "strut_wasm_walk_bg.wasm": join(ENGINE, "walk", "pkg", "strut_wasm_walk_bg.wasm"),
+  "strut_wasm_key_style_bg.wasm": join(ENGINE, "key_style", "pkg", "strut_wasm_key_style_bg.wasm"),
   "walk.bin": join(ENGINE, "motions", "walk.bin"),
   "built_in.bin": join(ENGINE, "motions", "built_in.bin"),
 };
@@ -70,8 +73,8 @@ export async function writePackage() {
   for (const [name, path] of Object.entries(ASSETS)) cpSync(path, join(OUT, "assets", name));
   await build({
     ...common,
-    entryPoints: [join(SOURCE, "worker.ts")],
-    outfile: join(OUT, "assets", "worker.js"),
+    entryPoints: ["worker", "build_worker"].map((name) => join(SOURCE, `${name}.ts`)),
+    outdir: join(OUT, "assets"),
     format: "iife",
   });
   await build({
@@ -125,7 +128,11 @@ async function writeTypes() {
   const files = new Set(ENTRIES.map((entry) => join(all, "package", `${entry}.d.ts`)));
   // A set grows while it is walked.
   for (const file of files) {
-    const text = readFileSync(file, "utf8").replace(/(from |import\()"(\.[^"]*?)(?:\.js)?"/g, (_, keyword, path) => {
+    // What wasm-bindgen declares is not compiled, and lies beside the sources.
+    const declared = existsSync(file) ? file : join(root, "web", relative(all, file));
+    // Users need not have the library in which `Symbol.dispose` is declared.
+    const source = readFileSync(declared, "utf8").replace(/^\s*\[Symbol\.dispose\]\(\): void;\n/gm, "");
+    const text = source.replace(/(from |import\()"(\.[^"]*?)(?:\.js)?"/g, (_, keyword, path) => {
       const isFolder = existsSync(join(dirname(file), path, "index.d.ts"));
       const named = isFolder ? `${path}/index` : path;
       files.add(join(dirname(file), `${named}.d.ts`));

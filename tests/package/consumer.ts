@@ -1,6 +1,6 @@
-/** A folder in which somebody installed the package, with a database, a walk, and what the command makes of them. */
+/** A folder in which somebody installed the package, with a database, walks, and what the command makes of them. */
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { everyNth } from "../clips";
@@ -30,6 +30,11 @@ export function installPackage(): Consumer {
   symlinkSync(join(root, "node_modules", "three"), join(folder, "node_modules", "three"));
   run(COMMAND, "demo-db", "-o", "demo.strutdb", "--bvh", "demo");
   const walk = readFileSync(join(folder, "demo", "walk_neutral_001.bvh"), "utf8");
+  mkdirSync(join(folder, "clips"));
+  for (const style of ["neutral", "old", "proud"]) {
+    const clip = `walk_${style}_001.bvh`;
+    writeFileSync(join(folder, "clips", clip), everyNth(readFileSync(join(folder, "demo", clip), "utf8"), 2, 150));
+  }
   rmSync(join(folder, "demo"), { recursive: true });
   writeFileSync(join(folder, "walk.bvh"), everyNth(walk, 1, FRAMES));
   run(COMMAND, ..."stylize --db demo.strutdb --input walk.bvh --style proud -o command.bvh".split(" "));

@@ -1,9 +1,10 @@
 /** The package in Node, installed from its tarball: the contract of DESIGN.md section 6, bit-equal to the command. */
 import { execFileSync } from "node:child_process";
-import { copyFileSync, readFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { POSE_FLOATS } from "../../web/humanoid";
+import { COMMAND } from "../programs";
 import { root } from "../recordings";
 import { type Consumer, FRAMES, installPackage } from "./consumer";
 
@@ -13,11 +14,16 @@ beforeAll(() => {
 }, 900_000);
 afterAll(() => consumer.remove());
 
+/** Runs a script of this folder as the consumer's; what it prints. */
+function run(script: string, ...args: string[]): string {
+  copyFileSync(new URL(`./${script}`, import.meta.url), join(consumer.folder, script));
+  return execFileSync(process.execPath, ["--expose-gc", script, ...args], { cwd: consumer.folder, encoding: "utf8" });
+}
+
 describe("the contract", () => {
   let report: Record<string, unknown> & { refusals: string[]; clip: { duration: number }; durationOutSecs: number };
   beforeAll(() => {
-    copyFileSync(new URL("./contract.mjs", import.meta.url), join(consumer.folder, "contract.mjs"));
-    report = JSON.parse(execFileSync(process.execPath, ["contract.mjs"], { cwd: consumer.folder }).toString());
+    report = JSON.parse(run("contract.mjs"));
   });
 
   test("styles a file to the bytes that the command writes", () => {
@@ -58,6 +64,59 @@ describe("the contract", () => {
     expect(report.walk).toMatchObject({ actions: ["walk"], styles: expect.arrayContaining(["neutral", "proud"]) });
     const { styles, frames, out } = report.walk as { styles: string[]; frames: number; out: number };
     expect([styles.length, out]).toEqual([8, frames]);
+  });
+});
+
+describe("what is built and trained", () => {
+  let report: { refusals: string[] } & Record<string, unknown>;
+  const command = (...args: string[]) => execFileSync(COMMAND, args, { cwd: consumer.folder, stdio: "pipe" });
+  const file = (name: string) => readFileSync(join(consumer.folder, name));
+  beforeAll(() => {
+    report = JSON.parse(run("models.mjs"));
+  });
+
+  test("are databases, byte for byte those of the command", () => {
+    mkdirSync(join(consumer.folder, "two"));
+    for (const style of ["neutral", "old"]) {
+      const clip = `walk_${style}_001.bvh`;
+      copyFileSync(join(consumer.folder, "clips", clip), join(consumer.folder, "two", clip));
+    }
+    command("build-db", "two", "-o", "built_by_command.strutdb");
+    expect(file("built.strutdb").equals(file("built_by_command.strutdb"))).toBe(true);
+    // A database keeps the path of every clip; a file alone has none.
+    copyFileSync(join(consumer.folder, "clips/walk_proud_001.bvh"), join(consumer.folder, "walk_proud_001.bvh"));
+    const clip = ["--input", "walk_proud_001.bvh", "--style", "cross"];
+    command("add-style", "--db", "built_by_command.strutdb", ...clip, "-o", "more_by_command.strutdb");
+    expect(file("more.strutdb").equals(file("more_by_command.strutdb"))).toBe(true);
+    expect(report).toMatchObject({ built: ["neutral", "old"], more: ["neutral", "old", "cross"], styled: true });
+  });
+
+  test("are models of walks and of key styles", () => {
+    expect(report).toMatchObject({ walk: { styles: 8, pose: POSE_FLOATS }, keys: ["foot_separation"], last: 1 });
+  });
+
+  test("or are refused with a code and a sentence", () => {
+    expect(report.refusals.map((refusal) => refusal.split(":")[0])).toEqual([
+      "bad-file",
+      "bad-file",
+      "bad-file",
+      "bad-file",
+      "bad-input",
+      "bad-input",
+      "bad-input",
+      "cancelled",
+    ]);
+    for (const refusal of report.refusals) expect(refusal).toMatch(/^[\w-]+: .*\.$/);
+  });
+});
+
+describe("a stream of 20,000 poses", () => {
+  test("leaves the memory as it was, and ends at once when it is asked to", () => {
+    const { before, after, abort } = JSON.parse(run("stream.mjs", "20000"));
+    expect(after.wasm).toBe(before.wasm);
+    expect(after.arrayBuffers).toBeLessThanOrEqual(before.arrayBuffers * 1.05);
+    expect(after.heap).toBeLessThanOrEqual(before.heap * 1.05);
+    expect(abort.code).toBe("cancelled");
   });
 });
 

@@ -5,6 +5,7 @@
 import { disposed } from "../engine/errors";
 import { DEFAULT_OPTIONS } from "../engine/types";
 import type { BuildWorkerPort } from "./build/client";
+import type { BuildClient } from "./build/protocol";
 import { Connection, DEFAULT_PATIENCE, type Patience, type Reopenable, type WorkerPort } from "./connection";
 import { ClientDatabase, type ClientHandle, ClientMotion, ClientSession, ClientStylizer } from "./handles";
 import type { KeyStyleModel, KeyStyleModelSource } from "./models/key_style";
@@ -130,6 +131,12 @@ export class EngineClient {
   /** Whether a handle is of this client. */
   owns(handle: ClientHandle): boolean {
     return handle.isOf(this.connection);
+  }
+
+  /** What builds databases, in a worker of its own that lives as long as its work. */
+  async createBuilds(): Promise<BuildClient> {
+    const { createBuildClient } = await import("./build/client");
+    return this.own(createBuildClient(this.spawnBuild));
   }
 
   /** What the engine in the worker holds; models are not in it. */

@@ -73,7 +73,7 @@ export class ClientDatabase extends ClientHandle {
     connection: Connection,
     id: Id,
     readonly info: DatabaseInfo,
-    private readonly source: DatabaseSource,
+    readonly source: DatabaseSource,
   ) {
     super(connection, id, [], "database");
   }
@@ -88,7 +88,7 @@ export class ClientMotion extends ClientHandle {
   constructor(
     connection: Connection,
     id: Id,
-    private readonly source: InputSource,
+    readonly source: InputSource,
   ) {
     super(connection, id, [], "motion");
   }

@@ -1,5 +1,4 @@
-/** How a worker of the package begins: the page tells it where the engine's files lie, then it serves calls. */
-import { type ServerPort, serve } from "../client/server/serve";
+/** How a thread of the package begins: it is told where the engine's files lie. */
 import { type Asset, placeAssets } from "../engine/assets";
 import type { EngineAsset } from "./assets";
 
@@ -11,15 +10,11 @@ export interface Boot {
 /** Worker → page, once, when its script runs. */
 export const STARTED = "strut-motion started";
 
-/** Serves calls at a port with the files of a {@link Boot}. */
-export function serveBooted(port: ServerPort, { assets }: Boot): void {
-  placeAssets(
-    Object.fromEntries(
-      Object.entries(assets).map(([name, asset]): [string, Asset] => [
-        name,
-        typeof asset === "string" ? new URL(asset) : asset,
-      ]),
-    ),
-  );
-  void serve(port);
+/** Places the files on this thread. */
+export function placeBooted({ assets }: Boot): void {
+  const placed = Object.entries(assets).map(([name, asset]): [string, Asset] => [
+    name,
+    typeof asset === "string" ? new URL(asset) : asset,
+  ]);
+  placeAssets(Object.fromEntries(placed));
 }

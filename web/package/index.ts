@@ -18,11 +18,11 @@ export async function loadStrut({ assets, worker = true, signal }: LoadOptions =
   const entry = {
     workerUrl,
     workerText: async () => (await fetch(workerUrl)).text(),
-    server: () => import("./boot"),
+    buildWorkerUrl: place("build_worker.js"),
+    servers: () => import("./servers"),
     boot: { assets: placesBy(place) },
   };
-  const { thread, spawn } = await startEngine(entry, worker, signal);
-  return loadEngine(thread, spawn, signal);
+  return loadEngine(entry.boot, await startEngine(entry, worker, signal), signal);
 }
 
 /** Each address stands here in the form that bundlers look for. @throws StrutError `load` where this file has no address */
@@ -30,7 +30,11 @@ function beside(): (file: string) => string {
   try {
     const places: Record<string, string> = {
       "worker.js": new URL("./assets/worker.js", import.meta.url).href,
+      "build_worker.js": new URL("./assets/build_worker.js", import.meta.url).href,
       "strut_wasm_bg.wasm": new URL("./assets/strut_wasm_bg.wasm", import.meta.url).href,
+      "strut_wasm_build_bg.wasm": new URL("./assets/strut_wasm_build_bg.wasm", import.meta.url).href,
+      "strut_wasm_walk_bg.wasm": new URL("./assets/strut_wasm_walk_bg.wasm", import.meta.url).href,
+      "strut_wasm_key_style_bg.wasm": new URL("./assets/strut_wasm_key_style_bg.wasm", import.meta.url).href,
       "walk.bin": new URL("./assets/walk.bin", import.meta.url).href,
       "built_in.bin": new URL("./assets/built_in.bin", import.meta.url).href,
     };

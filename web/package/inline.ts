@@ -1,9 +1,9 @@
-/** `strut-motion/inline`: the engine in one file; only the built-in motions lie beside it. */
+/** `strut-motion/inline`: the engine in one file; built-in motions, and what builds and trains, lie beside it. */
 import engine from "strut-inline:strut_wasm_bg.wasm";
 import workerText from "strut-inline:worker.js";
 import { placeIn, placesBy } from "./assets";
-import { serveBooted } from "./boot";
 import { loadEngine } from "./load";
+import * as servers from "./servers";
 import { startEngine } from "./start";
 import type { LoadOptions, Strut } from "./types";
 
@@ -20,11 +20,11 @@ export async function loadStrut({ assets, worker = true, signal }: LoadOptions =
   const entry = {
     workerUrl: undefined,
     workerText: async () => workerText,
-    server: async () => ({ serveBooted }),
+    buildWorkerUrl: placeIn(folder, "build_worker.js", document.baseURI),
+    servers: async () => servers,
     boot: { assets: { ...places, "strut_wasm_bg.wasm": engine } },
   };
-  const { thread, spawn } = await startEngine(entry, worker, signal);
-  return loadEngine(thread, spawn, signal);
+  return loadEngine(entry.boot, await startEngine(entry, worker, signal), signal);
 }
 
 /** A blob has no folder: its files are looked for beside the page. */

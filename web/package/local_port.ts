@@ -1,30 +1,46 @@
-/** The engine's server on the calling thread, behind the same port as a worker's: messages are copied and arrive later. */
-import type { WorkerPort } from "../client/connection";
-import type { Reply, Request } from "../client/messages";
-import type { ServerPort } from "../client/server/serve";
+/** A server on the calling thread behind the same port as a worker's: messages arrive later, as with a real one. */
 
-export class LocalPort implements WorkerPort {
+/** As much of a worker's global scope as a server needs. */
+interface ServerSide<Request, Reply> {
+  postMessage(message: Reply, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<Request>) => void) | null;
+}
+
+/** A copy of a message; what it transfers is taken from its sender. */
+type Copy = <T>(message: T, transfer: Transferable[]) => T;
+
+/** Copies as a worker's port does. */
+export const structuredCopy: Copy = (message, transfer) => structuredClone(message, { transfer });
+
+export class LocalPort<Request, Reply> {
   onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
   /** Nothing is reported here: what fails on this thread is answered as a failure of its call. */
   onerror: ((event: ErrorEvent) => void) | null = null;
   #ended = false;
-  readonly #server: ServerPort;
+  readonly #server: ServerSide<Request, Reply>;
+  /** Settles when the server takes messages. */
+  readonly #serving: Promise<void>;
+  readonly #copy: Copy;
 
-  /** @param serve begins to serve at a port */
-  constructor(serve: (port: ServerPort) => void) {
+  /**
+   * @param serve begins to serve at a port
+   * @param copy copies a message, where its sender may change it afterwards
+   */
+  constructor(serve: (port: ServerSide<Request, Reply>) => void | Promise<void>, copy: Copy = (message) => message) {
+    this.#copy = copy;
     this.#server = {
       onmessage: null,
       postMessage: (reply, transfer) => {
-        const data = structuredClone(reply, { transfer });
+        const data = copy(reply, transfer);
         queueMicrotask(() => !this.#ended && this.onmessage?.({ data } as MessageEvent<Reply>));
       },
     };
-    serve(this.#server);
+    this.#serving = Promise.resolve(serve(this.#server));
   }
 
   postMessage(message: Request): void {
-    const data = structuredClone(message);
-    queueMicrotask(() => !this.#ended && this.#server.onmessage?.({ data } as MessageEvent<Request>));
+    const data = this.#copy(message, []);
+    void this.#serving.then(() => !this.#ended && this.#server.onmessage?.({ data } as MessageEvent<Request>));
   }
 
   terminate(): void {

@@ -2,9 +2,9 @@
 import engine from "strut-inline:strut_wasm_bg.wasm";
 import { cancelled } from "../engine/errors";
 import { placeIn, placesBy } from "./assets";
-import { serveBooted } from "./boot";
 import { loadEngine } from "./load";
-import { LocalPort } from "./local_port";
+import * as servers from "./servers";
+import { localPorts } from "./start";
 import type { LoadOptions, Strut } from "./types";
 
 export { StrutError, type StrutErrorCode } from "../engine/errors";
@@ -19,5 +19,5 @@ export async function loadStrut({ assets, signal }: LoadOptions = {}): Promise<S
   const folder = assets ?? new URL("./assets/", import.meta.url).href;
   const places = placesBy((file) => placeIn(folder, file, import.meta.url));
   const boot = { assets: { ...places, "strut_wasm_bg.wasm": engine } };
-  return loadEngine("node", () => new LocalPort((port) => serveBooted(port, boot)), signal);
+  return loadEngine(boot, { thread: "node", ...localPorts(servers) }, signal);
 }

@@ -1,9 +1,9 @@
 /** Starts the engine of a page: in a worker; where that is forbidden in one from a blob; else on the page's thread. */
+import type { BuildWorkerPort } from "../client/build/client";
 import type { WorkerPort } from "../client/connection";
-import type { ServerPort } from "../client/server/serve";
 import { cancelled, type ErrorParts, StrutError } from "../engine/errors";
 import { type Boot, STARTED } from "./boot";
-import { LocalPort } from "./local_port";
+import { LocalPort, structuredCopy } from "./local_port";
 import type { Thread } from "./types";
 
 /** A way to start the engine that works on this page. */
@@ -11,6 +11,8 @@ export interface Started {
   thread: Thread;
   /** Starts an engine; the first time it is the one that was tried. */
   spawn: () => WorkerPort;
+  /** Starts what builds databases and trains models. */
+  spawnBuild: () => BuildWorkerPort;
 }
 
 /** What differs between the package's entries. */
@@ -19,10 +21,15 @@ export interface Entry {
   workerUrl: string | undefined;
   /** The text of the worker's script. */
   workerText: () => Promise<string>;
-  /** What serves calls on the page's thread, loaded when it is needed. */
-  server: () => Promise<{ serveBooted: (port: ServerPort, boot: Boot) => void }>;
+  /** Address of the script of the worker that builds. */
+  buildWorkerUrl: string;
+  /** What serves on the page's thread, loaded when it is needed. */
+  servers: () => Promise<Servers>;
   boot: Boot;
 }
+
+/** What serves on the calling thread. */
+export type Servers = typeof import("./servers");
 
 /**
  * Starts the engine in the first way that works.
@@ -30,18 +37,34 @@ export interface Entry {
  * @throws StrutError `cancelled`, or `load` if nothing works
  */
 export async function startEngine(entry: Entry, worker: boolean, signal?: AbortSignal): Promise<Started> {
-  const { boot } = entry;
+  const { boot, buildWorkerUrl } = entry;
   for (const { thread, address } of worker && typeof Worker === "function" ? workersOf(entry) : []) {
     if (signal?.aborted) throw cancelled(signal.reason);
     const url = await address().then(trusted, () => undefined);
     const first = url === undefined ? undefined : await tryWorker(url, boot);
-    if (first && url !== undefined) return { thread, spawn: onceThen(first, () => spawnWorker(url, boot)) };
+    if (!first || url === undefined) continue;
+    const buildUrl = trusted(
+      thread === "worker" ? buildWorkerUrl : blobOf(`importScripts(${JSON.stringify(buildWorkerUrl)})`),
+    );
+    return {
+      thread,
+      spawn: onceThen(first, () => spawnBooted(url, boot) as WorkerPort),
+      spawnBuild: () => spawnBooted(buildUrl, boot) as BuildWorkerPort,
+    };
   }
   if (signal?.aborted) throw cancelled(signal.reason);
-  const { serveBooted } = await entry.server().catch((cause) => {
+  const servers = await entry.servers().catch((cause) => {
     throw new StrutError(NOTHING_WORKS, cause);
   });
-  return { thread: "page", spawn: () => new LocalPort((port) => serveBooted(port, boot)) };
+  return { thread: "page", ...localPorts(servers) };
+}
+
+/** The servers on the calling thread. */
+export function localPorts({ serve, serveBuilds }: Servers): Pick<Started, "spawn" | "spawnBuild"> {
+  return {
+    spawn: () => new LocalPort((port) => void serve(port), structuredCopy),
+    spawnBuild: () => new LocalPort(serveBuilds),
+  };
 }
 
 const NOTHING_WORKS: ErrorParts = {
@@ -52,17 +75,19 @@ const NOTHING_WORKS: ErrorParts = {
 
 /** The ways to start a worker, the best first. */
 function workersOf({ workerUrl, workerText }: Entry): { thread: Thread; address: () => Promise<string> }[] {
-  const blob = async () => URL.createObjectURL(new Blob([await workerText()], { type: "text/javascript" }));
   return [
     ...(workerUrl === undefined ? [] : [{ thread: "worker" as const, address: async () => workerUrl }]),
-    { thread: "blob", address: blob },
+    { thread: "blob", address: async () => blobOf(await workerText()) },
   ];
 }
 
-function spawnWorker(url: string | TrustedScriptURL, boot: Boot): WorkerPort {
+/** The address of a script with this text. */
+const blobOf = (text: string): string => URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+
+function spawnBooted(url: string | TrustedScriptURL, boot: Boot): Worker {
   const worker = new Worker(url as string, { name: "strut-motion" });
   worker.postMessage(boot);
-  return worker as WorkerPort;
+  return worker;
 }
 
 /** Gives the first, then what `next` starts. */

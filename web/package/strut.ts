@@ -1,12 +1,16 @@
 /** {@link Strut} over one client of the engine. */
+import type { BuildClient } from "../client/build/protocol";
 import type { EngineClient } from "../client/engine_client";
-import { ClientDatabase, type ClientMotion, type ClientSession } from "../client/handles";
+import type { ClientDatabase, ClientMotion, ClientSession } from "../client/handles";
+import type { KeyStyleModel } from "../client/models/key_style";
+import type { WalkModel } from "../client/models/walk";
 import { changedOptions } from "../client/options";
 import {
   type Analysis,
   type BuiltInSet,
   type CallOptions,
   type DatabaseInfo,
+  type DatabaseSource,
   DEFAULT_OPTIONS,
   type FrameRange,
   type InputSource,
@@ -17,9 +21,12 @@ import {
   type StyledClip,
   type StylizeOptions,
 } from "../client/protocol";
+import { loadBuiltIn } from "../engine/built_in";
+import { cancelled } from "../engine/errors";
 import type { HumanoidAnimation } from "../formats/animation";
 import type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
 import { type TraceFrame, traceOf } from "../formats/trace";
+import { addedStyle, buildDatabase, fileOf, isZip } from "./builds";
 import { builtInName, readSource } from "./sources";
 import type { Database, LiveStylizer, Motion, Options, Playback, Source, Strut, StyledMotion, Thread } from "./types";
 
@@ -37,16 +44,41 @@ export class StrutEngine implements Strut {
     client.onRestart = ({ message }) => this.onrestart?.(message);
   }
 
-  async openDatabase(source: Source, call: CallOptions = {}): Promise<Database> {
+  async openDatabase(source: Source | readonly File[], call: CallOptions = {}): Promise<Database> {
+    if (isList(source)) return this.#build("built", source, call);
     const name = builtInName(source);
-    if (name !== undefined) return this.client.openDatabase({ kind: "demo", set: setOf(name) }, call);
-    const file = await readSource(source, "database", call.signal);
-    return this.client.openDatabase({ kind: "strutdb", name: file.name, file: new Blob([file.bytes]) }, call);
+    if (name !== undefined) return this.#open({ kind: "demo", set: setOf(name) }, call);
+    const { name: called, bytes } = await readSource(source, "database", call.signal);
+    if (isZip(bytes)) return this.#build(called, [new File([bytes], `${called || "clips"}.zip`)], call);
+    return this.#open({ kind: "strutdb", name: called, file: new Blob([bytes]) }, call);
+  }
+
+  async addStyle(database: Database, motion: Motion, style: string, call: CallOptions = {}): Promise<Database> {
+    const [known, clip] = [this.#database(database), this.#motion(motion)];
+    return this.#built(known.info.name, (builds) => addedStyle(builds, known, clip, style, call));
+  }
+
+  async openWalk(source: Source | Database, call: CallOptions = {}): Promise<WalkModel> {
+    const database = await this.#trainingSet(source, call);
+    if (database) return this.client.openWalk({ database }, call);
+    const { bytes } = await readSource(source as Source, "walk model", call.signal);
+    return this.client.openWalk({ file: new Uint8Array(bytes) }, call);
+  }
+
+  async openKeyStyle(
+    source: Source | Database,
+    { axes = DEFAULT_AXES, ...call }: { axes?: readonly string[] } & CallOptions = {},
+  ): Promise<KeyStyleModel> {
+    const database = await this.#trainingSet(source, call);
+    const order = { clips: [], action: "", axes, components: 0, em: false };
+    if (database) return this.client.openKeyStyle({ motions: { database }, order }, call);
+    const { bytes } = await readSource(source as Source, "key-style model", call.signal);
+    return this.client.openKeyStyle({ file: new Uint8Array(bytes) }, call);
   }
 
   async openMotion(source: Source, call: CallOptions = {}): Promise<Motion> {
     const name = builtInName(source);
-    const opened = name === undefined ? await fileOf(source, call) : await this.#builtIn(name);
+    const opened = name === undefined ? await motionFile(source, call) : await this.#builtIn(name);
     const motion = await this.client.openMotion(opened, call);
     try {
       return new OpenedMotion(motion, opened.name, await motion.read(call));
@@ -86,6 +118,32 @@ export class StrutEngine implements Strut {
     this.client.dispose();
   }
 
+  async #open(source: DatabaseSource, call: CallOptions): Promise<Database> {
+    return new OpenedDatabase(await this.client.openDatabase(source, call));
+  }
+
+  #build(name: string, files: readonly File[], call: CallOptions): Promise<Database> {
+    return this.#built(name, (builds) => buildDatabase(builds, files, call));
+  }
+
+  /** Opens the file of a database that is made first. */
+  async #built(name: string, make: (builds: BuildClient) => Promise<Blob>): Promise<Database> {
+    const builds = await this.client.createBuilds();
+    try {
+      return await this.#open({ kind: "strutdb", name, file: await make(builds) }, {});
+    } finally {
+      builds.dispose();
+    }
+  }
+
+  /** The database that a model is to be trained on; `undefined` where the source is a file of a model. */
+  async #trainingSet(source: Source | Database, { signal }: CallOptions): Promise<Blob | undefined> {
+    if (signal?.aborted) throw cancelled(signal.reason);
+    if (isOpened(source)) return fileOf(this.#database(source));
+    const name = builtInName(source);
+    return name === undefined ? undefined : new Blob([await loadBuiltIn(undefined, setOf(name))]);
+  }
+
   /** A built-in motion by its name in a URL. @throws StrutError `bad-input` if there is none */
   async #builtIn(wanted: string): Promise<InputSource> {
     if (wanted === inUrl(WALK_INPUT)) return { kind: "built-in", name: WALK_INPUT, set: "walk" };
@@ -99,7 +157,7 @@ export class StrutEngine implements Strut {
 
   /** @throws StrutError `bad-input` if it was opened by another engine */
   #database(database: Database): ClientDatabase {
-    if (database instanceof ClientDatabase && this.client.owns(database)) return database;
+    if (database instanceof OpenedDatabase && this.client.owns(database.handle)) return database.handle;
     throw foreign("database", "openDatabase");
   }
 
@@ -107,6 +165,29 @@ export class StrutEngine implements Strut {
   #motion(motion: Motion): ClientMotion {
     if (motion instanceof OpenedMotion && this.client.owns(motion.handle)) return motion.handle;
     throw foreign("motion", "openMotion");
+  }
+}
+
+class OpenedDatabase implements Database {
+  constructor(readonly handle: ClientDatabase) {}
+
+  get info(): DatabaseInfo {
+    return this.handle.info;
+  }
+
+  async toFile(): Promise<Blob> {
+    const { source } = this.handle;
+    if (source.kind === "strutdb") return source.file;
+    const message = "The built-in motions are not a database file.";
+    throw new StrutError({
+      code: "bad-input",
+      message,
+      hint: "Write them with 'strut demo-db', or add a style first.",
+    });
+  }
+
+  dispose(): void {
+    this.handle.dispose();
   }
 }
 
@@ -126,8 +207,8 @@ class OpenedMotion implements Motion {
   }
 
   async poses(database: Database, call?: CallOptions): Promise<Float32Array> {
-    if (!(database instanceof ClientDatabase)) throw foreign("database", "openDatabase");
-    return (await this.handle.on(database, call)).poses;
+    if (!(database instanceof OpenedDatabase)) throw foreign("database", "openDatabase");
+    return (await this.handle.on(database.handle, call)).poses;
   }
 
   dispose(): void {
@@ -234,13 +315,20 @@ function setOf(name: string): BuiltInSet {
   throw new StrutError({ code: "bad-input", message, hint: "There are strut:walk and strut:built-in." });
 }
 
+/** What key-style models are trained on unless it is said otherwise: how far apart the feet are. */
+const DEFAULT_AXES = ["foot_separation"];
+
+const isList = (source: Source | readonly File[]): source is readonly File[] => Array.isArray(source);
+
+const isOpened = (source: Source | Database): source is Database => source instanceof OpenedDatabase;
+
 /** The one input that the smaller set has, too. */
 const WALK_INPUT = "neutral walk";
 
 /** A name as it stands in a URL: `neutral walk, run and walk` is `neutral-walk-run-and-walk`. */
 const inUrl = (name: string): string => name.toLowerCase().replace(/[^a-z0-9]+/g, "-");
 
-async function fileOf(source: Source, { signal }: CallOptions): Promise<InputSource> {
+async function motionFile(source: Source, { signal }: CallOptions): Promise<InputSource> {
   const { name, bytes } = await readSource(source, "motion", signal);
   return { kind: "bvh", name: name || "motion", bytes };
 }

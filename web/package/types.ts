@@ -5,6 +5,8 @@
  * quaternion x y z w of the 21 joints of the canonical humanoid, each relative to its parent, the hips to the world.
  */
 import type { ClientSession, StyleChange } from "../client/handles";
+import type { KeyStyleModel } from "../client/models/key_style";
+import type { WalkModel } from "../client/models/walk";
 import type { CallOptions, DatabaseInfo, MemoryInfo, Styled, StyleWeights, StylizeOptions } from "../client/protocol";
 import type { Analysis, ModelOptions } from "../engine/types";
 import type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
@@ -39,9 +41,10 @@ export interface Strut {
 
   /**
    * Opens a database: a `.strutdb` file, `"strut:walk"` (walks in eight styles) or `"strut:built-in"` (all built-in motions).
+   * Of BVH files, or a zip of them, whose names say action and style (`walk_old_1.bvh`), one is built.
    * @throws StrutError `bad-file`, `bad-input`, `load` or `cancelled`
    */
-  openDatabase(source: Source, call?: CallOptions): Promise<Database>;
+  openDatabase(source: Source | readonly File[], call?: CallOptions): Promise<Database>;
 
   /**
    * Opens a motion: a BVH file or its text, or a built-in one such as `"strut:neutral-walk"`.
@@ -66,6 +69,22 @@ export interface Strut {
   /** Plays a motion in real time. @throws StrutError `bad-input` */
   createPlayback(motion: Motion, database: Database, options?: Options): Promise<Playback>;
 
+  /** A new database: one with a motion, a BVH file, as one more style. @throws StrutError `bad-input` or `bad-file` */
+  addStyle(database: Database, motion: Motion, style: string, call?: CallOptions): Promise<Database>;
+
+  /**
+   * Opens a model of walks: a `.strutwalk` file, or trained on an open or a built-in database. It is on the calling thread.
+   * @throws StrutError `bad-file`, `load` or `cancelled`
+   */
+  openWalk(source: Source | Database, call?: CallOptions): Promise<WalkModel>;
+
+  /**
+   * Opens a key-style model: a `.strutkeys` file, or trained on an open or a built-in database. It is on the calling thread.
+   * @param options also `axes`: the style variables that it is trained for, names of measures or expressions
+   * @throws StrutError `bad-file`, `bad-input`, `load` or `cancelled`
+   */
+  openKeyStyle(source: Source | Database, options?: { axes?: readonly string[] } & CallOptions): Promise<KeyStyleModel>;
+
   /** How much memory the engine holds; it grows, and only {@link dispose} gives it back. */
   memory(): Promise<MemoryInfo>;
 
@@ -76,6 +95,8 @@ export interface Strut {
 /** An open database. */
 export interface Database {
   readonly info: DatabaseInfo;
+  /** The `.strutdb` file. @throws StrutError `bad-input` for the built-in motions, which are none */
+  toFile(): Promise<Blob>;
   dispose(): void;
 }
 

@@ -1,6 +1,6 @@
 /** The entry of the package's worker: a classic script that imports nothing. */
-import type { ServerPort } from "../client/server/serve";
-import { type Boot, STARTED, serveBooted } from "./boot";
+import { type ServerPort, serve } from "../client/server/serve";
+import { type Boot, placeBooted, STARTED } from "./boot";
 
 /** As much of a worker's global scope as its beginning needs. */
 interface Scope {
@@ -9,5 +9,8 @@ interface Scope {
 }
 
 const scope = self as unknown as Scope;
-scope.onmessage = ({ data }) => serveBooted(scope as unknown as ServerPort, data);
+scope.onmessage = ({ data }) => {
+  placeBooted(data);
+  void serve(scope as unknown as ServerPort);
+};
 scope.postMessage(STARTED);

@@ -73,7 +73,7 @@ class WorkerBuildClient implements BuildClient {
     return this.call({ method: "preview", index, roles });
   }
 
-  async build(files: ChosenFile[], neutral: string, options: CallOptions = {}): Promise<BuiltDatabase> {
+  async build(files: ChosenFile[], neutral: string | undefined, options: CallOptions = {}): Promise<BuiltDatabase> {
     await this.pausing;
     const { signal, ...others } = options;
     if (signal?.aborted) throw cancelled();

@@ -21,7 +21,7 @@ export type BuildCall =
   | { method: "label"; pattern: string | undefined; table: File | undefined }
   | { method: "readAll" }
   | { method: "preview"; index: number; roles: Roles | undefined }
-  | { method: "build"; files: ChosenFile[]; neutral: string }
+  | { method: "build"; files: ChosenFile[]; neutral: string | undefined }
   /** Stops the build under way where it can go on later. */
   | { method: "pause" }
   | { method: "addStyle"; database: Blob | undefined; clip: File; style: string }

@@ -74,7 +74,8 @@ export interface BuildClient {
   /** Reads every clip once, to know its length, rate and skeleton. */
   readAll(onRead: (event: ReadEvent) => void, options?: CallOptions): Promise<void>;
   preview(index: number, roles: Roles | undefined): Promise<Preview>;
-  build(files: ChosenFile[], neutral: string, options?: CallOptions): Promise<BuiltDatabase>;
+  /** Builds a database; without `neutral` that style is found by its name. */
+  build(files: ChosenFile[], neutral: string | undefined, options?: CallOptions): Promise<BuiltDatabase>;
   /** A database, or the built-in one, with a clip as one more style. */
   addStyle(database: Blob | undefined, clip: File, style: string, options?: CallOptions): Promise<BuiltDatabase>;
   /** A walk model of a database, or of the built-in one. */

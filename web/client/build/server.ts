@@ -219,7 +219,7 @@ class BuildServer {
   private async build(
     builder: DatabaseBuilder,
     files: ChosenFile[],
-    neutral: string,
+    neutral: string | undefined,
     caller: Caller,
   ): Promise<BuiltDatabase> {
     const total = files.length;

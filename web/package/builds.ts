@@ -1,0 +1,56 @@
+/** Databases that are made here: of clips, and of a database and one more style. */
+import type { BuildClient, ChosenFile, DroppedFile } from "../client/build/protocol";
+import type { ClientDatabase, ClientMotion } from "../client/handles";
+import { type CallOptions, StrutError } from "../client/protocol";
+import { loadBuiltIn } from "../engine/built_in";
+
+/** Whether these are the bytes of an archive. */
+export function isZip(bytes: ArrayBuffer): boolean {
+  const [p, k, three, four] = new Uint8Array(bytes.slice(0, 4));
+  return p === 0x50 && k === 0x4b && three === 3 && four === 4;
+}
+
+/**
+ * Builds a database of BVH files, or archives of them, whose names say action and style. The neutral style is found by its
+ * name.
+ * @throws StrutError `bad-file` with what is missing
+ */
+export async function buildDatabase(builds: BuildClient, files: readonly File[], call: CallOptions): Promise<Blob> {
+  const dropped = files.map((file): DroppedFile => ({ path: file.webkitRelativePath || file.name, file }));
+  const { clips, pattern, notes } = await builds.open(dropped, call.signal && { signal: call.signal });
+  const labels = await builds.label(pattern, undefined);
+  const chosen = clips.flatMap(({ path, licence }, index): ChosenFile[] => {
+    const label = labels[index]!;
+    return "reason" in label ? [] : [{ ...label, index, path, licence, roles: undefined }];
+  });
+  if (chosen.length > 0) return (await builds.build(chosen, undefined, call)).file;
+  const message =
+    clips.length === 0
+      ? `There is no BVH file to build a database of. ${notes.join(" ")}`.trimEnd()
+      : "The names of the files do not say which action and style they are.";
+  throw new StrutError({ code: "bad-file", message, hint: "Name them like walk_old_1.bvh, or open a .strutdb file." });
+}
+
+/**
+ * A database with a motion as one more style: the file of a database.
+ * @throws StrutError `bad-input` where the motion is a built-in one, `bad-file` where it does not fit
+ */
+export async function addedStyle(
+  builds: BuildClient,
+  database: ClientDatabase,
+  { source }: ClientMotion,
+  style: string,
+  call: CallOptions,
+): Promise<Blob> {
+  if (source.kind !== "bvh") {
+    const message = "A built-in motion cannot become a style.";
+    throw new StrutError({ code: "bad-input", message, hint: "Open a BVH file as a motion." });
+  }
+  const clip = new File([source.bytes], `${source.name}.bvh`);
+  return (await builds.addStyle(await fileOf(database), clip, style, call)).file;
+}
+
+/** What a database was opened from: a `.strutdb` file, or packed built-in motions, which those who build read as well. */
+export async function fileOf({ source }: ClientDatabase): Promise<Blob> {
+  return source.kind === "strutdb" ? source.file : new Blob([await loadBuiltIn(undefined, source.set)]);
+}

@@ -1,0 +1,3 @@
+/** The servers on the calling thread, where there is no worker. */
+export { serveBuilds } from "../client/build/server";
+export { serve } from "../client/server/serve";
