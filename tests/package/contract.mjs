@@ -30,6 +30,8 @@ const styled = await live.push(poses);
 const playback = await strut.createPlayback(motion, db, options);
 const played = await playback.step(0.5);
 
+const other = await loadStrut();
+const others = await other.openDatabase("strut:walk");
 const refusals = [];
 for (const wrong of [
   () => strut.openDatabase("strut:none"),
@@ -38,6 +40,8 @@ for (const wrong of [
   () => strut.openMotion("HIERARCHY\nnothing"),
   () => strut.stylize(motion, db, { styles: { nobody: 1 } }),
   () => strut.stylize(motion, db, { stiles: {} }),
+  () => other.stylize(motion, db, {}),
+  () => motion.poses(others),
   () => strut.stylize(motion, { info: db.info, dispose() {} }, {}),
   () => strut.stylize(motion, db, { signal: AbortSignal.abort() }),
 ])
@@ -64,6 +68,7 @@ console.log(
     walk: { styles: walk.info.styles, actions: walk.info.actions, frames: builtIn.frames, out: proud.poses.length / 87 },
   }),
 );
+other.dispose();
 strut.dispose();
 
 /** The joints of a GLB as three.js's objects: what GLTFLoader would give of it, without its mesh. */

@@ -55,6 +55,8 @@ describe("the contract", () => {
       "bad-input",
       "bad-input",
       "bad-input",
+      "bad-input",
+      "bad-input",
       "cancelled",
     ]);
     for (const refusal of report.refusals) expect(refusal).toMatch(/^[\w-]+: [A-Z].*\.$/);

@@ -23,9 +23,14 @@ export type EnginePlaces = Readonly<Record<EngineAsset, string>>;
  * @param base what relative addresses are relative to
  * @throws TypeError if that is not an address
  */
-export function placeIn(assets: string | ((file: string) => string), file: string, base: string | undefined): string {
+export function placeIn(assets: string | ((file: string) => string), file: string, base: string): string {
   const address = typeof assets === "string" ? `${assets.replace(/\/?$/, "/")}${file}` : assets(file);
   return new URL(address, base).href;
+}
+
+/** What relative addresses are relative to: the page, or the worker in which the package is used. */
+export function baseAddress(): string {
+  return typeof document === "object" ? document.baseURI : location.href;
 }
 
 /** The addresses of all engine files by a function that gives one. */

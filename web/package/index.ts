@@ -1,6 +1,6 @@
 /** `strut-motion` in a browser: the engine in a worker, its files beside this one. */
 import { StrutError } from "../engine/errors";
-import { placeIn, placesBy } from "./assets";
+import { baseAddress, placeIn, placesBy } from "./assets";
 import { loadEngine } from "./load";
 import { startEngine } from "./start";
 import type { LoadOptions, Strut } from "./types";
@@ -13,7 +13,7 @@ export type * from "./public";
  * @throws StrutError `load` if a file is missing, `unsupported` if the browser lacks WebAssembly with SIMD, `cancelled`
  */
 export async function loadStrut({ assets, worker = true, signal }: LoadOptions = {}): Promise<Strut> {
-  const place = assets === undefined ? beside() : (file: string) => placeIn(assets, file, document.baseURI);
+  const place = assets === undefined ? beside() : (file: string) => placeIn(assets, file, baseAddress());
   const workerUrl = place("worker.js");
   const entry = {
     workerUrl,

@@ -1,7 +1,7 @@
 /** `strut-motion/inline`: the engine in one file; built-in motions, and what builds and trains, lie beside it. */
 import engine from "strut-inline:strut_wasm_bg.wasm";
 import workerText from "strut-inline:worker.js";
-import { placeIn, placesBy } from "./assets";
+import { baseAddress, placeIn, placesBy } from "./assets";
 import { loadEngine } from "./load";
 import * as servers from "./servers";
 import { startEngine } from "./start";
@@ -16,11 +16,11 @@ export type * from "./public";
  */
 export async function loadStrut({ assets, worker = true, signal }: LoadOptions = {}): Promise<Strut> {
   const folder = assets ?? new URL("assets/", addressOrPage()).href;
-  const places = placesBy((file) => placeIn(folder, file, document.baseURI));
+  const places = placesBy((file) => placeIn(folder, file, baseAddress()));
   const entry = {
     workerUrl: undefined,
     workerText: async () => workerText,
-    buildWorkerUrl: placeIn(folder, "build_worker.js", document.baseURI),
+    buildWorkerUrl: placeIn(folder, "build_worker.js", baseAddress()),
     servers: async () => servers,
     boot: { assets: { ...places, "strut_wasm_bg.wasm": engine } },
   };
@@ -29,5 +29,5 @@ export async function loadStrut({ assets, worker = true, signal }: LoadOptions =
 
 /** A blob has no folder: its files are looked for beside the page. */
 function addressOrPage(): string {
-  return /^(blob|data):/.test(import.meta.url) ? document.baseURI : import.meta.url;
+  return /^(blob|data):/.test(import.meta.url) ? baseAddress() : import.meta.url;
 }

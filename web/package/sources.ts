@@ -1,6 +1,7 @@
 /** Sources of databases and motions: URLs, texts, bytes and files, in a browser and in Node. */
 import { readFile } from "../engine/download";
 import { cancelled, StrutError } from "../engine/errors";
+import { baseAddress } from "./assets";
 import type { Source } from "./types";
 
 /** A file that was read. */
@@ -58,9 +59,9 @@ function bytesOf(text: string): ArrayBuffer {
 
 const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1).replace(/\.\w+$/, "");
 
-/** Relative URLs are relative to the page, or in Node to the working directory. */
+/** Relative URLs are relative to the page or the worker, or in Node to the working directory. */
 function urlOf(source: string | URL, what: string): URL {
-  const base = typeof document === "object" ? document.baseURI : folderOfNode();
+  const base = typeof location === "object" ? baseAddress() : folderOfNode();
   try {
     return new URL(source, base);
   } catch (cause) {

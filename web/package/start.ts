@@ -40,7 +40,9 @@ export async function startEngine(entry: Entry, worker: boolean, signal?: AbortS
   const { boot, buildWorkerUrl } = entry;
   for (const { thread, address } of worker && typeof Worker === "function" ? workersOf(entry) : []) {
     if (signal?.aborted) throw cancelled(signal.reason);
-    const url = await address().then(trusted, () => undefined);
+    const url = await address()
+      .then(trusted)
+      .catch(() => undefined);
     const first = url === undefined ? undefined : await tryWorker(url, boot);
     if (!first || url === undefined) continue;
     const buildUrl = trusted(

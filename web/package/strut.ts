@@ -81,7 +81,8 @@ export class StrutEngine implements Strut {
     const opened = name === undefined ? await motionFile(source, call) : await this.#builtIn(name);
     const motion = await this.client.openMotion(opened, call);
     try {
-      return new OpenedMotion(motion, opened.name, await motion.read(call));
+      const facts = await motion.read(call);
+      return new OpenedMotion(motion, opened.name, facts, (database) => this.#database(database));
     } catch (thrown) {
       motion.dispose();
       throw thrown;
@@ -191,7 +192,7 @@ class OpenedDatabase implements Database {
   }
 }
 
-/** A motion, and what its file says. */
+/** A motion, and what its file says; `own` refuses databases of other engines. */
 class OpenedMotion implements Motion {
   readonly frames: number;
   readonly rateHz: number;
@@ -202,13 +203,13 @@ class OpenedMotion implements Motion {
     readonly handle: ClientMotion,
     readonly name: string,
     { frames, rateHz, durationSecs, note }: MotionFacts,
+    private readonly own: (database: Database) => ClientDatabase,
   ) {
     [this.frames, this.rateHz, this.durationSecs, this.note] = [frames, rateHz, durationSecs, note];
   }
 
   async poses(database: Database, call?: CallOptions): Promise<Float32Array> {
-    if (!(database instanceof OpenedDatabase)) throw foreign("database", "openDatabase");
-    return (await this.handle.on(database.handle, call)).poses;
+    return (await this.handle.on(this.own(database), call)).poses;
   }
 
   dispose(): void {
