@@ -101,7 +101,7 @@ export async function writePackage() {
 
 /** What npm and bundlers read. `types` comes first, as the first condition that fits is taken. */
 function manifestOf({ name, version, description, license, engines }) {
-  const entry = (types, file) => ({ types: `./types/package/${types}.d.ts`, default: `./${file}.js` });
+  const entry = (module) => ({ types: `./types/package/${module}.d.ts`, default: `./${module}.js` });
   return {
     name,
     version,
@@ -112,8 +112,8 @@ function manifestOf({ name, version, description, license, engines }) {
     sideEffects: false,
     exports: {
       ".": { types: "./types/package/index.d.ts", node: "./node.js", default: "./index.js" },
-      "./node": entry("node", "node"),
-      "./inline": entry("inline", "inline"),
+      "./node": entry("node"),
+      "./inline": entry("inline"),
       "./assets/*": "./assets/*",
       "./package.json": "./package.json",
     },

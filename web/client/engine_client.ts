@@ -45,7 +45,8 @@ export class EngineClient {
   onRestart: ((restart: EngineRestart) => void) | undefined;
   private readonly connection: Connection;
   private disposed = false;
-  private readonly models = new Set<{ dispose(): void }>();
+  /** Models and builds, which are not in the worker. */
+  private readonly owned = new Set<{ dispose(): void }>();
   private readonly spawnBuild: (() => BuildWorkerPort) | undefined;
 
   /** The worker starts at once; calls wait until its engine is loaded. */
@@ -133,10 +134,16 @@ export class EngineClient {
     return handle.isOf(this.connection);
   }
 
-  /** What builds databases, in a worker of its own that lives as long as its work. */
-  async createBuilds(): Promise<BuildClient> {
+  /** Runs `work` with what builds databases, in a worker of its own that ends with it. */
+  async build<T>(work: (builds: BuildClient) => Promise<T>): Promise<T> {
     const { createBuildClient } = await import("./build/client");
-    return this.own(createBuildClient(this.spawnBuild));
+    const builds = this.own(createBuildClient(this.spawnBuild));
+    try {
+      return await work(builds);
+    } finally {
+      builds.dispose();
+      this.owned.delete(builds);
+    }
   }
 
   /** What the engine in the worker holds; models are not in it. */
@@ -144,21 +151,21 @@ export class EngineClient {
     return this.connection.call("memory", []);
   }
 
-  /** Closes everything, the models too, and ends the worker. */
+  /** Closes everything, models and builds too, and ends the workers. */
   dispose(): void {
     this.disposed = true;
     this.connection.dispose();
-    for (const model of this.models) model.dispose();
-    this.models.clear();
+    for (const thing of this.owned) thing.dispose();
+    this.owned.clear();
   }
 
-  private own<M extends { dispose(): void }>(model: M): M {
+  private own<T extends { dispose(): void }>(thing: T): T {
     if (this.disposed) {
-      model.dispose();
+      thing.dispose();
       throw disposed("client");
     }
-    this.models.add(model);
-    return model;
+    this.owned.add(thing);
+    return thing;
   }
 }
 

@@ -1,7 +1,7 @@
 /** Databases that are made here: of clips, and of a database and one more style. */
 import type { BuildClient, ChosenFile, DroppedFile } from "../client/build/protocol";
 import type { ClientDatabase, ClientMotion } from "../client/handles";
-import { type CallOptions, StrutError } from "../client/protocol";
+import { type BuiltInSet, type CallOptions, StrutError } from "../client/protocol";
 import { loadBuiltIn } from "../engine/built_in";
 
 /** Whether these are the bytes of an archive. */
@@ -52,5 +52,10 @@ export async function addedStyle(
 
 /** What a database was opened from: a `.strutdb` file, or packed built-in motions, which those who build read as well. */
 export async function fileOf({ source }: ClientDatabase): Promise<Blob> {
-  return source.kind === "strutdb" ? source.file : new Blob([await loadBuiltIn(undefined, source.set)]);
+  return source.kind === "strutdb" ? source.file : packedFile(source.set);
+}
+
+/** A set of built-in motions as those who build and train read it. */
+export async function packedFile(set?: BuiltInSet): Promise<Blob> {
+  return new Blob([await loadBuiltIn(undefined, set)]);
 }

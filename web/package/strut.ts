@@ -21,12 +21,11 @@ import {
   type StyledClip,
   type StylizeOptions,
 } from "../client/protocol";
-import { loadBuiltIn } from "../engine/built_in";
 import { cancelled } from "../engine/errors";
 import type { HumanoidAnimation } from "../formats/animation";
 import type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
 import { type TraceFrame, traceOf } from "../formats/trace";
-import { addedStyle, buildDatabase, fileOf, isZip } from "./builds";
+import { addedStyle, buildDatabase, fileOf, isZip, packedFile } from "./builds";
 import { builtInName, readSource } from "./sources";
 import type { Database, LiveStylizer, Motion, Options, Playback, Source, Strut, StyledMotion, Thread } from "./types";
 
@@ -129,12 +128,7 @@ export class StrutEngine implements Strut {
 
   /** Opens the file of a database that is made first. */
   async #built(name: string, make: (builds: BuildClient) => Promise<Blob>): Promise<Database> {
-    const builds = await this.client.createBuilds();
-    try {
-      return await this.#open({ kind: "strutdb", name, file: await make(builds) }, {});
-    } finally {
-      builds.dispose();
-    }
+    return this.#open({ kind: "strutdb", name, file: await this.client.build(make) }, {});
   }
 
   /** The database that a model is to be trained on; `undefined` where the source is a file of a model. */
@@ -142,7 +136,7 @@ export class StrutEngine implements Strut {
     if (signal?.aborted) throw cancelled(signal.reason);
     if (isOpened(source)) return fileOf(this.#database(source));
     const name = builtInName(source);
-    return name === undefined ? undefined : new Blob([await loadBuiltIn(undefined, setOf(name))]);
+    return name === undefined ? undefined : packedFile(setOf(name));
   }
 
   /** A built-in motion by its name in a URL. @throws StrutError `bad-input` if there is none */
