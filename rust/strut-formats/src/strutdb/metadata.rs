@@ -99,6 +99,9 @@ impl Metadata {
     }
 }
 
+/// Greatest component of a bone's offset, cm: lengths far beyond it overflow when they are squared.
+const MAX_OFFSET_CM: f64 = 10_000.0;
+
 impl SkeletonInfo {
     pub(crate) fn of(proportions: &Proportions) -> Self {
         let names = || Role::ALL.iter().map(|r| r.name().to_owned()).collect();
@@ -110,7 +113,7 @@ impl SkeletonInfo {
         }
     }
 
-    /// The bone offsets, if the joints are those of the canonical humanoid in its order.
+    /// The bone offsets, if the joints are those of the canonical humanoid in its order, at most [`MAX_OFFSET_CM`] apart.
     pub(crate) fn proportions(&self) -> Option<Proportions> {
         let mut proportions = Proportions::default();
         let expected = Self::of(&proportions);
@@ -118,6 +121,9 @@ impl SkeletonInfo {
             return None;
         }
         for (offset, cm) in proportions.offsets.iter_mut().zip(&self.offsets_cm) {
+            if !cm.iter().all(|v| v.abs() <= MAX_OFFSET_CM) {
+                return None;
+            }
             *offset = Vec3::from_array(cm.map(|v| (v / 100.0) as f32));
         }
         Some(proportions)

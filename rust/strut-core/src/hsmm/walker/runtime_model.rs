@@ -1,7 +1,8 @@
 //! The runtime form of a walk model: synthesis parameters in single precision, in whole lanes.
 
 use super::durations::{Durations, limited, shortest_and_longest};
-use crate::hsmm::model::{Observation, SIDES, STATES, Side, StyleMeans, WalkModel};
+use crate::hsmm::model::{Observation, SIDES, STATES, Side, Stream, StyleMeans, WalkModel};
+use crate::hsmm::statistics::states;
 use crate::humanoid::{JOINTS, Pose, Proportions, Role};
 use crate::kinematics::world_from_local;
 use crate::math::lanes::WIDTH;
@@ -11,6 +12,10 @@ use std::ops::RangeInclusive;
 
 /// Distance of the ankles behind the mean of the joints in a standing pose, metres.
 const ANKLE_BEHIND: f32 = 0.03;
+
+/// Least variance of a velocity and of an acceleration, as a share of the greatest variance of its pose: below it the system
+/// of trajectory generation is singular in single precision. Trained models stay above 3e-4.
+const LEAST_DELTA_SHARE: f64 = 1e-5;
 
 /// Joints of either leg.
 const LEGS: [RangeInclusive<usize>; SIDES] =
@@ -64,8 +69,16 @@ pub struct RuntimeWalkModel {
 impl RuntimeWalkModel {
     /// Of a model.
     pub fn new(model: &WalkModel) -> Self {
-        // Where a degree of freedom is padding it is certain to be zero.
-        let inverse = |of: &Observation| padded(of).map(|row| row.map(|v| if v > 0.0 { 1.0 / v } else { 1.0 }));
+        let least: RotationRow = std::array::from_fn(|d| {
+            let poses = states().map(|(side, state)| model.variances[side][state][Stream::Static as usize][d]);
+            LEAST_DELTA_SHARE * poses.fold(0.0, f64::max)
+        });
+        let inverse = |of: &Observation| {
+            let [poses, deltas @ ..] = *of;
+            let [velocities, accelerations] = deltas.map(|row| std::array::from_fn(|d| f64::max(row[d], least[d])));
+            // Where a degree of freedom is padding it is certain to be zero.
+            padded(&[poses, velocities, accelerations]).map(|row| row.map(|v| if v > 0.0 { 1.0 / v } else { 1.0 }))
+        };
         let [low, high] = &model.range;
         let styles: Vec<RuntimeStyle> = model.means.iter().map(|means| RuntimeStyle::new(model, means)).collect();
         Self {
