@@ -30,21 +30,25 @@ const ROOMS = {
   viewer: ["mannequin", "humanoid"],
   formats: ["mannequin", "humanoid"],
   player: ["client", "humanoid"],
+  // Controls that the page and the element share.
+  ui: [],
   package: ["formats", "client", "engine", "humanoid"],
   "app/strings": [],
-  "app/ui": ["app/strings", "formats", "player", "viewer", "client", "humanoid"],
-  "app/state": ["app/ui", "app/strings", "player", "viewer", "client", "humanoid"],
-  "app/outputs": ["app/state", "app/ui", "app/strings", "formats", "player", "viewer", "client", "humanoid"],
+  "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
+  "app/state": ["app/ui", "app/strings", "ui", "player", "viewer", "client", "humanoid"],
+  "app/outputs": ["app/state", "app/ui", "app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
   // What a view may ask of the page, and what it is.
-  "app/view.ts": ["app/state", "app/ui", "player", "viewer", "client", "humanoid"],
+  "app/view.ts": ["app/state", "app/ui", "ui", "player", "viewer", "client", "humanoid"],
   "app/views": ["app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
     "formats",
+    "ui",
     "player",
     "viewer",
     "client",
     "humanoid",
   ]),
   app: ["app/views", "app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
+    "ui",
     "player",
     "viewer",
     "client",
@@ -109,7 +113,7 @@ function coreFaults() {
 
 /** The room of a file below web/. Tables of strings are one room, wherever they lie. */
 function roomOf(path) {
-  if (path.endsWith(".en.ts")) return "app/strings";
+  if (path.startsWith("app/") && path.endsWith(".en.ts")) return "app/strings";
   const rooms = Object.keys(ROOMS).filter((room) => path === room || path.startsWith(`${room}/`));
   return rooms.sort((a, b) => b.length - a.length)[0];
 }

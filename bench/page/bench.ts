@@ -1,9 +1,9 @@
 /** The page: starts the benchmark, shows how far it is, and prints what it found. */
 import "../../web/app/ui/tokens.css";
-import "../../web/app/ui/controls.css";
+import "../../web/ui/controls.css";
 import "../../web/app/ui/wordmark.css";
 import "./bench.css";
-import { html } from "../../web/app/ui/dom";
+import { html } from "../../web/ui/dom";
 import { PAPER_FRAMES } from "../benchmark";
 import { medianOf, type Report, speedUp } from "../report";
 import type { Job, Message } from "./bench_worker";

@@ -1,5 +1,5 @@
 /** A report as tables of the page. */
-import { html } from "../../web/app/ui/dom";
+import { html } from "../../web/ui/dom";
 import { ENGINES, type EngineName, MODES, medianOf, type Report, speedUp } from "../report";
 import { milliseconds, PAPER_MS } from "../table";
 

@@ -1,9 +1,9 @@
 /** Starts the page. */
 import "./ui/tokens.css";
 import "./shell/layout.css";
-import "./ui/controls.css";
+import "../ui/controls.css";
 import "./ui/wordmark.css";
-import "./ui/polygon/polygon.css";
+import "../ui/polygon/polygon.css";
 import "./shell/narrow.css";
 import { startStrutClient } from "../client/client";
 import { graphics } from "../viewer";

@@ -3,10 +3,10 @@
 import type { CallOptions } from "../../client/protocol";
 import { traceAsCsv, traceAsJson } from "../../formats/trace";
 import type { Session } from "../../player/session";
+import { saveFile } from "../../ui/dom";
 import type { Playhead } from "../state/playhead";
 import type { Store } from "../state/store";
 import { strings } from "../strings/strings";
-import { saveFile } from "../ui/dom";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import { cancelled, exportName } from "../ui/words";

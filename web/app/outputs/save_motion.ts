@@ -1,6 +1,6 @@
 /** Saves synthesised motions of the mannequin as files. */
 import { POSE_FLOATS } from "../../humanoid";
-import { saveFile } from "../ui/dom";
+import { saveFile } from "../../ui/dom";
 
 /** The body's proportions and its frame rate. */
 interface Mover {

@@ -3,10 +3,10 @@
 import type { DatabaseSource } from "../../client/protocol";
 import { isCancellation } from "../../client/protocol";
 import type { Session } from "../../player/session";
+import { allOf, type Selection } from "../../ui/polygon/selection";
 import type { Store } from "../state/store";
 import { grouped } from "../strings/numerals";
 import { strings } from "../strings/strings";
-import { allOf, type Selection } from "../ui/polygon/selection";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";

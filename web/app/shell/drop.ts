@@ -1,9 +1,9 @@
 /** Files dropped anywhere on the page or chosen with a button. */
 
 import type { DroppedFile } from "../../client/build/protocol";
+import { icon } from "../../ui/controls/icons";
+import { html } from "../../ui/dom";
 import { strings } from "../strings/strings";
-import { icon } from "../ui/controls/icons";
-import { html } from "../ui/dom";
 import { filesOfDialog, filesOfDrop } from "../ui/dropped_files";
 
 /** Larger files are refused before they are read into memory. */

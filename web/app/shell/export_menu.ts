@@ -1,9 +1,9 @@
 /** The Export menu. */
 
+import { button } from "../../ui/controls/buttons";
+import { html } from "../../ui/dom";
 import { OUTPUT_FORMATS, type OutputFormat, VIDEO_SIZES, type VideoSize } from "../outputs/formats";
 import { strings } from "../strings/strings";
-import { button } from "../ui/controls/buttons";
-import { html } from "../ui/dom";
 
 export class ExportMenu {
   /** The button that opens the menu, and the menu. */

@@ -1,8 +1,8 @@
 /** The help dialog: what the keys do, and a switch for those of a single character. */
 
+import { button, Toggle } from "../../ui/controls/buttons";
+import { html } from "../../ui/dom";
 import { strings } from "../strings/strings";
-import { button, Toggle } from "../ui/controls/buttons";
-import { html } from "../ui/dom";
 import type { SingleKeys } from "./single_keys";
 
 const list = (rows: readonly (readonly [string, string])[]) =>

@@ -1,9 +1,9 @@
 /** The state in the address bar and in links; a link may carry a small input file. */
 
 import type { InputLibrary } from "../../player/input_library";
+import { prefersReducedMotion } from "../../ui/media";
 import { type AppState, fromHash, toHash } from "../state/state";
 import type { Store } from "../state/store";
-import { prefersReducedMotion } from "../ui/media";
 
 /** Debounce of URL updates: browsers limit how often a page may change its URL. */
 const WRITE_MS = 200;

@@ -1,9 +1,9 @@
 /** Copies a link to what is shown, or offers it to be copied by hand. */
 import type { InputLibrary } from "../../player/input_library";
+import { button } from "../../ui/controls/buttons";
+import { html } from "../../ui/dom";
 import type { AppState } from "../state/state";
 import { strings } from "../strings/strings";
-import { button } from "../ui/controls/buttons";
-import { html } from "../ui/dom";
 import type { Toasts } from "../ui/toasts";
 import { linkTo } from "./links";
 

@@ -1,7 +1,7 @@
 /** The one 3-D viewer of the page: views borrow it, because a second one would compile all shaders again. */
 import type { Role } from "../../humanoid";
+import { html } from "../../ui/dom";
 import { VIEWER_DEFAULTS, Viewer } from "../../viewer";
-import { html } from "../ui/dom";
 import type { ViewerLease } from "../view";
 
 /** Drawing goes on for so long after the last change: glides and fades end within it. */

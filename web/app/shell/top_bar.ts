@@ -1,11 +1,11 @@
 /** The top bar: name, tabs, undo and redo, share, export, theme, help; on a narrow screen partly in a menu. */
 
+import { button } from "../../ui/controls/buttons";
+import { icon, mark } from "../../ui/controls/icons";
+import { html, setAttributes } from "../../ui/dom";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
 import type { ViewName } from "../state/page";
 import { strings } from "../strings/strings";
-import { button } from "../ui/controls/buttons";
-import { icon, mark } from "../ui/controls/icons";
-import { html, setAttributes } from "../ui/dom";
 import { ExportMenu } from "./export_menu";
 import { VIEWS } from "./view_table";
 

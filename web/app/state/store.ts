@@ -1,5 +1,5 @@
 /** Holds the state, notifies listeners of changes, and records edits for undo and redo. */
-import type { GestureListeners } from "../ui/drag";
+import type { GestureListeners } from "../../ui/drag";
 import { History, type UndoRedo } from "./history";
 import { type AppState, UNDOABLE } from "./state";
 

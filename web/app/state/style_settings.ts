@@ -5,7 +5,7 @@
 
 import { BODY_PARTS, type BodyPart, type DatabaseInfo, type StylizeOptions } from "../../client/protocol";
 import type { Role } from "../../humanoid";
-import { engineWeights, normalised, type Selection, TRIANGLE } from "../ui/polygon/selection";
+import { engineWeights, normalised, type Selection, TRIANGLE } from "../../ui/polygon/selection";
 import { MAX_TRACK_KEYS, type TrackKey } from "./play";
 import { type AppState, fromHash, initialState, toHash, UNDOABLE } from "./state";
 

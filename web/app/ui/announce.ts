@@ -1,5 +1,5 @@
 /** What screen readers say without the focus going anywhere. */
-import { html } from "./dom";
+import { html } from "../../ui/dom";
 
 let region: HTMLElement | undefined;
 

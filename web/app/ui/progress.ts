@@ -3,10 +3,10 @@
  * when it begins and when it is over; how far it is they ask the progress bar.
  */
 import type { CallOptions } from "../../client/protocol";
+import { button } from "../../ui/controls/buttons";
+import { html, setAttributes, setText } from "../../ui/dom";
 import { strings } from "../strings/strings";
 import { announce, prepareAnnouncements } from "./announce";
-import { button } from "./controls/buttons";
-import { html, setAttributes, setText } from "./dom";
 
 /** What is done sooner than this shows no progress. */
 const DELAY_MS = 300;

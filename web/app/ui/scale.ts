@@ -1,6 +1,6 @@
 /** A linear scale from values to pixels, with round ticks and a ruler. Pure. */
 
-import { formatNumber } from "./dom";
+import { formatNumber } from "../../ui/dom";
 
 /** Maps the values `min`–`max` to the pixels `from`–`to`, which may run either way. */
 export interface Scale {

@@ -1,6 +1,6 @@
 /** What the page says over the stage: errors stay until dismissed, notes go by themselves. */
-import { button } from "./controls/buttons";
-import { html } from "./dom";
+import { button } from "../../ui/controls/buttons";
+import { html } from "../../ui/dom";
 
 const NOTE_MS = 6000;
 /** Maximum number of toasts at a time; the oldest is removed first. */

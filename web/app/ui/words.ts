@@ -1,8 +1,8 @@
 /** Sentences and names that the page makes from state: titles, captions, file names. Pure. */
 
 import type { InputLibrary } from "../../player/input_library";
+import type { Selection } from "../../ui/polygon/selection";
 import { strings } from "../strings/strings";
-import type { Selection } from "./polygon/selection";
 
 /** Weights from which a style is named alone, and from which it is named with “mostly”. */
 const ALL = 0.95;

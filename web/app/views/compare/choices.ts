@@ -1,5 +1,5 @@
 /** The choices of a list, changed only where they differ, so that a list that is open stays open. */
-import { html } from "../../ui/dom";
+import { html } from "../../../ui/dom";
 
 /** A choice: its value, and what the list says. */
 export type Choice = readonly [value: string, text: string];

@@ -1,9 +1,9 @@
 /** A column of the Compare view: what it shows, above the picture, and its live figures, below. */
 
+import { button } from "../../../ui/controls/buttons";
+import { icon } from "../../../ui/controls/icons";
+import { formatNumber, html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { icon } from "../../ui/controls/icons";
-import { formatNumber, html, setText } from "../../ui/dom";
 import { COLUMN_NAMES, type ColumnName } from "./columns";
 import type { Figures } from "./figures";
 

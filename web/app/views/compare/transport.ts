@@ -1,9 +1,9 @@
 /** The transport of the Compare view: one clock for all columns. */
 import type { InputInfo } from "../../../client/protocol";
+import { button } from "../../../ui/controls/buttons";
+import { PlayButton } from "../../../ui/controls/play_button";
+import { clock, html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { PlayButton } from "../../ui/controls/play_button";
-import { clock, html, setText } from "../../ui/dom";
 
 export interface CompareTransportListeners {
   onPlay: () => void;

@@ -1,8 +1,8 @@
 /** The database to be built: the skeletons of the clips, its name, what it will lack, and the button. */
 
+import { button } from "../../../ui/controls/buttons";
+import { html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { html, setText } from "../../ui/dom";
 import { ProgressLine } from "../../ui/progress";
 import { type KnownSkeleton, SURE } from "./corpus";
 

@@ -1,10 +1,10 @@
 /** Public data sets: what there is, its licence, and the way to get it. */
 
 import { type CallOptions, isCancellation } from "../../../client/protocol";
+import { button } from "../../../ui/controls/buttons";
+import { html, setText } from "../../../ui/dom";
 import { megabytes } from "../../strings/numerals";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { html, setText } from "../../ui/dom";
 import { ProgressLine } from "../../ui/progress";
 import { errorText } from "../../ui/words";
 import { loadCatalogue, type PublicSet } from "./catalogue";

@@ -1,8 +1,8 @@
 /** The table of clips: a virtual list, in which only the rows in sight are in the page, so that thousands are cheap. */
 
+import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
+import { isNarrow, textZoom } from "../../../ui/media";
 import { strings } from "../../strings/strings";
-import { formatNumber, html, setAttributes, setText } from "../../ui/dom";
-import { isNarrow, textZoom } from "../../ui/media";
 import { type KnownSkeleton, type LabelField, obstacle, type Row } from "./corpus";
 
 /** Height of a row at a text size of 16 px, as `clips.css` has it: one line, two on a narrow screen; pixels. */

@@ -1,7 +1,8 @@
 /** What is open in the Data view: the heading, the pattern of the names, the classes, and the table of clips. */
+
+import { button } from "../../../ui/controls/buttons";
+import { html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { html, setText } from "../../ui/dom";
 import { ProgressLine } from "../../ui/progress";
 import type { ClipCollection } from "./clip_collection";
 import "./clips.css";

@@ -1,9 +1,9 @@
 /** The databases of this device: opened, exported, deleted and brought back. */
 
+import { button } from "../../../ui/controls/buttons";
+import { html, setText } from "../../../ui/dom";
 import { megabytes } from "../../strings/numerals";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { html, setText } from "../../ui/dom";
 import type { DeviceDatabases } from "./device_databases";
 import type { SavedDatabase } from "./saved_databases";
 

@@ -1,9 +1,9 @@
 /** Shows the licence of a public data set before anything of it is fetched. */
 
+import { button } from "../../../ui/controls/buttons";
+import { html } from "../../../ui/dom";
 import { megabytes } from "../../strings/numerals";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { html } from "../../ui/dom";
 import { capitalised } from "../../ui/words";
 import type { PublicSet } from "./catalogue";
 import { askInDialog, dialogActions } from "./dialog";

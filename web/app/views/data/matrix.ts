@@ -1,7 +1,7 @@
 /** The classes of the clips: a row for every style, a column for every action, and which style is neutral. */
 
+import { html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { html } from "../../ui/dom";
 import type { ClassTable } from "./corpus";
 
 const words = strings.data.matrix;

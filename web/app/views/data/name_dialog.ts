@@ -1,7 +1,8 @@
 /** Asks what a style shall be called, before it is made. */
+
+import { button } from "../../../ui/controls/buttons";
+import { html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { html, setText } from "../../ui/dom";
 import { askInDialog, dialogActions } from "./dialog";
 
 const words = strings.data.style;

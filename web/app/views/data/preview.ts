@@ -2,8 +2,8 @@
 
 import type { Preview } from "../../../client/build/protocol";
 import { POSE_FLOATS } from "../../../humanoid";
+import { html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { html, setText } from "../../ui/dom";
 import type { ViewerLease } from "../../view";
 
 const words = strings.data.preview;

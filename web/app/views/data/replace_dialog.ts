@@ -1,7 +1,8 @@
 /** Asks what shall become of a database whose name is taken by one that is here already. */
+
+import { button } from "../../../ui/controls/buttons";
+import { html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { html } from "../../ui/dom";
 import { askInDialog, dialogActions } from "./dialog";
 import type { SavedDatabase } from "./saved_databases";
 

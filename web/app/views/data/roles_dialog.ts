@@ -2,9 +2,9 @@
 
 import type { Roles } from "../../../client/build/protocol";
 import { ROLES } from "../../../humanoid";
+import { button } from "../../../ui/controls/buttons";
+import { html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { html } from "../../ui/dom";
 import { spoken } from "../../ui/words";
 import type { KnownSkeleton } from "./corpus";
 import { askInDialog, dialogActions } from "./dialog";

@@ -1,9 +1,9 @@
 /** Chooses one to three style variables: measures by their names, or expressions, whose errors point at the character. */
 import { type CheckedAxis, checkAxis } from "../../../client/models/key_style";
+import { icon } from "../../../ui/controls/icons";
+import { html, setText } from "../../../ui/dom";
 import { type Axis, encodeAxes, MAX_AXES, MAX_CHARACTERS } from "../../state/key_style";
 import { strings } from "../../strings/strings";
-import { icon } from "../../ui/controls/icons";
-import { html, setText } from "../../ui/dom";
 import { errorText } from "../../ui/words";
 import { isNamed, NAMED_AXES, titleOf } from "./axes";
 

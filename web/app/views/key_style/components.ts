@@ -1,7 +1,7 @@
 /** The component map: a cell for each Gaussian of the mixture, as bright as its weight in the pose. */
 
+import { formatNumber, html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { formatNumber, html } from "../../ui/dom";
 import type { RowName } from "./timeline_rows";
 
 export class ComponentMap {

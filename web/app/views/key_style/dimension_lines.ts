@@ -1,8 +1,8 @@
 /** Draws the measures of a pose over the picture of the body. */
 
 import type { WorldPose } from "../../../humanoid";
+import { html, svg } from "../../../ui/dom";
 import type { Axis } from "../../state/key_style";
-import { html, svg } from "../../ui/dom";
 import { dimensionOf, type Point } from "./dimensions";
 
 /** Where a place of the world is in the picture, pixels. */

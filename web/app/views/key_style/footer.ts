@@ -1,10 +1,10 @@
 /** The footer of the view: transport, clock and length, the choice of the timeline, and edits of keys. */
 
+import { button, Segment } from "../../../ui/controls/buttons";
+import { clock, formatNumber, html, setText } from "../../../ui/dom";
 import { type KeyPane, LENGTH_RANGE } from "../../state/key_style";
 import type { AppState } from "../../state/state";
 import { strings } from "../../strings/strings";
-import { button, Segment } from "../../ui/controls/buttons";
-import { clock, formatNumber, html, setText } from "../../ui/dom";
 import { Transport, type TransportListeners } from "../synthesis/transport";
 
 const words = strings.keyStyle;

@@ -1,10 +1,10 @@
 /** Settings of training and of synthesis, in a menu. */
 
+import { Segment } from "../../../ui/controls/buttons";
+import { Slider } from "../../../ui/controls/slider";
+import { html, setText } from "../../../ui/dom";
 import { KEY_STYLE_RANGES, type KeyCurve, type KeyLearning } from "../../state/key_style";
 import { strings } from "../../strings/strings";
-import { Segment } from "../../ui/controls/buttons";
-import { Slider } from "../../ui/controls/slider";
-import { html, setText } from "../../ui/dom";
 import { ComponentMap } from "./components";
 
 export interface ModelMenuListeners {

@@ -1,9 +1,9 @@
 /** The style pad: a plane of two style variables in their units, with a handle whose place is a pose. */
 
+import { formatNumber, html, setAttributes, svg } from "../../../ui/dom";
+import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
 import type { TimedValue } from "../../state/key_style";
 import { strings } from "../../strings/strings";
-import { formatNumber, html, setAttributes, svg } from "../../ui/dom";
-import { type Drag, type GestureListeners, listenToDrags } from "../../ui/drag";
 import { placeIn, setSize, sizeOf } from "../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { clampedValueAt, pixelOf, type Scale } from "../../ui/scale";

@@ -1,5 +1,5 @@
 /** A number field on an axis of the pad: the handle's value there, to read and to type. */
-import { html, setAttributes } from "../../ui/dom";
+import { html, setAttributes } from "../../../ui/dom";
 import { rem } from "../../ui/drawing";
 import type { Extent } from "./timeline_rows";
 

@@ -1,10 +1,10 @@
 /** The pad with the choosers of its motions and variables, and a slider of the variable that has no axis. */
 import "./pad.css";
 import type { KeyStyleFrame } from "../../../client/models/key_style";
+import { Slider } from "../../../ui/controls/slider";
+import { formatNumber, html, setText } from "../../../ui/dom";
 import type { Axis, TimedValue } from "../../state/key_style";
 import { strings } from "../../strings/strings";
-import { Slider } from "../../ui/controls/slider";
-import { formatNumber, html, setText } from "../../ui/dom";
 import { usualAxes } from "./axes";
 import { AxisChooser } from "./axis_chooser";
 import type { KeyMotion } from "./key_motion";

@@ -1,7 +1,7 @@
 /** Draws the ground of the pad: the density of the training data, its poses, the area that no data supports, the axes. */
 
+import { formatNumber, svg } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { formatNumber, svg } from "../../ui/dom";
 import { pixelOf, type Scale, ticks } from "../../ui/scale";
 import { contour, density, type Grid, type Loop } from "./contours";
 

@@ -3,11 +3,11 @@
 import "./picture_panel.css";
 import type { KeyStyleFrame } from "../../../client/models/key_style";
 import { POSE_FLOATS } from "../../../humanoid";
+import { button, Segment } from "../../../ui/controls/buttons";
+import { formatNumber, html, setText } from "../../../ui/dom";
 import type { KeyMethod } from "../../state/key_style";
 import type { AppState } from "../../state/state";
 import { strings } from "../../strings/strings";
-import { button, Segment } from "../../ui/controls/buttons";
-import { formatNumber, html, setText } from "../../ui/dom";
 import { capitalised, numberWord, spoken } from "../../ui/words";
 import type { ViewerLease } from "../../view";
 import { shortTitleOf } from "./axes";

@@ -1,9 +1,9 @@
 /** The training motions: each style variable over time; a press puts the pad's handle on the pose recorded there. */
 import type { TrainingClip } from "../../../client/models/key_style";
+import { icon } from "../../../ui/controls/icons";
+import { formatNumber, html, svg } from "../../../ui/dom";
+import { listenToDrags } from "../../../ui/drag";
 import { strings } from "../../strings/strings";
-import { icon } from "../../ui/controls/icons";
-import { formatNumber, html, svg } from "../../ui/dom";
-import { listenToDrags } from "../../ui/drag";
 import { placeIn, setSize, sizeOf } from "../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { pixelOf, valueAt } from "../../ui/scale";

@@ -1,9 +1,9 @@
 /** Chooses the training motions: a built-in set, clips of the open database, or dropped files. */
 import type { KeyStyleClip } from "../../../client/build/protocol";
+import { button } from "../../../ui/controls/buttons";
+import { icon } from "../../../ui/controls/icons";
+import { formatNumber, html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { icon } from "../../ui/controls/icons";
-import { formatNumber, html } from "../../ui/dom";
 import { capitalised, spoken } from "../../ui/words";
 import { BUILT_IN_SETS, parseSet } from "./sets";
 

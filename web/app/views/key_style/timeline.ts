@@ -1,8 +1,9 @@
 /** The timeline of keys: a row for every style variable, keys that are dragged in time and in value, and the playhead. */
+
+import { formatNumber, html, setText, svg } from "../../../ui/dom";
+import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
 import type { TimedValue } from "../../state/key_style";
 import { strings } from "../../strings/strings";
-import { formatNumber, html, setText, svg } from "../../ui/dom";
-import { type Drag, type GestureListeners, listenToDrags } from "../../ui/drag";
 import { placeIn, setSize, sizeOf } from "../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { clampedValueAt, pixelOf, type Scale, valueAt } from "../../ui/scale";

@@ -1,7 +1,7 @@
 /** What the timelines of keys and of recordings share: the places of their rows, the ruler, and the line of a variable. */
 import "./timeline.css";
+import { svg } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { svg } from "../../ui/dom";
 import { pixelOf, type Scale } from "../../ui/scale";
 import { timeRuler } from "../synthesis/time_ruler";
 

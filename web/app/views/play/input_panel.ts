@@ -1,10 +1,10 @@
 /** The Input panel: the input motion, and the class that the engine recognises in it. */
 import type { InputInfo, Reading } from "../../../client/protocol";
 import type { InputLibrary } from "../../../player/input_library";
+import { button } from "../../../ui/controls/buttons";
+import { icon } from "../../../ui/controls/icons";
+import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { icon } from "../../ui/controls/icons";
-import { formatNumber, html, setAttributes, setText } from "../../ui/dom";
 import { inputTitle, spoken } from "../../ui/words";
 
 /** Minimum time between updates of the recognised class, so that it can be read. */

@@ -23,8 +23,6 @@ export const play = {
 
   style: {
     heading: "Style",
-    styles: "Styles",
-    weights: "Weights of the styles",
     mixed: "Styles mixed",
     three: "Three",
     all: "All",
@@ -107,8 +105,6 @@ export const play = {
 
   transport: {
     name: "Transport",
-    play: "Play",
-    pause: "Pause",
     previous: "Previous frame",
     next: "Next frame",
     loop: "Loop",

@@ -1,8 +1,8 @@
 /** The tabs that choose a panel on a narrow screen. */
 
+import { html, setAttributes } from "../../../ui/dom";
 import { TABS, type Tab } from "../../state/play";
 import { strings } from "../../strings/strings";
-import { html, setAttributes } from "../../ui/dom";
 
 export class Tabs {
   readonly element: HTMLElement;

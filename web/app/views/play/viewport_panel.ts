@@ -3,13 +3,13 @@
 import "./viewport_panel.css";
 import type { LiveFrame } from "../../../client/protocol";
 import { ROLES, type Role } from "../../../humanoid";
+import { button, Segment } from "../../../ui/controls/buttons";
+import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
 import { VIEWER_DEFAULTS } from "../../../viewer";
 import type { CameraPreset } from "../../state/play";
 import type { AppState } from "../../state/state";
 import { partOf } from "../../state/style_settings";
 import { strings } from "../../strings/strings";
-import { button, Segment } from "../../ui/controls/buttons";
-import { formatNumber, html, setAttributes, setText } from "../../ui/dom";
 import type { ViewerLease } from "../../view";
 
 /** Minimum time between updates of read-outs, so that they can be read. */

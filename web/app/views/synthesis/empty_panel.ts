@@ -1,6 +1,6 @@
 /** What a view shows in place of its picture while it has no model: why, and what can be done. */
-import { button } from "../../ui/controls/buttons";
-import { html } from "../../ui/dom";
+import { button } from "../../../ui/controls/buttons";
+import { html } from "../../../ui/dom";
 
 /** An action that is offered as a button. */
 export interface EmptyChoice {

@@ -1,5 +1,5 @@
 /** The playhead of a timeline: a slider that the timeline's drags, its clock and the keyboard move. */
-import { setAttributes, svg } from "../../ui/dom";
+import { setAttributes, svg } from "../../../ui/dom";
 
 export interface PlayheadOptions {
   label: string;

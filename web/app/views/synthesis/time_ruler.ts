@@ -1,5 +1,5 @@
 /** The ruler of a timeline, seconds, with the area above it that seeks. */
-import { svg } from "../../ui/dom";
+import { svg } from "../../../ui/dom";
 import { type RulerMark, ruler, type Scale } from "../../ui/scale";
 
 export interface TimeRulerOptions {

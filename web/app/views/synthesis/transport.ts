@@ -1,7 +1,7 @@
 /** The buttons that play, step through and repeat a motion. */
-import { button } from "../../ui/controls/buttons";
-import { PlayButton } from "../../ui/controls/play_button";
-import { html } from "../../ui/dom";
+import { button } from "../../../ui/controls/buttons";
+import { PlayButton } from "../../../ui/controls/play_button";
+import { html } from "../../../ui/dom";
 
 export interface TransportListeners {
   onPlay: () => void;

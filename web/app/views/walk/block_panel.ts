@@ -1,6 +1,13 @@
 /** The panel of the chosen block: its styles, its steps, their durations and lengths, and plots of the model. */
 
 import "./block_panel.css";
+import { button, Segment } from "../../../ui/controls/buttons";
+import { icon } from "../../../ui/controls/icons";
+import { Slider } from "../../../ui/controls/slider";
+import { formatNumber, html, setText } from "../../../ui/dom";
+import type { GestureListeners } from "../../../ui/drag";
+import { Polygon } from "../../../ui/polygon/polygon";
+import { isBeyondData, vertexOrder } from "../../../ui/polygon/selection";
 import {
   INTENSITY_RANGE,
   STEP_RANGE,
@@ -11,13 +18,6 @@ import {
   type WalkTempo,
 } from "../../state/walk";
 import { strings } from "../../strings/strings";
-import { button, Segment } from "../../ui/controls/buttons";
-import { icon } from "../../ui/controls/icons";
-import { Slider } from "../../ui/controls/slider";
-import { formatNumber, html, setText } from "../../ui/dom";
-import type { GestureListeners } from "../../ui/drag";
-import { Polygon } from "../../ui/polygon/polygon";
-import { isBeyondData, vertexOrder } from "../../ui/polygon/selection";
 import { capitalised, numberWord } from "../../ui/words";
 import type { BlockFigures } from "./figures";
 import { PLOT_SUBJECTS, Plot, type PlotSubject } from "./plots";

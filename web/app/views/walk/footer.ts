@@ -1,7 +1,8 @@
 /** The footer of the view: transport, clock, and what is done with blocks and with the whole walk. */
+
+import { button } from "../../../ui/controls/buttons";
+import { clock, formatNumber, html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { button } from "../../ui/controls/buttons";
-import { clock, formatNumber, html, setText } from "../../ui/dom";
 import { Transport, type TransportListeners } from "../synthesis/transport";
 
 const words = strings.walk;

@@ -2,8 +2,9 @@
  * The plan of a walk: a sequence of steps in blocks of one mixture of styles, with transitions between them. Pure edits of
  * plain data, which the URL, the planner and the walker share.
  */
+
+import type { Selection } from "../../../ui/polygon/selection";
 import { STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "../../state/walk";
-import type { Selection } from "../../ui/polygon/selection";
 
 /** A new block. In a transition over four steps no joint accelerates more than in steady walking. */
 const NEW_BLOCK = { intensity: 1, steps: 4, transition: 4 };

@@ -12,8 +12,8 @@ import {
   type Weights,
 } from "../../../client/models/walk";
 import { POSE_FLOATS } from "../../../humanoid";
+import type { Selection } from "../../../ui/polygon/selection";
 import type { WalkBlock } from "../../state/walk";
-import type { Selection } from "../../ui/polygon/selection";
 import { blockBefore, changesOf, type Segment, segmentsOf, stepsOf } from "./plan";
 
 /** A plan and how it is walked. */

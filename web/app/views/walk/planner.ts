@@ -1,9 +1,9 @@
 /** The planner: blocks, transitions and the playhead of a plan, which the pointer and the keyboard edit. */
 import "./planner.css";
+import { formatNumber, html, svg } from "../../../ui/dom";
+import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
 import { STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
-import { formatNumber, html, svg } from "../../ui/dom";
-import { type Drag, type GestureListeners, listenToDrags } from "../../ui/drag";
 import { placeIn, setSize, sizeOf } from "../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { clampedValueAt, pixelOf } from "../../ui/scale";

@@ -1,7 +1,8 @@
 /** Draws a plan: blocks and transitions over time, the steps of both feet, and how long each state of a step lasts. */
+
+import { formatNumber, svg } from "../../../ui/dom";
 import { STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
-import { formatNumber, svg } from "../../ui/dom";
 import { spoken } from "../../ui/words";
 import { timeRuler } from "../synthesis/time_ruler";
 import { coloursOf, mixed } from "./colours";

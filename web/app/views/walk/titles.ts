@@ -1,7 +1,8 @@
 /** Names of blocks and plans in words. Pure. */
+
+import type { Selection } from "../../../ui/polygon/selection";
 import type { WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
-import type { Selection } from "../../ui/polygon/selection";
 import { capitalised, manner, numberWord, spoken } from "../../ui/words";
 
 /** Intensities nearer than this to 0 and to 1 count as these. */

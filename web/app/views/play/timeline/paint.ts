@@ -4,9 +4,9 @@
  */
 
 import type { FrameRange } from "../../../../client/protocol";
+import { formatNumber } from "../../../../ui/dom";
 import { strings } from "../../../strings/strings";
 import type { Colours } from "../../../ui/colours";
-import { formatNumber } from "../../../ui/dom";
 import { clampedValueAt, pixelOf, ruler, type Scale } from "../../../ui/scale";
 import type { ReadStretch } from "./curves";
 import type { ExampleCurves } from "./examples";

@@ -8,11 +8,11 @@ import type {
   FrameRange,
   InputInfo,
 } from "../../../../client/protocol";
+import { formatNumber, html, setAttributes } from "../../../../ui/dom";
+import { type Drag, listenToDrags } from "../../../../ui/drag";
+import { textZoom } from "../../../../ui/media";
 import { strings } from "../../../strings/strings";
 import { type Colours, readColours } from "../../../ui/colours";
-import { formatNumber, html, setAttributes } from "../../../ui/dom";
-import { type Drag, listenToDrags } from "../../../ui/drag";
-import { textZoom } from "../../../ui/media";
 import { capitalised, spoken } from "../../../ui/words";
 import {
   CURVE_GROUPS,

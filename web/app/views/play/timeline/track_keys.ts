@@ -3,10 +3,10 @@
  * along the time, and removed with Delete or a double click.
  */
 
+import { formatNumber, html, setAttributes } from "../../../../ui/dom";
+import { type GestureListeners, listenToDrags } from "../../../../ui/drag";
 import type { TrackKey } from "../../../state/play";
 import { strings } from "../../../strings/strings";
-import { formatNumber, html, setAttributes } from "../../../ui/dom";
-import { type GestureListeners, listenToDrags } from "../../../ui/drag";
 
 export interface TrackKeyListeners extends GestureListeners {
   /** A key was chosen. */

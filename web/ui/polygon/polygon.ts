@@ -3,10 +3,10 @@
  * of each. Pointer, touch and keyboard; the pure parts are in `geometry.ts` and `selection.ts`.
  */
 
-import { strings } from "../../strings/strings";
 import { formatNumber, html, setAttributes, svg } from "../dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../drag";
 import { prefersReducedMotion, textZoom } from "../media";
+import { strings } from "../strings";
 import { hatching, isolines, label, path, weightBar } from "./drawing";
 import { circleVertices, isInside, nearestInside, type Point, pointOf, weightsAt } from "./geometry";
 import { placeLabels } from "./labels";
@@ -92,7 +92,7 @@ export class Polygon {
         class: "polygon-handle",
         role: "slider",
         tabindex: 0,
-        "aria-label": strings.play.style.heading,
+        "aria-label": strings.polygon.handle,
         "aria-valuemin": 0,
         "aria-valuemax": 1,
       },
@@ -103,7 +103,7 @@ export class Polygon {
     const { hatch, outline, area, isolines: lines, leaders, bars, vertices } = this.#layers;
     this.#root = svg(
       "svg",
-      { class: "polygon", role: "group", "aria-label": strings.play.style.styles },
+      { class: "polygon", role: "group", "aria-label": strings.polygon.styles },
       hatching("polygon-hatching"),
       hatch,
       outline,

@@ -2,9 +2,10 @@
  * The weights of the selected styles as number fields: the polygon for keyboards and screen readers, to which one slider
  * cannot say two dimensions. Sighted people see them while one of them has the focus.
  */
-import { strings } from "../../strings/strings";
+
 import { parseTyped } from "../controls/dial";
 import { formatNumber, html } from "../dom";
+import { strings } from "../strings";
 import type { StyleWeight } from "./selection";
 
 /** Weights beyond the polygon come by dragging alone. */
@@ -14,7 +15,7 @@ export class WeightFields {
   readonly element = html("div", {
     class: "polygon-weights",
     role: "group",
-    "aria-label": strings.play.style.weights,
+    "aria-label": strings.polygon.weights,
   });
   readonly #onChange: (name: string, weight: number) => void;
   #fields: { name: string; input: HTMLInputElement }[] = [];

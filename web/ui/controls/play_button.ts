@@ -1,5 +1,5 @@
 /** The button that plays and pauses. */
-import { strings } from "../../strings/strings";
+import { strings } from "../strings";
 import { button } from "./buttons";
 import { icon } from "./icons";
 
@@ -10,14 +10,14 @@ export class PlayButton {
   #playing = false;
 
   constructor(onPress: () => void) {
-    this.element = button(strings.play.transport.play, onPress, { icon: "play", class: "play", keys: KEYS });
+    this.element = button(strings.playButton.play, onPress, { icon: "play", class: "play", keys: KEYS });
   }
 
   /** Whether the motion plays: the button then pauses. */
   set playing(playing: boolean) {
     if (playing === this.#playing) return;
     this.#playing = playing;
-    const name = strings.play.transport[playing ? "pause" : "play"];
+    const name = strings.playButton[playing ? "pause" : "play"];
     this.element.setAttribute("aria-label", name);
     this.element.title = `${name} (${KEYS})`;
     this.element.replaceChildren(icon(playing ? "pause" : "play", 18));
