@@ -32,15 +32,29 @@ const ROOMS = {
   player: ["client", "humanoid"],
   // Controls that the page and the element share.
   ui: [],
+  // What a link says.
+  link: ["ui", "viewer", "client", "humanoid"],
   package: ["formats", "client", "engine", "humanoid"],
   "app/strings": [],
   "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
-  "app/state": ["app/ui", "app/strings", "ui", "player", "viewer", "client", "humanoid"],
-  "app/outputs": ["app/state", "app/ui", "app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
+  "app/state": ["app/ui", "app/strings", "link", "ui", "player", "viewer", "client", "humanoid"],
+  "app/outputs": [
+    "app/state",
+    "app/ui",
+    "app/strings",
+    "formats",
+    "link",
+    "ui",
+    "player",
+    "viewer",
+    "client",
+    "humanoid",
+  ],
   // What a view may ask of the page, and what it is.
-  "app/view.ts": ["app/state", "app/ui", "ui", "player", "viewer", "client", "humanoid"],
+  "app/view.ts": ["app/state", "app/ui", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/views": ["app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
     "formats",
+    "link",
     "ui",
     "player",
     "viewer",
@@ -48,6 +62,7 @@ const ROOMS = {
     "humanoid",
   ]),
   app: ["app/views", "app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
+    "link",
     "ui",
     "player",
     "viewer",

@@ -1,15 +1,15 @@
 /** The app: builds the page around the views, and keeps it in step with the state. */
 import type { DroppedFile } from "../../client/build/protocol";
 import type { DatabaseSource, StrutClient } from "../../client/protocol";
+import type { ViewName } from "../../link/page";
+import { applyTheme, isDark, onSystemTheme, opposite } from "../../ui/theme";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
 import { launchOutput } from "../outputs/launch";
 import type { UndoRedo } from "../state/history";
-import type { ViewName } from "../state/page";
 import type { AppState } from "../state/state";
 import { Store } from "../state/store";
 import { strings } from "../strings/strings";
 import { announce } from "../ui/announce";
-import { applyTheme, isDark, onSystemTheme, opposite } from "../ui/theme";
 import { Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
 import type { View, ViewHost } from "../view";

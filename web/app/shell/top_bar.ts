@@ -1,10 +1,10 @@
 /** The top bar: name, tabs, undo and redo, share, export, theme, help; on a narrow screen partly in a menu. */
 
+import type { ViewName } from "../../link/page";
 import { button } from "../../ui/controls/buttons";
 import { icon, mark } from "../../ui/controls/icons";
 import { html, setAttributes } from "../../ui/dom";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
-import type { ViewName } from "../state/page";
 import { strings } from "../strings/strings";
 import { ExportMenu } from "./export_menu";
 import { VIEWS } from "./view_table";

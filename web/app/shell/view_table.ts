@@ -1,6 +1,6 @@
 /** The views that there are. */
 
-import type { ViewName } from "../state/page";
+import type { ViewName } from "../../link/page";
 import { strings } from "../strings/strings";
 import type { View, ViewHost } from "../view";
 import { createView as createPlay } from "../views/play/play_view";

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { ViewName } from "../state/page";
+import type { ViewName } from "../../link/page";
 import type { View, ViewHost } from "../view";
 import { Views } from "./views";
 

@@ -1,6 +1,6 @@
 /** Shows one view at a time: each is made when it is shown, and disposed of after a while out of sight. */
 
-import type { ViewName } from "../state/page";
+import type { ViewName } from "../../link/page";
 import type { View, ViewHost } from "../view";
 import type { ViewEntry } from "./view_table";
 

@@ -1,12 +1,13 @@
 /** What is open, in step with the state: database, input, the styles that there are, and the engine's options. */
 import type { DatabaseInfo, StrutClient } from "../../client/protocol";
+import { engineOptions } from "../../link/engine_options";
+import { ENGINE_FIELDS } from "../../link/play";
 import { Session, UnknownInput } from "../../player/session";
 import { firstSelection } from "../../ui/polygon/selection";
-import { ENGINE_FIELDS } from "../state/play";
 import { Playhead } from "../state/playhead";
 import type { AppState } from "../state/state";
 import type { Store } from "../state/store";
-import { engineOptions, withKnownLabels, withKnownStyles } from "../state/style_settings";
+import { withKnownLabels, withKnownStyles } from "../state/style_settings";
 import { strings } from "../strings/strings";
 import type { Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";

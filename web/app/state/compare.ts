@@ -1,5 +1,5 @@
 /** State of the Compare view. */
-import { type Fields, listed, text } from "./fields";
+import { type Fields, listed, text } from "../../link/fields";
 
 export interface CompareState {
   /** Names of the columns. */

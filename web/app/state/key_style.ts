@@ -1,7 +1,7 @@
 /** State of the Key-style view: the training motions, the style variables, and their keys over time. */
 
+import { choice, encodeNames, type Fields, flag, listed, number, SEPARATOR, text } from "../../link/fields";
 import type { Range } from "../../ui/controls/range";
-import { choice, encodeNames, type Fields, flag, listed, number, SEPARATOR, text } from "./fields";
 
 /** A style variable: the name of a measure, or an expression. */
 export type Axis = string;

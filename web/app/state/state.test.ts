@@ -1,10 +1,11 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { engineOptions } from "../../link/engine_options";
+import { PLAY_RANGES } from "../../link/play";
 import { LENGTH_RANGE } from "./key_style";
-import { PLAY_RANGES } from "./play";
 import { type AppState, fromHash, initialState, toHash } from "./state";
 import { Store } from "./store";
-import { engineOptions } from "./style_settings";
+
 import { INTENSITY_RANGE } from "./walk";
 
 const state = (patch: Partial<AppState>): AppState => ({ ...initialState(), ...patch });

@@ -3,11 +3,12 @@
  * the URL, its default, an encoder and a decoder. Everything that changes the picture is state; the URL's hash encodes it.
  */
 
+import type { Fields } from "../../link/fields";
+import { initialOf, namesOf, readHash, writeHash } from "../../link/hash";
+import { PAGE_FIELDS, type PageState } from "../../link/page";
+import { PLAY_FIELDS, type PlayState } from "../../link/play";
 import { COMPARE_FIELDS, type CompareState } from "./compare";
-import type { Fields } from "./fields";
 import { KEY_STYLE_FIELDS, type KeyStyleState } from "./key_style";
-import { PAGE_FIELDS, type PageState } from "./page";
-import { PLAY_FIELDS, type PlayState } from "./play";
 import { WALK_FIELDS, type WalkState } from "./walk";
 
 /** Everything that a link restores. */
@@ -22,33 +23,20 @@ export const FIELDS: Fields<AppState> = {
   ...KEY_STYLE_FIELDS,
 };
 
-const KEYS = Object.keys(FIELDS) as (keyof AppState)[];
-
 /** Names of the fields that undo takes back. */
-export const UNDOABLE = KEYS.filter((name) => FIELDS[name].undoable);
+export const UNDOABLE = namesOf(FIELDS).filter((name) => FIELDS[name].undoable);
 
 /** All fields at their defaults. */
 export function initialState(): AppState {
-  return Object.fromEntries(KEYS.map((name) => [name, FIELDS[name].initial])) as unknown as AppState;
+  return initialOf(FIELDS);
 }
 
 /** Writes the fields that differ from their defaults as `key=value&…`, readable and without the leading `#`. */
 export function toHash(state: AppState): string {
-  const encode = <K extends keyof AppState>(name: K): string => FIELDS[name].encode(state[name]);
-  const written = KEYS.filter((name) => encode(name) !== FIELDS[name].encode(FIELDS[name].initial as never));
-  const readable = (value: string) => encodeURIComponent(value).replace(/%2C/g, ",").replace(/%3A/g, ":");
-  return written.map((name) => `${FIELDS[name].key}=${readable(encode(name))}`).join("&");
+  return writeHash(FIELDS, state);
 }
 
 /** Reads what {@link toHash} wrote. Unknown keys and invalid values are ignored, so that links of other versions open. */
 export function fromHash(hash: string): AppState {
-  const state = initialState();
-  const given = new URLSearchParams(hash.replace(/^#/, ""));
-  const read = <K extends keyof AppState>(name: K): void => {
-    const value = given.get(FIELDS[name].key);
-    const decoded = value === null ? undefined : FIELDS[name].decode(value);
-    if (decoded !== undefined) state[name] = decoded;
-  };
-  KEYS.forEach(read);
-  return state;
+  return readHash(FIELDS, hash);
 }

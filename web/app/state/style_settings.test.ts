@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
+import { engineOptions } from "../../link/engine_options";
 import { type AppState, fromHash, initialState, toHash } from "./state";
 import {
   addKey,
   chooseKey,
-  engineOptions,
   moveKey,
   otherSide,
   partOf,

@@ -3,36 +3,13 @@
  * styles. Pure functions over {@link AppState}.
  */
 
-import { BODY_PARTS, type BodyPart, type DatabaseInfo, type StylizeOptions } from "../../client/protocol";
+import { BODY_PARTS, type BodyPart, type DatabaseInfo } from "../../client/protocol";
 import type { Role } from "../../humanoid";
-import { engineWeights, normalised, type Selection, TRIANGLE } from "../../ui/polygon/selection";
-import { MAX_TRACK_KEYS, type TrackKey } from "./play";
+import { MAX_TRACK_KEYS, type TrackKey } from "../../link/play";
+import { normalised, type Selection, TRIANGLE } from "../../ui/polygon/selection";
 import { type AppState, fromHash, initialState, toHash, UNDOABLE } from "./state";
 
 type Patch = Partial<AppState>;
-
-/** The engine's options for a state. */
-export function engineOptions(state: AppState, neutral: string): StylizeOptions {
-  const { k, lambda, rho, kappa, delta, coherence, timing, footplant, method, action, inputStyle, intensity } = state;
-  const weights = (styles: Selection) => engineWeights(styles, intensity, neutral);
-  const parts = Object.entries(state.parts).map(([part, styles]) => [part, weights(styles)]);
-  return {
-    styles: weights(state.styles),
-    parts: Object.fromEntries(parts),
-    track: state.track.map(({ frame, styles }) => ({ frame, styles: weights(styles) })),
-    k,
-    lambda,
-    rho,
-    kappa,
-    delta,
-    coherence,
-    timing,
-    footplant,
-    method,
-    action,
-    inputStyle,
-  };
-}
 
 /** The styles that the polygon shows: those of the chosen body part if it has its own, otherwise the whole body's. */
 export function shownStyles({ part, parts, styles }: AppState): Selection {

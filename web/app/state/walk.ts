@@ -1,8 +1,8 @@
 /** State of the Walk view: the plan of a walk and how it is walked. */
 
+import { choice, decodeEntries, encodeEntries, type Fields, flag, listed, number, text } from "../../link/fields";
 import type { Range } from "../../ui/controls/range";
 import type { Selection } from "../../ui/polygon/selection";
-import { choice, decodeEntries, encodeEntries, type Fields, flag, listed, number, text } from "./fields";
 
 /** Some steps in one mixture of styles, or in one for each foot. */
 export interface WalkBlock {

@@ -1,7 +1,8 @@
 /** The columns of the Compare view: the input, a method, the real counterpart, or one of the two settings. Pure. */
 import { type StyleWeights, type StylizeOptions, TRAINED_METHODS } from "../../../client/protocol";
+import { engineOptions } from "../../../link/engine_options";
 import { type AppState, fromHash } from "../../state/state";
-import { engineOptions } from "../../state/style_settings";
+
 import { strings } from "../../strings/strings";
 
 /** What a column may show, as the URL names it. */

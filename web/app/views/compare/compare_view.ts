@@ -2,19 +2,19 @@
 
 import "./compare.css";
 import type { InputInfo } from "../../../client/protocol";
+import { SPEEDS } from "../../../link/page";
 import { stepSecs } from "../../../player/clock";
 import type { Session } from "../../../player/session";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { html, setText } from "../../../ui/dom";
 import { allOf } from "../../../ui/polygon/selection";
+import { isDark, onSystemTheme } from "../../../ui/theme";
 import { SideBySideViewer } from "../../../viewer/side_by_side_viewer";
 import { MAX_COLUMNS } from "../../state/compare";
-import { SPEEDS } from "../../state/page";
 import type { AppState } from "../../state/state";
 import { strings } from "../../strings/strings";
 import { ProgressLine } from "../../ui/progress";
-import { isDark, onSystemTheme } from "../../ui/theme";
 import { errorText, inputTitle, manner, spoken } from "../../ui/words";
 import type { KeyTable, View, ViewHost } from "../../view";
 import { BaselineClient } from "./baseline_client";

@@ -3,9 +3,9 @@
 import type { Between } from "../../../client/models/key_style";
 import { POSE_FLOATS } from "../../../humanoid";
 import { html } from "../../../ui/dom";
+import { isDark, type Theme } from "../../../ui/theme";
 import { SideBySideViewer } from "../../../viewer/side_by_side_viewer";
 import { strings } from "../../strings/strings";
-import { isDark, type Theme } from "../../ui/theme";
 
 export const WAYS: readonly Between[] = ["style", "hybrid", "frame"];
 

@@ -1,7 +1,7 @@
 /** Keyboard shortcuts of the Play view. */
 
+import { GHOST_MODES, TRACE_MODES } from "../../../link/play";
 import type { Session } from "../../../player/session";
-import { GHOST_MODES, TRACE_MODES } from "../../state/play";
 import type { Playhead } from "../../state/playhead";
 import type { Store } from "../../state/store";
 import { addKey, otherSide } from "../../state/style_settings";

@@ -1,12 +1,12 @@
 /** The Model panel: parameters of the regression, switches of the stages after it, and labels of the input. */
 
 import { type DatabaseInfo, METHODS, type Method } from "../../../client/protocol";
+import { PLAY_RANGES } from "../../../link/play";
 import { button, Toggle } from "../../../ui/controls/buttons";
 import type { DialRange } from "../../../ui/controls/dial";
 import { icon } from "../../../ui/controls/icons";
 import { Knob } from "../../../ui/controls/knob";
 import { html } from "../../../ui/dom";
-import { PLAY_RANGES } from "../../state/play";
 import { type AppState, FIELDS } from "../../state/state";
 import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";

@@ -3,10 +3,10 @@
 import "./play_view.css";
 import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame } from "../../../client/protocol";
 import { html } from "../../../ui/dom";
+import { onSystemTheme } from "../../../ui/theme";
 import type { AppState } from "../../state/state";
 import { chooseKey, chosenKey, moveKey, partOf, removeKey } from "../../state/style_settings";
 import { strings } from "../../strings/strings";
-import { onSystemTheme } from "../../ui/theme";
 import { manner } from "../../ui/words";
 import type { View, ViewHost } from "../../view";
 import { Heading } from "./heading";

@@ -1,13 +1,13 @@
 /** The Style panel: the polygon, triangle or whole, and the intensity. */
 
 import { BODY_PARTS, type BodyPart, type DatabaseInfo } from "../../../client/protocol";
+import { PLAY_RANGES, type Side } from "../../../link/play";
 import { button, Segment } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { Slider } from "../../../ui/controls/slider";
 import { html, setText } from "../../../ui/dom";
 import { Polygon } from "../../../ui/polygon/polygon";
 import { isBeyondData, type Selection, toTriangle, vertexOrder } from "../../../ui/polygon/selection";
-import { PLAY_RANGES, type Side } from "../../state/play";
 import { type AppState, FIELDS } from "../../state/state";
 import type { Store } from "../../state/store";
 import {

@@ -1,7 +1,7 @@
 /** The tabs that choose a panel on a narrow screen. */
 
+import { TABS, type Tab } from "../../../link/play";
 import { html, setAttributes } from "../../../ui/dom";
-import { TABS, type Tab } from "../../state/play";
 import { strings } from "../../strings/strings";
 
 export class Tabs {

@@ -2,10 +2,10 @@
 
 import "./transport.css";
 import type { InputInfo } from "../../../client/protocol";
+import { SPEEDS } from "../../../link/page";
 import { button } from "../../../ui/controls/buttons";
 import { PlayButton } from "../../../ui/controls/play_button";
 import { clock, html, setText, svg } from "../../../ui/dom";
-import { SPEEDS } from "../../state/page";
 import type { AppState } from "../../state/state";
 import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";

@@ -3,10 +3,10 @@
 import "./viewport_panel.css";
 import type { LiveFrame } from "../../../client/protocol";
 import { ROLES, type Role } from "../../../humanoid";
+import type { CameraPreset } from "../../../link/play";
 import { button, Segment } from "../../../ui/controls/buttons";
 import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
 import { VIEWER_DEFAULTS } from "../../../viewer";
-import type { CameraPreset } from "../../state/play";
 import type { AppState } from "../../state/state";
 import { partOf } from "../../state/style_settings";
 import { strings } from "../../strings/strings";

@@ -3,11 +3,11 @@
 import "./strip.css";
 import { POSE_FLOATS } from "../../../humanoid";
 import { html, setText } from "../../../ui/dom";
+import { isDark, type Theme } from "../../../ui/theme";
 import { SideBySideViewer } from "../../../viewer/side_by_side_viewer";
 import type { WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
 import { onResize } from "../../ui/resize";
-import { isDark, type Theme } from "../../ui/theme";
 import { coloursOf, mixed } from "./colours";
 import { sharesAt } from "./plan";
 import type { PlannedWalk } from "./plan_walker";

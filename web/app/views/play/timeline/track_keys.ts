@@ -3,9 +3,9 @@
  * along the time, and removed with Delete or a double click.
  */
 
+import type { TrackKey } from "../../../../link/play";
 import { formatNumber, html, setAttributes } from "../../../../ui/dom";
 import { type GestureListeners, listenToDrags } from "../../../../ui/drag";
-import type { TrackKey } from "../../../state/play";
 import { strings } from "../../../strings/strings";
 
 export interface TrackKeyListeners extends GestureListeners {

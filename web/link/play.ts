@@ -1,8 +1,8 @@
 /** State of the Play view: styles, model and picture. */
-import { BODY_PARTS, type BodyPart, METHODS, type Method } from "../../client/protocol";
-import type { Range } from "../../ui/controls/range";
-import type { Selection } from "../../ui/polygon/selection";
-import type { MotionTrailMode } from "../../viewer";
+import { BODY_PARTS, type BodyPart, METHODS, type Method } from "../client/protocol";
+import type { Range } from "../ui/controls/range";
+import type { Selection } from "../ui/polygon/selection";
+import type { MotionTrailMode } from "../viewer";
 import { choice, decodeEntries, encodeEntries, type Fields, flag, listed, number, selection, text } from "./fields";
 
 /** Styles of the parts of the body that have their own. */

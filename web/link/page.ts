@@ -1,5 +1,5 @@
 /** State of the whole page: the view, what is open, and how it is played. */
-import type { FrameRange } from "../../client/protocol";
+import type { FrameRange } from "../client/protocol";
 import type { Theme } from "../ui/theme";
 import { choice, type Fields, flag, number, optional, text } from "./fields";
 

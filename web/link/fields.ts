@@ -1,6 +1,6 @@
 /** Kinds of fields of the state: how a value is written into the URL and read from it. */
-import type { Range } from "../../ui/controls/range";
-import type { Selection } from "../../ui/polygon/selection";
+import type { Range } from "../ui/controls/range";
+import type { Selection } from "../ui/polygon/selection";
 
 /** One field of the state. */
 export interface Field<T> {
