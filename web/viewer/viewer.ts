@@ -9,6 +9,7 @@ import { OnionSkin } from "./onion_skin";
 import { MotionTrail } from "./stage/motion_trail";
 import type { CameraView } from "./stage/orbit_camera";
 import { Redraw } from "./stage/redraw";
+import type { Screen } from "./stage/screen";
 import { Stage } from "./stage/stage";
 import { THEMES, type ThemeName } from "./themes";
 
@@ -30,10 +31,12 @@ export interface ViewerOptions {
   description?: string;
   /** Level of quality to begin with, 0 being the best; by default what the renderer suggests. */
   quality?: number;
+  /** What is drawn on, shared with other viewers; by default a WebGL context of its own. */
+  screen?: Screen;
 }
 
 /** Defaults of {@link ViewerOptions}. */
-export const VIEWER_DEFAULTS: Required<Omit<ViewerOptions, "quality">> = {
+export const VIEWER_DEFAULTS: Required<Omit<ViewerOptions, "quality" | "screen">> = {
   theme: "dark",
   ghost: "beside",
   follow: true,
@@ -94,7 +97,7 @@ export class Viewer {
     this.#ghostMode = o.ghost;
     this.#labels = o.labels;
     this.follow = o.follow;
-    this.#stage = new Stage(container, options.quality);
+    this.#stage = new Stage(container, options.quality, options.screen);
     const { detail, shading } = this.#stage.quality;
     this.#body = new Mannequin((uniforms) => new BodyLook(uniforms, shading), detail);
     this.#ghost = new Mannequin((uniforms) => new GhostLook(uniforms), detail);

@@ -1,26 +1,17 @@
-/** The renderer and everything in the scene but the characters. */
+/** Everything in the scene but the characters, and where its picture goes. */
 
-import {
-  BasicShadowMap,
-  NeutralToneMapping,
-  PMREMGenerator,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-  type WebGLRenderTarget,
-} from "three";
-import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import { Scene, Vector3 } from "three";
 import { Lights } from "../light/lights";
 import type { Theme } from "../themes";
 import { Background } from "./background";
 import { Footprints } from "./footprints";
-import { GpuQueue } from "./gpu_queue";
 import { graphics } from "./graphics";
 import { Ground } from "./ground";
 import { HipsPath } from "./hips_path";
 import { Labels } from "./labels";
 import { type CameraView, OrbitCamera } from "./orbit_camera";
 import { pixelRatio, QUALITY_LEVELS, QualityGovernor, type QualityLevel } from "./quality";
+import { type Drawn, Screen } from "./screen";
 import { ShadeMap } from "./shade_map";
 
 /** Quality that a renderer without a graphics processor starts with. */
@@ -29,14 +20,15 @@ const SOFTWARE_LEVEL = 2;
 /** Attribute of a canvas on which the finer picture of what stands still is: there is nothing left to draw. */
 const STILL = "data-still";
 
-/** Frames that may be queued: more would only add latency. */
-const MAX_FRAMES = 2;
+/** Longest waits for the graphics processor to become idle before shaders are queried, milliseconds. */
+const TIMEOUT_MS = { first: 300, later: 2000 };
 
-/** Longest waits for the graphics processor to become idle, milliseconds. */
-const TIMEOUT_MS = { memory: 2000, firstShaders: 300, shaders: 2000 };
-
-/** Scene, camera, light and ground. */
-export class Stage {
+/**
+ * Scene, camera, light and ground. A stage with a screen of its own shows the screen's canvas. On a screen that it shares it
+ * draws in the corner of that canvas and copies the picture to a canvas of its own, unless it is alone there.
+ */
+export class Stage implements Drawn {
+  /** What takes pointers and keys, and what a screen reader finds. */
   readonly canvas: HTMLCanvasElement;
   readonly scene = new Scene();
   readonly shade = new ShadeMap();
@@ -53,64 +45,36 @@ export class Stage {
   /** Called when a frame that was put off can be drawn, but only at once. */
   onIdle: (() => void) | undefined;
   readonly #root = document.createElement("div");
-  readonly #renderer: WebGLRenderer;
+  readonly #screen: Screen;
+  readonly #owns: boolean;
+  /** The copy of the picture where the screen is shared. */
+  readonly #copy: CanvasRenderingContext2D | undefined;
+  #alone = false;
   readonly #lights = new Lights();
   readonly #background = new Background();
   readonly #observer: ResizeObserver;
-  readonly #listeners = new AbortController();
   #theme: Theme | undefined;
-  #environment: WebGLRenderTarget | undefined;
   #still = false;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #queue: GpuQueue;
-  /** Programs whose uniforms and attributes three.js has looked up. */
-  readonly #queried = new WeakSet<object>();
-  /** Whether synchronous calls are allowed now, the queue is being waited for, or neither. */
-  #synchronous: "allowed" | "waiting" | "none" = "none";
   #compiled = false;
   #compilation = 0;
   /** Seconds since the last frame. */
   #elapsed = 0;
   #columns = 1;
-  /**
-   * Whether the canvas's memory is never given back, and a smaller picture has its lower left part: new memory is had from
-   * the graphics processor, and without a graphics card that has to be waited for.
-   */
-  readonly #keepsMemory: boolean;
   /** Size of the picture, CSS pixels. */
   #size = { width: 1, height: 1 };
   /** The same in pixels of the canvas. */
   #pixels = { width: 1, height: 1 };
 
-  /** `level` of {@link QUALITY_LEVELS} to begin with; by default what the renderer suggests. */
-  constructor(container: HTMLElement, level?: number) {
+  /**
+   * @param level of {@link QUALITY_LEVELS} to begin with; by default what the renderer suggests
+   * @param screen what is drawn on, shared with others; by default one of its own
+   */
+  constructor(container: HTMLElement, level?: number, screen?: Screen) {
     this.#root.style.cssText = "position:relative;width:100%;height:100%;overflow:hidden";
-    const canvas = document.createElement("canvas");
-    this.#keepsMemory = graphics() === "software";
-    if (this.#keepsMemory) {
-      const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, innerWidth * innerHeight, devicePixelRatio, true);
-      [canvas.width, canvas.height] = [Math.ceil(innerWidth * ratio), Math.ceil(innerHeight * ratio)];
-    }
-    this.#renderer = new WebGLRenderer({
-      canvas,
-      antialias: level === 0 || !this.#keepsMemory,
-      stencil: true,
-      powerPreference: "high-performance",
-    });
-    const renderer = this.#renderer;
-    renderer.toneMapping = NeutralToneMapping;
-    renderer.shadowMap.enabled = true;
-    renderer.shadowMap.type = BasicShadowMap;
-    renderer.shadowMap.autoUpdate = false;
-    // A frame is two passes; both count.
-    renderer.info.autoReset = false;
-    // Each check is a synchronous call. A shader that is wrong draws nothing, and the console says so.
-    renderer.debug.checkShaderErrors = false;
-    // The first query of an extension is a synchronous call: here nothing is waiting to be drawn.
-    renderer.capabilities.getMaxAnisotropy();
-    this.#gl = renderer.getContext() as WebGL2RenderingContext;
-    this.#queue = new GpuQueue(this.#gl);
-    this.canvas = canvas;
+    this.#owns = screen === undefined;
+    this.#screen = screen ?? ownScreen(level);
+    this.canvas = this.#owns ? this.#screen.canvas : document.createElement("canvas");
+    if (!this.#owns) this.#copy = this.canvas.getContext("2d")!;
     this.canvas.style.cssText = "display:block;position:absolute;left:0;bottom:0;touch-action:pan-y";
     // It takes the arrow keys, which no picture does; its label says what is seen.
     this.canvas.setAttribute("role", "application");
@@ -130,20 +94,35 @@ export class Stage {
       this.path.behind.mesh,
       this.path.ahead.mesh,
     );
-    // three.js restores what it made from memory; the room was drawn by the lost context and must be drawn again.
-    const restore = () => {
-      this.#queue.forget();
-      this.#dropRoom();
-      this.applyQuality();
-      this.onInvalid?.();
-    };
-    this.canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
     this.#observer = new ResizeObserver(() => {
       this.#measure();
       this.onInvalid?.();
     });
     this.#observer.observe(this.#root);
     this.#measure();
+    this.#screen.add(this);
+  }
+
+  restore(): void {
+    this.applyQuality();
+    this.onInvalid?.();
+  }
+
+  /** Whether nothing else draws on its screen: the screen's canvas is shown then, and nothing need be copied. */
+  set alone(alone: boolean) {
+    if (this.#owns || alone === this.#alone) return;
+    this.#alone = alone;
+    const { canvas } = this.#screen;
+    if (alone) {
+      canvas.style.cssText = "display:block;position:absolute;left:0;bottom:0;pointer-events:none";
+      this.#root.prepend(canvas);
+      this.onInvalid?.();
+    } else {
+      canvas.remove();
+      this.onInvalid?.();
+      // What is shown is copied at once, as the next frame may be long in coming.
+      this.onIdle?.();
+    }
   }
 
   /** Level of quality in force. */
@@ -159,14 +138,21 @@ export class Stage {
   /** A copy of the picture; only right after it was drawn. */
   copy(): HTMLCanvasElement {
     const copy = document.createElement("canvas");
-    const { width, height } = Object.assign(copy, this.#pixels);
-    copy.getContext("2d")!.drawImage(this.canvas, 0, this.canvas.height - height, width, height, 0, 0, width, height);
+    Object.assign(copy, this.#pixels);
+    this.#copyTo(copy.getContext("2d")!);
     return copy;
+  }
+
+  /** Copies the picture that the screen's canvas has in its lower left corner. */
+  #copyTo(target: CanvasRenderingContext2D): void {
+    const { width, height } = this.#pixels;
+    const { canvas } = this.#screen;
+    target.drawImage(canvas, 0, canvas.height - height, width, height, 0, 0, width, height);
   }
 
   /** Triangles and draw calls of the last frame, shadow pass included. */
   get cost(): { triangles: number; calls: number } {
-    const { triangles, calls } = this.#renderer.info.render;
+    const { triangles, calls } = this.#screen.renderer.info.render;
     return { triangles, calls };
   }
 
@@ -185,8 +171,8 @@ export class Stage {
     if (this.#theme) this.#lights.setTheme(this.#theme, quality.shading);
     this.shade.resolution = quality.shadeSize;
     this.shade.shadowTaps = quality.taps;
-    if (quality.shading === "physical") this.#lightRoom();
-    else this.#dropRoom();
+    // Only physical materials need the room.
+    this.scene.environment = quality.shading === "physical" ? this.#screen.environment : null;
     this.onQuality?.(quality);
     void this.compile();
   }
@@ -194,11 +180,12 @@ export class Stage {
   /** Compiles what will be drawn, one thing at a time and without waiting for it; nothing is drawn meanwhile. */
   async compile(): Promise<void> {
     const turn = ++this.#compilation;
-    const current = () => turn === this.#compilation && !this.#gl.isContextLost();
+    const current = () => turn === this.#compilation && !this.#screen.isLost;
     this.#compiled = false;
     try {
       await this.#compileScene(current);
-      await this.#queryShaders(current);
+      // The first picture must come soon; later ones may wait.
+      await this.#screen.queryPrograms(turn === 1 ? TIMEOUT_MS.first : TIMEOUT_MS.later, current);
     } finally {
       if (turn === this.#compilation) {
         this.#compiled = true;
@@ -208,7 +195,7 @@ export class Stage {
   }
 
   async #compileScene(current: () => boolean): Promise<void> {
-    const renderer = this.#renderer;
+    const { renderer } = this.#screen;
     const compiling: Promise<unknown>[] = [this.shade.compile(renderer, this.scene)];
     for (const object of this.scene.children.filter((child) => child !== this.shade.object)) {
       await otherTasks();
@@ -216,21 +203,6 @@ export class Stage {
       compiling.push(renderer.compileAsync(object, this.view.camera, this.scene));
     }
     await Promise.all(compiling);
-  }
-
-  /** Queries uniforms and attributes before anything is drawn: later each query would wait for the frames before it. */
-  async #queryShaders(current: () => boolean): Promise<void> {
-    const programs = (this.#renderer.info.programs ?? []).filter((program) => !this.#queried.has(program));
-    // WebGL has no fence for linking; validation comes after it in the queue.
-    for (const { program } of programs) this.#gl.validateProgram(program as WebGLProgram);
-    // The first picture must come soon; later ones may wait.
-    await this.#queue.idle(this.#compilation === 1 ? TIMEOUT_MS.firstShaders : TIMEOUT_MS.shaders);
-    // A program may have been deleted meanwhile.
-    for (const program of programs.filter(({ program }) => current() && program !== undefined)) {
-      program.getUniforms();
-      program.getAttributes();
-      this.#queried.add(program);
-    }
   }
 
   /** Goes to a view of something that faces `heading`, gliding unless the user asked for less motion. */
@@ -255,41 +227,42 @@ export class Stage {
    */
   begin(dtSecs: number, still: boolean): boolean {
     this.#elapsed += dtSecs;
-    if (!this.#compiled || this.#synchronous === "waiting" || this.#queue.frames >= MAX_FRAMES) return false;
+    if (!this.#compiled || this.#screen.busy) return false;
     const elapsed = this.#elapsed;
     this.#elapsed = 0;
     if (!this.#still && !still && this.governor.frame(elapsed)) {
       this.applyQuality();
       return false;
     }
-    if (!this.#fits(still) && this.#synchronous !== "allowed") {
-      void this.#whenIdle();
+    const { width, height } = this.#wanted(still);
+    if (!this.#screen.fits(width, height) && !this.#screen.mayResize) {
+      void this.#screen.whenIdle(() => this.onIdle?.());
       return false;
     }
-    this.#synchronous = "none";
     if (still !== this.#still) this.canvas.toggleAttribute(STILL, still);
     this.#still = still;
     this.#resize();
-    this.#renderer.info.reset();
+    this.#screen.renderer.info.reset();
     return true;
   }
 
   /** Ends a frame of which all columns were drawn. */
   end(): void {
-    this.#queue.addFrame();
+    this.#screen.addFrame();
+    if (this.#copy && !this.#alone) this.#copyTo(this.#copy);
   }
 
   /** Draws the scene into a column, the light on `subject`. */
   render(subject: Vector3, column = 0): void {
     this.#lights.follow(subject, this.view.azimuth);
     // The shade map's pass draws the light's shadow map too; the picture's pass finds it there.
-    this.#renderer.shadowMap.needsUpdate = true;
-    this.shade.render(this.#renderer, this.scene, middle.lerpVectors(subject, this.view.target, 0.5));
+    this.#screen.renderer.shadowMap.needsUpdate = true;
+    this.shade.render(this.#screen.renderer, this.scene, middle.lerpVectors(subject, this.view.target, 0.5));
     this.#ground.follow(this.view.target);
     const width = this.#pixels.width / this.#columns;
-    this.#renderer.setViewport(column * width, 0, width, this.#pixels.height);
-    this.#renderer.setScissor(column * width, 0, width, this.#pixels.height);
-    this.#renderer.render(this.scene, this.view.camera);
+    this.#screen.renderer.setViewport(column * width, 0, width, this.#pixels.height);
+    this.#screen.renderer.setScissor(column * width, 0, width, this.#pixels.height);
+    this.#screen.renderer.render(this.scene, this.view.camera);
   }
 
   /** Place of a point of the world (metres) in the picture, CSS pixels from its top left. */
@@ -299,7 +272,7 @@ export class Stage {
   }
 
   dispose(): void {
-    this.#listeners.abort();
+    this.#screen.remove(this);
     this.#observer.disconnect();
     for (const part of [
       this.view,
@@ -312,35 +285,10 @@ export class Stage {
       this.path,
     ])
       part.dispose();
-    this.#dropRoom();
-    this.#renderer.dispose();
-    // The context is released now, not when its canvas is collected: browsers have few of them.
-    this.#renderer.forceContextLoss();
-    this.#root.remove();
-  }
-
-  /** Renders the environment map that physical materials reflect; only these need it. */
-  #lightRoom(): void {
-    if (this.#environment) return;
-    const generator = new PMREMGenerator(this.#renderer);
-    const room = new RoomEnvironment();
-    this.#environment = generator.fromScene(room, 0.04, 0.1, 100, { size: 64 });
-    this.scene.environment = this.#environment.texture;
-    room.dispose();
-    generator.dispose();
-  }
-
-  #dropRoom(): void {
     this.scene.environment = null;
-    this.#environment?.dispose();
-    this.#environment = undefined;
-  }
-
-  async #whenIdle(): Promise<void> {
-    this.#synchronous = "waiting";
-    await this.#queue.idle(TIMEOUT_MS.memory);
-    this.#synchronous = "allowed";
-    this.onIdle?.();
+    if (this.#owns) this.#screen.dispose();
+    else if (this.#alone) this.#screen.canvas.remove();
+    this.#root.remove();
   }
 
   /** Size that the picture should have in pixels of the canvas; nothing while it is hidden. */
@@ -348,14 +296,6 @@ export class Stage {
     const { clientWidth, clientHeight } = this.#root;
     const ratio = pixelRatio(this.quality, clientWidth * clientHeight, devicePixelRatio, still);
     return { width: Math.floor(clientWidth * ratio), height: Math.floor(clientHeight * ratio) };
-  }
-
-  /** Whether the canvas has the right memory for that. */
-  #fits(still: boolean): boolean {
-    const { width, height } = this.#wanted(still);
-    const { canvas } = this;
-    if (this.#keepsMemory || width * height === 0) return canvas.width >= width && canvas.height >= height;
-    return canvas.width === width && canvas.height === height;
   }
 
   /** Fits the camera to the place of the picture. */
@@ -372,18 +312,35 @@ export class Stage {
     const { width, height } = this.#size;
     const pixels = this.#wanted(this.#still);
     if (pixels.width * pixels.height === 0) return;
-    const { canvas } = this;
+    const { canvas } = this.#screen;
     // Every assignment to the canvas's size gives it new memory: one each at most.
-    if (!this.#fits(this.#still)) {
-      const former = this.#keepsMemory ? canvas : { width: 0, height: 0 };
-      const memory = { width: Math.max(pixels.width, former.width), height: Math.max(pixels.height, former.height) };
-      this.#renderer.setDrawingBufferSize(memory.width, memory.height, 1);
-    }
+    if (!this.#screen.fits(pixels.width, pixels.height)) this.#screen.resize(pixels.width, pixels.height);
     this.#pixels = pixels;
-    canvas.style.width = `${(canvas.width * width) / pixels.width}px`;
-    canvas.style.height = `${(canvas.height * height) / pixels.height}px`;
-    this.#renderer.setScissorTest(true);
+    if (this.#owns || this.#alone) {
+      canvas.style.width = `${(canvas.width * width) / pixels.width}px`;
+      canvas.style.height = `${(canvas.height * height) / pixels.height}px`;
+    }
+    if (this.#copy) this.#fitCopy(width, height, pixels);
+    this.#screen.renderer.setScissorTest(true);
   }
+
+  /** Fits the canvas of the copy; it stays empty, and takes pointers and keys only, while the screen's own is shown. */
+  #fitCopy(width: number, height: number, pixels: { width: number; height: number }): void {
+    const { canvas } = this;
+    const wanted = this.#alone ? { width: 1, height: 1 } : pixels;
+    if (canvas.width !== wanted.width) canvas.width = wanted.width;
+    if (canvas.height !== wanted.height) canvas.height = wanted.height;
+    canvas.style.width = `${width}px`;
+    canvas.style.height = `${height}px`;
+  }
+}
+
+/** A screen for one stage. */
+function ownScreen(level: number | undefined): Screen {
+  if (graphics() !== "software") return new Screen({ antialias: true, keepsMemory: false });
+  const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, innerWidth * innerHeight, devicePixelRatio, true);
+  const size = { width: Math.ceil(innerWidth * ratio), height: Math.ceil(innerHeight * ratio) };
+  return new Screen({ antialias: level === 0, keepsMemory: true, size });
 }
 
 /** Lets the page do what it has to do besides. */

@@ -1,0 +1,198 @@
+/** One WebGL context and what belongs to it: the renderer, its queue, the room that materials reflect, the canvas's memory. */
+
+import {
+  BasicShadowMap,
+  NeutralToneMapping,
+  PMREMGenerator,
+  type Texture,
+  WebGLRenderer,
+  type WebGLRenderTarget,
+} from "three";
+import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import { GpuQueue } from "./gpu_queue";
+import { graphics } from "./graphics";
+
+/** Frames that may be queued: more would only add latency. */
+const MAX_FRAMES = 2;
+
+/** Longest wait for the graphics processor to become idle before the canvas gets new memory, milliseconds. */
+const IDLE_TIMEOUT_MS = 2000;
+
+/** What draws on a screen. */
+export interface Drawn {
+  /** The context was lost and restored: what the screen drew for it must be drawn again. */
+  restore(): void;
+  /** Whether it is the only one on its screen. */
+  alone: boolean;
+}
+
+/** Options of a screen. */
+export interface ScreenOptions {
+  /** Whether edges are smoothed by multisampling. */
+  antialias: boolean;
+  /**
+   * Whether the canvas's memory is never given back, and a smaller picture has its lower left part: new memory is had from
+   * the graphics processor, and without a graphics card that has to be waited for.
+   */
+  keepsMemory: boolean;
+  /** Pixels that have memory from the start. */
+  size?: { width: number; height: number };
+}
+
+/** A context that one stage draws on, or several in turn. Browsers have few contexts: pages with many figures share one. */
+export class Screen {
+  readonly canvas = document.createElement("canvas");
+  readonly renderer: WebGLRenderer;
+  readonly keepsMemory: boolean;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #queue: GpuQueue;
+  readonly #users = new Set<Drawn>();
+  readonly #listeners = new AbortController();
+  /** Programs whose uniforms and attributes three.js has looked up. */
+  readonly #queried = new WeakSet<object>();
+  #environment: WebGLRenderTarget | undefined;
+  /** Whether synchronous calls are allowed now, the queue is being waited for, or neither. */
+  #synchronous: "allowed" | "waiting" | "none" = "none";
+  #counting = false;
+
+  constructor({ antialias, keepsMemory, size }: ScreenOptions) {
+    this.keepsMemory = keepsMemory;
+    const canvas = Object.assign(this.canvas, size);
+    this.renderer = new WebGLRenderer({ canvas, antialias, stencil: true, powerPreference: "high-performance" });
+    const { renderer } = this;
+    renderer.toneMapping = NeutralToneMapping;
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.type = BasicShadowMap;
+    renderer.shadowMap.autoUpdate = false;
+    // A frame is two passes; both count.
+    renderer.info.autoReset = false;
+    // Each check is a synchronous call. A shader that is wrong draws nothing, and the console says so.
+    renderer.debug.checkShaderErrors = false;
+    // The first query of an extension is a synchronous call: here nothing is waiting to be drawn.
+    renderer.capabilities.getMaxAnisotropy();
+    this.#gl = renderer.getContext() as WebGL2RenderingContext;
+    this.#queue = new GpuQueue(this.#gl);
+    // three.js restores what it made from memory; the room was drawn by the lost context and must be drawn again.
+    const restore = () => {
+      this.#queue.forget();
+      this.#dropEnvironment();
+      for (const user of this.#users) user.restore();
+    };
+    canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
+  }
+
+  /** A screen that many stages share. */
+  static shared(): Screen {
+    return new Screen({ antialias: graphics() !== "software", keepsMemory: true });
+  }
+
+  /** Whether the context is lost. */
+  get isLost(): boolean {
+    return this.#gl.isContextLost();
+  }
+
+  /** Lets something draw here. */
+  add(user: Drawn): void {
+    this.#users.add(user);
+    this.#tellWhoIsAlone();
+  }
+
+  /** Lets it draw no longer. */
+  remove(user: Drawn): void {
+    this.#users.delete(user);
+    this.#tellWhoIsAlone();
+  }
+
+  #tellWhoIsAlone(): void {
+    for (const user of this.#users) user.alone = this.#users.size === 1;
+  }
+
+  /** Whether nothing can be drawn now: enough is queued, or the queue is being waited for. */
+  get busy(): boolean {
+    return this.#synchronous === "waiting" || this.#queue.frames >= MAX_FRAMES;
+  }
+
+  /** Whether the canvas has the right memory for a picture, in pixels. */
+  fits(width: number, height: number): boolean {
+    const { canvas } = this;
+    if (this.keepsMemory || width * height === 0) return canvas.width >= width && canvas.height >= height;
+    return canvas.width === width && canvas.height === height;
+  }
+
+  /** Whether the canvas may get new memory in this task. */
+  get mayResize(): boolean {
+    return this.#synchronous === "allowed";
+  }
+
+  /** Waits until the graphics processor has nothing to do; `then` draws in the same task, in which new memory is allowed. */
+  async whenIdle(then: () => void): Promise<void> {
+    this.#synchronous = "waiting";
+    await this.#queue.idle(IDLE_TIMEOUT_MS);
+    this.#synchronous = "allowed";
+    then();
+    this.#synchronous = "none";
+  }
+
+  /** Gives the canvas memory for a picture, in pixels. */
+  resize(width: number, height: number): void {
+    const former = this.keepsMemory ? this.canvas : { width: 0, height: 0 };
+    this.renderer.setDrawingBufferSize(Math.max(width, former.width), Math.max(height, former.height), 1);
+  }
+
+  /** Counts what was drawn in this task as one frame of the queue. */
+  addFrame(): void {
+    if (this.#counting) return;
+    this.#counting = true;
+    queueMicrotask(() => {
+      this.#counting = false;
+      this.#queue.addFrame();
+    });
+  }
+
+  /** The room that physical materials reflect. */
+  get environment(): Texture {
+    this.#environment ??= this.#lightRoom();
+    return this.#environment.texture;
+  }
+
+  #lightRoom(): WebGLRenderTarget {
+    const generator = new PMREMGenerator(this.renderer);
+    const room = new RoomEnvironment();
+    const environment = generator.fromScene(room, 0.04, 0.1, 100, { size: 64 });
+    room.dispose();
+    generator.dispose();
+    return environment;
+  }
+
+  #dropEnvironment(): void {
+    this.#environment?.dispose();
+    this.#environment = undefined;
+  }
+
+  /**
+   * Queries uniforms and attributes of new programs before anything is drawn: later each query would wait for the frames
+   * before it. Waits `timeoutMs` at most; gives up where `current` says so.
+   */
+  async queryPrograms(timeoutMs: number, current: () => boolean): Promise<void> {
+    const programs = (this.renderer.info.programs ?? []).filter((program) => !this.#queried.has(program));
+    if (programs.length === 0) return;
+    // WebGL has no fence for linking; validation comes after it in the queue.
+    for (const { program } of programs) this.#gl.validateProgram(program as WebGLProgram);
+    await this.#queue.idle(timeoutMs);
+    // A program may have been deleted meanwhile.
+    for (const program of programs.filter(({ program }) => current() && program !== undefined)) {
+      program.getUniforms();
+      program.getAttributes();
+      this.#queried.add(program);
+    }
+  }
+
+  /** Releases the context now, not when its canvas is collected: browsers have few of them. */
+  dispose(): void {
+    this.#listeners.abort();
+    this.#dropEnvironment();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.canvas.remove();
+  }
+}
