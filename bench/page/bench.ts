@@ -1,5 +1,6 @@
 /** The page: starts the benchmark, shows how far it is, and prints what it found. */
-import "../../web/app/ui/tokens.css";
+import "../../web/ui/tokens.css";
+import "../../web/app/ui/type.css";
 import "../../web/ui/controls.css";
 import "../../web/app/ui/wordmark.css";
 import "./bench.css";

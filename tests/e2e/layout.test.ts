@@ -83,7 +83,7 @@ describe("a wide screen", () => {
   it("follows the system's theme until one is chosen", async () => {
     await showAt(WIDE, "dark");
     const background = () => page.locator("#app").evaluate((e) => getComputedStyle(e).backgroundColor);
-    // The `panel` of both themes (styles/tokens.css); the change between them takes its 200 ms.
+    // The `panel` of both themes (web/ui/tokens.css); the change between them takes its 200 ms.
     const [dark, light] = ["rgb(24, 25, 28)", "rgb(245, 245, 244)"];
     await eventually(background).toBe(dark);
     await page.emulateMedia({ colorScheme: "light" });

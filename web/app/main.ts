@@ -1,5 +1,6 @@
 /** Starts the page. */
-import "./ui/tokens.css";
+import "../ui/tokens.css";
+import "./ui/type.css";
 import "./shell/layout.css";
 import "../ui/controls.css";
 import "./ui/wordmark.css";

@@ -62,6 +62,12 @@ function idlePlaces(position: Point): LabelPlace[] {
   ];
 }
 
+/** The place of a name alone, centred above its vertex or below it. */
+export function placeBeyond(position: Point): LabelPlace {
+  const side = position.y > 0 ? 1 : -1;
+  return { x: position.x, y: position.y + side * (IDLE_GAP + HALF_LINE), anchor: "middle", numberBelow: 0 };
+}
+
 function selectedPlaces(position: Point, room: Box): LabelPlace[] {
   const out = direction(position);
   const side = sideOf(out);

@@ -9,14 +9,25 @@ import { prefersReducedMotion, textZoom } from "../media";
 import { strings } from "../strings";
 import { hatching, isolines, label, path, weightBar } from "./drawing";
 import { circleVertices, isInside, nearestInside, type Point, pointOf, weightsAt } from "./geometry";
-import { placeLabels } from "./labels";
+import { placeBeyond, placeLabels } from "./labels";
 import { allOf, drop, fromPolygon, type Selection, select, TRIANGLE, weightOf, withWeight } from "./selection";
 import { Trail } from "./trail";
 import { WeightFields } from "./weight_fields";
 
 /** Radius, and room for labels above and below the centre, in units: pixels where text has its usual size. */
-const RADIUS = 92;
-const ROOM = { above: 144, below: 120 };
+export interface PolygonSize {
+  radius: number;
+  above: number;
+  below: number;
+  /** Radius within which a vertex or the handle is hit. */
+  reach: number;
+  /** Whether vertices have bars and numbers of their weights; otherwise only names, which stand above and below them. */
+  bars: boolean;
+}
+/** In a panel of its own. */
+const FULL: PolygonSize = { radius: 92, above: 144, below: 120, reach: 16, bars: true };
+/** Over a picture, where it has a triangle at most. */
+export const COMPACT: PolygonSize = { radius: 46, above: 76, below: 56, reach: 22, bars: false };
 /** Labels end this far from the edge of the panel, and nowhere further from the centre than this. */
 const PADDING = 20;
 const MAX_EDGE = 172;
@@ -58,6 +69,7 @@ export interface PolygonModel {
 export class Polygon {
   readonly element: HTMLElement;
   readonly #listeners: PolygonListeners;
+  readonly #size: PolygonSize;
   readonly #root: SVGSVGElement;
   readonly #layers = {
     hatch: svg("path", { class: "polygon-hatch", "fill-rule": "evenodd" }),
@@ -84,8 +96,9 @@ export class Polygon {
   /** Pixels of a unit of the drawing: more than one where the person's text is larger. */
   #unit = 1;
 
-  constructor(listeners: PolygonListeners) {
+  constructor(listeners: PolygonListeners, size: PolygonSize = FULL) {
     this.#listeners = listeners;
+    this.#size = size;
     this.#handle = svg(
       "g",
       {
@@ -96,6 +109,7 @@ export class Polygon {
         "aria-valuemin": 0,
         "aria-valuemax": 1,
       },
+      svg("circle", { class: "handle-target", r: size.reach }),
       svg("circle", { class: "handle-halo", r: 15 }),
       svg("circle", { class: "handle-focus", r: 13 }),
       svg("circle", { class: "handle-body", r: 8 }),
@@ -181,7 +195,7 @@ export class Polygon {
     const { names, points } = this.#corners();
     if (points.length === 0) return;
     const free = beyond && points.length === TRIANGLE && !this.#model.whole;
-    const reach = Math.min(1, (MAX_BEYOND * RADIUS) / (Math.hypot(p.x, p.y) || 1));
+    const reach = Math.min(1, (MAX_BEYOND * this.#size.radius) / (Math.hypot(p.x, p.y) || 1));
     const at = free ? { x: p.x * reach, y: p.y * reach } : nearestInside(p, points);
     const weights = weightsAt(at, points).map((w) => Math.round(w * 1000) / 1000);
     const selection = this.#model.whole
@@ -193,7 +207,7 @@ export class Polygon {
   }
 
   #layOut(): void {
-    this.#positions = circleVertices(this.#model.vertices.length, RADIUS);
+    this.#positions = circleVertices(this.#model.vertices.length, this.#size.radius);
     this.#layers.outline.setAttribute("d", path(this.#positions));
     this.#root.classList.toggle("crowded", this.#model.vertices.length >= CROWDED);
     this.#vertexElements = this.#model.vertices.map((name, i) => {
@@ -201,7 +215,7 @@ export class Polygon {
       const vertex = svg(
         "g",
         { class: "vertex", role: "button", tabindex: 0, "data-style": name },
-        svg("circle", { class: "vertex-target", cx: x, cy: y, r: 16 }),
+        svg("circle", { class: "vertex-target", cx: x, cy: y, r: this.#size.reach }),
         svg("circle", { class: "vertex-focus", cx: x, cy: y, r: 10 }),
         svg("circle", { class: "vertex-dot", cx: x, cy: y }),
       );
@@ -216,9 +230,10 @@ export class Polygon {
   /** A unit does not depend on the width of the panel, so that strokes and type keep their size. */
   #resize(): void {
     this.#unit = textZoom();
-    const [width, height] = [this.#width, ROOM.above + ROOM.below];
+    const { above, below } = this.#size;
+    const [width, height] = [this.#width, above + below];
     setAttributes(this.#root, {
-      viewBox: `${-width / 2} ${-ROOM.above} ${width} ${height}`,
+      viewBox: `${-width / 2} ${-above} ${width} ${height}`,
       width: width * this.#unit,
       height: height * this.#unit,
     });
@@ -248,11 +263,12 @@ export class Polygon {
     const { names, points } = this.#corners();
     const outside = points.length > 2 && !isInside(handle, points);
     const layers = this.#layers;
+    const { radius, above, below, bars } = this.#size;
     const edge = Math.min(MAX_EDGE, this.#width / 2 - PADDING);
 
     layers.area.setAttribute("d", path(points));
     layers.isolines.setAttribute("d", whole ? "" : isolines(points));
-    layers.hatch.setAttribute("d", outside ? path(circleVertices(48, RADIUS * MAX_BEYOND)) + path(points) : "");
+    layers.hatch.setAttribute("d", outside ? path(circleVertices(48, radius * MAX_BEYOND)) + path(points) : "");
     layers.leaders.replaceChildren(
       ...names.map((name, i) => {
         const opacity = 0.12 + 0.5 * Math.min(1, Math.abs(weightOf(selection, name)));
@@ -266,14 +282,15 @@ export class Polygon {
       weight: selection.find((s) => s.name === name)?.weight,
       position: this.#positions[i]!,
     }));
-    const places = placeLabels(labelled, { left: -edge, right: edge, top: -ROOM.above, bottom: ROOM.below });
+    const room = { left: -edge, right: edge, top: -above, bottom: below };
+    const places = bars ? placeLabels(labelled, room) : labelled.map(({ position }) => placeBeyond(position));
     for (const [i, vertex] of this.#vertexElements.entries()) {
       const { name, weight, position } = labelled[i]!;
-      if (weight !== undefined) layers.bars.append(weightBar(position, weight));
+      if (bars && weight !== undefined) layers.bars.append(weightBar(position, weight));
       vertex.classList.toggle("selected", weight !== undefined);
       vertex.querySelector(".vertex-dot")?.setAttribute("r", weight === undefined ? "3" : "5");
       vertex.querySelector(".vertex-label")?.remove();
-      vertex.append(label(labelled[i]!, places[i]!));
+      vertex.append(label(bars ? labelled[i]! : { name, weight: undefined, position }, places[i]!));
       setAttributes(vertex, {
         "aria-pressed": weight === undefined ? "false" : "true",
         "aria-label": weight === undefined ? name : `${name} ${formatNumber(weight, 2)}`,
@@ -293,7 +310,7 @@ export class Polygon {
     const unit = this.#unit;
     return {
       x: (event.clientX - box.left - box.width / 2) / unit,
-      y: (event.clientY - box.top) / unit - ROOM.above,
+      y: (event.clientY - box.top) / unit - this.#size.above,
     };
   }
 
@@ -340,7 +357,7 @@ export class Polygon {
     if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
-    const step = (event.shiftKey ? FINE_KEY_STEP : KEY_STEP) * RADIUS;
+    const step = (event.shiftKey ? FINE_KEY_STEP : KEY_STEP) * this.#size.radius;
     const at = this.#modelPoint();
     this.#moveTo({ x: at.x + arrow.x * step, y: at.y + arrow.y * step }, false);
   }

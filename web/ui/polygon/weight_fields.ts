@@ -34,7 +34,7 @@ export class WeightFields {
       const text = formatNumber(shown[i]!.weight, RANGE.digits);
       input.defaultValue = text;
       // What is being typed stays.
-      if (document.activeElement !== input) input.value = text;
+      if (!input.matches(":focus")) input.value = text;
     }
   }
 
