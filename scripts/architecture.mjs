@@ -33,8 +33,11 @@ const ROOMS = {
   // Controls that the page and the element share.
   ui: [],
   // What a link says.
-  link: ["ui", "viewer", "client", "humanoid"],
-  package: ["formats", "client", "engine", "humanoid"],
+  link: ["ui", "client", "humanoid"],
+  // What the package gives to its users, of which the element is one.
+  "package/types.ts": ["formats", "client", "engine", "humanoid"],
+  element: ["package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
+  package: ["element", "package/types.ts", "formats", "client", "engine", "humanoid"],
   "app/strings": [],
   "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
   "app/state": ["app/ui", "app/strings", "link", "ui", "player", "viewer", "client", "humanoid"],

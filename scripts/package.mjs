@@ -9,7 +9,7 @@ const SOURCE = join(root, "web", "package");
 const ENGINE = join(root, "web", "engine");
 
 /** Modules that users import. */
-const ENTRIES = ["index", "node", "inline"];
+const ENTRIES = ["index", "node", "inline", "element"];
 
 /** Files that the entries load at run time. */
 const ASSETS = {
@@ -22,7 +22,13 @@ const ASSETS = {
 };
 
 /** Most kilobytes after gzip (`shared/spec/embedding.md` section 2). */
-const BUDGET_KB = { "index.js": 14, "assets/worker.js": 12, "assets/strut_wasm_bg.wasm": 300 };
+const BUDGET_KB = {
+  "index.js": 14,
+  "element.js": 50,
+  "strut-player.js": 500,
+  "assets/worker.js": 12,
+  "assets/strut_wasm_bg.wasm": 300,
+};
 
 /**
  * Bundlers of the package's users look for `new URL(…, import.meta.url)`. Only the entries may have it: everything else is
@@ -53,13 +59,31 @@ const INLINED = {
   },
 };
 
+/** Style sheets as text; the entry of the element imports that of the engine instead of holding it once more. */
+const ELEMENT = {
+  name: "element",
+  setup({ onResolve, onLoad, esbuild }) {
+    onResolve({ filter: /\.css\?inline$/ }, ({ path, resolveDir }) => ({
+      path: join(resolveDir, path.replace(/\?inline$/, "")),
+      namespace: "sheet",
+    }));
+    onLoad({ filter: /.*/, namespace: "sheet" }, async ({ path }) => ({
+      contents: (await esbuild.transform(readFileSync(path, "utf8"), { loader: "css", minify: true })).code,
+      loader: "text",
+    }));
+    onResolve({ filter: /^\.\/index$/ }, ({ importer }) =>
+      importer === join(SOURCE, "element.ts") ? { path: "./index.js", external: true } : undefined,
+    );
+  },
+};
+
 const COMMON = {
   bundle: true,
   minify: true,
   target: "es2022",
   logLevel: "warning",
   absWorkingDir: root,
-  plugins: [OWN_ADDRESSES_ONLY, INLINED],
+  plugins: [OWN_ADDRESSES_ONLY, INLINED, ELEMENT],
 };
 
 /** Writes dist/package/ from the WASM packages as they are built. */
@@ -67,7 +91,13 @@ export async function writePackage() {
   // A clean checkout installs it after this file is read.
   const { build } = await import("esbuild");
   const manifest = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
-  const common = { ...COMMON, define: { STRUT_VERSION: JSON.stringify(manifest.version) } };
+  const common = {
+    ...COMMON,
+    define: {
+      STRUT_VERSION: JSON.stringify(manifest.version),
+      STRUT_SITE: JSON.stringify(process.env.STRUT_SITE_URL ?? ""),
+    },
+  };
   rmSync(OUT, { recursive: true, force: true });
   mkdirSync(join(OUT, "assets"), { recursive: true });
   for (const [name, path] of Object.entries(ASSETS)) cpSync(path, join(OUT, "assets", name));
@@ -79,9 +109,10 @@ export async function writePackage() {
   });
   await build({
     ...common,
-    entryPoints: [join(SOURCE, "index.ts")],
+    entryPoints: ["index", "element"].map((name) => join(SOURCE, `${name}.ts`)),
     outdir: OUT,
     format: "esm",
+    external: ["three"],
     splitting: true,
     chunkNames: "chunks/[name]-[hash]",
   });
@@ -93,6 +124,16 @@ export async function writePackage() {
       format: "esm",
       platform: entry === "node" ? "node" : "browser",
     });
+  await build({
+    ...common,
+    entryPoints: [join(SOURCE, "strut_player.ts")],
+    outfile: join(OUT, "strut-player.js"),
+    format: "iife",
+  });
+  cpSync(ASSETS["walk.bin"], join(OUT, "walk.bin"));
+  const walk = readFileSync(ASSETS["walk.bin"]).toString("base64");
+  for (const folder of [OUT, join(OUT, "assets")])
+    writeFileSync(join(folder, "walk.bin.js"), `strutReceive("${walk}");\n`);
   await writeTypes();
   for (const name of ["LICENSE", "LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(OUT, name));
   cpSync(join(SOURCE, "README.md"), join(OUT, "README.md"));
@@ -109,14 +150,18 @@ function manifestOf({ name, version, description, license, engines }) {
     license,
     type: "module",
     engines,
-    sideEffects: false,
+    sideEffects: ["./element.js", "./strut-player.js"],
     exports: {
       ".": { types: "./types/package/index.d.ts", node: "./node.js", default: "./index.js" },
       "./node": entry("node"),
       "./inline": entry("inline"),
+      "./element": entry("element"),
+      "./strut-player.js": "./strut-player.js",
       "./assets/*": "./assets/*",
       "./package.json": "./package.json",
     },
+    peerDependencies: { three: ">=0.180 <0.188" },
+    peerDependenciesMeta: { three: { optional: true } },
   };
 }
 

@@ -2,7 +2,7 @@
 import type { Browser, BrowserContext, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
-import { pack } from "../../web/app/shell/links";
+import { pack } from "../../web/link/linked_file";
 import { everyNth, walksIn } from "../clips";
 import {
   closePage,

@@ -2,7 +2,6 @@
 import { BODY_PARTS, type BodyPart, METHODS, type Method } from "../client/protocol";
 import type { Range } from "../ui/controls/range";
 import type { Selection } from "../ui/polygon/selection";
-import type { MotionTrailMode } from "../viewer";
 import { choice, decodeEntries, encodeEntries, type Fields, flag, listed, number, selection, text } from "./fields";
 
 /** Styles of the parts of the body that have their own. */
@@ -68,7 +67,7 @@ export const CAMERA_PRESETS = ["orbit", "front", "side", "top"] as const;
 export type CameraPreset = (typeof CAMERA_PRESETS)[number];
 export const GHOST_MODES = ["beside", "overlay", "off"] as const;
 export type GhostMode = (typeof GHOST_MODES)[number];
-export const TRACE_MODES = ["off", "lines", "onion"] as const satisfies readonly MotionTrailMode[];
+export const TRACE_MODES = ["off", "lines", "onion"] as const;
 export const SIDES = ["a", "b"] as const;
 export type Side = (typeof SIDES)[number];
 export const TABS = ["style", "input", "model", "curves"] as const;

@@ -3,13 +3,20 @@
  * the next, one request at a time. A change of style therefore acts with the next frame, also while paused.
  */
 
-import type { LiveFrame, StrutClient, StylizeOptions } from "../client/protocol";
+import type { LiveFrame, StylizeOptions } from "../client/protocol";
 import { isCancellation } from "../client/protocol";
 import { stepSecs } from "./clock";
 import { approach, type Weights } from "./smoothing";
 
 /** Failures in a row after which playing stops. */
 const MAX_FAILURES = 3;
+
+/** What the loop asks of the engine. */
+export interface PlaybackEngine {
+  step(dtSecs: number): Promise<LiveFrame>;
+  seek(inputFrame: number): Promise<LiveFrame>;
+  configure(options: StylizeOptions): Promise<void>;
+}
 
 export interface PlaybackListeners {
   /** A new frame came from the engine; `sought` where it does not follow the one before. */
@@ -24,7 +31,7 @@ export interface PlaybackListeners {
 export class Playback {
   playing = false;
   speed = 1;
-  readonly #client: StrutClient;
+  readonly #client: PlaybackEngine;
   readonly #listeners: PlaybackListeners;
   #target: StylizeOptions | undefined;
   /** Weights that the engine has now; they follow the target's with a half-life. */
@@ -37,7 +44,7 @@ export class Playback {
   #failures = 0;
   #request = 0;
 
-  constructor(client: StrutClient, listeners: PlaybackListeners) {
+  constructor(client: PlaybackEngine, listeners: PlaybackListeners) {
     this.#client = client;
     this.#listeners = listeners;
   }

@@ -38,6 +38,9 @@ export interface Theme {
   };
 }
 
+/** Colours that a page may choose itself. */
+export type ThemeColours = Pick<Theme, "background" | "signal" | "ink" | "input">;
+
 /** The themes by name. */
 export const THEMES: Readonly<Record<ThemeName, Theme>> = {
   dark: {

@@ -11,7 +11,7 @@ import type { CameraView } from "./stage/orbit_camera";
 import { Redraw } from "./stage/redraw";
 import type { Screen } from "./stage/screen";
 import { Stage } from "./stage/stage";
-import { THEMES, type ThemeName } from "./themes";
+import { THEMES, type Theme, type ThemeColours, type ThemeName } from "./themes";
 
 /** Where the ghost of the input is: at the character's right, in its place and behind it, or nowhere. */
 export type GhostMode = "beside" | "overlay" | "off";
@@ -74,6 +74,7 @@ export class Viewer {
   readonly #body: Mannequin<BodyLook>;
   readonly #ghost: Mannequin<GhostLook>;
   #theme: ThemeName;
+  #colours: Partial<ThemeColours> = {};
   #ghostMode: GhostMode;
   #labels: { styled: string; input: string };
   #hasInput = false;
@@ -121,6 +122,11 @@ export class Viewer {
     this.#stage.canvas.setAttribute("aria-label", text);
   }
 
+  /** Id of what tells a screen reader how the picture is used. */
+  set describedBy(id: string) {
+    this.#stage.canvas.setAttribute("aria-describedby", id);
+  }
+
   /** Light or dark; switches at once, without rebuilding anything. */
   get theme(): ThemeName {
     return this.#theme;
@@ -156,7 +162,7 @@ export class Viewer {
     this.#onion?.dispose();
     this.#onion = undefined;
     if (mode !== "onion") return;
-    this.#onion = new OnionSkin(THEMES[this.#theme], this.#body.proportions, this.#stage.quality.detail);
+    this.#onion = new OnionSkin(this.#themeNow, this.#body.proportions, this.#stage.quality.detail);
     this.#stage.scene.add(this.#onion.object);
     void this.#stage.compile();
   }
@@ -171,6 +177,18 @@ export class Viewer {
   set labels(labels: { styled: string; input: string }) {
     this.#labels = labels;
     this.#applyLabels();
+  }
+
+  /** Width of what lies over the right of the picture, CSS pixels: the character stands in the middle of the rest. */
+  set covered(width: number) {
+    this.#stage.covered = width;
+    this.#redraw.request();
+  }
+
+  /** Colours that take the place of the theme's. */
+  set colours(colours: Partial<ThemeColours>) {
+    this.#colours = colours;
+    this.#applyTheme();
   }
 
   /** Called twice a second with the frames drawn per second. */
@@ -355,7 +373,7 @@ export class Viewer {
   }
 
   #applyTheme(): void {
-    const theme = THEMES[this.#theme];
+    const theme = this.#themeNow;
     this.#body.look.setTheme(theme);
     this.#ghost.look.setTheme(theme);
     this.#stage.setTheme(theme);
@@ -373,9 +391,13 @@ export class Viewer {
     this.#applyLabels();
   }
 
+  get #themeNow(): Theme {
+    return { ...THEMES[this.#theme], ...this.#colours };
+  }
+
   #applyLabels(): void {
     this.#redraw.request();
-    const theme = THEMES[this.#theme];
+    const theme = this.#themeNow;
     const beside = this.#hasInput && this.#ghostMode === "beside";
     this.#stage.labels.set("styled", this.#labels.styled, theme.ink);
     this.#stage.labels.set("input", beside ? this.#labels.input : "", theme.input);

@@ -1,8 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { linkedFile, pack, unpack } from "../../link/linked_file";
 import { InputLibrary } from "../../player/input_library";
 import { initialState } from "../state/state";
 import { Store } from "../state/store";
-import { AddressBar, linkedFile, linkTo, pack, stateOfLink, unpack } from "./links";
+import { AddressBar, linkTo, stateOfLink } from "./links";
 
 const text = "HIERARCHY\nROOT Hips\n".repeat(200);
 const bytes = new TextEncoder().encode(text).buffer;

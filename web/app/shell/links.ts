@@ -1,5 +1,6 @@
 /** The state in the address bar and in links; a link may carry a small input file. */
 
+import { linkFile } from "../../link/linked_file";
 import type { InputLibrary } from "../../player/input_library";
 import { prefersReducedMotion } from "../../ui/media";
 import { type AppState, fromHash, toHash } from "../state/state";
@@ -7,17 +8,6 @@ import type { Store } from "../state/store";
 
 /** Debounce of URL updates: browsers limit how often a page may change its URL. */
 const WRITE_MS = 200;
-/** Key of the input file in a link; it is not part of the state, so that the address bar stays short. */
-const FILE_KEY = "file";
-/** Maximum number of characters of an input file in a link: what messengers and mail programs still accept. */
-const MAX_CHARACTERS = 24_000;
-
-/** A file that came in a link. */
-export interface LinkedFile {
-  name: string;
-  bytes: ArrayBuffer;
-}
-
 /** The state of a link. Playback does not start by itself where reduced motion is preferred. */
 export function stateOfLink(hash: string, reducedMotion = prefersReducedMotion()): AppState {
   const state = fromHash(hash);
@@ -122,42 +112,7 @@ export async function linkTo(
   url.hash = toHash(state);
   const source = library.source(state.input);
   if (source?.kind !== "bvh") return { href: url.href, carried: undefined };
-  const packed = await pack(source.bytes);
-  const carried = packed.length <= MAX_CHARACTERS;
-  if (carried) url.hash += `&${FILE_KEY}=${encodeURIComponent(state.input)}~${packed}`;
-  return { href: url.href, carried };
-}
-
-/**
- * The file in a link; `undefined` where there is none that can be read, or a longer one than {@link linkTo} makes, which
- * might inflate without end.
- */
-export async function linkedFile(hash: string): Promise<LinkedFile | undefined> {
-  const value = new URLSearchParams(hash.replace(/^#/, "")).get(FILE_KEY);
-  const at = value?.lastIndexOf("~") ?? -1;
-  if (!value || at < 1 || value.length - at > 1 + MAX_CHARACTERS) return undefined;
-  try {
-    return { name: value.slice(0, at), bytes: await unpack(value.slice(at + 1)) };
-  } catch {
-    return undefined;
-  }
-}
-
-/** Bytes as URL-safe text: deflate-raw, then base64url. */
-export async function pack(bytes: ArrayBuffer): Promise<string> {
-  const deflated = await through(bytes, new CompressionStream("deflate-raw"));
-  let binary = "";
-  for (const byte of new Uint8Array(deflated)) binary += String.fromCharCode(byte);
-  return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
-}
-
-/** Inverse of {@link pack}. */
-export function unpack(text: string): Promise<ArrayBuffer> {
-  const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
-  const bytes = Uint8Array.from(binary, (c) => c.charCodeAt(0));
-  return through(bytes.buffer, new DecompressionStream("deflate-raw"));
-}
-
-function through(bytes: ArrayBuffer, stream: CompressionStream | DecompressionStream): Promise<ArrayBuffer> {
-  return new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
+  const file = await linkFile({ name: state.input, bytes: source.bytes });
+  if (file) url.hash += `&${file}`;
+  return { href: url.href, carried: file !== undefined };
 }

@@ -1,6 +1,7 @@
 /** What is open, in step with the state: database, input, the styles that there are, and the engine's options. */
 import type { DatabaseInfo, StrutClient } from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";
+import { linkedFile } from "../../link/linked_file";
 import { ENGINE_FIELDS } from "../../link/play";
 import { Session, UnknownInput } from "../../player/session";
 import { firstSelection } from "../../ui/polygon/selection";
@@ -12,7 +13,6 @@ import { strings } from "../strings/strings";
 import type { Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
 import { Databases } from "./databases";
-import { linkedFile } from "./links";
 import type { SessionProgressLines } from "./session_progress";
 
 type Changed = ReadonlySet<keyof AppState>;

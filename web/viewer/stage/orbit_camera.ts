@@ -140,9 +140,11 @@ export class OrbitCamera {
     this.#place();
   }
 
-  /** Takes the size of the picture. */
-  resize(width: number, height: number): void {
+  /** Takes the size of the picture, of which `covered` pixels at the right are hidden: what is looked at is left of them. */
+  resize(width: number, height: number, covered = 0): void {
     this.camera.aspect = width / Math.max(1, height);
+    if (covered > 0) this.camera.setViewOffset(width, height, covered / 2, 0, width, height);
+    else this.camera.clearViewOffset();
     this.camera.updateProjectionMatrix();
   }
 

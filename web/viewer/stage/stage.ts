@@ -60,6 +60,7 @@ export class Stage implements Drawn {
   /** Seconds since the last frame. */
   #elapsed = 0;
   #columns = 1;
+  #covered = 0;
   /** Size of the picture, CSS pixels. */
   #size = { width: 1, height: 1 };
   /** The same in pixels of the canvas. */
@@ -215,6 +216,12 @@ export class Stage implements Drawn {
     return this.#still;
   }
 
+  /** Width of what lies over the right of the picture, CSS pixels: the camera looks past it. */
+  set covered(width: number) {
+    this.#covered = width;
+    this.#measure();
+  }
+
   /** Number of columns that the picture is divided into; the camera's picture fills one of them. */
   set columns(columns: number) {
     this.#columns = columns;
@@ -303,7 +310,7 @@ export class Stage implements Drawn {
     const { clientWidth: width, clientHeight: height } = this.#root;
     if (!width || !height) return;
     this.#size = { width, height };
-    this.view.resize(width / this.#columns, height);
+    this.view.resize(width / this.#columns, height, this.#covered);
   }
 
   /** Fits the picture to its place. */

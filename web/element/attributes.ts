@@ -1,0 +1,125 @@
+/**
+ * The attributes of `<strut-player>`: one table, of which its properties, `custom-elements.json`, the types for JSX, the
+ * parameters of `embed.html` and the table in `docs/embedding.md` are made.
+ */
+import { decodeSelection, encodeSelection } from "../link/fields";
+import { CAMERA_PRESETS, GHOST_MODES } from "../link/play";
+import type { Selection } from "../ui/polygon/selection";
+
+/** One attribute. */
+export interface Attribute<T> {
+  /** The value where the attribute is missing or no value. */
+  initial: T;
+  /** The type of the property, in TypeScript. */
+  type: string;
+  /** Whether the attribute is a boolean one: present or not. */
+  isFlag: boolean;
+  /** The value that a text stands for; `undefined` where it is none. */
+  parse(text: string): T | undefined;
+  /** The text that stands for a value; `null` where the attribute is to be taken away. */
+  write(value: T): string | null;
+  /** A sentence for people. */
+  doc: string;
+}
+
+/** What the bar and the stage can offer. */
+export const CONTROLS = ["play", "seek", "styles", "ghost", "fullscreen", "link"] as const;
+export type Control = (typeof CONTROLS)[number];
+
+export const PLAYER_THEMES = ["auto", "light", "dark"] as const;
+export const LOADING = ["lazy", "eager"] as const;
+
+function text(initial: string, doc: string): Attribute<string> {
+  return { initial, type: "string", isFlag: false, parse: (value) => value, write: (value) => value, doc };
+}
+
+function flag(doc: string): Attribute<boolean> {
+  return { initial: false, type: "boolean", isFlag: true, parse: () => true, write: (on) => (on ? "" : null), doc };
+}
+
+function number(initial: number, min: number, max: number, doc: string): Attribute<number> {
+  const parse = (value: string) => {
+    const parsed = Number(value);
+    return value.trim() !== "" && Number.isFinite(parsed) ? Math.min(max, Math.max(min, parsed)) : undefined;
+  };
+  return { initial, type: "number", isFlag: false, parse, write: String, doc };
+}
+
+function choice<const T extends string>(values: readonly [T, ...T[]], doc: string): Attribute<T> {
+  const type = values.map((value) => `"${value}"`).join(" | ");
+  const parse = (value: string) => values.find((known) => known === value);
+  return { initial: values[0], type, isFlag: false, parse, write: (value) => value, doc };
+}
+
+/** `proud:0.5,old:0.5` as in links; a name without a weight has all of it. */
+function parseStyles(value: string): Selection | undefined {
+  const named = value.split(",").map((part) => (part.includes(":") ? part.trim() : `${part.trim()}:1`));
+  return decodeSelection(named.join(","));
+}
+
+const styles: Attribute<Selection> = {
+  initial: [
+    { name: "proud", weight: 0.5 },
+    { name: "old", weight: 0.5 },
+  ],
+  type: "string | Readonly<Record<string, number>>",
+  isFlag: false,
+  parse: parseStyles,
+  write: encodeSelection,
+  doc: "The styles and their weights, such as proud:0.5,old:0.5. What the weights leave of 1 is neutral; a name alone has 1.",
+};
+
+const controls: Attribute<readonly Control[]> = {
+  initial: [],
+  type: "string | boolean",
+  isFlag: false,
+  parse: (value) => {
+    const words = value.split(/[\s,]+/).filter((word) => word !== "");
+    return words.length === 0 ? CONTROLS : CONTROLS.filter((control) => words.includes(control));
+  },
+  write: (value) => (value.length === 0 ? null : value.length === CONTROLS.length ? "" : value.join(" ")),
+  doc: `What visitors can use: all where it has no value, or some of ${CONTROLS.join(" ")}.`,
+};
+
+/** The table. */
+export const ATTRIBUTES = {
+  src: text("strut:neutral-walk", "The motion: URL of a BVH file, or a built-in one."),
+  db: text("strut:walk", "The database: URL of a .strutdb file, strut:walk or strut:built-in."),
+  poster: text("", "URL of a picture that is shown until the figure can be."),
+  styles,
+  state: text("", "The part after # of a link of the playground; other attributes go before it."),
+  controls,
+  autoplay: flag("Plays as soon as it is seen, unless the visitor asked for less motion."),
+  once: flag("Stops at the end instead of starting again."),
+  frame: number(0, 0, 1e7, "The input frame to begin at."),
+  speed: number(1, 0.1, 4, "Speed of playing, 0.1 to 4."),
+  camera: choice(CAMERA_PRESETS, "Where it is seen from."),
+  ghost: choice(GHOST_MODES, "Where the input is drawn."),
+  theme: choice(PLAYER_THEMES, "Colours; auto are those that the page has around it."),
+  loading: choice(LOADING, "Whether it loads when it comes near the screen, or at once."),
+  alt: text("", "What a screen reader calls the picture; by default it says what is performed."),
+} as const;
+
+/** Names of the attributes. */
+export type AttributeName = keyof typeof ATTRIBUTES;
+
+/** The value of an attribute. */
+export type ValueOf<K extends AttributeName> = (typeof ATTRIBUTES)[K] extends Attribute<infer T> ? T : never;
+
+export const ATTRIBUTE_NAMES = Object.keys(ATTRIBUTES) as AttributeName[];
+
+/** The value of an element's attribute. */
+export function readAttribute<K extends AttributeName>(element: Element, name: K): ValueOf<K> {
+  const attribute = ATTRIBUTES[name] as unknown as Attribute<ValueOf<K>>;
+  const given = element.getAttribute(name);
+  return (given === null ? undefined : attribute.parse(given)) ?? attribute.initial;
+}
+
+/** Writes a property into an element's attribute: a value, its text, or what frameworks give for “none” and “present”. */
+export function writeProperty<K extends AttributeName>(element: Element, name: K, value: unknown): void {
+  const attribute = ATTRIBUTES[name] as unknown as Attribute<unknown>;
+  const text = typeof value === "boolean" || value === null || value === undefined ? (value ? "" : null) : undefined;
+  const written = text !== undefined ? text : typeof value === "string" ? value : attribute.write(value);
+  if (written === null) element.removeAttribute(name);
+  else if (element.getAttribute(name) !== written) element.setAttribute(name, written);
+}

@@ -1,0 +1,201 @@
+/** What a player shows once it is loaded: a motion in a style, played and drawn. */
+import { changedOptions } from "../client/options";
+import { DEFAULT_OPTIONS, type LiveFrame, type StylizeOptions } from "../client/protocol";
+import { engineOptions } from "../link/engine_options";
+import type { Database, Playback as EnginePlayback, Motion, Strut } from "../package/types";
+import { Playback } from "../player/playback";
+import type { Selection } from "../ui/polygon/selection";
+import { type Screen, type ThemeColours, type ThemeName, Viewer } from "../viewer";
+import type { Drawing } from "./schedule";
+import type { Settings } from "./settings";
+
+/** Drawing goes on for so long after the last change: glides and fades end within it. */
+const AFTERGLOW_MS = 1200;
+
+export interface FigureListeners {
+  onFrame: (frame: LiveFrame) => void;
+  /** The end was reached, and the motion does not loop. */
+  onEnd: () => void;
+  onError: (error: unknown) => void;
+  /** The first picture is on the screen. */
+  onDrawn: () => void;
+}
+
+/** What a figure is made of; all of it belongs to others. */
+export interface FigureParts {
+  strut: Strut;
+  database: Database;
+  motion: Motion;
+  screen: Screen;
+  /** Where it is drawn. */
+  container: HTMLElement;
+}
+
+export class Figure implements Drawing {
+  readonly viewer: Viewer;
+  readonly rateHz: number;
+  /** Frames of the motion at the database's rate. */
+  readonly frames: number;
+  hasFocus = false;
+  frame: LiveFrame | undefined;
+  readonly #database: Database;
+  readonly #engine: EnginePlayback;
+  readonly #playback: Playback;
+  readonly #listeners: FigureListeners;
+  #settings: Settings;
+  #drawUntil = 0;
+  #drawn = false;
+  #seeking: number | undefined;
+  #running = false;
+
+  /**
+   * Opens a figure.
+   * @throws StrutError `bad-input` for styles that the database lacks
+   */
+  static async open(parts: FigureParts, settings: Settings, listeners: FigureListeners): Promise<Figure> {
+    const { strut, database, motion } = parts;
+    const options = optionsOf(database, settings);
+    const playback = await strut.createPlayback(motion, database, options);
+    return new Figure(parts, playback, settings, listeners);
+  }
+
+  private constructor(
+    { database, motion, screen, container }: FigureParts,
+    engine: EnginePlayback,
+    settings: Settings,
+    listeners: FigureListeners,
+  ) {
+    const { info } = database;
+    [this.#database, this.#engine, this.#settings, this.#listeners] = [database, engine, settings, listeners];
+    this.rateHz = info.rateHz;
+    this.frames = Math.round(((motion.frames - 1) / motion.rateHz) * info.rateHz) + 1;
+    this.viewer = new Viewer(container, { theme: "light", labels: { styled: "", input: "" }, screen });
+    this.viewer.setProportions(info.proportions);
+    for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
+      container.addEventListener(type, () => this.invalidate(), { passive: true });
+    this.#playback = new Playback(engine, {
+      onFrame: (frame, sought) => this.#take(frame, sought),
+      onTick: () => undefined,
+      onError: (error, stopped) => {
+        if (stopped) listeners.onError(error);
+      },
+      onSettled: () => undefined,
+    });
+    this.#playback.options = optionsOf(database, settings);
+    this.apply(settings);
+    if (settings.frame > 0) this.seek(settings.frame);
+  }
+
+  /** Styling as it is now. */
+  get options(): StylizeOptions {
+    return optionsOf(this.#database, this.#settings);
+  }
+
+  /** Asks for the pose that is to be shown first. */
+  request(): void {
+    this.#playback.refresh();
+  }
+
+  /** Lets the motion advance, and follow changes of style, or stand while nobody sees it. */
+  set running(running: boolean) {
+    if (running === this.#running) return;
+    this.#running = running;
+    if (running) this.#playback.start();
+    else this.#playback.dispose();
+  }
+
+  get playing(): boolean {
+    return this.#playback.playing;
+  }
+
+  set playing(playing: boolean) {
+    // At the end it starts again.
+    if (playing && this.frame?.ended) this.seek(0);
+    this.#playback.playing = playing;
+  }
+
+  /** Takes changed settings. @throws StrutError `bad-input` for styles that the database lacks */
+  apply(settings: Settings): void {
+    this.#playback.options = optionsOf(this.#database, settings);
+    if (settings.loop !== this.#settings.loop || !this.frame)
+      this.#engine.setLoop(settings.loop).catch((error: unknown) => this.#listeners.onError(error));
+    this.#settings = settings;
+    this.#playback.speed = settings.speed;
+    this.viewer.ghost = settings.ghost;
+    if (this.viewer.view !== settings.camera) this.viewer.camera(settings.camera);
+    this.invalidate();
+  }
+
+  /** Goes to an input frame. */
+  seek(frame: number): void {
+    this.#seeking = frame;
+    this.#playback.seek(Math.min(Math.max(0, frame), this.frames - 1));
+  }
+
+  /** The input frame that is shown, or that was asked for. */
+  get inputFrame(): number {
+    return this.#seeking ?? this.frame?.inputFrame ?? 0;
+  }
+
+  setTheme(theme: ThemeName, colours: Partial<ThemeColours>): void {
+    this.viewer.theme = theme;
+    this.viewer.colours = colours;
+    this.invalidate();
+  }
+
+  /** Asks for the picture to be drawn. */
+  invalidate(): void {
+    this.#drawUntil = performance.now() + AFTERGLOW_MS;
+  }
+
+  draw(now: number): boolean {
+    if (!this.frame || (now > this.#drawUntil && this.viewer.still)) return false;
+    const drawn = this.viewer.render(now / 1000);
+    if (drawn && !this.#drawn) {
+      this.#drawn = true;
+      this.#listeners.onDrawn();
+    }
+    return drawn;
+  }
+
+  /** The present picture, drawn for it if need be. */
+  async picture(): Promise<HTMLCanvasElement> {
+    for (;;) {
+      this.viewer.invalidate();
+      if (this.viewer.render(performance.now() / 1000)) return this.viewer.copy();
+      await new Promise((resolve) => setTimeout(resolve, 4));
+    }
+  }
+
+  dispose(): void {
+    this.#playback.dispose();
+    this.#engine.dispose();
+    this.viewer.dispose();
+  }
+
+  #take(frame: LiveFrame, sought: boolean): void {
+    const { viewer } = this;
+    this.frame = frame;
+    if (sought) this.#seeking = undefined;
+    if (frame.looped || sought) viewer.resetTrail();
+    viewer.setStyled(frame.pose);
+    viewer.setInput(frame.inputPose);
+    viewer.setPlanted(frame.planted);
+    this.invalidate();
+    if (frame.ended && this.#playback.playing) {
+      this.#playback.playing = false;
+      this.#listeners.onEnd();
+    }
+    this.#listeners.onFrame(frame);
+  }
+}
+
+/** The engine's options for settings. @throws StrutError `bad-input` for styles that the database lacks */
+function optionsOf({ info }: Database, { styles, linked }: Settings): StylizeOptions {
+  return changedOptions(info, DEFAULT_OPTIONS, engineOptions({ ...linked, styles }, info.neutral));
+}
+
+/** The weights of a selection by name. */
+export function weightsOf(styles: Selection): Record<string, number> {
+  return Object.fromEntries(styles.map(({ name, weight }) => [name, weight]));
+}

@@ -1,0 +1,59 @@
+/** What the players of a page share: the engine, one WebGL context, and the schedule of drawing. */
+import type { Strut } from "../package/types";
+import { Screen } from "../viewer";
+import { Schedule } from "./schedule";
+import { SharedEngine } from "./shared_engine";
+
+/** How long the context is kept when no player is left, milliseconds. */
+const LINGER_MS = 2000;
+
+/** What the page tells its players. */
+export interface PlayerHost {
+  /** Loads the engine. */
+  load: () => Promise<Strut>;
+  /** Address of the playground; empty where it is not known. */
+  site: string;
+}
+
+let engine: SharedEngine | undefined;
+let address = "";
+
+/** Says what the players of this page load their engine with; before the first of them loads. */
+export function hostPlayers({ load, site }: PlayerHost): void {
+  engine = new SharedEngine(load);
+  address = site;
+}
+
+/** The engine of all players. */
+export function sharedEngine(): SharedEngine {
+  if (!engine) throw new Error("hostPlayers() must be called before a player loads.");
+  return engine;
+}
+
+/** Address of the playground; empty where it is not known. */
+export function site(): string {
+  return address;
+}
+
+/** When players draw. */
+export const schedule = new Schedule();
+
+let screen: Screen | undefined;
+let users = 0;
+
+/** The context on which all players draw, until {@link leaveScreen}. */
+export function joinScreen(): Screen {
+  users += 1;
+  screen ??= Screen.shared();
+  return screen;
+}
+
+/** Draws no longer on the shared context. */
+export function leaveScreen(): void {
+  users -= 1;
+  setTimeout(() => {
+    if (users > 0) return;
+    screen?.dispose();
+    screen = undefined;
+  }, LINGER_MS);
+}

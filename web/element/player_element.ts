@@ -1,0 +1,623 @@
+/**
+ * `<strut-player>`: a figure that walks in a style, on any page (`docs/embedding.md`). It loads when it comes near the screen,
+ * plays while it is seen, and shares one engine, one WebGL context and one drawing schedule with the others of its page.
+ */
+import type { LiveFrame, StyleWeights } from "../client/protocol";
+import { initialOf, writeHash } from "../link/hash";
+import { linkedFile } from "../link/linked_file";
+import { GHOST_MODES, PLAY_FIELDS } from "../link/play";
+import type { Database, Motion, Source } from "../package/types";
+import { formatNumber, html } from "../ui/dom";
+import { prefersReducedMotion } from "../ui/media";
+import { COMPACT, Polygon } from "../ui/polygon/polygon";
+import { allOf, isBeyondData, type Selection, vertexOrder } from "../ui/polygon/selection";
+import { graphics } from "../viewer";
+import { ATTRIBUTE_NAMES, type AttributeName, readAttribute, type ValueOf, writeProperty } from "./attributes";
+import { Bar } from "./bar";
+import { ownColours, themeOf } from "./colours";
+import { Figure, weightsOf } from "./figure";
+import { joinScreen, leaveScreen, schedule, sharedEngine, site } from "./host";
+import { Message } from "./message";
+import { Poster } from "./poster";
+import { completed, settingsOf, triangleOf } from "./settings";
+import type { Lease } from "./shared_engine";
+import { sheets } from "./sheets";
+import { strings } from "./strings";
+
+/** How near to the screen it loads, pixels. */
+const NEAR_PX = 200;
+/** Least time between two announcements to screen readers, milliseconds. */
+const ANNOUNCE_MS = 1000;
+/** Weights below this are not said. */
+const SAID = 0.005;
+
+/** Detail of the event `frame`. */
+export type FrameDetail = Pick<LiveFrame, "inputFrame" | "timeOut" | "planted" | "reads">;
+
+/** Properties that are attributes and nothing else. */
+type Plain = Exclude<AttributeName, "src" | "db" | "styles">;
+type Properties = { -readonly [K in Plain]: ValueOf<K> };
+
+/** Where there is no document, as on a server, the class can be imported and not be used. */
+const ElementBase = (globalThis.HTMLElement ?? class {}) as new () => HTMLElement & Properties;
+
+/** What is open. */
+interface Opened {
+  database: Lease<Database>;
+  motion: Lease<Motion>;
+  figure: Figure;
+}
+
+export class StrutPlayer extends ElementBase {
+  static readonly observedAttributes: readonly string[] = ATTRIBUTE_NAMES;
+
+  readonly #player = html("div", { class: "player" });
+  readonly #picture = html("div", { class: "picture" });
+  readonly #probe = html("span", { class: "probe", "aria-hidden": "true" });
+  readonly #poster = new Poster(() => this.#press());
+  readonly #message = new Message();
+  readonly #said = html("p", { class: "visually-hidden", role: "status" });
+  readonly #styles = html("div", { class: "styles", part: "styles", hidden: true });
+  readonly #polygon: Polygon;
+  readonly #bar: Bar;
+  readonly #observers: IntersectionObserver[] = [];
+  #connected = false;
+  #opening: AbortController | undefined;
+  #opened: Opened | undefined;
+  #ready = new Deferred();
+  #selection: Selection = [];
+  #beforeGesture: Selection = [];
+  #source: Source | Motion | undefined;
+  #base: Source | Database | undefined;
+  #visible = false;
+  #failed = false;
+  /** Whether it plays once it is loaded and seen. */
+  #plays = false;
+  /** Whether an attribute is being written from within. */
+  #reflecting = false;
+  #announcement: ReturnType<typeof setTimeout> | undefined;
+  #announcedAt = 0;
+
+  constructor() {
+    super();
+    const root = this.attachShadow({ mode: "open" });
+    root.adoptedStyleSheets = sheets();
+    this.#polygon = new Polygon(
+      {
+        onChange: (selection) => this.#choose(selection),
+        onSettle: () => {
+          this.#beforeGesture = this.#selection;
+        },
+        onCancel: () => this.#choose(this.#beforeGesture),
+      },
+      COMPACT,
+    );
+    this.#styles.append(this.#polygon.element);
+    this.#bar = new Bar(
+      {
+        onPlay: () => this.#toggle(),
+        onSeek: (frame) => this.#opened?.figure.seek(frame),
+        onGhost: () => this.#nextGhost(),
+        onFullscreen: () => this.#toggleFullscreen(),
+      },
+      site(),
+    );
+    const stage = html("div", { class: "stage", part: "stage" });
+    stage.append(this.#picture, this.#poster.element, this.#message.element);
+    const instructions = html("p", { class: "visually-hidden", id: "instructions" }, strings.instructions);
+    this.#player.append(stage, this.#styles, this.#bar.element, this.#probe, instructions, this.#said);
+    root.append(this.#player);
+    this.addEventListener("keydown", (event) => this.#onKey(event));
+    this.addEventListener("focusin", () => this.#focus(true));
+    this.addEventListener("focusout", () => this.#focus(false));
+    this.#probe.addEventListener("transitionrun", () => this.#recolour());
+  }
+
+  // --- what a page uses ---
+
+  /** Resolves when the figure is on the screen; rejects if it cannot be loaded. */
+  get ready(): Promise<void> {
+    return this.#ready.promise;
+  }
+
+  /** The time that is shown, seconds of the input. */
+  get currentTime(): number {
+    const { figure } = this.#opened ?? {};
+    return figure ? figure.inputFrame / figure.rateHz : 0;
+  }
+
+  set currentTime(secs: number) {
+    this.seek(secs);
+  }
+
+  /** Duration of the input, seconds; 0 until it is loaded. */
+  get duration(): number {
+    const { figure } = this.#opened ?? {};
+    return figure ? (figure.frames - 1) / figure.rateHz : 0;
+  }
+
+  /** Whether it stands. */
+  get paused(): boolean {
+    return !this.#plays;
+  }
+
+  /** The open database; `undefined` until it is loaded. */
+  get database(): Database | undefined {
+    return this.#opened?.database.value;
+  }
+
+  /** The motion: an address, or what `openMotion` takes or gave. */
+  get src(): Source | Motion {
+    return this.#source ?? readAttribute(this, "src");
+  }
+
+  set src(value: Source | Motion) {
+    this.#source = typeof value === "string" ? undefined : value;
+    this.#takeSource("src", value);
+  }
+
+  /** The database: an address, or what `openDatabase` takes or gave. */
+  get db(): Source | Database {
+    return this.#base ?? readAttribute(this, "db");
+  }
+
+  set db(value: Source | Database) {
+    this.#base = typeof value === "string" ? undefined : value;
+    this.#takeSource("db", value);
+  }
+
+  /** The styles and their weights. */
+  get styles(): StyleWeights {
+    return weightsOf(this.#opened ? this.#selection : settingsOf(this).styles);
+  }
+
+  set styles(value: string | StyleWeights) {
+    const selection =
+      typeof value === "string" ? value : Object.entries(value).map(([name, weight]) => ({ name, weight }));
+    writeProperty(this, "styles", selection);
+  }
+
+  /** Loads now, wherever on the page it is. */
+  load(): Promise<void> {
+    if (!this.#opened && !this.#opening) void this.#open();
+    return this.ready;
+  }
+
+  /** Plays; loads if need be. */
+  play(): void {
+    if (this.#plays) return;
+    this.#plays = true;
+    this.load().catch(() => undefined);
+    this.#applyPlaying();
+    this.dispatchEvent(new Event("play"));
+  }
+
+  pause(): void {
+    if (!this.#plays) return;
+    this.#plays = false;
+    this.#applyPlaying();
+    this.dispatchEvent(new Event("pause"));
+  }
+
+  /** Goes to a time of the input, seconds. */
+  seek(secs: number): void {
+    const { figure } = this.#opened ?? {};
+    figure?.seek(secs * figure.rateHz);
+  }
+
+  /** The picture as a file. @throws TypeError if the browser cannot write that type */
+  async toBlob(type = "image/png", quality?: number): Promise<Blob> {
+    await this.load();
+    const picture = await this.#opened!.figure.picture();
+    return new Promise((resolve, reject) => {
+      const take = (blob: Blob | null) => (blob ? resolve(blob) : reject(new TypeError(`No ${type} can be written.`)));
+      picture.toBlob(take, type, quality);
+    });
+  }
+
+  /** The whole motion in the present styles as a file. @throws StrutError */
+  async exportFile(format: "bvh" | "glb" | "vrma"): Promise<Blob> {
+    await this.load();
+    const { database, motion, figure } = this.#opened!;
+    const strut = await sharedEngine().strut();
+    const options = { ...figure.options, bvh: format === "bvh" };
+    const styled = await strut.stylize(motion.value, database.value, options);
+    if (format === "bvh") return new Blob([styled.toBVH()], { type: "text/plain" });
+    return new Blob([format === "glb" ? styled.toGLB() : styled.toVRMA()], { type: "model/gltf-binary" });
+  }
+
+  // --- what the browser calls ---
+
+  connectedCallback(): void {
+    if (this.#connected) return;
+    this.#connected = true;
+    this.#plays ||= this.autoplay && !prefersReducedMotion();
+    this.#showAttributes();
+    this.#observe(NEAR_PX, (isNear) => {
+      if (isNear && !this.#opened && !this.#opening && !this.#failed) void this.#open();
+    });
+    this.#observe(0, (isVisible) => {
+      this.#visible = isVisible;
+      this.#applyPlaying();
+    });
+    if (this.loading === "eager") void this.#open();
+  }
+
+  disconnectedCallback(): void {
+    // Who moves an element takes it out and puts it in again, in one task.
+    queueMicrotask(() => {
+      if (this.isConnected) return;
+      this.#connected = false;
+      for (const observer of this.#observers.splice(0)) observer.disconnect();
+      this.#close();
+      this.#failed = false;
+      this.#poster.hidden = false;
+    });
+  }
+
+  attributeChangedCallback(name: AttributeName, before: string | null, now: string | null): void {
+    if (before === now || this.#reflecting || !this.#connected) return;
+    this.#showAttributes();
+    if (name === "src" || name === "db") {
+      // An address takes the place of an object.
+      if (name === "src") this.#source = undefined;
+      else this.#base = undefined;
+      this.#reopen();
+    } else if (name === "theme") this.#recolour();
+    else this.#applySettings();
+  }
+
+  // --- opening and closing ---
+
+  /** Opens another motion or database, if one is open or wanted already. */
+  #takeSource(name: "src" | "db", value: unknown): void {
+    this.#reflecting = true;
+    writeProperty(this, name, typeof value === "string" ? value : null);
+    this.#reflecting = false;
+    this.#reopen();
+  }
+
+  #reopen(): void {
+    if (this.#opened || this.#opening || this.#failed) void this.#open();
+  }
+
+  async #open(): Promise<void> {
+    this.#opening?.abort();
+    const opening = new AbortController();
+    this.#opening = opening;
+    this.#failed = false;
+    if (this.#ready.isSettled) this.#ready = new Deferred();
+    const { promise } = this.#ready;
+    promise.catch(() => undefined);
+    this.#message.hide();
+    try {
+      if (graphics() === "none") throw new NoWebGl();
+      const opened = await this.#openFigure(opening.signal);
+      if (opening.signal.aborted) {
+        closeAll(opened);
+        return;
+      }
+      this.#close(false);
+      this.#opened = opened;
+      this.#takeOpened(opened);
+    } catch (thrown) {
+      if (opening.signal.aborted) return;
+      this.#fail(thrown);
+    } finally {
+      if (this.#opening === opening) this.#opening = undefined;
+    }
+  }
+
+  async #openFigure(signal: AbortSignal): Promise<Opened> {
+    const engine = sharedEngine();
+    const settings = settingsOf(this);
+    const file = this.#source === undefined && !this.hasAttribute("src") ? await linkedFile(this.state) : undefined;
+    const onProgress = ({ label, fraction }: { label: string; fraction: number }) => {
+      if (signal.aborted) return;
+      this.#poster.fraction = fraction;
+      this.#announce(`${label}…`);
+      this.dispatchEvent(new CustomEvent("progress", { detail: { label, fraction } }));
+    };
+    this.#poster.fraction = 0;
+    const leases = await allOrNone([
+      engine.database(this.db, { onProgress }),
+      engine.motion(file ? new File([file.bytes], `${file.name}.bvh`) : this.src, {}),
+    ]);
+    const [database, motion] = leases;
+    try {
+      const screen = joinScreen();
+      const container = html("div", { class: "picture" });
+      this.#picture.append(container);
+      const parts = { strut: await engine.strut(), database: database.value, motion: motion.value, screen, container };
+      const figure = await Figure.open(parts, settings, {
+        onFrame: (frame) => this.#onFrame(frame),
+        onEnd: () => this.pause(),
+        onError: (error) => this.#complain(error),
+        onDrawn: () => this.#onDrawn(),
+      });
+      return { database, motion, figure };
+    } catch (thrown) {
+      leaveScreen();
+      for (const lease of leases) lease.release();
+      throw thrown;
+    }
+  }
+
+  #takeOpened({ figure, database }: Opened): void {
+    const settings = settingsOf(this);
+    this.#selection = completed(settings.styles, database.value.info.neutral);
+    this.#bar.setDuration(figure.frames, figure.rateHz);
+    this.#showAttributes();
+    this.#recolour();
+    this.#showStyles(false);
+    schedule.add(figure);
+    this.#applyPlaying();
+    figure.request();
+  }
+
+  #onDrawn(): void {
+    this.#poster.hidden = true;
+    this.#poster.fraction = undefined;
+    this.#announce(strings.ready);
+    this.#ready.resolve();
+    this.dispatchEvent(new Event("ready"));
+  }
+
+  #fail(error: unknown): void {
+    this.#failed = true;
+    this.#poster.fraction = undefined;
+    if (error instanceof NoWebGl) this.#message.showFallback(error.message);
+    else this.#message.show(error, () => void this.#open());
+    this.#ready.reject(error);
+    this.dispatchEvent(new CustomEvent("error", { detail: { error } }));
+  }
+
+  /** Says what went wrong; what is on the stage stays. */
+  #complain(error: unknown): void {
+    this.#message.show(error);
+    this.dispatchEvent(new CustomEvent("error", { detail: { error } }));
+  }
+
+  #close(abort = true): void {
+    if (abort) this.#opening?.abort();
+    const opened = this.#opened;
+    this.#opened = undefined;
+    if (opened) closeAll(opened);
+  }
+
+  #observe(margin: number, act: (isInside: boolean) => void): void {
+    const take = (entries: IntersectionObserverEntry[]) => act(entries.at(-1)!.isIntersecting);
+    const observer = new IntersectionObserver(take, { rootMargin: `${margin}px` });
+    observer.observe(this);
+    this.#observers.push(observer);
+  }
+
+  // --- from the engine ---
+
+  #onFrame({ inputFrame, timeOut, planted, reads }: LiveFrame): void {
+    this.#bar.frame = inputFrame;
+    const detail: FrameDetail = { inputFrame, timeOut, planted, reads };
+    this.dispatchEvent(new CustomEvent("frame", { detail }));
+  }
+
+  // --- what is shown ---
+
+  #showAttributes(): void {
+    const { controls } = this;
+    this.#bar.controls = controls;
+    this.#bar.ghost = settingsOf(this).ghost;
+    this.#poster.picture = this.poster;
+    this.#player.classList.toggle("bare", this.#bar.element.hidden !== false);
+    this.#styles.hidden = !controls.includes("styles") || !this.#opened;
+    this.#describe();
+  }
+
+  /** Puts changed attributes into force. */
+  #applySettings(): void {
+    const { figure, database } = this.#opened ?? {};
+    if (!figure || !database) return;
+    const settings = settingsOf(this);
+    try {
+      figure.apply(settings);
+    } catch (thrown) {
+      this.#complain(thrown);
+      return;
+    }
+    this.#message.hide();
+    this.#selection = completed(settings.styles, database.value.info.neutral);
+    this.#showStyles(true);
+  }
+
+  #applyPlaying(): void {
+    const { figure } = this.#opened ?? {};
+    this.#bar.playing = this.#plays;
+    if (!figure) return;
+    figure.playing = this.#plays;
+    figure.running = this.#visible;
+  }
+
+  #recolour(): void {
+    this.#opened?.figure.setTheme(themeOf(this.#probe), ownColours(this));
+  }
+
+  #showStyles(glide: boolean): void {
+    const { info } = this.#opened!.database.value;
+    const { vertices, selection } = triangleOf(this.#selection, info);
+    this.#polygon.show({ vertices, selection, whole: false, beyond: isBeyondData(selection, 1) }, glide);
+    const isOver = !this.#styles.hidden && getComputedStyle(this.#styles).position === "absolute";
+    this.#opened!.figure.viewer.covered = isOver ? this.#styles.offsetWidth / 2 : 0;
+    this.#bar.href = this.#address();
+    this.#describe();
+  }
+
+  /** The address of what is shown, in the playground; empty where that is not known. */
+  #address(): string {
+    if (!site()) return "";
+    const { linked } = settingsOf(this);
+    const state = { ...initialOf(PLAY_FIELDS), ...linked, styles: this.#selection };
+    return `${site()}#${writeHash(PLAY_FIELDS, state)}`;
+  }
+
+  #describe(): void {
+    const { viewer } = this.#opened?.figure ?? {};
+    if (!viewer) return;
+    const said = [...this.#selection]
+      .filter(({ weight }) => Math.abs(weight) > SAID)
+      .sort((a, b) => b.weight - a.weight)
+      .map(({ name, weight }) => [name, formatNumber(weight, 2)] as const);
+    viewer.description = this.alt || strings.description(strings.mix(said));
+    viewer.describedBy = "instructions";
+  }
+
+  // --- from the visitor ---
+
+  #press(): void {
+    if (this.#failed) void this.#open();
+    this.play();
+  }
+
+  #toggle(): void {
+    if (this.#plays) this.pause();
+    else this.play();
+  }
+
+  /** A visitor chose styles. */
+  #choose(styles: Selection): void {
+    if (!this.#opened) return;
+    this.#reflect("styles", styles);
+    this.#applySettings();
+    const detail = { styles: weightsOf(styles) };
+    this.dispatchEvent(new CustomEvent("stylechange", { detail, bubbles: true, composed: true }));
+  }
+
+  #nextGhost(): void {
+    const { ghost } = settingsOf(this);
+    const next = GHOST_MODES[(GHOST_MODES.indexOf(ghost) + 1) % GHOST_MODES.length]!;
+    this.#reflect("ghost", next);
+    this.#applySettings();
+    this.#bar.ghost = next;
+    this.#announce(strings.ghost[next]);
+  }
+
+  #toggleLoop(): void {
+    const { loop } = settingsOf(this);
+    this.#reflect("once", loop);
+    this.#applySettings();
+    this.#announce(loop ? strings.loop.off : strings.loop.on);
+  }
+
+  #toggleFullscreen(): void {
+    if (document.fullscreenElement === this) void document.exitFullscreen();
+    else void this.requestFullscreen?.().catch(() => undefined);
+  }
+
+  #reflect<K extends AttributeName>(name: K, value: ValueOf<K>): void {
+    this.#reflecting = true;
+    writeProperty(this, name, value);
+    this.#reflecting = false;
+  }
+
+  #focus(hasFocus: boolean): void {
+    if (this.#opened) this.#opened.figure.hasFocus = hasFocus;
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    const { figure, database } = this.#opened ?? {};
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !figure) return;
+    const target = event.composedPath()[0];
+    const takesKey = (keys: readonly string[]) => keys.includes(event.key);
+    if (
+      target instanceof HTMLInputElement &&
+      (target.type === "text" || takesKey(["ArrowLeft", "ArrowRight", "Home", "End"]))
+    )
+      return;
+    const presses = target instanceof HTMLButtonElement || target instanceof HTMLAnchorElement;
+    if (presses && takesKey([" ", "Enter"])) return;
+    const { styles, neutral } = database!.value.info;
+    const keys: Record<string, (() => void) | undefined> = {
+      " ": () => this.#toggle(),
+      ArrowLeft: () => figure.seek(Math.round(figure.inputFrame) - 1),
+      ArrowRight: () => figure.seek(Math.round(figure.inputFrame) + 1),
+      Home: () => figure.seek(0),
+      End: () => figure.seek(figure.frames - 1),
+      l: () => this.#toggleLoop(),
+      g: () => this.#nextGhost(),
+      f: () => this.#toggleFullscreen(),
+    };
+    const style = vertexOrder(styles, neutral)[Number(event.key) - 1];
+    const act = style
+      ? () => this.#choose(allOf(this.#selection, style))
+      : (keys[event.key] ?? keys[event.key.toLowerCase()]);
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+
+  /** Has a sentence said by screen readers, one a second at most; the last one counts. */
+  #announce(sentence: string): void {
+    clearTimeout(this.#announcement);
+    const wait = Math.max(0, this.#announcedAt + ANNOUNCE_MS - performance.now());
+    this.#announcement = setTimeout(() => {
+      this.#announcedAt = performance.now();
+      this.#said.replaceChildren(html("span", {}, sentence));
+    }, wait);
+  }
+}
+
+for (const name of ATTRIBUTE_NAMES) {
+  if (Object.hasOwn(StrutPlayer.prototype, name)) continue;
+  Object.defineProperty(StrutPlayer.prototype, name, {
+    configurable: true,
+    enumerable: true,
+    get(this: StrutPlayer) {
+      return readAttribute(this, name);
+    },
+    set(this: StrutPlayer, value: unknown) {
+      writeProperty(this, name, value);
+    },
+  });
+}
+
+/** The browser has no WebGL 2. */
+class NoWebGl extends Error {
+  constructor() {
+    super(strings.noWebGl);
+  }
+}
+
+/** A promise that is settled from outside. */
+class Deferred {
+  readonly promise: Promise<void>;
+  isSettled = false;
+  resolve!: () => void;
+  reject!: (reason: unknown) => void;
+
+  constructor() {
+    this.promise = new Promise((resolve, reject) => {
+      this.resolve = () => {
+        this.isSettled = true;
+        resolve();
+      };
+      this.reject = (reason) => {
+        this.isSettled = true;
+        reject(reason);
+      };
+    });
+  }
+}
+
+function closeAll({ figure, database, motion }: Opened): void {
+  schedule.remove(figure);
+  figure.dispose();
+  leaveScreen();
+  database.release();
+  motion.release();
+}
+
+/** All leases, or none: those that were had are released where another one fails. */
+async function allOrNone<A, B>([a, b]: readonly [Promise<Lease<A>>, Promise<Lease<B>>]): Promise<[Lease<A>, Lease<B>]> {
+  const [first, second] = await Promise.allSettled([a, b]);
+  if (first.status === "fulfilled" && second.status === "fulfilled") return [first.value, second.value];
+  for (const settled of [first, second]) if (settled.status === "fulfilled") settled.value.release();
+  throw first.status === "rejected" ? first.reason : (second as PromiseRejectedResult).reason;
+}

@@ -1,0 +1,56 @@
+/** What a player is to show: its attributes, and below them the state of a link. */
+import { readHash } from "../link/hash";
+import { PAGE_FIELDS, type PageState } from "../link/page";
+import { PLAY_FIELDS, type PlayState } from "../link/play";
+import { type Selection, toTriangle, vertexOrder } from "../ui/polygon/selection";
+import { type AttributeName, readAttribute, type ValueOf } from "./attributes";
+
+/** The fields of a link that a player knows. */
+const FIELDS = { ...PLAY_FIELDS, ...PAGE_FIELDS };
+type Linked = PlayState & PageState;
+
+/** Settings that do not need another database or another motion. */
+export interface Settings {
+  styles: Selection;
+  /** What a link says of styling besides. */
+  linked: Linked;
+  loop: boolean;
+  speed: number;
+  frame: number;
+  camera: ValueOf<"camera">;
+  ghost: ValueOf<"ghost">;
+}
+
+/** The settings of an element. */
+export function settingsOf(element: Element): Settings {
+  const linked = readHash(FIELDS, readAttribute(element, "state"));
+  const isGiven = (name: AttributeName) => element.hasAttribute(name);
+  const hasLinkedStyles = linked.styles.length > 0 && !isGiven("styles");
+  return {
+    styles: hasLinkedStyles ? linked.styles : readAttribute(element, "styles"),
+    linked,
+    loop: linked.loop && !isGiven("once"),
+    speed: isGiven("speed") ? readAttribute(element, "speed") : linked.speed,
+    frame: isGiven("frame") ? readAttribute(element, "frame") : linked.frame,
+    camera: isGiven("camera") ? readAttribute(element, "camera") : linked.camera,
+    ghost: isGiven("ghost") ? readAttribute(element, "ghost") : linked.ghost,
+  };
+}
+
+/** The selection with the neutral style for what the weights leave of 1. */
+export function completed(styles: Selection, neutral: string): Selection {
+  const rest = 1 - styles.reduce((sum, { weight }) => sum + weight, 0);
+  if (Math.abs(rest) < 5e-3) return styles;
+  const own = styles.find(({ name }) => name === neutral)?.weight ?? 0;
+  return [...styles.filter(({ name }) => name !== neutral), { name: neutral, weight: own + rest }];
+}
+
+/** The triangle that the small polygon shows, its corners clockwise from the top. */
+export function triangleOf(
+  styles: Selection,
+  database: { styles: readonly string[]; neutral: string },
+): { vertices: string[]; selection: Selection } {
+  const order = vertexOrder(database.styles, database.neutral);
+  const selection = styles.length === 3 ? styles : toTriangle(styles, order);
+  return { vertices: order.filter((name) => selection.some((style) => style.name === name)), selection };
+}

@@ -1,0 +1,114 @@
+/** One engine for all players of a page, and what they have open in it: the same file is opened once. */
+import type { CallOptions } from "../client/protocol";
+import type { Database, Motion, Source, Strut } from "../package/types";
+
+/** Something open that several players use; each of them releases it. */
+export interface Lease<T> {
+  readonly value: T;
+  release(): void;
+}
+
+/** How long something that nobody uses stays open, milliseconds: pages take elements out and put them in again. */
+const LINGER_MS = 10_000;
+
+type Opened = { dispose(): void };
+
+interface Shared<T> {
+  opening: Promise<T>;
+  users: number;
+}
+
+/** Things of one kind by their address. */
+class SharedSources<T extends Opened> {
+  readonly #shared = new Map<string, Shared<T>>();
+
+  constructor(private readonly open: (source: string, call: CallOptions) => Promise<T>) {}
+
+  async lease(source: string, call: CallOptions): Promise<Lease<T>> {
+    let shared = this.#shared.get(source);
+    if (!shared) {
+      // One player that is taken away must not end what others wait for.
+      const { onProgress } = call;
+      shared = { opening: this.open(source, onProgress ? { onProgress } : {}), users: 0 };
+      this.#shared.set(source, shared);
+    }
+    const taken = shared;
+    taken.users += 1;
+    let released = false;
+    const release = () => {
+      if (released) return;
+      released = true;
+      taken.users -= 1;
+      if (taken.users === 0) setTimeout(() => this.#close(source, taken), LINGER_MS);
+    };
+    try {
+      return { value: await taken.opening, release };
+    } catch (thrown) {
+      this.#shared.delete(source);
+      throw thrown;
+    }
+  }
+
+  #close(source: string, shared: Shared<T>): void {
+    if (shared.users > 0 || this.#shared.get(source) !== shared) return;
+    this.#shared.delete(source);
+    void shared.opening.then((opened) => opened.dispose());
+  }
+}
+
+export class SharedEngine {
+  readonly #load: () => Promise<Strut>;
+  #strut: Promise<Strut> | undefined;
+  readonly #databases = new SharedSources(async (source, call) => (await this.strut()).openDatabase(source, call));
+  readonly #motions = new SharedSources(async (source, call) => (await this.strut()).openMotion(source, call));
+
+  constructor(load: () => Promise<Strut>) {
+    this.#load = load;
+  }
+
+  /** The engine, which is loaded when it is first wanted, and again after that has failed. */
+  strut(): Promise<Strut> {
+    this.#strut ??= this.#load().catch((thrown: unknown) => {
+      this.#strut = undefined;
+      throw thrown;
+    });
+    return this.#strut;
+  }
+
+  /** An open database, or one that is opened. @throws StrutError */
+  database(source: Source | Database, call: CallOptions): Promise<Lease<Database>> {
+    if (isOpened(source)) return Promise.resolve(given(source));
+    return this.#lease(this.#databases, source, async (strut) => strut.openDatabase(source, call), call);
+  }
+
+  /** An open motion, or one that is opened. @throws StrutError */
+  motion(source: Source | Motion, call: CallOptions): Promise<Lease<Motion>> {
+    if (isOpened(source)) return Promise.resolve(given(source));
+    return this.#lease(this.#motions, source, async (strut) => strut.openMotion(source, call), call);
+  }
+
+  async #lease<T extends Opened>(
+    shared: SharedSources<T>,
+    source: Source,
+    open: (strut: Strut) => Promise<T>,
+    call: CallOptions,
+  ): Promise<Lease<T>> {
+    if (typeof source === "string" || source instanceof URL) return shared.lease(addressOf(source), call);
+    const value = await open(await this.strut());
+    return { value, release: () => value.dispose() };
+  }
+}
+
+/** What the page opened itself it also closes itself. */
+function given<T>(value: T): Lease<T> {
+  return { value, release: () => undefined };
+}
+
+const isOpened = <T extends Database | Motion>(source: Source | T): source is T =>
+  typeof source === "object" && "dispose" in source;
+
+/** An absolute address; names of built-in things and texts of files stay as they are. */
+function addressOf(source: string | URL): string {
+  const text = String(source);
+  return text.startsWith("strut:") || text.includes("\n") ? text : new URL(text, document.baseURI).href;
+}

@@ -1,0 +1,30 @@
+/** The engine with its module and its worker's script written into one file; the other files lie in a folder. */
+import engine from "strut-inline:strut_wasm_bg.wasm";
+import workerText from "strut-inline:worker.js";
+import { baseAddress, type EngineAsset, placeIn, placesBy } from "./assets";
+import { loadEngine } from "./load";
+import * as servers from "./servers";
+import { startEngine } from "./start";
+import type { LoadOptions, Strut } from "./types";
+
+/**
+ * Loads the engine.
+ * @param folder where files lie that are not written in
+ * @param bytes files that the caller has already
+ * @throws StrutError `unsupported` if the browser lacks WebAssembly with SIMD, `cancelled`
+ */
+export async function loadInlined(
+  folder: NonNullable<LoadOptions["assets"]>,
+  { worker = true, signal }: Omit<LoadOptions, "assets">,
+  bytes: Partial<Record<EngineAsset, Uint8Array<ArrayBuffer>>> = {},
+): Promise<Strut> {
+  const places = placesBy((file) => placeIn(folder, file, baseAddress()));
+  const entry = {
+    workerUrl: undefined,
+    workerText: async () => workerText,
+    buildWorkerUrl: placeIn(folder, "build_worker.js", baseAddress()),
+    servers: async () => servers,
+    boot: { assets: { ...places, "strut_wasm_bg.wasm": engine, ...bytes } },
+  };
+  return loadEngine(entry.boot, await startEngine(entry, worker, signal), signal);
+}

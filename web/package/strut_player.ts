@@ -1,0 +1,36 @@
+/**
+ * `strut-player.js`, the script tag: everything that `<strut-player>` needs but the walks, which lie beside it as `walk.bin`
+ * and, for frames that may not fetch, as the script `walk.bin.js`.
+ */
+import { hostPlayers, StrutPlayer } from "../element";
+import { loadInlined } from "./load_inlined";
+import { SITE } from "./site";
+
+const { src } = document.currentScript as HTMLScriptElement;
+const folder = new URL(".", src).href;
+
+/** Frames with `sandbox="allow-scripts"` have no origin that a server could allow to fetch. */
+const mayFetch = location.origin !== "null";
+
+/** Runs a script that calls {@link receive}, and resolves with what it gave. */
+function received(file: string): Promise<Uint8Array<ArrayBuffer>> {
+  return new Promise((resolve, reject) => {
+    const script = document.createElement("script");
+    const name = "strutReceive";
+    Object.assign(globalThis, {
+      [name]: (text: string) => resolve(Uint8Array.from(atob(text), (c) => c.charCodeAt(0))),
+    });
+    script.onload = () => script.remove();
+    script.onerror = () => reject(new TypeError(`${file} is missing.`));
+    script.src = new URL(file, folder).href;
+    document.head.append(script);
+  });
+}
+
+async function load() {
+  const walk = mayFetch ? {} : { "walk.bin": await received("walk.bin.js") };
+  return loadInlined(folder, {}, walk);
+}
+
+hostPlayers({ load, site: SITE });
+if (!customElements.get("strut-player")) customElements.define("strut-player", StrutPlayer);
