@@ -54,7 +54,7 @@ export interface PlayState {
   follow: boolean;
   ghost: GhostMode;
   /** Motion trail: none, lines, or onion skin. */
-  trace: MotionTrailMode;
+  trace: TraceMode;
   /** Name of the curve in the timeline: a joint or degree of freedom. */
   curve: string;
   /** Whether panels and transport are shown. */
@@ -68,6 +68,7 @@ export type CameraPreset = (typeof CAMERA_PRESETS)[number];
 export const GHOST_MODES = ["beside", "overlay", "off"] as const;
 export type GhostMode = (typeof GHOST_MODES)[number];
 export const TRACE_MODES = ["off", "lines", "onion"] as const;
+export type TraceMode = (typeof TRACE_MODES)[number];
 export const SIDES = ["a", "b"] as const;
 export type Side = (typeof SIDES)[number];
 export const TABS = ["style", "input", "model", "curves"] as const;
