@@ -135,6 +135,11 @@ export async function writePackage() {
   for (const folder of [OUT, join(OUT, "assets")])
     writeFileSync(join(folder, "walk.bin.js"), `strutReceive("${walk}");\n`);
   await writeTypes();
+  // Like esbuild, which it uses.
+  const { readTables, manifestOf: elementManifest, jsxTypesOf } = await import("./element_manifest.mjs");
+  const tables = await readTables();
+  writeFileSync(join(OUT, "custom-elements.json"), `${JSON.stringify(elementManifest(tables), null, 2)}\n`);
+  writeFileSync(join(OUT, "jsx.d.ts"), jsxTypesOf(tables));
   for (const name of ["LICENSE", "LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(OUT, name));
   cpSync(join(SOURCE, "README.md"), join(OUT, "README.md"));
   writeFileSync(join(OUT, "package.json"), `${JSON.stringify(manifestOf(manifest), null, 2)}\n`);
@@ -156,10 +161,12 @@ function manifestOf({ name, version, description, license, engines }) {
       "./node": entry("node"),
       "./inline": entry("inline"),
       "./element": entry("element"),
+      "./jsx": { types: "./jsx.d.ts" },
       "./strut-player.js": "./strut-player.js",
       "./assets/*": "./assets/*",
       "./package.json": "./package.json",
     },
+    customElements: "custom-elements.json",
     peerDependencies: { three: ">=0.180 <0.188" },
     peerDependenciesMeta: { three: { optional: true } },
   };

@@ -51,6 +51,7 @@ export class Bar {
       this.#ghost,
       this.#fullscreen,
       this.#link,
+      html("slot", { name: "controls" }),
     );
     this.frame = 0;
   }

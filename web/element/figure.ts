@@ -56,7 +56,14 @@ export class Figure implements Drawing {
     const { strut, database, motion } = parts;
     const options = optionsOf(database, settings);
     const playback = await strut.createPlayback(motion, database, options);
-    return new Figure(parts, playback, settings, listeners);
+    try {
+      // What is off the screen does not advance, and is to be drawn all the same.
+      const [first] = await Promise.all([playback.seek(settings.frame), playback.setLoop(settings.loop)]);
+      return new Figure(parts, playback, settings, listeners, first);
+    } catch (thrown) {
+      playback.dispose();
+      throw thrown;
+    }
   }
 
   private constructor(
@@ -64,6 +71,7 @@ export class Figure implements Drawing {
     engine: EnginePlayback,
     settings: Settings,
     listeners: FigureListeners,
+    first: LiveFrame,
   ) {
     const { info } = database;
     [this.#database, this.#engine, this.#settings, this.#listeners] = [database, engine, settings, listeners];
@@ -83,17 +91,12 @@ export class Figure implements Drawing {
     });
     this.#playback.options = optionsOf(database, settings);
     this.apply(settings);
-    if (settings.frame > 0) this.seek(settings.frame);
+    this.#take(first, true);
   }
 
   /** Styling as it is now. */
   get options(): StylizeOptions {
     return optionsOf(this.#database, this.#settings);
-  }
-
-  /** Asks for the pose that is to be shown first. */
-  request(): void {
-    this.#playback.refresh();
   }
 
   /** Lets the motion advance, and follow changes of style, or stand while nobody sees it. */
@@ -117,7 +120,7 @@ export class Figure implements Drawing {
   /** Takes changed settings. @throws StrutError `bad-input` for styles that the database lacks */
   apply(settings: Settings): void {
     this.#playback.options = optionsOf(this.#database, settings);
-    if (settings.loop !== this.#settings.loop || !this.frame)
+    if (settings.loop !== this.#settings.loop)
       this.#engine.setLoop(settings.loop).catch((error: unknown) => this.#listeners.onError(error));
     this.#settings = settings;
     this.#playback.speed = settings.speed;

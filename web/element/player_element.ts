@@ -231,6 +231,7 @@ export class StrutPlayer extends ElementBase {
   connectedCallback(): void {
     if (this.#connected) return;
     this.#connected = true;
+    this.#takeEarlyProperties();
     this.#plays ||= this.autoplay && !prefersReducedMotion();
     this.#showAttributes();
     this.#observe(NEAR_PX, (isNear) => {
@@ -347,12 +348,12 @@ export class StrutPlayer extends ElementBase {
     const settings = settingsOf(this);
     this.#selection = completed(settings.styles, database.value.info.neutral);
     this.#bar.setDuration(figure.frames, figure.rateHz);
+    this.#bar.frame = figure.inputFrame;
     this.#showAttributes();
     this.#recolour();
     this.#showStyles(false);
     schedule.add(figure);
     this.#applyPlaying();
-    figure.request();
   }
 
   #onDrawn(): void {
@@ -383,6 +384,15 @@ export class StrutPlayer extends ElementBase {
     const opened = this.#opened;
     this.#opened = undefined;
     if (opened) closeAll(opened);
+  }
+
+  /** Takes properties that were set before the element was defined. */
+  #takeEarlyProperties(): void {
+    for (const name of ATTRIBUTE_NAMES.filter((known) => Object.hasOwn(this, known))) {
+      const value: unknown = Reflect.get(this, name);
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
   }
 
   #observe(margin: number, act: (isInside: boolean) => void): void {

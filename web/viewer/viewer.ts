@@ -193,7 +193,7 @@ export class Viewer {
 
   /** Called twice a second with the frames drawn per second. */
   set onFps(callback: ((fps: number) => void) | undefined) {
-    this.#stage.governor.onFps = callback;
+    this.#stage.onFps = callback;
   }
 
   /** Called when the user's hand turns a preset view into a free one. */

@@ -103,6 +103,7 @@ export class Polygon {
       "g",
       {
         class: "polygon-handle",
+        part: "handle",
         role: "slider",
         tabindex: 0,
         "aria-label": strings.polygon.handle,
@@ -197,7 +198,8 @@ export class Polygon {
     const free = beyond && points.length === TRIANGLE && !this.#model.whole;
     const reach = Math.min(1, (MAX_BEYOND * this.#size.radius) / (Math.hypot(p.x, p.y) || 1));
     const at = free ? { x: p.x * reach, y: p.y * reach } : nearestInside(p, points);
-    const weights = weightsAt(at, points).map((w) => Math.round(w * 1000) / 1000);
+    // Added to zero, a weight that is a little less than nothing is not −0.
+    const weights = weightsAt(at, points).map((w) => Math.round(w * 1000) / 1000 + 0);
     const selection = this.#model.whole
       ? fromPolygon(names, weights)
       : names.map((name, i) => ({ name, weight: weights[i]! }));
@@ -214,7 +216,7 @@ export class Polygon {
       const { x, y } = this.#positions[i]!;
       const vertex = svg(
         "g",
-        { class: "vertex", role: "button", tabindex: 0, "data-style": name },
+        { class: "vertex", part: "vertex", role: "button", tabindex: 0, "data-style": name },
         svg("circle", { class: "vertex-target", cx: x, cy: y, r: this.#size.reach }),
         svg("circle", { class: "vertex-focus", cx: x, cy: y, r: 10 }),
         svg("circle", { class: "vertex-dot", cx: x, cy: y }),

@@ -9,10 +9,18 @@ const QUICK_MS = 24;
 /** Interval at which a fence is polled, milliseconds. */
 const POLL_MS = 4;
 
+/** A frame that is not drawn yet. */
+interface Queued {
+  fence: WebGLSync;
+  /** When its commands were given, milliseconds. */
+  at: number;
+}
+
 /** The queue of one context. */
 export class GpuQueue {
   readonly #gl: WebGL2RenderingContext;
-  #frames: WebGLSync[] = [];
+  #frames: Queued[] = [];
+  #last = { at: 0, tookMs: 0 };
 
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
@@ -21,13 +29,23 @@ export class GpuQueue {
   /** Counts the frame whose commands were just given. */
   addFrame(): void {
     const fence = this.#fence();
-    if (fence) this.#frames.push(fence);
+    if (fence) this.#frames.push({ fence, at: performance.now() });
   }
 
   /** Number of frames that are not drawn yet; it changes between tasks only. */
   get frames(): number {
-    this.#frames = this.#frames.filter((fence) => !this.#passed(fence));
+    const now = performance.now();
+    this.#frames = this.#frames.filter(({ fence, at }) => {
+      const passed = this.#passed(fence);
+      if (passed) this.#last = { at: now, tookMs: now - at };
+      return !passed;
+    });
     return this.#frames.length;
+  }
+
+  /** When the last frame was found drawn, and how long it had taken, milliseconds. */
+  get last(): Readonly<{ at: number; tookMs: number }> {
+    return this.#last;
   }
 
   /** Resolves when this context's frames are drawn and the work of other contexts too, for which it waits `timeoutMs` at most. */

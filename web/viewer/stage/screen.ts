@@ -11,9 +11,16 @@ import {
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { GpuQueue } from "./gpu_queue";
 import { graphics } from "./graphics";
+import { pixelRatio, QUALITY_LEVELS, QualityGovernor } from "./quality";
+
+/** Quality that a renderer without a graphics processor starts with. */
+const SOFTWARE_LEVEL = 2;
 
 /** Frames that may be queued: more would only add latency. */
 const MAX_FRAMES = 2;
+
+/** Where frames take longer than this, milliseconds, the page is given as long to draw itself as several stages took. */
+const SLOW_MS = 12;
 
 /** Longest wait for the graphics processor to become idle before the canvas gets new memory, milliseconds. */
 const IDLE_TIMEOUT_MS = 2000;
@@ -37,6 +44,8 @@ export interface ScreenOptions {
   keepsMemory: boolean;
   /** Pixels that have memory from the start. */
   size?: { width: number; height: number };
+  /** Level of quality to begin with, 0 being the best; by default what the renderer suggests. */
+  level?: number | undefined;
 }
 
 /** A context that one stage draws on, or several in turn. Browsers have few contexts: pages with many figures share one. */
@@ -44,6 +53,8 @@ export class Screen {
   readonly canvas = document.createElement("canvas");
   readonly renderer: WebGLRenderer;
   readonly keepsMemory: boolean;
+  /** Decides about the quality of all that is drawn here, by the mean rate of those that draw. */
+  readonly governor: QualityGovernor;
   readonly #gl: WebGL2RenderingContext;
   readonly #queue: GpuQueue;
   readonly #users = new Set<Drawn>();
@@ -55,8 +66,9 @@ export class Screen {
   #synchronous: "allowed" | "waiting" | "none" = "none";
   #counting = false;
 
-  constructor({ antialias, keepsMemory, size }: ScreenOptions) {
+  constructor({ antialias, keepsMemory, size, level }: ScreenOptions) {
     this.keepsMemory = keepsMemory;
+    this.governor = new QualityGovernor(level ?? (graphics() === "software" ? SOFTWARE_LEVEL : 0));
     const canvas = Object.assign(this.canvas, size);
     this.renderer = new WebGLRenderer({ canvas, antialias, stencil: true, powerPreference: "high-performance" });
     const { renderer } = this;
@@ -79,6 +91,14 @@ export class Screen {
       for (const user of this.#users) user.restore();
     };
     canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
+  }
+
+  /** A screen for one stage of the page's size. */
+  static own(level: number | undefined): Screen {
+    if (graphics() !== "software") return new Screen({ antialias: true, keepsMemory: false, level });
+    const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, innerWidth * innerHeight, devicePixelRatio, true);
+    const size = { width: Math.ceil(innerWidth * ratio), height: Math.ceil(innerHeight * ratio) };
+    return new Screen({ antialias: level === 0, keepsMemory: true, size, level });
   }
 
   /** A screen that many stages share. */
@@ -107,9 +127,14 @@ export class Screen {
     for (const user of this.#users) user.alone = this.#users.size === 1;
   }
 
-  /** Whether nothing can be drawn now: enough is queued, or the queue is being waited for. */
+  /** Whether nothing can be drawn now: enough is queued, the queue is being waited for, or it is the page's turn. */
   get busy(): boolean {
-    return this.#synchronous === "waiting" || this.#queue.frames >= MAX_FRAMES;
+    if (this.#synchronous === "waiting") return true;
+    const { frames } = this.#queue;
+    if (this.#users.size < 2) return frames >= MAX_FRAMES;
+    const { at, tookMs } = this.#queue.last;
+    const rests = tookMs > SLOW_MS && performance.now() - at < tookMs;
+    return rests || frames >= (tookMs > SLOW_MS ? 1 : MAX_FRAMES);
   }
 
   /** Whether the canvas has the right memory for a picture, in pixels. */

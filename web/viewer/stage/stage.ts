@@ -5,17 +5,13 @@ import { Lights } from "../light/lights";
 import type { Theme } from "../themes";
 import { Background } from "./background";
 import { Footprints } from "./footprints";
-import { graphics } from "./graphics";
 import { Ground } from "./ground";
 import { HipsPath } from "./hips_path";
 import { Labels } from "./labels";
 import { type CameraView, OrbitCamera } from "./orbit_camera";
-import { pixelRatio, QUALITY_LEVELS, QualityGovernor, type QualityLevel } from "./quality";
+import { pixelRatio, QUALITY_LEVELS, type QualityLevel } from "./quality";
 import { type Drawn, Screen } from "./screen";
 import { ShadeMap } from "./shade_map";
-
-/** Quality that a renderer without a graphics processor starts with. */
-const SOFTWARE_LEVEL = 2;
 
 /** Attribute of a canvas on which the finer picture of what stands still is: there is nothing left to draw. */
 const STILL = "data-still";
@@ -37,7 +33,6 @@ export class Stage implements Drawn {
   readonly path = new HipsPath();
   readonly labels = new Labels();
   readonly view: OrbitCamera;
-  readonly governor: QualityGovernor;
   /** Called when the quality changes, and once at the start. */
   onQuality: ((level: QualityLevel) => void) | undefined;
   /** Called when the picture must be drawn again: it has another size, or its context was lost and restored. */
@@ -50,6 +45,7 @@ export class Stage implements Drawn {
   /** The copy of the picture where the screen is shared. */
   readonly #copy: CanvasRenderingContext2D | undefined;
   #alone = false;
+  #level: number;
   readonly #lights = new Lights();
   readonly #background = new Background();
   readonly #observer: ResizeObserver;
@@ -73,7 +69,8 @@ export class Stage implements Drawn {
   constructor(container: HTMLElement, level?: number, screen?: Screen) {
     this.#root.style.cssText = "position:relative;width:100%;height:100%;overflow:hidden";
     this.#owns = screen === undefined;
-    this.#screen = screen ?? ownScreen(level);
+    this.#screen = screen ?? Screen.own(level);
+    this.#level = this.#screen.governor.level;
     this.canvas = this.#owns ? this.#screen.canvas : document.createElement("canvas");
     if (!this.#owns) this.#copy = this.canvas.getContext("2d")!;
     this.canvas.style.cssText = "display:block;position:absolute;left:0;bottom:0;touch-action:pan-y";
@@ -85,7 +82,6 @@ export class Stage implements Drawn {
     container.append(this.#root);
 
     this.view = new OrbitCamera(this.canvas);
-    this.governor = new QualityGovernor(level ?? (graphics() === "software" ? SOFTWARE_LEVEL : 0));
     this.scene.add(
       this.#background.object,
       this.#lights.object,
@@ -128,7 +124,12 @@ export class Stage implements Drawn {
 
   /** Level of quality in force. */
   get quality(): QualityLevel {
-    return QUALITY_LEVELS[this.governor.level]!;
+    return QUALITY_LEVELS[this.#level]!;
+  }
+
+  /** Called twice a second with the frames drawn per second. */
+  set onFps(callback: ((fps: number) => void) | undefined) {
+    this.#screen.governor.onFps = callback;
   }
 
   /** Size of the picture in CSS pixels. */
@@ -167,6 +168,7 @@ export class Stage implements Drawn {
 
   /** Puts the settings of the present quality into force. */
   applyQuality(): void {
+    this.#level = this.#screen.governor.level;
     const { quality } = this;
     this.#lights.shadowSize = quality.shadowSize;
     if (this.#theme) this.#lights.setTheme(this.#theme, quality.shading);
@@ -237,7 +239,8 @@ export class Stage implements Drawn {
     if (!this.#compiled || this.#screen.busy) return false;
     const elapsed = this.#elapsed;
     this.#elapsed = 0;
-    if (!this.#still && !still && this.governor.frame(elapsed)) {
+    if (!this.#still && !still) this.#screen.governor.frame(elapsed);
+    if (this.#level !== this.#screen.governor.level) {
       this.applyQuality();
       return false;
     }
@@ -340,14 +343,6 @@ export class Stage implements Drawn {
     canvas.style.width = `${width}px`;
     canvas.style.height = `${height}px`;
   }
-}
-
-/** A screen for one stage. */
-function ownScreen(level: number | undefined): Screen {
-  if (graphics() !== "software") return new Screen({ antialias: true, keepsMemory: false });
-  const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, innerWidth * innerHeight, devicePixelRatio, true);
-  const size = { width: Math.ceil(innerWidth * ratio), height: Math.ceil(innerHeight * ratio) };
-  return new Screen({ antialias: level === 0, keepsMemory: true, size });
 }
 
 /** Lets the page do what it has to do besides. */

@@ -1,0 +1,264 @@
+/** `<strut-player>` on pages of others: loaded by a script tag, many at once, by keyboard, where things are missing. */
+import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Browser, BrowserContextOptions, Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import type { StrutPlayer } from "../../web/element";
+import { serveFolder } from "../package/server";
+import { root } from "../recordings";
+import { axeFaults } from "./axe";
+import { drag, eventually, launchBrowser, middleOf } from "./browser";
+
+/** What the pages of these tests note. */
+declare const window: { workers: number; contexts: number; chosen: Record<string, number>[]; player: StrutPlayer };
+
+let browser: Browser;
+let folder: string;
+let server: Awaited<ReturnType<typeof serveFolder>>;
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), "strut-element-"));
+  for (const file of ["strut-player.js", "walk.bin", "walk.bin.js"])
+    cpSync(join(root, "dist", "package", file), join(folder, file));
+  [browser, server] = await Promise.all([launchBrowser(), serveFolder(folder)]);
+});
+afterAll(async () => {
+  await browser.close();
+  await server.close();
+  rmSync(folder, { recursive: true });
+});
+
+const SCRIPT = '<script src="strut-player.js"></script>';
+
+/** Opens a page with a body, counting the workers and the contexts that it makes. */
+async function open(body: string, options: BrowserContextOptions = {}): Promise<Page> {
+  const html = `<!doctype html><html lang="en"><title>A page</title><meta charset="utf-8"><main><h1>A page</h1>${body}</main></html>`;
+  writeFileSync(join(folder, "index.html"), html);
+  const context = await browser.newContext({ viewport: { width: 800, height: 600 }, ...options });
+  await context.addInitScript(() => {
+    Object.assign(window, { workers: 0, contexts: 0, chosen: [] });
+    const Original = Worker;
+    globalThis.Worker = class extends Original {
+      constructor(...given: ConstructorParameters<typeof Worker>) {
+        super(...given);
+        window.workers += 1;
+      }
+    };
+    const counted = new WeakSet<object>();
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...given: unknown[]) {
+      const made = Reflect.apply(getContext, this, given);
+      // The first one asks what draws, and is given back at once.
+      const isAsked = this.width === 1 && this.height === 1;
+      if (made && given[0] === "webgl2" && !isAsked && !counted.has(made)) {
+        counted.add(made);
+        window.contexts += 1;
+      }
+      return made;
+    } as typeof getContext;
+    document.addEventListener("stylechange", (event) => {
+      window.chosen.push((event as CustomEvent<{ styles: Record<string, number> }>).detail.styles);
+    });
+  });
+  const page = await context.newPage();
+  page.on("pageerror", (error) => {
+    throw error;
+  });
+  await page.goto(server.url);
+  return page;
+}
+
+/** Opens a page with one player, and waits until it is ready. */
+async function openPlayer(attributes: string, options?: BrowserContextOptions): Promise<Page> {
+  const page = await open(`${SCRIPT}<strut-player ${attributes}></strut-player>`, options);
+  await page.evaluate(async () => {
+    window.player = document.querySelector("strut-player") as StrutPlayer;
+    await window.player.ready;
+  });
+  return page;
+}
+
+const stylesOf = (page: Page) => page.evaluate(() => window.player.styles);
+const timeOf = (page: Page) => page.evaluate(() => window.player.currentTime);
+
+describe("a player", () => {
+  test("walks where it is seen, after three lines", async () => {
+    const page = await openPlayer("autoplay");
+    await eventually(() => timeOf(page)).toBeGreaterThan(0.3);
+    expect(await page.evaluate(() => [window.workers, window.contexts])).toEqual([1, 1]);
+    await page.context().close();
+  });
+
+  test("waits for a visitor who asked for less motion", async () => {
+    const page = await openPlayer("autoplay controls", { reducedMotion: "reduce" });
+    expect(await page.evaluate(() => window.player.paused)).toBe(true);
+    await page.getByRole("button", { name: "Play" }).click();
+    await eventually(() => timeOf(page)).toBeGreaterThan(0.1);
+    await page.context().close();
+  });
+
+  test("reflects its properties, and takes those of frameworks", async () => {
+    const page = await openPlayer('styles="old"');
+    expect(await stylesOf(page)).toEqual({ old: 1 });
+    const reflected = await page.evaluate(() => {
+      const { player } = window;
+      player.styles = { proud: 0.75, old: 0.25 };
+      player.speed = 2;
+      player.ghost = "off";
+      player.autoplay = true;
+      return player.outerHTML;
+    });
+    expect(reflected).toBe(
+      '<strut-player styles="proud:0.75,old:0.25" speed="2" ghost="off" autoplay=""></strut-player>',
+    );
+    expect(await stylesOf(page)).toEqual({ proud: 0.75, old: 0.25 });
+    await page.context().close();
+  });
+
+  test("changes its style by the handle, and tells the page", async () => {
+    const page = await openPlayer('controls styles="proud:0.5,old:0.5"');
+    const handle = page.getByRole("slider", { name: "Style" });
+    const from = await middleOf(handle);
+    await drag(page, from, { x: from.x - 12, y: from.y + 18 });
+    const { old = 0 } = await stylesOf(page);
+    expect(old).toBeGreaterThan(0.6);
+    expect(await page.evaluate(() => window.chosen.at(-1))).toEqual(await stylesOf(page));
+    expect(await page.evaluate(() => window.player.getAttribute("styles"))).toContain("old:");
+    await page.context().close();
+  });
+
+  test("is used by the keyboard alone", async () => {
+    const page = await openPlayer('controls styles="proud:0.5,old:0.5"');
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Space");
+    await eventually(() => timeOf(page)).toBeGreaterThan(0);
+    await page.keyboard.press("Space");
+    await page.keyboard.press("End");
+    const duration = await page.evaluate(() => window.player.duration);
+    await eventually(() => timeOf(page)).toBeCloseTo(duration, 1);
+    await page.keyboard.press("Home");
+    await eventually(() => timeOf(page)).toBe(0);
+    await page.keyboard.press("1");
+    expect(await stylesOf(page)).toMatchObject({ proud: 1 });
+    await page.keyboard.press("g");
+    expect(await page.evaluate(() => window.player.ghost)).toBe("overlay");
+    await page.keyboard.press("l");
+    expect(await page.evaluate(() => window.player.once)).toBe(true);
+    await page.getByRole("slider", { name: "Style" }).focus();
+    await page.keyboard.press("ArrowDown");
+    expect((await stylesOf(page)).proud).toBeLessThan(1);
+    await page.context().close();
+  });
+
+  test("has no fault that axe finds, with all of its controls, light and dark", async () => {
+    for (const theme of ["light", "dark"]) {
+      const page = await openPlayer(`controls theme="${theme}"`);
+      expect(await axeFaults(page)).toEqual([]);
+      await page.context().close();
+    }
+  });
+
+  test("takes the state of a link, below its own attributes", async () => {
+    const page = await openPlayer('state="styles=old:1&ghost=off&speed=2" ghost="overlay" controls');
+    expect(await stylesOf(page)).toEqual({ old: 1 });
+    const pressed = page.getByRole("button", { name: "Input" });
+    expect(await pressed.getAttribute("title")).toContain("same place");
+    await page.context().close();
+  });
+
+  test("gives its picture and its motion", async () => {
+    const page = await openPlayer("");
+    const said = await page.evaluate(async () => {
+      const { player } = window;
+      const [picture, bvh, glb] = [
+        await player.toBlob(),
+        await player.exportFile("bvh"),
+        await player.exportFile("glb"),
+      ];
+      return { picture: picture.type, bvh: (await bvh.text()).slice(0, 9), glb: await glb.slice(0, 4).text() };
+    });
+    expect(said).toEqual({ picture: "image/png", bvh: "HIERARCHY", glb: "glTF" });
+    await page.context().close();
+  });
+});
+
+describe("many players", () => {
+  const twelve = Array.from({ length: 12 }, () => '<strut-player autoplay loading="eager"></strut-player>').join("<p>");
+
+  test("share one engine and one context", async () => {
+    const page = await open(SCRIPT + twelve);
+    await page.evaluate(() =>
+      Promise.all([...document.querySelectorAll<StrutPlayer>("strut-player")].map((player) => player.ready)),
+    );
+    expect(await page.evaluate(() => [window.workers, window.contexts])).toEqual([1, 1]);
+    await page.context().close();
+  });
+
+  test("go on where others are taken away, and one that is moved goes on too", async () => {
+    const page = await open(SCRIPT + twelve);
+    const moved = await page.evaluate(async () => {
+      const [first, second, ...others] = [...document.querySelectorAll<StrutPlayer>("strut-player")];
+      await Promise.all([first!.ready, second!.ready]);
+      for (const player of others) player.remove();
+      second!.remove();
+      document.querySelector("main")!.prepend(first!);
+      const before = first!.currentTime;
+      await new Promise((resolve) => setTimeout(resolve, 1500));
+      return { went: first!.currentTime !== before, contexts: window.contexts };
+    });
+    expect(moved).toEqual({ went: true, contexts: 1 });
+    await page.context().close();
+  });
+});
+
+describe("where something is missing", () => {
+  test("a sentence says so, and trying again helps once it is there", async () => {
+    const page = await open(`${SCRIPT}<strut-player src="walk.bvh" controls></strut-player>`);
+    const alert = page.locator("strut-player").getByRole("alert");
+    await eventually(() => alert.innerText()).toContain("walk.bvh");
+    const reason = await page.evaluate(async () => {
+      window.player = document.querySelector("strut-player") as StrutPlayer;
+      return window.player.ready.catch((error: { code: string }) => error.code);
+    });
+    expect(reason).toBe("load");
+    await page.evaluate(() => window.player.setAttribute("src", "strut:neutral-walk"));
+    await page.evaluate(() => window.player.ready);
+    await expect.poll(() => alert.isHidden()).toBe(true);
+    await page.context().close();
+  });
+
+  test("a style that the database lacks is named, and what is on the stage stays", async () => {
+    const page = await openPlayer('styles="old"');
+    await page.evaluate(() => window.player.setAttribute("styles", "sleepy"));
+    await eventually(() => page.locator("strut-player").getByRole("alert").innerText()).toContain("sleepy");
+    expect(await stylesOf(page)).toEqual({ old: 1 });
+    await page.context().close();
+  });
+
+  test("without WebGL 2 the page's own words are shown", async () => {
+    const body = `<script>
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+        return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...rest);
+      };
+    </script>${SCRIPT}<strut-player><p slot="fallback">A film instead</p></strut-player>`;
+    const page = await open(body);
+    await page.getByText("A film instead").waitFor({ state: "visible" });
+    await page.context().close();
+  });
+
+  test("in a frame that may not fetch, it has its data by a script", async () => {
+    const inner = `<script src="${server.url}/strut-player.js"></script><strut-player autoplay></strut-player>
+      <script>document.querySelector("strut-player").addEventListener("ready", () => parent.postMessage("ready", "*"));</script>`;
+    const page = await open(`<iframe title="A figure" sandbox="allow-scripts" width="700" height="320"></iframe>`);
+    const said = await page.evaluate(async (text) => {
+      const ready = new Promise((resolve) =>
+        addEventListener("message", ({ data, origin }) => resolve({ data, origin })),
+      );
+      document.querySelector("iframe")!.srcdoc = text;
+      return ready;
+    }, inner);
+    expect(said).toEqual({ data: "ready", origin: "null" });
+    await page.context().close();
+  });
+});
