@@ -37,6 +37,8 @@ const ROOMS = {
   // What the package gives to its users, of which the element is one.
   "package/types.ts": ["formats", "client", "engine", "humanoid"],
   element: ["package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
+  // The page for frames.
+  embed: ["element"],
   package: ["element", "package/types.ts", "formats", "client", "engine", "humanoid"],
   "app/strings": [],
   "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],

@@ -1,5 +1,7 @@
 // From sources to the static site in dist/.
 import { join } from "node:path";
+import { writeEmbedPage } from "./embed_page.mjs";
+import { writePackage } from "./package.mjs";
 import { checkNode, setupPackages, setupRust, setupWasm } from "./setup.mjs";
 import { root, run, step } from "./steps.mjs";
 import { buildPackages } from "./wasm.mjs";
@@ -29,5 +31,9 @@ export async function buildWasm(options) {
 export async function buildSite(options) {
   const environments = await buildWasm(options);
   await step("Building the page", () => run(process.execPath, [vite, "build", "--logLevel", "warn"]));
+  await step("Writing the package and the page for frames", async () => {
+    await writePackage();
+    await writeEmbedPage();
+  });
   return environments;
 }

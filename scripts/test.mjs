@@ -1,13 +1,11 @@
 // npm test: sets up all it needs and runs every test: Rust, TypeScript, parity, end to end in Chromium.
 import { join } from "node:path";
-import { writePackage } from "./package.mjs";
 import { setupBrowser } from "./setup.mjs";
 import { buildSite } from "./site.mjs";
 import { main, root, run, step } from "./steps.mjs";
 
 await main(async () => {
   const { rust, wasm } = await buildSite({ mode: "quick", bench: true });
-  await step("Writing the package", writePackage);
   const browser = await setupBrowser();
   const cargo = (...args) => run(rust.CARGO ?? "cargo", args, { env: rust, cwd: join(root, "rust") });
   await step("Rust tests", () => cargo("tests", "--quiet"));

@@ -19,7 +19,7 @@ import { Figure, weightsOf } from "./figure";
 import { joinScreen, leaveScreen, schedule, sharedEngine, site } from "./host";
 import { Message } from "./message";
 import { Poster } from "./poster";
-import { completed, settingsOf, triangleOf } from "./settings";
+import { addressesOf, completed, settingsOf, triangleOf } from "./settings";
 import type { Lease } from "./shared_engine";
 import { sheets } from "./sheets";
 import { strings } from "./strings";
@@ -148,7 +148,7 @@ export class StrutPlayer extends ElementBase {
 
   /** The motion: an address, or what `openMotion` takes or gave. */
   get src(): Source | Motion {
-    return this.#source ?? readAttribute(this, "src");
+    return this.#source ?? addressesOf(this).src;
   }
 
   set src(value: Source | Motion) {
@@ -158,7 +158,7 @@ export class StrutPlayer extends ElementBase {
 
   /** The database: an address, or what `openDatabase` takes or gave. */
   get db(): Source | Database {
-    return this.#base ?? readAttribute(this, "db");
+    return this.#base ?? addressesOf(this).db;
   }
 
   set db(value: Source | Database) {

@@ -3,7 +3,7 @@ import { readHash } from "../link/hash";
 import { PAGE_FIELDS, type PageState } from "../link/page";
 import { PLAY_FIELDS, type PlayState } from "../link/play";
 import { type Selection, toTriangle, vertexOrder } from "../ui/polygon/selection";
-import { type AttributeName, readAttribute, type ValueOf } from "./attributes";
+import { ATTRIBUTES, type AttributeName, readAttribute, type ValueOf } from "./attributes";
 
 /** The fields of a link that a player knows. */
 const FIELDS = { ...PLAY_FIELDS, ...PAGE_FIELDS };
@@ -19,6 +19,17 @@ export interface Settings {
   frame: number;
   camera: ValueOf<"camera">;
   ghost: ValueOf<"ghost">;
+}
+
+/** The addresses of motion and database: those of its attributes, or else the built-in motion that a link names. */
+export function addressesOf(element: Element): { src: string; db: string } {
+  const { input } = readHash(FIELDS, readAttribute(element, "state"));
+  const isLinked = input !== "" && !element.hasAttribute("src");
+  const src = isLinked ? `strut:${input.toLowerCase().replace(/[^a-z0-9]+/g, "-")}` : readAttribute(element, "src");
+  // The walks alone have one input.
+  const needsAll = src.startsWith("strut:") && src !== ATTRIBUTES.src.initial;
+  const db = needsAll && !element.hasAttribute("db") ? "strut:built-in" : readAttribute(element, "db");
+  return { src, db };
 }
 
 /** The settings of an element. */

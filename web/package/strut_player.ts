@@ -1,6 +1,6 @@
 /**
  * `strut-player.js`, the script tag: everything that `<strut-player>` needs but the walks, which lie beside it as `walk.bin`
- * and, for frames that may not fetch, as the script `walk.bin.js`.
+ * and, for frames that may not fetch, as the script `walk.bin.js`. What few need is in the folder `assets`.
  */
 import { hostPlayers, StrutPlayer } from "../element";
 import { loadInlined } from "./load_inlined";
@@ -29,7 +29,7 @@ function received(file: string): Promise<Uint8Array<ArrayBuffer>> {
 
 async function load() {
   const walk = mayFetch ? {} : { "walk.bin": await received("walk.bin.js") };
-  return loadInlined(folder, {}, walk);
+  return loadInlined((file) => `${folder}${file === "walk.bin" ? file : `assets/${file}`}`, {}, walk);
 }
 
 hostPlayers({ load, site: SITE });

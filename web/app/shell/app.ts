@@ -3,6 +3,7 @@ import type { DroppedFile } from "../../client/build/protocol";
 import type { DatabaseSource, StrutClient } from "../../client/protocol";
 import type { ViewName } from "../../link/page";
 import { applyTheme, isDark, onSystemTheme, opposite } from "../../ui/theme";
+import { embed } from "../embed/embed";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
 import { launchOutput } from "../outputs/launch";
 import type { UndoRedo } from "../state/history";
@@ -56,6 +57,7 @@ export class App {
       onUndo: () => this.#history.undo(),
       onRedo: () => this.#history.redo(),
       onShare: () => void shareLink(store.state, this.#workspace.session.library, this.#toasts),
+      onEmbed: () => void this.#embed(),
       onExport: (format, size) => void this.#export(format, size),
       onTheme: () => store.edit({ theme: opposite(store.state.theme) }),
       onHelp: () => this.#help.open(),
@@ -235,6 +237,26 @@ export class App {
     const view = viewEntry(shown).takes ? shown : "data";
     this.#store.edit({ view });
     (await this.#views.show(view))?.takeFiles?.(files);
+  }
+
+  async #embed(): Promise<void> {
+    const { session } = this.#workspace;
+    const { state } = this.#store;
+    // Without a graphics card two figures would wait for each other.
+    this.#viewer.rests = true;
+    await embed({
+      state,
+      library: session.library,
+      neutral: session.database?.neutral ?? "",
+      hasOwnDatabase: session.databaseSource?.kind === "strutdb",
+      onPoster: () => void this.#export("png", "as on screen"),
+      onClose: () => {
+        this.#viewer.rests = false;
+      },
+    }).catch((error: unknown) => {
+      this.#viewer.rests = false;
+      this.#toasts.error(errorText(error));
+    });
   }
 
   async #export(format: OutputFormat, size: VideoSize): Promise<void> {

@@ -18,6 +18,8 @@ export class SharedViewer {
   /** Whether nothing is drawn: not even the finer picture of what stands still, which takes its time. */
   #frozen = false;
   #drawUntil = 0;
+  /** Whether nothing is drawn because something else is, over it. */
+  rests = false;
 
   constructor(theme: "dark" | "light") {
     this.#viewer = new Viewer(this.#container, { theme, labels: { styled: "", input: "" } });
@@ -79,7 +81,7 @@ export class SharedViewer {
 
   /** Draws if anything may have changed, and until the viewer has drawn its still picture. */
   draw(now: number): void {
-    if (this.#frozen) return;
+    if (this.#frozen || this.rests) return;
     if (now < this.#drawUntil || !this.#viewer.still) this.#viewer.render(now / 1000);
   }
 

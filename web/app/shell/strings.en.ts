@@ -14,6 +14,7 @@ export const page = {
     undo: "Undo",
     redo: "Redo",
     share: "Share",
+    embed: "Embed",
     theme: "Theme",
     help: "Help",
     lightOrDark: "Light or dark",

@@ -14,6 +14,8 @@ export interface TopBarListeners {
   onUndo: () => void;
   onRedo: () => void;
   onShare: () => void;
+  /** Shows the code to embed what is shown. */
+  onEmbed: () => void;
   onExport: (format: OutputFormat, size: VideoSize) => void;
   onTheme: () => void;
   onHelp: () => void;
@@ -25,6 +27,7 @@ export class TopBar {
   readonly #redo: HTMLButtonElement[];
   readonly #theme: HTMLButtonElement;
   readonly #export: ExportMenu;
+  readonly #embeds: HTMLButtonElement[];
   /** The tabs, and the menu items for them on a narrow screen. */
   readonly #views: { name: ViewName; element: HTMLElement }[];
 
@@ -37,6 +40,17 @@ export class TopBar {
       label: true,
       class: "bar-action",
     });
+    const embed = button(strings.page.bar.embed, listeners.onEmbed, {
+      icon: "embed",
+      label: true,
+      class: "bar-action",
+    });
+    const menuEmbed = button(strings.page.bar.embed, listeners.onEmbed, {
+      icon: "embed",
+      label: true,
+      class: "menu-item",
+    });
+    this.#embeds = [embed, menuEmbed];
     this.#export = new ExportMenu(listeners.onExport);
     this.#theme = button(strings.page.bar.theme, listeners.onTheme, { icon: "sun" });
     const help = button(strings.page.bar.help, listeners.onHelp, { icon: "help", keys: "?" });
@@ -64,8 +78,8 @@ export class TopBar {
     });
     this.#views = [...tabs, ...menuViews];
     const menu = html("div", { id: "menu", class: "menu", popover: "auto" });
-    menu.append(...menuViews.map(({ element }) => element), menuUndo, menuRedo, menuTheme, menuHelp);
-    for (const item of [menuTheme, menuHelp]) item.addEventListener("click", () => menu.hidePopover());
+    menu.append(...menuViews.map(({ element }) => element), menuUndo, menuRedo, menuEmbed, menuTheme, menuHelp);
+    for (const item of [menuEmbed, menuTheme, menuHelp]) item.addEventListener("click", () => menu.hidePopover());
     const menuButton = button(strings.page.bar.menu, () => {}, { icon: "menu", class: "menu-button" });
     menuButton.setAttribute("popovertarget", "menu");
     this.#undo = [undo, menuUndo];
@@ -80,6 +94,7 @@ export class TopBar {
         { class: "bar-actions" },
         html("span", { class: "wide" }, undo, redo, divider()),
         share,
+        html("span", { class: "wide" }, embed),
         ...this.#export.elements,
         html("span", { class: "wide" }, divider(), this.#theme, help),
         menuButton,
@@ -102,5 +117,6 @@ export class TopBar {
   /** Disabled until an input is open, and during an export. */
   set canExport(can: boolean) {
     this.#export.enabled = can;
+    for (const embed of this.#embeds) embed.disabled = !can;
   }
 }

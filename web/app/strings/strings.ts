@@ -3,6 +3,7 @@
  * {@link Strings}, in modules like those of `en/`, and a choice here.
  */
 
+import { embed } from "../embed/strings.en";
 import { page } from "../shell/strings.en";
 import { compare } from "../views/compare/strings.en";
 import { data } from "../views/data/strings.en";
@@ -11,7 +12,7 @@ import { play } from "../views/play/strings.en";
 import { synthesis } from "../views/synthesis/strings.en";
 import { walk } from "../views/walk/strings.en";
 
-const en = { page, play, compare, data, walk, keyStyle, synthesis };
+const en = { embed, page, play, compare, data, walk, keyStyle, synthesis };
 
 /** A text where English has one, and a sentence of the same parts where it has a function. */
 type Said<T> = T extends string

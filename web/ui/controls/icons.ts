@@ -50,6 +50,7 @@ const PATHS = {
   ],
   key: ["M8 2.6L13.4 8 8 13.4 2.6 8z"],
   add: ["M8 3.2v9.6M3.2 8h9.6"],
+  embed: ["M5.4 4.6L2 8l3.4 3.4M10.6 4.6L14 8l-3.4 3.4"],
   fullscreen: ["M2.6 6V2.6H6M10 2.6h3.4V6M13.4 10v3.4H10M6 13.4H2.6V10"],
   chevron: ["M4.5 6.4L8 9.9l3.5-3.5"],
 } as const;

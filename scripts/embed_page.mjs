@@ -1,0 +1,87 @@
+// The page for frames, dist/embed.html, and where the site's address is known a page for each preset that oEmbed finds.
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { root } from "./steps.mjs";
+
+const SOURCE = join(root, "web", "embed");
+const DIST = join(root, "dist");
+
+/** Size of a preset's frame, pixels. */
+const SIZE = { width: 688, height: 342 };
+/** What a frame may do: run its own scripts, keep nothing, save files that its visitor asks for. */
+const SANDBOX = "allow-scripts allow-same-origin allow-downloads";
+
+/** Writes them beside the built page. `site` is the absolute address of the page, or empty. */
+export async function writeEmbedPage(site = process.env.STRUT_SITE_URL ?? "") {
+  // A clean checkout installs it after this file is read.
+  const { build } = await import("esbuild");
+  mkdirSync(join(DIST, "embed"), { recursive: true });
+  cpSync(join(SOURCE, "embed.html"), join(DIST, "embed.html"));
+  cpSync(join(SOURCE, "embed.css"), join(DIST, "embed", "embed.css"));
+  await build({
+    entryPoints: [join(SOURCE, "embed.ts")],
+    outfile: join(DIST, "embed", "embed.js"),
+    bundle: true,
+    minify: true,
+    format: "iife",
+    target: "es2022",
+    logLevel: "warning",
+  });
+  if (site) for (const preset of presets()) writePreset(new URL(site), preset);
+}
+
+/** The figures that have pages of their own. */
+export function presets() {
+  return JSON.parse(readFileSync(join(SOURCE, "presets.json"), "utf8"));
+}
+
+/** https://oembed.com: addresses must be absolute. */
+function writePreset(site, { name, title, parameters }) {
+  const folder = join(DIST, "embed", name);
+  mkdirSync(folder, { recursive: true });
+  const at = (path) => new URL(path, site).href;
+  const frame = `${at("embed.html")}?${new URLSearchParams(parameters)}`;
+  const html = `<iframe src="${escaped(frame)}" title="${escaped(title)}" width="${SIZE.width}" height="${SIZE.height}" loading="lazy" sandbox="${SANDBOX}" allow="fullscreen" style="border:0;max-width:100%"></iframe>`;
+  const poster = join(SOURCE, "posters", `${name}.png`);
+  cpSync(poster, join(folder, "poster.png"));
+  const { width, height } = pngSize(readFileSync(poster));
+  const answer = {
+    version: "1.0",
+    type: "rich",
+    title,
+    provider_name: "Strut",
+    provider_url: at(""),
+    html,
+    ...SIZE,
+    thumbnail_url: at(`embed/${name}/poster.png`),
+    thumbnail_width: width,
+    thumbnail_height: height,
+  };
+  writeFileSync(join(folder, "oembed.json"), `${JSON.stringify(answer, null, 2)}\n`);
+  writeFileSync(
+    join(folder, "index.html"),
+    `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>${escaped(title)} · Strut</title>
+<meta property="og:title" content="${escaped(title)}">
+<meta property="og:image" content="${at(`embed/${name}/poster.png`)}">
+<link rel="alternate" type="application/json+oembed" href="${at(`embed/${name}/oembed.json`)}" title="${escaped(title)}">
+<style>html,body,iframe{height:100%;width:100%;margin:0;border:0}</style>
+</head>
+<body>${html.replace(/ width="\d+" height="\d+"/, "").replace('style="border:0;max-width:100%"', "")}</body>
+</html>
+`,
+  );
+}
+
+const escaped = (text) =>
+  text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
+
+/** Width and height of a PNG: the first chunk has them. */
+function pngSize(bytes) {
+  return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
+}

@@ -1,0 +1,73 @@
+/** Opens the Embed dialog for what is shown. */
+import type { InputLibrary } from "../../player/input_library";
+import { linkTo } from "../shell/links";
+import { type AppState, initialState } from "../state/state";
+import { strings } from "../strings/strings";
+import { manner } from "../ui/words";
+
+/** Fields of the state that a figure on another page has, too. */
+const SHOWN = [
+  "styles",
+  "parts",
+  "track",
+  "intensity",
+  "k",
+  "lambda",
+  "rho",
+  "kappa",
+  "delta",
+  "timing",
+  "footplant",
+  "coherence",
+  "action",
+  "inputStyle",
+  "camera",
+  "speed",
+  "loop",
+] as const satisfies readonly (keyof AppState)[];
+
+/** What is embedded. */
+export interface EmbedSubject {
+  state: Readonly<AppState>;
+  library: InputLibrary;
+  neutral: string;
+  /** Whether the database is one of this device. */
+  hasOwnDatabase: boolean;
+  onPoster: () => void;
+  /** The dialog is closed. */
+  onClose: () => void;
+}
+
+/** Opens the dialog, which is loaded when it is first wanted. */
+export async function embed({
+  state,
+  library,
+  neutral,
+  hasOwnDatabase,
+  onPoster,
+  onClose,
+}: EmbedSubject): Promise<void> {
+  const shown = Object.fromEntries(SHOWN.map((name) => [name, state[name]]));
+  const isFirst = state.input === library.first;
+  const reduced: AppState = { ...initialState(), ...shown, input: isFirst ? "" : state.input };
+  const site = new URL(".", location.href).href;
+  const [{ href, carried }, { openEmbedDialog }] = await Promise.all([
+    linkTo(reduced, library, site),
+    import("./embed_dialog"),
+  ]);
+  openEmbedDialog({
+    embedded: {
+      site,
+      state: new URL(href).hash.slice(1),
+      title: strings.embed.title(manner(state.styles, state.intensity, neutral)),
+    },
+    link: href,
+    ghost: state.ghost,
+    notes: [
+      ...(carried === false ? [strings.embed.motionLeftOut] : []),
+      ...(hasOwnDatabase ? [strings.embed.databaseLeftOut] : []),
+    ],
+    onPoster,
+    onClose,
+  });
+}

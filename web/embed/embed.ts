@@ -1,0 +1,24 @@
+/** The page in a frame: one player with the attributes of the address's query, and messages to the page around it. */
+import type { StrutPlayer } from "../element";
+import { answer, attributesOf, readRequest, SETTINGS } from "./messages";
+
+const player = document.createElement("strut-player") as StrutPlayer;
+for (const [name, value] of attributesOf(location.search)) player.setAttribute(name, value);
+document.body.append(player);
+
+addEventListener("message", ({ data, source }) => {
+  const request = readRequest(data);
+  if (!request) return;
+  for (const [name, value] of Object.entries(request.set)) {
+    if (value === null || value === undefined) player.removeAttribute(name);
+    else player.setAttribute(name, value);
+  }
+  if (request.playing === true) player.play();
+  if (request.playing === false) player.pause();
+  // What is told is what the page's visitor sees: any page may know it.
+  if (request.get.length > 0) source?.postMessage(answer(player, request.get), { targetOrigin: "*" });
+});
+
+if (parent !== window)
+  for (const type of ["ready", "stylechange", "play", "pause"])
+    player.addEventListener(type, () => parent.postMessage(answer(player, SETTINGS, type), "*"));
