@@ -4,30 +4,29 @@ import { join } from "node:path";
 import { root } from "./steps.mjs";
 
 const SOURCE = join(root, "web", "embed");
-const DIST = join(root, "dist");
 
 /** Size of a preset's frame, pixels. */
 const SIZE = { width: 688, height: 342 };
 /** What a frame may do: run its own scripts, keep nothing, save files that its visitor asks for. */
 const SANDBOX = "allow-scripts allow-same-origin allow-downloads";
 
-/** Writes them beside the built page. `site` is the absolute address of the page, or empty. */
-export async function writeEmbedPage(site = process.env.STRUT_SITE_URL ?? "") {
+/** Writes them into the folder of the built page. `site` is its absolute address, or empty. */
+export async function writeEmbedPage({ site = process.env.STRUT_SITE_URL ?? "", dist = join(root, "dist") } = {}) {
   // A clean checkout installs it after this file is read.
   const { build } = await import("esbuild");
-  mkdirSync(join(DIST, "embed"), { recursive: true });
-  cpSync(join(SOURCE, "embed.html"), join(DIST, "embed.html"));
-  cpSync(join(SOURCE, "embed.css"), join(DIST, "embed", "embed.css"));
+  mkdirSync(join(dist, "embed"), { recursive: true });
+  cpSync(join(SOURCE, "embed.html"), join(dist, "embed.html"));
+  cpSync(join(SOURCE, "embed.css"), join(dist, "embed", "embed.css"));
   await build({
     entryPoints: [join(SOURCE, "embed.ts")],
-    outfile: join(DIST, "embed", "embed.js"),
+    outfile: join(dist, "embed", "embed.js"),
     bundle: true,
     minify: true,
     format: "iife",
     target: "es2022",
     logLevel: "warning",
   });
-  if (site) for (const preset of presets()) writePreset(new URL(site), preset);
+  if (site) for (const preset of presets()) writePreset(dist, new URL(site), preset);
 }
 
 /** The figures that have pages of their own. */
@@ -36,8 +35,8 @@ export function presets() {
 }
 
 /** https://oembed.com: addresses must be absolute. */
-function writePreset(site, { name, title, parameters }) {
-  const folder = join(DIST, "embed", name);
+function writePreset(dist, site, { name, title, parameters }) {
+  const folder = join(dist, "embed", name);
   mkdirSync(folder, { recursive: true });
   const at = (path) => new URL(path, site).href;
   const frame = `${at("embed.html")}?${new URLSearchParams(parameters)}`;
