@@ -38,6 +38,20 @@ const OWN_ADDRESSES_ONLY = {
   },
 };
 
+/**
+ * Only Node reads files from disk, with a module that it imports by name. Vite serves a script that has `import()` as a
+ * module in development, and as a classic worker that does not start.
+ */
+const IMPORTS_NOTHING = {
+  name: "imports nothing",
+  setup({ onLoad }) {
+    onLoad({ filter: /web\/engine\/download\.ts$/ }, ({ path }) => ({
+      contents: readFileSync(path, "utf8").replace(/await import\([^)]*\)/, "undefined"),
+      loader: "ts",
+    }));
+  },
+};
+
 /** Writes assets into an entry: modules as bytes, scripts as text. */
 const INLINED = {
   name: "inlined assets",
@@ -73,6 +87,7 @@ export async function writePackage() {
   for (const [name, path] of Object.entries(ASSETS)) cpSync(path, join(OUT, "assets", name));
   await build({
     ...common,
+    plugins: [IMPORTS_NOTHING, ...common.plugins],
     entryPoints: ["worker", "build_worker"].map((name) => join(SOURCE, `${name}.ts`)),
     outdir: join(OUT, "assets"),
     format: "iife",
