@@ -12,6 +12,10 @@ export const FRAMES = 60;
 
 export interface Consumer {
   folder: string;
+  /** The package's tarball. */
+  tarball: string;
+  /** The folder of the package as it is installed. */
+  installed: string;
   /** The text of the walk in the style proud, as the command writes it. */
   byCommand: string;
   remove(): void;
@@ -39,5 +43,11 @@ export function installPackage(): Consumer {
   writeFileSync(join(folder, "walk.bvh"), everyNth(walk, 1, FRAMES));
   run(COMMAND, ..."stylize --db demo.strutdb --input walk.bvh --style proud -o command.bvh".split(" "));
   const byCommand = readFileSync(join(folder, "command.bvh"), "utf8");
-  return { folder, byCommand, remove: () => rmSync(folder, { recursive: true, force: true }) };
+  return {
+    folder,
+    tarball: join(folder, packed),
+    installed: join(folder, "node_modules", "strut-motion"),
+    byCommand,
+    remove: () => rmSync(folder, { recursive: true, force: true }),
+  };
 }
