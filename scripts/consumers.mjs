@@ -1,0 +1,29 @@
+// npm run consumers [-- webpack rollup …]: installs the package of `npm run package` in projects of other bundlers, builds
+// and opens their pages, and compares what they style with what the command writes. A line for each. It needs the
+// registry, and minutes; `npm test` has what needs neither.
+import { join } from "node:path";
+import { chromium } from "playwright-core";
+import { runnerImport } from "vite";
+import { setupBrowser } from "./setup.mjs";
+import { main, root, Sentence } from "./steps.mjs";
+
+const FOLDER = join(root, "tests", "package");
+
+await main(async () => {
+  const { CHROME_PATH } = await setupBrowser();
+  const { BUNDLERS, tryBundler } = (await runnerImport(join(FOLDER, "bundlers.ts"))).module;
+  const { installPackage } = (await runnerImport(join(FOLDER, "consumer.ts"))).module;
+  const names = process.argv.slice(2);
+  const chosen = BUNDLERS.filter(({ folder }) => names.length === 0 || names.includes(folder));
+  const consumer = installPackage();
+  const browser = await chromium.launch({ executablePath: CHROME_PATH, args: ["--no-sandbox"] });
+  const failed = [];
+  try {
+    for (const bundler of chosen)
+      if (!(await tryBundler(bundler, consumer, browser, console.log))) failed.push(bundler.folder);
+  } finally {
+    await browser.close();
+    consumer.remove();
+  }
+  if (failed.length > 0) throw new Sentence(`The package does not work with ${failed.join(", ")}.`);
+});
