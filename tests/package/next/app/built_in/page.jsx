@@ -10,5 +10,9 @@ export default async function Page() {
   const motion = await strut.openMotion(readFileSync("public/walk.bvh", "utf8"));
   const styled = await strut.stylize(motion, db, { styles: { proud: 1 } });
   strut.dispose();
-  return <pre data-thread={strut.thread} data-frames={motion.frames}>{styled.toBVH()}</pre>;
+  return (
+    <pre data-thread={strut.thread} data-frames={motion.frames}>
+      {styled.toBVH()}
+    </pre>
+  );
 }
