@@ -27,8 +27,18 @@ const JOINTS = [
   ["right_toes", "right_foot"],
 ];
 
-const WOOD = new THREE.MeshPhysicalMaterial({ color: "#d3a878", roughness: 0.5, clearcoat: 0.3, clearcoatRoughness: 0.4 });
-const DARK = new THREE.MeshPhysicalMaterial({ color: "#6b4a33", roughness: 0.45, clearcoat: 0.3, clearcoatRoughness: 0.4 });
+const WOOD = new THREE.MeshPhysicalMaterial({
+  color: "#d3a878",
+  roughness: 0.5,
+  clearcoat: 0.3,
+  clearcoatRoughness: 0.4,
+});
+const DARK = new THREE.MeshPhysicalMaterial({
+  color: "#6b4a33",
+  roughness: 0.45,
+  clearcoat: 0.3,
+  clearcoatRoughness: 0.4,
+});
 const ACCENT = new THREE.Color("#b5381a");
 
 export class Figure {

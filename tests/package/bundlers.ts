@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { isDeepStrictEqual } from "node:util";
 import type { Browser } from "playwright-core";
-import type { Consumer } from "./consumer";
+import { type Consumer, styledByNode } from "./consumer";
 import { copyData, expected, html, loadedKb, program, type Said, summary, visitPage } from "./page";
 import { serveFolder } from "./server";
 
@@ -142,24 +142,12 @@ const next =
     await visited(async (url) => {
       check(await renderedBy(`${url}/server`), "node", project);
       const { bvh, ...said } = await renderedBy(`${url}/built_in`);
-      const same = bvh === builtIn(consumer);
+      const same = bvh === styledByNode(consumer);
       if (!same) throw new Error(`built-in data: ${JSON.stringify(said)}, and other frames than in Node`);
       return "";
     });
     return loaded;
   };
-
-/** The walk in a style of the built-in database, as Node styles it without a bundler. */
-function builtIn({ folder }: Consumer): string {
-  const script = `import { readFileSync } from "node:fs";
-import { loadStrut } from "strut-motion/node";
-const strut = await loadStrut();
-const motion = await strut.openMotion(readFileSync("walk.bvh", "utf8"));
-const styled = await strut.stylize(motion, await strut.openDatabase("strut:walk"), { styles: { proud: 1 } });
-process.stdout.write(styled.toBVH());
-strut.dispose();`;
-  return execFileSync(process.execPath, ["--input-type=module", "--eval", script], { cwd: folder, encoding: "utf8" });
-}
 
 /** A linter of packages, on the tarball. */
 const linter =

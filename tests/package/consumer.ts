@@ -51,3 +51,15 @@ export function installPackage(): Consumer {
     remove: () => rmSync(folder, { recursive: true, force: true }),
   };
 }
+
+/** The walk in a style of the built-in database, as Node styles it without a bundler. */
+export function styledByNode({ folder }: Consumer): string {
+  const script = `import { readFileSync } from "node:fs";
+import { loadStrut } from "strut-motion/node";
+const strut = await loadStrut();
+const motion = await strut.openMotion(readFileSync("walk.bvh", "utf8"));
+const styled = await strut.stylize(motion, await strut.openDatabase("strut:walk"), { styles: { proud: 1 } });
+process.stdout.write(styled.toBVH());
+strut.dispose();`;
+  return execFileSync(process.execPath, ["--input-type=module", "--eval", script], { cwd: folder, encoding: "utf8" });
+}
