@@ -5,7 +5,8 @@ import { build as esbuild } from "esbuild";
 import type { Browser } from "playwright-core";
 import { createServer, build as vite } from "vite";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Consumer, installPackage } from "../package/consumer";
+import { PARENTS, ROLES } from "../../web/humanoid";
+import { type Consumer, FRAMES, installPackage } from "../package/consumer";
 import {
   copyData,
   copyPackage,
@@ -75,8 +76,70 @@ async function siteByEsbuild(name: string, options = ""): Promise<string> {
   return folder;
 }
 
+/** DESIGN.md section 6 to the letter, as `tests/package/contract.mjs` has it for Node. */
+const CONTRACT = `import { loadStrut } from "strut-motion";
+import * as THREE from "three";
+window.said = (async () => {
+  const source = new URL("/demo.strutdb", location.href);
+  const fileOrText = await (await fetch("/walk.bvh")).text();
+  const options = { styles: { old: 1 } };
+  let progress = 0;
+  const onProgress = ({ fraction }) => { progress = fraction; };
+  const { signal } = new AbortController();
+
+  const strut = await loadStrut();
+  const db = await strut.openDatabase(source, { onProgress, signal });
+  const motion = await strut.openMotion(fileOrText);
+  const result = await strut.stylize(motion, db, { styles: { proud: 1 }, k: 40, rho: 0.7, onProgress, signal });
+  const root = new THREE.Group();
+  const names = ${JSON.stringify(ROLES)};
+  const joints = names.map((name) => Object.assign(new THREE.Object3D(), { name }));
+  ${JSON.stringify(PARENTS)}.forEach((parent, i) => (parent < 0 ? root : joints[parent]).add(joints[i]));
+  const clip = result.toAnimationClip(THREE, root);
+  const live = await strut.createStylizer(db, options);
+  const poses = (await motion.poses(db)).slice(0, 87 * 20);
+  const before = await live.push(poses);
+  live.reset();
+  live.setStyles({ proud: 0.5, old: 0.5 }); const styled = await live.push(poses);
+  strut.dispose();
+  return {
+    thread: strut.thread,
+    frames: motion.frames,
+    bvh: result.toBVH(),
+    parts: {
+      trace: result.trace.length,
+      glb: new TextDecoder().decode(result.toGLB().subarray(0, 4)),
+      clip: { tracks: clip.tracks.length, valid: clip.validate() },
+      live: { frames: styled.poses.length / 87, changed: styled.poses.some((value, i) => value !== before.poses[i]) },
+      progress: progress > 0,
+    },
+  };
+})();
+window.said.catch(() => {});
+`;
+
 test("by import map, with no build", async () => {
   expectSame(await open(siteWithPackage("import-map")), "worker");
+});
+
+test("does all of the contract of DESIGN.md", async () => {
+  const folder = site("contract", {
+    "index.html": `<!doctype html><script type="importmap">${JSON.stringify({
+      imports: { "strut-motion": "./strut-motion/index.js", three: "./three/three.module.js" },
+    })}</script><script type="module" src="main.js"></script>`,
+    "main.js": CONTRACT,
+  });
+  copyPackage(consumer, folder);
+  cpSync(join(consumer.folder, "node_modules", "three", "build"), join(folder, "three"), { recursive: true });
+  const { parts, ...said } = (await open(folder)) as Said & { parts: Record<string, unknown> };
+  expectSame(said, "worker");
+  expect(parts).toEqual({
+    trace: FRAMES,
+    glb: "glTF",
+    clip: { tracks: 22, valid: true },
+    live: { frames: 20, changed: true },
+    progress: true,
+  });
 });
 
 test("built by Vite without configuration", async () => {
