@@ -30,17 +30,12 @@ declare const window: { said: Promise<Said> };
  * The module of a page.
  * @param specifier where it has the package from
  * @param options of `loadStrut`, as text
- * @param data where the page's files lie; a page of no origin has no address to start from
  */
-export const program = (
-  specifier = "strut-motion",
-  options = "",
-  data = "",
-) => `import { loadStrut } from ${JSON.stringify(specifier)};
+export const program = (specifier = "strut-motion", options = "") => `import { loadStrut } from "${specifier}";
 window.said = (async () => {
   const strut = await loadStrut(${options});
-  const db = await strut.openDatabase("${data}/demo.strutdb");
-  const motion = await strut.openMotion("${data}/walk.bvh");
+  const db = await strut.openDatabase("/demo.strutdb");
+  const motion = await strut.openMotion("/walk.bvh");
   const styled = await strut.stylize(motion, db, { styles: { proud: 1 } });
   strut.dispose();
   return { thread: strut.thread, frames: motion.frames, bvh: styled.toBVH() };
