@@ -39,18 +39,22 @@ const OWN_ADDRESSES_ONLY = {
 };
 
 /**
- * Only Node reads files from disk, with a module that it imports by name. Vite serves a script that has `import()` as a
- * module in development, and as a classic worker that does not start.
+ * Only Node reads files from disk, and the engine hides from the site's bundler with what module. Those of the package's
+ * users warn of that (webpack), and Vite in development makes a worker that has `import()` a module, which does not start.
+ * @param module the module, or `undefined` in browsers
  */
-const IMPORTS_NOTHING = {
-  name: "imports nothing",
+const readsWith = (module) => ({
+  name: "reads with",
   setup({ onLoad }) {
     onLoad({ filter: /web\/engine\/download\.ts$/ }, ({ path }) => ({
-      contents: readFileSync(path, "utf8").replace(/await import\([^)]*\)/, "undefined"),
+      contents: readFileSync(path, "utf8").replace(
+        /await import\([^)]*\)/,
+        module === undefined ? "undefined" : `await import("${module}")`,
+      ),
       loader: "ts",
     }));
   },
-};
+});
 
 /** Writes assets into an entry: modules as bytes, scripts as text. */
 const INLINED = {
@@ -73,21 +77,22 @@ const COMMON = {
   target: "es2022",
   logLevel: "warning",
   absWorkingDir: root,
-  plugins: [OWN_ADDRESSES_ONLY, INLINED],
 };
+
+const IN_BROWSERS = { platform: "browser", plugins: [readsWith(undefined), OWN_ADDRESSES_ONLY, INLINED] };
+const IN_NODE = { platform: "node", plugins: [readsWith("node:fs/promises"), OWN_ADDRESSES_ONLY, INLINED] };
 
 /** Writes dist/package/ from the WASM packages as they are built. */
 export async function writePackage() {
   // A clean checkout installs it after this file is read.
   const { build } = await import("esbuild");
   const manifest = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
-  const common = { ...COMMON, define: { STRUT_VERSION: JSON.stringify(manifest.version) } };
+  const common = { ...COMMON, ...IN_BROWSERS, define: { STRUT_VERSION: JSON.stringify(manifest.version) } };
   rmSync(OUT, { recursive: true, force: true });
   mkdirSync(join(OUT, "assets"), { recursive: true });
   for (const [name, path] of Object.entries(ASSETS)) cpSync(path, join(OUT, "assets", name));
   await build({
     ...common,
-    plugins: [IMPORTS_NOTHING, ...common.plugins],
     entryPoints: ["worker", "build_worker"].map((name) => join(SOURCE, `${name}.ts`)),
     outdir: join(OUT, "assets"),
     format: "iife",
@@ -103,10 +108,10 @@ export async function writePackage() {
   for (const entry of ["node", "inline"])
     await build({
       ...common,
+      ...(entry === "node" ? IN_NODE : {}),
       entryPoints: [join(SOURCE, `${entry}.ts`)],
       outfile: join(OUT, `${entry}.js`),
       format: "esm",
-      platform: entry === "node" ? "node" : "browser",
     });
   await writeTypes();
   for (const name of ["LICENSE", "LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(root, name), join(OUT, name));
