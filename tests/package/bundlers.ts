@@ -2,8 +2,8 @@
  * Bundlers with packages of their own: they are too large for the project's. Each builds in a copy of its folder, from its
  * own lockfile and the packed tarball. `npm run consumers` runs them.
  */
-import { execFileSync, spawn } from "node:child_process";
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { spawn, spawnSync } from "node:child_process";
+import { cpSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { isDeepStrictEqual } from "node:util";
@@ -42,14 +42,12 @@ const ENVIRONMENT = {
   NEXT_TELEMETRY_DISABLED: "1",
 };
 
-/** Runs a program in a project. @throws Error with the beginning of what it printed */
+/** Runs a program in a project. @throws Error with the beginning of what it printed, also if it warned of the package's code */
 function run({ folder }: Pick<Project, "folder">, program: string, ...args: string[]): void {
-  try {
-    execFileSync(program, args, { cwd: folder, stdio: "pipe", env: ENVIRONMENT });
-  } catch (thrown) {
-    const { stdout, stderr } = thrown as { stdout: Buffer; stderr: Buffer };
-    throw new Error(`${[program, ...args].join(" ")} failed:\n${`${stdout}${stderr}`.slice(0, 2000)}`);
-  }
+  const { status, stdout, stderr } = spawnSync(program, args, { cwd: folder, env: ENVIRONMENT, encoding: "utf8" });
+  const printed = `${stdout}${stderr}`;
+  if (status !== 0 || printed.includes("Critical dependency"))
+    throw new Error(`${[program, ...args].join(" ")} failed:\n${printed.slice(0, 2000)}`);
 }
 
 /** @throws Error if somebody said anything but what the command writes */
@@ -85,7 +83,7 @@ const staticSite = (page?: string) => async (project: Project) => {
 };
 
 /** Next.js's own server of a build, once it listens. */
-async function startNext({ folder }: Project): Promise<{ url: string; close: () => void }> {
+async function startNext(folder: string): Promise<{ url: string; close: () => void }> {
   const next = join(folder, "node_modules", "next", "dist", "bin", "next");
   const server = spawn(process.execPath, [next, "start", "--port", "0"], {
     cwd: folder,
@@ -116,30 +114,35 @@ async function renderedBy(url: string): Promise<Said> {
   return { thread: match[1]!, frames: Number(match[2]), bvh: match[3]! };
 }
 
-/** Client page and server components. Built-in data must lie beside the package's code, which is then not bundled. */
+/**
+ * Client page and server components. Built-in data must lie beside the package's code, which is then not bundled; the build
+ * is moved before that is tried, as the folder in which the package was installed would do too.
+ */
 const next =
   (...flags: string[]) =>
   async (project: Project) => {
     const { consumer, folder } = project;
     copyData(consumer, join(folder, "public"));
-    const visited = async (pages: (url: string) => Promise<string>) => {
+    const visited = async (place: string, pages: (url: string) => Promise<string>) => {
       run(project, "npm", "run", "build", "--", ...flags);
-      const server = await startNext(project);
+      renameSync(folder, place);
+      const server = await startNext(place);
       try {
         return await pages(server.url);
       } finally {
         server.close();
+        renameSync(place, folder);
       }
     };
     const config = join(folder, "next.config.mjs");
     const external = readFileSync(config);
     rmSync(config);
-    const loaded = await visited(async (url) => {
+    const loaded = await visited(folder, async (url) => {
       check(await renderedBy(`${url}/server`), "node", project);
       return report(project, url);
     });
     writeFileSync(config, external);
-    await visited(async (url) => {
+    await visited(`${folder}-moved`, async (url) => {
       check(await renderedBy(`${url}/server`), "node", project);
       const { bvh, ...said } = await renderedBy(`${url}/built_in`);
       const same = bvh === styledByNode(consumer);

@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { afterAll, expect, test } from "vitest";
+import { expect, onTestFinished, test } from "vitest";
 import { root } from "../recordings";
 
 const python = [process.env.STRUT_PYTHON, "python3"].find((program) => {
@@ -15,9 +15,6 @@ const python = [process.env.STRUT_PYTHON, "python3"].find((program) => {
   }
 });
 if (!python) console.warn("skipping: no Python with anywidget (pip install anywidget) as python3 or $STRUT_PYTHON");
-
-const folder = mkdtempSync(join(tmpdir(), "strut-jupyter-"));
-afterAll(() => rmSync(folder, { recursive: true }));
 
 const SCRIPT = `from strut_widget import Walk
 walk = Walk(styles={"old": 0.5})
@@ -35,6 +32,8 @@ print(walk.frame, walk.styles, walk.source)
 `;
 
 test.skipIf(!python)("a widget has its traits, and saves what the browser sends", () => {
+  const folder = mkdtempSync(join(tmpdir(), "strut-jupyter-"));
+  onTestFinished(() => rmSync(folder, { recursive: true }));
   cpSync(join(root, "examples", "jupyter", "strut_widget.py"), join(folder, "strut_widget.py"));
   writeFileSync(join(folder, "strut_widget.js"), "export default {};");
   const printed = execFileSync(python!, ["-c", SCRIPT], { cwd: folder, encoding: "utf8" });
