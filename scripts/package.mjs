@@ -46,13 +46,13 @@ const OWN_ADDRESSES_ONLY = {
 const readsWith = (module) => ({
   name: "reads with",
   setup({ onLoad }) {
-    onLoad({ filter: /web\/engine\/download\.ts$/ }, ({ path }) => ({
-      contents: readFileSync(path, "utf8").replace(
-        /await import\([^)]*\)/,
-        module === undefined ? "undefined" : `await import("${module}")`,
-      ),
-      loader: "ts",
-    }));
+    onLoad({ filter: /web\/engine\/download\.ts$/ }, ({ path }) => {
+      const source = readFileSync(path, "utf8");
+      const hidden = /await import\([^)]*\)/;
+      if (!hidden.test(source)) throw new Error(`${path} has no import that could be replaced`);
+      const shown = module === undefined ? "undefined" : `await import("${module}")`;
+      return { contents: source.replace(hidden, shown), loader: "ts" };
+    });
   },
 });
 
