@@ -44,6 +44,24 @@ const OWN_ADDRESSES_ONLY = {
   },
 };
 
+/**
+ * Only Node reads files from disk, and the engine hides from the site's bundler with what module. Those of the package's
+ * users warn of that (webpack), and Vite in development makes a worker that has `import()` a module, which does not start.
+ * @param module the module, or `undefined` in browsers
+ */
+const readsWith = (module) => ({
+  name: "reads with",
+  setup({ onLoad }) {
+    onLoad({ filter: /web\/engine\/download\.ts$/ }, ({ path }) => {
+      const source = readFileSync(path, "utf8");
+      const hidden = /await import\([^)]*\)/;
+      if (!hidden.test(source)) throw new Error(`${path} has no import that could be replaced`);
+      const shown = module === undefined ? "undefined" : `await import("${module}")`;
+      return { contents: source.replace(hidden, shown), loader: "ts" };
+    });
+  },
+});
+
 /** Writes assets into an entry: modules as bytes, scripts as text. */
 const INLINED = {
   name: "inlined assets",
@@ -83,8 +101,10 @@ const COMMON = {
   target: "es2022",
   logLevel: "warning",
   absWorkingDir: root,
-  plugins: [OWN_ADDRESSES_ONLY, INLINED, ELEMENT],
 };
+
+const IN_BROWSERS = { platform: "browser", plugins: [readsWith(undefined), OWN_ADDRESSES_ONLY, INLINED, ELEMENT] };
+const IN_NODE = { platform: "node", plugins: [readsWith("node:fs/promises"), OWN_ADDRESSES_ONLY, INLINED] };
 
 /** Writes dist/package/ from the WASM packages as they are built. */
 export async function writePackage() {
@@ -93,6 +113,7 @@ export async function writePackage() {
   const manifest = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
   const common = {
     ...COMMON,
+    ...IN_BROWSERS,
     define: {
       STRUT_VERSION: JSON.stringify(manifest.version),
       STRUT_SITE: JSON.stringify(process.env.STRUT_SITE_URL ?? ""),
@@ -119,10 +140,10 @@ export async function writePackage() {
   for (const entry of ["node", "inline"])
     await build({
       ...common,
+      ...(entry === "node" ? IN_NODE : {}),
       entryPoints: [join(SOURCE, `${entry}.ts`)],
       outfile: join(OUT, `${entry}.js`),
       format: "esm",
-      platform: entry === "node" ? "node" : "browser",
     });
   await build({
     ...common,

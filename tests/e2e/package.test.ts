@@ -1,33 +1,34 @@
 /** The package on pages of others, installed from its tarball: bundled, by import map, from elsewhere, under policies. */
-import { cpSync, mkdirSync, writeFileSync } from "node:fs";
+import { cpSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { build as esbuild } from "esbuild";
 import type { Browser } from "playwright-core";
-import { build as vite } from "vite";
+import { createServer, build as vite } from "vite";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { PARENTS, ROLES } from "../../web/humanoid";
 import { type Consumer, FRAMES, installPackage } from "../package/consumer";
+import {
+  copyData,
+  copyPackage,
+  expected,
+  html,
+  program,
+  type Said,
+  summary,
+  visitPage,
+  writeSite,
+} from "../package/page";
 import { serveFolder } from "../package/server";
 import { launchBrowser } from "./browser";
 
-/** What a page says of the walk that it styled. */
-interface Said {
-  thread: string;
-  frames: number;
-  bvh: string;
-}
-
-declare const window: { said: Promise<Said> };
+const CORS = { "Access-Control-Allow-Origin": "*" };
 
 let browser: Browser;
 let consumer: Consumer;
 let elsewhere: Awaited<ReturnType<typeof serveFolder>>;
 beforeAll(async () => {
   consumer = installPackage();
-  const installed = join(consumer.folder, "node_modules", "strut-motion");
-  [browser, elsewhere] = await Promise.all([
-    launchBrowser(),
-    serveFolder(installed, { "Access-Control-Allow-Origin": "*" }),
-  ]);
+  [browser, elsewhere] = await Promise.all([launchBrowser(), serveFolder(consumer.installed, CORS)]);
 }, 900_000);
 afterAll(async () => {
   await browser.close();
@@ -35,82 +36,36 @@ afterAll(async () => {
   consumer.remove();
 });
 
-/** A page's script; `specifier` is where it has the package from. */
-const script = (specifier = "strut-motion", options = "") => `import { loadStrut } from ${JSON.stringify(specifier)};
-window.said = (async () => {
-  const strut = await loadStrut(${options});
-  const db = await strut.openDatabase("/demo.strutdb");
-  const motion = await strut.openMotion("/walk.bvh");
-  const styled = await strut.stylize(motion, db, { styles: { proud: 1 } });
-  strut.dispose();
-  return { thread: strut.thread, frames: motion.frames, bvh: styled.toBVH() };
-})();
-window.said.catch(() => {});
-`;
+const site = (name: string, files: Readonly<Record<string, string>>) => writeSite(consumer, name, files);
 
-const importMap = (address: string) =>
-  `<script type="importmap">{ "imports": { "strut-motion": "${address}" } }</script>`;
-
-const page = (head: string, body: string) => `<!doctype html><meta charset="utf-8">${head}${body}`;
-
-/** Writes a page with its files into a folder of its own. */
-function site(name: string, files: Readonly<Record<string, string>>): string {
-  const folder = join(consumer.folder, name);
-  mkdirSync(folder, { recursive: true });
-  for (const file of ["demo.strutdb", "walk.bvh"]) cpSync(join(consumer.folder, file), join(folder, file));
-  for (const [file, text] of Object.entries(files)) writeFileSync(join(folder, file), text);
+/** A page with a copy of the package beside it, imported by import map. */
+function siteWithPackage(name: string, options = "", without?: string): string {
+  const folder = site(name, {
+    "index.html": html("main.js", "./strut-motion/index.js"),
+    "main.js": program("strut-motion", options),
+  });
+  copyPackage(consumer, folder, without);
   return folder;
 }
 
-/** Opens a site, other hosts but its own and `elsewhere` blocked, and waits for what it says. */
-async function open(folder: string, headers?: Readonly<Record<string, string>>): Promise<Said> {
+/** Serves a folder and opens its page, other hosts but its own and `elsewhere` blocked. */
+async function open(folder: string, headers?: Readonly<Record<string, string>>, inFrame = false): Promise<Said> {
   const server = await serveFolder(folder, headers);
-  const context = await browser.newContext();
   try {
-    const allowed = [server.url, elsewhere.url];
-    await context.route("**", (route) =>
-      allowed.some((url) => route.request().url().startsWith(url)) ? route.continue() : route.abort(),
-    );
-    const tab = await context.newPage();
-    await tab.goto(server.url);
-    await tab.waitForFunction(() => window.said !== undefined);
-    return await tab.evaluate(() => window.said);
+    return (await visitPage(browser, server.url, { allowed: [elsewhere.url], inFrame })).said;
   } finally {
-    await context.close();
     await server.close();
   }
 }
 
-/** Expects what the command writes. The files are too long for a report of how they differ. */
-function expectSame({ bvh, ...said }: Said, thread: string): void {
-  expect({ ...said, same: bvh === consumer.byCommand }).toEqual({ thread, frames: FRAMES, same: true });
+/** Expects what the command writes. */
+function expectSame(said: Said, thread: string): void {
+  expect(summary(said, consumer)).toEqual(expected(thread));
 }
 
-test("by import map, with no build", async () => {
-  const folder = site("import-map", {
-    "index.html": page(importMap("./strut-motion/index.js"), '<script type="module" src="main.js"></script>'),
-    "main.js": script(),
-  });
-  cpSync(join(consumer.folder, "node_modules", "strut-motion"), join(folder, "strut-motion"), { recursive: true });
-  expectSame(await open(folder), "worker");
-});
-
-test("built by Vite without configuration", async () => {
-  const folder = site("vite", {
-    "index.html": page("", '<script type="module" src="/main.js"></script>'),
-    "main.js": script(),
-  });
-  const dist = join(folder, "dist");
-  await vite({ root: folder, configFile: false, logLevel: "error", build: { outDir: dist } });
-  for (const file of ["demo.strutdb", "walk.bvh"]) cpSync(join(folder, file), join(dist, file));
-  expectSame(await open(dist), "worker");
-});
-
-test("bundled by esbuild, the assets copied beside the bundle", async () => {
-  const folder = site("esbuild", {
-    "index.html": page("", '<script type="module" src="bundle.js"></script>'),
-    "main.js": script(),
-  });
+/** A page whose module esbuild bundles. */
+async function siteByEsbuild(name: string, options = ""): Promise<string> {
+  const folder = site(name, { "index.html": html("bundle.js"), "main.js": program("strut-motion", options) });
   await esbuild({
     entryPoints: [join(folder, "main.js")],
     outfile: join(folder, "bundle.js"),
@@ -118,45 +73,157 @@ test("bundled by esbuild, the assets copied beside the bundle", async () => {
     format: "esm",
     logLevel: "error",
   });
-  cpSync(join(consumer.folder, "node_modules", "strut-motion", "assets"), join(folder, "assets"), { recursive: true });
+  return folder;
+}
+
+/** DESIGN.md section 6 to the letter, as `tests/package/contract.mjs` has it for Node. */
+const CONTRACT = `import { loadStrut } from "strut-motion";
+import * as THREE from "three";
+window.said = (async () => {
+  const source = new URL("/demo.strutdb", location.href);
+  const fileOrText = await (await fetch("/walk.bvh")).text();
+  const options = { styles: { old: 1 } };
+  let progress = 0;
+  const onProgress = ({ fraction }) => { progress = fraction; };
+  const { signal } = new AbortController();
+
+  const strut = await loadStrut();
+  const db = await strut.openDatabase(source, { onProgress, signal });
+  const motion = await strut.openMotion(fileOrText);
+  const result = await strut.stylize(motion, db, { styles: { proud: 1 }, k: 40, rho: 0.7, onProgress, signal });
+  const root = new THREE.Group();
+  const names = ${JSON.stringify(ROLES)};
+  const joints = names.map((name) => Object.assign(new THREE.Object3D(), { name }));
+  ${JSON.stringify(PARENTS)}.forEach((parent, i) => (parent < 0 ? root : joints[parent]).add(joints[i]));
+  const clip = result.toAnimationClip(THREE, root);
+  const live = await strut.createStylizer(db, options);
+  const poses = (await motion.poses(db)).slice(0, 87 * 20);
+  const before = await live.push(poses);
+  live.reset();
+  live.setStyles({ proud: 0.5, old: 0.5 }); const styled = await live.push(poses);
+  strut.dispose();
+  return {
+    thread: strut.thread,
+    frames: motion.frames,
+    bvh: result.toBVH(),
+    parts: {
+      trace: result.trace.length,
+      glb: new TextDecoder().decode(result.toGLB().subarray(0, 4)),
+      clip: { tracks: clip.tracks.length, valid: clip.validate() },
+      live: { frames: styled.poses.length / 87, changed: styled.poses.some((value, i) => value !== before.poses[i]) },
+      progress: progress > 0,
+    },
+  };
+})();
+window.said.catch(() => {});
+`;
+
+test("by import map, with no build", async () => {
+  expectSame(await open(siteWithPackage("import-map")), "worker");
+});
+
+test("does all of the contract of DESIGN.md", async () => {
+  const folder = site("contract", {
+    "index.html": `<!doctype html><script type="importmap">${JSON.stringify({
+      imports: { "strut-motion": "./strut-motion/index.js", three: "./three/three.module.js" },
+    })}</script><script type="module" src="main.js"></script>`,
+    "main.js": CONTRACT,
+  });
+  copyPackage(consumer, folder);
+  cpSync(join(consumer.folder, "node_modules", "three", "build"), join(folder, "three"), { recursive: true });
+  const { parts, ...said } = (await open(folder)) as Said & { parts: Record<string, unknown> };
+  expectSame(said, "worker");
+  expect(parts).toEqual({
+    trace: FRAMES,
+    glb: "glTF",
+    clip: { tracks: 22, valid: true },
+    live: { frames: 20, changed: true },
+    progress: true,
+  });
+});
+
+test("built by Vite without configuration", async () => {
+  const folder = site("vite", { "index.html": html("/main.js"), "main.js": program() });
+  const dist = join(folder, "dist");
+  await vite({ root: folder, configFile: false, logLevel: "error", build: { outDir: dist } });
+  copyData(consumer, dist);
+  expectSame(await open(dist), "worker");
+});
+
+test("served by Vite in development without configuration", async () => {
+  const root = site("vite-dev", { "index.html": html("/main.js"), "main.js": program(), "package.json": "{}" });
+  // Vite serves a project of its own, and nothing from outside of it.
+  cpSync(consumer.installed, join(root, "node_modules", "strut-motion"), { recursive: true });
+  const server = await createServer({ root, configFile: false, logLevel: "error", server: { port: 0 } });
+  try {
+    await server.listen();
+    expectSame((await visitPage(browser, server.resolvedUrls!.local[0]!)).said, "worker");
+  } finally {
+    await server.close();
+  }
+});
+
+test("bundled by esbuild, the assets copied beside the bundle", async () => {
+  const folder = await siteByEsbuild("esbuild");
+  cpSync(join(consumer.installed, "assets"), join(folder, "assets"), { recursive: true });
+  expectSame(await open(folder), "worker");
+});
+
+test("bundled by esbuild, told where the assets are", async () => {
+  const folder = await siteByEsbuild("esbuild-assets", '{ assets: "/files" }');
+  cpSync(join(consumer.installed, "assets"), join(folder, "files"), { recursive: true });
   expectSame(await open(folder), "worker");
 });
 
 test("from another origin that allows it, in a worker from a blob", async () => {
   const folder = site("elsewhere", {
-    "index.html": page(importMap(`${elsewhere.url}/index.js`), '<script type="module" src="main.js"></script>'),
-    "main.js": script(),
+    "index.html": html("main.js", `${elsewhere.url}/index.js`),
+    "main.js": program(),
   });
   expectSame(await open(folder), "blob");
 });
 
-test("in one file, imported from a blob", async () => {
-  const folder = site("inline", {
-    "index.html": page("", '<script type="module" src="main.js"></script>'),
-    "main.js": `const text = await (await fetch("/inline.js")).text();
-const source = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
-await import(URL.createObjectURL(new Blob([${JSON.stringify(script("SOURCE"))}.replace("SOURCE", source)], { type: "text/javascript" })));
+test("in a sandboxed frame without an origin, its files served with CORS", async () => {
+  const folder = siteWithPackage("sandboxed");
+  cpSync(join(folder, "index.html"), join(folder, "frame.html"));
+  site("sandboxed", { "index.html": '<!doctype html><iframe sandbox="allow-scripts" src="frame.html"></iframe>' });
+  expectSame(await open(folder, CORS, true), "blob");
+});
+
+/** A page that imports a module as text from a blob, as notebooks do. */
+const siteOfBlob = (name: string, module: string) =>
+  site(name, {
+    "index.html": html("main.js"),
+    "module.js": module,
+    "main.js": `const blobOf = (text) => URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+const source = blobOf(await (await fetch("/module.js")).text());
+await import(blobOf(${JSON.stringify(program("SOURCE"))}.replace("SOURCE", source)));
 `,
   });
-  cpSync(join(consumer.folder, "node_modules", "strut-motion", "inline.js"), join(folder, "inline.js"));
-  expectSame(await open(folder), "blob");
+
+test("in one file, imported from a blob", async () => {
+  const module = readFileSync(join(consumer.installed, "inline.js"), "utf8");
+  expectSame(await open(siteOfBlob("inline", module)), "blob");
+});
+
+test("bundled and imported from a blob it says what to import instead", async () => {
+  const { outputFiles } = await esbuild({
+    entryPoints: [join(consumer.installed, "index.js")],
+    bundle: true,
+    format: "esm",
+    write: false,
+  });
+  const folder = siteOfBlob("blob", outputFiles[0]!.text);
+  await expect(open(folder)).rejects.toThrow(/The engine's files have no address/);
 });
 
 test("on the page's thread where it may have no worker", async () => {
-  const folder = site("no-worker", {
-    "index.html": page(importMap("./strut-motion/index.js"), '<script type="module" src="main.js"></script>'),
-    "main.js": script("strut-motion", "{ worker: false }"),
-  });
-  cpSync(join(consumer.folder, "node_modules", "strut-motion"), join(folder, "strut-motion"), { recursive: true });
-  expectSame(await open(folder), "page");
+  expectSame(await open(siteWithPackage("no-worker", "{ worker: false }")), "page");
 });
 
 test("under a Content-Security-Policy and with Trusted Types", async () => {
-  const folder = site("policy", {
-    "index.html": page("", '<script type="module" src="main.js"></script>'),
-    "main.js": script("./strut-motion/index.js"),
-  });
-  cpSync(join(consumer.folder, "node_modules", "strut-motion"), join(folder, "strut-motion"), { recursive: true });
+  const folder = site("policy", { "index.html": html("main.js"), "main.js": program("./strut-motion/index.js") });
+  copyPackage(consumer, folder);
   const policy = [
     "default-src 'none'",
     "script-src 'self' 'wasm-unsafe-eval'",
@@ -172,13 +239,6 @@ test("under a Content-Security-Policy and with Trusted Types", async () => {
 });
 
 test("a missing file is a sentence with a hint", async () => {
-  const folder = site("missing", {
-    "index.html": page(importMap("./strut-motion/index.js"), '<script type="module" src="main.js"></script>'),
-    "main.js": script(),
-  });
-  cpSync(join(consumer.folder, "node_modules", "strut-motion"), join(folder, "strut-motion"), {
-    recursive: true,
-    filter: (path) => !path.endsWith(".wasm"),
-  });
+  const folder = siteWithPackage("missing", "", ".wasm");
   await expect(open(folder)).rejects.toThrow(/The engine could not be loaded: the server answered 404/);
 });

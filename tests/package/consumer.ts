@@ -12,6 +12,10 @@ export const FRAMES = 60;
 
 export interface Consumer {
   folder: string;
+  /** The package's tarball. */
+  tarball: string;
+  /** The folder of the package as it is installed. */
+  installed: string;
   /** The text of the walk in the style proud, as the command writes it. */
   byCommand: string;
   remove(): void;
@@ -39,5 +43,23 @@ export function installPackage(): Consumer {
   writeFileSync(join(folder, "walk.bvh"), everyNth(walk, 1, FRAMES));
   run(COMMAND, ..."stylize --db demo.strutdb --input walk.bvh --style proud -o command.bvh".split(" "));
   const byCommand = readFileSync(join(folder, "command.bvh"), "utf8");
-  return { folder, byCommand, remove: () => rmSync(folder, { recursive: true, force: true }) };
+  return {
+    folder,
+    tarball: join(folder, packed),
+    installed: join(folder, "node_modules", "strut-motion"),
+    byCommand,
+    remove: () => rmSync(folder, { recursive: true, force: true }),
+  };
+}
+
+/** The walk in a style of the built-in database, as Node styles it without a bundler. */
+export function styledByNode({ folder }: Consumer): string {
+  const script = `import { readFileSync } from "node:fs";
+import { loadStrut } from "strut-motion/node";
+const strut = await loadStrut();
+const motion = await strut.openMotion(readFileSync("walk.bvh", "utf8"));
+const styled = await strut.stylize(motion, await strut.openDatabase("strut:walk"), { styles: { proud: 1 } });
+process.stdout.write(styled.toBVH());
+strut.dispose();`;
+  return execFileSync(process.execPath, ["--input-type=module", "--eval", script], { cwd: folder, encoding: "utf8" });
 }

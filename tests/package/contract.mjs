@@ -45,7 +45,12 @@ for (const wrong of [
   () => strut.stylize(motion, { info: db.info, dispose() {} }, {}),
   () => strut.stylize(motion, db, { signal: AbortSignal.abort() }),
 ])
-  refusals.push(await wrong().then(() => "none", ({ code, message }) => `${code}: ${message}`));
+  refusals.push(
+    await wrong().then(
+      () => "none",
+      ({ code, message }) => `${code}: ${message}`,
+    ),
+  );
 
 const walk = await strut.openDatabase("strut:walk");
 const builtIn = await strut.openMotion("strut:neutral-walk");
@@ -65,7 +70,12 @@ console.log(
     live: [before.poses.length, styled.poses.length, before.poses.some((value, i) => value !== styled.poses[i])],
     played: played.inputFrame,
     refusals,
-    walk: { styles: walk.info.styles, actions: walk.info.actions, frames: builtIn.frames, out: proud.poses.length / 87 },
+    walk: {
+      styles: walk.info.styles,
+      actions: walk.info.actions,
+      frames: builtIn.frames,
+      out: proud.poses.length / 87,
+    },
   }),
 );
 other.dispose();

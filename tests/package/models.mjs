@@ -32,7 +32,12 @@ for (const wrong of [
   async () => (await strut.openDatabase("strut:walk")).toFile(),
   () => strut.openWalk("strut:walk", { signal: AbortSignal.abort() }),
 ])
-  refusals.push(await wrong().then(() => "none", ({ code, message }) => `${code}: ${message}`));
+  refusals.push(
+    await wrong().then(
+      () => "none",
+      ({ code, message }) => `${code}: ${message}`,
+    ),
+  );
 
 console.log(
   JSON.stringify({

@@ -124,6 +124,9 @@ describe("a stream of 20,000 poses", () => {
 
 describe("the types", () => {
   const text = `import { loadStrut, StrutError, type Motion, type StyledMotion } from "strut-motion";
+import { loadStrut as loadInline } from "strut-motion/inline";
+import { loadStrut as loadInNode } from "strut-motion/node";
+export const same: (typeof loadStrut)[] = [loadInline, loadInNode];
 export async function proud(text: string): Promise<StyledMotion> {
   const strut = await loadStrut({ assets: "/assets" });
   const db = await strut.openDatabase("strut:walk", { onProgress: ({ fraction }) => fraction.toFixed() });

@@ -53,6 +53,11 @@ const aborted = performance.now();
 controller.abort();
 const code = await long;
 console.log(
-  JSON.stringify({ before, after, overheadMs: (single - whole) / 500, abort: { code, ms: performance.now() - aborted } }),
+  JSON.stringify({
+    before,
+    after,
+    overheadMs: (single - whole) / 500,
+    abort: { code, ms: performance.now() - aborted },
+  }),
 );
 strut.dispose();

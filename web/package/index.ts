@@ -38,7 +38,8 @@ function beside(): (file: string) => string {
       "walk.bin": new URL("./assets/walk.bin", import.meta.url).href,
       "built_in.bin": new URL("./assets/built_in.bin", import.meta.url).href,
     };
-    return (file) => places[file]!;
+    // Turbopack makes a path of what is an absolute address elsewhere.
+    return (file) => new URL(places[file]!, baseAddress()).href;
   } catch (cause) {
     const message = "The engine's files have no address: this module was loaded from a blob or as data.";
     const hint = "Import 'strut-motion/inline', or say where the files lie: loadStrut({ assets }).";

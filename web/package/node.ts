@@ -16,8 +16,8 @@ export type * from "./public";
  */
 export async function loadStrut({ assets, signal }: LoadOptions = {}): Promise<Strut> {
   if (signal?.aborted) throw cancelled(signal.reason);
-  const folder = assets ?? new URL("./assets/", import.meta.url).href;
-  const places = placesBy((file) => placeIn(folder, file, import.meta.url));
+  // Not `new URL(…, import.meta.url)`: bundlers for servers would look for a module of that name.
+  const places = placesBy((file) => placeIn(assets ?? "assets", file, import.meta.url));
   const boot = { assets: { ...places, "strut_wasm_bg.wasm": engine } };
   return loadEngine(boot, { thread: "node", ...localPorts(servers) }, signal);
 }

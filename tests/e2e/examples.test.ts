@@ -1,0 +1,141 @@
+/** The examples, as somebody would run them who copied a folder and installed its packages. */
+import { cpSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { build as esbuild } from "esbuild";
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { type Consumer, installPackage, styledByNode } from "../package/consumer";
+import { serveFolder } from "../package/server";
+import { root } from "../recordings";
+import { drawn, launchBrowser, screenshot } from "./browser";
+
+let browser: Browser;
+let consumer: Consumer;
+beforeAll(async () => {
+  consumer = installPackage();
+  browser = await launchBrowser();
+}, 900_000);
+afterAll(async () => {
+  await browser.close();
+  consumer.remove();
+});
+
+/** What the page of a notebook has of Python's object. */
+interface FakeModel {
+  traits: Record<string, unknown>;
+  set(name: string, value: unknown): void;
+}
+
+declare const window: { model: FakeModel; saved: string[]; cleanUp: () => void };
+
+/** A copy of an example beside its packages. */
+function copyExample(name: string): string {
+  const folder = join(consumer.folder, name);
+  cpSync(join(root, "examples", name), folder, { recursive: true });
+  for (const name of ["strut-motion", "three"])
+    cpSync(join(consumer.folder, "node_modules", name), join(folder, "node_modules", name), {
+      recursive: true,
+      dereference: true,
+    });
+  return folder;
+}
+
+/** Opens a folder's page; what it logs as an error, and what it throws, is kept. */
+async function openExample(folder: string): Promise<{ page: Page; errors: string[]; close: () => Promise<void> }> {
+  const server = await serveFolder(folder);
+  const page = await browser.newPage({ viewport: { width: 800, height: 560 } });
+  const errors: string[] = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.on("console", (line) => {
+    if (["error", "warning"].includes(line.type())) errors.push(`${line.text()} (${line.location().url})`);
+  });
+  await page.goto(server.url);
+  return { page, errors, close: () => page.close().finally(server.close) };
+}
+
+test("three-scene: a figure of its own walks, in a style and then in another", async () => {
+  const { page, errors, close } = await openExample(copyExample("three-scene"));
+  try {
+    await page.getByRole("radio", { name: "proud" }).waitFor({ state: "attached" });
+    await drawn(page, 20);
+    await screenshot(page, "example-three-scene");
+    // The camera goes with the figure, and behind head and arms there is nothing that could move.
+    const upperBody = () => page.screenshot({ clip: { x: 250, y: 20, width: 300, height: 200 } });
+    const before = await upperBody();
+    await drawn(page, 5);
+    expect(before.equals(await upperBody())).toBe(false);
+    await page.getByText("old", { exact: true }).click();
+    await drawn(page, 40);
+    await screenshot(page, "example-three-scene-old");
+    expect(await page.locator("#message").textContent()).toBe("");
+    expect(errors).toEqual([]);
+  } finally {
+    await close();
+  }
+});
+
+/** anywidget's side of a widget: it imports the module from a blob, and gives it a model and an element. */
+const NOTEBOOK = `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,"><body style="font: 14px sans-serif"><script type="module">
+const listeners = [];
+window.saved = [];
+window.model = {
+  traits: { source: await (await fetch("/walk.bvh")).text(), styles: { proud: 1 }, frame: 5, bvh: new DataView(new ArrayBuffer(0)) },
+  get: (name) => window.model.traits[name],
+  set(name, value) {
+    window.model.traits[name] = value;
+    for (const [names, listener] of listeners) if (names.split(" ").includes("change:" + name)) listener();
+  },
+  on: (names, listener) => listeners.push([names, listener]),
+  off: (names, listener) => listeners.splice(listeners.findIndex(([, other]) => other === listener), 1),
+  save_changes: () => window.saved.push(new TextDecoder().decode(window.model.traits.bvh)),
+};
+const text = await (await fetch("/strut_widget.js")).text();
+const module = await import(URL.createObjectURL(new Blob([text], { type: "text/javascript" })));
+const el = document.body.appendChild(document.createElement("div"));
+window.cleanUp = await module.default.render({ model: window.model, el });
+</script>`;
+
+test("jupyter: the widget shows a walk, styles it anew as Python asks, and gives its BVH", async () => {
+  const folder = copyExample("jupyter");
+  await esbuild({
+    entryPoints: [join(folder, "index.js")],
+    outfile: join(folder, "strut_widget.js"),
+    bundle: true,
+    format: "esm",
+    loader: { ".bin": "binary" },
+    logLevel: "error",
+  });
+  writeFileSync(join(folder, "index.html"), NOTEBOOK);
+  cpSync(join(consumer.folder, "walk.bvh"), join(folder, "walk.bvh"));
+  const { page, errors, close } = await openExample(folder);
+  try {
+    await page.waitForFunction(() => window.cleanUp !== undefined);
+    const saved = () => page.evaluate(() => window.saved);
+    expect((await saved()).map((text) => text === styledByNode(consumer))).toEqual([true]);
+    await screenshot(page, "example-jupyter");
+
+    const before = await page.screenshot();
+    await page.evaluate(() => window.model.set("frame", 20));
+    expect(before.equals(await page.screenshot())).toBe(false);
+    expect(await page.getByRole("slider").inputValue()).toBe("20");
+
+    // Two changes at once: only the last one is styled to its end.
+    await page.evaluate(() => {
+      window.model.set("styles", { angry: 1 });
+      window.model.set("styles", { old: 1 });
+    });
+    await page.waitForFunction(() => window.saved.length === 2);
+    await screenshot(page, "example-jupyter-old");
+    const [proud, old] = await saved();
+    expect(old === proud).toBe(false);
+
+    await page.evaluate(() => window.model.set("styles", { nobody: 1 }));
+    await page.getByText("nobody").waitFor();
+    await page.evaluate(() => window.cleanUp());
+    await page.evaluate(() => window.model.set("styles", { proud: 1 }));
+    expect(await saved()).toHaveLength(2);
+    expect(errors).toEqual([]);
+  } finally {
+    await close();
+  }
+});

@@ -1,0 +1,215 @@
+/**
+ * Bundlers with packages of their own: they are too large for the project's. Each builds in a copy of its folder, from its
+ * own lockfile and the packed tarball. `npm run consumers` runs them.
+ */
+import { spawn, spawnSync } from "node:child_process";
+import { cpSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { isDeepStrictEqual } from "node:util";
+import type { Browser } from "playwright-core";
+import { type Consumer, styledByNode } from "./consumer";
+import { copyData, expected, html, loadedKb, program, type Said, summary, visitPage } from "./page";
+import { serveFolder } from "./server";
+
+/** Something that is run in a folder in which everything is installed; it gives a remark. */
+interface Run {
+  name: string;
+  /** The package whose version is reported. */
+  version: string;
+  run: (project: Project) => Promise<string>;
+}
+
+/** What runs with one set of packages. */
+export interface Bundler {
+  /** Folder below `tests/package/`, with manifest and lockfile. */
+  folder: string;
+  runs: readonly Run[];
+}
+
+/** Somebody's project in a folder of its own. */
+export interface Project {
+  folder: string;
+  consumer: Consumer;
+  browser: Browser;
+}
+
+/** A person's, and not that which npm and Vite leave to what they start. */
+const ENVIRONMENT = {
+  ...process.env,
+  NODE_ENV: undefined,
+  npm_config_loglevel: "error",
+  NEXT_TELEMETRY_DISABLED: "1",
+};
+
+/** Runs a program in a project. @throws Error with the beginning of what it printed, also if it warned of the package's code */
+function run({ folder }: Pick<Project, "folder">, program: string, ...args: string[]): void {
+  const { status, stdout, stderr } = spawnSync(program, args, { cwd: folder, env: ENVIRONMENT, encoding: "utf8" });
+  const printed = `${stdout}${stderr}`;
+  if (status !== 0 || printed.includes("Critical dependency"))
+    throw new Error(`${[program, ...args].join(" ")} failed:\n${printed.slice(0, 2000)}`);
+}
+
+/** @throws Error if somebody said anything but what the command writes */
+function check(said: Said, thread: string, { consumer }: Project): void {
+  const [got, want] = [summary(said, consumer), expected(thread)];
+  if (!isDeepStrictEqual(got, want)) throw new Error(`got ${JSON.stringify(got)}, expected ${JSON.stringify(want)}`);
+}
+
+/** Opens a page and says what it loaded. */
+async function report(project: Project, url: string): Promise<string> {
+  const { said, urls } = await visitPage(project.browser, url);
+  check(said, "worker", project);
+  return `${said.frames} frames equal, ${(await loadedKb(urls)).toFixed(0)} kB loaded`;
+}
+
+/**
+ * A page that a bundler writes to `dist/`.
+ * @param page the page of the bundle, for bundlers that write scripts only
+ */
+const staticSite = (page?: string) => async (project: Project) => {
+  const dist = join(project.folder, "dist");
+  writeFileSync(join(project.folder, "main.js"), program());
+  writeFileSync(join(project.folder, "index.html"), html("./main.js"));
+  run(project, "npm", "run", "build");
+  if (page !== undefined) writeFileSync(join(dist, "index.html"), page);
+  copyData(project.consumer, dist);
+  const server = await serveFolder(dist);
+  try {
+    return await report(project, server.url);
+  } finally {
+    await server.close();
+  }
+};
+
+/** Next.js's own server of a build, once it listens. */
+async function startNext(folder: string): Promise<{ url: string; close: () => void }> {
+  const next = join(folder, "node_modules", "next", "dist", "bin", "next");
+  const server = spawn(process.execPath, [next, "start", "--port", "0"], {
+    cwd: folder,
+    env: ENVIRONMENT,
+    detached: true,
+  });
+  // It works in processes of its own.
+  const close = () => process.kill(-server.pid!);
+  const url = await new Promise<string>((resolve, reject) => {
+    let printed = "";
+    const read = (chunk: Buffer) => {
+      printed += chunk;
+      const address = /http:\/\/localhost:\d+/.exec(printed);
+      if (address && printed.includes("Ready")) resolve(address[0]);
+    };
+    server.stdout.on("data", read);
+    server.stderr.on("data", read);
+    server.on("close", () => reject(new Error(`next start ended:\n${printed}`)));
+  });
+  return { url, close };
+}
+
+/** What a server component wrote into its page. */
+async function renderedBy(url: string): Promise<Said> {
+  const text = await (await fetch(url)).text();
+  const match = /<pre data-thread="(\w+)" data-frames="(\d+)">([^<]*)<\/pre>/.exec(text);
+  if (!match) throw new Error(`${url} rendered nothing: ${text.slice(0, 1000)}`);
+  return { thread: match[1]!, frames: Number(match[2]), bvh: match[3]! };
+}
+
+/**
+ * Client page and server components. Built-in data must lie beside the package's code, which is then not bundled; the build
+ * is moved before that is tried, as the folder in which the package was installed would do too.
+ */
+const next =
+  (...flags: string[]) =>
+  async (project: Project) => {
+    const { consumer, folder } = project;
+    copyData(consumer, join(folder, "public"));
+    const visited = async (place: string, pages: (url: string) => Promise<string>) => {
+      run(project, "npm", "run", "build", "--", ...flags);
+      renameSync(folder, place);
+      const server = await startNext(place);
+      try {
+        return await pages(server.url);
+      } finally {
+        server.close();
+        renameSync(place, folder);
+      }
+    };
+    const config = join(folder, "next.config.mjs");
+    const external = readFileSync(config);
+    rmSync(config);
+    const loaded = await visited(folder, async (url) => {
+      check(await renderedBy(`${url}/server`), "node", project);
+      return report(project, url);
+    });
+    writeFileSync(config, external);
+    await visited(`${folder}-moved`, async (url) => {
+      check(await renderedBy(`${url}/server`), "node", project);
+      const { bvh, ...said } = await renderedBy(`${url}/built_in`);
+      const same = bvh === styledByNode(consumer);
+      if (!same) throw new Error(`built-in data: ${JSON.stringify(said)}, and other frames than in Node`);
+      return "";
+    });
+    return loaded;
+  };
+
+/** A linter of packages, on the tarball. */
+const linter =
+  (program: string, ...options: string[]) =>
+  async (project: Project) => {
+    run(project, "npx", program, project.consumer.tarball, ...options);
+    return "no remark";
+  };
+
+// Files that are fetched have no types.
+const TYPES_ONLY = ["--profile", "esm-only", "--exclude-entrypoints", "./assets/*"];
+
+/** All of them. */
+export const BUNDLERS: readonly Bundler[] = [
+  { folder: "webpack", runs: [{ name: "webpack", version: "webpack", run: staticSite(html("main.js")) }] },
+  { folder: "rollup", runs: [{ name: "Rollup", version: "rollup", run: staticSite(html("main.js")) }] },
+  { folder: "parcel", runs: [{ name: "Parcel", version: "parcel", run: staticSite() }] },
+  {
+    folder: "next",
+    runs: [
+      { name: "Next with Turbopack", version: "next", run: next() },
+      { name: "Next with webpack", version: "next", run: next("--webpack") },
+    ],
+  },
+  {
+    folder: "lint",
+    runs: [
+      { name: "publint", version: "publint", run: linter("publint", "--strict") },
+      { name: "attw", version: "@arethetypeswrong/cli", run: linter("attw", ...TYPES_ONLY) },
+    ],
+  },
+];
+
+/**
+ * Installs a bundler and the tarball in a copy of its folder, and runs all that is to be run with it.
+ * @param print is given a line for each run
+ * @returns whether all went well
+ */
+export async function tryBundler(
+  bundler: Bundler,
+  consumer: Consumer,
+  browser: Browser,
+  print: (line: string) => void,
+): Promise<boolean> {
+  const folder = mkdtempSync(join(tmpdir(), `strut-${bundler.folder}-`));
+  try {
+    cpSync(join(import.meta.dirname, bundler.folder), folder, { recursive: true });
+    // Not `npm ci`: it wants the binaries of all platforms in a lockfile, which not every registry has.
+    const quick = ["--no-save", "--prefer-offline", "--no-audit", "--no-fund"];
+    run({ folder }, "npm", "install", ...quick, consumer.tarball);
+    for (const { name, version, run } of bundler.runs) {
+      const manifest = JSON.parse(readFileSync(join(folder, "node_modules", version, "package.json"), "utf8"));
+      print(`${name} ${manifest.version}: ok, ${await run({ folder, consumer, browser })}`);
+    }
+    return true;
+  } catch (thrown) {
+    print(`${bundler.folder}: FAILED, ${(thrown as Error).message}`);
+    return false;
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
