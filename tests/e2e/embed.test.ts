@@ -109,6 +109,10 @@ describe("the Embed dialog", () => {
     const frame = await code.inputValue();
     await dialog.getByRole("radio", { name: "Element" }).check();
     const element = await code.inputValue();
+    expect(await axeFaults(page)).toEqual([]);
+    // Three figures at once are too many for a machine without a graphics card.
+    await dialog.getByRole("button", { name: "Close" }).click();
+    await eventually(() => dialog.count()).toBe(0);
     const shown = await page.evaluate(
       () => (window as never as { strut: { state: { styles: object } } }).strut.state.styles,
     );
@@ -124,8 +128,5 @@ describe("the Embed dialog", () => {
       expect(said).toEqual({ styles: weights, ghost: "off", paused: false });
       await other.context().close();
     }
-    expect(await axeFaults(page)).toEqual([]);
-    await dialog.getByRole("button", { name: "Close" }).click();
-    await eventually(() => dialog.count()).toBe(0);
   });
 });

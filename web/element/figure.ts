@@ -44,7 +44,6 @@ export class Figure implements Drawing {
   readonly #listeners: FigureListeners;
   #settings: Settings;
   #drawUntil = 0;
-  #drawn = false;
   #seeking: number | undefined;
   #running = false;
 
@@ -79,6 +78,10 @@ export class Figure implements Drawing {
     this.frames = Math.round(((motion.frames - 1) / motion.rateHz) * info.rateHz) + 1;
     this.viewer = new Viewer(container, { theme: "light", labels: { styled: "", input: "" }, screen });
     this.viewer.setProportions(info.proportions);
+    this.viewer.onDraw = () => {
+      this.viewer.onDraw = undefined;
+      listeners.onDrawn();
+    };
     for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
       container.addEventListener(type, () => this.invalidate(), { passive: true });
     this.#playback = new Playback(engine, {
@@ -153,12 +156,7 @@ export class Figure implements Drawing {
 
   draw(now: number): boolean {
     if (!this.frame || (now > this.#drawUntil && this.viewer.still)) return false;
-    const drawn = this.viewer.render(now / 1000);
-    if (drawn && !this.#drawn) {
-      this.#drawn = true;
-      this.#listeners.onDrawn();
-    }
-    return drawn;
+    return this.viewer.render(now / 1000);
   }
 
   /** The present picture, drawn for it if need be. */

@@ -91,6 +91,8 @@ export class Viewer {
   #ghostFade = 1;
   /** Whether the camera follows the character. */
   follow: boolean;
+  /** Called when a picture was drawn. */
+  onDraw: (() => void) | undefined;
 
   constructor(container: HTMLElement, options: ViewerOptions = {}) {
     const o = { ...VIEWER_DEFAULTS, ...options };
@@ -336,6 +338,7 @@ export class Viewer {
       const radius = HEAD.radius * character.fit.stature;
       stage.labels.place(name, headOf(character), radius, camera, width, height);
     }
+    this.onDraw?.();
     return true;
   }
 

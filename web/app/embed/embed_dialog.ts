@@ -93,7 +93,7 @@ export function openEmbedDialog({ embedded, link, ghost, notes, onPoster, onClos
   const close = button(words.close, () => dialog.close(), { icon: "close", class: "plain" });
   const dialog = html(
     "dialog",
-    { class: "help embed", "aria-labelledby": "embed-heading" },
+    { class: "help embed", closedby: "any", "aria-labelledby": "embed-heading" },
     html("div", { class: "embed-heading" }, html("h2", { id: "embed-heading" }, words.heading), close),
     stage,
     html(
@@ -119,9 +119,6 @@ export function openEmbedDialog({ embedded, link, ghost, notes, onPoster, onClos
   dialog.addEventListener("close", () => {
     dialog.remove();
     onClose();
-  });
-  dialog.addEventListener("click", (event) => {
-    if (event.target === dialog) dialog.close();
   });
   document.body.append(dialog);
   dialog.showModal();

@@ -20,7 +20,7 @@ export class Help {
     const close = button(strings.play.help.close, () => this.element.close(), { icon: "close", class: "plain" });
     this.element = html(
       "dialog",
-      { class: "help", "aria-labelledby": "help-heading" },
+      { class: "help", closedby: "any", "aria-labelledby": "help-heading" },
       html("div", { class: "section-heading" }, html("h2", { id: "help-heading" }, strings.play.help.heading), close),
       list(strings.play.help.keys),
       letters.element,
@@ -28,9 +28,6 @@ export class Help {
       list(strings.play.help.polygon),
       html("p", { class: "caption" }, strings.play.help.drop),
     );
-    this.element.addEventListener("click", (event) => {
-      if (event.target === this.element) this.element.close();
-    });
   }
 
   open(): void {

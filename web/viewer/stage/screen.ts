@@ -19,7 +19,10 @@ const SOFTWARE_LEVEL = 2;
 /** Frames that may be queued: more would only add latency. */
 const MAX_FRAMES = 2;
 
-/** Where frames take longer than this, milliseconds, the page is given as long to draw itself as several stages took. */
+/**
+ * Where frames take longer than this, milliseconds, a shared screen leaves room for others: it queues one at a time, and where
+ * several stages draw, the page is given as long to draw itself as they took.
+ */
 const SLOW_MS = 12;
 
 /** Longest wait for the graphics processor to become idle before the canvas gets new memory, milliseconds. */
@@ -44,6 +47,8 @@ export interface ScreenOptions {
   keepsMemory: boolean;
   /** Pixels that have memory from the start. */
   size?: { width: number; height: number };
+  /** Whether several stages may draw on it. */
+  isShared?: boolean;
   /** Level of quality to begin with, 0 being the best; by default what the renderer suggests. */
   level?: number | undefined;
 }
@@ -55,6 +60,7 @@ export class Screen {
   readonly keepsMemory: boolean;
   /** Decides about the quality of all that is drawn here, by the mean rate of those that draw. */
   readonly governor: QualityGovernor;
+  readonly #isShared: boolean;
   readonly #gl: WebGL2RenderingContext;
   readonly #queue: GpuQueue;
   readonly #users = new Set<Drawn>();
@@ -66,7 +72,8 @@ export class Screen {
   #synchronous: "allowed" | "waiting" | "none" = "none";
   #counting = false;
 
-  constructor({ antialias, keepsMemory, size, level }: ScreenOptions) {
+  constructor({ antialias, keepsMemory, size, level, isShared = false }: ScreenOptions) {
+    this.#isShared = isShared;
     this.keepsMemory = keepsMemory;
     this.governor = new QualityGovernor(level ?? (graphics() === "software" ? SOFTWARE_LEVEL : 0));
     const canvas = Object.assign(this.canvas, size);
@@ -101,9 +108,9 @@ export class Screen {
     return new Screen({ antialias: level === 0, keepsMemory: true, size, level });
   }
 
-  /** A screen that many stages share. */
+  /** A screen that many stages share, on a page that has more to draw than figures. */
   static shared(): Screen {
-    return new Screen({ antialias: graphics() !== "software", keepsMemory: true });
+    return new Screen({ antialias: graphics() !== "software", keepsMemory: true, isShared: true });
   }
 
   /** Whether the context is lost. */
@@ -131,10 +138,10 @@ export class Screen {
   get busy(): boolean {
     if (this.#synchronous === "waiting") return true;
     const { frames } = this.#queue;
-    if (this.#users.size < 2) return frames >= MAX_FRAMES;
     const { at, tookMs } = this.#queue.last;
-    const rests = tookMs > SLOW_MS && performance.now() - at < tookMs;
-    return rests || frames >= (tookMs > SLOW_MS ? 1 : MAX_FRAMES);
+    const leavesRoom = this.#isShared && tookMs > SLOW_MS;
+    const rests = leavesRoom && this.#users.size > 1 && performance.now() - at < tookMs;
+    return rests || frames >= (leavesRoom ? 1 : MAX_FRAMES);
   }
 
   /** Whether the canvas has the right memory for a picture, in pixels. */
