@@ -28,6 +28,8 @@ import { strings } from "./strings";
 const NEAR_PX = 200;
 /** Least time between two announcements to screen readers, milliseconds. */
 const ANNOUNCE_MS = 1000;
+/** Least time between two changes of the clock while it plays, milliseconds: each one is painted. */
+const CLOCK_MS = 60;
 /** Weights below this are not said. */
 const SAID = 0.005;
 
@@ -71,12 +73,15 @@ export class StrutPlayer extends ElementBase {
   #base: Source | Database | undefined;
   #visible = false;
   #failed = false;
+  /** Whether the figure that is open has been drawn. */
+  #drawn = false;
   /** Whether it plays once it is loaded and seen. */
   #plays = false;
   /** Whether an attribute is being written from within. */
   #reflecting = false;
   #announcement: ReturnType<typeof setTimeout> | undefined;
   #announcedAt = 0;
+  #clockAt = 0;
 
   constructor() {
     super();
@@ -300,6 +305,7 @@ export class StrutPlayer extends ElementBase {
       }
       this.#close(false);
       this.#opened = opened;
+      this.#drawn = false;
       this.#takeOpened(opened);
     } catch (thrown) {
       if (opening.signal.aborted) return;
@@ -357,6 +363,8 @@ export class StrutPlayer extends ElementBase {
   }
 
   #onDrawn(): void {
+    this.#drawn = true;
+    this.#applyPlaying();
     this.#poster.hidden = true;
     this.#poster.fraction = undefined;
     this.#announce(strings.ready);
@@ -405,7 +413,11 @@ export class StrutPlayer extends ElementBase {
   // --- from the engine ---
 
   #onFrame({ inputFrame, timeOut, planted, reads }: LiveFrame): void {
-    this.#bar.frame = inputFrame;
+    const now = performance.now();
+    if (now - this.#clockAt > CLOCK_MS || !this.#plays) {
+      this.#clockAt = now;
+      this.#bar.frame = inputFrame;
+    }
     const detail: FrameDetail = { inputFrame, timeOut, planted, reads };
     this.dispatchEvent(new CustomEvent("frame", { detail }));
   }
@@ -443,7 +455,8 @@ export class StrutPlayer extends ElementBase {
     this.#bar.playing = this.#plays;
     if (!figure) return;
     figure.playing = this.#plays;
-    figure.running = this.#visible;
+    // It does not begin before it is seen.
+    figure.running = this.#visible && this.#drawn;
   }
 
   #recolour(): void {
