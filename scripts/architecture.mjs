@@ -17,6 +17,7 @@ const CRATES = {
   "strut-wasm-build": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-walk": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-key-style": ["strut-wasm-common", "strut-core", "strut-formats"],
+  "strut-wasm-character": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-cli": ["strut-core", "strut-formats", "strut-demo"],
   xtask: [],
 };
@@ -29,8 +30,9 @@ const ROOMS = {
   mannequin: ["humanoid"],
   viewer: ["mannequin", "humanoid"],
   formats: ["mannequin", "humanoid"],
+  character: ["client", "engine", "humanoid", "formats", "mannequin"],
   player: ["client", "humanoid"],
-  package: ["formats", "client", "engine", "humanoid"],
+  package: ["character", "formats", "client", "engine", "humanoid"],
   "app/strings": [],
   "app/ui": ["app/strings", "formats", "player", "viewer", "client", "humanoid"],
   "app/state": ["app/ui", "app/strings", "player", "viewer", "client", "humanoid"],

@@ -38,6 +38,8 @@ const PACKAGES = {
   // … for those who open the Walk view, the Key-style view …
   walk: { folder: "web/engine/walk/pkg", crate: "strut-wasm-walk", name: "strut_wasm_walk" },
   keyStyle: { folder: "web/engine/key_style/pkg", crate: "strut-wasm-key-style", name: "strut_wasm_key_style" },
+  // … for those who bring a character …
+  character: { folder: "web/engine/character/pkg", crate: "strut-wasm-character", name: "strut_wasm_character" },
   // … and the Compare view: the engine with what it is compared with.
   compare: {
     folder: "web/engine/compare/pkg",
@@ -68,7 +70,7 @@ const PACKAGES = {
 };
 
 /** What the page loads, and what benchmarks and parity tests need besides. */
-const PAGE = ["engine", "build", "walk", "keyStyle", "compare"];
+const PAGE = ["engine", "build", "walk", "keyStyle", "character", "compare"];
 const BENCH = ["bench", "benchScalar"];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */

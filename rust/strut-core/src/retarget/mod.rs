@@ -16,7 +16,7 @@ mod scale;
 mod to_humanoid;
 
 pub use between_bodies::between_bodies;
-pub use binding::{BindError, Binding};
+pub use binding::{BindError, Binding, CharacterFacts};
 pub use from_humanoid::{FromHumanoid, from_humanoid};
 pub use to_humanoid::{ToHumanoid, to_humanoid};
 
