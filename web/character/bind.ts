@@ -4,7 +4,7 @@ import { CharacterRig } from "../engine/character/rig";
 import { StrutError } from "../engine/errors";
 import { JOINT, JOINTS, ROLES, type Role } from "../humanoid";
 import { type Joints, jointsOf, nameInFile } from "./joints";
-import { soleHeight } from "./sole";
+import { soles } from "./sole";
 import type { BindOptions, GltfLike, Origin, VrmLike } from "./types";
 import { type GltfJson, isRecord, vrmBone, vrmRoles } from "./vrm_humanoid";
 
@@ -61,10 +61,11 @@ export async function bind(origin: Origin, options: BindOptions = {}): Promise<B
   try {
     const { roles } = rig;
     checkScales(joints, roles);
-    const sole = options.soleHeight ?? soleHeight(joints, roles, rig.worldFromFile);
+    const measured = soles(joints, roles, rig.worldFromFile);
+    const sole = options.soleHeight ?? measured?.height;
     const notes = [...rig.notes];
     if (sole !== undefined && (options.soleHeight !== undefined || isPlausible(rig, sole, metresPerUnit)))
-      rig.setSole(sole);
+      rig.setSole(sole, measured?.points);
     else notes.push("No skin follows the feet; the height of the soles was guessed.");
     if (joints.dropped > 0) notes.push(`${joints.dropped} joints of hair, face or clothes were left out.`);
     const hipsParent = joints.parents[roles[JOINT.hips]!]!;

@@ -3,7 +3,7 @@
 use js_sys::Float32Array;
 use strut_core::humanoid::{JOINTS, POSE_FLOATS, Pose, Proportions, Role};
 use strut_core::math::{Quat, Vec3};
-use strut_core::retarget::{Binding, CharacterFacts, FromHumanoid};
+use strut_core::retarget::{Binding, CharacterFacts, FromHumanoid, SolePoint};
 use strut_core::skeleton::{Joint, Skeleton};
 use strut_wasm_common::{EngineError, offsets_of, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -15,6 +15,7 @@ pub struct Character {
     skeleton: Skeleton,
     facts: CharacterFacts,
     binding: Binding,
+    sole_points: Vec<SolePoint>,
     body: Proportions,
     retarget: FromHumanoid,
     /// Local transforms of the file at rest, in frames that are aligned with the world in the bind pose.
@@ -63,7 +64,8 @@ impl Character {
             .collect();
         let body = Proportions::default();
         Ok(Self {
-            retarget: FromHumanoid::for_character(&binding, &body),
+            retarget: FromHumanoid::for_character(&binding, &body, &[]),
+            sole_points: Vec::new(),
             hips: binding.joint_of_role[Role::Hips.index()].unwrap_or(0),
             body,
             translations: vec![Vec3::ZERO; rest.len()],
@@ -105,17 +107,21 @@ impl Character {
 
     /// Height of the soles in the bind pose along the body's up axis, in the unit of the offsets.
     ///
+    /// `points`: what of the feet can touch the ground, five numbers each: side (0 left, 1 right), part (0 foot, 1 toes), and
+    /// from the joint of that part in the bind pose, xyz along the axes of the file.
+    ///
     /// # Errors
-    /// If that is no number; the former height then stays.
+    /// If a number is none, or there is no such side or part; the former soles then stay.
     #[wasm_bindgen(js_name = setSole)]
-    pub fn set_sole(&mut self, height: f32) -> Result<(), EngineError> {
+    pub fn set_sole(&mut self, height: f32, points: &[f32]) -> Result<(), EngineError> {
         if !height.is_finite() {
             return Err(EngineError::bad_input("the height of the soles must be a number"));
         }
+        let sole_points = sole_points_of(points)?;
         let facts = CharacterFacts { sole_height: Some(height), ..self.facts.clone() };
         let binding = Binding::of_character(&self.skeleton, &facts).map_err(|e| EngineError::bad_file(e, ""))?;
-        self.retarget = FromHumanoid::for_character(&binding, &self.body);
-        (self.facts, self.binding) = (facts, binding);
+        (self.facts, self.binding, self.sole_points) = (facts, binding, sole_points);
+        self.retarget = FromHumanoid::for_character(&self.binding, &self.body, &self.sole_points);
         Ok(())
     }
 
@@ -138,7 +144,7 @@ impl Character {
             return Err(EngineError::bad_input("these proportions are no body's"));
         }
         self.body = body;
-        self.retarget = FromHumanoid::for_character(&self.binding, &self.body);
+        self.retarget = FromHumanoid::for_character(&self.binding, &self.body, &self.sole_points);
         Ok(())
     }
 
@@ -212,6 +218,19 @@ fn rotations_of(floats: &[f32], joints: usize) -> Result<Vec<Quat>, EngineError>
         return Err(EngineError::bad_input("every joint needs a rotation of four finite numbers"));
     }
     Ok(rotations.iter().map(|q| Quat::from_array(*q).normalized()).collect())
+}
+
+/// Points of feet of a flat array.
+fn sole_points_of(floats: &[f32]) -> Result<Vec<SolePoint>, EngineError> {
+    let (points, rest) = floats.as_chunks::<5>();
+    let point = |&[side, part, x, y, z]: &[f32; 5]| {
+        let at = Vec3::new(x, y, z);
+        let known = [side, part].iter().all(|n| *n == 0.0 || *n == 1.0);
+        (known && at.is_finite()).then_some(SolePoint { side: side as usize, on_toes: part == 1.0, at })
+    };
+    let found: Option<Vec<SolePoint>> = points.iter().map(point).collect();
+    let found = found.filter(|_| rest.is_empty());
+    found.ok_or_else(|| EngineError::bad_input("a point of a sole needs a side, a part and three finite numbers"))
 }
 
 /// Given joints of roles.

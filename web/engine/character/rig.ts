@@ -69,9 +69,12 @@ export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]
     return this.raw.proportions();
   }
 
-  /** Sets how high the soles lie in the bind pose, along the body's up axis in the skeleton's unit. */
-  setSole(height: number): void {
-    characterPackage.guarded(() => this.raw.setSole(height));
+  /**
+   * Sets how high the soles lie in the bind pose, along the body's up axis in the skeleton's unit.
+   * @param points what of the feet can touch the ground: side (0 left), part (0 foot, 1 toes) and xyz from the part's joint
+   */
+  setSole(height: number, points: Float32Array = new Float32Array()): void {
+    characterPackage.guarded(() => this.raw.setSole(height, points));
   }
 
   /** Sets the body that poses are on, 21 × xyz in metres. @throws StrutError `bad-input` */

@@ -2,6 +2,7 @@
 
 use super::Binding;
 use super::scale::BodyScale;
+use super::stance::{SolePoint, Stance};
 use crate::humanoid::{HumanoidMotion, Pose, Proportions, Role};
 use crate::kinematics::{Limb, TwoBones, WorldPose, world_from_local};
 use crate::math::{Quat, Vec3};
@@ -22,6 +23,8 @@ pub struct FromHumanoid {
     binding: Binding,
     body: Proportions,
     scale: BodyScale,
+    /// How the soles of a character come to the ground; without it ankles are only scaled.
+    stance: Option<Stance>,
     /// What each file joint takes its world rotation from; joints without keep their own local rotation.
     turns: Vec<Option<Turn>>,
     /// The joint whose translation carries the body through the world.
@@ -42,9 +45,13 @@ impl FromHumanoid {
 
     /// The same for a rigged character, which has no clip: the hips carry the body, and joints between spine and chest
     /// share the turn of the trunk, as a spine bends and does not fold.
-    pub fn for_character(binding: &Binding, body: &Proportions) -> Self {
+    ///
+    /// Feet stand as those of the body do whatever their proportions, and `sole_points` are kept from sinking into the ground.
+    pub fn for_character(binding: &Binding, body: &Proportions, sole_points: &[SolePoint]) -> Self {
         let hips = binding.joint_of_role[Role::Hips.index()].unwrap_or(0);
         let mut retarget = Self::moving(binding, body, hips);
+        let ratio = 1.0 / retarget.scale.legs();
+        retarget.stance = Some(Stance::between(body, binding, ratio, sole_points));
         for (joint, share) in trunk_shares(binding) {
             if retarget.turns[joint].is_none() {
                 retarget.turns[joint] = Some(Turn::AlongTrunk(share));
@@ -71,6 +78,7 @@ impl FromHumanoid {
             binding: binding.clone(),
             body: *body,
             scale: BodyScale::between(&binding.proportions, body),
+            stance: None,
             turns,
             mover,
             positions: vec![Vec3::ZERO; joints],
@@ -91,7 +99,9 @@ impl FromHumanoid {
             let [hip, _, ankle] = leg.roles();
             let hip = world.positions[hip.index()];
             let ankle = hip + self.scale.leg_to_file(i, world.positions[ankle.index()] - hip);
-            self.reach(&world, leg, self.in_file(self.scale.to_file(ankle)), rotations);
+            let scaled = self.scale.to_file(ankle);
+            let placed = self.stance.as_ref().map_or(scaled, |stance| stance.ankle(i, &world, scaled));
+            self.reach(&world, leg, self.in_file(placed), rotations);
         }
         for (i, arm) in Limb::ARMS.into_iter().enumerate() {
             let [shoulder, _, wrist] = arm.roles();
