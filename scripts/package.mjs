@@ -9,7 +9,7 @@ const SOURCE = join(root, "web", "package");
 const ENGINE = join(root, "web", "engine");
 
 /** Modules that users import. */
-const ENTRIES = ["index", "node", "inline"];
+const ENTRIES = ["index", "three", "node", "inline"];
 
 /** Files that the entries load at run time. */
 const ASSETS = {
@@ -17,12 +17,21 @@ const ASSETS = {
   "strut_wasm_build_bg.wasm": join(ENGINE, "build", "pkg", "strut_wasm_build_bg.wasm"),
   "strut_wasm_walk_bg.wasm": join(ENGINE, "walk", "pkg", "strut_wasm_walk_bg.wasm"),
   "strut_wasm_key_style_bg.wasm": join(ENGINE, "key_style", "pkg", "strut_wasm_key_style_bg.wasm"),
+  "strut_wasm_character_bg.wasm": join(ENGINE, "character", "pkg", "strut_wasm_character_bg.wasm"),
   "walk.bin": join(ENGINE, "motions", "walk.bin"),
   "built_in.bin": join(ENGINE, "motions", "built_in.bin"),
 };
 
 /** Most kilobytes after gzip (`shared/spec/embedding.md` section 2). */
-const BUDGET_KB = { "index.js": 14, "assets/worker.js": 12, "assets/strut_wasm_bg.wasm": 300 };
+const BUDGET_KB = {
+  "index.js": 14,
+  "assets/worker.js": 12,
+  "assets/strut_wasm_bg.wasm": 300,
+  "assets/strut_wasm_character_bg.wasm": 80,
+};
+
+/** What users have themselves where they need it, and the versions that fit. */
+const PEERS = { three: ">=0.180 <0.188", "@pixiv/three-vrm": ">=3" };
 
 /**
  * Bundlers of the package's users look for `new URL(…, import.meta.url)`. Only the entries may have it: everything else is
@@ -79,8 +88,9 @@ export async function writePackage() {
   });
   await build({
     ...common,
-    entryPoints: [join(SOURCE, "index.ts")],
+    entryPoints: ["index", "three"].map((name) => join(SOURCE, `${name}.ts`)),
     outdir: OUT,
+    external: Object.keys(PEERS),
     format: "esm",
     splitting: true,
     chunkNames: "chunks/[name]-[hash]",
@@ -110,8 +120,11 @@ function manifestOf({ name, version, description, license, engines }) {
     type: "module",
     engines,
     sideEffects: false,
+    peerDependencies: PEERS,
+    peerDependenciesMeta: Object.fromEntries(Object.keys(PEERS).map((peer) => [peer, { optional: true }])),
     exports: {
       ".": { types: "./types/package/index.d.ts", node: "./node.js", default: "./index.js" },
+      "./three": entry("three"),
       "./node": entry("node"),
       "./inline": entry("inline"),
       "./assets/*": "./assets/*",

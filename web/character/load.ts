@@ -29,12 +29,20 @@ export interface LoadCharacterOptions extends CallOptions, BindOptions {
   accept?: (licence: Licence) => boolean | Promise<boolean>;
 }
 
+/** Imports `@pixiv/three-vrm`; rejects where the page does not have it. */
+export type ImportVrm = () => Promise<{ VRMLoaderPlugin: new (parser: unknown) => unknown }>;
+
 /**
  * Loads and binds a character.
+ * @param importVrm imports three-vrm when the file is a VRM; without it hair and clothes do not swing
  * @throws StrutError `bad-file` with what is wrong with the file, `licence` where its use was not accepted, `load` where it
  *   cannot be had, `cancelled`
  */
-export async function loadCharacter(source: CharacterSource, options: LoadCharacterOptions = {}): Promise<Character> {
+export async function loadCharacter(
+  source: CharacterSource,
+  options: LoadCharacterOptions = {},
+  importVrm?: ImportVrm,
+): Promise<Character> {
   const { signal, accept, onProgress } = options;
   const stop = () => {
     if (signal?.aborted) throw cancelled(signal.reason);
@@ -44,7 +52,7 @@ export async function loadCharacter(source: CharacterSource, options: LoadCharac
   const file = await bytesOf(source, signal);
   stop();
   onProgress?.({ label: "Reading the character", fraction: 0.5 });
-  const loaded = isFbx(file) ? await readFbx(file) : await readGlb(file, accept);
+  const loaded = isFbx(file) ? await readFbx(file) : await readGlb(file, accept, importVrm);
   try {
     stop();
     checkTriangles(loaded.origin.object);
@@ -134,14 +142,18 @@ async function readFbx(file: Uint8Array<ArrayBuffer>): Promise<Read> {
   return { origin: originOf(object), isGlb: false, metresPerUnit };
 }
 
-async function readGlb(file: Uint8Array<ArrayBuffer>, accept: LoadCharacterOptions["accept"]): Promise<Read> {
+async function readGlb(
+  file: Uint8Array<ArrayBuffer>,
+  accept: LoadCharacterOptions["accept"],
+  importVrm: ImportVrm | undefined,
+): Promise<Read> {
   const { json, binary } = chunksOf(file);
   checkGltf(json, binary.length);
   const document = json as GltfJson;
   await checkLicence(licenceOf(document), accept);
   const { GLTFLoader } = await import("three/addons/loaders/GLTFLoader.js");
   const loader = new GLTFLoader(closedManager());
-  const plugin = vrmOf(document) && (await vrmPlugin());
+  const plugin = vrmOf(document) && (await vrmPlugin(importVrm));
   if (plugin) loader.register(plugin as never);
   const gltf: GltfLike = await reading(() => loader.parseAsync(file.buffer, ""));
   const vrm = gltf.userData?.vrm as VrmLike | undefined;
@@ -150,14 +162,10 @@ async function readGlb(file: Uint8Array<ArrayBuffer>, accept: LoadCharacterOptio
 }
 
 /** three-vrm's plugin of the loader where the page has it: it makes hair and clothes swing. */
-async function vrmPlugin(): Promise<((parser: unknown) => unknown) | undefined> {
+async function vrmPlugin(importVrm: ImportVrm | undefined): Promise<((parser: unknown) => unknown) | undefined> {
   try {
-    // Not a literal: bundlers of pages without it would fail. It is found by an import map, or by the bundler's own alias.
-    const name = "@pixiv/three-vrm";
-    const { VRMLoaderPlugin } = (await import(/* @vite-ignore */ name)) as {
-      VRMLoaderPlugin: new (parser: unknown) => unknown;
-    };
-    return (parser) => new VRMLoaderPlugin(parser);
+    const module = await importVrm?.();
+    return module && ((parser) => new module.VRMLoaderPlugin(parser));
   } catch {
     return undefined;
   }

@@ -19,9 +19,9 @@ export type Assets = Readonly<Partial<Record<AssetName, Asset>>>;
 
 let placed: Assets = {};
 
-/** Says where files lie on this thread; call it before anything is loaded. */
+/** Says where files lie on this thread; call it before anything is loaded. Places of other files stay. */
 export function placeAssets(assets: Assets): void {
-  placed = assets;
+  placed = { ...placed, ...assets };
 }
 
 /** A file that lies `beside` the engine's code unless {@link placeAssets} said otherwise. */
