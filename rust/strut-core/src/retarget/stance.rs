@@ -39,6 +39,9 @@ pub(super) struct Stance {
     character: Foot,
     /// Length of the character's legs over that of the body's.
     ratio: f32,
+    /// How much farther to +X the hip joints of the character lie than those of the body, scaled like the legs, left first:
+    /// its feet stand as much farther apart. Metres.
+    widths: [f32; 2],
     /// The character's points of each foot in the frames of foot and toes, metres; whether they are the toes'.
     points: [Vec<(bool, Vec3)>; 2],
 }
@@ -82,7 +85,10 @@ impl Stance {
             placed.collect()
         };
         let points = [own(0), own(1)];
-        Self { body: Foot::of(body), character: Foot::of(&character.proportions), ratio, points }
+        let hip = |p: &Proportions, role: Role| p.offsets[role.index()].x;
+        let widths = [Role::LeftUpperLeg, Role::RightUpperLeg]
+            .map(|role| hip(&character.proportions, role) - ratio * hip(body, role));
+        Self { body: Foot::of(body), character: Foot::of(&character.proportions), ratio, widths, points }
     }
 
     /// The ankle of the left (0) or right (1) foot, metres of the character, given where it lies when it is scaled like the
@@ -98,7 +104,9 @@ impl Stance {
             let moved = turned.pivot() - (flat.heel * share + flat.ball * (1.0 - share));
             Vec3::new(moved.x, foot.lowest(side, rotations) - foot.lowest(side, level), moved.z)
         });
-        let mut ankle = scaled + body * self.ratio - character;
+        // Across the foot rather than the pelvis, which turns while the foot stands.
+        let apart = level[0] * Vec3::X * self.widths[side];
+        let mut ankle = scaled + apart + body * self.ratio - character;
         let depth = -UNSEEN - (ankle.y + self.lowest_point(side, rotations));
         ankle.y += depth.clamp(0.0, SINKING * self.ratio);
         ankle
