@@ -198,6 +198,15 @@ test("files outside of the limits are refused before they are read", async () =>
     d.extensionsRequired = ["KHR_draco_mesh_compression"];
   });
   expect((await refusal(compressed)).message).toMatch(/compressed with KHR_draco_mesh_compression/);
+  // The head of a PNG of 9000 × 10 pixels at the beginning of the buffer.
+  const { glb } = makeRig(MIXAMO, {
+    document: (d) => {
+      d.images = [{ bufferView: 0, mimeType: "image/png" }];
+    },
+  });
+  const start = glb.length - chunksOf(glb).binary.length;
+  glb.set([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0x23, 0x28, 0, 0, 0, 10], start);
+  expect((await refusal(glb.buffer)).message).toMatch(/^A texture of this model has 9000 × 10 pixels/);
   const outside = changed(MIXAMO, (d) => {
     d.images = [{ uri: "https://example.org/skin.png" }];
   });

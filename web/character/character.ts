@@ -34,6 +34,14 @@ export async function bindLoaded(origin: Origin, options?: BindOptions, loaded: 
   return new BoundCharacter(origin, bound, loaded);
 }
 
+/** What the file says, or the meta that three-vrm read of it: it has the fields of VRM 1 or of VRM 0. */
+function licenceOfOrigin({ json, vrm }: Origin): Licence | undefined {
+  if (json) return licenceOf(json);
+  const meta = vrm?.meta as { metaVersion?: unknown } | undefined;
+  if (!meta) return undefined;
+  return licenceOf({ extensions: meta.metaVersion === "0" ? { VRM: { meta } } : { VRMC_vrm: { meta } } });
+}
+
 class BoundCharacter implements Character {
   readonly object: Object3D;
   readonly roles: Readonly<Partial<Record<Role, string>>>;
@@ -53,7 +61,7 @@ class BoundCharacter implements Character {
     this.roles = roleNames(bound);
     this.confidence = bound.rig.confidence;
     this.notes = bound.notes;
-    this.licence = origin.json && licenceOf(origin.json);
+    this.licence = licenceOfOrigin(origin);
     this.#hips = bound.joints.nodes[bound.roles[JOINT.hips]!]!;
     this.#driven = Array.from(bound.driven, (joint) => ({ node: bound.joints.nodes[joint]!, offset: 3 + 4 * joint }));
   }

@@ -28,10 +28,10 @@ const UNREADABLE = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KH
 
 /**
  * Checks a document and what it says of its buffer.
- * @param binaryBytes length of the buffer that lies in the file
+ * @param binary the buffer that lies in the file
  * @throws StrutError `bad-file` with what is wrong
  */
-export function checkGltf(json: Record<string, unknown>, binaryBytes: number): void {
+export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): void {
   const required = Array.isArray(json.extensionsRequired) ? (json.extensionsRequired as unknown[]) : [];
   const unreadable = required.find((name) => UNREADABLE.includes(String(name)));
   if (unreadable !== undefined)
@@ -43,12 +43,15 @@ export function checkGltf(json: Record<string, unknown>, binaryBytes: number): v
   for (const [i, buffer] of records(json, "buffers").entries()) {
     if (typeof buffer.uri === "string" && !buffer.uri.startsWith("data:"))
       throw broken("This model keeps a part of itself in another file.", "Export it as one .glb file.");
-    if (i === 0 && buffer.uri === undefined && size(buffer.byteLength) > binaryBytes)
+    if (i === 0 && buffer.uri === undefined && !(size(buffer.byteLength) <= binary.length))
       throw broken("This model says that it has more data than the file holds.");
   }
-  for (const image of records(json, "images"))
+  for (const image of records(json, "images")) {
     if (typeof image.uri === "string" && !image.uri.startsWith("data:"))
       throw broken("This model keeps its textures in other files.", "Export it as one .glb file.");
+    const view = views[Number(image.bufferView)];
+    if (view && view.buffer === 0) checkImage(binary.subarray(Number(view.byteOffset ?? 0)));
+  }
   const bufferBytes = records(json, "buffers").map(({ byteLength }) => size(byteLength));
   for (const view of views) {
     const end = size(view.byteOffset ?? 0) + size(view.byteLength);
@@ -94,10 +97,38 @@ function checkNodes(nodes: readonly Record<string, unknown>[]): void {
   }
 }
 
-/** The size of a PNG or JPEG picture, pixels. @throws StrutError `bad-file` where it is larger than it may be */
-export function checkImageSize(width: number, height: number): void {
+/** @throws StrutError `bad-file` where a PNG or JPEG picture is larger than graphics cards take */
+function checkImage(bytes: Uint8Array): void {
+  const { width, height } = pngSize(bytes) ?? jpegSize(bytes) ?? { width: 0, height: 0 };
   if (Math.max(width, height) <= MAX_PIXELS) return;
-  throw broken(`A texture of this model is ${width} × ${height} pixels; at most ${MAX_PIXELS} can be shown.`);
+  throw broken(
+    `A texture of this model has ${width} × ${height} pixels; at most ${MAX_PIXELS} can be shown.`,
+    "Make its textures smaller.",
+  );
+}
+
+interface Size {
+  width: number;
+  height: number;
+}
+
+function pngSize(bytes: Uint8Array): Size | undefined {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < 24 || view.getUint32(0) !== 0x89504e47) return undefined;
+  return { width: view.getUint32(16), height: view.getUint32(20) };
+}
+
+/** The size stands in the first segment whose marker is one of a frame. */
+function jpegSize(bytes: Uint8Array): Size | undefined {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < 4 || view.getUint16(0) !== 0xffd8) return undefined;
+  for (let at = 2; at + 9 <= bytes.length; at += 2 + view.getUint16(at + 2)) {
+    const marker = view.getUint16(at);
+    const isFrame = marker >= 0xffc0 && marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker);
+    if (isFrame) return { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
+    if (marker < 0xff00) return undefined;
+  }
+  return undefined;
 }
 
 /** A whole number from 0 up; `NaN` for anything else, which is in no range. */

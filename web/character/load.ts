@@ -148,7 +148,7 @@ async function readGlb(
   importVrm: ImportVrm | undefined,
 ): Promise<Read> {
   const { json, binary } = chunksOf(file);
-  checkGltf(json, binary.length);
+  checkGltf(json, binary);
   const document = json as GltfJson;
   await checkLicence(licenceOf(document), accept);
   const { GLTFLoader } = await import("three/addons/loaders/GLTFLoader.js");
