@@ -43,6 +43,11 @@ test.each(FAMILIES)("the $name performs from its file, and its export is read ba
   expect(clip.name).toBe("moving");
   mixer.clipAction(clip).play();
   character.setBody(motion.proportions);
+  // What was written is read as a motion again, on the character's own body.
+  const again = await bindCharacter(read);
+  const poses = again.motions.at(-1)!;
+  expect(poses).toMatchObject({ name: "moving", rateHz: 60 });
+  expect(again.motions).toHaveLength(1);
   const twins: [Object3D, Object3D][] = [];
   pair(character.object, read.scene, twins);
   let [distance, angle] = [0, 0];

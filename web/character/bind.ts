@@ -26,8 +26,9 @@ export interface Bound {
 
 /** What a caller gave: an object of three.js, a glTF or a VRM. */
 export function originOf(root: Object3D | VrmLike | GltfLike): Origin {
-  if ("isObject3D" in root) return { object: root, json: undefined, vrm: undefined, ...NO_FILE };
-  if ("humanoid" in root) return { object: root.scene, json: undefined, vrm: root, ...NO_FILE };
+  if ("isObject3D" in root)
+    return { object: root, json: undefined, vrm: undefined, clips: root.animations, ...NO_FILE };
+  if ("humanoid" in root) return { object: root.scene, json: undefined, vrm: root, clips: [], ...NO_FILE };
   const { json, associations } = root.parser;
   const nodes = new Map<number, Object3D>();
   for (const [object, place] of associations)
@@ -36,6 +37,7 @@ export function originOf(root: Object3D | VrmLike | GltfLike): Origin {
     object: root.scene,
     json: isRecord(json) ? (json as GltfJson) : undefined,
     vrm: root.userData?.vrm as VrmLike | undefined,
+    clips: root.animations ?? [],
     nodeOf: (index) => nodes.get(index),
     indexOf: (node) => associations.get(node)?.nodes,
   };

@@ -6,6 +6,7 @@ import { type Bound, bind, originOf, roleNames } from "./bind";
 import { characterClip, keysOf } from "./clip";
 import { withAnimation } from "./glb_patch";
 import { type Licence, licenceOf } from "./licence";
+import { type CharacterMotion, motionsOf } from "./motions";
 import type { BindOptions, Character, CharacterClipOptions, GltfLike, Origin, StyledPoses, VrmLike } from "./types";
 
 /** Longest step of what swings by itself, seconds: longer ones make springs explode. */
@@ -48,6 +49,7 @@ class BoundCharacter implements Character {
   readonly confidence: number;
   readonly notes: readonly string[];
   readonly licence: Licence | undefined;
+  readonly motions: readonly CharacterMotion[];
   readonly #origin: Origin;
   readonly #bound: Bound;
   readonly #loaded: Loaded;
@@ -61,6 +63,7 @@ class BoundCharacter implements Character {
     this.roles = roleNames(bound);
     this.confidence = bound.rig.confidence;
     this.notes = bound.notes;
+    this.motions = motionsOf(bound, origin.object, origin.clips);
     this.licence = licenceOfOrigin(origin);
     this.#hips = bound.joints.nodes[bound.roles[JOINT.hips]!]!;
     this.#driven = Array.from(bound.driven, (joint) => ({ node: bound.joints.nodes[joint]!, offset: 3 + 4 * joint }));

@@ -139,6 +139,7 @@ async function readFbx(file: Uint8Array<ArrayBuffer>): Promise<Read> {
   const object = new Group();
   object.add(inner);
   object.scale.setScalar(metresPerUnit);
+  object.animations = inner.animations;
   return { origin: originOf(object), isGlb: false, metresPerUnit };
 }
 

@@ -2,6 +2,7 @@
 import type { AnimationClip, Object3D } from "three";
 import type { Role } from "../humanoid";
 import type { Licence } from "./licence";
+import type { CharacterMotion } from "./motions";
 import type { GltfJson } from "./vrm_humanoid";
 
 /** A loaded VRM of three-vrm, by structure. */
@@ -69,6 +70,8 @@ export interface Character {
   readonly notes: readonly string[];
   /** What the model's author allows; `undefined` where the file does not say. */
   readonly licence: Licence | undefined;
+  /** The motions in the character's file; they can be styled as any poses can. */
+  readonly motions: readonly CharacterMotion[];
   /** The character's own body as canonical humanoid, metres: 21 × xyz. */
   readonly proportions: Float32Array;
   /**
@@ -101,6 +104,8 @@ export interface Origin {
   readonly object: Object3D;
   readonly json: GltfJson | undefined;
   readonly vrm: VrmLike | undefined;
+  /** The motions in the file. */
+  readonly clips: readonly AnimationClip[];
   /** Node of three.js of a number of the file. */
   readonly nodeOf: (index: number) => Object3D | undefined;
   /** Number in the file of a node of three.js. */

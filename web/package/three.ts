@@ -8,6 +8,7 @@ import { StrutError } from "../engine/errors";
 
 export type { Licence } from "../character/licence";
 export type { CharacterSource, LoadCharacterOptions } from "../character/load";
+export type { CharacterMotion } from "../character/motions";
 export type {
   BindOptions,
   Character,

@@ -3,9 +3,9 @@
 use js_sys::Float32Array;
 use strut_core::humanoid::{JOINTS, POSE_FLOATS, Pose, Proportions, Role};
 use strut_core::math::{Quat, Vec3};
-use strut_core::retarget::{Binding, CharacterFacts, FromHumanoid, SolePoint};
+use strut_core::retarget::{Binding, CharacterFacts, FromHumanoid, SolePoint, ToHumanoid};
 use strut_core::skeleton::{Joint, Skeleton};
-use strut_wasm_common::{EngineError, offsets_of, write_floats};
+use strut_wasm_common::{EngineError, floats_of, offsets_of, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A bound character. Joints are told in the pose in which the character was modelled (the bind pose); see
@@ -146,6 +146,33 @@ impl Character {
         self.body = body;
         self.retarget = FromHumanoid::for_character(&self.binding, &self.body, &self.sole_points);
         Ok(())
+    }
+
+    /// Poses on the body of [`Character::set_body`], 87 numbers a frame, of frames that the character's file plays.
+    ///
+    /// `locals`: of every frame and joint its local translation, xyz in the unit of the offsets, and rotation, xyzw.
+    ///
+    /// # Errors
+    /// If that is not a whole number of frames of finite numbers.
+    #[wasm_bindgen(js_name = toPoses)]
+    pub fn to_poses(&self, locals: &[f32]) -> Result<Vec<f32>, EngineError> {
+        let (transforms, rest) = locals.as_chunks::<7>();
+        let whole = rest.is_empty() && transforms.len().is_multiple_of(self.bind.len());
+        if !whole || !locals.iter().all(|x| x.is_finite()) {
+            return Err(EngineError::bad_input("a frame needs seven finite numbers a joint"));
+        }
+        let mut retarget = ToHumanoid::new(&self.binding, &self.body);
+        let (mut translations, mut rotations) = (self.translations.clone(), self.rotations.clone());
+        let poses: Vec<Pose> = (transforms.chunks_exact(self.bind.len()))
+            .map(|frame| {
+                for (j, ([x, y, z, q @ ..], (own, above))) in frame.iter().zip(&self.bind).enumerate() {
+                    translations[j] = *above * Vec3::new(*x, *y, *z);
+                    rotations[j] = (*above * Quat::from_array(*q).normalized() * own.inverse()).normalized();
+                }
+                retarget.frame(&translations, &rotations)
+            })
+            .collect();
+        Ok(floats_of(poses.iter()))
     }
 
     /// Length of what [`Character::apply`] writes.

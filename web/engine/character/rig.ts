@@ -82,6 +82,14 @@ export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]
     characterPackage.guarded(() => this.raw.setBody(Float32Array.from(proportions)));
   }
 
+  /**
+   * Poses on the body of {@link setBody}, 87 numbers a frame.
+   * @param locals of every frame and joint its local translation, xyz in the skeleton's unit, and rotation, xyzw
+   */
+  toPoses(locals: Float32Array): Float32Array {
+    return characterPackage.guarded(() => this.raw.toPoses(locals));
+  }
+
   /** Fills {@link frame} with a pose of `POSE_FLOATS` numbers. @throws StrutError `bad-input` unless they are finite */
   apply(pose: ArrayLike<number>): void {
     let floats = pose;
