@@ -453,6 +453,8 @@ fn a_longer_foot_turns_on_its_heel_and_on_its_ball_without_sinking() {
         let mut pose = Pose { root: Vec3::new(0.0, 1.2, 0.0), ..Pose::default() };
         // Above the ground, where nothing is lifted.
         pose.rotations[Role::LeftFoot.index()] = Quat::from_rotation_x(pitch);
+        // A foot that stands on its ball has its toes on the ground.
+        pose.rotations[Role::LeftToes.index()] = Quat::from_rotation_x(-pitch.max(0.0));
         let expected = crate::kinematics::Soles::new(&Proportions::default())
             .of(&world_from_local(&Proportions::default(), &pose), 0)
             .lowest();
