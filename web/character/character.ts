@@ -6,8 +6,17 @@ import { type Bound, bind, originOf, roleNames } from "./bind";
 import { characterClip, keysOf } from "./clip";
 import { withAnimation } from "./glb_patch";
 import { type Licence, licenceOf } from "./licence";
-import { type CharacterMotion, motionsOf } from "./motions";
-import type { BindOptions, Character, CharacterClipOptions, GltfLike, Origin, StyledPoses, VrmLike } from "./types";
+import { motionsOf } from "./motions";
+import type {
+  BindOptions,
+  Character,
+  CharacterClipOptions,
+  CharacterMotion,
+  GltfLike,
+  Origin,
+  StyledPoses,
+  VrmLike,
+} from "./types";
 
 /** Longest step of what swings by itself, seconds: longer ones make springs explode. */
 const LONGEST_STEP = 1 / 30;

@@ -1,21 +1,12 @@
 /** The motions in a character's file as poses, through the binding that performs poses (`shared/spec/embedding.md` 5.6). */
 import { type AnimationClip, AnimationMixer, type Object3D } from "three";
 import type { Bound } from "./bind";
+import type { CharacterMotion } from "./types";
 
 /** Frames a second at which clips are sampled. */
 const RATE_HZ = 60;
 /** Longest clip, seconds; what is longer is cut. */
 const MAX_SECS = 600;
-
-/** A motion in a character's file. */
-export interface CharacterMotion {
-  readonly name: string;
-  readonly frames: number;
-  readonly rateHz: number;
-  readonly durationSecs: number;
-  /** The motion on the body of `Character.setBody`: 87 numbers a frame. */
-  poses(): Float32Array;
-}
 
 /** The motions of a character. */
 export function motionsOf(bound: Bound, object: Object3D, clips: readonly AnimationClip[]): CharacterMotion[] {

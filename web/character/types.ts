@@ -2,7 +2,6 @@
 import type { AnimationClip, Object3D } from "three";
 import type { Role } from "../humanoid";
 import type { Licence } from "./licence";
-import type { CharacterMotion } from "./motions";
 import type { GltfJson } from "./vrm_humanoid";
 
 /** A loaded VRM of three-vrm, by structure. */
@@ -56,6 +55,16 @@ export interface CharacterClipOptions {
   name?: string;
   /** Whether the body stays over its start, as game engines with root motion of their own expect. */
   inPlace?: boolean;
+}
+
+/** A motion in a character's file. */
+export interface CharacterMotion {
+  readonly name: string;
+  readonly frames: number;
+  readonly rateHz: number;
+  readonly durationSecs: number;
+  /** The motion on the body of `Character.setBody`: 87 numbers a frame. */
+  poses(): Float32Array;
 }
 
 /** A rigged character that performs poses. */

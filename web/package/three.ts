@@ -8,11 +8,11 @@ import { StrutError } from "../engine/errors";
 
 export type { Licence } from "../character/licence";
 export type { CharacterSource, LoadCharacterOptions } from "../character/load";
-export type { CharacterMotion } from "../character/motions";
 export type {
   BindOptions,
   Character,
   CharacterClipOptions,
+  CharacterMotion,
   GltfLike,
   StyledPoses,
   VrmLike,
