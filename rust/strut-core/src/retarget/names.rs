@@ -234,7 +234,7 @@ fn words_of(name: &str) -> Vec<String> {
     for (i, &c) in chars.iter().enumerate() {
         let begins_word = c.is_ascii_uppercase() && i > 0 && {
             let after_lower = chars[i - 1].is_ascii_lowercase();
-            let before_lower = chars.get(i + 1).is_some_and(|n| n.is_ascii_lowercase());
+            let before_lower = chars.get(i + 1).is_some_and(char::is_ascii_lowercase);
             after_lower || (chars[i - 1].is_ascii_uppercase() && before_lower)
         };
         if begins_word || !c.is_alphabetic() {
