@@ -17,6 +17,7 @@ const CRATES = {
   "strut-wasm-build": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-walk": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-key-style": ["strut-wasm-common", "strut-core", "strut-formats"],
+  "strut-wasm-character": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-cli": ["strut-core", "strut-formats", "strut-demo"],
   xtask: [],
 };
@@ -29,6 +30,7 @@ const ROOMS = {
   mannequin: ["humanoid"],
   viewer: ["mannequin", "humanoid"],
   formats: ["mannequin", "humanoid"],
+  character: ["client", "engine", "humanoid", "formats", "mannequin"],
   player: ["client", "humanoid"],
   // Controls that the page and the element share.
   ui: [],
@@ -39,7 +41,7 @@ const ROOMS = {
   element: ["package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
   // The page for frames.
   embed: ["element"],
-  package: ["element", "package/types.ts", "formats", "client", "engine", "humanoid"],
+  package: ["element", "character", "package/types.ts", "formats", "client", "engine", "humanoid"],
   "app/strings": [],
   "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
   "app/state": ["app/ui", "app/strings", "link", "ui", "player", "viewer", "client", "humanoid"],

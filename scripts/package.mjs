@@ -9,7 +9,7 @@ const SOURCE = join(root, "web", "package");
 const ENGINE = join(root, "web", "engine");
 
 /** Modules that users import. */
-const ENTRIES = ["index", "node", "inline", "element"];
+const ENTRIES = ["index", "three", "element", "node", "inline"];
 
 /** Files that the entries load at run time. */
 const ASSETS = {
@@ -17,6 +17,7 @@ const ASSETS = {
   "strut_wasm_build_bg.wasm": join(ENGINE, "build", "pkg", "strut_wasm_build_bg.wasm"),
   "strut_wasm_walk_bg.wasm": join(ENGINE, "walk", "pkg", "strut_wasm_walk_bg.wasm"),
   "strut_wasm_key_style_bg.wasm": join(ENGINE, "key_style", "pkg", "strut_wasm_key_style_bg.wasm"),
+  "strut_wasm_character_bg.wasm": join(ENGINE, "character", "pkg", "strut_wasm_character_bg.wasm"),
   "walk.bin": join(ENGINE, "motions", "walk.bin"),
   "built_in.bin": join(ENGINE, "motions", "built_in.bin"),
 };
@@ -28,7 +29,11 @@ const BUDGET_KB = {
   "strut-player.js": 500,
   "assets/worker.js": 12,
   "assets/strut_wasm_bg.wasm": 300,
+  "assets/strut_wasm_character_bg.wasm": 80,
 };
+
+/** What users have themselves where they need it, and the versions that fit. */
+const PEERS = { three: ">=0.180 <0.188", "@pixiv/three-vrm": ">=3" };
 
 /**
  * Bundlers of the package's users look for `new URL(…, import.meta.url)`. Only the entries may have it: everything else is
@@ -130,10 +135,10 @@ export async function writePackage() {
   });
   await build({
     ...common,
-    entryPoints: ["index", "element"].map((name) => join(SOURCE, `${name}.ts`)),
+    entryPoints: ["index", "three", "element"].map((name) => join(SOURCE, `${name}.ts`)),
     outdir: OUT,
+    external: Object.keys(PEERS),
     format: "esm",
-    external: ["three"],
     splitting: true,
     chunkNames: "chunks/[name]-[hash]",
   });
@@ -177,8 +182,11 @@ function manifestOf({ name, version, description, license, engines }) {
     type: "module",
     engines,
     sideEffects: ["./element.js", "./strut-player.js"],
+    peerDependencies: PEERS,
+    peerDependenciesMeta: Object.fromEntries(Object.keys(PEERS).map((peer) => [peer, { optional: true }])),
     exports: {
       ".": { types: "./types/package/index.d.ts", node: "./node.js", default: "./index.js" },
+      "./three": entry("three"),
       "./node": entry("node"),
       "./inline": entry("inline"),
       "./element": entry("element"),
@@ -188,8 +196,6 @@ function manifestOf({ name, version, description, license, engines }) {
       "./package.json": "./package.json",
     },
     customElements: "custom-elements.json",
-    peerDependencies: { three: ">=0.180 <0.188" },
-    peerDependenciesMeta: { three: { optional: true } },
   };
 }
 

@@ -23,6 +23,9 @@ const INLINE_LESS = "-Cllvm-args=-inline-threshold=100";
 /** A build of a database takes seconds of work: whoever waits for it would rather load more. */
 const FAST_BUILDING = ["--config", "profile.web.package.strut-formats.opt-level=3"];
 
+/** A frame of a character takes microseconds as it is. */
+const SMALL_CORE = ["--config", 'profile.web.package.strut-core.opt-level="s"'];
+
 /** The yardsticks in `strut-wasm` are optimised as the core is. */
 const FAST_YARDSTICKS = ["--config", "profile.web.package.strut-wasm.opt-level=3"];
 
@@ -38,6 +41,13 @@ const PACKAGES = {
   // … for those who open the Walk view, the Key-style view …
   walk: { folder: "web/engine/walk/pkg", crate: "strut-wasm-walk", name: "strut_wasm_walk" },
   keyStyle: { folder: "web/engine/key_style/pkg", crate: "strut-wasm-key-style", name: "strut_wasm_key_style" },
+  // … for those who bring a character …
+  character: {
+    folder: "web/engine/character/pkg",
+    crate: "strut-wasm-character",
+    name: "strut_wasm_character",
+    config: SMALL_CORE,
+  },
   // … and the Compare view: the engine with what it is compared with.
   compare: {
     folder: "web/engine/compare/pkg",
@@ -68,7 +78,7 @@ const PACKAGES = {
 };
 
 /** What the page loads, and what benchmarks and parity tests need besides. */
-const PAGE = ["engine", "build", "walk", "keyStyle", "compare"];
+const PAGE = ["engine", "build", "walk", "keyStyle", "character", "compare"];
 const BENCH = ["bench", "benchScalar"];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */

@@ -46,7 +46,21 @@ const PACKAGES = [
     file: (glue: Glue) => make(glue, "KeyStyleModel", new Uint8Array(100)),
     message: "This is no key-style model, or its beginning is damaged; a safetensors header was expected.",
   },
+  {
+    folder: "web/engine/character/pkg",
+    name: "strut_wasm_character",
+    file: (glue: Glue) => character(glue, 1),
+    message: "This skeleton has no legs and arms that we can find. Drop a file of a humanoid.",
+    argument: (glue: Glue) => character(glue, 0),
+  },
 ];
+
+/** A character of one joint, in a unit of so many metres. */
+function character(glue: Glue, metresPerUnit: number) {
+  const roles = new Int32Array(21).fill(-1);
+  const [parents, offsets, turn] = [Int32Array.of(-1), new Float32Array(3), Float32Array.of(0, 0, 0, 1)];
+  return make(glue, "Character", ["Hips"], parents, offsets, turn, turn, roles, metresPerUnit);
+}
 
 async function load(folder: string, name: string): Promise<Glue> {
   const at = new URL(`../../${folder}/`, import.meta.url);

@@ -6,6 +6,7 @@ export type AssetName =
   | "strut_wasm_build_bg.wasm"
   | "strut_wasm_walk_bg.wasm"
   | "strut_wasm_key_style_bg.wasm"
+  | "strut_wasm_character_bg.wasm"
   | "strut_compare_bg.wasm"
   | "built_in.bin"
   | "walk.bin";
@@ -18,9 +19,9 @@ export type Assets = Readonly<Partial<Record<AssetName, Asset>>>;
 
 let placed: Assets = {};
 
-/** Says where files lie on this thread; call it before anything is loaded. */
+/** Says where files lie on this thread; call it before anything is loaded. Places of other files stay. */
 export function placeAssets(assets: Assets): void {
-  placed = assets;
+  placed = { ...placed, ...assets };
 }
 
 /** A file that lies `beside` the engine's code unless {@link placeAssets} said otherwise. */

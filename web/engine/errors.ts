@@ -9,6 +9,7 @@
  * - `disposed`: the object was used after `dispose()`;
  * - `load`: a part of Strut could not be loaded;
  * - `unsupported`: the browser lacks something that Strut needs;
+ * - `licence`: the author of a model does not allow it;
  * - `fault`: a bug in the engine; its instance was lost.
  */
 export type StrutErrorCode =
@@ -19,6 +20,7 @@ export type StrutErrorCode =
   | "disposed"
   | "load"
   | "unsupported"
+  | "licence"
   | "fault";
 
 /** What a {@link StrutError} is made of: travels between threads. */

@@ -248,6 +248,8 @@ class MotionPlayback implements Playback {
 }
 
 class StyledResult implements StyledMotion {
+  readonly name: string;
+  readonly proportions: Float32Array;
   readonly rateHz: number;
   readonly poses: Float32Array;
   readonly timeOut: Float32Array;
@@ -262,6 +264,7 @@ class StyledResult implements StyledMotion {
 
   constructor(name: string, clip: StyledClip, { rateHz, classes, proportions }: DatabaseInfo, writers: Writers) {
     const { poses, timeOut, planted, classWeights, durationOutSecs, bvh } = clip;
+    [this.name, this.proportions] = [name, proportions];
     this.#animation = { name, proportions, poses, times: timeOut };
     this.#writers = writers;
     this.rateHz = rateHz;

@@ -118,6 +118,10 @@ export interface Motion {
 
 /** A motion in a style. Poses and times are those of {@link Analysis}: one an input frame, at the database's rate. */
 export interface StyledMotion extends Analysis {
+  /** Name of the input. */
+  readonly name: string;
+  /** The body that the poses are on: 21 × xyz offsets, metres. */
+  readonly proportions: Float32Array;
   /** Input frames a second. */
   readonly rateHz: number;
   /** What the engine did in every frame. */

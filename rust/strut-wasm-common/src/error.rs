@@ -53,10 +53,15 @@ impl EngineError {
 /// A message as a sentence: messages of Rust begin with a small letter and have no full stop.
 pub fn sentence(message: impl Display) -> String {
     let message = message.to_string();
-    let mut letters = message.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    let stop = if message.ends_with(['.', '!', '?']) { "" } else { "." };
-    format!("{first}{}{stop}", letters.as_str())
+    let mut sentence = message;
+    // Ours begin in ASCII, and the tables of other letters would be a tenth of a small package.
+    if let Some(first) = sentence.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    if !sentence.ends_with(['.', '!', '?']) {
+        sentence.push('.');
+    }
+    sentence
 }
 
 #[cfg(test)]

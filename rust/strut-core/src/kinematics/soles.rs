@@ -2,7 +2,7 @@
 
 use super::forward::{WorldPose, world_from_local};
 use crate::humanoid::{Pose, Proportions, Role};
-use crate::math::Vec3;
+use crate::math::{Quat, Vec3};
 
 /// How far behind the ankle the heel lies, as a share of the distance from ankle to toes on the ground.
 const HEEL_SHARE: f32 = 0.35;
@@ -53,7 +53,27 @@ impl Soles {
     }
 }
 
+impl Soles {
+    /// Ground points of a foot relative to its ankle, given the world rotations of foot and toes.
+    ///
+    /// `toes_in_foot` is where the toe joint lies in the foot's frame, metres.
+    pub fn from_ankle(&self, side: usize, [foot, toes]: [Quat; 2], toes_in_foot: Vec3) -> Sole {
+        Sole { heel: foot * self.heel_in_foot[side], ball: foot * toes_in_foot + toes * self.ball_in_toes[side] }
+    }
+}
+
 impl Sole {
+    /// The point that the foot turns on: heel or ball, by which is lower.
+    pub fn pivot(&self) -> Vec3 {
+        let heel_share = self.heel_share();
+        self.heel * heel_share + self.ball * (1.0 - heel_share)
+    }
+
+    /// How much the foot turns on its heel rather than on its ball, 0–1.
+    pub fn heel_share(&self) -> f32 {
+        (0.5 + (self.ball.y - self.heel.y) / PIVOT_BLEND).clamp(0.0, 1.0)
+    }
+
     /// Height of the lower point.
     pub fn lowest(&self) -> f32 {
         self.heel.y.min(self.ball.y)
@@ -62,7 +82,7 @@ impl Sole {
     /// How far the point that the foot turns on, heel or ball by which is lower, has moved from an earlier
     /// frame; horizontal.
     pub fn pivot_travel(&self, earlier: &Self) -> Vec3 {
-        let heel_share = (0.5 + (self.ball.y - self.heel.y) / PIVOT_BLEND).clamp(0.0, 1.0);
+        let heel_share = self.heel_share();
         let travel = (self.heel - earlier.heel) * heel_share + (self.ball - earlier.ball) * (1.0 - heel_share);
         Vec3::new(travel.x, 0.0, travel.z)
     }

@@ -43,6 +43,18 @@ const ANKLE_HEIGHT_PER_DROP: f32 = 1.55;
 /// The same for skeletons without toes or with level feet: share of the leg, the mannequin's.
 const ANKLE_HEIGHT_PER_LEG: f32 = 0.147;
 
+/// What is known of a rigged character.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CharacterFacts {
+    /// Metres per unit of the skeleton's offsets; finite and above 0.
+    pub metres_per_unit: f32,
+    /// Height of the soles in the zero pose along the body's up axis, in the unit of the offsets and from their origin.
+    /// `None` where there is no mesh to measure: it is then guessed from the ankles.
+    pub sole_height: Option<f32>,
+    /// Joints of the roles that are known, as from a VRM or by a person's choice.
+    pub roles: [Option<usize>; JOINTS],
+}
+
 /// Which joint plays which role, how joints are turned in the T-pose, and how large the body is.
 ///
 /// The same skeleton gives the same binding whatever the clip, unless neither its zero pose nor its
@@ -92,6 +104,9 @@ pub enum BindError {
     /// A limb bone without length.
     #[error("The {} lies at the same place as the joint above it. Choose another joint, or drop another file.", joint_word(*.0))]
     NoLength(Role),
+    /// A character beyond all sizes of bodies.
+    #[error("This body is far too small or too large. Give the length of its unit in metres.")]
+    Size,
 }
 
 /// Common name of the joint of a role, for messages.
@@ -135,7 +150,7 @@ impl Binding {
         if found.joint_of_role.iter().all(Option::is_none) {
             return Err(BindError::NotHumanoid);
         }
-        Self::of(&motion.skeleton, &sample, &found.joint_of_role, found.confidence)
+        Self::of(&motion.skeleton, &sample, &found.joint_of_role, found.confidence, None)
     }
 
     /// The joint of each role as far as it can be detected: a proposal for users to correct where [`Binding::detect`] is
@@ -154,7 +169,43 @@ impl Binding {
         if sample.is_empty() {
             return Err(BindError::NoFrames);
         }
-        Self::of(&motion.skeleton, &sample, joint_of_role, 1.0)
+        Self::of(&motion.skeleton, &sample, joint_of_role, 1.0, None)
+    }
+
+    /// The binding of a rigged character, of which more is known than of a clip. The zero pose of `skeleton` is the pose in
+    /// which the character was modelled, and its offsets are differences of positions there, so that its joints' frames are
+    /// aligned with the world.
+    ///
+    /// Where all required roles are given no others are looked for, and the confidence is 1. A role that is found beside
+    /// given ones and does not fit them is left out.
+    ///
+    /// # Errors
+    /// See [`BindError`].
+    pub fn of_character(skeleton: &Skeleton, facts: &CharacterFacts) -> Result<Self, BindError> {
+        let offsets: Vec<Vec3> = skeleton.joints().iter().map(|j| j.offset).collect();
+        let zero_pose = Motion {
+            skeleton: skeleton.clone(),
+            frame_time_secs: 1.0,
+            translations: offsets,
+            rotations: vec![Quat::IDENTITY; skeleton.len()],
+        };
+        let sample = Sample::of(&zero_pose);
+        if REQUIRED.iter().all(|role| facts.roles[role.index()].is_some()) {
+            return Self::of(skeleton, &sample, &facts.roles, 1.0, Some(facts));
+        }
+        let found = find_roles(skeleton, &sample);
+        let mut roles = found.joint_of_role;
+        let is_given = facts.roles.iter().any(Option::is_some);
+        for (role, given) in roles.iter_mut().zip(facts.roles) {
+            *role = given.or(role.filter(|joint| !facts.roles.contains(&Some(*joint))));
+        }
+        if is_given {
+            leave_out_misplaced(skeleton, &mut roles, facts);
+        }
+        if roles.iter().all(Option::is_none) {
+            return Err(BindError::NotHumanoid);
+        }
+        Self::of(skeleton, &sample, &roles, found.confidence, Some(facts))
     }
 
     /// Whether a skeleton has the hierarchy that was bound, so that its motions may use this binding.
@@ -167,6 +218,7 @@ impl Binding {
         sample: &Sample,
         joint_of_role: &[Option<usize>; JOINTS],
         confidence: f32,
+        facts: Option<&CharacterFacts>,
     ) -> Result<Self, BindError> {
         check_roles(skeleton, joint_of_role)?;
         let rest = rest_pose(skeleton, joint_of_role, sample);
@@ -183,12 +235,21 @@ impl Binding {
         if !leg.is_finite() {
             return Err(BindError::NotHumanoid);
         }
-        let unit = UNITS.iter().find(|(unit, _)| LEG_RANGE.contains(&(leg * unit)));
-        let metres_per_unit = unit.map_or(USUAL_LEG / leg, |(unit, _)| *unit);
+        let unit = match facts {
+            Some(facts) => UNITS.iter().find(|(unit, _)| *unit == facts.metres_per_unit),
+            None => UNITS.iter().find(|(unit, _)| LEG_RANGE.contains(&(leg * unit))),
+        };
+        let metres_per_unit =
+            facts.map_or_else(|| unit.map_or(USUAL_LEG / leg, |(unit, _)| *unit), |facts| facts.metres_per_unit);
         for offset in &mut proportions.offsets {
             *offset *= metres_per_unit;
         }
-        proportions.offsets[0] = Vec3::new(0.0, hips_height(joint_of_role, &proportions), 0.0);
+        let ankle = facts.and_then(|f| ankle_over_sole(f, skeleton, sample, joint_of_role, &rest));
+        let ankle = ankle.unwrap_or_else(|| usual_ankle_height(joint_of_role, &proportions));
+        proportions.offsets[0] = Vec3::new(0.0, leg_drop(&proportions) + ankle, 0.0);
+        if facts.is_some() && !proportions.is_valid() {
+            return Err(BindError::Size);
+        }
         let unmapped: Vec<usize> = (0..skeleton.len()).filter(|j| !joint_of_role.contains(&Some(*j))).collect();
         let world_from_file = world_from_file(joint_of_role, sample, &rest);
         let notes = notes(skeleton, &unmapped, &rest, unit.map(|(_, word)| *word), metres_per_unit, world_from_file);
@@ -265,16 +326,52 @@ fn leg_length(p: &Proportions) -> f32 {
     0.5 * (left + length(Role::RightLowerLeg) + length(Role::RightFoot))
 }
 
-/// Height of the hips in the T-pose with the soles on the ground, metres.
-fn hips_height(roles: &[Option<usize>; JOINTS], p: &Proportions) -> f32 {
+/// Height of the hips above the ankles in the T-pose, in the unit of the offsets.
+fn leg_drop(p: &Proportions) -> f32 {
+    let y = |r: Role| -p.offsets[r.index()].y;
+    let legs = [Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot].map(|r| 0.5 * (y(r) + y(r.mirrored())));
+    legs.iter().sum()
+}
+
+/// Height of the ankles above the soles of a body whose soles are not known, in the unit of the offsets.
+fn usual_ankle_height(roles: &[Option<usize>; JOINTS], p: &Proportions) -> f32 {
     let y = |r: Role| -p.offsets[r.index()].y;
     let side = |r: Role| if roles[r.index()].is_some() { y(r) } else { 0.0 };
     let drop = 0.5 * (side(Role::LeftToes) + side(Role::RightToes));
     let leg = leg_length(p);
     let from_toes = ANKLE_HEIGHT_PER_DROP * drop;
-    let ankle = if from_toes > 0.03 * leg { from_toes } else { ANKLE_HEIGHT_PER_LEG * leg };
-    let legs = [Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot].map(|r| 0.5 * (y(r) + y(r.mirrored())));
-    legs.iter().sum::<f32>() + ankle
+    if from_toes > 0.03 * leg { from_toes } else { ANKLE_HEIGHT_PER_LEG * leg }
+}
+
+/// Mean height of the ankles above given soles, metres: feet keep the slope of the zero pose, and so their height. `None`
+/// where the soles are not given or the zero pose is not upright.
+fn ankle_over_sole(
+    facts: &CharacterFacts,
+    skeleton: &Skeleton,
+    sample: &Sample,
+    roles: &[Option<usize>; JOINTS],
+    rest: &RestPose,
+) -> Option<f32> {
+    let (sole, up) = (facts.sole_height?, rest.zero_up?);
+    let zero = positions(skeleton, &sample.translations, &vec![Quat::IDENTITY; skeleton.len()]);
+    let height = |role: Role| roles[role.index()].map(|joint| up.dot(zero[joint] + sample.translations[0]));
+    let ankles = 0.5 * (height(Role::LeftFoot)? + height(Role::RightFoot)?);
+    Some((ankles - sole) * facts.metres_per_unit)
+}
+
+/// Takes away roles that were found but do not descend from those above them or are not above those below.
+fn leave_out_misplaced(skeleton: &Skeleton, roles: &mut [Option<usize>; JOINTS], facts: &CharacterFacts) {
+    let optional = |role: Role| facts.roles[role.index()].is_none() && !REQUIRED.contains(&role);
+    for role in Role::ALL.into_iter().filter(|r| optional(*r)) {
+        let joint = roles[role.index()];
+        let complete = matches!(check_roles(skeleton, roles), Err(BindError::Misplaced { .. }));
+        if complete {
+            roles[role.index()] = None;
+            if matches!(check_roles(skeleton, roles), Err(BindError::Misplaced { .. })) {
+                roles[role.index()] = joint;
+            }
+        }
+    }
 }
 
 /// Rotation from the file's axes to ours. If the body is mostly upright along +Z, the file's up axis is +Z, unless the

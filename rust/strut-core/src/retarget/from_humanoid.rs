@@ -2,10 +2,20 @@
 
 use super::Binding;
 use super::scale::BodyScale;
+use super::stance::{SolePoint, Stance};
 use crate::humanoid::{HumanoidMotion, Pose, Proportions, Role};
 use crate::kinematics::{Limb, TwoBones, WorldPose, world_from_local};
 use crate::math::{Quat, Vec3};
 use crate::motion::Motion;
+
+/// Where a joint's turn away from the T-pose comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Turn {
+    /// The role's own.
+    Of(Role),
+    /// Between those of the lower and the upper end of the trunk, at this share of the way.
+    AlongTrunk(f32),
+}
 
 /// Retargets canonical poses to a bound skeleton, one at a time and without allocation.
 #[derive(Clone, Debug)]
@@ -13,8 +23,10 @@ pub struct FromHumanoid {
     binding: Binding,
     body: Proportions,
     scale: BodyScale,
-    /// Role whose world rotation each file joint takes.
-    role_of_joint: Vec<Option<Role>>,
+    /// How the soles of a character come to the ground; without it ankles are only scaled.
+    stance: Option<Stance>,
+    /// What each file joint takes its world rotation from; joints without keep their own local rotation.
+    turns: Vec<Option<Turn>>,
     /// The joint whose translation carries the body through the world.
     mover: usize,
     positions: Vec<Vec3>,
@@ -28,25 +40,47 @@ impl FromHumanoid {
     /// # Panics
     /// If the skeleton of `source` is not the one that was bound ([`Binding::fits`]).
     pub fn new(binding: &Binding, body: &Proportions, source: &Motion) -> Self {
+        Self::moving(binding, body, moving_joint(binding, source))
+    }
+
+    /// The same for a rigged character, which has no clip: the hips carry the body, and joints between spine and chest
+    /// share the turn of the trunk, as a spine bends and does not fold.
+    ///
+    /// Feet stand as those of the body do whatever their proportions, and `sole_points` are kept from sinking into the ground.
+    pub fn for_character(binding: &Binding, body: &Proportions, sole_points: &[SolePoint]) -> Self {
+        let hips = binding.joint_of_role[Role::Hips.index()].unwrap_or(0);
+        let mut retarget = Self::moving(binding, body, hips);
+        let ratio = 1.0 / retarget.scale.legs();
+        retarget.stance = Some(Stance::between(body, binding, ratio, sole_points));
+        for (joint, share) in trunk_shares(binding) {
+            if retarget.turns[joint].is_none() {
+                retarget.turns[joint] = Some(Turn::AlongTrunk(share));
+            }
+        }
+        retarget
+    }
+
+    fn moving(binding: &Binding, body: &Proportions, mover: usize) -> Self {
         let joints = binding.parents.len();
-        let mut role_of_joint = vec![None; joints];
+        let mut turns = vec![None; joints];
         for (role, joint) in Role::ALL.iter().zip(binding.joint_of_role) {
             if let Some(j) = joint {
-                role_of_joint[j] = Some(*role);
+                turns[j] = Some(Turn::Of(*role));
             }
         }
         // Without a chest joint, the trunk's only joint is the parent of neck and shoulders.
         if binding.joint_of_role[Role::Chest.index()].is_none()
             && let Some(spine) = binding.joint_of_role[Role::Spine.index()]
         {
-            role_of_joint[spine] = Some(Role::Chest);
+            turns[spine] = Some(Turn::Of(Role::Chest));
         }
         Self {
             binding: binding.clone(),
             body: *body,
             scale: BodyScale::between(&binding.proportions, body),
-            role_of_joint,
-            mover: moving_joint(binding, source),
+            stance: None,
+            turns,
+            mover,
             positions: vec![Vec3::ZERO; joints],
             rotations: vec![Quat::IDENTITY; joints],
         }
@@ -65,7 +99,9 @@ impl FromHumanoid {
             let [hip, _, ankle] = leg.roles();
             let hip = world.positions[hip.index()];
             let ankle = hip + self.scale.leg_to_file(i, world.positions[ankle.index()] - hip);
-            self.reach(&world, leg, self.in_file(self.scale.to_file(ankle)), rotations);
+            let scaled = self.scale.to_file(ankle);
+            let placed = self.stance.as_ref().map_or(scaled, |stance| stance.ankle(i, &world, scaled));
+            self.reach(&world, leg, self.in_file(placed), rotations);
         }
         for (i, arm) in Limb::ARMS.into_iter().enumerate() {
             let [shoulder, _, wrist] = arm.roles();
@@ -87,13 +123,20 @@ impl FromHumanoid {
 
     /// World rotations by role, W = G · Wᵣ with the rest rotation Wᵣ, as local rotations; positions follow.
     fn turn_joints(&mut self, world: &WorldPose, translations: &[Vec3], rotations: &mut [Quat]) {
-        for joint in 0..self.role_of_joint.len() {
+        for joint in 0..self.turns.len() {
             let (position, above) = match self.binding.parents[joint] {
                 Some(p) => (self.positions[p], self.rotations[p]),
                 None => (Vec3::ZERO, Quat::IDENTITY),
             };
-            if let Some(role) = self.role_of_joint[joint] {
-                let turn = world.rotations[role.index()] * self.binding.rest_world_rotations[joint];
+            if let Some(turn) = self.turns[joint] {
+                let turned = match turn {
+                    Turn::Of(role) => world.rotations[role.index()],
+                    Turn::AlongTrunk(share) => {
+                        let [spine, chest] = [Role::Spine, Role::Chest].map(|r| world.rotations[r.index()]);
+                        spine.slerp(chest, share)
+                    }
+                };
+                let turn = turned * self.binding.rest_world_rotations[joint];
                 rotations[joint] = above.inv_mul(self.binding.world_from_file.inv_mul(turn)).normalized();
             }
             self.positions[joint] = position + above * translations[joint];
@@ -132,6 +175,16 @@ impl FromHumanoid {
         rotations[middle] = above_middle.inv_mul(reach.lower_turn * self.rotations[middle]).normalized();
         rotations[end] = above_end.inv_mul(self.rotations[end]).normalized();
     }
+}
+
+/// The joints strictly between spine and chest, each with its share of the way: by count, as rigs space them evenly.
+fn trunk_shares(binding: &Binding) -> Vec<(usize, f32)> {
+    let [spine, chest] = [Role::Spine, Role::Chest].map(|r| binding.joint_of_role[r.index()]);
+    let (Some(spine), Some(chest)) = (spine, chest) else { return Vec::new() };
+    let above = std::iter::successors(binding.parents[chest], |&j| binding.parents[j]);
+    let between: Vec<usize> = above.take_while(|&j| j != spine).collect();
+    let steps = (between.len() + 1) as f32;
+    between.iter().enumerate().map(|(i, &joint)| (joint, 1.0 - (i + 1) as f32 / steps)).collect()
 }
 
 /// The nearest of the hips and the joints above them whose position channels move it; the root of a

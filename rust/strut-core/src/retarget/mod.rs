@@ -13,11 +13,13 @@ mod names;
 mod rest_pose;
 mod sample;
 mod scale;
+mod stance;
 mod to_humanoid;
 
 pub use between_bodies::between_bodies;
-pub use binding::{BindError, Binding};
+pub use binding::{BindError, Binding, CharacterFacts};
 pub use from_humanoid::{FromHumanoid, from_humanoid};
+pub use stance::SolePoint;
 pub use to_humanoid::{ToHumanoid, to_humanoid};
 
 #[cfg(test)]

@@ -232,10 +232,10 @@ fn words_of(name: &str) -> Vec<String> {
     let chars: Vec<char> = name.chars().collect();
     let mut words = vec![String::new()];
     for (i, &c) in chars.iter().enumerate() {
-        let begins_word = c.is_uppercase() && i > 0 && {
-            let after_lower = chars[i - 1].is_lowercase();
-            let before_lower = chars.get(i + 1).is_some_and(|n| n.is_lowercase());
-            after_lower || (chars[i - 1].is_uppercase() && before_lower)
+        let begins_word = c.is_ascii_uppercase() && i > 0 && {
+            let after_lower = chars[i - 1].is_ascii_lowercase();
+            let before_lower = chars.get(i + 1).is_some_and(char::is_ascii_lowercase);
+            after_lower || (chars[i - 1].is_ascii_uppercase() && before_lower)
         };
         if begins_word || !c.is_alphabetic() {
             words.push(String::new());
@@ -243,7 +243,7 @@ fn words_of(name: &str) -> Vec<String> {
         if c.is_alphabetic()
             && let Some(word) = words.last_mut()
         {
-            word.extend(c.to_lowercase());
+            word.push(c.to_ascii_lowercase());
         }
     }
     words.retain(|w| !w.is_empty());

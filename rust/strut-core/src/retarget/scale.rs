@@ -99,6 +99,11 @@ impl BodyScale {
         }
     }
 
+    /// Ratio of the legs.
+    pub(super) fn legs(self) -> f32 {
+        self.legs
+    }
+
     /// Ratio of an arm; `i` counts [`Limb::ARMS`].
     pub(super) fn arm(self, i: usize) -> f32 {
         self.arms[i]

@@ -368,3 +368,127 @@ proptest! {
         }
     }
 }
+
+/// The skeleton of a character in the bind pose: the body, turned as the file has it, in its unit.
+fn character_skeleton(body: &Proportions, turned: Quat, units_per_metre: f32) -> Skeleton {
+    let parent = |j: usize| PARENTS.get(j).copied().filter(|&p| p < JOINTS);
+    let joints = Role::ALL.iter().enumerate().map(|(j, role)| Joint {
+        name: role.name().to_owned(),
+        parent: parent(j),
+        offset: turned * body.offsets[j] * units_per_metre,
+        end: None,
+    });
+    Skeleton::new(joints.collect()).unwrap()
+}
+
+fn known(metres_per_unit: f32, sole_height: Option<f32>) -> CharacterFacts {
+    CharacterFacts { metres_per_unit, sole_height, roles: [None; JOINTS] }
+}
+
+#[test]
+fn a_character_has_the_unit_and_the_soles_that_are_given() {
+    let mut child = Proportions::default();
+    child.offsets.iter_mut().for_each(|o| *o *= 0.5);
+    let skeleton = character_skeleton(&child, Quat::from_rotation_y(2.0 * FRAC_PI_2), 39.37);
+    // Soles 2 cm thicker than bare feet.
+    let binding = Binding::of_character(&skeleton, &known(0.0254, Some(-0.02 * 39.37))).unwrap();
+    for (j, (found, expected)) in binding.proportions.offsets.iter().zip(child.offsets).enumerate().skip(1) {
+        assert!((*found - expected).length() < 1e-4, "{j}: {found} {expected}");
+    }
+    assert!((binding.proportions.offsets[0].y - child.offsets[0].y - 0.02).abs() < 1e-4);
+    assert_eq!(binding.notes[1], "Lengths are in inches.");
+    let guessed = Binding::of_character(&skeleton, &known(0.0254, None)).unwrap();
+    assert!((guessed.proportions.offsets[0].y - child.offsets[0].y - 0.02).abs() > 0.002);
+}
+
+#[test]
+fn given_roles_come_first_and_found_ones_fill_the_rest() {
+    let skeleton = character_skeleton(&Proportions::default(), Quat::IDENTITY, 1.0);
+    let mut facts = known(1.0, None);
+    facts.roles[Role::Neck.index()] = Some(Role::Head.index());
+    let binding = Binding::of_character(&skeleton, &facts).unwrap();
+    assert_eq!(binding.joint_of_role[Role::Neck.index()], Some(Role::Head.index()));
+    assert_eq!(binding.joint_of_role[Role::Head.index()], None);
+    facts.roles = std::array::from_fn(Some);
+    facts.roles[Role::Neck.index()] = None;
+    let binding = Binding::of_character(&skeleton, &facts).unwrap();
+    assert_eq!((binding.confidence, binding.joint_of_role), (1.0, facts.roles));
+    facts.roles[Role::LeftFoot.index()] = Some(Role::Head.index());
+    assert!(matches!(Binding::of_character(&skeleton, &facts), Err(BindError::Misplaced { .. })));
+}
+
+#[test]
+fn characters_of_no_size_are_refused() {
+    let skeleton = character_skeleton(&Proportions::default(), Quat::IDENTITY, 1.0);
+    assert_eq!(Binding::of_character(&skeleton, &known(1e-6, None)), Err(BindError::Size));
+    assert_eq!(Binding::of_character(&skeleton, &known(1e6, None)), Err(BindError::Size));
+    let one = Skeleton::new(vec![skeleton.joints()[0].clone()]).unwrap();
+    assert_eq!(Binding::of_character(&one, &known(1.0, None)), Err(BindError::NotHumanoid));
+}
+
+/// The world of a character that performs a pose.
+fn performed(binding: &Binding, skeleton: &Skeleton, pose: &Pose) -> Vec<(Vec3, Quat)> {
+    let mut retarget = FromHumanoid::for_character(binding, &Proportions::default(), &[]);
+    let mut translations: Vec<Vec3> = skeleton.joints().iter().map(|j| j.offset).collect();
+    let mut rotations = vec![Quat::IDENTITY; skeleton.len()];
+    retarget.frame(pose, &mut translations, &mut rotations);
+    let mut world: Vec<(Vec3, Quat)> = Vec::new();
+    for (j, joint) in skeleton.joints().iter().enumerate() {
+        let (p, q) = joint.parent.map_or((Vec3::ZERO, Quat::IDENTITY), |p| world[p]);
+        world.push((p + q * translations[j], q * rotations[j]));
+    }
+    world
+}
+
+#[test]
+fn a_longer_foot_turns_on_its_heel_and_on_its_ball_without_sinking() {
+    let mut body = Proportions::default();
+    for toes in [Role::LeftToes, Role::RightToes] {
+        body.offsets[toes.index()].z *= 1.6;
+    }
+    let skeleton = character_skeleton(&body, Quat::IDENTITY, 1.0);
+    let binding = Binding::of_character(&skeleton, &known(1.0, Some(0.0))).unwrap();
+    let soles = crate::kinematics::Soles::new(&binding.proportions);
+    let lowest = |pitch: f32| {
+        let mut pose = Pose { root: Vec3::new(0.0, 1.2, 0.0), ..Pose::default() };
+        // Above the ground, where nothing is lifted.
+        pose.rotations[Role::LeftFoot.index()] = Quat::from_rotation_x(pitch);
+        // A foot that stands on its ball has its toes on the ground.
+        pose.rotations[Role::LeftToes.index()] = Quat::from_rotation_x(-pitch.max(0.0));
+        let expected = crate::kinematics::Soles::new(&Proportions::default())
+            .of(&world_from_local(&Proportions::default(), &pose), 0)
+            .lowest();
+        let world = performed(&binding, &skeleton, &pose);
+        let [foot, toes] = [Role::LeftFoot, Role::LeftToes].map(|r| world[r.index()]);
+        let sole = soles.from_ankle(0, [foot.1, toes.1], body.offsets[Role::LeftToes.index()]);
+        foot.0.y + sole.lowest() - expected
+    };
+    for pitch in [-0.6, -0.3, -0.1, 0.0, 0.1, 0.3, 0.6] {
+        assert!(lowest(pitch).abs() < 0.005, "{pitch}: {}", lowest(pitch));
+    }
+}
+
+#[test]
+fn joints_between_spine_and_chest_share_the_turn() {
+    let body = Proportions::default();
+    let plain = character_skeleton(&body, Quat::IDENTITY, 1.0);
+    // One more joint halfway to the chest.
+    let mut joints: Vec<Joint> = plain.joints().to_vec();
+    let half = joints[2].offset * 0.5;
+    joints[2].offset = half;
+    joints.insert(2, Joint { name: "spine_b".to_owned(), parent: Some(1), offset: half, end: None });
+    for (j, joint) in joints.iter_mut().enumerate().skip(3) {
+        let parent = joint.parent.unwrap_or(0);
+        joint.parent = Some(if j == 3 { 2 } else { parent + usize::from(parent >= 2) });
+    }
+    let skeleton = Skeleton::new(joints).unwrap();
+    let binding = Binding::of_character(&skeleton, &known(1.0, None)).unwrap();
+    let mut pose = Pose { root: body.offsets[0], ..Pose::default() };
+    pose.rotations[Role::Chest.index()] = Quat::from_rotation_y(0.8);
+    let world = performed(&binding, &skeleton, &pose);
+    let turns: Vec<f32> = (1..4).map(|j| world[j].1.angle()).collect();
+    assert!(
+        (turns[0] - 0.0).abs() < 1e-3 && (turns[1] - 0.4).abs() < 1e-3 && (turns[2] - 0.8).abs() < 1e-3,
+        "{turns:?}"
+    );
+}

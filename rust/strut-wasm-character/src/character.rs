@@ -1,0 +1,275 @@
+//! Handle of a character: which joint plays which role, and how poses become rotations of its bones.
+
+use js_sys::Float32Array;
+use strut_core::humanoid::{JOINTS, POSE_FLOATS, Pose, Proportions, Role};
+use strut_core::math::{Quat, Vec3};
+use strut_core::retarget::{Binding, CharacterFacts, FromHumanoid, SolePoint, ToHumanoid};
+use strut_core::skeleton::{Joint, Skeleton};
+use strut_wasm_common::{EngineError, floats_of, offsets_of, write_floats};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// A bound character. Joints are told in the pose in which the character was modelled (the bind pose); see
+/// `shared/spec/embedding.md` section 5.
+#[wasm_bindgen]
+pub struct Character {
+    skeleton: Skeleton,
+    facts: CharacterFacts,
+    binding: Binding,
+    sole_points: Vec<SolePoint>,
+    body: Proportions,
+    retarget: FromHumanoid,
+    /// Local transforms of the file at rest, in frames that are aligned with the world in the bind pose.
+    rest: Vec<(Vec3, Quat)>,
+    /// World rotation of each joint in the bind pose, and of its parent.
+    bind: Vec<(Quat, Quat)>,
+    hips: usize,
+    translations: Vec<Vec3>,
+    rotations: Vec<Quat>,
+    out: Vec<f32>,
+}
+
+#[wasm_bindgen]
+impl Character {
+    /// Binds a skeleton.
+    ///
+    /// `parents`: index of each joint's parent, which comes before it; −1 for joint 0. `offsets`: from the parent to the
+    /// joint in the bind pose, along the axes of the world, xyz. `bind`: world rotation of each joint in the bind pose, xyzw.
+    /// `local`: local rotation of each joint at rest, xyzw, which joints without a role keep. `roles`: joint of each of the
+    /// 21 roles, −1 where it is not given.
+    ///
+    /// # Errors
+    /// If the numbers are no skeleton, or the skeleton no body that can be bound.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        names: Vec<String>,
+        parents: &[i32],
+        offsets: &[f32],
+        bind: &[f32],
+        local: &[f32],
+        roles: &[i32],
+        metres_per_unit: f32,
+    ) -> Result<Self, EngineError> {
+        let skeleton = skeleton_of(names, parents, offsets)?;
+        let facts = CharacterFacts { metres_per_unit, sole_height: None, roles: roles_of(roles, skeleton.len())? };
+        if !(metres_per_unit.is_finite() && metres_per_unit > 0.0) {
+            return Err(EngineError::bad_input("a unit must be a positive number of metres"));
+        }
+        let bind = rotations_of(bind, skeleton.len())?;
+        let local = rotations_of(local, skeleton.len())?;
+        let binding = Binding::of_character(&skeleton, &facts).map_err(|e| EngineError::bad_file(e, ""))?;
+        let parent = |j: &Joint| j.parent.map_or(Quat::IDENTITY, |p| bind[p]);
+        let bind: Vec<(Quat, Quat)> = skeleton.joints().iter().zip(&bind).map(|(j, b)| (*b, parent(j))).collect();
+        let rest: Vec<(Vec3, Quat)> = (skeleton.joints().iter().zip(&bind).zip(&local))
+            .map(|((joint, (own, above)), local)| (joint.offset, (*above * *local * own.inverse()).normalized()))
+            .collect();
+        let body = Proportions::default();
+        Ok(Self {
+            retarget: FromHumanoid::for_character(&binding, &body, &[]),
+            sole_points: Vec::new(),
+            hips: binding.joint_of_role[Role::Hips.index()].unwrap_or(0),
+            body,
+            translations: vec![Vec3::ZERO; rest.len()],
+            rotations: vec![Quat::IDENTITY; rest.len()],
+            out: vec![0.0; 3 + 4 * rest.len()],
+            skeleton,
+            facts,
+            binding,
+            rest,
+            bind,
+        })
+    }
+
+    /// Joint of each of the 21 roles; −1 for a role that the skeleton lacks.
+    pub fn roles(&self) -> Vec<i32> {
+        self.binding.joint_of_role.iter().map(|joint| joint.map_or(-1, |j| j as i32)).collect()
+    }
+
+    /// Confidence in the roles, 0–1: 1 where every role is given or found by its name.
+    pub fn confidence(&self) -> f32 {
+        self.binding.confidence
+    }
+
+    /// Sentences for people on what was matched and assumed.
+    pub fn notes(&self) -> Vec<String> {
+        self.binding.notes.clone()
+    }
+
+    /// The body as canonical humanoid, metres: 21 × xyz; the first is the height of the hips above the soles.
+    pub fn proportions(&self) -> Vec<f32> {
+        offsets_of(&self.binding.proportions)
+    }
+
+    /// From the axes of the file to ours, xyzw: the identity for files with +Y up.
+    #[wasm_bindgen(js_name = worldFromFile)]
+    pub fn world_from_file(&self) -> Vec<f32> {
+        self.binding.world_from_file.to_array().to_vec()
+    }
+
+    /// Height of the soles in the bind pose along the body's up axis, in the unit of the offsets.
+    ///
+    /// `points`: what of the feet can touch the ground, five numbers each: side (0 left, 1 right), part (0 foot, 1 toes), and
+    /// from the joint of that part in the bind pose, xyz along the axes of the file.
+    ///
+    /// # Errors
+    /// If a number is none, or there is no such side or part; the former soles then stay.
+    #[wasm_bindgen(js_name = setSole)]
+    pub fn set_sole(&mut self, height: f32, points: &[f32]) -> Result<(), EngineError> {
+        if !height.is_finite() {
+            return Err(EngineError::bad_input("the height of the soles must be a number"));
+        }
+        let sole_points = sole_points_of(points)?;
+        let facts = CharacterFacts { sole_height: Some(height), ..self.facts.clone() };
+        let binding = Binding::of_character(&self.skeleton, &facts).map_err(|e| EngineError::bad_file(e, ""))?;
+        (self.facts, self.binding, self.sole_points) = (facts, binding, sole_points);
+        self.retarget = FromHumanoid::for_character(&self.binding, &self.body, &self.sole_points);
+        Ok(())
+    }
+
+    /// The body that poses are on: 21 × xyz, metres.
+    ///
+    /// # Errors
+    /// If these are not 63 numbers of a body; the former body then stays.
+    #[wasm_bindgen(js_name = setBody)]
+    pub fn set_body(&mut self, proportions: &[f32]) -> Result<(), EngineError> {
+        let (offsets, rest) = proportions.as_chunks::<3>();
+        let mut body = Proportions { offsets: [Vec3::ZERO; JOINTS] };
+        if offsets.len() != JOINTS || !rest.is_empty() {
+            let found = proportions.len();
+            return Err(EngineError::bad_input(format!("a body has {} numbers, not {found}", 3 * JOINTS)));
+        }
+        for (to, from) in body.offsets.iter_mut().zip(offsets) {
+            *to = Vec3::from_array(*from);
+        }
+        if !body.is_valid() {
+            return Err(EngineError::bad_input("these proportions are no body's"));
+        }
+        self.body = body;
+        self.retarget = FromHumanoid::for_character(&self.binding, &self.body, &self.sole_points);
+        Ok(())
+    }
+
+    /// Poses on the body of [`Character::set_body`], 87 numbers a frame, of frames that the character's file plays.
+    ///
+    /// `locals`: of every frame and joint its local translation, xyz in the unit of the offsets, and rotation, xyzw.
+    ///
+    /// # Errors
+    /// If that is not a whole number of frames of finite numbers.
+    #[wasm_bindgen(js_name = toPoses)]
+    pub fn to_poses(&self, locals: &[f32]) -> Result<Vec<f32>, EngineError> {
+        let (transforms, rest) = locals.as_chunks::<7>();
+        let whole = rest.is_empty() && transforms.len().is_multiple_of(self.bind.len());
+        if !whole || !locals.iter().all(|x| x.is_finite()) {
+            return Err(EngineError::bad_input("a frame needs seven finite numbers a joint"));
+        }
+        let mut retarget = ToHumanoid::new(&self.binding, &self.body);
+        let (mut translations, mut rotations) = (self.translations.clone(), self.rotations.clone());
+        let poses: Vec<Pose> = (transforms.chunks_exact(self.bind.len()))
+            .map(|frame| {
+                for (j, ([x, y, z, q @ ..], (own, above))) in frame.iter().zip(&self.bind).enumerate() {
+                    translations[j] = *above * Vec3::new(*x, *y, *z);
+                    rotations[j] = (*above * Quat::from_array(*q).normalized() * own.inverse()).normalized();
+                }
+                retarget.frame(&translations, &rotations)
+            })
+            .collect();
+        Ok(floats_of(poses.iter()))
+    }
+
+    /// Length of what [`Character::apply`] writes.
+    #[wasm_bindgen(js_name = frameFloats)]
+    pub fn frame_floats(&self) -> usize {
+        self.out.len()
+    }
+
+    /// Writes the local transforms of one pose: the translation of the hips in their parent's frame, xyz in the unit of the
+    /// offsets, then the local rotation of every joint, xyzw. Nothing is allocated.
+    ///
+    /// # Errors
+    /// If an array has another length, or the pose is not finite.
+    pub fn apply(&mut self, pose: &Float32Array, into: &Float32Array) -> Result<(), EngineError> {
+        let mut floats = [0.0; POSE_FLOATS];
+        if pose.length() as usize != POSE_FLOATS {
+            return Err(EngineError::bad_input(format!("a pose has {POSE_FLOATS} numbers, not {}", pose.length())));
+        }
+        pose.copy_to(&mut floats);
+        self.play(&floats)?;
+        write_floats(&self.out, into)
+    }
+}
+
+impl Character {
+    /// [`Character::apply`] without JavaScript's arrays: what it wrote, in the same order.
+    ///
+    /// # Errors
+    /// If the pose is not finite.
+    pub fn play(&mut self, pose: &[f32; POSE_FLOATS]) -> Result<&[f32], EngineError> {
+        let pose = Pose::read_from(pose);
+        if !pose.is_finite() {
+            return Err(EngineError::bad_input("a pose must be finite numbers"));
+        }
+        for ((translation, rotation), rest) in self.translations.iter_mut().zip(&mut self.rotations).zip(&self.rest) {
+            (*translation, *rotation) = *rest;
+        }
+        self.retarget.frame(&pose, &mut self.translations, &mut self.rotations);
+        let Some((hips, rotations)) = self.out.split_first_chunk_mut::<3>() else { return Ok(&self.out) };
+        // q = B_parent⁻¹ · q′ · B turns the aligned frames back into the file's.
+        *hips = self.bind[self.hips].1.inv_mul_vec3(self.translations[self.hips]).to_array();
+        for ((out, (own, above)), turned) in
+            rotations.as_chunks_mut::<4>().0.iter_mut().zip(&self.bind).zip(&self.rotations)
+        {
+            *out = above.inv_mul(*turned * *own).normalized().to_array();
+        }
+        Ok(&self.out)
+    }
+}
+
+/// A skeleton of flat arrays.
+fn skeleton_of(names: Vec<String>, parents: &[i32], offsets: &[f32]) -> Result<Skeleton, EngineError> {
+    let (offsets, rest) = offsets.as_chunks::<3>();
+    if parents.len() != names.len() || offsets.len() != names.len() || !rest.is_empty() {
+        return Err(EngineError::bad_input("every joint needs a name, a parent and an offset"));
+    }
+    let joints = names.into_iter().zip(parents).zip(offsets).map(|((name, parent), offset)| Joint {
+        name,
+        parent: usize::try_from(*parent).ok(),
+        offset: Vec3::from_array(*offset),
+        end: None,
+    });
+    Skeleton::new(joints.collect()).map_err(|e| EngineError::bad_file(e, ""))
+}
+
+/// Unit quaternions of a flat array, one a joint.
+fn rotations_of(floats: &[f32], joints: usize) -> Result<Vec<Quat>, EngineError> {
+    let (rotations, rest) = floats.as_chunks::<4>();
+    if rotations.len() != joints || !rest.is_empty() || !floats.iter().all(|x| x.is_finite()) {
+        return Err(EngineError::bad_input("every joint needs a rotation of four finite numbers"));
+    }
+    Ok(rotations.iter().map(|q| Quat::from_array(*q).normalized()).collect())
+}
+
+/// Points of feet of a flat array.
+fn sole_points_of(floats: &[f32]) -> Result<Vec<SolePoint>, EngineError> {
+    let (points, rest) = floats.as_chunks::<5>();
+    let point = |&[side, part, x, y, z]: &[f32; 5]| {
+        let at = Vec3::new(x, y, z);
+        let known = [side, part].iter().all(|n| *n == 0.0 || *n == 1.0);
+        (known && at.is_finite()).then_some(SolePoint { side: side as usize, on_toes: part == 1.0, at })
+    };
+    let found: Option<Vec<SolePoint>> = points.iter().map(point).collect();
+    let found = found.filter(|_| rest.is_empty());
+    found.ok_or_else(|| EngineError::bad_input("a point of a sole needs a side, a part and three finite numbers"))
+}
+
+/// Given joints of roles.
+fn roles_of(roles: &[i32], joints: usize) -> Result<[Option<usize>; JOINTS], EngineError> {
+    let mut out = [None; JOINTS];
+    if roles.len() != JOINTS || roles.iter().any(|&j| usize::try_from(j).is_ok_and(|j| j >= joints)) {
+        return Err(EngineError::bad_input(format!(
+            "the joints of {JOINTS} roles were expected, −1 where there is none"
+        )));
+    }
+    for (to, from) in out.iter_mut().zip(roles) {
+        *to = usize::try_from(*from).ok();
+    }
+    Ok(out)
+}

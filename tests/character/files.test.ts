@@ -1,0 +1,239 @@
+/** Files in and out: what is refused and in which words, and exports that keep the model's bytes. */
+import { validateBytes } from "gltf-validator";
+import { AnimationMixer, type Object3D, Quaternion, Vector3 } from "three";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+import { expect, test } from "vitest";
+import { bindCharacter } from "../../web/character/character";
+import { chunksOf } from "../../web/character/glb_patch";
+import { type LoadCharacterOptions, loadCharacter } from "../../web/character/load";
+import { DEFAULT_PROPORTIONS, POSE_FLOATS } from "../../web/humanoid";
+import { movingAnimation } from "../humanoid_animation";
+import { FAMILIES, type Family } from "../rigs/families";
+import { type Changes, makeRig } from "../rigs/rig";
+
+const family = (name: string): Family => FAMILIES.find((each) => each.name === name)!;
+const [VRM_1, VRM_0, MIXAMO] = ["VRM 1", "VRM 0", "Mixamo in cm"].map(family) as [Family, Family, Family];
+
+const changed = (of: Family, document: NonNullable<Changes["document"]>) => makeRig(of, { document }).glb.buffer;
+
+const refusal = (file: ArrayBuffer | Blob, options?: LoadCharacterOptions) =>
+  loadCharacter(file, options).then(
+    () => ({ code: "loaded", message: "" }),
+    (error: { code: string; message: string }) => ({ code: error.code, message: error.message }),
+  );
+
+test.each(FAMILIES)("the $name performs from its file, and its export is read back", async (each) => {
+  const { glb } = makeRig(each);
+  const character = await loadCharacter(glb.slice().buffer);
+  const { times, ...moving } = movingAnimation();
+  const motion = { ...moving, timeOut: times };
+  const out = character.toGLB(motion);
+
+  const [before, after] = [chunksOf(glb).binary, chunksOf(out).binary];
+  expect(after.length).toBeGreaterThan(before.length);
+  expect(Buffer.compare(after.subarray(0, before.length), before)).toBe(0);
+  // Meshes below their armature, and the name of VRM 0's extension, are warned of before as well.
+  const [was, is] = [await complaints(glb), await complaints(out)];
+  expect(is).toEqual(was);
+  expect(is.some(({ severity }) => severity === 0)).toBe(false);
+
+  const read = await new GLTFLoader().parseAsync(out.buffer, "");
+  const mixer = new AnimationMixer(read.scene);
+  const clip = read.animations.at(-1)!;
+  expect(clip.name).toBe("moving");
+  mixer.clipAction(clip).play();
+  character.setBody(motion.proportions);
+  // What was written is read as a motion again, on the character's own body.
+  const again = await bindCharacter(read);
+  const poses = again.motions.at(-1)!;
+  expect(poses).toMatchObject({ name: "moving", rateHz: 60 });
+  expect(again.motions).toHaveLength(1);
+  const twins: [Object3D, Object3D][] = [];
+  pair(character.object, read.scene, twins);
+  let [distance, angle] = [0, 0];
+  for (const frame of [0, 7, 30, 59]) {
+    character.apply(motion.poses.subarray(frame * POSE_FLOATS, (frame + 1) * POSE_FLOATS));
+    mixer.setTime(times[frame]!);
+    character.object.updateMatrixWorld(true);
+    read.scene.updateMatrixWorld(true);
+    for (const [a, b] of twins) {
+      distance = Math.max(distance, a.getWorldPosition(new Vector3()).distanceTo(b.getWorldPosition(new Vector3())));
+      angle = Math.max(
+        angle,
+        angleBetween(a.getWorldQuaternion(new Quaternion()), b.getWorldQuaternion(new Quaternion())),
+      );
+    }
+  }
+  console.info(`${each.name}: ${(1000 * distance).toFixed(4)} mm, ${angle.toFixed(5)}°`);
+  expect(1000 * distance).toBeLessThan(0.1);
+  expect(angle).toBeLessThan(0.01);
+  character.dispose();
+});
+
+/** Errors and warnings of Khronos' validator. */
+async function complaints(file: Uint8Array) {
+  const { messages } = (await validateBytes(file)).issues;
+  return messages.flatMap(({ code, severity }) => (severity < 2 ? [{ code, severity }] : []));
+}
+
+/** Degrees; exact for small angles, of which `angleTo` loses the digits. */
+function angleBetween(a: Quaternion, b: Quaternion): number {
+  const { x, y, z } = a.clone().invert().multiply(b);
+  return (2 * Math.asin(Math.min(1, Math.hypot(x, y, z))) * 180) / Math.PI;
+}
+
+/** Nodes of two copies of a file, one beside the other. */
+function pair(a: Object3D, b: Object3D, out: [Object3D, Object3D][]): void {
+  out.push([a, b]);
+  for (const [i, child] of a.children.entries()) pair(child, b.children[i]!, out);
+}
+
+test("a clip has a key a frame, and stays over its start if asked to", async () => {
+  const character = await loadCharacter(makeRig(MIXAMO).glb.buffer);
+  const { times, ...moving } = movingAnimation();
+  const motion = { ...moving, timeOut: times };
+  const mixer = new AnimationMixer(character.object);
+  const clip = character.toClip(motion, { name: "away", inPlace: true });
+  expect(clip.name).toBe("away");
+  expect(clip.tracks.every((track) => track.times.length === times.length)).toBe(true);
+  mixer.clipAction(clip).play();
+  const hips = character.object.getObjectByName("mixamorigHips")!;
+  const at = (seconds: number) => {
+    mixer.setTime(seconds);
+    character.object.updateMatrixWorld(true);
+    return hips.getWorldPosition(new Vector3());
+  };
+  const [start, end] = [at(0), at(times.at(-1)! - 0.01)];
+  // The hip joints stay; the hips themselves swing about them.
+  expect(Math.hypot(end.x - start.x, end.z - start.z)).toBeLessThan(0.15);
+  character.dispose();
+});
+
+test("poses are refused unless they are 87 finite numbers", async () => {
+  const character = await bindCharacter(await new GLTFLoader().parseAsync(makeRig(VRM_1).glb.buffer, ""));
+  expect(() => character.apply(new Float32Array(86))).toThrow(/87 numbers, not 86/);
+  expect(() => character.apply(new Float32Array(87).fill(Number.NaN))).toThrow(/finite/);
+  expect(() => character.setBody(DEFAULT_PROPORTIONS.subarray(3))).toThrow(/63/);
+  character.dispose();
+  expect(() => character.apply(new Float32Array(87))).toThrow(/dispose/);
+});
+
+test("a person's choice of joints is taken, and refused where there is no such joint", async () => {
+  const gltf = await new GLTFLoader().parseAsync(makeRig(MIXAMO).glb.buffer, "");
+  const character = await bindCharacter(gltf, { roles: { chest: "mixamorig:Spine1" } });
+  expect(character.roles.chest).toBe("mixamorig:Spine1");
+  character.dispose();
+  await expect(bindCharacter(gltf, { roles: { chest: "Tail" } })).rejects.toThrow("This model has no joint 'Tail'.");
+});
+
+test("broken files are refused in words", async () => {
+  const lying = changed(MIXAMO, (d) => {
+    (d.accessors as unknown) = undefined;
+  });
+  expect((await refusal(lying)).code).toBe("loaded");
+  const { glb } = makeRig(MIXAMO);
+  const told = new TextDecoder().decode(glb).match(/"count":(\d+),"type":"VEC3"/)![1]!;
+  const lie = String(Number(told) * 9)
+    .slice(0, told.length)
+    .replace(/./, "9");
+  const text = Buffer.from(glb)
+    .toString("latin1")
+    .replace(`"count":${told},"type":"VEC3"`, `"count":${lie},"type":"VEC3"`);
+  expect(await refusal(Uint8Array.from(Buffer.from(text, "latin1")).buffer)).toEqual({
+    code: "bad-file",
+    message: "An array of this model is longer than its data.",
+  });
+  expect(await refusal(glb.slice(0, glb.length - 1000).buffer)).toEqual({
+    code: "bad-file",
+    message: "This file ends before its content does.",
+  });
+  expect((await refusal(new TextEncoder().encode("not a model at all, just text").buffer)).message).toBe(
+    "This is no binary glTF file.",
+  );
+  expect((await refusal(new ArrayBuffer(0))).code).toBe("bad-file");
+});
+
+test("models that are no bodies are refused in words", async () => {
+  const noHumanoid = changed(VRM_1, (d) => {
+    delete d.extensions!.VRMC_vrm!.humanoid;
+  });
+  expect((await refusal(noHumanoid)).message).toMatch(/^This VRM has no humanoid/);
+  const twoHeads = changed(VRM_0, (d) => {
+    const { humanBones } = d.extensions!.VRM!.humanoid as { humanBones: object[] };
+    humanBones.push({ bone: "head", node: 3 });
+  });
+  expect((await refusal(twoHeads)).message).toBe("This VRM names two joints as its head.");
+  const noSkin = changed(MIXAMO, (d) => {
+    delete (d as Record<string, unknown>).skins;
+    for (const node of d.nodes) delete node.skin;
+  });
+  expect((await refusal(noSkin)).message).toMatch(/^This model has no skin/);
+  const uneven = changed(MIXAMO, (d) => {
+    d.nodes.find(({ name }) => name === "mixamorig:LeftUpLeg")!.scale = [1, 1.3, 1];
+  });
+  expect((await refusal(uneven)).message).toMatch(/is scaled differently along its axes/);
+  const circle = changed(MIXAMO, (d) => {
+    d.nodes[5]!.children = [0];
+  });
+  expect((await refusal(circle)).message).toBe("The nodes of this model are no tree.");
+  const oneBone = changed(MIXAMO, (d) => {
+    const joints = d.skins[0]!.joints as number[];
+    for (const node of d.nodes) if (joints.includes(d.nodes.indexOf(node))) delete node.children;
+    (d.scenes as { nodes: number[] }[])[0]!.nodes = [0, d.nodes.length - 1];
+    d.nodes.at(-2)!.children = [];
+    joints.splice(1);
+    d.skins[0] = { joints };
+  });
+  expect((await refusal(oneBone)).code).toBe("bad-file");
+});
+
+test("files outside of the limits are refused before they are read", async () => {
+  const huge = { size: 129 * 1024 * 1024, arrayBuffer: () => Promise.reject(new Error("was read")) };
+  const blob = Object.setPrototypeOf(huge, Blob.prototype) as Blob;
+  Object.defineProperty(blob, "size", { value: huge.size });
+  expect(await refusal(blob)).toEqual({
+    code: "bad-file",
+    message: "This file has 129 MB; at most 128 MB can be opened.",
+  });
+  const old = new Uint8Array(4000);
+  old.set(new TextEncoder().encode("Kaydara FBX Binary  \0\x1a\0"));
+  new DataView(old.buffer).setUint32(23, 6100, true);
+  expect((await refusal(old.buffer)).message).toBe("This file is FBX 6.1; version 7 or newer was expected.");
+  const compressed = changed(MIXAMO, (d) => {
+    d.extensionsRequired = ["KHR_draco_mesh_compression"];
+  });
+  expect((await refusal(compressed)).message).toMatch(/compressed with KHR_draco_mesh_compression/);
+  // The head of a PNG of 9000 × 10 pixels at the beginning of the buffer.
+  const { glb } = makeRig(MIXAMO, {
+    document: (d) => {
+      d.images = [{ bufferView: 0, mimeType: "image/png" }];
+    },
+  });
+  const start = glb.length - chunksOf(glb).binary.length;
+  glb.set([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0x23, 0x28, 0, 0, 0, 10], start);
+  expect((await refusal(glb.buffer)).message).toMatch(/^A texture of this model has 9000 × 10 pixels/);
+  const outside = changed(MIXAMO, (d) => {
+    d.images = [{ uri: "https://example.org/skin.png" }];
+  });
+  expect((await refusal(outside)).message).toBe("This model keeps its textures in other files.");
+});
+
+test("a model that not everybody may perform is asked about, and one that may not be changed is not exported", async () => {
+  const only = changed(VRM_0, (d) => {
+    Object.assign(d.extensions!.VRM!.meta as object, { allowedUserName: "OnlyAuthor", licenseName: "CC_BY_ND" });
+  });
+  expect((await refusal(only.slice(0))).code).toBe("licence");
+  expect((await refusal(only.slice(0), { accept: () => false })).code).toBe("licence");
+  const character = await loadCharacter(only.slice(0), { accept: ({ everybody }) => !everybody });
+  expect(character.licence).toMatchObject({ everybody: false, mayExport: false });
+  const { times, ...moving } = movingAnimation();
+  const motion = { ...moving, timeOut: times };
+  expect(() => character.toGLB(motion)).toThrow(/does not allow to hand it on/);
+  expect(character.toClip(motion).tracks.length).toBeGreaterThan(20);
+  character.dispose();
+});
+
+test("loading is cancelled by its signal", async () => {
+  const signal = AbortSignal.abort("enough");
+  expect((await refusal(makeRig(VRM_1).glb.buffer, { signal })).code).toBe("cancelled");
+});

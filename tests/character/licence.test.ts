@@ -1,0 +1,91 @@
+/** Every value that a licence of VRM 0 and 1 may have, and copyright notices of glTF. */
+import { expect, test } from "vitest";
+import { licenceOf } from "../../web/character/licence";
+
+const vrm1 = (meta: object) => licenceOf({ extensions: { VRMC_vrm: { meta } } })!;
+const vrm0 = (meta: object) => licenceOf({ extensions: { VRM: { meta } } })!;
+const notice = (copyright: string) => licenceOf({ asset: { copyright } });
+
+test.each([
+  ["everyone", true],
+  ["onlySeparatelyLicensedPerson", false],
+  ["onlyAuthor", false],
+  [undefined, false],
+  ["something new", false],
+])("VRM 1: avatarPermission %s lets everybody perform: %s", (avatarPermission, everybody) => {
+  expect(vrm1({ avatarPermission }).everybody).toBe(everybody);
+});
+
+test.each([
+  ["allowModificationRedistribution", true, true],
+  ["allowModificationRedistribution", false, false],
+  ["allowModificationRedistribution", undefined, false],
+  ["allowModification", true, false],
+  ["prohibited", true, false],
+  [undefined, true, false],
+])(
+  "VRM 1: modification %s and redistribution %s allow an export: %s",
+  (modification, allowRedistribution, mayExport) => {
+    expect(vrm1({ modification, allowRedistribution }).mayExport).toBe(mayExport);
+  },
+);
+
+test.each([
+  ["unnecessary", false],
+  ["required", true],
+  [undefined, true],
+])("VRM 1: creditNotation %s asks for credit: %s", (creditNotation, credit) => {
+  expect(vrm1({ creditNotation }).credit).toBe(credit);
+});
+
+test.each([
+  ["Everyone", true],
+  ["ExplicitlyLicensedPerson", false],
+  ["OnlyAuthor", false],
+  [undefined, false],
+])("VRM 0: allowedUserName %s lets everybody perform: %s", (allowedUserName, everybody) => {
+  expect(vrm0({ allowedUserName }).everybody).toBe(everybody);
+});
+
+test.each([
+  ["CC0", true, false],
+  ["CC_BY", true, true],
+  ["CC_BY_NC", true, true],
+  ["CC_BY_SA", true, true],
+  ["CC_BY_NC_SA", true, true],
+  ["CC_BY_ND", false, true],
+  ["CC_BY_NC_ND", false, true],
+  ["Redistribution_Prohibited", false, true],
+  ["Other", false, true],
+  [undefined, false, true],
+])("VRM 0: licence %s allows an export: %s, and asks for credit: %s", (licenseName, mayExport, credit) => {
+  expect(vrm0({ licenseName })).toMatchObject({ mayExport, credit });
+});
+
+test("names, authors and web addresses are shown, and other addresses are not", () => {
+  const shown = vrm1({ name: "A", authors: ["B", 3], licenseUrl: "https://c.org/d" });
+  expect(shown).toMatchObject({ title: "A", authors: ["B"], url: "https://c.org/d" });
+  expect(vrm1({ licenseUrl: "javascript:alert(1)" }).url).toBeUndefined();
+  expect(vrm0({ title: "A", author: "B" })).toMatchObject({ title: "A", authors: ["B"] });
+});
+
+test("a VRM that says nothing on its use allows nothing", () => {
+  expect(licenceOf({ extensions: { VRMC_vrm: {} } })).toMatchObject({
+    credit: true,
+    everybody: false,
+    mayExport: false,
+  });
+});
+
+test("a copyright notice is shown, and forbids exports where it says so", () => {
+  expect(notice("© 2026 A, CC BY 4.0")).toMatchObject({
+    title: "© 2026 A, CC BY 4.0",
+    credit: true,
+    everybody: true,
+    mayExport: true,
+  });
+  for (const text of ["CC BY-ND 4.0", "CC-BY-NC-ND", "No derivatives", "All rights reserved"])
+    expect(notice(text)!.mayExport, text).toBe(false);
+  expect(notice("Andersen and Lund")!.mayExport).toBe(true);
+  expect(licenceOf({})).toBeUndefined();
+});

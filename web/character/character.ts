@@ -1,0 +1,152 @@
+/** A bound character: what pages apply poses to. */
+import type { AnimationClip, Object3D } from "three";
+import { StrutError } from "../engine/errors";
+import { DEFAULT_PROPORTIONS, JOINT, type Role } from "../humanoid";
+import { type Bound, bind, originOf, roleNames } from "./bind";
+import { characterClip, keysOf } from "./clip";
+import { withAnimation } from "./glb_patch";
+import { type Licence, licenceOf } from "./licence";
+import { motionsOf } from "./motions";
+import type {
+  BindOptions,
+  Character,
+  CharacterClipOptions,
+  CharacterMotion,
+  GltfLike,
+  Origin,
+  StyledPoses,
+  VrmLike,
+} from "./types";
+
+/** Longest step of what swings by itself, seconds: longer ones make springs explode. */
+const LONGEST_STEP = 1 / 30;
+
+/** What a loader knows besides. */
+export interface Loaded {
+  /** The file, for exports. */
+  readonly file?: Uint8Array;
+  /** Frees what the loader made. */
+  readonly free?: () => void;
+}
+
+/**
+ * Binds a character that is in three.js already.
+ * @throws StrutError `bad-file` with what the model lacks, `bad-input` where an option does not fit it, `load`
+ */
+export function bindCharacter(root: Object3D | VrmLike | GltfLike, options?: BindOptions): Promise<Character> {
+  return bindLoaded(originOf(root), options);
+}
+
+/** Binds what was loaded. */
+export async function bindLoaded(origin: Origin, options?: BindOptions, loaded: Loaded = {}): Promise<Character> {
+  const bound = await bind(origin, options);
+  if (origin.vrm) origin.vrm.humanoid.autoUpdateHumanBones = false;
+  return new BoundCharacter(origin, bound, loaded);
+}
+
+/** What the file says, or the meta that three-vrm read of it: it has the fields of VRM 1 or of VRM 0. */
+function licenceOfOrigin({ json, vrm }: Origin): Licence | undefined {
+  if (json) return licenceOf(json);
+  const meta = vrm?.meta as { metaVersion?: unknown } | undefined;
+  if (!meta) return undefined;
+  return licenceOf({ extensions: meta.metaVersion === "0" ? { VRM: { meta } } : { VRMC_vrm: { meta } } });
+}
+
+class BoundCharacter implements Character {
+  readonly object: Object3D;
+  readonly roles: Readonly<Partial<Record<Role, string>>>;
+  readonly confidence: number;
+  readonly notes: readonly string[];
+  readonly licence: Licence | undefined;
+  readonly motions: readonly CharacterMotion[];
+  readonly #origin: Origin;
+  readonly #bound: Bound;
+  readonly #loaded: Loaded;
+  readonly #hips: Object3D;
+  readonly #driven: { node: Object3D; offset: number }[];
+  #body: Float32Array | undefined;
+
+  constructor(origin: Origin, bound: Bound, loaded: Loaded) {
+    [this.#origin, this.#bound, this.#loaded] = [origin, bound, loaded];
+    this.object = origin.object;
+    this.roles = roleNames(bound);
+    this.confidence = bound.rig.confidence;
+    this.notes = bound.notes;
+    this.motions = motionsOf(bound, origin.object, origin.clips);
+    this.licence = licenceOfOrigin(origin);
+    this.#hips = bound.joints.nodes[bound.roles[JOINT.hips]!]!;
+    this.#driven = Array.from(bound.driven, (joint) => ({ node: bound.joints.nodes[joint]!, offset: 3 + 4 * joint }));
+  }
+
+  get proportions(): Float32Array {
+    return this.#bound.rig.proportions;
+  }
+
+  setBody(proportions: ArrayLike<number>): void {
+    this.#bound.rig.setBody(proportions);
+    this.#body = Float32Array.from(proportions);
+  }
+
+  apply(pose: ArrayLike<number>): void {
+    const { rig, hipsScale } = this.#bound;
+    rig.apply(pose);
+    const { frame } = rig;
+    this.#hips.position.set(frame[0]! * hipsScale, frame[1]! * hipsScale, frame[2]! * hipsScale);
+    for (const { node, offset } of this.#driven) node.quaternion.fromArray(frame, offset);
+  }
+
+  update(dtSecs: number): void {
+    this.#origin.vrm?.update(Math.min(Math.max(dtSecs, 0), LONGEST_STEP));
+  }
+
+  settle(): void {
+    this.#origin.vrm?.springBoneManager?.reset();
+  }
+
+  toClip(motion: StyledPoses, options: CharacterClipOptions = {}): AnimationClip {
+    return this.#onBodyOf(() => characterClip(this.#bound, this.object, this.#origin.vrm, motion, options));
+  }
+
+  toGLB(motion: StyledPoses): Uint8Array<ArrayBuffer> {
+    if (this.licence && !this.licence.mayExport) {
+      const message = "The author of this model does not allow to hand it on with another motion.";
+      const hint = "Export the motion alone: toVRMA, toBVH or toClip.";
+      throw new StrutError({ code: "licence", message, hint });
+    }
+    const { file } = this.#loaded;
+    if (!file) {
+      const message = "This character was not loaded from a file.";
+      throw new StrutError({ code: "bad-input", message, hint: "Load it with loadCharacter." });
+    }
+    const { joints, roles, driven } = this.#bound;
+    const { times, hips, rotations } = this.#onBodyOf(() => keysOf(this.#bound, motion, false));
+    const index = (joint: number) => this.#origin.indexOf(joints.nodes[joint]!) ?? -1;
+    return withAnimation(file, {
+      name: motion.name,
+      times,
+      channels: [
+        { node: index(roles[JOINT.hips]!), path: "translation", values: hips },
+        ...Array.from(driven, (joint, i) => ({
+          node: index(joint),
+          path: "rotation" as const,
+          values: rotations[i]!,
+        })),
+      ],
+    });
+  }
+
+  dispose(): void {
+    this.#bound.rig.dispose();
+    this.#loaded.free?.();
+  }
+
+  /** Conversions take the body of their motion; poses that are applied keep theirs. */
+  #onBodyOf<T>(convert: () => T): T {
+    const { rig } = this.#bound;
+    try {
+      return convert();
+    } finally {
+      rig.setBody(this.#body ?? DEFAULT_PROPORTIONS);
+    }
+  }
+}

@@ -1,0 +1,129 @@
+/**
+ * One more animation in a binary glTF: the document is written again, and the bytes of its buffer stay what they are, the
+ * new ones behind them.
+ */
+import { StrutError } from "../engine/errors";
+import { BufferBuilder } from "../formats/glb";
+import { isRecord } from "./vrm_humanoid";
+
+const [MAGIC, JSON_CHUNK, BINARY_CHUNK] = [0x46546c67, 0x4e4f534a, 0x004e4942];
+
+/** Chunks of a binary glTF. */
+export interface GlbChunks {
+  readonly json: Record<string, unknown>;
+  /** The buffer; empty where there is none. */
+  readonly binary: Uint8Array;
+}
+
+/** An animation to append; one key of every channel a time. */
+export interface NewAnimation {
+  readonly name: string;
+  readonly times: Float32Array;
+  readonly channels: readonly {
+    /** Number of the node. */
+    readonly node: number;
+    readonly path: "translation" | "rotation";
+    readonly values: Float32Array;
+  }[];
+}
+
+/**
+ * Takes a file apart. Its numbers are believed only where they fit the file.
+ * @throws StrutError `bad-file`
+ */
+export function chunksOf(file: Uint8Array): GlbChunks {
+  const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
+  if (file.length < 20 || view.getUint32(0, true) !== MAGIC) throw noGlb("This is no binary glTF file.");
+  const version = view.getUint32(4, true);
+  if (version !== 2) throw noGlb(`This file is glTF ${version}; version 2 was expected.`);
+  let json: unknown;
+  let binary = new Uint8Array();
+  for (let at = 12; at + 8 <= file.length; ) {
+    const [length, type] = [view.getUint32(at, true), view.getUint32(at + 4, true)];
+    const chunk = file.subarray(at + 8, at + 8 + length);
+    if (chunk.length < length) throw noGlb("This file ends before its content does.");
+    if (type === JSON_CHUNK && json === undefined) json = parsed(chunk);
+    else if (type === BINARY_CHUNK && binary.length === 0) binary = chunk as Uint8Array<ArrayBuffer>;
+    at += 8 + length;
+  }
+  if (!isRecord(json)) throw noGlb("This file has no glTF document.");
+  return { json, binary };
+}
+
+function parsed(chunk: Uint8Array): unknown {
+  try {
+    return JSON.parse(new TextDecoder().decode(chunk));
+  } catch {
+    throw noGlb("The glTF document in this file is damaged.");
+  }
+}
+
+function noGlb(message: string): StrutError {
+  return new StrutError({ code: "bad-file", message, hint: "Export the model again as .glb." });
+}
+
+/**
+ * The file with one more animation.
+ * @throws StrutError `bad-file` if the file is no binary glTF, or refers to its buffer in a way that cannot be extended
+ */
+export function withAnimation(file: Uint8Array, animation: NewAnimation): Uint8Array<ArrayBuffer> {
+  const { json, binary } = chunksOf(file);
+  const lists = Object.fromEntries(
+    ["buffers", "bufferViews", "accessors", "animations"].map((key) => [key, [...listOf(json, key)]]),
+  ) as Record<"buffers" | "bufferViews" | "accessors" | "animations", unknown[]>;
+  const first = lists.buffers[0];
+  if (lists.buffers.length > 0 && (!isRecord(first) || first.uri !== undefined))
+    throw noGlb("This file keeps its data outside of itself.");
+
+  const added = new BufferBuilder();
+  const [views, accessors] = [lists.bufferViews.length, lists.accessors.length];
+  const input = added.add(animation.times, "SCALAR", true);
+  const channels = animation.channels.filter(({ node }) => node >= 0);
+  const samplers = channels.map(({ path, values }) => ({
+    input: accessors + input,
+    output: accessors + added.add(values, path === "rotation" ? "VEC4" : "VEC3"),
+    interpolation: "LINEAR",
+  }));
+  const start = binary.length + (-binary.length & 3);
+  const moved = added.views.map((each) => {
+    const view = each as { byteOffset: number };
+    return { ...view, byteOffset: start + view.byteOffset };
+  });
+  const renumbered = added.accessors.map((each) => {
+    const accessor = each as { bufferView: number };
+    return { ...accessor, bufferView: views + accessor.bufferView };
+  });
+  const byteLength = start + added.length;
+  const document = {
+    ...json,
+    buffers: [{ ...(isRecord(first) ? first : {}), byteLength }, ...lists.buffers.slice(1)],
+    bufferViews: [...lists.bufferViews, ...moved],
+    accessors: [...lists.accessors, ...renumbered],
+    animations: [
+      ...lists.animations,
+      {
+        name: animation.name,
+        samplers,
+        channels: channels.map(({ node, path }, sampler) => ({ sampler, target: { node, path } })),
+      },
+    ],
+  };
+  const text = new TextEncoder().encode(JSON.stringify(document));
+  const textLength = text.length + (-text.length & 3);
+  const total = 12 + 8 + textLength + 8 + byteLength;
+  const out = new Uint8Array(total);
+  const view = new DataView(out.buffer);
+  for (const [i, word] of [MAGIC, 2, total, textLength, JSON_CHUNK].entries()) view.setUint32(4 * i, word, true);
+  out.fill(0x20, 20, 20 + textLength);
+  out.set(text, 20);
+  view.setUint32(20 + textLength, byteLength, true);
+  view.setUint32(24 + textLength, BINARY_CHUNK, true);
+  out.set(binary, 28 + textLength);
+  added.write(out, 28 + textLength + start);
+  return out;
+}
+
+function listOf(json: Record<string, unknown>, key: string): readonly unknown[] {
+  const list = json[key];
+  return Array.isArray(list) ? list : [];
+}

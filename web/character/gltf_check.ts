@@ -1,0 +1,148 @@
+/**
+ * Checks a glTF document before three.js reads it: an accessor that lies about its buffer would make it throw a `RangeError`
+ * at best (`shared/spec/embedding.md` section 6).
+ */
+import { StrutError } from "../engine/errors";
+import { isRecord } from "./vrm_humanoid";
+
+/** Bytes of a component, by its type. */
+const COMPONENT_BYTES: Readonly<Record<number, number>> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
+/** Components of an element, by its type. */
+const COMPONENTS: Readonly<Record<string, number>> = {
+  SCALAR: 1,
+  VEC2: 2,
+  VEC3: 3,
+  VEC4: 4,
+  MAT2: 4,
+  MAT3: 9,
+  MAT4: 16,
+};
+/** Most elements of an accessor: six indices a vertex of two million triangles. */
+const MAX_COUNT = 12_000_000;
+/** Most nodes of a document. */
+const MAX_NODES = 65_536;
+/** Largest side of an image, pixels. */
+const MAX_PIXELS = 8192;
+/** Compressions that three.js needs further files for. */
+const UNREADABLE = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_texture_basisu"];
+
+/**
+ * Checks a document and what it says of its buffer.
+ * @param binary the buffer that lies in the file
+ * @throws StrutError `bad-file` with what is wrong
+ */
+export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): void {
+  const required = Array.isArray(json.extensionsRequired) ? (json.extensionsRequired as unknown[]) : [];
+  const unreadable = required.find((name) => UNREADABLE.includes(String(name)));
+  if (unreadable !== undefined)
+    throw broken(
+      `This model is compressed with ${unreadable}, which cannot be read here.`,
+      "Export it without compression.",
+    );
+  const views = records(json, "bufferViews");
+  for (const [i, buffer] of records(json, "buffers").entries()) {
+    if (typeof buffer.uri === "string" && !buffer.uri.startsWith("data:"))
+      throw broken("This model keeps a part of itself in another file.", "Export it as one .glb file.");
+    if (i === 0 && buffer.uri === undefined && !(size(buffer.byteLength) <= binary.length))
+      throw broken("This model says that it has more data than the file holds.");
+  }
+  for (const image of records(json, "images")) {
+    if (typeof image.uri === "string" && !image.uri.startsWith("data:"))
+      throw broken("This model keeps its textures in other files.", "Export it as one .glb file.");
+    const view = views[Number(image.bufferView)];
+    if (view && view.buffer === 0) checkImage(binary.subarray(Number(view.byteOffset ?? 0)));
+  }
+  const bufferBytes = records(json, "buffers").map(({ byteLength }) => size(byteLength));
+  for (const view of views) {
+    const end = size(view.byteOffset ?? 0) + size(view.byteLength);
+    if (!(end <= (bufferBytes[Number(view.buffer)] ?? -1)))
+      throw broken("A part of this model lies outside of its data.");
+  }
+  for (const accessor of records(json, "accessors")) checkAccessor(accessor, views);
+  checkNodes(records(json, "nodes"));
+}
+
+function checkAccessor(accessor: Record<string, unknown>, views: readonly Record<string, unknown>[]): void {
+  const bytes = COMPONENT_BYTES[Number(accessor.componentType)];
+  const components = COMPONENTS[String(accessor.type)];
+  const count = size(accessor.count);
+  if (bytes === undefined || components === undefined || !(count <= MAX_COUNT))
+    throw broken("An array of this model has no type, or is too long.");
+  if (accessor.bufferView === undefined) return;
+  const view = views[Number(accessor.bufferView)];
+  const element = bytes * components;
+  const stride = view?.byteStride === undefined ? element : size(view.byteStride);
+  const end = size(accessor.byteOffset ?? 0) + (count > 0 ? stride * (count - 1) + element : 0);
+  if (!view || stride < element || !(end <= size(view.byteLength)))
+    throw broken("An array of this model is longer than its data.");
+}
+
+/** Nodes are a forest: every one has at most one parent and is not below itself. */
+function checkNodes(nodes: readonly Record<string, unknown>[]): void {
+  if (nodes.length > MAX_NODES) throw broken("This model has too many nodes.");
+  const parents = new Int32Array(nodes.length).fill(-1);
+  for (const [i, { children }] of nodes.entries())
+    for (const child of Array.isArray(children) ? (children as unknown[]) : []) {
+      const index = Number(child);
+      if (!(index in parents) || parents[index] !== -1) throw broken("The nodes of this model are no tree.");
+      parents[index] = i;
+    }
+  // In a circle nobody is without a parent: from there every step leads on.
+  const depth = new Int32Array(nodes.length);
+  for (let i = 0; i < nodes.length; i++) {
+    let steps = 0;
+    for (let above = parents[i]!; above >= 0 && depth[above] === 0; above = parents[above]!)
+      if (++steps > nodes.length) throw broken("The nodes of this model are no tree.");
+    depth[i] = 1;
+  }
+}
+
+/** @throws StrutError `bad-file` where a PNG or JPEG picture is larger than graphics cards take */
+function checkImage(bytes: Uint8Array): void {
+  const { width, height } = pngSize(bytes) ?? jpegSize(bytes) ?? { width: 0, height: 0 };
+  if (Math.max(width, height) <= MAX_PIXELS) return;
+  throw broken(
+    `A texture of this model has ${width} × ${height} pixels; at most ${MAX_PIXELS} can be shown.`,
+    "Make its textures smaller.",
+  );
+}
+
+interface Size {
+  width: number;
+  height: number;
+}
+
+function pngSize(bytes: Uint8Array): Size | undefined {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < 24 || view.getUint32(0) !== 0x89504e47) return undefined;
+  return { width: view.getUint32(16), height: view.getUint32(20) };
+}
+
+/** The size stands in the first segment whose marker is one of a frame. */
+function jpegSize(bytes: Uint8Array): Size | undefined {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < 4 || view.getUint16(0) !== 0xffd8) return undefined;
+  for (let at = 2; at + 9 <= bytes.length; at += 2 + view.getUint16(at + 2)) {
+    const marker = view.getUint16(at);
+    const isFrame = marker >= 0xffc0 && marker <= 0xffcf && ![0xffc4, 0xffc8, 0xffcc].includes(marker);
+    if (isFrame) return { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
+    if (marker < 0xff00) return undefined;
+  }
+  return undefined;
+}
+
+/** A whole number from 0 up; `NaN` for anything else, which is in no range. */
+function size(value: unknown): number {
+  return typeof value === "number" && Number.isSafeInteger(value) && value >= 0 ? value : Number.NaN;
+}
+
+function records(json: Record<string, unknown>, key: string): Record<string, unknown>[] {
+  const list = json[key];
+  if (list === undefined) return [];
+  if (!Array.isArray(list) || !list.every(isRecord)) throw broken(`The list of ${key} in this model is damaged.`);
+  return list as Record<string, unknown>[];
+}
+
+function broken(message: string, hint = "Export the model again."): StrutError {
+  return new StrutError({ code: "bad-file", message, hint });
+}

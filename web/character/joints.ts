@@ -1,0 +1,216 @@
+/**
+ * The skeleton of a character in three.js: nodes of skins and what is above them, in the pose in which the skin was modelled
+ * (`shared/spec/embedding.md` section 5.1 and 5.2). Everything is measured inside the character's object, whose own
+ * placement belongs to the page.
+ */
+import { Matrix4, type Object3D, Quaternion, type SkinnedMesh, Vector3 } from "three";
+import type { Skeleton } from "../engine/character/rig";
+import { StrutError } from "../engine/errors";
+
+/** Most joints that the engine binds, as in `rust/strut-core/src/skeleton.rs`. */
+const MAX_JOINTS = 512;
+/** Share by which the scales along two axes may differ: exporters round. */
+const EVEN = 0.01;
+/** Share of a skin's size within which its joints agree where the skin lies. */
+const AGREEMENT = 1e-3;
+
+/** A skin, and where the space in which it was modelled lies in the character's object. */
+export interface Skin {
+  readonly mesh: SkinnedMesh;
+  readonly objectFromSkin: Matrix4;
+}
+
+/** The joints of a character. */
+export interface Joints extends Skeleton {
+  /** The node of each joint; the first is the character's object itself. */
+  readonly nodes: readonly Object3D[];
+  readonly skins: readonly Skin[];
+  /** Scale of each joint's children, folded into the offsets. */
+  readonly scales: Float64Array;
+  /** Whether the scale of each joint is the same along all axes, and mirrors nothing. */
+  readonly even: readonly boolean[];
+  /** Joints that were left out, as the engine binds at most 512. */
+  readonly dropped: number;
+}
+
+/**
+ * The joints of a character.
+ * @param chosen nodes that are joints whether a skin follows them or not
+ * @throws StrutError `bad-file` if it has no skin
+ */
+export function jointsOf(object: Object3D, chosen: readonly Object3D[] = []): Joints {
+  const matrices = matricesIn(object);
+  const { skins, bindMatrices } = skinsOf(object, matrices);
+  if (skins.length === 0) {
+    const message = "This model has no skin: nothing of it follows bones.";
+    throw new StrutError({ code: "bad-file", message, hint: "Choose a rigged character." });
+  }
+  const kept = new Set<Object3D>();
+  for (const node of [object, ...bindMatrices.keys(), ...chosen])
+    for (let above: Object3D | null = node; above && matrices.has(above); above = above.parent) kept.add(above);
+  const all = kept.size;
+  dropLeafChains(kept, matrices, new Set(chosen));
+  const nodes: Object3D[] = [];
+  const parents: number[] = [];
+  const collect = (node: Object3D, parent: number) => {
+    const index = nodes.push(node) - 1;
+    parents.push(parent);
+    for (const child of node.children) if (kept.has(child)) collect(child, index);
+  };
+  collect(object, -1);
+
+  const count = nodes.length;
+  const [offsets, bind, local] = [
+    new Float32Array(3 * count),
+    new Float32Array(4 * count),
+    new Float32Array(4 * count),
+  ];
+  const scales = new Float64Array(count);
+  const even: boolean[] = [];
+  const rotations: Quaternion[] = [];
+  for (const [j, node] of nodes.entries()) {
+    const above = parents[j]!;
+    const own = sizeOf(matrices.get(node)!);
+    scales[j] = own.mean;
+    const bound = bindMatrices.get(node);
+    const size = bound ? sizeOf(bound) : own;
+    even.push(own.even && size.even);
+    const rotation = new Quaternion();
+    if (bound) rotation.setFromRotationMatrix(rigid(bound));
+    else if (above >= 0) rotation.copy(rotations[above]!).multiply(node.quaternion).normalize();
+    rotations.push(rotation);
+    rotation.toArray(bind, 4 * j);
+    if (above < 0) {
+      local[3] = 1;
+      continue;
+    }
+    node.quaternion.toArray(local, 4 * j);
+    node.position
+      .clone()
+      .multiplyScalar(scales[above]!)
+      .applyQuaternion(rotations[above]!)
+      .toArray(offsets, 3 * j);
+  }
+  return {
+    names: nodes.map(nameInFile),
+    parents: Int32Array.from(parents),
+    offsets,
+    bind,
+    local,
+    nodes,
+    skins,
+    scales,
+    even,
+    dropped: all - count,
+  };
+}
+
+/** The name that a node has in its file: loaders change names for three.js. */
+export function nameInFile({ name, userData }: Object3D): string {
+  return typeof userData.name === "string" ? userData.name : name;
+}
+
+/** Where every node lies inside the object. */
+function matricesIn(object: Object3D): Map<Object3D, Matrix4> {
+  const matrices = new Map<Object3D, Matrix4>([[object, new Matrix4()]]);
+  // A map grows while it is walked: parents come before their children.
+  for (const [node, matrix] of matrices)
+    for (const child of node.children) {
+      const local = new Matrix4().compose(child.position, child.quaternion, child.scale);
+      matrices.set(child, local.premultiply(matrix));
+    }
+  return matrices;
+}
+
+/** The skins, and of every joint that they name where it lay when they were modelled. */
+function skinsOf(object: Object3D, matrices: ReadonlyMap<Object3D, Matrix4>) {
+  const skins: Skin[] = [];
+  const bindMatrices = new Map<Object3D, Matrix4>();
+  object.traverse((node) => {
+    const mesh = node as SkinnedMesh;
+    if (!mesh.isSkinnedMesh || !mesh.skeleton) return;
+    const { bones, boneInverses } = mesh.skeleton;
+    const present = bones.flatMap((bone, i) => {
+      const [matrix, inverse] = [bone && matrices.get(bone), boneInverses[i]];
+      return matrix && inverse && inverse.determinant() !== 0 ? [{ bone: bone!, matrix, inverse }] : [];
+    });
+    if (present.length === 0) return;
+    const objectFromSkin = agreed(present.map(({ matrix, inverse }) => matrix.clone().multiply(inverse)));
+    skins.push({ mesh, objectFromSkin });
+    for (const { bone, inverse } of present)
+      if (!bindMatrices.has(bone)) bindMatrices.set(bone, inverse.clone().invert().premultiply(objectFromSkin));
+  });
+  return { skins, bindMatrices };
+}
+
+/**
+ * Every joint that lies as it was modelled says the same of where its skin lies: the matrix that most agree with. So a file
+ * that was saved in another pose is still bound in the pose of its skin.
+ */
+function agreed(matrices: readonly Matrix4[]): Matrix4 {
+  let [best, most] = [matrices[0]!, 0];
+  const tried: Matrix4[] = [];
+  for (const matrix of matrices) {
+    if (tried.some((other) => near(other, matrix))) continue;
+    tried.push(matrix);
+    const votes = matrices.filter((other) => near(matrix, other)).length;
+    if (votes > most) [best, most] = [matrix, votes];
+  }
+  return best;
+}
+
+function near(a: Matrix4, b: Matrix4): boolean {
+  const size = Math.max(...a.elements.map(Math.abs));
+  return a.elements.every((value, i) => Math.abs(value - b.elements[i]!) <= AGREEMENT * size);
+}
+
+/** Mean scale of a matrix, and whether it is the same along all axes without mirroring. */
+function sizeOf(matrix: Matrix4): { mean: number; even: boolean } {
+  const [x, y, z] = [new Vector3(), new Vector3(), new Vector3()];
+  matrix.extractBasis(x, y, z);
+  const lengths = [x.length(), y.length(), z.length()];
+  const mean = (lengths[0]! + lengths[1]! + lengths[2]!) / 3;
+  const spread = Math.max(...lengths) - Math.min(...lengths);
+  // Turned children of unevenly scaled joints are sheared.
+  const shear = Math.max(Math.abs(x.dot(y)), Math.abs(y.dot(z)), Math.abs(z.dot(x)));
+  const even = mean > 0 && spread <= EVEN * mean && shear <= EVEN * mean * mean && matrix.determinant() > 0;
+  return { mean, even };
+}
+
+/** The rotation of a matrix, as a matrix. */
+function rigid(matrix: Matrix4): Matrix4 {
+  return new Matrix4().extractRotation(matrix);
+}
+
+/**
+ * Leaves out chains at the ends of the tree, the shortest first, until the engine can bind the rest: hair, faces and skirts
+ * are many short chains, and limbs are long ones.
+ */
+function dropLeafChains(
+  kept: Set<Object3D>,
+  matrices: ReadonlyMap<Object3D, Matrix4>,
+  chosen: ReadonlySet<Object3D>,
+): void {
+  const position = (node: Object3D) => new Vector3().setFromMatrixPosition(matrices.get(node)!);
+  while (kept.size > MAX_JOINTS) {
+    const chains: { nodes: Object3D[]; length: number }[] = [];
+    for (const leaf of kept) {
+      if (leaf.children.some((child) => kept.has(child))) continue;
+      const nodes: Object3D[] = [];
+      let length = 0;
+      for (let node = leaf; node.parent && kept.has(node.parent) && !chosen.has(node); node = node.parent) {
+        nodes.push(node);
+        length += position(node).distanceTo(position(node.parent));
+        if (node.parent.children.filter((child) => kept.has(child)).length > 1) break;
+      }
+      if (nodes.length > 0) chains.push({ nodes, length });
+    }
+    if (chains.length === 0) return;
+    chains.sort((a, b) => a.length - b.length);
+    // As many as are too many, but at most half: what is left of the tree has other ends then.
+    for (const { nodes } of chains.slice(0, Math.ceil(chains.length / 2))) {
+      if (kept.size <= MAX_JOINTS) return;
+      for (const node of nodes) kept.delete(node);
+    }
+  }
+}

@@ -1,0 +1,71 @@
+/** What the author of a model allows (`shared/spec/embedding.md` section 5.8). */
+import { type GltfJson, isRecord, vrmOf } from "./vrm_humanoid";
+
+/** What a model's file says on its use. */
+export interface Licence {
+  readonly title: string;
+  readonly authors: readonly string[];
+  /** Where the terms stand. */
+  readonly url?: string;
+  /** Whether the author is to be named. */
+  readonly credit: boolean;
+  /** Whether everybody may perform the character. */
+  readonly everybody: boolean;
+  /** Whether the model may be handed on with another motion in it. */
+  readonly mayExport: boolean;
+}
+
+/**
+ * The licence in a glTF document: VRM's meta, else the copyright notice; `undefined` where there is neither. What a VRM leaves
+ * out has the default of its specification, and a value that is not known is taken as the strictest.
+ */
+export function licenceOf(json: GltfJson): Licence | undefined {
+  const vrm = vrmOf(json);
+  const { meta } = vrm?.extension ?? {};
+  if (vrm && isRecord(meta)) return vrm.version === 1 ? ofVrm1(meta) : ofVrm0(meta);
+  const copyright = text(json.asset?.copyright);
+  if (vrm) return { title: "", authors: [], credit: true, everybody: false, mayExport: false };
+  if (!copyright) return undefined;
+  const mayExport = !/no[\s-]*derivati|(^|[^a-z])nd([^a-z]|$)|all rights reserved/i.test(copyright);
+  return { title: copyright, authors: [], credit: true, everybody: true, mayExport };
+}
+
+/** VRM 1.0, `VRMC_vrm.meta`. Without `avatarPermission` only the author performs; without `modification` it is prohibited. */
+function ofVrm1(meta: Record<string, unknown>): Licence {
+  const { avatarPermission, modification, allowRedistribution, creditNotation } = meta;
+  const url = address(meta.otherLicenseUrl) ?? address(meta.licenseUrl);
+  // Modified files may be handed on under one value only; with the other one they are for oneself.
+  const mayExport = modification === "allowModificationRedistribution" && allowRedistribution === true;
+  return {
+    title: text(meta.name),
+    authors: Array.isArray(meta.authors) ? meta.authors.map(text).filter(Boolean) : [],
+    ...(url ? { url } : {}),
+    credit: creditNotation !== "unnecessary",
+    everybody: avatarPermission === "everyone",
+    mayExport,
+  };
+}
+
+/** Licences of VRM 0 that allow to hand on what was changed. */
+const MODIFIABLE = ["CC0", "CC_BY", "CC_BY_NC", "CC_BY_SA", "CC_BY_NC_SA"];
+
+/** VRM 0.x, `VRM.meta`. */
+function ofVrm0(meta: Record<string, unknown>): Licence {
+  const { allowedUserName, licenseName } = meta;
+  const url = address(meta.otherLicenseUrl) ?? address(meta.otherPermissionUrl);
+  return {
+    title: text(meta.title),
+    authors: [text(meta.author)].filter(Boolean),
+    ...(url ? { url } : {}),
+    credit: licenseName !== "CC0",
+    everybody: allowedUserName === "Everyone",
+    mayExport: MODIFIABLE.includes(text(licenseName)),
+  };
+}
+
+const text = (value: unknown): string => (typeof value === "string" ? value.trim() : "");
+
+/** A web address; others, such as scripts, are no place to lead people to. */
+function address(value: unknown): string | undefined {
+  return /^https?:\/\//i.test(text(value)) ? text(value) : undefined;
+}

@@ -1,0 +1,122 @@
+/** What goes in and out of the room of characters (`shared/spec/embedding.md` section 3). */
+import type { AnimationClip, Object3D } from "three";
+import type { Role } from "../humanoid";
+import type { Licence } from "./licence";
+import type { GltfJson } from "./vrm_humanoid";
+
+/** A loaded VRM of three-vrm, by structure. */
+export interface VrmLike {
+  readonly scene: Object3D;
+  readonly humanoid: {
+    autoUpdateHumanBones: boolean;
+    getRawBoneNode(bone: string): Object3D | null;
+    getNormalizedBoneNode(bone: string): Object3D | null;
+  };
+  readonly meta?: unknown;
+  readonly springBoneManager?: { reset(): void } | null;
+  update(dtSecs: number): void;
+}
+
+/** What three.js's `GLTFLoader` gives, by structure. */
+export interface GltfLike {
+  readonly scene: Object3D;
+  readonly animations?: readonly AnimationClip[];
+  readonly userData?: Record<string, unknown>;
+  readonly parser: {
+    readonly json: unknown;
+    readonly associations: ReadonlyMap<unknown, { nodes?: number | undefined } | undefined>;
+  };
+}
+
+/** Options of `bindCharacter`. */
+export interface BindOptions {
+  /** Name of the joint of each role that is known, as in the file or as in three.js; the others are found. */
+  roles?: Partial<Record<Role, string>>;
+  /** Metres a unit inside the character's object; 1 unless given, as glTF says. */
+  metresPerUnit?: number;
+  /** Height of the soles in the bind pose, in the units of the character's object; measured on the mesh unless given. */
+  soleHeight?: number;
+}
+
+/** A motion in a style, as the package's `StyledMotion` has it. */
+export interface StyledPoses {
+  readonly name: string;
+  /** The body that the poses are on: 21 × xyz, metres. */
+  readonly proportions: ArrayLike<number>;
+  /** 87 numbers a frame. */
+  readonly poses: Float32Array;
+  /** Seconds of each frame. */
+  readonly timeOut: Float32Array;
+}
+
+/** Options of a clip. */
+export interface CharacterClipOptions {
+  /** Name of the clip; the motion's unless given. */
+  name?: string;
+  /** Whether the body stays over its start, as game engines with root motion of their own expect. */
+  inPlace?: boolean;
+}
+
+/** A motion in a character's file. */
+export interface CharacterMotion {
+  readonly name: string;
+  readonly frames: number;
+  readonly rateHz: number;
+  readonly durationSecs: number;
+  /** The motion on the body of `Character.setBody`: 87 numbers a frame. */
+  poses(): Float32Array;
+}
+
+/** A rigged character that performs poses. */
+export interface Character {
+  /** What is put into the scene; its placement is the caller's. */
+  readonly object: Object3D;
+  /** Name of the joint of each role, as in the file. */
+  readonly roles: Readonly<Partial<Record<Role, string>>>;
+  /** Confidence in the roles, 0–1; below 0.7 a person should look at them. */
+  readonly confidence: number;
+  /** Sentences for people on what was matched and assumed. */
+  readonly notes: readonly string[];
+  /** What the model's author allows; `undefined` where the file does not say. */
+  readonly licence: Licence | undefined;
+  /** The motions in the character's file; they can be styled as any poses can. */
+  readonly motions: readonly CharacterMotion[];
+  /** The character's own body as canonical humanoid, metres: 21 × xyz. */
+  readonly proportions: Float32Array;
+  /**
+   * Says which body the poses of {@link apply} are on: `Database.info.proportions`. The mannequin's until then.
+   * @throws StrutError `bad-input` unless these are 63 numbers of a body
+   */
+  setBody(proportions: ArrayLike<number>): void;
+  /**
+   * Takes a pose of 87 numbers: the bones of roles are turned and the hips are moved; fingers and faces stay. It allocates
+   * nothing.
+   * @throws StrutError `bad-input` unless the numbers are finite, `disposed`
+   */
+  apply(pose: ArrayLike<number>): void;
+  /** Moves what swings by itself, hair and clothes of a VRM; at most 1/30 s at once. */
+  update(dtSecs: number): void;
+  /** Brings what swings to rest, as after a cut. */
+  settle(): void;
+  /** The motion as a clip of three.js for {@link object}, a key a frame. */
+  toClip(motion: StyledPoses, options?: CharacterClipOptions): AnimationClip;
+  /**
+   * The character's own file with the motion as one more animation.
+   * @throws StrutError `licence` where the author forbids it, `bad-input` where the character has no file
+   */
+  toGLB(motion: StyledPoses): Uint8Array<ArrayBuffer>;
+  dispose(): void;
+}
+
+/** Where a bound character came from. */
+export interface Origin {
+  readonly object: Object3D;
+  readonly json: GltfJson | undefined;
+  readonly vrm: VrmLike | undefined;
+  /** The motions in the file. */
+  readonly clips: readonly AnimationClip[];
+  /** Node of three.js of a number of the file. */
+  readonly nodeOf: (index: number) => Object3D | undefined;
+  /** Number in the file of a node of three.js. */
+  readonly indexOf: (node: Object3D) => number | undefined;
+}

@@ -1,0 +1,70 @@
+/** VRM's names of the roles, and the humanoid that a VRM's extensions declare. */
+import { StrutError } from "../engine/errors";
+import { ROLES, type Role } from "../humanoid";
+
+/** VRM's bone of a role: `left_upper_arm` is `leftUpperArm`. */
+export const vrmBone = (role: Role): string => role.replace(/_(.)/g, (_, letter: string) => letter.toUpperCase());
+
+/** What is read of a glTF document; everything in it may be wrong. */
+export interface GltfJson {
+  readonly extensions?: Readonly<Record<string, unknown>>;
+  readonly asset?: { readonly copyright?: unknown };
+}
+
+/** The extension of VRM 1 and of VRM 0, whichever a document has. */
+export function vrmOf(json: GltfJson): { version: 0 | 1; extension: Record<string, unknown> } | undefined {
+  for (const [name, version] of [["VRMC_vrm", 1] as const, ["VRM", 0] as const]) {
+    const extension = json.extensions?.[name];
+    if (isRecord(extension)) return { version, extension };
+  }
+  return undefined;
+}
+
+/** Whether a value is an object with properties. */
+export function isRecord(value: unknown): value is Record<string, unknown> {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+/**
+ * Number of the node of each role, as a VRM declares it; `undefined` for other files. What is the chest here carries neck and
+ * shoulders: `upperChest` where there is one.
+ * @throws StrutError `bad-file` where the humanoid is missing, or names a bone twice
+ */
+export function vrmRoles(json: GltfJson): Partial<Record<Role, number>> | undefined {
+  const vrm = vrmOf(json);
+  if (!vrm) return undefined;
+  const humanoid = isRecord(vrm.extension.humanoid) ? vrm.extension.humanoid : {};
+  const nodes = new Map<string, number>();
+  for (const [bone, node] of vrm.version === 1 ? bonesOf1(humanoid) : bonesOf0(humanoid)) {
+    if (nodes.has(bone)) throw broken(`This VRM names two joints as its ${bone}.`);
+    nodes.set(bone, node);
+  }
+  if (nodes.size === 0) throw broken("This VRM has no humanoid: it does not say which of its joints are bones.");
+  const roles: Partial<Record<Role, number>> = {};
+  for (const role of ROLES) {
+    const upper = role === "chest" ? nodes.get("upperChest") : undefined;
+    const node = upper ?? nodes.get(vrmBone(role));
+    if (node !== undefined) roles[role] = node;
+  }
+  return roles;
+}
+
+function* bonesOf1({ humanBones }: Record<string, unknown>): Generator<[string, number]> {
+  if (!isRecord(humanBones)) return;
+  for (const [bone, entry] of Object.entries(humanBones))
+    if (isRecord(entry) && typeof entry.node === "number") yield [bone, entry.node];
+}
+
+function* bonesOf0({ humanBones }: Record<string, unknown>): Generator<[string, number]> {
+  if (!Array.isArray(humanBones)) return;
+  for (const entry of humanBones as unknown[]) {
+    if (!isRecord(entry)) continue;
+    const { bone, node } = entry;
+    if (typeof bone === "string" && typeof node === "number" && node >= 0) yield [bone, node];
+  }
+}
+
+function broken(message: string): StrutError {
+  const hint = "Export it again from the program that made it.";
+  return new StrutError({ code: "bad-file", message, hint });
+}

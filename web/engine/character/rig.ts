@@ -1,0 +1,102 @@
+/** The engine's side of a character: roles of its joints, and poses as rotations of its bones. On the calling thread. */
+import { JOINTS, POSE_FLOATS } from "../../humanoid";
+import { Handle } from "../handle";
+import { type CharacterGlue, characterPackage } from "./wasm";
+
+/** A skeleton in the pose in which the character was modelled (the bind pose); parents come before their children. */
+export interface Skeleton {
+  /** Names as in the file. */
+  readonly names: readonly string[];
+  /** Parent of each joint; −1 for joint 0, the only root. */
+  readonly parents: Int32Array;
+  /** From the parent to the joint in the bind pose, along the axes of the world: xyz, any unit. */
+  readonly offsets: Float32Array;
+  /** World rotation of each joint in the bind pose, xyzw. */
+  readonly bind: Float32Array;
+  /** Local rotation of each joint at rest, xyzw: joints without a role keep it. */
+  readonly local: Float32Array;
+}
+
+/** A bound skeleton. */
+export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]>> {
+  /** Joint of each role; −1 where there is none. */
+  readonly roles: Int32Array;
+  /** Confidence in the roles, 0–1. */
+  readonly confidence: number;
+  /** Sentences for people on what was matched and assumed. */
+  readonly notes: readonly string[];
+  /** From the axes of the file to ours, xyzw: the identity where +Y is up. */
+  readonly worldFromFile: Float32Array;
+  /**
+   * What the last {@link apply} wrote: translation of the hips in their parent's frame, in the skeleton's unit, then the
+   * local rotation of every joint, xyzw.
+   */
+  readonly frame: Float32Array;
+  /** A copy of the pose where the caller's is no `Float32Array`. */
+  readonly #pose = new Float32Array(POSE_FLOATS);
+
+  private constructor(glue: CharacterGlue, skeleton: Skeleton, roles: Int32Array, metresPerUnit: number) {
+    const { names, parents, offsets, bind, local } = skeleton;
+    super(
+      characterPackage.guarded(
+        () => new glue.Character([...names], parents, offsets, bind, local, roles, metresPerUnit),
+      ),
+      "character",
+    );
+    this.roles = this.raw.roles();
+    this.confidence = this.raw.confidence();
+    this.notes = this.raw.notes();
+    this.worldFromFile = this.raw.worldFromFile();
+    this.frame = new Float32Array(this.raw.frameFloats());
+  }
+
+  /**
+   * Binds a skeleton.
+   * @param roles joint of each role that is known; −1 where it is to be found
+   * @param metresPerUnit length of the skeleton's unit
+   * @throws StrutError `load`, or `bad-file` with what the skeleton lacks
+   */
+  static async of(
+    skeleton: Skeleton,
+    roles: Int32Array = new Int32Array(JOINTS).fill(-1),
+    metresPerUnit = 1,
+  ): Promise<CharacterRig> {
+    return new CharacterRig(await characterPackage.load(), skeleton, roles, metresPerUnit);
+  }
+
+  /** The body in metres: 21 × xyz; the first is the height of the hips above the soles. */
+  get proportions(): Float32Array {
+    return this.raw.proportions();
+  }
+
+  /**
+   * Sets how high the soles lie in the bind pose, along the body's up axis in the skeleton's unit.
+   * @param points what of the feet can touch the ground: side (0 left), part (0 foot, 1 toes) and xyz from the part's joint
+   */
+  setSole(height: number, points: Float32Array = new Float32Array()): void {
+    characterPackage.guarded(() => this.raw.setSole(height, points));
+  }
+
+  /** Sets the body that poses are on, 21 × xyz in metres. @throws StrutError `bad-input` */
+  setBody(proportions: ArrayLike<number>): void {
+    characterPackage.guarded(() => this.raw.setBody(Float32Array.from(proportions)));
+  }
+
+  /**
+   * Poses on the body of {@link setBody}, 87 numbers a frame.
+   * @param locals of every frame and joint its local translation, xyz in the skeleton's unit, and rotation, xyzw
+   */
+  toPoses(locals: Float32Array): Float32Array {
+    return characterPackage.guarded(() => this.raw.toPoses(locals));
+  }
+
+  /** Fills {@link frame} with a pose of `POSE_FLOATS` numbers. @throws StrutError `bad-input` unless they are finite */
+  apply(pose: ArrayLike<number>): void {
+    let floats = pose;
+    if (!(floats instanceof Float32Array)) {
+      if (floats.length === POSE_FLOATS) this.#pose.set(floats);
+      floats = this.#pose;
+    }
+    characterPackage.guarded(() => this.raw.apply(floats as Float32Array, this.frame));
+  }
+}
