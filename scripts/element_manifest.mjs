@@ -111,3 +111,18 @@ ${augmentation("preact", jsx("CommonAttributes"))}
 ${augmentation("vue", vue)}
 `;
 }
+
+/** The table of attributes in `docs/embedding.md`. */
+export function attributeTableOf({ ATTRIBUTES }) {
+  const rows = Object.entries(ATTRIBUTES).map(([name, { type, isFlag, initial, write, doc }]) => {
+    const values = isFlag
+      ? "present or not"
+      : type.includes(' | "')
+        ? type.replaceAll('"', "`").replaceAll(" | ", " ")
+        : type;
+    const first = isFlag ? "" : write(initial);
+    const shown = first === null || first === "" ? "" : `\`${first}\``;
+    return `| \`${name}\` | ${values.replaceAll("|", "\\|")} | ${shown} | ${doc} |`;
+  });
+  return ["| Attribute | Values | Default | |", "| --- | --- | --- | --- |", ...rows].join("\n");
+}

@@ -1,5 +1,5 @@
 /** `<strut-player>` on pages of others: loaded by a script tag, many at once, by keyboard, where things are missing. */
-import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
@@ -82,8 +82,15 @@ const stylesOf = (page: Page) => page.evaluate(() => window.player.styles);
 const timeOf = (page: Page) => page.evaluate(() => window.player.currentTime);
 
 describe("a player", () => {
-  test("walks where it is seen, after three lines", async () => {
-    const page = await openPlayer("autoplay");
+  test("walks where it is seen, after the three lines of the README", async () => {
+    const readme = readFileSync(join(root, "README.md"), "utf8");
+    const lines = /```html\n(<!doctype html>[\s\S]*?)```/.exec(readme)![1]!;
+    expect(lines.trim().split("\n")).toHaveLength(3);
+    const page = await open(lines.replace("<!doctype html>", ""));
+    await page.evaluate(() => {
+      window.player = document.querySelector("strut-player") as StrutPlayer;
+      return window.player.ready;
+    });
     await eventually(() => timeOf(page)).toBeGreaterThan(0.3);
     expect(await page.evaluate(() => [window.workers, window.contexts])).toEqual([1, 1]);
     await page.context().close();
