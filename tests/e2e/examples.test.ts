@@ -4,6 +4,7 @@ import { join } from "node:path";
 import { build as esbuild } from "esbuild";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import type { StrutPlayer } from "../../web/element";
 import { type Consumer, installPackage, styledByNode } from "../package/consumer";
 import { serveFolder } from "../package/server";
 import { root } from "../recordings";
@@ -52,6 +53,58 @@ async function openExample(folder: string): Promise<{ page: Page; errors: string
   await page.goto(server.url);
   return { page, errors, close: () => page.close().finally(server.close) };
 }
+
+/** The styles of the page's player. */
+const stylesOf = (page: Page) =>
+  page.locator("strut-player").evaluate(async (found) => {
+    const player = found as StrutPlayer;
+    await player.ready;
+    return player.styles;
+  });
+
+test("plain: an article's figure walks, and takes the styles of its buttons", async () => {
+  const { page, errors, close } = await openExample(copyExample("plain"));
+  try {
+    expect(await stylesOf(page)).toEqual({ proud: 0.6, old: 0.15, childlike: 0.25 });
+    await page.getByRole("button", { name: "childlike", exact: true }).first().click();
+    expect(await stylesOf(page)).toEqual({ childlike: 1 });
+    await page.getByRole("slider", { name: "Style" }).press("ArrowUp");
+    await screenshot(page, "example-plain");
+    expect(await page.locator("#manner").textContent()).toBe("mostly childlike");
+    expect(errors.filter((line) => !line.includes("KHR_parallel"))).toEqual([]);
+  } finally {
+    await close();
+  }
+});
+
+test("react: the player follows React's state, and React the visitor", async () => {
+  const folder = copyExample("react");
+  for (const name of ["react", "react-dom", "scheduler"])
+    cpSync(join(root, "node_modules", name), join(folder, "node_modules", name), { recursive: true });
+  await esbuild({
+    entryPoints: [join(folder, "main.jsx")],
+    outfile: join(folder, "bundle.js"),
+    bundle: true,
+    format: "esm",
+    jsx: "automatic",
+    logLevel: "error",
+  });
+  cpSync(join(folder, "node_modules", "strut-motion", "assets"), join(folder, "assets"), { recursive: true });
+  const { page, errors, close } = await openExample(folder);
+  try {
+    expect(await stylesOf(page)).toEqual({ proud: 1 });
+    await page.getByRole("button", { name: "half of each" }).click();
+    expect(await stylesOf(page)).toEqual({ proud: 0.5, old: 0.5 });
+    await page.getByRole("slider", { name: "Style" }).press("ArrowDown");
+    const { old } = await stylesOf(page);
+    expect(old).toBeGreaterThan(0.5);
+    expect(await page.locator("output").textContent()).toContain(`old ${old!.toFixed(2)}`);
+    await screenshot(page, "example-react");
+    expect(errors.filter((line) => !line.includes("KHR_parallel"))).toEqual([]);
+  } finally {
+    await close();
+  }
+});
 
 test("three-scene: a figure of its own walks, in a style and then in another", async () => {
   const { page, errors, close } = await openExample(copyExample("three-scene"));
