@@ -69,6 +69,8 @@ export class StrutPlayer extends ElementBase {
   #ready = new Deferred();
   #selection: Selection = [];
   #beforeGesture: Selection = [];
+  /** Styles at the corners of the polygon. */
+  #vertices: readonly string[] = [];
   #source: Source | Motion | undefined;
   #base: Source | Database | undefined;
   #visible = false;
@@ -465,7 +467,8 @@ export class StrutPlayer extends ElementBase {
 
   #showStyles(glide: boolean): void {
     const { info } = this.#opened!.database.value;
-    const { vertices, selection } = triangleOf(this.#selection, info);
+    const { vertices, selection } = triangleOf(this.#selection, info, this.#vertices);
+    this.#vertices = vertices;
     this.#polygon.show({ vertices, selection, whole: false, beyond: isBeyondData(selection, 1) }, glide);
     const isOver = !this.#styles.hidden && getComputedStyle(this.#styles).position === "absolute";
     this.#opened!.figure.viewer.covered = isOver ? this.#styles.offsetWidth / 2 : 0;

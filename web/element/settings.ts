@@ -2,7 +2,7 @@
 import { readHash } from "../link/hash";
 import { PAGE_FIELDS, type PageState } from "../link/page";
 import { PLAY_FIELDS, type PlayState } from "../link/play";
-import { type Selection, toTriangle, vertexOrder } from "../ui/polygon/selection";
+import { firstStyles, type Selection, TRIANGLE, toTriangle, vertexOrder, weightOf } from "../ui/polygon/selection";
 import { ATTRIBUTES, type AttributeName, readAttribute, type ValueOf } from "./attributes";
 
 /** The fields of a link that a player knows. */
@@ -56,12 +56,19 @@ export function completed(styles: Selection, neutral: string): Selection {
   return [...styles.filter(({ name }) => name !== neutral), { name: neutral, weight: own + rest }];
 }
 
-/** The triangle that the small polygon shows, its corners clockwise from the top. */
+/**
+ * The triangle that the small polygon shows, its corners clockwise from the top: the heaviest styles, and where they are fewer
+ * than three also those that were `shown`, or else the first choice.
+ */
 export function triangleOf(
   styles: Selection,
   database: { styles: readonly string[]; neutral: string },
+  shown: readonly string[] = [],
 ): { vertices: string[]; selection: Selection } {
   const order = vertexOrder(database.styles, database.neutral);
-  const selection = styles.length === 3 ? styles : toTriangle(styles, order);
-  return { vertices: order.filter((name) => selection.some((style) => style.name === name)), selection };
+  const heaviest = styles.length > TRIANGLE ? toTriangle(styles, order) : styles;
+  const others = [...shown, ...firstStyles(database.styles, database.neutral)].filter((name) => order.includes(name));
+  const names = [...new Set([...heaviest.map(({ name }) => name), ...others])].slice(0, TRIANGLE);
+  const selection = names.map((name) => ({ name, weight: weightOf(heaviest, name) }));
+  return { vertices: order.filter((name) => names.includes(name)), selection };
 }
