@@ -48,6 +48,8 @@ interface Opened {
   database: Lease<Database>;
   motion: Lease<Motion>;
   figure: Figure;
+  /** Where the figure is drawn. */
+  container: HTMLElement;
 }
 
 export class StrutPlayer extends ElementBase {
@@ -273,6 +275,7 @@ export class StrutPlayer extends ElementBase {
       this.#reopen();
     } else if (name === "theme") this.#recolour();
     else this.#applySettings();
+    if (name === "frame") this.#opened?.figure.seek(this.frame);
   }
 
   // --- opening and closing ---
@@ -333,10 +336,11 @@ export class StrutPlayer extends ElementBase {
       engine.motion(file ? new File([file.bytes], `${file.name}.bvh`) : this.src, {}),
     ]);
     const [database, motion] = leases;
+    // The figure before it is seen until this one takes its place.
+    const container = html("div", { class: "picture" });
+    this.#picture.append(container);
     try {
       const screen = joinScreen();
-      const container = html("div", { class: "picture" });
-      this.#picture.append(container);
       const parts = { strut: await engine.strut(), database: database.value, motion: motion.value, screen, container };
       const figure = await Figure.open(parts, settings, {
         onFrame: (frame) => this.#onFrame(frame),
@@ -344,9 +348,10 @@ export class StrutPlayer extends ElementBase {
         onError: (error) => this.#complain(error),
         onDrawn: () => this.#onDrawn(),
       });
-      return { database, motion, figure };
+      return { database, motion, figure, container };
     } catch (thrown) {
       leaveScreen();
+      container.remove();
       for (const lease of leases) lease.release();
       throw thrown;
     }
@@ -632,9 +637,10 @@ class Deferred {
   }
 }
 
-function closeAll({ figure, database, motion }: Opened): void {
+function closeAll({ figure, database, motion, container }: Opened): void {
   schedule.remove(figure);
   figure.dispose();
+  container.remove();
   leaveScreen();
   database.release();
   motion.release();

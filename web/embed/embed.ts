@@ -1,10 +1,17 @@
 /** The page in a frame: one player with the attributes of the address's query, and messages to the page around it. */
-import type { StrutPlayer } from "../element";
-import { answer, attributesOf, readRequest, SETTINGS } from "./messages";
+import type { FrameDetail, StrutPlayer } from "../element";
+import { answer, attributesOf, readRequest, SETTINGS, type Setting } from "./messages";
 
 const player = document.createElement("strut-player") as StrutPlayer;
 for (const [name, value] of attributesOf(location.search)) player.setAttribute(name, value);
 document.body.append(player);
+
+/** The input frame that is shown: the attribute only says where it begins. */
+let frame = 0;
+player.addEventListener("frame", (event) => {
+  frame = (event as CustomEvent<FrameDetail>).detail.inputFrame;
+});
+const tell = (names: readonly Setting[], type?: string) => answer(player, frame, names, type);
 
 addEventListener("message", ({ data, source }) => {
   const request = readRequest(data);
@@ -16,9 +23,9 @@ addEventListener("message", ({ data, source }) => {
   if (request.playing === true) player.play();
   if (request.playing === false) player.pause();
   // What is told is what the page's visitor sees: any page may know it.
-  if (request.get.length > 0) source?.postMessage(answer(player, request.get), { targetOrigin: "*" });
+  if (request.get.length > 0) source?.postMessage(tell(request.get), { targetOrigin: "*" });
 });
 
 if (parent !== window)
   for (const type of ["ready", "stylechange", "play", "pause"])
-    player.addEventListener(type, () => parent.postMessage(answer(player, SETTINGS, type), "*"));
+    player.addEventListener(type, () => parent.postMessage(tell(SETTINGS, type), "*"));

@@ -31,9 +31,10 @@ export function readRequest(data: unknown): Request | undefined {
   };
 }
 
-/** What a frame tells its page. */
-export function answer(player: Element, names: readonly Setting[], event?: string) {
-  const text = (name: Setting) => player.getAttribute(name) ?? String(readAttribute(player, name));
+/** What a frame of the page tells the page around it; `frame` is the input frame that is shown. */
+export function answer(player: Element, frame: number, names: readonly Setting[], event?: string) {
+  const text = (name: Setting) =>
+    name === "frame" ? frame.toFixed(2) : (player.getAttribute(name) ?? String(readAttribute(player, name)));
   const state = Object.fromEntries(names.map((name) => [name, text(name)]));
   return { strut: VERSION, ...(event && { event }), state };
 }
