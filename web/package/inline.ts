@@ -1,6 +1,7 @@
 /** `strut-motion/inline`: the engine in one file; built-in motions, and what builds and trains, lie beside it. */
 import { baseAddress } from "./assets";
 import { loadInlined } from "./load_inlined";
+import * as servers from "./servers";
 import type { LoadOptions, Strut } from "./types";
 
 export { StrutError, type StrutErrorCode } from "../engine/errors";
@@ -11,7 +12,7 @@ export type * from "./public";
  * @throws StrutError `unsupported` if the browser lacks WebAssembly with SIMD, `cancelled`
  */
 export async function loadStrut({ assets, ...options }: LoadOptions = {}): Promise<Strut> {
-  return loadInlined(assets ?? new URL("assets/", addressOrPage()).href, options);
+  return loadInlined(assets ?? new URL("assets/", addressOrPage()).href, options, servers);
 }
 
 /** A blob has no folder: its files are looked for beside the page. */

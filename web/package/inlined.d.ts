@@ -1,5 +1,6 @@
 /** Files that `scripts/package.mjs` writes into an entry. */
 declare module "strut-inline:*.wasm" {
+  /** Deflated. */
   const bytes: Uint8Array<ArrayBuffer>;
   export default bytes;
 }

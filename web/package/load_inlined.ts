@@ -2,20 +2,22 @@
 import engine from "strut-inline:strut_wasm_bg.wasm";
 import workerText from "strut-inline:worker.js";
 import { baseAddress, type EngineAsset, placeIn, placesBy } from "./assets";
+import { inflate } from "./inflate";
 import { loadEngine } from "./load";
-import * as servers from "./servers";
-import { startEngine } from "./start";
+import { type Servers, startEngine } from "./start";
 import type { LoadOptions, Strut } from "./types";
 
 /**
  * Loads the engine.
  * @param folder where files lie that are not written in
+ * @param servers what serves on the page's thread
  * @param bytes files that the caller has already
  * @throws StrutError `unsupported` if the browser lacks WebAssembly with SIMD, `cancelled`
  */
 export async function loadInlined(
   folder: NonNullable<LoadOptions["assets"]>,
   { worker = true, signal }: Omit<LoadOptions, "assets">,
+  servers: Servers,
   bytes: Partial<Record<EngineAsset, Uint8Array<ArrayBuffer>>> = {},
 ): Promise<Strut> {
   const places = placesBy((file) => placeIn(folder, file, baseAddress()));
@@ -24,7 +26,7 @@ export async function loadInlined(
     workerText: async () => workerText,
     buildWorkerUrl: placeIn(folder, "build_worker.js", baseAddress()),
     servers: async () => servers,
-    boot: { assets: { ...places, "strut_wasm_bg.wasm": engine, ...bytes } },
+    boot: { assets: { ...places, "strut_wasm_bg.wasm": await inflate(engine), ...bytes } },
   };
   return loadEngine(entry.boot, await startEngine(entry, worker, signal), signal);
 }

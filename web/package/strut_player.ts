@@ -2,9 +2,12 @@
  * `strut-player.js`, the script tag: everything that `<strut-player>` needs but the walks, which lie beside it as `walk.bin`
  * and, for frames that may not fetch, as the script `walk.bin.js`. What few need is in the folder `assets`.
  */
+import { serve } from "../client/server/serve";
 import { hostPlayers, StrutPlayer } from "../element";
+import { StrutError } from "../engine/errors";
 import { loadInlined } from "./load_inlined";
 import { SITE } from "./site";
+import type { Servers } from "./start";
 
 const { src } = document.currentScript as HTMLScriptElement;
 const folder = new URL(".", src).href;
@@ -27,9 +30,18 @@ function received(file: string): Promise<Uint8Array<ArrayBuffer>> {
   });
 }
 
+/** Databases are built in a worker alone: what builds them is as large as all else here but three.js and the engine. */
+const SERVERS: Servers = {
+  serve,
+  serveBuilds: () => {
+    const message = "A database cannot be built here, as the page allows no workers.";
+    throw new StrutError({ code: "unsupported", message, hint: "Build it with 'strut build-db', and give the file." });
+  },
+};
+
 async function load() {
   const walk = mayFetch ? {} : { "walk.bin": await received("walk.bin.js") };
-  return loadInlined((file) => `${folder}${file === "walk.bin" ? file : `assets/${file}`}`, {}, walk);
+  return loadInlined((file) => `${folder}${file === "walk.bin" ? file : `assets/${file}`}`, {}, SERVERS, walk);
 }
 
 hostPlayers({ load, site: SITE });
