@@ -105,6 +105,8 @@ export class TopBar {
 
   show({ view, canUndo, canRedo, dark }: { view: ViewName; canUndo: boolean; canRedo: boolean; dark: boolean }): void {
     for (const { name, element } of this.#views) setAttributes(element, { "aria-current": name === view && "page" });
+    // A figure on another page does what Play does.
+    for (const embed of this.#embeds) embed.hidden = view !== "play";
     for (const undo of this.#undo) undo.disabled = !canUndo;
     for (const redo of this.#redo) redo.disabled = !canRedo;
     const name = dark ? strings.page.bar.lightTheme : strings.page.bar.darkTheme;
