@@ -47,11 +47,11 @@ describe("a walk that falls on the polygon", () => {
 
     await page.getByRole("button", { name: "Undo" }).click();
     await eventually(vertices).toHaveLength(8);
-    expect(await page.evaluate(() => window.strut.state.database)).toBe("");
+    await eventually(() => page.evaluate(() => window.strut.state.database)).toBe("");
     await page.getByRole("button", { name: "Redo" }).click();
     await eventually(vertices).toContain("weary");
     await eventually(weights).toMatchObject({ weary: 1 });
-    expect(await page.evaluate(() => window.strut.state.database)).toBe("Built-in + weary");
+    await eventually(() => page.evaluate(() => window.strut.state.database)).toBe("Built-in + weary");
   });
 
   it("has the name that the person gives it", async () => {
@@ -65,7 +65,7 @@ describe("a walk that falls on the polygon", () => {
     await name.fill("<b>tired</b>");
     await make.click();
     await eventually(vertices).toContain("<b>tired</b>");
-    expect(await page.evaluate(() => window.strut.state.database)).toBe("Built-in + weary + <b>tired</b>");
+    await eventually(() => page.evaluate(() => window.strut.state.database)).toBe("Built-in + weary + <b>tired</b>");
     await page.getByRole("button", { name: "Undo" }).click();
     await eventually(vertices).toHaveLength(9);
   });
