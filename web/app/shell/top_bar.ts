@@ -28,6 +28,8 @@ export class TopBar {
   readonly #theme: HTMLButtonElement;
   readonly #export: ExportMenu;
   readonly #embeds: HTMLButtonElement[];
+  /** What holds them. */
+  readonly #embedPlaces: HTMLElement[];
   /** The tabs, and the menu items for them on a narrow screen. */
   readonly #views: { name: ViewName; element: HTMLElement }[];
 
@@ -51,6 +53,8 @@ export class TopBar {
       class: "menu-item",
     });
     this.#embeds = [embed, menuEmbed];
+    const embedPlace = html("span", { class: "wide" }, embed);
+    this.#embedPlaces = [embedPlace, menuEmbed];
     this.#export = new ExportMenu(listeners.onExport);
     this.#theme = button(strings.page.bar.theme, listeners.onTheme, { icon: "sun" });
     const help = button(strings.page.bar.help, listeners.onHelp, { icon: "help", keys: "?" });
@@ -94,7 +98,7 @@ export class TopBar {
         { class: "bar-actions" },
         html("span", { class: "wide" }, undo, redo, divider()),
         share,
-        html("span", { class: "wide" }, embed),
+        embedPlace,
         ...this.#export.elements,
         html("span", { class: "wide" }, divider(), this.#theme, help),
         menuButton,
@@ -106,7 +110,7 @@ export class TopBar {
   show({ view, canUndo, canRedo, dark }: { view: ViewName; canUndo: boolean; canRedo: boolean; dark: boolean }): void {
     for (const { name, element } of this.#views) setAttributes(element, { "aria-current": name === view && "page" });
     // A figure on another page does what Play does.
-    for (const embed of this.#embeds) embed.hidden = view !== "play";
+    for (const place of this.#embedPlaces) place.hidden = view !== "play";
     for (const undo of this.#undo) undo.disabled = !canUndo;
     for (const redo of this.#redo) redo.disabled = !canRedo;
     const name = dark ? strings.page.bar.lightTheme : strings.page.bar.darkTheme;
