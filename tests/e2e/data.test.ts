@@ -58,6 +58,9 @@ const databases = () =>
     .locator("bdi")
     .allTextContents();
 
+/** Name on this device of the open database, as the link has it; it follows the polygon when the input is open too. */
+const openDatabase = () => page.evaluate(() => window.strut.state.database);
+
 /** What the page says of a database that is built. */
 const saidReady = () => page.getByRole("status").filter({ hasText: "ready" });
 
@@ -109,7 +112,7 @@ describe("a zip of clips", () => {
     ).toBe("{");
 
     await page.getByRole("button", { name: "Open small" }).click();
-    await eventually(() => page.evaluate(() => window.strut.state.database)).toBe("small");
+    await eventually(openDatabase).toBe("small");
     const vertices = () =>
       page.locator(".vertex").evaluateAll((v) => v.map((e) => e.getAttribute("data-style")).sort());
     expect(await vertices()).toEqual(["neutral", "old", "proud"]);
@@ -128,13 +131,14 @@ describe("a zip of clips", () => {
     await eventually(databases).toEqual(["Built-in", "small"]);
     await page.getByRole("button", { name: "Open small" }).click();
     await eventually(() => vertices()).toEqual(["neutral", "old", "proud"]);
+    await eventually(openDatabase).toBe("small");
     await page.getByRole("link", { name: "Data" }).click();
     await page.getByRole("button", { name: "Delete small" }).click();
     await eventually(databases).toEqual(["Built-in"]);
     await screenshot(page, "data-deleted");
     await page.getByRole("button", { name: "Open" }).click();
     await eventually(() => vertices()).toContain("strutting");
-    expect(await page.evaluate(() => window.strut.state.database)).toBe("");
+    await eventually(openDatabase).toBe("");
   });
 
   it("may be dropped on the playground, where it brings its view", async () => {
@@ -203,7 +207,8 @@ describe("a browser that keeps nothing", () => {
     expect(await databases()).toEqual(["Built-in", "small"]);
     await page.getByRole("button", { name: "Open small" }).click();
     await eventually(() => page.locator(".vertex").count()).toBe(3);
-    expect(await page.evaluate(() => window.strut.state.database), "no link could bring it back").toBe("");
+    await eventually(() => page.locator(".stage-title").isVisible()).toBe(true);
+    expect(await openDatabase(), "no link could bring it back").toBe("");
   });
 });
 
@@ -367,7 +372,7 @@ describe.skipIf(!data)("recordings", () => {
     );
     expect(await build()).toMatch(/^Two styles ready/);
     await page.getByRole("button", { name: "Open bandai" }).click();
-    await eventually(() => page.evaluate(() => window.strut.state.database)).toBe("bandai");
+    await eventually(openDatabase).toBe("bandai");
     await eventually(() => page.locator(".stage-title").textContent()).toMatch(/^Walk, /);
   });
 });

@@ -115,7 +115,7 @@ describe("a link", () => {
     });
     await page.waitForFunction(() => window.strut?.frame !== undefined);
     await eventually(() => toasts(page)).toContain("“damaged” could not be opened");
-    expect(await page.evaluate(() => window.strut!.state.database)).toBe("");
+    await eventually(() => page.evaluate(() => window.strut!.state.database)).toBe("");
     await closePage(page);
   });
 });
