@@ -38,7 +38,7 @@ const ROOMS = {
   link: ["ui", "client", "humanoid"],
   // What the package gives to its users, of which the element is one.
   "package/types.ts": ["formats", "client", "engine", "humanoid"],
-  element: ["package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
+  element: ["character", "package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
   // The page for frames.
   embed: ["element"],
   package: ["element", "character", "package/types.ts", "formats", "client", "engine", "humanoid"],
@@ -46,6 +46,7 @@ const ROOMS = {
   "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
   "app/state": ["app/ui", "app/strings", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/outputs": [
+    "character",
     "app/state",
     "app/ui",
     "app/strings",
@@ -68,7 +69,7 @@ const ROOMS = {
     "client",
     "humanoid",
   ]),
-  app: ["app/views", "app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
+  app: ["character", "app/views", "app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
     "link",
     "ui",
     "player",

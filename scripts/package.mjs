@@ -156,6 +156,14 @@ export async function writePackage() {
     splitting: true,
     chunkNames: "chunks/[name]-[hash]",
   });
+  await build({
+    ...common,
+    entryPoints: { "strut-character": join(SOURCE, "three.ts") },
+    outdir: OUT,
+    format: "esm",
+    splitting: true,
+    chunkNames: "chunks/[name]-[hash]",
+  });
   for (const entry of ["node", "inline"])
     await build({
       ...common,

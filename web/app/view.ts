@@ -3,7 +3,7 @@
 import type { DroppedFile } from "../client/build/protocol";
 import type { Role } from "../humanoid";
 import type { Session } from "../player/session";
-import type { Viewer } from "../viewer";
+import type { Performer, Viewer } from "../viewer";
 import type { UndoRedo } from "./state/history";
 import type { Playhead } from "./state/playhead";
 import type { Store } from "./state/store";
@@ -32,12 +32,31 @@ export interface ViewHost {
   borrowViewer(container: HTMLElement): ViewerLease;
   /** Says that {@link View.history} has other things to undo or redo. */
   historyChanged(): void;
+  /** The character that performs; undefined where the mannequin does. */
+  performing(): Performing | undefined;
+  /** Has the mannequin perform again. */
+  leaveCharacter(): void;
+  /** Asks which joint of the character is which. */
+  checkJoints(): void;
   /** Opens an input by its name in the library; whether it is open now. */
   chooseInput(name: string): Promise<boolean>;
   /** Opens the browser's file dialog for a motion or a database. */
   chooseFile(): void;
   /** Makes a motion the input of Play, and goes there. */
   playMotion(name: string, bytes: ArrayBuffer): Promise<void>;
+}
+
+/** A character that performs. */
+export interface Performing {
+  /** Its title, or its file's. */
+  readonly name: string;
+  /** Who is to be named with it; empty where nobody is. */
+  readonly credit: string;
+  /** Where its terms stand. */
+  readonly url: string | undefined;
+  /** Whether it is not certain which of its joints is which. */
+  readonly unsure: boolean;
+  readonly performer: Performer;
 }
 
 /** A line each for databases and files, for inputs, and for the analysis of the present one. */
@@ -77,7 +96,7 @@ export interface View {
   /** Whether disposing of the view would lose what a person made; other views are disposed of after a while out of sight. */
   readonly holdsWork?: boolean;
   show(): void;
-  /** Another database or input is open. */
+  /** Another database or input is open, or another body performs. */
   refresh?(): void;
   hide(): void;
   /** Takes files that were dropped while the view is shown, or that the view takes by its kind. */

@@ -1,7 +1,7 @@
 /** A bound character: what pages apply poses to. */
 import type { AnimationClip, Object3D } from "three";
 import { StrutError } from "../engine/errors";
-import { DEFAULT_PROPORTIONS, JOINT, type Role } from "../humanoid";
+import { DEFAULT_PROPORTIONS, JOINT, type Role, restPose } from "../humanoid";
 import { type Bound, bind, originOf, roleNames } from "./bind";
 import { characterClip, keysOf } from "./clip";
 import { withAnimation } from "./glb_patch";
@@ -54,6 +54,7 @@ function licenceOfOrigin({ json, vrm }: Origin): Licence | undefined {
 
 class BoundCharacter implements Character {
   readonly object: Object3D;
+  readonly joints: readonly string[];
   readonly roles: Readonly<Partial<Record<Role, string>>>;
   readonly confidence: number;
   readonly notes: readonly string[];
@@ -64,11 +65,13 @@ class BoundCharacter implements Character {
   readonly #loaded: Loaded;
   readonly #hips: Object3D;
   readonly #driven: { node: Object3D; offset: number }[];
+  readonly #pose = restPose();
   #body: Float32Array | undefined;
 
   constructor(origin: Origin, bound: Bound, loaded: Loaded) {
     [this.#origin, this.#bound, this.#loaded] = [origin, bound, loaded];
     this.object = origin.object;
+    this.joints = bound.joints.names;
     this.roles = roleNames(bound);
     this.confidence = bound.rig.confidence;
     this.notes = bound.notes;
@@ -93,6 +96,11 @@ class BoundCharacter implements Character {
     const { frame } = rig;
     this.#hips.position.set(frame[0]! * hipsScale, frame[1]! * hipsScale, frame[2]! * hipsScale);
     for (const { node, offset } of this.#driven) node.quaternion.fromArray(frame, offset);
+  }
+
+  get pose(): Readonly<Float32Array> {
+    this.#bound.rig.readPose(this.#pose);
+    return this.#pose;
   }
 
   update(dtSecs: number): void {

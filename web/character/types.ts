@@ -71,6 +71,8 @@ export interface CharacterMotion {
 export interface Character {
   /** What is put into the scene; its placement is the caller's. */
   readonly object: Object3D;
+  /** Names of all joints, as in the file; parents come before their children. */
+  readonly joints: readonly string[];
   /** Name of the joint of each role, as in the file. */
   readonly roles: Readonly<Partial<Record<Role, string>>>;
   /** Confidence in the roles, 0–1; below 0.7 a person should look at them. */
@@ -94,6 +96,8 @@ export interface Character {
    * @throws StrutError `bad-input` unless the numbers are finite, `disposed`
    */
   apply(pose: ArrayLike<number>): void;
+  /** The pose that it holds, 87 numbers on its own body ({@link proportions}): where its joints really are. Not to be kept. */
+  readonly pose: Readonly<Float32Array>;
   /** Moves what swings by itself, hair and clothes of a VRM; at most 1/30 s at once. */
   update(dtSecs: number): void;
   /** Brings what swings to rest, as after a cut. */

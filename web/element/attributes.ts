@@ -85,6 +85,7 @@ const controls: Attribute<readonly Control[]> = {
 export const ATTRIBUTES = {
   src: text("strut:neutral-walk", "The motion: URL of a BVH file, or a built-in one."),
   db: text("strut:walk", "The database: URL of a .strutdb file, strut:walk or strut:built-in."),
+  character: text("", "URL of a character that performs in the mannequin's place: .glb, .vrm or .fbx."),
   poster: text("", "URL of a picture that is shown until the figure can be."),
   styles,
   state: text("", "The part after # of a link of the playground; other attributes go before it."),

@@ -5,7 +5,7 @@ import { engineOptions } from "../link/engine_options";
 import type { Database, Playback as EnginePlayback, Motion, Strut } from "../package/types";
 import { Playback } from "../player/playback";
 import type { Selection } from "../ui/polygon/selection";
-import { type Screen, type ThemeColours, type ThemeName, Viewer } from "../viewer";
+import { type Performer, type Screen, type ThemeColours, type ThemeName, Viewer } from "../viewer";
 import type { Drawing } from "./schedule";
 import type { Settings } from "./settings";
 
@@ -141,6 +141,12 @@ export class Figure implements Drawing {
   /** The input frame that is shown, or that was asked for. */
   get inputFrame(): number {
     return this.#seeking ?? this.frame?.inputFrame ?? 0;
+  }
+
+  /** Has a character perform, or the mannequin (`undefined`). */
+  perform(character: Performer | undefined): void {
+    this.viewer.setPerformer(character ?? null);
+    this.invalidate();
   }
 
   setTheme(theme: ThemeName, colours: Partial<ThemeColours>): void {

@@ -1,4 +1,6 @@
 /** What the players of a page share: the engine, one WebGL context, and the schedule of drawing. */
+import type { CharacterSource, LoadCharacterOptions } from "../character/load";
+import type { Character } from "../character/types";
 import type { Strut } from "../package/types";
 import { Screen } from "../viewer";
 import { Schedule } from "./schedule";
@@ -7,32 +9,44 @@ import { SharedEngine } from "./shared_engine";
 /** How long the context is kept when no player is left, milliseconds. */
 const LINGER_MS = 2000;
 
+const NO_HOST = "hostPlayers() must be called before a player loads.";
+
 /** What the page tells its players. */
 export interface PlayerHost {
   /** Loads the engine. */
   load: () => Promise<Strut>;
+  /** Loads a character; the code for it is loaded with the first one. */
+  loadCharacter: LoadCharacter;
   /** Address of the playground; empty where it is not known. */
   site: string;
 }
 
+type LoadCharacter = (source: CharacterSource, options: LoadCharacterOptions) => Promise<Character>;
+
+let host: PlayerHost | undefined;
 let engine: SharedEngine | undefined;
-let address = "";
 
 /** Says what the players of this page load their engine with; before the first of them loads. */
-export function hostPlayers({ load, site }: PlayerHost): void {
-  engine = new SharedEngine(load);
-  address = site;
+export function hostPlayers(given: PlayerHost): void {
+  host = given;
+  engine = new SharedEngine(given.load);
 }
+
+/** Loads a character as the page wants it. @throws StrutError */
+export const loadCharacter: LoadCharacter = (source, options) => {
+  if (!host) throw new Error(NO_HOST);
+  return host.loadCharacter(source, options);
+};
 
 /** The engine of all players. */
 export function sharedEngine(): SharedEngine {
-  if (!engine) throw new Error("hostPlayers() must be called before a player loads.");
+  if (!engine) throw new Error(NO_HOST);
   return engine;
 }
 
 /** Address of the playground; empty where it is not known. */
 export function site(): string {
-  return address;
+  return host?.site ?? "";
 }
 
 /** When players draw. */

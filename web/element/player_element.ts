@@ -2,6 +2,8 @@
  * `<strut-player>`: a figure that walks in a style, on any page (`docs/embedding.md`). It loads when it comes near the screen,
  * plays while it is seen, and shares one engine, one WebGL context and one drawing schedule with the others of its page.
  */
+import type { Licence } from "../character/licence";
+import type { Character } from "../character/types";
 import type { LiveFrame, StyleWeights } from "../client/protocol";
 import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
@@ -14,7 +16,9 @@ import { allOf, isBeyondData, type Selection, vertexOrder } from "../ui/polygon/
 import { graphics } from "../viewer";
 import { ATTRIBUTE_NAMES, type AttributeName, readAttribute, type ValueOf, writeProperty } from "./attributes";
 import { Bar } from "./bar";
+import { Cast, type CastSource } from "./cast";
 import { ownColours, themeOf } from "./colours";
+import { Credit } from "./credit";
 import { Figure, weightsOf } from "./figure";
 import { joinScreen, leaveScreen, schedule, sharedEngine, site } from "./host";
 import { Message } from "./message";
@@ -30,6 +34,8 @@ const NEAR_PX = 200;
 const ANNOUNCE_MS = 1000;
 /** Least time between two changes of the clock while it plays, milliseconds: each one is painted. */
 const CLOCK_MS = 60;
+/** Time out of sight after which a character is freed, milliseconds. */
+const UNSEEN_MS = 30_000;
 /** Weights below this are not said. */
 const SAID = 0.005;
 
@@ -37,7 +43,7 @@ const SAID = 0.005;
 export type FrameDetail = Pick<LiveFrame, "inputFrame" | "timeOut" | "planted" | "reads">;
 
 /** Properties that are attributes and nothing else. */
-type Plain = Exclude<AttributeName, "src" | "db" | "styles">;
+type Plain = Exclude<AttributeName, "src" | "db" | "character" | "styles">;
 type Properties = { -readonly [K in Plain]: ValueOf<K> };
 
 /** Where there is no document, as on a server, the class can be imported and not be used. */
@@ -50,6 +56,8 @@ interface Opened {
   figure: Figure;
   /** Where the figure is drawn. */
   container: HTMLElement;
+  /** Why its character does not perform. */
+  fault: unknown;
 }
 
 export class StrutPlayer extends ElementBase {
@@ -60,6 +68,8 @@ export class StrutPlayer extends ElementBase {
   readonly #probe = html("span", { class: "probe", "aria-hidden": "true" });
   readonly #poster = new Poster(() => this.#press());
   readonly #message = new Message();
+  readonly #credit = new Credit();
+  readonly #cast = new Cast((character) => this.#onCast(character));
   readonly #said = html("p", { class: "visually-hidden", role: "status" });
   readonly #styles = html("div", { class: "styles", part: "styles", hidden: true });
   readonly #polygon: Polygon;
@@ -75,6 +85,7 @@ export class StrutPlayer extends ElementBase {
   #vertices: readonly string[] = [];
   #source: Source | Motion | undefined;
   #base: Source | Database | undefined;
+  #star: CastSource | undefined;
   #visible = false;
   #failed = false;
   /** Whether the figure that is open has been drawn. */
@@ -83,6 +94,9 @@ export class StrutPlayer extends ElementBase {
   #plays = false;
   /** Whether an attribute is being written from within. */
   #reflecting = false;
+  /** Whether the character was freed because nobody saw it. */
+  #isCastFreed = false;
+  #unseen: ReturnType<typeof setTimeout> | undefined;
   #announcement: ReturnType<typeof setTimeout> | undefined;
   #announcedAt = 0;
   #clockAt = 0;
@@ -112,7 +126,7 @@ export class StrutPlayer extends ElementBase {
       site(),
     );
     const stage = html("div", { class: "stage", part: "stage" });
-    stage.append(this.#picture, this.#poster.element, this.#message.element);
+    stage.append(this.#picture, this.#credit.element, this.#poster.element, this.#message.element);
     const instructions = html("p", { class: "visually-hidden", id: "instructions" }, strings.instructions);
     this.#player.append(stage, this.#styles, this.#bar.element, this.#probe, instructions, this.#said);
     root.append(this.#player);
@@ -175,6 +189,26 @@ export class StrutPlayer extends ElementBase {
     this.#takeSource("db", value);
   }
 
+  /** The character: an address, empty for the mannequin, a file, or what `loadCharacter` gave. */
+  get character(): CastSource {
+    return this.#star ?? readAttribute(this, "character");
+  }
+
+  set character(value: CastSource) {
+    this.#star = typeof value === "string" ? undefined : value;
+    this.#writeSource("character", value);
+    this.#perform();
+  }
+
+  /** Asked where the author of a character does not allow everybody to perform it; without it that is refused. */
+  get accept(): ((licence: Licence) => boolean | Promise<boolean>) | undefined {
+    return this.#cast.accept;
+  }
+
+  set accept(ask: ((licence: Licence) => boolean | Promise<boolean>) | undefined) {
+    this.#cast.accept = ask;
+  }
+
   /** The styles and their weights. */
   get styles(): StyleWeights {
     return weightsOf(this.#opened ? this.#selection : settingsOf(this).styles);
@@ -232,7 +266,8 @@ export class StrutPlayer extends ElementBase {
     const options = { ...figure.options, bvh: format === "bvh" };
     const styled = await strut.stylize(motion.value, database.value, options);
     if (format === "bvh") return new Blob([styled.toBVH()], { type: "text/plain" });
-    return new Blob([format === "glb" ? styled.toGLB() : styled.toVRMA()], { type: "model/gltf-binary" });
+    const glb = () => this.#cast.character?.toGLB(styled) ?? styled.toGLB();
+    return new Blob([format === "glb" ? glb() : styled.toVRMA()], { type: "model/gltf-binary" });
   }
 
   // --- what the browser calls ---
@@ -249,6 +284,7 @@ export class StrutPlayer extends ElementBase {
     this.#observe(0, (isVisible) => {
       this.#visible = isVisible;
       this.#applyPlaying();
+      this.#freeUnseen();
     });
     if (this.loading === "eager") void this.#open();
   }
@@ -273,6 +309,9 @@ export class StrutPlayer extends ElementBase {
       if (name === "src") this.#source = undefined;
       else this.#base = undefined;
       this.#reopen();
+    } else if (name === "character") {
+      this.#star = undefined;
+      this.#perform();
     } else if (name === "theme") this.#recolour();
     else this.#applySettings();
     if (name === "frame") this.#opened?.figure.seek(this.frame);
@@ -282,10 +321,15 @@ export class StrutPlayer extends ElementBase {
 
   /** Opens another motion or database, if one is open or wanted already. */
   #takeSource(name: "src" | "db", value: unknown): void {
+    this.#writeSource(name, value);
+    this.#reopen();
+  }
+
+  /** An attribute says where something comes from only if that is an address. */
+  #writeSource(name: "src" | "db" | "character", value: unknown): void {
     this.#reflecting = true;
     writeProperty(this, name, typeof value === "string" ? value : null);
     this.#reflecting = false;
-    this.#reopen();
   }
 
   #reopen(): void {
@@ -331,6 +375,7 @@ export class StrutPlayer extends ElementBase {
       this.dispatchEvent(new CustomEvent("progress", { detail: { label, fraction } }));
     };
     this.#poster.fraction = 0;
+    const cast = this.#cast.take(this.character, { onProgress }).catch((thrown: unknown) => thrown);
     const leases = await allOrNone([
       engine.database(this.db, { onProgress }),
       engine.motion(file ? new File([file.bytes], `${file.name}.bvh`) : this.src, {}),
@@ -348,7 +393,10 @@ export class StrutPlayer extends ElementBase {
         onError: (error) => this.#complain(error),
         onDrawn: () => this.#onDrawn(),
       });
-      return { database, motion, figure, container };
+      // The mannequin performs where the character cannot.
+      const fault = await cast;
+      figure.perform(this.#cast.character);
+      return { database, motion, figure, container, fault };
     } catch (thrown) {
       leaveScreen();
       container.remove();
@@ -357,7 +405,7 @@ export class StrutPlayer extends ElementBase {
     }
   }
 
-  #takeOpened({ figure, database }: Opened): void {
+  #takeOpened({ figure, database, fault }: Opened): void {
     const settings = settingsOf(this);
     this.#selection = completed(settings.styles, database.value.info.neutral);
     this.#bar.setDuration(figure.frames, figure.rateHz);
@@ -367,6 +415,31 @@ export class StrutPlayer extends ElementBase {
     this.#showStyles(false);
     schedule.add(figure);
     this.#applyPlaying();
+    if (fault) this.#complain(fault);
+  }
+
+  /** Has the character perform that is wanted, once a figure is open. */
+  #perform(): void {
+    if (!this.#opened) return;
+    this.#isCastFreed = false;
+    this.#message.hide();
+    this.#cast.take(this.character).catch((thrown: unknown) => this.#complain(thrown));
+  }
+
+  #onCast(character: Character | undefined): void {
+    this.#credit.show(character?.licence);
+    this.#opened?.figure.perform(character);
+  }
+
+  /** Frees the character of a player that has not been seen for a while; it is loaded again when it is. */
+  #freeUnseen(): void {
+    clearTimeout(this.#unseen);
+    if (this.#visible && this.#isCastFreed) this.#perform();
+    if (this.#visible || !this.#cast.character) return;
+    this.#unseen = setTimeout(() => {
+      this.#isCastFreed = true;
+      this.#cast.dispose();
+    }, UNSEEN_MS);
   }
 
   #onDrawn(): void {
@@ -399,6 +472,9 @@ export class StrutPlayer extends ElementBase {
     const opened = this.#opened;
     this.#opened = undefined;
     if (opened) closeAll(opened);
+    if (!abort) return;
+    clearTimeout(this.#unseen);
+    this.#cast.dispose();
   }
 
   /** Takes properties that were set before the element was defined. */

@@ -38,6 +38,7 @@ export const PARTS: readonly Described[] = [
   { name: "link", doc: "The link to Strut." },
   { name: "vertex", doc: "A corner of the polygon." },
   { name: "handle", doc: "The point in the polygon." },
+  { name: "credit", doc: "Who made the character, where that is to be said." },
   { name: "message", doc: "The sentence that says what went wrong." },
 ];
 

@@ -6,6 +6,8 @@ export const element = {
     styles.map(([name, weight]) => `${name} ${weight}`).join(", "),
   instructions:
     "Space plays and pauses. Arrow keys turn the view. Home and End go to the first and the last frame. Keys 1 to 8 give all of one style, L loops, G moves the input, F fills the screen.",
+  credit: (title: string, authors: readonly string[]) =>
+    `${title === "" ? "Character" : title} by ${authors.join(", ")}`,
   seek: "Time",
   seekValue: (now: string, duration: string) => `${now} of ${duration} seconds`,
   ghost: { name: "Input", beside: "Input beside", overlay: "Input in the same place", off: "Input hidden" },

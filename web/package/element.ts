@@ -15,6 +15,10 @@ export function configurePlayers(given: LoadOptions): void {
   options = given;
 }
 
-hostPlayers({ load: () => loadStrut(options), site: SITE });
+hostPlayers({
+  load: () => loadStrut(options),
+  loadCharacter: async (source, call) => (await import("./three")).loadCharacter(source, call),
+  site: SITE,
+});
 if (globalThis.customElements && !customElements.get("strut-player"))
   customElements.define("strut-player", StrutPlayer);

@@ -9,6 +9,8 @@ import { loadInlined } from "./load_inlined";
 import { SITE } from "./site";
 import type { Servers } from "./start";
 
+type Characters = typeof import("./three");
+
 const { src } = document.currentScript as HTMLScriptElement;
 const folder = new URL(".", src).href;
 
@@ -44,5 +46,11 @@ async function load() {
   return loadInlined((file) => `${folder}${file === "walk.bin" ? file : `assets/${file}`}`, {}, SERVERS, walk);
 }
 
-hostPlayers({ load, site: SITE });
+/** With three.js of its own: few need it, and a script cannot share what is inside it. */
+async function loadCharacter(...given: Parameters<Characters["loadCharacter"]>) {
+  const { loadCharacter: load }: Characters = await import(`${folder}strut-character.js`);
+  return load(...given);
+}
+
+hostPlayers({ load, loadCharacter, site: SITE });
 if (!customElements.get("strut-player")) customElements.define("strut-player", StrutPlayer);

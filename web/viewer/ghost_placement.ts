@@ -20,6 +20,8 @@ const HEAD_START = 0.5;
 export class GhostPlacement {
   /** The placed pose. */
   readonly pose = restPose();
+  /** Size of the bodies, as a share of the mannequin's: distances grow with it. */
+  scale = 1;
   readonly #world = createWorldPose();
   #turn = 0;
   #x = 0;
@@ -34,7 +36,7 @@ export class GhostPlacement {
   /** Places an input pose into {@link pose}; returns whether the ghost had drifted too far and was placed again. */
   place(input: ArrayLike<number>, proportions: ArrayLike<number>, body: WorldPose, beside: boolean): boolean {
     if (!beside || !this.#placed) {
-      this.#anchor(input, proportions, body, beside ? BESIDE : 0, 0);
+      this.#anchor(input, proportions, body, beside ? BESIDE * this.scale : 0, 0);
       return false;
     }
     placePose(input, this.#turn, this.#x, this.#z, this.pose);
@@ -42,9 +44,11 @@ export class GhostPlacement {
     const [dx, dz] = [this.pose[0]! - body.positions[0]!, this.pose[2]! - body.positions[2]!];
     const along = dx * Math.sin(heading) + dz * Math.cos(heading);
     const right = dz * Math.sin(heading) - dx * Math.cos(heading);
-    if (Math.abs(along) <= MAX_DRIFT.along && Math.abs(right - BESIDE) <= MAX_DRIFT.across) return false;
-    const drift = Math.max(-MAX_DRIFT.along, Math.min(MAX_DRIFT.along, along));
-    this.#anchor(input, proportions, body, BESIDE, -HEAD_START * drift);
+    const { scale } = this;
+    const [aside, far, across] = [BESIDE * scale, MAX_DRIFT.along * scale, MAX_DRIFT.across * scale];
+    if (Math.abs(along) <= far && Math.abs(right - aside) <= across) return false;
+    const drift = Math.max(-far, Math.min(far, along));
+    this.#anchor(input, proportions, body, aside, -HEAD_START * drift);
     return true;
   }
 

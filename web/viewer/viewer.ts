@@ -1,11 +1,22 @@
 /** The 3-D view: a styled character, its input as a ghost, and the ground they walk on. */
 
 import { MathUtils, Quaternion, Vector3 } from "three";
-import { headingOf, hipsTurn, isPose, JOINT, POSE_FLOATS, type Role, restPose, type WorldPose } from "../humanoid";
+import {
+  DEFAULT_PROPORTIONS,
+  headingOf,
+  hipsTurn,
+  isPose,
+  JOINT,
+  POSE_FLOATS,
+  type Role,
+  restPose,
+  type WorldPose,
+} from "../humanoid";
 import { GhostPlacement } from "./ghost_placement";
 import { Mannequin } from "./mannequin/mannequin";
 import { BodyLook, GhostLook } from "./mannequin/materials";
 import { OnionSkin } from "./onion_skin";
+import { Actor, type Performer } from "./performer";
 import { MotionTrail } from "./stage/motion_trail";
 import type { CameraView } from "./stage/orbit_camera";
 import { Redraw } from "./stage/redraw";
@@ -79,12 +90,20 @@ export class Viewer {
   #labels: { styled: string; input: string };
   #hasInput = false;
   #planted: [boolean, boolean] = [false, false];
+  /** What performs in the mannequin's place. */
+  #actor: Actor | undefined;
+  /** The bones that poses are on. */
+  #proportions: ArrayLike<number> = DEFAULT_PROPORTIONS;
+  readonly #styled = restPose();
+  /** The clip as it was given, and on the body that performs it. */
+  #given: Float32Array | null = null;
   #clip: Float32Array | null = null;
   #pathFrame = 0;
   #lastTime: number | undefined;
   readonly #redraw = new Redraw();
   readonly #placement = new GhostPlacement();
   readonly #input = restPose();
+  readonly #performedInput = restPose();
   readonly #trail = new MotionTrail();
   #onion: OnionSkin | undefined;
   #motionTrail: MotionTrailMode = "off";
@@ -164,7 +183,7 @@ export class Viewer {
     this.#onion?.dispose();
     this.#onion = undefined;
     if (mode !== "onion") return;
-    this.#onion = new OnionSkin(this.#themeNow, this.#body.proportions, this.#stage.quality.detail);
+    this.#onion = new OnionSkin(this.#themeNow, this.#bones, this.#stage.quality.detail);
     this.#stage.scene.add(this.#onion.object);
     void this.#stage.compile();
   }
@@ -218,20 +237,40 @@ export class Viewer {
     return this.#stage.cost;
   }
 
-  /** Takes the bone offsets of both characters: 21 × xyz, metres; see `web/mannequin/fit.ts`. */
+  /** Takes the bone offsets of the body that poses are on: 21 × xyz, metres; see `web/mannequin/fit.ts`. */
   setProportions(proportions: ArrayLike<number>): void {
-    this.#redraw.request();
-    this.#body.setProportions(proportions);
-    this.#ghost.setProportions(proportions);
-    this.#onion?.setProportions(proportions);
-    this.#trail.setClip(this.#clip, this.#body.fit.proportions);
+    this.#proportions = proportions;
+    this.#actor?.performer.setBody(proportions);
+    this.#applyBody();
+  }
+
+  /**
+   * Has a rigged character perform in the mannequin's place, or the mannequin again (`null`). The ghost is a mannequin of
+   * the same body. The character stays its owner's, and must not be freed while it performs.
+   */
+  setPerformer(performer: Performer | null): void {
+    if (performer === (this.#actor?.performer ?? null)) return;
+    this.#dismiss();
+    this.#actor = performer ? new Actor(performer) : undefined;
+    if (performer) {
+      performer.setBody(this.#proportions);
+      this.#stage.scene.add(performer.object);
+      performer.settle();
+    }
+    this.#body.object.visible = !performer;
+    this.#stage.view.scale = this.#actor?.scale ?? 1;
+    this.#placement.scale = this.#actor?.scale ?? 1;
+    this.#applyBody();
+    this.resetTrail();
+    if (performer) this.#stage.showOthers();
   }
 
   /** Takes the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
   setStyled(pose: ArrayLike<number>): void {
     if (!isPose(pose)) return;
-    if (differ(pose, this.#body.pose)) this.#redraw.request();
-    this.#body.setPose(pose);
+    if (differ(pose, this.#styled)) this.#redraw.request();
+    this.#styled.set(pose);
+    this.#pose();
   }
 
   /** Takes the input's pose, or `null` if there is none. */
@@ -254,10 +293,8 @@ export class Viewer {
 
   /** Takes the styled poses of the whole clip, whose path ahead of {@link pathFrame} is drawn; `null` draws none. */
   setPath(poses: Float32Array | null): void {
-    this.#redraw.request();
-    this.#clip = poses;
-    this.#stage.path.setClip(poses);
-    this.#trail.setClip(poses, this.#body.fit.proportions);
+    this.#given = poses;
+    this.#applyPath();
   }
 
   /** Fractional frame of the path's clip that is on screen. */
@@ -272,21 +309,22 @@ export class Viewer {
     this.#stage.path.clear();
     if (this.follow) this.#stage.view.settle();
     this.#placement.reset();
+    this.#actor?.performer.settle();
   }
 
   /** Goes to a view, gliding; that from the side is from the left, or from the right. */
   camera(view: CameraView, fromRight = false): void {
-    this.#stage.setView(view, headingOf(this.#body.world, 0) + (fromRight ? Math.PI : 0));
+    this.#stage.setView(view, headingOf(this.#world, 0) + (fromRight ? Math.PI : 0));
   }
 
   /** Place of a joint of the styled character in the picture, CSS pixels from the canvas's top left. */
   jointScreenPosition(role: Role): { x: number; y: number } {
-    return this.#stage.project(point.fromArray(this.#body.world.positions, 3 * JOINT[role]));
+    return this.#stage.project(point.fromArray(this.#world.positions, 3 * JOINT[role]));
   }
 
   /** The joints of the styled character in the world; not to be kept. */
   get joints(): Readonly<WorldPose> {
-    return this.#body.world;
+    return this.#world;
   }
 
   /** Where a place of the world is in the picture, CSS pixels from the canvas's top left. */
@@ -318,6 +356,7 @@ export class Viewer {
   render(timeSecs: number): boolean {
     const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
     this.#lastTime = timeSecs;
+    this.#actor?.performer.update(dt);
     this.#arrange(dt);
     const stage = this.#stage;
     const centre = followed.copy(hips);
@@ -331,13 +370,10 @@ export class Viewer {
     stage.end();
     const { width, height } = stage.size;
     const { camera } = stage.view;
-    for (const [name, character] of [
-      ["styled", this.#body],
-      ["input", this.#ghost],
-    ] as const) {
-      const radius = HEAD.radius * character.fit.stature;
-      stage.labels.place(name, headOf(character), radius, camera, width, height);
-    }
+    const { rise, radius } = this.#actor?.head ?? headOf(this.#body);
+    stage.labels.place("styled", above(this.#world, rise), radius, camera, width, height);
+    const ghost = headOf(this.#ghost);
+    stage.labels.place("input", above(this.#ghost.world, ghost.rise), ghost.radius, camera, width, height);
     this.onDraw?.();
     return true;
   }
@@ -354,6 +390,7 @@ export class Viewer {
 
   /** Frees everything; the viewer cannot be used afterwards. */
   dispose(): void {
+    this.#dismiss();
     this.#body.dispose();
     this.#ghost.dispose();
     this.#trail.dispose();
@@ -361,14 +398,60 @@ export class Viewer {
     this.#stage.dispose();
   }
 
+  /** Takes the performer off the stage, unless another viewer has it by now. */
+  #dismiss(): void {
+    if (this.#actor) this.#stage.scene.remove(this.#actor.performer.object);
+  }
+
+  /** The joints of the styled character in the world. */
+  get #world(): WorldPose {
+    return this.#actor?.world ?? this.#body.world;
+  }
+
+  /** The bones of the body that performs. */
+  get #bones(): ArrayLike<number> {
+    return this.#actor?.proportions ?? this.#proportions;
+  }
+
+  /** The pose that the styled character holds, on its own body. */
+  get #held(): ArrayLike<number> {
+    return this.#actor?.performer.pose ?? this.#body.pose;
+  }
+
+  /** Brings the styled character to its pose. */
+  #pose(): void {
+    if (this.#actor) this.#actor.perform(this.#styled);
+    else this.#body.setPose(this.#styled);
+  }
+
+  /** Fits everything to the body that performs. */
+  #applyBody(): void {
+    this.#redraw.request();
+    for (const mannequin of [this.#body, this.#ghost]) mannequin.setProportions(this.#bones);
+    this.#onion?.setProportions(this.#bones);
+    this.#pose();
+    this.#applyPath();
+  }
+
+  /** Lays the clip's path and trail as the body performs it. */
+  #applyPath(): void {
+    this.#redraw.request();
+    const given = this.#given;
+    this.#clip = given && this.#actor ? this.#actor.performed(given) : given;
+    this.#pose();
+    this.#stage.path.setClip(this.#clip);
+    this.#trail.setClip(this.#clip, this.#actor?.proportions ?? this.#body.fit.proportions);
+  }
+
   /** Brings everything on the ground to the present poses. */
   #arrange(dtSecs: number): void {
-    const { world, fit } = this.#body;
+    const world = this.#world;
+    const stature = this.#actor?.stature ?? this.#body.fit.stature;
     const { shade, footprints, path } = this.#stage;
     hips.fromArray(world.positions, 0);
-    shade.setOccluder("body", world, fit.stature);
+    shade.setOccluder("body", world, stature);
     footprints.update(this.#planted, world);
-    footprints.draw(dtSecs, fit.stature);
+    footprints.draw(dtSecs, stature);
     path.push(hips.x, hips.z);
     path.draw(hips.x, hips.z, this.#pathFrame, this.#pathTurn());
     this.#drawMotionTrail();
@@ -411,7 +494,7 @@ export class Viewer {
     const clip = this.#clip;
     if (!clip) return 0;
     const frame = MathUtils.clamp(Math.round(this.#pathFrame), 0, clip.length / POSE_FLOATS - 1);
-    return hipsTurn(this.#body.pose) - hipsTurn(clip, frame);
+    return hipsTurn(this.#held) - hipsTurn(clip, frame);
   }
 
   /** Lays the moments before and after along the character, as the clip has them. */
@@ -433,13 +516,22 @@ export class Viewer {
     this.#onion?.place(clip, this.#pathFrame, placement);
   }
 
+  /** The input's pose on the body that performs. */
+  #inputOnBody(): ArrayLike<number> {
+    if (!this.#actor) return this.#input;
+    this.#actor.perform(this.#input);
+    this.#performedInput.set(this.#actor.performer.pose);
+    this.#pose();
+    return this.#performedInput;
+  }
+
   #placeGhost(dtSecs: number): void {
     const visible = this.#ghost.object.visible;
     if (visible) {
       const again = this.#placement.place(
-        this.#input,
+        this.#inputOnBody(),
         this.#ghost.fit.proportions,
-        this.#body.world,
+        this.#world,
         this.#ghostMode === "beside",
       );
       if (again) this.#ghostFade = 0;
@@ -468,9 +560,16 @@ function differ(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   return false;
 }
 
-/** The middle of a mannequin's head. */
-function headOf({ world, fit }: Mannequin<BodyLook> | Mannequin<GhostLook>): Vector3 {
-  rotation.fromArray(world.rotations, 4 * JOINT.head);
-  head.set(0, HEAD.rise * fit.stature, 0).applyQuaternion(rotation);
-  return head.add(point.fromArray(world.positions, 3 * JOINT.head));
+/** Middle of a mannequin's head above its joint, and its radius, metres. */
+function headOf({ fit }: Mannequin<BodyLook> | Mannequin<GhostLook>): { rise: number; radius: number } {
+  return { rise: HEAD.rise * fit.stature, radius: HEAD.radius * fit.stature };
+}
+
+/** The middle of a head, `rise` metres above its joint. */
+function above({ positions, rotations }: WorldPose, rise: number): Vector3 {
+  rotation.fromArray(rotations, 4 * JOINT.head);
+  return head
+    .set(0, rise, 0)
+    .applyQuaternion(rotation)
+    .add(point.fromArray(positions, 3 * JOINT.head));
 }

@@ -18,6 +18,8 @@ pub struct Character {
     sole_points: Vec<SolePoint>,
     body: Proportions,
     retarget: FromHumanoid,
+    /// From the character's joints to its own body.
+    observe: ToHumanoid,
     /// Local transforms of the file at rest, in frames that are aligned with the world in the bind pose.
     rest: Vec<(Vec3, Quat)>,
     /// World rotation of each joint in the bind pose, and of its parent.
@@ -65,6 +67,7 @@ impl Character {
         let body = Proportions::default();
         Ok(Self {
             retarget: FromHumanoid::for_character(&binding, &body, &[]),
+            observe: ToHumanoid::new(&binding, &binding.proportions),
             sole_points: Vec::new(),
             hips: binding.joint_of_role[Role::Hips.index()].unwrap_or(0),
             body,
@@ -122,6 +125,7 @@ impl Character {
         let binding = Binding::of_character(&self.skeleton, &facts).map_err(|e| EngineError::bad_file(e, ""))?;
         (self.facts, self.binding, self.sole_points) = (facts, binding, sole_points);
         self.retarget = FromHumanoid::for_character(&self.binding, &self.body, &self.sole_points);
+        self.observe = ToHumanoid::new(&self.binding, &self.binding.proportions);
         Ok(())
     }
 
@@ -194,6 +198,17 @@ impl Character {
         pose.copy_to(&mut floats);
         self.play(&floats)?;
         write_floats(&self.out, into)
+    }
+
+    /// Writes the pose that the last [`Character::apply`] brought about, 87 numbers on the character's own body
+    /// ([`Character::proportions`]): where its joints really are. Nothing is allocated.
+    ///
+    /// # Errors
+    /// If the array has another length.
+    pub fn pose(&mut self, into: &Float32Array) -> Result<(), EngineError> {
+        let mut floats = [0.0; POSE_FLOATS];
+        self.observe.frame(&self.translations, &self.rotations).write_to(&mut floats);
+        write_floats(&floats, into)
     }
 }
 

@@ -1,5 +1,6 @@
 /** Exported files. Loaded with the first export. */
 
+import type { StyledPoses } from "../../character/types";
 import type { CallOptions } from "../../client/protocol";
 import { traceAsCsv, traceAsJson } from "../../formats/trace";
 import type { Session } from "../../player/session";
@@ -11,6 +12,9 @@ import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import { cancelled, exportName } from "../ui/words";
 import type { OutputFormat, VideoSize } from "./formats";
+
+/** Media type of GLB files. */
+const GLB = "model/gltf-binary";
 
 /** Renders the viewer's picture off the clock. */
 export interface Pictures {
@@ -31,6 +35,11 @@ export interface OutputSources {
   session: Session;
   store: Store;
   pictures: Pictures;
+  /**
+   * The file of the character that performs, with a motion; undefined where the mannequin does.
+   * @throws StrutError `licence` where its author forbids that
+   */
+  characterGlb: (motion: StyledPoses) => Uint8Array<ArrayBuffer> | undefined;
   playhead: Playhead;
   toasts: Toasts;
   progress: ProgressLine;
@@ -58,7 +67,7 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
       return text === undefined ? undefined : new Blob([text], { type: "text/plain" });
     }
     case "glb":
-      return glb(session);
+      return glb(sources);
     case "csv":
     case "jsonl":
       return trace(session, format);
@@ -72,13 +81,21 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
   }
 }
 
-async function glb(session: Session): Promise<Blob | undefined> {
+async function glb({ session, characterGlb, toasts }: OutputSources): Promise<Blob | undefined> {
   const analysis = await session.styled();
   if (!analysis || !session.database) return undefined;
+  const { inputName: name, database } = session;
+  const { poses, timeOut } = analysis;
+  try {
+    const own = characterGlb({ name, proportions: database.proportions, poses, timeOut });
+    if (own) return new Blob([own], { type: GLB });
+  } catch (error) {
+    if ((error as { code?: unknown }).code !== "licence") throw error;
+    toasts.error(strings.page.characters.noExport);
+    return undefined;
+  }
   const { mannequinGlb } = await import("../../formats/mannequin_glb");
-  const { poses, timeOut: times } = analysis;
-  const bytes = mannequinGlb({ name: session.inputName, proportions: session.database.proportions, poses, times });
-  return new Blob([bytes], { type: "model/gltf-binary" });
+  return new Blob([mannequinGlb({ name, proportions: database.proportions, poses, times: timeOut })], { type: GLB });
 }
 
 async function trace(session: Session, format: "csv" | "jsonl"): Promise<Blob | undefined> {

@@ -3,6 +3,7 @@ import type { DroppedFile } from "../../client/build/protocol";
 import type { DatabaseSource, StrutClient } from "../../client/protocol";
 import type { ViewName } from "../../link/page";
 import { applyTheme, isDark, onSystemTheme, opposite } from "../../ui/theme";
+import { Characters } from "../character/characters";
 import { embed } from "../embed/embed";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
 import { launchOutput } from "../outputs/launch";
@@ -43,6 +44,7 @@ export class App {
   readonly #viewer: SharedViewer;
   readonly #topBar: TopBar;
   readonly #drop: DropZone;
+  readonly #characters: Characters;
   readonly #views: Views;
 
   constructor(root: HTMLElement, client: StrutClient) {
@@ -52,6 +54,7 @@ export class App {
     this.#root = root;
     this.#workspace = new Workspace(client, store, this.#toasts, this.#progress);
     this.#viewer = new SharedViewer(isDark(store.state.theme) ? "dark" : "light");
+    this.#characters = new Characters(this.#toasts, this.#progress.input, () => this.#views.shown?.refresh?.());
     this.#topBar = new TopBar({
       onView: (view) => store.edit({ view }),
       onUndo: () => this.#history.undo(),
@@ -67,6 +70,7 @@ export class App {
       {
         takes: () => viewEntry(store.state.view).takes,
         onMotion: (name, bytes) => void this.#workspace.takeMotion(name, bytes),
+        onCharacter: (file) => void this.#takeCharacter(file),
         onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
         onStyle: (file) => void this.#workspace.databases.addStyle(file, this.#progress.database),
         styleTarget: () => this.#views.shown?.styleTarget,
@@ -147,6 +151,7 @@ export class App {
     this.#views.dispose();
     this.#workspace.dispose();
     this.#viewer.dispose();
+    this.#characters.dispose();
     this.#root.replaceChildren();
   }
 
@@ -162,6 +167,9 @@ export class App {
       openDatabase: (name, file, kept) => this.#openDatabase({ kind: "strutdb", name, file }, kept ? name : ""),
       openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),
       databaseFile: () => databases.file,
+      performing: () => this.#characters.performing,
+      leaveCharacter: () => this.#characters.leave(),
+      checkJoints: () => void this.#characters.checkJoints(),
       borrowViewer: (container) => this.#viewer.borrow(container),
       historyChanged: () => this.#showTopBar(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
@@ -239,6 +247,12 @@ export class App {
     (await this.#views.show(view))?.takeFiles?.(files);
   }
 
+  /** A character performs in Play. */
+  async #takeCharacter(file: File): Promise<void> {
+    this.#store.edit({ view: "play" });
+    await this.#characters.open(file);
+  }
+
   async #embed(): Promise<void> {
     const { session } = this.#workspace;
     const { state } = this.#store;
@@ -267,6 +281,7 @@ export class App {
       playhead,
       store: this.#store,
       pictures: this.#viewer,
+      characterGlb: (motion) => this.#characters.glb(motion),
       toasts: this.#toasts,
       progress: this.#progress.database,
     });

@@ -14,6 +14,8 @@ export interface FileListeners {
   takes: () => "motions" | "all" | undefined;
   onMotion: (name: string, bytes: ArrayBuffer) => void;
   onDatabase: (name: string, file: File) => void;
+  /** A rigged character. */
+  onCharacter: (file: File) => void;
   /** Several files, folders and archives: clips to build a database from. */
   onClips: (files: DroppedFile[]) => void;
   /** One motion that was dropped on {@link styleTarget}. */
@@ -35,6 +37,14 @@ async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListe
   if (file.size > MAX_BYTES) {
     const megabytes = Math.round(file.size / (1024 * 1024));
     listeners.onRefused(strings.page.drop.tooLarge(file.name, megabytes, MAX_BYTES / (1024 * 1024)));
+    return;
+  }
+  if (/\.(glb|vrm|fbx)$/i.test(file.name)) {
+    listeners.onCharacter(file);
+    return;
+  }
+  if (/\.gltf$/i.test(file.name)) {
+    listeners.onRefused(strings.page.drop.separate(file.name));
     return;
   }
   const isDatabase = /\.strutdb$/i.test(file.name);
@@ -85,7 +95,7 @@ export class DropZone {
   readonly #target = html("p", { class: "drop-style", hidden: true }, strings.page.drop.style);
   readonly #picker = html("input", {
     type: "file",
-    accept: ".bvh,.strutdb",
+    accept: ".bvh,.strutdb,.glb,.vrm,.fbx",
     hidden: true,
     "aria-label": strings.page.drop.file,
   });

@@ -32,7 +32,7 @@ export const page = {
     asOnScreen: "as on screen",
     what: {
       bvh: "the motion on the input's own skeleton",
-      glb: "the mannequin with the animation",
+      glb: "the character with the animation",
       webm: "a video of what you see",
       png: "this picture",
       csv: "times, contacts and class weights, a row a frame",
@@ -44,11 +44,13 @@ export const page = {
   },
 
   drop: {
-    invitation: "Drop a BVH, or a folder or zip of clips in several styles. Any humanoid skeleton works.",
-    file: "Motion file",
+    invitation: "Drop a BVH, a character, or a folder or zip of clips in several styles. Any humanoid skeleton works.",
+    file: "Motion, character or database",
     tooLarge: (name: string, megabytes: number, max: number) =>
       `“${name}” has ${megabytes} MB; files up to ${max} MB work. Export a shorter part.`,
-    unknown: (name: string) => `“${name}” is neither a .bvh motion nor a .strutdb database. Drop one of those.`,
+    unknown: (name: string) =>
+      `“${name}” is no motion (.bvh), database (.strutdb) or character (.glb, .vrm, .fbx). Drop one of those.`,
+    separate: (name: string) => `“${name}” refers to other files. Drop the character as one file, .glb.`,
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
     oneUnreadable: "A file could not be read. Drop it again.",
@@ -64,6 +66,28 @@ export const page = {
     databaseRefused: (name: string) => `The database “${name}” could not be opened; another one is open instead.`,
     copyThis: "The browser does not let this page copy. Copy the link here:",
     link: "Link",
+  },
+
+  roles: {
+    heading: "Which joint is which",
+    none: "none",
+    use: "Use these joints",
+  },
+
+  characters: {
+    reading: (name: string) => `Reading ${name}.`,
+    performs: (name: string) => `“${name}” performs now.`,
+    unsure: (name: string) =>
+      `“${name}” performs now. Its joints have unusual names: if a limb moves wrongly, check which joint is which.`,
+    check: "Check joints",
+    back: "Back to the mannequin",
+    by: (authors: readonly string[]) => `by ${authors.join(", ")}`,
+    notForAll: "Not for everybody",
+    terms: (title: string) => `The author of “${title}” does not allow everybody to perform it. `,
+    untitled: "this model",
+    read: "Read the terms.",
+    allowed: "I am allowed to",
+    noExport: "The author of this character does not allow to hand it on with another motion. Export the BVH instead.",
   },
 
   progress: { cancel: "Cancel", done: "Done.", stopped: "Stopped." },

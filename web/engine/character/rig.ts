@@ -90,6 +90,11 @@ export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]
     return characterPackage.guarded(() => this.raw.toPoses(locals));
   }
 
+  /** Fills `into` with the pose that the last {@link apply} brought about, on the character's own body. */
+  readPose(into: Float32Array): void {
+    this.raw.pose(into);
+  }
+
   /** Fills {@link frame} with a pose of `POSE_FLOATS` numbers. @throws StrutError `bad-input` unless they are finite */
   apply(pose: ArrayLike<number>): void {
     let floats = pose;

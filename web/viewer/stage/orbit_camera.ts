@@ -52,6 +52,8 @@ export class OrbitCamera {
   onViewChange: ((view: CameraView) => void) | undefined;
   /** Half the width that has to fit into the picture, metres. */
   halfWidth = 1.15;
+  /** Height of what is looked at as a share of the mannequin's: a giant is seen from farther away. */
+  scale = 1;
   readonly #state: OrbitState = { ...HOME };
   /** The user's own orbit, to which "orbit" returns. */
   #free: OrbitState = { ...HOME };
@@ -157,18 +159,19 @@ export class OrbitCamera {
     // A narrow picture is seen from farther away, never through a wider lens.
     const half = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2));
     const fit = Math.max(1, this.halfWidth / (half * this.camera.aspect) / HOME.distance);
-    const distance = this.#state.distance * fit * this.#zoom;
+    const distance = this.#state.distance * fit * this.#zoom * this.scale;
+    const height = TARGET_HEIGHT * this.scale;
     const ground = distance * Math.cos(elevation);
     const { camera, target } = this;
     camera.position.set(
       target.x + ground * Math.sin(azimuth),
-      TARGET_HEIGHT + distance * Math.sin(elevation),
+      height + distance * Math.sin(elevation),
       target.z + ground * Math.cos(azimuth),
     );
     // Straight down, "up" is where the viewer would be looking.
     camera.up.set(0, 1, 0);
     if (elevation > 1.5) camera.up.set(-Math.sin(azimuth), 0, -Math.cos(azimuth));
-    camera.lookAt(target.x, TARGET_HEIGHT, target.z);
+    camera.lookAt(target.x, height, target.z);
     camera.updateMatrixWorld();
   }
 

@@ -50,6 +50,7 @@ export class Stage implements Drawn {
   readonly #background = new Background();
   readonly #observer: ResizeObserver;
   #theme: Theme | undefined;
+  #hasOthers = false;
   #still = false;
   #compiled = false;
   #compilation = 0;
@@ -174,10 +175,16 @@ export class Stage implements Drawn {
     if (this.#theme) this.#lights.setTheme(this.#theme, quality.shading);
     this.shade.resolution = quality.shadeSize;
     this.shade.shadowTaps = quality.taps;
-    // Only physical materials need the room.
-    this.scene.environment = quality.shading === "physical" ? this.#screen.environment : null;
+    const needsRoom = quality.shading === "physical" || this.#hasOthers;
+    this.scene.environment = needsRoom ? this.#screen.environment : null;
     this.onQuality?.(quality);
     void this.compile();
+  }
+
+  /** Prepares for materials that are not the mannequin's: they are physical at every level, and need the room. */
+  showOthers(): void {
+    this.#hasOthers = true;
+    this.applyQuality();
   }
 
   /** Compiles what will be drawn, one thing at a time and without waiting for it; nothing is drawn meanwhile. */

@@ -8,6 +8,7 @@ import { icon } from "../../../ui/controls/icons";
 import { html, saveFile, setAttributes } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
 import { filesOfDialog } from "../../ui/dropped_files";
+import { askForRoles } from "../../ui/roles_dialog";
 import { capitalised, errorText, numberWord } from "../../ui/words";
 import type { View, ViewHost } from "../../view";
 import { BuildPanel } from "./build_panel";
@@ -20,7 +21,6 @@ import { DatabasesPanel } from "./databases_panel";
 import { DeviceDatabases, type Placed } from "./device_databases";
 import { ClipPreview } from "./preview";
 import { askToReplace } from "./replace_dialog";
-import { askForRoles } from "./roles_dialog";
 import type { SavedDatabase } from "./saved_databases";
 
 const words = strings.data;
@@ -215,7 +215,13 @@ class DatabaseView implements View {
   async #chooseRoles(number: number): Promise<void> {
     const { skeletons, rows } = this.#clips;
     const skeleton = skeletons[number];
-    const roles = skeleton && (await askForRoles(skeleton));
+    const roles =
+      skeleton &&
+      (await askForRoles({
+        joints: skeleton.joints,
+        roles: skeleton.chosen ?? skeleton.roles,
+        note: skeleton.fault || skeleton.note,
+      }));
     if (!roles) return;
     skeleton.chosen = roles;
     const ofSkeleton = rows.filter((row) => row.read?.skeleton === number);

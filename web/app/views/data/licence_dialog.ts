@@ -4,9 +4,9 @@ import { button } from "../../../ui/controls/buttons";
 import { html } from "../../../ui/dom";
 import { megabytes } from "../../strings/numerals";
 import { strings } from "../../strings/strings";
+import { askInDialog, dialogActions } from "../../ui/dialog";
 import { capitalised } from "../../ui/words";
 import type { PublicSet } from "./catalogue";
-import { askInDialog, dialogActions } from "./dialog";
 
 const words = strings.data.sets;
 

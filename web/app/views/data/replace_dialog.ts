@@ -3,7 +3,7 @@
 import { button } from "../../../ui/controls/buttons";
 import { html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { askInDialog, dialogActions } from "./dialog";
+import { askInDialog, dialogActions } from "../../ui/dialog";
 import type { SavedDatabase } from "./saved_databases";
 
 const words = strings.data.replace;

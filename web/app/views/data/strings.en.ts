@@ -85,12 +85,6 @@ export const data = {
     note: (frames: number, secs: string, note: string) => `${counted("frame")(frames)}, ${secs} s. ${note}`,
   },
 
-  roles: {
-    heading: "Which joint is which",
-    none: "none",
-    use: "Use these joints",
-  },
-
   build: {
     heading: "Database",
     panels: "Database",

@@ -58,6 +58,8 @@ class PlayView implements View {
       onFollow: () => this.keys.f(),
       onGhost: () => this.keys.g(),
       onTrace: () => this.keys.t(),
+      onLeave: () => host.leaveCharacter(),
+      onCheck: () => host.checkJoints(),
       onJoint: (role) => store.edit({ part: partOf(role), tab: "style" }),
     });
     this.#heading = new Heading(store, session, playhead, this.#viewport);
@@ -125,10 +127,15 @@ class PlayView implements View {
     this.#shown = true;
     this.#viewport.take(this.#host.borrowViewer(this.#viewport.picture));
     if (this.#database) this.#viewport.proportions = this.#database.proportions;
+    this.#viewport.performing = this.#host.performing();
     this.#viewport.path = session.analysis?.poses;
     this.#viewport.show(store.state);
     if (session.frame) this.#viewport.draw(session.frame);
     this.#play();
+  }
+
+  refresh(): void {
+    this.#viewport.performing = this.#host.performing();
   }
 
   hide(): void {

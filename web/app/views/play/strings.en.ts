@@ -165,6 +165,6 @@ export const play = {
       ["Arrow keys", "move the point; with Shift in small steps"],
       ["Tab, Enter, Delete", "visit, select and drop corners"],
     ] as readonly (readonly [keys: string, does: string])[],
-    drop: "Drop a BVH anywhere to style it. Knobs turn by dragging up and down; type a number for an exact value.",
+    drop: "Drop a BVH anywhere to style it, or a character (GLB, VRM, FBX) to have it perform. Knobs turn by dragging up and down; type a number for an exact value.",
   },
 };

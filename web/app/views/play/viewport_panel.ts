@@ -10,7 +10,7 @@ import { VIEWER_DEFAULTS } from "../../../viewer";
 import type { AppState } from "../../state/state";
 import { partOf } from "../../state/style_settings";
 import { strings } from "../../strings/strings";
-import type { ViewerLease } from "../../view";
+import type { Performing, ViewerLease } from "../../view";
 
 /** Minimum time between updates of read-outs, so that they can be read. */
 const READ_OUT_MS = 500;
@@ -20,6 +20,10 @@ export interface StageListeners {
   onFollow: () => void;
   onGhost: () => void;
   onTrace: () => void;
+  /** The mannequin is to perform again. */
+  onLeave: () => void;
+  /** A person wants to see which joint of the character is which. */
+  onCheck: () => void;
   /** A joint of the styled character was clicked. */
   onJoint: (joint: Role) => void;
 }
@@ -37,6 +41,11 @@ export class ViewportPanel {
   readonly #follow: HTMLButtonElement;
   readonly #ghost: HTMLButtonElement;
   readonly #trace: HTMLButtonElement;
+  /** Name and author of the character that performs, and the way back. */
+  readonly #cast: HTMLElement;
+  readonly #name = html("span", { class: "cast-name" });
+  readonly #check: HTMLButtonElement;
+  readonly #credit = html("a", { class: "caption", target: "_blank", rel: "noreferrer" });
   readonly #fps = html("span");
   readonly #cost = html("span");
   readonly #listeners: StageListeners;
@@ -73,11 +82,14 @@ export class ViewportPanel {
       class: "chip",
       keys: "G",
     });
+    const back = button(strings.page.characters.back, listeners.onLeave, { icon: "close" });
+    this.#check = button(strings.page.characters.check, listeners.onCheck, { label: true });
+    this.#cast = html("div", { class: "cast", hidden: true }, this.#name, this.#credit, this.#check, back);
     this.element = html(
       "main",
       { class: "stage" },
       this.picture,
-      html("div", { class: "stage-heading" }, this.#title, this.#caption),
+      html("div", { class: "stage-heading" }, this.#title, this.#caption, this.#cast),
       html("div", { class: "stage-controls" }, this.#camera.element, this.#follow, this.#ghost, this.#trace),
       html("p", { class: "read-out caption" }, this.#fps, this.#cost, html("span", {}, strings.play.grid)),
     );
@@ -137,6 +149,20 @@ export class ViewportPanel {
     viewer.motionTrail = state.trace;
     // The body shows which part of it the polygon is of.
     this.#lease.tint(ROLES.filter((role) => partOf(role) === state.part));
+  }
+
+  /** The character that performs; undefined where the mannequin does. */
+  set performing(performing: Performing | undefined) {
+    this.#lease?.viewer.setPerformer(performing?.performer ?? null);
+    this.#lease?.invalidate();
+    this.#cast.hidden = !performing;
+    if (!performing) return;
+    const { name, credit, url, unsure } = performing;
+    this.#check.hidden = !unsure;
+    setText(this.#name, name);
+    setText(this.#credit, credit);
+    this.#credit.toggleAttribute("href", url !== undefined);
+    if (url !== undefined) this.#credit.href = url;
   }
 
   /** Body proportions of the styled character. */

@@ -1,6 +1,6 @@
 /** Modal questions: a dialog with a heading, what is asked, and buttons. */
 import "./dialog.css";
-import { html } from "../../../ui/dom";
+import { html } from "../../ui/dom";
 
 let dialogs = 0;
 

@@ -1,0 +1,46 @@
+/** The table of roles: which joint of a skeleton is which part of the body, to be corrected by hand. */
+
+import { ROLES } from "../../humanoid";
+import { button } from "../../ui/controls/buttons";
+import { html } from "../../ui/dom";
+import { strings } from "../strings/strings";
+import { askInDialog, dialogActions } from "./dialog";
+import { spoken } from "./words";
+
+const words = strings.page.roles;
+/** What a role's list says where no joint has the role. */
+const NO_JOINT = -1;
+
+/** A skeleton whose roles are asked for. */
+export interface RoleQuestion {
+  /** Names of its joints. */
+  joints: readonly string[];
+  /** Joint of each role as it is; −1 where there is none. */
+  roles: ArrayLike<number>;
+  /** A sentence on what was matched, or what is missing. */
+  note: string;
+}
+
+/** Asks for the roles of a skeleton: the joint of each, −1 where there is none; undefined where nothing was to be changed. */
+export function askForRoles({ joints, roles, note }: RoleQuestion): Promise<Int32Array | undefined> {
+  const selects = ROLES.map((role, i) => {
+    const select = html("select", { "aria-label": spoken(role) }, html("option", { value: NO_JOINT }, words.none));
+    for (const [joint, name] of joints.entries()) select.append(html("option", { value: joint }, name));
+    select.value = String(roles[i] ?? NO_JOINT);
+    return select;
+  });
+  const rows = ROLES.map((role, i) =>
+    html("label", { class: "role" }, html("span", {}, spoken(role)), html("span", { class: "select" }, selects[i]!)),
+  );
+  return askInDialog<Int32Array>("roles", words.heading, (choose, cancel) => {
+    const use = () => choose(Int32Array.from(selects, (select) => Number(select.value)));
+    return [
+      html("p", { class: "caption" }, note),
+      html("div", { class: "role-table" }, ...rows),
+      dialogActions(
+        button(strings.page.progress.cancel, cancel, { label: true }),
+        button(words.use, use, { label: true, class: "outlined" }),
+      ),
+    ];
+  });
+}

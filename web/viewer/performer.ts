@@ -1,0 +1,83 @@
+/** A rigged character on the stage, in the mannequin's place. */
+import { Box3, type Mesh, type Object3D } from "three";
+import { createWorldPose, JOINT, POSE_FLOATS, restPose, type WorldPose, worldFromLocal } from "../humanoid";
+import { fitTo } from "../mannequin/fit";
+import { CASTER_LAYER } from "./light/layers";
+
+/** What performs poses; `Character` of `web/character` is one. It belongs to who made it. */
+export interface Performer {
+  /** What is drawn: metres, +Y up, on the ground. */
+  readonly object: Object3D;
+  /** The bones of its own body, 21 × xyz, metres. */
+  readonly proportions: ArrayLike<number>;
+  /** The pose that it holds, `POSE_FLOATS` numbers on its own body. */
+  readonly pose: ArrayLike<number>;
+  /** Says which body poses are on. */
+  setBody(proportions: ArrayLike<number>): void;
+  apply(pose: ArrayLike<number>): void;
+  /** Moves hair and clothes on. */
+  update(dtSecs: number): void;
+  /** Brings hair and clothes to rest, as after a cut. */
+  settle(): void;
+}
+
+/** Height of the mannequin, metres. */
+const MANNEQUIN_HEIGHT = 1.75;
+/** Heights beyond which a camera would see nothing but a sole, or would be under the ground. */
+const SCALE = { min: 0.2, max: 6 };
+
+/** A performer with what the stage asks of a body. */
+export class Actor {
+  readonly performer: Performer;
+  readonly proportions: ArrayLike<number>;
+  /** Its joints in the world. */
+  readonly world: WorldPose = createWorldPose();
+  /** Ratio of leg lengths to the mannequin's own. */
+  readonly stature: number;
+  /** Its height as a share of the mannequin's. */
+  readonly scale: number;
+  /** Middle of the head above its joint, and its radius, metres. */
+  readonly head: { rise: number; radius: number };
+  readonly #pose = restPose();
+
+  constructor(performer: Performer) {
+    const { object, proportions } = performer;
+    [this.performer, this.proportions] = [performer, proportions];
+    this.stature = fitTo(proportions).stature;
+    performer.setBody(proportions);
+    this.#pose[1] = proportions[1]!;
+    this.perform(this.#pose);
+    object.updateMatrixWorld(true);
+    const height = new Box3().setFromObject(object).max.y;
+    this.scale = Math.min(SCALE.max, Math.max(SCALE.min, height / MANNEQUIN_HEIGHT));
+    const radius = Math.max(0, height - this.world.positions[3 * JOINT.head + 1]!) / 2;
+    this.head = { rise: radius, radius };
+    object.traverse((node) => {
+      const mesh = node as Mesh;
+      if (!mesh.isMesh) return;
+      mesh.castShadow = true;
+      mesh.receiveShadow = true;
+      mesh.layers.enable(CASTER_LAYER);
+      // Skins leave the bounds of the pose in which they were made.
+      mesh.frustumCulled = false;
+    });
+  }
+
+  /** Takes a pose of the body of `setBody`. */
+  perform(pose: ArrayLike<number>): void {
+    this.performer.apply(pose);
+    worldFromLocal(this.proportions, this.performer.pose, this.world);
+  }
+
+  /** Poses of the body of `setBody` as this body performs them; it holds the last of them then. */
+  performed(poses: ArrayLike<number>): Float32Array {
+    const own = new Float32Array(poses.length);
+    const pose = this.#pose;
+    for (let first = 0; first < own.length; first += POSE_FLOATS) {
+      for (let i = 0; i < POSE_FLOATS; i++) pose[i] = poses[first + i]!;
+      this.performer.apply(pose);
+      own.set(this.performer.pose, first);
+    }
+    return own;
+  }
+}
