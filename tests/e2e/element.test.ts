@@ -4,11 +4,14 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import { chunksOf } from "../../web/character/glb_patch";
 import type { StrutPlayer } from "../../web/element";
 import { serveFolder } from "../package/server";
 import { root } from "../recordings";
+import { FAMILIES } from "../rigs/families";
+import { makeRig } from "../rigs/rig";
 import { axeFaults } from "./axe";
-import { drag, eventually, launchBrowser, middleOf } from "./browser";
+import { drag, eventually, launchBrowser, middleOf, screenshot } from "./browser";
 
 /** What the pages of these tests note. */
 declare const window: { workers: number; contexts: number; chosen: Record<string, number>[]; player: StrutPlayer };
@@ -185,6 +188,58 @@ describe("a player", () => {
       return { picture: picture.type, bvh: (await bvh.text()).slice(0, 9), glb: await glb.slice(0, 4).text() };
     });
     expect(said).toEqual({ picture: "image/png", bvh: "HIERARCHY", glb: "glTF" });
+    await page.context().close();
+  });
+});
+
+describe("a character", () => {
+  const rig = makeRig(FAMILIES.find(({ name }) => name === "VRM 1")!);
+  const restricted = makeRig(rig.family, {
+    document: ({ extensions }) => {
+      Object.assign(extensions!.VRMC_vrm!.meta as object, { avatarPermission: "onlyAuthor" });
+    },
+  });
+  beforeAll(() => {
+    for (const part of ["strut-character.js", "chunks", "assets/strut_wasm_character_bg.wasm"])
+      cpSync(join(root, "dist", "package", part), join(folder, part), { recursive: true });
+    writeFileSync(join(folder, "character.glb"), rig.glb);
+    writeFileSync(join(folder, "restricted.glb"), restricted.glb);
+  });
+  const credit = (page: Page) => page.locator("strut-player p.credit");
+  const alert = (page: Page) => page.locator("strut-player").getByRole("alert");
+
+  test("performs in the mannequin's place, is credited, and is exported", async () => {
+    const page = await openPlayer('character="character.glb" styles="old" controls');
+    expect(await credit(page).innerText()).toBe("Mannequin by Strut");
+    const glb = await page.evaluate(async () =>
+      Array.from(new Uint8Array(await (await window.player.exportFile("glb")).arrayBuffer())),
+    );
+    const [own, out] = [chunksOf(rig.glb), chunksOf(Uint8Array.from(glb))];
+    expect(Buffer.compare(out.binary.subarray(0, own.binary.length), own.binary)).toBe(0);
+    expect(await axeFaults(page)).toEqual([]);
+    await screenshot(page, "element-character");
+    await page.evaluate(() => window.player.removeAttribute("character"));
+    await eventually(() => credit(page).isVisible()).toBe(false);
+    await page.context().close();
+  });
+
+  test("that is missing leaves the mannequin performing, and a sentence", async () => {
+    const page = await openPlayer('character="nobody.glb"');
+    await eventually(() => alert(page).innerText()).toContain("The character could not be loaded");
+    await page.evaluate(() => window.player.setAttribute("character", "character.glb"));
+    await eventually(() => credit(page).isVisible()).toBe(true);
+    expect(await alert(page).isVisible()).toBe(false);
+    await page.context().close();
+  });
+
+  test("that not everybody may perform is refused, unless the page accepts its terms", async () => {
+    const page = await openPlayer('character="restricted.glb"');
+    await eventually(() => alert(page).innerText()).toContain("does not allow everybody to perform it");
+    await page.evaluate(() => {
+      window.player.accept = ({ authors }) => authors.includes("Strut");
+      window.player.character = new URL("restricted.glb", location.href);
+    });
+    await eventually(() => credit(page).isVisible()).toBe(true);
     await page.context().close();
   });
 });

@@ -143,9 +143,9 @@ export class Figure implements Drawing {
     return this.#seeking ?? this.frame?.inputFrame ?? 0;
   }
 
-  /** Has a character perform, or the mannequin (`undefined`). */
-  perform(character: Performer | undefined): void {
-    this.viewer.setPerformer(character ?? null);
+  /** Has a character perform, or the mannequin (`undefined`); resolves when it does. */
+  async perform(character: Performer | undefined): Promise<void> {
+    await this.viewer.setPerformer(character ?? null);
     this.invalidate();
   }
 

@@ -395,7 +395,7 @@ export class StrutPlayer extends ElementBase {
       });
       // The mannequin performs where the character cannot.
       const fault = await cast;
-      figure.perform(this.#cast.character);
+      await figure.perform(this.#cast.character);
       return { database, motion, figure, container, fault };
     } catch (thrown) {
       leaveScreen();
@@ -428,7 +428,7 @@ export class StrutPlayer extends ElementBase {
 
   #onCast(character: Character | undefined): void {
     this.#credit.show(character?.licence);
-    this.#opened?.figure.perform(character);
+    this.#opened?.figure.perform(character).catch((thrown: unknown) => this.#complain(thrown));
   }
 
   /** Frees the character of a player that has not been seen for a while; it is loaded again when it is. */

@@ -92,6 +92,8 @@ export class Viewer {
   #planted: [boolean, boolean] = [false, false];
   /** What performs in the mannequin's place. */
   #actor: Actor | undefined;
+  /** What is to perform as soon as it can be drawn. */
+  #wanted: Performer | null = null;
   /** The bones that poses are on. */
   #proportions: ArrayLike<number> = DEFAULT_PROPORTIONS;
   readonly #styled = restPose();
@@ -245,24 +247,18 @@ export class Viewer {
   }
 
   /**
-   * Has a rigged character perform in the mannequin's place, or the mannequin again (`null`). The ghost is a mannequin of
-   * the same body. The character stays its owner's, and must not be freed while it performs.
+   * Has a rigged character perform in the mannequin's place, or the mannequin again (`null`). The mannequin performs until
+   * what draws the character is compiled. The ghost is a mannequin of the same body. The character stays its owner's, who
+   * may free it once another one was given.
    */
-  setPerformer(performer: Performer | null): void {
-    if (performer === (this.#actor?.performer ?? null)) return;
-    this.#dismiss();
-    this.#actor = performer ? new Actor(performer) : undefined;
-    if (performer) {
-      performer.setBody(this.#proportions);
-      this.#stage.scene.add(performer.object);
-      performer.settle();
-    }
-    this.#body.object.visible = !performer;
-    this.#stage.view.scale = this.#actor?.scale ?? 1;
-    this.#placement.scale = this.#actor?.scale ?? 1;
-    this.#applyBody();
-    this.resetTrail();
-    if (performer) this.#stage.showOthers();
+  async setPerformer(performer: Performer | null): Promise<void> {
+    if (performer === this.#wanted) return;
+    this.#wanted = performer;
+    if (this.#actor) this.#cast(undefined);
+    if (!performer) return;
+    const actor = new Actor(performer);
+    await this.#stage.prepare(performer.object);
+    if (performer === this.#wanted) this.#cast(actor);
   }
 
   /** Takes the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
@@ -390,12 +386,27 @@ export class Viewer {
 
   /** Frees everything; the viewer cannot be used afterwards. */
   dispose(): void {
+    this.#wanted = null;
     this.#dismiss();
     this.#body.dispose();
     this.#ghost.dispose();
     this.#trail.dispose();
     this.#onion?.dispose();
     this.#stage.dispose();
+  }
+
+  #cast(actor: Actor | undefined): void {
+    this.#dismiss();
+    this.#actor = actor;
+    if (actor) {
+      actor.performer.setBody(this.#proportions);
+      this.#stage.scene.add(actor.performer.object);
+    }
+    this.#body.object.visible = !actor;
+    this.#stage.view.scale = actor?.scale ?? 1;
+    this.#placement.scale = actor?.scale ?? 1;
+    this.#applyBody();
+    this.resetTrail();
   }
 
   /** Takes the performer off the stage, unless another viewer has it by now. */

@@ -2,6 +2,7 @@
 import type { Character, StyledPoses } from "../../character/types";
 import { isCancellation } from "../../client/protocol";
 import { strings } from "../strings/strings";
+import { announce } from "../ui/announce";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
@@ -31,11 +32,11 @@ export class Characters {
 
   /** Opens a file; what performs stays where that fails. */
   async open(file: File): Promise<void> {
-    await this.#open(file);
-    const { performing } = this;
+    const performing = await this.#open(file);
     if (!performing) return;
     const { performs, unsure } = strings.page.characters;
-    this.#toasts.note(performing.unsure ? unsure(performing.name) : performs(performing.name));
+    if (performing.unsure) this.#toasts.note(unsure(performing.name));
+    else announce(performs(performing.name));
   }
 
   /** Asks which joint of the character is which, and has it perform so. */
@@ -60,7 +61,7 @@ export class Characters {
     this.#character?.dispose();
   }
 
-  async #open(file: File, roles?: ChosenRoles): Promise<void> {
+  async #open(file: File, roles?: ChosenRoles): Promise<Performing | undefined> {
     try {
       const character = await this.#progress.run(strings.page.characters.reading(file.name), async (call) => {
         const { openCharacter } = await import("./open_character");
@@ -68,9 +69,11 @@ export class Characters {
       });
       this.#toasts.clearErrors();
       this.#take(character, file);
+      return this.#performing;
     } catch (error) {
       // A person who does not accept the terms knows why it is not there.
       if (!isCancellation(error) && codeOf(error) !== "licence") this.#toasts.error(errorText(error));
+      return undefined;
     }
   }
 

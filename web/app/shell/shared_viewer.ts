@@ -65,7 +65,7 @@ export class SharedViewer {
     viewer.tinted = [];
     viewer.labels = { styled: "", input: "" };
     viewer.description = VIEWER_DEFAULTS.description;
-    viewer.setPerformer(null);
+    void viewer.setPerformer(null);
     viewer.setInput(null);
     viewer.setPath(null);
     viewer.motionTrail = "off";

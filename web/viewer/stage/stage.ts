@@ -1,6 +1,6 @@
 /** Everything in the scene but the characters, and where its picture goes. */
 
-import { Scene, Vector3 } from "three";
+import { type Object3D, Scene, Vector3 } from "three";
 import { Lights } from "../light/lights";
 import type { Theme } from "../themes";
 import { Background } from "./background";
@@ -181,10 +181,14 @@ export class Stage implements Drawn {
     void this.compile();
   }
 
-  /** Prepares for materials that are not the mannequin's: they are physical at every level, and need the room. */
-  showOthers(): void {
+  /**
+   * Compiles what draws an object that is not the mannequin's, before it is put into the scene. Its materials are physical at
+   * every level of quality, and need the room.
+   */
+  async prepare(object: Object3D): Promise<void> {
     this.#hasOthers = true;
-    this.applyQuality();
+    this.scene.environment = this.#screen.environment;
+    await this.#screen.renderer.compileAsync(object, this.view.camera, this.scene);
   }
 
   /** Compiles what will be drawn, one thing at a time and without waiting for it; nothing is drawn meanwhile. */

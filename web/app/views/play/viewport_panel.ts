@@ -89,7 +89,8 @@ export class ViewportPanel {
       "main",
       { class: "stage" },
       this.picture,
-      html("div", { class: "stage-heading" }, this.#title, this.#caption, this.#cast),
+      html("div", { class: "stage-heading" }, this.#title, this.#caption),
+      this.#cast,
       html("div", { class: "stage-controls" }, this.#camera.element, this.#follow, this.#ghost, this.#trace),
       html("p", { class: "read-out caption" }, this.#fps, this.#cost, html("span", {}, strings.play.grid)),
     );
@@ -153,8 +154,8 @@ export class ViewportPanel {
 
   /** The character that performs; undefined where the mannequin does. */
   set performing(performing: Performing | undefined) {
-    this.#lease?.viewer.setPerformer(performing?.performer ?? null);
-    this.#lease?.invalidate();
+    const { viewer, invalidate } = this.#lease ?? {};
+    void viewer?.setPerformer(performing?.performer ?? null).then(invalidate);
     this.#cast.hidden = !performing;
     if (!performing) return;
     const { name, credit, url, unsure } = performing;

@@ -1,0 +1,110 @@
+/** Characters that a person drops on the page: they perform, are credited, refused with a sentence, exported and taken away. */
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { chunksOf } from "../../web/character/glb_patch";
+import { FAMILIES, type Family } from "../rigs/families";
+import { type Changes, makeRig } from "../rigs/rig";
+import { axeFaults } from "./axe";
+import { drawn, dropFile, eventually, openSite, saved, screenshot } from "./browser";
+
+let page: Page;
+let close: () => Promise<void>;
+beforeAll(async () => {
+  ({ page, close } = await openSite({ hash: "styles=proud:1", size: { width: 1440, height: 900 }, theme: "light" }));
+});
+afterAll(() => close());
+
+const family = (name: string): Family => FAMILIES.find((each) => each.name === name)!;
+const drop = (name: string, bytes: Uint8Array) => dropFile(page, name, bytes);
+const dropRig = (name: string, changes?: Changes) => drop(`${name}.glb`, makeRig(family(name), changes).glb);
+/** Who performs; empty for the mannequin. */
+const performer = async () => ((await page.locator(".cast").isVisible()) ? page.locator(".cast-name").innerText() : "");
+const alert = () => page.getByRole("alert").textContent();
+/** Height of the picture of the body, from head to feet. */
+const height = () =>
+  page.evaluate(() => {
+    const { strut } = window as unknown as { strut: { jointScreenPosition(role: string): { y: number } } };
+    return strut.jointScreenPosition("left_foot").y - strut.jointScreenPosition("head").y;
+  });
+
+test("a character performs, with its author's name, in its own proportions", async () => {
+  const before = await height();
+  await dropRig("chibi");
+  await eventually(performer).toBe("chibi");
+  // Framed by its height, of which a third is its head: the joint of the head is lower in the picture than the mannequin's.
+  await eventually(height).toBeLessThan(0.85 * before);
+  await drawn(page, 10);
+  await screenshot(page, "character-chibi");
+
+  await dropRig("VRM 1");
+  await eventually(performer).toBe("Mannequin");
+  expect(await page.locator(".cast").getByRole("link", { name: "by Strut" }).isVisible()).toBe(true);
+  expect(await alert()).toBe("");
+  expect(await axeFaults(page)).toEqual([]);
+  await drawn(page, 10);
+  await screenshot(page, "character-vrm");
+});
+
+test("its export is its own file with one more animation", async () => {
+  const { glb } = makeRig(family("VRM 1"));
+  const { name, bytes } = await saved(page, "GLB");
+  expect(name).toMatch(/proud\.glb$/);
+  const [own, out] = [chunksOf(glb), chunksOf(new Uint8Array(bytes))];
+  expect(Buffer.compare(out.binary.subarray(0, own.binary.length), own.binary)).toBe(0);
+  const animations = ({ json }: { json: unknown }) => (json as { animations?: unknown[] }).animations?.length ?? 0;
+  expect(animations(out)).toBe(animations(own) + 1);
+});
+
+test("it stays while other views are looked at, and the mannequin comes back with a click", async () => {
+  await page.getByRole("link", { name: "Compare" }).click();
+  await page.getByRole("link", { name: "Play" }).click();
+  await eventually(performer).toBe("Mannequin");
+  await page.getByRole("button", { name: "Back to the mannequin" }).click();
+  expect(await performer()).toBe("");
+});
+
+test("where names say nothing, a person is offered to check its joints", async () => {
+  await dropRig("unnamed giant");
+  await eventually(performer).toBe("unnamed giant");
+  await page.getByRole("button", { name: "Check joints" }).click();
+  const hips = page.getByRole("dialog").getByLabel("hips");
+  expect(await hips.locator("option:checked").innerText()).toBe("Bone.000");
+  await screenshot(page, "character-joints");
+  await page.getByRole("button", { name: "Use these joints" }).click();
+  await eventually(() => page.getByRole("dialog").count()).toBe(0);
+  await eventually(() => page.getByRole("button", { name: "Check joints" }).isVisible(), "a person has said so").toBe(
+    false,
+  );
+});
+
+test("where not everybody may perform it, a person is asked, and no is an answer", async () => {
+  const restricted: Changes = {
+    document: ({ extensions }) => {
+      Object.assign(extensions!.VRMC_vrm!.meta as object, { name: "Restricted", avatarPermission: "onlyAuthor" });
+    },
+  };
+  await dropRig("VRM 1", restricted);
+  const dialog = page.getByRole("dialog", { name: "Not for everybody" });
+  expect(await dialog.innerText()).toContain("The author of “Restricted” does not allow everybody to perform it.");
+  await dialog.getByRole("button", { name: "Cancel" }).click();
+  expect(await performer()).toBe("unnamed giant");
+  expect(await alert()).toBe("");
+  await dropRig("VRM 1", restricted);
+  await dialog.getByRole("button", { name: "I am allowed to" }).click();
+  await eventually(performer).toBe("Restricted");
+});
+
+test("a file that is none gets a sentence, and who performs goes on", async () => {
+  const { glb } = makeRig(family("VRM 0"));
+  const refused: [string, Uint8Array, string][] = [
+    ["cut.glb", glb.subarray(0, glb.length / 2), "ends before its content does"],
+    ["old.fbx", new TextEncoder().encode("; FBX 6.1.0 project file\nFBXVersion: 6100\n"), "FBX 6.1"],
+    ["parts.gltf", new TextEncoder().encode("{}"), "refers to other files"],
+  ];
+  for (const [name, bytes, sentence] of refused) {
+    await drop(name, bytes);
+    await eventually(alert).toContain(sentence);
+    expect(await performer()).toBe("Restricted");
+    await page.getByRole("alert").getByRole("button").first().click();
+  }
+});
