@@ -33,6 +33,8 @@ export interface EmbedSubject {
   neutral: string;
   /** Whether the database is one of this device. */
   hasOwnDatabase: boolean;
+  /** Whether a character performs. */
+  hasCharacter: boolean;
   onPoster: () => void;
   /** The dialog is closed. */
   onClose: () => void;
@@ -44,6 +46,7 @@ export async function embed({
   library,
   neutral,
   hasOwnDatabase,
+  hasCharacter,
   onPoster,
   onClose,
 }: EmbedSubject): Promise<void> {
@@ -66,6 +69,7 @@ export async function embed({
     notes: [
       ...(carried === false ? [strings.embed.motionLeftOut] : []),
       ...(hasOwnDatabase ? [strings.embed.databaseLeftOut] : []),
+      ...(hasCharacter ? [strings.embed.characterLeftOut] : []),
     ],
     onPoster,
     onClose,

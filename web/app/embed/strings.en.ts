@@ -19,5 +19,7 @@ export const embed = {
     "The dropped motion is too large to travel in the code. Host the file, and give its address as the attribute src of the element.",
   databaseLeftOut:
     "The database is on this device alone. Save it, host the file, and give its address as the attribute db of the element.",
+  characterLeftOut:
+    "The character is not part of the code. Put its file on the web and add its address as the attribute character.",
   title: (manner: string) => `A figure that walks, ${manner}`,
 };

@@ -262,6 +262,7 @@ export class App {
       state,
       library: session.library,
       neutral: session.database?.neutral ?? "",
+      hasCharacter: this.#characters.performing !== undefined,
       hasOwnDatabase: session.databaseSource?.kind === "strutdb",
       onPoster: () => void this.#export("png", "as on screen"),
       onClose: () => {
