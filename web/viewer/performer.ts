@@ -26,6 +26,9 @@ const MANNEQUIN_HEIGHT = 1.75;
 /** Heights beyond which a camera would see nothing but a sole, or would be under the ground. */
 const SCALE = { min: 0.2, max: 6 };
 
+/** Joints at the lower ends of thighs and shins. */
+const LEG_BONES = [JOINT.left_lower_leg, JOINT.left_foot, JOINT.right_lower_leg, JOINT.right_foot];
+
 /** A performer with what the stage asks of a body. */
 export class Actor {
   readonly performer: Performer;
@@ -39,12 +42,14 @@ export class Actor {
   /** Middle of the head above its joint, and its radius, metres. */
   readonly head: { rise: number; radius: number };
   readonly #pose = restPose();
+  /** Ratio of its legs to those of the body that poses are on. */
+  #legs = 1;
 
   constructor(performer: Performer) {
     const { object, proportions } = performer;
     [this.performer, this.proportions] = [performer, proportions];
     this.stature = fitTo(proportions).stature;
-    performer.setBody(proportions);
+    this.setBody(proportions);
     this.#pose[1] = proportions[1]!;
     this.perform(this.#pose);
     object.updateMatrixWorld(true);
@@ -63,13 +68,26 @@ export class Actor {
     });
   }
 
-  /** Takes a pose of the body of `setBody`. */
+  /** Takes the body that poses are on. */
+  setBody(proportions: ArrayLike<number>): void {
+    this.performer.setBody(proportions);
+    this.#legs = legLength(this.proportions) / legLength(proportions);
+  }
+
+  /** Takes a pose of the body of {@link setBody}. */
   perform(pose: ArrayLike<number>): void {
     this.performer.apply(pose);
     worldFromLocal(this.proportions, this.performer.pose, this.world);
   }
 
-  /** Poses of the body of `setBody` as this body performs them; it holds the last of them then. */
+  /** Poses whose hips go over the ground as this body's do; the rest is as in `poses`. */
+  travelling(poses: ArrayLike<number>): Float32Array {
+    const own = Float32Array.from(poses);
+    for (let i = 0; i < own.length; i += POSE_FLOATS) for (const axis of [0, 2]) own[i + axis]! *= this.#legs;
+    return own;
+  }
+
+  /** The poses as this body performs them, a hundredth of a millisecond each; it holds the last of them then. */
   performed(poses: ArrayLike<number>): Float32Array {
     const own = new Float32Array(poses.length);
     const pose = this.#pose;
@@ -80,4 +98,10 @@ export class Actor {
     }
     return own;
   }
+}
+
+/** Length of both legs, from hip to ankle. */
+function legLength(proportions: ArrayLike<number>): number {
+  const bones = LEG_BONES.map((joint) => Math.hypot(...[0, 1, 2].map((axis) => proportions[3 * joint + axis]!)));
+  return bones.reduce((sum, length) => sum + length, 0);
 }

@@ -182,6 +182,7 @@ export class Viewer {
     this.#motionTrail = mode;
     this.#redraw.request();
     this.#trail.object.visible = mode !== "off";
+    if (this.#actor) this.#applyPath();
     this.#onion?.dispose();
     this.#onion = undefined;
     if (mode !== "onion") return;
@@ -242,7 +243,7 @@ export class Viewer {
   /** Takes the bone offsets of the body that poses are on: 21 × xyz, metres; see `web/mannequin/fit.ts`. */
   setProportions(proportions: ArrayLike<number>): void {
     this.#proportions = proportions;
-    this.#actor?.performer.setBody(proportions);
+    this.#actor?.setBody(proportions);
     this.#applyBody();
   }
 
@@ -399,7 +400,7 @@ export class Viewer {
     this.#dismiss();
     this.#actor = actor;
     if (actor) {
-      actor.performer.setBody(this.#proportions);
+      actor.setBody(this.#proportions);
       this.#stage.scene.add(actor.performer.object);
     }
     this.#body.object.visible = !actor;
@@ -448,8 +449,13 @@ export class Viewer {
   #applyPath(): void {
     this.#redraw.request();
     const given = this.#given;
-    this.#clip = given && this.#actor ? this.#actor.performed(given) : given;
-    this.#pose();
+    this.#clip = given;
+    if (given && this.#actor) {
+      // Hands and feet matter to the trail alone.
+      const isTraced = this.#motionTrail !== "off";
+      this.#clip = isTraced ? this.#actor.performed(given) : this.#actor.travelling(given);
+      this.#pose();
+    }
     this.#stage.path.setClip(this.#clip);
     this.#trail.setClip(this.#clip, this.#actor?.proportions ?? this.#body.fit.proportions);
   }
