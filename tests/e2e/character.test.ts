@@ -94,6 +94,20 @@ test("where not everybody may perform it, a person is asked, and no is an answer
   await eventually(performer).toBe("Restricted");
 });
 
+test("where its author forbids to change it, only the motion is exported", async () => {
+  await dropRig("VRM 1", {
+    document: ({ extensions }) => {
+      Object.assign(extensions!.VRMC_vrm!.meta as object, { name: "As it is", modification: "prohibited" });
+    },
+  });
+  await eventually(performer).toBe("As it is");
+  await page.getByRole("button", { name: "Export" }).click();
+  await page.locator(".export-menu").getByRole("button", { name: /^GLB/ }).click();
+  await eventually(alert).toContain("does not allow to hand it on with another motion");
+  expect((await saved(page, "VRMA")).name).toMatch(/\.vrma$/);
+  await page.getByRole("alert").getByRole("button").first().click();
+});
+
 test("a file that is none gets a sentence, and who performs goes on", async () => {
   const { glb } = makeRig(family("VRM 0"));
   const refused: [string, Uint8Array, string][] = [
@@ -104,7 +118,7 @@ test("a file that is none gets a sentence, and who performs goes on", async () =
   for (const [name, bytes, sentence] of refused) {
     await drop(name, bytes);
     await eventually(alert).toContain(sentence);
-    expect(await performer()).toBe("Restricted");
+    expect(await performer()).toBe("As it is");
     await page.getByRole("alert").getByRole("button").first().click();
   }
 });

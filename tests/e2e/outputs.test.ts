@@ -25,7 +25,7 @@ describe("the menu", () => {
     await page.getByRole("button", { name: "Export" }).click();
     await screenshot(page, "export-menu");
     const names = await page.locator(".export-menu .menu-item > :first-child").allTextContents();
-    expect(names).toEqual(["BVH", "GLB", "WebM", "PNG", "CSV", "JSON"]);
+    expect(names).toEqual(["BVH", "GLB", "VRMA", "WebM", "PNG", "CSV", "JSON"]);
     await page.keyboard.press("Escape");
     expect(await page.locator(".export-menu").isVisible()).toBe(false);
   });
@@ -43,6 +43,14 @@ describe("a saved file", () => {
     const { input } = gltf.animations[0].samplers[0];
     expect(gltf.accessors[input].count).toBe(frames);
     expect(gltf.accessors[input].max[0], "the old walk takes longer").toBeGreaterThan(frames / 60);
+  });
+
+  it("is the motion alone, for any VRM", async () => {
+    const { name, bytes } = await saved(page, "VRMA");
+    expect(name).toBe("neutral-walk-old.vrma");
+    const gltf = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
+    expect(gltf.extensionsUsed).toEqual(["VRMC_vrm_animation"]);
+    expect(gltf.meshes).toBeUndefined();
   });
 
   it("is a picture of the stage's shape", async () => {

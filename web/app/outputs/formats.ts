@@ -1,12 +1,13 @@
 /** Formats of exported files. */
 
 /** A format, named by its file extension. */
-export type OutputFormat = "bvh" | "glb" | "webm" | "png" | "csv" | "jsonl";
+export type OutputFormat = "bvh" | "glb" | "vrma" | "webm" | "png" | "csv" | "jsonl";
 
 /** Formats in the order of the menu. */
 export const OUTPUT_FORMATS: readonly { format: OutputFormat; name: string }[] = [
   { format: "bvh", name: "BVH" },
   { format: "glb", name: "GLB" },
+  { format: "vrma", name: "VRMA" },
   { format: "webm", name: "WebM" },
   { format: "png", name: "PNG" },
   { format: "csv", name: "CSV" },

@@ -68,6 +68,8 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
     }
     case "glb":
       return glb(sources);
+    case "vrma":
+      return vrma(session);
     case "csv":
     case "jsonl":
       return trace(session, format);
@@ -84,10 +86,11 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
 async function glb({ session, characterGlb, toasts }: OutputSources): Promise<Blob | undefined> {
   const analysis = await session.styled();
   if (!analysis || !session.database) return undefined;
-  const { inputName: name, database } = session;
+  const { inputName: name } = session;
+  const { proportions } = session.database;
   const { poses, timeOut } = analysis;
   try {
-    const own = characterGlb({ name, proportions: database.proportions, poses, timeOut });
+    const own = characterGlb({ name, proportions, poses, timeOut });
     if (own) return new Blob([own], { type: GLB });
   } catch (error) {
     if ((error as { code?: unknown }).code !== "licence") throw error;
@@ -95,7 +98,16 @@ async function glb({ session, characterGlb, toasts }: OutputSources): Promise<Bl
     return undefined;
   }
   const { mannequinGlb } = await import("../../formats/mannequin_glb");
-  return new Blob([mannequinGlb({ name, proportions: database.proportions, poses, times: timeOut })], { type: GLB });
+  return new Blob([mannequinGlb({ name, proportions, poses, times: timeOut })], { type: GLB });
+}
+
+async function vrma(session: Session): Promise<Blob | undefined> {
+  const analysis = await session.styled();
+  if (!analysis || !session.database) return undefined;
+  const { vrmAnimation } = await import("../../formats/vrma");
+  const { poses, timeOut: times } = analysis;
+  const { proportions } = session.database;
+  return new Blob([vrmAnimation({ name: session.inputName, proportions, poses, times })], { type: GLB });
 }
 
 async function trace(session: Session, format: "csv" | "jsonl"): Promise<Blob | undefined> {

@@ -33,6 +33,7 @@ export const page = {
     what: {
       bvh: "the motion on the input's own skeleton",
       glb: "the character with the animation",
+      vrma: "the motion alone, for any VRM",
       webm: "a video of what you see",
       png: "this picture",
       csv: "times, contacts and class weights, a row a frame",
@@ -87,7 +88,8 @@ export const page = {
     untitled: "this model",
     read: "Read the terms.",
     allowed: "I am allowed to",
-    noExport: "The author of this character does not allow to hand it on with another motion. Export the BVH instead.",
+    noExport:
+      "The author of this character does not allow to hand it on with another motion. Export the motion alone instead: VRMA or BVH.",
   },
 
   progress: { cancel: "Cancel", done: "Done.", stopped: "Stopped." },
