@@ -5,6 +5,7 @@ import { loadCharacter } from "../../web/character/load";
 import { JOINTS, POSE_FLOATS, ROLES } from "../../web/humanoid";
 import { FAMILIES } from "../rigs/families";
 import { makeRig } from "../rigs/rig";
+import { angleBetween } from "./compare";
 import { performances } from "./performance";
 
 test.each(FAMILIES)("a motion in a file of the $name is read as it was written", async (family) => {
@@ -28,12 +29,7 @@ test.each(FAMILIES)("a motion in a file of the $name is read as it was written",
       // Feet that would sink are lifted, which bends the legs; everything else is as it was.
       if (/leg/.test(ROLES[j]!)) continue;
       const at = f * POSE_FLOATS + 3 + 4 * j;
-      const { x, y, z } = new Quaternion()
-        .fromArray(poses, at)
-        .normalize()
-        .invert()
-        .multiply(new Quaternion().fromArray(again, at).normalize());
-      const angle = (2 * Math.asin(Math.min(1, Math.hypot(x, y, z))) * 180) / Math.PI;
+      const angle = angleBetween(new Quaternion().fromArray(poses, at), new Quaternion().fromArray(again, at));
       if (/foot/.test(ROLES[j]!)) continue;
       if (angle > worst) [worst, of] = [angle, ROLES[j]!];
     }

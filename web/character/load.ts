@@ -30,7 +30,7 @@ export interface LoadCharacterOptions extends CallOptions, BindOptions {
 }
 
 /** Imports `@pixiv/three-vrm`; rejects where the page does not have it. */
-export type ImportVrm = () => Promise<{ VRMLoaderPlugin: new (parser: unknown) => unknown }>;
+export type ImportVrm = () => Promise<{ VRMLoaderPlugin: new (parser: never) => unknown }>;
 
 /**
  * Loads and binds a character.
@@ -166,7 +166,7 @@ async function readGlb(
 async function vrmPlugin(importVrm: ImportVrm | undefined): Promise<((parser: unknown) => unknown) | undefined> {
   try {
     const module = await importVrm?.();
-    return module && ((parser) => new module.VRMLoaderPlugin(parser));
+    return module && ((parser) => new module.VRMLoaderPlugin(parser as never));
   } catch {
     return undefined;
   }
