@@ -1,7 +1,6 @@
 /** VRM 0 and 1 through the real three-vrm: bones, springs and clips. */
 import { type VRM, VRMLoaderPlugin } from "@pixiv/three-vrm";
 import { AnimationMixer, type Object3D, Quaternion, Vector3 } from "three";
-import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { expect, test } from "vitest";
 import { bindCharacter } from "../../web/character/character";
 import { loadCharacter } from "../../web/character/load";
@@ -11,15 +10,9 @@ import { movingAnimation, poseOf } from "../humanoid_animation";
 import { FAMILIES } from "../rigs/families";
 import { type GltfDocument, makeRig } from "../rigs/rig";
 import { angleBetween, type Difference, farthest } from "./compare";
+import { loadVrm } from "./load_vrm";
 
 const VRMS = FAMILIES.filter(({ vrm }) => vrm !== undefined);
-
-/** A VRM as pages load it, with three-vrm's plugin. */
-async function loadVrm(file: ArrayBuffer): Promise<VRM> {
-  const loader = new GLTFLoader();
-  loader.register((parser) => new VRMLoaderPlugin(parser));
-  return (await loader.parseAsync(file, "")).userData.vrm as VRM;
-}
 
 /** The character of a file, and what three-vrm read beside it. */
 async function load(file: ArrayBuffer): Promise<{ character: Character; vrm: VRM }> {
