@@ -23,8 +23,8 @@ const LONGEST_STEP = 1 / 30;
 
 /** What a loader knows besides. */
 export interface Loaded {
-  /** The file, for exports. */
-  readonly file?: Uint8Array;
+  /** The model as binary glTF, for exports. */
+  readonly file?: Uint8Array | undefined;
   /** Frees what the loader made. */
   readonly free?: () => void;
 }
@@ -115,8 +115,8 @@ class BoundCharacter implements Character {
     }
     const { file } = this.#loaded;
     if (!file) {
-      const message = "This character was not loaded from a file.";
-      throw new StrutError({ code: "bad-input", message, hint: "Load it with loadCharacter." });
+      const message = "There is no file of this character that a motion could be added to.";
+      throw new StrutError({ code: "bad-input", message, hint: "Load it with loadCharacter, without glb: false." });
     }
     const { joints, roles, driven } = this.#bound;
     const { times, hips, rotations } = this.#onBodyOf(() => keysOf(this.#bound, motion, false));

@@ -107,7 +107,9 @@ export function jointsOf(object: Object3D, chosen: readonly Object3D[] = []): Jo
 
 /** The name that a node has in its file: loaders change names for three.js. */
 export function nameInFile({ name, userData }: Object3D): string {
-  return typeof userData.name === "string" ? userData.name : name;
+  // The loaders of glTF and of FBX keep it in different places.
+  const kept: unknown = userData.name ?? userData.originalName;
+  return typeof kept === "string" ? kept : name;
 }
 
 /** Where every node lies inside the object. */

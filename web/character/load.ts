@@ -7,11 +7,12 @@ import { cancelled, type ErrorParts, StrutError } from "../engine/errors";
 import type { CallOptions } from "../engine/types";
 import { originOf } from "./bind";
 import { bindLoaded } from "./character";
+import { converted } from "./convert";
 import { chunksOf } from "./glb_patch";
 import { checkGltf } from "./gltf_check";
 import { type Licence, licenceOf } from "./licence";
 import type { BindOptions, Character, GltfLike, Origin, VrmLike } from "./types";
-import { type GltfJson, vrmOf } from "./vrm_humanoid";
+import { type GltfJson, isRecord, vrmOf } from "./vrm_humanoid";
 
 /** Largest file, bytes. */
 const MAX_BYTES = 128 * 1024 * 1024;
@@ -27,6 +28,11 @@ export type CharacterSource = string | URL | ArrayBuffer | Blob;
 export interface LoadCharacterOptions extends CallOptions, BindOptions {
   /** Asked where the author does not allow everybody to perform the character; without it that is refused. */
   accept?: (licence: Licence) => boolean | Promise<boolean>;
+  /**
+   * Whether {@link Character.toGLB} will be wanted, `true` unless it is given: a model of FBX is then written as glTF while it
+   * is loaded.
+   */
+  glb?: boolean;
 }
 
 /** Imports `@pixiv/three-vrm`; rejects where the page does not have it. */
@@ -52,14 +58,13 @@ export async function loadCharacter(
   const file = await bytesOf(source, signal);
   stop();
   onProgress?.({ label: "Reading the character", fraction: 0.5 });
-  const loaded = isFbx(file) ? await readFbx(file) : await readGlb(file, accept, importVrm);
+  const loaded = isFbx(file) ? await readFbx(file, options.glb ?? true) : await readGlb(file, accept, importVrm);
   try {
     stop();
     checkTriangles(loaded.origin.object);
     const binding = loaded.metresPerUnit === undefined ? options : { ...options, metresPerUnit: loaded.metresPerUnit };
     const { object } = loaded.origin;
-    const extra = loaded.isGlb ? { file, free: () => free(object) } : { free: () => free(object) };
-    const character = await bindLoaded(loaded.origin, binding, extra);
+    const character = await bindLoaded(loaded.origin, binding, { file: loaded.glb, free: () => free(object) });
     onProgress?.({ label: "Reading the character", fraction: 1 });
     return character;
   } catch (thrown) {
@@ -71,7 +76,8 @@ export async function loadCharacter(
 /** A file as three.js has it. */
 interface Read {
   readonly origin: Origin;
-  readonly isGlb: boolean;
+  /** The model as binary glTF; `undefined` where it cannot be written so. */
+  readonly glb: Uint8Array | undefined;
   readonly metresPerUnit: number | undefined;
 }
 
@@ -122,7 +128,7 @@ function fbxVersion(file: Uint8Array): number {
   return file.length < 27 ? 0 : new DataView(file.buffer, file.byteOffset).getUint32(23, true);
 }
 
-async function readFbx(file: Uint8Array<ArrayBuffer>): Promise<Read> {
+async function readFbx(file: Uint8Array<ArrayBuffer>, wantsGlb: boolean): Promise<Read> {
   const version = fbxVersion(file);
   if (version < MIN_FBX) {
     const shown = version > 0 ? `FBX ${version / 1000}` : "FBX of an unknown version";
@@ -132,7 +138,10 @@ async function readFbx(file: Uint8Array<ArrayBuffer>): Promise<Read> {
     );
   }
   const { FBXLoader } = await import("three/addons/loaders/FBXLoader.js");
-  const inner = await reading(async () => new FBXLoader(closedManager()).parse(file.buffer, ""));
+  const manager = closedManager();
+  const textures = ended(manager);
+  const inner = await reading(async () => new FBXLoader(manager).parse(file.buffer, ""));
+  await textures();
   const { unitScaleFactor } = inner.userData;
   const metresPerUnit = typeof unitScaleFactor === "number" && unitScaleFactor > 0 ? unitScaleFactor / 100 : 0.01;
   // The file's own axes are turned inside, and the object that the page places has metres.
@@ -140,7 +149,32 @@ async function readFbx(file: Uint8Array<ArrayBuffer>): Promise<Read> {
   object.add(inner);
   object.scale.setScalar(metresPerUnit);
   object.animations = inner.animations;
-  return { origin: originOf(object), isGlb: false, metresPerUnit };
+  dropEmptyTextures(object);
+  const origin = originOf(object);
+  // Without it the character performs all the same.
+  const glb = wantsGlb ? await converted(object).catch(() => undefined) : undefined;
+  return { origin: glb ? { ...origin, indexOf: glb.indexOf } : origin, glb: glb?.file, metresPerUnit };
+}
+
+/** A wait for all that a manager has begun to load, whether it could be loaded or not. */
+function ended(manager: LoadingManager): () => Promise<void> {
+  let hasBegun = false;
+  manager.onStart = () => {
+    hasBegun = true;
+  };
+  const end = new Promise<void>((resolve) => {
+    manager.onLoad = resolve;
+  });
+  return async () => {
+    if (hasBegun) await end;
+  };
+}
+
+/** Takes away textures that could not be loaded, such as those in other files: they would be black, and in no file. */
+function dropEmptyTextures(object: Object3D): void {
+  for (const material of materialsOf(object))
+    for (const [key, value] of Object.entries(material) as [string, unknown][])
+      if (isTexture(value) && !value.image) (material as unknown as Record<string, unknown>)[key] = null;
 }
 
 async function readGlb(
@@ -159,7 +193,7 @@ async function readGlb(
   const gltf: GltfLike = await reading(() => loader.parseAsync(file.buffer, ""));
   const vrm = gltf.userData?.vrm as VrmLike | undefined;
   const origin = originOf(gltf);
-  return { origin: vrm ? { ...origin, vrm } : origin, isGlb: true, metresPerUnit: undefined };
+  return { origin: vrm ? { ...origin, vrm } : origin, glb: file, metresPerUnit: undefined };
 }
 
 /** three-vrm's plugin of the loader where the page has it: it makes hair and clothes swing. */
@@ -223,15 +257,22 @@ function checkTriangles(object: Object3D): void {
 /** Frees what a model holds on the graphics card. */
 function free(object: Object3D): void {
   object.traverse((node) => {
-    const { geometry, material } = node as Partial<Mesh>;
-    geometry?.dispose();
-    for (const each of material ? [material].flat() : []) freeMaterial(each);
+    (node as Partial<Mesh>).geometry?.dispose();
   });
+  for (const material of materialsOf(object)) {
+    for (const value of Object.values(material) as unknown[]) if (isTexture(value)) value.dispose();
+    material.dispose();
+  }
   object.removeFromParent();
 }
 
-function freeMaterial(material: Material): void {
-  for (const value of Object.values(material) as unknown[])
-    if ((value as Texture | null)?.isTexture) (value as Texture).dispose();
-  material.dispose();
+function materialsOf(object: Object3D): Set<Material> {
+  const materials = new Set<Material>();
+  object.traverse((node) => {
+    const { material } = node as Partial<Mesh>;
+    for (const each of material ? [material].flat() : []) materials.add(each);
+  });
+  return materials;
 }
+
+const isTexture = (value: unknown): value is Texture => isRecord(value) && value.isTexture === true;

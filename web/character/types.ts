@@ -101,7 +101,7 @@ export interface Character {
   /** The motion as a clip of three.js for {@link object}, a key a frame. */
   toClip(motion: StyledPoses, options?: CharacterClipOptions): AnimationClip;
   /**
-   * The character's own file with the motion as one more animation.
+   * The character's own file with the motion as one more animation; a character of FBX as glTF.
    * @throws StrutError `licence` where the author forbids it, `bad-input` where the character has no file
    */
   toGLB(motion: StyledPoses): Uint8Array<ArrayBuffer>;
