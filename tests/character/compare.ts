@@ -1,5 +1,6 @@
 /** Compares two copies of a character, or two rotations. */
 import { type Object3D, Quaternion, Vector3 } from "three";
+import { POSE_FLOATS, ROLES } from "../../web/humanoid";
 
 /** How far two things lie apart: millimetres and degrees. */
 export interface Difference {
@@ -29,4 +30,25 @@ export function farthest(
     so = { millimetres: Math.max(so.millimetres, 1000 * distance), degrees: Math.max(so.degrees, angle) };
   }
   return so;
+}
+
+/**
+ * The largest angle between the joints of two motions, frame by frame, in degrees.
+ * @param but names of roles that are not compared
+ */
+export function turnsApart(
+  a: Float32Array,
+  b: Float32Array,
+  frames: number,
+  but?: RegExp,
+): { degrees: number; role: string } {
+  let worst = { degrees: 0, role: "" };
+  for (let f = 0; f < frames; f++)
+    for (const [j, role] of ROLES.entries()) {
+      if (but?.test(role)) continue;
+      const at = f * POSE_FLOATS + 3 + 4 * j;
+      const degrees = angleBetween(new Quaternion().fromArray(a, at), new Quaternion().fromArray(b, at));
+      if (degrees > worst.degrees) worst = { degrees, role };
+    }
+  return worst;
 }

@@ -17,6 +17,8 @@ export interface FbxOptions {
   unitScaleFactor?: number;
   /** A clip of the joints of the rig; a VRM's normalized bones are none. */
   clip?: AnimationClip;
+  /** Whether there are meshes, as "With Skin" has it at Mixamo; `true` unless given. */
+  skin?: boolean;
 }
 
 /** A value of a record: a whole number is an int64, a `Float` a double. */
@@ -44,7 +46,10 @@ const object = (kind: string, id: bigint, name: string, of: string, type: string
 const IDENTITY = Float64Array.from(new Matrix4().elements);
 
 /** Writes the file of a family; its armature is left away. */
-export function fbxFile(family: Family, { version = 7400, unitScaleFactor = 1, clip }: FbxOptions = {}) {
+export function fbxFile(
+  family: Family,
+  { version = 7400, unitScaleFactor = 1, clip, skin: isSkinned = true }: FbxOptions = {},
+) {
   const rig = read(family);
   const ids = (first: number) => (i: number) => BigInt(first + i);
   const [model, cluster, curve] = [ids(1000), ids(2000), ids(10_000)];
@@ -64,7 +69,7 @@ export function fbxFile(family: Family, { version = 7400, unitScaleFactor = 1, c
     link(model(j), parent < 0 ? 0n : model(parent));
   }
 
-  for (const [m, triangles] of rig.meshes.entries()) {
+  for (const [m, triangles] of isSkinned ? rig.meshes.entries() : []) {
     const [geometry, body, skin] = [BigInt(100 + m), BigInt(200 + m), BigInt(300 + m)];
     const name = ["Body", "Joints"][m]!;
     const polygons = triangles.map((vertex, i) => (i % 3 === 2 ? ~vertex : vertex));

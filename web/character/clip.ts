@@ -16,13 +16,16 @@ export interface Keys {
 }
 
 /** The motion on the bones of a character. @throws StrutError `bad-input` unless the motion is one of finite poses */
-export function keysOf({ rig, driven, hipsScale }: Bound, motion: StyledPoses, inPlace: boolean): Keys {
+export function keysOf(bound: Bound, motion: StyledPoses, inPlace: boolean): Keys {
+  return bound.rig.onBody(motion.proportions, () => keysOnBody(bound, motion, inPlace));
+}
+
+function keysOnBody({ rig, driven, hipsScale }: Bound, motion: StyledPoses, inPlace: boolean): Keys {
   const frames = motion.timeOut.length;
   const hips = new Float32Array(3 * frames);
   const rotations = Array.from(driven, () => new Float32Array(4 * frames));
   const pose = new Float32Array(POSE_FLOATS);
   const start = motion.timeOut[0] ?? 0;
-  rig.setBody(motion.proportions);
   for (let f = 0; f < frames; f++) {
     pose.set(motion.poses.subarray(f * POSE_FLOATS, (f + 1) * POSE_FLOATS));
     if (inPlace) [pose[0], pose[2]] = [motion.poses[0]!, motion.poses[2]!];
