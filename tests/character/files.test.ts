@@ -1,6 +1,6 @@
 /** Files in and out: what is refused and in which words, and exports that keep the model's bytes. */
 import { validateBytes } from "gltf-validator";
-import { AnimationMixer, type Object3D, Quaternion, Vector3 } from "three";
+import { AnimationMixer, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { expect, test } from "vitest";
 import { bindCharacter } from "../../web/character/character";
@@ -10,6 +10,7 @@ import { DEFAULT_PROPORTIONS, POSE_FLOATS } from "../../web/humanoid";
 import { movingAnimation } from "../humanoid_animation";
 import { FAMILIES, type Family } from "../rigs/families";
 import { type Changes, makeRig } from "../rigs/rig";
+import { type Difference, farthest, pairs } from "./compare";
 
 const family = (name: string): Family => FAMILIES.find((each) => each.name === name)!;
 const [VRM_1, VRM_0, MIXAMO] = ["VRM 1", "VRM 0", "Mixamo in cm"].map(family) as [Family, Family, Family];
@@ -48,25 +49,18 @@ test.each(FAMILIES)("the $name performs from its file, and its export is read ba
   const poses = again.motions.at(-1)!;
   expect(poses).toMatchObject({ name: "moving", rateHz: 60 });
   expect(again.motions).toHaveLength(1);
-  const twins: [Object3D, Object3D][] = [];
-  pair(character.object, read.scene, twins);
-  let [distance, angle] = [0, 0];
+  const twins = pairs(character.object, read.scene);
+  let off: Difference = { millimetres: 0, degrees: 0 };
   for (const frame of [0, 7, 30, 59]) {
     character.apply(motion.poses.subarray(frame * POSE_FLOATS, (frame + 1) * POSE_FLOATS));
     mixer.setTime(times[frame]!);
     character.object.updateMatrixWorld(true);
     read.scene.updateMatrixWorld(true);
-    for (const [a, b] of twins) {
-      distance = Math.max(distance, a.getWorldPosition(new Vector3()).distanceTo(b.getWorldPosition(new Vector3())));
-      angle = Math.max(
-        angle,
-        angleBetween(a.getWorldQuaternion(new Quaternion()), b.getWorldQuaternion(new Quaternion())),
-      );
-    }
+    off = farthest(twins, off);
   }
-  console.info(`${each.name}: ${(1000 * distance).toFixed(4)} mm, ${angle.toFixed(5)}°`);
-  expect(1000 * distance).toBeLessThan(0.1);
-  expect(angle).toBeLessThan(0.01);
+  console.info(`${each.name}: ${off.millimetres.toFixed(4)} mm, ${off.degrees.toFixed(5)}°`);
+  expect(off.millimetres).toBeLessThan(0.1);
+  expect(off.degrees).toBeLessThan(0.01);
   character.dispose();
 });
 
@@ -74,18 +68,6 @@ test.each(FAMILIES)("the $name performs from its file, and its export is read ba
 async function complaints(file: Uint8Array) {
   const { messages } = (await validateBytes(file)).issues;
   return messages.flatMap(({ code, severity }) => (severity < 2 ? [{ code, severity }] : []));
-}
-
-/** Degrees; exact for small angles, of which `angleTo` loses the digits. */
-function angleBetween(a: Quaternion, b: Quaternion): number {
-  const { x, y, z } = a.clone().invert().multiply(b);
-  return (2 * Math.asin(Math.min(1, Math.hypot(x, y, z))) * 180) / Math.PI;
-}
-
-/** Nodes of two copies of a file, one beside the other. */
-function pair(a: Object3D, b: Object3D, out: [Object3D, Object3D][]): void {
-  out.push([a, b]);
-  for (const [i, child] of a.children.entries()) pair(child, b.children[i]!, out);
 }
 
 test("a clip has a key a frame, and stays over its start if asked to", async () => {

@@ -2,10 +2,13 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { chunksOf } from "../../web/character/glb_patch";
+import { loadCharacter } from "../../web/character/load";
+import { vrmAnimation } from "../../web/formats/vrma";
+import { movingAnimation } from "../humanoid_animation";
 import { FAMILIES, type Family } from "../rigs/families";
 import { type Changes, makeRig } from "../rigs/rig";
 import { axeFaults } from "./axe";
-import { drawn, dropFile, eventually, openSite, saved, screenshot } from "./browser";
+import { drawn, dropFile, eventually, inputName, openSite, saved, screenshot } from "./browser";
 
 let page: Page;
 let close: () => Promise<void>;
@@ -61,6 +64,25 @@ test("it stays while other views are looked at, and the mannequin comes back wit
   await eventually(performer).toBe("Mannequin");
   await page.getByRole("button", { name: "Back to the mannequin" }).click();
   expect(await performer()).toBe("");
+});
+
+test("motions in a file become inputs, without the figure and with it", async () => {
+  const { times, ...moving } = movingAnimation();
+  await drop("wave.vrma", vrmAnimation({ ...moving, times }));
+  await eventually(() => inputName(page)).toBe("wave");
+  expect(await performer(), "the mannequin goes on").toBe("");
+
+  const character = await loadCharacter(makeRig(family("Mixamo in cm")).glb.buffer);
+  const motion = { ...moving, timeOut: times };
+  const once = await loadCharacter(character.toGLB({ ...motion, name: "first" }).buffer);
+  await drop("dancer.glb", once.toGLB({ ...motion, name: "second" }));
+  await eventually(() => inputName(page)).toBe("dancer, first");
+  expect(await performer()).toBe("dancer");
+  expect(await page.getByRole("status").allTextContents()).toContainEqual(
+    expect.stringContaining("The file holds one more motion"),
+  );
+  await page.getByLabel("Input motion").selectOption("dancer, second");
+  await eventually(() => inputName(page)).toBe("dancer, second");
 });
 
 test("where names say nothing, a person is offered to check its joints", async () => {

@@ -27,6 +27,8 @@ export interface Family {
   readonly trunk: readonly string[];
   /** Names of the joints of one finger, left; the right ones are got by {@link mirroredName}. */
   readonly finger: readonly string[];
+  /** Names of the joints of a lock of hair, which swings by itself in a VRM. */
+  readonly hair: readonly string[];
   /** Name of a joint above the hips, where there is one. */
   readonly root?: string;
   /** Biped hangs the thighs on the spine and the collarbones on the neck. */
@@ -81,6 +83,8 @@ const UNITY = names(
   (part, side) => capital(side) + part,
 );
 
+const VROID_HAIR = ["J_Sec_Hair1_01", "J_Sec_Hair2_01", "J_Sec_Hair3_01"];
+
 const PLAIN = {
   pose: "T" as const,
   size: 1,
@@ -90,6 +94,7 @@ const PLAIN = {
   facesAway: false,
   trunk: [],
   finger: [],
+  hair: [],
 };
 
 /** The eight rigs of `shared/spec/embedding.md` section 5. */
@@ -101,10 +106,20 @@ export const FAMILIES: readonly Family[] = [
     axes: "y",
     trunk: ["J_Bip_C_Chest"],
     finger: ["J_Bip_L_Index1", "J_Bip_L_Index2"],
+    hair: VROID_HAIR,
     root: "Root",
     vrm: 1,
   },
-  { ...PLAIN, name: "VRM 0", joints: VROID, axes: "world", facesAway: true, trunk: ["J_Bip_C_Chest"], vrm: 0 },
+  {
+    ...PLAIN,
+    name: "VRM 0",
+    joints: VROID,
+    axes: "world",
+    facesAway: true,
+    trunk: ["J_Bip_C_Chest"],
+    hair: VROID_HAIR,
+    vrm: 0,
+  },
   {
     ...PLAIN,
     name: "Mixamo in cm",

@@ -235,6 +235,10 @@ function jointsOf(
     for (const name of family.finger)
       parent = add(naming(name), parent, joints[parent]!.position.clone().add(along), bind(hand));
   }
+  const lock = new Vector3(0, -0.04, -0.06).applyQuaternion(facing);
+  let strand = ofRole[JOINT.head]!;
+  for (const name of family.hair)
+    strand = add(name, strand, joints[strand]!.position.clone().add(lock), bind(JOINT.head));
   return { joints, ofRole };
 }
 
@@ -305,15 +309,16 @@ function documentOf(
   return { document, buffer };
 }
 
-/** VRM's humanoid and a meta that allows everything. */
-function addVrm(document: GltfDocument, { vrm, trunk }: Family, joints: RigJoint[], ofRole: number[]): void {
+/** VRM's humanoid, a meta that allows everything, and hair that swings. */
+function addVrm(document: GltfDocument, { vrm, trunk, hair }: Family, joints: RigJoint[], ofRole: number[]): void {
   const bones = ROLES.map((role, j): [string, number] => [
     role === "chest" && trunk.length > 0 ? "upperChest" : vrmBone(role),
     ofRole[j]!,
   ]);
   if (trunk.length > 0) bones.push(["chest", joints.findIndex(({ name }) => name === trunk[0])]);
-  const name = vrm === 1 ? "VRMC_vrm" : "VRM";
-  document.extensionsUsed = [name];
+  const lock = hair.map((name) => joints.findIndex((joint) => joint.name === name));
+  const swing = { hitRadius: 0.02, gravityPower: 0.2, dragForce: 0.4 };
+  document.extensionsUsed = vrm === 1 ? ["VRMC_vrm", "VRMC_springBone"] : ["VRM"];
   document.extensions =
     vrm === 1
       ? {
@@ -330,12 +335,23 @@ function addVrm(document: GltfDocument, { vrm, trunk }: Family, joints: RigJoint
             },
             humanoid: { humanBones: Object.fromEntries(bones.map(([bone, node]) => [bone, { node }])) },
           },
+          VRMC_springBone: {
+            specVersion: "1.0",
+            springs: [{ joints: lock.map((node) => ({ node, ...swing, stiffness: 0.5, gravityDir: [0, -1, 0] })) }],
+          },
         }
       : {
           VRM: {
             specVersion: "0.0",
             meta: { title: "Mannequin", author: "Strut", allowedUserName: "Everyone", licenseName: "CC_BY" },
             humanoid: { humanBones: bones.map(([bone, node]) => ({ bone, node, useDefaultValues: true })) },
+            secondaryAnimation: {
+              // The misspelling is the format's.
+              boneGroups: [
+                { ...swing, stiffiness: 0.5, gravityDir: { x: 0, y: -1, z: 0 }, center: -1, bones: lock.slice(0, 1) },
+              ],
+              colliderGroups: [],
+            },
           },
         };
 }

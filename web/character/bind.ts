@@ -1,6 +1,7 @@
 /** A character of three.js bound to the engine: the roles of its joints, its unit and its soles. */
 import type { Object3D } from "three";
 import { CharacterRig } from "../engine/character/rig";
+import { type CharacterGlue, characterPackage } from "../engine/character/wasm";
 import { StrutError } from "../engine/errors";
 import { JOINT, JOINTS, ROLES, type Role } from "../humanoid";
 import { type Joints, jointsOf, nameInFile } from "./joints";
@@ -51,15 +52,24 @@ const isObject = (value: unknown): value is Object3D => isRecord(value) && value
  * Binds a character.
  * @throws StrutError `bad-file` with what the model lacks, `bad-input` where an option does not fit it, `load`
  */
-export async function bind(origin: Origin, options: BindOptions = {}): Promise<Bound> {
+export async function bind(origin: Origin, options?: BindOptions): Promise<Bound> {
+  return boundWith(await characterPackage.load(), origin, options);
+}
+
+/**
+ * Binds a character with the engine's package, which is loaded.
+ * @param needsSkin whether a skeleton without a skin is refused
+ * @throws StrutError `bad-file` with what the model lacks, `bad-input` where an option does not fit it
+ */
+export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOptions = {}, needsSkin = true): Bound {
   const given = givenRoles(origin, options.roles ?? {});
-  const joints = jointsOf(origin.object, [...given.values()]);
+  const joints = jointsOf(origin.object, [...given.values()], needsSkin);
   const known = Int32Array.from(ROLES, (role) => {
     const node = given.get(role);
     return node ? joints.nodes.indexOf(node) : -1;
   });
   const { metresPerUnit = 1 } = options;
-  const rig = await CharacterRig.of(joints, known, metresPerUnit);
+  const rig = new CharacterRig(glue, joints, known, metresPerUnit);
   try {
     const { roles } = rig;
     checkScales(joints, roles);

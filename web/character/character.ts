@@ -1,7 +1,7 @@
 /** A bound character: what pages apply poses to. */
 import type { AnimationClip, Object3D } from "three";
 import { StrutError } from "../engine/errors";
-import { DEFAULT_PROPORTIONS, JOINT, type Role, restPose } from "../humanoid";
+import { JOINT, type Role, restPose } from "../humanoid";
 import { type Bound, bind, originOf, roleNames } from "./bind";
 import { characterClip, keysOf } from "./clip";
 import { withAnimation } from "./glb_patch";
@@ -23,8 +23,8 @@ const LONGEST_STEP = 1 / 30;
 
 /** What a loader knows besides. */
 export interface Loaded {
-  /** The file, for exports. */
-  readonly file?: Uint8Array;
+  /** The model as binary glTF, for exports. */
+  readonly file?: Uint8Array | undefined;
   /** Frees what the loader made. */
   readonly free?: () => void;
 }
@@ -66,7 +66,6 @@ class BoundCharacter implements Character {
   readonly #hips: Object3D;
   readonly #driven: { node: Object3D; offset: number }[];
   readonly #pose = restPose();
-  #body: Float32Array | undefined;
 
   constructor(origin: Origin, bound: Bound, loaded: Loaded) {
     [this.#origin, this.#bound, this.#loaded] = [origin, bound, loaded];
@@ -75,7 +74,7 @@ class BoundCharacter implements Character {
     this.roles = roleNames(bound);
     this.confidence = bound.rig.confidence;
     this.notes = bound.notes;
-    this.motions = motionsOf(bound, origin.object, origin.clips);
+    this.motions = motionsOf(origin, bound.rig.proportions, (convert) => convert(bound));
     this.licence = licenceOfOrigin(origin);
     this.#hips = bound.joints.nodes[bound.roles[JOINT.hips]!]!;
     this.#driven = Array.from(bound.driven, (joint) => ({ node: bound.joints.nodes[joint]!, offset: 3 + 4 * joint }));
@@ -87,7 +86,6 @@ class BoundCharacter implements Character {
 
   setBody(proportions: ArrayLike<number>): void {
     this.#bound.rig.setBody(proportions);
-    this.#body = Float32Array.from(proportions);
   }
 
   apply(pose: ArrayLike<number>): void {
@@ -112,7 +110,7 @@ class BoundCharacter implements Character {
   }
 
   toClip(motion: StyledPoses, options: CharacterClipOptions = {}): AnimationClip {
-    return this.#onBodyOf(() => characterClip(this.#bound, this.object, this.#origin.vrm, motion, options));
+    return characterClip(this.#bound, this.object, this.#origin.vrm, motion, options);
   }
 
   toGLB(motion: StyledPoses): Uint8Array<ArrayBuffer> {
@@ -123,11 +121,11 @@ class BoundCharacter implements Character {
     }
     const { file } = this.#loaded;
     if (!file) {
-      const message = "This character was not loaded from a file.";
-      throw new StrutError({ code: "bad-input", message, hint: "Load it with loadCharacter." });
+      const message = "There is no file of this character that a motion could be added to.";
+      throw new StrutError({ code: "bad-input", message, hint: "Load it with loadCharacter, without glb: false." });
     }
     const { joints, roles, driven } = this.#bound;
-    const { times, hips, rotations } = this.#onBodyOf(() => keysOf(this.#bound, motion, false));
+    const { times, hips, rotations } = keysOf(this.#bound, motion, false);
     const index = (joint: number) => this.#origin.indexOf(joints.nodes[joint]!) ?? -1;
     return withAnimation(file, {
       name: motion.name,
@@ -146,15 +144,5 @@ class BoundCharacter implements Character {
   dispose(): void {
     this.#bound.rig.dispose();
     this.#loaded.free?.();
-  }
-
-  /** Conversions take the body of their motion; poses that are applied keep theirs. */
-  #onBodyOf<T>(convert: () => T): T {
-    const { rig } = this.#bound;
-    try {
-      return convert();
-    } finally {
-      rig.setBody(this.#body ?? DEFAULT_PROPORTIONS);
-    }
   }
 }

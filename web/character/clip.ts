@@ -16,13 +16,16 @@ export interface Keys {
 }
 
 /** The motion on the bones of a character. @throws StrutError `bad-input` unless the motion is one of finite poses */
-export function keysOf({ rig, driven, hipsScale }: Bound, motion: StyledPoses, inPlace: boolean): Keys {
+export function keysOf(bound: Bound, motion: StyledPoses, inPlace: boolean): Keys {
+  return bound.rig.onBody(motion.proportions, () => keysOnBody(bound, motion, inPlace));
+}
+
+function keysOnBody({ rig, driven, hipsScale }: Bound, motion: StyledPoses, inPlace: boolean): Keys {
   const frames = motion.timeOut.length;
   const hips = new Float32Array(3 * frames);
   const rotations = Array.from(driven, () => new Float32Array(4 * frames));
   const pose = new Float32Array(POSE_FLOATS);
   const start = motion.timeOut[0] ?? 0;
-  rig.setBody(motion.proportions);
   for (let f = 0; f < frames; f++) {
     pose.set(motion.poses.subarray(f * POSE_FLOATS, (f + 1) * POSE_FLOATS));
     if (inPlace) [pose[0], pose[2]] = [motion.poses[0]!, motion.poses[2]!];
@@ -62,39 +65,42 @@ export function characterClip(
   // Every track has its own times: three.js changes them in place where a track is moved or scaled.
   const times = () => keys.times.slice();
   const { joints, roles, driven } = bound;
-  const hips = joints.nodes[roles[JOINT.hips]!]!;
+  const hips = roles[JOINT.hips]!;
+  const normalized = vrm ? normalizedBones(vrm) : new Map<Object3D, Object3D>();
+  const rest = restRotations(bound);
   const tracks: (QuaternionKeyframeTrack | VectorKeyframeTrack)[] = [];
-  if (vrm) {
-    const rest = restRotations(bound);
-    for (const [r, role] of ROLES.entries()) {
-      const normalized = roles[r]! >= 0 && boneOf(vrm, role, joints.nodes[roles[r]!]!);
-      if (!normalized) continue;
-      const joint = roles[r]!;
-      const [above, own] = [rest[joints.parents[joint]!]!, rest[joint]!];
-      const raw = keys.rotations[driven.indexOf(joint)]!;
-      const values = new Float32Array(raw.length);
-      const turned = new Quaternion();
-      for (let i = 0; i < raw.length; i += 4)
-        turned.fromArray(raw, i).premultiply(above).multiply(own.clone().invert()).toArray(values, i);
-      if (role === "hips")
-        tracks.push(new VectorKeyframeTrack(`${target(normalized)}.position`, times(), inWorld(bound, keys.hips)));
-      tracks.push(new QuaternionKeyframeTrack(`${target(normalized)}.quaternion`, times(), values));
+  for (const [i, joint] of driven.entries()) {
+    const raw = joints.nodes[joint]!;
+    const bone = normalized.get(raw);
+    // A joint that the VRM does not name, such as one more between spine and chest, is left alone by three-vrm.
+    const node = target(bone ?? raw);
+    if (joint === hips) {
+      const positions = bone ? inWorld(bound, keys.hips) : keys.hips;
+      tracks.push(new VectorKeyframeTrack(`${node}.position`, times(), positions));
     }
-  } else {
-    tracks.push(new VectorKeyframeTrack(`${target(hips)}.position`, times(), keys.hips));
-    for (const [i, joint] of driven.entries())
-      tracks.push(
-        new QuaternionKeyframeTrack(`${target(joints.nodes[joint]!)}.quaternion`, times(), keys.rotations[i]!),
-      );
+    const [above, own] = [rest[joints.parents[joint]!]!, rest[joint]!];
+    const rotations = bone ? fromRest(keys.rotations[i]!, above, own) : keys.rotations[i]!;
+    tracks.push(new QuaternionKeyframeTrack(`${node}.quaternion`, times(), rotations));
   }
   return new AnimationClip(name, keys.times.at(-1) ?? 0, tracks);
 }
 
-/** The normalized bone of a role whose raw bone is this node: the chest may be VRM's upper chest. */
-function boneOf(vrm: VrmLike, role: (typeof ROLES)[number], raw: Object3D): Object3D | undefined {
-  const bones = role === "chest" ? ["upperChest", "chest"] : [vrmBone(role)];
-  const bone = bones.find((name) => vrm.humanoid.getRawBoneNode(name) === raw);
-  return (bone && vrm.humanoid.getNormalizedBoneNode(bone)) || undefined;
+/** The normalized bone of each raw bone that is a role's, or lies between those of roles. */
+function normalizedBones({ humanoid }: VrmLike): Map<Object3D, Object3D> {
+  const bones = new Map<Object3D, Object3D>();
+  for (const name of [...ROLES.map(vrmBone), "upperChest"]) {
+    const [raw, normalized] = [humanoid.getRawBoneNode(name), humanoid.getNormalizedBoneNode(name)];
+    if (raw && normalized) bones.set(raw, normalized);
+  }
+  return bones;
+}
+
+/** Local rotations of a raw bone as those of its normalized bone, which is aligned with the world at rest. */
+function fromRest(raw: Float32Array, above: Quaternion, own: Quaternion): Float32Array {
+  const values = new Float32Array(raw.length);
+  const [turned, back] = [new Quaternion(), own.clone().invert()];
+  for (let i = 0; i < raw.length; i += 4) turned.fromArray(raw, i).premultiply(above).multiply(back).toArray(values, i);
+  return values;
 }
 
 /** World rotation of every joint at rest, which normalized bones are relative to. */

@@ -36,17 +36,19 @@ export interface Joints extends Skeleton {
 /**
  * The joints of a character.
  * @param chosen nodes that are joints whether a skin follows them or not
- * @throws StrutError `bad-file` if it has no skin
+ * @param needsSkin whether it must have a skin; without one all nodes that show nothing are joints, at rest as they lie
+ * @throws StrutError `bad-file` if it has no skin and needs one
  */
-export function jointsOf(object: Object3D, chosen: readonly Object3D[] = []): Joints {
+export function jointsOf(object: Object3D, chosen: readonly Object3D[], needsSkin: boolean): Joints {
   const matrices = matricesIn(object);
   const { skins, bindMatrices } = skinsOf(object, matrices);
-  if (skins.length === 0) {
+  if (skins.length === 0 && needsSkin) {
     const message = "This model has no skin: nothing of it follows bones.";
     throw new StrutError({ code: "bad-file", message, hint: "Choose a rigged character." });
   }
   const kept = new Set<Object3D>();
-  for (const node of [object, ...bindMatrices.keys(), ...chosen])
+  const bones = skins.length > 0 ? bindMatrices.keys() : [...matrices.keys()].filter(showsNothing);
+  for (const node of [object, ...bones, ...chosen])
     for (let above: Object3D | null = node; above && matrices.has(above); above = above.parent) kept.add(above);
   const all = kept.size;
   dropLeafChains(kept, matrices, new Set(chosen));
@@ -107,7 +109,14 @@ export function jointsOf(object: Object3D, chosen: readonly Object3D[] = []): Jo
 
 /** The name that a node has in its file: loaders change names for three.js. */
 export function nameInFile({ name, userData }: Object3D): string {
-  return typeof userData.name === "string" ? userData.name : name;
+  // The loaders of glTF and of FBX keep it in different places.
+  const kept: unknown = userData.name ?? userData.originalName;
+  return typeof kept === "string" ? kept : name;
+}
+
+/** Whether a node is neither drawn nor a light nor a camera. */
+function showsNothing(node: Object3D): boolean {
+  return !("geometry" in node || "isLight" in node || "isCamera" in node);
 }
 
 /** Where every node lies inside the object. */

@@ -1,36 +1,33 @@
-/**
- * Loads a character of a file: GLB, VRM 0 and 1, FBX. A file is checked before three.js reads it, and loads nothing from
- * elsewhere (`shared/spec/embedding.md` section 6).
- */
-import { Group, LoadingManager, type Material, type Mesh, type Object3D, type Texture } from "three";
-import { cancelled, type ErrorParts, StrutError } from "../engine/errors";
+/** Loads characters and motions of files: GLB, VRM 0 and 1, FBX, and for motions VRM Animation. */
+import { characterPackage } from "../engine/character/wasm";
+import { cancelled, StrutError } from "../engine/errors";
 import type { CallOptions } from "../engine/types";
-import { originOf } from "./bind";
+import { type Bound, boundWith } from "./bind";
 import { bindLoaded } from "./character";
-import { chunksOf } from "./glb_patch";
-import { checkGltf } from "./gltf_check";
 import { type Licence, licenceOf } from "./licence";
-import type { BindOptions, Character, GltfLike, Origin, VrmLike } from "./types";
-import { type GltfJson, vrmOf } from "./vrm_humanoid";
-
-/** Largest file, bytes. */
-const MAX_BYTES = 128 * 1024 * 1024;
-/** Most triangles of a model. */
-const MAX_TRIANGLES = 2_000_000;
-/** Oldest FBX that three.js reads. */
-const MIN_FBX = 7000;
-
-/** Where a character comes from: an address, or the file. */
-export type CharacterSource = string | URL | ArrayBuffer | Blob;
+import { motionsOf } from "./motions";
+import {
+  bytesOf,
+  type CharacterSource,
+  free,
+  type ImportVrm,
+  type ReadModel,
+  type ReadOptions,
+  readModel,
+} from "./read";
+import type { BindOptions, Character, CharacterMotion } from "./types";
+import { vrmaOf } from "./vrm_humanoid";
 
 /** Options of {@link loadCharacter}. */
 export interface LoadCharacterOptions extends CallOptions, BindOptions {
   /** Asked where the author does not allow everybody to perform the character; without it that is refused. */
   accept?: (licence: Licence) => boolean | Promise<boolean>;
+  /**
+   * Whether {@link Character.toGLB} will be wanted, `true` unless it is given: a model of FBX is then written as glTF while it
+   * is loaded.
+   */
+  glb?: boolean;
 }
-
-/** Imports `@pixiv/three-vrm`; rejects where the page does not have it. */
-export type ImportVrm = () => Promise<{ VRMLoaderPlugin: new (parser: unknown) => unknown }>;
 
 /**
  * Loads and binds a character.
@@ -43,133 +40,85 @@ export async function loadCharacter(
   options: LoadCharacterOptions = {},
   importVrm?: ImportVrm,
 ): Promise<Character> {
-  const { signal, accept, onProgress } = options;
-  const stop = () => {
-    if (signal?.aborted) throw cancelled(signal.reason);
-  };
-  stop();
-  onProgress?.({ label: "Loading the character", fraction: 0 });
-  const file = await bytesOf(source, signal);
-  stop();
-  onProgress?.({ label: "Reading the character", fraction: 0.5 });
-  const loaded = isFbx(file) ? await readFbx(file) : await readGlb(file, accept, importVrm);
+  const { accept, glb = true } = options;
+  const inspect: ReadOptions["inspect"] = (document) => checkLicence(licenceOf(document), accept);
+  const model = await loaded(source, "character", options, { inspect, wantsGlb: glb, importVrm });
+  const { object } = model.origin;
   try {
-    stop();
-    checkTriangles(loaded.origin.object);
-    const binding = loaded.metresPerUnit === undefined ? options : { ...options, metresPerUnit: loaded.metresPerUnit };
-    const { object } = loaded.origin;
-    const extra = loaded.isGlb ? { file, free: () => free(object) } : { free: () => free(object) };
-    const character = await bindLoaded(loaded.origin, binding, extra);
-    onProgress?.({ label: "Reading the character", fraction: 1 });
+    const character = await bindLoaded(model.origin, unitOf(model, options), {
+      file: model.glb,
+      free: () => free(object),
+    });
+    options.onProgress?.({ label: "Reading the character", fraction: 1 });
     return character;
   } catch (thrown) {
-    free(loaded.origin.object);
+    free(object);
     throw thrown;
   }
 }
 
-/** A file as three.js has it. */
-interface Read {
-  readonly origin: Origin;
-  readonly isGlb: boolean;
-  readonly metresPerUnit: number | undefined;
+/**
+ * The motions of a file, whether a figure is in it or not. They hold no memory of the engine: what they need is taken when
+ * they are read, and given back.
+ * @throws StrutError `bad-file` with what is wrong with the file, `load` where it cannot be had, `cancelled`
+ */
+export async function loadMotions(source: CharacterSource, call: CallOptions = {}): Promise<CharacterMotion[]> {
+  let isVrma = false;
+  const inspect: ReadOptions["inspect"] = (document) => {
+    isVrma = vrmaOf(document) !== undefined;
+  };
+  const model = await loaded(source, "motions", call, { inspect });
+  const { origin } = model;
+  try {
+    if (origin.clips.length === 0) return [];
+    const glue = await characterPackage.load();
+    // A VRM Animation rests on the ground.
+    const options = unitOf(model, isVrma ? { soleHeight: 0 } : {});
+    const on = <T>(convert: (bound: Bound) => T): T => {
+      const bound = boundWith(glue, origin, options, false);
+      try {
+        bound.rig.setBody(bound.rig.proportions);
+        return convert(bound);
+      } finally {
+        bound.rig.dispose();
+      }
+    };
+    const motions = motionsOf(
+      origin,
+      on(({ rig }) => rig.proportions),
+      on,
+    );
+    call.onProgress?.({ label: "Reading the motions", fraction: 1 });
+    return motions;
+  } finally {
+    free(origin.object);
+  }
 }
 
-async function bytesOf(source: CharacterSource, signal: AbortSignal | undefined): Promise<Uint8Array<ArrayBuffer>> {
-  if (source instanceof ArrayBuffer) return checkedSize(source.byteLength, async () => source);
-  if (source instanceof Blob) return checkedSize(source.size, () => source.arrayBuffer());
-  let response: Response;
-  try {
-    response = await fetch(source, signal ? { signal } : {});
-  } catch (cause) {
+/** Loads and reads a file. */
+async function loaded(
+  source: CharacterSource,
+  what: string,
+  { signal, onProgress }: CallOptions,
+  options: ReadOptions,
+): Promise<ReadModel> {
+  const stop = () => {
     if (signal?.aborted) throw cancelled(signal.reason);
-    const message = "The character could not be loaded.";
-    throw new StrutError(
-      { code: "load", message, hint: "Check its address, and that its host allows other pages." },
-      cause,
-    );
-  }
-  if (!response.ok) {
-    const message = `The character could not be loaded: the server answered ${response.status}.`;
-    throw new StrutError({ code: "load", message, hint: "Check its address." });
-  }
-  return checkedSize(Number(response.headers.get("Content-Length") ?? 0), () => response.arrayBuffer());
+  };
+  stop();
+  onProgress?.({ label: `Loading the ${what}`, fraction: 0 });
+  const file = await bytesOf(source, signal);
+  stop();
+  onProgress?.({ label: `Reading the ${what}`, fraction: 0.5 });
+  const model = await readModel(file, options);
+  if (signal?.aborted) free(model.origin.object);
+  stop();
+  return model;
 }
 
-/** @throws StrutError `bad-file` where a file is larger than it may be, before it is read where its size is known */
-async function checkedSize(bytes: number, read: () => Promise<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
-  if (bytes > MAX_BYTES) throw tooLarge(bytes);
-  const buffer = await read();
-  if (buffer.byteLength > MAX_BYTES) throw tooLarge(buffer.byteLength);
-  return new Uint8Array(buffer);
-}
-
-function tooLarge(bytes: number): StrutError {
-  const megabytes = Math.ceil(bytes / (1024 * 1024));
-  return badFile(`This file has ${megabytes} MB; at most 128 MB can be opened.`, "Make its textures smaller.");
-}
-
-/** Whether these are the bytes of an FBX file, binary or text. */
-function isFbx(file: Uint8Array): boolean {
-  const head = new TextDecoder("latin1").decode(file.subarray(0, 64));
-  return head.startsWith("Kaydara FBX Binary") || /^;\s*FBX/.test(head);
-}
-
-/** The version of an FBX file, as 7400 for 7.4; 0 where it does not say. */
-function fbxVersion(file: Uint8Array): number {
-  const head = new TextDecoder("latin1").decode(file.subarray(0, 2048));
-  if (!head.startsWith("Kaydara")) return Number(/FBXVersion:\s*(\d+)/.exec(head)?.[1] ?? 0);
-  return file.length < 27 ? 0 : new DataView(file.buffer, file.byteOffset).getUint32(23, true);
-}
-
-async function readFbx(file: Uint8Array<ArrayBuffer>): Promise<Read> {
-  const version = fbxVersion(file);
-  if (version < MIN_FBX) {
-    const shown = version > 0 ? `FBX ${version / 1000}` : "FBX of an unknown version";
-    throw badFile(
-      `This file is ${shown}; version 7 or newer was expected.`,
-      "Export it as FBX 2011 or newer, or as GLB.",
-    );
-  }
-  const { FBXLoader } = await import("three/addons/loaders/FBXLoader.js");
-  const inner = await reading(async () => new FBXLoader(closedManager()).parse(file.buffer, ""));
-  const { unitScaleFactor } = inner.userData;
-  const metresPerUnit = typeof unitScaleFactor === "number" && unitScaleFactor > 0 ? unitScaleFactor / 100 : 0.01;
-  // The file's own axes are turned inside, and the object that the page places has metres.
-  const object = new Group();
-  object.add(inner);
-  object.scale.setScalar(metresPerUnit);
-  object.animations = inner.animations;
-  return { origin: originOf(object), isGlb: false, metresPerUnit };
-}
-
-async function readGlb(
-  file: Uint8Array<ArrayBuffer>,
-  accept: LoadCharacterOptions["accept"],
-  importVrm: ImportVrm | undefined,
-): Promise<Read> {
-  const { json, binary } = chunksOf(file);
-  checkGltf(json, binary);
-  const document = json as GltfJson;
-  await checkLicence(licenceOf(document), accept);
-  const { GLTFLoader } = await import("three/addons/loaders/GLTFLoader.js");
-  const loader = new GLTFLoader(closedManager());
-  const plugin = vrmOf(document) && (await vrmPlugin(importVrm));
-  if (plugin) loader.register(plugin as never);
-  const gltf: GltfLike = await reading(() => loader.parseAsync(file.buffer, ""));
-  const vrm = gltf.userData?.vrm as VrmLike | undefined;
-  const origin = originOf(gltf);
-  return { origin: vrm ? { ...origin, vrm } : origin, isGlb: true, metresPerUnit: undefined };
-}
-
-/** three-vrm's plugin of the loader where the page has it: it makes hair and clothes swing. */
-async function vrmPlugin(importVrm: ImportVrm | undefined): Promise<((parser: unknown) => unknown) | undefined> {
-  try {
-    const module = await importVrm?.();
-    return module && ((parser) => new module.VRMLoaderPlugin(parser));
-  } catch {
-    return undefined;
-  }
+/** The options of a model's binding, with the unit that its format says. */
+function unitOf({ metresPerUnit }: ReadModel, options: BindOptions): BindOptions {
+  return metresPerUnit === undefined ? options : { ...options, metresPerUnit };
 }
 
 /** @throws StrutError `licence` unless everybody may perform the character or it was accepted */
@@ -181,57 +130,4 @@ async function checkLicence(licence: Licence | undefined, accept: LoadCharacterO
     message,
     hint: "Choose another model, or accept its terms if you are allowed to.",
   });
-}
-
-/** Files refer to nothing outside: only what they hold themselves is read. */
-function closedManager(): LoadingManager {
-  const manager = new LoadingManager();
-  manager.setURLModifier((url) => (/^(blob|data):/.test(url) ? url : "data:,"));
-  return manager;
-}
-
-/** What a loader throws says little to people. */
-async function reading<T>(read: () => Promise<T>): Promise<T> {
-  try {
-    return await read();
-  } catch (cause) {
-    throw new StrutError(DAMAGED, cause);
-  }
-}
-
-const DAMAGED: ErrorParts = {
-  code: "bad-file",
-  message: "This model is damaged, or has parts that cannot be read.",
-  hint: "Export it again as GLB, without compression of meshes.",
-};
-
-function badFile(message: string, hint: string): StrutError {
-  return new StrutError({ code: "bad-file", message, hint });
-}
-
-/** @throws StrutError `bad-file` where there are more triangles than can be drawn */
-function checkTriangles(object: Object3D): void {
-  let triangles = 0;
-  object.traverse((node) => {
-    const { geometry } = node as Mesh;
-    if (geometry?.attributes.position) triangles += (geometry.index ?? geometry.attributes.position).count / 3;
-  });
-  if (triangles <= MAX_TRIANGLES) return;
-  throw badFile("This model has more than two million triangles.", "Simplify its meshes.");
-}
-
-/** Frees what a model holds on the graphics card. */
-function free(object: Object3D): void {
-  object.traverse((node) => {
-    const { geometry, material } = node as Partial<Mesh>;
-    geometry?.dispose();
-    for (const each of material ? [material].flat() : []) freeMaterial(each);
-  });
-  object.removeFromParent();
-}
-
-function freeMaterial(material: Material): void {
-  for (const value of Object.values(material) as unknown[])
-    if ((value as Texture | null)?.isTexture) (value as Texture).dispose();
-  material.dispose();
 }

@@ -1,25 +1,43 @@
-/** The motions in a character's file as poses, through the binding that performs poses (`shared/spec/embedding.md` 5.6). */
+/** The motions in a file as poses, through the binding that performs poses (`shared/spec/embedding.md` 5.6). */
 import { type AnimationClip, AnimationMixer, type Object3D } from "three";
+import { StrutError } from "../engine/errors";
+import { bvhText } from "../formats/bvh";
+import { POSE_FLOATS } from "../humanoid";
 import type { Bound } from "./bind";
-import type { CharacterMotion } from "./types";
+import type { CharacterMotion, Origin } from "./types";
 
 /** Frames a second at which clips are sampled. */
 const RATE_HZ = 60;
 /** Longest clip, seconds; what is longer is cut. */
 const MAX_SECS = 600;
+/** Most numbers that are handed to the engine at once. */
+const MAX_FLOATS = 1 << 21;
 
-/** The motions of a character. */
-export function motionsOf(bound: Bound, object: Object3D, clips: readonly AnimationClip[]): CharacterMotion[] {
+/**
+ * The motions of a file.
+ * @param proportions the body of its bones
+ * @param on converts with the bones bound
+ */
+export function motionsOf(
+  { object, clips }: Origin,
+  proportions: Float32Array,
+  on: <T>(convert: (bound: Bound) => T) => T,
+): CharacterMotion[] {
   return clips.map((clip) => {
-    const durationSecs = Math.min(Math.max(clip.duration, 0), MAX_SECS);
+    const durationSecs = Math.min(Math.max(clip.duration || 0, 0), MAX_SECS);
     const frames = Math.floor(durationSecs * RATE_HZ + 1e-6) + 1;
-    const poses = () => bound.rig.toPoses(sampled(bound, object, clip, frames));
-    return { name: clip.name, frames, rateHz: RATE_HZ, durationSecs, poses };
+    const poses = (body?: ArrayLike<number>) =>
+      on((bound) => {
+        const read = () => posesOf(bound, object, clip, frames);
+        return body ? bound.rig.onBody(body, read) : read();
+      });
+    const toBVH = () => bvhText({ proportions, poses: poses(proportions), rateHz: RATE_HZ });
+    return { name: clip.name, frames, rateHz: RATE_HZ, durationSecs, proportions, poses, toBVH };
   });
 }
 
-/** Local transforms of all joints in every frame, seven numbers a joint; the character is left as it was. */
-function sampled({ joints }: Bound, object: Object3D, clip: AnimationClip, frames: number): Float32Array {
+/** The poses of a clip; its bones are left as they were. */
+function posesOf({ rig, joints }: Bound, object: Object3D, clip: AnimationClip, frames: number): Float32Array {
   const { nodes, parents, scales } = joints;
   const before = nodes.map(({ position, quaternion, scale }) => ({
     position: position.clone(),
@@ -28,29 +46,43 @@ function sampled({ joints }: Bound, object: Object3D, clip: AnimationClip, frame
   }));
   const mixer = new AnimationMixer(object);
   const action = mixer.clipAction(clip);
-  action.play();
-  const locals = new Float32Array(7 * nodes.length * frames);
-  let at = 0;
-  for (let frame = 0; frame < frames; frame++) {
-    // At its very end a repeated clip is at its beginning.
-    mixer.setTime(Math.min(frame / RATE_HZ, Math.max(clip.duration - 1e-6, 0)));
-    for (const [joint, node] of nodes.entries()) {
-      if (joint === 0) locals[at + 6] = 1;
-      else {
-        const scale = scales[parents[joint]!]!;
-        node.position.toArray(locals, at);
-        for (let axis = 0; axis < 3; axis++) locals[at + axis]! *= scale;
-        node.quaternion.toArray(locals, at + 3);
+  const poses = new Float32Array(POSE_FLOATS * frames);
+  try {
+    action.play();
+    const atOnce = Math.max(1, Math.floor(MAX_FLOATS / (7 * nodes.length)));
+    for (let start = 0; start < frames; start += atOnce) {
+      const some = Math.min(atOnce, frames - start);
+      const locals = new Float32Array(7 * nodes.length * some);
+      for (let frame = 0; frame < some; frame++) {
+        // At its very end a repeated clip is at its beginning.
+        mixer.setTime(Math.min((start + frame) / RATE_HZ, Math.max(clip.duration - 1e-6, 0)));
+        for (const [joint, node] of nodes.entries()) {
+          const at = 7 * (frame * nodes.length + joint);
+          if (joint === 0) locals[at + 6] = 1;
+          else {
+            const scale = scales[parents[joint]!]!;
+            node.position.toArray(locals, at);
+            for (let axis = 0; axis < 3; axis++) locals[at + axis]! *= scale;
+            node.quaternion.toArray(locals, at + 3);
+          }
+        }
       }
-      at += 7;
+      if (!locals.every(Number.isFinite)) throw endless(clip.name);
+      poses.set(rig.toPoses(locals), POSE_FLOATS * start);
+    }
+  } finally {
+    action.stop();
+    mixer.uncacheRoot(object);
+    for (const [joint, node] of nodes.entries()) {
+      node.position.copy(before[joint]!.position);
+      node.quaternion.copy(before[joint]!.quaternion);
+      node.scale.copy(before[joint]!.scale);
     }
   }
-  action.stop();
-  mixer.uncacheRoot(object);
-  for (const [joint, node] of nodes.entries()) {
-    node.position.copy(before[joint]!.position);
-    node.quaternion.copy(before[joint]!.quaternion);
-    node.scale.copy(before[joint]!.scale);
-  }
-  return locals;
+  return poses;
+}
+
+function endless(name: string): StrutError {
+  const message = `The motion '${name}' has keys that are no numbers.`;
+  return new StrutError({ code: "bad-file", message, hint: "Export it again." });
 }

@@ -57,14 +57,23 @@ export interface CharacterClipOptions {
   inPlace?: boolean;
 }
 
-/** A motion in a character's file. */
+/** A motion in a file. It is read of the file's bones when it is asked for. */
 export interface CharacterMotion {
   readonly name: string;
   readonly frames: number;
   readonly rateHz: number;
   readonly durationSecs: number;
-  /** The motion on the body of `Character.setBody`: 87 numbers a frame. */
-  poses(): Float32Array;
+  /** The body that it was made for, metres: 21 × xyz. */
+  readonly proportions: Float32Array;
+  /**
+   * 87 numbers a frame.
+   * @param body the body that they are on, 21 × xyz; that of `Character.setBody` unless given, and where there is no character
+   *   the motion's own
+   * @throws StrutError `bad-input` if this is no body, `bad-file` if the bones go beyond all numbers
+   */
+  poses(body?: ArrayLike<number>): Float32Array;
+  /** The text of a BVH file of the motion on its own body, which `Strut.openMotion` opens. @throws StrutError `bad-file` */
+  toBVH(): string;
 }
 
 /** A rigged character that performs poses. */
@@ -105,7 +114,7 @@ export interface Character {
   /** The motion as a clip of three.js for {@link object}, a key a frame. */
   toClip(motion: StyledPoses, options?: CharacterClipOptions): AnimationClip;
   /**
-   * The character's own file with the motion as one more animation.
+   * The character's own file with the motion as one more animation; a character of FBX as glTF.
    * @throws StrutError `licence` where the author forbids it, `bad-input` where the character has no file
    */
   toGLB(motion: StyledPoses): Uint8Array<ArrayBuffer>;

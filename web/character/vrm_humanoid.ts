@@ -20,22 +20,29 @@ export function vrmOf(json: GltfJson): { version: 0 | 1; extension: Record<strin
   return undefined;
 }
 
+/** The extension of a VRM Animation, which tells its bones as VRM 1 does. */
+export function vrmaOf(json: GltfJson): Record<string, unknown> | undefined {
+  const extension = json.extensions?.VRMC_vrm_animation;
+  return isRecord(extension) ? extension : undefined;
+}
+
 /** Whether a value is an object with properties. */
 export function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
 /**
- * Number of the node of each role, as a VRM declares it; `undefined` for other files. What is the chest here carries neck and
+ * Number of the node of each role, as a VRM or a VRM Animation declares it; `undefined` for other files. What is the chest here carries neck and
  * shoulders: `upperChest` where there is one.
  * @throws StrutError `bad-file` where the humanoid is missing, or names a bone twice
  */
 export function vrmRoles(json: GltfJson): Partial<Record<Role, number>> | undefined {
   const vrm = vrmOf(json);
-  if (!vrm) return undefined;
-  const humanoid = isRecord(vrm.extension.humanoid) ? vrm.extension.humanoid : {};
+  const extension = vrm?.extension ?? vrmaOf(json);
+  if (!extension) return undefined;
+  const humanoid = isRecord(extension.humanoid) ? extension.humanoid : {};
   const nodes = new Map<string, number>();
-  for (const [bone, node] of vrm.version === 1 ? bonesOf1(humanoid) : bonesOf0(humanoid)) {
+  for (const [bone, node] of vrm?.version === 0 ? bonesOf0(humanoid) : bonesOf1(humanoid)) {
     if (nodes.has(bone)) throw broken(`This VRM names two joints as its ${bone}.`);
     nodes.set(bone, node);
   }

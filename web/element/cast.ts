@@ -1,5 +1,6 @@
 /** The character of a player: loaded where its attribute names one, the page's own where the page gave it. */
-import type { CharacterSource, LoadCharacterOptions } from "../character/load";
+import type { LoadCharacterOptions } from "../character/load";
+import type { CharacterSource } from "../character/read";
 import type { Character } from "../character/types";
 import type { CallOptions } from "../client/protocol";
 import { loadCharacter } from "./host";

@@ -1,5 +1,6 @@
 /** What the players of a page share: the engine, one WebGL context, and the schedule of drawing. */
-import type { CharacterSource, LoadCharacterOptions } from "../character/load";
+import type { LoadCharacterOptions } from "../character/load";
+import type { CharacterSource } from "../character/read";
 import type { Character } from "../character/types";
 import type { Strut } from "../package/types";
 import { Screen } from "../viewer";

@@ -1,13 +1,16 @@
 /** `strut-motion/three`: rigged characters of three.js perform poses. */
 import type { Object3D } from "three";
 import { bindCharacter as bind } from "../character/character";
-import { type CharacterSource, type LoadCharacterOptions, loadCharacter as load } from "../character/load";
-import type { BindOptions, Character, GltfLike, VrmLike } from "../character/types";
+import { type LoadCharacterOptions, loadCharacter as load, loadMotions as readMotions } from "../character/load";
+import type { CharacterSource } from "../character/read";
+import type { BindOptions, Character, CharacterMotion, GltfLike, VrmLike } from "../character/types";
 import { placeAssets } from "../engine/assets";
 import { StrutError } from "../engine/errors";
+import type { CallOptions } from "../engine/types";
 
 export type { Licence } from "../character/licence";
-export type { CharacterSource, LoadCharacterOptions } from "../character/load";
+export type { LoadCharacterOptions } from "../character/load";
+export type { CharacterSource } from "../character/read";
 export type {
   BindOptions,
   Character,
@@ -36,6 +39,16 @@ export function bindCharacter(root: Object3D | VrmLike | GltfLike, options?: Bin
 export function loadCharacter(source: CharacterSource, options?: LoadCharacterOptions): Promise<Character> {
   place();
   return load(source, options, () => import("@pixiv/three-vrm"));
+}
+
+/**
+ * The motions of a file, whether a figure is in it or not: `.glb`, `.vrm`, `.fbx` or `.vrma`. `Strut.openMotion` opens what
+ * {@link CharacterMotion.toBVH} gives.
+ * @throws StrutError `bad-file`, `load`, `cancelled`
+ */
+export function loadMotions(source: CharacterSource, call?: CallOptions): Promise<CharacterMotion[]> {
+  place();
+  return readMotions(source, call);
 }
 
 /** Says where the module lies, in the form that bundlers look for. @throws StrutError `load` where this file has no address */

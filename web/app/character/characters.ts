@@ -1,13 +1,13 @@
 /** Who performs in Play: the mannequin, or a character that a person dropped. */
 import type { Character, StyledPoses } from "../../character/types";
-import { isCancellation } from "../../client/protocol";
+import { type CallOptions, isCancellation } from "../../client/protocol";
 import { strings } from "../strings/strings";
 import { announce } from "../ui/announce";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
 import type { Performing } from "../view";
-import type { ChosenRoles } from "./open_character";
+import type { Content } from "./open_character";
 
 /** Confidence in the roles below which a person should look at them. */
 const SURE = 0.7;
@@ -30,10 +30,21 @@ export class Characters {
     return this.#performing;
   }
 
-  /** Opens a file; what performs stays where that fails. */
-  async open(file: File): Promise<void> {
-    const performing = await this.#open(file);
-    if (!performing) return;
+  /**
+   * Opens a file, and has the character in it perform; who performs stays where there is none. The motions in it are given,
+   * as BVH files.
+   */
+  async open(file: File): Promise<Content["motions"]> {
+    const content = await this.#run(file, async (call) => (await import("./open_character")).openModel(file, call));
+    if (content?.character) {
+      this.#take(content.character, file);
+      this.#announce();
+    }
+    return content?.motions ?? [];
+  }
+
+  #announce(): void {
+    const performing = this.#performing!;
     const { performs, unsure } = strings.page.characters;
     if (performing.unsure) this.#toasts.note(unsure(performing.name));
     else announce(performs(performing.name));
@@ -41,10 +52,12 @@ export class Characters {
 
   /** Asks which joint of the character is which, and has it perform so. */
   async checkJoints(): Promise<void> {
-    if (!this.#character || !this.#file) return;
-    const { askForJoints } = await import("./open_character");
+    const file = this.#file;
+    if (!this.#character || !file) return;
+    const { askForJoints, openCharacter } = await import("./open_character");
     const roles = await askForJoints(this.#character);
-    if (roles) await this.#open(this.#file, roles);
+    const corrected = roles && (await this.#run(file, (call) => openCharacter(file, call, roles)));
+    if (corrected) this.#take(corrected, file);
   }
 
   /** Has the mannequin perform again. */
@@ -61,15 +74,12 @@ export class Characters {
     this.#character?.dispose();
   }
 
-  async #open(file: File, roles?: ChosenRoles): Promise<Performing | undefined> {
+  /** Opens something of a file, showing how far that is; undefined where it fails, and a person then knows why. */
+  async #run<T>(file: File, open: (call: CallOptions) => Promise<T>): Promise<T | undefined> {
     try {
-      const character = await this.#progress.run(strings.page.characters.reading(file.name), async (call) => {
-        const { openCharacter } = await import("./open_character");
-        return openCharacter(file, call, roles);
-      });
+      const opened = await this.#progress.run(strings.page.characters.reading(file.name), open);
       this.#toasts.clearErrors();
-      this.#take(character, file);
-      return this.#performing;
+      return opened;
     } catch (error) {
       // A person who does not accept the terms knows why it is not there.
       if (!isCancellation(error) && codeOf(error) !== "licence") this.#toasts.error(errorText(error));

@@ -1,8 +1,8 @@
 /** Opens files of characters, and asks what their files leave open. Loaded with the first character. */
 
 import type { Licence } from "../../character/licence";
-import { type LoadCharacterOptions, loadCharacter } from "../../character/load";
-import type { Character } from "../../character/types";
+import { type LoadCharacterOptions, loadCharacter, loadMotions } from "../../character/load";
+import type { Character, CharacterMotion } from "../../character/types";
 import type { CallOptions } from "../../client/protocol";
 import { ROLES, type Role } from "../../humanoid";
 import { button } from "../../ui/controls/buttons";
@@ -24,6 +24,40 @@ export type ChosenRoles = Partial<Record<Role, string>>;
 export function openCharacter(file: File, call: CallOptions, roles?: ChosenRoles): Promise<Character> {
   const options: LoadCharacterOptions = roles ? { roles, accept: () => true } : { accept: askToPerform };
   return loadCharacter(file, { ...call, ...options }, () => import("@pixiv/three-vrm"));
+}
+
+/** What a person's file holds. */
+export interface Content {
+  readonly character: Character | undefined;
+  /** Its motions as BVH files. */
+  readonly motions: readonly { name: string; bytes: ArrayBuffer }[];
+}
+
+/**
+ * Opens a file that may hold a character, motions, or both.
+ * @throws StrutError as `loadCharacter`, where there is neither
+ */
+export async function openModel(file: File, call: CallOptions): Promise<Content> {
+  if (/\.vrma$/i.test(file.name)) return { character: undefined, motions: asBvh(file, await loadMotions(file, call)) };
+  try {
+    const character = await openCharacter(file, call);
+    return { character, motions: asBvh(file, character.motions) };
+  } catch (thrown) {
+    if ((thrown as { code?: unknown }).code !== "bad-file") throw thrown;
+    // A skeleton without a skin cannot perform, but may move.
+    const motions = await loadMotions(file, call).catch(() => []);
+    if (motions.length === 0) throw thrown;
+    return { character: undefined, motions: asBvh(file, motions) };
+  }
+}
+
+/** Motions as files that the engine opens, named after theirs. */
+function asBvh(file: File, motions: readonly CharacterMotion[]): Content["motions"] {
+  const title = file.name.replace(/\.[^.]*$/, "");
+  return motions.map((motion) => ({
+    name: motions.length > 1 ? `${title}, ${motion.name}` : title,
+    bytes: new TextEncoder().encode(motion.toBVH()).buffer,
+  }));
 }
 
 /** Asks which joint is which; undefined where all stay as they are. */

@@ -70,7 +70,7 @@ export class App {
       {
         takes: () => viewEntry(store.state.view).takes,
         onMotion: (name, bytes) => void this.#workspace.takeMotion(name, bytes),
-        onCharacter: (file) => void this.#takeCharacter(file),
+        onModel: (file) => void this.#takeModel(file),
         onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
         onStyle: (file) => void this.#workspace.databases.addStyle(file, this.#progress.database),
         styleTarget: () => this.#views.shown?.styleTarget,
@@ -247,10 +247,13 @@ export class App {
     (await this.#views.show(view))?.takeFiles?.(files);
   }
 
-  /** A character performs in Play. */
-  async #takeCharacter(file: File): Promise<void> {
+  /** A character performs in Play, or the motions of its file do. */
+  async #takeModel(file: File): Promise<void> {
     this.#store.edit({ view: "play" });
-    await this.#characters.open(file);
+    const motions = await this.#characters.open(file);
+    await this.#workspace.takeMotions(motions);
+    const others = motions.length - 1;
+    if (others > 0) this.#toasts.note(strings.page.characters.otherMotions(others));
   }
 
   async #embed(): Promise<void> {

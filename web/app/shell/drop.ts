@@ -14,8 +14,8 @@ export interface FileListeners {
   takes: () => "motions" | "all" | undefined;
   onMotion: (name: string, bytes: ArrayBuffer) => void;
   onDatabase: (name: string, file: File) => void;
-  /** A rigged character. */
-  onCharacter: (file: File) => void;
+  /** A file that may hold a rigged character, motions, or both. */
+  onModel: (file: File) => void;
   /** Several files, folders and archives: clips to build a database from. */
   onClips: (files: DroppedFile[]) => void;
   /** One motion that was dropped on {@link styleTarget}. */
@@ -39,8 +39,8 @@ async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListe
     listeners.onRefused(strings.page.drop.tooLarge(file.name, megabytes, MAX_BYTES / (1024 * 1024)));
     return;
   }
-  if (/\.(glb|vrm|fbx)$/i.test(file.name)) {
-    listeners.onCharacter(file);
+  if (/\.(glb|vrm|vrma|fbx)$/i.test(file.name)) {
+    listeners.onModel(file);
     return;
   }
   if (/\.gltf$/i.test(file.name)) {
@@ -95,7 +95,7 @@ export class DropZone {
   readonly #target = html("p", { class: "drop-style", hidden: true }, strings.page.drop.style);
   readonly #picker = html("input", {
     type: "file",
-    accept: ".bvh,.strutdb,.glb,.vrm,.fbx",
+    accept: ".bvh,.strutdb,.glb,.vrm,.vrma,.fbx",
     hidden: true,
     "aria-label": strings.page.drop.file,
   });

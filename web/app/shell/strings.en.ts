@@ -50,7 +50,7 @@ export const page = {
     tooLarge: (name: string, megabytes: number, max: number) =>
       `“${name}” has ${megabytes} MB; files up to ${max} MB work. Export a shorter part.`,
     unknown: (name: string) =>
-      `“${name}” is no motion (.bvh), database (.strutdb) or character (.glb, .vrm, .fbx). Drop one of those.`,
+      `“${name}” is no motion (.bvh, .vrma), database (.strutdb) or character (.glb, .vrm, .fbx). Drop one of those.`,
     separate: (name: string) => `“${name}” refers to other files. Drop the character as one file, .glb.`,
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
@@ -80,6 +80,10 @@ export const page = {
     performs: (name: string) => `“${name}” performs now.`,
     unsure: (name: string) =>
       `“${name}” performs now. Its joints have unusual names: if a limb moves wrongly, check which joint is which.`,
+    otherMotions: (others: number) =>
+      others === 1
+        ? "The file holds one more motion: choose it as the input."
+        : `The file holds ${others} more motions: choose one as the input.`,
     check: "Check joints",
     back: "Back to the mannequin",
     by: (authors: readonly string[]) => `by ${authors.join(", ")}`,

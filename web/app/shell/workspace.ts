@@ -93,6 +93,14 @@ export class Workspace {
     this.#awaited = undefined;
   }
 
+  /** Opens the first of several dropped motions; the others can be chosen. */
+  async takeMotions(motions: readonly { name: string; bytes: ArrayBuffer }[]): Promise<void> {
+    const [first, ...others] = motions;
+    if (!first) return;
+    for (const { name, bytes } of others) this.session.library.add(name, bytes);
+    await this.takeMotion(first.name, first.bytes);
+  }
+
   dispose(): void {
     this.session.dispose();
   }

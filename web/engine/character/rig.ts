@@ -1,5 +1,5 @@
 /** The engine's side of a character: roles of its joints, and poses as rotations of its bones. On the calling thread. */
-import { JOINTS, POSE_FLOATS } from "../../humanoid";
+import { DEFAULT_PROPORTIONS, POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
 import { type CharacterGlue, characterPackage } from "./wasm";
 
@@ -35,7 +35,17 @@ export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]
   /** A copy of the pose where the caller's is no `Float32Array`. */
   readonly #pose = new Float32Array(POSE_FLOATS);
 
-  private constructor(glue: CharacterGlue, skeleton: Skeleton, roles: Int32Array, metresPerUnit: number) {
+  /** The body that poses are on; the mannequin's at first. */
+  #body: ArrayLike<number> = DEFAULT_PROPORTIONS;
+
+  /**
+   * Binds a skeleton.
+   * @param glue the package, loaded
+   * @param roles joint of each role that is known; −1 where it is to be found
+   * @param metresPerUnit length of the skeleton's unit
+   * @throws StrutError `bad-file` with what the skeleton lacks
+   */
+  constructor(glue: CharacterGlue, skeleton: Skeleton, roles: Int32Array, metresPerUnit: number) {
     const { names, parents, offsets, bind, local } = skeleton;
     super(
       characterPackage.guarded(
@@ -48,20 +58,6 @@ export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]
     this.notes = this.raw.notes();
     this.worldFromFile = this.raw.worldFromFile();
     this.frame = new Float32Array(this.raw.frameFloats());
-  }
-
-  /**
-   * Binds a skeleton.
-   * @param roles joint of each role that is known; −1 where it is to be found
-   * @param metresPerUnit length of the skeleton's unit
-   * @throws StrutError `load`, or `bad-file` with what the skeleton lacks
-   */
-  static async of(
-    skeleton: Skeleton,
-    roles: Int32Array = new Int32Array(JOINTS).fill(-1),
-    metresPerUnit = 1,
-  ): Promise<CharacterRig> {
-    return new CharacterRig(await characterPackage.load(), skeleton, roles, metresPerUnit);
   }
 
   /** The body in metres: 21 × xyz; the first is the height of the hips above the soles. */
@@ -79,7 +75,20 @@ export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]
 
   /** Sets the body that poses are on, 21 × xyz in metres. @throws StrutError `bad-input` */
   setBody(proportions: ArrayLike<number>): void {
-    characterPackage.guarded(() => this.raw.setBody(Float32Array.from(proportions)));
+    const body = Float32Array.from(proportions);
+    characterPackage.guarded(() => this.raw.setBody(body));
+    this.#body = body;
+  }
+
+  /** Converts something on another body; what is applied later keeps its own. @throws StrutError `bad-input` */
+  onBody<T>(proportions: ArrayLike<number>, convert: () => T): T {
+    const before = this.#body;
+    this.setBody(proportions);
+    try {
+      return convert();
+    } finally {
+      this.setBody(before);
+    }
   }
 
   /**

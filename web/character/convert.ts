@@ -1,0 +1,42 @@
+/** Models of other formats as binary glTF, through three.js's exporter: what `toGLB` appends a motion to. */
+import type { Object3D } from "three";
+import { nameInFile } from "./joints";
+
+/** A model as binary glTF. */
+export interface Converted {
+  readonly file: Uint8Array;
+  /** Number in the file of a node. */
+  readonly indexOf: (node: Object3D) => number | undefined;
+}
+
+/** What three.js's own plugins use of the exporter's writer; it is no part of the types. */
+interface Writer {
+  readonly nodeMap: ReadonlyMap<Object3D, number>;
+  readonly json: { readonly skins?: { skeleton?: number }[] };
+}
+
+/**
+ * Writes a model and its animations, the object's own placement included.
+ * @throws Error of three.js where it cannot be written
+ */
+export async function converted(object: Object3D): Promise<Converted> {
+  const { GLTFExporter } = await import("three/addons/exporters/GLTFExporter.js");
+  let numbers: Writer["nodeMap"] = new Map();
+  const exporter = new GLTFExporter().register((gltfWriter) => {
+    const { nodeMap, json } = gltfWriter as unknown as Writer;
+    numbers = nodeMap;
+    return {
+      writeNode(node, written) {
+        written.name = nameInFile(node);
+        delete written.extras;
+      },
+      afterParse() {
+        // It names the first joint, which is not above the others where FBX shares joints between meshes.
+        for (const skin of json.skins ?? []) delete skin.skeleton;
+      },
+    };
+  });
+  const { animations } = object;
+  const file = await exporter.parseAsync(object, { binary: true, trs: true, onlyVisible: false, animations });
+  return { file: new Uint8Array(file as ArrayBuffer), indexOf: (node) => numbers.get(node) };
+}
