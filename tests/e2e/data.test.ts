@@ -187,6 +187,28 @@ describe("a database of a name that is taken", () => {
     expect(await databases()).toEqual(["Built-in", "My clips", "My clips 2"]);
     await page.getByRole("button", { name: "Open My clips", exact: true }).click();
     await eventually(() => page.locator(".vertex[data-style=proud]").count(), "the new one").toBe(1);
+    await eventually(openDatabase).toBe("My clips");
+  });
+
+  it("is shown as it is now where it was open", async () => {
+    await choose(written("walk_neutral_1.bvh", walks.neutral), written("walk_old_1.bvh", walks.old));
+    await read();
+    const name = page.getByLabel("Name of the database");
+    await build();
+    const mine = await name.inputValue();
+    await page.getByRole("button", { name: `Open ${mine}`, exact: true }).click();
+    await eventually(openDatabase).toBe(mine);
+    await page.getByRole("link", { name: "Data" }).click();
+    await page.getByRole("button", { name: "Clear", exact: true }).click();
+    await choose(written("walk_neutral_1.bvh", walks.neutral), written("walk_proud_1.bvh", walks.proud));
+    await read();
+    await name.fill(mine);
+    await buildButton().click();
+    await page.getByRole("button", { name: "Replace it" }).click();
+    await page.getByRole("link", { name: "Play" }).click();
+    await eventually(() =>
+      page.locator(".vertex").evaluateAll((v) => v.map((e) => e.getAttribute("data-style")).sort()),
+    ).toEqual(["neutral", "proud"]);
   });
 });
 

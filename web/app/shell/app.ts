@@ -165,6 +165,7 @@ export class App {
       progress: this.#progress,
       signal,
       openDatabase: (name, file, kept) => this.#openDatabase({ kind: "strutdb", name, file }, kept ? name : ""),
+      databaseReplaced: (name, file) => void databases.replaced(name, file),
       openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),
       databaseFile: () => databases.file,
       performing: () => this.#characters.performing,

@@ -36,6 +36,19 @@ function made(database: string, { broken = [] as string[], kept = ["mine", "bad"
   return { store, session, databases, said };
 }
 
+describe("a database that is replaced on this device", () => {
+  it("is opened again where it is the open one", async () => {
+    const { session, databases } = made("mine");
+    await databases.follow("");
+    const file = new Blob(["new"]);
+    await databases.replaced("other", file);
+    expect(session.opened).toEqual(["mine"]);
+    await databases.replaced("mine", file);
+    expect(session.opened).toEqual(["mine", "mine"]);
+    expect(databases.file).toEqual({ name: "mine", file });
+  });
+});
+
 describe("the database of a link", () => {
   it("is opened where it is kept here", async () => {
     const { store, session, databases } = made("mine");

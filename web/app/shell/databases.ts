@@ -59,6 +59,12 @@ export class Databases {
     return true;
   }
 
+  /** Opens a database again that was replaced on this device, where it is the open one: nothing old is shown of it. */
+  async replaced(name: string, file: Blob): Promise<void> {
+    if (name !== "" && name === this.#name)
+      await this.#load({ kind: "strutdb", name, file }, name, this.#session.inputName);
+  }
+
   /**
    * Opens what the state asks for, and the input `inputName` on it. Where that cannot be opened what was open stays, or
    * the built-in database is opened; the state then says so.
