@@ -21,8 +21,8 @@ const MIN_FBX = 7000;
 /** Where a character comes from: an address, or the file. */
 export type CharacterSource = string | URL | ArrayBuffer | Blob;
 
-/** Imports `@pixiv/three-vrm`; rejects where the page does not have it. */
-export type ImportVrm = () => Promise<{ VRMLoaderPlugin: new (parser: never) => unknown }>;
+/** Imports `@pixiv/three-vrm`; gives nothing, or rejects, where the page does not have it. */
+export type ImportVrm = () => Promise<{ VRMLoaderPlugin: new (parser: never) => unknown } | undefined>;
 
 /** How a model is read. */
 export interface ReadOptions {

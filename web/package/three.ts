@@ -38,7 +38,16 @@ export function bindCharacter(root: Object3D | VrmLike | GltfLike, options?: Bin
  */
 export function loadCharacter(source: CharacterSource, options?: LoadCharacterOptions): Promise<Character> {
   place();
-  return load(source, options, () => import("@pixiv/three-vrm"));
+  return load(source, options, threeVrm);
+}
+
+/** three-vrm, where the page has it. Bundlers pass over what is missing only inside `try`. */
+async function threeVrm() {
+  try {
+    return await import("@pixiv/three-vrm");
+  } catch {
+    return undefined;
+  }
 }
 
 /**
