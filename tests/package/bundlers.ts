@@ -8,6 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { isDeepStrictEqual } from "node:util";
 import type { Browser } from "playwright-core";
+import { root } from "../recordings";
 import { type Consumer, styledByNode } from "./consumer";
 import { copyData, expected, html, loadedKb, program, type Said, summary, visitPage } from "./page";
 import { serveFolder } from "./server";
@@ -56,6 +57,11 @@ function check(said: Said, thread: string, { consumer }: Project): void {
   if (!isDeepStrictEqual(got, want)) throw new Error(`got ${JSON.stringify(got)}, expected ${JSON.stringify(want)}`);
 }
 
+/** Everything that needs three.js, without three-vrm, which few have. */
+const CHARACTERS = `import "strut-motion/element";
+export { loadCharacter } from "strut-motion/three";
+`;
+
 /** Opens a page and says what it loaded. */
 async function report(project: Project, url: string): Promise<string> {
   const { said, urls } = await visitPage(project.browser, url);
@@ -75,11 +81,10 @@ const staticSite = (page?: string) => async (project: Project) => {
   if (page !== undefined) writeFileSync(join(dist, "index.html"), page);
   copyData(project.consumer, dist);
   const server = await serveFolder(dist);
-  try {
-    return await report(project, server.url);
-  } finally {
-    await server.close();
-  }
+  const loaded = await report(project, server.url).finally(server.close);
+  writeFileSync(join(project.folder, "main.js"), CHARACTERS);
+  run(project, "npm", "run", "build");
+  return loaded;
 };
 
 /** Next.js's own server of a build, once it listens. */
@@ -184,6 +189,11 @@ export const BUNDLERS: readonly Bundler[] = [
   },
 ];
 
+/** Version of three.js that this project uses. */
+function threeVersion(): string {
+  return JSON.parse(readFileSync(join(root, "node_modules", "three", "package.json"), "utf8")).version;
+}
+
 /**
  * Installs a bundler and the tarball in a copy of its folder, and runs all that is to be run with it.
  * @param print is given a line for each run
@@ -200,7 +210,7 @@ export async function tryBundler(
     cpSync(join(import.meta.dirname, bundler.folder), folder, { recursive: true });
     // Not `npm ci`: it wants the binaries of all platforms in a lockfile, which not every registry has.
     const quick = ["--no-save", "--prefer-offline", "--no-audit", "--no-fund"];
-    run({ folder }, "npm", "install", ...quick, consumer.tarball);
+    run({ folder }, "npm", "install", ...quick, consumer.tarball, `three@${threeVersion()}`);
     for (const { name, version, run } of bundler.runs) {
       const manifest = JSON.parse(readFileSync(join(folder, "node_modules", version, "package.json"), "utf8"));
       print(`${name} ${manifest.version}: ok, ${await run({ folder, consumer, browser })}`);
