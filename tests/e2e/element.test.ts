@@ -225,10 +225,26 @@ describe("a character", () => {
 
   test("that is missing leaves the mannequin performing, and a sentence", async () => {
     const page = await openPlayer('character="nobody.glb"');
-    await eventually(() => alert(page).innerText()).toContain("The character could not be loaded");
+    await eventually(() => alert(page).innerText()).toContain("The file could not be loaded");
     await page.evaluate(() => window.player.setAttribute("character", "character.glb"));
     await eventually(() => credit(page).isVisible()).toBe(true);
     expect(await alert(page).isVisible()).toBe(false);
+    await page.context().close();
+  });
+
+  test("is freed while nobody has seen it for half a minute, and comes back", async () => {
+    const page = await openPlayer('character="character.glb"');
+    await eventually(() => credit(page).isVisible()).toBe(true);
+    await page.evaluate(() => {
+      // What takes half a minute takes a tenth of a second.
+      const later = globalThis.setTimeout;
+      Object.assign(globalThis, { setTimeout: (act: () => void, ms = 0) => later(act, ms === 30_000 ? 100 : ms) });
+      document.querySelector("main")!.prepend(Object.assign(document.createElement("div"), { id: "screens" }));
+      document.getElementById("screens")!.style.height = "300vh";
+    });
+    await eventually(() => credit(page).isHidden()).toBe(true);
+    await page.evaluate(() => document.getElementById("screens")!.remove());
+    await eventually(() => credit(page).isVisible()).toBe(true);
     await page.context().close();
   });
 
