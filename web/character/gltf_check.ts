@@ -30,8 +30,8 @@ const TYPE_OF_PATH: Readonly<Record<string, string>> = {
 const MAX_COUNT = 12_000_000;
 /** Most numbers of the arrays that have no data and are zero. */
 const MAX_ZEROS = 16_000_000;
-/** Most nodes of a document. */
-const MAX_NODES = 65_536;
+/** Most nodes of a document: three.js takes seconds for more. */
+const MAX_NODES = 16_384;
 /** Most nodes that may lie in one another: more would exhaust the stack of whoever walks them. */
 const MAX_DEPTH = 1024;
 /** Largest side of an image, pixels. */
