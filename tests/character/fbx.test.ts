@@ -3,7 +3,7 @@ import { validateBytes } from "gltf-validator";
 import { type AnimationClip, AnimationMixer, type Object3D, Quaternion, SkinnedMesh, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { expect, test, vi } from "vitest";
-import { loadCharacter } from "../../web/character/load";
+import { loadCharacter, loadMotions } from "../../web/character/load";
 import { ROLES, restPose } from "../../web/humanoid";
 import { movingAnimation, poseOf } from "../humanoid_animation";
 import { FAMILIES, type Family } from "../rigs/families";
@@ -108,6 +108,27 @@ test("an FBX character that is not to go out is not converted", async () => {
   const character = await loadCharacter(fbxFile(MIXAMO).buffer, { glb: false });
   expect(() => character.toGLB(motion)).toThrow(/no file of this character/);
   character.dispose();
+});
+
+test.each([
+  ["a key is infinite", (clip: AnimationClip) => (clip.tracks[1]!.values[2] = Number.POSITIVE_INFINITY)],
+  ["a hip flies off", (clip: AnimationClip) => (clip.tracks[0]!.values[4] = 1e12)],
+  ["times fall", (clip: AnimationClip) => (clip.tracks[1]!.times[3] = 0)],
+])("FBX whose keys would keep three.js busy for ever is refused: %s", async (_, damage) => {
+  const clip = await walkOf(MIXAMO);
+  damage(clip);
+  for (const load of [loadCharacter, loadMotions])
+    await expect(load(fbxFile(MIXAMO, { clip }).buffer)).rejects.toMatchObject({
+      code: "bad-file",
+      message: "The motion in this file has keys out of order, or beyond all bounds.",
+    });
+});
+
+test("FBX 6.1 is refused in words", async () => {
+  await expect(loadCharacter(fbxFile(MIXAMO, { version: 6100 }).buffer)).rejects.toMatchObject({
+    code: "bad-file",
+    message: "This file is FBX 6.1; version 7 or newer was expected.",
+  });
 });
 
 /** The part of `FileReader` that three.js's exporter uses. */

@@ -5,10 +5,11 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { expect, test } from "vitest";
 import { bindCharacter } from "../../web/character/character";
 import { chunksOf } from "../../web/character/glb_patch";
-import { type LoadCharacterOptions, loadCharacter } from "../../web/character/load";
+import { type LoadCharacterOptions, loadCharacter, loadMotions } from "../../web/character/load";
 import { DEFAULT_PROPORTIONS, POSE_FLOATS } from "../../web/humanoid";
 import { movingAnimation } from "../humanoid_animation";
 import { FAMILIES, type Family } from "../rigs/families";
+import { glbOf } from "../rigs/glb";
 import { type Changes, makeRig } from "../rigs/rig";
 import { type Difference, farthest, pairs } from "./compare";
 
@@ -166,7 +167,30 @@ test("models that are no bodies are refused in words", async () => {
     joints.splice(1);
     d.skins[0] = { joints };
   });
-  expect((await refusal(oneBone)).code).toBe("bad-file");
+  expect(await refusal(oneBone)).toEqual({
+    code: "bad-file",
+    message: "This skeleton has no legs and arms that we can find. Drop a file of a humanoid.",
+  });
+});
+
+test("motions whose values do not fit their keys are refused in words", async () => {
+  const character = await loadCharacter(makeRig(MIXAMO).glb.buffer);
+  const { times, ...moving } = movingAnimation();
+  const { json, binary } = chunksOf(character.toGLB({ ...moving, timeOut: times }));
+  character.dispose();
+  const { animations, accessors } = json as unknown as {
+    animations: { samplers: { input: number; output: number }[] }[];
+    accessors: { count: number; type: string }[];
+  };
+  const { output } = animations[0]!.samplers[1]!;
+  for (const lie of [{ count: 1 }, { count: 0 }, { type: "SCALAR" }]) {
+    const document = { ...json, accessors: accessors.map((each, i) => (i === output ? { ...each, ...lie } : each)) };
+    for (const load of [loadCharacter, loadMotions])
+      await expect(load(glbOf(document, binary).buffer)).rejects.toMatchObject({
+        code: "bad-file",
+        message: "A motion of this model has not the values that its keys need.",
+      });
+  }
 });
 
 test("files outside of the limits are refused before they are read", async () => {
@@ -194,6 +218,18 @@ test("files outside of the limits are refused before they are read", async () =>
   const start = glb.length - chunksOf(glb).binary.length;
   glb.set([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0x23, 0x28, 0, 0, 0, 10], start);
   expect((await refusal(glb.buffer)).message).toMatch(/^A texture of this model has 9000 × 10 pixels/);
+  // Indices without data are all zero: two million and one triangles of nothing.
+  const whole = chunksOf(makeRig(MIXAMO).glb);
+  const { meshes, accessors } = whole.json as {
+    meshes: { primitives: { indices: number }[] }[];
+    accessors: { bufferView?: number; count: number }[];
+  };
+  const indices = accessors[meshes[0]!.primitives[0]!.indices]!;
+  delete indices.bufferView;
+  indices.count = 6_000_003;
+  expect((await refusal(glbOf(whole.json, whole.binary).buffer)).message).toBe(
+    "This model has more than two million triangles.",
+  );
   const outside = changed(MIXAMO, (d) => {
     d.images = [{ uri: "https://example.org/skin.png" }];
   });

@@ -1,6 +1,10 @@
 /** Every value that a licence of VRM 0 and 1 may have, and copyright notices of glTF. */
 import { expect, test } from "vitest";
 import { licenceOf } from "../../web/character/licence";
+import { loadCharacter } from "../../web/character/load";
+import { movingAnimation } from "../humanoid_animation";
+import { FAMILIES } from "../rigs/families";
+import { makeRig } from "../rigs/rig";
 
 const vrm1 = (meta: object) => licenceOf({ extensions: { VRMC_vrm: { meta } } })!;
 const vrm0 = (meta: object) => licenceOf({ extensions: { VRM: { meta } } })!;
@@ -60,6 +64,74 @@ test.each([
   [undefined, false, true],
 ])("VRM 0: licence %s allows an export: %s, and asks for credit: %s", (licenseName, mayExport, credit) => {
   expect(vrm0({ licenseName })).toMatchObject({ mayExport, credit });
+});
+
+test.each([
+  ["VRM 1", vrm1, "commercialUsage", ["personalNonProfit", "personalProfit", "corporation"]],
+  ["VRM 1", vrm1, "allowExcessivelyViolentUsage", [true, false]],
+  ["VRM 1", vrm1, "allowExcessivelySexualUsage", [true, false]],
+  ["VRM 1", vrm1, "allowPoliticalOrReligiousUsage", [true, false]],
+  ["VRM 1", vrm1, "allowAntisocialOrHateUsage", [true, false]],
+  ["VRM 0", vrm0, "violentUssageName", ["Disallow", "Allow"]],
+  ["VRM 0", vrm0, "sexualUssageName", ["Disallow", "Allow"]],
+  ["VRM 0", vrm0, "commercialUssageName", ["Disallow", "Allow"]],
+] as const)("%s: what %s says is between the author and who performs", (_, licence, field, values) => {
+  for (const value of values) expect(licence({ [field]: value })).toEqual(licence({}));
+});
+
+const PERMISSIONS_1 = ["onlyAuthor", "onlySeparatelyLicensedPerson", "everyone"];
+const MODIFICATIONS = ["prohibited", "allowModification", "allowModificationRedistribution"];
+const USERS_0 = ["OnlyAuthor", "ExplicitlyLicensedPerson", "Everyone"];
+const LICENCES_0 = ["Redistribution_Prohibited", "CC0", "CC_BY", "CC_BY_NC", "CC_BY_SA", "CC_BY_NC_SA"].concat([
+  "CC_BY_ND",
+  "CC_BY_NC_ND",
+  "Other",
+]);
+
+/** Every combination that decides on something, with what is to happen. */
+const ALL = [
+  ...PERMISSIONS_1.flatMap((avatarPermission) =>
+    MODIFICATIONS.flatMap((modification) =>
+      [true, false].map((allowRedistribution) => ({
+        family: "VRM 1",
+        meta: { avatarPermission, modification, allowRedistribution },
+        asks: avatarPermission !== "everyone",
+        exports: modification === "allowModificationRedistribution" && allowRedistribution,
+      })),
+    ),
+  ),
+  ...USERS_0.flatMap((allowedUserName) =>
+    LICENCES_0.map((licenseName) => ({
+      family: "VRM 0",
+      meta: { allowedUserName, licenseName },
+      asks: allowedUserName !== "Everyone",
+      exports: licenseName.startsWith("CC") && !licenseName.endsWith("ND"),
+    })),
+  ),
+];
+
+test("a loaded VRM asks and exports as its licence says, whatever that says, and its motion alone always goes out", async () => {
+  const { times, ...moving } = movingAnimation();
+  const motion = { ...moving, timeOut: times };
+  for (const { family, meta, asks, exports } of ALL) {
+    const of = JSON.stringify(meta);
+    const { glb } = makeRig(FAMILIES.find(({ name }) => name === family)!, {
+      document: ({ extensions }) => {
+        Object.assign((extensions!.VRMC_vrm ?? extensions!.VRM)!.meta as object, meta);
+      },
+    });
+    const refused = loadCharacter(glb.slice().buffer).then(
+      (character) => character.dispose(),
+      ({ code }) => code,
+    );
+    expect(await refused, of).toBe(asks ? "licence" : undefined);
+    const character = await loadCharacter(glb.buffer, { accept: () => true });
+    const exported = () => character.toGLB(motion);
+    if (exports) expect(exported, of).not.toThrow();
+    else expect(exported, of).toThrow(/does not allow to hand it on/);
+    expect(character.toClip(motion).tracks.length, of).toBeGreaterThan(20);
+    character.dispose();
+  }
 });
 
 test("names, authors and web addresses are shown, and other addresses are not", () => {

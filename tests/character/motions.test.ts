@@ -12,6 +12,7 @@ import { vrmAnimation } from "../../web/formats/vrma";
 import { POSE_FLOATS } from "../../web/humanoid";
 import { FAMILIES, type Family } from "../rigs/families";
 import { fbxFile } from "../rigs/fbx";
+import { glbOf } from "../rigs/glb";
 import { makeRig } from "../rigs/rig";
 import { turnsApart } from "./compare";
 import { type Performance, performances } from "./performance";
@@ -155,11 +156,7 @@ function withoutMesh(glb: Uint8Array): ArrayBuffer {
   }
   delete json.meshes;
   delete json.skins;
-  const text = Buffer.from(JSON.stringify(json).padEnd(Math.ceil(JSON.stringify(json).length / 4) * 4));
-  const words = (...values: number[]) => Buffer.from(Uint32Array.from(values).buffer);
-  const chunks = [words(text.length, 0x4e4f534a), text, words(binary.length, 0x004e4942), Buffer.from(binary)];
-  const body = Buffer.concat(chunks);
-  return Uint8Array.from(Buffer.concat([words(0x46546c67, 2, 12 + body.length), body])).buffer;
+  return glbOf(json, binary).buffer;
 }
 
 test("a motion of a file is opened through BVH as the motion itself is", async () => {

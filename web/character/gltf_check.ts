@@ -17,10 +17,23 @@ const COMPONENTS: Readonly<Record<string, number>> = {
   MAT3: 9,
   MAT4: 16,
 };
+/** Lists of what has names. */
+const NAMED = ["scenes", "nodes", "meshes", "skins", "materials", "animations", "cameras", "textures", "images"];
+/** Type of what moves, by its path. */
+const TYPE_OF_PATH: Readonly<Record<string, string>> = {
+  translation: "VEC3",
+  rotation: "VEC4",
+  scale: "VEC3",
+  weights: "SCALAR",
+};
 /** Most elements of an accessor: six indices a vertex of two million triangles. */
 const MAX_COUNT = 12_000_000;
-/** Most nodes of a document. */
-const MAX_NODES = 65_536;
+/** Most numbers of the arrays that have no data and are zero. */
+const MAX_ZEROS = 16_000_000;
+/** Most nodes of a document: three.js takes seconds for more. */
+const MAX_NODES = 16_384;
+/** Most nodes that may lie in one another: more would exhaust the stack of whoever walks them. */
+const MAX_DEPTH = 1024;
 /** Largest side of an image, pixels. */
 const MAX_PIXELS = 8192;
 /** Compressions that three.js needs further files for. */
@@ -39,6 +52,10 @@ export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): vo
       `This model is compressed with ${unreadable}, which cannot be read here.`,
       "Export it without compression.",
     );
+  // Others make three.js fail where nobody can catch it.
+  for (const list of NAMED)
+    if (records(json, list).some(({ name }) => name !== undefined && typeof name !== "string"))
+      throw broken("A name in this model is no text.");
   const views = records(json, "bufferViews");
   for (const [i, buffer] of records(json, "buffers").entries()) {
     if (typeof buffer.uri === "string" && !buffer.uri.startsWith("data:"))
@@ -58,7 +75,14 @@ export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): vo
     if (!(end <= (bufferBytes[Number(view.buffer)] ?? -1)))
       throw broken("A part of this model lies outside of its data.");
   }
-  for (const accessor of records(json, "accessors")) checkAccessor(accessor, views);
+  const accessors = records(json, "accessors");
+  let zeros = 0;
+  for (const accessor of accessors) {
+    checkAccessor(accessor, views);
+    if (accessor.bufferView === undefined) zeros += size(accessor.count) * COMPONENTS[String(accessor.type)]!;
+  }
+  if (zeros > MAX_ZEROS) throw broken("The arrays of this model are too long.");
+  for (const animation of records(json, "animations")) checkAnimation(animation, accessors);
   checkNodes(records(json, "nodes"));
 }
 
@@ -77,6 +101,20 @@ function checkAccessor(accessor: Record<string, unknown>, views: readonly Record
     throw broken("An array of this model is longer than its data.");
 }
 
+/** As many values a key as are moved: three.js's mixer counts in steps of those, and never arrives otherwise. */
+function checkAnimation(animation: Record<string, unknown>, accessors: readonly Record<string, unknown>[]): void {
+  const samplers = records(animation, "samplers");
+  for (const { sampler, target } of records(animation, "channels")) {
+    const { node, path } = isRecord(target) ? target : {};
+    if (node === undefined) continue;
+    const { input, output } = samplers[Number(sampler)] ?? {};
+    const [times, values] = [accessors[Number(input)], accessors[Number(output)]];
+    const share = size(values?.count) / size(times?.count);
+    if (times?.type !== "SCALAR" || values?.type !== TYPE_OF_PATH[String(path)] || !(share >= 1 && share % 1 === 0))
+      throw broken("A motion of this model has not the values that its keys need.");
+  }
+}
+
 /** Nodes are a forest: every one has at most one parent and is not below itself. */
 function checkNodes(nodes: readonly Record<string, unknown>[]): void {
   if (nodes.length > MAX_NODES) throw broken("This model has too many nodes.");
@@ -90,10 +128,13 @@ function checkNodes(nodes: readonly Record<string, unknown>[]): void {
   // In a circle nobody is without a parent: from there every step leads on.
   const depth = new Int32Array(nodes.length);
   for (let i = 0; i < nodes.length; i++) {
-    let steps = 0;
-    for (let above = parents[i]!; above >= 0 && depth[above] === 0; above = parents[above]!)
-      if (++steps > nodes.length) throw broken("The nodes of this model are no tree.");
-    depth[i] = 1;
+    const path: number[] = [];
+    let above = i;
+    for (; above >= 0 && depth[above] === 0; above = parents[above]!)
+      if (path.push(above) > MAX_DEPTH) throw broken("The nodes of this model are no tree, or a very deep one.");
+    let deep = above < 0 ? 0 : depth[above]!;
+    for (const node of path.reverse()) depth[node] = ++deep;
+    if (deep > MAX_DEPTH) throw broken("The nodes of this model are no tree, or a very deep one.");
   }
 }
 

@@ -14,6 +14,9 @@ const EVEN = 0.01;
 /** Share of a skin's size within which its joints agree where the skin lies. */
 const AGREEMENT = 1e-3;
 
+/** Most answers to where a skin lies that are counted: files of real programs have one. */
+const MAX_TRIED = 64;
+
 /** A skin, and where the space in which it was modelled lies in the character's object. */
 export interface Skin {
   readonly mesh: SkinnedMesh;
@@ -93,6 +96,11 @@ export function jointsOf(object: Object3D, chosen: readonly Object3D[], needsSki
       .applyQuaternion(rotations[above]!)
       .toArray(offsets, 3 * j);
   }
+  for (const numbers of [offsets, bind, local])
+    if (!numbers.every(Number.isFinite)) {
+      const message = "The joints of this model lie beyond all numbers.";
+      throw new StrutError({ code: "bad-file", message, hint: "Export it again." });
+    }
   return {
     names: nodes.map(nameInFile),
     parents: Int32Array.from(parents),
@@ -160,6 +168,7 @@ function agreed(matrices: readonly Matrix4[]): Matrix4 {
   let [best, most] = [matrices[0]!, 0];
   const tried: Matrix4[] = [];
   for (const matrix of matrices) {
+    if (tried.length === MAX_TRIED) break;
     if (tried.some((other) => near(other, matrix))) continue;
     tried.push(matrix);
     const votes = matrices.filter((other) => near(matrix, other)).length;
@@ -202,15 +211,17 @@ function dropLeafChains(
 ): void {
   const position = (node: Object3D) => new Vector3().setFromMatrixPosition(matrices.get(node)!);
   while (kept.size > MAX_JOINTS) {
+    const below = new Map<Object3D, number>();
+    for (const { parent } of kept) if (parent) below.set(parent, (below.get(parent) ?? 0) + 1);
     const chains: { nodes: Object3D[]; length: number }[] = [];
     for (const leaf of kept) {
-      if (leaf.children.some((child) => kept.has(child))) continue;
+      if (below.has(leaf)) continue;
       const nodes: Object3D[] = [];
       let length = 0;
       for (let node = leaf; node.parent && kept.has(node.parent) && !chosen.has(node); node = node.parent) {
         nodes.push(node);
         length += position(node).distanceTo(position(node.parent));
-        if (node.parent.children.filter((child) => kept.has(child)).length > 1) break;
+        if (below.get(node.parent)! > 1) break;
       }
       if (nodes.length > 0) chains.push({ nodes, length });
     }

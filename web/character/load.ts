@@ -13,6 +13,7 @@ import {
   type ImportVrm,
   type ReadModel,
   type ReadOptions,
+  reading,
   readModel,
 } from "./read";
 import type { BindOptions, Character, CharacterMotion } from "./types";
@@ -45,10 +46,9 @@ export async function loadCharacter(
   const model = await loaded(source, "character", options, { inspect, wantsGlb: glb, importVrm });
   const { object } = model.origin;
   try {
-    const character = await bindLoaded(model.origin, unitOf(model, options), {
-      file: model.glb,
-      free: () => free(object),
-    });
+    const character = await reading(() =>
+      bindLoaded(model.origin, unitOf(model, options), { file: model.glb, free: () => free(object) }),
+    );
     options.onProgress?.({ label: "Reading the character", fraction: 1 });
     return character;
   } catch (thrown) {

@@ -67,9 +67,11 @@ function posesOf({ rig, joints }: Bound, object: Object3D, clip: AnimationClip, 
           }
         }
       }
-      if (!locals.every(Number.isFinite)) throw endless(clip.name);
+      if (!locals.every(Number.isFinite)) throw unreadable(clip.name);
       poses.set(rig.toPoses(locals), POSE_FLOATS * start);
     }
+  } catch (cause) {
+    throw cause instanceof StrutError ? cause : unreadable(clip.name, cause);
   } finally {
     action.stop();
     mixer.uncacheRoot(object);
@@ -82,7 +84,7 @@ function posesOf({ rig, joints }: Bound, object: Object3D, clip: AnimationClip, 
   return poses;
 }
 
-function endless(name: string): StrutError {
-  const message = `The motion '${name}' has keys that are no numbers.`;
-  return new StrutError({ code: "bad-file", message, hint: "Export it again." });
+function unreadable(name: string, cause?: unknown): StrutError {
+  const message = `The motion '${name}' has keys that cannot be read.`;
+  return new StrutError({ code: "bad-file", message, hint: "Export it again." }, cause);
 }

@@ -6,6 +6,7 @@ import { Group, LoadingManager, type Material, type Mesh, type Object3D, type Te
 import { cancelled, type ErrorParts, StrutError } from "../engine/errors";
 import { originOf } from "./bind";
 import { converted } from "./convert";
+import { checkFbx } from "./fbx_check";
 import { chunksOf } from "./glb_patch";
 import { checkGltf } from "./gltf_check";
 import type { GltfLike, Origin, VrmLike } from "./types";
@@ -118,6 +119,8 @@ async function readFbx(file: Uint8Array<ArrayBuffer>, { wantsGlb }: ReadOptions)
     );
   }
   const { FBXLoader } = await import("three/addons/loaders/FBXLoader.js");
+  const { unzlibSync } = await import("three/addons/libs/fflate.module.js");
+  await reading(async () => checkFbx(file, (packed) => unzlibSync(packed)));
   const manager = closedManager();
   const textures = ended(manager);
   const inner = await reading(async () => new FBXLoader(manager).parse(file.buffer, ""));
@@ -167,6 +170,7 @@ async function readGlb(file: Uint8Array<ArrayBuffer>, { inspect, importVrm }: Re
   const plugin = vrmOf(document) && (await vrmPlugin(importVrm));
   if (plugin) loader.register(plugin as never);
   const gltf: GltfLike = await reading(() => loader.parseAsync(file.buffer, ""));
+  if (!gltf.scene) throw badFile("There is no scene in this model.", "Export it again.");
   const vrm = gltf.userData?.vrm as VrmLike | undefined;
   const origin = originOf(gltf);
   return { origin: vrm ? { ...origin, vrm } : origin, glb: file, metresPerUnit: undefined };
@@ -189,12 +193,12 @@ function closedManager(): LoadingManager {
   return manager;
 }
 
-/** What a loader throws says little to people. */
-async function reading<T>(read: () => Promise<T>): Promise<T> {
+/** Runs what reads a file, which may be anything: what is thrown by three.js says little to people. */
+export async function reading<T>(read: () => Promise<T>): Promise<T> {
   try {
     return await read();
   } catch (cause) {
-    throw new StrutError(DAMAGED, cause);
+    throw cause instanceof StrutError ? cause : new StrutError(DAMAGED, cause);
   }
 }
 
