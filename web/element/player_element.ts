@@ -3,6 +3,7 @@
  * plays while it is seen, and shares one engine, one WebGL context and one drawing schedule with the others of its page.
  */
 import type { LiveFrame, StyleWeights } from "../client/protocol";
+import { StrutError } from "../engine/errors";
 import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
 import { GHOST_MODES, PLAY_FIELDS } from "../link/play";
@@ -302,7 +303,7 @@ export class StrutPlayer extends ElementBase {
     promise.catch(() => undefined);
     this.#message.hide();
     try {
-      if (graphics() === "none") throw new NoWebGl();
+      if (graphics() === "none") throw new StrutError({ code: "unsupported", message: strings.noWebGl, hint: "" });
       const opened = await this.#openFigure(opening.signal);
       if (opening.signal.aborted) {
         closeAll(opened);
@@ -382,7 +383,8 @@ export class StrutPlayer extends ElementBase {
   #fail(error: unknown): void {
     this.#failed = true;
     this.#poster.fraction = undefined;
-    if (error instanceof NoWebGl) this.#message.showFallback(error.message);
+    if (error instanceof StrutError && error.code === "unsupported")
+      this.#message.showFallback(`${error.message} ${error.hint}`.trimEnd());
     else this.#message.show(error, () => void this.#open());
     this.#ready.reject(error);
     this.dispatchEvent(new CustomEvent("error", { detail: { error } }));
@@ -607,13 +609,6 @@ for (const name of ATTRIBUTE_NAMES) {
       writeProperty(this, name, value);
     },
   });
-}
-
-/** The browser has no WebGL 2. */
-class NoWebGl extends Error {
-  constructor() {
-    super(strings.noWebGl);
-  }
 }
 
 /** A promise that is settled from outside. */
