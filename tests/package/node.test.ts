@@ -112,6 +112,18 @@ describe("what is built and trained", () => {
   });
 });
 
+describe("a file that is missing", () => {
+  test("is named by an error of code load, and is had once it is there", () => {
+    const report = JSON.parse(run("missing.mjs")) as Record<string, [missing: string, there: string]>;
+    expect(Object.keys(report)).toHaveLength(5);
+    for (const [file, [missing, there]] of Object.entries(report)) {
+      expect(missing).toMatch(/^load: The (engine|built-in motions) could not be loaded: there is no file .*\.$/);
+      expect(missing).toContain(`/strut-motion/assets/${file}.`);
+      expect(there).toBe("done");
+    }
+  });
+});
+
 describe("a stream of 20,000 poses", () => {
   test("leaves the memory as it was, and ends at once when it is asked to", () => {
     const { before, after, abort } = JSON.parse(run("stream.mjs", "20000"));
