@@ -253,6 +253,51 @@ test("in a worker whose own policy lets it fetch nothing, which the page sends t
   expect(said.bvh).toBe(styledByNode(consumer));
 });
 
+/** The mannequin as a file, read again as a character that performs. */
+const CHARACTER = `import { loadStrut } from "strut-motion";
+import { loadCharacter } from "strut-motion/three";
+window.said = (async () => {
+  const strut = await loadStrut();
+  const db = await strut.openDatabase("/demo.strutdb");
+  const motion = await strut.openMotion("/walk.bvh");
+  const styled = await strut.stylize(motion, db, { styles: { proud: 1 } });
+  const character = await loadCharacter(new Blob([styled.toGLB()]));
+  character.setBody(db.info.proportions);
+  character.apply(styled.poses.subarray(0, 87));
+  strut.dispose();
+  const { roles, object } = character;
+  object.updateMatrixWorld(true);
+  const { x, y, z } = object.getObjectByName(roles.hips).matrixWorld.elements.reduce(
+    (at, value, i) => ({ ...at, ...({ 12: { x: value }, 13: { y: value }, 14: { z: value } })[i] }), {});
+  const [X, Y, Z] = styled.poses;
+  return {
+    thread: strut.thread,
+    frames: motion.frames,
+    bvh: styled.toBVH(),
+    roles: Object.keys(roles).length,
+    farMm: 1000 * Math.hypot(x - X, y - Y, z - Z),
+  };
+})();
+window.said.catch(() => {});
+`;
+
+test.each(["esbuild", "Vite"])("with a character of three.js, bundled by %s without three-vrm", async (bundler) => {
+  const folder = site(`character-${bundler}`, { "index.html": html("/main.js"), "main.js": CHARACTER });
+  const dist = join(folder, "dist");
+  if (bundler === "Vite") await vite({ root: folder, configFile: false, logLevel: "error", build: { outDir: dist } });
+  else {
+    const entryPoints = [join(folder, "main.js")];
+    await esbuild({ entryPoints, outfile: join(dist, "main.js"), bundle: true, format: "esm", logLevel: "error" });
+    cpSync(join(folder, "index.html"), join(dist, "index.html"));
+    cpSync(join(consumer.installed, "assets"), join(dist, "assets"), { recursive: true });
+  }
+  copyData(consumer, dist);
+  const { roles, farMm, ...said } = (await open(dist)) as Said & { roles: number; farMm: number };
+  expectSame(said, "worker");
+  expect(roles).toBe(21);
+  expect(farMm).toBeLessThan(0.1);
+});
+
 /** What needs each of the package's files; the page's thread takes the place of a worker that is missing. */
 const USES = `import { loadStrut } from "strut-motion";
 import { bindCharacter } from "strut-motion/three";

@@ -35,7 +35,16 @@ export function bindCharacter(root: Object3D | VrmLike | GltfLike, options?: Bin
  */
 export function loadCharacter(source: CharacterSource, options?: LoadCharacterOptions): Promise<Character> {
   place();
-  return load(source, options, () => import("@pixiv/three-vrm"));
+  return load(source, options, importVrm);
+}
+
+/** In a `try`, as bundlers only warn of a package there that is not installed. @throws Error where the page does not have it */
+async function importVrm() {
+  try {
+    return await import("@pixiv/three-vrm");
+  } catch (cause) {
+    throw new Error("three-vrm is not installed.", { cause });
+  }
 }
 
 /** Says where the module lies, in the form that bundlers look for. @throws StrutError `load` where this file has no address */
