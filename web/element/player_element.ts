@@ -2,8 +2,7 @@
  * `<strut-player>`: a figure that walks in a style, on any page (`docs/embedding.md`). It loads when it comes near the screen,
  * plays while it is seen, and shares one engine, one WebGL context and one drawing schedule with the others of its page.
  */
-import type { LiveFrame, StyleWeights } from "../client/protocol";
-import { StrutError } from "../engine/errors";
+import { type LiveFrame, StrutError, type StyleWeights } from "../client/protocol";
 import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
 import { GHOST_MODES, PLAY_FIELDS } from "../link/play";
