@@ -1,11 +1,12 @@
 /** `<strut-player>` on pages of others: loaded by a script tag, many at once, by keyboard, where things are missing. */
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { chunksOf } from "../../web/character/glb_patch";
 import type { StrutPlayer } from "../../web/element";
+import type { StrutError } from "../../web/engine/errors";
 import { serveFolder } from "../package/server";
 import { root } from "../recordings";
 import { FAMILIES } from "../rigs/families";
@@ -290,6 +291,27 @@ describe("many players", () => {
 });
 
 describe("where something is missing", () => {
+  /** Why a page's player does not come, once the page's own words are in its place. */
+  async function refusalOf(page: Page): Promise<string> {
+    await page.getByText("A film instead").waitFor({ state: "visible" });
+    const refusal = await page
+      .locator("strut-player")
+      .evaluate((player) =>
+        (player as StrutPlayer).ready.catch(({ code, message }: StrutError) => `${code}: ${message}`),
+      );
+    await page.context().close();
+    return refusal ?? "none";
+  }
+
+  test("a motion of another origin that does not allow it is a sentence", async () => {
+    const other = await serveFolder(folder);
+    const page = await open(`${SCRIPT}<strut-player src="${other.url}/walk.bvh"></strut-player>`);
+    const alert = page.locator("strut-player").getByRole("alert");
+    await eventually(() => alert.innerText()).toMatch(/walk\.bvh could not be loaded: .*\(CORS\)/);
+    await page.context().close();
+    await other.close();
+  });
+
   test("a sentence says so, and trying again helps once it is there", async () => {
     const page = await open(`${SCRIPT}<strut-player src="walk.bvh" controls></strut-player>`);
     const alert = page.locator("strut-player").getByRole("alert");
@@ -320,14 +342,27 @@ describe("where something is missing", () => {
         return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...rest);
       };
     </script>${SCRIPT}<strut-player><p slot="fallback">A film instead</p></strut-player>`;
-    const page = await open(body);
-    await page.getByText("A film instead").waitFor({ state: "visible" });
-    await page.context().close();
+    expect(await refusalOf(await open(body))).toMatch(/^unsupported: .*WebGL/);
   });
 
-  test("in a frame that may not fetch, it has its data by a script", async () => {
+  test("without SIMD in WebAssembly too", async () => {
+    // The worker is started from a blob; in it, too, the browser is to know no SIMD.
+    const body = `<script>
+      const Original = Blob;
+      const NO_SIMD = "WebAssembly.validate = () => false;";
+      globalThis.Blob = function (parts, options) {
+        return new Original(options?.type === "text/javascript" ? [NO_SIMD, ...parts] : parts, options);
+      };
+    </script>${SCRIPT}<strut-player><p slot="fallback">A film instead</p></strut-player>`;
+    expect(await refusalOf(await open(body))).toMatch(/^unsupported: .*SIMD/);
+  });
+
+  /** What a player says in a frame that may not fetch. */
+  async function saidInFrame(): Promise<unknown> {
     const inner = `<script src="${server.url}/strut-player.js"></script><strut-player autoplay></strut-player>
-      <script>document.querySelector("strut-player").addEventListener("ready", () => parent.postMessage("ready", "*"));</script>`;
+      <script>document.querySelector("strut-player").ready.then(
+        () => parent.postMessage("ready", "*"),
+        ({ code, message }) => parent.postMessage(code + ": " + message, "*"));</script>`;
     const page = await open(`<iframe title="A figure" sandbox="allow-scripts" width="700" height="320"></iframe>`);
     const said = await page.evaluate(async (text) => {
       const ready = new Promise((resolve) =>
@@ -336,7 +371,16 @@ describe("where something is missing", () => {
       document.querySelector("iframe")!.srcdoc = text;
       return ready;
     }, inner);
-    expect(said).toEqual({ data: "ready", origin: "null" });
     await page.context().close();
+    return said;
+  }
+
+  test("in a frame that may not fetch, it has its data by a script, or names the one that is missing", async () => {
+    expect(await saidInFrame()).toEqual({ data: "ready", origin: "null" });
+    const [script, away] = [join(folder, "walk.bin.js"), join(folder, "away.js")];
+    renameSync(script, away);
+    const data = "load: The built-in motions could not be loaded: there is no walk.bin.js beside strut-player.js.";
+    expect(await saidInFrame()).toEqual({ data, origin: "null" });
+    renameSync(away, script);
   });
 });

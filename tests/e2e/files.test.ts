@@ -126,7 +126,7 @@ describe("without a network", () => {
     const offline = await context.newPage();
     await offline.goto(site.url);
     const said = () => offline.getByRole("alert").textContent();
-    await eventually(said).toContain("The built-in motions could not be loaded: the server cannot be reached.");
+    await eventually(said).toContain("The built-in motions could not be loaded: the server cannot be reached for /");
     await context.close();
   });
 });

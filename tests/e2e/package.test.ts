@@ -1,12 +1,12 @@
 /** The package on pages of others, installed from its tarball: bundled, by import map, from elsewhere, under policies. */
-import { cpSync, readFileSync } from "node:fs";
+import { cpSync, readdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { build as esbuild } from "esbuild";
 import type { Browser } from "playwright-core";
 import { createServer, build as vite } from "vite";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { PARENTS, ROLES } from "../../web/humanoid";
-import { type Consumer, FRAMES, installPackage } from "../package/consumer";
+import { type Consumer, FRAMES, installPackage, styledByNode } from "../package/consumer";
 import {
   copyData,
   copyPackage,
@@ -22,6 +22,9 @@ import { serveFolder } from "../package/server";
 import { launchBrowser } from "./browser";
 
 const CORS = { "Access-Control-Allow-Origin": "*" };
+
+/** What a page of these tests offers. */
+declare const window: { use: (file: string) => Promise<string> };
 
 let browser: Browser;
 let consumer: Consumer;
@@ -49,7 +52,7 @@ function siteWithPackage(name: string, options = "", without?: string): string {
 }
 
 /** Serves a folder and opens its page, other hosts but its own and `elsewhere` blocked. */
-async function open(folder: string, headers?: Readonly<Record<string, string>>, inFrame = false): Promise<Said> {
+async function open(folder: string, headers?: Parameters<typeof serveFolder>[1], inFrame = false): Promise<Said> {
   const server = await serveFolder(folder, headers);
   try {
     return (await visitPage(browser, server.url, { allowed: [elsewhere.url], inFrame })).said;
@@ -238,7 +241,149 @@ test("under a Content-Security-Policy and with Trusted Types", async () => {
   expectSame(await open(folder, { "Content-Security-Policy": none }), "page");
 });
 
-test("a missing file is a sentence with a hint", async () => {
-  const folder = siteWithPackage("missing", "", ".wasm");
-  await expect(open(folder)).rejects.toThrow(/The engine could not be loaded: the server answered 404/);
+test("in a worker whose own policy lets it fetch nothing, which the page sends the files", async () => {
+  const folder = siteWithPackage("sent");
+  const main = program().replaceAll('"/demo.strutdb"', '"strut:walk"');
+  writeFileSync(join(folder, "main.js"), main);
+  const nothing = "script-src 'wasm-unsafe-eval'; connect-src 'none'";
+  const headers = (path: string): Record<string, string> =>
+    path.endsWith("/worker.js") ? { "Content-Security-Policy": nothing } : {};
+  const said = await open(folder, headers);
+  expect(said).toMatchObject({ thread: "worker", frames: FRAMES });
+  expect(said.bvh).toBe(styledByNode(consumer));
+});
+
+/** The mannequin as a file, read again as a character that performs. */
+const CHARACTER = `import { loadStrut } from "strut-motion";
+import { loadCharacter } from "strut-motion/three";
+window.said = (async () => {
+  const strut = await loadStrut();
+  const db = await strut.openDatabase("/demo.strutdb");
+  const motion = await strut.openMotion("/walk.bvh");
+  const styled = await strut.stylize(motion, db, { styles: { proud: 1 } });
+  const character = await loadCharacter(new Blob([styled.toGLB()]));
+  character.setBody(db.info.proportions);
+  character.apply(styled.poses.subarray(0, 87));
+  strut.dispose();
+  const { roles, object } = character;
+  object.updateMatrixWorld(true);
+  const { x, y, z } = object.getObjectByName(roles.hips).matrixWorld.elements.reduce(
+    (at, value, i) => ({ ...at, ...({ 12: { x: value }, 13: { y: value }, 14: { z: value } })[i] }), {});
+  const [X, Y, Z] = styled.poses;
+  return {
+    thread: strut.thread,
+    frames: motion.frames,
+    bvh: styled.toBVH(),
+    roles: Object.keys(roles).length,
+    farMm: 1000 * Math.hypot(x - X, y - Y, z - Z),
+  };
+})();
+window.said.catch(() => {});
+`;
+
+test.each(["esbuild", "Vite"])("with a character of three.js, bundled by %s without three-vrm", async (bundler) => {
+  const folder = site(`character-${bundler}`, { "index.html": html("/main.js"), "main.js": CHARACTER });
+  const dist = join(folder, "dist");
+  if (bundler === "Vite") await vite({ root: folder, configFile: false, logLevel: "error", build: { outDir: dist } });
+  else {
+    const entryPoints = [join(folder, "main.js")];
+    await esbuild({ entryPoints, outfile: join(dist, "main.js"), bundle: true, format: "esm", logLevel: "error" });
+    cpSync(join(folder, "index.html"), join(dist, "index.html"));
+    cpSync(join(consumer.installed, "assets"), join(dist, "assets"), { recursive: true });
+  }
+  copyData(consumer, dist);
+  const { roles, farMm, ...said } = (await open(dist)) as Said & { roles: number; farMm: number };
+  expectSame(said, "worker");
+  expect(roles).toBe(21);
+  expect(farMm).toBeLessThan(0.1);
+});
+
+/** What needs each of the package's files; the page's thread takes the place of a worker that is missing. */
+const USES = `import { loadStrut } from "strut-motion";
+import { bindCharacter } from "strut-motion/three";
+import * as THREE from "three";
+const clips = async () => Promise.all(["neutral", "old"].map(async (style) => {
+  const name = "walk_" + style + "_001.bvh";
+  return new File([await (await fetch("/clips/" + name)).blob()], name);
+}));
+const bones = () => {
+  const chain = Array.from({ length: 21 }, () => new THREE.Bone());
+  for (const [i, bone] of chain.entries()) if (i > 0) { bone.position.y = 0.1; chain[i - 1].add(bone); }
+  const mesh = new THREE.SkinnedMesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial());
+  const { count } = mesh.geometry.attributes.position;
+  mesh.geometry.setAttribute("skinIndex", new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+  mesh.geometry.setAttribute("skinWeight", new THREE.Float32BufferAttribute(new Float32Array(4 * count).fill(0.25), 4));
+  mesh.add(chain[0]);
+  mesh.bind(new THREE.Skeleton(chain));
+  return mesh;
+};
+const uses = {
+  "worker.js": async (strut) => strut.thread,
+  "build_worker.js": async (strut) => strut.openDatabase(await clips()),
+  "strut_wasm_bg.wasm": async (strut) => strut.thread,
+  "strut_wasm_build_bg.wasm": async (strut) => strut.openDatabase(await clips()),
+  "strut_wasm_walk_bg.wasm": (strut) => strut.openWalk("strut:walk"),
+  "strut_wasm_key_style_bg.wasm": (strut) => strut.openKeyStyle("strut:walk"),
+  "strut_wasm_character_bg.wasm": () => bindCharacter(bones()),
+  "walk.bin": (strut) => strut.openDatabase("strut:walk"),
+  "built_in.bin": (strut) => strut.openDatabase("strut:built-in"),
+  "other origin": (strut) => strut.openMotion(OTHER + "/walk.bvh"),
+};
+window.use = async (file) => {
+  let strut;
+  try {
+    strut = await loadStrut();
+    const made = await uses[file](strut);
+    return "done on " + (file === "worker.js" ? made : strut.thread);
+  } catch ({ code, message, hint }) {
+    return code + ": " + message + (hint ? "" : " There is no hint.");
+  } finally {
+    strut?.dispose();
+  }
+};
+`;
+
+test("without one of its files it says which one, and another origin that does not allow it is said to be one", async () => {
+  const other = await serveFolder(consumer.folder);
+  const folder = site("missing", {
+    "index.html": `<!doctype html><script type="importmap">${JSON.stringify({
+      imports: {
+        "strut-motion": "./strut-motion/index.js",
+        "strut-motion/three": "./strut-motion/three.js",
+        three: "./three/three.module.js",
+        "three/addons/": "./three/addons/",
+      },
+    })}</script><script type="module" src="main.js"></script>`,
+    "main.js": USES.replace("OTHER", JSON.stringify(other.url)),
+  });
+  copyPackage(consumer, folder);
+  for (const part of ["clips", "node_modules/three/build"])
+    cpSync(join(consumer.folder, part), join(folder, part.includes("three") ? "three" : part), { recursive: true });
+  const server = await serveFolder(folder);
+  try {
+    const page = await browser.newPage();
+    await page.goto(server.url);
+    await page.waitForFunction(() => "use" in window);
+    const use = (file: string) => page.evaluate((name) => window.use(name), file);
+    const assets = join(folder, "strut-motion", "assets");
+    // `walk.bin.js` is for frames of the script tag, which `element.test.ts` has.
+    for (const file of readdirSync(assets).filter((name) => name !== "walk.bin.js")) {
+      renameSync(join(assets, file), join(folder, file));
+      const said = await use(file);
+      renameSync(join(folder, file), join(assets, file));
+      if (file === "worker.js") expect(said).toBe("done on page");
+      else {
+        expect(said).toMatch(/^load: .*\.$/);
+        expect(said).toContain(file);
+      }
+    }
+    const blocked = await use("other origin");
+    expect(blocked).toMatch(
+      /^load: The motion .*\/walk.bvh could not be loaded: .*does not allow this page.*\(CORS\)\.$/,
+    );
+    await page.context().close();
+  } finally {
+    await server.close();
+    await other.close();
+  }
 });

@@ -1,6 +1,6 @@
 /** The package in Node, installed from its tarball: the contract of DESIGN.md section 6, bit-equal to the command. */
-import { execFileSync } from "node:child_process";
-import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { execFileSync, spawnSync } from "node:child_process";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { POSE_FLOATS } from "../../web/humanoid";
@@ -112,9 +112,25 @@ describe("what is built and trained", () => {
   });
 });
 
-describe("a stream of 20,000 poses", () => {
-  test("leaves the memory as it was, and ends at once when it is asked to", () => {
-    const { before, after, abort } = JSON.parse(run("stream.mjs", "20000"));
+describe("a file that is missing", () => {
+  test("is named by an error of code load, and is had once it is there", () => {
+    const report = JSON.parse(run("missing.mjs")) as Record<string, [missing: string, there: string]>;
+    expect(Object.keys(report)).toHaveLength(5);
+    for (const [file, [missing, there]] of Object.entries(report)) {
+      expect(missing).toMatch(/^load: The (engine|built-in motions) could not be loaded: there is no file .*\.$/);
+      expect(missing).toContain(`/strut-motion/assets/${file}.`);
+      expect(there).toBe("done");
+    }
+  });
+});
+
+/** Poses of the stream: 100,000 take minutes. */
+const PUSHES = Number(process.env.STRUT_PUSHES ?? 20_000);
+
+describe(`a stream of ${PUSHES} poses`, () => {
+  test("leaves the memory as it was, and ends at once when it is asked to", { timeout: 600_000 }, () => {
+    const { before, after, abort } = JSON.parse(run("stream.mjs", String(PUSHES)));
+    console.log(JSON.stringify({ before, after }));
     expect(after.wasm).toBe(before.wasm);
     expect(after.arrayBuffers).toBeLessThanOrEqual(before.arrayBuffers * 1.05);
     expect(after.heap).toBeLessThanOrEqual(before.heap * 1.05);
@@ -138,11 +154,15 @@ export const refused = new StrutError({ code: "load", message: "", hint: "" }).c
 export const wrong = loadStrut({ asset: "/assets" });
 `;
 
-  test.each([
+  /** Modules and resolutions of users. */
+  const SETTINGS = [
     ["node16", "node16"],
     ["esnext", "bundler"],
-  ])("serve users whose modules are %s and whose resolution is %s, without three.js", (module, resolution) => {
-    writeFileSync(join(consumer.folder, "consumer.ts"), text);
+  ];
+
+  /** Compiles a file of the consumer's. @returns what the compiler says: nothing if all is well */
+  function compile(file: string, text: string, options: Readonly<Record<string, unknown>>): string {
+    writeFileSync(join(consumer.folder, file), text);
     const compilerOptions = {
       strict: true,
       noEmit: true,
@@ -150,12 +170,71 @@ export const wrong = loadStrut({ asset: "/assets" });
       target: "es2022",
       lib: ["es2023", "dom"],
       types: [],
-      module,
-      moduleResolution: resolution,
+      ...options,
     };
-    writeFileSync(join(consumer.folder, "tsconfig.json"), JSON.stringify({ compilerOptions, files: ["consumer.ts"] }));
+    writeFileSync(join(consumer.folder, "tsconfig.json"), JSON.stringify({ compilerOptions, files: [file] }));
     const tsc = join(root, "node_modules", "typescript", "bin", "tsc");
-    const check = () => execFileSync(process.execPath, [tsc, "-p", "."], { cwd: consumer.folder, encoding: "utf8" });
-    expect(check).not.toThrow();
+    return spawnSync(process.execPath, [tsc, "-p", "."], { cwd: consumer.folder, encoding: "utf8" }).stdout;
+  }
+
+  /** Types that are not of the package, as the consumer installs them. */
+  function installTypes(name: string): void {
+    const folder = join(consumer.folder, "node_modules", "@types");
+    mkdirSync(folder, { recursive: true });
+    if (!existsSync(join(folder, name))) symlinkSync(join(root, "node_modules", "@types", name), join(folder, name));
+  }
+
+  test.each(SETTINGS)("serve users whose modules are %s and whose resolution is %s, without three.js", (...setting) => {
+    const [module, moduleResolution] = setting;
+    expect(compile("consumer.ts", text, { module, moduleResolution })).toBe("");
+  });
+
+  test.each(SETTINGS)("of characters serve users of three.js: %s, %s", (module, moduleResolution) => {
+    installTypes("three");
+    const figure = `import { bindCharacter, loadCharacter, type Character, type Role } from "strut-motion/three";
+import { AnimationMixer, Group, type AnimationClip } from "three";
+import type { StyledMotion } from "strut-motion";
+export async function perform(group: Group, walk: StyledMotion): Promise<AnimationClip> {
+  const character: Character = await loadCharacter("figure.vrm", { accept: ({ title }) => confirm(title) });
+  const bound = await bindCharacter(group, { roles: { hips: "Pelvis" } });
+  bound.apply(walk.poses.subarray(0, 87));
+  group.add(character.object);
+  const clip = character.toClip(walk);
+  new AnimationMixer(character.object).clipAction(clip).play();
+  return clip;
+}
+export const role: Role = "hips";
+// @ts-expect-error: there is no such role
+export const wrong: Role = "tail";
+`;
+    // The declarations of three.js need not be without fault.
+    const options = { module, moduleResolution, skipLibCheck: true };
+    expect(compile("figure.ts", figure, options)).toBe("");
+  });
+
+  test.each(SETTINGS)("of the element serve users of React 19: %s, %s", (module, moduleResolution) => {
+    installTypes("react");
+    const page = `import type {} from "strut-motion/jsx";
+import { useRef } from "react";
+import type { StrutPlayer } from "strut-motion/element";
+export function Figure({ old }: { old: number }) {
+  const player = useRef<StrutPlayer>(null);
+  return (
+    <strut-player
+      ref={player}
+      src="walk.bvh"
+      styles={{ old }}
+      autoplay
+      ghost="off"
+      onstylechange={({ detail }) => console.log(detail.styles.old)}
+    >
+      <p slot="fallback">A film instead</p>
+    </strut-player>
+  );
+}
+// @ts-expect-error: there is no such place
+export const wrong = <strut-player ghost="behind" />;
+`;
+    expect(compile("page.tsx", page, { module, moduleResolution, jsx: "react-jsx" })).toBe("");
   });
 });

@@ -11,10 +11,14 @@ const TYPES: Readonly<Record<string, string>> = {
   ".wasm": "application/wasm",
 };
 
-/** @param headers are sent with every answer */
-export async function serveFolder(folder: string, headers: Readonly<Record<string, string>> = {}) {
+type Headers = Readonly<Record<string, string>>;
+
+/** @param given are sent with every answer, or those of its path */
+export async function serveFolder(folder: string, given: Headers | ((path: string) => Headers) = {}) {
   const server = createServer((request, response) => {
-    const path = join(folder, normalize(decodeURIComponent(new URL(request.url!, "http://x").pathname)));
+    const { pathname } = new URL(request.url!, "http://x");
+    const headers = typeof given === "function" ? given(pathname) : given;
+    const path = join(folder, normalize(decodeURIComponent(pathname)));
     const file = existsSync(path) && statSync(path).isDirectory() ? join(path, "index.html") : path;
     if (!existsSync(file)) {
       response.writeHead(404, headers).end();

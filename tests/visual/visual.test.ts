@@ -1,30 +1,18 @@
 /**
  * What the page looks like: pictures of every view, in both themes, wide and narrow and in the middle of things, beside
- * those that a person has looked at (`pictures/`). STRUT_UPDATE_PICTURES=1 writes those anew that differ: look at them.
+ * those that a person has looked at (`pictures/`).
  */
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { resolve } from "node:path";
 import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { afterAll, beforeAll, describe, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { closePage, dragHolding, launchBrowser, middleOf, openPage, saved, serveSite } from "../e2e/browser";
 import { SWIFTSHADER } from "../e2e/graphics";
+import { expectAsKept, steady, stillPicture } from "./pictures";
 
 declare const window: Window & { strut?: StrutHook };
 
-const PICTURES = resolve(import.meta.dirname, "pictures");
-/** Where pictures go that differ; git ignores it. */
-const OUTPUT = resolve(import.meta.dirname, "../output");
-const UPDATE = process.env.STRUT_UPDATE_PICTURES === "1";
 const WIDE = { width: 1440, height: 900 };
 const NARROW = { width: 390, height: 844 };
-
-/** Pictures are compared in squares of this many pixels of the halved picture, so that a small fault is not outvoted. */
-const REGION = 90;
-/** Share of the pixels of a region that may differ. */
-const MOST_DIFFERENT = 0.002;
-/** Difference of a colour channel, 0–255, from which a pixel differs. */
-const DIFFERENT = 28;
 
 /** The same second of the same motion everywhere. */
 const SECOND = "play=0&frame=160&styles=proud:0.62,old:0.12,childlike:0.26";
@@ -125,7 +113,6 @@ beforeAll(async () => {
   page = await openPage(browser, site.url, { size: WIDE });
   clip = (await saved(page, "BVH")).bytes;
   await page.addInitScript(steady);
-  mkdirSync(PICTURES, { recursive: true });
 });
 afterAll(async () => {
   await closePage(page).finally(async () => {
@@ -133,106 +120,6 @@ afterAll(async () => {
     await site.close();
   });
 });
-
-/**
- * Makes pictures of a page the same every time: hides what is measured and previews, which play, and lets a second pass
- * from each animation frame to the next. Glides then end at once, and no rate of frames is measured that would lower the
- * quality of the 3-D picture.
- */
-function steady(): void {
-  const request = window.requestAnimationFrame.bind(window);
-  let frames = 0;
-  let counted = -1;
-  window.requestAnimationFrame = (callback) =>
-    request((now) => {
-      if (now !== counted) frames++;
-      counted = now;
-      callback(1000 * frames);
-    });
-  const hidden = ".read-out, .compare-table > div:last-child, .model-menu summary, .toasts, .preview-view";
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(`${hidden} { visibility: hidden }`);
-  document.adoptedStyleSheets = [sheet];
-}
-
-/** The picture once nothing moves any more: each 3-D view draws a finer one when it has stood still for a while. */
-async function stillPicture(): Promise<Buffer> {
-  await page.waitForFunction(() =>
-    [...document.querySelectorAll("canvas[role=application]")]
-      .filter((canvas) => canvas.checkVisibility({ visibilityProperty: true }))
-      .every((canvas) => canvas.hasAttribute("data-still")),
-  );
-  let before = await page.screenshot();
-  for (let i = 0; i < 20; i++) {
-    await page.waitForTimeout(300);
-    const now = await page.screenshot();
-    if (now.equals(before)) return now;
-    before = now;
-  }
-  return before;
-}
-
-/** How a picture differs from the one that was kept. */
-interface Comparison {
-  /** Half the picture's size as WebP. */
-  webp: string;
-  /** The halved picture with the pixels that differ in red, as PNG. */
-  marked: string;
-  /** Regions in which too many pixels differ: places on the page and shares, `864,180: 1.3 %`. */
-  regions: string[];
-}
-
-function compare(picture: Buffer, kept: Buffer | undefined): Promise<Comparison> {
-  const url = (bytes: Buffer, type: string) => `data:image/${type};base64,${bytes.toString("base64")}`;
-  return page.evaluate(
-    async ({ picture, kept, threshold, side, most }) => {
-      const load = async (source: string) => {
-        const image = new Image();
-        image.src = source;
-        await image.decode();
-        return image;
-      };
-      const draw = (image: HTMLImageElement, width: number, height: number) => {
-        const canvas = document.createElement("canvas");
-        [canvas.width, canvas.height] = [width, height];
-        const context = canvas.getContext("2d", { willReadFrequently: true })!;
-        context.imageSmoothingQuality = "high";
-        context.drawImage(image, 0, 0, width, height);
-        return { canvas, context, data: context.getImageData(0, 0, width, height).data };
-      };
-      const now = await load(picture);
-      const [width, height] = [now.width / 2, now.height / 2];
-      const webp = draw(now, width, height).canvas.toDataURL("image/webp", 0.9);
-      if (!kept) return { webp, marked: webp, regions: ["everywhere"] };
-      const before = draw(await load(kept), width, height).data;
-      const after = draw(await load(webp), width, height);
-      const regions: string[] = [];
-      for (let top = 0; top < height; top += side)
-        for (let left = 0; left < width; left += side) {
-          const [right, bottom] = [Math.min(width, left + side), Math.min(height, top + side)];
-          let count = 0;
-          for (let y = top; y < bottom; y++)
-            for (let x = left; x < right; x++) {
-              const i = 4 * (y * width + x);
-              if (![0, 1, 2].some((k) => Math.abs(after.data[i + k]! - before[i + k]!) > threshold)) continue;
-              count++;
-              after.context.fillStyle = "red";
-              after.context.fillRect(x, y, 1, 1);
-            }
-          const share = count / ((right - left) * (bottom - top));
-          if (share > most) regions.push(`${2 * left},${2 * top}: ${(100 * share).toFixed(1)} %`);
-        }
-      return { webp, marked: after.canvas.toDataURL("image/png"), regions };
-    },
-    {
-      picture: url(picture, "png"),
-      kept: kept && url(kept, "webp"),
-      threshold: DIFFERENT,
-      side: REGION,
-      most: MOST_DIFFERENT,
-    },
-  );
-}
 
 describe("the page looks as it did when it was last looked at", () => {
   for (const { name, hash, size, theme, act } of CASES)
@@ -245,22 +132,8 @@ describe("the page looks as it did when it was last looked at", () => {
       await page.waitForFunction(() => window.strut?.analysed && window.strut.upToDate);
       await page.mouse.move(1, 1);
       await act?.(page);
-      const picture = await stillPicture();
+      const picture = await stillPicture(page);
       if (act) await page.mouse.up();
-      const file = resolve(PICTURES, `${name}.webp`);
-      const { webp, marked, regions } = await compare(picture, existsSync(file) ? readFileSync(file) : undefined);
-      const write = (path: string, dataUrl: string) =>
-        writeFileSync(path, Buffer.from(dataUrl.split(",")[1]!, "base64"));
-      if (UPDATE) {
-        if (regions.length > 0) write(file, webp);
-        return;
-      }
-      expect(existsSync(file), `${file} is missing; STRUT_UPDATE_PICTURES=1 makes it`).toBe(true);
-      if (regions.length > 0) {
-        mkdirSync(OUTPUT, { recursive: true });
-        write(resolve(OUTPUT, `${name}.webp`), webp);
-        write(resolve(OUTPUT, `${name}-differs.png`), marked);
-      }
-      expect(regions, `what differs is red in ${OUTPUT}/${name}-differs.png`).toEqual([]);
+      await expectAsKept(page, name, picture);
     });
 });

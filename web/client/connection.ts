@@ -4,7 +4,7 @@
  */
 import { cancelled, disposed, fault, StrutError } from "../engine/errors";
 import type { Arguments, Call, Id, Method, Reply, Request, Result } from "./messages";
-import type { CallOptions, Progress } from "./protocol";
+import type { CallOptions, OpenMemory, Progress } from "./protocol";
 
 /** As much of a `Worker` as the connection needs. */
 export interface WorkerPort {
@@ -32,6 +32,8 @@ export interface Reopenable {
   readonly id: Id;
   /** Why it takes no more calls; `undefined` while it is open. */
   readonly closed: StrutError | undefined;
+  /** What it takes. */
+  readonly memory: OpenMemory;
   /** Opens it in a new worker under the same number. */
   reopen(post: Post): Promise<unknown>;
   /** Closes it for good. */
@@ -125,6 +127,11 @@ export class Connection {
   /** From now on something is reopened after a fault. */
   keep(thing: Reopenable): void {
     this.open.add(thing);
+  }
+
+  /** What everything open takes. */
+  memory(): OpenMemory[] {
+    return [...this.open].filter(({ closed }) => !closed).map(({ memory }) => memory);
   }
 
   /** Closes something that was disposed of, and what was made of it. */

@@ -147,8 +147,8 @@ export class EngineClient {
   }
 
   /** What the engine in the worker holds; models are not in it. */
-  memory(): Promise<MemoryInfo> {
-    return this.connection.call("memory", []);
+  async memory(): Promise<MemoryInfo> {
+    return { ...(await this.connection.call("memory", [])), open: this.connection.memory() };
   }
 
   /** Closes everything, models and builds too, and ends the workers. */

@@ -16,11 +16,24 @@ import type {
   InputSource,
   LiveFrame,
   MotionFacts,
+  OpenMemory,
   Performed,
   StyledClip,
   StyleWeights,
   StylizeOptions,
 } from "./protocol";
+
+// What things take in WebAssembly's memory, bytes, as `docs/embedding.md` says it was measured.
+/** A frame of a database. */
+const DATABASE_FRAME_BYTES = 620;
+/** A frame of a motion on the body of a database: its pose. */
+const POSE_BYTES = 348;
+/** Each byte of a BVH file, where it was read for a database: its text and its joints. */
+const BVH_SHARE = 2;
+/** A stream that is styled, with what it remembers. */
+const STREAM_BYTES = 70_000;
+/** A frame of a whole motion that was styled. */
+const STYLED_FRAME_BYTES = 1225;
 
 /** Owner of something open in the worker. It survives a fault of the engine; see `EngineClient.onRestart`. */
 export abstract class ClientHandle implements Reopenable {
@@ -59,6 +72,9 @@ export abstract class ClientHandle implements Reopenable {
     this.reason ??= reason;
   }
 
+  /** What it takes. */
+  abstract readonly memory: OpenMemory;
+
   abstract reopen(post: Post): Promise<unknown>;
 
   protected call<M extends Method>(method: M, args: Arguments<M>, options?: CallOptions): Promise<Result<M>> {
@@ -78,6 +94,10 @@ export class ClientDatabase extends ClientHandle {
     super(connection, id, [], "database");
   }
 
+  get memory(): OpenMemory {
+    return { kind: "database", bytes: DATABASE_FRAME_BYTES * this.info.frames };
+  }
+
   reopen(post: Post): Promise<unknown> {
     return post("openDatabase", [this.id, this.source]);
   }
@@ -85,6 +105,11 @@ export class ClientDatabase extends ClientHandle {
 
 /** An open motion, which can be used with any database. */
 export class ClientMotion extends ClientHandle {
+  /** Databases that it was read for. */
+  private readonly databases = new Set<ClientDatabase>();
+  /** `undefined` until it is known. */
+  private durationSecs: number | undefined;
+
   constructor(
     connection: Connection,
     id: Id,
@@ -93,20 +118,43 @@ export class ClientMotion extends ClientHandle {
     super(connection, id, [], "motion");
   }
 
+  get memory(): OpenMemory {
+    const file = this.source.kind === "bvh" ? this.source.bytes.byteLength : 0;
+    const open = [...this.databases].filter(({ closed }) => !closed);
+    const read = open.map((database) => POSE_BYTES * this.framesOn(database) + BVH_SHARE * file);
+    return { kind: "motion", bytes: read.reduce((sum, bytes) => sum + bytes, file) };
+  }
+
+  /** Frames at a database's rate; 0 until its duration is known. */
+  framesOn({ info }: ClientDatabase): number {
+    return this.durationSecs === undefined ? 0 : Math.round(this.durationSecs * info.rateHz);
+  }
+
+  /** Notes that it was read for a database. */
+  usedWith(database: ClientDatabase): void {
+    for (const known of this.databases) if (known.closed) this.databases.delete(known);
+    this.databases.add(database);
+  }
+
   /**
    * What its file says.
    * @throws StrutError as for {@link on}
    */
-  read(options?: CallOptions): Promise<MotionFacts> {
-    return this.call("readMotion", [this.id], options);
+  async read(options?: CallOptions): Promise<MotionFacts> {
+    const facts = await this.call("readMotion", [this.id], options);
+    this.durationSecs = facts.durationSecs;
+    return facts;
   }
 
   /**
    * The motion on the humanoid of a database and at its rate.
    * @throws StrutError `bad-file` if it is no motion that Strut can read, `bad-input` for a built-in one that there is not
    */
-  on(database: ClientDatabase, options?: CallOptions): Promise<InputInfo> {
-    return this.call("motionOn", [this.id, database.id], options);
+  async on(database: ClientDatabase, options?: CallOptions): Promise<InputInfo> {
+    const info = await this.call("motionOn", [this.id, database.id], options);
+    this.durationSecs = info.durationSecs;
+    this.usedWith(database);
+    return info;
   }
 
   /** The motion as a style really performs it, where that is known: a built-in one, in a worker with counterparts. */
@@ -115,8 +163,15 @@ export class ClientMotion extends ClientHandle {
   }
 
   /** The whole motion in a style; `bvh` asks for the text of a BVH file, too. */
-  stylize(database: ClientDatabase, options: StylizeOptions, bvh = false, call?: CallOptions): Promise<StyledClip> {
-    return this.call("stylize", [this.id, database.id, options, bvh], call);
+  async stylize(
+    database: ClientDatabase,
+    options: StylizeOptions,
+    bvh = false,
+    call?: CallOptions,
+  ): Promise<StyledClip> {
+    const styled = await this.call("stylize", [this.id, database.id, options, bvh], call);
+    this.usedWith(database);
+    return styled;
   }
 
   reopen(post: Post): Promise<unknown> {
@@ -130,6 +185,8 @@ export class ClientSession extends ClientHandle {
   private range: FrameRange | undefined;
   /** Where playback stands; `undefined` before the first frame. */
   private inputFrame: number | undefined;
+  /** Whether the worker keeps the whole motion styled. */
+  private hasStyled = false;
 
   constructor(
     connection: Connection,
@@ -139,6 +196,12 @@ export class ClientSession extends ClientHandle {
     private options: StylizeOptions,
   ) {
     super(connection, id, [database, motion], "session");
+    motion.usedWith(database);
+  }
+
+  get memory(): OpenMemory {
+    const styled = this.hasStyled ? STYLED_FRAME_BYTES * this.motion.framesOn(this.database) : 0;
+    return { kind: "session", bytes: STREAM_BYTES + styled };
   }
 
   /** Takes effect with the next frame; a change of the styles fades in. */
@@ -166,23 +229,30 @@ export class ClientSession extends ClientHandle {
 
   /** The whole motion in the present options. */
   analyse(options?: CallOptions): Promise<Analysis> {
-    return this.call("analyse", [this.id], options);
+    return this.whole(this.call("analyse", [this.id], options));
   }
 
   /** The examples of the database behind what {@link analyse} gives. */
   examples(subject: CurveSubject, options?: CallOptions): Promise<Examples> {
-    return this.call("examples", [this.id, subject], options);
+    return this.whole(this.call("examples", [this.id, subject], options));
   }
 
   /** The styled motion as BVH text, on its own skeleton. */
   exportBvh(options?: CallOptions): Promise<string> {
-    return this.call("exportBvh", [this.id], options);
+    return this.whole(this.call("exportBvh", [this.id], options));
   }
 
   reopen(post: Post): Promise<unknown> {
     const { options, loop, range, inputFrame } = this;
     const setup = { database: this.database.id, motion: this.motion.id, options, loop, range, inputFrame };
     return post("createSession", [this.id, setup]);
+  }
+
+  /** Gives what was made of the whole styled motion, which the worker keeps then. */
+  private async whole<T>(making: Promise<T>): Promise<T> {
+    const made = await making;
+    this.hasStyled = true;
+    return made;
   }
 
   private stand(frame: LiveFrame): LiveFrame {
@@ -216,6 +286,10 @@ export class ClientStylizer extends ClientHandle {
     private halfLifeSecs: number,
   ) {
     super(connection, id, [database], "stylizer");
+  }
+
+  get memory(): OpenMemory {
+    return { kind: "stylizer", bytes: STREAM_BYTES };
   }
 
   /**

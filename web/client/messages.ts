@@ -1,6 +1,6 @@
 /** The wire format between `connection.ts` and `server/`; callers see only `protocol.ts` and the handles. */
 import type { ErrorParts } from "../engine/errors";
-import type { Styled } from "../engine/types";
+import type { Styled, WasmMemory } from "../engine/types";
 import type {
   Analysis,
   CurveSubject,
@@ -11,7 +11,6 @@ import type {
   InputInfo,
   InputSource,
   LiveFrame,
-  MemoryInfo,
   MotionFacts,
   Performed,
   Progress,
@@ -58,7 +57,7 @@ export interface WorkerCalls {
   restyle(stylizer: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
   push(stylizer: Id, poses: Float32Array): Styled;
   reset(stylizer: Id): undefined;
-  memory(): MemoryInfo;
+  memory(): WasmMemory;
   /** Closes something and all that was made of it; nothing happens where it is not open. */
   close(id: Id): undefined;
 }

@@ -16,6 +16,7 @@ import type {
   Performed,
   Reading,
   StylizeOptions,
+  WasmMemory,
 } from "../engine/types";
 
 export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
@@ -63,6 +64,22 @@ export const STYLE_HALF_LIFE_SECS = 0.1;
 
 /** Maximum number of poses of one `push` of a live stylizer. */
 export const MAX_PUSH_FRAMES = 4096;
+
+/** Something open, and what it takes. */
+export interface OpenMemory {
+  kind: "database" | "motion" | "session" | "stylizer";
+  /**
+   * An estimate of its share of {@link MemoryInfo.wasmBytes}, with the bytes of a motion's file: what things of this kind
+   * were measured to take a frame, times its frames.
+   */
+  bytes: number;
+}
+
+/** What the engine holds. */
+export interface MemoryInfo extends WasmMemory {
+  /** What is open, in the order of opening. */
+  open: OpenMemory[];
+}
 
 /** Where a database comes from. */
 export type DatabaseSource = { kind: "demo"; set?: BuiltInSet } | { kind: "strutdb"; name: string; file: Blob };

@@ -55,6 +55,7 @@ export const schedule = new Schedule();
 
 let screen: Screen | undefined;
 let users = 0;
+let leaving: ReturnType<typeof setTimeout> | undefined;
 
 /** The context on which all players draw, until {@link leaveScreen}. */
 export function joinScreen(): Screen {
@@ -66,7 +67,9 @@ export function joinScreen(): Screen {
 /** Draws no longer on the shared context. */
 export function leaveScreen(): void {
   users -= 1;
-  setTimeout(() => {
+  // The time counts from the last one: players that take turns keep the context.
+  clearTimeout(leaving);
+  leaving = setTimeout(() => {
     if (users > 0) return;
     screen?.dispose();
     screen = undefined;

@@ -4,7 +4,7 @@
  */
 import type { Licence } from "../character/licence";
 import type { Character } from "../character/types";
-import type { LiveFrame, StyleWeights } from "../client/protocol";
+import { type LiveFrame, StrutError, type StyleWeights } from "../client/protocol";
 import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
 import { GHOST_MODES, PLAY_FIELDS } from "../link/play";
@@ -346,7 +346,7 @@ export class StrutPlayer extends ElementBase {
     promise.catch(() => undefined);
     this.#message.hide();
     try {
-      if (graphics() === "none") throw new NoWebGl();
+      if (graphics() === "none") throw new StrutError({ code: "unsupported", message: strings.noWebGl, hint: "" });
       const opened = await this.#openFigure(opening.signal);
       if (opening.signal.aborted) {
         closeAll(opened);
@@ -455,7 +455,8 @@ export class StrutPlayer extends ElementBase {
   #fail(error: unknown): void {
     this.#failed = true;
     this.#poster.fraction = undefined;
-    if (error instanceof NoWebGl) this.#message.showFallback(error.message);
+    if (error instanceof StrutError && error.code === "unsupported")
+      this.#message.showFallback(`${error.message} ${error.hint}`.trimEnd());
     else this.#message.show(error, () => void this.#open());
     this.#ready.reject(error);
     this.dispatchEvent(new CustomEvent("error", { detail: { error } }));
@@ -683,13 +684,6 @@ for (const name of ATTRIBUTE_NAMES) {
       writeProperty(this, name, value);
     },
   });
-}
-
-/** The browser has no WebGL 2. */
-class NoWebGl extends Error {
-  constructor() {
-    super(strings.noWebGl);
-  }
 }
 
 /** A promise that is settled from outside. */

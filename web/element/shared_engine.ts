@@ -16,6 +16,8 @@ type Opened = { dispose(): void };
 interface Shared<T> {
   opening: Promise<T>;
   users: number;
+  /** Runs out when nobody has used it for a while. */
+  lingering?: ReturnType<typeof setTimeout>;
 }
 
 /** Things of one kind by their address. */
@@ -39,7 +41,8 @@ class SharedSources<T extends Opened> {
       if (released) return;
       released = true;
       taken.users -= 1;
-      if (taken.users === 0) setTimeout(() => this.#close(source, taken), LINGER_MS);
+      clearTimeout(taken.lingering);
+      if (taken.users === 0) taken.lingering = setTimeout(() => this.#close(source, taken), LINGER_MS);
     };
     try {
       return { value: await taken.opening, release };

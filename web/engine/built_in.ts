@@ -1,6 +1,6 @@
 /** The built-in motions: databases, each with its inputs in one file. */
 import { type Asset, assetOf } from "./assets";
-import { download, incomplete, readFile } from "./download";
+import { download, incomplete, readAsset } from "./download";
 
 const WHAT = "built-in motions";
 
@@ -31,7 +31,7 @@ export async function loadBuiltIn(
 ): Promise<PackedMotions> {
   const asset = ASSETS[set]();
   if (!(asset instanceof URL)) return inflate(new Blob([asset]).stream());
-  if (asset.protocol === "file:") return inflate(new Blob([await readFile(asset)]).stream());
+  if (asset.protocol === "file:") return inflate(new Blob([await readAsset(asset, WHAT)]).stream());
   const response = await download(asset, WHAT);
   if (!response.body) throw incomplete(WHAT, "the answer is empty");
   // If the server compresses the compressed file again, its Content-Length is not that of the received bytes.

@@ -4,7 +4,7 @@ import { ClipJob } from "./clip_job";
 import { Database, type DatabaseSource } from "./database";
 import { Input, type InputSource, readMotion } from "./input";
 import { Stylizer } from "./stylizer";
-import type { MemoryInfo, MotionFacts, StyleKey, StylizeOptions } from "./types";
+import type { MotionFacts, StyleKey, StylizeOptions, WasmMemory } from "./types";
 import { type Glue, guarded, loadWasm, wasmBytes } from "./wasm";
 
 /** Opens databases and motions and creates stylizers, which the caller disposes of. Calls are synchronous. */
@@ -38,7 +38,7 @@ export class Engine {
   }
 
   /** What all that is open on this thread takes. */
-  memory(): MemoryInfo {
+  memory(): WasmMemory {
     return { wasmBytes: wasmBytes() };
   }
 

@@ -1,7 +1,10 @@
 /** Loads a WASM module, in a browser and in Node. */
 import type { Asset } from "./assets";
-import { download, readFile } from "./download";
+import { download, readAsset } from "./download";
 import { StrutError } from "./errors";
+
+/** What a module is called in messages. */
+const WHAT = "engine";
 
 /** A module whose only function uses 128-bit vectors. */
 const SIMD_MODULE = new Uint8Array([
@@ -16,8 +19,8 @@ const SIMD_MODULE = new Uint8Array([
 export async function compileModule(asset: Asset): Promise<WebAssembly.Module> {
   requireSimd();
   if (!(asset instanceof URL)) return WebAssembly.compile(asset);
-  if (asset.protocol === "file:") return WebAssembly.compile(await readFile(asset));
-  const response = await download(asset, "engine");
+  if (asset.protocol === "file:") return WebAssembly.compile(await readAsset(asset, WHAT));
+  const response = await download(asset, WHAT);
   const type = response.headers.get("Content-Type") ?? "";
   // Some static hosts do not send the MIME type that streaming compilation requires.
   return type.startsWith("application/wasm")

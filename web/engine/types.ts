@@ -31,7 +31,7 @@ export interface MotionFacts {
 }
 
 /** What the engine holds. */
-export interface MemoryInfo {
+export interface WasmMemory {
   /** Size of its linear memory, bytes: it grows with what is open and never shrinks. */
   wasmBytes: number;
 }

@@ -1,20 +1,40 @@
 /** How a thread of the package begins: it is told where the engine's files lie. */
 import { type Asset, placeAssets } from "../engine/assets";
+import { setFetchElsewhere } from "../engine/download";
 import type { EngineAsset } from "./assets";
 
 /** Page → worker, once, before any call. URLs are absolute. */
 export interface Boot {
   assets: Readonly<Record<EngineAsset, string | Uint8Array<ArrayBuffer>>>;
+  /** Fetches files for a worker that may not, such as one with a policy of its own. */
+  files?: MessagePort;
 }
+
+/** Worker → page, at {@link Boot.files}: the address of a file, and a port for its bytes, or `null` if it cannot be had. */
+export type FileRequest = [address: string, answer: MessagePort];
 
 /** Worker → page, once, when its script runs. */
 export const STARTED = "strut-motion started";
 
 /** Places the files on this thread. */
-export function placeBooted({ assets }: Boot): void {
+export function placeBooted({ assets, files }: Boot): void {
   const placed = Object.entries(assets).map(([name, asset]): [string, Asset] => [
     name,
     typeof asset === "string" ? new URL(asset) : asset,
   ]);
   placeAssets(Object.fromEntries(placed));
+  if (files) setFetchElsewhere(async ({ href }) => new Response(await ask(files, href)));
+}
+
+/** A file's bytes from the page. */
+function ask(files: MessagePort, address: string): Promise<ArrayBuffer> {
+  return new Promise((resolve, reject) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = ({ data }: MessageEvent<ArrayBuffer | null>) => {
+      port1.close();
+      if (data) resolve(data);
+      else reject();
+    };
+    files.postMessage([address, port2] satisfies FileRequest, [port2]);
+  });
 }

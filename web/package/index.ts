@@ -1,4 +1,5 @@
 /** `strut-motion` in a browser: the engine in a worker, its files beside this one. */
+import { download } from "../engine/download";
 import { StrutError } from "../engine/errors";
 import { baseAddress, placeIn, placesBy } from "./assets";
 import { loadEngine } from "./load";
@@ -17,7 +18,7 @@ export async function loadStrut({ assets, worker = true, signal }: LoadOptions =
   const workerUrl = place("worker.js");
   const entry = {
     workerUrl,
-    workerText: async () => (await fetch(workerUrl)).text(),
+    workerText: async () => (await download(new URL(workerUrl), "engine")).text(),
     buildWorkerUrl: place("build_worker.js"),
     servers: () => import("./servers"),
     boot: { assets: placesBy(place) },

@@ -9,6 +9,7 @@ export type {
   LiveFrame,
   MemoryInfo,
   ModelOptions,
+  OpenMemory,
   Progress,
   Reading,
   Styled,

@@ -1,8 +1,9 @@
 /** Starts the engine of a page: in a worker; where that is forbidden in one from a blob; else on the page's thread. */
 import type { BuildWorkerPort } from "../client/build/client";
 import type { WorkerPort } from "../client/connection";
+import { download } from "../engine/download";
 import { cancelled, type ErrorParts, StrutError } from "../engine/errors";
-import { type Boot, STARTED } from "./boot";
+import { type Boot, type FileRequest, STARTED } from "./boot";
 import { LocalPort, structuredCopy } from "./local_port";
 import type { Thread } from "./types";
 
@@ -88,8 +89,24 @@ const blobOf = (text: string): string => URL.createObjectURL(new Blob([text], { 
 
 function spawnBooted(url: string | TrustedScriptURL, boot: Boot): Worker {
   const worker = new Worker(url as string, { name: "strut-motion" });
-  worker.postMessage(boot);
+  sendBoot(worker, boot);
   return worker;
+}
+
+/** Tells a worker where the files lie, and lends it the page's right to fetch them. */
+function sendBoot(worker: Worker, boot: Boot): void {
+  const { port1, port2 } = new MessageChannel();
+  const known = Object.values(boot.assets);
+  port1.onmessage = async ({ data: [address, answer] }: MessageEvent<FileRequest>) => {
+    const bytes = known.includes(address) ? await bytesAt(address).catch(() => null) : null;
+    answer.postMessage(bytes, bytes ? [bytes] : []);
+  };
+  worker.postMessage({ ...boot, files: port2 } satisfies Boot, [port2]);
+}
+
+/** @throws StrutError `load` if the file cannot be had */
+async function bytesAt(address: string): Promise<ArrayBuffer> {
+  return (await download(new URL(address), "engine")).arrayBuffer();
 }
 
 /** Gives the first, then what `next` starts. */
@@ -119,7 +136,7 @@ function tryWorker(url: string | TrustedScriptURL, boot: Boot): Promise<WorkerPo
     worker.onmessage = ({ data }) => {
       if (data !== STARTED) return;
       settle(worker as WorkerPort);
-      worker.postMessage(boot);
+      sendBoot(worker, boot);
     };
     worker.onerror = (event) => {
       // The page's console need not hear of what is then tried in another way.

@@ -26,7 +26,9 @@ function received(file: string): Promise<Uint8Array<ArrayBuffer>> {
       [name]: (text: string) => resolve(Uint8Array.from(atob(text), (c) => c.charCodeAt(0))),
     });
     script.onload = () => script.remove();
-    script.onerror = () => reject(new TypeError(`${file} is missing.`));
+    const message = `The built-in motions could not be loaded: there is no ${file} beside strut-player.js.`;
+    const hint = "Reload the page; if that does not help, the site was not deployed completely.";
+    script.onerror = () => reject(new StrutError({ code: "load", message, hint }));
     script.src = new URL(file, folder).href;
     document.head.append(script);
   });

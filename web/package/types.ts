@@ -85,7 +85,10 @@ export interface Strut {
    */
   openKeyStyle(source: Source | Database, options?: { axes?: readonly string[] } & CallOptions): Promise<KeyStyleModel>;
 
-  /** How much memory the engine holds; it grows, and only {@link dispose} gives it back. */
+  /**
+   * How much memory the engine holds, which grows and which only {@link dispose} gives back, and estimates of what is open: what
+   * is disposed of leaves its place to what is opened next.
+   */
   memory(): Promise<MemoryInfo>;
 
   /** Closes everything and ends the engine: only this gives the memory of WebAssembly back. */

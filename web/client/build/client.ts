@@ -176,12 +176,13 @@ class WorkerBuildClient implements BuildClient {
 
   private start(): BuildWorkerPort {
     const worker = this.spawn();
+    let started = false;
     worker.onmessage = ({ data }) => {
+      started = true;
       if (this.worker === worker) this.receive(data);
     };
-    worker.onerror = (event) => {
-      if (this.worker === worker)
-        this.stop(fault(`Building failed: ${event.message || "its worker could not be started"}`));
+    worker.onerror = ({ message }) => {
+      if (this.worker === worker) this.stop(started ? fault(`Building failed: ${message}`) : unloadable(message));
     };
     return worker;
   }
@@ -210,4 +211,13 @@ class WorkerBuildClient implements BuildClient {
     for (const call of this.pending.values()) call.reject(error);
     this.pending.clear();
   }
+}
+
+/** The error of a worker that never said anything. @param why empty where the browser does not say it */
+function unloadable(why: string): StrutError {
+  return new StrutError({
+    code: "load",
+    message: `What builds databases could not be started: ${why || "build_worker.js could not be loaded"}.`,
+    hint: "Reload the page; if that does not help, the site was not deployed completely.",
+  });
 }

@@ -1,0 +1,35 @@
+// What is said in Node of files that are missing beside the package's code: each is taken away in turn. Prints a report.
+import { readFileSync, renameSync } from "node:fs";
+import { loadStrut } from "strut-motion";
+
+const clips = ["neutral", "old"].map((style) => {
+  const name = `walk_${style}_001.bvh`;
+  return new File([readFileSync(`clips/${name}`)], name);
+});
+/** What needs a file. */
+const uses = {
+  "walk.bin": (strut) => strut.openDatabase("strut:walk"),
+  "built_in.bin": (strut) => strut.openDatabase("strut:built-in"),
+  "strut_wasm_build_bg.wasm": (strut) => strut.openDatabase(clips),
+  "strut_wasm_walk_bg.wasm": (strut) => strut.openWalk("strut:walk"),
+  "strut_wasm_key_style_bg.wasm": (strut) => strut.openKeyStyle("strut:walk"),
+};
+const report = {};
+for (const [file, use] of Object.entries(uses)) {
+  const path = `node_modules/strut-motion/assets/${file}`;
+  const said = async () => {
+    const strut = await loadStrut();
+    const answer = await use(strut).then(
+      () => "done",
+      ({ code, message }) => `${code}: ${message}`,
+    );
+    strut.dispose();
+    return answer;
+  };
+  renameSync(path, `${path}.away`);
+  const missing = await said();
+  renameSync(`${path}.away`, path);
+  // What could not be had is tried again.
+  report[file] = [missing, await said()];
+}
+console.log(JSON.stringify(report));
