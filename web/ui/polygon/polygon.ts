@@ -284,12 +284,14 @@ export class Polygon {
       weight: selection.find((s) => s.name === name)?.weight,
       position: this.#positions[i]!,
     }));
+    const heaviest = selection.reduce((a, s) => Math.max(a, s.weight), 0);
     const room = { left: -edge, right: edge, top: -above, bottom: below };
     const places = bars ? placeLabels(labelled, room) : labelled.map(({ position }) => placeBeyond(position));
     for (const [i, vertex] of this.#vertexElements.entries()) {
       const { name, weight, position } = labelled[i]!;
       if (bars && weight !== undefined) layers.bars.append(weightBar(position, weight));
       vertex.classList.toggle("selected", weight !== undefined);
+      vertex.classList.toggle("heaviest", weight !== undefined && weight === heaviest);
       vertex.querySelector(".vertex-dot")?.setAttribute("r", weight === undefined ? "3" : "5");
       vertex.querySelector(".vertex-label")?.remove();
       vertex.append(label(bars ? labelled[i]! : { name, weight: undefined, position }, places[i]!));
@@ -300,7 +302,6 @@ export class Polygon {
     }
     this.#handle.setAttribute("transform", `translate(${handle.x.toFixed(2)} ${handle.y.toFixed(2)})`);
     this.#handle.classList.toggle("beyond", beyond || outside);
-    const heaviest = selection.reduce((a, s) => Math.max(a, s.weight), 0);
     setAttributes(this.#handle, {
       "aria-valuenow": Math.min(1, heaviest),
       "aria-valuetext": selection.map((s) => `${s.name} ${formatNumber(s.weight, 2)}`).join(", "),
