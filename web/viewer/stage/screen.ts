@@ -21,9 +21,10 @@ const MAX_FRAMES = 2;
 
 /**
  * Where frames take longer than this, milliseconds, a shared screen leaves room for others: it queues one at a time, and where
- * several stages draw, the page is given as long to draw itself as they took.
+ * several stages draw, the page is given half as long again as they took to draw itself.
  */
 const SLOW_MS = 12;
+const PAGE_SHARE = 1.5;
 
 /** Longest wait for the graphics processor to become idle before the canvas gets new memory, milliseconds. */
 const IDLE_TIMEOUT_MS = 2000;
@@ -140,7 +141,7 @@ export class Screen {
     const { frames } = this.#queue;
     const { at, tookMs } = this.#queue.last;
     const leavesRoom = this.#isShared && tookMs > SLOW_MS;
-    const rests = leavesRoom && this.#users.size > 1 && performance.now() - at < tookMs;
+    const rests = leavesRoom && this.#users.size > 1 && performance.now() - at < PAGE_SHARE * tookMs;
     return rests || frames >= (leavesRoom ? 1 : MAX_FRAMES);
   }
 
