@@ -233,6 +233,14 @@ describe("a character", () => {
     await page.context().close();
   });
 
+  test("needs a file beside the script, which is named where it is missing", async () => {
+    const page = await openPlayer('styles="old"');
+    await page.route("**/strut-character.js", (route) => route.abort());
+    await page.evaluate(() => window.player.setAttribute("character", "character.glb"));
+    await eventually(() => alert(page).innerText()).toContain("strut-character.js could not be loaded");
+    await page.context().close();
+  });
+
   test("is freed while nobody has seen it for half a minute, and comes back", async () => {
     const page = await openPlayer('character="character.glb"');
     await eventually(() => credit(page).isVisible()).toBe(true);

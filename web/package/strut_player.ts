@@ -48,9 +48,14 @@ async function load() {
   return loadInlined((file) => `${folder}${file === "walk.bin" ? file : `assets/${file}`}`, {}, SERVERS, walk);
 }
 
-/** With three.js of its own: few need it, and a script cannot share what is inside it. */
+/** With three.js of its own: few need it, and a script cannot share what is inside it. @throws StrutError */
 async function loadCharacter(...given: Parameters<Characters["loadCharacter"]>) {
-  const { loadCharacter: load }: Characters = await import(`${folder}strut-character.js`);
+  const module: Promise<Characters> = import(`${folder}strut-character.js`);
+  const { loadCharacter: load } = await module.catch((cause: unknown) => {
+    const message = "Characters cannot perform here: strut-character.js could not be loaded.";
+    const hint = "It belongs beside strut-player.js; a frame without an origin may not load it.";
+    throw new StrutError({ code: "load", message, hint }, cause);
+  });
   return load(...given);
 }
 
