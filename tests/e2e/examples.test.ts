@@ -98,7 +98,7 @@ test("react: the player follows React's state, and React the visitor", async () 
     await page.getByRole("slider", { name: "Style" }).press("ArrowDown");
     const { old } = await stylesOf(page);
     expect(old).toBeGreaterThan(0.5);
-    expect(await page.locator("output").textContent()).toContain(`old ${old!.toFixed(2)}`);
+    await expect.poll(() => page.locator("output").textContent()).toContain(`old ${old!.toFixed(2)}`);
     await screenshot(page, "example-react");
     expect(errors.filter((line) => !line.includes("KHR_parallel"))).toEqual([]);
   } finally {
