@@ -358,12 +358,13 @@ impl QueryWindow {
         self.lower = CentredWindow::new(&frames[..length], Metric::LowerBody);
     }
 
-    /// Adds a pose of this body; `heading` is the state of a stream at `rate_hz` frames per second.
-    pub fn follow(&mut self, pose: &Pose, body: &Proportions, rate_hz: f32, heading: &mut HeadingFilter) {
+    /// Adds a pose of this body, and gives its place; `heading` is the state of a stream at `rate_hz` frames per second.
+    pub fn follow(&mut self, pose: &Pose, body: &Proportions, rate_hz: f32, heading: &mut HeadingFilter) -> Placement {
         let world = world_from_local(body, pose);
         let heading = heading.update(&world, 1.0 / rate_hz);
         let at = Placement { x: pose.root.x, z: pose.root.z, heading };
         self.push(&heading_free_positions(&world, heading), at);
+        at
     }
 
     /// The window's vector in a metric.

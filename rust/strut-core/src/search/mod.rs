@@ -17,6 +17,8 @@ mod neighbours;
 mod order;
 mod plan;
 mod principal;
+#[cfg(feature = "baselines")]
+mod profile;
 mod subspace;
 mod windows;
 
@@ -25,6 +27,8 @@ pub(crate) use metric::{FEET_ROLES, Feet};
 pub use metric::{JOINT_WEIGHTS, MAX_WINDOW, Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};
 pub use plan::{Plan, PlanError};
+#[cfg(feature = "baselines")]
+pub use profile::Profile;
 pub(crate) use windows::Windows;
 
 #[cfg(test)]

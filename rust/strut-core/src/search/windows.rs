@@ -47,6 +47,12 @@ impl Windows {
         windows
     }
 
+    /// The windows of another length in the same rows.
+    #[cfg(feature = "baselines")]
+    pub(super) fn with_length(&self, length: usize) -> Self {
+        Self { length, ..self.clone() }
+    }
+
     /// Number of rows.
     pub(super) fn rows(&self) -> usize {
         self.heights.len()

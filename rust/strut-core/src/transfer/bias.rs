@@ -19,6 +19,11 @@ pub(super) struct InputStatistics {
     pub(super) deviation: PoseRow,
 }
 
+/// σ of a degree of freedom among the neighbours, with its floors.
+pub(super) fn deviation(statistics: &InputStatistics, sigma: &PoseRow, dof: usize) -> f32 {
+    statistics.deviation[dof].max(MIN_SHARE * sigma[dof]).max(MIN_DEVIATION)
+}
+
 /// Δx of one class.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Bias {
@@ -38,7 +43,7 @@ impl Bias {
     pub(super) fn new(input: &PoseRow, statistics: &InputStatistics, sigma: &PoseRow, kappa: f32, rho: f32) -> Self {
         let mut bias = Self::NONE;
         for d in 0..ROW {
-            let deviation = statistics.deviation[d].max(MIN_SHARE * sigma[d]).max(MIN_DEVIATION);
+            let deviation = deviation(statistics, sigma, d);
             let (mean, reach) = (statistics.mean[d], kappa * deviation);
             let delta = input[d] - input[d].clamp(mean - reach, mean + reach);
             bias.input[d] = delta;

@@ -82,23 +82,39 @@ pub(super) struct Votes {
     pub(super) before: [f32; 2],
 }
 
-/// The votes of neighbours, whose windows reach back two frames at least; 0 without neighbours.
-pub(super) fn vote(catalogue: &Catalogue, neighbours: &[Neighbour], feet: &RecentFeet) -> Votes {
-    let Some(frames) = &feet.frames else { return Votes::default() };
+/// How much a neighbour's vote counts for the left and the right foot.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Voice {
+    pub(super) row: usize,
+    pub(super) weights: [f32; 2],
+}
+
+/// The voices of neighbours, whose windows reach back two frames at least; none before the first frame of the input.
+pub(super) fn voices<'a>(
+    catalogue: &'a Catalogue,
+    neighbours: &'a [Neighbour],
+    feet: &RecentFeet,
+) -> impl Iterator<Item = Voice> + 'a {
     let (index, rate_hz) = (catalogue.index(), catalogue.rate_hz);
-    let input = FeetState::new(frames, rate_hz);
-    let (mut votes, mut weights) = (Votes::default(), [0.0_f32; 2]);
-    for row in neighbours.iter().map(|n| n.row as usize) {
-        let state = FeetState::of_row(index, row, rate_hz);
-        for (side, difference) in state.differences(&input).into_iter().enumerate() {
-            let weight = 1.0 / (difference + SAME);
-            weights[side] += weight;
+    let input = feet.frames.map(|frames| FeetState::new(&frames, rate_hz));
+    neighbours.iter().zip(std::iter::repeat(input)).filter_map(move |(n, input)| {
+        let row = n.row as usize;
+        let differences = FeetState::of_row(index, row, rate_hz).differences(&input?);
+        Some(Voice { row, weights: differences.map(|difference| 1.0 / (difference + SAME)) })
+    })
+}
+
+/// The votes of neighbours; 0 without neighbours.
+pub(super) fn vote(catalogue: &Catalogue, neighbours: &[Neighbour], feet: &RecentFeet) -> Votes {
+    let (mut votes, mut sums) = (Votes::default(), [0.0_f32; 2]);
+    for Voice { row, weights } in voices(catalogue, neighbours, feet) {
+        for (side, weight) in weights.into_iter().enumerate() {
+            sums[side] += weight;
             votes.now[side] += weight * f32::from(catalogue.contact(row)[side]);
             votes.before[side] += weight * f32::from(catalogue.contact(row - 1)[side]);
         }
     }
-    // 0 without neighbours.
-    let share = |votes: [f32; 2]| std::array::from_fn(|side| votes[side] / weights[side].max(f32::MIN_POSITIVE));
+    let share = |votes: [f32; 2]| std::array::from_fn(|side| votes[side] / sums[side].max(f32::MIN_POSITIVE));
     Votes { now: share(votes.now), before: share(votes.before) }
 }
 

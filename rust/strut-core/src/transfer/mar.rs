@@ -312,6 +312,12 @@ impl Mixture {
         &self.class_weights
     }
 
+    /// The classes of the heaviest component: one for MAR.
+    #[cfg(feature = "baselines")]
+    pub(super) fn heaviest_classes(&self) -> &[usize] {
+        self.heaviest().map_or(&[], |i| &self.components[i].classes)
+    }
+
     /// Neighbours in the heaviest class.
     pub(super) fn heaviest_neighbours(&self) -> &[Neighbour] {
         self.heaviest().map_or(&[], |i| self.components[i].neighbours.as_slice())
@@ -340,7 +346,7 @@ fn is_coherent(options: &Options) -> bool {
 }
 
 /// K of a class: at most a quarter of its windows, so that neighbours stay near in small classes.
-fn class_k(options: &Options, windows: usize) -> usize {
+pub(super) fn class_k(options: &Options, windows: usize) -> usize {
     if windows >= 4 * options.k { options.k } else { options.k.min((windows / 4).max(5)) }
 }
 

@@ -17,6 +17,8 @@ mod frame;
 mod input;
 mod input_guard;
 mod joint_limits;
+#[cfg(feature = "baselines")]
+mod lens;
 mod mar;
 mod mixture;
 mod model;
@@ -33,6 +35,8 @@ pub use examples::Examples;
 pub use footplant::{Footplant, ground_clearance};
 pub use frame::{NoClock, Stage, StageClock, StyledFrame, Trace, TracedNeighbour};
 pub use joint_limits::beyond_anatomy;
+#[cfg(feature = "baselines")]
+pub use lens::{ClassDistance, Contacts, Fit, FitSettings, Lens, LensError, QueryChange, Timing, WeightedNeighbour};
 pub use model::Model;
 pub use options::{MAX_K, Method, Options, OptionsError};
 pub use stylizer::Stylizer;

@@ -38,7 +38,7 @@ impl Gathered {
     }
 
     /// Four degrees of freedom of every neighbour.
-    fn lane(&self, l: usize) -> &[[Lane; 2]] {
+    pub(super) fn lane(&self, l: usize) -> &[[Lane; 2]] {
         &self.pairs[l * self.count..][..self.count]
     }
 }
@@ -136,9 +136,34 @@ pub(super) fn predict(
     sigma: &PoseRow,
     bias: &Bias,
 ) -> Prediction {
-    let Samples { inputs, targets, weights } = samples;
     let mut prediction = Prediction { output: [0.0; ROW], target_step: [0.0; ROW] };
     for l in 0..LANES {
+        let examples = LaneMoments::new(l, moments, samples);
+        let beta = examples.fit(ridge, sigma);
+        examples.predict(beta, u, bias).write(&mut prediction.output, l);
+        (examples.mean_target - examples.mean_before).write(&mut prediction.target_step, l);
+    }
+    prediction
+}
+
+/// Means and products of four degrees of freedom of the examples: all that a fit needs, whatever the ridge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LaneMoments {
+    lane: usize,
+    mean_previous: Lane,
+    mean_input: Lane,
+    pub(super) mean_before: Lane,
+    pub(super) mean_target: Lane,
+    /// Without ridge.
+    gram: Gram,
+    rhs: [Lane; 3],
+}
+
+impl LaneMoments {
+    /// Of the lane `l` of samples whose inputs have these moments.
+    #[inline]
+    pub(super) fn new(l: usize, moments: &InputMoments, samples: Samples<'_>) -> Self {
+        let Samples { inputs, targets, weights } = samples;
         let at = |row: &PoseRow| Lane::of(row, l);
         let (mean_previous, mean_input) = (at(&moments.mean_previous), at(&moments.statistics.mean));
         let [mean_before, mean_target] = means(targets.lane(l), weights);
@@ -156,21 +181,32 @@ pub(super) fn predict(
             ct += c * t;
             bt += b * t;
         }
-        let ridge = Lane::splat(ridge) * at(sigma) * at(sigma);
-        let (pp, pc, cc) = (at(&moments.pp) + ridge, at(&moments.pc), at(&moments.cc) + ridge);
-        let beta = Gram { pp, pc, cc, pb, cb, bb: bb + ridge }.solve([pt, ct, bt]);
-        let output = mean_target
-            + beta.previous_input * (at(u.previous_input) - at(&bias.input) - mean_previous)
-            + beta.input * (at(u.input) - at(&bias.input) - mean_input)
-            + beta.previous_output * (at(u.previous_output) - at(&bias.output) - mean_before)
-            + at(&bias.output);
-        output.write(&mut prediction.output, l);
-        (mean_target - mean_before).write(&mut prediction.target_step, l);
+        let gram = Gram { pp: at(&moments.pp), pc: at(&moments.pc), cc: at(&moments.cc), pb, cb, bb };
+        Self { lane: l, mean_previous, mean_input, mean_before, mean_target, gram, rhs: [pt, ct, bt] }
     }
-    prediction
+
+    /// β of Eq. 2; `ridge` and `sigma` as in [`predict`].
+    #[inline]
+    pub(super) fn fit(&self, ridge: f32, sigma: &PoseRow) -> Beta {
+        let sigma = Lane::of(sigma, self.lane);
+        let ridge = Lane::splat(ridge) * sigma * sigma;
+        let Gram { pp, pc, cc, pb, cb, bb } = self.gram;
+        Gram { pp: pp + ridge, pc, cc: cc + ridge, pb, cb, bb: bb + ridge }.solve(self.rhs)
+    }
+
+    /// yₜ.
+    #[inline]
+    pub(super) fn predict(&self, beta: Beta, u: Regressors<'_>, bias: &Bias) -> Lane {
+        let at = |row: &PoseRow| Lane::of(row, self.lane);
+        self.mean_target
+            + beta.previous_input * (at(u.previous_input) - at(&bias.input) - self.mean_previous)
+            + beta.input * (at(u.input) - at(&bias.input) - self.mean_input)
+            + beta.previous_output * (at(u.previous_output) - at(&bias.output) - self.mean_before)
+            + at(&bias.output)
+    }
 }
 
-/// Normal equations of four degrees of freedom, ridge included: regressors p = xₜ₋₁, c = xₜ, b = yₜ₋₁.
+/// Normal equations of four degrees of freedom: regressors p = xₜ₋₁, c = xₜ, b = yₜ₋₁.
 #[derive(Clone, Copy, Debug)]
 struct Gram {
     pp: Lane,
@@ -183,10 +219,10 @@ struct Gram {
 
 /// Weights of the regressors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Beta {
-    previous_input: Lane,
-    input: Lane,
-    previous_output: Lane,
+pub(super) struct Beta {
+    pub(super) previous_input: Lane,
+    pub(super) input: Lane,
+    pub(super) previous_output: Lane,
 }
 
 impl Gram {

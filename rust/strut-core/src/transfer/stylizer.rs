@@ -15,6 +15,8 @@ use crate::humanoid::Pose;
 use crate::kinematics::world_from_local;
 use crate::math::float_funcs::wrap_angle;
 use crate::pose_vector::{HeadingFilter, Placement, PoseRow, ROW, VELOCITY_X, heading_free_positions};
+#[cfg(feature = "baselines")]
+use crate::search::Neighbour;
 use crate::search::{Neighbours, QueryWindow};
 use std::sync::Arc;
 
@@ -204,6 +206,19 @@ impl Stylizer {
         1.0 / self.model.catalogue().rate_hz
     }
 
+    /// How the last frame was predicted, for [`super::Lens`].
+    #[cfg(feature = "baselines")]
+    pub(super) fn inside(&self) -> Inside<'_> {
+        Inside {
+            mixture: &self.mixture,
+            window: &self.window,
+            voters: self.contacts.as_slice(),
+            feet: &self.feet,
+            input: self.last_input.as_ref().map(|(row, _)| row),
+            blend: &self.blend,
+        }
+    }
+
     /// Everything but contact smoothing and footplant; its contacts are not smoothed yet.
     pub(super) fn predict_frame(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
         clock.start();
@@ -350,6 +365,20 @@ impl Stylizer {
             }
         }
     }
+}
+
+/// The parts of a [`Stylizer`] that its last frame came from.
+#[cfg(feature = "baselines")]
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Inside<'a> {
+    pub(super) mixture: &'a Mixture,
+    pub(super) window: &'a QueryWindow,
+    /// The neighbours that vote for the contacts.
+    pub(super) voters: &'a [Neighbour],
+    pub(super) feet: &'a RecentFeet,
+    /// xₜ; `None` before the first frame.
+    pub(super) input: Option<&'a PoseRow>,
+    pub(super) blend: &'a StyleBlend,
 }
 
 #[cfg(test)]

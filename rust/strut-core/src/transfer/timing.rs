@@ -54,8 +54,32 @@ impl Scales {
     }
 }
 
+/// Gaussian kernel over neighbours; the bandwidth is their mean distance.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Kernel {
+    pub(super) bandwidth: f32,
+    /// The least squared distance.
+    nearest: f32,
+}
+
+impl Kernel {
+    /// For neighbours at these squared distances, with [`Moment`]s of the input and of the output.
+    pub(super) fn new(of_inputs: &[f32], of_outputs: &[f32]) -> Self {
+        let squares = || of_inputs.iter().zip(of_outputs).map(|(x, y)| x + y);
+        let bandwidth = squares().map(f32::sqrt).sum::<f32>() / of_inputs.len().max(1) as f32;
+        Self { bandwidth, nearest: squares().fold(f32::INFINITY, f32::min) }
+    }
+
+    /// The weight at a squared distance, relative to that of the nearest, so that far-off input cannot underflow every
+    /// weight.
+    pub(super) fn weight(&self, square: f32) -> f32 {
+        let scale = 0.5 / (self.bandwidth * self.bandwidth).max(1e-12);
+        exp((self.nearest - square) * scale)
+    }
+}
+
 /// Gaussian-kernel mean of the neighbours' durations in seconds, given the squared distances of their inputs and
-/// of their outputs; the bandwidth is the mean distance. `None` without neighbours.
+/// of their outputs. `None` without neighbours.
 pub(super) fn duration(
     of_inputs: &[f32],
     of_outputs: &[f32],
@@ -63,14 +87,11 @@ pub(super) fn duration(
     weights: &[f32],
     step_secs: &[f32],
 ) -> Option<f32> {
-    let squares = || of_inputs.iter().zip(of_outputs).map(|(x, y)| x + y);
-    let bandwidth = squares().map(f32::sqrt).sum::<f32>() / neighbours.len().max(1) as f32;
-    let scale = 0.5 / (bandwidth * bandwidth).max(1e-12);
-    let nearest = squares().fold(f32::INFINITY, f32::min);
+    let kernel = Kernel::new(of_inputs, of_outputs);
+    let squares = of_inputs.iter().zip(of_outputs).map(|(x, y)| x + y);
     let (mut sum, mut total) = (0.0, 0.0);
-    for ((n, square), &weight) in neighbours.iter().zip(squares()).zip(weights) {
-        // Relative to the nearest, so that far-off input cannot underflow every weight.
-        let w = weight * exp((nearest - square) * scale);
+    for ((n, square), &weight) in neighbours.iter().zip(squares).zip(weights) {
+        let w = weight * kernel.weight(square);
         sum += w * step_secs[n.row as usize];
         total += w;
     }

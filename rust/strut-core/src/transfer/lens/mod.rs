@@ -1,0 +1,324 @@
+//! A look into one frame of the transfer: the numbers behind a prediction, for lessons.
+//!
+//! A [`Lens`] runs a [`Stylizer`] up to a frame and reads the state that the frame came from. What it computes besides, with
+//! other neighbours, another ridge or a changed pose, goes through the functions that the stylizer itself calls.
+
+mod contacts;
+mod fit;
+mod query;
+mod sweep;
+mod timing;
+
+pub use contacts::Contacts;
+pub use fit::{Fit, FitSettings};
+pub use query::QueryChange;
+pub use timing::Timing;
+
+use super::blend::StyleError;
+use super::coherence::taper;
+use super::mar::class_k;
+use super::model::Model;
+use super::options::{Options, OptionsError};
+use super::stylizer::Stylizer;
+use crate::humanoid::Pose;
+use crate::pose_vector::{HeadingFilter, Placement, PoseRow, ROW};
+use crate::search::{MAX_WINDOW, Metric, Neighbour, Neighbours, Profile, QueryWindow, Scratch};
+use std::sync::{Arc, OnceLock};
+use thiserror::Error;
+
+/// Frames before the one that is looked at which the stylizer is run on: what went before them is forgotten.
+const WARM_UP: usize = 60;
+
+/// The first frame that can be looked at: the two before it give it a velocity and a previous output.
+const FIRST: usize = 2;
+
+/// Why a lens cannot show something.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum LensError {
+    /// The input has too few frames.
+    #[error("the input has {frames} frames; {} are needed at least", FIRST + 1)]
+    TooShort {
+        /// How many.
+        frames: usize,
+    },
+    /// There is no such class, joint, degree of freedom or row.
+    #[error("there is no {what} {index}; they are 0 to {last}")]
+    NotThere {
+        /// Of which kind.
+        what: &'static str,
+        /// What was asked for.
+        index: usize,
+        /// The last that there is.
+        last: usize,
+    },
+    /// A style without weight is not predicted.
+    #[error("the style '{name}' has no weight")]
+    NotActive {
+        /// Its name.
+        name: String,
+    },
+    /// The options do not fit.
+    #[error(transparent)]
+    Options(#[from] OptionsError),
+    /// The style weights do not fit.
+    #[error(transparent)]
+    Style(#[from] StyleError),
+    /// A number is not finite or outside its range.
+    #[error("{what} is {value}; expected {expected}")]
+    OutOfRange {
+        /// Which number.
+        what: &'static str,
+        /// What it is.
+        value: f32,
+        /// What it may be.
+        expected: &'static str,
+    },
+}
+
+/// A class of the database as a frame sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClassDistance {
+    /// λⱼ of Eq. 4, 0 to 1.
+    pub weight: f32,
+    /// Dⱼ: mean squared distance of its K nearest windows, m². Of classes that the stylizer skips too.
+    pub mean_square: f32,
+}
+
+/// A neighbour of the query in a class.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeightedNeighbour {
+    /// Last row of its window.
+    pub row: usize,
+    /// D, m².
+    pub square: f32,
+    /// Its weight in regressions, 0 to 1.
+    pub weight: f32,
+}
+
+/// An input and a frame of it, seen from inside.
+#[derive(Clone, Debug)]
+pub struct Lens {
+    stylizer: Stylizer,
+    input: Vec<Pose>,
+    frame: usize,
+    /// xₜ and xₜ₋₁.
+    now: PoseRow,
+    previous: PoseRow,
+    /// yₜ₋₁ of every style, where it is predicted.
+    outputs_before: Vec<Option<PoseRow>>,
+    change: QueryChange,
+    /// The windows of each length that was asked for.
+    profiles: [OnceLock<Profile>; MAX_WINDOW],
+    scratch: Scratch,
+}
+
+impl Lens {
+    /// A lens on an input that is on the database's proportions and at its rate, in these styles (one weight a style, as in
+    /// [`Stylizer::set_styles`]), at its first frame that can be looked at.
+    ///
+    /// # Errors
+    /// If the input is too short, or the options or weights do not fit.
+    pub fn new(model: Arc<Model>, input: Vec<Pose>, options: Options, styles: &[f32]) -> Result<Self, LensError> {
+        if input.len() <= FIRST {
+            return Err(LensError::TooShort { frames: input.len() });
+        }
+        let scratch = model.index().scratch(options.k);
+        let outputs_before = vec![None; model.catalogue().styles.len()];
+        let mut stylizer = Stylizer::new(model, options)?;
+        stylizer.set_styles(styles)?;
+        let mut lens = Self {
+            stylizer,
+            input,
+            frame: FIRST,
+            now: [0.0; ROW],
+            previous: [0.0; ROW],
+            outputs_before,
+            change: QueryChange::default(),
+            profiles: Default::default(),
+            scratch,
+        };
+        lens.look_at(FIRST);
+        Ok(lens)
+    }
+
+    /// Looks at a frame; the nearest that can be looked at is taken.
+    pub fn look_at(&mut self, frame: usize) {
+        self.frame = frame.clamp(FIRST, self.input.len() - 1);
+        self.stylizer.reset(None);
+        for at in self.frame.saturating_sub(WARM_UP)..self.frame {
+            self.stylizer.push(&self.input[at]);
+        }
+        self.previous = self.stylizer.inside().input.copied().unwrap_or([0.0; ROW]);
+        for (style, before) in self.outputs_before.iter_mut().enumerate() {
+            *before = self.stylizer.predicted_row(style).copied();
+        }
+        self.stylizer.push(&self.input[self.frame]);
+        self.now = self.stylizer.inside().input.copied().unwrap_or([0.0; ROW]);
+    }
+
+    /// Replaces the options and looks at the frame anew.
+    ///
+    /// # Errors
+    /// If one is out of range; the former options then stay.
+    pub fn set_options(&mut self, options: Options) -> Result<(), LensError> {
+        self.stylizer.set_options(options)?;
+        self.scratch = self.model().index().scratch(options.k);
+        self.look_at(self.frame);
+        Ok(())
+    }
+
+    /// Replaces the styles and looks at the frame anew.
+    ///
+    /// # Errors
+    /// If there is not one finite weight a style; the former weights then stay.
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), LensError> {
+        self.stylizer.set_styles(weights)?;
+        self.look_at(self.frame);
+        Ok(())
+    }
+
+    /// The frame that is looked at.
+    pub fn frame(&self) -> usize {
+        self.frame
+    }
+
+    /// The stylizer after that frame.
+    pub fn stylizer(&self) -> &Stylizer {
+        &self.stylizer
+    }
+
+    /// The shared model.
+    pub fn model(&self) -> &Arc<Model> {
+        self.stylizer.model()
+    }
+
+    /// xₜ and xₜ₋₁.
+    pub fn input_rows(&self) -> [&PoseRow; 2] {
+        [&self.now, &self.previous]
+    }
+
+    /// The degrees of freedom of every frame of the input.
+    pub fn rows(&self) -> Vec<PoseRow> {
+        Stream::new(self.model(), &self.input).collect()
+    }
+
+    /// The pose of a row of the database above the origin, heading along +Z.
+    ///
+    /// # Errors
+    /// If there is no such row.
+    pub fn row_pose(&self, row: usize) -> Result<Pose, LensError> {
+        let catalogue = self.model().catalogue();
+        let row = among("row", row, catalogue.frames())?;
+        Ok(catalogue.chart.decode(&catalogue.rows().get(row), Placement::default()))
+    }
+
+    /// The class with the largest weight; `None` where no class has neighbours.
+    pub fn heaviest_class(&self) -> Option<usize> {
+        self.stylizer.inside().mixture.heaviest_classes().first().copied()
+    }
+
+    /// Every class of the database.
+    pub fn classes(&mut self) -> Vec<ClassDistance> {
+        let Self { stylizer, scratch, .. } = self;
+        let model = stylizer.model();
+        let index = model.index();
+        let query = index.prepare(stylizer.inside().window, Metric::FullBody);
+        let mut found = Neighbours::default();
+        let weights = stylizer.trace().class_weights;
+        let distance = |(class, &weight): (usize, &f32)| {
+            let k = class_k(stylizer.options(), index.windows_in_class(class));
+            found.begin(0);
+            index.nearest(&query, &[class], k, scratch, &mut found);
+            ClassDistance { weight, mean_square: found.mean_distance() }
+        };
+        weights.iter().enumerate().map(distance).collect()
+    }
+
+    /// The `k` windows of `length` frames in a class that are nearest to the query, nearest first; fewer if there are fewer.
+    ///
+    /// # Errors
+    /// If there is no such class.
+    pub fn neighbours(&self, class: usize, k: usize, length: usize) -> Result<Vec<WeightedNeighbour>, LensError> {
+        let mut nearest = Neighbours::with_capacity(k);
+        nearest.begin(k);
+        self.for_each_window(class, length, |window| nearest.offer(window))?;
+        let mut weights = Vec::new();
+        if self.stylizer.options().coherence {
+            taper(nearest.as_slice(), &mut weights);
+        } else {
+            weights.resize(nearest.as_slice().len(), 1.0);
+        }
+        let weighted =
+            |(n, &weight): (&Neighbour, &f32)| WeightedNeighbour { row: n.row as usize, square: n.distance, weight };
+        Ok(nearest.as_slice().iter().zip(&weights).map(weighted).collect())
+    }
+
+    /// D between the query and the window of `length` frames that ends at each row of a class, m²; NaN at rows where none
+    /// ends.
+    ///
+    /// # Errors
+    /// If there is no such class.
+    pub fn profile(&self, class: usize, length: usize) -> Result<Vec<f32>, LensError> {
+        let classes = self.model().catalogue().classes();
+        let rows = classes[among("class", class, classes.len())?].rows.clone();
+        let mut squares = vec![f32::NAN; rows.len()];
+        self.for_each_window(class, length, |window| squares[window.row as usize - rows.start] = window.distance)?;
+        Ok(squares)
+    }
+
+    /// Every window of `length` frames of a class with its distance from the query.
+    fn for_each_window(&self, class: usize, length: usize, visit: impl FnMut(Neighbour)) -> Result<(), LensError> {
+        let class = among("class", class, self.model().catalogue().classes().len())?;
+        let profile =
+            self.profiles[length.clamp(1, MAX_WINDOW) - 1].get_or_init(|| Profile::new(self.model().index(), length));
+        let window;
+        // The stylizer's own window where nothing is changed, so that distances are its distances to the last bit.
+        let own =
+            self.change == QueryChange::default() && profile.window_length() == self.model().index().window_length();
+        let query = if own {
+            self.stylizer.inside().window
+        } else {
+            window = self.query_window(profile.window_length());
+            &window
+        };
+        profile.distances(query, class).for_each(visit);
+        Ok(())
+    }
+}
+
+/// The rows of a stream of poses, as a stylizer makes them, each with the window that ends at it.
+struct Stream<'a> {
+    model: &'a Model,
+    poses: std::slice::Iter<'a, Pose>,
+    heading: HeadingFilter,
+    window: QueryWindow,
+    before: Option<Placement>,
+}
+
+impl<'a> Stream<'a> {
+    fn new(model: &'a Model, poses: &'a [Pose]) -> Self {
+        let window = QueryWindow::new(model.index().window_length());
+        Self { model, poses: poses.iter(), heading: HeadingFilter::default(), window, before: None }
+    }
+}
+
+impl Iterator for Stream<'_> {
+    type Item = PoseRow;
+
+    fn next(&mut self) -> Option<PoseRow> {
+        let pose = self.poses.next()?;
+        let catalogue = self.model.catalogue();
+        let at = self.window.follow(pose, &catalogue.proportions, catalogue.rate_hz, &mut self.heading);
+        let row = catalogue.chart.encode(pose, at.heading, self.before, 1.0 / catalogue.rate_hz);
+        self.before = Some(at);
+        Some(row)
+    }
+}
+
+/// An index below a count.
+fn among(what: &'static str, index: usize, count: usize) -> Result<usize, LensError> {
+    if index < count { Ok(index) } else { Err(LensError::NotThere { what, index, last: count.saturating_sub(1) }) }
+}
+
+#[cfg(test)]
+mod tests;

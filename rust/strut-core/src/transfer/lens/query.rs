@@ -1,0 +1,95 @@
+//! The query of a [`Lens`]: the last frames of the input, changed as a lesson wishes.
+
+use super::{Lens, LensError, among};
+use crate::humanoid::{JOINTS, Pose, Role};
+use crate::math::{Quat, Vec3, exp_map};
+use crate::pose_vector::HeadingFilter;
+use crate::search::QueryWindow;
+
+/// How a query differs from the input.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct QueryChange {
+    /// Joints that are turned, each by an axis times an angle, radians, about the axes of its parent.
+    pub turns: Vec<(Role, Vec3)>,
+    /// Turn about the vertical through the hips of the last frame, radians.
+    pub heading: f32,
+    /// Shift on the ground, metres.
+    pub shift: [f32; 2],
+    /// Whether the frames run backwards.
+    pub reversed: bool,
+}
+
+impl QueryChange {
+    /// From numbers: for each turn the joint's number and three numbers.
+    ///
+    /// # Errors
+    /// If there is no such joint, or a number is not finite.
+    pub fn new(
+        turns: impl IntoIterator<Item = (usize, [f32; 3])>,
+        heading: f32,
+        shift: [f32; 2],
+        reversed: bool,
+    ) -> Result<Self, LensError> {
+        let turns = turns.into_iter().map(|(joint, by)| {
+            by.into_iter().try_for_each(|v| finite("the turn of a joint", v))?;
+            Ok((Role::ALL[among("joint", joint, JOINTS)?], Vec3::from_array(by)))
+        });
+        let turns = turns.collect::<Result<_, LensError>>()?;
+        finite("the heading", heading)?;
+        shift.into_iter().try_for_each(|v| finite("the shift", v))?;
+        Ok(Self { turns, heading, shift, reversed })
+    }
+
+    /// A pose with the joints turned.
+    pub fn turned(&self, pose: &Pose) -> Pose {
+        let mut pose = *pose;
+        for &(role, by) in &self.turns {
+            let rotation = &mut pose.rotations[role.index()];
+            *rotation = exp_map::exp(by) * *rotation;
+        }
+        pose
+    }
+
+    /// A pose turned and moved on the ground about a point.
+    fn moved(&self, mut pose: Pose, about: Vec3) -> Pose {
+        let turn = Quat::from_rotation_y(self.heading);
+        let from = pose.root - about;
+        let to = turn * Vec3::new(from.x, 0.0, from.z);
+        pose.root = Vec3::new(about.x + to.x + self.shift[0], pose.root.y, about.z + to.z + self.shift[1]);
+        pose.rotations[0] = turn * pose.rotations[0];
+        pose
+    }
+}
+
+fn finite(what: &'static str, value: f32) -> Result<(), LensError> {
+    if value.is_finite() { Ok(()) } else { Err(LensError::OutOfRange { what, value, expected: "a finite number" }) }
+}
+
+impl Lens {
+    /// Changes what neighbours and profiles are asked for; the prediction stays that of the input.
+    pub fn change_query(&mut self, change: QueryChange) {
+        self.change = change;
+    }
+
+    /// The pose of the query: the frame's, changed.
+    pub fn query_pose(&self) -> Pose {
+        let pose = self.input[self.frame];
+        self.change.moved(self.change.turned(&pose), pose.root)
+    }
+
+    /// The changed window of `length` frames.
+    pub(super) fn query_window(&self, length: usize) -> QueryWindow {
+        let catalogue = self.model().catalogue();
+        let mut window = QueryWindow::new(length);
+        let mut heading = HeadingFilter::default();
+        let first = (self.frame + 1).saturating_sub(length);
+        let frames = &self.input[first..=self.frame];
+        let about = self.input[self.frame].root;
+        for i in 0..frames.len() {
+            let pose = &frames[if self.change.reversed { frames.len() - 1 - i } else { i }];
+            let pose = self.change.moved(self.change.turned(pose), about);
+            window.follow(&pose, &catalogue.proportions, catalogue.rate_hz, &mut heading);
+        }
+        window
+    }
+}
