@@ -51,6 +51,15 @@ impl Imw {
 
     /// Sets `moved` to α·a + β for the scales and offsets that fit b under a warp best.
     fn fit(&mut self, a: &[Feature], b: &[Feature], warp: &Warp) {
+        let affine = self.affine(a, b, warp);
+        for (moved, (x, [scale, offset])) in self.moved.iter_mut().zip(a.iter().zip(affine)) {
+            *moved = std::array::from_fn(|d| scale[d] * x[d] + offset[d]);
+        }
+    }
+
+    /// For every frame of a the scales α and the offsets β that fit b under a warp best.
+    pub(super) fn affine(&self, a: &[Feature], b: &[Feature], warp: &Warp) -> Vec<[Feature; 2]> {
+        let mut affine = vec![[[0.0; DIMS]; 2]; a.len()];
         let mut x = vec![0.0; a.len()];
         let mut y = vec![0.0; a.len()];
         let last = (b.len() - 1) as f32;
@@ -65,10 +74,11 @@ impl Imw {
                     x[i]
                 };
             }
-            for (i, [scale, offset]) in smooth_affine_fit(&x, &y, self.smoothness, PULL).into_iter().enumerate() {
-                self.moved[i][d] = scale * x[i] + offset;
+            for (frame, [scale, offset]) in affine.iter_mut().zip(smooth_affine_fit(&x, &y, self.smoothness, PULL)) {
+                (frame[0][d], frame[1][d]) = (scale, offset);
             }
         }
+        affine
     }
 }
 

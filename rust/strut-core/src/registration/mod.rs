@@ -8,6 +8,8 @@
 //! ([`pairing`]). Known correspondence ([`script`]) replaces all of this.
 
 mod addition;
+#[cfg(feature = "baselines")]
+mod comparison;
 mod dtw;
 mod example;
 mod features;
@@ -25,6 +27,8 @@ mod timeline;
 mod warp;
 
 pub use addition::Addition;
+#[cfg(feature = "baselines")]
+pub use comparison::{Compared, Comparison, Stretch};
 pub use example::Example;
 pub use job::Job;
 pub use options::{MAX_COUNTERPARTS, Options, WarpMethod};

@@ -36,7 +36,9 @@ pub use footplant::{Footplant, ground_clearance};
 pub use frame::{NoClock, Stage, StageClock, StyledFrame, Trace, TracedNeighbour};
 pub use joint_limits::beyond_anatomy;
 #[cfg(feature = "baselines")]
-pub use lens::{ClassDistance, Contacts, Fit, FitSettings, Lens, LensError, QueryChange, Timing, WeightedNeighbour};
+pub use lens::{
+    ClassDistance, Contacts, Fit, FitSettings, Lens, LensError, QueryChange, Timing, Warps, WeightedNeighbour,
+};
 pub use model::Model;
 pub use options::{MAX_K, Method, Options, OptionsError};
 pub use stylizer::Stylizer;

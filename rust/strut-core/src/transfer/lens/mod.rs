@@ -8,11 +8,13 @@ mod fit;
 mod query;
 mod sweep;
 mod timing;
+mod warps;
 
 pub use contacts::Contacts;
 pub use fit::{Fit, FitSettings};
 pub use query::QueryChange;
 pub use timing::Timing;
+pub use warps::Warps;
 
 use super::blend::StyleError;
 use super::coherence::taper;

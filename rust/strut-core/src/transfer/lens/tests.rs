@@ -3,6 +3,7 @@ use crate::autoregression::MAX_FEEDBACK;
 use crate::fixtures::{BENT, NEUTRAL, database, walk};
 use crate::math::linear::solve_positive_definite;
 use crate::pose_vector::DOFS;
+use crate::registration::WarpMethod;
 
 const BENT_STYLE: [f32; 2] = [0.0, 1.0];
 const FIT: FitSettings = FitSettings { dof: 0, k: 40, lambda: 0.1, noise: 0.0, taper: true };
@@ -198,4 +199,24 @@ fn what_is_not_there_is_an_error() {
     assert_eq!((lens.frame(), lens.rows().len()), (149, 150));
     let short = Lens::new(Arc::clone(lens.model()), vec![Pose::default(); 2], Options::DEFAULT, &BENT_STYLE);
     assert_eq!(short.unwrap_err(), LensError::TooShort { frames: 2 });
+}
+
+#[test]
+fn cycles_of_an_action_are_compared_and_their_counterparts_known() {
+    let model = Arc::new(Model::new(database()));
+    let warps = Warps::new(Arc::clone(&model), 0).unwrap();
+    let style = |style: u16| model.catalogue().clips.iter().position(|c| c.action == 0 && c.style == style).unwrap();
+    let stretch = |clip: usize| (clip, 10..=80);
+    let (a, b) = (stretch(style(0)), stretch(style(1)));
+    for by in [WarpMethod::Dtw, WarpMethod::Imw, WarpMethod::Linear] {
+        let compared = warps.compare(&a, &b, by).unwrap();
+        assert_eq!((compared.costs.len(), compared.warp.unwrap().len()), (71 * 71, 71));
+    }
+    let recorded = warps.recorded(&a, &b).unwrap();
+    let row = model.catalogue().clips[a.0].first_frame + 40;
+    let exact = model.catalogue().counterparts(row, 1).next().unwrap();
+    assert_eq!(recorded[30], exact - (model.catalogue().clips[b.0].first_frame + 10) as f32);
+    assert!(warps.compare(&a, &(b.0, 0..=1 << 20), WarpMethod::Dtw).is_err());
+    assert!(warps.cycles(1 << 20).is_err() && warps.cycles(a.0).is_ok());
+    assert!(Warps::new(model, 99).is_err());
 }
