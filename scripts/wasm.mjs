@@ -48,12 +48,20 @@ const PACKAGES = {
     name: "strut_wasm_character",
     config: SMALL_CORE,
   },
-  // … and the Compare view: the engine with what it is compared with.
+  // … the Compare view: the engine with what it is compared with …
   compare: {
     folder: "web/engine/compare/pkg",
     crate: "strut-wasm",
     name: "strut_compare",
     features: ["compare"],
+    flags: [INLINE_LESS],
+  },
+  // … and the lessons: the same with a look inside.
+  learn: {
+    folder: "web/engine/learn/pkg",
+    crate: "strut-wasm",
+    name: "strut_learn",
+    features: ["learn"],
     flags: [INLINE_LESS],
   },
   // The engine with the report that `tests/parity` compares and the yardsticks of `bench/` …
@@ -78,7 +86,7 @@ const PACKAGES = {
 };
 
 /** What the page loads, and what benchmarks and parity tests need besides. */
-const PAGE = ["engine", "build", "walk", "keyStyle", "character", "compare"];
+const PAGE = ["engine", "build", "walk", "keyStyle", "character", "compare", "learn"];
 const BENCH = ["bench", "benchScalar"];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */

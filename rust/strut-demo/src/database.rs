@@ -83,6 +83,19 @@ pub fn database() -> Result<Database, BuildError> {
     build(&clips(), RATE_HZ)
 }
 
+/// [`database`] without some takes in any style, by their names such as "walk-pace".
+///
+/// # Errors
+/// If no take of the neutral style is left.
+pub fn database_without(takes: &[String]) -> Result<Database, BuildError> {
+    let is_held_out = |clip: &SourceClip| {
+        let take = clip.name.rsplit_once('_').map_or(clip.name.as_str(), |(take, _)| take);
+        takes.iter().any(|held_out| held_out == take)
+    };
+    let clips: Vec<SourceClip> = clips().into_iter().filter(|clip| !is_held_out(clip)).collect();
+    build(&clips, RATE_HZ)
+}
+
 /// The smallest database of use: the first walking take in every style of [`STYLES`].
 ///
 /// # Errors
@@ -117,7 +130,8 @@ pub fn input_clips() -> Vec<NamedMotion> {
     names.filter_map(|name| Some(NamedMotion { name, motion: perform_input(name, &STYLES[0])?.motion })).collect()
 }
 
-/// An input of [`input_clips`] in a style; `None` if there is none of this name.
+/// An input of [`input_clips`], or a walk or run of [`database`] such as "walk-pace", in a style; `None` if there is none of
+/// this name.
 fn perform_input(name: &str, style: &Style) -> Option<Performance> {
     let body = Proportions::default();
     if name == INPUT_EXCURSION.script.name {
@@ -126,7 +140,9 @@ fn perform_input(name: &str, style: &Style) -> Option<Performance> {
     if let Some(interlude) = INTERLUDES.iter().find(|i| i.gait.script.name == name) {
         return Some(perform_interlude(interlude, style, &body, RATE_HZ));
     }
-    let script = INPUT_TAKES.iter().find(|script| script.name == name)?;
+    let mut takes = WALK_TAKES.iter().chain(&RUN_TAKES);
+    let input = INPUT_TAKES.iter().find(|script| script.name == name);
+    let script = input.or_else(|| takes.find(|take| name == format!("{}-{}", take.action.name(), take.name)))?;
     Some(perform(script, style, &body, RATE_HZ))
 }
 
@@ -142,6 +158,7 @@ pub struct Counterpart {
 }
 
 /// The counterpart of an input of [`input_clips`] in a style of [`STYLES`], by their names; `None` if there is no such.
+/// Walks and runs of [`database`] have one too, by the name of their take such as "walk-pace".
 pub fn counterpart(input: &str, style: &str) -> Option<Counterpart> {
     let style = STYLES.iter().find(|s| s.name == style)?;
     let neutral = perform_input(input, &STYLES[0])?;
@@ -188,6 +205,19 @@ mod tests {
             let tempo = counterpart.time_secs.last().unwrap() * RATE_HZ / neutral.phase.len() as f32;
             assert!((tempo - STYLES[0].cadence / style.cadence).abs() < 0.1, "{}: {tempo}", style.name);
         }
+    }
+
+    #[test]
+    fn a_take_can_be_held_out_and_is_performed_as_in_the_database() {
+        let whole = database().unwrap();
+        let rest = database_without(&["walk-pace".into(), "run-nothing".into()]).unwrap();
+        let held_out: Vec<_> = whole.clips.iter().filter(|c| c.name.starts_with("walk-pace_")).collect();
+        assert_eq!((held_out.len(), rest.clips.len()), (STYLES.len(), whole.clips.len() - STYLES.len()));
+        assert!(rest.clips.iter().all(|c| !c.name.starts_with("walk-pace_")));
+        let clip = clips().into_iter().find(|c| c.name == "walk-pace_old").unwrap();
+        let neutral = clips().into_iter().find(|c| c.name == "walk-pace_neutral").unwrap();
+        assert_eq!(counterpart("walk-pace", "neutral").unwrap().poses.len(), neutral.motion.poses.len());
+        assert_eq!(counterpart("walk-pace", "old").unwrap().poses[0].root.y, clip.motion.poses[0].root.y);
     }
 
     #[test]

@@ -7,6 +7,9 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The built-in database and inputs in the packed format, not yet deflated: the build writes them to
 /// `web/engine/motions/built_in.bin`.
+///
+/// # Errors
+/// None for the motions that are built in.
 #[wasm_bindgen(js_name = builtInMotions)]
 pub fn built_in_motions() -> Result<Vec<u8>, EngineError> {
     let database = strut_demo::database().map_err(EngineError::bad_input)?;
@@ -14,6 +17,9 @@ pub fn built_in_motions() -> Result<Vec<u8>, EngineError> {
 }
 
 /// Walks in every style and one input, likewise: `web/engine/motions/walk.bin`.
+///
+/// # Errors
+/// None for the motions that are built in.
 #[wasm_bindgen(js_name = builtInWalk)]
 pub fn built_in_walk() -> Result<Vec<u8>, EngineError> {
     let database = strut_demo::walk_database().map_err(EngineError::bad_input)?;

@@ -101,6 +101,16 @@ impl Input {
         &mut self.humanoid.poses
     }
 
+    /// Poses that came from no file.
+    #[cfg(feature = "learn")]
+    pub(crate) fn of_poses(
+        proportions: strut_core::humanoid::Proportions,
+        rate_hz: f32,
+        poses: Vec<strut_core::humanoid::Pose>,
+    ) -> Self {
+        Self { humanoid: HumanoidMotion { proportions, rate_hz, poses }, file: None }
+    }
+
     pub(crate) fn humanoid(&self) -> &HumanoidMotion {
         &self.humanoid
     }

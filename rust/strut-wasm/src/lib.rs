@@ -8,6 +8,8 @@ mod clip_job;
 mod counterpart;
 mod database;
 mod input;
+#[cfg(feature = "learn")]
+mod learn;
 mod motion_facts;
 #[cfg(feature = "parity")]
 mod parity;
@@ -21,6 +23,8 @@ pub use clip_job::ClipJob;
 pub use counterpart::{Counterpart, built_in_motions, built_in_walk};
 pub use database::Database;
 pub use input::{Input, packed_inputs};
+#[cfg(feature = "learn")]
+pub use learn::{ComparedCycles, Fit, FrameContacts, FrameTiming, Lens, NearestWindows, Warps};
 pub use motion_facts::MotionFacts;
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;

@@ -42,10 +42,10 @@ impl Bias {
     /// Δx = xₜ − clamp(xₜ, μ ± κσ), with σ at least a share of the global deviation `sigma`.
     pub(super) fn new(input: &PoseRow, statistics: &InputStatistics, sigma: &PoseRow, kappa: f32, rho: f32) -> Self {
         let mut bias = Self::NONE;
-        for d in 0..ROW {
+        for (d, &x) in input.iter().enumerate() {
             let deviation = deviation(statistics, sigma, d);
             let (mean, reach) = (statistics.mean[d], kappa * deviation);
-            let delta = input[d] - input[d].clamp(mean - reach, mean + reach);
+            let delta = x - x.clamp(mean - reach, mean + reach);
             bias.input[d] = delta;
             bias.output[d] = rho * delta;
             bias.largest = bias.largest.max(delta.abs() / deviation);

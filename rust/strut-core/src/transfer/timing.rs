@@ -72,7 +72,7 @@ impl Kernel {
 
     /// The weight at a squared distance, relative to that of the nearest, so that far-off input cannot underflow every
     /// weight.
-    pub(super) fn weight(&self, square: f32) -> f32 {
+    pub(super) fn weight(self, square: f32) -> f32 {
         let scale = 0.5 / (self.bandwidth * self.bandwidth).max(1e-12);
         exp((self.nearest - square) * scale)
     }

@@ -56,7 +56,6 @@ impl Lens {
             }
             previous = Some(row);
         }
-        drop(stream);
         self.scratch = scratch;
         Ok(squares.into_iter().map(|sum| (sum / self.input.len() as f64).sqrt() as f32).collect())
     }

@@ -1,6 +1,7 @@
 use super::*;
 use crate::autoregression::MAX_FEEDBACK;
 use crate::fixtures::{BENT, NEUTRAL, database, walk};
+use crate::math::float_funcs::exp;
 use crate::math::linear::solve_positive_definite;
 use crate::pose_vector::DOFS;
 use crate::registration::WarpMethod;
@@ -60,7 +61,7 @@ fn neighbours_and_classes_are_those_of_the_stylizer() {
         assert_eq!(found.iter().map(|n| n.square.sqrt()).collect::<Vec<f32>>(), own);
         let classes = lens.classes();
         let least = classes.iter().map(|c| c.mean_square).fold(f32::INFINITY, f32::min);
-        let raw = classes.iter().map(|c| ((least - c.mean_square) / (Options::DEFAULT.delta * least)).exp());
+        let raw = classes.iter().map(|c| exp((least - c.mean_square) / (Options::DEFAULT.delta * least)));
         let sum: f32 = raw.clone().filter(|w| *w > 2e-5).sum();
         for (class, raw) in classes.iter().zip(raw) {
             assert!((class.weight - raw / sum).abs() < 1e-4, "{class:?} {raw} of {sum}");
@@ -124,13 +125,14 @@ fn a_sweep_is_the_error_of_the_predictions_one_by_one() {
     let wanted: Vec<PoseRow> = Stream::new(lens.model(), &ideal).collect();
     for (lambda, error) in lambdas.into_iter().zip(&sweep) {
         let (mut sum, mut y) = (0.0, None);
-        for frame in 2..150 {
+        for (frame, wanted) in wanted.iter().enumerate().skip(2) {
             lens.look_at(frame);
             let mut fit = lens.fit(&FitSettings { lambda, ..settings }).unwrap();
             fit.query[1] = y.unwrap_or(fit.query[1]);
             let next = dense(&fit, lambda.into()).1;
             y = Some(next as f32);
-            sum += (next - f64::from(wanted[frame][settings.dof])).powi(2);
+            let error = next - f64::from(wanted[settings.dof]);
+            sum += error * error;
         }
         let expected = (sum / 148.0).sqrt();
         // The sweep begins two frames earlier.

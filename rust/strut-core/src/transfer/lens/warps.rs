@@ -29,7 +29,7 @@ impl Warps {
         let clips: Vec<usize> = of_action.flat_map(|c| c.clips.clone()).collect();
         let examples: Vec<Example> = clips.iter().map(|&clip| example(catalogue, clip)).collect();
         let comparison = Comparison::new(&examples, catalogue.styles.len(), catalogue.neutral, catalogue.rate_hz);
-        Ok(Self { comparison, clips, model })
+        Ok(Self { model, clips, comparison })
     }
 
     /// The gait cycles of a clip: from one left heel strike to the next.

@@ -1,0 +1,18 @@
+//! The built-in database without some takes.
+
+use crate::database::Database;
+use strut_wasm_common::EngineError;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen]
+impl Database {
+    /// The built-in database without the takes of these names, such as "walk-pace", in any style. It is performed anew, which
+    /// takes seconds.
+    ///
+    /// # Errors
+    /// If no take of the neutral style is left.
+    #[wasm_bindgen(js_name = builtInWithout)]
+    pub fn built_in_without(takes: Vec<String>) -> Result<Self, EngineError> {
+        strut_demo::database_without(&takes).map(Self::new).map_err(EngineError::bad_input)
+    }
+}

@@ -1,0 +1,355 @@
+//! Handle of a lens.
+
+use crate::database::Database;
+use crate::input::Input;
+use std::sync::Arc;
+use strut_core::humanoid::{HumanoidMotion, Pose};
+use strut_core::transfer::{self, FitSettings, Options, QueryChange};
+use strut_wasm_common::{EngineError, floats_of, poses_of};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Numbers of a turned joint: its own and three of the turn.
+const TURN: usize = 4;
+
+/// The change of a query, from numbers: four for each turned joint.
+fn change(turns: &[f32], heading: f32, shift: [f32; 2], reversed: bool) -> Result<QueryChange, EngineError> {
+    let (turns, rest) = turns.as_chunks::<TURN>();
+    if !rest.is_empty() {
+        return Err(EngineError::bad_input("turns are four numbers each: a joint, and an axis times an angle"));
+    }
+    // The cast saturates: what is no joint is refused as such.
+    let turns = turns.iter().map(|&[joint, x, y, z]| (joint as usize, [x, y, z]));
+    QueryChange::new(turns, heading, shift, reversed).map_err(EngineError::bad_input)
+}
+
+#[wasm_bindgen]
+impl Input {
+    /// A walk or run of the built-in database in the neutral style, by the name of its take such as "walk-pace"; `undefined`
+    /// if there is none.
+    #[wasm_bindgen(js_name = ofTake)]
+    pub fn of_take(database: &Database, name: &str) -> Option<Self> {
+        let catalogue = database.model().catalogue();
+        let performed = strut_demo::counterpart(name, &catalogue.styles[usize::from(catalogue.neutral)])?;
+        Some(Self::of_poses(catalogue.proportions, catalogue.rate_hz, performed.poses))
+    }
+
+    /// This input with joints turned in every frame: for each its number, and an axis times an angle about the axes of its
+    /// parent, radians.
+    ///
+    /// # Errors
+    /// If there is no such joint, or a number is not finite.
+    pub fn turned(&self, turns: &[f32]) -> Result<Self, EngineError> {
+        let change = change(turns, 0.0, [0.0; 2], false)?;
+        let poses = self.humanoid().poses.iter().map(|pose| change.turned(pose)).collect();
+        let HumanoidMotion { proportions, rate_hz, .. } = *self.humanoid();
+        Ok(Self::of_poses(proportions, rate_hz, poses))
+    }
+}
+
+/// A look into one frame of an input that takes on a style.
+#[wasm_bindgen]
+pub struct Lens(transfer::Lens);
+
+#[wasm_bindgen]
+impl Lens {
+    /// A lens on an input in these styles, one weight a style of the database, with the default options.
+    ///
+    /// # Errors
+    /// If the input is too short, or the weights do not fit.
+    #[wasm_bindgen(constructor)]
+    pub fn new(database: &Database, input: &Input, styles: &[f32]) -> Result<Self, EngineError> {
+        let (model, poses) = (Arc::clone(database.model()), input.humanoid().poses.clone());
+        transfer::Lens::new(model, poses, Options::DEFAULT, styles).map(Self).map_err(EngineError::bad_input)
+    }
+
+    /// Replaces the options that lessons turn.
+    ///
+    /// # Errors
+    /// If one is out of range; the former options then stay.
+    pub fn configure(
+        &mut self,
+        k: f64,
+        lambda: f32,
+        rho: f32,
+        kappa: f32,
+        delta: f32,
+        coherence: bool,
+    ) -> Result<(), EngineError> {
+        // The cast saturates: what is no count becomes 0 or too large, and is refused as such.
+        let options = Options { k: k as usize, lambda, rho, kappa, delta, coherence, ..*self.0.stylizer().options() };
+        self.0.set_options(options).map_err(EngineError::bad_input)
+    }
+
+    /// One weight a style of the database.
+    ///
+    /// # Errors
+    /// If there is not one finite weight a style; the former weights then stay.
+    #[wasm_bindgen(js_name = setStyles)]
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), EngineError> {
+        self.0.set_styles(weights).map_err(EngineError::bad_input)
+    }
+
+    /// Looks at a frame, and gives the one that is looked at: the nearest that has two before it.
+    pub fn at(&mut self, frame: usize) -> usize {
+        self.0.look_at(frame);
+        self.0.frame()
+    }
+
+    /// Changes what neighbours and profiles are asked for: for each turned joint its number, and an axis times an angle
+    /// about the axes of its parent; a turn about the vertical and a shift on the ground; whether time runs backwards.
+    /// Gives the query's pose.
+    ///
+    /// # Errors
+    /// If there is no such joint, or a number is not finite.
+    pub fn query(
+        &mut self,
+        turns: &[f32],
+        heading: f32,
+        x: f32,
+        z: f32,
+        reversed: bool,
+    ) -> Result<Vec<f32>, EngineError> {
+        self.0.change_query(change(turns, heading, [x, z], reversed)?);
+        Ok(floats_of([self.0.query_pose()].iter()))
+    }
+
+    /// λⱼ and Dⱼ in m² of every class, interleaved.
+    pub fn classes(&mut self) -> Vec<f32> {
+        self.0.classes().iter().flat_map(|c| [c.weight, c.mean_square]).collect()
+    }
+
+    /// The class with the largest weight.
+    #[wasm_bindgen(js_name = heaviestClass)]
+    pub fn heaviest_class(&self) -> Option<usize> {
+        self.0.heaviest_class()
+    }
+
+    /// The first row of a class; its rows follow each other.
+    ///
+    /// # Errors
+    /// If there is no such class.
+    #[wasm_bindgen(js_name = firstRow)]
+    pub fn first_row(&self, class: usize) -> Result<usize, EngineError> {
+        let class = self.0.model().catalogue().classes().get(class);
+        class.map(|c| c.rows.start).ok_or_else(|| EngineError::bad_input("there is no such class"))
+    }
+
+    /// The `k` windows of `length` frames in a class that are nearest to the query, nearest first.
+    ///
+    /// # Errors
+    /// If there is no such class.
+    pub fn neighbours(&self, class: usize, k: usize, length: usize) -> Result<NearestWindows, EngineError> {
+        let found = self.0.neighbours(class, k, length).map_err(EngineError::bad_input)?;
+        Ok(NearestWindows {
+            rows: found.iter().map(|n| n.row as u32).collect(),
+            distances: found.iter().map(|n| n.square.sqrt()).collect(),
+            weights: found.iter().map(|n| n.weight).collect(),
+        })
+    }
+
+    /// √D in metres between the query and the window of `length` frames that ends at each row of a class; NaN where none
+    /// ends.
+    ///
+    /// # Errors
+    /// If there is no such class.
+    pub fn profile(&self, class: usize, length: usize) -> Result<Vec<f32>, EngineError> {
+        let squares = self.0.profile(class, length).map_err(EngineError::bad_input)?;
+        Ok(squares.into_iter().map(f32::sqrt).collect())
+    }
+
+    /// The pose of a row of the database above the origin, heading along +Z.
+    ///
+    /// # Errors
+    /// If there is no such row.
+    #[wasm_bindgen(js_name = rowPose)]
+    pub fn row_pose(&self, row: usize) -> Result<Vec<f32>, EngineError> {
+        self.0.row_pose(row).map(|pose| floats_of([pose].iter())).map_err(EngineError::bad_input)
+    }
+
+    /// The degrees of freedom of every frame of the input, [`transfer`]'s padding included, and how many a frame has.
+    pub fn rows(&self) -> Vec<f32> {
+        self.0.rows().concat()
+    }
+
+    /// Mean rotation of each joint, x y z w: the centres of the exponential maps.
+    pub fn means(&self) -> Vec<f32> {
+        self.0.model().catalogue().chart.means.iter().flat_map(|q| q.to_array()).collect()
+    }
+
+    /// The styled pose of the frame, before it walks on.
+    pub fn styled(&self) -> Vec<f32> {
+        floats_of([self.0.stylizer().frame().pose].iter())
+    }
+
+    /// Seconds that the styled frame lasts.
+    #[wasm_bindgen(js_name = stepSecs)]
+    pub fn step_secs(&self) -> f32 {
+        self.0.stylizer().frame().dt_secs
+    }
+
+    /// The line of one degree of freedom in the heaviest class, for the style of the greatest weight.
+    ///
+    /// # Errors
+    /// If a setting is out of range.
+    pub fn fit(&self, dof: usize, k: usize, lambda: f32, noise: f32, taper: bool) -> Result<Fit, EngineError> {
+        self.0.fit(&FitSettings { dof, k, lambda, noise, taper }).map(Fit).map_err(EngineError::bad_input)
+    }
+
+    /// For each λ the root mean square error of one degree of freedom that is predicted over the whole input from its own
+    /// past, against the poses of the input's counterpart.
+    ///
+    /// # Errors
+    /// If a setting is out of range, or there is not one pose a frame.
+    pub fn sweep(
+        &mut self,
+        dof: usize,
+        k: usize,
+        lambdas: &[f32],
+        noise: f32,
+        taper: bool,
+        ideal: &[f32],
+    ) -> Result<Vec<f32>, EngineError> {
+        let ideal: Vec<Pose> = poses_of(ideal)?.collect();
+        let settings = FitSettings { dof, k, lambda: 0.0, noise, taper };
+        self.0.sweep(&settings, lambdas, &ideal).map_err(EngineError::bad_input)
+    }
+
+    /// How long the neighbours say that the frame lasts in a style with a weight.
+    ///
+    /// # Errors
+    /// If there is no such style, or it has no weight.
+    pub fn timing(&self, style: usize) -> Result<FrameTiming, EngineError> {
+        self.0.timing(style).map(FrameTiming).map_err(EngineError::bad_input)
+    }
+
+    /// Who says that the feet stand.
+    pub fn contacts(&self) -> FrameContacts {
+        FrameContacts(self.0.contacts())
+    }
+}
+
+/// Windows that resemble a query, nearest first.
+#[wasm_bindgen]
+pub struct NearestWindows {
+    rows: Vec<u32>,
+    distances: Vec<f32>,
+    weights: Vec<f32>,
+}
+
+#[wasm_bindgen]
+impl NearestWindows {
+    /// The last row of each.
+    pub fn rows(&self) -> Vec<u32> {
+        self.rows.clone()
+    }
+
+    /// √D of each, metres.
+    pub fn distances(&self) -> Vec<f32> {
+        self.distances.clone()
+    }
+
+    /// Weight of each in regressions, 0 to 1.
+    pub fn weights(&self) -> Vec<f32> {
+        self.weights.clone()
+    }
+}
+
+/// A fitted line; see [`transfer::Fit`].
+#[wasm_bindgen]
+pub struct Fit(transfer::Fit);
+
+#[wasm_bindgen]
+impl Fit {
+    /// The class of the examples.
+    pub fn class(&self) -> usize {
+        self.0.class
+    }
+
+    /// The neighbours' rows, nearest first.
+    pub fn rows(&self) -> Vec<u32> {
+        self.0.rows.iter().map(|&row| row as u32).collect()
+    }
+
+    /// xₜ, xₜ₋₁, yₜ, yₜ₋₁ and v of the neighbours, one column after the other.
+    pub fn columns(&self) -> Vec<f32> {
+        let transfer::Fit { x, x_previous, y, y_previous, weights, .. } = &self.0;
+        [&x[..], x_previous, y, y_previous, weights].concat()
+    }
+
+    /// a, b, c of xₜ₋₁, yₜ₋₁ and xₜ; these three of the query; the means of xₜ₋₁, yₜ₋₁, xₜ and yₜ; σ of the neighbours'
+    /// xₜ, σ of all rows, Δx and yₜ.
+    pub fn numbers(&self) -> Vec<f32> {
+        let transfer::Fit { beta, query, means, deviation, global_deviation, bias, predicted, .. } = &self.0;
+        [&beta[..], query, means, &[*deviation, *global_deviation, *bias, *predicted]].concat()
+    }
+}
+
+/// Durations of a frame's neighbours; see [`transfer::Timing`].
+#[wasm_bindgen]
+pub struct FrameTiming(transfer::Timing);
+
+#[wasm_bindgen]
+impl FrameTiming {
+    /// d, in standard deviations.
+    pub fn distances(&self) -> Vec<f32> {
+        self.0.distances.clone()
+    }
+
+    /// w, seconds.
+    pub fn durations(&self) -> Vec<f32> {
+        self.0.durations.clone()
+    }
+
+    /// g, relative to the nearest.
+    pub fn kernel(&self) -> Vec<f32> {
+        self.0.kernel.clone()
+    }
+
+    /// v.
+    pub fn weights(&self) -> Vec<f32> {
+        self.0.weights.clone()
+    }
+
+    /// h.
+    pub fn bandwidth(&self) -> f32 {
+        self.0.bandwidth
+    }
+
+    /// How long the frame lasts, seconds.
+    pub fn duration(&self) -> Option<f32> {
+        self.0.duration()
+    }
+}
+
+/// The vote of a frame; see [`transfer::Contacts`].
+#[wasm_bindgen]
+pub struct FrameContacts(transfer::Contacts);
+
+#[wasm_bindgen]
+impl FrameContacts {
+    /// P of the left and the right foot in this frame alone, after smoothing, and with those of the targets.
+    pub fn likelihoods(&self) -> Vec<f32> {
+        let transfer::Contacts { votes, smoothed, output, .. } = &self.0;
+        [*votes, *smoothed, *output].concat()
+    }
+
+    /// Whether each foot is held.
+    pub fn planted(&self) -> Vec<u8> {
+        self.0.planted.map(u8::from).into()
+    }
+
+    /// The rows that vote.
+    pub fn rows(&self) -> Vec<u32> {
+        self.0.rows.iter().map(|&row| row as u32).collect()
+    }
+
+    /// g of each, left and right interleaved.
+    pub fn voices(&self) -> Vec<f32> {
+        self.0.voices.concat()
+    }
+
+    /// c of each, left and right interleaved.
+    pub fn contacts(&self) -> Vec<u8> {
+        self.0.contacts.iter().flat_map(|c| c.map(u8::from)).collect()
+    }
+}
