@@ -1,6 +1,6 @@
 /**
- * The packages that visitors load style a file as the command does, byte for byte: the engine's, and the Compare view's
- * with the methods that are trained beforehand.
+ * The packages that visitors load style a file as the command does, byte for byte: the engine's, the Compare view's with
+ * the methods that are trained beforehand, and the lessons'.
  */
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -26,6 +26,7 @@ interface Glue {
 const PACKAGES = {
   engine: { folder: "web/engine/pkg", name: "strut_wasm", methods: ["mar", "lar", "nn", "knn"] },
   compare: { folder: "web/engine/compare/pkg", name: "strut_compare", methods: ["mar", "gar", "lti", "gp"] },
+  learn: { folder: "web/engine/learn/pkg", name: "strut_learn", methods: ["mar", "knn"] },
 };
 
 const CLIP = "demo/walk_neutral_001.bvh";

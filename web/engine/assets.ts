@@ -8,6 +8,7 @@ export type AssetName =
   | "strut_wasm_key_style_bg.wasm"
   | "strut_wasm_character_bg.wasm"
   | "strut_compare_bg.wasm"
+  | "strut_learn_bg.wasm"
   | "built_in.bin"
   | "walk.bin";
 

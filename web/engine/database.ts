@@ -14,15 +14,24 @@ export type DatabaseSource =
 export class Database extends Handle<RawDatabase> {
   readonly info: DatabaseInfo;
 
+  private constructor(raw: RawDatabase, name: string) {
+    super(raw, "database");
+    this.info = guarded(() => describe(raw, name));
+  }
+
   /** @throws StrutError `bad-file` with what is wrong with the bytes */
-  constructor(glue: Glue, source: DatabaseSource) {
+  static open(glue: Glue, source: DatabaseSource): Database {
     const raw = guarded(() =>
       source.kind === "demo"
         ? glue.Database.fromPacked(source.motions)
         : glue.Database.fromBytes(new Uint8Array(source.bytes)),
     );
-    super(raw, "database");
-    this.info = guarded(() => describe(raw, source.kind === "demo" ? "built-in" : source.name));
+    return new Database(raw, source.kind === "demo" ? "built-in" : source.name);
+  }
+
+  /** Takes charge of a database that another package made. */
+  static of(raw: RawDatabase, name: string): Database {
+    return new Database(raw, name);
   }
 }
 

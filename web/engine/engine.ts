@@ -20,7 +20,7 @@ export class Engine {
   }
 
   openDatabase(source: DatabaseSource): Database {
-    return new Database(this.glue, source);
+    return Database.open(this.glue, source);
   }
 
   /** Names of the inputs among packed motions, the default first. */
@@ -34,7 +34,7 @@ export class Engine {
   }
 
   openInput(database: Database, source: InputSource): Input {
-    return new Input(this.glue, database, source);
+    return Input.open(this.glue, database, source);
   }
 
   /** What all that is open on this thread takes. */

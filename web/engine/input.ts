@@ -15,16 +15,7 @@ export type InputSource =
 export class Input extends Handle<RawInput> {
   readonly info: InputInfo;
 
-  /**
-   * Reads the source and carries it over to the database's humanoid.
-   * @throws StrutError `bad-file` or, for a built-in name that there is not, `bad-input`
-   */
-  constructor(glue: Glue, database: Database, source: InputSource) {
-    const raw = guarded(() =>
-      source.kind === "built-in"
-        ? glue.Input.fromPacked(database.raw, source.motions, source.name)
-        : glue.Input.fromBvh(database.raw, new Uint8Array(source.bytes)),
-    );
+  private constructor(raw: RawInput, database: Database, source: Pick<InputSource, "kind" | "name">) {
     super(raw, "input");
     const { rateHz } = database.info;
     this.info = guarded(() => ({
@@ -37,6 +28,24 @@ export class Input extends Handle<RawInput> {
       poses: raw.poses(),
       contacts: raw.contacts(),
     }));
+  }
+
+  /**
+   * Reads the source and carries it over to the database's humanoid.
+   * @throws StrutError `bad-file` or, for a built-in name that there is not, `bad-input`
+   */
+  static open(glue: Glue, database: Database, source: InputSource): Input {
+    const raw = guarded(() =>
+      source.kind === "built-in"
+        ? glue.Input.fromPacked(database.raw, source.motions, source.name)
+        : glue.Input.fromBvh(database.raw, new Uint8Array(source.bytes)),
+    );
+    return new Input(raw, database, source);
+  }
+
+  /** Takes charge of an input that another package made. */
+  static of(raw: RawInput, database: Database, source: Pick<InputSource, "kind" | "name">): Input {
+    return new Input(raw, database, source);
   }
 }
 
