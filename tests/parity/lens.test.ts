@@ -66,7 +66,10 @@ test("neighbours, weights and durations of a frame are those of the command's tr
     });
     const { weights } = lens.classes();
     database.info.classes.forEach(({ action, style }, i) => {
-      expect(weights[i]).toBeCloseTo(class_weights[`${action}/${style}`] ?? 0, 5);
+      // The trace leaves out weights below 1e-4.
+      const traced = class_weights[`${action}/${style}`];
+      if (traced === undefined) expect(weights[i]).toBeLessThan(1e-4);
+      else expect(weights[i]).toBeCloseTo(traced, 5);
     });
     // The lens is warmed up on sixty frames, the command on all.
     expect(lens.stepSecs()).toBeCloseTo(dt, 4);

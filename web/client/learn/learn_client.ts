@@ -3,7 +3,25 @@ import type { LearnEngine } from "./protocol";
 import { type ClientPort, RpcClient, remote } from "./rpc";
 
 /** How many arguments each call has before its options. */
-const ARITY = { inputs: 0, styles: 0, motion: 1, counterpart: 2 } as const satisfies Record<keyof LearnEngine, number>;
+const ARITY = {
+  inputs: 0,
+  styles: 0,
+  database: 0,
+  motion: 1,
+  counterpart: 2,
+  stylize: 2,
+  styled: 1,
+  classes: 1,
+  neighbours: 3,
+  profile: 2,
+  rowPoses: 1,
+  fit: 2,
+  sweep: 3,
+  timing: 2,
+  contacts: 1,
+  clips: 1,
+  register: 4,
+} as const satisfies Record<keyof LearnEngine, number>;
 
 /** An engine, and its end. */
 export type LearnClient = LearnEngine & { dispose(): void };

@@ -1,7 +1,7 @@
 /** The entry of the lessons' worker. */
-import { serveComparePackage } from "../../engine/compare/wasm";
+import { serveLearnPackage } from "../../engine/learn/wasm";
 import { createLearnTable } from "./learn_table";
 import { answerCalls, type Methods, type ServerPort } from "./rpc";
 
-serveComparePackage();
+serveLearnPackage();
 answerCalls(self as unknown as ServerPort, createLearnTable() as unknown as Methods);

@@ -48,7 +48,10 @@ impl Input {
 
 /// A look into one frame of an input that takes on a style.
 #[wasm_bindgen]
-pub struct Lens(transfer::Lens);
+pub struct Lens {
+    lens: transfer::Lens,
+    change: QueryChange,
+}
 
 #[wasm_bindgen]
 impl Lens {
@@ -59,7 +62,8 @@ impl Lens {
     #[wasm_bindgen(constructor)]
     pub fn new(database: &Database, input: &Input, styles: &[f32]) -> Result<Self, EngineError> {
         let (model, poses) = (Arc::clone(database.model()), input.humanoid().poses.clone());
-        transfer::Lens::new(model, poses, Options::DEFAULT, styles).map(Self).map_err(EngineError::bad_input)
+        let lens = transfer::Lens::new(model, poses, Options::DEFAULT, styles).map_err(EngineError::bad_input)?;
+        Ok(Self { lens, change: QueryChange::default() })
     }
 
     /// Replaces the options that lessons turn.
@@ -76,8 +80,9 @@ impl Lens {
         coherence: bool,
     ) -> Result<(), EngineError> {
         // The cast saturates: what is no count becomes 0 or too large, and is refused as such.
-        let options = Options { k: k as usize, lambda, rho, kappa, delta, coherence, ..*self.0.stylizer().options() };
-        self.0.set_options(options).map_err(EngineError::bad_input)
+        let options =
+            Options { k: k as usize, lambda, rho, kappa, delta, coherence, ..*self.lens.stylizer().options() };
+        self.lens.set_options(options).map_err(EngineError::bad_input)
     }
 
     /// One weight a style of the database.
@@ -86,13 +91,13 @@ impl Lens {
     /// If there is not one finite weight a style; the former weights then stay.
     #[wasm_bindgen(js_name = setStyles)]
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), EngineError> {
-        self.0.set_styles(weights).map_err(EngineError::bad_input)
+        self.lens.set_styles(weights).map_err(EngineError::bad_input)
     }
 
     /// Looks at a frame, and gives the one that is looked at: the nearest that has two before it.
     pub fn at(&mut self, frame: usize) -> usize {
-        self.0.look_at(frame);
-        self.0.frame()
+        self.lens.look_at(frame);
+        self.lens.frame()
     }
 
     /// Changes what neighbours and profiles are asked for: for each turned joint its number, and an axis times an angle
@@ -109,19 +114,19 @@ impl Lens {
         z: f32,
         reversed: bool,
     ) -> Result<Vec<f32>, EngineError> {
-        self.0.change_query(change(turns, heading, [x, z], reversed)?);
-        Ok(floats_of([self.0.query_pose()].iter()))
+        self.change = change(turns, heading, [x, z], reversed)?;
+        Ok(floats_of([self.lens.query_pose(&self.change)].iter()))
     }
 
     /// λⱼ and Dⱼ in m² of every class, interleaved.
     pub fn classes(&mut self) -> Vec<f32> {
-        self.0.classes().iter().flat_map(|c| [c.weight, c.mean_square]).collect()
+        self.lens.classes().iter().flat_map(|c| [c.weight, c.mean_square]).collect()
     }
 
     /// The class with the largest weight.
     #[wasm_bindgen(js_name = heaviestClass)]
     pub fn heaviest_class(&self) -> Option<usize> {
-        self.0.heaviest_class()
+        self.lens.heaviest_class()
     }
 
     /// The first row of a class; its rows follow each other.
@@ -130,7 +135,7 @@ impl Lens {
     /// If there is no such class.
     #[wasm_bindgen(js_name = firstRow)]
     pub fn first_row(&self, class: usize) -> Result<usize, EngineError> {
-        let class = self.0.model().catalogue().classes().get(class);
+        let class = self.lens.model().catalogue().classes().get(class);
         class.map(|c| c.rows.start).ok_or_else(|| EngineError::bad_input("there is no such class"))
     }
 
@@ -139,7 +144,7 @@ impl Lens {
     /// # Errors
     /// If there is no such class.
     pub fn neighbours(&self, class: usize, k: usize, length: usize) -> Result<NearestWindows, EngineError> {
-        let found = self.0.neighbours(class, k, length).map_err(EngineError::bad_input)?;
+        let found = self.lens.neighbours(class, k, length, &self.change).map_err(EngineError::bad_input)?;
         Ok(NearestWindows {
             rows: found.iter().map(|n| n.row as u32).collect(),
             distances: found.iter().map(|n| n.square.sqrt()).collect(),
@@ -153,7 +158,7 @@ impl Lens {
     /// # Errors
     /// If there is no such class.
     pub fn profile(&self, class: usize, length: usize) -> Result<Vec<f32>, EngineError> {
-        let squares = self.0.profile(class, length).map_err(EngineError::bad_input)?;
+        let squares = self.lens.profile(class, length, &self.change).map_err(EngineError::bad_input)?;
         Ok(squares.into_iter().map(f32::sqrt).collect())
     }
 
@@ -163,28 +168,28 @@ impl Lens {
     /// If there is no such row.
     #[wasm_bindgen(js_name = rowPose)]
     pub fn row_pose(&self, row: usize) -> Result<Vec<f32>, EngineError> {
-        self.0.row_pose(row).map(|pose| floats_of([pose].iter())).map_err(EngineError::bad_input)
+        self.lens.row_pose(row).map(|pose| floats_of([pose].iter())).map_err(EngineError::bad_input)
     }
 
     /// The degrees of freedom of every frame of the input, [`transfer`]'s padding included, and how many a frame has.
     pub fn rows(&self) -> Vec<f32> {
-        self.0.rows().concat()
+        self.lens.rows().concat()
     }
 
     /// Mean rotation of each joint, x y z w: the centres of the exponential maps.
     pub fn means(&self) -> Vec<f32> {
-        self.0.model().catalogue().chart.means.iter().flat_map(|q| q.to_array()).collect()
+        self.lens.model().catalogue().chart.means.iter().flat_map(|q| q.to_array()).collect()
     }
 
     /// The styled pose of the frame, before it walks on.
     pub fn styled(&self) -> Vec<f32> {
-        floats_of([self.0.stylizer().frame().pose].iter())
+        floats_of([self.lens.stylizer().frame().pose].iter())
     }
 
     /// Seconds that the styled frame lasts.
     #[wasm_bindgen(js_name = stepSecs)]
     pub fn step_secs(&self) -> f32 {
-        self.0.stylizer().frame().dt_secs
+        self.lens.stylizer().frame().dt_secs
     }
 
     /// The line of one degree of freedom in the heaviest class, for the style of the greatest weight.
@@ -192,7 +197,7 @@ impl Lens {
     /// # Errors
     /// If a setting is out of range.
     pub fn fit(&self, dof: usize, k: usize, lambda: f32, noise: f32, taper: bool) -> Result<Fit, EngineError> {
-        self.0.fit(&FitSettings { dof, k, lambda, noise, taper }).map(Fit).map_err(EngineError::bad_input)
+        self.lens.fit(&FitSettings { dof, k, lambda, noise, taper }).map(Fit).map_err(EngineError::bad_input)
     }
 
     /// For each λ the root mean square error of one degree of freedom that is predicted over the whole input from its own
@@ -211,7 +216,7 @@ impl Lens {
     ) -> Result<Vec<f32>, EngineError> {
         let ideal: Vec<Pose> = poses_of(ideal)?.collect();
         let settings = FitSettings { dof, k, lambda: 0.0, noise, taper };
-        self.0.sweep(&settings, lambdas, &ideal).map_err(EngineError::bad_input)
+        self.lens.sweep(&settings, lambdas, &ideal).map_err(EngineError::bad_input)
     }
 
     /// How long the neighbours say that the frame lasts in a style with a weight.
@@ -219,12 +224,12 @@ impl Lens {
     /// # Errors
     /// If there is no such style, or it has no weight.
     pub fn timing(&self, style: usize) -> Result<FrameTiming, EngineError> {
-        self.0.timing(style).map(FrameTiming).map_err(EngineError::bad_input)
+        self.lens.timing(style).map(FrameTiming).map_err(EngineError::bad_input)
     }
 
     /// Who says that the feet stand.
     pub fn contacts(&self) -> FrameContacts {
-        FrameContacts(self.0.contacts())
+        FrameContacts(self.lens.contacts())
     }
 }
 

@@ -1,6 +1,6 @@
 //! The line that is fitted to one degree of freedom (Eq. 2), with settings of its own.
 
-use super::{Lens, LensError, WeightedNeighbour, among};
+use super::{Lens, LensError, QueryChange, WeightedNeighbour, among};
 use crate::catalogue::{QuantisedRows, Rows};
 use crate::math::float_funcs::{cos, ln};
 use crate::math::lanes::{Lane, WIDTH};
@@ -87,7 +87,8 @@ impl Lens {
         settings.validate()?;
         let class = self.heaviest_class().unwrap_or(0);
         let style = self.greatest_style();
-        let neighbours = self.neighbours(class, settings.k, self.model().index().window_length())?;
+        let neighbours =
+            self.neighbours(class, settings.k, self.model().index().window_length(), &QueryChange::default())?;
         let examples = self.examples(settings, style, &neighbours, &self.now);
         let (lane, at) = settings.lane();
         let beta = examples.lane.fit(settings.lambda * examples.weight_sum, self.model().catalogue().sigma());

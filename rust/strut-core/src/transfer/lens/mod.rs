@@ -108,7 +108,6 @@ pub struct Lens {
     previous: PoseRow,
     /// yₜ₋₁ of every style, where it is predicted.
     outputs_before: Vec<Option<PoseRow>>,
-    change: QueryChange,
     /// The windows of each length that was asked for.
     profiles: [OnceLock<Profile>; MAX_WINDOW],
     scratch: Scratch,
@@ -135,7 +134,6 @@ impl Lens {
             now: [0.0; ROW],
             previous: [0.0; ROW],
             outputs_before,
-            change: QueryChange::default(),
             profiles: Default::default(),
             scratch,
         };
@@ -236,14 +234,21 @@ impl Lens {
         weights.iter().enumerate().map(distance).collect()
     }
 
-    /// The `k` windows of `length` frames in a class that are nearest to the query, nearest first; fewer if there are fewer.
+    /// The `k` windows of `length` frames in a class that are nearest to the changed query, nearest first; fewer if there are
+    /// fewer.
     ///
     /// # Errors
     /// If there is no such class.
-    pub fn neighbours(&self, class: usize, k: usize, length: usize) -> Result<Vec<WeightedNeighbour>, LensError> {
+    pub fn neighbours(
+        &self,
+        class: usize,
+        k: usize,
+        length: usize,
+        change: &QueryChange,
+    ) -> Result<Vec<WeightedNeighbour>, LensError> {
         let mut nearest = Neighbours::with_capacity(k);
         nearest.begin(k);
-        self.for_each_window(class, length, |window| nearest.offer(window))?;
+        self.for_each_window(class, length, change, |window| nearest.offer(window))?;
         let mut weights = Vec::new();
         if self.stylizer.options().coherence {
             taper(nearest.as_slice(), &mut weights);
@@ -255,32 +260,39 @@ impl Lens {
         Ok(nearest.as_slice().iter().zip(&weights).map(weighted).collect())
     }
 
-    /// D between the query and the window of `length` frames that ends at each row of a class, m²; NaN at rows where none
-    /// ends.
+    /// D between the changed query and the window of `length` frames that ends at each row of a class, m²; NaN at rows where
+    /// none ends.
     ///
     /// # Errors
     /// If there is no such class.
-    pub fn profile(&self, class: usize, length: usize) -> Result<Vec<f32>, LensError> {
+    pub fn profile(&self, class: usize, length: usize, change: &QueryChange) -> Result<Vec<f32>, LensError> {
         let classes = self.model().catalogue().classes();
         let rows = classes[among("class", class, classes.len())?].rows.clone();
         let mut squares = vec![f32::NAN; rows.len()];
-        self.for_each_window(class, length, |window| squares[window.row as usize - rows.start] = window.distance)?;
+        self.for_each_window(class, length, change, |window| {
+            squares[window.row as usize - rows.start] = window.distance;
+        })?;
         Ok(squares)
     }
 
-    /// Every window of `length` frames of a class with its distance from the query.
-    fn for_each_window(&self, class: usize, length: usize, visit: impl FnMut(Neighbour)) -> Result<(), LensError> {
+    /// Every window of `length` frames of a class with its distance from the changed query.
+    fn for_each_window(
+        &self,
+        class: usize,
+        length: usize,
+        change: &QueryChange,
+        visit: impl FnMut(Neighbour),
+    ) -> Result<(), LensError> {
         let class = among("class", class, self.model().catalogue().classes().len())?;
         let profile =
             self.profiles[length.clamp(1, MAX_WINDOW) - 1].get_or_init(|| Profile::new(self.model().index(), length));
         let window;
         // The stylizer's own window where nothing is changed, so that distances are its distances to the last bit.
-        let own =
-            self.change == QueryChange::default() && profile.window_length() == self.model().index().window_length();
+        let own = *change == QueryChange::default() && profile.window_length() == self.model().index().window_length();
         let query = if own {
             self.stylizer.inside().window
         } else {
-            window = self.query_window(profile.window_length());
+            window = self.query_window(profile.window_length(), change);
             &window
         };
         profile.distances(query, class).for_each(visit);

@@ -66,19 +66,14 @@ fn finite(what: &'static str, value: f32) -> Result<(), LensError> {
 }
 
 impl Lens {
-    /// Changes what neighbours and profiles are asked for; the prediction stays that of the input.
-    pub fn change_query(&mut self, change: QueryChange) {
-        self.change = change;
-    }
-
-    /// The pose of the query: the frame's, changed.
-    pub fn query_pose(&self) -> Pose {
+    /// The pose of a changed query.
+    pub fn query_pose(&self, change: &QueryChange) -> Pose {
         let pose = self.input[self.frame];
-        self.change.moved(self.change.turned(&pose), pose.root)
+        change.moved(change.turned(&pose), pose.root)
     }
 
     /// The changed window of `length` frames.
-    pub(super) fn query_window(&self, length: usize) -> QueryWindow {
+    pub(super) fn query_window(&self, length: usize, change: &QueryChange) -> QueryWindow {
         let catalogue = self.model().catalogue();
         let mut window = QueryWindow::new(length);
         let mut heading = HeadingFilter::default();
@@ -86,8 +81,8 @@ impl Lens {
         let frames = &self.input[first..=self.frame];
         let about = self.input[self.frame].root;
         for i in 0..frames.len() {
-            let pose = &frames[if self.change.reversed { frames.len() - 1 - i } else { i }];
-            let pose = self.change.moved(self.change.turned(pose), about);
+            let pose = &frames[if change.reversed { frames.len() - 1 - i } else { i }];
+            let pose = change.moved(change.turned(pose), about);
             window.follow(&pose, &catalogue.proportions, catalogue.rate_hz, &mut heading);
         }
         window

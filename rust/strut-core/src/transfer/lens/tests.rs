@@ -57,7 +57,7 @@ fn neighbours_and_classes_are_those_of_the_stylizer() {
         lens.look_at(frame);
         let class = lens.heaviest_class().unwrap();
         let own = lens.stylizer().trace().neighbours().map(|n| n.distance).collect::<Vec<f32>>();
-        let found = lens.neighbours(class, own.len(), 5).unwrap();
+        let found = lens.neighbours(class, own.len(), 5, &QueryChange::default()).unwrap();
         assert_eq!(found.iter().map(|n| n.square.sqrt()).collect::<Vec<f32>>(), own);
         let classes = lens.classes();
         let least = classes.iter().map(|c| c.mean_square).fold(f32::INFINITY, f32::min);
@@ -165,28 +165,30 @@ fn durations_and_votes_come_out_of_what_is_shown() {
 fn a_query_keeps_its_distances_when_it_moves_over_the_ground_and_not_when_time_runs_backwards() {
     let mut lens = lens(Options::DEFAULT);
     lens.look_at(70);
-    let here: Vec<Vec<f32>> = [1, 5, 9, 15].map(|s| lens.profile(0, s).unwrap()).into();
-    lens.change_query(QueryChange::new([], 1.57, [1.0, -2.0], false).unwrap());
-    let root = lens.query_pose().root - lens.input[70].root;
+    let as_it_is = QueryChange::default();
+    let here: Vec<Vec<f32>> = [1, 5, 9, 15].map(|s| lens.profile(0, s, &as_it_is).unwrap()).into();
+    let moved = QueryChange::new([], 1.57, [1.0, -2.0], false).unwrap();
+    let root = lens.query_pose(&moved).root - lens.input[70].root;
     assert!((root.x - 1.0).abs() < 1e-6 && (root.z + 2.0).abs() < 1e-6);
     for (s, here) in [1, 5, 9, 15].into_iter().zip(&here) {
-        for (a, b) in lens.profile(0, s).unwrap().iter().zip(here) {
+        for (a, b) in lens.profile(0, s, &moved).unwrap().iter().zip(here) {
             assert!(a.is_nan() == b.is_nan() && (a.is_nan() || (a.sqrt() - b.sqrt()).abs() < 1e-4), "{s}: {a} {b}");
         }
     }
-    lens.change_query(QueryChange { reversed: true, ..QueryChange::default() });
+    let reversed = QueryChange { reversed: true, ..QueryChange::default() };
     let least = |squares: &[f32]| squares.iter().copied().fold(f32::INFINITY, f32::min);
-    assert!((least(&lens.profile(0, 1).unwrap()) - least(&here[0])).abs() < 1e-6, "a pose has no direction");
-    assert!(least(&lens.profile(0, 9).unwrap()) > 4.0 * least(&here[2]));
+    assert!((least(&lens.profile(0, 1, &reversed).unwrap()) - least(&here[0])).abs() < 1e-6, "a pose has no direction");
+    assert!(least(&lens.profile(0, 9, &reversed).unwrap()) > 4.0 * least(&here[2]));
     let turned = QueryChange::new([(10, [0.5, 0.0, 0.0])], 0.0, [0.0; 2], false).unwrap();
-    lens.change_query(turned);
-    assert!(least(&lens.profile(0, 5).unwrap()) > least(&here[1]));
+    assert!(least(&lens.profile(0, 5, &turned).unwrap()) > least(&here[1]));
 }
 
 #[test]
 fn what_is_not_there_is_an_error() {
-    let mut lens = lens(Options::DEFAULT);
-    assert!(lens.profile(99, 5).is_err() && lens.neighbours(99, 5, 5).is_err() && lens.timing(9).is_err());
+    let (mut lens, change) = (lens(Options::DEFAULT), QueryChange::default());
+    assert!(
+        lens.profile(99, 5, &change).is_err() && lens.neighbours(99, 5, 5, &change).is_err() && lens.timing(9).is_err()
+    );
     assert!(lens.row_pose(1 << 20).is_err() && lens.row_pose(3).is_ok());
     assert!(lens.fit(&FitSettings { dof: DOFS, ..FIT }).is_err());
     assert!(lens.fit(&FitSettings { k: 0, ..FIT }).is_err());
