@@ -12,8 +12,10 @@ const projects = [
 
 export default defineConfig({
   test: {
-    testTimeout: 120_000,
-    hookTimeout: 120_000,
+    // Bounds for slow machines; what fails does not wait for them.
+    testTimeout: 300_000,
+    hookTimeout: 300_000,
+    expect: { poll: { timeout: 60_000 } },
     projects: projects.map((project, groupOrder) => ({
       extends: true,
       test: { ...project, sequence: { groupOrder } },

@@ -3,7 +3,8 @@ import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { axeFaults } from "./axe";
-import { closePage, dragHolding, eventually, middleOf, openPage, openSite, screenshot, visit } from "./browser";
+import { closePage, dragHolding, eventually, middleOf, openPage, openSite, screenshot, shown, visit } from "./browser";
+import { atRest, transitionsEnded } from "./rest";
 
 declare const window: { strut: StrutHook };
 
@@ -22,11 +23,15 @@ beforeAll(async () => {
 
 const weights = () =>
   page.evaluate(() => Object.fromEntries(window.strut.state.styles.map(({ name, weight }) => [name, weight])));
-const handle = () => page.getByRole("slider", { name: "Style", exact: true });
+const handleOf = (of: Page) => of.getByRole("slider", { name: "Style", exact: true });
+const handle = () => handleOf(page);
+/** Waits until the handle, which glides to where a link puts it, is there. */
+const handleAtRest = (of = page) => atRest(of, () => middleOf(handleOf(of)));
 
 describe("a drag", () => {
   it("is undone by Escape, while the page's own Escape stays silent", async () => {
     await visit(page, STYLES);
+    await handleAtRest();
     const [from, to] = [
       await middleOf(handle()),
       await middleOf(page.locator('.vertex[data-style="old"] .vertex-dot')),
@@ -43,18 +48,20 @@ describe("a drag", () => {
   it("that Escape cancels leaves nothing to undo", async () => {
     const fresh = await openPage(browser, url, { size: WIDE, hash: `${STYLES}&part=legs` });
     const state = () => fresh.evaluate(() => window.strut.state);
-    const { x, y } = await middleOf(fresh.getByRole("slider", { name: "Style", exact: true }));
+    await handleAtRest(fresh);
+    const { x, y } = await middleOf(handleOf(fresh));
     await dragHolding(fresh, { x, y }, { x, y: y + 15 });
-    expect((await state()).parts.legs).toBeDefined();
+    await eventually(async () => (await state()).parts.legs).toBeDefined();
     await fresh.keyboard.press("Escape");
     await fresh.mouse.up();
-    expect((await state()).parts, "the legs have no style of their own").toEqual({});
-    expect(await fresh.getByRole("button", { name: "Undo", exact: true }).isDisabled()).toBe(true);
+    await eventually(async () => (await state()).parts, "the legs have no style of their own").toEqual({});
+    await eventually(() => fresh.getByRole("button", { name: "Undo", exact: true }).isDisabled()).toBe(true);
     await closePage(fresh);
   });
 
   it("ends where the pointer is lost", async () => {
     await visit(page, STYLES);
+    await handleAtRest();
     const [from, to] = [
       await middleOf(handle()),
       await middleOf(page.locator('.vertex[data-style="old"] .vertex-dot')),
@@ -79,17 +86,18 @@ describe("the weights", () => {
     await visit(page, STYLES);
     const group = page.getByRole("group", { name: "Weights of the styles" });
     const field = group.getByRole("textbox", { name: "proud" });
-    expect(await group.getByRole("textbox").count()).toBe(3);
+    await eventually(() => group.getByRole("textbox").count()).toBe(3);
     await field.focus();
     // It can be seen while it is used.
-    expect(await field.evaluate((e) => getComputedStyle(e.closest(".polygon-weights")!).clipPath)).toBe("none");
+    const clipPath = () => field.evaluate((e) => getComputedStyle(e.closest(".polygon-weights")!).clipPath);
+    await eventually(clipPath).toBe("none");
     await field.fill("0.2");
     await page.keyboard.press("Enter");
     await eventually(weights).toEqual({ proud: 0.2, old: 0.2, childlike: expect.closeTo(0.6) });
     await field.fill("much");
     await page.keyboard.press("Tab");
-    expect(await field.inputValue()).toBe("0.20");
-    expect(await axeFaults(page)).toEqual([]);
+    await eventually(() => field.inputValue()).toBe("0.20");
+    await eventually(() => axeFaults(page)).toEqual([]);
   });
 });
 
@@ -153,17 +161,18 @@ describe("text of twice the size", () => {
     await session.send("Page.enable");
     await session.send("Page.setFontSizes", { fontSizes: { standard: 32, fixed: 26 } });
     await large.goto(`${url}#${STYLES}`);
-    await large.waitForFunction(() => window.strut?.analysed);
+    await shown(large);
+    await large.waitForFunction(() => window.strut.analysed);
     expect(await large.evaluate(() => getComputedStyle(document.querySelector(".label")!).fontSize)).toMatch(
       /^2[4-8]px$/,
     );
     for (const tab of ["style", "input", "model", "curves"]) {
       await visit(large, `${STYLES}&tab=${tab}`);
-      expect(await cutOff(large), tab).toEqual([]);
-      const wide = await large.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-      expect(wide, tab).toBeLessThanOrEqual(0);
+      await eventually(() => cutOff(large), tab).toEqual([]);
+      const wide = () => large.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      await eventually(wide, tab).toBeLessThanOrEqual(0);
     }
-    expect(await axeFaults(large)).toEqual([]);
+    await eventually(() => axeFaults(large)).toEqual([]);
     await screenshot(large, "large-text");
     for (const [view, drawing] of [
       ["walk", ".planner"],
@@ -176,9 +185,9 @@ describe("text of twice the size", () => {
       await visit(page, hash);
       await large.locator(`${drawing} text`).first().waitFor({ state: "visible" });
       await page.locator(`${drawing} text`).first().waitFor({ state: "visible" });
-      const [{ size: usual }, { size, outside }] = [await labelsOf(page, drawing), await labelsOf(large, drawing)];
-      expect(size / usual, drawing).toBeCloseTo(2, 5);
-      expect(outside, drawing).toEqual([]);
+      const growth = async () => (await labelsOf(large, drawing)).size / (await labelsOf(page, drawing)).size;
+      await eventually(growth, drawing).toBeCloseTo(2, 5);
+      await eventually(async () => (await labelsOf(large, drawing)).outside, drawing).toEqual([]);
       await screenshot(large, `large-text-${view}`);
     }
     await context.close();
@@ -191,10 +200,10 @@ describe("forced colours", () => {
     await page.emulateMedia({ forcedColors: "active" });
     const look = (name: string) =>
       page.getByRole("button", { name, exact: true }).evaluate((e) => getComputedStyle(e).backgroundColor);
+    const slider = page.getByRole("slider", { name: "Intensity" });
+    await eventually(() => slider.evaluate((e) => getComputedStyle(e).appearance)).toBe("auto");
+    await transitionsEnded(page);
     expect(await look("Follow")).not.toBe(await look("Ghost"));
-    expect(await page.getByRole("slider", { name: "Intensity" }).evaluate((e) => getComputedStyle(e).appearance)).toBe(
-      "auto",
-    );
     const [outline, panel] = await page.evaluate(() => {
       const of = (selector: string) => getComputedStyle(document.querySelector(selector)!);
       return [of(".polygon-outline").stroke, of("#app").backgroundColor];
@@ -232,7 +241,7 @@ describe("a finger", () => {
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     for (const tab of ["style", "input", "model", "curves"]) {
       await visit(page, `${STYLES}&tab=${tab}`);
-      expect(await missed(), tab).toEqual([]);
+      await eventually(missed, tab).toEqual([]);
     }
   });
 });

@@ -8,6 +8,7 @@ import { expect } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { POSE_FLOATS } from "../../web/humanoid";
 import { type Graphics, softwareGraphics } from "./graphics";
+import { slowDown } from "./slow";
 
 const ROOT = resolve(import.meta.dirname, "../..");
 /** Where screenshots go; git ignores it. */
@@ -17,7 +18,7 @@ const OUTPUT = resolve(ROOT, "tests/output");
 const FLAGS = ["--no-sandbox", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 
 /** Software rendering on a busy machine takes its time; what fails does not wait for this. */
-const SLOW_MS = 110_000;
+const SLOW_MS = 240_000;
 
 /** Expects something of a value that is asked for until it holds. */
 export const eventually = <T>(ask: () => T | Promise<T>, message?: string) =>
@@ -40,12 +41,15 @@ export async function serveSite(folder = "/"): Promise<{ url: string; close: () 
 }
 
 /** Chromium: CHROME_PATH, or where Debian puts it. */
-export function launchBrowser(graphics: Graphics = softwareGraphics()): Promise<Browser> {
-  return chromium.launch({
+export async function launchBrowser(graphics: Graphics = softwareGraphics()): Promise<Browser> {
+  const browser = await chromium.launch({
     executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
     args: [...FLAGS, ...graphics.args],
     env: { ...process.env, ...graphics.env },
   });
+  browser.on("context", (context) => context.setDefaultTimeout(SLOW_MS));
+  slowDown(browser, Number(process.env.STRUT_SLOW ?? 1));
+  return browser;
 }
 
 /** How a page is opened. */
@@ -54,6 +58,8 @@ export interface PageOptions {
   hash?: string;
   size?: { width: number; height: number };
   theme?: "dark" | "light";
+  /** Whether notes stay for minutes: a slow machine may take longer to show the page than a note stays. */
+  notesStay?: boolean;
 }
 
 /** A page on which the character is on screen. A script error fails the test that caused it. */
@@ -65,13 +71,25 @@ export async function openPage(browser: Browser, url: string, options: PageOptio
     permissions: ["clipboard-read", "clipboard-write"],
   });
   const page = await context.newPage();
-  page.setDefaultTimeout(SLOW_MS);
+  if (options.notesStay)
+    await page.addInitScript(() => {
+      const later = globalThis.setTimeout;
+      Object.assign(globalThis, { setTimeout: (act: () => void, ms = 0) => later(act, ms === 6000 ? 600_000 : ms) });
+    });
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
   faults.set(page, errors);
   await page.goto(`${url}${options.hash ? `#${options.hash}` : ""}`);
-  await page.waitForFunction(() => window.strut?.frame !== undefined);
+  await shown(page);
   return page;
+}
+
+/** Waits until a page that was loaded shows its view, which takes keys from then on, and the first frame is there. */
+export async function shown(page: Page): Promise<void> {
+  await page.waitForFunction(() => {
+    const view = document.getElementById("app")?.dataset.view;
+    return window.strut?.frame !== undefined && view === window.strut.state.view;
+  });
 }
 
 /**

@@ -79,8 +79,8 @@ describe("a public data set", () => {
     await page.getByRole("button", { name: "Resume Small set" }).click();
     await licence.getByRole("button", { name: "Download" }).click();
     await eventually(() => heading(page)).toBe("6 clips, 3 styles");
-    expect(await note(page)).toBe("Cite it as: Nobody, 2026.");
-    expect(await page.getByLabel("Name of the database").inputValue()).toBe("Small set");
+    await eventually(() => note(page)).toBe("Cite it as: Nobody, 2026.");
+    await eventually(() => page.getByLabel("Name of the database").inputValue()).toBe("Small set");
     await screenshot(page, "catalogue");
 
     await page.reload();

@@ -41,9 +41,9 @@ test("a character performs, with its author's name, in its own proportions", asy
 
   await dropRig("VRM 1");
   await eventually(performer).toBe("Mannequin");
-  expect(await page.locator(".cast").getByRole("link", { name: "by Strut" }).isVisible()).toBe(true);
+  await eventually(() => page.locator(".cast").getByRole("link", { name: "by Strut" }).isVisible()).toBe(true);
   expect(await alert()).toBe("");
-  expect(await axeFaults(page)).toEqual([]);
+  await eventually(() => axeFaults(page)).toEqual([]);
   await drawn(page, 10);
   await screenshot(page, "character-vrm");
 });
@@ -60,25 +60,27 @@ test("its export is its own file with one more animation", async () => {
 
 test("it stays while other views are looked at, and the mannequin comes back with a click", async () => {
   await page.getByRole("link", { name: "Compare" }).click();
+  await eventually(() => page.title()).toContain("Compare");
   await page.getByRole("link", { name: "Play" }).click();
+  await eventually(() => page.title()).toContain("Play");
   await eventually(performer).toBe("Mannequin");
   await page.getByRole("button", { name: "Back to the mannequin" }).click();
-  expect(await performer()).toBe("");
+  await eventually(performer).toBe("");
 });
 
 test("motions in a file become inputs, without the figure and with it", async () => {
   const { times, ...moving } = movingAnimation();
   await drop("wave.vrma", vrmAnimation({ ...moving, times }));
   await eventually(() => inputName(page)).toBe("wave");
-  expect(await performer(), "the mannequin goes on").toBe("");
+  await eventually(performer, "the mannequin goes on").toBe("");
 
   const character = await loadCharacter(makeRig(family("Mixamo in cm")).glb.buffer);
   const motion = { ...moving, timeOut: times };
   const once = await loadCharacter(character.toGLB({ ...motion, name: "first" }).buffer);
   await drop("dancer.glb", once.toGLB({ ...motion, name: "second" }));
   await eventually(() => inputName(page)).toBe("dancer, first");
-  expect(await performer()).toBe("dancer");
-  expect(await page.getByRole("status").allTextContents()).toContainEqual(
+  await eventually(performer).toBe("dancer");
+  await eventually(() => page.getByRole("status").allTextContents()).toContainEqual(
     expect.stringContaining("The file holds one more motion"),
   );
   await page.getByLabel("Input motion").selectOption("dancer, second");
@@ -90,7 +92,7 @@ test("where names say nothing, a person is offered to check its joints", async (
   await eventually(performer).toBe("unnamed giant");
   await page.getByRole("button", { name: "Check joints" }).click();
   const hips = page.getByRole("dialog").getByLabel("hips");
-  expect(await hips.locator("option:checked").innerText()).toBe("Bone.000");
+  await eventually(() => hips.locator("option:checked").innerText()).toBe("Bone.000");
   await screenshot(page, "character-joints");
   await page.getByRole("button", { name: "Use these joints" }).click();
   await eventually(() => page.getByRole("dialog").count()).toBe(0);
@@ -109,6 +111,7 @@ test("where not everybody may perform it, a person is asked, and no is an answer
   const dialog = page.getByRole("dialog", { name: "Not for everybody" });
   expect(await dialog.innerText()).toContain("The author of “Restricted” does not allow everybody to perform it.");
   await dialog.getByRole("button", { name: "Cancel" }).click();
+  await eventually(() => dialog.count()).toBe(0);
   expect(await performer()).toBe("unnamed giant");
   expect(await alert()).toBe("");
   await dropRig("VRM 1", restricted);

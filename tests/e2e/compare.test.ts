@@ -28,7 +28,7 @@ const faults = () => axeFaults(page);
 
 describe("the columns", () => {
   it("show the input and three methods with live figures, and what differs behind", async () => {
-    expect(await page.locator(".compare-clock").textContent(), "the link's instant").toBe("02.67");
+    await eventually(() => page.locator(".compare-clock").textContent(), "the link's instant").toBe("02.67");
     await eventually(() => figure("nn", "Cost per frame")).toMatch(/^\d\.\d\d ms$/);
     await eventually(() => figure("mar", "Foot skate")).toMatch(/^\d+\.\d cm\/s$/);
     await eventually(() => figure("input", "Pose error")).toMatch(/^\d+\.\d cm$/);
@@ -40,22 +40,22 @@ describe("the columns", () => {
     const late = async (column: string) =>
       Math.abs(Number((await figure(column, "Timing error"))!.replace("−", "-").split(" ")[0]));
     expect(await late("mar")).toBeLessThan(await late("input"));
-    expect(await page.locator(".compare-summary").textContent()).toContain("the real counterpart");
-    expect(await page.getByRole("heading", { level: 1, name: /four ways/ }).isVisible()).toBe(true);
-    expect(await faults()).toEqual([]);
+    await eventually(() => page.locator(".compare-summary").textContent()).toContain("the real counterpart");
+    await eventually(() => page.getByRole("heading", { level: 1, name: /four ways/ }).isVisible()).toBe(true);
+    await eventually(faults).toEqual([]);
     await drawn(page, 5);
     await screenshot(page, "compare-light");
   });
 
   it("are added, changed and removed, and are in the link", async () => {
     await page.getByRole("button", { name: "Method", exact: true }).click();
-    expect((await state()).columns).toEqual(["input", "nn", "lar", "mar", "knn"]);
-    expect(await page.getByRole("button", { name: "Method", exact: true }).isDisabled()).toBe(true);
+    await eventually(async () => (await state()).columns).toEqual(["input", "nn", "lar", "mar", "knn"]);
+    await eventually(() => page.getByRole("button", { name: "Method", exact: true }).isDisabled()).toBe(true);
     await columns().nth(4).selectOption("b");
     await page.getByRole("button", { name: "Remove Nearest neighbour" }).click();
     await eventually(() => page.url()).toContain("columns=input,lar,mar,b");
     await page.keyboard.press("Control+z");
-    expect((await state()).columns).toHaveLength(5);
+    await eventually(async () => (await state()).columns).toHaveLength(5);
     await page.keyboard.press("Control+Shift+z");
   });
 
@@ -70,8 +70,7 @@ describe("the columns", () => {
       await eventually(() => figure(column, "Foot skate"), title).toMatch(/^\d+\.\d cm\/s$/);
     }
     expect(await figure("real", "Pose error"), "nothing to compare with itself").toBe("–");
-    const cost = await figure("mar", "Cost per frame");
-    expect(cost).toMatch(/ms$/);
+    await eventually(() => figure("mar", "Cost per frame")).toMatch(/ms$/);
     await screenshot(page, "compare-real");
   });
 
@@ -88,7 +87,7 @@ describe("the columns", () => {
     const before = await figure("input", "Pose error");
     await page.getByRole("combobox", { name: "Style", exact: true }).selectOption("depressed");
     await eventually(() => figure("input", "Pose error")).not.toBe(before);
-    expect(await page.locator(".compare-summary").textContent()).toMatch(/depressed out/);
+    await eventually(() => page.locator(".compare-summary").textContent()).toMatch(/depressed out/);
   });
 });
 
@@ -104,7 +103,7 @@ describe("the clock", () => {
     const started = await time();
     await eventually(time).not.toBe(started);
     await page.keyboard.press("Space");
-    expect((await state()).playing).toBe(false);
+    await eventually(async () => (await state()).playing).toBe(false);
     await page.locator(".compare-transport input[type=range]").fill("300");
     await eventually(time).toBe("05.00");
   });
@@ -113,7 +112,7 @@ describe("the clock", () => {
     await page.getByRole("link", { name: "Play" }).click();
     await eventually(() => page.locator(".stage canvas").isVisible()).toBe(true);
     await page.waitForFunction(() => window.strut.upToDate);
-    expect(await page.evaluate(() => window.strut.frame!.inputFrame), "at the same instant").toBe(300);
+    await eventually(() => page.evaluate(() => window.strut.frame!.inputFrame), "at the same instant").toBe(300);
   });
 });
 
@@ -124,10 +123,9 @@ describe("a narrow screen", () => {
       location.hash = "view=compare&play=0&frame=160";
     });
     await eventually(() => page.locator(".compare-body").isVisible()).toBe(true);
-    const width = await page.evaluate(() => document.documentElement.scrollWidth);
-    expect(width).toBe(390);
+    await eventually(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
     await transitionsEnded(page);
     await screenshot(page, "compare-narrow");
-    expect(await faults()).toEqual([]);
+    await eventually(faults).toEqual([]);
   });
 });

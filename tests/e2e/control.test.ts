@@ -39,7 +39,7 @@ describe("a part of the body", () => {
     expect(turnOf("left_upper_arm", proud, mixed)).toBeGreaterThan(3);
     expect(turnOf("right_upper_arm", proud, mixed)).toBeLessThan(0.1);
     expect(turnOf("left_lower_leg", proud, mixed)).toBeLessThan(0.1);
-    expect(await part().locator("option:checked").textContent()).toBe("left arm: depressed");
+    await eventually(() => part().locator("option:checked").textContent()).toBe("left arm: depressed");
     await screenshot(page, "body-part");
     await page.keyboard.press("Control+z");
     expect(turnBetween(proud, await settledPose(page))).toBeLessThan(0.1);
@@ -59,7 +59,7 @@ describe("a part of the body", () => {
     ] as const) {
       const at = await page.evaluate((role) => window.strut.jointScreenPosition(role), role);
       await page.mouse.click(at.x, at.y);
-      expect((await state()).part).toBe(expected);
+      await eventually(async () => (await state()).part).toBe(expected);
     }
     const box = (await page.locator(".stage").boundingBox())!;
     await page.mouse.click(box.x + 30, box.y + 300);
@@ -70,7 +70,8 @@ describe("a part of the body", () => {
     await visit(page, `${PAUSED}&part=legs&parts=legs~old:1`);
     const pose = await settledPose(page);
     const other = await openPage(browser, page.url());
-    expect((await other.evaluate(() => window.strut.state)).parts).toEqual({ legs: [{ name: "old", weight: 1 }] });
+    const parts = () => other.evaluate(() => window.strut.state.parts);
+    await eventually(parts).toEqual({ legs: [{ name: "old", weight: 1 }] });
     expect(turnBetween(pose, await settledPose(other))).toBeLessThan(0.2);
     await closePage(other);
   });
@@ -88,7 +89,7 @@ describe("A and B", () => {
     expect(turnBetween(a, await settledPose(page))).toBeLessThan(0.1);
     await page.keyboard.press("x");
     expect(turnBetween(b, await settledPose(page))).toBeLessThan(0.1);
-    expect(await page.getByRole("radio", { name: "B", exact: true }).isChecked()).toBe(true);
+    await eventually(() => page.getByRole("radio", { name: "B", exact: true }).isChecked()).toBe(true);
   });
 });
 
@@ -97,11 +98,11 @@ describe("chance", () => {
     await visit(page, PAUSED);
     const before = (await state()).styles;
     await page.getByRole("button", { name: "Random styles" }).click();
-    const mixed = (await state()).styles;
-    expect(mixed).toHaveLength(3);
-    expect(mixed).not.toEqual(before);
+    const styles = async () => (await state()).styles;
+    await eventually(styles).not.toEqual(before);
+    expect(await styles()).toHaveLength(3);
     await page.keyboard.press("Control+z");
-    expect((await state()).styles).toEqual(before);
+    await eventually(styles).toEqual(before);
   });
 });
 
@@ -124,7 +125,7 @@ describe("the model", () => {
     await page.getByLabel("Method").selectOption("nn");
     expect(turnBetween(mar, await settledPose(page))).toBeGreaterThan(0.2);
     await page.getByRole("button", { name: "Reset the model" }).click();
-    expect((await state()).method).toBe("mar");
+    await eventually(async () => (await state()).method).toBe("mar");
   });
 
   it("takes what the input is said to be, and leaves it to the engine again", async () => {
@@ -133,7 +134,7 @@ describe("the model", () => {
     await eventually(reading).toBe("walk, neutral");
     await page.getByLabel("Action of the input").selectOption("run");
     await eventually(reading).toMatch(/^run, /);
-    expect((await state()).action).toBe("run");
+    await eventually(async () => (await state()).action).toBe("run");
     await page.getByLabel("Style of the input").selectOption("old");
     await eventually(reading).toBe("run, old");
     await page.getByRole("button", { name: "Reset the model" }).click();

@@ -9,8 +9,8 @@ import { everyNth, playedAt, walksIn } from "../clips";
 import { recordings } from "../recordings";
 import { zipOf } from "../zip";
 import { axeFaults } from "./axe";
-import { closePage, dropFile, eventually, launchBrowser, openPage, screenshot, serveSite } from "./browser";
-import { transitionsEnded } from "./rest";
+import { closePage, dropFile, eventually, launchBrowser, openPage, screenshot, serveSite, shown } from "./browser";
+import { showTheme, transitionsEnded } from "./rest";
 
 declare const window: { strut: StrutHook };
 
@@ -98,7 +98,7 @@ describe("a zip of clips", () => {
     expect(await page.getByLabel("Pattern of the file names").inputValue()).toBe("{action}_{style}_{take}.bvh");
     expect(await page.getByRole("radio", { name: "neutral is neutral" }).isChecked()).toBe(true);
     expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\.$/);
-    expect(await databases()).toEqual(["Built-in", "small"]);
+    await eventually(databases).toEqual(["Built-in", "small"]);
 
     const [download] = await Promise.all([
       page.waitForEvent("download"),
@@ -115,14 +115,14 @@ describe("a zip of clips", () => {
     await eventually(openDatabase).toBe("small");
     const vertices = () =>
       page.locator(".vertex").evaluateAll((v) => v.map((e) => e.getAttribute("data-style")).sort());
-    expect(await vertices()).toEqual(["neutral", "old", "proud"]);
-    expect(await page.locator(".stage-title").isVisible()).toBe(true);
+    await eventually(vertices).toEqual(["neutral", "old", "proud"]);
+    await eventually(() => page.locator(".stage-title").isVisible()).toBe(true);
     expect(await alert()).toBe("");
 
     await eventually(() => page.url()).toContain("db=small");
     await page.reload();
-    await page.waitForFunction(() => window.strut?.frame !== undefined);
-    expect(await vertices()).toEqual(["neutral", "old", "proud"]);
+    await shown(page);
+    await eventually(vertices).toEqual(["neutral", "old", "proud"]);
 
     await page.getByRole("link", { name: "Data" }).click();
     await page.getByRole("button", { name: "Delete small" }).click();
@@ -146,7 +146,7 @@ describe("a zip of clips", () => {
     await dropFile(page, "small.zip", smallSet());
     await eventually(heading).toBe("5 clips, 3 styles");
     await read();
-    expect(await page.evaluate(() => window.strut.state.view)).toBe("data");
+    await eventually(() => page.evaluate(() => window.strut.state.view)).toBe("data");
   });
 });
 
@@ -155,28 +155,30 @@ describe("a database of a name that is taken", () => {
     await choose(written("walk_neutral_1.bvh", walks.neutral), written("walk_old_1.bvh", walks.old));
     await read();
     const name = page.getByLabel("Name of the database");
-    expect(await name.inputValue()).toBe("My clips");
+    await eventually(() => name.inputValue()).toBe("My clips");
     await build();
     await page.getByRole("button", { name: "Clear", exact: true }).click();
     await choose(written("walk_neutral_1.bvh", walks.neutral), written("walk_proud_1.bvh", walks.proud));
     await read();
     await eventually(() => name.inputValue(), "a free name is proposed").toBe("My clips 2");
-    expect(await page.locator(".clip-file").allTextContents()).toEqual(["walk_neutral_1.bvh", "walk_proud_1.bvh"]);
+    const files = () => page.locator(".clip-file").allTextContents();
+    await eventually(files).toEqual(["walk_neutral_1.bvh", "walk_proud_1.bvh"]);
 
     await name.fill("My clips");
     await buildButton().click();
     const question = page.getByRole("dialog", { name: "There is a database “My clips”" });
     expect(await question.textContent()).toContain("It has 2 clips, 2 styles.");
-    expect(await faults()).toEqual([]);
+    await eventually(faults).toEqual([]);
     await screenshot(page, "data-replace");
     await question.getByRole("button", { name: "Cancel" }).click();
+    await eventually(() => question.count()).toBe(0);
     await eventually(() => buildButton().isEnabled()).toBe(true);
     expect(await databases()).toEqual(["Built-in", "My clips"]);
 
     await buildButton().click();
     await question.getByRole("button", { name: "Keep both" }).click();
     await eventually(databases).toEqual(["Built-in", "My clips", "My clips 2"]);
-    expect(await name.inputValue()).toBe("My clips 2");
+    await eventually(() => name.inputValue()).toBe("My clips 2");
     await name.fill("My clips");
     await eventually(() => buildButton().isEnabled()).toBe(true);
     await buildButton().click();
@@ -184,7 +186,7 @@ describe("a database of a name that is taken", () => {
     await question.getByRole("button", { name: "Replace it" }).click();
     await eventually(() => saidReady().count()).toBe(1);
     await eventually(() => buildButton().isEnabled()).toBe(true);
-    expect(await databases()).toEqual(["Built-in", "My clips", "My clips 2"]);
+    await eventually(databases).toEqual(["Built-in", "My clips", "My clips 2"]);
     await page.getByRole("button", { name: "Open My clips", exact: true }).click();
     await eventually(() => page.locator(".vertex[data-style=proud]").count(), "the new one").toBe(1);
     await eventually(openDatabase).toBe("My clips");
@@ -226,10 +228,12 @@ describe("a browser that keeps nothing", () => {
       "“small” is ready, but it will not be here after a reload. The browser does not let this page keep files",
     );
     expect(await heading(), "the clips stay").toBe("5 clips, 3 styles");
-    expect(await databases()).toEqual(["Built-in", "small"]);
+    await eventually(databases).toEqual(["Built-in", "small"]);
     await page.getByRole("button", { name: "Open small" }).click();
     await eventually(() => page.locator(".vertex").count()).toBe(3);
     await eventually(() => page.locator(".stage-title").isVisible()).toBe(true);
+    // It is open all the way: its input has been analysed.
+    await eventually(() => page.evaluate(() => window.strut.analysed)).toBe(true);
     expect(await openDatabase(), "no link could bring it back").toBe("");
   });
 });
@@ -250,13 +254,9 @@ describe("labels", () => {
     await pattern.press("Enter");
     await eventually(heading).toBe("2 clips, 2 styles");
     await page.getByRole("button", { name: "1 left out" }).click();
-    expect(
-      await page
-        .locator(".clip-note")
-        .filter({ hasText: /^Its name does not match/ })
-        .count(),
-    ).toBe(1);
-    expect(await faults()).toEqual([]);
+    const unmatched = page.locator(".clip-note").filter({ hasText: /^Its name does not match/ });
+    await eventually(() => unmatched.count()).toBe(1);
+    await eventually(faults).toEqual([]);
 
     await page.getByLabel("action of takes/odd.bvh").fill("walk");
     await page.getByLabel("action of takes/odd.bvh").press("Tab");
@@ -267,7 +267,7 @@ describe("labels", () => {
     await eventually(heading).toBe("2 clips, 2 styles");
     await page.getByRole("button", { name: "Redo", exact: true }).first().click();
     await eventually(heading).toBe("3 clips, 3 styles");
-    expect(await page.getByRole("radio", { name: "plain is neutral" }).isChecked()).toBe(true);
+    await eventually(() => page.getByRole("radio", { name: "plain is neutral" }).isChecked()).toBe(true);
     // A style is renamed wherever it is.
     await page.getByLabel("Name of the style plain").fill("calm");
     await page.getByLabel("Name of the style plain").press("Enter");
@@ -291,11 +291,11 @@ describe("labels", () => {
     );
     await read();
     const joints = page.getByRole("button", { name: "Joints of skeleton 1" });
-    expect(await joints.textContent()).toBe("Check joints");
+    await eventually(() => joints.textContent()).toBe("Check joints");
     await joints.click();
     const dialog = page.getByRole("dialog");
-    expect(await dialog.getByRole("combobox").count()).toBe(21);
-    expect(await faults()).toEqual([]);
+    await eventually(() => dialog.getByRole("combobox").count()).toBe(21);
+    await eventually(faults).toEqual([]);
     await screenshot(page, "data-joints");
     await dialog.getByRole("button", { name: "Use these joints" }).click();
     await eventually(() => joints.textContent()).toBe("Joints");
@@ -321,22 +321,23 @@ describe("hostile input", () => {
       ),
     );
     await read();
-    expect(await alert()).toContain("leads out of the archive and was left out.");
-    expect(await heading()).toBe("4 clips, 2 styles");
-    const names = page.locator(".matrix tbody .class-name");
-    expect(await names.evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value))).toContain(
-      style,
-    );
+    await eventually(alert).toContain("leads out of the archive and was left out.");
+    await eventually(heading).toBe("4 clips, 2 styles");
+    const names = () =>
+      page
+        .locator(".matrix tbody .class-name")
+        .evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value));
+    await eventually(names).toContain(style);
     expect(await page.locator("main img").count()).toBe(0);
     await page.getByRole("button", { name: "2 left out" }).click();
-    expect(await page.locator(".clip-note").allTextContents()).toEqual([
+    await eventually(() => page.locator(".clip-note").allTextContents()).toEqual([
       "It unpacks to more than 200 times its size, as no motion does.",
       "The file is empty; a BVH file begins with HIERARCHY.",
     ]);
     await screenshot(page, "data-hostile");
-    const concerns = await page.locator(".concerns").textContent();
-    expect(concerns).toContain("has one clip");
-    expect(concerns).toContain("has no “歩く”");
+    const concerns = () => page.locator(".concerns").textContent();
+    await eventually(concerns).toContain("has one clip");
+    await eventually(concerns).toContain("has no “歩く”");
     expect(await build()).toMatch(/^Two styles ready/);
     expect(await page.title()).not.toBe("bad");
   });
@@ -345,10 +346,10 @@ describe("hostile input", () => {
     const many = Array.from({ length: 10_000 }, (_, i) => ({ name: `walk_old_${i}.bvh`, content: "" }));
     await choose(written("many.zip", zipOf(many)));
     await read();
-    expect(await heading()).toBe("0 clips, 0 styles");
-    expect(await page.getByRole("button", { name: "10\u202f000 left out" }).count()).toBe(1);
+    await eventually(heading).toBe("0 clips, 0 styles");
+    await eventually(() => page.getByRole("button", { name: "10\u202f000 left out" }).count()).toBe(1);
     expect(await page.locator(".clip-row").count()).toBeLessThan(60);
-    expect(await buildButton().isDisabled()).toBe(true);
+    await eventually(() => buildButton().isDisabled()).toBe(true);
   });
 
   it("that is no archive, or holds no clip, gets a sentence", async () => {
@@ -407,18 +408,19 @@ describe("the view", () => {
     ] as const)
       it(`fits and is for everybody (${name}, ${theme})`, async () => {
         await page.setViewportSize({ width, height });
-        await page.emulateMedia({ colorScheme: theme });
-        await transitionsEnded(page);
+        await showTheme(page, theme);
         await screenshot(page, `data-${name}-${theme}-empty`);
-        expect(await faults()).toEqual([]);
+        await eventually(faults).toEqual([]);
         await choose(written("small.zip", smallSet()));
         await read();
         await transitionsEnded(page);
-        const { scrollWidth, scrollHeight, clientWidth, clientHeight } = await page.evaluate(
-          () => document.documentElement,
-        );
-        expect([scrollWidth, scrollHeight]).toEqual([clientWidth, clientHeight]);
-        expect(await faults()).toEqual([]);
+        const overflow = () =>
+          page.evaluate(() => {
+            const { scrollWidth, scrollHeight, clientWidth, clientHeight } = document.documentElement;
+            return [scrollWidth - clientWidth, scrollHeight - clientHeight];
+          });
+        await eventually(overflow).toEqual([0, 0]);
+        await eventually(faults).toEqual([]);
         await screenshot(page, `data-${name}-${theme}`);
       });
 });

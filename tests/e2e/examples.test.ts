@@ -8,7 +8,7 @@ import type { StrutPlayer } from "../../web/element";
 import { type Consumer, installPackage, styledByNode } from "../package/consumer";
 import { serveFolder } from "../package/server";
 import { root } from "../recordings";
-import { drawn, launchBrowser, screenshot } from "./browser";
+import { drawn, eventually, launchBrowser, screenshot } from "./browser";
 
 let browser: Browser;
 let consumer: Consumer;
@@ -67,10 +67,10 @@ test("plain: an article's figure walks, and takes the styles of its buttons", as
   try {
     expect(await stylesOf(page)).toEqual({ proud: 0.6, old: 0.15, childlike: 0.25 });
     await page.getByRole("button", { name: "childlike", exact: true }).first().click();
-    expect(await stylesOf(page)).toEqual({ childlike: 1 });
+    await eventually(() => stylesOf(page)).toEqual({ childlike: 1 });
     await page.getByRole("slider", { name: "Style" }).press("ArrowUp");
     await screenshot(page, "example-plain");
-    expect(await page.locator("#manner").textContent()).toBe("mostly childlike");
+    await eventually(() => page.locator("#manner").textContent()).toBe("mostly childlike");
     expect(errors.filter((line) => !line.includes("KHR_parallel"))).toEqual([]);
   } finally {
     await close();
@@ -94,11 +94,11 @@ test("react: the player follows React's state, and React the visitor", async () 
   try {
     expect(await stylesOf(page)).toEqual({ proud: 1 });
     await page.getByRole("button", { name: "half of each" }).click();
-    expect(await stylesOf(page)).toEqual({ proud: 0.5, old: 0.5 });
+    await eventually(() => stylesOf(page)).toEqual({ proud: 0.5, old: 0.5 });
     await page.getByRole("slider", { name: "Style" }).press("ArrowDown");
+    await eventually(async () => (await stylesOf(page)).old).toBeGreaterThan(0.5);
     const { old } = await stylesOf(page);
-    expect(old).toBeGreaterThan(0.5);
-    await expect.poll(() => page.locator("output").textContent()).toContain(`old ${old!.toFixed(2)}`);
+    await eventually(() => page.locator("output").textContent()).toContain(`old ${old!.toFixed(2)}`);
     await screenshot(page, "example-react");
     expect(errors.filter((line) => !line.includes("KHR_parallel"))).toEqual([]);
   } finally {
@@ -115,12 +115,11 @@ test("three-scene: a figure of its own walks, in a style and then in another", a
     // The camera goes with the figure, and behind head and arms there is nothing that could move.
     const upperBody = () => page.screenshot({ clip: { x: 250, y: 20, width: 300, height: 200 } });
     const before = await upperBody();
-    await drawn(page, 5);
-    expect(before.equals(await upperBody())).toBe(false);
+    await eventually(async () => before.equals(await upperBody())).toBe(false);
     await page.getByText("old", { exact: true }).click();
     await drawn(page, 40);
     await screenshot(page, "example-three-scene-old");
-    expect(await page.locator("#message").textContent()).toBe("");
+    await eventually(() => page.locator("#message").textContent()).toBe("");
     expect(errors).toEqual([]);
   } finally {
     await close();
@@ -164,13 +163,14 @@ test("jupyter: the widget shows a walk, styles it anew as Python asks, and gives
   try {
     await page.waitForFunction(() => window.cleanUp !== undefined);
     const saved = () => page.evaluate(() => window.saved);
-    expect((await saved()).map((text) => text === styledByNode(consumer))).toEqual([true]);
+    const byNode = styledByNode(consumer);
+    await eventually(async () => (await saved()).map((text) => text === byNode)).toEqual([true]);
     await screenshot(page, "example-jupyter");
 
     const before = await page.screenshot();
     await page.evaluate(() => window.model.set("frame", 20));
-    expect(before.equals(await page.screenshot())).toBe(false);
-    expect(await page.getByRole("slider").inputValue()).toBe("20");
+    await eventually(async () => before.equals(await page.screenshot())).toBe(false);
+    await eventually(() => page.getByRole("slider").inputValue()).toBe("20");
 
     // Two changes at once: only the last one is styled to its end.
     await page.evaluate(() => {

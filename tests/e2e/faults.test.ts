@@ -88,7 +88,7 @@ describe("a page that went offline", () => {
     await eventually(async () => turnBetween(before, await settledPose(page))).toBeGreaterThan(3);
     await page.getByRole("link", { name: "Compare" }).click();
     await eventually(() => page.getByRole("alert").textContent()).toMatch(/This view could not be loaded. Reload/);
-    expect(await page.evaluate(() => window.strut.state.view)).toBe("play");
+    await eventually(() => page.evaluate(() => window.strut.state.view)).toBe("play");
     await page.context().setOffline(false);
     await page.getByRole("alert").getByRole("button", { name: "Dismiss" }).click();
   });

@@ -49,6 +49,7 @@ describe("a BVH that is dropped", () => {
   ] as const)
     it.skipIf(!data)(`walks in the style (${name})`, async () => {
       await visit(page, "styles=proud:1,old:0,depressed:0");
+      await eventually(() => inputName(page)).toBe("neutral walk");
       const file = path.split("/").at(-1)!;
       await dropFile(page, file, readFileSync(join(data!, path)));
       await eventually(() => inputName(page)).toBe(file.replace(".bvh", ""));
@@ -65,6 +66,7 @@ describe("a BVH that is dropped", () => {
 
   it.skipIf(!data)("is exported on its own skeleton", async () => {
     await visit(page, "styles=proud:1,old:0,depressed:0");
+    await eventually(() => inputName(page)).toBe("neutral walk");
     const file = readFileSync(join(data!, "xia/neutral_01_000.bvh"), "utf8");
     await dropFile(page, "neutral_01_000.bvh", file);
     await eventually(() => inputName(page)).toBe("neutral_01_000");
@@ -78,6 +80,7 @@ describe("a BVH that is dropped", () => {
 describe("an export", () => {
   it("opens again as an input", async () => {
     await visit(page, "play=0&frame=60&styles=old:1,proud:0,depressed:0");
+    await eventually(() => inputName(page)).toBe("neutral walk");
     const { name, text } = await exported();
     expect(name).toMatch(/-old\.bvh$/);
     await dropFile(page, name, text);
@@ -105,12 +108,13 @@ describe("a file that cannot be used", () => {
     await visit(page, "play=0&frame=60");
     const before = await settledPose(page);
     const input = await inputName(page);
+    expect(input).toBe("neutral walk");
     for (const [what, name, content] of files) {
       await dropFile(page, name, content);
       await eventually(() => alert().textContent(), what).toMatch(/\.$/);
       if (name === "letter.bvh") await screenshot(page, "broken-file");
       await alert().getByRole("button", { name: "Dismiss" }).click();
-      expect(await alert().textContent(), what).toBe("");
+      await eventually(() => alert().textContent(), what).toBe("");
       expect(await inputName(page), what).toBe(input);
     }
     expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { axeFaults } from "./axe";
 import { eventually, openSite, screenshot, type serveSite, visit } from "./browser";
-import { transitionsEnded } from "./rest";
+import { showTheme, transitionsEnded } from "./rest";
 
 declare const window: { strut: StrutHook };
 
@@ -27,9 +27,8 @@ const NARROW = { width: 390, height: 844 };
 /** Shows the page at a size and in the system's theme, in its first state. */
 async function showAt(viewport: { width: number; height: number }, theme: "dark" | "light"): Promise<void> {
   await page.setViewportSize(viewport);
-  await page.emulateMedia({ colorScheme: theme });
   await visit(page, "");
-  await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, theme);
+  await showTheme(page, theme);
   await page.waitForFunction(() => window.strut.analysed);
   // Colours are on their way from one theme to the other for a moment.
   await transitionsEnded(page);
@@ -49,12 +48,11 @@ describe("hidden panels", () => {
     it(`leave the whole page below the bar to the picture (${size.width} px)`, async () => {
       await page.setViewportSize(size);
       await visit(page, "panels=0");
-      const { stage, bar } = await page.evaluate(() => {
-        const box = (selector: string) => document.querySelector(selector)!.getBoundingClientRect().toJSON();
-        return { stage: box(".stage"), bar: box(".bar") };
-      });
-      expect(bar).toMatchObject({ left: 0, width: size.width });
-      expect(stage).toMatchObject({ left: 0, top: bar.bottom, width: size.width, bottom: size.height });
+      const box = (selector: string): Promise<DOMRect> =>
+        page.evaluate((selector) => document.querySelector(selector)!.getBoundingClientRect().toJSON(), selector);
+      await eventually(() => box(".bar")).toMatchObject({ left: 0, width: size.width });
+      const { bottom: top } = await box(".bar");
+      await eventually(() => box(".stage")).toMatchObject({ left: 0, top, width: size.width, bottom: size.height });
     });
 });
 
@@ -63,12 +61,12 @@ describe("a wide screen", () => {
     it(`holds everything without scrolling (${theme})`, async () => {
       await showAt(WIDE, theme);
       expect(page.url()).toContain("/some/folder/");
-      expect(await overflow()).toEqual({ x: 0, y: 0 });
-      const panels = await page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight);
-      expect(panels).toBeLessThanOrEqual(0);
+      await eventually(overflow).toEqual({ x: 0, y: 0 });
+      const panels = () => page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight);
+      await eventually(panels).toBeLessThanOrEqual(0);
       for (const heading of ["Style", "Input", "Model"])
-        expect(await page.getByRole("heading", { name: heading, exact: true }).isVisible()).toBe(true);
-      expect(await faults()).toEqual([]);
+        await eventually(() => page.getByRole("heading", { name: heading, exact: true }).isVisible()).toBe(true);
+      await eventually(faults).toEqual([]);
       await screenshot(page, `wide-${theme}`);
     });
 
@@ -90,26 +88,26 @@ describe("a wide screen", () => {
     await eventually(background).toBe(light);
     await page.getByRole("button", { name: "Dark theme" }).click();
     await eventually(background).toBe(dark);
-    expect(await page.evaluate(() => window.strut.state.theme)).toBe("dark");
+    await eventually(() => page.evaluate(() => window.strut.state.theme)).toBe("dark");
   });
 
   it("opens the export menu", async () => {
     await showAt(WIDE, "dark");
     await page.getByRole("button", { name: "Export" }).click();
-    expect(await page.locator(".export-menu").isVisible()).toBe(true);
-    expect(await faults()).toEqual([]);
+    await eventually(() => page.locator(".export-menu").isVisible()).toBe(true);
+    await eventually(faults).toEqual([]);
     await screenshot(page, "export-menu");
     await page.keyboard.press("Escape");
-    expect(await page.locator(".export-menu").isVisible()).toBe(false);
+    await eventually(() => page.locator(".export-menu").isVisible()).toBe(false);
   });
 
   it("opens and closes the help", async () => {
     await showAt(WIDE, "dark");
     await page.keyboard.press("?");
-    expect(await page.getByRole("dialog").isVisible()).toBe(true);
-    expect(await faults()).toEqual([]);
+    await eventually(() => page.getByRole("dialog").isVisible()).toBe(true);
+    await eventually(faults).toEqual([]);
     await page.keyboard.press("Escape");
-    expect(await page.getByRole("dialog").isVisible()).toBe(false);
+    await eventually(() => page.getByRole("dialog").isVisible()).toBe(false);
   });
 });
 
@@ -120,8 +118,9 @@ describe("a narrow screen", () => {
       await screenshot(page, `narrow-${theme}-style`);
       for (const tab of ["Input", "Model", "Curves", "Style"]) {
         await page.getByRole("button", { name: tab, exact: true }).click();
-        expect(await overflow()).toEqual({ x: 0, y: 0 });
-        expect(await faults(), tab).toEqual([]);
+        await eventually(() => page.locator(".play-view").getAttribute("data-tab")).toBe(tab.toLowerCase());
+        await eventually(overflow).toEqual({ x: 0, y: 0 });
+        await eventually(faults, tab).toEqual([]);
         if (tab !== "Style") await screenshot(page, `narrow-${theme}-${tab.toLowerCase()}`);
       }
     });

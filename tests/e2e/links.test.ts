@@ -5,7 +5,7 @@
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { closePage, openPage, openSite, settledPose, turnBetween, visit } from "./browser";
+import { closePage, eventually, openPage, openSite, settledPose, turnBetween, visit } from "./browser";
 
 interface Link {
   link: string;
@@ -50,7 +50,7 @@ describe("a link of an older version", () => {
     const max = link.includes("footplant=0") ? UNPLANTED : PLANTED;
     expect(turnBetween(shown, pose)).toBeLessThan(max.degrees);
     for (const axis of [0, 1, 2]) expect(Math.abs(shown[axis]! - pose[axis]!)).toBeLessThan(max.metres);
-    await expect.poll(() => page.evaluate(() => location.hash.slice(1)).then(settings)).toEqual(settings(written));
+    await eventually(() => page.evaluate(() => location.hash.slice(1)).then(settings)).toEqual(settings(written));
     if (page !== opened.page) await closePage(page);
   });
 });

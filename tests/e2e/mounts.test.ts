@@ -105,6 +105,13 @@ async function held(page: Page, session: CDPSession): Promise<Held> {
   return { heap: usedSize, nodes, listeners: jsEventListeners, wasm };
 }
 
+/** Whether a page holds no more than before. */
+const isWithin = (after: Held, before: Held): boolean =>
+  after.wasm === before.wasm &&
+  after.nodes <= before.nodes &&
+  after.listeners <= before.listeners &&
+  after.heap <= 1.05 * before.heap;
+
 test(`${MOUNTS} mounts leave a page as ${WARM} do`, { timeout: 3_600_000 }, async () => {
   const folder = mkdtempSync(join(tmpdir(), "strut-mounts-"));
   for (const file of ["strut-player.js", "walk.bin"]) cpSync(join(root, "dist", "package", file), join(folder, file));
@@ -128,7 +135,9 @@ test(`${MOUNTS} mounts leave a page as ${WARM} do`, { timeout: 3_600_000 }, asyn
   const started = performance.now();
   await mount(page, MOUNTS - WARM);
   const mountMs = (performance.now() - started) / (MOUNTS - WARM);
-  const after = await held(page, session);
+  let after = await held(page, session);
+  // A slow machine takes longer to give back what other threads hold.
+  for (let i = 0; i < 20 && !isWithin(after, before); i++) after = await held(page, session);
   const counts = await page.evaluate(() => ({ workers: window.workers.length, contexts: window.contexts }));
   console.log(JSON.stringify({ mounts: MOUNTS, mountMs, before, after, ...counts }));
 

@@ -3,7 +3,7 @@ import { ALL_FORMATS, BufferSource, Input } from "mediabunny";
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
-import { openSite, saved, screenshot, settledPose, visit } from "./browser";
+import { eventually, openSite, saved, screenshot, settledPose, visit } from "./browser";
 
 declare const window: { strut: StrutHook };
 
@@ -27,7 +27,7 @@ describe("the menu", () => {
     const names = await page.locator(".export-menu .menu-item > :first-child").allTextContents();
     expect(names).toEqual(["BVH", "GLB", "VRMA", "WebM", "PNG", "CSV", "JSON"]);
     await page.keyboard.press("Escape");
-    expect(await page.locator(".export-menu").isVisible()).toBe(false);
+    await eventually(() => page.locator(".export-menu").isVisible()).toBe(false);
   });
 });
 
@@ -102,7 +102,7 @@ describe("a saved file", () => {
     // The old walk takes about a fifth longer than the thirty frames of its input.
     expect(packetCount).toBeGreaterThan(32);
     expect(packetCount).toBeLessThan(48);
-    const { playing, frame } = await page.evaluate(() => window.strut.state);
-    expect([playing, frame], "afterwards all is as it was").toEqual([false, 60]);
+    const state = () => page.evaluate(() => [window.strut.state.playing, window.strut.state.frame]);
+    await eventually(state, "afterwards all is as it was").toEqual([false, 60]);
   });
 });

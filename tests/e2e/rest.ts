@@ -14,6 +14,13 @@ export async function atRest(page: Page, place: () => Promise<Place>): Promise<v
   }).toBeLessThan(0.1);
 }
 
+/** Has the system be dark or light, and waits until the page is. */
+export async function showTheme(page: Page, theme: "dark" | "light"): Promise<void> {
+  await page.emulateMedia({ colorScheme: theme });
+  await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, theme);
+  await transitionsEnded(page);
+}
+
 /** Waits until all transitions of style sheets are over, such as those from one theme to the other. */
 export async function transitionsEnded(page: Page): Promise<void> {
   await page.evaluate(() => {

@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { build, preview } from "vite";
 import { expect, it } from "vitest";
-import { launchBrowser } from "./browser";
+import { eventually, launchBrowser } from "./browser";
 import type { SessionsHook } from "./sessions/main";
 
 declare const window: { sessions: SessionsHook };
@@ -36,7 +36,7 @@ it("a worker that is ended with three sessions open comes back with all three", 
     });
     const after = await page.evaluate(() => window.sessions.comeBack());
     expect(after).toEqual({ code: "fault", lost: 0, places: before });
-    expect(page.workers()).toHaveLength(1);
+    await eventually(() => page.workers().length).toBe(1);
   } finally {
     await browser.close();
     await server.close();

@@ -17,6 +17,7 @@ import {
   turnBetween,
   visit,
 } from "./browser";
+import { atRest } from "./rest";
 
 declare const window: { strut: StrutHook };
 
@@ -73,7 +74,7 @@ describe("the point in the triangle", () => {
     await screenshot(page, "drag");
     await page.mouse.up();
     const after = await settledPose(page);
-    expect((await weights())[2]).toBeGreaterThan(0.95);
+    await eventually(async () => (await weights())[2]).toBeGreaterThan(0.95);
     expect(turnBetween(before, after)).toBeGreaterThan(3);
 
     await page.keyboard.press("Control+z");
@@ -104,14 +105,16 @@ describe("the point in the triangle", () => {
     await visit(page, "play=0&frame=60&styles=proud:0.4,old:0.3,depressed:0.3");
     const before = await settledPose(page);
     await handle().focus();
+    await atRest(page, () => middleOf(handle()));
     const start = await middleOf(handle());
     await page.keyboard.press("ArrowUp");
+    await eventually(async () => start.y - (await middleOf(handle())).y).toBeCloseTo(0.05 * 92, 0);
     const up = await middleOf(handle());
-    expect(start.y - up.y).toBeCloseTo(0.05 * 92, 0);
     await page.keyboard.press("Shift+ArrowRight");
-    expect((await middleOf(handle())).x - up.x).toBeCloseTo(0.01 * 92, 0);
+    await eventually(async () => (await middleOf(handle())).x - up.x).toBeCloseTo(0.01 * 92, 0);
     for (let i = 0; i < 10; i++) await page.keyboard.press("ArrowUp");
-    expect(await handle().getAttribute("aria-valuetext")).toMatch(/^proud 0\.\d\d, old 0\.\d\d, depressed 0\.\d\d$/);
+    const said = () => handle().getAttribute("aria-valuetext");
+    await eventually(said).toMatch(/^proud 0\.\d\d, old 0\.\d\d, depressed 0\.\d\d$/);
     expect(turnBetween(before, await settledPose(page))).toBeGreaterThan(1);
     expect(await page.evaluate(() => window.strut.state.playing)).toBe(false);
   });
@@ -122,11 +125,11 @@ describe("the point in the triangle", () => {
     const neutral = page.locator('.vertex[data-style="neutral"]');
     await neutral.focus();
     await page.keyboard.press("Enter");
-    expect(await names()).toContain("neutral");
+    await eventually(names).toContain("neutral");
     await page.keyboard.press("Delete");
-    expect(await names()).not.toContain("neutral");
+    await eventually(names).not.toContain("neutral");
     await page.keyboard.press("1");
-    expect(Math.max(...(await weights()))).toBe(1);
+    await eventually(async () => Math.max(...(await weights()))).toBe(1);
   });
 });
 
@@ -155,11 +158,12 @@ describe("the URL", () => {
     await page.getByRole("radio", { name: "Side" }).check({ force: true });
     const pose = await settledPose(page);
     await page.getByRole("button", { name: "Share" }).click();
-    const copied = page.url();
-    await eventually(() => page.evaluate(() => navigator.clipboard.readText())).toBe(copied);
+    const copied = () => page.evaluate(() => navigator.clipboard.readText());
+    // The address bar follows the state after a moment.
+    await eventually(async () => (await copied()) === page.url()).toBe(true);
     const state = await page.evaluate(() => window.strut.state);
-    const other = await openPage(browser, copied);
-    expect(await other.evaluate(() => window.strut.state)).toEqual(state);
+    const other = await openPage(browser, await copied());
+    await eventually(() => other.evaluate(() => window.strut.state)).toEqual(state);
     expect(turnBetween(pose, await settledPose(other))).toBeLessThan(0.2);
     await closePage(other);
   });
@@ -167,12 +171,13 @@ describe("the URL", () => {
   it("asks for a file that it does not hold, and is complete with it", async () => {
     const { old } = await walksIn(["old"], 200);
     const link = "play=0&frame=90&styles=proud:1,old:0,depressed:0&input=my%20walk";
-    const whole = await openPage(browser, page.url().replace(/#.*/, ""), { hash: link });
-    expect(await whole.locator(".toasts").textContent()).toContain("Drop the file here.");
+    const whole = await openPage(browser, page.url().replace(/#.*/, ""), { hash: link, notesStay: true });
+    await eventually(() => whole.locator(".toasts").textContent()).toContain("Drop the file here.");
     await dropFile(whole, "my walk.bvh", old);
     await eventually(() => inputName(whole)).toBe("my walk");
     await eventually(() => whole.evaluate(() => window.strut.frame!.inputFrame)).toBe(90);
-    expect(await whole.evaluate(() => window.strut.state.styles[0])).toEqual({ name: "proud", weight: 1 });
+    const first = () => whole.evaluate(() => window.strut.state.styles[0]);
+    await eventually(first).toEqual({ name: "proud", weight: 1 });
     await closePage(whole);
   });
 });
@@ -182,7 +187,7 @@ describe("playing", () => {
     await visit(page, "loop=0");
     const frame = () => page.evaluate(() => window.strut.frame!.inputFrame);
     await page.keyboard.press("Space");
-    expect(await page.evaluate(() => window.strut.state.playing)).toBe(false);
+    await eventually(() => page.evaluate(() => window.strut.state.playing)).toBe(false);
     await settledPose(page);
     const at = Math.round(await frame());
     await page.keyboard.press("ArrowRight");

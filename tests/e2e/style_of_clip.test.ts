@@ -35,7 +35,7 @@ describe("a walk that falls on the polygon", () => {
     await eventually(vertices).toContain("weary");
     const secs = (performance.now() - begin) / 1000;
     console.log(`a style from a clip of 260 frames: ${secs.toFixed(1)} s`);
-    expect(await vertices()).toHaveLength(9);
+    await eventually(vertices).toHaveLength(9);
     await eventually(weights).toMatchObject({ weary: 1 });
     expect(await inputName(page), "the input stays").toBe(input);
     expect(await alert()).toBe("");
@@ -57,11 +57,11 @@ describe("a walk that falls on the polygon", () => {
   it("has the name that the person gives it", async () => {
     await dropFile(page, "walk_weary_02.bvh", walk, await polygon());
     const name = page.getByLabel("Name of the style");
-    expect(await name.inputValue()).toBe("weary 2");
+    await eventually(() => name.inputValue()).toBe("weary 2");
     await name.fill("weary");
     const make = page.getByRole("button", { name: "Make it a style" });
-    expect(await make.isDisabled()).toBe(true);
-    expect(await page.getByRole("dialog").textContent()).toContain("There is a style “weary” already.");
+    await eventually(() => make.isDisabled()).toBe(true);
+    await eventually(() => page.getByRole("dialog").textContent()).toContain("There is a style “weary” already.");
     await name.fill("<b>tired</b>");
     await make.click();
     await eventually(vertices).toContain("<b>tired</b>");
@@ -106,7 +106,7 @@ describe("a walk that falls on the polygon", () => {
     await dropFile(page, "walk_stooped_01.bvh", walk, await polygon());
     await page.getByRole("button", { name: "Make it a style" }).click();
     await eventually(alert).toMatch(/“stooped” will not be here after a reload. The browser has no room left for it./);
-    expect(await vertices()).toContain("stooped");
+    await eventually(vertices).toContain("stooped");
     await eventually(weights).toMatchObject({ stooped: 1 });
     await screenshot(page, "quota-full");
   });

@@ -79,9 +79,9 @@ describe("a first visitor", () => {
   it("mixes two styles in one step", () =>
     task(1, async (page, step) => {
       await step(dragBetween(page, "proud", "childlike"));
-      const weights = Object.fromEntries((await state(page)).styles.map((s) => [s.name, s.weight]));
-      expect(weights.proud).toBeCloseTo(0.5, 1);
-      expect(weights.childlike).toBeCloseTo(0.5, 1);
+      const weight = async (name: string) => (await state(page)).styles.find((s) => s.name === name)?.weight;
+      await eventually(() => weight("proud")).toBeCloseTo(0.5, 1);
+      await eventually(() => weight("childlike")).toBeCloseTo(0.5, 1);
     }));
 
   it("makes only the legs old in two steps", () =>
@@ -95,8 +95,9 @@ describe("a first visitor", () => {
       };
       await step(eventually(tryClick).toBe("legs"));
       await step(corner(page, "old").dblclick());
-      const { parts, styles } = await state(page);
-      expect(parts.legs?.find((s) => s.name === "old")?.weight).toBe(1);
+      const legs = async () => (await state(page)).parts.legs;
+      await eventually(async () => (await legs())?.find((s) => s.name === "old")?.weight).toBe(1);
+      const { styles } = await state(page);
       expect(styles.find((s) => s.name === "old")?.weight).toBeLessThan(0.5);
     }));
 

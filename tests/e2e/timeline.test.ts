@@ -65,6 +65,7 @@ describe("a range", () => {
     await visit(page, PAUSED);
     await settledPose(page);
     await dragAcross(0.5, 0.6, 6);
+    await eventually(async () => (await state()).range).toBeDefined();
     const { range } = await state();
     const last = Number(await page.locator(".scrub input").getAttribute("max"));
     expect(range!.first / last).toBeCloseTo(0.5, 1);
@@ -89,10 +90,10 @@ describe("a range", () => {
     await page.keyboard.press("i");
     await page.keyboard.press("End");
     await page.keyboard.press("o");
-    expect((await state()).range?.first).toBe(100);
+    await eventually(async () => (await state()).range?.first).toBe(100);
     await eventually(() => page.url()).toContain("range=100-");
     await page.keyboard.press("u");
-    expect((await state()).range).toBeUndefined();
+    await eventually(async () => (await state()).range).toBeUndefined();
   });
 });
 
@@ -101,15 +102,15 @@ describe("a curve", () => {
     await visit(page, PAUSED);
     const before = await settledPose(page);
     await page.getByLabel("Joint of the curve").selectOption("left upper arm x");
-    expect((await state()).curve).toBe("left upper arm x");
+    await eventually(async () => (await state()).curve).toBe("left upper arm x");
     const box = await rows();
     await page.mouse.move(box.x + 0.7 * box.width, box.y + 80);
     const last = Number(await page.locator(".scrub input").getAttribute("max"));
     await eventually(frame).toBeGreaterThan(0.65 * last);
     await screenshot(page, "hover");
     expect((await state()).frame, "the playhead stays").toBe(100);
-    expect(await page.locator(".timeline-rows").getAttribute("title")).toMatch(/^Read as walk, /);
     const title = () => page.locator(".timeline-rows").getAttribute("title");
+    await eventually(title).toMatch(/^Read as walk, /);
     await eventually(title, "the examples and their spread").toMatch(/Examples −?[\d.]+ ± [\d.]+°\.$/);
     await page.mouse.move(box.x + 0.7 * box.width, box.y - 200);
     await eventually(frame).toBe(100);
@@ -127,11 +128,11 @@ describe("a style track", () => {
     await page.keyboard.press("End");
     await page.keyboard.press("k");
     await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
-    expect(await keys().count()).toBe(2);
-    expect((await state()).track.map((key) => key.styles.find((s) => s.weight === 1)?.name)).toEqual([
-      "proud",
-      "depressed",
-    ]);
+    await eventually(() => keys().count()).toBe(2);
+    const track = async () => (await state()).track.map((key) => key.styles.find((s) => s.weight === 1)?.name);
+    await eventually(track).toEqual(["proud", "depressed"]);
+    // The address bar follows the state after a moment.
+    await eventually(() => decodeURIComponent(page.url())).toMatch(/track=.*depressed:1/);
     await screenshot(page, "track");
     await page.keyboard.press("Home");
     for (let i = 0; i < 2; i++) await settledPose(page);
@@ -157,14 +158,15 @@ describe("a style track", () => {
     const first = keys().first();
     const { x, y } = await middleOf(first);
     await drag(page, { x, y }, { x: x + 60, y });
-    const moved = (await state()).track[0]!.frame;
-    expect(moved).toBeGreaterThan(80);
+    const frameOfFirst = async () => (await state()).track[0]!.frame;
+    await eventually(frameOfFirst).toBeGreaterThan(80);
+    const moved = await frameOfFirst();
     await page.keyboard.press("ArrowRight");
     await page.keyboard.press("Shift+ArrowLeft");
-    expect((await state()).track[0]!.frame).toBe(moved + 1 - 10);
-    expect(await first.getAttribute("aria-valuetext")).toMatch(/^\d+\.\d\d seconds, proud$/);
+    await eventually(frameOfFirst).toBe(moved + 1 - 10);
+    await eventually(() => first.getAttribute("aria-valuetext")).toMatch(/^\d+\.\d\d seconds, proud$/);
     await page.keyboard.press("Delete");
-    expect(await keys().count()).toBe(1);
+    await eventually(() => keys().count()).toBe(1);
     await page.keyboard.press("Control+z");
     await eventually(() => keys().count()).toBe(2);
   });

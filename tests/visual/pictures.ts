@@ -49,10 +49,10 @@ export async function stillPicture(page: Page): Promise<Buffer> {
       .every((canvas) => canvas.hasAttribute("data-still")),
   );
   let before = await page.screenshot();
-  for (let i = 0; i < 20; i++) {
-    await page.waitForTimeout(300);
+  for (let i = 0, same = 0; i < 100 && same < 3; i++) {
+    await page.waitForTimeout(200);
     const now = await page.screenshot();
-    if (now.equals(before)) return now;
+    same = now.equals(before) ? same + 1 : 0;
     before = now;
   }
   return before;

@@ -5,7 +5,17 @@
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
-import { closePage, dragHolding, launchBrowser, middleOf, openPage, saved, serveSite } from "../e2e/browser";
+import {
+  closePage,
+  dragHolding,
+  eventually,
+  launchBrowser,
+  middleOf,
+  openPage,
+  saved,
+  serveSite,
+  shown,
+} from "../e2e/browser";
 import { SWIFTSHADER } from "../e2e/graphics";
 import { expectAsKept, steady, stillPicture } from "./pictures";
 
@@ -44,8 +54,21 @@ async function dragHandle(page: Page): Promise<void> {
   await dragHolding(page, from, { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 });
 }
 
+/** Waits until every column has its figures. */
+async function compared(page: Page): Promise<void> {
+  // The figure behind is made last, and the last column's first figure is its distance from that.
+  await eventually(() => page.locator(".compare-table").last().locator("dd").first().textContent()).toMatch(/\d/);
+  await page.locator(".compare .progress").first().waitFor({ state: "hidden" });
+}
+
+/** Waits for the list of public data sets. */
+async function listed(page: Page): Promise<void> {
+  await page.locator(".catalogue button:enabled").first().waitFor();
+}
+
 /** Drops clips of two styles, of which one has no name that tells. */
 async function dropClips(page: Page): Promise<void> {
+  await listed(page);
   const names = ["walk_neutral_1.bvh", "walk_old_1.bvh", "walk_old_2.bvh", "run_neutral_1.bvh", "something.bvh"];
   const files = names.map((name) => ({ name, mimeType: "text/plain", buffer: clip }));
   await page.locator("input[type=file][multiple]").last().setInputFiles(files);
@@ -75,14 +98,15 @@ const CASES: readonly Case[] = [
     theme: "light",
   },
   { name: "play-beyond", hash: `${SECOND}&intensity=1.9&part=legs&parts=legs~angry:1`, size: WIDE, theme: "dark" },
-  { name: "compare-wide-light", hash: `${SECOND}&view=compare`, size: WIDE, theme: "light" },
+  { name: "compare-wide-light", hash: `${SECOND}&view=compare`, size: WIDE, theme: "light", act: compared },
   {
     name: "compare-wide-dark",
     hash: `${SECOND}&view=compare&columns=input,mar&behind=input`,
     size: WIDE,
     theme: "dark",
+    act: compared,
   },
-  { name: "compare-narrow-dark", hash: `${SECOND}&view=compare`, size: NARROW, theme: "dark" },
+  { name: "compare-narrow-dark", hash: `${SECOND}&view=compare`, size: NARROW, theme: "dark", act: compared },
   { name: "walk-wide-dark", hash: WALK, size: WIDE, theme: "dark", act: walkOn },
   { name: "walk-strip-light", hash: `${WALK}&strip=1`, size: WIDE, theme: "light", act: walkOn },
   {
@@ -97,7 +121,7 @@ const CASES: readonly Case[] = [
   { name: "key-style-wide-light", hash: STEP, size: WIDE, theme: "light", act: learn },
   { name: "key-style-three-dark", hash: `${STEP}&between=all`, size: WIDE, theme: "dark", act: learn },
   { name: "key-style-narrow-dark", hash: PUNCH, size: NARROW, theme: "dark", act: learn },
-  { name: "data-empty-wide-dark", hash: "play=0&view=data", size: WIDE, theme: "dark" },
+  { name: "data-empty-wide-dark", hash: "play=0&view=data", size: WIDE, theme: "dark", act: listed },
   { name: "data-wide-light", hash: "play=0&view=data", size: WIDE, theme: "light", act: dropClips },
   { name: "data-narrow-dark", hash: "play=0&view=data", size: NARROW, theme: "dark", act: dropClips },
 ];
@@ -129,7 +153,9 @@ describe("the page looks as it did when it was last looked at", () => {
       // Loaded anew: where the camera comes to rest depends on what was seen before.
       await page.goto("about:blank");
       await page.goto(`${site.url}#${hash}`);
+      await shown(page);
       await page.waitForFunction(() => window.strut?.analysed && window.strut.upToDate);
+      if (!hash.includes("view=data")) await page.locator("canvas[role=application]").first().waitFor();
       await page.mouse.move(1, 1);
       await act?.(page);
       const picture = await stillPicture(page);

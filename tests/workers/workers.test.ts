@@ -80,7 +80,8 @@ test("the comparison notices a session that is shared", async () => {
 });
 
 test("a worker that is killed with three sessions open comes back with all three", async () => {
-  const { client, begin, worker } = await openDemo({ silenceMs: 1500, pingMs: 1500 });
+  // As long as opening a database may take on a slow machine.
+  const { client, begin, worker } = await openDemo({ silenceMs: 5000, pingMs: 5000 });
   const restart = new Promise<EngineRestart>((resolve) => {
     client.onRestart = resolve;
   });

@@ -218,7 +218,7 @@ describe("after a fault", () => {
   });
 
   test("a worker that says nothing any more is replaced", async () => {
-    const { client } = await openDemo({ patience: { silenceMs: 200, pingMs: 200 } });
+    const { client } = await openDemo({ patience: { silenceMs: 1000, pingMs: 1000 } });
     const before = await client.seek(50);
     worker().deaf = true;
     const restart = restarted(client);
@@ -280,7 +280,7 @@ describe("after a fault", () => {
   });
 
   test("a worker that was asleep is asked before it is replaced", async () => {
-    const { client } = await openDemo({ patience: { silenceMs: 200, pingMs: 2000 } });
+    const { client } = await openDemo({ patience: { silenceMs: 200, pingMs: 60_000 } });
     await client.step(0);
     worker().sleep();
     const step = client.step(0.1);

@@ -107,7 +107,7 @@ describe("handles", () => {
     await expect(opening).rejects.toMatchObject({ code: "cancelled", cause: "changed my mind" });
     // The worker opens no more than it closes.
     await client.builtInMotions();
-    await new Promise((resolve) => setTimeout(resolve, 300));
+    await new Promise((resolve) => setTimeout(resolve, 2000));
     const restart = restarted(client);
     worker().onerror?.({ message: "killed" } as ErrorEvent);
     await restart;

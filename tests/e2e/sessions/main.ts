@@ -15,7 +15,8 @@ export interface SessionsHook {
   comeBack(): Promise<{ code: string; lost: number; places: Place[] }>;
 }
 
-const client = new EngineClient({ patience: { silenceMs: 2000, pingMs: 2000 } });
+/** As long as opening a database may take on a slow machine. */
+const client = new EngineClient({ patience: { silenceMs: 6000, pingMs: 6000 } });
 let sessions: ClientSession[] = [];
 
 const places = () =>

@@ -125,7 +125,8 @@ export class App {
 
   /** What is on screen, for scripts. */
   get hook(): StrutHook {
-    const { session } = this.#workspace;
+    const workspace = this.#workspace;
+    const { session } = workspace;
     const store = this.#store;
     const viewer = this.#viewer;
     return {
@@ -136,7 +137,7 @@ export class App {
         return store.state;
       },
       get upToDate() {
-        return session.playback.upToDate;
+        return workspace.upToDate;
       },
       get analysed() {
         return session.analysed;

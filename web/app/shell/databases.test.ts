@@ -89,6 +89,17 @@ describe("the database of a link", () => {
     await first;
     expect([session.opened.at(-1), store.state.database]).toEqual(["built in", ""]);
   });
+
+  it("is opened again where another one, which is still being opened, was asked for and is no longer", async () => {
+    const { store, session, databases } = made("mine");
+    await databases.follow("");
+    store.edit({ database: "" });
+    const undone = databases.follow("");
+    store.edit({ database: "mine" });
+    expect([databases.moving, databases.mustFollow]).toEqual([true, true]);
+    await Promise.all([undone, databases.follow("")]);
+    expect([session.opened.at(-1), store.state.database, databases.moving]).toEqual(["mine", "mine", false]);
+  });
 });
 
 describe("a database that a person opens", () => {

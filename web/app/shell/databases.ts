@@ -27,6 +27,8 @@ export class Databases {
   #unnamed: DatabaseSource = BUILT_IN;
   /** Number of requests for a database: only the last one counts. */
   #requests = 0;
+  /** Name of the database that is being opened because the state asks for it; undefined where none is. */
+  #followed: string | undefined;
 
   constructor(store: Store, toasts: Toasts, session: Session, readSaved: ReadSaved = readSavedDatabase) {
     this.#store = store;
@@ -37,7 +39,12 @@ export class Databases {
 
   /** Whether the state asks for another database than the one that is open. */
   get moving(): boolean {
-    return this.#store.state.database !== this.#name;
+    return this.#followed !== undefined || this.#store.state.database !== this.#name;
+  }
+
+  /** Whether the state asks for another database than the one that is open or being opened. */
+  get mustFollow(): boolean {
+    return this.#store.state.database !== (this.#followed ?? this.#name);
   }
 
   /** Name for people and file of the database that is open; no file where it is the built-in one. */
@@ -70,14 +77,20 @@ export class Databases {
    * the built-in database is opened; the state then says so.
    */
   async follow(inputName: string): Promise<void> {
-    const request = ++this.#requests;
+    const request = this.#begin();
     const name = this.#store.state.database;
+    this.#followed = name;
     const source = await this.#wanted(name);
     if (request !== this.#requests) return;
-    if (source && (await this.#load(source, name, inputName, request))) return;
+    const opened = source !== undefined && (await this.#load(source, name, inputName, request));
     if (request !== this.#requests) return;
+    if (opened) {
+      this.#followed = undefined;
+      return;
+    }
     if (!this.#session.database && source !== BUILT_IN) await this.#load(BUILT_IN, "", inputName, request);
     if (request !== this.#requests) return;
+    this.#followed = undefined;
     if (name !== "" && source) this.#toasts.note(strings.page.links.databaseRefused(name));
     this.#store.adopt({ database: this.#name });
   }
@@ -116,8 +129,14 @@ export class Databases {
     return undefined;
   }
 
+  /** Begins a request, which takes the place of the one before. */
+  #begin(): number {
+    this.#followed = undefined;
+    return ++this.#requests;
+  }
+
   /** Opens a database; whether it is open now, be it without the input. */
-  async #load(source: DatabaseSource, kept: string, inputName: string, request = ++this.#requests): Promise<boolean> {
+  async #load(source: DatabaseSource, kept: string, inputName: string, request = this.#begin()): Promise<boolean> {
     await this.#session.openDatabase(source, inputName);
     if (request !== this.#requests || this.#session.databaseSource !== source) return false;
     this.#name = kept;

@@ -26,6 +26,10 @@ export class Workspace {
   readonly #toasts: Toasts;
   /** What is being opened because the state asks for it. */
   #opening: Promise<void> = Promise.resolve();
+  /** Links that are being followed, and what the state asks for that is still being opened. */
+  #pending = 0;
+  /** Inputs that the state asked for and that are being opened. */
+  #openingInputs = 0;
   /** The file that a link was made with and does not hold, and the frame that it shows of it. */
   #awaited: { input: string; frame: number } | undefined;
 
@@ -67,8 +71,17 @@ export class Workspace {
     session.playback.start();
   }
 
+  /** Whether the pose on screen is of the input, the frame and the styles of the state. */
+  get upToDate(): boolean {
+    return this.#pending === 0 && this.session.playback.upToDate;
+  }
+
   /** Goes to the state of a link, or to what of it is given; the link may carry a file. */
-  async arrive(arrived: Partial<AppState>, hash: string): Promise<void> {
+  arrive(arrived: Partial<AppState>, hash: string): Promise<void> {
+    return this.#counted(this.#followLink(arrived, hash));
+  }
+
+  async #followLink(arrived: Partial<AppState>, hash: string): Promise<void> {
     const carried = arrived.input === undefined ? undefined : await this.#carriedInput(hash);
     this.#store.edit(carried === undefined ? arrived : { ...arrived, input: carried });
     await this.#opening;
@@ -107,7 +120,7 @@ export class Workspace {
 
   #onChange(changed: Changed): void {
     const { session } = this;
-    const moving = changed.has("database") && this.databases.moving;
+    const moving = changed.has("database") && this.databases.mustFollow;
     // Another database has other styles: they are looked at when it is open.
     if (session.database && !moving && any(changed, "styles", "parts", "track", "action", "inputStyle"))
       this.#completeStyles(session.database);
@@ -115,8 +128,17 @@ export class Workspace {
     if (any(changed, "loop", "range")) session.setLoop(loop, range);
     if (changed.has("speed")) session.playback.speed = speed;
     if (!moving && any(changed, ...ENGINE_FIELDS)) this.#configure();
-    if (session.database && moving) this.#opening = this.#followDatabase(input);
-    else if (session.input && changed.has("input")) this.#opening = this.#followInput(input);
+    if (session.database && moving) this.#opening = this.#counted(this.#followDatabase(input));
+    else if (session.input && changed.has("input")) this.#opening = this.#counted(this.#followInput(input));
+  }
+
+  async #counted(work: Promise<void>): Promise<void> {
+    this.#pending += 1;
+    try {
+      await work;
+    } finally {
+      this.#pending -= 1;
+    }
   }
 
   #configure(): void {
@@ -143,8 +165,11 @@ export class Workspace {
   async #followInput(wanted: string): Promise<void> {
     const { session } = this;
     const name = wanted || session.library.first;
-    if (name === session.inputName) return;
+    // An input that is being opened instead must not come after it.
+    if (name === session.inputName && this.#openingInputs === 0) return;
+    this.#openingInputs += 1;
     if (session.library.has(name)) await session.openInput(name);
+    this.#openingInputs -= 1;
     if (this.#store.state.input === wanted) this.#settleInput();
   }
 

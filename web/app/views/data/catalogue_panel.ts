@@ -76,7 +76,8 @@ export class CataloguePanel {
     const word = whole ? words.use : kept > 0 ? words.resume : words.get;
     const get = button(word, () => void this.#get(entry), { label: true, class: "outlined" });
     get.setAttribute("aria-label", strings.data.saved.does(word, set.name));
-    get.disabled = this.#busy;
+    // Where files are kept is known a moment after the list.
+    get.disabled = this.#busy || !this.#cache;
     const size = set.bytes > 0 ? megabytes(set.bytes) : words.files(set.files.length);
     const state = whole ? words.here : kept > 0 ? words.some(kept, set.files.length) : size;
     const buttons = [get];

@@ -1,0 +1,57 @@
+/** A machine that is slower than this one: STRUT_SLOW=4 has pages take four times as long, and answers come late. */
+import type { Browser, Page } from "playwright-core";
+
+/** How much later an answer or a picture comes for every time that a machine is slower, milliseconds. */
+const ANSWER_MS = 60;
+const PICTURE_MS = 20;
+
+/** Has the pages of a browser take `rate` times as long; 1 changes nothing. */
+export function slowDown(browser: Browser, rate: number): void {
+  if (rate <= 1) return;
+  browser.on("context", (context) => {
+    const open = context.newPage.bind(context);
+    context.newPage = async () => {
+      const page = await open();
+      await page.addInitScript(comeLate, { answerMs: ANSWER_MS * rate, pictureMs: PICTURE_MS * rate });
+      await throttle(page, rate);
+      return page;
+    };
+  });
+}
+
+async function throttle(page: Page, rate: number): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Emulation.setCPUThrottlingRate", { rate });
+}
+
+/** In a page: answers of workers and servers, and pictures, come later. */
+function comeLate({ answerMs, pictureMs }: { answerMs: number; pictureMs: number }): void {
+  const later = globalThis.setTimeout.bind(globalThis);
+  const heard = Object.getOwnPropertyDescriptor(Worker.prototype, "onmessage")!;
+  Object.defineProperty(Worker.prototype, "onmessage", {
+    ...heard,
+    set(this: Worker, hear: ((event: MessageEvent) => void) | null) {
+      heard.set!.call(this, hear && ((event: MessageEvent) => later(() => hear.call(this, event), answerMs)));
+    },
+  });
+  const { fetch, requestAnimationFrame: request } = globalThis;
+  globalThis.fetch = async (...asked) => {
+    const answer = await fetch(...asked);
+    await new Promise((resolve) => later(resolve, answerMs));
+    return answer;
+  };
+  const waiting = new Map<number, FrameRequestCallback>();
+  let last = 0;
+  globalThis.requestAnimationFrame = (draw) => {
+    const id = ++last;
+    waiting.set(id, draw);
+    const drawNow = (now: number) => {
+      const wanted = waiting.get(id);
+      waiting.delete(id);
+      wanted?.(now);
+    };
+    later(() => request(drawNow), pictureMs);
+    return id;
+  };
+  globalThis.cancelAnimationFrame = (id) => void waiting.delete(id);
+}
