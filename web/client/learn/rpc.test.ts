@@ -1,0 +1,87 @@
+import { expect, test } from "vitest";
+import { StrutError } from "../../engine/errors";
+import {
+  type AnswerMessage,
+  answerCalls,
+  type CallMessage,
+  type ClientPort,
+  RpcClient,
+  remote,
+  type ServerPort,
+} from "./rpc";
+
+interface Calls {
+  add(a: number, b: number, options?: { signal?: AbortSignal }): Promise<number>;
+  samples(): Promise<{ at: Float32Array }>;
+  refuse(): Promise<void>;
+  hang(options?: { signal?: AbortSignal }): Promise<void>;
+}
+
+const TABLE = {
+  add: async (a: number, b: number) => a + b,
+  samples: async () => ({ at: Float32Array.of(1, 2) }),
+  refuse: async () => {
+    throw new StrutError({ code: "bad-input", message: "No.", hint: "" });
+  },
+  hang: () => new Promise<void>(() => {}),
+};
+
+/** Both ends of a worker, joined without a thread. */
+function joined() {
+  let spawned = 0;
+  const spawn = (): ClientPort => {
+    spawned += 1;
+    const server: ServerPort = {
+      onmessage: null,
+      postMessage: (message, transfer) =>
+        client.onmessage?.({ data: structuredClone(message, { transfer }) } as MessageEvent<AnswerMessage>),
+    };
+    const client: ClientPort = {
+      onmessage: null,
+      onerror: null,
+      terminate: () => {},
+      postMessage: (message) => server.onmessage?.({ data: message } as MessageEvent<CallMessage>),
+    };
+    answerCalls(server, TABLE);
+    return client;
+  };
+  const rpc = new RpcClient(spawn);
+  const calls = remote<Calls>(rpc, { add: 2, samples: 0, refuse: 0, hang: 0 });
+  return { rpc, calls, spawned: () => spawned };
+}
+
+test("a worker starts with the first call, and answers it", async () => {
+  const { calls, spawned } = joined();
+  expect(spawned()).toBe(0);
+  expect(await calls.add(1, 2)).toBe(3);
+  expect([...(await calls.samples()).at]).toEqual([1, 2]);
+  expect(spawned()).toBe(1);
+});
+
+test("errors arrive as they were thrown", async () => {
+  await expect(joined().calls.refuse()).rejects.toMatchObject({ code: "bad-input", message: "No." });
+});
+
+test("an aborted call is rejected at once, before or while it runs", async () => {
+  const { calls } = joined();
+  await expect(calls.hang({ signal: AbortSignal.abort() })).rejects.toMatchObject({ code: "cancelled" });
+  const abort = new AbortController();
+  const waiting = calls.hang({ signal: abort.signal });
+  abort.abort();
+  await expect(waiting).rejects.toMatchObject({ code: "cancelled" });
+});
+
+test("a call that the table lacks is a fault, and the next call has another worker", async () => {
+  const { rpc, calls, spawned } = joined();
+  await expect(rpc.call("toString", [])).rejects.toMatchObject({ code: "fault" });
+  expect(await calls.add(2, 2)).toBe(4);
+  expect(spawned()).toBe(2);
+});
+
+test("nothing waits for an engine that is disposed of", async () => {
+  const { rpc, calls } = joined();
+  const waiting = calls.hang();
+  rpc.dispose();
+  await expect(waiting).rejects.toMatchObject({ code: "disposed" });
+  await expect(calls.add(1, 1)).rejects.toMatchObject({ code: "disposed" });
+});

@@ -1,0 +1,129 @@
+/** Calls into a worker by name: the client is made from the interface, the server from a table of functions. */
+import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../../engine/errors";
+
+/** Methods that answer with promises. */
+export type Methods = Readonly<Record<string, (...args: never[]) => Promise<unknown>>>;
+
+/** A call on its way to the worker. */
+export interface CallMessage {
+  id: number;
+  method: string;
+  args: unknown[];
+}
+
+/** The worker's answer. */
+export type AnswerMessage = { id: number } & ({ value: unknown } | { error: ErrorParts });
+
+/** As much of a worker as the client needs. */
+export interface ClientPort {
+  postMessage(message: CallMessage): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<AnswerMessage>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+/** As much of a worker's scope as the server needs. */
+export interface ServerPort {
+  postMessage(message: AnswerMessage, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<CallMessage>) => void) | null;
+}
+
+interface Pending {
+  resolve(value: unknown): void;
+  reject(error: StrutError): void;
+}
+
+/** Makes calls to a worker that starts with the first of them; one that failed is replaced by the next call. */
+export class RpcClient {
+  readonly #spawn: () => ClientPort;
+  #port: ClientPort | undefined;
+  #lastId = 0;
+  readonly #pending = new Map<number, Pending>();
+  #disposed = false;
+
+  constructor(spawn: () => ClientPort) {
+    this.#spawn = spawn;
+  }
+
+  /** Calls a method. @throws StrutError the worker's, `cancelled` or `disposed` */
+  call(method: string, args: unknown[], signal?: AbortSignal): Promise<unknown> {
+    if (this.#disposed) return Promise.reject(disposed("engine of the lessons"));
+    if (signal?.aborted) return Promise.reject(cancelled(signal.reason));
+    const id = ++this.#lastId;
+    const answer = new Promise<unknown>((resolve, reject) => {
+      this.#pending.set(id, { resolve, reject });
+      this.#started().postMessage({ id, method, args });
+    });
+    const cancel = () => {
+      this.#pending.get(id)?.reject(cancelled(signal?.reason));
+      this.#pending.delete(id);
+    };
+    signal?.addEventListener("abort", cancel, { once: true });
+    return answer.finally(() => signal?.removeEventListener("abort", cancel));
+  }
+
+  /** Ends the worker; calls under way are rejected. */
+  dispose(): void {
+    this.#disposed = true;
+    this.#stop(disposed("engine of the lessons"));
+  }
+
+  #started(): ClientPort {
+    if (this.#port) return this.#port;
+    const port = this.#spawn();
+    port.onmessage = ({ data }) => {
+      const pending = this.#pending.get(data.id);
+      this.#pending.delete(data.id);
+      if ("error" in data) pending?.reject(new StrutError(data.error));
+      else pending?.resolve(data.value);
+      if ("error" in data && data.error.code === "fault" && this.#port === port)
+        this.#stop(fault("The engine of the lessons failed"));
+    };
+    port.onerror = ({ message }) => {
+      if (this.#port === port)
+        this.#stop(fault(`The engine of the lessons failed: ${message || "its worker stopped"}`));
+    };
+    this.#port = port;
+    return port;
+  }
+
+  #stop(reason: StrutError): void {
+    this.#port?.terminate();
+    this.#port = undefined;
+    for (const { reject } of this.#pending.values()) reject(reason);
+    this.#pending.clear();
+  }
+}
+
+/** An object whose methods are calls: those of `T`, whose last argument may be options with a `signal`. */
+export function remote<T extends object>(client: RpcClient, arity: { readonly [K in keyof T]: number }): T {
+  const methods = Object.entries<number>(arity as Readonly<Record<string, number>>).map(([name, count]) => {
+    const call = (...args: unknown[]) => {
+      const options = args[count] as { signal?: AbortSignal } | undefined;
+      return client.call(name, args.slice(0, count), options?.signal);
+    };
+    return [name, call] as const;
+  });
+  return Object.fromEntries(methods) as T;
+}
+
+/** Answers the calls that arrive at a port from a table of functions. */
+export function answerCalls(port: ServerPort, table: Methods): void {
+  port.onmessage = async ({ data: { id, method, args } }) => {
+    try {
+      const answer = Object.hasOwn(table, method) ? table[method] : undefined;
+      if (!answer) throw fault(`The engine of the lessons has no call "${method}"`);
+      const value = await answer(...(args as never[]));
+      port.postMessage({ id, value }, buffersOf(value));
+    } catch (thrown) {
+      port.postMessage({ id, error: toStrutError(thrown).parts() }, []);
+    }
+  };
+}
+
+/** The buffers of the typed arrays in an answer at any depth: the table gives arrays with no other owner. */
+function buffersOf(value: unknown): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+  if (typeof value !== "object" || value === null) return [];
+  return [...new Set(Object.values(value).flatMap(buffersOf))];
+}
