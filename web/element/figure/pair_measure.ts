@@ -39,6 +39,15 @@ export function farthestJoint(pair: Pair, pairing: Pairing): number {
   return best(jointMeans(pair, pairing), -1);
 }
 
+/** Whether the ratio grows is seen over so many frames. */
+const AROUND = 5;
+
+/** How many times the difference by content that by second is. */
+function ratioAt({ difference }: Pair, frame: number): number {
+  const f = Math.min(difference.content.length - 1, Math.max(0, frame));
+  return difference.second[f]! / difference.content[f]!;
+}
+
 /** The measure of a state. */
 export async function measurePair(engine: LearnEngine, state: PairState, pair: Pair): Promise<Measure> {
   const { motion, style, pairing, joint } = state;
@@ -59,6 +68,8 @@ export async function measurePair(engine: LearnEngine, state: PairState, pair: P
     second: pair.difference.second[at]!,
     meanContent: meanOf(pair.difference.content),
     meanSecond: meanOf(pair.difference.second),
+    ratioBefore: ratioAt(pair, at - AROUND),
+    ratioAfter: ratioAt(pair, at + AROUND),
     nearest: nearest!,
     nearestBySecond: nearestBySecond!,
     least: means.get(nearest!)!,

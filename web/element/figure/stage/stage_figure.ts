@@ -137,7 +137,7 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
     const [pair, state] = [this.#pair, this.#state];
     if (!pair || !state) return {};
     const { words } = this.#parts;
-    return { p: words.styles.neutral, q: words.styles[state.style] };
+    return { p: words.styles.neutral, q: words.styles[state.style], J: String(ROLES.length) };
   }
 
   light(term: string | undefined): void {
