@@ -1,6 +1,7 @@
 import { existsSync } from "node:fs";
 import { resolve } from "node:path";
 import { defineConfig } from "vite";
+import { katexPlugin } from "./scripts/katex_plugin.mjs";
 
 /** The benchmark is left out where the packages that it measures are not built: `npm start` does not wait for them. */
 const pages = existsSync(resolve(import.meta.dirname, "bench/pkg/scalar/stamp")) ? ["index", "bench"] : ["index"];
@@ -10,6 +11,7 @@ export default defineConfig({
   root: "web/app",
   base: "./",
   publicDir: "../../public",
+  plugins: [katexPlugin()],
   build: {
     outDir: "../../dist",
     // scripts/size.mjs reads what is loaded with what.

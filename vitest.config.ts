@@ -1,4 +1,5 @@
 import { defineConfig } from "vitest/config";
+import { katexPlugin } from "./scripts/katex_plugin.mjs";
 
 /** The projects run one after the other, in this order. */
 const projects = [
@@ -11,6 +12,7 @@ const projects = [
 ];
 
 export default defineConfig({
+  plugins: [katexPlugin()],
   test: {
     // Bounds for slow machines; what fails does not wait for them.
     testTimeout: 300_000,

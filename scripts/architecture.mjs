@@ -39,6 +39,9 @@ const ROOMS = {
   // What the package gives to its users, of which the element is one.
   "package/types.ts": ["formats", "client", "engine", "humanoid"],
   element: ["character", "package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
+  // One live figure, on any page; it knows no lesson.
+  "element/figure": ["element", "link", "ui", "player", "viewer", "client", "humanoid"],
+  lessons: ["element/figure", "link", "client", "humanoid"],
   // The page for frames.
   embed: ["element"],
   package: ["element", "character", "package/types.ts", "formats", "client", "engine", "humanoid"],
@@ -61,6 +64,8 @@ const ROOMS = {
   // What a view may ask of the page, and what it is.
   "app/view.ts": ["app/state", "app/ui", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/views": ["app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
+    "lessons",
+    "element/figure",
     "formats",
     "link",
     "ui",

@@ -1,7 +1,8 @@
 /** The motions of the columns: each is made once, when a column first needs it, and kept while one shows it. */
 import { type InputInfo, isCancellation, isFault } from "../../../client/protocol";
+import { measure } from "../../../player/measured";
 import type { MotionRequest } from "./columns";
-import { type ColumnMotion, type MeasuredMotion, measure } from "./figures";
+import type { ColumnMotion, MeasuredMotion } from "./figures";
 
 /** Nothing is made until the requests have not changed for so long. */
 const SETTLE_MS = 150;

@@ -4,6 +4,7 @@ import "./compare.css";
 import type { InputInfo } from "../../../client/protocol";
 import { SPEEDS } from "../../../link/page";
 import { stepSecs } from "../../../player/clock";
+import { measure, poseAt } from "../../../player/measured";
 import type { Session } from "../../../player/session";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
@@ -31,8 +32,7 @@ import {
   type MotionRequest,
   motionRequest,
 } from "./columns";
-import { type ColumnMotion, figuresAt, type MeasuredMotion, measure } from "./figures";
-import { poseAt } from "./pose_at";
+import { type ColumnMotion, figuresAt, type MeasuredMotion } from "./figures";
 import { type Comparison, pictureOf, summaryOf, titleOf } from "./sentences";
 import { CompareTransport } from "./transport";
 

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { DEFAULT_PROPORTIONS, POSE_FLOATS, restPose } from "../../../humanoid";
-import { figuresAt, type MeasuredMotion, measure } from "./figures";
+import { measure } from "../../../player/measured";
+import { figuresAt, type MeasuredMotion } from "./figures";
 
 const FRAMES = 120;
 const RATE_HZ = 60;

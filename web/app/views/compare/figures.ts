@@ -1,5 +1,6 @@
 /** Figures of a motion at an instant, measured from poses, times and planted feet. Pure. */
-import { createWorldPose, headingOf, JOINT, JOINTS, POSE_FLOATS, worldFromLocal } from "../../../humanoid";
+import { JOINT, JOINTS } from "../../../humanoid";
+import { type Measured, meanDistance } from "../../../player/measured";
 
 /** A motion, frame for frame with its input. */
 export interface ColumnMotion {
@@ -12,14 +13,8 @@ export interface ColumnMotion {
   frameMs: number | undefined;
 }
 
-/** A motion with the positions of its joints, which are computed once. */
-export interface MeasuredMotion extends ColumnMotion {
-  frames: number;
-  /** Joints in the world, frames × 21 × xyz, metres. */
-  world: Float32Array;
-  /** The same with the hips over the origin and the heading along +Z. */
-  local: Float32Array;
-}
+/** A motion of a column with the positions of its joints. */
+export type MeasuredMotion = Measured<ColumnMotion>;
 
 /** The figures under a column; `undefined` where there is nothing to measure. */
 export interface Figures {
@@ -38,26 +33,6 @@ export interface Figures {
 /** Skate and jerk are means over so many frames before and after the instant: half a second at 60 Hz. */
 const AROUND = 30;
 
-/** Computes the joints of every frame. */
-export function measure(motion: ColumnMotion, proportions: ArrayLike<number>): MeasuredMotion {
-  const frames = motion.poses.length / POSE_FLOATS;
-  const [world, local] = [new Float32Array(3 * JOINTS * frames), new Float32Array(3 * JOINTS * frames)];
-  const joints = createWorldPose();
-  let heading = 0;
-  for (let f = 0; f < frames; f++) {
-    worldFromLocal(proportions, motion.poses.subarray(f * POSE_FLOATS, (f + 1) * POSE_FLOATS), joints);
-    const p = joints.positions;
-    world.set(p, 3 * JOINTS * f);
-    heading = headingOf(joints, heading);
-    const [s, c] = [Math.sin(heading), Math.cos(heading)];
-    for (let j = 0; j < JOINTS; j++) {
-      const [x, z] = [p[3 * j]! - p[0]!, p[3 * j + 2]! - p[2]!];
-      local.set([c * x - s * z, p[3 * j + 1]!, s * x + c * z], 3 * (JOINTS * f + j));
-    }
-  }
-  return { ...motion, frames, world, local };
-}
-
 /** The figures of a motion at an input frame; the reference is what it is compared with. */
 export function figuresAt(
   motion: MeasuredMotion,
@@ -70,20 +45,12 @@ export function figuresAt(
   const jerk = meanJerk(motion, f);
   const inputJerk = meanJerk(input, f);
   return {
-    difference: other && 100 * distance(motion.local, other.local, f),
+    difference: other && 100 * meanDistance(motion, other, f),
     later: other && 1000 * (motion.timeOut[f]! - other.timeOut[f]!),
     skate: footSkate(motion, f),
     jerk: jerk !== undefined && inputJerk ? jerk / inputJerk : undefined,
     cost: motion.frameMs,
   };
-}
-
-function distance(a: Float32Array, b: Float32Array, frame: number): number {
-  let sum = 0;
-  const first = 3 * JOINTS * frame;
-  for (let i = first; i < first + 3 * JOINTS; i += 3)
-    sum += Math.hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!);
-  return sum / JOINTS;
 }
 
 const window = ({ frames }: MeasuredMotion, f: number): [number, number] => [

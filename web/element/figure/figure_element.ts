@@ -1,0 +1,242 @@
+/** `<strut-figure>`: one live figure of the engine, on any page. */
+import type { LearnEngine } from "../../client/learn/protocol";
+import { html, setText } from "../../ui/dom";
+import type { FigureInstance, Measure } from "./kind";
+import { loadKind } from "./kinds";
+import { LANGUAGES, type Language, WORDS } from "./languages";
+import { joinEngine, leaveEngine } from "./shared";
+import { figureSheets } from "./sheets";
+import type { Words } from "./words";
+
+/** A person changed the state; `settled` where the hand has let go. */
+export interface StateChange {
+  state: string;
+  settled: boolean;
+}
+
+/** The figure's sentence is said so often at most, milliseconds. */
+const SAY_MS = 1000;
+
+/**
+ * Attributes: `kind`; `state`, the text of a link; `lang`; `hide`, of `controls` and `table`, with commas; `theme`.
+ * Events: `statechange` with a {@link StateChange}; `figurechange` when it shows other things; `termpoint` with the term of
+ * the mark that is pointed at.
+ */
+export class StrutFigure extends HTMLElement {
+  static readonly observedAttributes = ["kind", "state", "lang", "hide", "theme"];
+  readonly #container = html("div", { class: "figure" });
+  readonly #message = html("p", { class: "message" });
+  readonly #live = html("p", { class: "visually-hidden", role: "status" });
+  readonly #table = html("details", { class: "table" });
+  #life: AbortController | undefined;
+  #figure: FigureInstance<string> | undefined;
+  #engine: LearnEngine | undefined;
+  /** Settles when the state is shown that was set last. */
+  #shown: Promise<void> = Promise.resolve();
+  #opened: Promise<void> | undefined;
+  #saying: ReturnType<typeof setTimeout> | undefined;
+  #onScreen = false;
+  /** The state that is shown, or is going to be. */
+  #state: string | undefined;
+
+  constructor() {
+    super();
+    const root = this.attachShadow({ mode: "open" });
+    root.adoptedStyleSheets = figureSheets();
+    root.append(this.#container, this.#message, this.#table, this.#live);
+    this.#table.addEventListener("toggle", () => this.#showTable());
+    // What a control does with a key is not for the page around it.
+    root.addEventListener("keydown", (event) => {
+      const { target, ctrlKey, metaKey, altKey } = event as KeyboardEvent;
+      const own = target instanceof Element && target.matches("select, input, [role=slider]");
+      if (own && !ctrlKey && !metaKey && !altKey) event.stopPropagation();
+    });
+  }
+
+  connectedCallback(): void {
+    this.#life = new AbortController();
+    const { signal } = this.#life;
+    this.#engine = joinEngine();
+    signal.addEventListener("abort", leaveEngine, { once: true });
+    const observer = new IntersectionObserver(([entry]) => {
+      this.#onScreen = entry!.isIntersecting;
+      if (this.#onScreen) void this.ready();
+      this.#run();
+    });
+    observer.observe(this);
+    signal.addEventListener("abort", () => observer.disconnect(), { once: true });
+    document.addEventListener("visibilitychange", () => this.#run(), { signal });
+    this.#say(this.#words.loading);
+  }
+
+  disconnectedCallback(): void {
+    this.#close();
+    this.#life?.abort();
+    this.#life = undefined;
+    clearTimeout(this.#saying);
+    this.#saying = undefined;
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (before === after || !this.#opened) return;
+    if (name === "state") this.#show();
+    else if (name === "theme") this.#figure?.setTheme(this.#theme);
+    else {
+      this.#close();
+      void this.ready();
+    }
+  }
+
+  /** The state as the text of a link. */
+  get state(): string {
+    return this.getAttribute("state") ?? "";
+  }
+
+  set state(state: string) {
+    this.setAttribute("state", state);
+  }
+
+  /** Loads the figure now, seen or not; resolves when its state is shown. */
+  async ready(): Promise<void> {
+    if (!this.#life) return;
+    this.#opened ??= this.#open(this.#life.signal);
+    await this.#opened;
+    await this.#shown;
+  }
+
+  /** What exercises are judged by. @throws StrutError */
+  async measure(): Promise<Measure> {
+    await this.ready();
+    if (!this.#figure) throw new Error(this.#message.textContent ?? "");
+    return this.#figure.measure();
+  }
+
+  /** Values with units of the symbols that it shows, by term. */
+  get values(): Readonly<Record<string, string>> {
+    return this.#figure?.values() ?? {};
+  }
+
+  /** Lights the marks of a term, or none. */
+  light(term: string | undefined): void {
+    this.#figure?.light(term);
+  }
+
+  get #words(): Words {
+    return WORDS[this.#language];
+  }
+
+  get #language(): Language {
+    return LANGUAGES.find((language) => language === this.lang) ?? "en";
+  }
+
+  get #theme(): "dark" | "light" {
+    const given = this.getAttribute("theme");
+    if (given === "dark" || given === "light") return given;
+    return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  }
+
+  async #open(signal: AbortSignal): Promise<void> {
+    const words = this.#words;
+    const name = this.getAttribute("kind") ?? "";
+    const hidden = new Set((this.getAttribute("hide") ?? "").split(","));
+    this.#table.replaceChildren(html("summary", {}, words.table));
+    this.#table.hidden = hidden.has("table");
+    try {
+      const kind = await loadKind(name);
+      if (signal.aborted || this.#figure) return;
+      if (!kind) {
+        this.#say(words.unknown(name));
+        return;
+      }
+      this.#figure = kind.create({
+        container: this.#container,
+        engine: this.#engine!,
+        language: this.#language,
+        words,
+        controls: !hidden.has("controls"),
+        change: (state, settled) => {
+          this.#state = state;
+          this.state = state;
+          this.#shown = this.#figure!.show(state);
+          this.#tell("statechange", { state, settled } satisfies StateChange);
+        },
+        point: (term) => this.#tell("termpoint", { term }),
+        changed: () => this.#changed(),
+        signal,
+      });
+      this.#figure.setTheme(this.#theme);
+      this.#run();
+      this.#show();
+      await this.#shown;
+    } catch (error) {
+      if (!signal.aborted) this.#say(words.failed(error instanceof Error ? error.message : String(error)));
+    }
+  }
+
+  #show(): void {
+    if (!this.#figure || this.#state === this.state) return;
+    this.#state = this.state;
+    this.#shown = this.#figure.show(this.#state).then(
+      () => this.#say(""),
+      (error: unknown) => this.#say(this.#words.failed(error instanceof Error ? error.message : String(error))),
+    );
+  }
+
+  #run(): void {
+    this.#figure?.run(this.#onScreen && document.visibilityState === "visible");
+  }
+
+  #close(): void {
+    this.#figure?.dispose();
+    this.#figure = undefined;
+    this.#opened = undefined;
+    this.#state = undefined;
+    this.#container.replaceChildren();
+  }
+
+  #say(message: string): void {
+    setText(this.#message, message);
+    this.#message.hidden = message === "";
+  }
+
+  #changed(): void {
+    this.#tell("figurechange", undefined);
+    if (this.#saying !== undefined) return;
+    this.#saying = setTimeout(() => {
+      this.#saying = undefined;
+      if (!this.#figure) return;
+      setText(this.#live, this.#figure.sentence());
+      this.#showTable();
+    }, SAY_MS);
+  }
+
+  #showTable(): void {
+    if (!this.#table.open || !this.#figure) return;
+    const { head, rows } = this.#figure.table();
+    const row = (cells: readonly string[], tag: "th" | "td") =>
+      html("tr", {}, ...cells.map((cell) => html(tag, tag === "th" ? { scope: "col" } : {}, cell)));
+    const table = html(
+      "table",
+      {},
+      html("caption", {}, this.#figure.sentence()),
+      html("thead", {}, row(head, "th")),
+      html("tbody", {}, ...rows.map((cells) => row(cells, "td"))),
+    );
+    this.#table.replaceChildren(this.#table.firstElementChild!, html("div", { class: "scroll", tabindex: 0 }, table));
+  }
+
+  #tell(type: string, detail: unknown): void {
+    this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true, composed: true }));
+  }
+}
+
+/** Defines the element, once. */
+export function defineFigure(): void {
+  if (!customElements.get("strut-figure")) customElements.define("strut-figure", StrutFigure);
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "strut-figure": StrutFigure;
+  }
+}

@@ -1,0 +1,12 @@
+/** The languages that there are: another one is a table, and a line here. */
+import type { Words } from "./words";
+import { de } from "./words.de";
+import { en } from "./words.en";
+
+export const WORDS = { en, de } as const satisfies Record<string, Words>;
+
+/** A language that figures and lessons speak. */
+export type Language = keyof typeof WORDS;
+
+/** The languages, the default first. */
+export const LANGUAGES = Object.keys(WORDS) as Language[];

@@ -1,0 +1,80 @@
+/** What exercises about paired performances are judged by. */
+import type { LearnEngine } from "../../client/learn/protocol";
+import { JOINT, JOINTS, ROLES } from "../../humanoid";
+import { STYLES } from "./built_in";
+import type { Measure } from "./kind";
+import type { PairState } from "./pair_state";
+import { jointCurve, meanOf, type Pair, type Pairing } from "./pairing";
+import { sharedPair } from "./shared";
+
+/** Index of the smallest or largest finite number. */
+const best = (values: readonly number[], sign: 1 | -1) =>
+  values.reduce((found, value, i) => (sign * value < sign * values[found]! ? i : found), 0);
+
+/** Mean difference of every style but neutral, cm. */
+export async function styleMeans(engine: LearnEngine, motion: string, pairing: Pairing): Promise<Map<string, number>> {
+  const styles = STYLES.slice(1);
+  const pairs = await Promise.all(styles.map((style) => sharedPair(engine, motion, style)));
+  return new Map(styles.map((style, i) => [style, meanOf(pairs[i]?.difference[pairing] ?? [])]));
+}
+
+/** Mean distance of every joint, cm. */
+export function jointMeans(pair: Pair, pairing: Pairing): number[] {
+  return Array.from({ length: JOINTS }, (_, joint) => meanOf(jointCurve(pair, pairing, joint)));
+}
+
+/** The style of the least mean difference. */
+export async function nearestStyle(engine: LearnEngine, motion: string, pairing: Pairing): Promise<string> {
+  const means = [...(await styleMeans(engine, motion, pairing))];
+  return means[
+    best(
+      means.map(([, mean]) => mean),
+      1,
+    )
+  ]![0];
+}
+
+/** The joint of the greatest mean distance. */
+export function farthestJoint(pair: Pair, pairing: Pairing): number {
+  return best(jointMeans(pair, pairing), -1);
+}
+
+/** Whether the ratio grows is seen over so many frames. */
+const AROUND = 5;
+
+/** How many times the difference by content that by second is. */
+function ratioAt({ difference }: Pair, frame: number): number {
+  const f = Math.min(difference.content.length - 1, Math.max(0, frame));
+  return difference.second[f]! / difference.content[f]!;
+}
+
+/** The measure of a state. */
+export async function measurePair(engine: LearnEngine, state: PairState, pair: Pair): Promise<Measure> {
+  const { motion, style, pairing, joint } = state;
+  const at = Math.min(state.at, pair.input.frames - 1);
+  const [nearest, nearestBySecond] = await Promise.all(
+    (["content", "second"] as const).map((by) => nearestStyle(engine, motion, by)),
+  );
+  const means = await styleMeans(engine, motion, "content");
+  const joints = jointMeans(pair, "content");
+  return {
+    motion,
+    style,
+    pairing,
+    joint,
+    at,
+    secs: at / pair.rateHz,
+    content: pair.difference.content[at]!,
+    second: pair.difference.second[at]!,
+    meanContent: meanOf(pair.difference.content),
+    meanSecond: meanOf(pair.difference.second),
+    ratioBefore: ratioAt(pair, at - AROUND),
+    ratioAfter: ratioAt(pair, at + AROUND),
+    nearest: nearest!,
+    nearestBySecond: nearestBySecond!,
+    least: means.get(nearest!)!,
+    farthest: ROLES[farthestJoint(pair, "content")]!,
+    jointMean: joint === "" ? Number.NaN : joints[JOINT[joint]]!,
+    farthestMean: Math.max(...joints),
+  };
+}

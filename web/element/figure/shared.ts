@@ -1,0 +1,43 @@
+/** What the figures of a page share: the engine, and what it was asked already. */
+import { createLearnClient, type LearnClient } from "../../client/learn/learn_client";
+import type { LearnEngine } from "../../client/learn/protocol";
+import { type Pair, pairOf } from "./pairing";
+
+/** How long the engine is kept when no figure is left, milliseconds. */
+const LINGER_MS = 5000;
+
+let client: LearnClient | undefined;
+let users = 0;
+let leaving: ReturnType<typeof setTimeout> | undefined;
+
+/** The engine of all figures, until {@link leaveEngine}. */
+export function joinEngine(): LearnEngine {
+  users += 1;
+  client ??= createLearnClient();
+  return client;
+}
+
+/** Asks the engine no longer. */
+export function leaveEngine(): void {
+  users -= 1;
+  clearTimeout(leaving);
+  leaving = setTimeout(() => {
+    if (users > 0) return;
+    client?.dispose();
+    client = undefined;
+  }, LINGER_MS);
+}
+
+/** Pairs by engine, input and style. */
+const pairs = new WeakMap<LearnEngine, Map<string, Promise<Pair | undefined>>>();
+
+/** {@link pairOf}, computed once; what failed is tried again. */
+export function sharedPair(engine: LearnEngine, input: string, style: string): Promise<Pair | undefined> {
+  const known = pairs.get(engine) ?? new Map<string, Promise<Pair | undefined>>();
+  pairs.set(engine, known);
+  const key = `${input}/${style}`;
+  const pair = known.get(key) ?? pairOf(engine, input, style);
+  known.set(key, pair);
+  pair.catch(() => known.delete(key));
+  return pair;
+}

@@ -1,0 +1,19 @@
+/** The style sheets of figures, made once and shared by all of them. */
+import base from "../../ui/controls/base.css?inline";
+import buttons from "../../ui/controls/button.css?inline";
+import segment from "../../ui/controls/segment.css?inline";
+import select from "../../ui/controls/select.css?inline";
+import tokens from "../../ui/tokens.css?inline";
+import figure from "./figure.css?inline";
+
+let made: CSSStyleSheet[] | undefined;
+
+/** The sheets. */
+export function figureSheets(): CSSStyleSheet[] {
+  made ??= [tokens, base, buttons, segment, select, figure].map((text) => {
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(text);
+    return sheet;
+  });
+  return made;
+}

@@ -1,0 +1,289 @@
+/** An input and its performance in a style, side by side; each joint is marked by how far apart the two have it. */
+import { JOINT, ROLES, type Role } from "../../../humanoid";
+import { poseAt } from "../../../player/measured";
+import { Segment } from "../../../ui/controls/buttons";
+import { icon } from "../../../ui/controls/icons";
+import { html, setAttributes, setText, svg } from "../../../ui/dom";
+import { Viewer } from "../../../viewer";
+import { joinScreen, leaveScreen, schedule } from "../../host";
+import type { Drawing } from "../../schedule";
+import { STYLES, type Style } from "../built_in";
+import { Choice } from "../controls";
+import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
+import { measurePair } from "../pair_measure";
+import { PAIR_FIELDS, type PairState } from "../pair_state";
+import { jointDifferences, meanOf, PAIRINGS, type Pair } from "../pairing";
+import { sharedPair } from "../shared";
+import { figure } from "../words";
+
+/** Drawing goes on for so long after the last change: glides and fades end within it. */
+const AFTERGLOW_MS = 1200;
+/** A difference that is marked in full, cm. */
+const FULL_CM = 30;
+/** Radius of a mark, pixels: at no difference, and at {@link FULL_CM}. */
+const RADIUS = { none: 2.5, full: 8 };
+/** So many frames further the camera jumps instead of following. */
+const JUMP = 30;
+/** Where the label of the joint stands beside its mark, pixels. */
+const LABEL = 64;
+
+export const STAGE: FigureKind<PairState> = {
+  fields: PAIR_FIELDS,
+  create: (parts) => new StageFigure(parts),
+};
+
+class StageFigure implements FigureInstance<PairState>, Drawing {
+  readonly hasFocus = false;
+  readonly #parts: FigureParts<PairState>;
+  readonly #picture = html("div", { class: "picture" });
+  readonly #overlay = svg("svg", { class: "overlay", "aria-hidden": "true" });
+  readonly #marks = new Map<Role, SVGCircleElement>();
+  readonly #leader = svg("path", { class: "leader" });
+  readonly #label = svg("text", { class: "label chosen" });
+  readonly #style: Choice<Style>;
+  readonly #pairing: Segment<PairState["pairing"]>;
+  readonly #play = html("button", { type: "button", class: "button" });
+  readonly #readout = html("p", { class: "readout" });
+  readonly #viewer: Viewer | undefined;
+  #state: PairState | undefined;
+  #pair: Pair | undefined;
+  #differences: number[] = [];
+  #running = false;
+  #playing = false;
+  #lastDraw = 0;
+  /** Where the motion stands between two frames while it plays. */
+  #at = 0;
+  #drawUntil = 0;
+  #shownAt = Number.NaN;
+
+  constructor(parts: FigureParts<PairState>) {
+    this.#parts = parts;
+    const { words, container, controls, signal } = parts;
+    this.#style = new Choice(
+      words.style,
+      STYLES.map((style) => [style, words.styles[style]] as const),
+      (style) => parts.change({ style }, true),
+    );
+    this.#pairing = new Segment(
+      words.pairing,
+      PAIRINGS.map((value) => ({ value, label: words[value] })),
+      (pairing) => parts.change({ pairing }, true),
+    );
+    this.#play.addEventListener("click", () => this.#setPlaying(!this.#playing), { signal });
+    this.#showPlay();
+    for (const role of ROLES) {
+      const mark = svg("circle", { class: "joint", "data-term": "e" });
+      mark.addEventListener("click", () => parts.change({ joint: this.#state?.joint === role ? "" : role }, true));
+      mark.addEventListener("pointerenter", () => parts.point("e"));
+      mark.addEventListener("pointerleave", () => parts.point(undefined));
+      this.#marks.set(role, mark);
+    }
+    this.#overlay.append(this.#leader, ...this.#marks.values(), this.#label);
+    container.append(
+      html("header", { class: "head" }, html("h3", {}, words.two), ...(controls ? [this.#style.element] : [])),
+      this.#picture,
+      html("footer", { class: "foot" }, ...(controls ? [this.#play, this.#pairing.element] : []), this.#readout),
+    );
+    this.#viewer = this.#open();
+  }
+
+  async show(state: PairState): Promise<void> {
+    const before = this.#state;
+    this.#state = state;
+    if (!this.#playing || Math.abs(state.at - this.#at) > 1) this.#at = state.at;
+    this.#style.value = state.style;
+    this.#pairing.value = state.pairing;
+    const pair = await sharedPair(this.#parts.engine, state.motion, state.style);
+    if (this.#state !== state || this.#parts.signal.aborted) return;
+    const jumped =
+      this.#pair !== pair || before?.pairing !== state.pairing || Math.abs(state.at - this.#shownAt) > JUMP;
+    if (pair && this.#pair !== pair) this.#viewer?.setProportions(pair.proportions);
+    this.#pair = pair;
+    this.#showNow();
+    if (jumped) this.#viewer?.resetTrail();
+  }
+
+  async measure(): Promise<Measure> {
+    if (!this.#pair || !this.#state) return {};
+    return measurePair(this.#parts.engine, this.#state, this.#pair);
+  }
+
+  sentence(): string {
+    const [pair, state] = [this.#pair, this.#state];
+    if (!pair || !state) return "";
+    const { words } = this.#parts;
+    const most = this.#differences.reduce((found, cm, joint, all) => (cm > all[found]! ? joint : found), 0);
+    const cm = (value: number) => figure(value, 1, words);
+    return words.pictured(
+      words.styles[state.style],
+      figure(this.#frame / pair.rateHz, 2, words),
+      words[state.pairing],
+      cm(meanOf(this.#differences)),
+      words.joints[ROLES[most]!],
+      cm(this.#differences[most]!),
+    );
+  }
+
+  table(): Table {
+    const { words } = this.#parts;
+    const rows = ROLES.map((role, joint) => [
+      words.joints[role],
+      figure(this.#differences[joint] ?? Number.NaN, 1, words),
+    ]);
+    return { head: [words.joint, "cm"], rows };
+  }
+
+  values(): Readonly<Record<string, string>> {
+    const [pair, state] = [this.#pair, this.#state];
+    if (!pair || !state) return {};
+    const { words } = this.#parts;
+    return { p: words.styles.neutral, q: words.styles[state.style], J: String(ROLES.length) };
+  }
+
+  light(term: string | undefined): void {
+    this.#overlay.classList.toggle("lit", term === "e");
+    const labels = { styled: this.#styleName, input: this.#parts.words.styles.neutral };
+    if (!this.#viewer) return;
+    // Either walker is lit by its name.
+    if (term === "p") this.#viewer.labels = { ...labels, styled: "" };
+    else if (term === "q") this.#viewer.labels = { ...labels, input: "" };
+    else this.#viewer.labels = labels;
+    this.#invalidate();
+  }
+
+  run(running: boolean): void {
+    if (running === this.#running) return;
+    this.#running = running;
+    if (running) {
+      this.#lastDraw = performance.now();
+      this.#invalidate();
+      schedule.add(this);
+    } else schedule.remove(this);
+  }
+
+  setTheme(theme: "dark" | "light"): void {
+    if (this.#viewer) this.#viewer.theme = theme;
+    this.#invalidate();
+  }
+
+  draw(now: number): boolean {
+    const dt = Math.min(0.1, Math.max(0, (now - this.#lastDraw) / 1000));
+    this.#lastDraw = now;
+    if (this.#playing) this.#advance(dt);
+    if (!this.#viewer || (now > this.#drawUntil && this.#viewer.still)) return false;
+    return this.#viewer.render(now / 1000);
+  }
+
+  dispose(): void {
+    this.run(false);
+    if (!this.#viewer) return;
+    this.#viewer.dispose();
+    leaveScreen();
+  }
+
+  /** The viewer; `undefined` where the browser cannot draw in 3-D. */
+  #open(): Viewer | undefined {
+    const { words } = this.#parts;
+    try {
+      const viewer = new Viewer(this.#picture, {
+        labels: { styled: "", input: "" },
+        screen: joinScreen(),
+        description: words.two,
+      });
+      for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
+        this.#picture.addEventListener(type, () => this.#invalidate(), { passive: true });
+      viewer.onDraw = () => this.#placeMarks();
+      this.#picture.append(this.#overlay);
+      return viewer;
+    } catch {
+      leaveScreen();
+      this.#picture.replaceChildren(html("p", { class: "message" }, words.noGraphics));
+      return undefined;
+    }
+  }
+
+  get #frame(): number {
+    return Math.min(this.#state?.at ?? 0, (this.#pair?.input.frames ?? 1) - 1);
+  }
+
+  get #styleName(): string {
+    return this.#state ? this.#parts.words.styles[this.#state.style] : "";
+  }
+
+  #invalidate(): void {
+    this.#drawUntil = performance.now() + AFTERGLOW_MS;
+    this.#viewer?.invalidate();
+  }
+
+  #setPlaying(playing: boolean): void {
+    this.#playing = playing;
+    this.#showPlay();
+    if (!playing) this.#parts.change({}, true);
+  }
+
+  #showPlay(): void {
+    const name = this.#parts.words[this.#playing ? "pause" : "play"];
+    this.#play.replaceChildren(icon(this.#playing ? "pause" : "play"), html("span", {}, name));
+  }
+
+  #advance(dtSecs: number): void {
+    if (!this.#pair) return;
+    const last = this.#pair.input.frames - 1;
+    this.#at = this.#at >= last ? 0 : Math.min(last, this.#at + dtSecs * this.#pair.rateHz);
+    const at = Math.floor(this.#at);
+    if (at !== this.#state?.at) this.#parts.change({ at }, false);
+  }
+
+  /** Poses both walkers and says when they are. */
+  #showNow(): void {
+    const [pair, state] = [this.#pair, this.#state];
+    if (!pair || !state) return;
+    const { words } = this.#parts;
+    const frame = this.#frame;
+    this.#shownAt = frame;
+    const paired = pair.frames[state.pairing][frame]!;
+    const over = Number.isNaN(paired);
+    this.#differences = jointDifferences(pair, state.pairing, frame);
+    const viewer = this.#viewer;
+    if (viewer) {
+      viewer.setStyled(poseAt(pair.styled, over ? pair.styled.frames - 1 : paired));
+      viewer.setInput(poseAt(pair.input, frame));
+      viewer.labels = { styled: this.#styleName, input: words.styles.neutral };
+      viewer.description = this.sentence();
+    }
+    const secs = frame / pair.rateHz;
+    const styledSecs = state.pairing === "content" ? pair.styled.timeOut[frame]! : secs;
+    const times = words.times(figure(secs, 2, words), this.#styleName, figure(styledSecs, 2, words));
+    setText(this.#readout, over ? words.ended : times);
+    this.#invalidate();
+    this.#parts.changed();
+  }
+
+  /** Brings the marks to the joints of the picture that was drawn. */
+  #placeMarks(): void {
+    const [viewer, state] = [this.#viewer, this.#state];
+    if (!viewer || !state) return;
+    const { words } = this.#parts;
+    for (const [role, mark] of this.#marks) {
+      const { x, y } = viewer.jointScreenPosition(role);
+      const share = Math.min(1, (this.#differences[JOINT[role]] || 0) / FULL_CM);
+      const r = RADIUS.none + share * (RADIUS.full - RADIUS.none);
+      setAttributes(mark, {
+        cx: x.toFixed(1),
+        cy: y.toFixed(1),
+        r: r.toFixed(1),
+        "fill-opacity": (0.12 + 0.78 * share).toFixed(2),
+      });
+      mark.classList.toggle("chosen", role === state.joint);
+    }
+    const { joint } = state;
+    setAttributes(this.#leader, { visibility: joint === "" ? "hidden" : "visible" });
+    setText(this.#label, "");
+    if (joint === "") return;
+    const { x, y } = viewer.jointScreenPosition(joint);
+    const side = x > this.#picture.clientWidth / 2 ? 1 : -1;
+    setAttributes(this.#leader, { d: `M${x} ${y}h${LABEL * side}` });
+    setAttributes(this.#label, { x: x + (LABEL + 6) * side, y: y + 4, "text-anchor": side > 0 ? "start" : "end" });
+    setText(this.#label, `${words.joints[joint]} ${figure(this.#differences[JOINT[joint]]!, 1, words)} cm`);
+  }
+}

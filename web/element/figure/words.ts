@@ -1,0 +1,45 @@
+/** What figures say; `languages.ts` has it in each language. */
+import type { Role } from "../../humanoid";
+import type { InputName, Style } from "./built_in";
+
+/** What a language has to say of figures. */
+export interface Words {
+  /** What stands between a number's whole part and its decimals. */
+  decimal: string;
+  figure: string;
+  loading: string;
+  table: string;
+  play: string;
+  pause: string;
+  noGraphics: string;
+  failed: (why: string) => string;
+  unknown: (kind: string) => string;
+  styles: Record<Style, string>;
+  inputs: Record<InputName, string>;
+  joints: Record<Role, string>;
+  style: string;
+  pairing: string;
+  second: string;
+  content: string;
+  joint: string;
+  allJoints: string;
+  mean: string;
+  playhead: string;
+  time: string;
+  difference: string;
+  two: string;
+  ended: string;
+  times: (input: string, style: string, styled: string) => string;
+  pictured: (style: string, time: string, pairing: string, e: string, most: string, cm: string) => string;
+  curved: (style: string, time: string, content: string, second: string, mean: string, meanSecond: string) => string;
+}
+
+/** A number in a language. */
+export function figure(value: number, digits: number, { decimal }: Pick<Words, "decimal">): string {
+  if (!Number.isFinite(value)) return "–";
+  return value
+    .toFixed(digits)
+    .replace(/^-(?=0(\.0*)?$)/, "")
+    .replace("-", "−")
+    .replace(".", decimal);
+}

@@ -1,0 +1,110 @@
+/** Lesson: tell content from style. */
+
+import type { LearnEngine } from "../client/learn/protocol";
+import type { Measure } from "../element/figure/kind";
+import { farthestJoint, nearestStyle } from "../element/figure/pair_measure";
+import { PAIR_FIELDS, type PairState } from "../element/figure/pair_state";
+import { meanOf, type Pair } from "../element/figure/pairing";
+import { sharedPair } from "../element/figure/shared";
+import { ROLES } from "../humanoid";
+import { initialOf } from "../link/hash";
+import equation from "./equations/style.tex";
+import { type Lesson, lesson } from "./lesson";
+
+const PRESET = initialOf(PAIR_FIELDS);
+
+/** Exercise B: so many times the difference by content. */
+const TIMES = 4;
+/** Half of it is close. */
+const TIMES_NEAR = 2;
+/** Exercise A: this share above the least is close. */
+const NEAR_STYLE = 1.1;
+/** Exercise C: this share of the greatest is close. */
+const NEAR_JOINT = 0.7;
+
+/** Joints that travel far in every walk. */
+const TRAVELLING = /_(foot|toes|lower_leg)$/;
+
+const ratio = (measure: Measure) => Number(measure.second) / Number(measure.content);
+
+/** The input and its performance in a style. @throws Error where the engine has none */
+async function pairOfStyle(engine: LearnEngine, style: PairState["style"]): Promise<Pair> {
+  const pair = await sharedPair(engine, PRESET.motion, style);
+  if (!pair) throw new Error(`The engine has no performance in the style “${style}”.`);
+  return pair;
+}
+
+export const style: Lesson = lesson<PairState>({
+  id: "style",
+  fields: PAIR_FIELDS,
+  figures: [
+    {
+      name: "stage",
+      kind: "stage",
+      beats: ["idea", "bet", "look", "why", "exercises", "sources"],
+      controls: ["look", "why", "exercises"],
+    },
+    {
+      name: "curve",
+      kind: "curve",
+      beats: ["look", "why", "exercises", "sources"],
+      controls: ["look", "why", "exercises"],
+    },
+  ],
+  equation,
+  symbols: ["e", "p", "q", "tau", "i", "J"],
+  bet: {
+    options: ["second", "content"],
+    reveal: async (engine) => {
+      const { difference } = await pairOfStyle(engine, PRESET.style);
+      const [second, content] = [meanOf(difference.second), meanOf(difference.content)];
+      return { answer: second > content ? "second" : "content", measure: { second, content } };
+    },
+  },
+  exercises: [
+    {
+      id: "A",
+      figure: "curve",
+      start: { ...PRESET },
+      pass: ({ motion, style, nearest }) => motion === PRESET.motion && style === nearest,
+      near: ({ motion, style, meanContent, least }) => {
+        if (motion !== PRESET.motion || style === "neutral") return "other";
+        return Number(meanContent) <= NEAR_STYLE * Number(least) ? "close" : undefined;
+      },
+      refuse: ({ style, nearestBySecond, motion }) => motion === PRESET.motion && style === nearestBySecond,
+      solve: async (engine) => ({
+        style: (await nearestStyle(engine, PRESET.motion, "content")) as PairState["style"],
+      }),
+    },
+    {
+      id: "B",
+      figure: "curve",
+      start: { ...PRESET, style: "proud", at: 0 },
+      pass: (measure) => measure.style === "proud" && ratio(measure) >= TIMES,
+      near: (measure) => {
+        if (measure.style !== "proud") return "other";
+        if (ratio(measure) < TIMES_NEAR) return undefined;
+        return Number(measure.ratioAfter) >= Number(measure.ratioBefore) ? "later" : "earlier";
+      },
+      refuse: (measure) => measure.style === "proud" && Number(measure.second) <= Number(measure.content),
+      solve: async (engine) => {
+        const { difference } = await pairOfStyle(engine, "proud");
+        const at = difference.content.findIndex((content, f) => difference.second[f]! >= TIMES * content);
+        return { at };
+      },
+    },
+    {
+      id: "C",
+      figure: "curve",
+      start: { ...PRESET },
+      pass: ({ style, joint, farthest }) => style === "old" && joint === farthest,
+      near: ({ style, joint, jointMean, farthestMean }) => {
+        if (style !== "old") return "other";
+        if (joint === "") return "none";
+        return Number(jointMean) >= NEAR_JOINT * Number(farthestMean) ? "close" : undefined;
+      },
+      refuse: ({ style, joint }) => style === "old" && TRAVELLING.test(String(joint)),
+      solve: async (engine) => ({ joint: ROLES[farthestJoint(await pairOfStyle(engine, "old"), "content")]! }),
+    },
+  ],
+});

@@ -1,0 +1,57 @@
+/** The lessons in German. */
+import type { LearnText, LessonText } from "../text";
+import { style } from "./style";
+
+export const lessons: Readonly<Record<string, LessonText>> = { style };
+
+export const learn: LearnText = {
+  lessonOf: (n, of) => `Lektion ${n} von ${of}`,
+  beats: {
+    idea: "Die Idee",
+    bet: "Deine Wette",
+    look: "Genau hinsehen",
+    why: "Warum?",
+    exercises: "Aufgaben",
+    sources: "Quellen",
+  },
+  parts: "Teile der Lektion",
+  previous: "Zurück",
+  next: "Weiter",
+  language: "Sprache",
+  languageName: "Deutsch",
+  place: "Wette abgeben",
+  skip: "Wette überspringen",
+  locked: "Die Antwort erscheint, sobald du die Wette abgegeben oder übersprungen hast.",
+  right: "Du hast richtig gewettet.",
+  wrong: "Du hast auf die andere gewettet.",
+  skipped: "Du hast die Wette übersprungen.",
+  symbols: "Zeichen mit ihren jetzigen Werten",
+  equation: "Gleichung",
+  yourWords: "In eigenen Worten",
+  keptHere: "Bleibt in diesem Browser und wird nirgendwohin gesendet.",
+  notKept:
+    "Dieser Browser hebt für die Seite nichts auf: Dein Fortschritt hält, bis du sie schließt. Exportiere ihn, um ihn zu behalten.",
+  begin: "Anfangen",
+  working: "Du arbeitest an dieser Aufgabe: Sie wird geprüft, sobald du loslässt.",
+  hint: (n) => `Hinweis ${n}`,
+  solution: "Eine Lösung zeigen",
+  linkToAnswer: "Link zu meiner Antwort kopieren",
+  copied: "Der Link ist kopiert. Er prüft sich selbst, wenn er geöffnet wird.",
+  notCopied: "Der Browser hat das Kopieren nicht erlaubt. In der Adresszeile steht derselbe Link.",
+  solved: "gelöst",
+  tries: (n) => (n === 1 ? "1 Versuch" : `${n} Versuche`),
+  progress: "Fortschritt",
+  exportProgress: "Exportieren",
+  importProgress: "Importieren",
+  eraseProgress: "Löschen",
+  erased: "Dein Fortschritt ist gelöscht.",
+  imported: "Dein Fortschritt ist importiert.",
+  notImported: "Diese Datei enthält keinen Fortschritt der Lektionen.",
+  present: "Vorführen",
+  leavePresent: "Vorführung beenden",
+  print: "Drucken",
+  resetFigures: "Die Abbildungen sind wie am Anfang.",
+  linkToFigure: "Der Link der Abbildungen ist kopiert.",
+  figures: "Abbildungen",
+  failed: (why) => `Das konnte nicht berechnet werden. ${why}`,
+};

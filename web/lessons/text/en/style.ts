@@ -1,0 +1,83 @@
+import type { LessonText } from "../text";
+
+export const style: LessonText = {
+  title: "Tell content from style",
+  idea: [
+    "Two walkers take the same steps: left, right, left, in the same order. That is the content.",
+    "One of them is neutral, the other walks as an old person does: bent forward, and slower. That is the style.",
+    "To see style alone you have to compare equal instants of the step. But which instants are equal?",
+  ],
+  bet: {
+    question:
+      "You can pair the two walkers by the clock, second with second, or by the step, strike with strike. Which pairing shows more difference between the poses?",
+    options: { second: "The same second", content: "The same content" },
+    reveal: ({ second, content }) =>
+      `Over the whole walk the poses differ by ${second} cm in the same second, and by ${content} cm at the same content. The old walker is slower: after a few seconds one stands on the left foot while the other stands on the right. That is pace, and the clock counts it as pose.`,
+  },
+  look: [
+    "At each instant, measure how far each joint is from its partner, after place and heading are taken away. The mean of all joints is the [e: difference e].",
+    "What decides is the [tau: pairing τ]: it names the instant of the styled walk that has the same content. In the curve a thread leads from the playhead to that instant.",
+    "Drag the playhead, change the style, and switch between *same second* and *same content*. The larger a mark on the body, the farther apart that joint is.",
+  ],
+  symbols: {
+    e: { symbol: "e", name: "difference of the poses" },
+    p: { symbol: "p", name: "joints of the neutral walker" },
+    q: { symbol: "p′", name: "joints of the styled walker" },
+    tau: { symbol: "τ(i)", name: "instant with the same content" },
+    i: { symbol: "i", name: "instant of the input" },
+    J: { symbol: "J", name: "number of joints" },
+  },
+  why: "Why does the curve of the same second rise and fall, while that of the same content stays nearly level?",
+  exercises: {
+    A: {
+      task: "Which style is nearest to neutral? Choose the style with the least mean difference.",
+      pass: ({ style, meanContent }) => `Yes: ${style}, with ${meanContent} cm on average.`,
+      near: {
+        other: () => "Choose one of the styles other than neutral, on the neutral walk.",
+        close: ({ style, meanContent }) => `Close: ${style} has ${meanContent} cm. One style has a little less.`,
+      },
+      refuse: ({ style, meanContent, meanSecond }) =>
+        `You compared different moments of the step. By the clock ${style} has least, ${meanSecond} cm; at equal instants it has ${meanContent} cm.`,
+      no: ({ style, meanContent }) => `${style} has ${meanContent} cm on average. There is less.`,
+      hints: [
+        "Pace is style too, but it is not pose. Pair equal instants.",
+        "Set *same content* and read the mean beside the curve of that name.",
+      ],
+    },
+    B: {
+      task: "Find an instant of the proud walk at which the same second shows at least four times the difference of the same content.",
+      pass: ({ secs, second, content }) => `Yes: at ${secs} s it is ${second} cm against ${content} cm.`,
+      near: {
+        other: () => "Choose the style “proud” first.",
+        later: ({ second, content }) => `Close: ${second} cm against ${content} cm. Go a little later.`,
+        earlier: ({ second, content }) => `Close: ${second} cm against ${content} cm. Go a little earlier.`,
+      },
+      refuse: () => "Here the two are in step: the same second is the same content. Look where they are out of step.",
+      no: ({ secs, second, content }) => `At ${secs} s it is ${second} cm against ${content} cm. Look for a wider gap.`,
+      hints: [
+        "Proud walkers are slower. The longer they walk, the more they fall behind, up to half a cycle.",
+        "Watch the legs: where one walker has the left foot in front and the other the right, the gap is widest.",
+      ],
+    },
+    C: {
+      task: "Which joint does the old style move most? Choose it from the list, or click its mark.",
+      pass: ({ joint, jointMean }) => `Yes: ${joint}, by ${jointMean} cm on average.`,
+      near: {
+        other: () => "Choose the style “old” first.",
+        none: () => "Choose a joint from the list above the curve, or click its mark on the body.",
+        close: ({ joint, jointMean }) => `Close: ${joint}, ${jointMean} cm. A neighbour of it moves more.`,
+      },
+      refuse: ({ joint, jointMean }) =>
+        `You compared different moments of the step. Legs travel far in every walk; at equal instants ${joint} differs by ${jointMean} cm only.`,
+      no: ({ joint, jointMean }) => `${joint}: ${jointMean} cm on average. Another joint moves more.`,
+      hints: [
+        "An old walker is bent. What is farthest from the hips moves most.",
+        "Find the largest mark on the body.",
+      ],
+    },
+  },
+  sources: [
+    "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, §1 and §4: what style is, and how motions of one content are registered.",
+    "The difference is `meanDistance` in `web/player/measured.ts`; the styled walk with the same content is `counterpart` in `rust/strut-demo/src/database.rs`.",
+  ],
+};

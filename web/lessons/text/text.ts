@@ -1,0 +1,77 @@
+/** What a lesson says. `[term: words]` are words that light a mark, and backticks hold a file. */
+import type { Beat } from "../lesson";
+
+/** Numbers and names as a language writes them, by the names of a measure. */
+export type Said = Readonly<Record<string, string>>;
+
+/** Text of an exercise. */
+export interface ExerciseText {
+  task: string;
+  pass: (said: Said) => string;
+  /** A sentence for each way to be close. */
+  near: Readonly<Record<string, (said: Said) => string>>;
+  /** What the exercise is about, for who got it wrong. */
+  refuse: (said: Said) => string;
+  no: (said: Said) => string;
+  /** First a thought, then what to light up. */
+  hints: readonly [string, string];
+}
+
+/** Text of a lesson. */
+export interface LessonText {
+  /** The goal. */
+  title: string;
+  idea: readonly string[];
+  bet: { question: string; options: Readonly<Record<string, string>>; reveal: (said: Said) => string };
+  look: readonly string[];
+  /** What each symbol is, by term. */
+  symbols: Readonly<Record<string, { symbol: string; name: string }>>;
+  why: string;
+  exercises: Readonly<Record<string, ExerciseText>>;
+  sources: readonly string[];
+}
+
+/** What is said around every lesson. */
+export interface LearnText {
+  lessonOf: (n: number, of: number) => string;
+  beats: Readonly<Record<Beat, string>>;
+  parts: string;
+  previous: string;
+  next: string;
+  language: string;
+  languageName: string;
+  place: string;
+  skip: string;
+  locked: string;
+  right: string;
+  wrong: string;
+  skipped: string;
+  symbols: string;
+  equation: string;
+  yourWords: string;
+  keptHere: string;
+  notKept: string;
+  begin: string;
+  working: string;
+  hint: (n: number) => string;
+  solution: string;
+  linkToAnswer: string;
+  copied: string;
+  notCopied: string;
+  solved: string;
+  tries: (n: number) => string;
+  progress: string;
+  exportProgress: string;
+  importProgress: string;
+  eraseProgress: string;
+  erased: string;
+  imported: string;
+  notImported: string;
+  present: string;
+  leavePresent: string;
+  print: string;
+  resetFigures: string;
+  linkToFigure: string;
+  figures: string;
+  failed: (why: string) => string;
+}
