@@ -21,7 +21,7 @@ export interface Pair {
 
 /** Pairs an input with its performance in a style. @throws StrutError */
 export async function pairOf(engine: LearnEngine, input: string, style: string): Promise<Pair | undefined> {
-  const [motion, performed] = await Promise.all([engine.motion(input), engine.counterpart(input, style)]);
+  const [motion, performed] = await Promise.all([engine.motion({ name: input }), engine.counterpart(input, style)]);
   if (!performed) return undefined;
   const { rateHz, proportions } = motion;
   const [a, b] = [measure(motion, proportions), measure(performed, proportions)];
