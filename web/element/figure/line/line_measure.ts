@@ -1,0 +1,90 @@
+/** What exercises about the line of one degree of freedom are judged by; angles in degrees. */
+import type { Fit, LearnEngine } from "../../../client/learn/protocol";
+import type { Measure } from "../kind";
+import { DEGREES, type LineState, lookOf, settingsOf } from "./line_state";
+
+/** The ridges of a sweep. */
+export const LAMBDAS: readonly number[] = Array.from({ length: 25 }, (_, i) => 10 ** (-4 + (5 * i) / 24));
+
+/** "About the mean" is within so many degrees. */
+export const ABOUT_MEAN = 0.1;
+/** The least λ is found to this factor. */
+const LEAST_STEP = 1.02;
+
+/** The fit of a state. */
+export function fitOf(engine: LearnEngine, state: LineState): Promise<Fit> {
+  return engine.fit(lookOf(state), settingsOf(state));
+}
+
+/** Errors of free-running predictions with a state's other settings, degrees, by λ. */
+export async function sweepOf(
+  engine: LearnEngine,
+  state: LineState,
+  lambdas: readonly number[] = LAMBDAS,
+): Promise<number[]> {
+  const { lambda: _, ...settings } = settingsOf(state);
+  const errors = await engine.sweep(lookOf(state), settings, lambdas);
+  return Array.from(errors, (error) => error * DEGREES);
+}
+
+/** ŷ − ȳ: how far the prediction is from the neighbours' mean, degrees. */
+export function aboveMean({ predicted, means }: Fit): number {
+  return (predicted - means.y) * DEGREES;
+}
+
+/** σ of the residuals about the line of all three terms, degrees. */
+export function residual({ x, xPrevious, y, yPrevious, weights, beta, means }: Fit): number {
+  let [sum, total] = [0, 0];
+  weights.forEach((weight, i) => {
+    const [a, b, c] = beta;
+    const line =
+      means.y + a * (xPrevious[i]! - means.xPrevious) + b * (yPrevious[i]! - means.yPrevious) + c * (x[i]! - means.x);
+    sum += weight * (y[i]! - line) ** 2;
+    total += weight;
+  });
+  return total > 0 ? Math.sqrt(sum / total) * DEGREES : 0;
+}
+
+/** The least λ from which on the prediction is about the mean; `undefined` where the greatest is not enough. */
+export async function leastLambda(engine: LearnEngine, state: LineState): Promise<number | undefined> {
+  const isAbout = async (lambda: number) =>
+    Math.abs(aboveMean(await fitOf(engine, { ...state, lambda }))) <= ABOUT_MEAN;
+  let [low, high] = [0.0001, 10];
+  if (!(await isAbout(high))) return undefined;
+  // Where the sign changes on the way the prediction passes the mean: it counts from where it stays.
+  while (high / low > LEAST_STEP) {
+    const middle = Math.sqrt(low * high);
+    if (await isAbout(middle)) high = middle;
+    else low = middle;
+  }
+  return high;
+}
+
+/** The measure of a state. */
+export async function measureLine(engine: LearnEngine, state: LineState): Promise<Measure> {
+  const [fit, errors, own, least] = await Promise.all([
+    fitOf(engine, state),
+    sweepOf(engine, state),
+    sweepOf(engine, state, [state.lambda]),
+    leastLambda(engine, state),
+  ]);
+  const leastError = Math.min(...errors);
+  return {
+    motion: state.motion,
+    style: state.style,
+    at: state.at,
+    k: state.k,
+    lambda: state.lambda,
+    noise: state.noise,
+    taper: state.taper ? 1 : 0,
+    x: fit.query[2] * DEGREES,
+    predicted: fit.predicted * DEGREES,
+    mean: fit.means.y * DEGREES,
+    above: aboveMean(fit),
+    slope: fit.beta[2],
+    error: own[0]!,
+    leastError,
+    bestLambda: LAMBDAS[errors.indexOf(leastError)]!,
+    leastLambda: least ?? Number.NaN,
+  };
+}
