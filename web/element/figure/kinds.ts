@@ -4,6 +4,8 @@ import { type TextKind, textKind } from "./kind";
 const KINDS = {
   stage: async () => textKind((await import("./stage/stage_figure")).STAGE),
   curve: async () => textKind((await import("./curve/curve_figure")).CURVE),
+  scatter: async () => textKind((await import("./line/scatter_figure")).SCATTER),
+  sweep: async () => textKind((await import("./line/sweep_figure")).SWEEP),
 } as const satisfies Record<string, () => Promise<TextKind>>;
 
 /** Name of a kind. */

@@ -1,8 +1,11 @@
 /** The style sheets of figures, made once and shared by all of them. */
 import base from "../../ui/controls/base.css?inline";
 import buttons from "../../ui/controls/button.css?inline";
+import knob from "../../ui/controls/knob.css?inline";
 import segment from "../../ui/controls/segment.css?inline";
 import select from "../../ui/controls/select.css?inline";
+import slider from "../../ui/controls/slider.css?inline";
+import toggle from "../../ui/controls/toggle.css?inline";
 import tokens from "../../ui/tokens.css?inline";
 import figure from "./figure.css?inline";
 
@@ -10,7 +13,7 @@ let made: CSSStyleSheet[] | undefined;
 
 /** The sheets. */
 export function figureSheets(): CSSStyleSheet[] {
-  made ??= [tokens, base, buttons, segment, select, figure].map((text) => {
+  made ??= [tokens, base, buttons, knob, segment, select, slider, toggle, figure].map((text) => {
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(text);
     return sheet;

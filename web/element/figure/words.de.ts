@@ -68,6 +68,29 @@ export const de: Words = {
   times: (input, style, styled) => `neutral ${input} s, ${style} ${styled} s`,
   pictured: (style, time, pairing, e, most, cm) =>
     `Bei ${time} s, ${pairing}: Im Stil „${style}“ weicht die Pose um ${e} cm von der neutralen ab, am meisten am Gelenk „${most}“, um ${cm} cm.`,
+  line: {
+    title: "Ein Freiheitsgrad und seine Gerade",
+    knobs: {
+      k: { symbol: "K", name: "Nachbarn K", description: "Wie viele der nächsten Beispiele zählen" },
+      lambda: { symbol: "λ", name: "Ridge λ", description: "Wie viel eine steile Gerade kostet" },
+      noise: { symbol: "ν", name: "Rauschen ν, Grad", description: "Rauschen, das zu den Zielen kommt" },
+    },
+    taper: "Nähere Beispiele zählen mehr",
+    input: (name) => `${name}, Eingabe`,
+    output: (name, style) => `${name}, ${style}`,
+    columns: ["Zeile", "Eingabe x, °", "Ziel y, °", "Gewicht v"],
+    read: (mean, above) => `Mittel ${mean}°, Vorhersage ${above}° davon`,
+    said: (name, k, x, y, slope, above) =>
+      `${name}: ${k} Beispiele; bei einer Eingabe von ${x}° sagt die Gerade ${y}° voraus, Steigung ${slope}, ${above}° vom Mittel.`,
+  },
+  sweep: {
+    title: "Fehler über λ",
+    error: "Fehler, °",
+    columns: ["λ", "Fehler, °"],
+    read: (error, least, best) => `Fehler ${error}°; am kleinsten ${least}° bei λ ${best}`,
+    said: (lambda, error, least, best) =>
+      `Bei λ ${lambda} liegt die Vorhersage des ganzen Gangs um ${error}° daneben; am wenigsten sind es ${least}° bei λ ${best}.`,
+  },
   curved: (style, time, content, second, mean, meanSecond) =>
     `Stil „${style}“ bei ${time} s: ${content} cm bei gleichem Inhalt, ${second} cm in der gleichen Sekunde. Mittel ${mean} und ${meanSecond} cm.`,
 };

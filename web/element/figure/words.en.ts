@@ -38,6 +38,29 @@ export const en: Words = {
   times: (input, style, styled) => `neutral ${input} s, ${style} ${styled} s`,
   pictured: (style, time, pairing, e, most, cm) =>
     `At ${time} s, ${pairing}: the ${style} pose differs by ${e} cm from the neutral one, most at the ${most}, ${cm} cm.`,
+  line: {
+    title: "One degree of freedom, and its line",
+    knobs: {
+      k: { symbol: "K", name: "Neighbours K", description: "How many of the nearest examples count" },
+      lambda: { symbol: "λ", name: "Ridge λ", description: "How much a steep line costs" },
+      noise: { symbol: "ν", name: "Noise ν, degrees", description: "Noise that is added to the targets" },
+    },
+    taper: "Nearer examples count more",
+    input: (name) => `${name}, input`,
+    output: (name, style) => `${name}, ${style}`,
+    columns: ["row", "input x, °", "target y, °", "weight v"],
+    read: (mean, above) => `mean ${mean}°, prediction ${above}° from it`,
+    said: (name, k, x, y, slope, above) =>
+      `${name}: ${k} examples; at an input of ${x}° the line predicts ${y}°, slope ${slope}, ${above}° from their mean.`,
+  },
+  sweep: {
+    title: "Error over the ridge",
+    error: "error, °",
+    columns: ["λ", "error, °"],
+    read: (error, least, best) => `error ${error}°; least ${least}° at λ ${best}`,
+    said: (lambda, error, least, best) =>
+      `At λ ${lambda} the prediction of the whole walk is off by ${error}°; the least is ${least}° at λ ${best}.`,
+  },
   curved: (style, time, content, second, mean, meanSecond) =>
     `Style ${style} at ${time} s: ${content} cm by content, ${second} cm by second. Means ${mean} and ${meanSecond} cm.`,
 };

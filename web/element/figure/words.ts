@@ -31,7 +31,38 @@ export interface Words {
   ended: string;
   times: (input: string, style: string, styled: string) => string;
   pictured: (style: string, time: string, pairing: string, e: string, most: string, cm: string) => string;
+  line: LineWords;
+  sweep: SweepWords;
   curved: (style: string, time: string, content: string, second: string, mean: string, meanSecond: string) => string;
+}
+
+/** A knob: what is printed, what is said, and what it does. */
+interface KnobWords {
+  symbol: string;
+  name: string;
+  description: string;
+}
+
+/** What the figure of a fitted line says. */
+export interface LineWords {
+  title: string;
+  knobs: Record<"k" | "lambda" | "noise", KnobWords>;
+  taper: string;
+  input: (joint: string) => string;
+  output: (joint: string, style: string) => string;
+  /** Heads of the table: row of the database, input, target, weight. */
+  columns: readonly [string, string, string, string];
+  read: (mean: string, above: string) => string;
+  said: (joint: string, k: string, x: string, y: string, slope: string, above: string) => string;
+}
+
+/** What the figure of the ridge's sweep says. */
+export interface SweepWords {
+  title: string;
+  error: string;
+  columns: readonly [string, string];
+  read: (error: string, least: string, best: string) => string;
+  said: (lambda: string, error: string, least: string, best: string) => string;
 }
 
 /** A number in a language. */

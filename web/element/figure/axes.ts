@@ -1,0 +1,67 @@
+/** Where values lie in a plot of one quantity over another. Pure. */
+
+/** Size in pixels, and the extent of the axes. */
+export interface Axes {
+  width: number;
+  height: number;
+  x: Extent;
+  y: Extent;
+  /** Whether the horizontal axis is logarithmic. */
+  logX?: boolean;
+}
+
+export type Extent = readonly [min: number, max: number];
+
+/** Room around the marks, pixels. */
+export const MARGIN = { left: 44, right: 16, top: 16, bottom: 44 };
+
+/** Pixel of a horizontal value. */
+export function xOf({ width, x: [min, max], logX }: Axes, value: number): number {
+  const share = logX ? Math.log(value / min) / Math.log(max / min) : (value - min) / (max - min);
+  return MARGIN.left + share * Math.max(1, width - MARGIN.left - MARGIN.right);
+}
+
+/** The horizontal value of a pixel. */
+export function valueOfX({ width, x: [min, max], logX }: Axes, pixel: number): number {
+  const share = (pixel - MARGIN.left) / Math.max(1, width - MARGIN.left - MARGIN.right);
+  return logX ? min * (max / min) ** share : min + share * (max - min);
+}
+
+/** Pixel of a vertical value. */
+export function yOf({ height, y: [min, max] }: Axes, value: number): number {
+  return MARGIN.top + (1 - (value - min) / (max - min)) * Math.max(1, height - MARGIN.top - MARGIN.bottom);
+}
+
+/** Round ends around values, at least `least` apart. */
+export function extentOf(values: Iterable<number>, least: number): Extent {
+  let [min, max] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const value of values) {
+    min = Math.min(min, value);
+    max = Math.max(max, value);
+  }
+  if (!(min <= max)) return [0, least];
+  const missing = Math.max(0, least - (max - min)) / 2;
+  const step = stepOf(max - min + 2 * missing, 4);
+  return [Math.floor((min - missing) / step) * step, Math.ceil((max + missing) / step) * step];
+}
+
+/** Round values within an extent, about `count` of them. */
+export function ticksOf([min, max]: Extent, count: number): number[] {
+  const step = stepOf(max - min, count);
+  const first = Math.ceil(min / step - 1e-9);
+  const last = Math.floor(max / step + 1e-9);
+  return Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toFixed(9)));
+}
+
+/** Powers of ten within an extent. */
+export function decadesOf([min, max]: Extent): number[] {
+  const first = Math.ceil(Math.log10(min) - 1e-9);
+  const last = Math.floor(Math.log10(max) + 1e-9);
+  return Array.from({ length: last - first + 1 }, (_, i) => 10 ** (first + i));
+}
+
+function stepOf(span: number, count: number): number {
+  const least = span / count;
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * [1, 2, 5, 10].find((factor) => factor * power >= least * (1 - 1e-9))!;
+}

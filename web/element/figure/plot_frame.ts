@@ -1,0 +1,70 @@
+/** The picture of a plot: its size, its grid with labels, and the terms of its marks. */
+import { html, setAttributes, svg } from "../../ui/dom";
+import { type Axes, MARGIN, xOf, yOf } from "./axes";
+import { figure, type Words } from "./words";
+
+/** Labels of the axes, and what stands on them. */
+export interface Grid {
+  x: string;
+  y: string;
+  columns: readonly (readonly [value: number, label: string])[];
+  rows: readonly number[];
+}
+
+export class PlotFrame {
+  /** What holds the picture. */
+  readonly element: HTMLElement;
+  readonly picture = svg("svg", { class: "plot", role: "group" });
+  readonly #grid = svg("g", { class: "grid" });
+  width = 0;
+  height = 0;
+
+  /** @param onResize draws anew */
+  constructor(name: string, onResize: () => void, signal: AbortSignal) {
+    this.picture.setAttribute("aria-label", name);
+    this.picture.append(this.#grid);
+    this.element = html("div", { class: "picture" }, this.picture);
+    const observer = new ResizeObserver(() => {
+      const { clientWidth, clientHeight } = this.element;
+      if (clientWidth === this.width && clientHeight === this.height) return;
+      [this.width, this.height] = [clientWidth, clientHeight];
+      setAttributes(this.picture, { viewBox: `0 0 ${this.width} ${this.height}` });
+      onResize();
+    });
+    observer.observe(this.element);
+    signal.addEventListener("abort", () => observer.disconnect(), { once: true });
+  }
+
+  /** Tells which term's marks are pointed at; call it when all marks are there. */
+  listenToMarks(point: (term: string | undefined) => void): void {
+    for (const mark of this.picture.querySelectorAll("[data-term]")) {
+      mark.addEventListener("pointerenter", () => point(mark.getAttribute("data-term")!));
+      mark.addEventListener("pointerleave", () => point(undefined));
+    }
+  }
+
+  light(term: string | undefined): void {
+    for (const mark of this.picture.querySelectorAll("[data-term]"))
+      mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
+  }
+
+  drawGrid(axes: Axes, { x, y, columns, rows }: Grid, words: Words): void {
+    const [left, right] = [xOf(axes, axes.x[0]), xOf(axes, axes.x[1])];
+    const [top, bottom] = [yOf(axes, axes.y[1]), yOf(axes, axes.y[0])];
+    const text = (at: number, height: number, anchor: string, label: string) =>
+      svg("text", { x: at, y: height, "text-anchor": anchor }, label);
+    const digits = rows.length > 1 && rows[1]! - rows[0]! < 1 ? 1 : 0;
+    this.#grid.replaceChildren(
+      ...rows.flatMap((value) => [
+        svg("path", { d: `M${left} ${yOf(axes, value)}H${right}` }),
+        text(left - 6, yOf(axes, value) + 4, "end", figure(value, digits, words)),
+      ]),
+      ...columns.flatMap(([value, label]) => [
+        svg("path", { d: `M${xOf(axes, value)} ${top}V${bottom}` }),
+        text(xOf(axes, value), bottom + 16, "middle", label),
+      ]),
+      text(left, MARGIN.top - 5, "start", y),
+      text(right, bottom + 32, "end", x),
+    );
+  }
+}
