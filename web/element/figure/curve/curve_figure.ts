@@ -64,12 +64,7 @@ class CurveFigure implements FigureInstance<PairState> {
     this.#picture.append(...Object.values(this.#labels), ...Object.values(this.#points), this.#head);
     this.#picture.setAttribute("aria-label", words.difference);
     container.append(
-      html(
-        "header",
-        { class: "head" },
-        html("h3", {}, words.difference),
-        ...(parts.controls ? [this.#joint.element] : []),
-      ),
+      html("header", { class: "head" }, html("h3", {}, words.difference), this.#joint.element),
       html("div", { class: "picture" }, this.#picture),
       html("footer", { class: "foot" }, this.#readout),
     );

@@ -58,7 +58,7 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
 
   constructor(parts: FigureParts<PairState>) {
     this.#parts = parts;
-    const { words, container, controls, signal } = parts;
+    const { words, container, signal } = parts;
     this.#style = new Choice(
       words.style,
       STYLES.map((style) => [style, words.styles[style]] as const),
@@ -80,9 +80,9 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
     }
     this.#overlay.append(this.#leader, ...this.#marks.values(), this.#label);
     container.append(
-      html("header", { class: "head" }, html("h3", {}, words.two), ...(controls ? [this.#style.element] : [])),
+      html("header", { class: "head" }, html("h3", {}, words.two), this.#style.element),
       this.#picture,
-      html("footer", { class: "foot" }, ...(controls ? [this.#play, this.#pairing.element] : []), this.#readout),
+      html("footer", { class: "foot" }, this.#play, this.#pairing.element, this.#readout),
     );
     this.#viewer = this.#open();
   }
