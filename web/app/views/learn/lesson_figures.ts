@@ -52,12 +52,12 @@ export class LessonFigures {
   show({ figures, beat, locked, theme, large, controls }: FiguresState): void {
     // Until the bet is placed only what the bet shows is shown.
     const name = BEATS[locked ? BEATS.indexOf("bet") : beat]!;
-    for (const { name: id, beats, controls: controlled } of this.#lesson.figures) {
+    for (const { name: id, beats, explained } of this.#lesson.figures) {
       const figure = this.#figures.get(id)!;
       figure.hidden = !beats.includes(name);
       figure.toggleAttribute("large", large);
       figure.setAttribute("theme", theme);
-      figure.setAttribute("hide", controls && controlled.includes(name) ? "" : "controls");
+      figure.setAttribute("hide", hiddenIn(controls, explained.includes(name)));
       figure.state = figures;
     }
     this.element.dataset.shown = String(this.#lesson.figures.filter(({ beats }) => beats.includes(name)).length);
@@ -71,4 +71,9 @@ export class LessonFigures {
   light(term: string | undefined): void {
     for (const figure of this.#figures.values()) figure.light(term);
   }
+}
+
+/** What a figure does not show: what the lesson has not come to yet, or nothing that can be set. */
+function hiddenIn(controls: boolean, explained: boolean): string {
+  return [...(controls ? [] : ["controls"]), ...(explained ? [] : ["choices", "marks"])].join(",");
 }
