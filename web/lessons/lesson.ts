@@ -16,8 +16,8 @@ export interface LessonFigure {
   kind: KindName;
   /** The beats in which it is shown; before the reveal a figure must not give the answer to the bet away. */
   beats: readonly Beat[];
-  /** The beats in which it has controls. */
-  controls: readonly Beat[];
+  /** The beats that explain its marks and what can be chosen: the others show neither. */
+  explained: readonly Beat[];
 }
 
 /** A question that a figure answers: measured, never stored. */

@@ -1,10 +1,15 @@
-/** The lessons that there are, in order: a lesson is a module, its texts, and a line here. */
+/** The lessons that there are, in order: a lesson is a module, its texts, and a line here. Each is loaded when it is opened. */
 import type { Lesson } from "./lesson";
-import { style } from "./style";
 
-export const LESSONS: readonly Lesson[] = [style];
+/** Where a lesson is. */
+export interface LessonEntry {
+  id: string;
+  load: () => Promise<Lesson>;
+}
+
+export const LESSONS: readonly LessonEntry[] = [{ id: "style", load: async () => (await import("./style")).style }];
 
 /** The lesson of a name, or the first. */
-export function lessonOf(id: string): Lesson {
+export function lessonOf(id: string): LessonEntry {
   return LESSONS.find((lesson) => lesson.id === id) ?? LESSONS[0]!;
 }

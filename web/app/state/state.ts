@@ -9,10 +9,11 @@ import { PAGE_FIELDS, type PageState } from "../../link/page";
 import { PLAY_FIELDS, type PlayState } from "../../link/play";
 import { COMPARE_FIELDS, type CompareState } from "./compare";
 import { KEY_STYLE_FIELDS, type KeyStyleState } from "./key_style";
+import { foreignPairs, LEARN_FIELDS, type LearnState } from "./learn";
 import { WALK_FIELDS, type WalkState } from "./walk";
 
 /** Everything that a link restores. */
-export interface AppState extends PageState, PlayState, CompareState, WalkState, KeyStyleState {}
+export interface AppState extends PageState, PlayState, CompareState, WalkState, KeyStyleState, LearnState {}
 
 /** The composed table. */
 export const FIELDS: Fields<AppState> = {
@@ -21,10 +22,14 @@ export const FIELDS: Fields<AppState> = {
   ...COMPARE_FIELDS,
   ...WALK_FIELDS,
   ...KEY_STYLE_FIELDS,
+  ...LEARN_FIELDS,
 };
 
 /** Names of the fields that undo takes back. */
 export const UNDOABLE = namesOf(FIELDS).filter((name) => FIELDS[name].undoable);
+
+/** Keys of the page's own fields in a link. */
+const KEYS: ReadonlySet<string> = new Set(namesOf(FIELDS).map((name) => FIELDS[name].key));
 
 /** All fields at their defaults. */
 export function initialState(): AppState {
@@ -33,10 +38,12 @@ export function initialState(): AppState {
 
 /** Writes the fields that differ from their defaults as `key=value&…`, readable and without the leading `#`. */
 export function toHash(state: AppState): string {
-  return writeHash(FIELDS, state);
+  const figures = state.view === "learn" ? state.figures : "";
+  return [writeHash(FIELDS, { ...state, figures: "" }), figures].filter((part) => part !== "").join("&");
 }
 
-/** Reads what {@link toHash} wrote. Unknown keys and invalid values are ignored, so that links of other versions open. */
+/** Reads what {@link toHash} wrote; in Learn, keys that the page does not know are the figures' state. Other unknown keys and invalid values are ignored, so that links of other versions open. */
 export function fromHash(hash: string): AppState {
-  return readHash(FIELDS, hash);
+  const state = readHash(FIELDS, hash);
+  return state.view === "learn" ? { ...state, figures: foreignPairs(hash, KEYS) } : state;
 }

@@ -23,7 +23,7 @@ const SAY_MS = 1000;
  * the mark that is pointed at.
  */
 export class StrutFigure extends HTMLElement {
-  static readonly observedAttributes = ["kind", "state", "lang", "hide", "theme"];
+  static readonly observedAttributes = ["kind", "state", "lang", "theme"];
   readonly #container = html("div", { class: "figure" });
   readonly #message = html("p", { class: "message" });
   readonly #live = html("p", { class: "visually-hidden", role: "status" });
@@ -138,9 +138,7 @@ export class StrutFigure extends HTMLElement {
   async #open(signal: AbortSignal): Promise<void> {
     const words = this.#words;
     const name = this.getAttribute("kind") ?? "";
-    const hidden = new Set((this.getAttribute("hide") ?? "").split(","));
     this.#table.replaceChildren(html("summary", {}, words.table));
-    this.#table.hidden = hidden.has("table");
     try {
       const kind = await loadKind(name);
       if (signal.aborted || this.#figure) return;
@@ -153,7 +151,6 @@ export class StrutFigure extends HTMLElement {
         engine: this.#engine!,
         language: this.#language,
         words,
-        controls: !hidden.has("controls"),
         change: (state, settled) => {
           this.#state = state;
           this.state = state;

@@ -21,8 +21,6 @@ export interface FigureParts<State> {
   engine: LearnEngine;
   language: Language;
   words: Words;
-  /** Whether it has controls. */
-  controls: boolean;
   /** A person changed the state; `settled` where the hand has let go. */
   change(patch: Partial<State>, settled: boolean): void;
   /** A mark with a term is pointed at, or none. */

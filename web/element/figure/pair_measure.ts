@@ -14,8 +14,13 @@ const best = (values: readonly number[], sign: 1 | -1) =>
 /** Mean difference of every style but neutral, cm. */
 export async function styleMeans(engine: LearnEngine, motion: string, pairing: Pairing): Promise<Map<string, number>> {
   const styles = STYLES.slice(1);
-  const pairs = await Promise.all(styles.map((style) => sharedPair(engine, motion, style)));
-  return new Map(styles.map((style, i) => [style, meanOf(pairs[i]?.difference[pairing] ?? [])]));
+  const means = new Map<string, number>();
+  // One after the other: each takes a while on this thread, and pictures are drawn in between.
+  for (const style of styles) {
+    const pair = await sharedPair(engine, motion, style);
+    means.set(style, meanOf(pair?.difference[pairing] ?? []));
+  }
+  return means;
 }
 
 /** Mean distance of every joint, cm. */
@@ -52,9 +57,8 @@ function ratioAt({ difference }: Pair, frame: number): number {
 export async function measurePair(engine: LearnEngine, state: PairState, pair: Pair): Promise<Measure> {
   const { motion, style, pairing, joint } = state;
   const at = Math.min(state.at, pair.input.frames - 1);
-  const [nearest, nearestBySecond] = await Promise.all(
-    (["content", "second"] as const).map((by) => nearestStyle(engine, motion, by)),
-  );
+  const nearest = await nearestStyle(engine, motion, "content");
+  const nearestBySecond = await nearestStyle(engine, motion, "second");
   const means = await styleMeans(engine, motion, "content");
   const joints = jointMeans(pair, "content");
   return {
@@ -70,9 +74,9 @@ export async function measurePair(engine: LearnEngine, state: PairState, pair: P
     meanSecond: meanOf(pair.difference.second),
     ratioBefore: ratioAt(pair, at - AROUND),
     ratioAfter: ratioAt(pair, at + AROUND),
-    nearest: nearest!,
-    nearestBySecond: nearestBySecond!,
-    least: means.get(nearest!)!,
+    nearest,
+    nearestBySecond,
+    least: means.get(nearest)!,
     farthest: ROLES[farthestJoint(pair, "content")]!,
     jointMean: joint === "" ? Number.NaN : joints[JOINT[joint]]!,
     farthestMean: Math.max(...joints),

@@ -22,7 +22,7 @@ const FRAMES = { min: 0, max: 5000, digits: 0 };
 export const PAIR_FIELDS: Fields<PairState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
   style: choice("style", "old", STYLES, true),
-  pairing: choice("pair", "content", PAIRINGS, true),
-  at: number("at", 160, FRAMES, true),
+  pairing: choice("pair", "second", PAIRINGS, true),
+  at: number("i", 160, FRAMES, true),
   joint: choice("joint", "", ["", ...ROLES], true),
 };

@@ -3,7 +3,6 @@ import type { Words } from "./words";
 
 export const de: Words = {
   decimal: ",",
-  figure: "Abbildung",
   loading: "Die Abbildung wird geladen.",
   table: "Als Tabelle",
   play: "Abspielen",
@@ -59,10 +58,11 @@ export const de: Words = {
   content: "gleicher Inhalt",
   joint: "Gelenk",
   allJoints: "alle Gelenke, Mittel",
-  mean: "Mittel",
   playhead: "Augenblick",
   time: "Zeit der Eingabe, s",
   difference: "Unterschied der Posen, e",
+  distance: (joint) => `Abstand des Gelenks: ${joint}`,
+  legend: (pairing, now, mean) => `${pairing}: ${now} cm, Mittel ${mean} cm`,
   two: "Zwei Gehende, ein Inhalt",
   ended: "Der Stil ist schon am Ziel.",
   times: (input, style, styled) => `neutral ${input} s, ${style} ${styled} s`,

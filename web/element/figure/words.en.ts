@@ -12,7 +12,6 @@ const joint = (role: Role) =>
 
 export const en: Words = {
   decimal: ".",
-  figure: "Figure",
   loading: "The figure is loading.",
   table: "As a table",
   play: "Play",
@@ -29,10 +28,11 @@ export const en: Words = {
   content: "same content",
   joint: "Joint",
   allJoints: "all joints, mean",
-  mean: "mean",
   playhead: "Instant",
   time: "time of the input, s",
   difference: "Difference of the poses, e",
+  distance: (joint) => `Distance of the joint: ${joint}`,
+  legend: (pairing, now, mean) => `${pairing}: ${now} cm, mean ${mean} cm`,
   two: "Two walkers, one content",
   ended: "The styled walker has arrived already.",
   times: (input, style, styled) => `neutral ${input} s, ${style} ${styled} s`,

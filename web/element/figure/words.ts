@@ -6,7 +6,6 @@ import type { InputName, Style } from "./built_in";
 export interface Words {
   /** What stands between a number's whole part and its decimals. */
   decimal: string;
-  figure: string;
   loading: string;
   table: string;
   play: string;
@@ -23,10 +22,11 @@ export interface Words {
   content: string;
   joint: string;
   allJoints: string;
-  mean: string;
   playhead: string;
   time: string;
   difference: string;
+  distance: (joint: string) => string;
+  legend: (pairing: string, now: string, mean: string) => string;
   two: string;
   ended: string;
   times: (input: string, style: string, styled: string) => string;

@@ -2,12 +2,12 @@
 import type { Language } from "../../element/figure/languages";
 import * as de from "./de";
 import * as en from "./en";
-import type { LearnText, LessonText } from "./text";
+import type { LearnText, LessonTexts } from "./text";
 
 /** What a language says of the lessons, and around them. */
 export interface Texts {
   learn: LearnText;
-  lessons: Readonly<Record<string, LessonText>>;
+  lessons: LessonTexts;
 }
 
 export const TEXTS = { en, de } as const satisfies Record<Language, Texts>;

@@ -31,6 +31,9 @@ export interface LessonText {
   sources: readonly string[];
 }
 
+/** The texts of the lessons by id, each loaded when it is opened. */
+export type LessonTexts = Readonly<Record<string, () => Promise<LessonText>>>;
+
 /** What is said around every lesson. */
 export interface LearnText {
   lessonOf: (n: number, of: number) => string;

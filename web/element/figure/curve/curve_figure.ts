@@ -27,11 +27,17 @@ class CurveFigure implements FigureInstance<PairState> {
   readonly #picture = svg("svg", { class: "plot", role: "group" });
   readonly #grid = svg("g", { class: "grid" });
   readonly #curves: Record<Pairing, SVGPathElement>;
-  readonly #labels: Record<Pairing, SVGTextElement>;
+  readonly #legend: Record<Pairing, HTMLElement>;
   readonly #thread = svg("path", { class: "thread", "data-term": "tau" });
   readonly #points: Record<Pairing, SVGCircleElement>;
   readonly #head = svg("g", { class: "playhead", role: "slider", tabindex: 0, "data-term": "i" });
-  readonly #readout = html("p", { class: "readout" });
+  readonly #title: HTMLElement;
+  readonly #styled = svg(
+    "g",
+    { class: "styled", "data-term": "tau" },
+    svg("circle", { r: 3 }),
+    svg("text", { x: 8, y: 4 }),
+  );
   #state: PairState | undefined;
   #pair: Pair | undefined;
   /** The two curves that are drawn, and of what. */
@@ -52,7 +58,7 @@ class CurveFigure implements FigureInstance<PairState> {
     const both = <T>(make: (pairing: Pairing) => T) =>
       Object.fromEntries(PAIRINGS.map((pairing) => [pairing, make(pairing)])) as Record<Pairing, T>;
     this.#curves = both((pairing) => svg("path", { class: `curve ${pairing}`, "data-term": "e" }));
-    this.#labels = both((pairing) => svg("text", { class: `label ${pairing}`, "data-term": "e" }));
+    this.#legend = both((pairing) => html("span", { class: `legend ${pairing}`, "data-term": "e" }));
     this.#points = both((pairing) => svg("circle", { class: `point ${pairing}`, r: 4, "data-term": "e" }));
     this.#head.append(
       svg("path", { class: "target" }),
@@ -61,17 +67,17 @@ class CurveFigure implements FigureInstance<PairState> {
     );
     this.#head.setAttribute("aria-label", words.playhead);
     this.#picture.append(this.#grid, this.#curves.second, this.#curves.content, this.#thread);
-    this.#picture.append(...Object.values(this.#labels), ...Object.values(this.#points), this.#head);
+    this.#picture.append(this.#styled, ...Object.values(this.#points), this.#head);
     this.#picture.setAttribute("aria-label", words.difference);
+    this.#title = html("h3", {}, words.difference);
     container.append(
-      html(
-        "header",
-        { class: "head" },
-        html("h3", {}, words.difference),
-        ...(parts.controls ? [this.#joint.element] : []),
-      ),
+      html("header", { class: "head" }, this.#title, this.#joint.element),
       html("div", { class: "picture" }, this.#picture),
-      html("footer", { class: "foot" }, this.#readout),
+      html(
+        "footer",
+        { class: "foot" },
+        html("p", { class: "readout legends" }, this.#legend.content, this.#legend.second),
+      ),
     );
     const observer = new ResizeObserver(() => this.#resize());
     observer.observe(this.#picture.parentElement!);
@@ -83,7 +89,7 @@ class CurveFigure implements FigureInstance<PairState> {
       this.#keyed = false;
     };
     for (const type of ["keyup", "blur"]) this.#head.addEventListener(type, settle, { signal });
-    for (const mark of this.#picture.querySelectorAll("[data-term]")) {
+    for (const mark of container.querySelectorAll("[data-term]")) {
       mark.addEventListener("pointerenter", () => parts.point(mark.getAttribute("data-term")!));
       mark.addEventListener("pointerleave", () => parts.point(undefined));
     }
@@ -140,14 +146,14 @@ class CurveFigure implements FigureInstance<PairState> {
     const { words } = this.#parts;
     const secs = (value: number) => `${figure(value, 2, words)} s`;
     return {
-      e: `${figure(now[this.#state!.pairing], 1, words)} cm`,
+      e: `${figure(this.#pair!.difference[this.#state!.pairing][now.at]!, 1, words)} cm`,
       i: secs(now.secs),
       tau: secs(now.styledSecs),
     };
   }
 
   light(term: string | undefined): void {
-    for (const mark of this.#picture.querySelectorAll("[data-term]"))
+    for (const mark of this.#parts.container.querySelectorAll("[data-term]"))
       mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
   }
 
@@ -222,7 +228,7 @@ class CurveFigure implements FigureInstance<PairState> {
     for (const pairing of PAIRINGS) {
       const chosen = pairing === state.pairing;
       setAttributes(this.#curves[pairing], { d: curvePath(plot, values[pairing], pair.rateHz) });
-      for (const mark of [this.#curves[pairing], this.#labels[pairing], this.#points[pairing]])
+      for (const mark of [this.#curves[pairing], this.#legend[pairing], this.#points[pairing]])
         mark.classList.toggle("chosen", chosen);
       const value = now[pairing];
       setAttributes(this.#points[pairing], {
@@ -231,7 +237,7 @@ class CurveFigure implements FigureInstance<PairState> {
         visibility: Number.isNaN(value) ? "hidden" : "visible",
       });
     }
-    this.#drawLabels(now);
+    this.#showLegend(now);
     const x = xOf(plot, now.secs);
     const bottom = yOf(plot, 0);
     setAttributes(this.#head, {
@@ -247,21 +253,18 @@ class CurveFigure implements FigureInstance<PairState> {
     setAttributes(this.#thread, {
       d: `M${x} ${bottom}C${x} ${bottom + 14} ${other} ${bottom + 2} ${other} ${bottom + 14}`,
     });
-    setText(
-      this.#readout,
-      words.times(figure(now.secs, 2, words), words.styles[state.style], figure(now.styledSecs, 2, words)),
-    );
+    const styled = `${words.styles[state.style]} ${figure(now.styledSecs, 2, words)} s`;
+    setAttributes(this.#styled, { transform: `translate(${other} ${bottom + 14})` });
+    setText(this.#styled.lastElementChild!, styled);
+    const { joint } = state;
+    setText(this.#title, joint === "" ? words.difference : words.distance(words.joints[joint]));
   }
 
-  #drawLabels(now: { meanContent: number; meanSecond: number }): void {
+  #showLegend(now: Record<Pairing, number> & { meanContent: number; meanSecond: number }): void {
     const { words } = this.#parts;
-    const [x, upper] = [xOf(this.#plot, 0) + 6, 26];
-    const means = { content: now.meanContent, second: now.meanSecond };
-    const order = [...PAIRINGS].sort((a, b) => means[b] - means[a]);
-    for (const [i, pairing] of order.entries()) {
-      setAttributes(this.#labels[pairing], { x, y: upper + 15 * i });
-      setText(this.#labels[pairing], `${words[pairing]}, ${words.mean} ${figure(means[pairing], 2, words)} cm`);
-    }
+    const cm = (value: number) => figure(value, 2, words);
+    setText(this.#legend.content, words.legend(words.content, cm(now.content), cm(now.meanContent)));
+    setText(this.#legend.second, words.legend(words.second, cm(now.second), cm(now.meanSecond)));
   }
 
   #drawGrid(): void {
@@ -274,12 +277,12 @@ class CurveFigure implements FigureInstance<PairState> {
       svg("path", { d: `M${xOf(plot, 0)} ${yOf(plot, cm)}H${xOf(plot, plot.secs)}` }),
       text(xOf(plot, 0) - 6, yOf(plot, cm) + 4, "end", `${cm}`),
     ]);
-    const columns = ticksTo(plot.secs, 7).map((secs) => text(xOf(plot, secs), bottom + 28, "middle", `${secs}`));
+    const columns = ticksTo(plot.secs, 8).map((secs) => text(xOf(plot, secs), bottom + 32, "middle", `${secs}`));
     this.#grid.replaceChildren(
       ...rows,
       ...columns,
-      text(xOf(plot, 0) - 6, 12, "end", "cm"),
-      text(xOf(plot, plot.secs), bottom + 42, "end", words.time),
+      text(xOf(plot, 0), 12, "start", "cm"),
+      text(xOf(plot, plot.secs), bottom + 47, "end", words.time),
     );
   }
 

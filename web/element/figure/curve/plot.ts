@@ -10,7 +10,7 @@ export interface Plot {
 }
 
 /** Room around the curves, pixels. */
-const MARGIN = { left: 32, right: 12, top: 14, bottom: 50 };
+const MARGIN = { left: 32, right: 20, top: 20, bottom: 54 };
 
 /** Pixel of a time. */
 export function xOf({ width, secs }: Plot, time: number): number {

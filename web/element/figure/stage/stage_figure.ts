@@ -58,7 +58,7 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
 
   constructor(parts: FigureParts<PairState>) {
     this.#parts = parts;
-    const { words, container, controls, signal } = parts;
+    const { words, container, signal } = parts;
     this.#style = new Choice(
       words.style,
       STYLES.map((style) => [style, words.styles[style]] as const),
@@ -80,9 +80,9 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
     }
     this.#overlay.append(this.#leader, ...this.#marks.values(), this.#label);
     container.append(
-      html("header", { class: "head" }, html("h3", {}, words.two), ...(controls ? [this.#style.element] : [])),
+      html("header", { class: "head" }, html("h3", {}, words.two), this.#style.element),
       this.#picture,
-      html("footer", { class: "foot" }, ...(controls ? [this.#play, this.#pairing.element] : []), this.#readout),
+      html("footer", { class: "foot" }, this.#play, this.#pairing.element, this.#readout),
     );
     this.#viewer = this.#open();
   }
@@ -137,7 +137,15 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
     const [pair, state] = [this.#pair, this.#state];
     if (!pair || !state) return {};
     const { words } = this.#parts;
-    return { p: words.styles.neutral, q: words.styles[state.style], J: String(ROLES.length) };
+    const secs = (value: number) => `${figure(value, 2, words)} s`;
+    return {
+      p: words.styles.neutral,
+      q: words.styles[state.style],
+      e: `${figure(meanOf(this.#differences), 1, words)} cm`,
+      i: secs(this.#frame / pair.rateHz),
+      tau: secs(this.#styledSecs(pair, state)),
+      J: String(ROLES.length),
+    };
   }
 
   light(term: string | undefined): void {
@@ -206,6 +214,11 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
     return Math.min(this.#state?.at ?? 0, (this.#pair?.input.frames ?? 1) - 1);
   }
 
+  /** Time at which the styled walker does what is compared. */
+  #styledSecs({ styled, rateHz }: Pair, { pairing }: PairState): number {
+    return pairing === "content" ? styled.timeOut[this.#frame]! : this.#frame / rateHz;
+  }
+
   get #styleName(): string {
     return this.#state ? this.#parts.words.styles[this.#state.style] : "";
   }
@@ -252,7 +265,7 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
       viewer.description = this.sentence();
     }
     const secs = frame / pair.rateHz;
-    const styledSecs = state.pairing === "content" ? pair.styled.timeOut[frame]! : secs;
+    const styledSecs = this.#styledSecs(pair, state);
     const times = words.times(figure(secs, 2, words), this.#styleName, figure(styledSecs, 2, words));
     setText(this.#readout, over ? words.ended : times);
     this.#invalidate();

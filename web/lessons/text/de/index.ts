@@ -1,8 +1,7 @@
 /** The lessons in German. */
-import type { LearnText, LessonText } from "../text";
-import { style } from "./style";
+import type { LearnText, LessonTexts } from "../text";
 
-export const lessons: Readonly<Record<string, LessonText>> = { style };
+export const lessons: LessonTexts = { style: async () => (await import("./style")).style };
 
 export const learn: LearnText = {
   lessonOf: (n, of) => `Lektion ${n} von ${of}`,

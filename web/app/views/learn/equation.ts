@@ -1,0 +1,44 @@
+/** The equation of a lesson, and a button with the present value for each of its symbols. */
+
+import type { Lesson } from "../../../lessons/lesson";
+import type { LearnText, LessonText } from "../../../lessons/text/text";
+import { html, setText } from "../../../ui/dom";
+
+export class EquationPanel {
+  readonly element: HTMLElement;
+  readonly #values = new Map<string, HTMLElement>();
+
+  constructor({ equation, symbols }: Lesson, text: LessonText, learn: LearnText) {
+    const buttons = symbols.map((term) => {
+      const { symbol, name } = text.symbols[term]!;
+      const value = html("span", { class: "value" });
+      this.#values.set(term, value);
+      const label = html("span", { class: "name" }, name);
+      return html(
+        "button",
+        { type: "button", class: "symbol", "data-term": term },
+        html("i", {}, symbol),
+        label,
+        value,
+      );
+    });
+    this.element = html(
+      "div",
+      { class: "learn-equation" },
+      markup(equation),
+      html("div", { class: "learn-symbols", role: "group", "aria-label": learn.symbols }, ...buttons),
+    );
+  }
+
+  set values(values: Readonly<Record<string, string>>) {
+    for (const [term, element] of this.#values) setText(element, values[term] ?? "");
+  }
+}
+
+/** KaTeX's markup as elements; its styles are set through the object model, because the page's policy forbids the attributes. */
+function markup(text: string): HTMLElement {
+  const element = html("div", { class: "equation", tabindex: 0 });
+  element.innerHTML = text;
+  for (const styled of element.querySelectorAll<HTMLElement>("[data-css]")) styled.style.cssText = styled.dataset.css!;
+  return element;
+}

@@ -1,0 +1,93 @@
+/** One exercise: its task, what the last answer was, hints, and the way to a solution. */
+
+import type { Verdict } from "../../../lessons/lesson";
+import type { ExerciseText, LearnText, Said } from "../../../lessons/text/text";
+import { button } from "../../../ui/controls/buttons";
+import { html, setText } from "../../../ui/dom";
+import { prose } from "./prose";
+
+/** After so many wrong answers the solution is offered. */
+const TRIES = 3;
+
+export interface ExerciseListeners {
+  onBegin: () => void;
+  onSolution: () => void;
+  onLink: () => void;
+}
+
+export class ExerciseCard {
+  readonly element: HTMLElement;
+  readonly #text: ExerciseText;
+  readonly #learn: LearnText;
+  readonly #status = html("p", { class: "caption" });
+  readonly #verdict = html("p", { class: "verdict", role: "status" });
+  readonly #hints: HTMLElement[];
+  readonly #hint: HTMLButtonElement;
+  readonly #begin: HTMLButtonElement;
+  readonly #solution: HTMLButtonElement;
+  readonly #link: HTMLButtonElement;
+  #hinted = 0;
+
+  constructor(id: string, text: ExerciseText, learn: LearnText, answers: boolean, listeners: ExerciseListeners) {
+    [this.#text, this.#learn] = [text, learn];
+    const made = (name: string, act: () => void) => button(name, act, { label: true, class: "outlined" });
+    this.#begin = made(learn.begin, listeners.onBegin);
+    this.#link = made(learn.linkToAnswer, listeners.onLink);
+    this.#solution = made(learn.solution, listeners.onSolution);
+    this.#hint = made(learn.hint(1), () => this.#showHint());
+    this.#hints = text.hints.map((hint) => html("li", { hidden: true }, ...prose(hint)));
+    const heading = html("h3", {}, `${id}`);
+    this.element = html(
+      "article",
+      { class: "exercise", "data-exercise": id },
+      html("header", {}, heading, this.#status),
+      html("p", {}, ...prose(text.task)),
+      this.#verdict,
+      html("ol", { class: "hints" }, ...this.#hints),
+      html("div", { class: "actions" }, this.#begin, this.#link, ...(answers ? [this.#hint, this.#solution] : [])),
+    );
+  }
+
+  /** Shows whether it is under way, and how it went so far. */
+  show({ active, tries, solved }: { active: boolean; tries: number; solved: boolean }): void {
+    const { solved: done, tries: count, working } = this.#learn;
+    const parts = [...(solved ? [done] : []), ...(tries > 0 ? [count(tries)] : []), ...(active ? [working] : [])];
+    setText(this.#status, parts.join(" · "));
+    this.element.classList.toggle("active", active);
+    this.element.classList.toggle("solved", solved);
+    this.#begin.hidden = active;
+    this.#link.hidden = !active;
+    this.#solution.hidden = tries < TRIES || solved;
+    if (!active) this.#judge("", "");
+  }
+
+  /** Says how an answer is judged. */
+  judge(verdict: Verdict, said: Said): void {
+    const { pass, near, refuse, no } = this.#text;
+    const sentence = verdict.result === "near" ? near[verdict.way]!(said) : { pass, refuse, no }[verdict.result](said);
+    this.#judge(verdict.result, sentence);
+  }
+
+  fail(sentence: string): void {
+    this.#judge("no", sentence);
+  }
+
+  /** What was said last, for the printed answers. */
+  get verdict(): string {
+    return this.#verdict.textContent ?? "";
+  }
+
+  #judge(result: Verdict["result"] | "", sentence: string): void {
+    this.element.dataset.result = result;
+    const sign = { pass: "✓ ", refuse: "✗ ", no: "✗ ", near: "≈ ", "": "" }[result];
+    setText(this.#verdict, sign + sentence);
+  }
+
+  #showHint(): void {
+    this.#hints[this.#hinted]!.hidden = false;
+    this.#hinted += 1;
+    const left = this.#hinted < this.#hints.length;
+    this.#hint.hidden = !left;
+    if (left) setText(this.#hint.querySelector("span")!, this.#learn.hint(this.#hinted + 1));
+  }
+}

@@ -1,0 +1,369 @@
+/** The Learn view: a lesson at the left, its figures at the right; every state of both is a link. */
+import "../../../ui/controls/text_field.css";
+import "katex/dist/katex.min.css";
+import "./learn.css";
+import { isCancellation } from "../../../client/protocol";
+import { LANGUAGES, type Language } from "../../../element/figure/languages";
+import { joinEngine, leaveEngine } from "../../../element/figure/shared";
+import { BEATS, judge, type Lesson } from "../../../lessons/lesson";
+import { LESSONS, type LessonEntry, lessonOf } from "../../../lessons/lessons";
+import { TEXTS } from "../../../lessons/text";
+import type { LearnText, LessonText } from "../../../lessons/text/text";
+import { button } from "../../../ui/controls/buttons";
+import { icon } from "../../../ui/controls/icons";
+import { html, saveFile } from "../../../ui/dom";
+import { isDark, onSystemTheme } from "../../../ui/theme";
+import { type AppState, toHash } from "../../state/state";
+import { announce } from "../../ui/announce";
+import { errorText } from "../../ui/words";
+import type { KeyTable, View, ViewHost } from "../../view";
+import { LessonFigures } from "./lesson_figures";
+import { LessonPage } from "./lesson_page";
+import { ProgressStore } from "./progress";
+import { saidIn } from "./said";
+
+export function createView(host: ViewHost): View {
+  return new LearnView(host);
+}
+
+/** A lesson that is open, in a language. */
+interface Open {
+  key: string;
+  lesson: Lesson;
+  text: LessonText;
+  language: Language;
+  page: LessonPage;
+  figures: LessonFigures;
+}
+
+class LearnView implements View {
+  readonly element = html("main", { class: "view learn" });
+  readonly #host: ViewHost;
+  readonly #progress = new ProgressStore();
+  readonly #text = html("section", { class: "learn-text" });
+  readonly #head = html("header", { class: "learn-head" });
+  readonly #engine = joinEngine();
+  #open: Open | undefined;
+  /** Lesson and language that are open, or will be. */
+  #wanted = "";
+  #shown = new AbortController();
+  /** The term that a tap has lit. */
+  #tapped: string | undefined;
+  /** Counts the checks: only the answer of the last one is said. */
+  #check = 0;
+
+  constructor(host: ViewHost) {
+    this.#host = host;
+    this.element.append(this.#text);
+    this.#listenToTerms();
+  }
+
+  get history() {
+    return this.#host.store;
+  }
+
+  get keys(): KeyTable {
+    const { beat, present } = this.#state;
+    if (!present) return {};
+    return {
+      ArrowLeft: () => this.#turnTo(beat - 1),
+      ArrowRight: () => this.#turnTo(beat + 1),
+      r: () => this.#reset(),
+      l: () => void this.#copyLink({ present: false, task: "" }, this.#words.linkToFigure),
+      Escape: () => this.#host.store.edit({ present: false }),
+    };
+  }
+
+  show(): void {
+    this.#shown = new AbortController();
+    const { signal } = this.#shown;
+    this.#host.store.subscribe((_, changed) => this.#showState(changed.has("figures") || changed.has("task")), signal);
+    onSystemTheme(() => this.#showState(false), signal);
+    addEventListener("beforeprint", () => this.#open?.page.printAnswers(), { signal });
+    this.#showState(false);
+  }
+
+  hide(): void {
+    this.#shown.abort();
+  }
+
+  dispose(): void {
+    this.hide();
+    this.element.replaceChildren();
+    leaveEngine();
+  }
+
+  get #state(): Readonly<AppState> {
+    return this.#host.store.state;
+  }
+
+  get #language(): Language {
+    return LANGUAGES.find((language) => language === this.#state.language) ?? LANGUAGES[0]!;
+  }
+
+  get #words(): LearnText {
+    return TEXTS[this.#language].learn;
+  }
+
+  /** @param arrived whether figures or task have changed */
+  #showState(arrived: boolean): void {
+    const entry = lessonOf(this.#state.lesson);
+    const language = this.#language;
+    const key = `${entry.id}/${language}/${this.#state.hide}`;
+    if (this.#wanted !== key) {
+      this.#wanted = key;
+      void this.#load(entry, language, key);
+      return;
+    }
+    const open = this.#open;
+    if (!open) return;
+    const { beat, present, task, hide, theme } = this.#state;
+    const figures = open.lesson.clean(this.#state.figures);
+    if (figures !== this.#state.figures) {
+      this.#host.store.adopt({ figures });
+      return;
+    }
+    const hidden = hide.split(",");
+    const progress = this.#progress.of(open.lesson.id);
+    const locked = LessonPage.isLocked(BEATS[beat]!, progress.bet);
+    this.element.classList.toggle("present", present);
+    this.element.classList.toggle("bare", hidden.includes("text"));
+    open.page.show({ beat, task, progress, kept: this.#progress.kept });
+    open.figures.show({
+      figures,
+      beat,
+      locked,
+      theme: isDark(theme) ? "dark" : "light",
+      large: present,
+      controls: !hidden.includes("controls"),
+    });
+    if (arrived && task !== "" && !this.#byHand) void this.#checkTask(false);
+  }
+
+  /** Whether the change that is being shown was made by a hand, which will let go. */
+  #byHand = false;
+
+  async #load(entry: LessonEntry, language: Language, key: string): Promise<void> {
+    try {
+      const [lesson, text] = await Promise.all([entry.load(), TEXTS[language].lessons[entry.id]!()]);
+      if (this.#wanted !== key) return;
+      this.#build(key, entry, lesson, text, language);
+    } catch (error) {
+      if (this.#wanted === key) this.#wanted = "";
+      this.#host.toasts.error(errorText(error));
+    }
+  }
+
+  #build(key: string, entry: LessonEntry, lesson: Lesson, text: LessonText, language: Language): void {
+    const { learn } = TEXTS[language];
+    const { store } = this.#host;
+    const { id } = lesson;
+    const page = new LessonPage(lesson, text, learn, !this.#state.hide.split(",").includes("answers"), {
+      onBeat: (beat) => this.#turnTo(beat),
+      onBet: (bet) => {
+        this.#progress.change(id, { bet });
+        this.#showState(false);
+        void this.#reveal();
+      },
+      onWords: (words) => {
+        this.#progress.change(id, { words });
+        this.#showState(false);
+      },
+      onBegin: (task) => this.#begin(task),
+      onSolution: (task) => void this.#solve(task),
+      onLink: () => void this.#copyLink({}, learn.copied),
+    });
+    const figures = new LessonFigures(lesson, language, learn.figures, {
+      onState: ({ state, settled }) => {
+        this.#byHand = true;
+        store.edit({ figures: lesson.clean(state) }, "figure");
+        this.#byHand = false;
+        if (!settled) return;
+        store.endGesture();
+        void this.#checkTask(true);
+      },
+      onValues: (values) => {
+        page.values = values;
+      },
+      onPoint: (term) => this.#light(term),
+    });
+    this.#open = { key, lesson, text, language, page, figures };
+    this.#showHead(entry, text, learn);
+    this.#text.lang = language;
+    this.#text.replaceChildren(this.#head, page.element, this.#foot(learn));
+    this.element.replaceChildren(this.#text, figures.element);
+    this.#showState(true);
+    if (this.#progress.of(id).bet !== undefined) void this.#reveal();
+  }
+
+  #showHead(entry: LessonEntry, text: LessonText, learn: LearnText): void {
+    const { store } = this.#host;
+    const language = html("select", { "aria-label": learn.language });
+    for (const name of LANGUAGES)
+      language.append(html("option", { value: name, lang: name }, TEXTS[name].learn.languageName));
+    language.value = this.#language;
+    language.addEventListener("change", () => store.edit({ language: language.value }));
+    const present = button(learn.present, () => store.edit({ present: !this.#state.present }), { icon: "fullscreen" });
+    this.#head.replaceChildren(
+      html(
+        "div",
+        { class: "learn-tools" },
+        html("p", { class: "caption" }, learn.lessonOf(LESSONS.indexOf(entry) + 1, LESSONS.length)),
+        html("div", { class: "select plain-select" }, language, icon("chevron")),
+        present,
+      ),
+      html("h1", { class: "learn-title", tabindex: -1 }, text.title),
+    );
+  }
+
+  #foot(learn: LearnText): HTMLElement {
+    const file = html("input", {
+      type: "file",
+      accept: ".json,application/json",
+      hidden: true,
+      "aria-label": learn.importProgress,
+    });
+    file.addEventListener("change", async () => {
+      const [given] = file.files ?? [];
+      if (given) this.#note(this.#progress.import(await given.text()), learn.imported, learn.notImported);
+      file.value = "";
+    });
+    const act = (name: string, run: () => void) => button(name, run, { label: true });
+    return html(
+      "details",
+      { class: "learn-progress" },
+      html("summary", {}, learn.progress),
+      html(
+        "div",
+        { class: "actions" },
+        act(learn.exportProgress, () =>
+          saveFile("strut-lessons.json", new Blob([this.#progress.export()], { type: "application/json" })),
+        ),
+        act(learn.importProgress, () => file.click()),
+        act(learn.eraseProgress, () => {
+          this.#progress.erase();
+          this.#note(true, learn.erased, "");
+        }),
+        act(learn.print, () => print()),
+        file,
+      ),
+    );
+  }
+
+  #note(well: boolean, done: string, failed: string): void {
+    if (well) this.#host.toasts.note(done);
+    else this.#host.toasts.error(failed);
+    this.#showState(false);
+    void this.#reveal();
+  }
+
+  #turnTo(beat: number): void {
+    if (beat < 0 || beat >= BEATS.length) return;
+    this.#host.store.edit({ beat });
+    this.#text.querySelector<HTMLElement>(".learn-parts")?.focus();
+    announce(this.#words.beats[BEATS[beat]!]);
+  }
+
+  #reset(): void {
+    this.#host.store.edit({ figures: "", task: "" });
+    announce(this.#words.resetFigures);
+  }
+
+  async #reveal(): Promise<void> {
+    const open = this.#open;
+    if (!open) return;
+    const { lesson, language, page, text } = open;
+    const { bet } = this.#progress.of(lesson.id);
+    if (bet === undefined || this.#state.hide.split(",").includes("answers")) return;
+    const { learn } = TEXTS[language];
+    try {
+      const { answer, measure } = await lesson.bet.reveal(this.#engine);
+      const how = bet === "" ? learn.skipped : bet === answer ? learn.right : learn.wrong;
+      page.reveal(how, text.bet.reveal(saidIn(language, measure)));
+    } catch (error) {
+      if (!isCancellation(error)) page.reveal(learn.failed(errorText(error)));
+    }
+  }
+
+  #begin(task: string): void {
+    const exercise = this.#open?.lesson.exercises.find(({ id }) => id === task);
+    if (!exercise) return;
+    this.#byHand = true;
+    this.#host.store.edit({ task, figures: exercise.start(this.#state.figures) });
+    this.#byHand = false;
+  }
+
+  async #solve(task: string): Promise<void> {
+    const open = this.#open;
+    const exercise = open?.lesson.exercises.find(({ id }) => id === task);
+    if (!open || !exercise) return;
+    try {
+      const figures = await exercise.solve(this.#engine);
+      if (this.#open !== open) return;
+      this.#host.store.edit({ task, figures });
+      // The state may be the same already.
+      void this.#checkTask(false);
+    } catch (error) {
+      open.page.fail(task, this.#words.failed(errorText(error)));
+    }
+  }
+
+  /** Checks the exercise under way. @param counts whether it was somebody's own answer, which progress remembers */
+  async #checkTask(counts: boolean): Promise<void> {
+    const open = this.#open;
+    const { task } = this.#state;
+    const exercise = open?.lesson.exercises.find(({ id }) => id === task);
+    if (!open || !exercise) return;
+    const check = ++this.#check;
+    try {
+      const measure = await open.figures.measure(exercise.figure);
+      if (check !== this.#check || this.#open !== open || this.#state.task !== task) return;
+      const verdict = judge(exercise, measure);
+      if (counts) this.#remember(open.lesson.id, task, verdict.result === "pass");
+      open.page.judge(task, verdict, saidIn(open.language, measure));
+    } catch (error) {
+      if (check === this.#check) open.page.fail(task, this.#words.failed(errorText(error)));
+    }
+  }
+
+  #remember(lesson: string, task: string, passed: boolean): void {
+    const { solved, tries } = this.#progress.of(lesson);
+    if (solved.includes(task)) return;
+    if (passed) this.#progress.change(lesson, { solved: [...solved, task] });
+    else this.#progress.change(lesson, { tries: { ...tries, [task]: (tries[task] ?? 0) + 1 } });
+    this.#showState(false);
+  }
+
+  async #copyLink(patch: Partial<AppState>, done: string): Promise<void> {
+    const url = new URL(location.href);
+    url.hash = toHash({ ...this.#state, ...patch });
+    try {
+      await navigator.clipboard.writeText(url.href);
+      this.#host.toasts.note(done);
+    } catch {
+      this.#host.toasts.error(this.#words.notCopied);
+    }
+  }
+
+  /** Words, symbols and marks of a term light each other. */
+  #listenToTerms(): void {
+    const termOf = ({ target }: Event) =>
+      target instanceof Element ? (target.closest("[data-term]")?.getAttribute("data-term") ?? undefined) : undefined;
+    const listen = (type: string, act: (term: string | undefined) => void) =>
+      this.#text.addEventListener(type, (event) => act(termOf(event)));
+    listen("pointerover", (term) => this.#light(term));
+    listen("pointerleave", () => this.#light(undefined));
+    listen("focusin", (term) => this.#light(term));
+    listen("focusout", () => this.#light(undefined));
+    listen("click", (term) => {
+      this.#tapped = term === this.#tapped ? undefined : term;
+      this.#light(term);
+    });
+  }
+
+  #light(term: string | undefined): void {
+    const lit = term ?? this.#tapped;
+    this.#open?.page.light(lit);
+    this.#open?.figures.light(lit);
+  }
+}

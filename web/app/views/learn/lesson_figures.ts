@@ -1,0 +1,79 @@
+/** The figures of a lesson: one state for all of them. */
+import { defineFigure, type StateChange, type StrutFigure } from "../../../element/figure/figure_element";
+import type { Measure } from "../../../element/figure/kind";
+import type { Language } from "../../../element/figure/languages";
+import { BEATS, type Lesson } from "../../../lessons/lesson";
+import { html } from "../../../ui/dom";
+
+export interface FigureListeners {
+  onState: (change: StateChange) => void;
+  /** The figures show other things than before. */
+  onValues: (values: Readonly<Record<string, string>>) => void;
+  onPoint: (term: string | undefined) => void;
+}
+
+/** How the figures are shown. */
+export interface FiguresState {
+  figures: string;
+  /** The part of the lesson, and how far it may give the answer to the bet away. */
+  beat: number;
+  locked: boolean;
+  theme: "dark" | "light";
+  large: boolean;
+  controls: boolean;
+}
+
+export class LessonFigures {
+  readonly element: HTMLElement;
+  readonly #lesson: Lesson;
+  readonly #figures: Map<string, StrutFigure>;
+
+  constructor(lesson: Lesson, language: Language, label: string, listeners: FigureListeners) {
+    defineFigure();
+    this.#lesson = lesson;
+    this.#figures = new Map(
+      lesson.figures.map(({ name, kind }) => {
+        const figure = html("strut-figure", { kind, lang: language, "data-name": name });
+        return [name, figure];
+      }),
+    );
+    this.element = html("section", { class: "learn-figures", "aria-label": label }, ...this.#figures.values());
+    this.element.addEventListener("statechange", (event) =>
+      listeners.onState((event as CustomEvent<StateChange>).detail),
+    );
+    this.element.addEventListener("figurechange", () =>
+      listeners.onValues(Object.assign({}, ...[...this.#figures.values()].map(({ values }) => values))),
+    );
+    this.element.addEventListener("termpoint", (event) =>
+      listeners.onPoint((event as CustomEvent<{ term: string | undefined }>).detail.term),
+    );
+  }
+
+  show({ figures, beat, locked, theme, large, controls }: FiguresState): void {
+    // Until the bet is placed only what the bet shows is shown.
+    const name = BEATS[locked ? BEATS.indexOf("bet") : beat]!;
+    for (const { name: id, beats, explained } of this.#lesson.figures) {
+      const figure = this.#figures.get(id)!;
+      figure.hidden = !beats.includes(name);
+      figure.toggleAttribute("large", large);
+      figure.setAttribute("theme", theme);
+      figure.setAttribute("hide", hiddenIn(controls, explained.includes(name)));
+      figure.state = figures;
+    }
+    this.element.dataset.shown = String(this.#lesson.figures.filter(({ beats }) => beats.includes(name)).length);
+  }
+
+  /** What exercises are judged by. @throws what the engine throws */
+  measure(figure: string): Promise<Measure> {
+    return this.#figures.get(figure)!.measure();
+  }
+
+  light(term: string | undefined): void {
+    for (const figure of this.#figures.values()) figure.light(term);
+  }
+}
+
+/** What a figure does not show: what the lesson has not come to yet, or nothing that can be set. */
+function hiddenIn(controls: boolean, explained: boolean): string {
+  return [...(controls ? [] : ["controls"]), ...(explained ? [] : ["choices", "marks"])].join(",");
+}

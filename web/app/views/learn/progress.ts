@@ -1,0 +1,123 @@
+/** How far somebody is in the lessons: kept in this browser where it allows that, and sent nowhere. */
+
+/** Key in localStorage. */
+export const STORAGE_KEY = "strut.learn.1";
+/** Own words are cut off here. */
+const MAX_WORDS = 4000;
+const MAX_TRIES = 9999;
+
+/** What is known of one lesson. */
+export interface LessonProgress {
+  /** The option of the bet; empty where it was skipped, undefined until then. */
+  bet: string | undefined;
+  /** The answer to “Why?”. */
+  words: string;
+  /** Wrong answers by exercise. */
+  tries: Readonly<Record<string, number>>;
+  /** Exercises that were solved. */
+  solved: readonly string[];
+}
+
+/** Progress by lesson. */
+export type Progress = Readonly<Record<string, LessonProgress>>;
+
+const NONE: LessonProgress = { bet: undefined, words: "", tries: {}, solved: [] };
+
+/** Writes progress. */
+export function encodeProgress(progress: Progress): string {
+  return JSON.stringify({ strut: "learn", version: 1, lessons: progress });
+}
+
+/** Reads what {@link encodeProgress} wrote; `undefined` where it is something else. What is no progress in it is left out. */
+export function decodeProgress(text: string): Progress | undefined {
+  let data: unknown;
+  try {
+    data = JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+  const { strut, version, lessons } = recordOf(data);
+  if (strut !== "learn" || version !== 1) return undefined;
+  return Object.fromEntries(
+    Object.entries(recordOf(lessons)).map(([id, lesson]) => {
+      const { bet, words, tries, solved } = recordOf(lesson);
+      const counts = Object.entries(recordOf(tries)).filter(
+        (entry): entry is [string, number] => Number.isInteger(entry[1]) && Number(entry[1]) >= 0,
+      );
+      return [
+        id,
+        {
+          bet: typeof bet === "string" ? bet : undefined,
+          words: typeof words === "string" ? words.slice(0, MAX_WORDS) : "",
+          tries: Object.fromEntries(counts.map(([exercise, n]) => [exercise, Math.min(n, MAX_TRIES)])),
+          solved: Array.isArray(solved) ? solved.filter((exercise) => typeof exercise === "string") : [],
+        },
+      ];
+    }),
+  );
+}
+
+function recordOf(value: unknown): Record<string, unknown> {
+  return typeof value === "object" && value !== null && !Array.isArray(value) ? (value as Record<string, unknown>) : {};
+}
+
+/** As much of `localStorage` as is needed. */
+export type Memory = Pick<Storage, "getItem" | "setItem" | "removeItem">;
+
+/** Progress that is kept where storage allows it, and lasts as long as the page where it does not. */
+export class ProgressStore {
+  readonly #memory: () => Memory;
+  #progress: Progress = {};
+  /** Whether the last change was kept. */
+  kept = true;
+
+  constructor(memory: () => Memory = () => localStorage) {
+    this.#memory = memory;
+    try {
+      const text = memory().getItem(STORAGE_KEY);
+      this.#progress = (text === null ? undefined : decodeProgress(text)) ?? {};
+    } catch {
+      this.kept = false;
+    }
+  }
+
+  /** What is known of a lesson. */
+  of(lesson: string): LessonProgress {
+    return Object.hasOwn(this.#progress, lesson) ? this.#progress[lesson]! : NONE;
+  }
+
+  change(lesson: string, patch: Partial<LessonProgress>): void {
+    this.#keep({ ...this.#progress, [lesson]: { ...this.of(lesson), ...patch } });
+  }
+
+  /** Everything as a file's text. */
+  export(): string {
+    return encodeProgress(this.#progress);
+  }
+
+  /** Takes the text of a file in the place of what there is; whether it was one. */
+  import(text: string): boolean {
+    const progress = decodeProgress(text);
+    if (progress) this.#keep(progress);
+    return progress !== undefined;
+  }
+
+  erase(): void {
+    this.#progress = {};
+    try {
+      this.#memory().removeItem(STORAGE_KEY);
+    } catch {
+      this.kept = false;
+    }
+  }
+
+  #keep(progress: Progress): void {
+    this.#progress = progress;
+    try {
+      this.#memory().setItem(STORAGE_KEY, encodeProgress(progress));
+      this.kept = true;
+    } catch {
+      this.kept = false;
+    }
+  }
+}

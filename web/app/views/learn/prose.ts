@@ -1,0 +1,41 @@
+/** The texts of lessons as pieces, and as elements. */
+import { html } from "../../../ui/dom";
+
+/** A piece of a text: plain, stressed, the name of a file, or words that light the marks of a term. */
+export interface Piece {
+  kind: "text" | "stress" | "code" | "term";
+  text: string;
+  term?: string;
+}
+
+const MARKED = /\[(\w+): ([^\]]+)\]|\*([^*]+)\*|`([^`]+)`/g;
+
+/** The pieces of a text. */
+export function piecesOf(text: string): Piece[] {
+  const pieces: Piece[] = [];
+  let end = 0;
+  for (const match of text.matchAll(MARKED)) {
+    const [whole, term, words, stress, code] = match;
+    if (match.index > end) pieces.push({ kind: "text", text: text.slice(end, match.index) });
+    if (term !== undefined) pieces.push({ kind: "term", text: words!, term });
+    else if (stress !== undefined) pieces.push({ kind: "stress", text: stress });
+    else pieces.push({ kind: "code", text: code! });
+    end = match.index + whole.length;
+  }
+  if (end < text.length) pieces.push({ kind: "text", text: text.slice(end) });
+  return pieces;
+}
+
+/** A text as nodes. */
+export function prose(text: string): (Node | string)[] {
+  return piecesOf(text).map(({ kind, text, term }) => {
+    if (kind === "term") return html("button", { type: "button", class: "term", "data-term": term! }, text);
+    if (kind === "stress") return html("em", {}, text);
+    return kind === "code" ? html("code", {}, text) : text;
+  });
+}
+
+/** Texts as paragraphs. */
+export function paragraphs(texts: readonly string[]): HTMLElement[] {
+  return texts.map((text) => html("p", {}, ...prose(text)));
+}

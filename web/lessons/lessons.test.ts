@@ -1,0 +1,164 @@
+import { existsSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import fc from "fast-check";
+import { beforeAll, describe, expect, test } from "vitest";
+import { FIELDS } from "../app/state/state";
+import { piecesOf } from "../app/views/learn/prose";
+import { saidIn } from "../app/views/learn/said";
+import { createLearnTable } from "../client/learn/learn_table";
+import type { Measure } from "../element/figure/kind";
+import { LANGUAGES } from "../element/figure/languages";
+import { measurePair } from "../element/figure/pair_measure";
+import { PAIR_FIELDS, type PairState } from "../element/figure/pair_state";
+import { sharedPair } from "../element/figure/shared";
+import { serveComparePackage } from "../engine/compare/wasm";
+import { readHash, writeHash } from "../link/hash";
+import { judge, type Lesson } from "./lesson";
+import { LESSONS, lessonOf } from "./lessons";
+import { style } from "./style";
+import { TEXTS } from "./text";
+
+beforeAll(serveComparePackage);
+const engine = createLearnTable();
+const root = join(import.meta.dirname, "..", "..");
+
+/** The measure of a state, as the figure gives it. */
+async function measured(state: string): Promise<Measure> {
+  const pair: PairState = readHash(PAIR_FIELDS, state);
+  return measurePair(engine, pair, (await sharedPair(engine, pair.motion, pair.style))!);
+}
+
+const exercise = (id: string) => style.exercises.find((one) => one.id === id)!;
+const result = async (id: string, state: Partial<PairState>) =>
+  judge(
+    exercise(id),
+    await measured(writeHash(PAIR_FIELDS, { ...readHash(PAIR_FIELDS, exercise(id).start("")), ...state })),
+  );
+
+describe("every lesson", () => {
+  test.each(LESSONS)("$id is complete in every language", async ({ id, load }) => {
+    const lesson = await load();
+    expect(lesson.id).toBe(id);
+    for (const language of LANGUAGES) {
+      const text = await TEXTS[language].lessons[id]!();
+      expect(Object.keys(text.symbols)).toEqual([...lesson.symbols]);
+      expect(Object.keys(text.bet.options)).toEqual([...lesson.bet.options]);
+      expect(Object.keys(text.exercises)).toEqual(lesson.exercises.map((one) => one.id));
+      const terms = new Set([...lesson.equation.matchAll(/data-term="(\w+)"/g)].map(([, term]) => term));
+      for (const term of terms) expect(lesson.symbols, "a symbol of the equation has a button").toContain(term);
+      const words = [...text.idea, ...text.look, ...text.sources].flatMap(piecesOf);
+      for (const { term } of words) if (term) expect(lesson.symbols).toContain(term);
+      const files = words.filter(({ kind, text }) => kind === "code" && text.includes("/"));
+      expect(files.length).toBeGreaterThan(0);
+      for (const { text } of files) expect(existsSync(join(root, text)), text).toBe(true);
+    }
+  });
+
+  test.each(LESSONS)("$id keeps its keys apart from the page's", async ({ load }) => {
+    const page = new Set(Object.values(FIELDS).map(({ key }) => key));
+    for (const key of (await load()).keys) expect(page.has(key), key).toBe(false);
+  });
+
+  test.each(LESSONS)("$id: each solution passes, and its link says it again", async ({ load }) => {
+    const lesson = await load();
+    for (const one of lesson.exercises) {
+      const state = await one.solve(engine);
+      expect(lesson.clean(state)).toBe(state);
+      expect(judge(one, await measured(state)), one.id).toEqual({ result: "pass" });
+      expect(judge(one, await measured(one.start(""))).result, `${one.id} is not solved at the start`).not.toBe("pass");
+    }
+  });
+
+  test("an unknown one is the first", () => {
+    expect(lessonOf("no such lesson")).toBe(LESSONS[0]);
+  });
+
+  test("has markup that the page's policy allows", () => {
+    expect(style.equation).toContain("<math");
+    expect(style.equation).not.toMatch(/ style=|<script/);
+  });
+
+  test("each language is a folder", () => {
+    expect(
+      readdirSync(join(import.meta.dirname, "text"), { withFileTypes: true })
+        .filter((e) => e.isDirectory())
+        .map((e) => e.name)
+        .sort(),
+    ).toEqual([...LANGUAGES].sort());
+  });
+});
+
+describe("style", () => {
+  test("the bet: the clock shows more difference", async () => {
+    const { answer, measure } = await style.bet.reveal(engine);
+    expect(answer).toBe("second");
+    expect(Number(measure.second)).toBeGreaterThan(Number(measure.content));
+  });
+
+  test("A refuses the style that is nearest by the clock, and says so", async () => {
+    expect(await result("A", { style: "childlike" })).toEqual({ result: "refuse" });
+    expect(await result("A", { style: "proud" })).toEqual({ result: "near", way: "close" });
+    expect(await result("A", { style: "old" })).toEqual({ result: "no" });
+    expect(await result("A", { style: "neutral" })).toEqual({ result: "near", way: "other" });
+    expect(await result("A", { style: "sexy", motion: "neutral run" })).toEqual({ result: "near", way: "other" });
+    const said = saidIn("en", await measured("style=childlike"));
+    const text = await TEXTS.en.lessons.style!();
+    expect(text.exercises.A!.refuse(said)).toMatch(
+      /^You compared different moments of the step\. .*childlike.* 11\.71 cm.* 5\.70 cm/,
+    );
+  });
+
+  test("B is passed in some stretches of the proud walk only, and says which way", async () => {
+    expect(await result("B", {})).toEqual({ result: "refuse" });
+    expect(await result("B", { style: "old", at: 160 })).toEqual({ result: "near", way: "other" });
+    const pair = (await sharedPair(engine, "neutral walk", "proud"))!;
+    const passing: number[] = [];
+    for (let at = 0; at < pair.input.frames; at++)
+      if (pair.difference.second[at]! >= 4 * pair.difference.content[at]!) passing.push(at);
+    expect(passing.length).toBeGreaterThan(60);
+    expect(passing.length).toBeLessThan(300);
+    expect(await result("B", { at: passing[10]! })).toEqual({ result: "pass" });
+    const first = passing[0]!;
+    expect(await result("B", { at: first - 1 })).toEqual({ result: "near", way: "later" });
+  });
+
+  test("C refuses the legs, and is close at the neck", async () => {
+    expect(await result("C", { joint: "left_foot" })).toEqual({ result: "refuse" });
+    expect(await result("C", { joint: "neck" })).toEqual({ result: "near", way: "close" });
+    expect(await result("C", { joint: "hips" })).toEqual({ result: "no" });
+    expect(await result("C", {})).toEqual({ result: "near", way: "none" });
+    expect(await result("C", { joint: "head", style: "proud" })).toEqual({ result: "near", way: "other" });
+  });
+});
+
+describe("states of figures", () => {
+  const cleanTwice = (lesson: Lesson, text: string) =>
+    expect(lesson.clean(lesson.clean(text))).toBe(lesson.clean(text));
+
+  test("survive being written and read", () => {
+    fc.assert(
+      fc.property(
+        fc.integer({ min: -10, max: 9999 }),
+        fc.constantFrom("old", "sexy", "x"),
+        fc.constantFrom("content", "second", "?"),
+        (at, name, pair) => {
+          const state = readHash(PAIR_FIELDS, `i=${at}&style=${name}&pair=${pair}`);
+          expect(state.at).toBe(Math.min(5000, Math.max(0, at)));
+          expect(readHash(PAIR_FIELDS, writeHash(PAIR_FIELDS, state))).toEqual(state);
+        },
+      ),
+    );
+  });
+
+  test("anything else is left out", () => {
+    fc.assert(fc.property(fc.string(), (text) => cleanTwice(style, text)));
+    fc.assert(
+      fc.property(fc.array(fc.tuple(fc.constantFrom(...style.keys, "K", "__proto__"), fc.string())), (pairs) =>
+        cleanTwice(style, new URLSearchParams(pairs).toString()),
+      ),
+    );
+    expect(style.clean("K=12&style=<b>&i=1e99&joint=__proto__&pair=content&motion=neutral+run")).toBe(
+      "motion=neutral%20run&pair=content&i=5000",
+    );
+  });
+});
