@@ -8,25 +8,33 @@ import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
 import type { Measure } from "../element/figure/kind";
 import { LANGUAGES } from "../element/figure/languages";
+import { measureLine } from "../element/figure/line/line_measure";
+import { LINE_FIELDS } from "../element/figure/line/line_state";
 import { measurePair } from "../element/figure/pair_measure";
 import { PAIR_FIELDS, type PairState } from "../element/figure/pair_state";
 import { sharedPair } from "../element/figure/shared";
-import { serveComparePackage } from "../engine/compare/wasm";
+import { serveLearnPackage } from "../engine/learn/wasm";
 import { readHash, writeHash } from "../link/hash";
 import { judge, type Lesson } from "./lesson";
 import { LESSONS, lessonOf } from "./lessons";
 import { style } from "./style";
 import { TEXTS } from "./text";
 
-beforeAll(serveComparePackage);
+beforeAll(serveLearnPackage);
 const engine = createLearnTable();
 const root = join(import.meta.dirname, "..", "..");
 
-/** The measure of a state, as the figure gives it. */
+/** The measure of a state of the first lesson, as its figure gives it. */
 async function measured(state: string): Promise<Measure> {
   const pair: PairState = readHash(PAIR_FIELDS, state);
   return measurePair(engine, pair, (await sharedPair(engine, pair.motion, pair.style))!);
 }
+
+/** The measures of the other lessons' states. */
+const MEASURES: Readonly<Record<string, (state: string) => Promise<Measure>>> = {
+  style: measured,
+  line: (state) => measureLine(engine, readHash(LINE_FIELDS, state)),
+};
 
 const exercise = (id: string) => style.exercises.find((one) => one.id === id)!;
 const result = async (id: string, state: Partial<PairState>) =>
@@ -64,8 +72,9 @@ describe("every lesson", () => {
     for (const one of lesson.exercises) {
       const state = await one.solve(engine);
       expect(lesson.clean(state)).toBe(state);
-      expect(judge(one, await measured(state)), one.id).toEqual({ result: "pass" });
-      expect(judge(one, await measured(one.start(""))).result, `${one.id} is not solved at the start`).not.toBe("pass");
+      const measure = MEASURES[lesson.id]!;
+      expect(judge(one, await measure(state)), one.id).toEqual({ result: "pass" });
+      expect(judge(one, await measure(one.start(""))).result, `${one.id} is not solved at the start`).not.toBe("pass");
     }
   });
 
@@ -132,8 +141,9 @@ describe("style", () => {
 });
 
 describe("states of figures", () => {
-  const cleanTwice = (lesson: Lesson, text: string) =>
+  const cleanTwice = (lesson: Lesson, text: string) => {
     expect(lesson.clean(lesson.clean(text))).toBe(lesson.clean(text));
+  };
 
   test("survive being written and read", () => {
     fc.assert(

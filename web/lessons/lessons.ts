@@ -7,7 +7,10 @@ export interface LessonEntry {
   load: () => Promise<Lesson>;
 }
 
-export const LESSONS: readonly LessonEntry[] = [{ id: "style", load: async () => (await import("./style")).style }];
+export const LESSONS: readonly LessonEntry[] = [
+  { id: "style", load: async () => (await import("./style")).style },
+  { id: "line", load: async () => (await import("./line")).line },
+];
 
 /** The lesson of a name, or the first. */
 export function lessonOf(id: string): LessonEntry {

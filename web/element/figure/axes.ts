@@ -57,7 +57,7 @@ export function ticksOf([min, max]: Extent, count: number): number[] {
 export function decadesOf([min, max]: Extent): number[] {
   const first = Math.ceil(Math.log10(min) - 1e-9);
   const last = Math.floor(Math.log10(max) + 1e-9);
-  return Array.from({ length: last - first + 1 }, (_, i) => 10 ** (first + i));
+  return Array.from({ length: last - first + 1 }, (_, i) => Number(`1e${first + i}`));
 }
 
 function stepOf(span: number, count: number): number {

@@ -1,9 +1,9 @@
 import { beforeAll, expect, test } from "vitest";
 import { createLearnTable } from "../../client/learn/learn_table";
-import { serveComparePackage } from "../../engine/compare/wasm";
+import { serveLearnPackage } from "../../engine/learn/wasm";
 import { INPUTS, STYLES } from "./built_in";
 
-beforeAll(serveComparePackage);
+beforeAll(serveLearnPackage);
 
 test("the lists of styles and inputs are the engine's", async () => {
   const engine = createLearnTable();

@@ -1,13 +1,13 @@
 import fc from "fast-check";
 import { beforeAll, expect, test } from "vitest";
 import { createLearnTable } from "../../client/learn/learn_table";
-import { serveComparePackage } from "../../engine/compare/wasm";
+import { serveLearnPackage } from "../../engine/learn/wasm";
 import { createWorldPose, JOINTS, POSE_FLOATS, worldFromLocal } from "../../humanoid";
 import { measurePair } from "./pair_measure";
 import { PAIR_FIELDS, type PairState } from "./pair_state";
 import { frameAtTime, jointDifferences, meanOf, type Pair, pairOf } from "./pairing";
 
-beforeAll(serveComparePackage);
+beforeAll(serveLearnPackage);
 const engine = createLearnTable();
 
 /** The same by another way: each pose is turned by the direction in which its hips look. */

@@ -38,12 +38,12 @@ export const LINE_RANGES = {
 export const LINE_FIELDS: Fields<LineState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
   style: choice("style", "old", STYLES, true),
-  at: number("at", 160, { min: 2, max: 5000, digits: 0 }, true),
+  at: number("i", 160, { min: 2, max: 5000, digits: 0 }, true),
   joint: choice("joint", "left_lower_leg", ROLES, true),
   axis: choice("axis", "x", AXES, true),
   k: number("K", 40, LINE_RANGES.k, true),
-  lambda: number("lambda", 0.1, LINE_RANGES.lambda, true),
-  noise: number("noise", 0, LINE_RANGES.noise, true),
+  lambda: number("ridge", 0.1, LINE_RANGES.lambda, true),
+  noise: number("nu", 0, LINE_RANGES.noise, true),
   taper: flag("taper", true, true),
 };
 

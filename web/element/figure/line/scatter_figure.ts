@@ -52,7 +52,7 @@ class ScatterFigure implements FigureInstance<LineState> {
 
   constructor(parts: FigureParts<LineState>) {
     this.#parts = parts;
-    const { words, container, controls, signal, change } = parts;
+    const { words, container, signal, change } = parts;
     this.#frame = new PlotFrame(words.line.title, () => this.#draw(), signal);
     this.#joint = new Choice(
       words.joint,
@@ -77,19 +77,15 @@ class ScatterFigure implements FigureInstance<LineState> {
     this.#frame.picture.append(...Object.values(this.#labels));
     this.#frame.listenToMarks(parts.point);
     container.append(
-      html("header", { class: "head" }, html("h3", {}, words.line.title), ...(controls ? [this.#joint.element] : [])),
+      html("header", { class: "head" }, html("h3", {}, words.line.title), this.#joint.element),
       this.#frame.element,
       html("footer", { class: "foot" }, this.#readout),
-      ...(controls
-        ? [
-            html(
-              "div",
-              { class: "knobs" },
-              ...KNOBS.map((name) => this.#knobs[name].element),
-              html("div", { class: "others" }, this.#taper.element, this.#instant.element),
-            ),
-          ]
-        : []),
+      html(
+        "div",
+        { class: "knobs" },
+        ...KNOBS.map((name) => this.#knobs[name].element),
+        html("div", { class: "others" }, this.#taper.element, this.#instant.element),
+      ),
     );
   }
 

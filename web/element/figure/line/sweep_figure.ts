@@ -54,7 +54,6 @@ class SweepFigure implements FigureInstance<LineState> {
       this.#frame.element,
       html("footer", { class: "foot" }, this.#readout),
     );
-    if (!parts.controls) return;
     listenToDrags(this.#frame.picture, (press) => this.#drag(press), signal);
     this.#head.addEventListener("keydown", (event) => this.#key(event), { signal });
     const settle = () => {

@@ -1,7 +1,10 @@
 /** The lessons in German. */
 import type { LearnText, LessonTexts } from "../text";
 
-export const lessons: LessonTexts = { style: async () => (await import("./style")).style };
+export const lessons: LessonTexts = {
+  style: async () => (await import("./style")).style,
+  line: async () => (await import("./line")).line,
+};
 
 export const learn: LearnText = {
   lessonOf: (n, of) => `Lektion ${n} von ${of}`,
