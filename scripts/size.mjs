@@ -7,12 +7,22 @@ import { root, Sentence } from "./steps.mjs";
 /** Most kilobytes after gzip, by the ending of files. */
 const BUDGET_KB = { ".js": 300, ".wasm": 300, ".bin": 1500 };
 
+/**
+ * What is loaded when it is asked for: most kilobytes after gzip of a chunk with the scripts and style sheets that come with it
+ * and that the page does not have already.
+ */
+const LATER = [
+  { name: "Learn", key: /views\/learn\/learn_view\.ts$/, budget: 60 },
+  { name: "a lesson", key: /lessons\/(text\/\w+\/)?\w+\.ts$/, budget: 12 },
+];
+
 /** Checks dist/; a sentence for people is returned, or thrown where the budget is exceeded. */
 export function checkSize() {
   const dist = join(root, "dist");
   const manifest = join(dist, ".vite", "manifest.json");
   if (!existsSync(manifest)) throw new Sentence("dist/ is missing; run 'npm run build' first.");
-  const initial = initialFiles(dist, JSON.parse(readFileSync(manifest, "utf8")));
+  const chunks = JSON.parse(readFileSync(manifest, "utf8"));
+  const initial = initialFiles(dist, chunks);
   const sizes = Object.entries(BUDGET_KB).map(([ending, budget]) => {
     const files = initial.filter((file) => extname(file) === ending);
     const bytes = files.reduce((sum, file) => sum + gzipSync(readFileSync(join(dist, file))).length, 0);
@@ -21,7 +31,29 @@ export function checkSize() {
   const report = sizes.map(({ ending, kb, budget }) => `${ending} ${kb.toFixed(0)} of ${budget} kB gzip`).join(", ");
   if (sizes.some(({ kb, budget }) => kb === 0 || kb > budget))
     throw new Sentence(`The size budget is exceeded: ${report}.`);
-  return report;
+  const later = laterSizes(dist, chunks, initial);
+  const all = [report, ...later.map(({ name, kb, budget }) => `${name} ${kb.toFixed(1)} of ${budget} kB`)].join(", ");
+  if (later.some(({ kb, budget }) => kb === 0 || kb > budget))
+    throw new Sentence(`The size budget is exceeded: ${all}.`);
+  return all;
+}
+
+/** The largest chunk of each kind of {@link LATER}. */
+function laterSizes(dist, manifest, initial) {
+  const filesWith = (key, seen = new Set()) => {
+    if (seen.has(key)) return [];
+    seen.add(key);
+    const { file, css = [], imports = [] } = manifest[key];
+    return [file, ...css, ...imports.flatMap((other) => filesWith(other, seen))];
+  };
+  const kbOf = (key) => {
+    const files = new Set(filesWith(key).filter((file) => !initial.includes(file)));
+    return [...files].reduce((sum, file) => sum + gzipSync(readFileSync(join(dist, file))).length, 0) / 1000;
+  };
+  return LATER.map(({ name, key, budget }) => {
+    const keys = Object.keys(manifest).filter((one) => key.test(one));
+    return { name, kb: Math.max(0, ...keys.map(kbOf)), budget };
+  });
 }
 
 /**

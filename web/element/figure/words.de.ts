@@ -65,7 +65,7 @@ export const de: Words = {
   legend: (pairing, now, mean) => `${pairing}: ${now} cm, Mittel ${mean} cm`,
   two: "Zwei Gehende, ein Inhalt",
   ended: "Der Stil ist schon am Ziel.",
-  times: (input, style, styled) => `neutral ${input} s, ${style} ${styled} s`,
+  times: (input, style, styled) => `neutral ${input}\u00a0s, ${style} ${styled}\u00a0s`,
   pictured: (style, time, pairing, e, most, cm) =>
     `Bei ${time} s, ${pairing}: Im Stil „${style}“ weicht die Pose um ${e} cm von der neutralen ab, am meisten am Gelenk „${most}“, um ${cm} cm.`,
   line: {

@@ -35,7 +35,7 @@ export const en: Words = {
   legend: (pairing, now, mean) => `${pairing}: ${now} cm, mean ${mean} cm`,
   two: "Two walkers, one content",
   ended: "The styled walker has arrived already.",
-  times: (input, style, styled) => `neutral ${input} s, ${style} ${styled} s`,
+  times: (input, style, styled) => `neutral ${input}\u00a0s, ${style} ${styled}\u00a0s`,
   pictured: (style, time, pairing, e, most, cm) =>
     `At ${time} s, ${pairing}: the ${style} pose differs by ${e} cm from the neutral one, most at the ${most}, ${cm} cm.`,
   line: {

@@ -255,7 +255,10 @@ class CurveFigure implements FigureInstance<PairState> {
     });
     const styled = `${words.styles[state.style]} ${figure(now.styledSecs, 2, words)} s`;
     setAttributes(this.#styled, { transform: `translate(${other} ${bottom + 14})` });
-    setText(this.#styled.lastElementChild!, styled);
+    const label = this.#styled.lastElementChild!;
+    const inwards = other > 0.7 * plot.width;
+    setAttributes(label, { x: inwards ? -8 : 8, "text-anchor": inwards ? "end" : "start" });
+    setText(label, styled);
     const { joint } = state;
     setText(this.#title, joint === "" ? words.difference : words.distance(words.joints[joint]));
   }
