@@ -18,7 +18,7 @@ export const line: LessonText = {
       `Sie ist ${slope}. Durch einen Punkt passt jede Steigung gleich gut. Der zweite Term der Gleichung lässt Steilheit etwas kosten, also gewinnt die billigste Gerade, und die ist waagrecht: Die Vorhersage ist der Punkt selbst.`,
   },
   look: [
-    "Die Punkte sind die [K: K nächsten Bilder]; je größer ein Punkt, desto größer sein [v: Gewicht v]. Der weiße Ring ist die Antwort: Er liegt auf der Geraden, über der [x: Eingabe x].",
+    "Die Punkte sind die [K: K nächsten Bilder]; je größer ein Punkt, desto größer sein [v: Gewicht v]. Der Ring ist die Antwort: Er liegt auf der Geraden, über der [x: Eingabe x].",
     "Die Gerade ist für die Steigung [c: c] gezeichnet. Zwei weitere Terme, [a: a] und [b: b], wissen, wo Eingabe und Ausgabe ein Bild vorher standen. Sie schieben die Gerade auf und ab, während der Gang weitergeht.",
     "Das [lambda: λ der Ridge] macht Steigung teuer. Drehst du es auf, so legt sich die Gerade auf das gepunktete Mittel. Drehst du K auf, so streuen die Punkte: mehr Belege, aber von weniger ähnlichen Posen.",
   ],

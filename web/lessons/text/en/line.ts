@@ -14,7 +14,7 @@ export const line: LessonText = {
       `It is ${slope}. One dot fits every slope equally well. The second term of the equation charges for steepness, so the cheapest line wins, and it is level: the prediction is the dot itself.`,
   },
   look: [
-    "The dots are the [K: K nearest frames]; the larger a dot, the greater its [v: weight v]. The white ring is the answer: it lies on the line, above the [x: input x].",
+    "The dots are the [K: K nearest frames]; the larger a dot, the greater its [v: weight v]. The ring is the answer: it lies on the line, above the [x: input x].",
     "The line is drawn for the slope [c: c]. Two more terms, [a: a] and [b: b], know where the input and the output stood one frame ago. They move the line up and down as the walk goes on.",
     "The [lambda: ridge λ] makes slopes expensive. Turn it up and the line lies down on the dotted mean. Turn K up and the dots spread: more evidence, but from poses that are less alike.",
   ],

@@ -1,0 +1,80 @@
+/** The lesson about one line: solved by the keyboard alone, and its figures on a narrow screen. */
+import type { Page } from "playwright-core";
+import { beforeAll, expect, it } from "vitest";
+import type { StrutHook } from "../../web/app/shell/hook";
+import { axeFaults } from "./axe";
+import { eventually, openSite, screenshot, visit } from "./browser";
+import { expectFitsNarrow } from "./narrow";
+import { transitionsEnded } from "./rest";
+
+declare const window: { strut: StrutHook };
+
+let page: Page;
+beforeAll(async () => {
+  const opened = await openSite({
+    hash: "view=learn&lesson=line&beat=4",
+    size: { width: 1440, height: 900 },
+    theme: "dark",
+  });
+  page = opened.page;
+  return opened.close;
+});
+
+const verdict = (exercise: string) => page.locator(`[data-exercise="${exercise}"] .verdict`).textContent();
+const faults = async () => {
+  await transitionsEnded(page);
+  return axeFaults(page);
+};
+
+/** Presses Tab until something of a name has the focus. */
+async function tabTo(name: string): Promise<void> {
+  for (let presses = 0; presses < 80; presses++) {
+    await page.keyboard.press("Tab");
+    const focused = await page.evaluate(() => {
+      let element = document.activeElement;
+      while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+      return element?.getAttribute("aria-label") ?? element?.textContent ?? "";
+    });
+    if (focused === name) return;
+  }
+  throw new Error(`Tab does not lead to '${name}'.`);
+}
+
+it("is solved by the keyboard alone, and refuses what it is about", async () => {
+  // The bet stands before the exercises.
+  await page.getByRole("button", { name: "Skip the bet" }).first().waitFor();
+  await tabTo("Skip the bet");
+  await page.keyboard.press("Enter");
+  await page.locator('[data-exercise="B"]').getByRole("button", { name: "Begin" }).focus();
+  await page.keyboard.press("Enter");
+  await tabTo("Ridge λ");
+  await page.keyboard.type("5");
+  await page.keyboard.press("Enter");
+  await eventually(() => verdict("B")).toMatch(/^✗ ?Only the mean is left: λ 5\.00/);
+  await page.keyboard.press("Escape");
+  await page.keyboard.type("0.9");
+  await page.keyboard.press("Enter");
+  await eventually(() => verdict("B")).toMatch(/^✓ ?Yes: at λ 0\.90 the prediction is −0\.\d\d° from the mean\./);
+  expect(await faults()).toEqual([]);
+  await screenshot(page, "learn-line-solved");
+});
+
+it("shows the sweep, whose handle turns the ridge", async () => {
+  await visit(page, "view=learn&lesson=line&beat=5&K=12&nu=4&taper=0&ridge=0.02&theme=light");
+  const handle = page.locator('strut-figure[data-name="sweep"]').getByRole("slider", { name: "Ridge λ" });
+  await eventually(() => handle.getAttribute("aria-valuetext")).toMatch(/^At λ 0\.0200 .* 1\.43°; the least is 1\.4\d°/);
+  await handle.focus();
+  await page.keyboard.press("End");
+  await eventually(() => page.evaluate(() => window.strut.state.figures)).toContain("ridge=10");
+  await eventually(() => handle.getAttribute("aria-valuetext")).toMatch(/^At λ 10\.0000 .* 1\.47°/);
+  expect(await faults()).toEqual([]);
+});
+
+it("fits a narrow screen", async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await visit(page, "view=learn&lesson=line&beat=2&theme=light");
+  await eventually(() => page.locator('.symbol[data-term="c"] .value').textContent()).toMatch(/^0\.\d\d$/);
+  await expectFitsNarrow(page);
+  expect(await faults()).toEqual([]);
+  await screenshot(page, "learn-line-narrow");
+});
