@@ -88,7 +88,7 @@ describe("a lesson", () => {
       for (let press = 0; press < 3; press++) await page.keyboard.press("ArrowRight");
       const said = await verdict("B");
       await expect
-        .poll(() => verdict("B"), { timeout: 3000 })
+        .poll(() => verdict("B"), { timeout: 1000 })
         .not.toBe(said)
         .catch(() => undefined);
     }

@@ -285,7 +285,7 @@ class CurveFigure implements FigureInstance<PairState> {
       ...rows,
       ...columns,
       text(xOf(plot, 0), 12, "start", "cm"),
-      text(xOf(plot, plot.secs), bottom + 47, "end", words.time),
+      text(xOf(plot, plot.secs), bottom + 50, "end", words.time),
     );
   }
 

@@ -10,7 +10,7 @@ export interface Plot {
 }
 
 /** Room around the curves, pixels. */
-const MARGIN = { left: 32, right: 20, top: 20, bottom: 54 };
+const MARGIN = { left: 32, right: 20, top: 20, bottom: 56 };
 
 /** Pixel of a time. */
 export function xOf({ width, secs }: Plot, time: number): number {

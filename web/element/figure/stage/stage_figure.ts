@@ -236,6 +236,7 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
 
   #showPlay(): void {
     const name = this.#parts.words[this.#playing ? "pause" : "play"];
+    this.#play.setAttribute("aria-label", name);
     this.#play.replaceChildren(icon(this.#playing ? "pause" : "play"), html("span", {}, name));
   }
 

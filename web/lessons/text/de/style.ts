@@ -23,7 +23,7 @@ export const style: LessonText = {
     e: { symbol: "e", name: "Unterschied der Posen" },
     p: { symbol: "p", name: "Gelenke der neutralen Figur" },
     q: { symbol: "p′", name: "Gelenke der Figur im Stil" },
-    tau: { symbol: "τ(i)", name: "Augenblick gleichen Inhalts" },
+    tau: { symbol: "τ(i)", name: "Augenblick, mit dem i gepaart ist" },
     i: { symbol: "i", name: "Augenblick der Eingabe" },
     J: { symbol: "J", name: "Zahl der Gelenke" },
   },

@@ -23,7 +23,7 @@ export const style: LessonText = {
     e: { symbol: "e", name: "difference of the poses" },
     p: { symbol: "p", name: "joints of the neutral walker" },
     q: { symbol: "p′", name: "joints of the styled walker" },
-    tau: { symbol: "τ(i)", name: "instant with the same content" },
+    tau: { symbol: "τ(i)", name: "instant that i is paired with" },
     i: { symbol: "i", name: "instant of the input" },
     J: { symbol: "J", name: "number of joints" },
   },
