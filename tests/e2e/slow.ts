@@ -9,10 +9,12 @@ const PICTURE_MS = 20;
 export function slowDown(browser: Browser, rate: number): void {
   if (rate <= 1) return;
   browser.on("context", (context) => {
+    // Before the scripts of a test, which may put another `Worker` in the place of the browser's.
+    const late = context.addInitScript(comeLate, { answerMs: ANSWER_MS * rate, pictureMs: PICTURE_MS * rate });
     const open = context.newPage.bind(context);
     context.newPage = async () => {
+      await late;
       const page = await open();
-      await page.addInitScript(comeLate, { answerMs: ANSWER_MS * rate, pictureMs: PICTURE_MS * rate });
       await throttle(page, rate);
       return page;
     };

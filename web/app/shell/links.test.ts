@@ -96,7 +96,7 @@ describe("the address bar", () => {
       history.pushState(null, "", hash);
       store.edit(bar.arrive(hash));
     };
-    return { history, store, go, follow, hashes: () => history.entries.map(({ hash }) => hash) };
+    return { history, store, bar, go, follow, hashes: () => history.entries.map(({ hash }) => hash) };
   }
 
   it("has an entry a view, and one for all else that is done there", () => {
@@ -128,6 +128,16 @@ describe("the address bar", () => {
     vi.runAllTimers();
     expect(hashes().at(-1)).toBe("#k=9");
     expect(history.state, "its event is still to come").toBeNull();
+  });
+
+  it("leaves the entry alone that was gone to while the address waits to be written", () => {
+    const { store, history, bar, hashes } = opened();
+    store.edit({ view: "walk" });
+    store.edit({ walkStride: 70 });
+    history.at = 0;
+    bar.leave();
+    vi.runAllTimers();
+    expect(hashes()[0], "its event is still to come").toBe("/");
   });
 
   it("takes all of a link that is followed, and all of what was before it on the way back", () => {

@@ -53,6 +53,11 @@ export class AddressBar {
     this.#timer = setTimeout(() => this.#replace(), WRITE_MS);
   }
 
+  /** Handles a `popstate`: another entry is the current one, and its `hashchange` is on the way; no other state is its. */
+  leave(): void {
+    clearTimeout(this.#timer);
+  }
+
   /**
    * Handles a `hashchange`: Back, Forward, or a link entered in the address bar.
    * @returns the fields to change: only the view within the entries of one link, otherwise everything
