@@ -41,10 +41,7 @@ async function tabTo(name: string): Promise<void> {
 }
 
 it("is solved by the keyboard alone, and refuses what it is about", async () => {
-  // The bet stands before the exercises.
-  await page.getByRole("button", { name: "Skip the bet" }).first().waitFor();
-  await tabTo("Skip the bet");
-  await page.keyboard.press("Enter");
+  await page.locator('[data-exercise="B"]').waitFor();
   await page.locator('[data-exercise="B"]').getByRole("button", { name: "Begin" }).focus();
   await page.keyboard.press("Enter");
   await tabTo("Ridge λ");
@@ -70,6 +67,17 @@ it("shows the sweep, whose handle turns the ridge", async () => {
   await eventually(() => page.evaluate(() => window.strut.state.figures)).toContain("ridge=10");
   await eventually(() => handle.getAttribute("aria-valuetext")).toMatch(/^At λ 10\.0000 .* 1\.47°/);
   expect(await faults()).toEqual([]);
+});
+
+it("is reached from the lesson before, and from the list", async () => {
+  await visit(page, "view=learn&lesson=style&beat=5&theme=light");
+  const title = () => page.locator("h1.learn-title").textContent();
+  await eventually(title).toBe("Tell content from style");
+  await page.getByRole("button", { name: "Say what K, λ and β do to one prediction" }).click();
+  await eventually(title).toBe("Say what K, λ and β do to one prediction");
+  await eventually(() => page.locator(".learn-part:not([hidden])").getAttribute("data-beat")).toBe("idea");
+  await page.getByRole("combobox", { name: "Lesson" }).selectOption({ value: "style" });
+  await eventually(title).toBe("Tell content from style");
 });
 
 it("fits a narrow screen", async () => {

@@ -12,6 +12,11 @@ export const LESSONS: readonly LessonEntry[] = [
   { id: "line", load: async () => (await import("./line")).line },
 ];
 
+/** The lesson so many places after another; `undefined` beyond the ends. */
+export function lessonBeside(id: string, by: number): LessonEntry | undefined {
+  return LESSONS[LESSONS.indexOf(lessonOf(id)) + by];
+}
+
 /** The lesson of a name, or the first. */
 export function lessonOf(id: string): LessonEntry {
   return LESSONS.find((lesson) => lesson.id === id) ?? LESSONS[0]!;

@@ -19,8 +19,6 @@ export interface ExerciseText {
 
 /** Text of a lesson. */
 export interface LessonText {
-  /** The goal. */
-  title: string;
   idea: readonly string[];
   bet: { question: string; options: Readonly<Record<string, string>>; reveal: (said: Said) => string };
   look: readonly string[];
@@ -36,6 +34,9 @@ export type LessonTexts = Readonly<Record<string, () => Promise<LessonText>>>;
 
 /** What is said around every lesson. */
 export interface LearnText {
+  /** Goal of each lesson, by its id. */
+  titles: Readonly<Record<string, string>>;
+  lesson: string;
   lessonOf: (n: number, of: number) => string;
   beats: Readonly<Record<Beat, string>>;
   parts: string;

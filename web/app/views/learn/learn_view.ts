@@ -6,7 +6,7 @@ import { isCancellation } from "../../../client/protocol";
 import { LANGUAGES, type Language } from "../../../element/figure/languages";
 import { joinEngine, leaveEngine } from "../../../element/figure/shared";
 import { BEATS, judge, type Lesson } from "../../../lessons/lesson";
-import { LESSONS, type LessonEntry, lessonOf } from "../../../lessons/lessons";
+import { LESSONS, type LessonEntry, lessonBeside, lessonOf } from "../../../lessons/lessons";
 import { TEXTS } from "../../../lessons/text";
 import type { LearnText, LessonText } from "../../../lessons/text/text";
 import { button } from "../../../ui/controls/buttons";
@@ -158,21 +158,29 @@ class LearnView implements View {
     const { learn } = TEXTS[language];
     const { store } = this.#host;
     const { id } = lesson;
-    const page = new LessonPage(lesson, text, learn, !this.#state.hide.split(",").includes("answers"), {
-      onBeat: (beat) => this.#turnTo(beat),
-      onBet: (bet) => {
-        this.#progress.change(id, { bet });
-        this.#showState(false);
-        void this.#reveal();
+    const beside = [-1, 1].map((by) => learn.titles[lessonBeside(id, by)?.id ?? ""]);
+    const answers = !this.#state.hide.split(",").includes("answers");
+    const page = new LessonPage(
+      lesson,
+      text,
+      learn,
+      { answers, previous: beside[0], next: beside[1] },
+      {
+        onBeat: (beat) => this.#turnTo(beat),
+        onBet: (bet) => {
+          this.#progress.change(id, { bet });
+          this.#showState(false);
+          void this.#reveal();
+        },
+        onWords: (words) => {
+          this.#progress.change(id, { words });
+          this.#showState(false);
+        },
+        onBegin: (task) => this.#begin(task),
+        onSolution: (task) => void this.#solve(task),
+        onLink: () => void this.#copyLink({}, learn.copied),
       },
-      onWords: (words) => {
-        this.#progress.change(id, { words });
-        this.#showState(false);
-      },
-      onBegin: (task) => this.#begin(task),
-      onSolution: (task) => void this.#solve(task),
-      onLink: () => void this.#copyLink({}, learn.copied),
-    });
+    );
     const figures = new LessonFigures(lesson, language, learn.figures, {
       onState: ({ state, settled }) => {
         this.#byHand = true;
@@ -188,7 +196,7 @@ class LearnView implements View {
       onPoint: (term) => this.#light(term),
     });
     this.#open = { key, lesson, text, language, page, figures };
-    this.#showHead(entry, text, learn);
+    this.#showHead(entry, learn);
     this.#text.lang = language;
     this.#text.replaceChildren(this.#head, page.element, this.#foot(learn));
     this.element.replaceChildren(this.#text, figures.element);
@@ -196,23 +204,30 @@ class LearnView implements View {
     if (this.#progress.of(id).bet !== undefined) void this.#reveal();
   }
 
-  #showHead(entry: LessonEntry, text: LessonText, learn: LearnText): void {
+  #showHead(entry: LessonEntry, learn: LearnText): void {
     const { store } = this.#host;
     const language = html("select", { "aria-label": learn.language });
     for (const name of LANGUAGES)
       language.append(html("option", { value: name, lang: name }, TEXTS[name].learn.languageName));
     language.value = this.#language;
     language.addEventListener("change", () => store.edit({ language: language.value }));
+    const lessons = html("select", { "aria-label": learn.lesson });
+    for (const [i, { id }] of LESSONS.entries()) {
+      const name = learn.lessonOf(i + 1, LESSONS.length);
+      lessons.append(html("option", { value: id }, `${name}: ${learn.titles[id]}`));
+    }
+    lessons.value = entry.id;
+    lessons.addEventListener("change", () => this.#goTo(lessonOf(lessons.value), 0));
     const present = button(learn.present, () => store.edit({ present: !this.#state.present }), { icon: "fullscreen" });
     this.#head.replaceChildren(
       html(
         "div",
         { class: "learn-tools" },
-        html("p", { class: "caption" }, learn.lessonOf(LESSONS.indexOf(entry) + 1, LESSONS.length)),
+        html("div", { class: "select plain-select lessons" }, lessons, icon("chevron")),
         html("div", { class: "select plain-select" }, language, icon("chevron")),
         present,
       ),
-      html("h1", { class: "learn-title", tabindex: -1 }, text.title),
+      html("h1", { class: "learn-title", tabindex: -1 }, learn.titles[entry.id]!),
     );
   }
 
@@ -258,10 +273,19 @@ class LearnView implements View {
   }
 
   #turnTo(beat: number): void {
-    if (beat < 0 || beat >= BEATS.length) return;
+    if (beat < 0 || beat >= BEATS.length) {
+      const beside = lessonBeside(this.#state.lesson, Math.sign(beat));
+      if (beside) this.#goTo(beside, beat < 0 ? BEATS.length - 1 : 0);
+      return;
+    }
     this.#host.store.edit({ beat });
     this.#text.querySelector<HTMLElement>(".learn-parts")?.focus();
     announce(this.#words.beats[BEATS[beat]!]);
+  }
+
+  #goTo({ id }: LessonEntry, beat: number): void {
+    this.#host.store.edit({ lesson: id, beat, task: "", figures: "" });
+    announce(this.#words.titles[id]!);
   }
 
   #reset(): void {

@@ -19,6 +19,15 @@ export interface LessonPageListeners {
   onLink: () => void;
 }
 
+/** How a page is shown, as long as it is open. */
+export interface LessonPageOptions {
+  /** Whether solutions are offered. */
+  answers: boolean;
+  /** Titles of the lessons before and after; `undefined` where there is none. */
+  previous: string | undefined;
+  next: string | undefined;
+}
+
 /** What a page shows besides its text. */
 export interface LessonPageState {
   beat: number;
@@ -33,6 +42,7 @@ const LOCKED: readonly Beat[] = ["look", "why"];
 export class LessonPage {
   readonly element: HTMLElement;
   readonly #learn: LearnText;
+  readonly #beside: Pick<LessonPageOptions, "previous" | "next">;
   readonly #parts: Record<Beat, HTMLElement>;
   readonly #locks: HTMLElement[] = [];
   readonly #steps: HTMLButtonElement[];
@@ -46,8 +56,15 @@ export class LessonPage {
   readonly #answers = html("section", { class: "learn-answers" });
   #beat = 0;
 
-  constructor(lesson: Lesson, text: LessonText, learn: LearnText, answers: boolean, listeners: LessonPageListeners) {
+  constructor(
+    lesson: Lesson,
+    text: LessonText,
+    learn: LearnText,
+    { answers, previous, next }: LessonPageOptions,
+    listeners: LessonPageListeners,
+  ) {
     this.#learn = learn;
+    this.#beside = { previous, next };
     this.#bet = new BetPanel(lesson, text, learn, listeners.onBet);
     this.#equation = new EquationPanel(lesson, text, learn);
     this.#words = html("textarea", { rows: 5, "aria-label": learn.yourWords });
@@ -159,9 +176,11 @@ export class LessonPage {
   }
 
   #turn(control: HTMLButtonElement, beat: number): void {
-    const to = BEATS[beat];
+    const part = BEATS[beat];
+    // Beyond the ends stand the other lessons.
+    const to = part ? this.#learn.beats[part] : beat < 0 ? this.#beside.previous : this.#beside.next;
     control.hidden = to === undefined;
-    if (to) setText(control.querySelector("span")!, this.#learn.beats[to]);
+    if (to) setText(control.querySelector("span")!, to);
     control.title = control === this.#next ? this.#learn.next : this.#learn.previous;
   }
 

@@ -44,6 +44,8 @@ class CurveFigure implements FigureInstance<PairState> {
   #drawn: { key: string; values: Record<Pairing, Float64Array> } | undefined;
   #plot: Plot = { width: 0, height: 0, secs: 1, top: 1 };
   #request = 0;
+  /** What the curves are of, and their size: a playhead that moves does not draw them again. */
+  #curvesOf = "";
   /** Whether a key has moved the playhead and is still down. */
   #keyed = false;
 
@@ -221,13 +223,15 @@ class CurveFigure implements FigureInstance<PairState> {
     if (!pair || !state || !values || !now || this.#plot.width === 0) return;
     const { words } = this.#parts;
     const secs = (pair.input.frames - 1) / pair.rateHz;
-    this.#plot = { ...this.#plot, secs, top: niceTop([...values.content, ...values.second]) };
+    const curves = [state.motion, state.style, state.joint, this.#plot.width, this.#plot.height].join("/");
+    if (curves !== this.#curvesOf) {
+      this.#curvesOf = curves;
+      this.#plot = { ...this.#plot, secs, top: niceTop([...values.content, ...values.second]) };
+      this.#drawCurves(values, pair.rateHz);
+    }
     const plot = this.#plot;
-    setAttributes(this.#picture, { viewBox: `0 0 ${plot.width} ${plot.height}` });
-    this.#drawGrid();
     for (const pairing of PAIRINGS) {
       const chosen = pairing === state.pairing;
-      setAttributes(this.#curves[pairing], { d: curvePath(plot, values[pairing], pair.rateHz) });
       for (const mark of [this.#curves[pairing], this.#legend[pairing], this.#points[pairing]])
         mark.classList.toggle("chosen", chosen);
       const value = now[pairing];
@@ -268,6 +272,14 @@ class CurveFigure implements FigureInstance<PairState> {
     const cm = (value: number) => figure(value, 2, words);
     setText(this.#legend.content, words.legend(words.content, cm(now.content), cm(now.meanContent)));
     setText(this.#legend.second, words.legend(words.second, cm(now.second), cm(now.meanSecond)));
+  }
+
+  #drawCurves(values: Record<Pairing, Float64Array>, rateHz: number): void {
+    const plot = this.#plot;
+    setAttributes(this.#picture, { viewBox: `0 0 ${plot.width} ${plot.height}` });
+    this.#drawGrid();
+    for (const pairing of PAIRINGS)
+      setAttributes(this.#curves[pairing], { d: curvePath(plot, values[pairing], rateHz) });
   }
 
   #drawGrid(): void {

@@ -7,6 +7,10 @@ export const lessons: LessonTexts = {
 };
 
 export const learn: LearnText = {
+  titles: {
+    style: "Inhalt und Stil unterscheiden",
+    line: "Sagen, was K, λ und β mit einer Vorhersage machen",
+  },
   lessonOf: (n, of) => `Lektion ${n} von ${of}`,
   beats: {
     idea: "Die Idee",
@@ -17,6 +21,7 @@ export const learn: LearnText = {
     sources: "Quellen",
   },
   parts: "Teile der Lektion",
+  lesson: "Lektion",
   previous: "Zurück",
   next: "Weiter",
   language: "Sprache",

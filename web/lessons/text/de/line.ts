@@ -1,7 +1,6 @@
 import type { LessonText } from "../text";
 
 export const line: LessonText = {
-  title: "Sagen, was K, λ und β mit einer Vorhersage machen",
   idea: [
     "Wie weit beugt ein alter Mensch in diesem Augenblick das Knie? Niemand in der Datenbank stand in genau dieser Pose. Aber einige Bilder sind nah, und zu jedem kennen wir das Bild des alten Gangs mit gleichem Inhalt.",
     "Trage einen Winkel über dem anderen auf: nach rechts das Knie der Eingabe, nach oben das alte Knie. Jeder Punkt ist ein nahes Bild.",

@@ -1,7 +1,6 @@
 import type { LessonText } from "../text";
 
 export const style: LessonText = {
-  title: "Inhalt und Stil unterscheiden",
   idea: [
     "Zwei Gehende machen dieselben Schritte: links, rechts, links, in derselben Reihenfolge. Das ist der Inhalt.",
     "Die eine Figur geht neutral, die andere wie ein alter Mensch: gebeugt, und langsamer. Das ist der Stil.",

@@ -7,6 +7,10 @@ export const lessons: LessonTexts = {
 };
 
 export const learn: LearnText = {
+  titles: {
+    style: "Tell content from style",
+    line: "Say what K, λ and β do to one prediction",
+  },
   lessonOf: (n, of) => `Lesson ${n} of ${of}`,
   beats: {
     idea: "The idea",
@@ -17,6 +21,7 @@ export const learn: LearnText = {
     sources: "Sources",
   },
   parts: "Parts of the lesson",
+  lesson: "Lesson",
   previous: "Previous",
   next: "Next",
   language: "Language",

@@ -1,7 +1,6 @@
 import type { LessonText } from "../text";
 
 export const line: LessonText = {
-  title: "Say what K, λ and β do to one prediction",
   idea: [
     "How far does an old walker bend the knee at this instant? Nobody in the database stood in exactly this pose. But some frames are close, and for each of them we know the frame of the old walk with the same content.",
     "Plot one angle against the other: the input's knee to the right, the old knee upwards. Every dot is one close frame.",

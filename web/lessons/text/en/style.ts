@@ -1,7 +1,6 @@
 import type { LessonText } from "../text";
 
 export const style: LessonText = {
-  title: "Tell content from style",
   idea: [
     "Two walkers take the same steps: left, right, left, in the same order. That is the content.",
     "One of them is neutral, the other walks as an old person does: bent forward, and slower. That is the style.",
