@@ -1,6 +1,7 @@
 //! The line that is fitted to one degree of freedom (Eq. 2), with settings of its own.
 
-use super::{Lens, LensError, QueryChange, WeightedNeighbour, among};
+use super::error::{LensError, among};
+use super::{Lens, QueryChange, WeightedNeighbour};
 use crate::catalogue::{QuantisedRows, Rows};
 use crate::math::float_funcs::{cos, ln};
 use crate::math::lanes::{Lane, WIDTH};

@@ -4,6 +4,7 @@
 //! other neighbours, another ridge or a changed pose, goes through the functions that the stylizer itself calls.
 
 mod contacts;
+mod error;
 mod fit;
 mod query;
 mod sweep;
@@ -11,71 +12,28 @@ mod timing;
 mod warps;
 
 pub use contacts::Contacts;
+pub use error::LensError;
 pub use fit::{Fit, FitSettings};
 pub use query::QueryChange;
 pub use timing::Timing;
 pub use warps::Warps;
 
-use super::blend::StyleError;
 use super::coherence::taper;
 use super::mar::class_k;
 use super::model::Model;
-use super::options::{Options, OptionsError};
+use super::options::Options;
 use super::stylizer::Stylizer;
 use crate::humanoid::Pose;
 use crate::pose_vector::{HeadingFilter, Placement, PoseRow, ROW};
 use crate::search::{MAX_WINDOW, Metric, Neighbour, Neighbours, Profile, QueryWindow, Scratch};
+use error::among;
 use std::sync::{Arc, OnceLock};
-use thiserror::Error;
 
 /// Frames before the one that is looked at which the stylizer is run on: what went before them is forgotten.
 const WARM_UP: usize = 60;
 
 /// The first frame that can be looked at: the two before it give it a velocity and a previous output.
 const FIRST: usize = 2;
-
-/// Why a lens cannot show something.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum LensError {
-    /// The input has too few frames.
-    #[error("the input has {frames} frames; {} are needed at least", FIRST + 1)]
-    TooShort {
-        /// How many.
-        frames: usize,
-    },
-    /// There is no such class, joint, degree of freedom or row.
-    #[error("there is no {what} {index}; they are 0 to {last}")]
-    NotThere {
-        /// Of which kind.
-        what: &'static str,
-        /// What was asked for.
-        index: usize,
-        /// The last that there is.
-        last: usize,
-    },
-    /// A style without weight is not predicted.
-    #[error("the style '{name}' has no weight")]
-    NotActive {
-        /// Its name.
-        name: String,
-    },
-    /// The options do not fit.
-    #[error(transparent)]
-    Options(#[from] OptionsError),
-    /// The style weights do not fit.
-    #[error(transparent)]
-    Style(#[from] StyleError),
-    /// A number is not finite or outside its range.
-    #[error("{what} is {value}; expected {expected}")]
-    OutOfRange {
-        /// Which number.
-        what: &'static str,
-        /// What it is.
-        value: f32,
-        /// What it may be.
-        expected: &'static str,
-    },
-}
 
 /// A class of the database as a frame sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,7 +79,7 @@ impl Lens {
     /// If the input is too short, or the options or weights do not fit.
     pub fn new(model: Arc<Model>, input: Vec<Pose>, options: Options, styles: &[f32]) -> Result<Self, LensError> {
         if input.len() <= FIRST {
-            return Err(LensError::TooShort { frames: input.len() });
+            return Err(LensError::TooShort { frames: input.len(), least: FIRST + 1 });
         }
         let scratch = model.index().scratch(options.k);
         let outputs_before = vec![None; model.catalogue().styles.len()];
@@ -217,6 +175,27 @@ impl Lens {
         self.stylizer.inside().mixture.heaviest_classes().first().copied()
     }
 
+    /// The pose of a changed query.
+    pub fn query_pose(&self, change: &QueryChange) -> Pose {
+        let pose = self.input[self.frame];
+        change.applied(&pose, pose.root)
+    }
+
+    /// The last `length` frames, changed.
+    fn changed_window(&self, length: usize, change: &QueryChange) -> QueryWindow {
+        let catalogue = self.model().catalogue();
+        let mut window = QueryWindow::new(length);
+        let mut heading = HeadingFilter::default();
+        let frames = &self.input[(self.frame + 1).saturating_sub(length)..=self.frame];
+        let about = self.input[self.frame].root;
+        for i in 0..frames.len() {
+            let pose = &frames[if change.reversed { frames.len() - 1 - i } else { i }];
+            let pose = change.applied(pose, about);
+            window.follow(&pose, &catalogue.proportions, catalogue.rate_hz, &mut heading);
+        }
+        window
+    }
+
     /// Every class of the database.
     pub fn classes(&mut self) -> Vec<ClassDistance> {
         let Self { stylizer, scratch, .. } = self;
@@ -292,7 +271,7 @@ impl Lens {
         let query = if own {
             self.stylizer.inside().window
         } else {
-            window = self.query_window(profile.window_length(), change);
+            window = self.changed_window(profile.window_length(), change);
             &window
         };
         profile.distances(query, class).for_each(visit);
@@ -327,11 +306,6 @@ impl Iterator for Stream<'_> {
         self.before = Some(at);
         Some(row)
     }
-}
-
-/// An index below a count.
-fn among(what: &'static str, index: usize, count: usize) -> Result<usize, LensError> {
-    if index < count { Ok(index) } else { Err(LensError::NotThere { what, index, last: count.saturating_sub(1) }) }
 }
 
 #[cfg(test)]

@@ -1,10 +1,8 @@
-//! The query of a [`Lens`]: the last frames of the input, changed as a lesson wishes.
+//! The query of a lens: the last frames of the input, changed as a lesson wishes.
 
-use super::{Lens, LensError, among};
+use super::error::{LensError, among};
 use crate::humanoid::{JOINTS, Pose, Role};
 use crate::math::{Quat, Vec3, exp_map};
-use crate::pose_vector::HeadingFilter;
-use crate::search::QueryWindow;
 
 /// How a query differs from the input.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -50,8 +48,9 @@ impl QueryChange {
         pose
     }
 
-    /// A pose turned and moved on the ground about a point.
-    fn moved(&self, mut pose: Pose, about: Vec3) -> Pose {
+    /// A pose with the joints turned, then turned and moved on the ground about a point.
+    pub(super) fn applied(&self, pose: &Pose, about: Vec3) -> Pose {
+        let mut pose = self.turned(pose);
         let turn = Quat::from_rotation_y(self.heading);
         let from = pose.root - about;
         let to = turn * Vec3::new(from.x, 0.0, from.z);
@@ -63,28 +62,4 @@ impl QueryChange {
 
 fn finite(what: &'static str, value: f32) -> Result<(), LensError> {
     if value.is_finite() { Ok(()) } else { Err(LensError::OutOfRange { what, value, expected: "a finite number" }) }
-}
-
-impl Lens {
-    /// The pose of a changed query.
-    pub fn query_pose(&self, change: &QueryChange) -> Pose {
-        let pose = self.input[self.frame];
-        change.moved(change.turned(&pose), pose.root)
-    }
-
-    /// The changed window of `length` frames.
-    pub(super) fn query_window(&self, length: usize, change: &QueryChange) -> QueryWindow {
-        let catalogue = self.model().catalogue();
-        let mut window = QueryWindow::new(length);
-        let mut heading = HeadingFilter::default();
-        let first = (self.frame + 1).saturating_sub(length);
-        let frames = &self.input[first..=self.frame];
-        let about = self.input[self.frame].root;
-        for i in 0..frames.len() {
-            let pose = &frames[if change.reversed { frames.len() - 1 - i } else { i }];
-            let pose = change.moved(change.turned(pose), about);
-            window.follow(&pose, &catalogue.proportions, catalogue.rate_hz, &mut heading);
-        }
-        window
-    }
 }

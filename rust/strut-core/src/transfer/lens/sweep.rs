@@ -1,6 +1,7 @@
 //! How the ridge changes the error of a free-running prediction.
 
-use super::{FitSettings, Lens, LensError, Stream, WeightedNeighbour};
+use super::error::LensError;
+use super::{FitSettings, Lens, Stream, WeightedNeighbour};
 use crate::humanoid::Pose;
 use crate::pose_vector::PoseRow;
 use crate::search::{Metric, Neighbours};

@@ -202,7 +202,7 @@ fn what_is_not_there_is_an_error() {
     lens.look_at(usize::MAX);
     assert_eq!((lens.frame(), lens.rows().len()), (149, 150));
     let short = Lens::new(Arc::clone(lens.model()), vec![Pose::default(); 2], Options::DEFAULT, &BENT_STYLE);
-    assert_eq!(short.unwrap_err(), LensError::TooShort { frames: 2 });
+    assert_eq!(short.unwrap_err(), LensError::TooShort { frames: 2, least: 3 });
 }
 
 #[test]

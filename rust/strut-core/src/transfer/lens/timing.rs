@@ -1,6 +1,7 @@
 //! How long the neighbours say that a frame lasts (`docs/methods/mar.md` §9).
 
-use super::{Lens, LensError, among};
+use super::Lens;
+use super::error::{LensError, among};
 use crate::search::Neighbour;
 use crate::transfer::timing::{Kernel, Moment};
 

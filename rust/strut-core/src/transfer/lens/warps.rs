@@ -1,6 +1,6 @@
 //! The clips of an action, compared as registration compared them when the database was built.
 
-use super::{LensError, among};
+use super::error::{LensError, among};
 use crate::catalogue::Catalogue;
 use crate::humanoid::Proportions;
 use crate::pose_vector::{Placement, PoseRow, point_cloud};
