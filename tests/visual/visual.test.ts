@@ -63,7 +63,7 @@ async function compared(page: Page): Promise<void> {
 
 /** Waits for the list of public data sets. */
 async function listed(page: Page): Promise<void> {
-  await page.locator(".catalogue button:enabled").first().waitFor();
+  await page.locator(".catalogue li button:enabled").first().waitFor();
 }
 
 /** Drops clips of two styles, of which one has no name that tells. */
