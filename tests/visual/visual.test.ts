@@ -63,7 +63,7 @@ async function compared(page: Page): Promise<void> {
 
 /** Waits for the list of public data sets. */
 async function listed(page: Page): Promise<void> {
-  await page.locator(".catalogue button:enabled").first().waitFor();
+  await page.locator(".catalogue li button:enabled").first().waitFor();
 }
 
 /** Drops clips of two styles, of which one has no name that tells. */
@@ -155,7 +155,8 @@ describe("the page looks as it did when it was last looked at", () => {
       await page.goto(`${site.url}#${hash}`);
       await shown(page);
       await page.waitForFunction(() => window.strut?.analysed && window.strut.upToDate);
-      if (!hash.includes("view=data")) await page.locator("canvas[role=application]").first().waitFor();
+      if (!hash.includes("view=data"))
+        await page.locator("canvas[role=application]").first().waitFor({ state: "attached" });
       await page.mouse.move(1, 1);
       await act?.(page);
       const picture = await stillPicture(page);
