@@ -10,6 +10,8 @@ import type { Measure } from "../element/figure/kind";
 import { LANGUAGES } from "../element/figure/languages";
 import { measureLine } from "../element/figure/line/line_measure";
 import { LINE_FIELDS } from "../element/figure/line/line_state";
+import { measureMix } from "../element/figure/mix/mix_measure";
+import { MIX_FIELDS } from "../element/figure/mix/mix_state";
 import { measurePair } from "../element/figure/pair_measure";
 import { PAIR_FIELDS, type PairState } from "../element/figure/pair_state";
 import { sharedPair } from "../element/figure/shared";
@@ -34,6 +36,7 @@ async function measured(state: string): Promise<Measure> {
 const MEASURES: Readonly<Record<string, (state: string) => Promise<Measure>>> = {
   style: measured,
   line: (state) => measureLine(engine, readHash(LINE_FIELDS, state)),
+  mix: (state) => measureMix(engine, readHash(MIX_FIELDS, state)),
 };
 
 const exercise = (id: string) => style.exercises.find((one) => one.id === id)!;

@@ -10,6 +10,7 @@ export interface LessonEntry {
 export const LESSONS: readonly LessonEntry[] = [
   { id: "style", load: async () => (await import("./style")).style },
   { id: "line", load: async () => (await import("./line")).line },
+  { id: "mix", load: async () => (await import("./mix")).mix },
 ];
 
 /** The lesson so many places after another; `undefined` beyond the ends. */

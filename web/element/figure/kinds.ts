@@ -5,6 +5,8 @@ const KINDS = {
   stage: async () => textKind((await import("./stage/stage_figure")).STAGE),
   curve: async () => textKind((await import("./curve/curve_figure")).CURVE),
   scatter: async () => textKind((await import("./line/scatter_figure")).SCATTER),
+  reading: async () => textKind((await import("./mix/reading_figure")).READING),
+  bars: async () => textKind((await import("./mix/bars_figure")).BARS),
   sweep: async () => textKind((await import("./line/sweep_figure")).SWEEP),
 } as const satisfies Record<string, () => Promise<TextKind>>;
 

@@ -83,6 +83,18 @@ export const de: Words = {
     said: (name, k, x, y, slope, above) =>
       `${name}: ${k} Beispiele; bei einer Eingabe von ${x}° sagt die Gerade ${y}° voraus, Steigung ${slope}, ${above}° vom Mittel.`,
   },
+  mix: {
+    title: "Die nächsten Klassen",
+    reading: "Als was die Eingabe gelesen wird",
+    delta: { symbol: "δ", name: "Breite δ", description: "Wie langsam ein Gewicht mit der Entfernung fällt" },
+    weight: "Gewicht λ",
+    actions: { walk: "Gehen", run: "Laufen", jump: "Springen", punch: "Schlagen", kick: "Treten" },
+    guess: "Gewicht der ersten von zweien",
+    columns: ["Klasse", "D, cm²", "λ"],
+    class: (name, square, weight) => `${name} bei ${square} cm², Gewicht ${weight}`,
+    nearest: (classes) => `Die nächsten Klassen: ${classes}.`,
+    readAs: (time, actions) => `Bei ${time} s: ${actions}.`,
+  },
   sweep: {
     title: "Fehler über λ",
     error: "Fehler, °",

@@ -53,6 +53,18 @@ export const en: Words = {
     said: (name, k, x, y, slope, above) =>
       `${name}: ${k} examples; at an input of ${x}° the line predicts ${y}°, slope ${slope}, ${above}° from their mean.`,
   },
+  mix: {
+    title: "The nearest classes",
+    reading: "What the input is read as",
+    delta: { symbol: "δ", name: "Width δ", description: "How slowly a weight falls with the distance" },
+    weight: "weight λ",
+    actions: { walk: "walk", run: "run", jump: "jump", punch: "punch", kick: "kick" },
+    guess: "Weight of the first of two",
+    columns: ["class", "D, cm²", "λ"],
+    class: (name, square, weight) => `${name} at ${square} cm², weight ${weight}`,
+    nearest: (classes) => `The nearest classes: ${classes}.`,
+    readAs: (time, actions) => `At ${time} s: ${actions}.`,
+  },
   sweep: {
     title: "Error over the ridge",
     error: "error, °",

@@ -33,6 +33,7 @@ export interface Words {
   pictured: (style: string, time: string, pairing: string, e: string, most: string, cm: string) => string;
   line: LineWords;
   sweep: SweepWords;
+  mix: MixWords;
   curved: (style: string, time: string, content: string, second: string, mean: string, meanSecond: string) => string;
 }
 
@@ -54,6 +55,21 @@ export interface LineWords {
   columns: readonly [string, string, string, string];
   read: (mean: string, above: string) => string;
   said: (joint: string, k: string, x: string, y: string, slope: string, above: string) => string;
+}
+
+/** What the figures of the mixture say. */
+export interface MixWords {
+  title: string;
+  reading: string;
+  delta: KnobWords;
+  weight: string;
+  actions: Readonly<Record<string, string>>;
+  guess: string;
+  /** Heads of the table: class, D, λ. */
+  columns: readonly [string, string, string];
+  class: (name: string, square: string, weight: string) => string;
+  nearest: (classes: string) => string;
+  readAs: (time: string, actions: string) => string;
 }
 
 /** What the figure of the ridge's sweep says. */

@@ -2,8 +2,8 @@
 
 import { stepped } from "../../../ui/controls/dial";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
-import { listenToDrags } from "../../../ui/drag";
 import { type Axes, decadesOf, extentOf, ticksOf, valueOfX, xOf, yOf } from "../axes";
+import { Handle } from "../handle";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
 import { Latest } from "../latest";
 import { PlotFrame } from "../plot_frame";
@@ -26,7 +26,7 @@ class SweepFigure implements FigureInstance<LineState> {
   readonly #parts: FigureParts<LineState>;
   readonly #frame: PlotFrame;
   readonly #curve = svg("path", { class: "curve chosen" });
-  readonly #head = svg("g", { class: "playhead", role: "slider", tabindex: 0, "data-term": "lambda" });
+  readonly #handle: Handle;
   readonly #point = svg("circle", { class: "query", r: 5 });
   readonly #readout = html("p", { class: "readout" });
   readonly #sweeping = new Latest<LineState>((state) => this.#sweep(state));
@@ -34,33 +34,34 @@ class SweepFigure implements FigureInstance<LineState> {
   #swept: { key: string; errors: number[] } | undefined;
   #axes: Axes | undefined;
   #request = 0;
-  /** Whether a key has moved the head and is still down. */
-  #keyed = false;
 
   constructor(parts: FigureParts<LineState>) {
     this.#parts = parts;
     const { words, container, signal, change } = parts;
     this.#frame = new PlotFrame(words.sweep.title, () => this.#draw(), signal);
-    this.#head.append(
-      svg("path", { class: "target" }),
-      svg("path", { class: "line" }),
-      svg("path", { class: "flag", d: "M-5 0h10v7l-5 5l-5-5z" }),
+    const { picture } = this.#frame;
+    this.#handle = new Handle(
+      words.line.knobs.lambda.name,
+      "lambda",
+      picture,
+      {
+        value: () => this.#axes && this.#state?.lambda,
+        valueOf: (pixel) => valueOfX(this.#axes!, pixel),
+        stepped: (lambda, direction, fine) =>
+          stepped(lambda, direction * (fine ? FINE_STEP : STEP), LINE_RANGES.lambda),
+        ends: () => [LINE_RANGES.lambda.min, LINE_RANGES.lambda.max],
+        onInput: (lambda) => change({ lambda: Number(lambda.toFixed(LINE_RANGES.lambda.digits)) }, false),
+        onSettle: () => change({}, true),
+      },
+      signal,
     );
-    this.#head.setAttribute("aria-label", words.line.knobs.lambda.name);
-    this.#frame.picture.append(this.#curve, this.#point, this.#head);
+    picture.append(this.#curve, this.#point, this.#handle.element);
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.sweep.title)),
       this.#frame.element,
       html("footer", { class: "foot" }, this.#readout),
     );
-    listenToDrags(this.#frame.picture, (press) => this.#drag(press), signal);
-    this.#head.addEventListener("keydown", (event) => this.#key(event), { signal });
-    const settle = () => {
-      if (this.#keyed) change({}, true);
-      this.#keyed = false;
-    };
-    for (const type of ["keyup", "blur"]) this.#head.addEventListener(type, settle, { signal });
   }
 
   show(state: LineState): Promise<void> {
@@ -160,58 +161,8 @@ class SweepFigure implements FigureInstance<LineState> {
     const points = errors.map((value, i) => `${xOf(axes, LAMBDAS[i]!).toFixed(1)} ${yOf(axes, value).toFixed(1)}`);
     setAttributes(this.#curve, { d: `M${points.join("L")}` });
     setAttributes(this.#point, { cx: xOf(axes, lambda), cy: yOf(axes, error) });
-    const bottom = yOf(axes, axes.y[0]);
-    setAttributes(this.#head, {
-      transform: `translate(${xOf(axes, lambda)} 0)`,
-      "aria-valuemin": LINE_RANGES.lambda.min,
-      "aria-valuemax": LINE_RANGES.lambda.max,
-      "aria-valuenow": lambda,
-      "aria-valuetext": this.sentence(),
-    });
-    setAttributes(this.#head.children[0]!, { d: `M-22 0h44V${bottom}h-44z` });
-    setAttributes(this.#head.children[1]!, { d: `M0 0V${bottom}` });
+    const [x, bottom] = [xOf(axes, lambda), yOf(axes, axes.y[0])];
+    this.#handle.place({ x, bottom, value: lambda, text: this.sentence() });
     setText(this.#readout, words.sweep.read(figure(error, 2, words), figure(least, 2, words), figure(best, 3, words)));
-  }
-
-  #drag(press: PointerEvent) {
-    const [axes, state] = [this.#axes, this.#state];
-    if (!axes || !state) return undefined;
-    const before = state.lambda;
-    const goTo = (event: PointerEvent) => {
-      const box = this.#frame.picture.getBoundingClientRect();
-      this.#goTo(valueOfX(axes, event.clientX - box.left));
-    };
-    press.preventDefault();
-    this.#head.focus({ preventScroll: true });
-    goTo(press);
-    return {
-      move: goTo,
-      cancel: () => this.#goTo(before),
-      end: () => this.#parts.change({}, true),
-    };
-  }
-
-  #key(event: KeyboardEvent): void {
-    if (!this.#state || event.ctrlKey || event.metaKey || event.altKey) return;
-    const { lambda } = this.#state;
-    const step = event.shiftKey ? FINE_STEP : STEP;
-    const [less, more] = [-step, step].map((shares) => stepped(lambda, shares, LINE_RANGES.lambda));
-    const to = {
-      ArrowLeft: less,
-      ArrowDown: less,
-      ArrowRight: more,
-      ArrowUp: more,
-      Home: LINE_RANGES.lambda.min,
-      End: LINE_RANGES.lambda.max,
-    }[event.key];
-    if (to === undefined) return;
-    event.preventDefault();
-    this.#keyed = true;
-    this.#goTo(to);
-  }
-
-  #goTo(lambda: number): void {
-    const { min, max, digits } = LINE_RANGES.lambda;
-    this.#parts.change({ lambda: Number(Math.min(max, Math.max(min, lambda)).toFixed(digits)) }, false);
   }
 }

@@ -4,12 +4,14 @@ import type { LearnText, LessonTexts } from "../text";
 export const lessons: LessonTexts = {
   style: async () => (await import("./style")).style,
   line: async () => (await import("./line")).line,
+  mix: async () => (await import("./mix")).mix,
 };
 
 export const learn: LearnText = {
   titles: {
     style: "Inhalt und Stil unterscheiden",
     line: "Sagen, was K, λ und β mit einer Vorhersage machen",
+    mix: "Aus Entfernungen Gewichte gewinnen",
   },
   lessonOf: (n, of) => `Lektion ${n} von ${of}`,
   beats: {

@@ -4,12 +4,14 @@ import type { LearnText, LessonTexts } from "../text";
 export const lessons: LessonTexts = {
   style: async () => (await import("./style")).style,
   line: async () => (await import("./line")).line,
+  mix: async () => (await import("./mix")).mix,
 };
 
 export const learn: LearnText = {
   titles: {
     style: "Tell content from style",
     line: "Say what K, λ and β do to one prediction",
+    mix: "Get weights from distances",
   },
   lessonOf: (n, of) => `Lesson ${n} of ${of}`,
   beats: {

@@ -1,0 +1,144 @@
+/** The nearest classes at a frame: their distances, and the weights that these become. */
+import { html, setText } from "../../../ui/dom";
+import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
+import { Latest } from "../latest";
+import { figure } from "../words";
+import { type ClassShare, measureMix, sharesOf } from "./mix_measure";
+import { MIX_FIELDS, type MixState } from "./mix_state";
+
+/** Classes that are shown. */
+const SHOWN = 6;
+/** Classes that the question is about. */
+const ASKED = 2;
+
+export const BARS: FigureKind<MixState> = {
+  fields: MIX_FIELDS,
+  create: (parts) => new BarsFigure(parts),
+};
+
+class BarsFigure implements FigureInstance<MixState> {
+  readonly #parts: FigureParts<MixState>;
+  readonly #rows = html("div", { class: "bars" });
+  readonly #guess: HTMLInputElement;
+  readonly #sharing = new Latest<MixState>((state) => this.#share(state));
+  #state: MixState | undefined;
+  #shares: ClassShare[] = [];
+
+  constructor(parts: FigureParts<MixState>) {
+    this.#parts = parts;
+    const { words, container, change, signal } = parts;
+    this.#guess = html("input", {
+      class: "text-field",
+      type: "text",
+      inputmode: "decimal",
+      "aria-label": words.mix.guess,
+    });
+    const commit = () => {
+      const typed = Number(this.#guess.value.trim().replace(",", "."));
+      const guess = this.#guess.value.trim() === "" || !Number.isFinite(typed) ? -1 : Math.min(1, Math.max(0, typed));
+      if (guess !== this.#state?.guess) change({ guess }, true);
+    };
+    this.#guess.addEventListener("change", commit, { signal });
+    this.#guess.addEventListener("keydown", (event) => event.stopPropagation(), { signal });
+    container.append(
+      html("header", { class: "head" }, html("h3", {}, words.mix.title)),
+      html("div", { class: "picture listed" }, this.#rows),
+      html(
+        "div",
+        { class: "knobs" },
+        html("label", { class: "guess" }, html("span", {}, words.mix.guess), this.#guess),
+      ),
+    );
+  }
+
+  show(state: MixState): Promise<void> {
+    this.#state = state;
+    const shown =
+      this.#guess.getRootNode() instanceof ShadowRoot ? (this.#guess.getRootNode() as ShadowRoot).activeElement : null;
+    if (shown !== this.#guess) this.#guess.value = state.guess < 0 ? "" : figure(state.guess, 2, this.#parts.words);
+    return this.#sharing.take(state);
+  }
+
+  async measure(): Promise<Measure> {
+    return this.#state ? measureMix(this.#parts.engine, this.#state) : {};
+  }
+
+  sentence(): string {
+    const { words } = this.#parts;
+    const shown = this.#shares.slice(0, 3).map((one) => words.mix.class(...this.#said(one)));
+    return shown.length > 0 ? words.mix.nearest(shown.join("; ")) : "";
+  }
+
+  table(): Table {
+    return {
+      head: this.#parts.words.mix.columns,
+      rows: this.#shares.slice(0, SHOWN).map((one) => [...this.#said(one)]),
+    };
+  }
+
+  values(): Readonly<Record<string, string>> {
+    const { words } = this.#parts;
+    const [first] = this.#shares;
+    if (!first) return {};
+    return {
+      D: `${figure(first.square, 2, words)} cm²`,
+      min: `${figure(first.square, 2, words)} cm²`,
+      lambda: figure(first.weight, 2, words),
+    };
+  }
+
+  light(term: string | undefined): void {
+    for (const mark of this.#rows.querySelectorAll("[data-term]"))
+      mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
+  }
+
+  run(): void {
+    // It draws when something changes, and only then.
+  }
+
+  setTheme(): void {
+    // Its colours are those of the style sheet.
+  }
+
+  dispose(): void {
+    // It holds nothing.
+  }
+
+  #said({ action, style, square, weight }: ClassShare): [name: string, square: string, weight: string] {
+    const { words } = this.#parts;
+    const styles: Readonly<Record<string, string>> = words.styles;
+    const name = `${words.mix.actions[action] ?? action} / ${styles[style] ?? style}`;
+    return [name, figure(square, 2, words), figure(weight, 2, words)];
+  }
+
+  async #share(state: MixState): Promise<void> {
+    const shares = await sharesOf(this.#parts.engine, state);
+    if (this.#parts.signal.aborted) return;
+    this.#shares = shares;
+    this.#draw();
+    this.#parts.changed();
+  }
+
+  #draw(): void {
+    const shown = this.#shares.slice(0, SHOWN);
+    const greatest = Math.max(...shown.map(({ square }) => square));
+    while (this.#rows.childElementCount > shown.length) this.#rows.lastElementChild!.remove();
+    while (this.#rows.childElementCount < shown.length) this.#rows.append(row());
+    shown.forEach((one, i) => {
+      const element = this.#rows.children[i]!;
+      const [name, square, weight] = this.#said(one);
+      element.classList.toggle("asked", i < ASKED);
+      setText(element.querySelector(".name")!, name);
+      setText(element.querySelector(".square .number")!, `${square} cm²`);
+      setText(element.querySelector(".weight .number")!, weight);
+      element.querySelector<HTMLElement>(".square .bar")!.style.setProperty("--share", String(one.square / greatest));
+      element.querySelector<HTMLElement>(".weight .bar")!.style.setProperty("--share", String(one.weight));
+    });
+  }
+}
+
+function row(): HTMLElement {
+  const bar = (kind: string, term: string) =>
+    html("span", { class: kind, "data-term": term }, html("i", { class: "bar" }), html("span", { class: "number" }));
+  return html("div", { class: "class" }, html("span", { class: "name" }), bar("square", "D"), bar("weight", "lambda"));
+}

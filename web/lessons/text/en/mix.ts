@@ -1,0 +1,82 @@
+import type { LessonText } from "../text";
+
+export const mix: LessonText = {
+  idea: [
+    "The database has forty classes: five actions, each in eight styles. Every class answers with a line of its own. But whose answer counts?",
+    "Nobody tells the engine that the input runs. It looks how far the pose is from the nearest examples of each class, and gives the nearer classes more weight.",
+    "So the weights are also what the engine reads the input as: here somebody runs, walks, jumps, and walks again.",
+  ],
+  bet: {
+    question:
+      "The width δ says how slowly a weight falls with the distance. Double it: does the winning class gain or lose?",
+    options: { gains: "It gains", loses: "It loses", same: "Nothing changes" },
+    reveal: ({ before, after }) =>
+      `Its weight goes from ${before} to ${after}. A larger δ forgives distance: the classes behind catch up, and as all weights sum to 1, the winner pays.`,
+  },
+  look: [
+    "The areas are the [lambda: weights λ] of the actions over time, all styles of an action together. They always sum to 1.",
+    "Below are the nearest classes at the playhead. [D: D] is the mean squared distance of a class’s nearest examples; the bar beside it is the weight that D becomes.",
+    "Weights depend on the ratio to the [min: least D] alone: were all distances twice as long, nothing would change. Turn [delta: δ] and watch the runners-up.",
+  ],
+  symbols: {
+    lambda: { symbol: "λⱼ", name: "weight of the nearest class" },
+    D: { symbol: "Dⱼ", name: "its distance, squared" },
+    delta: { symbol: "δ", name: "width" },
+    min: { symbol: "min D", name: "the least distance" },
+    t: { symbol: "t", name: "instant of the input" },
+  },
+  why: "Why is it the ratio of the distances that counts, and not their difference? Think of an input that nobody in the database resembles.",
+  exercises: {
+    A: {
+      task: "When does running become walking? Find the first instant at which all walking classes together weigh at least as much as all running ones.",
+      pass: ({ secs, walk, run }) => `Yes: at ${secs} s walking has ${walk} and running ${run}.`,
+      near: {
+        other: () => "Stay with the input that runs first and walks then.",
+        later: ({ walk, run }) => `Close: walking has ${walk}, running ${run}. A little later.`,
+        earlier: ({ walk, run }) => `Close: walking has ${walk}, running ${run}. A little earlier.`,
+      },
+      refuse: ({ walk, run }) =>
+        `Here it has changed already: walking has ${walk}, running ${run}. The question is when it changes.`,
+      no: ({ secs, walk, run }) => `At ${secs} s walking has ${walk} and running ${run}.`,
+      hints: [
+        "The change is not sudden: for some frames both answer, and the output is a mixture of both.",
+        "Drag the playhead to where the areas of run and walk meet at one half, then use Shift and the arrow keys.",
+      ],
+    },
+    B: {
+      task: "Where the playhead stands, neutral running has more than half of the weight. Find the δ at which it has one half.",
+      pass: ({ delta, running }) => `Yes: with δ ${delta} neutral running has ${running}.`,
+      near: {
+        other: () => "Leave the playhead where it was: only δ is to change.",
+        more: ({ running }) => `Close: ${running}. A little more δ.`,
+        less: ({ running }) => `Close: ${running}. A little less δ.`,
+      },
+      refuse: ({ delta, running }) =>
+        `δ is a width and no weight: with δ ${delta} neutral running has ${running}, more than before.`,
+      no: ({ delta, running }) => `With δ ${delta} neutral running has ${running}.`,
+      hints: [
+        "A wider δ forgives distance, and the winner loses.",
+        "Read the weight of run / neutral in the list of the nearest classes while you turn δ.",
+      ],
+    },
+    C: {
+      task: "Take the two nearest classes alone, with the δ that is set. Compute the weight of the first from the two distances, and type it in.",
+      pass: ({ alone, first, second }) => `Yes: ${first} and ${second} cm² give ${alone}.`,
+      near: {
+        none: () => "Type a number from 0 to 1 into the field below the classes.",
+        more: () => "Close. It is a little more.",
+        less: () => "Close. It is a little less.",
+      },
+      refuse: ({ guess }) => `That is exp(−D): ${guess}. Divide both distances by the least one, and by δ, first.`,
+      no: ({ guess, first, second }) => `${guess} is not the weight for ${first} and ${second} cm².`,
+      hints: [
+        "Divide by the least: the first class has D / min D = 1.",
+        "Two terms: exp(−1/δ) and exp(−D₂/(δ D₁)). The weight is the first, divided by their sum.",
+      ],
+    },
+  },
+  sources: [
+    "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Eq. 3–5: the mixture of autoregressive models.",
+    "Weights are computed by `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. The least distance counts as 1 mm² at least, and shares below two hundred-thousandths of the largest are dropped.",
+  ],
+};
