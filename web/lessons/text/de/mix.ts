@@ -15,7 +15,7 @@ export const mix: LessonText = {
   },
   look: [
     "Die Flächen sind die [lambda: Gewichte λ] der Handlungen über der Zeit, alle Stile einer Handlung zusammen. Zusammen sind sie immer 1.",
-    "Darunter stehen die nächsten Klassen am Zeiger. [D: D] ist die mittlere quadrierte Entfernung der nächsten Beispiele einer Klasse; der Balken daneben ist das Gewicht, das daraus wird.",
+    "Die Liste hat die nächsten Klassen am Zeiger. [D: D] ist die mittlere quadrierte Entfernung der nächsten Beispiele einer Klasse; der Balken daneben ist das Gewicht, das daraus wird.",
     "Gewichte hängen nur vom Verhältnis zum [min: kleinsten D] ab: Wären alle Entfernungen doppelt so groß, änderte sich nichts. Dreh an [delta: δ] und beobachte die Klassen dahinter.",
   ],
   symbols: {

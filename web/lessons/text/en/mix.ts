@@ -15,7 +15,7 @@ export const mix: LessonText = {
   },
   look: [
     "The areas are the [lambda: weights λ] of the actions over time, all styles of an action together. They always sum to 1.",
-    "Below are the nearest classes at the playhead. [D: D] is the mean squared distance of a class’s nearest examples; the bar beside it is the weight that D becomes.",
+    "The list has the nearest classes at the playhead. [D: D] is the mean squared distance of a class’s nearest examples; the bar beside it is the weight that D becomes.",
     "Weights depend on the ratio to the [min: least D] alone: were all distances twice as long, nothing would change. Turn [delta: δ] and watch the runners-up.",
   ],
   symbols: {
