@@ -171,7 +171,7 @@ impl Lens {
         self.lens.row_pose(row).map(|pose| floats_of([pose].iter())).map_err(EngineError::bad_input)
     }
 
-    /// The degrees of freedom of every frame of the input, [`transfer`]'s padding included, and how many a frame has.
+    /// The degrees of freedom of every frame of the input: 68 numbers a frame, of which the last is padding.
     pub fn rows(&self) -> Vec<f32> {
         self.lens.rows().concat()
     }
@@ -322,7 +322,7 @@ impl FrameTiming {
 
     /// How long the frame lasts, seconds.
     pub fn duration(&self) -> Option<f32> {
-        self.0.duration()
+        self.0.duration
     }
 }
 

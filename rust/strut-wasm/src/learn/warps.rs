@@ -10,10 +10,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The clips of an action.
 #[wasm_bindgen]
-pub struct Warps {
-    warps: transfer::Warps,
-    database: Arc<transfer::Model>,
-}
+pub struct Warps(transfer::Warps);
 
 #[wasm_bindgen]
 impl Warps {
@@ -23,15 +20,13 @@ impl Warps {
     /// If there is no such action.
     #[wasm_bindgen(constructor)]
     pub fn new(database: &Database, action: u16) -> Result<Self, EngineError> {
-        let database = Arc::clone(database.model());
-        let warps = transfer::Warps::new(Arc::clone(&database), action).map_err(EngineError::bad_input)?;
-        Ok(Self { warps, database })
+        transfer::Warps::new(Arc::clone(database.model()), action).map(Self).map_err(EngineError::bad_input)
     }
 
     /// Names of all clips of the database; their place is their number.
     #[wasm_bindgen(js_name = clipNames)]
     pub fn clip_names(&self) -> Vec<String> {
-        self.database.catalogue().clips.iter().map(|clip| clip.name.clone()).collect()
+        self.0.model().catalogue().clips.iter().map(|clip| clip.name.clone()).collect()
     }
 
     /// First frames and lengths of a clip's gait cycles, interleaved.
@@ -39,7 +34,7 @@ impl Warps {
     /// # Errors
     /// If the clip is none of the action's.
     pub fn cycles(&self, clip: usize) -> Result<Vec<u32>, EngineError> {
-        let cycles = self.warps.cycles(clip).map_err(EngineError::bad_input)?;
+        let cycles = self.0.cycles(clip).map_err(EngineError::bad_input)?;
         Ok(cycles.iter().flat_map(|c| [c.start as u32, c.len() as u32]).collect())
     }
 
@@ -48,7 +43,7 @@ impl Warps {
     /// # Errors
     /// If there is no such clip.
     pub fn rows(&self, clip: usize) -> Result<Vec<u32>, EngineError> {
-        let clip = self.database.catalogue().clips.get(clip);
+        let clip = self.0.model().catalogue().clips.get(clip);
         let clip = clip.ok_or_else(|| EngineError::bad_input("there is no such clip"))?;
         Ok(vec![clip.first_frame as u32, clip.frames as u32])
     }
@@ -58,7 +53,7 @@ impl Warps {
     /// # Errors
     /// If there is no such clip.
     pub fn contacts(&self, clip: usize) -> Result<Vec<u8>, EngineError> {
-        let catalogue = self.database.catalogue();
+        let catalogue = self.0.model().catalogue();
         let clip = catalogue.clips.get(clip).ok_or_else(|| EngineError::bad_input("there is no such clip"))?;
         Ok(clip.rows().flat_map(|row| catalogue.contact(row)).collect())
     }
@@ -87,8 +82,8 @@ impl Warps {
         };
         let (a, b) = (stretch(a, a_first, a_last)?, stretch(b, b_first, b_last)?);
         Ok(ComparedCycles {
-            compared: self.warps.compare(&a, &b, by).map_err(EngineError::bad_input)?,
-            recorded: self.warps.recorded(&a, &b).map_err(EngineError::bad_input)?,
+            compared: self.0.compare(&a, &b, by).map_err(EngineError::bad_input)?,
+            recorded: self.0.recorded(&a, &b).map_err(EngineError::bad_input)?,
         })
     }
 }

@@ -30,7 +30,7 @@ pub struct FitSettings {
 }
 
 impl FitSettings {
-    fn validate(&self) -> Result<(), LensError> {
+    pub(super) fn validate(&self) -> Result<(), LensError> {
         among("degree of freedom", self.dof, DOFS)?;
         let number = |what, value: f32, expected, fits| {
             if fits { Ok(()) } else { Err(LensError::OutOfRange { what, value, expected }) }

@@ -17,10 +17,8 @@ impl Lens {
     /// If a setting is out of range, or there is not one pose a frame.
     pub fn sweep(&mut self, settings: &FitSettings, lambdas: &[f32], ideal: &[Pose]) -> Result<Vec<f32>, LensError> {
         let class = self.heaviest_class().unwrap_or(0);
-        // Checks the settings.
-        self.fit(&FitSettings { lambda: 0.0, ..*settings })?;
         for &lambda in lambdas {
-            self.fit(&FitSettings { lambda, ..*settings })?;
+            FitSettings { lambda, ..*settings }.validate()?;
         }
         if ideal.len() != self.input.len() {
             let value = ideal.len() as f32;

@@ -148,7 +148,9 @@ fn durations_and_votes_come_out_of_what_is_shown() {
         lens.look_at(frame);
         let timing = lens.timing(1).unwrap();
         let dt = lens.stylizer().frame().dt_secs;
-        assert!((timing.duration().unwrap() - dt).abs() < 1e-6, "{:?} {dt}", timing.duration());
+        let voices = || timing.kernel.iter().zip(&timing.weights).map(|(g, v)| g * v);
+        let shown = voices().zip(&timing.durations).map(|(w, secs)| w * secs).sum::<f32>() / voices().sum::<f32>();
+        assert!((timing.duration.unwrap() - dt).abs() < 1e-6 && (shown - dt).abs() < 1e-6, "{shown} {dt}");
         let mean = timing.distances.iter().sum::<f32>() / timing.distances.len() as f32;
         assert!((timing.bandwidth - mean).abs() < 1e-4 * mean);
         let contacts = lens.contacts();

@@ -3,7 +3,7 @@
 use super::Lens;
 use super::error::{LensError, among};
 use crate::search::Neighbour;
-use crate::transfer::timing::{Kernel, Moment};
+use crate::transfer::timing::{Kernel, Moment, duration};
 
 /// The neighbours of the heaviest class and their durations.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,15 +18,8 @@ pub struct Timing {
     pub weights: Vec<f32>,
     /// h: the bandwidth.
     pub bandwidth: f32,
-}
-
-impl Timing {
     /// How long the frame lasts, seconds; `None` without neighbours.
-    pub fn duration(&self) -> Option<f32> {
-        let weights = || self.kernel.iter().zip(&self.weights).map(|(g, v)| v * g);
-        let (sum, total) = weights().zip(&self.durations).fold((0.0, 0.0), |(s, t), (w, d)| (s + w * d, t + w));
-        (total > 0.0).then(|| sum / total)
-    }
+    pub duration: Option<f32>,
 }
 
 impl Lens {
@@ -58,6 +51,7 @@ impl Lens {
             kernel: squares.iter().map(|&square| kernel.weight(square)).collect(),
             weights: weights.to_vec(),
             bandwidth: kernel.bandwidth,
+            duration: duration(&of_inputs, &of_outputs, neighbours, weights, &table.step_secs),
         })
     }
 }

@@ -32,6 +32,11 @@ impl Warps {
         Ok(Self { model, clips, comparison })
     }
 
+    /// The shared model.
+    pub fn model(&self) -> &Arc<Model> {
+        &self.model
+    }
+
     /// The gait cycles of a clip: from one left heel strike to the next.
     ///
     /// # Errors
