@@ -1,7 +1,7 @@
 // Equations become HTML and MathML when the page is built: no script of KaTeX's is in the page.
 import katex from "katex";
 
-/** Families of KaTeX's fonts that equations of the lessons use; `tests/e2e/learn.test.ts` would see others missing. */
+/** Families of KaTeX's fonts that equations of the lessons use; `web/lessons/lessons.test.ts` refuses others. */
 const FONTS = ["KaTeX_Main", "KaTeX_Math", "KaTeX_Size1", "KaTeX_Size2", "KaTeX_Size3"];
 
 /** A symbol that lights its marks: `\term{name}{symbol}`. */

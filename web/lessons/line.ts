@@ -1,7 +1,7 @@
 /** Lesson: say what K, λ and β do to one prediction. */
 import type { LearnEngine } from "../client/learn/protocol";
 import { aboveMean, fitOf, LAMBDAS, leastLambda, sweepOf } from "../element/figure/line/line_measure";
-import { LINE_FIELDS, LINE_RANGES, type LineState } from "../element/figure/line/line_state";
+import { INSTANTS, LINE_FIELDS, LINE_RANGES, type LineState } from "../element/figure/line/line_state";
 import { initialOf } from "../link/hash";
 import equation from "./equations/line.tex";
 import { type Lesson, lesson } from "./lesson";
@@ -30,13 +30,10 @@ const isDefault = ({ k, noise, at }: Readonly<Record<string, number | string>>) 
 
 async function solveFar(engine: LearnEngine): Promise<Partial<LineState>> {
   const state = { ...PRESET, k: LINE_RANGES.k.max, lambda: LINE_RANGES.lambda.min };
-  for (let at = 2; at < LINE_FIELDS_LAST; at += STRIDE)
+  for (let at = 2; at <= INSTANTS.max; at += STRIDE)
     if (Math.abs(aboveMean(await fitOf(engine, { ...state, at }))) >= FAR) return { ...state, at };
   throw new Error("No instant is so far from the mean.");
 }
-
-/** The default input has no later frame. */
-const LINE_FIELDS_LAST = 882;
 
 export const line: Lesson = lesson<LineState>({
   id: "line",

@@ -26,7 +26,7 @@ test("the bet: a wider δ costs the winner", async () => {
 
 test("weights of all actions are 1 in every frame, and those of a frame are the lens's", async () => {
   const state = stateOf("A", { at: 137 });
-  const { weights, frames, actions } = await readingOf(engine, state);
+  const { weights, frames, actions } = await readingOf(engine, state.motion, state.delta);
   for (let frame = 0; frame < frames; frame += 50)
     expect(weights.reduce((sum, of) => sum + of[frame]!, 0)).toBeCloseTo(1, 4);
   const shares = await sharesOf(engine, state);
@@ -47,7 +47,7 @@ test("A is passed where running becomes walking, and refused where it has become
   expect(await result("A", { at: 100 })).toEqual({ result: "no" });
   const { change } = await measureMix(engine, stateOf("A", {}));
   expect(change).toBe(137);
-  const { weights, actions } = await readingOf(engine, stateOf("A", {}));
+  const { weights, actions } = await readingOf(engine, stateOf("A", {}).motion, 0.7);
   const certain = weights[actions.indexOf("walk")]!.findIndex((weight) => weight > 0.95);
   expect(await result("A", { at: certain })).toEqual({ result: "refuse" });
 });

@@ -80,7 +80,9 @@ export const mix: Lesson = lesson<MixState>({
         return off < 0 ? "later" : "earlier";
       },
       refuse: ({ motion, walk }) => motion === PRESET.motion && Number(walk) >= CERTAIN,
-      solve: async (engine) => ({ at: firstFrame(await readingOf(engine, PRESET), "walk", "run") }),
+      solve: async (engine) => ({
+        at: firstFrame(await readingOf(engine, PRESET.motion, PRESET.delta), "walk", "run"),
+      }),
     },
     {
       id: "B",

@@ -2,7 +2,7 @@
 
 import type { LearnEngine } from "../client/learn/protocol";
 import type { Measure } from "../element/figure/kind";
-import { farthestJoint, nearestStyle } from "../element/figure/pair_measure";
+import { farthestJoint, jointMeans, nearestStyle, styleMeans } from "../element/figure/pair_measure";
 import { PAIR_FIELDS, type PairState } from "../element/figure/pair_state";
 import { meanOf, type Pair } from "../element/figure/pairing";
 import { sharedPair } from "../element/figure/shared";
@@ -73,7 +73,7 @@ export const style: Lesson = lesson<PairState>({
       },
       refuse: ({ style, nearestBySecond, motion }) => motion === PRESET.motion && style === nearestBySecond,
       solve: async (engine) => ({
-        style: (await nearestStyle(engine, PRESET.motion, "content")) as PairState["style"],
+        style: nearestStyle(await styleMeans(engine, PRESET.motion, "content")) as PairState["style"],
       }),
     },
     {
@@ -104,7 +104,9 @@ export const style: Lesson = lesson<PairState>({
         return Number(jointMean) >= NEAR_JOINT * Number(farthestMean) ? "close" : undefined;
       },
       refuse: ({ style, joint }) => style === "old" && TRAVELLING.test(String(joint)),
-      solve: async (engine) => ({ joint: ROLES[farthestJoint(await pairOfStyle(engine, "old"), "content")]! }),
+      solve: async (engine) => ({
+        joint: ROLES[farthestJoint(jointMeans(await pairOfStyle(engine, "old"), "content"))]!,
+      }),
     },
   ],
 });

@@ -168,8 +168,11 @@ export class Workspace {
     // An input that is being opened instead must not come after it.
     if (name === session.inputName && this.#openingInputs === 0) return;
     this.#openingInputs += 1;
-    if (session.library.has(name)) await session.openInput(name);
-    this.#openingInputs -= 1;
+    try {
+      if (session.library.has(name)) await session.openInput(name);
+    } finally {
+      this.#openingInputs -= 1;
+    }
     if (this.#store.state.input === wanted) this.#settleInput();
   }
 

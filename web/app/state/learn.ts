@@ -23,9 +23,6 @@ const BEATS = { min: 0, max: 5, digits: 0 };
 /** A longer text is no state of figures. */
 const MAX_LENGTH = 2000;
 
-/** What can be hidden. */
-export const HIDEABLE = ["text", "controls", "answers"] as const;
-
 export const LEARN_FIELDS: Fields<LearnState> = {
   lesson: text("lesson", "style", false),
   beat: number("beat", 0, BEATS, false),

@@ -8,34 +8,56 @@ export interface Axes {
   y: Extent;
   /** Whether the horizontal axis is logarithmic. */
   logX?: boolean;
+  /** Room around the marks, pixels; {@link MARGIN} where nothing else needs room. */
+  margin?: Margin;
 }
+
+/** Room around marks, pixels. */
+export type Margin = Readonly<Record<"left" | "right" | "top" | "bottom", number>>;
 
 export type Extent = readonly [min: number, max: number];
 
-/** Room around the marks, pixels. */
-export const MARGIN = { left: 44, right: 16, top: 16, bottom: 44 };
+/** Room for ticks and the names of the axes. */
+export const MARGIN: Margin = { left: 44, right: 16, top: 16, bottom: 44 };
 
 /** Pixel of a horizontal value. */
-export function xOf({ width, x: [min, max], logX }: Axes, value: number): number {
+export function xOf({ width, x: [min, max], logX, margin = MARGIN }: Axes, value: number): number {
   const share = logX ? Math.log(value / min) / Math.log(max / min) : (value - min) / (max - min);
-  return MARGIN.left + share * Math.max(1, width - MARGIN.left - MARGIN.right);
+  return margin.left + share * Math.max(1, width - margin.left - margin.right);
 }
 
 /** The horizontal value of a pixel. */
-export function valueOfX({ width, x: [min, max], logX }: Axes, pixel: number): number {
-  const share = (pixel - MARGIN.left) / Math.max(1, width - MARGIN.left - MARGIN.right);
+export function valueOfX({ width, x: [min, max], logX, margin = MARGIN }: Axes, pixel: number): number {
+  const share = (pixel - margin.left) / Math.max(1, width - margin.left - margin.right);
   return logX ? min * (max / min) ** share : min + share * (max - min);
 }
 
 /** Pixel of a vertical value. */
-export function yOf({ height, y: [min, max] }: Axes, value: number): number {
-  return MARGIN.top + (1 - (value - min) / (max - min)) * Math.max(1, height - MARGIN.top - MARGIN.bottom);
+export function yOf({ height, y: [min, max], margin = MARGIN }: Axes, value: number): number {
+  return margin.top + (1 - (value - min) / (max - min)) * Math.max(1, height - margin.top - margin.bottom);
 }
 
-/** Round ends around values, at least `least` apart. */
+/** The curve of values at a rate; it has gaps where a value is not finite. */
+export function curvePath(axes: Axes, values: ArrayLike<number>, rateHz: number): string {
+  let path = "";
+  let pen = "M";
+  for (let frame = 0; frame < values.length; frame++) {
+    const value = values[frame]!;
+    if (!Number.isFinite(value)) {
+      pen = "M";
+      continue;
+    }
+    path += `${pen}${xOf(axes, frame / rateHz).toFixed(1)} ${yOf(axes, value).toFixed(1)}`;
+    pen = "L";
+  }
+  return path;
+}
+
+/** Round ends around the finite ones of values, at least `least` apart. */
 export function extentOf(values: Iterable<number>, least: number): Extent {
   let [min, max] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (const value of values) {
+    if (!Number.isFinite(value)) continue;
     min = Math.min(min, value);
     max = Math.max(max, value);
   }

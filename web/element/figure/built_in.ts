@@ -1,4 +1,4 @@
-/** What the built-in motions are called; `built_in.test.ts` holds the lists to the engine. */
+/** What the built-in motions are called, and how long they last; `built_in.test.ts` holds this to the engine. */
 
 /** Styles, neutral first. */
 export const STYLES = ["neutral", "angry", "childlike", "depressed", "old", "proud", "sexy", "strutting"] as const;
@@ -17,3 +17,8 @@ export const INPUTS = [
 ] as const;
 /** Name of an input. */
 export type InputName = (typeof INPUTS)[number];
+
+/** Frames a second of all of them. */
+export const RATE_HZ = 60;
+/** Frames of the default input. */
+export const FRAMES = 882;

@@ -30,6 +30,8 @@ export class StrutFigure extends HTMLElement {
   readonly #table = html("details", { class: "table" });
   #life: AbortController | undefined;
   #figure: FigureInstance<string> | undefined;
+  /** Ends with the figure: another kind or language makes another one. */
+  #figureLife: AbortController | undefined;
   #engine: LearnEngine | undefined;
   /** Settles when the state is shown that was set last. */
   #shown: Promise<void> = Promise.resolve();
@@ -80,7 +82,7 @@ export class StrutFigure extends HTMLElement {
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (before === after || !this.#opened) return;
     if (name === "state") this.#show();
-    else if (name === "theme") this.#figure?.setTheme(this.#theme);
+    else if (name === "theme") this.#figure?.setTheme?.(this.#theme);
     else {
       this.#close();
       void this.ready();
@@ -99,7 +101,10 @@ export class StrutFigure extends HTMLElement {
   /** Loads the figure now, seen or not; resolves when its state is shown. */
   async ready(): Promise<void> {
     if (!this.#life) return;
-    this.#opened ??= this.#open(this.#life.signal);
+    if (!this.#opened) {
+      this.#figureLife = new AbortController();
+      this.#opened = this.#open(this.#figureLife.signal);
+    }
     await this.#opened;
     await this.#shown;
   }
@@ -161,7 +166,7 @@ export class StrutFigure extends HTMLElement {
         changed: () => this.#changed(),
         signal,
       });
-      this.#figure.setTheme(this.#theme);
+      this.#figure.setTheme?.(this.#theme);
       this.#run();
       this.#show();
       await this.#shown;
@@ -180,11 +185,13 @@ export class StrutFigure extends HTMLElement {
   }
 
   #run(): void {
-    this.#figure?.run(this.#onScreen && document.visibilityState === "visible");
+    this.#figure?.run?.(this.#onScreen && document.visibilityState === "visible");
   }
 
   #close(): void {
-    this.#figure?.dispose();
+    this.#figure?.dispose?.();
+    this.#figureLife?.abort();
+    this.#figureLife = undefined;
     this.#figure = undefined;
     this.#opened = undefined;
     this.#state = undefined;

@@ -45,9 +45,11 @@ export interface FigureInstance<State> {
   /** Lights the marks of a term, or none. */
   light(term: string | undefined): void;
   /** Says whether anybody sees it: it moves and draws only then. */
-  run(running: boolean): void;
-  setTheme(theme: "dark" | "light"): void;
-  dispose(): void;
+  run?(running: boolean): void;
+  /** Takes a theme; a figure whose colours are those of the style sheet need not. */
+  setTheme?(theme: "dark" | "light"): void;
+  /** Frees what does not end with the signal. */
+  dispose?(): void;
 }
 
 /** A kind of figure. */
@@ -88,9 +90,9 @@ export function textKind<State extends object>({ fields, create }: FigureKind<St
         table: () => made.table(),
         values: () => made.values(),
         light: (term) => made.light(term),
-        run: (running) => made.run(running),
-        setTheme: (theme) => made.setTheme(theme),
-        dispose: () => made.dispose(),
+        run: (running) => made.run?.(running),
+        setTheme: (theme) => made.setTheme?.(theme),
+        dispose: () => made.dispose?.(),
       };
     },
   };

@@ -29,19 +29,14 @@ export function jointMeans(pair: Pair, pairing: Pairing): number[] {
 }
 
 /** The style of the least mean difference. */
-export async function nearestStyle(engine: LearnEngine, motion: string, pairing: Pairing): Promise<string> {
-  const means = [...(await styleMeans(engine, motion, pairing))];
-  return means[
-    best(
-      means.map(([, mean]) => mean),
-      1,
-    )
-  ]![0];
+export function nearestStyle(means: ReadonlyMap<string, number>): string {
+  const styles = [...means.keys()];
+  return styles[best([...means.values()], 1)]!;
 }
 
 /** The joint of the greatest mean distance. */
-export function farthestJoint(pair: Pair, pairing: Pairing): number {
-  return best(jointMeans(pair, pairing), -1);
+export function farthestJoint(means: readonly number[]): number {
+  return best(means, -1);
 }
 
 /** Whether the ratio grows is seen over so many frames. */
@@ -57,9 +52,8 @@ function ratioAt({ difference }: Pair, frame: number): number {
 export async function measurePair(engine: LearnEngine, state: PairState, pair: Pair): Promise<Measure> {
   const { motion, style, pairing, joint } = state;
   const at = Math.min(state.at, pair.input.frames - 1);
-  const nearest = await nearestStyle(engine, motion, "content");
-  const nearestBySecond = await nearestStyle(engine, motion, "second");
   const means = await styleMeans(engine, motion, "content");
+  const nearest = nearestStyle(means);
   const joints = jointMeans(pair, "content");
   return {
     motion,
@@ -75,9 +69,9 @@ export async function measurePair(engine: LearnEngine, state: PairState, pair: P
     ratioBefore: ratioAt(pair, at - AROUND),
     ratioAfter: ratioAt(pair, at + AROUND),
     nearest,
-    nearestBySecond,
+    nearestBySecond: nearestStyle(await styleMeans(engine, motion, "second")),
     least: means.get(nearest)!,
-    farthest: ROLES[farthestJoint(pair, "content")]!,
+    farthest: ROLES[farthestJoint(joints)]!,
     jointMean: joint === "" ? Number.NaN : joints[JOINT[joint]]!,
     farthestMean: Math.max(...joints),
   };

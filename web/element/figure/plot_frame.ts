@@ -16,11 +16,14 @@ export class PlotFrame {
   readonly element: HTMLElement;
   readonly picture = svg("svg", { class: "plot", role: "group" });
   readonly #grid = svg("g", { class: "grid" });
+  readonly #draw: () => void;
+  #request = 0;
   width = 0;
   height = 0;
 
-  /** @param onResize draws anew */
-  constructor(name: string, onResize: () => void, signal: AbortSignal) {
+  /** @param draw draws anew; it is called where there is room to draw in */
+  constructor(name: string, draw: () => void, signal: AbortSignal) {
+    this.#draw = draw;
     this.picture.setAttribute("aria-label", name);
     this.picture.append(this.#grid);
     this.element = html("div", { class: "picture" }, this.picture);
@@ -29,10 +32,22 @@ export class PlotFrame {
       if (clientWidth === this.width && clientHeight === this.height) return;
       [this.width, this.height] = [clientWidth, clientHeight];
       setAttributes(this.picture, { viewBox: `0 0 ${this.width} ${this.height}` });
-      onResize();
+      this.request();
     });
     observer.observe(this.element);
-    signal.addEventListener("abort", () => observer.disconnect(), { once: true });
+    const end = () => {
+      observer.disconnect();
+      cancelAnimationFrame(this.#request);
+    };
+    signal.addEventListener("abort", end, { once: true });
+  }
+
+  /** Draws with the next picture: a drag may bring several states for one. */
+  request(): void {
+    cancelAnimationFrame(this.#request);
+    this.#request = requestAnimationFrame(() => {
+      if (this.width > 0) this.#draw();
+    });
   }
 
   /** Tells which term's marks are pointed at; call it when all marks are there. */

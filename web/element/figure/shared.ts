@@ -1,7 +1,8 @@
 /** What the figures of a page share: the engine, and what it was asked already. */
 import { createLearnClient, type LearnClient } from "../../client/learn/learn_client";
 import type { LearnEngine } from "../../client/learn/protocol";
-import { type Pair, pairOf } from "./pairing";
+import { pairOf } from "./pairing";
+import { remembered } from "./remembered";
 
 /** How long the engine is kept when no figure is left, milliseconds. */
 const LINGER_MS = 5000;
@@ -28,16 +29,5 @@ export function leaveEngine(): void {
   }, LINGER_MS);
 }
 
-/** Pairs by engine, input and style. */
-const pairs = new WeakMap<LearnEngine, Map<string, Promise<Pair | undefined>>>();
-
-/** {@link pairOf}, computed once; what failed is tried again. */
-export function sharedPair(engine: LearnEngine, input: string, style: string): Promise<Pair | undefined> {
-  const known = pairs.get(engine) ?? new Map<string, Promise<Pair | undefined>>();
-  pairs.set(engine, known);
-  const key = `${input}/${style}`;
-  const pair = known.get(key) ?? pairOf(engine, input, style);
-  known.set(key, pair);
-  pair.catch(() => known.delete(key));
-  return pair;
-}
+/** {@link pairOf}, computed once. */
+export const sharedPair = remembered(pairOf);

@@ -3,8 +3,9 @@
  * in every style. Only the Compare view loads it.
  */
 import { assetOf } from "../assets";
+import { performedBy } from "../performed";
 import type { Performed } from "../types";
-import { type Glue, guarded, servePackage } from "../wasm";
+import { type Glue, servePackage } from "../wasm";
 import * as glue from "./pkg/strut_compare.js";
 
 /** Uses this package as the engine's on this thread; call it before anything is loaded. */
@@ -17,15 +18,5 @@ export function serveComparePackage(): void {
 
 /** A built-in input as a style performs it; `undefined` where there is no such input or style. */
 export function counterpartOf(input: string, style: string): Performed | undefined {
-  return guarded(() => {
-    const counterpart = glue.Counterpart.of(input, style);
-    if (!counterpart) return undefined;
-    const performed = {
-      poses: counterpart.poses(),
-      timeOut: counterpart.timeOut(),
-      planted: counterpart.planted(),
-    };
-    counterpart.free();
-    return performed;
-  });
+  return performedBy(glue, input, style);
 }

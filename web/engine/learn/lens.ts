@@ -4,7 +4,7 @@ import { Handle } from "../handle";
 import type { Input } from "../input";
 import { guarded } from "../wasm";
 import * as glue from "./pkg/strut_learn.js";
-import type { Turn } from "./wasm";
+import { numbersOf, type Turn } from "./wasm";
 
 /** Options that lessons turn; see `StylizeOptions`. */
 export interface LensOptions {
@@ -158,8 +158,7 @@ export class Lens extends Handle<glue.Lens> {
 
   /** Changes what {@link neighbours} and {@link profile} are asked for; gives the query's pose. */
   query({ turns, heading, x, z, reversed }: QueryChange): Float32Array {
-    const numbers = Float32Array.from(turns.flatMap(({ joint, by }) => [joint, ...by]));
-    return guarded(() => this.raw.query(numbers, heading, x, z, reversed));
+    return guarded(() => this.raw.query(numbersOf(turns), heading, x, z, reversed));
   }
 
   classes(): ClassDistances {

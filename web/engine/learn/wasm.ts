@@ -2,6 +2,7 @@
 import { assetOf } from "../assets";
 import { Database } from "../database";
 import { Input } from "../input";
+import { performedBy } from "../performed";
 import type { Performed } from "../types";
 import { type Glue, guarded, servePackage } from "../wasm";
 import * as glue from "./pkg/strut_learn.js";
@@ -19,17 +20,7 @@ const own = <T>(raw: unknown): T => raw as T;
 
 /** A built-in input, or a take of the built-in database, as a style performs it; `undefined` where there is none. */
 export function performedIn(name: string, style: string): Performed | undefined {
-  return guarded(() => {
-    const counterpart = glue.Counterpart.of(name, style);
-    if (!counterpart) return undefined;
-    const { poses, timeOut, planted } = {
-      poses: counterpart.poses(),
-      timeOut: counterpart.timeOut(),
-      planted: counterpart.planted(),
-    };
-    counterpart.free();
-    return { poses, timeOut, planted };
-  });
+  return performedBy(glue, name, style);
 }
 
 /**
@@ -62,6 +53,7 @@ export function turnedInput(database: Database, input: Input, turns: readonly Tu
   return Input.of(own(raw), database, { kind: "built-in", name: input.info.name });
 }
 
-function numbersOf(turns: readonly Turn[]): Float32Array {
+/** Turns as the module takes them. */
+export function numbersOf(turns: readonly Turn[]): Float32Array {
   return Float32Array.from(turns.flatMap(({ joint, by }) => [joint, ...by]));
 }

@@ -1,18 +1,23 @@
 /** The difference of two performances over the time of the input, by both pairings, with a playhead. */
 import { JOINT, ROLES, type Role } from "../../../humanoid";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
-import { listenToDrags } from "../../../ui/drag";
+import { type Axes, curvePath, extentOf, type Margin, ticksOf, valueOfX, xOf, yOf } from "../axes";
 import { Choice } from "../controls";
+import { Handle } from "../handle";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
 import { measurePair } from "../pair_measure";
 import { PAIR_FIELDS, type PairState } from "../pair_state";
 import { jointCurve, meanOf, PAIRINGS, type Pair, type Pairing } from "../pairing";
+import { PlotFrame } from "../plot_frame";
 import { sharedPair } from "../shared";
 import { figure } from "../words";
-import { curvePath, niceTop, type Plot, ticksTo, xOf, yOf } from "./plot";
 
 /** Frames of an arrow key; with Shift one. */
 const STEP = 10;
+/** Below the axis the thread leads to the paired instant. */
+const MARGIN: Margin = { left: 32, right: 20, top: 20, bottom: 56 };
+/** Least extent of the distances, cm. */
+const LEAST_EXTENT = 1;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 60;
 
@@ -24,13 +29,13 @@ export const CURVE: FigureKind<PairState> = {
 class CurveFigure implements FigureInstance<PairState> {
   readonly #parts: FigureParts<PairState>;
   readonly #joint: Choice<Role | "">;
-  readonly #picture = svg("svg", { class: "plot", role: "group" });
+  readonly #frame: PlotFrame;
   readonly #grid = svg("g", { class: "grid" });
   readonly #curves: Record<Pairing, SVGPathElement>;
   readonly #legend: Record<Pairing, HTMLElement>;
   readonly #thread = svg("path", { class: "thread", "data-term": "tau" });
   readonly #points: Record<Pairing, SVGCircleElement>;
-  readonly #head = svg("g", { class: "playhead", role: "slider", tabindex: 0, "data-term": "i" });
+  readonly #handle: Handle;
   readonly #title: HTMLElement;
   readonly #styled = svg(
     "g",
@@ -42,12 +47,9 @@ class CurveFigure implements FigureInstance<PairState> {
   #pair: Pair | undefined;
   /** The two curves that are drawn, and of what. */
   #drawn: { key: string; values: Record<Pairing, Float64Array> } | undefined;
-  #plot: Plot = { width: 0, height: 0, secs: 1, top: 1 };
-  #request = 0;
+  #axes: Axes | undefined;
   /** What the curves are of, and their size: a playhead that moves does not draw them again. */
   #curvesOf = "";
-  /** Whether a key has moved the playhead and is still down. */
-  #keyed = false;
 
   constructor(parts: FigureParts<PairState>) {
     this.#parts = parts;
@@ -62,35 +64,34 @@ class CurveFigure implements FigureInstance<PairState> {
     this.#curves = both((pairing) => svg("path", { class: `curve ${pairing}`, "data-term": "e" }));
     this.#legend = both((pairing) => html("span", { class: `legend ${pairing}`, "data-term": "e" }));
     this.#points = both((pairing) => svg("circle", { class: `point ${pairing}`, r: 4, "data-term": "e" }));
-    this.#head.append(
-      svg("path", { class: "target" }),
-      svg("path", { class: "line" }),
-      svg("path", { class: "flag", d: "M-5 0h10v7l-5 5l-5-5z" }),
+    this.#frame = new PlotFrame(words.difference, () => this.#drawNow(), signal);
+    const { picture } = this.#frame;
+    this.#handle = new Handle(
+      words.playhead,
+      "i",
+      picture,
+      {
+        value: () => this.#now()?.at,
+        valueOf: (pixel) => (this.#axes ? valueOfX(this.#axes, pixel) * this.#pair!.rateHz : 0),
+        stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
+        ends: () => [0, (this.#pair?.input.frames ?? 1) - 1],
+        onInput: (at) => parts.change({ at: Math.round(at) }, false),
+        onSettle: () => parts.change({}, true),
+      },
+      signal,
     );
-    this.#head.setAttribute("aria-label", words.playhead);
-    this.#picture.append(this.#grid, this.#curves.second, this.#curves.content, this.#thread);
-    this.#picture.append(this.#styled, ...Object.values(this.#points), this.#head);
-    this.#picture.setAttribute("aria-label", words.difference);
+    picture.append(this.#grid, this.#curves.second, this.#curves.content, this.#thread);
+    picture.append(this.#styled, ...Object.values(this.#points), this.#handle.element);
     this.#title = html("h3", {}, words.difference);
     container.append(
       html("header", { class: "head" }, this.#title, this.#joint.element),
-      html("div", { class: "picture" }, this.#picture),
+      this.#frame.element,
       html(
         "footer",
         { class: "foot" },
         html("p", { class: "readout legends" }, this.#legend.content, this.#legend.second),
       ),
     );
-    const observer = new ResizeObserver(() => this.#resize());
-    observer.observe(this.#picture.parentElement!);
-    signal.addEventListener("abort", () => observer.disconnect(), { once: true });
-    listenToDrags(this.#picture, (press) => this.#drag(press), signal);
-    this.#head.addEventListener("keydown", (event) => this.#key(event), { signal });
-    const settle = () => {
-      if (this.#keyed) parts.change({}, true);
-      this.#keyed = false;
-    };
-    for (const type of ["keyup", "blur"]) this.#head.addEventListener(type, settle, { signal });
     for (const mark of container.querySelectorAll("[data-term]")) {
       mark.addEventListener("pointerenter", () => parts.point(mark.getAttribute("data-term")!));
       mark.addEventListener("pointerleave", () => parts.point(undefined));
@@ -159,18 +160,6 @@ class CurveFigure implements FigureInstance<PairState> {
       mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
   }
 
-  run(): void {
-    // It draws when something changes, and only then.
-  }
-
-  setTheme(): void {
-    // Its colours are those of the style sheet.
-  }
-
-  dispose(): void {
-    cancelAnimationFrame(this.#request);
-  }
-
   #values(): Record<Pairing, Float64Array> | undefined {
     const [pair, state] = [this.#pair, this.#state];
     if (!pair || !state) return undefined;
@@ -204,63 +193,48 @@ class CurveFigure implements FigureInstance<PairState> {
     };
   }
 
-  #resize(): void {
-    const { clientWidth: width, clientHeight: height } = this.#picture.parentElement!;
-    if (width === this.#plot.width && height === this.#plot.height) return;
-    this.#plot = { ...this.#plot, width, height };
-    this.#draw();
-  }
-
-  /** Draws with the next picture: a drag may bring several states for one. */
   #draw(): void {
     this.#parts.changed();
-    cancelAnimationFrame(this.#request);
-    this.#request = requestAnimationFrame(() => this.#drawNow());
+    this.#frame.request();
   }
 
   #drawNow(): void {
     const [pair, state, values, now] = [this.#pair, this.#state, this.#values(), this.#now()];
-    if (!pair || !state || !values || !now || this.#plot.width === 0) return;
+    if (!pair || !state || !values || !now) return;
     const { words } = this.#parts;
+    const { width, height } = this.#frame;
     const secs = (pair.input.frames - 1) / pair.rateHz;
-    const curves = [state.motion, state.style, state.joint, this.#plot.width, this.#plot.height].join("/");
-    if (curves !== this.#curvesOf) {
+    const curves = [state.motion, state.style, state.joint, width, height].join("/");
+    if (!this.#axes || curves !== this.#curvesOf) {
       this.#curvesOf = curves;
-      this.#plot = { ...this.#plot, secs, top: niceTop([...values.content, ...values.second]) };
-      this.#drawCurves(values, pair.rateHz);
+      const y = extentOf([0, ...values.content, ...values.second], LEAST_EXTENT);
+      this.#axes = { width, height, x: [0, secs], y, margin: MARGIN };
+      this.#drawCurves(this.#axes, values, pair.rateHz);
     }
-    const plot = this.#plot;
+    const axes = this.#axes;
     for (const pairing of PAIRINGS) {
       const chosen = pairing === state.pairing;
       for (const mark of [this.#curves[pairing], this.#legend[pairing], this.#points[pairing]])
         mark.classList.toggle("chosen", chosen);
       const value = now[pairing];
       setAttributes(this.#points[pairing], {
-        cx: xOf(plot, now.secs),
-        cy: yOf(plot, Number.isNaN(value) ? 0 : value),
+        cx: xOf(axes, now.secs),
+        cy: yOf(axes, Number.isNaN(value) ? 0 : value),
         visibility: Number.isNaN(value) ? "hidden" : "visible",
       });
     }
     this.#showLegend(now);
-    const x = xOf(plot, now.secs);
-    const bottom = yOf(plot, 0);
-    setAttributes(this.#head, {
-      transform: `translate(${x} 0)`,
-      "aria-valuemin": 0,
-      "aria-valuemax": Number(secs.toFixed(2)),
-      "aria-valuenow": Number(now.secs.toFixed(2)),
-      "aria-valuetext": this.sentence(),
-    });
-    setAttributes(this.#head.children[0]!, { d: `M-22 0h44V${bottom}h-44z` });
-    setAttributes(this.#head.children[1]!, { d: `M0 0V${bottom}` });
-    const other = xOf(plot, Math.min(now.styledSecs, secs));
+    const x = xOf(axes, now.secs);
+    const bottom = yOf(axes, 0);
+    this.#handle.place({ x, bottom, value: now.at, text: this.sentence() });
+    const other = xOf(axes, Math.min(now.styledSecs, secs));
     setAttributes(this.#thread, {
       d: `M${x} ${bottom}C${x} ${bottom + 14} ${other} ${bottom + 2} ${other} ${bottom + 14}`,
     });
     const styled = `${words.styles[state.style]} ${figure(now.styledSecs, 2, words)} s`;
     setAttributes(this.#styled, { transform: `translate(${other} ${bottom + 14})` });
     const label = this.#styled.lastElementChild!;
-    const inwards = other > 0.7 * plot.width;
+    const inwards = other > 0.7 * width;
     setAttributes(label, { x: inwards ? -8 : 8, "text-anchor": inwards ? "end" : "start" });
     setText(label, styled);
     const { joint } = state;
@@ -274,75 +248,28 @@ class CurveFigure implements FigureInstance<PairState> {
     setText(this.#legend.second, words.legend(words.second, cm(now.second), cm(now.meanSecond)));
   }
 
-  #drawCurves(values: Record<Pairing, Float64Array>, rateHz: number): void {
-    const plot = this.#plot;
-    setAttributes(this.#picture, { viewBox: `0 0 ${plot.width} ${plot.height}` });
-    this.#drawGrid();
+  #drawCurves(axes: Axes, values: Record<Pairing, Float64Array>, rateHz: number): void {
+    this.#drawGrid(axes);
     for (const pairing of PAIRINGS)
-      setAttributes(this.#curves[pairing], { d: curvePath(plot, values[pairing], rateHz) });
+      setAttributes(this.#curves[pairing], { d: curvePath(axes, values[pairing], rateHz) });
   }
 
-  #drawGrid(): void {
-    const plot = this.#plot;
+  #drawGrid(axes: Axes): void {
     const { words } = this.#parts;
-    const bottom = yOf(plot, 0);
+    const [left, right] = axes.x.map((secs) => xOf(axes, secs));
+    const bottom = yOf(axes, 0);
     const text = (x: number, y: number, anchor: string, label: string) =>
       svg("text", { x, y, "text-anchor": anchor }, label);
-    const rows = ticksTo(plot.top, 4).flatMap((cm) => [
-      svg("path", { d: `M${xOf(plot, 0)} ${yOf(plot, cm)}H${xOf(plot, plot.secs)}` }),
-      text(xOf(plot, 0) - 6, yOf(plot, cm) + 4, "end", `${cm}`),
+    const rows = ticksOf(axes.y, 4).flatMap((cm) => [
+      svg("path", { d: `M${left} ${yOf(axes, cm)}H${right}` }),
+      text(left! - 6, yOf(axes, cm) + 4, "end", `${cm}`),
     ]);
-    const columns = ticksTo(plot.secs, 8).map((secs) => text(xOf(plot, secs), bottom + 32, "middle", `${secs}`));
+    const columns = ticksOf(axes.x, 8).map((secs) => text(xOf(axes, secs), bottom + 32, "middle", `${secs}`));
     this.#grid.replaceChildren(
       ...rows,
       ...columns,
-      text(xOf(plot, 0), 12, "start", "cm"),
-      text(xOf(plot, plot.secs), bottom + 50, "end", words.time),
+      text(left!, 12, "start", "cm"),
+      text(right!, bottom + 50, "end", words.time),
     );
-  }
-
-  #drag(press: PointerEvent) {
-    const [pair, state] = [this.#pair, this.#state];
-    if (!pair || !state) return undefined;
-    const before = state.at;
-    const goTo = (event: PointerEvent, settled: boolean) => {
-      const box = this.#picture.getBoundingClientRect();
-      const span = xOf(this.#plot, this.#plot.secs) - xOf(this.#plot, 0);
-      const share = (event.clientX - box.left - xOf(this.#plot, 0)) / span;
-      this.#goTo(share * (pair.input.frames - 1), settled);
-    };
-    press.preventDefault();
-    this.#head.focus({ preventScroll: true });
-    goTo(press, false);
-    return {
-      move: (event: PointerEvent) => goTo(event, false),
-      cancel: () => this.#goTo(before, false),
-      end: () => this.#parts.change({}, true),
-    };
-  }
-
-  #key(event: KeyboardEvent): void {
-    const [pair, state] = [this.#pair, this.#state];
-    if (!pair || !state || event.ctrlKey || event.metaKey || event.altKey) return;
-    const step = event.shiftKey ? 1 : STEP;
-    const last = pair.input.frames - 1;
-    const at = Math.min(state.at, last);
-    const to = {
-      ArrowLeft: at - step,
-      ArrowDown: at - step,
-      ArrowRight: at + step,
-      ArrowUp: at + step,
-      Home: 0,
-      End: last,
-    }[event.key];
-    if (to === undefined) return;
-    event.preventDefault();
-    this.#keyed = true;
-    this.#goTo(to, false);
-  }
-
-  #goTo(frame: number, settled: boolean): void {
-    const last = this.#pair!.input.frames - 1;
-    this.#parts.change({ at: Math.round(Math.min(last, Math.max(0, frame))) }, settled);
   }
 }

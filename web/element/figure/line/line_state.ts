@@ -3,7 +3,8 @@ import type { FitSettings, Look } from "../../../client/learn/protocol";
 import { JOINT, ROLES, type Role } from "../../../humanoid";
 import { choice, type Fields, flag, number } from "../../../link/fields";
 import type { DialRange } from "../../../ui/controls/dial";
-import { INPUTS, type InputName, STYLES, type Style } from "../built_in";
+import type { Range } from "../../../ui/controls/range";
+import { FRAMES, INPUTS, type InputName, STYLES, type Style } from "../built_in";
 
 /** Axes of a joint's exponential map. */
 export const AXES = ["x", "y", "z"] as const;
@@ -33,6 +34,9 @@ export const LINE_RANGES = {
   lambda: { min: 0.0001, max: 10, digits: 4, scale: "log" },
   noise: { min: 0, max: 8, digits: 1, scale: "linear" },
 } as const satisfies Record<string, DialRange>;
+
+/** Instants of the default input that can be looked at; of a longer one a link may say later ones. */
+export const INSTANTS: Range = { min: 2, max: FRAMES - 1, digits: 0 };
 
 /** How the state is written into a link. Defaults are the engine's. */
 export const LINE_FIELDS: Fields<LineState> = {

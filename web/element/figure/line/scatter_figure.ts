@@ -6,13 +6,14 @@ import { Knob } from "../../../ui/controls/knob";
 import { Slider } from "../../../ui/controls/slider";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, extentOf, ticksOf, xOf, yOf } from "../axes";
+import { RATE_HZ } from "../built_in";
 import { Choice } from "../controls";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
 import { Latest } from "../latest";
 import { PlotFrame } from "../plot_frame";
 import { figure } from "../words";
 import { aboveMean, fitOf, measureLine, residual } from "./line_measure";
-import { DEGREES, LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
+import { DEGREES, INSTANTS, LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
 
 /** Least extent of an axis, degrees: among equal examples every hundredth would fill the picture. */
 const LEAST_EXTENT = 2;
@@ -48,12 +49,11 @@ class ScatterFigure implements FigureInstance<LineState> {
   readonly #fitting = new Latest<LineState>((state) => this.#fit(state));
   #state: LineState | undefined;
   #fitted: { state: LineState; fit: Fit } | undefined;
-  #request = 0;
 
   constructor(parts: FigureParts<LineState>) {
     this.#parts = parts;
     const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.line.title, () => this.#draw(), signal);
+    this.#frame = new PlotFrame(words.line.title, () => this.#drawNow(), signal);
     this.#joint = new Choice(
       words.joint,
       ROLES.map((role) => [role, words.joints[role]] as const),
@@ -68,11 +68,11 @@ class ScatterFigure implements FigureInstance<LineState> {
       });
     this.#knobs = { k: knob("k"), lambda: knob("lambda"), noise: knob("noise") };
     this.#taper = new Toggle(words.line.taper, (taper) => change({ taper }, true));
-    this.#instant = new Slider(words.playhead, LINE_FIELDS_AT, LINE_FIELDS.at.initial, {
+    this.#instant = new Slider(words.playhead, INSTANTS, LINE_FIELDS.at.initial, {
       onInput: (at) => change({ at }, false),
       onSettle: settle,
     });
-    this.#instant.words = (frame) => `${figure(frame / 60, 2, words)} s`;
+    this.#instant.words = (frame) => `${figure(frame / RATE_HZ, 2, words)} s`;
     this.#frame.picture.append(this.#band, this.#mean, this.#dots, this.#line, this.#guide, this.#point);
     this.#frame.picture.append(...Object.values(this.#labels));
     this.#frame.listenToMarks(parts.point);
@@ -160,18 +160,6 @@ class ScatterFigure implements FigureInstance<LineState> {
     for (const [of, name] of Object.entries(knobs)) this.#knobs[name].element.classList.toggle("lit", of === term);
   }
 
-  run(): void {
-    // It draws when something changes, and only then.
-  }
-
-  setTheme(): void {
-    // Its colours are those of the style sheet.
-  }
-
-  dispose(): void {
-    cancelAnimationFrame(this.#request);
-  }
-
   async #fit(state: LineState): Promise<void> {
     const fit = await fitOf(this.#parts.engine, state);
     if (this.#parts.signal.aborted) return;
@@ -181,12 +169,11 @@ class ScatterFigure implements FigureInstance<LineState> {
 
   #draw(): void {
     this.#parts.changed();
-    cancelAnimationFrame(this.#request);
-    this.#request = requestAnimationFrame(() => this.#drawNow());
+    this.#frame.request();
   }
 
   #drawNow(): void {
-    if (!this.#fitted || this.#frame.width === 0) return;
+    if (!this.#fitted) return;
     const { words } = this.#parts;
     const { fit, state } = this.#fitted;
     const [xs, ys] = [fit.x, fit.y].map((values) => Array.from(values, (value) => value * DEGREES)) as [
@@ -252,6 +239,3 @@ class ScatterFigure implements FigureInstance<LineState> {
 }
 
 type Three = [number, number, number];
-
-/** The instants of the default input; states of links may say later ones, at which its end is looked at. */
-const LINE_FIELDS_AT = { min: 2, max: 881, digits: 0 };

@@ -33,12 +33,11 @@ class SweepFigure implements FigureInstance<LineState> {
   #state: LineState | undefined;
   #swept: { key: string; errors: number[] } | undefined;
   #axes: Axes | undefined;
-  #request = 0;
 
   constructor(parts: FigureParts<LineState>) {
     this.#parts = parts;
     const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.sweep.title, () => this.#draw(), signal);
+    this.#frame = new PlotFrame(words.sweep.title, () => this.#drawNow(), signal);
     const { picture } = this.#frame;
     this.#handle = new Handle(
       words.line.knobs.lambda.name,
@@ -101,18 +100,6 @@ class SweepFigure implements FigureInstance<LineState> {
     this.#frame.light(term);
   }
 
-  run(): void {
-    // It draws when something changes, and only then.
-  }
-
-  setTheme(): void {
-    // Its colours are those of the style sheet.
-  }
-
-  dispose(): void {
-    cancelAnimationFrame(this.#request);
-  }
-
   async #sweep(state: LineState): Promise<void> {
     // The ridge and the instant do not change the curve.
     const key = JSON.stringify({ ...state, lambda: 0, at: 0 });
@@ -137,13 +124,12 @@ class SweepFigure implements FigureInstance<LineState> {
 
   #draw(): void {
     this.#parts.changed();
-    cancelAnimationFrame(this.#request);
-    this.#request = requestAnimationFrame(() => this.#drawNow());
+    this.#frame.request();
   }
 
   #drawNow(): void {
     const now = this.#now();
-    if (!now || this.#frame.width === 0) return;
+    if (!now) return;
     const { words } = this.#parts;
     const { errors, lambda, error, least, best } = now;
     const axes: Axes = {

@@ -53,9 +53,8 @@ class BarsFigure implements FigureInstance<MixState> {
 
   show(state: MixState): Promise<void> {
     this.#state = state;
-    const shown =
-      this.#guess.getRootNode() instanceof ShadowRoot ? (this.#guess.getRootNode() as ShadowRoot).activeElement : null;
-    if (shown !== this.#guess) this.#guess.value = state.guess < 0 ? "" : figure(state.guess, 2, this.#parts.words);
+    if (!this.#guess.matches(":focus"))
+      this.#guess.value = state.guess < 0 ? "" : figure(state.guess, 2, this.#parts.words);
     return this.#sharing.take(state);
   }
 
@@ -90,18 +89,6 @@ class BarsFigure implements FigureInstance<MixState> {
   light(term: string | undefined): void {
     for (const mark of this.#rows.querySelectorAll("[data-term]"))
       mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
-  }
-
-  run(): void {
-    // It draws when something changes, and only then.
-  }
-
-  setTheme(): void {
-    // Its colours are those of the style sheet.
-  }
-
-  dispose(): void {
-    // It holds nothing.
   }
 
   #said({ action, style, square, weight }: ClassShare): [name: string, square: string, weight: string] {

@@ -2,6 +2,7 @@
 import type { LearnEngine } from "../../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import type { Measure } from "../kind";
+import { remembered } from "../remembered";
 import { lookOf, MIX_FIELDS, MIX_STYLE, type MixState } from "./mix_state";
 
 /** A class at a frame. */
@@ -45,23 +46,8 @@ export function weightAlone(squares: readonly number[], delta: number): number {
   return 1 / raw.reduce((sum, weight) => sum + weight, 0);
 }
 
-const readings = new WeakMap<LearnEngine, Map<string, Promise<Reading>>>();
-
 /** How the engine reads an input over time, with a width; computed once. */
-export function readingOf(
-  engine: LearnEngine,
-  { motion, delta }: Pick<MixState, "motion" | "delta">,
-): Promise<Reading> {
-  const known = readings.get(engine) ?? new Map<string, Promise<Reading>>();
-  readings.set(engine, known);
-  const key = `${motion}/${delta}`;
-  const reading = known.get(key) ?? read(engine, motion, delta);
-  known.set(key, reading);
-  reading.catch(() => known.delete(key));
-  return reading;
-}
-
-async function read(engine: LearnEngine, motion: string, delta: number): Promise<Reading> {
+export const readingOf = remembered(async (engine, motion: string, delta: number): Promise<Reading> => {
   const options = { ...DEFAULT_OPTIONS, styles: { [MIX_STYLE]: 1 }, delta };
   const [{ classes, actions, rateHz }, { classWeights }] = await Promise.all([
     engine.database(),
@@ -74,7 +60,7 @@ async function read(engine: LearnEngine, motion: string, delta: number): Promise
       weights[actions.indexOf(action)]![frame]! += classWeights[frame * classes.length + i]!;
     });
   return { actions, weights, frames, rateHz };
-}
+});
 
 /** The first frame at which an action weighs as much as another; −1 where there is none. */
 export function firstFrame({ actions, weights, frames }: Reading, rising: string, falling: string): number {
@@ -88,7 +74,7 @@ export function firstFrame({ actions, weights, frames }: Reading, rising: string
 export async function measureMix(engine: LearnEngine, state: MixState): Promise<Measure> {
   const [shares, reading] = await Promise.all([
     sharesOf(engine, state),
-    readingOf(engine, { ...state, delta: MIX_FIELDS.delta.initial }),
+    readingOf(engine, state.motion, MIX_FIELDS.delta.initial),
   ]);
   const of = (action: string) => shares.reduce((sum, one) => sum + (one.action === action ? one.weight : 0), 0);
   const running = shares.find(({ action, style }) => action === "run" && style === "neutral");

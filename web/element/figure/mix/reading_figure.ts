@@ -34,12 +34,11 @@ class ReadingFigure implements FigureInstance<MixState> {
   #state: MixState | undefined;
   #shown: { delta: number; motion: string; reading: Reading } | undefined;
   #axes: Axes | undefined;
-  #request = 0;
 
   constructor(parts: FigureParts<MixState>) {
     this.#parts = parts;
     const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.mix.reading, () => this.#draw(), signal);
+    this.#frame = new PlotFrame(words.mix.reading, () => this.#drawNow(), signal);
     const { picture } = this.#frame;
     this.#handle = new Handle(
       words.playhead,
@@ -121,18 +120,6 @@ class ReadingFigure implements FigureInstance<MixState> {
     this.#knob.element.classList.toggle("lit", term === "delta");
   }
 
-  run(): void {
-    // It draws when something changes, and only then.
-  }
-
-  setTheme(): void {
-    // Its colours are those of the style sheet.
-  }
-
-  dispose(): void {
-    cancelAnimationFrame(this.#request);
-  }
-
   #at(): number {
     return Math.min(this.#state!.at, this.#shown!.reading.frames - 1);
   }
@@ -140,7 +127,7 @@ class ReadingFigure implements FigureInstance<MixState> {
   async #read(state: MixState): Promise<void> {
     const { motion, delta } = state;
     if (this.#shown?.motion === motion && this.#shown.delta === delta) return;
-    const reading = await readingOf(this.#parts.engine, state);
+    const reading = await readingOf(this.#parts.engine, motion, delta);
     if (this.#parts.signal.aborted) return;
     this.#shown = { motion, delta, reading };
     this.#draw();
@@ -148,13 +135,12 @@ class ReadingFigure implements FigureInstance<MixState> {
 
   #draw(): void {
     this.#parts.changed();
-    cancelAnimationFrame(this.#request);
-    this.#request = requestAnimationFrame(() => this.#drawNow());
+    this.#frame.request();
   }
 
   #drawNow(): void {
     const read = this.#shown;
-    if (!read || !this.#state || this.#frame.width === 0) return;
+    if (!read || !this.#state) return;
     const { words } = this.#parts;
     const { reading } = read;
     const secs = (reading.frames - 1) / reading.rateHz;
