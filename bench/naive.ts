@@ -14,7 +14,11 @@ const LAMBDA = 0.1;
 const KAPPA = 3;
 const RHO = 0.7;
 const MAX_FEEDBACK = 0.9;
-const DELTA = 0.7;
+const DELTA = 0.35;
+/** D at which input is known by half, m². */
+const HALF_KNOWN = 0.0025;
+/** A counterpart that moves so many rows or more in a frame does not go on. */
+const JUMP_ROWS = 4;
 /** Least of the distances of classes, m². */
 const LEAST_DISTANCE = 1e-6;
 /** Half-life of what separates expectation and prediction, seconds. */
@@ -281,7 +285,8 @@ export class NaiveTransfer implements Yardstick {
       nearest.length > 0 ? nearest.reduce((sum, n) => sum + n.distance, 0) / nearest.length : Infinity,
     );
     const least = Math.max(Math.min(...distances), LEAST_DISTANCE);
-    const weights = distances.map((distance) => Math.exp(Math.min(least - distance, 0) / (DELTA * least)));
+    const width = DELTA * (3 - 2 / (1 + (least / HALF_KNOWN) ** 4));
+    const weights = distances.map((distance) => Math.exp(Math.min(least - distance, 0) / (width * least)));
     const kept = weights.map((weight) => (weight < leastWeight ? 0 : weight));
     const keptSum = kept.reduce((a, b) => a + b, 0);
     return kept.map((weight) => weight / keptSum);
@@ -345,25 +350,45 @@ export class NaiveTransfer implements Yardstick {
 
 /** What every row becomes in a style, and how long it then lasts: the mean of its counterparts, or itself without. */
 function targets(db: Tensors, style: number): { rows: Float32Array; stepSecs: Float32Array } {
-  const { pose, dofs, frames, counterpart, counterpartsPerStyle: most, styles, timeStep, rateHz } = db;
+  const { pose, dofs, frames, timeStep, rateHz, clips } = db;
   const targets = pose.slice();
   const stepSecs = new Float32Array(frames).fill(1 / rateHz);
-  for (let row = 0; row < frames; row++) {
-    const first = (row * styles.length + style) * most;
-    const rows = [...counterpart.subarray(first, first + most)].filter((at) => at >= 0);
-    if (rows.length === 0) continue;
-    const between = (at: number, value: (row: number) => number) => {
-      const i = Math.floor(at);
-      return value(i) + (at - i) * (value(Math.min(i + 1, frames - 1)) - value(i));
-    };
-    const step = rows.reduce((sum, at) => sum + between(at, (i) => timeStep[i]!), 0) / rows.length;
-    stepSecs[row] = step / timeStep[row]! / rateHz;
-    for (let d = 0; d < dofs; d++) {
-      const sum = rows.reduce((sum, at) => sum + between(at, (i) => pose[i * dofs + d]!), 0);
-      targets[row * dofs + d] = sum / rows.length;
+  for (const { first_frame: first, frames: count } of clips) {
+    const slots = (row: number) => (row >= first && row < first + count ? counterparts(db, style, row) : []);
+    for (let row = first; row < first + count; row++) {
+      const rows = slots(row).filter((at) => at >= 0);
+      if (rows.length === 0) continue;
+      const between = (at: number, value: (row: number) => number) => {
+        const i = Math.floor(at);
+        return value(i) + (at - i) * (value(Math.min(i + 1, frames - 1)) - value(i));
+      };
+      const step = rows.reduce((sum, at) => sum + between(at, (i) => timeStep[i]!), 0) / rows.length;
+      const advance = meanAdvance(slots(row - 1), slots(row), slots(row + 1)) ?? step / timeStep[row]!;
+      stepSecs[row] = advance / rateHz;
+      for (let d = 0; d < dofs; d++) {
+        const sum = rows.reduce((sum, at) => sum + between(at, (i) => pose[i * dofs + d]!), 0);
+        targets[row * dofs + d] = sum / rows.length;
+      }
     }
   }
   return { rows: targets, stepSecs };
+}
+
+/** The slots of a row's counterparts in a style: fractional rows, −1 in those that are empty. */
+function counterparts({ counterpart, counterpartsPerStyle: most, styles }: Tensors, style: number, row: number) {
+  const first = (row * styles.length + style) * most;
+  return [...counterpart.subarray(first, first + most)];
+}
+
+/** Rows that counterparts advance in a frame, to either side: the mean of the slots that go on, if there are any. */
+function meanAdvance(before: number[], now: number[], after: number[]): number | undefined {
+  const advance = (from = -1, to = -1) => (from >= 0 && to >= from && to < from + JUMP_ROWS ? [to - from] : []);
+  const mean = (of: number[]) => of.reduce((sum, value) => sum + value, 0) / of.length;
+  const slots = now
+    .map((at, slot) => [...advance(before[slot], at), ...advance(at, after[slot])])
+    .filter((sides) => sides.length > 0)
+    .map(mean);
+  return slots.length > 0 ? mean(slots) : undefined;
 }
 
 function standardDeviations({ pose, dofs, frames }: Tensors): Float32Array {

@@ -92,6 +92,7 @@ export class YardstickBench {
     const positions = glue.positionsOf(database, query.poses);
     const row = (frame: number) => rows.subarray(frame * ROW, (frame + 1) * ROW);
     const reference = stylizerFor(glue, database, mode, query);
+    reference.leaveTempo();
     const last = Math.min(WARM_UP + (FRAMES - 1) * STRIDE, query.frames - 1);
     let before: Float32Array = new Float32Array();
     for (let frame = 0; frame <= last; frame++) {

@@ -33,6 +33,25 @@ export const experiments = [
     args: `${BN2} --actions walk,run,walk-turn-left,walk-turn-right --methods knn,lar,mar --labels both,action,style --folds 4`,
   },
   {
+    id: "tempo",
+    title: "Whose tempo",
+    question:
+      "η of the phase lock: at 0 the input keeps its own tempo and durations are the neighbours', at 1 the style's tempo replaces it. All eight folds of the four actions.",
+    args: `${BN2} --actions walk,run,walk-turn-left,walk-turn-right --methods mar --tempo 0,0.5,1`,
+  },
+  {
+    id: "tempo-runs",
+    title: "Whose tempo: runs",
+    question: "Running alone, action and style known.",
+    args: `${BN2} --actions run --methods mar --labels both --tempo 0,0.5,1`,
+  },
+  {
+    id: "tempo-turns",
+    title: "Whose tempo: turns",
+    question: "Turns alone, action and style known.",
+    args: `${BN2} --actions walk-turn-left,walk-turn-right --methods mar --labels both --tempo 0,0.5,1`,
+  },
+  {
     id: "one-take",
     title: "One example of each style",
     question:
@@ -41,10 +60,17 @@ export const experiments = [
     set: "walk, 15 styles, 1 take",
   },
   {
+    id: "one-take-labels",
+    title: "One example of each style: labels",
+    question: "The same with action and style known.",
+    args: `${BN1} --actions walk --methods mar --labels both`,
+  },
+  {
     id: "takes",
     title: "Number of target takes",
-    question: "How many performances of a style does the database need? The neutral style keeps all of its own.",
-    args: `${BN2} --actions walk --methods knn,mar --takes 1,2,4,0 --folds 2`,
+    question:
+      "How many performances of a style does the database need? Chosen by chance, three times a fold. The neutral style keeps all of its own.",
+    args: `${BN2} --actions walk --methods knn,mar --takes 1,2,4,0`,
   },
   {
     id: "foreign-methods",
@@ -72,6 +98,12 @@ export const experiments = [
     question:
       "Beyond the paper: neighbours weigh less the farther they are, and predictions correct an expectation (`--coherence`, on by default).",
     args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly --methods mar --coherence on,off`,
+  },
+  {
+    id: "foreign-tempo",
+    title: "Motion that the database does not hold: tempo and width",
+    question: "The phase lock fades out where the input is unknown, and δ is three times as wide there.",
+    args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly,active,exhausted,feminine --methods mar --tempo 0,0.5,1 --delta 0.2,0.35,0.7`,
   },
   {
     id: "extrapolation",
@@ -128,7 +160,7 @@ export const experiments = [
     id: "delta",
     title: "δ",
     question: "How far classes less near than the nearest take part, where there are many classes.",
-    args: `${BN2} --actions walk,run --methods mar --delta 0.2,0.7,3 --folds 1`,
+    args: `${BN2} --actions walk,run --methods mar --delta 0.2,0.35,0.7,3 --folds 2`,
   },
   {
     id: "lambda",

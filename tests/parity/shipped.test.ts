@@ -50,15 +50,15 @@ function byCommand(method: string): string {
 }
 
 /** The same as a package writes it, with the mixture's width `delta`. */
-async function byPackage({ folder: pkg, name }: { folder: string; name: string }, method: string, delta = 0.7) {
+async function byPackage({ folder: pkg, name }: { folder: string; name: string }, method: string, delta = 0.35) {
   const at = new URL(`../../${pkg}/`, import.meta.url);
   const glue: Glue = await import(/* @vite-ignore */ new URL(`${name}.js`, at).href);
   glue.initSync({ module: readFileSync(new URL(`${name}_bg.wasm`, at)) });
   const database = glue.Database.fromBytes(readFileSync(join(folder, "demo.strutdb")));
   const input = glue.Input.fromBvh(database, readFileSync(join(folder, CLIP)));
   const stylizer = new glue.Stylizer(database);
-  const [k, lambda, rho, kappa] = [40, 0.1, 0.7, 3];
-  stylizer.configure(k, lambda, rho, kappa, delta, true, true, true, method);
+  const [k, lambda, rho, kappa, tempo] = [40, 0.1, 0.7, 3, 0.5];
+  stylizer.configure(k, lambda, rho, kappa, delta, tempo, true, true, true, method);
   stylizer.setStyles(Float32Array.from(database.styles(), (style) => (style === STYLE ? 1 : 0)));
   const job = new glue.ClipJob(stylizer, input);
   expect(job.run(input.frames())).toBe(input.frames());

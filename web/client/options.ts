@@ -17,6 +17,7 @@ export const OPTION_RANGES = {
   rho: [0, 1],
   kappa: [0, Number.POSITIVE_INFINITY],
   delta: [0.01, 100],
+  tempo: [0, 1],
 } as const satisfies Partial<Record<keyof StylizeOptions, readonly [number, number]>>;
 
 /**

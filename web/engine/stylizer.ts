@@ -43,11 +43,11 @@ export class Stylizer extends Handle<RawStylizer> {
    * @throws StrutError `bad-input` for an option outside its range or a label that the database lacks
    */
   configure(options: ModelOptions): void {
-    const { k, lambda, rho, kappa, delta, coherence, timing, footplant, method } = options;
+    const { k, lambda, rho, kappa, delta, tempo, coherence, timing, footplant, method } = options;
     const action = options.action ? numberOf("action", options.action, this.actions) : undefined;
     const style = options.inputStyle ? numberOf("style", options.inputStyle, this.styles) : undefined;
     guarded(() =>
-      this.raw.configure(k, lambda, rho, kappa, delta, coherence, timing, footplant, method, action, style),
+      this.raw.configure(k, lambda, rho, kappa, delta, tempo, coherence, timing, footplant, method, action, style),
     );
   }
 

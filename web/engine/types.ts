@@ -91,6 +91,8 @@ export interface StylizeOptions {
   kappa: number;
   /** Sharpness of the mixture. */
   delta: number;
+  /** η: how much of the tempo of a walk or a run becomes the style's own; 0 keeps the input's, 1 forgets it. */
+  tempo: number;
   /** Whether temporal coherence suppresses jitter where the input is far from the database; method `mar` only. */
   coherence: boolean;
   /** Whether the output has its own timing. */
@@ -115,7 +117,8 @@ export const DEFAULT_OPTIONS: Readonly<StylizeOptions> = {
   lambda: 0.1,
   rho: 0.7,
   kappa: 3,
-  delta: 0.7,
+  delta: 0.35,
+  tempo: 0.5,
   coherence: true,
   timing: true,
   footplant: true,

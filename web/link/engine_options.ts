@@ -5,7 +5,8 @@ import type { PlayState } from "./play";
 
 /** The engine's options for a state. */
 export function engineOptions(state: PlayState, neutral: string): StylizeOptions {
-  const { k, lambda, rho, kappa, delta, coherence, timing, footplant, method, action, inputStyle, intensity } = state;
+  const { k, lambda, rho, kappa, delta, tempo, coherence, timing, footplant, method } = state;
+  const { action, inputStyle, intensity } = state;
   const weights = (styles: Selection) => engineWeights(styles, intensity, neutral);
   const parts = Object.entries(state.parts).map(([part, styles]) => [part, weights(styles)]);
   return {
@@ -17,6 +18,7 @@ export function engineOptions(state: PlayState, neutral: string): StylizeOptions
     rho,
     kappa,
     delta,
+    tempo,
     coherence,
     timing,
     footplant,

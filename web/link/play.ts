@@ -37,6 +37,8 @@ export interface PlayState {
   kappa: number;
   /** δ: width of the mixture weights. */
   delta: number;
+  /** η: how much of the tempo becomes the style's own. */
+  tempo: number;
   /** Whether the style changes the timing. */
   timing: boolean;
   /** Whether planted feet are held. */
@@ -85,6 +87,7 @@ export const PLAY_RANGES = {
   rho: { min: 0, max: 1, digits: 2 },
   kappa: { min: 0.5, max: 6, digits: 1 },
   delta: { min: 0.1, max: 3, digits: 2 },
+  tempo: { min: 0, max: 1, digits: 2 },
 } as const satisfies Record<string, Range>;
 
 function encodeParts(parts: Parts): string {
@@ -124,7 +127,8 @@ export const PLAY_FIELDS: Fields<PlayState> = {
   lambda: number("lambda", 0.1, PLAY_RANGES.lambda, true),
   rho: number("rho", 0.7, PLAY_RANGES.rho, true),
   kappa: number("kappa", 3, PLAY_RANGES.kappa, true),
-  delta: number("delta", 0.7, PLAY_RANGES.delta, true),
+  delta: number("delta", 0.35, PLAY_RANGES.delta, true),
+  tempo: number("tempo", 0.5, PLAY_RANGES.tempo, true),
   timing: flag("timing", true, true),
   footplant: flag("footplant", true, true),
   coherence: flag("coherence", true, true),
@@ -153,6 +157,7 @@ export const ENGINE_FIELDS = [
   "rho",
   "kappa",
   "delta",
+  "tempo",
   "coherence",
   "timing",
   "footplant",

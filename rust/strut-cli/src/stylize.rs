@@ -57,6 +57,9 @@ pub(crate) struct Args {
     /// Share of the bias that is kept in the output: 0 to 1
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.rho)]
     rho: f32,
+    /// How much of the tempo of a walk or a run becomes the style's own: 0 keeps yours, 1 forgets it
+    #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.tempo)]
+    tempo: f32,
     /// Standard deviations from the neighbours beyond which input is bias
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.kappa)]
     kappa: f32,
@@ -142,6 +145,7 @@ fn numeric_options(args: &Args) -> Options {
         lambda: args.lambda,
         kappa: args.kappa,
         rho: args.rho,
+        tempo: args.tempo,
         coherence: args.coherence == Switch::On,
         timing: args.timing == Switch::On,
         footplant: args.footplant == Switch::On,

@@ -41,6 +41,7 @@ impl Stylizer {
         rho: f32,
         kappa: f32,
         delta: f32,
+        tempo: f32,
         coherence: bool,
         timing: bool,
         footplant: bool,
@@ -53,7 +54,7 @@ impl Stylizer {
         // The cast saturates: what is no count becomes 0 or too large, and is refused as such.
         let k = k as usize;
         let labels = Options { action, input_style, ..*self.stylizer.options() };
-        let options = Options { k, lambda, rho, kappa, delta, coherence, timing, footplant, method, ..labels };
+        let options = Options { k, lambda, rho, kappa, delta, tempo, coherence, timing, footplant, method, ..labels };
         self.stylizer.set_options(options).map_err(EngineError::bad_input)
     }
 

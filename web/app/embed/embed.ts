@@ -16,6 +16,7 @@ const SHOWN = [
   "rho",
   "kappa",
   "delta",
+  "tempo",
   "timing",
   "footplant",
   "coherence",

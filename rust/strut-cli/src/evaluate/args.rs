@@ -19,7 +19,7 @@ Every option that takes a list is varied: all combinations are measured.
 
 The results of --json:
   protocol, rate, generator, command
-  results  [{action, source, target, method, labels, mode, k, delta, lambda, kappa, rho, coherence, intensity, part,
+  results  [{action, source, target, method, labels, mode, k, delta, lambda, kappa, rho, tempo, coherence, intensity, part,
             window, search, registration, takes, samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s,
             floor_cm, input_cm, …, skate_cm_s_in, skate_cm_s_out, jerk_ratio, acceleration_ratio,
             content_correlation, ms_per_frame}]
@@ -70,7 +70,7 @@ pub(crate) struct Args {
     /// How the databases are registered
     #[arg(long, value_delimiter = ',', default_value = "dtw")]
     pub(super) registration: Vec<Registration>,
-    /// Greatest number of takes of each target class in a database; 0 for all
+    /// Greatest number of takes of each target class in a database, the mean over three draws by chance; 0 for all
     #[arg(long, value_name = "N", value_delimiter = ',', default_value = "0")]
     pub(super) takes: Vec<usize>,
     /// Frames of a search window
@@ -88,6 +88,9 @@ pub(crate) struct Args {
     /// Share of the bias that is kept in the output: 0 to 1
     #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.rho])]
     pub(super) rho: Vec<f32>,
+    /// How much of the tempo becomes the style's own: 0 keeps the input's, 1 forgets it
+    #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.tempo])]
+    pub(super) tempo: Vec<f32>,
     /// Standard deviations from the neighbours beyond which input is bias; inf for no bias
     #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.kappa])]
     pub(super) kappa: Vec<f32>,

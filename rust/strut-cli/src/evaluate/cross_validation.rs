@@ -13,6 +13,19 @@ use strut_core::evaluation::leave_one_out::{LeaveOneOut, Trial};
 use strut_core::evaluation::truth::Errors;
 use strut_core::transfer::Model;
 
+/// Draws of a fold whose takes are chosen by chance.
+const DRAWS: u32 = 3;
+
+/// A database to build and a take to hold out of it.
+#[derive(Clone, Copy, Debug)]
+struct Fold {
+    /// Index of the settings of the build.
+    build: usize,
+    take: u32,
+    /// Number of the draw of the takes that are kept.
+    draw: u32,
+}
+
 /// All samples of all folds, in an order that does not depend on the threads.
 pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &Checkpoint) -> Outcome<Vec<Sample>> {
     let plain = grid.builds[0].options(&args.source);
@@ -20,18 +33,22 @@ pub(super) fn run(args: &Args, grid: &Grid, clips: &[SourceClip], checkpoint: &C
     if args.folds > 0 {
         takes.truncate(args.folds);
     }
-    let units: Vec<(usize, u32)> =
-        (0..grid.builds.len()).flat_map(|build| takes.iter().map(move |&take| (build, take))).collect();
+    // Where takes are chosen by chance, more than once.
+    let draws = |build: usize| if grid.builds[build].takes == 0 { 1 } else { DRAWS };
+    let folds =
+        |build| takes.iter().flat_map(move |&take| (0..draws(build)).map(move |draw| Fold { build, take, draw }));
+    let units: Vec<Fold> = (0..grid.builds.len()).flat_map(folds).collect();
     let bar = Bar::new("folds", units.len());
     let samples: Vec<Vec<Sample>> = units
         .into_par_iter()
-        .map(|(build, take)| {
-            let unit = format!("{build} {take}");
+        .map(|fold| {
+            let Fold { build, take, draw } = fold;
+            let unit = format!("{build} {take} {draw}");
             if let Some(samples) = checkpoint.done(&unit) {
                 bar.step();
                 return Ok(samples.clone());
             }
-            let samples = fold(args, grid, clips, build, take)?;
+            let samples = samples_of(args, grid, clips, fold)?;
             checkpoint.keep(&unit, &samples)?;
             bar.step();
             Ok(samples)
@@ -58,14 +75,15 @@ pub(super) fn protocol<'a>(
     }
 }
 
-fn fold(args: &Args, grid: &Grid, clips: &[SourceClip], build: usize, take: u32) -> Outcome<Vec<Sample>> {
+fn samples_of(args: &Args, grid: &Grid, clips: &[SourceClip], fold: Fold) -> Outcome<Vec<Sample>> {
+    let Fold { build, take, draw } = fold;
     let options = grid.builds[build].options(&args.source);
     let protocol = protocol(args, clips, grid.builds[build], &options);
     let trials = protocol.trials(take);
     if trials.is_empty() {
         return Ok(Vec::new());
     }
-    let model = grid.builds[build].model(protocol.database_without(take).map_err(Failure::new)?);
+    let model = grid.builds[build].model(protocol.database_without(take, draw).map_err(Failure::new)?);
     let trials: Vec<&Trial> = trials.iter().filter(|t| model.catalogue().style_index(&t.target).is_some()).collect();
     let jobs: Vec<(&Trial, usize)> =
         trials.iter().flat_map(|t| (0..grid.settings.len()).map(move |s| (*t, s))).collect();

@@ -41,7 +41,7 @@ pub(super) fn of_first_fold(args: &Args, grid: &Grid, clips: &[SourceClip]) -> O
     let options = build.options(&args.source);
     let protocol = protocol(args, clips, build, &options);
     let Some(&take) = protocol.takes().first() else { return Ok(Vec::new()) };
-    let model = build.model(protocol.database_without(take).map_err(Failure::new)?);
+    let model = build.model(protocol.database_without(take, 0).map_err(Failure::new)?);
     let of_trial = |trial: &Trial| {
         let mut curves = vec![
             curve("input".into(), None, &Aligned::unchanged(&trial.input)),

@@ -209,6 +209,7 @@ impl Row {
             ("λ", s.lambda.to_string()),
             ("κ", s.kappa.to_string()),
             ("ρ", s.rho.to_string()),
+            ("η", s.tempo.to_string()),
             ("coherence", text(&s.coherence)),
             ("intensity", s.intensity.to_string()),
             ("part", text(&s.part)),

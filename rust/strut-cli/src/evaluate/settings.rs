@@ -59,6 +59,7 @@ pub(super) struct Setting {
     #[serde(serialize_with = "finite_or_text")]
     pub(super) kappa: f32,
     pub(super) rho: f32,
+    pub(super) tempo: f32,
     pub(super) coherence: Switch,
     /// Weight of the target style.
     pub(super) intensity: f32,
@@ -75,7 +76,7 @@ fn finite_or_text<S: serde::Serializer>(value: &f32, to: S) -> Result<S::Ok, S::
 impl Setting {
     /// The defaults, of which the others are variations.
     fn of_method(method: &str) -> Self {
-        let Options { k, delta, lambda, kappa, rho, .. } = Options::DEFAULT;
+        let Options { k, delta, lambda, kappa, rho, tempo, .. } = Options::DEFAULT;
         Self {
             method: method.to_owned(),
             labels: Labels::None,
@@ -85,6 +86,7 @@ impl Setting {
             lambda,
             kappa,
             rho,
+            tempo,
             coherence: Switch::On,
             intensity: 1.0,
             part: Part::Whole,
@@ -127,7 +129,7 @@ impl Setting {
     }
 
     fn options(&self) -> Outcome<Options> {
-        let &Self { k, delta, lambda, kappa, rho, .. } = self;
+        let &Self { k, delta, lambda, kappa, rho, tempo, .. } = self;
         let coherence = self.coherence == Switch::On;
         let method = Method::from_name(&self.method).ok_or_else(|| {
             Failure::usage(format_args!(
@@ -135,7 +137,7 @@ impl Setting {
                 self.method
             ))
         })?;
-        let options = Options { k, delta, lambda, kappa, rho, coherence, method, ..Options::DEFAULT };
+        let options = Options { k, delta, lambda, kappa, rho, tempo, coherence, method, ..Options::DEFAULT };
         options.validate().map_err(Failure::usage)?;
         if self.intensity.is_nan() || self.intensity.abs() > MAX_WEIGHT {
             let expected = format_args!("a number from -{MAX_WEIGHT} to {MAX_WEIGHT} was expected");
@@ -173,6 +175,7 @@ impl Grid {
         vary(&mut settings, &args.lambda, |s, lambda| s.lambda = lambda);
         vary(&mut settings, &args.kappa, |s, kappa| s.kappa = kappa);
         vary(&mut settings, &args.rho, |s, rho| s.rho = rho);
+        vary(&mut settings, &args.tempo, |s, tempo| s.tempo = tempo);
         vary(&mut settings, &args.coherence, |s, coherence| s.coherence = coherence);
         vary(&mut settings, &args.intensity, |s, intensity| s.intensity = intensity);
         vary(&mut settings, &args.part, |s, part| s.part = part);

@@ -1,10 +1,12 @@
 //! The runtime form of a database: compact, indexed and read-only.
 
+mod gait_phase;
 mod header;
 mod quantised;
 mod runtime;
 mod target_table;
 
+pub use gait_phase::GaitPhase;
 pub use header::Header;
 pub use quantised::QuantisedRows;
 pub(crate) use quantised::Rows;

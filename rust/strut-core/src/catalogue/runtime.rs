@@ -1,5 +1,6 @@
 //! The runtime form of a database.
 
+use super::gait_phase::GaitPhase;
 use super::header::Header;
 use super::quantised::QuantisedRows;
 use crate::database::{Database, DatabaseParts};
@@ -8,12 +9,13 @@ use crate::search::{Index, Plan, WINDOW, Windows};
 use std::ops::Deref;
 
 /// A database made ready to style with: quantised rows, the data from which targets are computed, and the search index.
-/// Point clouds are kept in the index only, canonical times are dropped. Read-only.
+/// Point clouds are kept in the index only, canonical times as phases of gait cycles. Read-only.
 #[derive(Clone, Debug)]
 pub struct Catalogue {
     header: Header,
     rows: QuantisedRows,
     time_step: Vec<f32>,
+    gait_phase: GaitPhase,
     contact: Vec<[u8; 2]>,
     counterparts_per_style: usize,
     counterpart: Vec<f32>,
@@ -46,6 +48,7 @@ impl Catalogue {
         let (sigma, step_sigma) = (*db.sigma(), step_deviation(&db));
         let observed_range = Box::new(*db.observed_range());
         let rows = QuantisedRows::new(&db.pose, &observed_range);
+        let gait_phase = GaitPhase::new(&db);
         let (mut parts, classes) = db.into_parts();
         let header = Header::take(&mut parts, classes);
         let DatabaseParts { pose, point_cloud, time_step, contact, counterparts_per_style, counterpart, .. } = parts;
@@ -54,6 +57,7 @@ impl Catalogue {
             header,
             rows,
             time_step,
+            gait_phase,
             contact,
             counterparts_per_style,
             counterpart,
@@ -83,6 +87,11 @@ impl Catalogue {
     /// Duration of a row: seconds per canonical frame, positive.
     pub fn time_step(&self, row: usize) -> f32 {
         self.time_step[row]
+    }
+
+    /// Phases of the rows.
+    pub fn gait_phase(&self) -> &GaitPhase {
+        &self.gait_phase
     }
 
     /// Contacts of a row [left, right]: 1 while the foot is planted, else 0.

@@ -3,16 +3,21 @@
 use super::quantised::QuantisedRows;
 use super::runtime::Catalogue;
 use crate::pose_vector::{PoseRow, ROW};
+use crate::registration::MAX_COUNTERPARTS;
 
-/// The registered target of every row in one style: the mean of the poses, durations and contacts at
-/// the row's counterparts (`docs/methods/mar.md` §4).
+/// A counterpart that moves so many rows or more from one frame to the next does not go on: another cycle takes over.
+const JUMP_ROWS: f32 = 4.0;
+
+/// The registered target of every row in one style: the mean of the poses and contacts at the row's counterparts, and how
+/// long they take for it (`docs/methods/mar.md` §4).
 #[derive(Clone, Debug)]
 pub struct TargetTable {
     /// Index of the style.
     pub style: u16,
     /// Target poses; the row itself where the style has no counterpart.
     pub pose: QuantisedRows,
-    /// Seconds that the target style takes for the row's input step of one frame.
+    /// Seconds that the target style takes for the row's input step of one frame: the mean time that the row's
+    /// counterparts advance, or where none goes on, the quotient of their mean duration and the row's own.
     pub step_secs: Vec<f32>,
     /// Share of the counterparts whose left and right foot is planted, in 65,535ths.
     contact: Vec<[u16; 2]>,
@@ -38,21 +43,27 @@ impl TargetTable {
             class_has_target: vec![false; of.classes().len()],
         };
         for (class, has_target) in of.classes().iter().zip(&mut table.class_has_target) {
-            for row in class.rows.clone() {
-                let mut mean = Mean::default();
-                for at in of.counterparts(row, style) {
-                    mean.add(of, at);
-                }
-                if mean.count > 0.0 {
-                    *has_target = true;
-                    let k = 1.0 / mean.count;
-                    table.pose.push(&mean.pose.map(|v| v * k));
-                    table.step_secs.push(frame_secs * (mean.time_step * k) / of.time_step(row));
-                    table.contact.push(mean.contact.map(|v| (v * k * f32::from(u16::MAX) + 0.5) as u16));
-                } else {
-                    table.pose.push(&of.rows().get(row));
-                    table.step_secs.push(frame_secs);
-                    table.contact.push(of.contact(row).map(|planted| u16::from(planted) * u16::MAX));
+            for clip in &of.clips[class.clips.clone()] {
+                let rows = clip.rows();
+                let slots = |row: usize| rows.contains(&row).then(|| slots_of(of, row, style));
+                for row in rows.clone() {
+                    let mut mean = Mean::default();
+                    for at in of.counterparts(row, style) {
+                        mean.add(of, at);
+                    }
+                    if mean.count > 0.0 {
+                        *has_target = true;
+                        let k = 1.0 / mean.count;
+                        table.pose.push(&mean.pose.map(|v| v * k));
+                        let around = [row.checked_sub(1).and_then(slots), slots(row), slots(row + 1)];
+                        let quotient = || mean.time_step * k / of.time_step(row);
+                        table.step_secs.push(frame_secs * mean_advance(around).unwrap_or_else(quotient));
+                        table.contact.push(mean.contact.map(|v| (v * k * f32::from(u16::MAX) + 0.5) as u16));
+                    } else {
+                        table.pose.push(&of.rows().get(row));
+                        table.step_secs.push(frame_secs);
+                        table.contact.push(of.contact(row).map(|planted| u16::from(planted) * u16::MAX));
+                    }
                 }
             }
         }
@@ -66,6 +77,35 @@ impl TargetTable {
     pub fn contact(&self, row: usize) -> [f32; 2] {
         self.contact[row].map(|share| f32::from(share) / f32::from(u16::MAX))
     }
+}
+
+/// Counterparts of a row in a style, each the next of the same slot of the row before while it goes on; NaN in empty slots.
+type Slots = [f32; MAX_COUNTERPARTS];
+
+fn slots_of(of: &Catalogue, row: usize, style: u16) -> Slots {
+    let mut slots = [f32::NAN; MAX_COUNTERPARTS];
+    slots.iter_mut().zip(of.counterparts(row, style)).for_each(|(slot, at)| *slot = at);
+    slots
+}
+
+/// Rows that the counterparts of a row advance in a frame, from the rows before, at and after it: the mean of the slots
+/// that go on to either side. `None` if there are none.
+fn mean_advance([before, now, after]: [Option<Slots>; 3]) -> Option<f32> {
+    let now = now?;
+    let advance = |from: Option<&Slots>, to: Option<&Slots>, slot: usize| {
+        let rows = to?[slot] - from?[slot];
+        (0.0..JUMP_ROWS).contains(&rows).then_some(rows)
+    };
+    let (mut sum, mut count) = (0.0, 0.0);
+    for slot in 0..MAX_COUNTERPARTS {
+        let sides = [advance(before.as_ref(), Some(&now), slot), advance(Some(&now), after.as_ref(), slot)];
+        let known = sides.iter().flatten().count();
+        if known > 0 {
+            sum += sides.iter().flatten().sum::<f32>() / known as f32;
+            count += 1.0;
+        }
+    }
+    (count > 0.0).then(|| sum / count)
 }
 
 struct Mean {
@@ -97,5 +137,38 @@ impl Mean {
             self.contact[side] += a + (b - a) * t;
         }
         self.count += 1.0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A row of which two counterparts are known.
+    fn of(a: f32, b: f32) -> Slots {
+        let mut slots = [f32::NAN; MAX_COUNTERPARTS];
+        (slots[0], slots[1]) = (a, b);
+        slots
+    }
+
+    #[test]
+    fn counterparts_advance_by_half_the_way_between_the_rows_around() {
+        let around = [of(10.0, 40.0), of(11.0, 42.0), of(13.0, 44.0)];
+        assert_eq!(mean_advance(around.map(Some)), Some(1.75));
+    }
+
+    #[test]
+    fn what_jumps_or_ends_counts_from_the_other_side() {
+        let now = Some(of(11.0, 42.0));
+        assert_eq!(mean_advance([Some(of(90.0, 40.0)), now, Some(of(13.0, 90.0))]), Some(2.0));
+        assert_eq!(mean_advance([None, now, Some(of(12.0, 43.0))]), Some(1.0));
+        assert_eq!(mean_advance([Some(of(10.0, f32::NAN)), now, None]), Some(1.0));
+    }
+
+    #[test]
+    fn where_nothing_goes_on_nothing_is_said() {
+        let now = Some(of(11.0, 42.0));
+        assert_eq!(mean_advance([Some(of(90.0, 80.0)), now, Some(of(9.0, 46.0))]), None);
+        assert_eq!(mean_advance([None, now, None]), None);
     }
 }

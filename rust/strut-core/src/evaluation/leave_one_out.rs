@@ -8,6 +8,7 @@ use super::truth::{Aligned, Alignment, Errors, align, root_free};
 use crate::database::Database;
 use crate::database::build::{self, BuildError, BuildOptions, SourceClip};
 use crate::humanoid::HumanoidMotion;
+use crate::math::random::SplitMix64;
 use crate::parallel::Sequential;
 use crate::pose_vector::point_cloud;
 use crate::transfer::StyledFrame;
@@ -27,7 +28,7 @@ pub struct LeaveOneOut<'a> {
     pub database_actions: &'a [String],
     /// Styles to predict; empty for all but the source.
     pub targets: &'a [String],
-    /// Greatest number of takes of each (action, style) but the source style's in a database, the first ones; 0 for all.
+    /// Greatest number of takes of each (action, style) but the source style's in a database, chosen by chance; 0 for all.
     pub target_takes: usize,
     /// How the databases are built; the neutral style is the source.
     pub build: &'a BuildOptions,
@@ -103,26 +104,37 @@ impl<'a> LeaveOneOut<'a> {
         predicted.map(|c| c.style.as_str()).filter(wanted).collect::<BTreeSet<_>>().into_iter().collect()
     }
 
-    /// The database that holds no clip of a take.
+    /// The database that holds no clip of a take. Each `draw` is another choice of the takes that are kept.
+    ///
+    /// Performances change with their number, so that the first takes of a style are like each other and like the folds next
+    /// to them: the takes are chosen by chance. The same draw of more takes holds those of the draw of fewer.
     ///
     /// # Errors
     /// If nothing is left to build a database from.
-    pub fn database_without(&self, take: u32) -> Result<Database, BuildError> {
+    pub fn database_without(&self, take: u32, draw: u32) -> Result<Database, BuildError> {
         let options = BuildOptions { neutral: Some(self.source.to_owned()), ..self.build.clone() };
+        let kept: Vec<SourceClip> = self.kept(take, draw).into_iter().cloned().collect();
+        build::build(&kept, &options, &Sequential, &mut |_| ControlFlow::Continue(())).map(|(db, _)| db)
+    }
+
+    /// The clips of [`LeaveOneOut::database_without`], by take.
+    fn kept(&self, take: u32, draw: u32) -> Vec<&SourceClip> {
         let mut clips: Vec<&SourceClip> =
             self.clips.iter().filter(|c| c.take != take && self.in_database(&c.action)).collect();
         clips.sort_by_key(|c| c.take);
-        let mut takes: BTreeMap<(&str, &str), usize> = BTreeMap::new();
-        let kept: Vec<SourceClip> = clips
-            .into_iter()
-            .filter(|c| {
-                let count = takes.entry((&c.action, &c.style)).or_default();
-                *count += 1;
-                self.target_takes == 0 || c.style == self.source || *count <= self.target_takes
-            })
-            .cloned()
-            .collect();
-        build::build(&kept, &options, &Sequential, &mut |_| ControlFlow::Continue(())).map(|(db, _)| db)
+        let mut takes: BTreeMap<(&str, &str), Vec<u32>> = BTreeMap::new();
+        for clip in &clips {
+            takes.entry((&clip.action, &clip.style)).or_default().push(clip.take);
+        }
+        let mut random = SplitMix64::new(u64::from(take) << 32 | u64::from(draw));
+        for ((_, style), takes) in &mut takes {
+            if self.target_takes > 0 && *style != self.source {
+                random.shuffle(takes);
+                takes.truncate(self.target_takes);
+            }
+        }
+        clips.retain(|c| takes[&(c.action.as_str(), c.style.as_str())].contains(&c.take));
+        clips
     }
 
     /// The trials in the fold of a take: one an action and target style. A take that cannot be registered gives none.
@@ -186,6 +198,60 @@ impl Trial {
         Aligned {
             points: frames.iter().zip(headings).map(points).collect(),
             time_secs: frames.iter().map(|f| f.time_out_secs).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::humanoid::Proportions;
+
+    /// Eight takes of walking in two styles.
+    fn clips() -> Vec<SourceClip> {
+        let motion = HumanoidMotion { proportions: Proportions::default(), rate_hz: 60.0, poses: Vec::new() };
+        let clip = |style: &str, take| SourceClip {
+            name: format!("walk_{style}_{take}"),
+            action: "walk".to_owned(),
+            style: style.to_owned(),
+            take,
+            motion: motion.clone(),
+            source: String::new(),
+            licence: String::new(),
+            script: None,
+        };
+        (1..=8).flat_map(|take| [clip("neutral", take), clip("old", take)]).collect()
+    }
+
+    /// Numbers of the old takes that are kept.
+    fn old_takes(clips: &[SourceClip], target_takes: usize, draw: u32) -> Vec<u32> {
+        let build = BuildOptions::default();
+        let (actions, targets) = (["walk".to_owned()], []);
+        let protocol = LeaveOneOut {
+            clips,
+            source: "neutral",
+            actions: &actions,
+            database_actions: &[],
+            targets: &targets,
+            target_takes,
+            build: &build,
+        };
+        let kept = protocol.kept(3, draw);
+        assert_eq!(kept.iter().filter(|c| c.style == "neutral").count(), 7);
+        kept.iter().filter(|c| c.style == "old").map(|c| c.take).collect()
+    }
+
+    #[test]
+    fn fewer_takes_are_chosen_by_chance_and_again_by_the_same_draw() {
+        let clips = clips();
+        assert_eq!(old_takes(&clips, 0, 0), [1, 2, 4, 5, 6, 7, 8]);
+        let draws: BTreeSet<Vec<u32>> = (0..20).map(|draw| old_takes(&clips, 2, draw)).collect();
+        assert!(draws.len() > 5, "{draws:?}");
+        for draw in 0..20 {
+            let [one, two] = [1, 2].map(|n| old_takes(&clips, n, draw));
+            assert_eq!((one.len(), two.len()), (1, 2));
+            assert!(two.contains(&one[0]) && !two.contains(&3), "{one:?} {two:?}");
+            assert_eq!(two, old_takes(&clips, 2, draw));
         }
     }
 }

@@ -3,9 +3,10 @@
 use super::bias::Bias;
 use super::coherence::{ComplementaryFilter, HALF_LIFE_SECS, taper};
 use super::input::Input;
-use super::mixture::{class_weights, greatest_distance};
+use super::mixture::{class_weights, greatest_distance, known};
 use super::model::Model;
 use super::options::{Method, Options};
+use super::phase_lock::{PhaseLock, SeenPhase};
 use super::regression::{Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, predict};
 use super::timing::{Moment, duration};
 use super::trained::Trained;
@@ -73,6 +74,7 @@ pub(super) struct Mixture {
     targets: Gathered,
     /// Squared distances of the neighbours' inputs and outputs.
     timing_distances: [Vec<f32>; 2],
+    phase_lock: PhaseLock,
     scratch: Scratch,
     /// Largest |Δx| of the heaviest class, in σ.
     pub(super) bias: f32,
@@ -113,6 +115,7 @@ impl Mixture {
             inputs: Gathered::with_capacity(options.k),
             targets: Gathered::with_capacity(options.k),
             timing_distances: [(); 2].map(|()| Vec::with_capacity(options.k)),
+            phase_lock: PhaseLock::default(),
             scratch: model.index().scratch(options.k),
             bias: 0.0,
             components,
@@ -132,6 +135,11 @@ impl Mixture {
             contact: [0.0; 2],
             trained: Trained::new(model, options, &classes, style),
         }
+    }
+
+    /// Forgets the input, as before another stream.
+    pub(super) fn forget_input(&mut self) {
+        self.phase_lock = PhaseLock::default();
     }
 
     /// Finds the neighbours of the input in every class that can have a weight; others are infinitely far.
@@ -275,6 +283,7 @@ impl Mixture {
             (s.step_secs, s.contact) = (0.0, [0.0; 2]);
         }
         let now = Moment { pose: input.current, previous: input.previous };
+        let mut seen = SeenPhase::default();
         let [of_inputs, of_outputs] = &mut self.timing_distances;
         for (component, &weight) in self.components.iter().zip(&self.weights) {
             if weight == 0.0 {
@@ -283,6 +292,7 @@ impl Mixture {
             let neighbours = component.neighbours.as_slice();
             let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
             let (neighbours, weights) = (&neighbours[..nearest], component.neighbour_weights.as_slice());
+            seen.add(db.gait_phase(), weight, neighbours, weights);
             model.scales().squared_distances(now, model.rows(), neighbours, of_inputs);
             for s in styles.iter_mut() {
                 let table = model.target_table(s.style);
@@ -294,9 +304,12 @@ impl Mixture {
                 s.contact.iter_mut().zip(contact).for_each(|(sum, c)| *sum += weight * c);
             }
         }
+        let least = self.distances.iter().copied().fold(f32::INFINITY, f32::min);
+        let pace = self.phase_lock.follow(seen, known(least), options.tempo, frame_secs);
         for s in styles {
-            if let Some(trained) = &s.trained {
-                s.step_secs = trained.step_secs();
+            match &s.trained {
+                Some(trained) => s.step_secs = trained.step_secs(),
+                None => s.step_secs *= pace,
             }
         }
     }

@@ -8,12 +8,26 @@ const FLOOR: f32 = 1e-6;
 /// Floor of the weights before normalisation, so that no class drops out by underflow.
 const MIN_WEIGHT: f32 = 1e-30;
 
-/// Fills `weights` with λⱼ ∝ exp(−Dⱼ / (δ · min D)) from the classes' mean squared neighbour distances
-/// (m²; infinite for an inactive class). Those below `least_weight` times the largest become zero; the rest sums to 1,
-/// or all are zero if no class is active.
+/// D at which input is known by half, m²: (5 cm)². Of held-out frames of the database's own performers 95 % are nearer, of
+/// other recordings 6 %.
+const HALF_KNOWN: f32 = 0.05 * 0.05;
+
+/// How many times as wide the mixture is where the input is unknown: a mixture of more classes is smoother there. Inside the
+/// database a narrow one is nearer to the truth.
+const WIDEST: f32 = 3.0;
+
+/// How far input is like the database's, 0 to 1, by the mean squared distance of its nearest class, m².
+pub(super) fn known(least: f32) -> f32 {
+    let square = (least / HALF_KNOWN) * (least / HALF_KNOWN);
+    1.0 / (1.0 + square * square)
+}
+
+/// Fills `weights` with λⱼ ∝ exp(−Dⱼ / (δ · min D)) from the classes' mean squared neighbour distances (m²; infinite for an
+/// inactive class), where δ is up to [`WIDEST`] times as wide for unknown input. Those below `least_weight` times the largest
+/// become zero; the rest sums to 1, or all are zero if no class is active.
 pub(super) fn class_weights(distances: &[f32], delta: f32, least_weight: f32, weights: &mut [f32]) {
     let least = distances.iter().copied().fold(f32::INFINITY, f32::min).max(FLOOR);
-    let scale = 1.0 / (delta * least);
+    let scale = 1.0 / (width(least, delta) * least);
     for (w, &d) in weights.iter_mut().zip(distances) {
         // Relative to the nearest class, whose weight is 1.
         let weight = if d.is_finite() { exp((least - d).min(0.0) * scale).max(MIN_WEIGHT) } else { 0.0 };
@@ -29,8 +43,14 @@ pub(super) fn class_weights(distances: &[f32], delta: f32, least_weight: f32, we
 
 /// A distance from which on [`class_weights`] are certainly zero, if the smallest distance is at most `least`.
 pub(super) fn greatest_distance(least: f32, delta: f32, least_weight: f32) -> f32 {
+    let least = least.max(FLOOR);
     // A thousandth exceeds all rounding errors.
-    1.001 * least.max(FLOOR) * (1.0 - delta * ln(least_weight))
+    1.001 * least * (1.0 - width(least, delta) * ln(least_weight))
+}
+
+/// δ for input whose nearest class is at a distance; it grows with the distance.
+fn width(least: f32, delta: f32) -> f32 {
+    delta * (WIDEST - (WIDEST - 1.0) * known(least))
 }
 
 #[cfg(test)]
@@ -57,6 +77,18 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn unknown_input_mixes_more_classes() {
+        let heaviest = |least: f32| {
+            let mut weights = [0.0; 2];
+            class_weights(&[least, 2.0 * least], 0.35, 0.0, &mut weights);
+            weights[0]
+        };
+        let alone = |width: f32| 1.0 / (1.0 + exp(-1.0 / width));
+        assert!((heaviest(1e-4) - alone(0.35)).abs() < 1e-3);
+        assert!((heaviest(1e-1) - alone(1.05)).abs() < 1e-3);
     }
 
     #[test]

@@ -23,6 +23,7 @@ mod mar;
 mod mixture;
 mod model;
 mod options;
+mod phase_lock;
 mod regression;
 mod stylizer;
 mod timing;

@@ -350,6 +350,7 @@ impl Stylizer {
         self.window.clear();
         self.feet = RecentFeet::default();
         self.last_input = None;
+        self.mixture.forget_input();
         self.styles.iter_mut().for_each(|s| s.started = false);
     }
 

@@ -109,6 +109,16 @@ impl Stylizer {
         self.core_mut().set_options(options).map_err(EngineError::bad_input)
     }
 
+    /// Times every frame by itself, as the yardsticks do: no phase lock.
+    ///
+    /// # Errors
+    /// None; the options of a stylizer fit.
+    #[wasm_bindgen(js_name = leaveTempo)]
+    pub fn leave_tempo(&mut self) -> Result<(), EngineError> {
+        let options = Options { tempo: 0.0, ..*self.core().options() };
+        self.core_mut().set_options(options).map_err(EngineError::bad_input)
+    }
+
     /// [`Stylizer::push`] with a clock: milliseconds of each stage over all poses.
     ///
     /// # Errors

@@ -22,6 +22,8 @@ const LEG_POINTS: usize = 8;
 const FEET: usize = 4;
 /// Least deviation of the neighbours as a share of the global one, and whatever that is.
 const LEAST_DEVIATION: [f32; 2] = [0.05, 0.005];
+/// D at which input is known by half, m².
+const HALF_KNOWN: f32 = 0.0025;
 /// Least of the distances of classes, m².
 const LEAST_DISTANCE: f32 = 1e-6;
 /// Half-life of what separates expectation and prediction, seconds.
@@ -279,7 +281,10 @@ impl Naive {
         let distances: Vec<f32> =
             self.nearest.iter().map(|n| if n.is_empty() { f32::INFINITY } else { mean(n) }).collect();
         let least = distances.iter().copied().fold(f32::INFINITY, f32::min).max(LEAST_DISTANCE);
-        let weights = distances.iter().map(|d| exp((least - d).min(0.0) / (Options::DEFAULT.delta * least)));
+        let delta = Options::DEFAULT.delta;
+        let square = (least / HALF_KNOWN) * (least / HALF_KNOWN);
+        let width = delta * (3.0 - 2.0 / (1.0 + square * square));
+        let weights = distances.iter().map(|d| exp((least - d).min(0.0) / (width * least)));
         let kept: Vec<f32> = weights.map(|w| if w < least_weight { 0.0 } else { w }).collect();
         let sum: f32 = kept.iter().sum();
         kept.iter().map(|w| w / sum).collect()

@@ -12,7 +12,7 @@ import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
 import { spoken } from "../../ui/words";
 
-type KnobField = "k" | "lambda" | "rho" | "kappa" | "delta";
+type KnobField = "k" | "lambda" | "rho" | "kappa" | "delta" | "tempo";
 
 /** The knobs from left to right; a logarithmic scale where ratios matter. */
 const KNOBS: readonly { field: KnobField; symbol: string; scale: DialRange["scale"] }[] = [
@@ -21,6 +21,7 @@ const KNOBS: readonly { field: KnobField; symbol: string; scale: DialRange["scal
   { field: "rho", symbol: "ρ", scale: "linear" },
   { field: "kappa", symbol: "κ", scale: "linear" },
   { field: "delta", symbol: "δ", scale: "log" },
+  { field: "tempo", symbol: "η", scale: "linear" },
 ];
 
 const TOGGLES = ["timing", "footplant", "coherence"] as const;

@@ -80,6 +80,10 @@ export const play = {
       rho: { name: "Kept content", description: "ρ: share of what is unlike the data that is given back" },
       kappa: { name: "Tolerance", description: "κ: deviations from the data that still count as like it" },
       delta: { name: "Mixture width", description: "δ: small picks one class, large mixes many" },
+      tempo: {
+        name: "Tempo of the style",
+        description: "η: 0 keeps my tempo, 1 takes the style’s own; of walks and runs",
+      },
     },
     toggles: {
       timing: {

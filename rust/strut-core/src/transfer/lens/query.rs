@@ -49,7 +49,7 @@ impl QueryChange {
     }
 
     /// A pose with the joints turned, then turned and moved on the ground about a point.
-    pub(super) fn applied(&self, pose: &Pose, about: Vec3) -> Pose {
+    pub fn applied(&self, pose: &Pose, about: Vec3) -> Pose {
         let mut pose = self.turned(pose);
         let turn = Quat::from_rotation_y(self.heading);
         let from = pose.root - about;

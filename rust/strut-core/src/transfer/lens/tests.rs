@@ -5,6 +5,7 @@ use crate::math::float_funcs::exp;
 use crate::math::linear::solve_positive_definite;
 use crate::pose_vector::DOFS;
 use crate::registration::WarpMethod;
+use crate::transfer::mixture::known;
 
 const BENT_STYLE: [f32; 2] = [0.0, 1.0];
 const FIT: FitSettings = FitSettings { dof: 0, k: 40, lambda: 0.1, noise: 0.0, taper: true };
@@ -16,7 +17,7 @@ fn lens(options: Options) -> Lens {
 
 /// One class alone, and nothing that changes the prediction of Eq. 7.
 fn plain() -> Options {
-    Options { action: Some(0), input_style: Some(0), coherence: false, ..Options::DEFAULT }
+    Options { action: Some(0), input_style: Some(0), coherence: false, tempo: 0.0, ..Options::DEFAULT }
 }
 
 /// β and the prediction in double precision from the definition, the feedback limited as `regression` says.
@@ -61,7 +62,8 @@ fn neighbours_and_classes_are_those_of_the_stylizer() {
         assert_eq!(found.iter().map(|n| n.square.sqrt()).collect::<Vec<f32>>(), own);
         let classes = lens.classes();
         let least = classes.iter().map(|c| c.mean_square).fold(f32::INFINITY, f32::min);
-        let raw = classes.iter().map(|c| exp((least - c.mean_square) / (Options::DEFAULT.delta * least)));
+        let width = Options::DEFAULT.delta * (3.0 - 2.0 * known(least));
+        let raw = classes.iter().map(|c| exp((least - c.mean_square) / (width * least)));
         let sum: f32 = raw.clone().filter(|w| *w > 2e-5).sum();
         for (class, raw) in classes.iter().zip(raw) {
             assert!((class.weight - raw / sum).abs() < 1e-4, "{class:?} {raw} of {sum}");

@@ -348,7 +348,7 @@ fn distances_are_linear_and_durations_monotone_in_the_weight() {
 fn durations_of_classes_mix_like_their_poses() {
     let model = model();
     let secs = |action, delta| {
-        let options = Options { action, delta, input_style: Some(0), ..Options::DEFAULT };
+        let options = Options { action, delta, input_style: Some(0), tempo: 0.0, ..Options::DEFAULT };
         let mut s = Stylizer::new(Arc::clone(&model), options).unwrap();
         s.set_styles(&[0.0, 1.0]).unwrap();
         run(&mut s, &unseen_walk().poses)[239].time_out_secs
