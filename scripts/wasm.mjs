@@ -222,13 +222,34 @@ async function findWasmOpt() {
   return [process.execPath, join(root, "node_modules", "binaryen", "bin", "wasm-opt")];
 }
 
-/** The built-in motions are performed by the Compare view's package, which has them all. */
-async function writeMotions() {
-  const { folder, name } = PACKAGES.compare;
+/** A package's bindings, to be used here. */
+async function glueOf({ folder, name }) {
   const glue = await import(pathToFileURL(join(root, folder, `${name}.js`)).href);
   glue.initSync({ module: readFileSync(join(root, folder, `${name}_bg.wasm`)) });
+  return glue;
+}
+
+/** The walk model that the page would train on these motions. */
+async function walkModelOf(motions) {
+  const { WalkTraining } = await glueOf(PACKAGES.build);
+  const training = new WalkTraining(motions);
+  while (training.step({ progress: () => {} }));
+  return training.finish().file();
+}
+
+/**
+ * The built-in motions are performed by the Compare view's package, which has them all, and the package that builds
+ * databases learns to walk from them.
+ */
+async function writeMotions() {
+  const glue = await glueOf(PACKAGES.compare);
   mkdirSync(MOTIONS, { recursive: true });
-  const sets = { "built_in.bin": glue.builtInMotions(), "walk.bin": glue.builtInWalk() };
+  const motions = glue.builtInMotions();
+  const sets = {
+    "built_in.bin": motions,
+    "walk.bin": glue.builtInWalk(),
+    "built_in.strutwalk": await walkModelOf(motions),
+  };
   const sizes = Object.entries(sets).map(([name, motions]) => {
     // Of all sizes of zlib's memory this one packs the motions best: its blocks are short, and the columns differ.
     const bytes = gzipSync(motions, { level: 9, memLevel: 6 });

@@ -10,7 +10,8 @@ export type AssetName =
   | "strut_compare_bg.wasm"
   | "strut_learn_bg.wasm"
   | "built_in.bin"
-  | "walk.bin";
+  | "walk.bin"
+  | "built_in.strutwalk";
 
 /** Where a file lies, or its bytes. */
 export type Asset = URL | Uint8Array<ArrayBuffer>;

@@ -29,33 +29,50 @@ export async function loadBuiltIn(
   onProgress: (fraction: number) => void = () => {},
   set: BuiltInSet = "built-in",
 ): Promise<PackedMotions> {
-  const asset = ASSETS[set]();
-  if (!(asset instanceof URL)) return inflate(new Blob([asset]).stream());
-  if (asset.protocol === "file:") return inflate(new Blob([await readAsset(asset, WHAT)]).stream());
-  const response = await download(asset, WHAT);
-  if (!response.body) throw incomplete(WHAT, "the answer is empty");
-  // If the server compresses the compressed file again, its Content-Length is not that of the received bytes.
-  const total = response.headers.has("Content-Encoding") ? 0 : Number(response.headers.get("Content-Length"));
-  return inflate(response.body.pipeThrough(counted((bytes) => total > 0 && onProgress(Math.min(bytes / total, 1)))));
+  return inflatedAsset(ASSETS[set](), WHAT, onProgress);
 }
 
-/** Passes all chunks on and counts their bytes. */
-function counted(tell: (bytes: number) => void): TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>> {
-  let bytes = 0;
-  return new TransformStream({
-    transform(chunk, controller) {
-      bytes += chunk.length;
-      tell(bytes);
-      controller.enqueue(chunk);
-    },
-  });
-}
-
-async function inflate(stream: ReadableStream<Uint8Array<ArrayBuffer>>): Promise<PackedMotions> {
+/**
+ * Loads a packed file.
+ * @param what the part of Strut that the file is, for messages
+ * @param onProgress is called with the received share, 0–1, if the server sends the length
+ * @throws StrutError if it cannot be had
+ */
+export async function inflatedAsset(
+  asset: Asset,
+  what: string,
+  onProgress: (fraction: number) => void = () => {},
+): Promise<Uint8Array<ArrayBuffer>> {
+  const packed = await streamOf(asset, what, onProgress);
   try {
-    const inflated = stream.pipeThrough(new DecompressionStream("gzip"));
-    return new Uint8Array(await new Response(inflated).arrayBuffer());
+    const bytes = packed.pipeThrough(new DecompressionStream("gzip"));
+    return new Uint8Array(await new Response(bytes).arrayBuffer());
   } catch {
-    throw incomplete(WHAT, "the file arrived cut short or damaged");
+    throw incomplete(what, "the file arrived cut short or damaged");
   }
+}
+
+type Bytes = Uint8Array<ArrayBuffer>;
+
+async function streamOf(
+  asset: Asset,
+  what: string,
+  onProgress: (fraction: number) => void,
+): Promise<ReadableStream<Bytes>> {
+  if (!(asset instanceof URL)) return new Blob([asset]).stream();
+  if (asset.protocol === "file:") return new Blob([await readAsset(asset, what)]).stream();
+  const { body, headers } = await download(asset, what);
+  if (!body) throw incomplete(what, "the answer is empty");
+  // If the server compresses the compressed file again, its Content-Length is not that of the received bytes.
+  const total = headers.has("Content-Encoding") ? 0 : Number(headers.get("Content-Length"));
+  let received = 0;
+  return body.pipeThrough(
+    new TransformStream<Bytes, Bytes>({
+      transform(chunk, controller) {
+        received += chunk.length;
+        if (total > 0) onProgress(Math.min(received / total, 1));
+        controller.enqueue(chunk);
+      },
+    }),
+  );
 }

@@ -1,6 +1,7 @@
 //! Handle of a dragged character.
 
 use crate::frame::{Frame, style};
+use crate::mode::{mode, numbers};
 use crate::model::KeyStyleModel;
 use js_sys::Float32Array;
 use std::sync::Arc;
@@ -27,10 +28,21 @@ impl DragCharacter {
         made
     }
 
-    /// Whether the likeliest component alone is the pose.
-    #[wasm_bindgen(js_name = setHard)]
-    pub fn set_hard(&mut self, hard: bool) {
-        self.character.set_mode(if hard { Mode::Hard } else { Mode::default() });
+    /// Components count by their likelihood to the power of 1 / `temperature`, their regions blurred by so many standard
+    /// deviations; without a temperature the likeliest alone is the pose.
+    ///
+    /// # Errors
+    /// If a number is out of its range; nothing changes then.
+    #[wasm_bindgen(js_name = setMode)]
+    pub fn set_mode(&mut self, temperature: Option<f64>, blur: f64) -> Result<(), EngineError> {
+        self.character.set_mode(mode(temperature, blur)?);
+        Ok(())
+    }
+
+    /// Temperature and blur of the mode that one begins with.
+    #[wasm_bindgen(js_name = smoothMode)]
+    pub fn smooth_mode() -> Vec<f64> {
+        numbers(Mode::default())
     }
 
     /// Takes the pose of a style at once, above the origin.

@@ -1,6 +1,7 @@
 //! Handle of a key-style model.
 
 use crate::frame::style;
+use crate::mode::mode;
 use std::sync::Arc;
 use strut_core::somn::{self, RATE_HZ, Style, Synthesis};
 use strut_formats::key_style_model;
@@ -22,8 +23,7 @@ impl KeyStyleModel {
     /// With what is wrong with the bytes.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Self, EngineError> {
-        let model = Arc::new(key_style_model::read(bytes).map_err(EngineError::unusable_file)?);
-        Ok(Self { synthesis: Synthesis::new(Arc::clone(&model)), model })
+        Ok(Self::of(key_style_model::read(bytes).map_err(EngineError::unusable_file)?))
     }
 
     /// The style variables: names of measures, or expressions.
@@ -95,6 +95,14 @@ impl KeyStyleModel {
         (frame < self.model.rows.len()).then(|| floats_of([pose()].iter()))
     }
 
+    /// Mean angle between the joints of the training poses and of those that their styles give in a mode, degrees.
+    ///
+    /// # Errors
+    /// If a number of the mode is out of its range.
+    pub fn error(&mut self, temperature: Option<f64>, blur: f64) -> Result<f64, EngineError> {
+        Ok(self.synthesis.recorded_error(mode(temperature, blur)?))
+    }
+
     /// Support of each place by recorded styles, above the least that counts as supported, row after row from the greatest value of the
     /// second axis; further axes are as in `values`.
     ///
@@ -133,6 +141,11 @@ impl KeyStyleModel {
 }
 
 impl KeyStyleModel {
+    pub(crate) fn of(model: somn::KeyStyleModel) -> Self {
+        let model = Arc::new(model);
+        Self { synthesis: Synthesis::new(Arc::clone(&model)), model }
+    }
+
     fn flat(&self, styles: impl Iterator<Item = Style>) -> Vec<f32> {
         let axes = self.model.axis_count();
         styles.flat_map(|style| style.into_iter().take(axes).map(|value| value as f32)).collect()

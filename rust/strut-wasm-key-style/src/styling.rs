@@ -1,6 +1,7 @@
 //! Handle of an animation by keys.
 
 use crate::frame::{Frame, style};
+use crate::mode::{mode, numbers};
 use crate::model::KeyStyleModel;
 use js_sys::Float32Array;
 use std::sync::Arc;
@@ -44,10 +45,20 @@ impl Styling {
         }
     }
 
-    /// Whether the likeliest component alone is the pose; acts with the next keys.
-    #[wasm_bindgen(js_name = setHard)]
-    pub fn set_hard(&mut self, hard: bool) {
-        self.mode = if hard { Mode::Hard } else { Mode::KEYED };
+    /// As [`crate::DragCharacter::set_mode`]; acts with the next keys.
+    ///
+    /// # Errors
+    /// If a number is out of its range; nothing changes then.
+    #[wasm_bindgen(js_name = setMode)]
+    pub fn set_mode(&mut self, temperature: Option<f64>, blur: f64) -> Result<(), EngineError> {
+        self.mode = mode(temperature, blur)?;
+        Ok(())
+    }
+
+    /// Temperature and blur of the mode that one begins with.
+    #[wasm_bindgen(js_name = smoothMode)]
+    pub fn smooth_mode() -> Vec<f64> {
+        numbers(Mode::KEYED)
     }
 
     /// Takes keys in the order of their times, one number an axis for each.

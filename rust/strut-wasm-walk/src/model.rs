@@ -1,7 +1,7 @@
 //! Handle of a walk model.
 
 use std::sync::Arc;
-use strut_core::hsmm::{self, CurvePoint, JointCurve, RATE_HZ, RuntimeWalkModel, Side};
+use strut_core::hsmm::{self, CurvePoint, JointCurve, JointPath, PathOptions, RATE_HZ, RuntimeWalkModel, Side};
 use strut_core::humanoid::{HumanoidMotion, Role};
 use strut_formats::walk_model;
 use strut_wasm_common::{EngineError, bvh_of, offsets_of, poses_of};
@@ -57,11 +57,37 @@ impl WalkModel {
     /// # Errors
     /// If there is not one weight a style, or no such joint.
     pub fn curve(&self, left: &[f32], right: &[f32], joint: usize) -> Result<Vec<f32>, EngineError> {
-        let joint = Role::ALL.get(joint).ok_or_else(|| EngineError::bad_input("there is no such joint"))?;
+        let joint = role(joint)?;
         let curve =
-            JointCurve::new(&self.model, &self.runtime, [left, right], *joint).map_err(EngineError::bad_input)?;
-        let numbers = |p: &CurvePoint| [p.angle, p.mean, p.deviation, p.side as usize as f32, p.state as f32];
-        Ok(std::iter::once(curve.axis as f32).chain(curve.points.iter().flat_map(numbers)).collect())
+            JointCurve::new(&self.model, &self.runtime, [left, right], joint).map_err(EngineError::bad_input)?;
+        Ok(std::iter::once(curve.axis as f32).chain(curve.points.iter().flat_map(numbers_of)).collect())
+    }
+
+    /// The trajectory of a degree of freedom through a left step and a right one, in a mixture of styles for either: frames of
+    /// the ten states, then five numbers a frame as in [`WalkModel::curve`]. The axis is that of the joint's own frame; the
+    /// variances of poses, velocities and accelerations are multiplied by three factors, and durations give way by ρ of left
+    /// steps and of right ones.
+    ///
+    /// # Errors
+    /// If there is not one weight a style, no such joint or axis, or a number is out of its range.
+    pub fn path(
+        &self,
+        left: &[f32],
+        right: &[f32],
+        joint: usize,
+        axis: usize,
+        variance: &[f64],
+        rho: &[f32],
+    ) -> Result<Vec<f32>, EngineError> {
+        let joint = role(joint)?;
+        let (&[pose, velocity, acceleration], &[of_left, of_right]) = (variance, rho) else {
+            return Err(EngineError::bad_input("three factors of variances and two values of ρ were expected"));
+        };
+        let options = PathOptions { variance: [pose, velocity, acceleration], rho: [of_left, of_right] };
+        let path = JointPath::new(&self.model, &self.runtime, [left, right], (joint, axis), options)
+            .map_err(EngineError::bad_input)?;
+        let durations = path.durations.as_flattened().iter().copied();
+        Ok(durations.chain(path.points.iter().flat_map(numbers_of)).collect())
     }
 
     /// The text of a BVH file of these poses, one after the other.
@@ -74,4 +100,12 @@ impl WalkModel {
         let motion = HumanoidMotion { proportions: self.model.proportions, rate_hz: RATE_HZ, poses };
         bvh_of(&motion)
     }
+}
+
+fn role(joint: usize) -> Result<Role, EngineError> {
+    Role::ALL.get(joint).copied().ok_or_else(|| EngineError::bad_input("there is no such joint"))
+}
+
+fn numbers_of(p: &CurvePoint) -> [f32; 5] {
+    [p.angle, p.mean, p.deviation, p.side as usize as f32, p.state as f32]
 }

@@ -12,14 +12,15 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use strut_core::database::build::{BuildOptions, SourceClip, build};
 use strut_core::hsmm::{
-    LabelledClip, Options as WalkOptions, RuntimeWalkModel, StyleMeans, Track, Walker, flattened, train, walk_of,
-    walks_among,
+    JointPath, LabelledClip, Options as WalkOptions, PathOptions, RuntimeWalkModel, StyleMeans, Track, Walker,
+    flattened, train, walk_of, walks_among,
 };
-use strut_core::humanoid::Pose;
+use strut_core::humanoid::{Pose, Role};
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
 use strut_core::parallel::Sequential;
 use strut_core::pose_vector::{HeadingFilter, Placement};
+use strut_core::somn::{Learning, Measure, Options as LearningOptions, Recording, Trainer};
 use strut_core::transfer::StyledFrame;
 use strut_formats::strutdb::packed::{self, NamedMotion};
 use strut_wasm_common::EngineError;
@@ -73,6 +74,7 @@ impl ParityReport {
         let unpacked = packed::read_database(&packed).map_err(EngineError::bad_input)?;
         database_stages(&mut report, "built-in database", &unpacked);
         walk_stages(&mut report, &unpacked)?;
+        learning_stages(&mut report, &unpacked)?;
         let database = Database::new(unpacked);
         for name in packed_inputs(&packed)? {
             let input = Input::from_packed(&database, &packed, &name)?;
@@ -174,6 +176,39 @@ fn walk_stages(report: &mut String, db: &strut_core::database::Database) -> Resu
         pose_hash(walker.advance())
     });
     line(report, "built-in walks", "frames", hashes.collect());
+
+    let runtime = RuntimeWalkModel::new(&model);
+    let variances = [[1.0; 3], [1.0, 1000.0, 1000.0], [1.0, 1.0, 0.001]];
+    let mut hashes = Vec::new();
+    for variance in variances {
+        let options = PathOptions { variance, rho: [1.1, 0.95] };
+        let weights = alone(0, 1.5);
+        let path = JointPath::new(&model, &runtime, [&weights, &weights], (Role::LeftUpperLeg, 0), options)
+            .map_err(EngineError::bad_input)?;
+        hashes.push(float_hash(&path.points.iter().map(|p| p.angle).collect::<Vec<_>>()));
+    }
+    line(report, "built-in walks", "paths", hashes);
+    Ok(())
+}
+
+/// Updates of a key-style model's learning on one clip, with either signs, one hash a hundred.
+fn learning_stages(report: &mut String, db: &strut_core::database::Database) -> Result<(), EngineError> {
+    let clip = walks_among(db).into_iter().next().ok_or_else(|| EngineError::bad_input("there is no walk"))?;
+    let recording = Recording::new("walk", &db.motion_of_clip(clip)).map_err(EngineError::bad_input)?;
+    let axes = Measure::parse_list("foot_separation, foot_height_difference").map_err(EngineError::bad_input)?;
+    for (name, learning) in [("learning", Learning::Som), ("learning as printed", Learning::AsPrinted)] {
+        let options = LearningOptions { components: Some(4), seed: 1, learning };
+        let mut trainer = Trainer::new(&[&recording], &axes, options).map_err(EngineError::bad_input)?;
+        let mut hashes = Vec::new();
+        while trainer.update().is_some() {
+            if trainer.updates()[0].is_multiple_of(100) {
+                let numbers =
+                    trainer.components().iter().flat_map(|c| c.mean.iter().chain(&c.centre).chain([&c.weight]));
+                hashes.push(hash(numbers.flat_map(|v| [v.to_bits() as u32, (v.to_bits() >> 32) as u32])));
+            }
+        }
+        line(report, "built-in walk", name, hashes);
+    }
     Ok(())
 }
 

@@ -1,4 +1,5 @@
 /** The lessons' own engine in a worker, which starts with the first call. */
+import workerAddress from "./learn_worker?worker&url";
 import type { LearnEngine } from "./protocol";
 import { type ClientPort, RpcClient, remote } from "./rpc";
 
@@ -20,14 +21,28 @@ const ARITY = {
   timing: 2,
   contacts: 1,
   clips: 1,
+  styleSamples: 0,
+  somn: 2,
+  somnErrors: 0,
+  dragged: 1,
+  stylePose: 2,
+  keyed: 1,
+  walkPath: 3,
+  walk: 2,
   register: 4,
 } as const satisfies Record<keyof LearnEngine, number>;
 
 /** An engine, and its end. */
 export type LearnClient = LearnEngine & { dispose(): void };
 
-const spawnWorker = (): ClientPort =>
-  new Worker(new URL("./learn_worker.ts", import.meta.url), { type: "module", name: "strut learn" });
+function spawnWorker(): ClientPort {
+  const address = new URL(workerAddress, import.meta.url);
+  const options = { type: "module", name: "strut learn" } as const;
+  if (address.origin === location.origin) return new Worker(address, options);
+  // A page may start workers of its own origin alone; one of these may import ours.
+  const text = `import ${JSON.stringify(address.href)};`;
+  return new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })), options);
+}
 
 /** Makes an engine. @param spawn starts the worker */
 export function createLearnClient(spawn: () => ClientPort = spawnWorker): LearnClient {

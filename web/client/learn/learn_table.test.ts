@@ -63,7 +63,9 @@ test("weights follow from distances", async () => {
     frame: 60,
   });
   const least = Math.min(...meanSquares);
-  const raw = [...meanSquares].map((square) => Math.exp(-(square - least) / (0.7 * least)));
+  // δ, wider where the input is unknown: docs/methods/mar.md §7.
+  const width = 0.35 * (3 - 2 / (1 + (least / 0.0025) ** 4));
+  const raw = [...meanSquares].map((square) => Math.exp(-(square - least) / (width * least)));
   const kept = raw.map((weight) => (weight < 2e-5 ? 0 : weight));
   weights.forEach((weight, i) => {
     expect(weight).toBeCloseTo(kept[i]! / sum(kept), 5);

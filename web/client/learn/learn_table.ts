@@ -4,8 +4,10 @@ import { Engine } from "../../engine/engine";
 import { StrutError } from "../../engine/errors";
 import type { Lens } from "../../engine/learn/lens";
 import { performedIn } from "../../engine/learn/wasm";
+import { createKeyStyles } from "./key_styles";
 import { Opened } from "./opened";
 import type { LearnEngine, WindowsOrder } from "./protocol";
+import { createWalks } from "./walks";
 
 const NO_CHANGE = { turns: [], heading: 0, x: 0, z: 0, reversed: false };
 
@@ -118,5 +120,7 @@ export function createLearnTable(): LearnEngine {
       });
     },
     register: async (action, a, b, by) => (await opened()).warps(action).compare(a, b, by),
+    ...createWalks(),
+    ...createKeyStyles(),
   };
 }

@@ -96,12 +96,12 @@ export class Opened {
   /** @throws StrutError `bad-input` where there is none of the name */
   input(of: LearnInput): Input {
     return this.#inputs.get(keyOf(of), () => {
-      const { name, turns = [] } = of;
+      const { name, turns = [], heading = 0 } = of;
       // All databases of the lessons have the same humanoid.
       const open = () => this.engine.openInput(this.database, { kind: "built-in", name, motions: this.motions });
       const plain = inputOfTake(this.database, name) ?? open();
-      if (turns.length === 0) return plain;
-      const turned = turnedInput(this.database, plain, turns);
+      if (turns.length === 0 && heading === 0) return plain;
+      const turned = turnedInput(this.database, plain, turns, heading);
       plain.dispose();
       return turned;
     });
@@ -124,6 +124,6 @@ export class Opened {
 }
 
 /** A database that was made anew brings inputs and lenses of its own. */
-function keyOf({ name, turns = [], without = [] }: LearnInput): string {
-  return JSON.stringify([name, turns, without]);
+function keyOf({ name, turns = [], heading = 0, without = [] }: LearnInput): string {
+  return JSON.stringify([name, turns, heading, without]);
 }

@@ -2,6 +2,8 @@
  * What the lessons ask of the engine. Calls name all that they need, so that figures do not disturb each other: the worker
  * keeps what it opened, and opens the same thing once.
  */
+
+import type { SomnState } from "../../engine/key_style/somn";
 import type {
   ClassDistances,
   Contacts,
@@ -16,6 +18,7 @@ import type {
 import type { Compared, Stretch, WarpMethod } from "../../engine/learn/warps";
 import type { Turn } from "../../engine/learn/wasm";
 import type { Analysis, DatabaseInfo, Performed, StyleWeights, StylizeOptions } from "../../engine/types";
+import type { JointPath, PathOptions } from "../../engine/walk/walker";
 
 export type {
   Analysis,
@@ -25,8 +28,10 @@ export type {
   DatabaseInfo,
   Fit,
   FitSettings,
+  JointPath,
   LensOptions,
   NearestWindows,
+  PathOptions,
   Performed,
   QueryChange,
   Stretch,
@@ -44,6 +49,8 @@ export interface LearnInput {
   name: string;
   /** Joints that are turned in every frame. */
   turns?: readonly Turn[];
+  /** Turn of the whole about the vertical through the first frame's hips, radians. */
+  heading?: number;
   /** Takes that are left out of the database, in any style. */
   without?: readonly string[];
 }
@@ -117,6 +124,61 @@ export interface LearnClip {
   contacts: Uint8Array;
 }
 
+/** A degree of freedom of a synthesised walk: a joint's number, and an axis of its own frame, 0 to 2. */
+export interface WalkDof {
+  joint: number;
+  axis: number;
+}
+
+/** A synthesised walk. */
+export interface Walked {
+  /** `POSE_FLOATS` numbers a frame. */
+  poses: Float32Array;
+  rateHz: number;
+  /** Offset of each joint from its parent in the T-pose, metres: 21 × xyz. */
+  proportions: Float32Array;
+}
+
+/** What the lesson about key-styling is learned from: walks of the built-in database. */
+export interface StyleSamples {
+  /** Two style variables of every training frame, frame after frame, and their units. */
+  values: Float32Array;
+  units: readonly string[];
+  rateHz: number;
+  proportions: Float32Array;
+  /** A gait cycle among the training frames. */
+  cycle: { first: number; frames: number };
+}
+
+/** A self-organising mixture network after some updates. */
+export interface SomnSnapshot extends SomnState {
+  /** Updates in a pass, and in all passes. */
+  frames: number;
+  total: number;
+}
+
+/** How poses follow the style variables; see `PoseMode`. */
+export interface PoseSharing {
+  temperature: number;
+  blur: number;
+}
+
+/** How well a character can be dragged. */
+export interface Dragged {
+  /** Greatest turn of a joint from frame to frame on ten fixed drags, degrees. */
+  change: number;
+  /** Mean angle between joints of the training poses and those that their variables give, degrees. */
+  error: number;
+}
+
+/** A cycle that is interpolated from keys. */
+export interface Keyed {
+  /** Mean angle of the joints from the recorded cycle at each frame, degrees. */
+  errors: Float32Array;
+  /** The style variables at each frame. */
+  values: Float32Array;
+}
+
 /** How a call is made. */
 export interface LearnCall {
   /** Ends the wait for the answer: the promise rejects with `cancelled`. */
@@ -162,6 +224,26 @@ export interface LearnEngine {
   contacts(look: Look, call?: LearnCall): Promise<Contacts>;
   /** The clips of an action with their gait cycles. */
   clips(action: string, call?: LearnCall): Promise<LearnClip[]>;
+  /** The likeliest trajectory of a degree of freedom over a left and a right step of the built-in walk model. */
+  walkPath(styles: StyleWeights, dof: WalkDof, options: PathOptions, call?: LearnCall): Promise<JointPath>;
+  /** The first frames of a walk that the built-in walk model synthesises. */
+  walk(styles: StyleWeights, frames: number, call?: LearnCall): Promise<Walked>;
+  /** What key styles are learned from. */
+  styleSamples(call?: LearnCall): Promise<StyleSamples>;
+  /** The network after so many updates, with the signs as they are or as the paper prints them. */
+  somn(updates: number, asPrinted: boolean, call?: LearnCall): Promise<SomnSnapshot>;
+  /** {@link Dragged.error} of the models that learning makes after each pass, hard shares. */
+  somnErrors(call?: LearnCall): Promise<Float32Array>;
+  /** How well the learned model can be dragged. */
+  dragged(sharing: PoseSharing, call?: LearnCall): Promise<Dragged>;
+  /** The pose of two style variables, and the weight of each component in it. */
+  stylePose(
+    values: readonly number[],
+    sharing: PoseSharing,
+    call?: LearnCall,
+  ): Promise<{ pose: Float32Array; weights: Float32Array }>;
+  /** The cycle from keys at some of its frames, in order, each with its recorded variables. */
+  keyed(frames: readonly number[], call?: LearnCall): Promise<Keyed>;
   /** Two stretches of an action's clips, compared as registration compares them. */
   register(action: string, a: Stretch, b: Stretch, by: WarpMethod, call?: LearnCall): Promise<Compared>;
 }

@@ -160,6 +160,60 @@ describe("a poser", () => {
   });
 });
 
+describe("the mode of poses", () => {
+  it("takes a temperature and a blur, and is smooth or hard by name", () => {
+    const [named, numbers, hard] = [model.poser(), model.poser(), model.poser()];
+    named.mode = "hard";
+    named.mode = "smooth";
+    numbers.mode = { temperature: 2, blur: 0.3 };
+    hard.mode = "hard";
+    const place = onTurn(0.13);
+    expect(Array.from(named.jump(place).pose)).toEqual(Array.from(numbers.jump(place).pose));
+    expect(Math.max(...hard.jump(place).weights)).toBe(1);
+    expect(Math.max(...numbers.frame.weights)).toBeLessThan(1);
+    for (const mode of [
+      { temperature: 0, blur: 0 },
+      { temperature: Number.NaN, blur: 0 },
+      { temperature: 1, blur: -1 },
+    ])
+      expect(() => {
+        numbers.mode = mode;
+      }).toThrow(/was expected/);
+    expect(model.error({ temperature: 1, blur: 0 })).toBeLessThan(model.error({ temperature: 20, blur: 0 }));
+  });
+});
+
+describe("learning", () => {
+  it("goes update by update, and its end is what training makes", () => {
+    const somn = model.learn();
+    expect(somn.updates).toBe(20 * somn.frames);
+    expect(somn.state).toMatchObject({ updates: 0, sample: -1 });
+    const sum = (of: Float32Array) => of.reduce((a, b) => a + b, 0);
+    const { r, weights } = somn.step(1);
+    expect(somn.state).toMatchObject({ updates: 1, delta: expect.closeTo(0.6, 5) });
+    for (const shares of [r, weights]) expect(sum(shares)).toBeCloseTo(1, 5);
+    const [early, begin] = [somn.model(), performance.now()];
+    somn.step(somn.updates);
+    const us = (1000 * (performance.now() - begin)) / somn.updates;
+    console.info(`${us.toFixed(1)} µs an update`);
+    expect(us).toBeLessThan(20);
+    expect(somn.state.updates).toBe(somn.updates);
+    const late = somn.model();
+    const smooth = { temperature: 2, blur: 0 };
+    expect(late.error(smooth)).toBeLessThan(early.error(smooth));
+    expect(late.error(smooth)).toBeCloseTo(model.error(smooth), 3);
+    for (const [i, centre] of late.centres.entries()) expect(centre).toBeCloseTo(model.centres[i]!, 2);
+  });
+
+  it("diverges with the signs as printed, and is refused without sense", () => {
+    const printed = model.learn({ asPrinted: true });
+    printed.step(1);
+    const { error } = printed.state;
+    expect(printed.step(printed.updates).error).not.toBeLessThan(100 * error);
+    expect(() => model.learn({ components: 1000 })).toThrow(/at most 64/);
+  });
+});
+
 describe("keys", () => {
   let keys: { secs: number; values: number[] }[];
   beforeAll(() => {

@@ -14,12 +14,14 @@ export {
   checkAxis,
   type KeyStyleFrame,
   KeyStyleModel,
+  type PoseMode,
   Poser,
   type Span,
   type StyleKey,
   Styling,
   type TrainingClip,
 } from "../../engine/key_style/model";
+export type { Somn, SomnOptions, SomnState } from "../../engine/key_style/somn";
 
 /** Motions that a model is trained on: BVH files or archives of them, a `.strutdb` file, or the built-in database. */
 export type TrainingMotions = { files: readonly DroppedFile[] } | { database: Blob | undefined };

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import { InlineBuildWorker } from "../../../tests/inline_build_worker";
 import { POSE_FLOATS } from "../../humanoid";
 import type { TrainedWalk } from "../build/protocol";
-import { openWalk, trainWalk, type WalkModel, type Weights } from "./walk";
+import { type JointPath, openWalk, trainWalk, WalkModel, type Weights } from "./walk";
 
 const spawn = () => new InlineBuildWorker();
 
@@ -133,6 +133,30 @@ describe("walking", () => {
     );
     expect(() => walker.plan(alone("old", Number.NaN), [])).toThrow();
     expect(walker.next().pose.every(Number.isFinite)).toBe(true);
+  });
+
+  it("has the built-in model packed, which is what training makes", async () => {
+    const builtIn = await WalkModel.builtIn();
+    expect(builtIn.styles).toEqual(model.styles);
+    expect(builtIn.path(alone("neutral"), 13, 0)).toEqual(model.path(alone("neutral"), 13, 0));
+  });
+
+  it("follows one degree of freedom, with other variances and durations", () => {
+    const plain = model.path(alone("neutral"), 13, 0);
+    const firm = model.path(alone("neutral"), 13, 0, { variance: [0.001, 1, 1] });
+    const off = ({ c, mean }: JointPath) => Math.max(...c.map((angle, t) => Math.abs(angle - mean[t]!)));
+    expect(off(firm)).toBeLessThan(0.3 * off(plain));
+    const alike = model.path(alone("neutral"), 13, 0, { variance: [1, 1000, 1000] });
+    expect(off(alike), "only what a promise is worth beside the others counts").toBeCloseTo(off(firm), 4);
+    const firmest = model.path(alone("neutral"), 13, 0, { variance: [0.001, 1000, 1000] });
+    expect(off(firmest)).toBeLessThan(0.001 * off(plain));
+    expect(firm.deviation[0]).toBeCloseTo(Math.sqrt(0.001) * plain.deviation[0]!, 6);
+    const slow = model.path(alone("neutral"), 13, 0, { rho: [1, 1] });
+    expect(slow.c.length).toBeGreaterThan(plain.c.length);
+    expect(() => model.path(alone("neutral"), 13, 3)).toThrow(/no axis 3/);
+    expect(() => model.path(alone("neutral"), 99, 0)).toThrow(/no such joint/);
+    expect(() => model.path(alone("neutral"), 13, 0, { variance: [0, 1, 1] })).toThrow(/from 0.001 to 1000/);
+    expect(() => model.path(alone("neutral"), 13, 0, { rho: [1] })).toThrow(/two values/);
   });
 
   it("draws a knee that bends, and writes BVH", () => {

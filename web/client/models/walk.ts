@@ -9,7 +9,9 @@ import type { CallOptions } from "../protocol";
 
 export {
   type JointCurve,
+  type JointPath,
   MAX_TURN,
+  type PathOptions,
   type Side,
   STATES,
   type Tempo,

@@ -5,6 +5,7 @@
  */
 import { POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
+import { Somn, type SomnOptions } from "./somn";
 import { type KeyStyleGlue, keyStylePackage } from "./wasm";
 
 /** A clip of the training motions: its first frame among those of all clips, and its length in frames. */
@@ -29,6 +30,13 @@ const BETWEEN: Readonly<Record<Between, number>> = { style: 0, hybrid: 1, frame:
 
 /** The curve of the variables between keys: a Catmull-Rom spline, or a monotone one, which does not overshoot. */
 export type Curve = "spline" | "monotone";
+
+/**
+ * How mixture components share in poses: `hard` is the likeliest alone, `smooth` what is best for what it is used for, and
+ * otherwise each counts by its likelihood to the power of 1 / `temperature` (0.1 to 100), with regions that are blurred by
+ * `blur` standard deviations of the variables (0 to 10).
+ */
+export type PoseMode = "hard" | "smooth" | { readonly temperature: number; readonly blur: number };
 
 /** A range of a style variable and the number of samples in it. */
 export interface Span {
@@ -68,12 +76,9 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
 
   private constructor(
     private readonly glue: KeyStyleGlue,
-    file: Uint8Array,
+    make: () => InstanceType<KeyStyleGlue["KeyStyleModel"]>,
   ) {
-    super(
-      keyStylePackage.guarded(() => new glue.KeyStyleModel(file)),
-      "key-style model",
-    );
+    super(keyStylePackage.guarded(make), "key-style model");
     const { raw } = this;
     this.axes = raw.axes();
     this.units = raw.units();
@@ -98,7 +103,16 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
    * @throws StrutError if the module cannot be had, or with what is wrong with the file
    */
   static async open(file: Uint8Array): Promise<KeyStyleModel> {
-    return new KeyStyleModel(await keyStylePackage.load(), file);
+    const glue = await keyStylePackage.load();
+    return new KeyStyleModel(glue, () => new glue.KeyStyleModel(file));
+  }
+
+  /**
+   * Learning of the same recordings from the beginning, update by update.
+   * @throws StrutError if there are too many components
+   */
+  learn(options?: SomnOptions): Somn<KeyStyleModel> {
+    return new Somn(this, this.glue, (make) => new KeyStyleModel(this.glue, make), options);
   }
 
   poser(): Poser {
@@ -117,6 +131,16 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
   /** The pose of a training frame. */
   recorded(frame: number): Float32Array | undefined {
     return this.raw.recorded(frame);
+  }
+
+  /**
+   * Mean angle between the joints of the training poses and those that their variables give, degrees. Takes a millisecond a
+   * thousand frames.
+   * @throws StrutError if a number of the mode is out of its range
+   */
+  error(mode: Exclude<PoseMode, "smooth">): number {
+    const [temperature, blur] = numbersOf(mode);
+    return keyStylePackage.guarded(() => this.raw.error(temperature, blur ?? 0));
   }
 
   /**
@@ -145,7 +169,7 @@ export interface KeyStyleFrame {
 /** An object of the package that fills an array with its present frame. */
 interface RawFrames {
   free(): void;
-  setHard(hard: boolean): void;
+  setMode(temperature: number | undefined, blur: number): void;
   read(floats: Float32Array): void;
 }
 
@@ -155,16 +179,28 @@ abstract class FrameSource<Raw extends RawFrames> extends Handle<Raw> {
   readonly frame: KeyStyleFrame;
   private readonly floats: Float32Array;
 
-  /** @param noun for messages */
-  protected constructor(model: KeyStyleModel, make: () => Raw, noun: string) {
+  /**
+   * @param smooth temperature and blur of the mode `smooth`
+   * @param noun for messages
+   */
+  protected constructor(
+    model: KeyStyleModel,
+    make: () => Raw,
+    private readonly smooth: Float64Array,
+    noun: string,
+  ) {
     super(keyStylePackage.guarded(make), noun);
     this.floats = new Float32Array(POSE_FLOATS + model.components + 2 * model.axes.length);
     this.frame = frameOf(this.floats, model);
   }
 
-  /** Whether the winning component alone is the pose. */
-  set hard(hard: boolean) {
-    this.raw.setHard(hard);
+  /**
+   * How components share in poses from the next pose on; in a {@link Styling} from the next keys on.
+   * @throws StrutError if a number is out of its range; nothing changes then
+   */
+  set mode(mode: PoseMode) {
+    const [temperature, blur] = mode === "smooth" ? this.smooth : numbersOf(mode);
+    keyStylePackage.guarded(() => this.raw.setMode(temperature, blur ?? 0));
   }
 
   protected read(): KeyStyleFrame {
@@ -178,7 +214,7 @@ export class Poser extends FrameSource<InstanceType<KeyStyleGlue["DragCharacter"
   private readonly asked: Float64Array;
 
   constructor(model: KeyStyleModel, glue: KeyStyleGlue) {
-    super(model, () => new glue.DragCharacter(model.raw), "poser");
+    super(model, () => new glue.DragCharacter(model.raw), glue.DragCharacter.smoothMode(), "poser");
     this.asked = new Float64Array(model.axes.length);
     this.read();
   }
@@ -201,7 +237,7 @@ export class Poser extends FrameSource<InstanceType<KeyStyleGlue["DragCharacter"
 /** An animation that is interpolated from keys. */
 export class Styling extends FrameSource<InstanceType<KeyStyleGlue["Styling"]>> {
   constructor(model: KeyStyleModel, glue: KeyStyleGlue) {
-    super(model, () => new glue.Styling(model.raw), "key-styling");
+    super(model, () => new glue.Styling(model.raw), glue.Styling.smoothMode(), "key-styling");
   }
 
   /**
@@ -239,6 +275,11 @@ export class Styling extends FrameSource<InstanceType<KeyStyleGlue["Styling"]>> 
   toBvh(length: number, between: Between): string {
     return keyStylePackage.guarded(() => this.raw.toBvh(length, BETWEEN[between]));
   }
+}
+
+/** Temperature and blur; none where one component alone is the pose. */
+function numbersOf(mode: Exclude<PoseMode, "smooth">): readonly [temperature?: number, blur?: number] {
+  return mode === "hard" ? [] : [mode.temperature, mode.blur];
 }
 
 /** A frame whose numbers lie one after the other in an array, which the package fills. */

@@ -47,9 +47,12 @@ export interface Turn {
   by: readonly [x: number, y: number, z: number];
 }
 
-/** An input with joints turned in every frame. @throws StrutError `bad-input` */
-export function turnedInput(database: Database, input: Input, turns: readonly Turn[]): Input {
-  const raw = guarded(() => own<glue.Input>(input.raw).turned(numbersOf(turns)));
+/**
+ * An input with joints turned in every frame, and the whole turned about the vertical, radians.
+ * @throws StrutError `bad-input`
+ */
+export function turnedInput(database: Database, input: Input, turns: readonly Turn[], heading: number): Input {
+  const raw = guarded(() => own<glue.Input>(input.raw).turned(numbersOf(turns), heading));
   return Input.of(own(raw), database, { kind: "built-in", name: input.info.name });
 }
 

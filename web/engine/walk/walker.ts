@@ -4,6 +4,7 @@
  */
 import { POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
+import { loadBuiltInWalkModel } from "./built_in";
 import { type WalkGlue, walkPackage } from "./wasm";
 
 /** States of a step. */
@@ -41,6 +42,31 @@ export interface JointCurve {
   mean: Float32Array;
   deviation: Float32Array;
   side: Uint8Array;
+}
+
+/** What may be changed about a {@link JointPath}. */
+export interface PathOptions {
+  /** Factors of the variances σ², σ′² and σ″² of poses, velocities and accelerations, 0.001 to 1000; 1 if missing. */
+  variance?: ArrayLike<number>;
+  /** ρ of the durations of left steps and right ones, d = d̄ + ρν with ν their variance, −10 to 10 a frame; 0 if missing. */
+  rho?: ArrayLike<number>;
+}
+
+/**
+ * The trajectory of one degree of freedom over a left and a right step, a value for each frame: the likeliest one, without
+ * the limits of joints. Angles are in radians from the joint's mean rotation.
+ */
+export interface JointPath {
+  /** c. */
+  c: Float32Array;
+  /** μ and σ of the state that the frame is in; σ with its factor. */
+  mean: Float32Array;
+  deviation: Float32Array;
+  /** That state, 0 to 4, and the swing foot. */
+  state: Uint8Array;
+  side: Uint8Array;
+  /** Durations of the states of a left step and a right one, 2 × 5, frames, before they are rounded in sum. */
+  durations: Float32Array;
 }
 
 /** A change of style that is interpolated over steps. */
@@ -83,6 +109,15 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
     return new WalkModel(await walkPackage.load(), file);
   }
 
+  /**
+   * The model of the built-in walks, which `trainWalk` would make of the built-in database.
+   * @throws StrutError if it cannot be had
+   */
+  static async builtIn(): Promise<WalkModel> {
+    const [glue, file] = await Promise.all([walkPackage.load(), loadBuiltInWalkModel()]);
+    return new WalkModel(glue, file);
+  }
+
   /** A new walk in the average of all styles. */
   walker(): Walker {
     return new Walker(this, this.glue);
@@ -100,14 +135,27 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
   /** @throws StrutError unless there is one finite weight for each style */
   curve(weights: Weights, joint: number): JointCurve {
     const numbers = walkPackage.guarded(() => this.raw.curve(...weights, joint));
-    const frames = (numbers.length - 1) / 5;
-    const column = (k: number) => Float32Array.from({ length: frames }, (_, f) => numbers[1 + 5 * f + k]!);
+    const [angle, mean, deviation, side] = columnsOf(numbers.subarray(1));
+    return { axis: numbers[0]!, angle, mean, deviation, side: Uint8Array.from(side) };
+  }
+
+  /**
+   * The trajectory of a degree of freedom: of a joint about an axis of its own frame, 0 to 2.
+   * @throws StrutError unless there is one finite weight for each style, and if a number is out of its range
+   */
+  path(weights: Weights, joint: number, axis: number, { variance, rho }: PathOptions = {}): JointPath {
+    const factors = Float64Array.from(variance ?? [1, 1, 1]);
+    const numbers = walkPackage.guarded(() =>
+      this.raw.path(...weights, joint, axis, factors, Float32Array.from(rho ?? [0, 0])),
+    );
+    const [c, mean, deviation, side, state] = columnsOf(numbers.subarray(2 * STATES));
     return {
-      axis: numbers[0]!,
-      angle: column(0),
-      mean: column(1),
-      deviation: column(2),
-      side: Uint8Array.from(column(3)),
+      c,
+      mean,
+      deviation,
+      state: Uint8Array.from(state),
+      side: Uint8Array.from(side),
+      durations: numbers.slice(0, 2 * STATES),
     };
   }
 
@@ -115,6 +163,14 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
   toBvh(poses: Float32Array): string {
     return walkPackage.guarded(() => this.raw.toBvh(poses));
   }
+}
+
+type Columns = readonly [Float32Array, Float32Array, Float32Array, Float32Array, Float32Array];
+
+/** Five numbers a frame, as an array for each number. */
+function columnsOf(numbers: Float32Array): Columns {
+  const column = (k: number) => Float32Array.from({ length: numbers.length / 5 }, (_, f) => numbers[5 * f + k]!);
+  return [column(0), column(1), column(2), column(3), column(4)];
 }
 
 /** One endless walk, synthesised frame by frame. */

@@ -8,7 +8,7 @@ use crate::math::{Vec3, exp_map};
 use std::sync::Arc;
 
 /// Steps that are walked before the pair that is shown: they have a past then.
-const STEPS_BEFORE: u64 = 2;
+pub(super) const STEPS_BEFORE: u64 = 2;
 
 /// One frame of a [`JointCurve`]; angles in radians from the joint's mean rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,8 +48,7 @@ impl JointCurve {
         let mut walker = Walker::new(Arc::clone(runtime));
         walker.set_sides(weights)?;
         let average = model.average();
-        let mixed: [StyleMeans; SIDES] =
-            weights.map(|weights| model.mix(&average, &weights.iter().map(|w| f64::from(*w)).collect::<Vec<_>>()));
+        let mixed = mixed_sides(model, &average, weights);
         let dims = 3 * joint.index()..3 * joint.index() + 3;
         let pose = Stream::Static as usize;
         let spread = |d: usize| {
@@ -78,4 +77,9 @@ impl JointCurve {
         }
         Ok(Self { axis, points })
     }
+}
+
+/// The means of the steps of either foot, of a mixture of styles for each.
+pub(super) fn mixed_sides(model: &WalkModel, average: &StyleMeans, weights: [&[f32]; SIDES]) -> [StyleMeans; SIDES] {
+    weights.map(|weights| model.mix(average, &weights.iter().map(|w| f64::from(*w)).collect::<Vec<_>>()))
 }

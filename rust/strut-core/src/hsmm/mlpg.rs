@@ -4,6 +4,7 @@
 //! For each degree of freedom it minimises Σₜ p (cₜ − m)² + p′ (Δcₜ − m′)² + p″ (Δ²cₜ − m″)², with Δcₜ = (cₜ₊₁ − cₜ₋₁) / 2 and
 //! Δ²cₜ = cₜ₊₁ − 2cₜ + cₜ₋₁: a symmetric system with five diagonals.
 
+use super::model::Stream;
 use crate::math::lanes::Lane;
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -34,6 +35,9 @@ pub(super) struct Term<T> {
     pub(super) mean: T,
     pub(super) weight: T,
 }
+
+/// A state of one frame: the side's index and the state's.
+pub(super) type FrameState = (usize, usize);
 
 /// A system with five diagonals and its right-hand side; keeps its memory.
 #[derive(Clone, Debug, Default)]
@@ -113,6 +117,20 @@ impl<T: Number> Banded<T> {
         self.couple(1, 1, later.weight);
         self.pull(0, minus_two * (later.mean - last));
         self.pull(1, later.weight * (later.mean - last));
+    }
+
+    /// The trajectory through the states of all frames, for terms by (side, state, part). The first frame and the last have
+    /// no deltas.
+    pub(super) fn through(&mut self, states: &[FrameState], term: impl Fn(usize, usize, Stream) -> Term<T>) -> &[T] {
+        self.begin(states.len());
+        for (t, &(side, state)) in states.iter().enumerate() {
+            self.pose(t, term(side, state, Stream::Static));
+            if t > 0 && t + 1 < states.len() {
+                self.velocity(t, term(side, state, Stream::Delta));
+                self.acceleration(t, term(side, state, Stream::DeltaDelta));
+            }
+        }
+        self.solve()
     }
 
     /// The trajectory. The matrix is positive definite where every frame's pose has a weight.

@@ -3,7 +3,7 @@
 //! Trajectories that agree with means and variances at best move less than what these were measured on. But each degree of
 //! freedom of a trajectory is linear in its 30 means, so that least squares find better ones.
 
-use super::mlpg::{Banded, Term};
+use super::mlpg::{Banded, FrameState, Term};
 use super::model::{SIDES, STATES, Stream, StyleMeans};
 use super::statistics::{Sample, SharedVariances, states, states_of};
 use crate::math::linear::solve_positive_definite;
@@ -18,9 +18,6 @@ const MEANS: usize = SIDES * STATES * Stream::ALL.len();
 const RIDGE: f64 = 3.0;
 /// Rounds of alignment and refinement.
 const ROUNDS: usize = 3;
-
-/// A state of one frame: the side's index and the state's.
-type FrameState = (usize, usize);
 
 /// The first frame of steps that follow each other, and the state of every frame from there.
 pub(super) struct Chain {
@@ -54,19 +51,11 @@ pub(super) fn trajectory<'a>(
     mean: impl Fn(usize, usize, Stream) -> f64,
     system: &'a mut Banded<f64>,
 ) -> &'a [f64] {
-    system.begin(states.len());
-    for (t, &(side, state)) in states.iter().enumerate() {
-        let term = |part: Stream| Term {
-            mean: mean(side, state, part),
-            weight: 1.0 / shared.variances[side][state][part as usize][d],
-        };
-        system.pose(t, term(Stream::Static));
-        if t > 0 && t + 1 < states.len() {
-            system.velocity(t, term(Stream::Delta));
-            system.acceleration(t, term(Stream::DeltaDelta));
-        }
-    }
-    system.solve()
+    let term = |side: usize, state: usize, part: Stream| Term {
+        mean: mean(side, state, part),
+        weight: 1.0 / shared.variances[side][state][part as usize][d],
+    };
+    system.through(states, term)
 }
 
 /// The trajectory of a style through states.

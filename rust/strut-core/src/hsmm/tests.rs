@@ -1,7 +1,7 @@
 use super::evaluation::horizon_error;
 use super::*;
 use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ as SINE_RATE_HZ, walk};
-use crate::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions};
+use crate::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions, Role};
 use crate::incremental::IncrementalJob;
 use crate::math::{Vec3, exp_map};
 use crate::parallel::Sequential;
@@ -333,4 +333,128 @@ fn nothing_is_allocated_while_walking() {
     walker.set_stride(0.9);
     let counted = allocation_counter::measure(|| (0..400).for_each(|_| _ = walker.advance()));
     assert_eq!(counted.count_total, 0);
+}
+
+/// The likeliest trajectory by definition: the normal equations of all terms in one dense matrix, eliminated with pivots.
+fn dense_trajectory(
+    states: &[(usize, usize)],
+    d: usize,
+    means: &[StyleMeans; SIDES],
+    variances: &PerState<Observation>,
+    factors: [f64; 3],
+) -> Vec<f64> {
+    let n = states.len();
+    let mut a = vec![vec![0.0; n + 1]; n];
+    let windows: [&[(isize, f64)]; 3] = [&[(0, 1.0)], &[(-1, -0.5), (1, 0.5)], &[(-1, 1.0), (0, -2.0), (1, 1.0)]];
+    for (t, &(side, state)) in states.iter().enumerate() {
+        for (part, window) in windows.iter().enumerate() {
+            if part > 0 && (t == 0 || t + 1 == n) {
+                continue;
+            }
+            let weight = 1.0 / (factors[part] * variances[side][state][part][d]);
+            let mean = means[side].means[side][state][part][d];
+            let at = |by: isize| t.checked_add_signed(by).unwrap();
+            for (i, x) in *window {
+                for (j, y) in *window {
+                    a[at(*i)][at(*j)] += weight * x * y;
+                }
+                a[at(*i)][n] += weight * x * mean;
+            }
+        }
+    }
+    for k in 0..n {
+        let pivot = (k..n).max_by(|i, j| a[*i][k].abs().total_cmp(&a[*j][k].abs())).unwrap();
+        a.swap(k, pivot);
+        let top = a[k].clone();
+        for row in a.iter_mut().skip(k + 1) {
+            let share = row[k] / top[k];
+            (k..=n).for_each(|c| row[c] -= share * top[c]);
+        }
+    }
+    let mut x = vec![0.0; n];
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|c| a[k][c] * x[c]).sum();
+        x[k] = (a[k][n] - known) / a[k][k];
+    }
+    x
+}
+
+/// Weights of the steps of either foot, and what they mix.
+fn both<'a>(left: &'a [f32], right: &'a [f32]) -> ([&'a [f32]; SIDES], [StyleMeans; SIDES]) {
+    let of = |weights: &[f32]| MODEL.mix(&MODEL.average(), &weights.iter().map(|w| f64::from(*w)).collect::<Vec<_>>());
+    ([left, right], [of(left), of(right)])
+}
+
+fn path(weights: [&[f32]; SIDES], of: (Role, usize), options: PathOptions) -> JointPath {
+    JointPath::new(&MODEL, &RuntimeWalkModel::new(&MODEL), weights, of, options).unwrap()
+}
+
+#[test]
+fn a_path_is_the_solution_of_the_dense_system() {
+    let (weights, means) = both(&[1.0, 0.0], &[0.3, 0.7]);
+    for variance in [[1.0; 3], [1.0, 1000.0, 1000.0], [1.0, 1.0, 0.03], [0.001, 1.0, 1.0], [50.0, 0.2, 3.0]] {
+        for rho in [[0.0; 2], [1.5, -2.0]] {
+            let found = path(weights, (Role::LeftUpperLeg, 0), PathOptions { variance, rho });
+            // The whole walk again: two steps, the pair, four more; states end where their durations' sums are rounded to.
+            let (mut states, mut sum, mut begins) = (Vec::new(), 0.0, Vec::new());
+            for step in 0..8 {
+                begins.push(states.len());
+                for (state, d) in found.durations[step % 2].iter().enumerate() {
+                    sum += f64::from(*d);
+                    let end = (sum.round() as usize).max(states.len() + 1);
+                    states.resize(end, (step % 2, state));
+                }
+            }
+            let dense = dense_trajectory(&states, 3 * Role::LeftUpperLeg.index(), &means, &MODEL.variances, variance);
+            assert_eq!(found.points.len(), begins[4] - begins[2]);
+            for (point, t) in found.points.iter().zip(begins[2]..) {
+                assert!((f64::from(point.angle) - dense[t]).abs() < 1e-5, "{} {}", point.angle, dense[t]);
+                assert_eq!((point.side as usize, point.state), states[t]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_path_without_changes_is_what_is_walked() {
+    let (weights, _) = both(&[1.0, 0.0], &[1.0, 0.0]);
+    let runtime = Arc::new(RuntimeWalkModel::new(&MODEL));
+    let curve = JointCurve::new(&MODEL, &runtime, weights, Role::LeftUpperLeg).unwrap();
+    let path = path(weights, (Role::LeftUpperLeg, curve.axis), PathOptions::default());
+    assert_eq!(path.points.len(), curve.points.len());
+    for (a, b) in path.points.iter().zip(&curve.points) {
+        assert_eq!((a.mean, a.deviation, a.side, a.state), (b.mean, b.deviation, b.side, b.state));
+        assert!((a.angle - b.angle).abs() < 0.02, "horizon and limits of joints: {} {}", a.angle, b.angle);
+    }
+}
+
+#[test]
+fn steps_give_way_by_their_durations_variances() {
+    let (weights, _) = both(&[1.0, 0.0], &[1.0, 0.0]);
+    let frames = |rho: [f32; 2]| {
+        let path = path(weights, (Role::LeftUpperLeg, 0), PathOptions { rho, ..PathOptions::default() });
+        path.durations.map(|step| step.iter().sum::<f32>())
+    };
+    let variance = MODEL.duration_variances[0].iter().sum::<f64>() as f32;
+    let (plain, longer) = (frames([0.0; 2]), frames([0.5, 0.0]));
+    assert!((longer[0] - plain[0] - 0.5 * variance).abs() < 1e-3, "{plain:?} {longer:?}");
+    assert_eq!(longer[1], plain[1]);
+}
+
+#[test]
+fn paths_of_what_is_no_number_are_refused() {
+    let runtime = RuntimeWalkModel::new(&MODEL);
+    let refused = |weights: &[f32], axis: usize, options: PathOptions| {
+        JointPath::new(&MODEL, &runtime, [weights; 2], (Role::Head, axis), options).unwrap_err()
+    };
+    let plain = PathOptions::default();
+    assert!(matches!(refused(&[1.0], 0, plain), PathError::Weights(WeightsError::Count { found: 1, styles: 2 })));
+    assert_eq!(refused(&[1.0, 0.0], 3, plain), PathError::Axis(3));
+    for bad in [0.0, -1.0, 1001.0, f64::NAN, f64::INFINITY] {
+        let options = PathOptions { variance: [1.0, bad, 1.0], ..plain };
+        assert!(matches!(refused(&[1.0, 0.0], 0, options), PathError::Variance(_)));
+    }
+    for bad in [f32::NAN, f32::INFINITY, -11.0] {
+        assert!(matches!(refused(&[1.0, 0.0], 0, PathOptions { rho: [0.0, bad], ..plain }), PathError::Rho(_)));
+    }
 }

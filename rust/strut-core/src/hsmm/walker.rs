@@ -6,8 +6,11 @@ mod planner;
 mod runtime_model;
 
 pub use controls::{MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WeightsError};
+pub(super) use durations::counted_end;
 pub use planner::HORIZON;
+pub(super) use planner::side_of;
 pub use runtime_model::RuntimeWalkModel;
+pub(super) use runtime_model::least_delta_variance;
 
 use super::RATE_HZ;
 use super::joint_range::limited;
@@ -18,7 +21,7 @@ use crate::humanoid::Pose;
 use crate::math::float_funcs::wrap_angle;
 use crate::math::lanes::{Lane, WIDTH};
 use crate::math::{Vec3, exp_map};
-use planner::{Planner, Start, side_of};
+use planner::{Planner, Start};
 use runtime_model::{PADDED, Padded};
 use std::sync::Arc;
 
@@ -165,7 +168,7 @@ impl Walker {
             loop {
                 self.planner.plan(at.step, at.step_begin);
                 let end = at.reckoned + f64::from(self.planner.step(at.step).durations[at.state]);
-                let counted = (end.round() as u64).max(at.begin + 1);
+                let counted = counted_end(at.begin, end);
                 if frame < counted {
                     break;
                 }

@@ -2,12 +2,12 @@
 
 use super::mixture::{Gate, MAX_AXES, Style, log_likelihood};
 use super::model::KeyStyleModel;
-use super::pose_space::{DIMS, PoseSpace, Row};
+use super::pose_space::{DIMS, PoseSpace, Row, angles};
 use super::recording::Recording;
 use crate::humanoid::{JOINTS, Pose};
 use crate::kinematics::world_from_local;
+use crate::math::Vec3;
 use crate::math::float_funcs::double;
-use crate::math::{Quat, Vec3};
 use crate::rotation_row::ROTATION_DIMS;
 
 /// Recorded poses and their styles, as a model sees them.
@@ -51,10 +51,6 @@ pub fn pose_error(space: &PoseSpace, a: &Row, b: &Row) -> [f64; 2] {
         [a, b].map(|rotations| world_from_local(&space.proportions, &Pose { root: Vec3::ZERO, rotations }).positions);
     let distances: f64 = a.iter().zip(&b).map(|(a, b)| 100.0 * f64::from((*a - *b).length())).sum();
     [angles / JOINTS as f64, distances / JOINTS as f64]
-}
-
-fn angles(a: &[Quat; JOINTS], b: &[Quat; JOINTS]) -> impl Iterator<Item = f64> {
-    a.iter().zip(b).map(|(a, b)| f64::from(a.inv_mul(*b).angle().to_degrees()))
 }
 
 /// Greatest angle by which any joint moves from one pose to the next, degrees.

@@ -17,21 +17,42 @@ const WEIGHT_RATE: f64 = 0.2;
 /// How far components begin from the mean pose towards one of the poses.
 const FIRST_SHARE: f64 = 0.1;
 
+/// What one pose changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Update {
+    /// Number of the pose among those that are learnt from.
+    pub sample: usize,
+    /// Width of the neighbourhood σ, radians: poses this far from a component's prediction still belong to it.
+    pub width: f64,
+    /// Learning rate δ.
+    pub rate: f64,
+    /// Prediction error of the poses of this pass so far, each before its update: root mean square over the numbers of a
+    /// row, radians. It is no finite number where learning diverges.
+    pub error: f64,
+}
+
 /// The network while it learns.
 #[derive(Clone, Debug)]
 pub(super) struct Somn {
     pub(super) components: Vec<Component>,
+    /// 1 for ascent on the likelihood, -1 for the signs that the paper prints.
+    sign: f64,
     random: SplitMix64,
     order: Vec<usize>,
     deviation: f64,
     /// Poses that were seen, of so many in all.
     seen: usize,
     total: usize,
+    /// Of the last pose: its residuals from all components, and how much of it is whose.
+    residuals: Vec<Row>,
+    responsibilities: Vec<f64>,
+    /// Sum of the squared errors of this pass.
+    squares: f64,
 }
 
 impl Somn {
     /// Before the first of so many passes.
-    pub(super) fn new(samples: &Samples, components: usize, passes: usize, seed: u64) -> Self {
+    pub(super) fn new(samples: &Samples, components: usize, passes: usize, seed: u64, as_printed: bool) -> Self {
         let mut random = SplitMix64::new(seed);
         let mut order: Vec<usize> = (0..samples.rows.len()).collect();
         random.shuffle(&mut order);
@@ -51,42 +72,80 @@ impl Somn {
                 spread: std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j)))),
             }
         };
-        let components = order.iter().cycle().take(components).map(begin).collect();
+        let components: Vec<Component> = order.iter().cycle().take(components).map(begin).collect();
         let total = passes * samples.rows.len();
-        Self { components, random, order, deviation, seen: 0, total }
+        Self {
+            residuals: vec![[0.0; DIMS]; components.len()],
+            responsibilities: vec![0.0; components.len()],
+            components,
+            sign: if as_printed { -1.0 } else { 1.0 },
+            random,
+            order,
+            deviation,
+            seen: 0,
+            total,
+            squares: 0.0,
+        }
     }
 
-    /// One pass over all poses in random order; returns the mean squared prediction error of the poses before the update.
+    /// Number of updates so far.
+    pub(super) fn seen(&self) -> usize {
+        self.seen
+    }
+
+    /// How much of the last pose is whose; sums to 1, or is 0 before the first.
+    pub(super) fn responsibilities(&self) -> &[f64] {
+        &self.responsibilities
+    }
+
+    /// One pass over all poses in random order, or the rest of one that was begun; returns the mean squared prediction error
+    /// of the poses before the update.
     pub(super) fn pass(&mut self, samples: &Samples) -> f64 {
-        let axes = samples.axes;
-        let count = self.components.len();
-        let mut residuals = vec![[0.0; DIMS]; count];
-        let mut responsibilities = vec![0.0; count];
-        let mut squares = 0.0;
-        self.random.shuffle(&mut self.order);
-        for &i in &self.order {
-            let (x, u) = (&samples.rows[i], &samples.styles[i]);
-            let share = self.seen as f64 / self.total as f64;
-            let [width, rate] = [WIDTHS, RATES].map(|[first, last]| first * double::pow(last / first, share));
-            let variance = (width * self.deviation) * (width * self.deviation);
-            self.seen += 1;
-            for ((component, residual), r) in self.components.iter().zip(&mut residuals).zip(&mut responsibilities) {
-                component.predict(u, axes, residual);
-                residual.iter_mut().zip(x).for_each(|(e, x)| *e = x - *e);
-                *r = log_gate(component, u, axes) - squared_distance(residual, &[0.0; DIMS]) / (2.0 * variance);
-            }
-            softmax(&mut responsibilities);
-            for ((component, residual), r) in self.components.iter_mut().zip(&residuals).zip(&responsibilities) {
-                component.weight += WEIGHT_RATE * rate * (r - component.weight);
-                if *r > LEAST_RESPONSIBILITY {
-                    squares += r * squared_distance(residual, &[0.0; DIMS]);
-                    component.learn(residual, u, axes, rate * r);
-                    move_gate(component, u, axes, rate * r);
-                }
-            }
-            normalise_weights(&mut self.components);
+        while self.update(samples).is_some() && !self.is_between_passes() {}
+        self.squares / samples.rows.len() as f64
+    }
+
+    /// Whether the last pass is over and no other is begun.
+    pub(super) fn is_between_passes(&self) -> bool {
+        self.seen.is_multiple_of(self.order.len())
+    }
+
+    /// Learns from one pose: the next in this pass's order. None after the last pass, and once learning has diverged.
+    pub(super) fn update(&mut self, samples: &Samples) -> Option<Update> {
+        if self.seen == self.total || !self.squares.is_finite() {
+            return None;
         }
-        squares / samples.rows.len() as f64
+        let count = self.order.len();
+        if self.is_between_passes() {
+            self.random.shuffle(&mut self.order);
+            self.squares = 0.0;
+        }
+        let axes = samples.axes;
+        let sample = self.order[self.seen % count];
+        let (x, u) = (&samples.rows[sample], &samples.styles[sample]);
+        let share = self.seen as f64 / self.total as f64;
+        let [width, rate] = [WIDTHS, RATES].map(|[first, last]| first * double::pow(last / first, share));
+        let width = width * self.deviation;
+        let variance = width * width;
+        self.seen += 1;
+        let Self { components, residuals, responsibilities, .. } = self;
+        for ((component, residual), r) in components.iter().zip(&mut *residuals).zip(&mut *responsibilities) {
+            component.predict(u, axes, residual);
+            residual.iter_mut().zip(x).for_each(|(e, x)| *e = x - *e);
+            *r = log_gate(component, u, axes) - squared_distance(residual, &[0.0; DIMS]) / (2.0 * variance);
+        }
+        softmax(responsibilities);
+        for ((component, residual), r) in components.iter_mut().zip(&*residuals).zip(&*responsibilities) {
+            component.weight += self.sign * WEIGHT_RATE * rate * (r - component.weight);
+            if *r > LEAST_RESPONSIBILITY {
+                self.squares += r * squared_distance(residual, &[0.0; DIMS]);
+                component.learn(residual, u, axes, self.sign * rate * r);
+                move_gate(component, u, axes, rate * r);
+            }
+        }
+        normalise_weights(components);
+        let seen = (self.seen - 1) % count + 1;
+        Some(Update { sample, width, rate, error: (self.squares / (seen * DIMS) as f64).sqrt() })
     }
 }
 

@@ -31,6 +31,7 @@ pub use drag_character::DragCharacter;
 pub use expression::{ExpressionError, Fault};
 pub use frame::Frame;
 pub use key_styling::{Key, KeyStyling, KeysError, MAX_SECS, Method};
+pub use learning::Update;
 pub use measure::Measure;
 pub use mixture::{Component, MAX_AXES, Style};
 pub use model::{ClipSpan, KeyStyleModel};
@@ -38,7 +39,7 @@ pub use named_measures::{NamedMeasure, Unit};
 pub use pose_space::{DIMS, PoseSpace, Row};
 pub use recording::{Recording, RecordingError};
 pub use spline::Interpolation;
-pub use synthesis::{Mode, Synthesis};
+pub use synthesis::{BLUR, Mode, ModeError, Synthesis, TEMPERATURE};
 pub use training::{Learning, MAX_COMPONENTS, Options, TrainError, TrainProgress, Trainer, train};
 
 /// Frames per second of every recording that is learnt from, and of what is made with keys.

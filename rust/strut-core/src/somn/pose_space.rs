@@ -52,6 +52,11 @@ impl PoseSpace {
         rotations_of(&self.reference, &angles)
     }
 
+    /// Mean angle between the joints of two rows, degrees.
+    pub(super) fn mean_angle(&self, a: &Row, b: &Row) -> f64 {
+        angles(&self.rotations(a), &self.rotations(b)).sum::<f64>() / JOINTS as f64
+    }
+
     /// Height of the hips in a row, metres.
     pub fn height(row: &Row) -> f32 {
         (HEIGHT + HEIGHT_UNIT * row[ROTATION_DIMS]) as f32
@@ -65,4 +70,9 @@ impl PoseSpace {
         pose.root.y = -self.feet.lowest(&world);
         pose
     }
+}
+
+/// Angles between the joints of two poses, degrees.
+pub(super) fn angles(a: &[Quat; JOINTS], b: &[Quat; JOINTS]) -> impl Iterator<Item = f64> {
+    a.iter().zip(b).map(|(a, b)| f64::from(a.inv_mul(*b).angle().to_degrees()))
 }

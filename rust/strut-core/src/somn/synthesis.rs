@@ -6,6 +6,7 @@ use super::model::KeyStyleModel;
 use super::pose_space::{DIMS, Row};
 use crate::humanoid::Pose;
 use std::sync::Arc;
+use thiserror::Error;
 
 /// How far from all recorded styles one may be, in standard deviations: beyond, poses soon are nobody's.
 const FARTHEST_FROM_RECORDED: f64 = 0.5;
@@ -25,7 +26,35 @@ pub enum Mode {
     },
 }
 
+/// Range of [`Mode::Smooth`]'s temperature, and of its blur.
+pub const TEMPERATURE: [f64; 2] = [0.1, 100.0];
+/// See [`TEMPERATURE`].
+pub const BLUR: [f64; 2] = [0.0, 10.0];
+
+/// Why components cannot be weighted so.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("the {what} is {found}; a number from {least} to {greatest} was expected")]
+pub struct ModeError {
+    what: &'static str,
+    found: f64,
+    least: f64,
+    greatest: f64,
+}
+
 impl Mode {
+    /// [`Mode::Smooth`] within [`TEMPERATURE`] and [`BLUR`].
+    ///
+    /// # Errors
+    /// With the number that is out of its range.
+    pub fn smooth(temperature: f64, blur: f64) -> Result<Self, ModeError> {
+        for (what, found, [least, greatest]) in [("temperature", temperature, TEMPERATURE), ("blur", blur, BLUR)] {
+            if !(least..=greatest).contains(&found) {
+                return Err(ModeError { what, found, least, greatest });
+            }
+        }
+        Ok(Self::Smooth { temperature, blur })
+    }
+
     /// For motions by keys, which pass from region to region as fast as people do: more blurred they would float.
     pub const KEYED: Self = Self::Smooth { temperature: 2.0, blur: 0.0 };
 }
@@ -78,6 +107,18 @@ impl Synthesis {
     pub fn pose(&mut self, style: &Style, mode: Mode) -> Pose {
         let row = self.row(style, mode);
         self.model.space.pose(&row)
+    }
+
+    /// Mean angle between the joints of the recorded poses and of those that their styles give, degrees; NaN where nothing
+    /// was recorded.
+    pub fn recorded_error(&mut self, mode: Mode) -> f64 {
+        let model = Arc::clone(&self.model);
+        let frames = model.styles.len().min(model.rows.len());
+        let error = |frame: usize| {
+            let row = self.row(&model.in_units(&model.styles[frame]), mode);
+            model.space.mean_angle(&row, &model.recorded_row(frame))
+        };
+        (0..frames).map(error).sum::<f64>() / frames as f64
     }
 
     /// Weights of the components in the last row.

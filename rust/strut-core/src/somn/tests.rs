@@ -73,7 +73,7 @@ fn distance(a: &Row, b: &Row) -> f64 {
 #[test]
 fn the_step_follows_the_gradient_of_the_likelihood() {
     let samples = two_lines(1);
-    let mut network = Somn::new(&samples, 2, 20, 1);
+    let mut network = Somn::new(&samples, 2, 20, 1, false);
     (0..3).for_each(|_| _ = network.pass(&samples));
     let (components, variance) = (network.components, 0.2);
     let gates = Gate::all(&components, 1).unwrap();
@@ -112,7 +112,7 @@ fn the_step_follows_the_gradient_of_the_likelihood() {
 fn two_lines_are_told_apart() {
     for seed in 0..3 {
         let samples = two_lines(seed);
-        let mut network = Somn::new(&samples, 2, 20, seed);
+        let mut network = Somn::new(&samples, 2, 20, seed, false);
         (0..20).for_each(|_| _ = network.pass(&samples));
         let mut components = network.components;
         let mut variance = FIRST_VARIANCE;
@@ -139,7 +139,7 @@ fn with_the_printed_sign_it_diverges() {
     let samples = two_lines(1);
     let mut greatest = [0.0_f64; 2];
     for (greatest, sign) in greatest.iter_mut().zip([1.0, -1.0]) {
-        let mut component = Somn::new(&samples, 1, 20, 1).components.remove(0);
+        let mut component = Somn::new(&samples, 1, 20, 1, false).components.remove(0);
         for (x, u) in samples.rows.iter().zip(&samples.styles) {
             let mut residual = [0.0; DIMS];
             component.predict(u, 1, &mut residual);
@@ -154,7 +154,7 @@ fn with_the_printed_sign_it_diverges() {
 #[test]
 fn a_single_map_is_that_of_least_squares() {
     let (learnt, held_out) = (two_lines(1), two_lines(2));
-    let mut network = Somn::new(&learnt, 1, 20, 1);
+    let mut network = Somn::new(&learnt, 1, 20, 1, false);
     (0..20).for_each(|_| _ = network.pass(&learnt));
     let least_squares = EmTrainer::new(&learnt, 1, 0.0, 1);
     let [a, b] = [&network.components[0], &least_squares.components[0]].map(|component| {
@@ -179,7 +179,7 @@ fn a_seed_gives_one_model_and_another_seed_another() {
 #[test]
 fn shares_stay_positive_and_whole() {
     let samples = two_lines(2);
-    let mut network = Somn::new(&samples, 12, 20, 3);
+    let mut network = Somn::new(&samples, 12, 20, 3, false);
     let whole = |components: &[Component]| {
         let sum: f64 = components.iter().map(|c| c.weight).sum();
         assert!((sum - 1.0).abs() < 1e-12 && components.iter().all(|c| c.weight > 0.0), "{sum}");
@@ -459,4 +459,186 @@ fn nothing_is_allocated_while_dragging() {
         character.measured();
     });
     assert_eq!(counted.count_total, 0);
+}
+
+/// Learning as `docs/methods/somn.md` §5 has it, in plain loops over plain arrays.
+fn plain_network(
+    samples: &Samples,
+    components: usize,
+    passes: usize,
+    seed: u64,
+    updates: usize,
+) -> Vec<(Vec<Vec<f64>>, f64)> {
+    let square = |v: f64| v * v;
+    let (n, axes) = (samples.rows.len(), samples.axes);
+    let mean: Vec<f64> = (0..DIMS).map(|d| samples.rows.iter().map(|x| x[d]).sum::<f64>() / n as f64).collect();
+    let total: f64 =
+        samples.rows.iter().flat_map(|x| (0..DIMS).map(|d| square(x[d] - mean[d])).collect::<Vec<_>>()).sum();
+    let deviation = (total / n as f64).sqrt();
+    let mut random = SplitMix64::new(seed);
+    let mut order: Vec<usize> = (0..n).collect();
+    random.shuffle(&mut order);
+    // Z = [W | mean] row by row, a, m, S.
+    let mut z: Vec<Vec<Vec<f64>>> = (0..components)
+        .map(|i| {
+            (0..DIMS)
+                .map(|d| {
+                    let mut row = vec![0.0; axes + 1];
+                    row[axes] = 0.9 * mean[d] + 0.1 * samples.rows[order[i % n]][d];
+                    row
+                })
+                .collect()
+        })
+        .collect();
+    let mut a = vec![1.0 / components as f64; components];
+    let mut m: Vec<Vec<f64>> = (0..components).map(|i| samples.styles[order[i % n]][..axes].to_vec()).collect();
+    let mut s = vec![vec![1.0; axes]; components];
+    for t in 0..updates {
+        if t % n == 0 {
+            random.shuffle(&mut order);
+        }
+        let (x, u) = (&samples.rows[order[t % n]], &samples.styles[order[t % n]]);
+        let f = t as f64 / (passes * n) as f64;
+        let sigma = 0.5 * deviation * double::pow(0.08 / 0.5, f);
+        let delta = 0.6 * double::pow(0.01 / 0.6, f);
+        let v: Vec<f64> = u[..axes].iter().copied().chain([1.0]).collect();
+        let vv: f64 = v.iter().map(|v| v * v).sum();
+        let e: Vec<Vec<f64>> = z
+            .iter()
+            .map(|z| (0..DIMS).map(|d| x[d] - (0..=axes).map(|j| z[d][j] * v[j]).sum::<f64>()).collect())
+            .collect();
+        let p: Vec<f64> = (0..components)
+            .map(|i| {
+                let gate: f64 = (0..axes).map(|j| square(u[j] - m[i][j]) / s[i][j] + double::ln(s[i][j])).sum();
+                double::ln(a[i]) - e[i].iter().map(|e| e * e).sum::<f64>() / (2.0 * sigma * sigma) - 0.5 * gate
+            })
+            .collect();
+        let top = p.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let sum: f64 = p.iter().map(|p| double::exp(p - top)).sum();
+        for i in 0..components {
+            let r = double::exp(p[i] - top) / sum;
+            a[i] = (a[i] + 0.2 * delta * (r - a[i])).max(1e-6);
+            if r > 1e-6 {
+                for d in 0..DIMS {
+                    for j in 0..=axes {
+                        z[i][d][j] += delta * r * e[i][d] * v[j] / vv;
+                    }
+                }
+                for j in 0..axes {
+                    let off = u[j] - m[i][j];
+                    m[i][j] += delta * r * off;
+                    s[i][j] = (s[i][j] + delta * r * (off * off - s[i][j])).max(0.02);
+                }
+            }
+        }
+        let all: f64 = a.iter().sum();
+        for a in &mut a {
+            *a /= all;
+        }
+    }
+    z.into_iter().zip(a).collect()
+}
+
+fn trainer(learning: Learning) -> Trainer {
+    let walk = recording(&NEUTRAL);
+    let options = Options { components: Some(5), seed: 3, learning };
+    Trainer::new(&[&walk], &axes("foot_separation, foot_height_difference"), options).unwrap()
+}
+
+#[test]
+fn updates_by_hand_make_the_same_model_as_training() {
+    let [mut by_hand, mut mixed, at_once] = [(); 3].map(|()| trainer(Learning::Som));
+    let [done, total] = by_hand.updates();
+    assert_eq!(done, 0);
+    assert_eq!(std::iter::from_fn(|| by_hand.update()).count(), total);
+    assert_eq!((by_hand.updates(), by_hand.update()), ([total; 2], None));
+    // A pass that was begun by hand is ended by training.
+    (0..total / 3).for_each(|_| _ = mixed.update());
+    let of_all_passes = by_hand.so_far();
+    let [by_hand, mixed, at_once] = [by_hand, mixed, at_once].map(|trainer| {
+        let Ok(model) = trainer.finish(&Sequential);
+        model
+    });
+    assert_eq!(by_hand, at_once);
+    assert_eq!(mixed, at_once);
+    assert_eq!(of_all_passes, at_once);
+    // Poses in single precision are all that it can differ by.
+    let options = Options { components: Some(5), seed: 3, learning: Learning::Som };
+    let Ok(anew) = Trainer::of_model(&at_once, options).unwrap().finish(&Sequential);
+    assert_eq!(anew.rows, at_once.rows);
+    for (a, b) in anew.components.iter().zip(&at_once.components) {
+        assert!(distance(&a.mean, &b.mean) < 1e-4 && (a.weight - b.weight).abs() < 1e-4);
+    }
+}
+
+#[test]
+fn updates_are_those_of_the_plain_loop() {
+    let samples = two_lines(4);
+    let mut network = Somn::new(&samples, 3, 20, 4, false);
+    for updates in [1, 10, 3000] {
+        while network.seen() < updates {
+            network.update(&samples);
+        }
+        for (component, (z, a)) in network.components.iter().zip(plain_network(&samples, 3, 20, 4, updates)) {
+            assert!((component.weight - a).abs() < 1e-9, "{} {a}", component.weight);
+            for (d, z) in z.iter().enumerate().take(3) {
+                assert!((component.slopes[0][d] - z[0]).abs() < 1e-9 && (component.mean[d] - z[1]).abs() < 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn an_update_says_what_it_did() {
+    let mut trainer = trainer(Learning::Som);
+    assert!(trainer.responsibilities().iter().all(|r| *r == 0.0));
+    let (mut widths, mut rates) = (Vec::new(), Vec::new());
+    let mut samples: Vec<usize> = Vec::new();
+    while let Some(update) = trainer.update() {
+        let shares = trainer.responsibilities().iter().sum::<f64>();
+        assert!((shares - 1.0).abs() < 1e-12);
+        assert!((trainer.components().iter().map(|c| c.weight).sum::<f64>() - 1.0).abs() < 1e-12);
+        widths.push(update.width);
+        rates.push(update.rate);
+        samples.push(update.sample);
+        assert!(update.error > 0.0);
+    }
+    assert!(widths.windows(2).chain(rates.windows(2)).all(|w| w[0] > w[1]));
+    assert!((rates[0] - 0.6).abs() < 1e-12 && (rates[rates.len() - 1] / 0.01 - 1.0).abs() < 1e-2);
+    // Every pass is all poses in another order.
+    let frames = samples.len() / 20;
+    let mut passes: Vec<Vec<usize>> = samples.chunks(frames).map(<[usize]>::to_vec).collect();
+    assert_ne!(passes[0], passes[1]);
+    for pass in &mut passes {
+        pass.sort_unstable();
+    }
+    assert!(passes.iter().all(|pass| *pass == (0..frames).collect::<Vec<_>>()));
+}
+
+#[test]
+fn the_printed_signs_diverge_and_nothing_breaks() {
+    let mut printed = trainer(Learning::AsPrinted);
+    let first = printed.update().unwrap().error;
+    let mut last = first;
+    while let Some(update) = printed.update() {
+        last = update.error;
+    }
+    assert!(last.is_nan() || last >= 100.0 * first, "{first} {last}");
+    // What it leaves behind is no use, and no danger.
+    let mut synthesis = Synthesis::new(Arc::new(printed.so_far()));
+    _ = synthesis.recorded_error(Mode::KEYED);
+    DragCharacter::new(Arc::clone(synthesis.model())).drag(&[0.0; 3], 0.1);
+}
+
+#[test]
+fn modes_are_within_their_ranges() {
+    assert_eq!(Mode::smooth(2.0, 0.3), Ok(Mode::default()));
+    for (temperature, blur) in [(0.0, 0.0), (f64::NAN, 0.0), (101.0, 0.0), (1.0, -0.1), (1.0, f64::INFINITY)] {
+        assert!(Mode::smooth(temperature, blur).is_err());
+    }
+    assert!(Mode::smooth(0.0, 0.0).unwrap_err().to_string().starts_with("the temperature is 0"));
+    let mut synthesis = synthesis();
+    let [learnt, blunt] =
+        [1.0, 50.0].map(|temperature| synthesis.recorded_error(Mode::Smooth { temperature, blur: 0.0 }));
+    assert!(learnt < blunt, "{learnt} {blunt}");
 }

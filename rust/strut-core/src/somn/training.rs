@@ -1,7 +1,7 @@
 //! Training of a model on recordings (`docs/methods/somn.md` §5).
 
 use super::em::EmTrainer;
-use super::learning::Somn;
+use super::learning::{Somn, Update};
 use super::measure::Measure;
 use super::mixture::{
     Component, FIRST_VARIANCE, Gate, MAX_AXES, SETTLING_ROUNDS, Samples, Style, normalise_weights, settle,
@@ -39,6 +39,8 @@ pub enum Learning {
     /// By one pose after another: a self-organising mixture network.
     #[default]
     Som,
+    /// The same with the signs of maps and shares that the paper prints (its Eq. 7 and 8): it diverges, and is here to be seen.
+    AsPrinted,
     /// By expectation and maximisation over all poses at once.
     Em {
         /// Ridge of the regressions, per sample: 0.01 to 0.3.
@@ -182,13 +184,86 @@ impl Trainer {
             rows: rows.iter().map(|row| row.map(|x| x as f32)).collect(),
         };
         let samples = Samples { rows, styles, axes: axes.len() };
+        Ok(Self::on_samples(model, samples, options))
+    }
+
+    /// Training anew on what a model was trained on. The model keeps poses in single precision, so that the outcome differs
+    /// from the model by as little.
+    ///
+    /// # Errors
+    /// If the model has too few frames to learn from.
+    pub fn of_model(model: &KeyStyleModel, options: Options) -> Result<Self, TrainError> {
+        let (frames, fewest) = (model.rows.len(), COMPONENTS[0] * FEWEST_FRAMES_EACH);
+        if frames < fewest {
+            return Err(TrainError::TooFewFrames { found: frames, expected: fewest });
+        }
+        let rows = (0..frames).map(|frame| model.recorded_row(frame)).collect();
+        let samples = Samples { rows, styles: model.styles.clone(), axes: model.axis_count() };
+        let begun = KeyStyleModel {
+            components: Vec::new(),
+            variance: FIRST_VARIANCE,
+            least_support: f64::NEG_INFINITY,
+            ..model.clone()
+        };
+        Ok(Self::on_samples(begun, samples, options))
+    }
+
+    fn on_samples(model: KeyStyleModel, samples: Samples, options: Options) -> Self {
+        let frames = samples.rows.len();
         let components = options.components.unwrap_or((frames / FRAMES_EACH).clamp(COMPONENTS[0], COMPONENTS[1]));
         let components = components.clamp(1, (frames / FEWEST_FRAMES_EACH).min(MAX_COMPONENTS));
         let (learner, passes) = match options.learning {
-            Learning::Som => (Learner::Som(Somn::new(&samples, components, PASSES, options.seed)), PASSES),
+            Learning::Som | Learning::AsPrinted => {
+                let as_printed = options.learning == Learning::AsPrinted;
+                (Learner::Som(Somn::new(&samples, components, PASSES, options.seed, as_printed)), PASSES)
+            }
             Learning::Em { ridge } => (Learner::Em(EmTrainer::new(&samples, components, ridge, options.seed)), ROUNDS),
         };
-        Ok(Self { model, samples, learner, passes, done: 0, error: f64::NAN })
+        Self { model, samples, learner, passes, done: 0, error: f64::NAN }
+    }
+
+    /// Goes on by one update of the network, a part of a pass. None once no pass is left, once learning has diverged, and
+    /// where something else than a network is trained.
+    pub fn update(&mut self) -> Option<Update> {
+        let Learner::Som(network) = &mut self.learner else { return None };
+        let update = network.update(&self.samples)?;
+        if network.is_between_passes() {
+            self.done += 1;
+            self.error = update.error;
+        }
+        Some(update)
+    }
+
+    /// Number of updates so far, of so many in all.
+    pub fn updates(&self) -> [usize; 2] {
+        let total = self.passes * self.samples.rows.len();
+        match &self.learner {
+            Learner::Som(network) => [network.seen(), total],
+            Learner::Em(_) | Learner::Settling(_) => [total; 2],
+        }
+    }
+
+    /// The components as they are while they learn.
+    pub fn components(&self) -> &[Component] {
+        match &self.learner {
+            Learner::Som(network) => &network.components,
+            Learner::Em(em) => &em.components,
+            Learner::Settling(components) => components,
+        }
+    }
+
+    /// How much of the last update's pose is whose, one number a component; 0 before the first update, none without one.
+    pub fn responsibilities(&self) -> &[f64] {
+        match &self.learner {
+            Learner::Som(network) => network.responsibilities(),
+            Learner::Em(_) | Learner::Settling(_) => &[],
+        }
+    }
+
+    /// The model that the components make as they are, as if all passes were done.
+    pub fn so_far(&self) -> KeyStyleModel {
+        let Ok(model) = Self { done: self.done.max(self.passes), ..self.clone() }.finish(&Sequential);
+        model
     }
 }
 

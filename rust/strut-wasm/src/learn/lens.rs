@@ -34,13 +34,15 @@ impl Input {
     }
 
     /// This input with joints turned in every frame: for each its number, and an axis times an angle about the axes of its
-    /// parent, radians.
+    /// parent, radians. The whole is turned about the vertical through the first frame's hips by `heading`, radians.
     ///
     /// # Errors
     /// If there is no such joint, or a number is not finite.
-    pub fn turned(&self, turns: &[f32]) -> Result<Self, EngineError> {
-        let change = change(turns, 0.0, [0.0; 2], false)?;
-        let poses = self.humanoid().poses.iter().map(|pose| change.turned(pose)).collect();
+    pub fn turned(&self, turns: &[f32], heading: f32) -> Result<Self, EngineError> {
+        let change = change(turns, heading, [0.0; 2], false)?;
+        let poses = &self.humanoid().poses;
+        let about = poses.first().map_or_else(Default::default, |pose| pose.root);
+        let poses = poses.iter().map(|pose| change.applied(pose, about)).collect();
         let HumanoidMotion { proportions, rate_hz, .. } = *self.humanoid();
         Ok(Self::of_poses(proportions, rate_hz, poses))
     }

@@ -100,8 +100,8 @@ export class KeyMotion {
   }
 
   set hard(hard: boolean) {
-    this.#poser.hard = hard;
-    this.#styling.hard = hard;
+    this.#poser.mode = hard ? "hard" : "smooth";
+    this.#styling.mode = hard ? "hard" : "smooth";
   }
 
   /** Takes keys. A motion that repeats is smooth where it begins again. */

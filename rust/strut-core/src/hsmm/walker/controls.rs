@@ -2,6 +2,7 @@
 
 use super::Walker;
 use super::planner::{Start, Tempo, Transition, Weights};
+use super::runtime_model::RuntimeWalkModel;
 use crate::hsmm::RATE_HZ;
 use crate::hsmm::model::SIDES;
 use thiserror::Error;
@@ -46,7 +47,7 @@ impl Walker {
     /// # Errors
     /// See [`WeightsError`]; the former weights then stay.
     pub fn set_sides(&mut self, weights: [&[f32]; SIDES]) -> Result<(), WeightsError> {
-        weights.iter().try_for_each(|w| self.check(w))?;
+        weights.iter().try_for_each(|w| self.runtime.check(w))?;
         for (own, new) in self.planner.weights.0.iter_mut().zip(weights) {
             own.copy_from_slice(new);
         }
@@ -61,7 +62,7 @@ impl Walker {
     /// # Errors
     /// See [`WeightsError`]; nothing changes then.
     pub fn plan_transition(&mut self, step: u64, between: u32, weights: [&[f32]; SIDES]) -> Result<(), WeightsError> {
-        weights.iter().try_for_each(|w| self.check(w))?;
+        weights.iter().try_for_each(|w| self.runtime.check(w))?;
         let to = Weights(weights.map(<[f32]>::to_vec));
         let transitions = &mut self.planner.transitions;
         let at = transitions.partition_point(|t| t.first <= step);
@@ -126,9 +127,12 @@ impl Walker {
         self.planner.limits = limits;
         self.planner.forget();
     }
+}
 
-    fn check(&self, weights: &[f32]) -> Result<(), WeightsError> {
-        let styles = self.runtime.styles.len();
+impl RuntimeWalkModel {
+    /// Whether these are weights of the model's styles.
+    pub(in crate::hsmm) fn check(&self, weights: &[f32]) -> Result<(), WeightsError> {
+        let styles = self.styles.len();
         if weights.len() != styles {
             return Err(WeightsError::Count { found: weights.len(), styles });
         }

@@ -13,6 +13,18 @@ const STEP_BEYOND: f32 = 0.15;
 /// How much farther than those of the styles that are mixed a state's share of the step can go, as a share: rounding.
 const SHARE_BEYOND: f32 = 0.001;
 
+/// The frame with which a state ends that began with another and ends at a time, both in frames: rounded in sum, so that the
+/// cadence is exact, but every state has a frame.
+pub(in crate::hsmm) fn counted_end(begin: u64, end: f64) -> u64 {
+    (end.round() as u64).max(begin + 1)
+}
+
+/// Durations that give way by ρ times their variances: d + ρν (the paper's d = d̄ + ρν, of which ρ sets the cadence).
+pub(super) fn stretched(durations: &Durations, rho: f32, variances: &Durations) -> Durations {
+    let [least, greatest] = STATE_FRAMES;
+    std::array::from_fn(|s| (durations[s] + rho * variances[s]).clamp(least, greatest))
+}
+
 /// Frames of the shortest and of the longest step.
 pub(super) fn shortest_and_longest<'a>(steps: impl Iterator<Item = &'a Durations>) -> [f32; 2] {
     steps.fold([f32::INFINITY, 0.0], |[shortest, longest], step| {

@@ -189,7 +189,7 @@ impl Planner {
 }
 
 /// The foot that swings in a step.
-pub(super) fn side_of(step: u64) -> Side {
+pub(in crate::hsmm) fn side_of(step: u64) -> Side {
     if step.is_multiple_of(2) { Side::Left } else { Side::Right }
 }
 

@@ -1,6 +1,6 @@
 //! The runtime form of a walk model: synthesis parameters in single precision, in whole lanes.
 
-use super::durations::{Durations, limited, shortest_and_longest};
+use super::durations::{Durations, limited, shortest_and_longest, stretched};
 use crate::hsmm::model::{Observation, SIDES, STATES, Side, Stream, StyleMeans, WalkModel};
 use crate::hsmm::statistics::states;
 use crate::humanoid::{JOINTS, Pose, Proportions, Role};
@@ -69,10 +69,7 @@ pub struct RuntimeWalkModel {
 impl RuntimeWalkModel {
     /// Of a model.
     pub fn new(model: &WalkModel) -> Self {
-        let least: RotationRow = std::array::from_fn(|d| {
-            let poses = states().map(|(side, state)| model.variances[side][state][Stream::Static as usize][d]);
-            LEAST_DELTA_SHARE * poses.fold(0.0, f64::max)
-        });
+        let least: RotationRow = std::array::from_fn(|d| least_delta_variance(model, d));
         let inverse = |of: &Observation| {
             let [poses, deltas @ ..] = *of;
             let [velocities, accelerations] = deltas.map(|row| std::array::from_fn(|d| f64::max(row[d], least[d])));
@@ -105,6 +102,11 @@ impl RuntimeWalkModel {
         self.durations_of(mixed, side as usize, true)
     }
 
+    /// [`RuntimeWalkModel::durations`] that give way by `rho` times their variances, within what a state can last.
+    pub(in crate::hsmm) fn stretched_durations(&self, weights: &[f32], side: Side, rho: f32) -> [f32; STATES] {
+        stretched(&self.durations(weights, side), rho, &self.duration_variances[side as usize])
+    }
+
     /// All that is mixed, with its weights; the average last.
     pub(super) fn mixed(
         &self,
@@ -132,6 +134,12 @@ impl RuntimeWalkModel {
         let styles = mixed.map(|(_, runtime_style)| &runtime_style.durations[side]);
         limited(&durations, styles, self.step_frames[side], &self.duration_variances[side])
     }
+}
+
+/// Least variance of a degree of freedom's velocities and accelerations ([`LEAST_DELTA_SHARE`]).
+pub(in crate::hsmm) fn least_delta_variance(model: &WalkModel, d: usize) -> f64 {
+    let poses = states().map(|(side, state)| model.variances[side][state][Stream::Static as usize][d]);
+    LEAST_DELTA_SHARE * poses.fold(0.0, f64::max)
 }
 
 fn padded(of: &Observation) -> StateMeans {

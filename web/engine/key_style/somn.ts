@@ -1,0 +1,105 @@
+/** Learning of a key-style model that can be watched: a self-organising mixture network, update by update. */
+import { Handle } from "../handle";
+import { type KeyStyleGlue, keyStylePackage } from "./wasm";
+
+/** Floats before those of the components, laid out as in `rust/strut-wasm-key-style`. */
+const HEAD = 5;
+/** The seed that training uses. */
+const SEED = 1;
+
+/** How a {@link Somn} learns. */
+export interface SomnOptions {
+  /** Components, 1 to 64; as many as training takes if missing. */
+  components?: number;
+  /** Random seed, a whole number from 0; that of the page's training if missing. */
+  seed?: number;
+  /** Whether maps and shares move with the signs that the paper prints (Eq. 7 and 8): it diverges. */
+  asPrinted?: boolean;
+}
+
+/** The state after an update; the arrays are views that the next call overwrites. */
+export interface SomnState {
+  /** Updates so far. */
+  updates: number;
+  /** The training frame of the last update; −1 before the first. */
+  sample: number;
+  /** How much of that sample is whose; sums to 1, and is 0 before the first update. */
+  readonly r: Float32Array;
+  /** Mean m of the variables that each component knows, component after component. */
+  readonly centres: Float32Array;
+  /** Their standard deviations, the roots of S, which is diagonal while learning; likewise. */
+  readonly spreads: Float32Array;
+  /** Shares a. */
+  readonly weights: Float32Array;
+  /**
+   * Prediction error of the poses of the present pass, each before its update: root mean square over the numbers of a pose,
+   * radians. Infinite or not a number once learning has diverged.
+   */
+  error: number;
+  /** Width σ of the neighbourhood, radians. */
+  sigma: number;
+  /** Learning rate δ. */
+  delta: number;
+}
+
+type RawModel = InstanceType<KeyStyleGlue["KeyStyleModel"]>;
+
+/** The model whose training frames are learned from. */
+interface Trained {
+  readonly raw: RawModel;
+  readonly axes: readonly unknown[];
+  readonly values: ArrayLike<number>;
+}
+
+/** A learning run, and the models that it makes. */
+export class Somn<Model> extends Handle<InstanceType<KeyStyleGlue["Somn"]>> {
+  readonly components: number;
+  /** Updates in a pass, and in all passes. */
+  readonly frames: number;
+  readonly updates: number;
+  /** The present state; every call overwrites it. */
+  readonly state: SomnState;
+  private readonly floats: Float32Array;
+
+  /** @param open makes a model of the package's one */
+  constructor(
+    model: Trained,
+    glue: KeyStyleGlue,
+    private readonly open: (make: () => RawModel) => Model,
+    { components = 0, seed = SEED, asPrinted = false }: SomnOptions = {},
+  ) {
+    super(
+      keyStylePackage.guarded(() => new glue.Somn(model.raw, components, seed, asPrinted)),
+      "learning run",
+    );
+    const axes = model.axes.length;
+    this.components = this.raw.components();
+    this.updates = this.raw.updates();
+    this.frames = model.values.length / axes;
+    this.floats = new Float32Array(HEAD + this.components * (2 + 2 * axes));
+    let begin = HEAD;
+    const next = (numbers: number) => {
+      begin += this.components * numbers;
+      return this.floats.subarray(begin - this.components * numbers, begin);
+    };
+    const [r, weights, centres, spreads] = [next(1), next(1), next(axes), next(axes)];
+    this.state = { updates: 0, sample: -1, r, weights, centres, spreads, error: 0, sigma: 0, delta: 0 };
+    this.step(0);
+  }
+
+  /** Makes `n` updates, or as many as are left; none once learning has diverged. */
+  step(n: number): SomnState {
+    keyStylePackage.guarded(() => this.raw.step(n));
+    const { state, floats } = this;
+    this.raw.read(floats);
+    [state.updates, state.sample, state.error, state.sigma, state.delta] = floats as unknown as SomnHead;
+    return state;
+  }
+
+  /** The model that the components make as they are, as if learning ended here; the caller disposes of it. */
+  model(): Model {
+    return this.open(() => this.raw.soFar());
+  }
+}
+
+type SomnHead = [updates: number, sample: number, error: number, sigma: number, delta: number];
