@@ -1,6 +1,7 @@
 import { existsSync } from "node:fs";
 import { resolve } from "node:path";
 import { defineConfig } from "vite";
+import { evaluationPlugin } from "./scripts/evaluation_plugin.mjs";
 import { katexPlugin } from "./scripts/katex_plugin.mjs";
 
 /** The benchmark is left out where the packages that it measures are not built: `npm start` does not wait for them. */
@@ -11,16 +12,25 @@ export default defineConfig({
   root: "web/app",
   base: "./",
   publicDir: "../../public",
-  plugins: [katexPlugin()],
+  plugins: [evaluationPlugin(), katexPlugin()],
   build: {
     outDir: "../../dist",
     // scripts/size.mjs reads what is loaded with what.
     manifest: true,
     emptyOutDir: true,
     target: "es2022",
+    // The browsers of the README: they know `light-dark()` themselves, also where a figure stands on another page.
+    cssTarget: ["chrome123", "edge123", "firefox125", "safari17.5"],
     assetsInlineLimit: 0,
     rolldownOptions: {
-      input: Object.fromEntries(pages.map((page) => [page, resolve(import.meta.dirname, `web/app/${page}.html`)])),
+      input: {
+        ...Object.fromEntries(pages.map((page) => [page, resolve(import.meta.dirname, `web/app/${page}.html`)])),
+        "strut-figure": resolve(import.meta.dirname, "web/element/figure/index.ts"),
+      },
+      // Other pages load figures by this name, so it must last.
+      output: {
+        entryFileNames: ({ name }) => (name === "strut-figure" ? "[name].js" : "assets/[name]-[hash].js"),
+      },
     },
   },
   worker: { format: "es" },

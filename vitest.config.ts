@@ -1,4 +1,5 @@
 import { defineConfig } from "vitest/config";
+import { evaluationPlugin } from "./scripts/evaluation_plugin.mjs";
 import { katexPlugin } from "./scripts/katex_plugin.mjs";
 
 /** The projects run one after the other, in this order. */
@@ -12,7 +13,7 @@ const projects = [
 ];
 
 export default defineConfig({
-  plugins: [katexPlugin()],
+  plugins: [evaluationPlugin(), katexPlugin()],
   test: {
     // Bounds for slow machines; what fails does not wait for them.
     testTimeout: 300_000,

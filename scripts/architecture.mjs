@@ -39,11 +39,11 @@ const ROOMS = {
   // What the package gives to its users, of which the element is one.
   "package/types.ts": ["formats", "client", "engine", "humanoid"],
   element: ["character", "package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
-  // One live figure, on any page; it knows no lesson.
-  "element/figure": ["element", "link", "ui", "player", "viewer", "client", "humanoid"],
+  // One live figure, on any page; it knows no lesson. What documents record is read when the page is built.
+  "element/figure": ["element", "link", "ui", "player", "viewer", "client", "humanoid", "docs"],
   lessons: ["element/figure", "link", "client", "humanoid"],
-  // The page for frames.
-  embed: ["element"],
+  // The pages for frames.
+  embed: ["element/figure", "element"],
   package: ["element", "character", "package/types.ts", "formats", "client", "engine", "humanoid"],
   "app/strings": [],
   "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
@@ -142,6 +142,7 @@ function coreFaults() {
 /** The room of a file below web/. Tables of strings are one room, wherever they lie. */
 function roomOf(path) {
   if (path.startsWith("app/") && path.endsWith(".en.ts")) return "app/strings";
+  if (path.startsWith("../docs/")) return "docs";
   const rooms = Object.keys(ROOMS).filter((room) => path === room || path.startsWith(`${room}/`));
   return rooms.sort((a, b) => b.length - a.length)[0];
 }

@@ -87,7 +87,9 @@ function initialFiles(dist, manifest) {
   const later = new Set(
     Object.keys(manifest)
       .filter((key) => !chunks.has(key))
-      .map((key) => manifest[key].file),
+      .map((key) => manifest[key].file)
+      // The manifest lists some data too; whether they are loaded is for those to say who name them.
+      .filter((file) => [".js", ".css"].includes(extname(file))),
   );
   const files = new Set([...chunks].map((key) => manifest[key].file));
   const assets = readdirSync(join(dist, "assets")).map((name) => `assets/${name}`);

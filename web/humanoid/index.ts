@@ -2,3 +2,4 @@
 export * from "./forward_kinematics";
 export * from "./layout";
 export * from "./placement";
+export * from "./rotations";

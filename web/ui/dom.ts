@@ -67,3 +67,9 @@ export function clock(seconds: number): string {
   const rest = formatNumber(seconds - 60 * minutes, 2).padStart(5, "0");
   return minutes > 0 ? `${minutes}:${rest}` : rest;
 }
+
+/** Gives a group so many children: missing ones are created, and the last of too many removed. */
+export function keepCount(group: Element, count: number, create: () => Element): void {
+  while (group.childElementCount > count) group.lastElementChild!.remove();
+  while (group.childElementCount < count) group.append(create());
+}

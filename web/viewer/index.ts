@@ -1,5 +1,6 @@
 /** What the viewer exports. */
 
+export type { GhostBody } from "./ghost_bodies";
 export type { Performer } from "./performer";
 export { graphics } from "./stage/graphics";
 export type { CameraView } from "./stage/orbit_camera";

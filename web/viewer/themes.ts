@@ -17,6 +17,8 @@ export interface Theme {
   /** Labels. */
   ink: string;
   input: string;
+  /** Examples, and what they weigh. */
+  weight: string;
   /** Ghost: body and rim colour, and opacity facing the viewer. */
   ghost: { body: string; rim: string; opacity: number };
   /** Lines of the ground; opacities of the 1 m and the 0.25 m lines. */
@@ -49,6 +51,7 @@ export const THEMES: Readonly<Record<ThemeName, Theme>> = {
     signal: "#ff5a36",
     ink: "#edeeec",
     input: "#8fa9cf",
+    weight: "#f0bf4c",
     ghost: { body: "#7f97b8", rim: "#cfe0ff", opacity: 0.42 },
     grid: { colour: "#ffffff", major: 0.13, minor: 0.045 },
     mark: "#ffffff",
@@ -70,6 +73,7 @@ export const THEMES: Readonly<Record<ThemeName, Theme>> = {
     signal: "#d23c14",
     ink: "#17181a",
     input: "#43628e",
+    weight: "#dfa51f",
     ghost: { body: "#7f97ba", rim: "#46648f", opacity: 0.5 },
     grid: { colour: "#1a1c20", major: 0.15, minor: 0.055 },
     mark: "#1a1c20",

@@ -12,6 +12,7 @@ import {
   restPose,
   type WorldPose,
 } from "../humanoid";
+import { GhostBodies, type GhostBody } from "./ghost_bodies";
 import { GhostPlacement } from "./ghost_placement";
 import { Mannequin } from "./mannequin/mannequin";
 import { BodyLook, GhostLook } from "./mannequin/materials";
@@ -108,6 +109,7 @@ export class Viewer {
   readonly #performedInput = restPose();
   readonly #trail = new MotionTrail();
   #onion: OnionSkin | undefined;
+  #others: GhostBodies | undefined;
   #motionTrail: MotionTrailMode = "off";
   #ghostFade = 1;
   /** Whether the camera follows the character. */
@@ -131,6 +133,7 @@ export class Viewer {
       this.#body.setDetail(detail);
       this.#ghost.setDetail(detail);
       this.#onion?.setDetail(detail);
+      this.#others?.setDetail(detail);
     };
     this.#stage.onInvalid = () => this.invalidate();
     this.#stage.onIdle = () => this.render(this.#lastTime ?? 0);
@@ -282,6 +285,17 @@ export class Viewer {
     this.#applyGhost();
   }
 
+  /** Takes translucent bodies that stand where their poses have them; labels and camera pass over them. */
+  setOthers(others: readonly GhostBody[]): void {
+    this.#redraw.request();
+    if (!this.#others) {
+      if (others.length === 0) return;
+      this.#others = new GhostBodies(this.#themeNow, this.#bones, this.#stage.quality.detail);
+      this.#stage.scene.add(this.#others.object);
+    }
+    this.#others.set(others);
+  }
+
   /** Takes which feet of the styled character are planted; a planted foot leaves a footprint. */
   setPlanted(planted: readonly [left: boolean, right: boolean]): void {
     if (planted[0] !== this.#planted[0] || planted[1] !== this.#planted[1]) this.#redraw.request();
@@ -322,6 +336,12 @@ export class Viewer {
   /** The joints of the styled character in the world; not to be kept. */
   get joints(): Readonly<WorldPose> {
     return this.#world;
+  }
+
+  /** Where the camera looks: a direction of the world, of length 1. */
+  get lineOfSight(): readonly [x: number, y: number, z: number] {
+    const { x, y, z } = this.#stage.view.camera.getWorldDirection(point);
+    return [x, y, z];
   }
 
   /** Where a place of the world is in the picture, CSS pixels from the canvas's top left. */
@@ -393,6 +413,7 @@ export class Viewer {
     this.#ghost.dispose();
     this.#trail.dispose();
     this.#onion?.dispose();
+    this.#others?.dispose();
     this.#stage.dispose();
   }
 
@@ -441,6 +462,7 @@ export class Viewer {
     this.#redraw.request();
     for (const mannequin of [this.#body, this.#ghost]) mannequin.setProportions(this.#bones);
     this.#onion?.setProportions(this.#bones);
+    this.#others?.setProportions(this.#bones);
     this.#pose();
     this.#applyPath();
   }
@@ -482,6 +504,7 @@ export class Viewer {
     this.#stage.setTheme(theme);
     this.#trail.setTheme(theme);
     this.#onion?.setTheme(theme);
+    this.#others?.setTheme(theme);
     this.#applyLabels();
   }
 

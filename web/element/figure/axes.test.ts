@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { type Axes, decadesOf, extentOf, ticksOf, valueOfX, xOf, yOf } from "./axes";
+import { type Axes, decadesOf, digitsOf, extentOf, ticksOf, valueOfX, xOf, yOf } from "./axes";
 
 const number = fc.double({ min: -1e4, max: 1e4, noNaN: true });
 
@@ -18,6 +18,14 @@ test("ends are round, and hold all values", () => {
   );
   expect(extentOf([], 3)).toEqual([0, 3]);
   expect(extentOf([31, 37], 1)).toEqual([30, 38]);
+  expect(
+    [
+      [0, 10],
+      [0, 1],
+      [0, 0.5],
+      [0.1, 0.12],
+    ].map(digitsOf),
+  ).toEqual([0, 0, 1, 2]);
   expect(decadesOf([0.0001, 10])).toEqual([0.0001, 0.001, 0.01, 0.1, 1, 10]);
 });
 

@@ -37,6 +37,11 @@ export function yOf({ height, y: [min, max], margin = MARGIN }: Axes, value: num
   return margin.top + (1 - (value - min) / (max - min)) * Math.max(1, height - margin.top - margin.bottom);
 }
 
+/** The vertical value of a pixel. */
+export function valueOfY({ height, y: [min, max], margin = MARGIN }: Axes, pixel: number): number {
+  return max - ((pixel - margin.top) / Math.max(1, height - margin.top - margin.bottom)) * (max - min);
+}
+
 /** The curve of values at a rate; it has gaps where a value is not finite. */
 export function curvePath(axes: Axes, values: ArrayLike<number>, rateHz: number): string {
   let path = "";
@@ -73,6 +78,12 @@ export function ticksOf([min, max]: Extent, count: number): number[] {
   const first = Math.ceil(min / step - 1e-9);
   const last = Math.floor(max / step + 1e-9);
   return Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toFixed(9)));
+}
+
+/** Decimals that tell ticks apart. */
+export function digitsOf(ticks: readonly number[]): number {
+  if (ticks.length < 2) return 0;
+  return Math.max(0, -Math.floor(Math.log10(ticks[1]! - ticks[0]!) + 1e-9));
 }
 
 /** Powers of ten within an extent. */

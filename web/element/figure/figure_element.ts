@@ -1,12 +1,13 @@
 /** `<strut-figure>`: one live figure of the engine, on any page. */
 import type { LearnEngine } from "../../client/learn/protocol";
 import { html, setText } from "../../ui/dom";
+import { themeOf } from "../colours";
 import type { FigureInstance, Measure } from "./kind";
 import { loadKind } from "./kinds";
 import { LANGUAGES, type Language, WORDS } from "./languages";
 import { joinEngine, leaveEngine } from "./shared";
 import { figureSheets } from "./sheets";
-import type { Words } from "./words";
+import type { Words } from "./words/words";
 
 /** A person changed the state; `settled` where the hand has let go. */
 export interface StateChange {
@@ -18,14 +19,18 @@ export interface StateChange {
 const SAY_MS = 1000;
 
 /**
- * Attributes: `kind`; `state`, the text of a link; `lang`; `hide`, of `controls` and `table`, with commas; `theme`.
+ * Attributes: `kind`; `state`, the text of a link; `lang`; `hide`, of `controls` and `table`, with commas; `theme`;
+ * `poster`, the address of a picture that is shown until the figure can be.
  * Events: `statechange` with a {@link StateChange}; `figurechange` when it shows other things; `termpoint` with the term of
  * the mark that is pointed at.
  */
 export class StrutFigure extends HTMLElement {
-  static readonly observedAttributes = ["kind", "state", "lang", "theme"];
+  static readonly observedAttributes = ["kind", "state", "lang", "poster"];
   readonly #container = html("div", { class: "figure" });
   readonly #message = html("p", { class: "message" });
+  readonly #poster = html("img", { class: "poster", alt: "", hidden: true });
+  /** Has the colour of the page's theme, and a transition that tells when it changes. */
+  readonly #probe = html("span", { class: "probe", "aria-hidden": "true" });
   readonly #live = html("p", { class: "visually-hidden", role: "status" });
   readonly #table = html("details", { class: "table" });
   #life: AbortController | undefined;
@@ -41,11 +46,15 @@ export class StrutFigure extends HTMLElement {
   /** The state that is shown, or is going to be. */
   #state: string | undefined;
 
+  /** Whether the state was changed by a hand that has not let go yet. */
+  #held = false;
+
   constructor() {
     super();
     const root = this.attachShadow({ mode: "open" });
     root.adoptedStyleSheets = figureSheets();
-    root.append(this.#container, this.#message, this.#table, this.#live);
+    root.append(this.#poster, this.#container, this.#message, this.#table, this.#probe, this.#live);
+    this.#probe.addEventListener("transitionrun", () => this.#takeTheme());
     this.#table.addEventListener("toggle", () => this.#showTable());
     // What a control does with a key is not for the page around it.
     root.addEventListener("keydown", (event) => {
@@ -53,6 +62,11 @@ export class StrutFigure extends HTMLElement {
       const own = target instanceof Element && target.matches("select, input, [role=slider]");
       if (own && !ctrlKey && !metaKey && !altKey) event.stopPropagation();
     });
+    // The hand has let go of a key.
+    for (const type of ["keyup", "focusout"])
+      root.addEventListener(type, () => {
+        if (this.#held) this.#tellState(true);
+      });
   }
 
   connectedCallback(): void {
@@ -80,9 +94,9 @@ export class StrutFigure extends HTMLElement {
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
-    if (before === after || !this.#opened) return;
-    if (name === "state") this.#show();
-    else if (name === "theme") this.#figure?.setTheme?.(this.#theme);
+    if (name === "poster") this.#showPoster();
+    else if (before === after || !this.#opened) return;
+    else if (name === "state") this.#show();
     else {
       this.#close();
       void this.ready();
@@ -96,6 +110,11 @@ export class StrutFigure extends HTMLElement {
 
   set state(state: string) {
     this.setAttribute("state", state);
+  }
+
+  /** The figure's heading; empty before it is loaded. */
+  get heading(): string {
+    return this.#container.querySelector("h3")?.textContent ?? "";
   }
 
   /** Loads the figure now, seen or not; resolves when its state is shown. */
@@ -134,12 +153,6 @@ export class StrutFigure extends HTMLElement {
     return LANGUAGES.find((language) => language === this.lang) ?? "en";
   }
 
-  get #theme(): "dark" | "light" {
-    const given = this.getAttribute("theme");
-    if (given === "dark" || given === "light") return given;
-    return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-  }
-
   async #open(signal: AbortSignal): Promise<void> {
     const words = this.#words;
     const name = this.getAttribute("kind") ?? "";
@@ -151,22 +164,25 @@ export class StrutFigure extends HTMLElement {
         this.#say(words.unknown(name));
         return;
       }
+      this.shadowRoot!.adoptedStyleSheets = figureSheets(kind.sheet);
       this.#figure = kind.create({
         container: this.#container,
         engine: this.#engine!,
         language: this.#language,
         words,
         change: (state, settled) => {
+          // A knob that is taken hold of settles what was before.
+          if (settled && !this.#held && state === this.#state) return;
           this.#state = state;
           this.state = state;
           this.#shown = this.#figure!.show(state);
-          this.#tell("statechange", { state, settled } satisfies StateChange);
+          this.#tellState(settled);
         },
         point: (term) => this.#tell("termpoint", { term }),
         changed: () => this.#changed(),
         signal,
       });
-      this.#figure.setTheme?.(this.#theme);
+      this.#takeTheme();
       this.#run();
       this.#show();
       await this.#shown;
@@ -184,12 +200,17 @@ export class StrutFigure extends HTMLElement {
     );
   }
 
+  #takeTheme(): void {
+    this.#figure?.stage?.setTheme(themeOf(this.#probe));
+    this.#figure?.repaint?.();
+  }
+
   #run(): void {
-    this.#figure?.run?.(this.#onScreen && document.visibilityState === "visible");
+    this.#figure?.stage?.run(this.#onScreen && document.visibilityState === "visible");
   }
 
   #close(): void {
-    this.#figure?.dispose?.();
+    this.#figure?.stage?.dispose();
     this.#figureLife?.abort();
     this.#figureLife = undefined;
     this.#figure = undefined;
@@ -201,6 +222,14 @@ export class StrutFigure extends HTMLElement {
   #say(message: string): void {
     setText(this.#message, message);
     this.#message.hidden = message === "";
+    this.#showPoster();
+  }
+
+  /** The poster stands for the figure until it can be seen. */
+  #showPoster(): void {
+    const address = this.getAttribute("poster");
+    this.#poster.hidden = address === null || this.#message.hidden;
+    if (address !== null && this.#poster.getAttribute("src") !== address) this.#poster.src = address;
   }
 
   #changed(): void {
@@ -227,6 +256,11 @@ export class StrutFigure extends HTMLElement {
       html("tbody", {}, ...rows.map((cells) => row(cells, "td"))),
     );
     this.#table.replaceChildren(this.#table.firstElementChild!, html("div", { class: "scroll", tabindex: 0 }, table));
+  }
+
+  #tellState(settled: boolean): void {
+    this.#held = !settled;
+    this.#tell("statechange", { state: this.state, settled } satisfies StateChange);
   }
 
   #tell(type: string, detail: unknown): void {

@@ -11,7 +11,7 @@ export interface HandleListeners {
   stepped: (value: number, direction: number, fine: boolean) => number;
   ends: () => readonly [min: number, max: number];
   onInput: (value: number) => void;
-  /** The hand has let go. */
+  /** The pointer has let go; of keys the figure's element knows. */
   onSettle: () => void;
 }
 
@@ -29,8 +29,6 @@ export class Handle {
   readonly #target = svg("path", { class: "target" });
   readonly #line = svg("path", { class: "line" });
   readonly #listeners: HandleListeners;
-  /** Whether a key has moved it and is still down. */
-  #keyed = false;
 
   /** @param picture what is pressed to move it there */
   constructor(name: string, term: string, picture: SVGSVGElement, listeners: HandleListeners, signal: AbortSignal) {
@@ -39,11 +37,6 @@ export class Handle {
     setAttributes(this.element, { "aria-label": name, "data-term": term });
     listenToDrags(picture, (press) => this.#drag(picture, press), signal);
     this.element.addEventListener("keydown", (event) => this.#key(event), { signal });
-    const settle = () => {
-      if (this.#keyed) listeners.onSettle();
-      this.#keyed = false;
-    };
-    for (const type of ["keyup", "blur"]) this.element.addEventListener(type, settle, { signal });
   }
 
   place({ x, bottom, value, text }: HandlePlace): void {
@@ -86,7 +79,6 @@ export class Handle {
     }[event.key];
     if (!to) return;
     event.preventDefault();
-    this.#keyed = true;
     this.#goTo(to());
   }
 

@@ -2,8 +2,9 @@
 import type { LearnEngine } from "../../client/learn/protocol";
 import type { Fields } from "../../link/fields";
 import { namesOf, readHash, writeHash } from "../../link/hash";
+import type { FigureStage } from "./figure_stage";
 import type { Language } from "./languages";
-import type { Words } from "./words";
+import type { Words } from "./words/words";
 
 /** Numbers and names that a figure shows, by name; exercises are judged by them. */
 export type Measure = Readonly<Record<string, number | string>>;
@@ -44,18 +45,18 @@ export interface FigureInstance<State> {
   values(): Readonly<Record<string, string>>;
   /** Lights the marks of a term, or none. */
   light(term: string | undefined): void;
-  /** Says whether anybody sees it: it moves and draws only then. */
-  run?(running: boolean): void;
-  /** Takes a theme; a figure whose colours are those of the style sheet need not. */
-  setTheme?(theme: "dark" | "light"): void;
-  /** Frees what does not end with the signal. */
-  dispose?(): void;
+  /** Its 3-D picture: it is drawn while anybody sees it, takes the theme, and ends with the figure. */
+  readonly stage?: FigureStage;
+  /** The theme has changed: colours that are not those of the style sheet are drawn anew. */
+  repaint?(): void;
 }
 
 /** A kind of figure. */
 export interface FigureKind<State> {
   /** Its state, and how a link says it. */
   fields: Fields<State>;
+  /** Text of a style sheet for what no other kinds have. */
+  sheet?: string;
   /** @throws where the browser cannot draw it */
   create(parts: FigureParts<State>): FigureInstance<State>;
 }
@@ -65,12 +66,14 @@ export type TextParts = Omit<FigureParts<string>, "change"> & { change(state: st
 
 /** A kind as its element sees it: the state is the text of a link, of which a figure changes its own fields alone. */
 export interface TextKind {
+  sheet: string | undefined;
   create(parts: TextParts): FigureInstance<string>;
 }
 
 /** Makes a kind whose state is text. */
-export function textKind<State extends object>({ fields, create }: FigureKind<State>): TextKind {
+export function textKind<State extends object>({ fields, sheet, create }: FigureKind<State>): TextKind {
   return {
+    sheet,
     create: ({ change, ...parts }) => {
       let text = "";
       const made = create({
@@ -90,9 +93,8 @@ export function textKind<State extends object>({ fields, create }: FigureKind<St
         table: () => made.table(),
         values: () => made.values(),
         light: (term) => made.light(term),
-        run: (running) => made.run?.(running),
-        setTheme: (theme) => made.setTheme?.(theme),
-        dispose: () => made.dispose?.(),
+        ...(made.stage && { stage: made.stage }),
+        repaint: () => made.repaint?.(),
       };
     },
   };

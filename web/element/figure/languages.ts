@@ -1,7 +1,8 @@
 /** The languages that there are: another one is a table, and a line here. */
-import type { Words } from "./words";
-import { de } from "./words.de";
-import { en } from "./words.en";
+
+import { de } from "./words/de";
+import { en } from "./words/en";
+import type { Words } from "./words/words";
 
 export const WORDS = { en, de } as const satisfies Record<string, Words>;
 

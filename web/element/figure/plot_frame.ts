@@ -1,7 +1,7 @@
 /** The picture of a plot: its size, its grid with labels, and the terms of its marks. */
 import { html, setAttributes, svg } from "../../ui/dom";
-import { type Axes, MARGIN, xOf, yOf } from "./axes";
-import { figure, type Words } from "./words";
+import { type Axes, digitsOf, MARGIN, xOf, yOf } from "./axes";
+import { figure, type Words } from "./words/words";
 
 /** Labels of the axes, and what stands on them. */
 export interface Grid {
@@ -68,7 +68,7 @@ export class PlotFrame {
     const [top, bottom] = [yOf(axes, axes.y[1]), yOf(axes, axes.y[0])];
     const text = (at: number, height: number, anchor: string, label: string) =>
       svg("text", { x: at, y: height, "text-anchor": anchor }, label);
-    const digits = rows.length > 1 && rows[1]! - rows[0]! < 1 ? 1 : 0;
+    const digits = digitsOf(rows);
     this.#grid.replaceChildren(
       ...rows.flatMap((value) => [
         svg("path", { d: `M${left} ${yOf(axes, value)}H${right}` }),

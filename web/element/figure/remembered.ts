@@ -1,7 +1,10 @@
 /** Answers of an engine, computed once. */
 import type { LearnEngine } from "../../client/learn/protocol";
 
-/** Remembers answers by the engine and what was asked; what failed is asked again. */
+/** So many answers of each kind are kept: a drag asks for a new one with every move. */
+const KEPT = 64;
+
+/** Remembers the last answers by the engine and what was asked; what failed is asked again. */
 export function remembered<Asked extends readonly unknown[], Answer>(
   ask: (engine: LearnEngine, ...asked: Asked) => Promise<Answer>,
 ): (engine: LearnEngine, ...asked: Asked) => Promise<Answer> {
@@ -11,7 +14,10 @@ export function remembered<Asked extends readonly unknown[], Answer>(
     engines.set(engine, known);
     const key = JSON.stringify(asked);
     const answer = known.get(key) ?? ask(engine, ...asked);
+    // The last asked for is the last to be forgotten.
+    known.delete(key);
     known.set(key, answer);
+    if (known.size > KEPT) known.delete(known.keys().next().value!);
     answer.catch(() => known.delete(key));
     return answer;
   };

@@ -9,14 +9,20 @@ import toggle from "../../ui/controls/toggle.css?inline";
 import tokens from "../../ui/tokens.css?inline";
 import figure from "./figure.css?inline";
 
-let made: CSSStyleSheet[] | undefined;
+const SHARED = [tokens, base, buttons, knob, segment, select, slider, toggle, figure];
 
-/** The sheets. */
-export function figureSheets(): CSSStyleSheet[] {
-  made ??= [tokens, base, buttons, knob, segment, select, slider, toggle, figure].map((text) => {
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(text);
-    return sheet;
-  });
-  return made;
+const made = new Map<string, CSSStyleSheet>();
+
+/** The sheets that all figures have, and that of a kind. */
+export function figureSheets(kind?: string): CSSStyleSheet[] {
+  return (kind ? [...SHARED, kind] : SHARED).map(sheetOf);
+}
+
+function sheetOf(text: string): CSSStyleSheet {
+  const known = made.get(text);
+  if (known) return known;
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(text);
+  made.set(text, sheet);
+  return sheet;
 }

@@ -32,6 +32,14 @@ const arc = (share: number): string => {
   return `M${polar(START, RADIUS)}A${RADIUS} ${RADIUS} 0 ${large} 1 ${polar(end, RADIUS)}`;
 };
 
+/** How numbers are written: what stands before the decimals, and what a field for a number is called. */
+export interface KnobLanguage {
+  decimal: string;
+  number: string;
+}
+
+const ENGLISH: KnobLanguage = { decimal: ".", number: "number" };
+
 export class Knob {
   readonly element: HTMLElement;
   readonly #dial: HTMLElement;
@@ -40,6 +48,7 @@ export class Knob {
   readonly #number: HTMLInputElement;
   readonly #range: DialRange;
   readonly #listeners: KnobListeners;
+  readonly #decimal: string;
   #value: number;
 
   /** `symbol` is what is printed, `name` and `description` what is said and shown as a tooltip. */
@@ -48,7 +57,9 @@ export class Knob {
     range: DialRange,
     initial: number,
     listeners: KnobListeners,
+    { decimal, number }: KnobLanguage = ENGLISH,
   ) {
+    this.#decimal = decimal;
     this.#range = range;
     this.#listeners = listeners;
     this.#value = initial;
@@ -77,7 +88,7 @@ export class Knob {
       class: "knob-number",
       type: "text",
       inputmode: "decimal",
-      "aria-label": `${text.name}, number`,
+      "aria-label": `${text.name}, ${number}`,
     });
     const caption = html("span", { class: "knob-symbol", "aria-hidden": "true" }, text.symbol);
     this.element = html("div", { class: "knob", title: text.description }, this.#dial, caption, this.#number);
@@ -89,11 +100,15 @@ export class Knob {
   set value(value: number) {
     this.#value = value;
     const share = shareOf(value, this.#range);
-    const shown = formatNumber(value, this.#range.digits);
+    const shown = this.#shown;
     this.#filled.setAttribute("d", arc(share));
     this.#pointer.setAttribute("transform", `rotate(${START + SWEEP * share})`);
     setAttributes(this.#dial, { "aria-valuenow": value, "aria-valuetext": shown });
     if (document.activeElement !== this.#number) this.#number.value = shown;
+  }
+
+  get #shown(): string {
+    return formatNumber(this.#value, this.#range.digits).replace(".", this.#decimal);
   }
 
   #turn(value: number): void {
@@ -159,7 +174,7 @@ export class Knob {
       const value = parseTyped(this.#number.value, this.#range);
       if (value !== undefined) this.#turn(value);
       this.#listeners.onSettle();
-      this.#number.value = formatNumber(this.#value, this.#range.digits);
+      this.#number.value = this.#shown;
     };
     this.#number.addEventListener("focus", () => this.#number.select());
     this.#number.addEventListener("change", commit);
@@ -167,7 +182,7 @@ export class Knob {
       event.stopPropagation();
       if (event.key === "Enter") commit();
       if (event.key === "Escape") {
-        this.#number.value = formatNumber(this.#value, this.#range.digits);
+        this.#number.value = this.#shown;
         this.#dial.focus();
       }
     });

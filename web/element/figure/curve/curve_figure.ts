@@ -10,7 +10,7 @@ import { PAIR_FIELDS, type PairState } from "../pair_state";
 import { jointCurve, meanOf, PAIRINGS, type Pair, type Pairing } from "../pairing";
 import { PlotFrame } from "../plot_frame";
 import { sharedPair } from "../shared";
-import { figure } from "../words";
+import { figure } from "../words/words";
 
 /** Frames of an arrow key; with Shift one. */
 const STEP = 10;

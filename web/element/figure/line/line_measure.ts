@@ -1,7 +1,9 @@
 /** What exercises about the line of one degree of freedom are judged by; angles in degrees. */
+
 import type { Fit, LearnEngine } from "../../../client/learn/protocol";
+import { DEGREES } from "../../../humanoid";
 import type { Measure } from "../kind";
-import { DEGREES, type LineState, lookOf, settingsOf } from "./line_state";
+import { type LineState, lookOf, settingsOf } from "./line_state";
 
 /** The ridges of a sweep. */
 export const LAMBDAS: readonly number[] = Array.from({ length: 25 }, (_, i) => 10 ** (-4 + (5 * i) / 24));

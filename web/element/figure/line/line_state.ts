@@ -1,6 +1,6 @@
 /** The state of figures about the line of one degree of freedom. */
 import type { FitSettings, Look } from "../../../client/learn/protocol";
-import { JOINT, ROLES, type Role } from "../../../humanoid";
+import { DEGREES, JOINT, ROLES, type Role } from "../../../humanoid";
 import { choice, type Fields, flag, number } from "../../../link/fields";
 import type { DialRange } from "../../../ui/controls/dial";
 import type { Range } from "../../../ui/controls/range";
@@ -50,9 +50,6 @@ export const LINE_FIELDS: Fields<LineState> = {
   noise: number("nu", 0, LINE_RANGES.noise, true),
   taper: flag("taper", true, true),
 };
-
-/** Degrees of a radian. */
-export const DEGREES = 180 / Math.PI;
 
 /** What a state looks at. */
 export function lookOf({ motion, style, at }: Pick<LineState, "motion" | "style" | "at">): Look {

@@ -1,19 +1,18 @@
 /** One degree of freedom of the nearest examples: target over input, with the line that is fitted to them. */
 import type { Fit } from "../../../client/learn/protocol";
-import { ROLES, type Role } from "../../../humanoid";
+import { DEGREES, ROLES, type Role } from "../../../humanoid";
 import { Toggle } from "../../../ui/controls/buttons";
-import { Knob } from "../../../ui/controls/knob";
-import { Slider } from "../../../ui/controls/slider";
-import { html, setAttributes, setText, svg } from "../../../ui/dom";
-import { type Axes, extentOf, ticksOf, xOf, yOf } from "../axes";
-import { RATE_HZ } from "../built_in";
-import { Choice } from "../controls";
+import type { Knob } from "../../../ui/controls/knob";
+import type { Slider } from "../../../ui/controls/slider";
+import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
+import { type Axes, digitsOf, extentOf, ticksOf, xOf, yOf } from "../axes";
+import { Choice, createInstant, createKnobs } from "../controls";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
 import { Latest } from "../latest";
 import { PlotFrame } from "../plot_frame";
-import { figure } from "../words";
+import { figure } from "../words/words";
 import { aboveMean, fitOf, measureLine, residual } from "./line_measure";
-import { DEGREES, INSTANTS, LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
+import { LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
 
 /** Least extent of an axis, degrees: among equal examples every hundredth would fill the picture. */
 const LEAST_EXTENT = 2;
@@ -59,20 +58,9 @@ class ScatterFigure implements FigureInstance<LineState> {
       ROLES.map((role) => [role, words.joints[role]] as const),
       (joint) => change({ joint }, true),
     );
-    const settle = () => change({}, true);
-    const knob = (name: KnobName) =>
-      new Knob(words.line.knobs[name], LINE_RANGES[name], LINE_FIELDS[name].initial, {
-        onInput: (value) => change({ [name]: value }, false),
-        onSettle: settle,
-        onCancel: settle,
-      });
-    this.#knobs = { k: knob("k"), lambda: knob("lambda"), noise: knob("noise") };
+    this.#knobs = createKnobs(KNOBS, words, words.line.knobs, LINE_RANGES, LINE_FIELDS, change);
     this.#taper = new Toggle(words.line.taper, (taper) => change({ taper }, true));
-    this.#instant = new Slider(words.playhead, INSTANTS, LINE_FIELDS.at.initial, {
-      onInput: (at) => change({ at }, false),
-      onSettle: settle,
-    });
-    this.#instant.words = (frame) => `${figure(frame / RATE_HZ, 2, words)} s`;
+    this.#instant = createInstant(words, 2, change);
     this.#frame.picture.append(this.#band, this.#mean, this.#dots, this.#line, this.#guide, this.#point);
     this.#frame.picture.append(...Object.values(this.#labels));
     this.#frame.listenToMarks(parts.point);
@@ -187,13 +175,14 @@ class ScatterFigure implements FigureInstance<LineState> {
       x: extentOf([...xs, x], LEAST_EXTENT),
       y: extentOf([...ys, y], LEAST_EXTENT),
     };
+    const ticks = ticksOf(axes.x, 5);
     const name = words.joints[state.joint];
     this.#frame.drawGrid(
       axes,
       {
         x: words.line.input(name),
         y: words.line.output(name, words.styles[state.style]),
-        columns: ticksOf(axes.x, 5).map((value) => [value, `${figure(value, 0, words)}°`]),
+        columns: ticks.map((value) => [value, `${figure(value, digitsOf(ticks), words)}°`]),
         rows: ticksOf(axes.y, 4),
       },
       words,
@@ -216,8 +205,7 @@ class ScatterFigure implements FigureInstance<LineState> {
   }
 
   #drawDots(axes: Axes, xs: readonly number[], ys: readonly number[], weights: Float32Array): void {
-    while (this.#dots.childElementCount > xs.length) this.#dots.lastElementChild!.remove();
-    while (this.#dots.childElementCount < xs.length) this.#dots.append(svg("circle", {}));
+    keepCount(this.#dots, xs.length, () => svg("circle", {}));
     xs.forEach((value, i) => {
       setAttributes(this.#dots.children[i]!, {
         cx: xOf(axes, value).toFixed(1),

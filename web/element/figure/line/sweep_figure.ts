@@ -7,7 +7,7 @@ import { Handle } from "../handle";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
 import { Latest } from "../latest";
 import { PlotFrame } from "../plot_frame";
-import { figure } from "../words";
+import { figure } from "../words/words";
 import { LAMBDAS, measureLine, sweepOf } from "./line_measure";
 import { LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
 

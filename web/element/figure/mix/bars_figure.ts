@@ -1,8 +1,10 @@
 /** The nearest classes at a frame: their distances, and the weights that these become. */
-import { html, setText } from "../../../ui/dom";
+import { html, keepCount, setText } from "../../../ui/dom";
+import { GuessField } from "../controls";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
 import { Latest } from "../latest";
-import { figure } from "../words";
+import { figure } from "../words/words";
+import sheet from "./mix.css?inline";
 import { type ClassShare, measureMix, sharesOf } from "./mix_measure";
 import { MIX_FIELDS, type MixState } from "./mix_state";
 
@@ -13,13 +15,14 @@ const ASKED = 2;
 
 export const BARS: FigureKind<MixState> = {
   fields: MIX_FIELDS,
+  sheet,
   create: (parts) => new BarsFigure(parts),
 };
 
 class BarsFigure implements FigureInstance<MixState> {
   readonly #parts: FigureParts<MixState>;
   readonly #rows = html("div", { class: "bars" });
-  readonly #guess: HTMLInputElement;
+  readonly #guess: GuessField;
   readonly #sharing = new Latest<MixState>((state) => this.#share(state));
   #state: MixState | undefined;
   #shares: ClassShare[] = [];
@@ -27,34 +30,17 @@ class BarsFigure implements FigureInstance<MixState> {
   constructor(parts: FigureParts<MixState>) {
     this.#parts = parts;
     const { words, container, change, signal } = parts;
-    this.#guess = html("input", {
-      class: "text-field",
-      type: "text",
-      inputmode: "decimal",
-      "aria-label": words.mix.guess,
-    });
-    const commit = () => {
-      const typed = Number(this.#guess.value.trim().replace(",", "."));
-      const guess = this.#guess.value.trim() === "" || !Number.isFinite(typed) ? -1 : Math.min(1, Math.max(0, typed));
-      if (guess !== this.#state?.guess) change({ guess }, true);
-    };
-    this.#guess.addEventListener("change", commit, { signal });
-    this.#guess.addEventListener("keydown", (event) => event.stopPropagation(), { signal });
+    this.#guess = new GuessField(words.mix.guess, { min: 0, max: 1 }, -1, (guess) => change({ guess }, true), signal);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.mix.title)),
       html("div", { class: "picture listed" }, this.#rows),
-      html(
-        "div",
-        { class: "knobs" },
-        html("label", { class: "guess" }, html("span", {}, words.mix.guess), this.#guess),
-      ),
+      html("div", { class: "knobs" }, this.#guess.element),
     );
   }
 
   show(state: MixState): Promise<void> {
     this.#state = state;
-    if (!this.#guess.matches(":focus"))
-      this.#guess.value = state.guess < 0 ? "" : figure(state.guess, 2, this.#parts.words);
+    this.#guess.text = state.guess < 0 ? "" : figure(state.guess, 2, this.#parts.words);
     return this.#sharing.take(state);
   }
 
@@ -109,8 +95,7 @@ class BarsFigure implements FigureInstance<MixState> {
   #draw(): void {
     const shown = this.#shares.slice(0, SHOWN);
     const greatest = Math.max(...shown.map(({ square }) => square));
-    while (this.#rows.childElementCount > shown.length) this.#rows.lastElementChild!.remove();
-    while (this.#rows.childElementCount < shown.length) this.#rows.append(row());
+    keepCount(this.#rows, shown.length, () => row());
     shown.forEach((one, i) => {
       const element = this.#rows.children[i]!;
       const [name, square, weight] = this.#said(one);

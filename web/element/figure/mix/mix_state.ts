@@ -1,5 +1,6 @@
 /** The state of figures about the mixture of classes. */
 import type { Look } from "../../../client/learn/protocol";
+import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import { choice, type Fields, number } from "../../../link/fields";
 import type { DialRange } from "../../../ui/controls/dial";
 import { INPUTS, type InputName } from "../built_in";
@@ -25,7 +26,7 @@ export const MIX_STYLE = "old";
 export const MIX_FIELDS: Fields<MixState> = {
   motion: choice("motion", "neutral run, walk, jump and walk", INPUTS, true),
   at: number("i", 60, { min: 2, max: 5000, digits: 0 }, true),
-  delta: number("width", 0.7, DELTA, true),
+  delta: number("width", DEFAULT_OPTIONS.delta, DELTA, true),
   guess: number("guess", -1, { min: -1, max: 1, digits: 3 }, true),
 };
 

@@ -1,12 +1,14 @@
 /** The weights of actions over the time of an input, stacked to 1, with a playhead. */
-import { Knob } from "../../../ui/controls/knob";
+import type { Knob } from "../../../ui/controls/knob";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, ticksOf, valueOfX, xOf, yOf } from "../axes";
+import { createKnobs } from "../controls";
 import { Handle } from "../handle";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
 import { Latest } from "../latest";
 import { PlotFrame } from "../plot_frame";
-import { figure } from "../words";
+import { figure } from "../words/words";
+import sheet from "./mix.css?inline";
 import { measureMix, type Reading, readingOf } from "./mix_measure";
 import { DELTA, MIX_FIELDS, type MixState } from "./mix_state";
 
@@ -19,6 +21,7 @@ const NAMED = 0.6;
 
 export const READING: FigureKind<MixState> = {
   fields: MIX_FIELDS,
+  sheet,
   create: (parts) => new ReadingFigure(parts),
 };
 
@@ -34,6 +37,8 @@ class ReadingFigure implements FigureInstance<MixState> {
   #state: MixState | undefined;
   #shown: { delta: number; motion: string; reading: Reading } | undefined;
   #axes: Axes | undefined;
+  /** What the areas were drawn for: a playhead that moves leaves them as they are. */
+  #areasOf: { reading: Reading; width: number; height: number } | undefined;
 
   constructor(parts: FigureParts<MixState>) {
     this.#parts = parts;
@@ -54,12 +59,8 @@ class ReadingFigure implements FigureInstance<MixState> {
       },
       signal,
     );
-    const settle = () => change({}, true);
-    this.#knob = new Knob(words.mix.delta, DELTA, MIX_FIELDS.delta.initial, {
-      onInput: (delta) => change({ delta }, false),
-      onSettle: settle,
-      onCancel: settle,
-    });
+    const texts = { delta: words.mix.delta };
+    this.#knob = createKnobs(["delta"], words, texts, { delta: DELTA }, MIX_FIELDS, change).delta;
     picture.append(this.#areas, this.#names, this.#handle.element);
     this.#frame.listenToMarks(parts.point);
     container.append(
@@ -148,7 +149,12 @@ class ReadingFigure implements FigureInstance<MixState> {
     this.#axes = axes;
     const columns = ticksOf(axes.x, 7).map((value) => [value, figure(value, 0, words)] as const);
     this.#frame.drawGrid(axes, { x: words.time, y: words.mix.weight, columns, rows: [0, 0.5, 1] }, words);
-    this.#drawAreas(axes, reading);
+    const { width, height } = axes;
+    const drawn = this.#areasOf;
+    if (drawn?.reading !== reading || drawn.width !== width || drawn.height !== height) {
+      this.#drawAreas(axes, reading);
+      this.#areasOf = { reading, width, height };
+    }
     const at = this.#at();
     const place = { x: xOf(axes, at / reading.rateHz), bottom: yOf(axes, 0), value: at, text: this.sentence() };
     this.#handle.place(place);

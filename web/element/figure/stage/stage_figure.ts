@@ -2,22 +2,19 @@
 import { JOINT, ROLES, type Role } from "../../../humanoid";
 import { poseAt } from "../../../player/measured";
 import { Segment } from "../../../ui/controls/buttons";
-import { icon } from "../../../ui/controls/icons";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
-import { Viewer } from "../../../viewer";
-import { joinScreen, leaveScreen, schedule } from "../../host";
-import type { Drawing } from "../../schedule";
+import type { Viewer } from "../../../viewer";
 import { STYLES, type Style } from "../built_in";
 import { Choice } from "../controls";
+import { FigureStage } from "../figure_stage";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
 import { measurePair } from "../pair_measure";
 import { PAIR_FIELDS, type PairState } from "../pair_state";
 import { jointDifferences, meanOf, PAIRINGS, type Pair } from "../pairing";
+import { Playing } from "../playing";
 import { sharedPair } from "../shared";
-import { figure } from "../words";
+import { figure } from "../words/words";
 
-/** Drawing goes on for so long after the last change: glides and fades end within it. */
-const AFTERGLOW_MS = 1200;
 /** A difference that is marked in full, cm. */
 const FULL_CM = 30;
 /** Radius of a mark, pixels: at no difference, and at {@link FULL_CM}. */
@@ -32,33 +29,29 @@ export const STAGE: FigureKind<PairState> = {
   create: (parts) => new StageFigure(parts),
 };
 
-class StageFigure implements FigureInstance<PairState>, Drawing {
-  readonly hasFocus = false;
+class StageFigure implements FigureInstance<PairState> {
   readonly #parts: FigureParts<PairState>;
-  readonly #picture = html("div", { class: "picture" });
-  readonly #overlay = svg("svg", { class: "overlay", "aria-hidden": "true" });
+  readonly stage: FigureStage;
   readonly #marks = new Map<Role, SVGCircleElement>();
   readonly #leader = svg("path", { class: "leader" });
   readonly #label = svg("text", { class: "label chosen" });
   readonly #style: Choice<Style>;
   readonly #pairing: Segment<PairState["pairing"]>;
-  readonly #play = html("button", { type: "button", class: "button" });
+  readonly #playing: Playing;
   readonly #readout = html("p", { class: "readout" });
-  readonly #viewer: Viewer | undefined;
   #state: PairState | undefined;
   #pair: Pair | undefined;
   #differences: number[] = [];
-  #running = false;
-  #playing = false;
-  #lastDraw = 0;
-  /** Where the motion stands between two frames while it plays. */
-  #at = 0;
-  #drawUntil = 0;
   #shownAt = Number.NaN;
 
   constructor(parts: FigureParts<PairState>) {
     this.#parts = parts;
     const { words, container, signal } = parts;
+    this.stage = new FigureStage(
+      words,
+      { labels: { styled: "", input: "" }, description: words.two },
+      { advance: (dtSecs) => this.#advance(dtSecs), drawn: () => this.#placeMarks() },
+    );
     this.#style = new Choice(
       words.style,
       STYLES.map((style) => [style, words.styles[style]] as const),
@@ -69,8 +62,7 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
       PAIRINGS.map((value) => ({ value, label: words[value] })),
       (pairing) => parts.change({ pairing }, true),
     );
-    this.#play.addEventListener("click", () => this.#setPlaying(!this.#playing), { signal });
-    this.#showPlay();
+    this.#playing = new Playing(words, () => parts.change({}, true), signal);
     for (const role of ROLES) {
       const mark = svg("circle", { class: "joint", "data-term": "e" });
       mark.addEventListener("click", () => parts.change({ joint: this.#state?.joint === role ? "" : role }, true));
@@ -78,19 +70,18 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
       mark.addEventListener("pointerleave", () => parts.point(undefined));
       this.#marks.set(role, mark);
     }
-    this.#overlay.append(this.#leader, ...this.#marks.values(), this.#label);
+    this.stage.overlay.append(this.#leader, ...this.#marks.values(), this.#label);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.two), this.#style.element),
-      this.#picture,
-      html("footer", { class: "foot" }, this.#play, this.#pairing.element, this.#readout),
+      this.stage.element,
+      html("footer", { class: "foot" }, this.#playing.element, this.#pairing.element, this.#readout),
     );
-    this.#viewer = this.#open();
   }
 
   async show(state: PairState): Promise<void> {
     const before = this.#state;
     this.#state = state;
-    if (!this.#playing || Math.abs(state.at - this.#at) > 1) this.#at = state.at;
+    this.#playing.frame = state.at;
     this.#style.value = state.style;
     this.#pairing.value = state.pairing;
     const pair = await sharedPair(this.#parts.engine, state.motion, state.style);
@@ -149,65 +140,18 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
   }
 
   light(term: string | undefined): void {
-    this.#overlay.classList.toggle("lit", term === "e");
+    this.stage.overlay.classList.toggle("lit", term === "e");
     const labels = { styled: this.#styleName, input: this.#parts.words.styles.neutral };
     if (!this.#viewer) return;
     // Either walker is lit by its name.
     if (term === "p") this.#viewer.labels = { ...labels, styled: "" };
     else if (term === "q") this.#viewer.labels = { ...labels, input: "" };
     else this.#viewer.labels = labels;
-    this.#invalidate();
+    this.stage.invalidate();
   }
 
-  run(running: boolean): void {
-    if (running === this.#running) return;
-    this.#running = running;
-    if (running) {
-      this.#lastDraw = performance.now();
-      this.#invalidate();
-      schedule.add(this);
-    } else schedule.remove(this);
-  }
-
-  setTheme(theme: "dark" | "light"): void {
-    if (this.#viewer) this.#viewer.theme = theme;
-    this.#invalidate();
-  }
-
-  draw(now: number): boolean {
-    const dt = Math.min(0.1, Math.max(0, (now - this.#lastDraw) / 1000));
-    this.#lastDraw = now;
-    if (this.#playing) this.#advance(dt);
-    if (!this.#viewer || (now > this.#drawUntil && this.#viewer.still)) return false;
-    return this.#viewer.render(now / 1000);
-  }
-
-  dispose(): void {
-    this.run(false);
-    if (!this.#viewer) return;
-    this.#viewer.dispose();
-    leaveScreen();
-  }
-
-  /** The viewer; `undefined` where the browser cannot draw in 3-D. */
-  #open(): Viewer | undefined {
-    const { words } = this.#parts;
-    try {
-      const viewer = new Viewer(this.#picture, {
-        labels: { styled: "", input: "" },
-        screen: joinScreen(),
-        description: words.two,
-      });
-      for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
-        this.#picture.addEventListener(type, () => this.#invalidate(), { passive: true });
-      viewer.onDraw = () => this.#placeMarks();
-      this.#picture.append(this.#overlay);
-      return viewer;
-    } catch {
-      leaveScreen();
-      this.#picture.replaceChildren(html("p", { class: "message" }, words.noGraphics));
-      return undefined;
-    }
+  get #viewer(): Viewer | undefined {
+    return this.stage.viewer;
   }
 
   get #frame(): number {
@@ -223,29 +167,10 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
     return this.#state ? this.#parts.words.styles[this.#state.style] : "";
   }
 
-  #invalidate(): void {
-    this.#drawUntil = performance.now() + AFTERGLOW_MS;
-    this.#viewer?.invalidate();
-  }
-
-  #setPlaying(playing: boolean): void {
-    this.#playing = playing;
-    this.#showPlay();
-    if (!playing) this.#parts.change({}, true);
-  }
-
-  #showPlay(): void {
-    const name = this.#parts.words[this.#playing ? "pause" : "play"];
-    this.#play.setAttribute("aria-label", name);
-    this.#play.replaceChildren(icon(this.#playing ? "pause" : "play"), html("span", {}, name));
-  }
-
   #advance(dtSecs: number): void {
     if (!this.#pair) return;
-    const last = this.#pair.input.frames - 1;
-    this.#at = this.#at >= last ? 0 : Math.min(last, this.#at + dtSecs * this.#pair.rateHz);
-    const at = Math.floor(this.#at);
-    if (at !== this.#state?.at) this.#parts.change({ at }, false);
+    const at = this.#playing.advance(dtSecs, this.#pair.rateHz, this.#pair.input.frames - 1);
+    if (at !== undefined && at !== this.#state?.at) this.#parts.change({ at }, false);
   }
 
   /** Poses both walkers and says when they are. */
@@ -269,7 +194,7 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
     const styledSecs = this.#styledSecs(pair, state);
     const times = words.times(figure(secs, 2, words), this.#styleName, figure(styledSecs, 2, words));
     setText(this.#readout, over ? words.ended : times);
-    this.#invalidate();
+    this.stage.invalidate();
     this.#parts.changed();
   }
 
@@ -295,7 +220,7 @@ class StageFigure implements FigureInstance<PairState>, Drawing {
     setText(this.#label, "");
     if (joint === "") return;
     const { x, y } = viewer.jointScreenPosition(joint);
-    const side = x > this.#picture.clientWidth / 2 ? 1 : -1;
+    const side = x > this.stage.element.clientWidth / 2 ? 1 : -1;
     setAttributes(this.#leader, { d: `M${x} ${y}h${LABEL * side}` });
     setAttributes(this.#label, { x: x + (LABEL + 6) * side, y: y + 4, "text-anchor": side > 0 ? "start" : "end" });
     setText(this.#label, `${words.joints[joint]} ${figure(this.#differences[JOINT[joint]]!, 1, words)} cm`);

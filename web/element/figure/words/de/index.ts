@@ -1,8 +1,20 @@
 /** Figures in German. */
-import type { Words } from "./words";
+import type { Words } from "../words";
+import { bias } from "./bias";
+import { chain } from "./chain";
+import { feet } from "./feet";
+import { judge } from "./judge";
+import { line, sweep } from "./line";
+import { map } from "./map";
+import { mix } from "./mix";
+import { near } from "./near";
+import { pace } from "./pace";
+import { pose } from "./pose";
+import { warp } from "./warp";
 
 export const de: Words = {
   decimal: ",",
+  number: "Zahl",
   loading: "Die Abbildung wird geladen.",
   table: "Als Tabelle",
   play: "Abspielen",
@@ -68,41 +80,18 @@ export const de: Words = {
   times: (input, style, styled) => `neutral ${input}\u00a0s, ${style} ${styled}\u00a0s`,
   pictured: (style, time, pairing, e, most, cm) =>
     `Bei ${time} s, ${pairing}: Im Stil „${style}“ weicht die Pose um ${e} cm von der neutralen ab, am meisten am Gelenk „${most}“, um ${cm} cm.`,
-  line: {
-    title: "Ein Freiheitsgrad und seine Gerade",
-    knobs: {
-      k: { symbol: "K", name: "Nachbarn K", description: "Wie viele der nächsten Beispiele zählen" },
-      lambda: { symbol: "λ", name: "Ridge λ", description: "Wie viel eine steile Gerade kostet" },
-      noise: { symbol: "ν", name: "Rauschen ν, Grad", description: "Rauschen, das zu den Zielen kommt" },
-    },
-    taper: "Nähere Beispiele zählen mehr",
-    input: (name) => `${name}, Eingabe`,
-    output: (name, style) => `${name}, ${style}`,
-    columns: ["Zeile", "Eingabe x, °", "Ziel y, °", "Gewicht v"],
-    read: (mean, above) => `Mittel ${mean}°, Vorhersage ${above}° davon`,
-    said: (name, k, x, y, slope, above) =>
-      `${name}: ${k} Beispiele; bei einer Eingabe von ${x}° sagt die Gerade ${y}° voraus, Steigung ${slope}, ${above}° vom Mittel.`,
-  },
-  mix: {
-    title: "Die nächsten Klassen",
-    reading: "Als was die Eingabe gelesen wird",
-    delta: { symbol: "δ", name: "Breite δ", description: "Wie langsam ein Gewicht mit der Entfernung fällt" },
-    weight: "Gewicht λ",
-    actions: { walk: "Gehen", run: "Laufen", jump: "Springen", punch: "Schlagen", kick: "Treten" },
-    guess: "Gewicht der ersten von zweien",
-    columns: ["Klasse", "D, cm²", "λ"],
-    class: (name, square, weight) => `${name} bei ${square} cm², Gewicht ${weight}`,
-    nearest: (classes) => `Die nächsten Klassen: ${classes}.`,
-    readAs: (time, actions) => `Bei ${time} s: ${actions}.`,
-  },
-  sweep: {
-    title: "Fehler über λ",
-    error: "Fehler, °",
-    columns: ["λ", "Fehler, °"],
-    read: (error, least, best) => `Fehler ${error}°; am kleinsten ${least}° bei λ ${best}`,
-    said: (lambda, error, least, best) =>
-      `Bei λ ${lambda} liegt die Vorhersage des ganzen Gangs um ${error}° daneben; am wenigsten sind es ${least}° bei λ ${best}.`,
-  },
+  chain,
+  feet,
+  judge,
+  line,
+  bias,
+  map,
+  mix,
+  near,
+  pose,
+  pace,
+  sweep,
+  warp,
   curved: (style, time, content, second, mean, meanSecond) =>
     `Stil „${style}“ bei ${time} s: ${content} cm bei gleichem Inhalt, ${second} cm in der gleichen Sekunde. Mittel ${mean} und ${meanSecond} cm.`,
 };

@@ -1,0 +1,51 @@
+/** The state of figures about key-styling: learning, dragging, and keys of a cycle. */
+import type { PoseSharing } from "../../../client/learn/protocol";
+import { type Fields, flag, listed, number } from "../../../link/fields";
+import type { DialRange } from "../../../ui/controls/dial";
+
+/** How far learning has come, and what is made of what was learned. */
+export interface MapState {
+  /** Updates of the network. */
+  updates: number;
+  /** Whether signs are those that the paper prints. */
+  printed: boolean;
+  /** T: how softly components share in a pose. */
+  temperature: number;
+  /** Style variables that are asked for, cm: distance of the feet along the way, and in height. */
+  separation: number;
+  height: number;
+  /** Frames of the cycle that are keys, in order. */
+  keys: readonly number[];
+}
+
+/** T. */
+export const TEMPERATURE: DialRange = { min: 0.5, max: 20, digits: 1, scale: "log" };
+/** Regions of components are blurred by so many deviations of the variables. */
+export const BLUR = 0.3;
+/** Most keys of a cycle. */
+export const MOST_KEYS = 4;
+/** A frame of a cycle is below this. */
+const MOST_FRAMES = 50;
+
+/** How the state is written into a link. */
+export const MAP_FIELDS: Fields<MapState> = {
+  updates: number("updates", 0, { min: 0, max: 100_000, digits: 0 }, true),
+  printed: flag("printed", false, true),
+  temperature: number("T", 1, TEMPERATURE, true),
+  separation: number("sep", 30, { min: -200, max: 200, digits: 1 }, true),
+  height: number("rise", 0, { min: -100, max: 100, digits: 1 }, true),
+  keys: listed("marks", [0, 16], (keys) => keys.join(","), decodeKeys),
+};
+
+/** Frames in order; `undefined` where the text is something else. */
+function decodeKeys(text: string): readonly number[] | undefined {
+  const keys = text.split(",", MOST_KEYS + 1).map(Number);
+  const ordered = keys.every((frame, i) => i === 0 || frame > keys[i - 1]!);
+  const known = keys.every((frame) => Number.isInteger(frame) && frame >= 0 && frame < MOST_FRAMES);
+  return text !== "" && ordered && known && keys.length <= MOST_KEYS ? keys : undefined;
+}
+
+/** How poses follow the variables of a state. */
+export function sharingOf({ temperature }: Pick<MapState, "temperature">): PoseSharing {
+  return { temperature, blur: BLUR };
+}

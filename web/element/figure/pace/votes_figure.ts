@@ -1,0 +1,167 @@
+/** How long each neighbour's frame lasted, over how far the neighbour is, and the mean by a kernel. */
+import type { Timing } from "../../../client/learn/protocol";
+import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
+import { type Axes, digitsOf, extentOf, ticksOf, xOf, yOf } from "../axes";
+import { Choice } from "../controls";
+import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
+import { Latest } from "../latest";
+import { PlotFrame } from "../plot_frame";
+import { figure } from "../words/words";
+import sheet from "./pace.css?inline";
+import { measurePace } from "./pace_measure";
+import { BLENDED, type Blended, lookOf, PACE_FIELDS, type PaceState } from "./pace_state";
+
+/** Radius of a neighbour of g 0 and of g 1, pixels. */
+const RADIUS = { least: 1.5, most: 6 };
+/** Pieces of the kernel's curve. */
+const PIECES = 48;
+/** Rows of the table. */
+const TABLE_ROWS = 12;
+const MS = 1000;
+
+export const VOTES: FigureKind<PaceState> = {
+  fields: PACE_FIELDS,
+  sheet,
+  create: (parts) => new VotesFigure(parts),
+};
+
+class VotesFigure implements FigureInstance<PaceState> {
+  readonly #parts: FigureParts<PaceState>;
+  readonly #frame: PlotFrame;
+  readonly #style: Choice<Blended>;
+  readonly #kernel = svg("path", { class: "kernel", "data-term": "h" });
+  readonly #dots = svg("g", { class: "dots", "data-term": "g" });
+  readonly #mean = svg("path", { class: "fit", "data-term": "w" });
+  readonly #readout = html("p", { class: "readout" });
+  readonly #timing = new Latest<PaceState>((state) => this.#time(state));
+  #state: PaceState | undefined;
+  #timed: { style: Blended; timing: Timing } | undefined;
+  /** The style whose neighbours are shown. */
+  #chosen: Blended = BLENDED[0];
+
+  constructor(parts: FigureParts<PaceState>) {
+    this.#parts = parts;
+    const { words, container, signal } = parts;
+    this.#frame = new PlotFrame(words.pace.votes, () => this.#drawNow(), signal);
+    this.#style = new Choice(
+      words.style,
+      BLENDED.map((style) => [style, words.styles[style]] as const),
+      (style) => {
+        this.#chosen = style;
+        if (this.#state) void this.#timing.take(this.#state);
+      },
+    );
+    this.#style.value = this.#chosen;
+    this.#frame.picture.append(this.#kernel, this.#dots, this.#mean);
+    this.#frame.listenToMarks(parts.point);
+    container.append(
+      html("header", { class: "head" }, html("h3", {}, words.pace.votes), this.#style.element),
+      this.#frame.element,
+      html("footer", { class: "foot" }, this.#readout),
+    );
+  }
+
+  show(state: PaceState): Promise<void> {
+    this.#state = state;
+    return this.#timing.take(state);
+  }
+
+  async measure(): Promise<Measure> {
+    return this.#state ? measurePace(this.#parts.engine, this.#state) : {};
+  }
+
+  sentence(): string {
+    if (!this.#timed) return "";
+    const { words } = this.#parts;
+    const { style, timing } = this.#timed;
+    const [ms, bandwidth] = this.#read(timing);
+    return words.pace.voted(words.styles[style], String(timing.durations.length), ms, bandwidth);
+  }
+
+  table(): Table {
+    const { words } = this.#parts;
+    const timing = this.#timed?.timing;
+    const rows = Array.from({ length: Math.min(TABLE_ROWS, timing?.durations.length ?? 0) }, (_, i) => [
+      figure(timing!.distances[i]!, 2, words),
+      figure(MS * timing!.durations[i]!, 1, words),
+      figure(timing!.kernel[i]!, 2, words),
+    ]);
+    return { head: words.pace.voices, rows };
+  }
+
+  values(): Readonly<Record<string, string>> {
+    if (!this.#timed) return {};
+    const { kernel, bandwidth } = this.#timed.timing;
+    const { words } = this.#parts;
+    return {
+      g: figure(
+        kernel.reduce((sum, g) => sum + g, 0),
+        1,
+        words,
+      ),
+      h: figure(bandwidth, 2, words),
+    };
+  }
+
+  light(term: string | undefined): void {
+    this.#frame.light(term);
+  }
+
+  #read({ duration, bandwidth }: Timing): [ms: string, bandwidth: string] {
+    const { words } = this.#parts;
+    return [figure(MS * (duration ?? Number.NaN), 1, words), figure(bandwidth, 2, words)];
+  }
+
+  async #time(state: PaceState): Promise<void> {
+    const style = this.#chosen;
+    const { engine, signal } = this.#parts;
+    // A style without weight has no output: its neighbours are asked as if it had some.
+    const styles = { ...lookOf(state).styles, [style]: state[style] || 1 };
+    const timing = await engine.timing({ ...lookOf(state), styles }, style);
+    if (signal.aborted) return;
+    this.#timed = { style, timing };
+    this.#parts.changed();
+    this.#frame.request();
+  }
+
+  #drawNow(): void {
+    if (!this.#timed) return;
+    const { words } = this.#parts;
+    const { timing } = this.#timed;
+    const durations = Array.from(timing.durations, (secs) => MS * secs);
+    const farthest = timing.distances.reduce((a, b) => Math.max(a, b), timing.bandwidth);
+    const axes: Axes = {
+      width: this.#frame.width,
+      height: this.#frame.height,
+      x: [0, extentOf([0, farthest], 1)[1]],
+      y: extentOf(durations, 2),
+    };
+    const ticks = ticksOf(axes.x, 6);
+    const columns = ticks.map((value) => [value, figure(value, digitsOf(ticks), words)] as const);
+    const labels = { x: words.pace.distance, y: words.pace.duration, columns, rows: ticksOf(axes.y, 4) };
+    this.#frame.drawGrid(axes, labels, words);
+    keepCount(this.#dots, durations.length, () => svg("circle", {}));
+    durations.forEach((ms, i) => {
+      setAttributes(this.#dots.children[i]!, {
+        cx: xOf(axes, timing.distances[i]!).toFixed(1),
+        cy: yOf(axes, ms).toFixed(1),
+        r: (RADIUS.least + (RADIUS.most - RADIUS.least) * timing.kernel[i]!).toFixed(1),
+      });
+    });
+    this.#drawKernel(axes, timing);
+    const mean = yOf(axes, MS * (timing.duration ?? Number.NaN));
+    setAttributes(this.#mean, { d: Number.isFinite(mean) ? `M${xOf(axes, 0)} ${mean}H${xOf(axes, axes.x[1])}` : "" });
+    setText(this.#readout, words.pace.mean(...this.#read(timing)));
+  }
+
+  /** g over d, from the lower to the upper edge of the picture. */
+  #drawKernel(axes: Axes, { bandwidth }: Timing): void {
+    const [bottom, top] = axes.y;
+    const points = Array.from({ length: PIECES + 1 }, (_, i) => {
+      const d = (axes.x[1] * i) / PIECES;
+      const g = Math.exp(-(d * d) / (2 * bandwidth * bandwidth));
+      return `${xOf(axes, d).toFixed(1)} ${yOf(axes, bottom + g * (top - bottom)).toFixed(1)}`;
+    });
+    setAttributes(this.#kernel, { d: `M${points.join("L")}` });
+  }
+}

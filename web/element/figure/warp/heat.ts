@@ -1,0 +1,44 @@
+/** A table of costs as a picture: the dearer, the darker. */
+import { html } from "../../../ui/dom";
+import { type Axes, xOf, yOf } from "../axes";
+import type { Warping } from "./warping";
+
+/** The dearest cell is painted so much. */
+const FULL = 0.85;
+
+export class Heat {
+  readonly element = html("canvas", { class: "heat", "aria-hidden": "true" });
+  #painted: { costs: Float32Array; colour: string } | undefined;
+
+  /** Brings the picture to where the axes have it. */
+  place(axes: Axes, warping: Warping): void {
+    const { style } = this.element;
+    const [left, right] = axes.x.map((value) => xOf(axes, value));
+    const [bottom, top] = axes.y.map((value) => yOf(axes, value));
+    [style.left, style.top] = [`${left}px`, `${top}px`];
+    [style.width, style.height] = [`${right! - left!}px`, `${bottom! - top!}px`];
+    this.#paint(warping);
+  }
+
+  /** A pixel a cell; roots tell valleys apart. */
+  #paint({ costs, neutral, styled }: Warping): void {
+    const { color: colour } = getComputedStyle(this.element);
+    if (this.#painted?.costs === costs && this.#painted.colour === colour) return;
+    const [width, height] = [neutral.frames, styled.frames];
+    [this.element.width, this.element.height] = [width, height];
+    const context = this.element.getContext("2d");
+    if (!context) return;
+    const image = context.createImageData(width, height);
+    const dearest = costs.reduce((a, b) => Math.max(a, b), 0);
+    for (let i = 0; i < width; i++)
+      for (let j = 0; j < height; j++) {
+        const share = Math.sqrt(costs[i * height + j]! / dearest);
+        image.data[4 * ((height - 1 - j) * width + i) + 3] = 255 * FULL * share;
+      }
+    context.putImageData(image, 0, 0);
+    context.globalCompositeOperation = "source-in";
+    context.fillStyle = colour;
+    context.fillRect(0, 0, width, height);
+    this.#painted = { costs, colour };
+  }
+}

@@ -1,0 +1,30 @@
+/** Figures of the bias in German. */
+import type { BiasWords } from "../bias";
+
+export const bias: BiasWords = {
+  title: "Was aus dem Band ragt",
+  stage: "Die gehobenen Arme, und was aus ihnen wird",
+  knobs: {
+    raise: { symbol: "φ", name: "Heben φ, Grad", description: "Wie weit beide Arme der Eingabe gehoben sind" },
+    reach: { symbol: "κ", name: "Reichweite κ", description: "Halbe Breite des Bandes, in Standardabweichungen" },
+    keep: { symbol: "ρ", name: "Anteil ρ", description: "Wie viel von dem zurückkehrt, was herausragt" },
+  },
+  axis: (joint) => `${joint}, Drehung von seinem Mittel, °`,
+  input: "Eingabe",
+  output: "Ausgabe",
+  guess: "ρΔx, Grad",
+  columns: ["Größe", "°"],
+  rows: {
+    x: "x, die Eingabe",
+    mean: "μ, Mittel der Nachbarn",
+    deviation: "σ der Nachbarn",
+    bias: "Δx, was herausragt",
+    y: "y, die Ausgabe",
+  },
+  read: (low, high) => `Band von ${low}° bis ${high}°`,
+  said: (x, low, high, bias, y) =>
+    `Die Eingabe steht bei ${x}°, das Band reicht von ${low}° bis ${high}°: ${bias}° ragen heraus, und die Ausgabe steht bei ${y}°.`,
+  elevations: ["Figur", "Oberarme gegen die Senkrechte, °"],
+  posed: (style, time, raise) =>
+    `Bei ${time} s: die Eingabe mit um ${raise}° gehobenen Armen, und ihre Fassung im Stil „${style}“.`,
+};

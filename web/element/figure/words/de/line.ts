@@ -1,0 +1,27 @@
+/** Figures of one prediction in German. */
+import type { LineWords, SweepWords } from "../line";
+
+export const line: LineWords = {
+  title: "Ein Freiheitsgrad und seine Gerade",
+  knobs: {
+    k: { symbol: "K", name: "Nachbarn K", description: "Wie viele der nächsten Beispiele zählen" },
+    lambda: { symbol: "λ", name: "Ridge λ", description: "Wie viel eine steile Gerade kostet" },
+    noise: { symbol: "ν", name: "Rauschen ν, Grad", description: "Rauschen, das zu den Zielen kommt" },
+  },
+  taper: "Nähere Beispiele zählen mehr",
+  input: (name) => `${name}, Eingabe`,
+  output: (name, style) => `${name}, ${style}`,
+  columns: ["Zeile", "Eingabe x, °", "Ziel y, °", "Gewicht v"],
+  read: (mean, above) => `Mittel ${mean}°, Vorhersage ${above}° davon`,
+  said: (name, k, x, y, slope, above) =>
+    `${name}: ${k} Beispiele; bei einer Eingabe von ${x}° sagt die Gerade ${y}° voraus, Steigung ${slope}, ${above}° vom Mittel.`,
+};
+
+export const sweep: SweepWords = {
+  title: "Fehler über λ",
+  error: "Fehler, °",
+  columns: ["λ", "Fehler, °"],
+  read: (error, least, best) => `Fehler ${error}°; am kleinsten ${least}° bei λ ${best}`,
+  said: (lambda, error, least, best) =>
+    `Bei λ ${lambda} liegt die Vorhersage des ganzen Gangs um ${error}° daneben; am wenigsten sind es ${least}° bei λ ${best}.`,
+};

@@ -1,0 +1,15 @@
+/** Figures of the mixture in German. */
+import type { MixWords } from "../mix";
+
+export const mix: MixWords = {
+  title: "Die nächsten Klassen",
+  reading: "Als was die Eingabe gelesen wird",
+  delta: { symbol: "δ", name: "Breite δ", description: "Wie langsam ein Gewicht mit der Entfernung fällt" },
+  weight: "Gewicht λ",
+  actions: { walk: "Gehen", run: "Laufen", jump: "Springen", punch: "Schlagen", kick: "Treten" },
+  guess: "Gewicht der ersten von zweien",
+  columns: ["Klasse", "D, cm²", "λ"],
+  class: (name, square, weight) => `${name} bei ${square} cm², Gewicht ${weight}`,
+  nearest: (classes) => `Die nächsten Klassen: ${classes}.`,
+  readAs: (time, actions) => `Bei ${time} s: ${actions}.`,
+};

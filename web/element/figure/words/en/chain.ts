@@ -1,0 +1,38 @@
+/** Figures of a synthesised step in English. */
+import type { ChainWords } from "../chain";
+
+export const chain: ChainWords = {
+  chain: "The states of a left and a right step",
+  path: "The trajectory through the states",
+  gait: "The walker of this model",
+  knobs: {
+    pose: { symbol: "σ² ×", name: "Variance of the pose", description: "Multiplies σ² of every state." },
+    velocity: { symbol: "σ′² ×", name: "Variance of the velocity", description: "Multiplies σ′² of every state." },
+    acceleration: {
+      symbol: "σ″² ×",
+      name: "Variance of the acceleration",
+      description: "Multiplies σ″² of every state.",
+    },
+    left: { symbol: "ρ left", name: "ρ of left steps", description: "How many variances longer each state lasts." },
+    right: { symbol: "ρ right", name: "ρ of right steps", description: "How many variances longer each state lasts." },
+    share: {
+      symbol: "k",
+      name: "Share k of the style",
+      description: "0 is neutral, 1 the style; below 0 it is negated, above 1 exaggerated.",
+    },
+  },
+  ends: { left: "End of the left step", right: "End of the right step" },
+  steps: { left: "left step", right: "right step" },
+  state: (n) => `state ${n}`,
+  time: "time, s",
+  angle: (joint) => `${joint}, about x, °`,
+  read: (farthest, deviations, jerk) => `|c − μ| ≤ ${farthest}°, ${deviations} σ · jerk ${jerk} ×`,
+  walked: (left, right, cadence) => `left ${left} s · right ${right} s · ${cadence} steps a minute`,
+  said: (joint, farthest, deviations, jerk) =>
+    `The ${joint}: the curve is ${farthest}° from a mean at most, ${deviations} deviations, and jerks ${jerk} times as much as the model's own.`,
+  walks: (style, share) => `A walk that is ${share} of the way from neutral to ${style}.`,
+  walker: "walk",
+  columns: ["time, s", "μ, °", "σ, °", "c, °"],
+  durations: ["state", "left, s", "right, s"],
+  shares: ["style", "k"],
+};

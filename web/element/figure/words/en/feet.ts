@@ -1,0 +1,31 @@
+/** Figures of feet in English. */
+import type { FeetWords } from "../feet";
+
+export const feet: FeetWords = {
+  title: "When a foot stands, and how it slides",
+  soles: "The sole from above",
+  leg: "A leg from the side",
+  foot: "Foot",
+  sides: { left: "left foot", right: "right foot" },
+  hold: "Hold standing feet",
+  ankle: "Ankle",
+  time: "time, s",
+  speed: "slide, cm/s",
+  likelihood: "P",
+  across: "to the left, cm",
+  along: "forwards, cm",
+  forwards: "forwards, m",
+  upwards: "from the hip, m",
+  read: (speed, likelihood) => `slide ${speed} cm/s · P ${likelihood}`,
+  slid: (cm) => `${cm} cm in this stance`,
+  reached: (d, gamma) => `d ${d} m · γ ${gamma}°`,
+  said: (time, foot, stands, speed, held) =>
+    `At ${time} s the ${foot} ${stands ? "stands" : "is lifted"} and moves at ${speed} cm/s, ${held ? "held" : "not held"}.`,
+  seen: (foot, cm, held) => `While the ${foot} stands, ${held ? "held" : "not held"}, it slides by ${cm} cm.`,
+  bent: (d, gamma, bend) =>
+    `The ankle is ${d} m from the hip: the angle γ is ${gamma}°, so the knee is bent by ${bend}°.`,
+  columns: ["time, s", "slide, cm/s", "P"],
+  places: ["time, s", "forwards, cm", "to the left, cm"],
+  parts: ["part", "value"],
+  rows: { a: "thigh a, m", b: "shin b, m", d: "hip to ankle d, m", gamma: "angle γ, °" },
+};

@@ -1,0 +1,42 @@
+/** Figures of the evaluation in English. */
+import type { JudgeWords } from "../judge";
+
+export const judge: JudgeWords = {
+  title: "What the methods achieve",
+  methods: "Methods",
+  names: { nn: "NN", knn: "KNN", lar: "LAR", mar: "MAR", gar: "GAR", lti: "LTI", gp: "GP" },
+  columns: { pose: "error ē, mm", acceleration: "acceleration, × input", content: "content" },
+  source: "Where the numbers come from",
+  sources: { live: "this take, live", inside: "recorded walks", off: "other collections" },
+  leaveIn: "Leave it in",
+  honestOne: "The honest number",
+  honest: {
+    "": () => "not ticked",
+    out: (mm) => (mm === "" ? "held out" : `held out ${mm} mm`),
+    in: (mm) => (mm === "" ? "left in" : `left in ${mm} mm`),
+  },
+  computing: "The methods are at work.",
+  where: (take, style, leftIn) => `${take} as ${style}, ${leftIn ? "left in" : "held out"}`,
+  achieved: (where, method, pose, acceleration, content) =>
+    `${where}: ${method} has error ${pose} mm, acceleration ${acceleration} × the input’s, content ${content}.`,
+  notMeasured: (where, method) => `${where}: ${method} was not measured.`,
+  unchanged: "input unchanged",
+  otherTake: "line: another real take",
+  otherTakeRecorded: "line: another real take, recorded",
+  floor: (name, mm) => `${name} ${mm} mm`,
+  noTruth: "Nobody performed these in the style: there is no error to measure.",
+  duel: "Error over time",
+  rival: "Compared with",
+  error: "error, mm",
+  pin: (method) => `Pin: ${method} is better here`,
+  duelled: (secs, pick, mm, rival, rivalMm, more) =>
+    `At ${secs} s: ${pick} ${mm} mm, ${rival} ${rivalMm} mm, ${rival} errs by ${more} mm more.`,
+  duelMeans: (pick, mm, rival, rivalMm, more) => `ē: ${pick} ${mm} mm, ${rival} ${rivalMm} mm; here ${more} mm`,
+  corrections: "The line’s answer against the mean",
+  correction: "β⊤(u − ū), °",
+  instants: "instants",
+  counting: (done, of) => `${done} of ${of} instants are counted.`,
+  counted: (joint, of, within, degrees, typical) =>
+    `${joint}: in ${within} of ${of} instants within ${degrees}° of the mean; half within ${typical}°.`,
+  binColumns: ["β⊤(u − ū), °", "instants"],
+};

@@ -1,0 +1,38 @@
+/** Figures of key-styling in English. */
+import type { MapWords } from "../map";
+
+export const map: MapWords = {
+  som: "Components and what they know",
+  learning: "Error after each pass",
+  pad: "Drag the feet apart",
+  posed: "The pose of these variables",
+  keys: "A cycle from keys",
+  temperature: { symbol: "T", name: "Temperature T", description: "How softly components share in a pose." },
+  steps: { one: "1 update", ten: "10", pass: "a pass", all: "all", restart: "Begin again" },
+  printed: "Sign as printed",
+  handle: "Style",
+  key: (n) => `Key ${n}`,
+  add: "Add a key",
+  remove: "Remove a key",
+  separation: "distance of the feet along the way, cm",
+  height: "in height, cm",
+  pass: "pass",
+  error: "error, °",
+  time: "time of the cycle, s",
+  at: (updates, pass, error) => `${updates} updates · pass ${pass} · error ${error} rad`,
+  learned: (pass, error) => `pass ${pass}: ${error}°`,
+  unlearned: "before the first pass",
+  dragged: (change, error) => `greatest change ${change}° a frame · error ${error}°`,
+  keyed: (count, error) => `${count} keys · error ${error}°`,
+  stepped: (updates, count, error) =>
+    `After ${updates} updates of ${count} components the error of this pass is ${error} radians.`,
+  fallen: (pass, error) => `After pass ${pass} the model is off by ${error}° on average.`,
+  asked: (separation, height) => `The feet are ${separation} cm apart along the way, and ${height} cm in height.`,
+  interpolated: (count, error, from, to, worst) =>
+    `With ${count} keys the cycle is off by ${error}° on average, most between ${from} and ${to} s, by ${worst}°.`,
+  pose: "pose",
+  components: ["component", "share a", "r", "m, cm"],
+  passes: ["pass", "error, °"],
+  variables: ["variable", "cm"],
+  frames: ["time, s", "distance, cm", "error, °"],
+};

@@ -1,0 +1,28 @@
+/** Figures of the distance of windows in English. */
+import type { NearWords } from "../near";
+
+export const near: NearWords = {
+  stage: "The query and its 8 nearest",
+  title: "Distance to every window",
+  knobs: {
+    heading: { symbol: "θ", name: "Turn", description: "Turns the whole query about the vertical, degrees." },
+    x: { symbol: "x₀", name: "Move x", description: "Moves the whole query over the ground, metres." },
+    z: { symbol: "z₀", name: "Move z", description: "Moves the whole query over the ground, metres." },
+    k: { symbol: "K", name: "Neighbours K", description: "How many of the nearest windows are used." },
+  },
+  move: "Place of the query",
+  moved: (x, z) => `x ${x} m, z ${z} m`,
+  restore: "Put back",
+  window: "Frames s of a window",
+  reversed: "Reverse time",
+  guess: "√D₁ changed by, mm",
+  query: "query",
+  rows: "time of the example, s",
+  distance: "√D, mm",
+  read: (first, k, last) => `√D₁ ${first} mm · √D of number ${k}: ${last} mm`,
+  said: (window, reversed, first, k, last) =>
+    `Windows of ${window} ${window === "1" ? "frame" : "frames"}${reversed ? ", the query’s time reversed" : ""}: the nearest is ${first} mm away, number ${k} is ${last} mm away.`,
+  posed: (heading, x, z, limbs, first) =>
+    `The query is turned by ${heading}° and moved by ${x} m and ${z} m, with ${limbs} limbs bent. The nearest example is ${first} mm away.`,
+  columns: ["row", "√D, mm", "θ"],
+};

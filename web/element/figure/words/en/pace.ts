@@ -1,0 +1,37 @@
+/** Figures of the pace of a blend in English. */
+import type { PaceWords } from "../pace";
+
+export const pace: PaceWords = {
+  blend: "Weights of the styles",
+  clock: "Time of the blend",
+  paced: "The same second",
+  votes: "How long the neighbours took",
+  handle: "Blend",
+  knobs: {
+    old: { symbol: "s old", name: "Weight of old", description: "Share of the old style; beyond 1 it is exaggerated." },
+    childlike: {
+      symbol: "s child",
+      name: "Weight of childlike",
+      description: "Share of the childlike style; beyond 1 it is exaggerated.",
+    },
+  },
+  input: "time of the input, s",
+  output: "time of the output, s",
+  distance: "distance d",
+  duration: "duration w of a frame, ms",
+  weights: (old, childlike, neutral) => `old ${old} · childlike ${childlike} · neutral ${neutral}`,
+  read: (output, input, ratio) => `${output} s for ${input} s: ${ratio} times as long`,
+  blended: (old, childlike, neutral, ratio) =>
+    `With old ${old}, childlike ${childlike} and neutral ${neutral} the walk takes ${ratio} times as long.`,
+  clocked: (time, output, length, ratio) =>
+    `What the input does at ${time} s, the blend does at ${output} s. The whole takes ${length} s, ${ratio} times as long.`,
+  walking: (time, behind) => `At ${time} s the blend does what the input did at ${behind} s.`,
+  ended: (time) => `At ${time} s the blend has ended.`,
+  mean: (ms, bandwidth) => `w ${ms} ms · h ${bandwidth}`,
+  voted: (style, count, ms, bandwidth) =>
+    `In the style ${style}, ${count} neighbours say that the frame lasts ${ms} ms; the bandwidth h is ${bandwidth}.`,
+  blendName: "blend",
+  shares: ["style", "weight"],
+  times: ["input, s", "output, s"],
+  voices: ["d", "w, ms", "g"],
+};

@@ -1,0 +1,24 @@
+/** What the figures of one prediction say. */
+import type { KnobWords } from "./knob";
+
+/** What the figure of a fitted line says. */
+export interface LineWords {
+  title: string;
+  knobs: Record<"k" | "lambda" | "noise", KnobWords>;
+  taper: string;
+  input: (joint: string) => string;
+  output: (joint: string, style: string) => string;
+  /** Heads of the table: row of the database, input, target, weight. */
+  columns: readonly [string, string, string, string];
+  read: (mean: string, above: string) => string;
+  said: (joint: string, k: string, x: string, y: string, slope: string, above: string) => string;
+}
+
+/** What the figure of the ridge's sweep says. */
+export interface SweepWords {
+  title: string;
+  error: string;
+  columns: readonly [string, string];
+  read: (error: string, least: string, best: string) => string;
+  said: (lambda: string, error: string, least: string, best: string) => string;
+}

@@ -1,0 +1,40 @@
+/** What the figures of key-styling say. */
+import type { KnobWords } from "./knob";
+
+export interface MapWords {
+  /** Titles. */
+  som: string;
+  learning: string;
+  pad: string;
+  posed: string;
+  keys: string;
+  temperature: KnobWords;
+  /** Buttons: updates, a pass, all, and the beginning. */
+  steps: Record<"one" | "ten" | "pass" | "all" | "restart", string>;
+  printed: string;
+  handle: string;
+  key: (n: number) => string;
+  add: string;
+  remove: string;
+  /** Axes. */
+  separation: string;
+  height: string;
+  pass: string;
+  error: string;
+  time: string;
+  at: (updates: string, pass: string, error: string) => string;
+  learned: (pass: string, error: string) => string;
+  unlearned: string;
+  dragged: (change: string, error: string) => string;
+  keyed: (count: string, error: string) => string;
+  stepped: (updates: string, count: string, error: string) => string;
+  fallen: (pass: string, error: string) => string;
+  asked: (separation: string, height: string) => string;
+  interpolated: (count: string, error: string, from: string, to: string, worst: string) => string;
+  pose: string;
+  /** Heads of the tables. */
+  components: readonly [string, string, string, string];
+  passes: readonly [string, string];
+  variables: readonly [string, string];
+  frames: readonly [string, string, string];
+}

@@ -1,0 +1,16 @@
+/** What the figures of the mixture say. */
+import type { KnobWords } from "./knob";
+
+export interface MixWords {
+  title: string;
+  reading: string;
+  delta: KnobWords;
+  weight: string;
+  actions: Readonly<Record<string, string>>;
+  guess: string;
+  /** Heads of the table: class, D, λ. */
+  columns: readonly [string, string, string];
+  class: (name: string, square: string, weight: string) => string;
+  nearest: (classes: string) => string;
+  readAs: (time: string, actions: string) => string;
+}

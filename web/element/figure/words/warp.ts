@@ -1,0 +1,23 @@
+/** What the figures of a registered step say. */
+import type { PathName } from "../warp/warp_state";
+
+export interface WarpWords {
+  title: string;
+  paths: Record<PathName, string>;
+  /** Which path is read. */
+  path: string;
+  /** Axes: time of the neutral step, and of the style's. */
+  neutral: string;
+  styled: (style: string) => string;
+  anchor: (n: number) => string;
+  place: (x: string, y: string) => string;
+  /** What a path costs, and how far it is from the exact one. */
+  cost: (ratio: string) => string;
+  off: (ms: string) => string;
+  feet: { both: string; left: string; right: string; none: string };
+  said: (path: string, time: string, tau: string, cost: string, neutral: string, style: string, feet: string) => string;
+  walkers: string;
+  /** Heads of the table: style, time, feet. */
+  columns: readonly [string, string, string];
+  paired: (time: string, neutral: string, tau: string, style: string, feet: string) => string;
+}
