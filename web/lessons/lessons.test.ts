@@ -1,4 +1,4 @@
-import { existsSync, readdirSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import fc from "fast-check";
 import { beforeAll, describe, expect, test } from "vitest";
@@ -6,15 +6,33 @@ import { FIELDS } from "../app/state/state";
 import { piecesOf } from "../app/views/learn/prose";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
+import { measureBias } from "../element/figure/bias/bias_measure";
+import { BIAS_FIELDS } from "../element/figure/bias/bias_state";
+import { measureChain } from "../element/figure/chain/chain_measure";
+import { CHAIN_FIELDS } from "../element/figure/chain/chain_state";
+import { measureFeet } from "../element/figure/feet/feet_measure";
+import { FEET_FIELDS } from "../element/figure/feet/feet_state";
+import { measureJudge } from "../element/figure/judge/judge_measure";
+import { JUDGE_FIELDS } from "../element/figure/judge/judge_state";
 import type { Measure } from "../element/figure/kind";
 import { LANGUAGES } from "../element/figure/languages";
 import { measureLine } from "../element/figure/line/line_measure";
 import { LINE_FIELDS } from "../element/figure/line/line_state";
+import { measureMap } from "../element/figure/map/map_measure";
+import { MAP_FIELDS } from "../element/figure/map/map_state";
 import { measureMix } from "../element/figure/mix/mix_measure";
 import { MIX_FIELDS } from "../element/figure/mix/mix_state";
+import { measureNear } from "../element/figure/near/near_measure";
+import { NEAR_FIELDS } from "../element/figure/near/near_state";
+import { measurePace } from "../element/figure/pace/pace_measure";
+import { PACE_FIELDS } from "../element/figure/pace/pace_state";
 import { measurePair } from "../element/figure/pair_measure";
 import { PAIR_FIELDS, type PairState } from "../element/figure/pair_state";
+import { measurePose } from "../element/figure/pose/pose_measure";
+import { POSE_FIELDS } from "../element/figure/pose/pose_state";
 import { sharedPair } from "../element/figure/shared";
+import { measureWarp } from "../element/figure/warp/warp_measure";
+import { WARP_FIELDS } from "../element/figure/warp/warp_state";
 import { serveLearnPackage } from "../engine/learn/wasm";
 import { readHash, writeHash } from "../link/hash";
 import { judge, type Lesson } from "./lesson";
@@ -36,7 +54,16 @@ async function measured(state: string): Promise<Measure> {
 const MEASURES: Readonly<Record<string, (state: string) => Promise<Measure>>> = {
   style: measured,
   line: (state) => measureLine(engine, readHash(LINE_FIELDS, state)),
+  pose: (state) => measurePose(engine, readHash(POSE_FIELDS, state)),
+  register: (state) => measureWarp(engine, readHash(WARP_FIELDS, state)),
+  near: (state) => measureNear(engine, readHash(NEAR_FIELDS, state)),
   mix: (state) => measureMix(engine, readHash(MIX_FIELDS, state)),
+  bias: (state) => measureBias(engine, readHash(BIAS_FIELDS, state)),
+  time: (state) => measurePace(engine, readHash(PACE_FIELDS, state)),
+  feet: (state) => measureFeet(engine, readHash(FEET_FIELDS, state)),
+  judge: (state) => measureJudge(engine, readHash(JUDGE_FIELDS, state)),
+  chain: (state) => measureChain(engine, readHash(CHAIN_FIELDS, state)),
+  map: (state) => measureMap(engine, readHash(MAP_FIELDS, state)),
 };
 
 const exercise = (id: string) => style.exercises.find((one) => one.id === id)!;
@@ -81,6 +108,11 @@ describe("every lesson", () => {
       expect(judge(one, await measure(state)), one.id).toEqual({ result: "pass" });
       expect(judge(one, await measure(one.start(""))).result, `${one.id} is not solved at the start`).not.toBe("pass");
     }
+  });
+
+  test("the teachers' page has them all", () => {
+    const page = readFileSync(join(root, "docs", "teaching.md"), "utf8");
+    for (const { id } of LESSONS) expect(page).toContain(`\`${id}\`: `);
   });
 
   test("an unknown one is the first", () => {

@@ -34,8 +34,8 @@ async function solveHalf(engine: LearnEngine): Promise<Partial<MixState>> {
   return { delta: Math.sqrt(low * high) };
 }
 
-/** Frame of exercise C: what is asked differs from what a mistake gives. */
-const ASKED = 140;
+/** Frame and width of exercise C: what is asked differs from what a mistake gives, and the input is known. */
+const ASKED = { at: 160, delta: 2 };
 
 export const mix: Lesson = lesson<MixState>({
   id: "mix",
@@ -101,7 +101,7 @@ export const mix: Lesson = lesson<MixState>({
     {
       id: "C",
       figure: "bars",
-      start: { ...PRESET, at: ASKED },
+      start: { ...PRESET, ...ASKED },
       pass: ({ guess, alone }) => Number(guess) >= 0 && Math.abs(Number(guess) - Number(alone)) <= OFF_ALONE,
       near: ({ guess, alone }) => {
         if (Number(guess) < 0) return "none";
@@ -111,8 +111,8 @@ export const mix: Lesson = lesson<MixState>({
       },
       refuse: ({ guess, plain }) => Number(guess) >= 0 && Math.abs(Number(guess) - Number(plain)) <= OFF_ALONE,
       solve: async (engine) => {
-        const [first, second] = await sharesOf(engine, { ...PRESET, at: ASKED });
-        return { guess: weightAlone([first!.square, second!.square], PRESET.delta) };
+        const [first, second] = await sharesOf(engine, { ...PRESET, ...ASKED });
+        return { guess: weightAlone([first!.square, second!.square], ASKED.delta) };
       },
     },
   ],

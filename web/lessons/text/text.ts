@@ -68,6 +68,7 @@ export interface LearnText {
   exportProgress: string;
   importProgress: string;
   eraseProgress: string;
+  eraseQuestion: string;
   erased: string;
   imported: string;
   notImported: string;
@@ -77,5 +78,14 @@ export interface LearnText {
   resetFigures: string;
   linkToFigure: string;
   figures: string;
+  figure: string;
+  embed: string;
+  frame: string;
+  element: string;
+  code: string;
+  copy: string;
+  codeCopied: string;
+  copyByHand: string;
+  close: string;
   failed: (why: string) => string;
 }

@@ -3,15 +3,33 @@ import type { LearnText, LessonTexts } from "../text";
 
 export const lessons: LessonTexts = {
   style: async () => (await import("./style")).style,
+  pose: async () => (await import("./pose")).pose,
+  register: async () => (await import("./register")).register,
+  near: async () => (await import("./near")).near,
   line: async () => (await import("./line")).line,
   mix: async () => (await import("./mix")).mix,
+  bias: async () => (await import("./bias")).bias,
+  time: async () => (await import("./time")).time,
+  feet: async () => (await import("./feet")).feet,
+  judge: async () => (await import("./judge")).judge,
+  chain: async () => (await import("./chain")).chain,
+  map: async () => (await import("./map")).map,
 };
 
 export const learn: LearnText = {
   titles: {
     style: "Inhalt und Stil unterscheiden",
+    pose: "Einen Freiheitsgrad lesen",
+    register: "Eine Zeitverzerrung lesen",
+    near: "Wissen, was der Abstand nicht beachtet",
     line: "Sagen, was K, λ und β mit einer Vorhersage machen",
     mix: "Aus Entfernungen Gewichte gewinnen",
+    bias: "Inhalt wissend gegen Stil tauschen",
+    time: "Das Tempo einer Mischung ausrechnen",
+    feet: "Rutschen erklären und beheben",
+    judge: "Eine Auswertung anzweifeln",
+    chain: "Vorhersagen, was Varianzen tun",
+    map: "Einem Lernschritt folgen",
   },
   lessonOf: (n, of) => `Lektion ${n} von ${of}`,
   beats: {
@@ -53,6 +71,7 @@ export const learn: LearnText = {
   exportProgress: "Exportieren",
   importProgress: "Importieren",
   eraseProgress: "Löschen",
+  eraseQuestion: "Deine Wetten, Worte und gelösten Aufgaben aller Lektionen löschen?",
   erased: "Dein Fortschritt ist gelöscht.",
   imported: "Dein Fortschritt ist importiert.",
   notImported: "Diese Datei enthält keinen Fortschritt der Lektionen.",
@@ -62,5 +81,14 @@ export const learn: LearnText = {
   resetFigures: "Die Abbildungen sind wie am Anfang.",
   linkToFigure: "Der Link der Abbildungen ist kopiert.",
   figures: "Abbildungen",
+  figure: "Abbildung",
+  embed: "Eine Abbildung einbetten",
+  frame: "Rahmen",
+  element: "Element",
+  code: "Code zum Kopieren",
+  copy: "Kopieren",
+  codeCopied: "Kopiert.",
+  copyByHand: "Der Browser lässt diese Seite nicht kopieren. Drücke Strg+C.",
+  close: "Schließen",
   failed: (why) => `Das konnte nicht berechnet werden. ${why}`,
 };

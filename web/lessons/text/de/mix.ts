@@ -52,7 +52,7 @@ export const mix: LessonText = {
         less: ({ running }) => `Knapp: ${running}. Etwas weniger δ.`,
       },
       refuse: ({ delta, running }) =>
-        `δ ist eine Breite und kein Gewicht: Mit δ ${delta} hat neutrales Laufen ${running}, mehr als vorher.`,
+        `δ ist eine Breite und kein Gewicht: Mit δ ${delta} hat neutrales Laufen ${running}, nicht die Hälfte.`,
       no: ({ delta, running }) => `Mit δ ${delta} hat neutrales Laufen ${running}.`,
       hints: [
         "Ein breiteres δ verzeiht Entfernung, und die stärkste Klasse verliert.",
@@ -77,6 +77,6 @@ export const mix: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Gl. 3–5: die Mischung autoregressiver Modelle.",
-    "Die Gewichte berechnet `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. Die kleinste Entfernung zählt mindestens als 1 mm², und Anteile unter zwei Hunderttausendsteln des größten fallen weg.",
+    "Die Gewichte berechnet `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. Die kleinste Entfernung zählt mindestens als 1 mm², Anteile unter zwei Hunderttausendsteln des größten fallen weg, und δ ist bis zu dreimal so breit, wo die Eingabe unbekannt ist, ihr kleinstes D also über 25 cm².",
   ],
 };

@@ -3,15 +3,33 @@ import type { LearnText, LessonTexts } from "../text";
 
 export const lessons: LessonTexts = {
   style: async () => (await import("./style")).style,
+  pose: async () => (await import("./pose")).pose,
+  register: async () => (await import("./register")).register,
+  near: async () => (await import("./near")).near,
   line: async () => (await import("./line")).line,
   mix: async () => (await import("./mix")).mix,
+  bias: async () => (await import("./bias")).bias,
+  time: async () => (await import("./time")).time,
+  feet: async () => (await import("./feet")).feet,
+  judge: async () => (await import("./judge")).judge,
+  chain: async () => (await import("./chain")).chain,
+  map: async () => (await import("./map")).map,
 };
 
 export const learn: LearnText = {
   titles: {
     style: "Tell content from style",
+    pose: "Read a degree of freedom",
+    register: "Read a warp",
+    near: "Know what the distance ignores",
     line: "Say what K, λ and β do to one prediction",
     mix: "Get weights from distances",
+    bias: "Trade content for style knowingly",
+    time: "Compute the pace of a blend",
+    feet: "Explain skate and its cure",
+    judge: "Doubt an evaluation",
+    chain: "Predict what variances do",
+    map: "Follow one update",
   },
   lessonOf: (n, of) => `Lesson ${n} of ${of}`,
   beats: {
@@ -52,6 +70,7 @@ export const learn: LearnText = {
   exportProgress: "Export",
   importProgress: "Import",
   eraseProgress: "Erase",
+  eraseQuestion: "Erase your bets, words and solved exercises in all lessons?",
   erased: "Your progress is erased.",
   imported: "Your progress is imported.",
   notImported: "This file holds no progress of the lessons.",
@@ -61,5 +80,14 @@ export const learn: LearnText = {
   resetFigures: "The figures are as they were.",
   linkToFigure: "The link of the figures is copied.",
   figures: "Figures",
+  figure: "Figure",
+  embed: "Embed a figure",
+  frame: "Frame",
+  element: "Element",
+  code: "Code to copy",
+  copy: "Copy",
+  codeCopied: "Copied.",
+  copyByHand: "The browser does not let this page copy. Press Ctrl+C.",
+  close: "Close",
   failed: (why) => `This could not be computed. ${why}`,
 };

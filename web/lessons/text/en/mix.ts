@@ -52,7 +52,7 @@ export const mix: LessonText = {
         less: ({ running }) => `Close: ${running}. A little less δ.`,
       },
       refuse: ({ delta, running }) =>
-        `δ is a width and no weight: with δ ${delta} neutral running has ${running}, more than before.`,
+        `δ is a width and no weight: with δ ${delta} neutral running has ${running}, not one half.`,
       no: ({ delta, running }) => `With δ ${delta} neutral running has ${running}.`,
       hints: [
         "A wider δ forgives distance, and the winner loses.",
@@ -77,6 +77,6 @@ export const mix: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Eq. 3–5: the mixture of autoregressive models.",
-    "Weights are computed by `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. The least distance counts as 1 mm² at least, and shares below two hundred-thousandths of the largest are dropped.",
+    "Weights are computed by `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. The least distance counts as 1 mm² at least, shares below two hundred-thousandths of the largest are dropped, and δ is up to three times as wide where the input is unknown, its least D beyond 25 cm².",
   ],
 };

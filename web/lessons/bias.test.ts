@@ -1,0 +1,125 @@
+import { beforeAll, expect, test } from "vitest";
+import { saidIn } from "../app/views/learn/said";
+import { createLearnTable } from "../client/learn/learn_table";
+import { DEFAULT_OPTIONS } from "../client/protocol";
+import { biasOf, elevation, leastReach, measureBias, survives } from "../element/figure/bias/bias_measure";
+import { BIAS_FIELDS, type BiasState, lookOf, raisedInput, SETTINGS } from "../element/figure/bias/bias_state";
+import { serveLearnPackage } from "../engine/learn/wasm";
+import { DEGREES, exp, JOINT, log, multiply, POSE_FLOATS, quaternionAt, restPose } from "../humanoid";
+import { inverse } from "../humanoid/rotations";
+import { readHash } from "../link/hash";
+import { bias } from "./bias";
+import { judge } from "./lesson";
+import { TEXTS } from "./text";
+
+beforeAll(serveLearnPackage);
+const engine = createLearnTable();
+
+const exercise = (id: string) => bias.exercises.find((one) => one.id === id)!;
+const stateOf = (id: string, patch: Partial<BiasState>): BiasState => ({
+  ...readHash(BIAS_FIELDS, exercise(id).start("")),
+  ...patch,
+});
+const result = async (id: string, patch: Partial<BiasState>) =>
+  judge(exercise(id), await measureBias(engine, stateOf(id, patch)));
+
+test("the bet: without ρ next to nothing of the raise survives", async () => {
+  const { answer, measure } = await bias.bet.reveal(engine);
+  expect(answer).toBe("little");
+  expect(Number(measure.share)).toBeGreaterThan(0);
+  expect(Number(measure.usual)).toBeGreaterThan(0.45);
+});
+
+test("x is the angle of the raised arm from its mean, and Δx is what of it is outside μ ± κσ", async () => {
+  const state = stateOf("A", { keep: 0.7 });
+  const { poses, means } = await engine.motion({ name: state.motion });
+  const arm = JOINT.right_upper_arm;
+  const local = quaternionAt(poses.subarray(state.at * POSE_FLOATS + 3), arm);
+  const raised = multiply(exp([-state.raise / DEGREES, 0, 0]), local);
+  const x = log(multiply(inverse(quaternionAt(means, arm)), raised))[1] * DEGREES;
+  const band = await biasOf(engine, state);
+  expect(band.x).toBeCloseTo(x, 2);
+  const reach = state.reach * band.deviation;
+  const inside = Math.min(band.mean + reach, Math.max(band.mean - reach, x));
+  expect(band.bias).toBeCloseTo(x - inside, 2);
+  expect(band.bias).toBeGreaterThan(20);
+});
+
+test("the mean and the deviation are those of the neighbours, by their weights", async () => {
+  const fit = await engine.fit(lookOf(stateOf("B", {})), SETTINGS);
+  const band = await biasOf(engine, stateOf("B", {}));
+  const total = fit.weights.reduce((sum, weight) => sum + weight, 0);
+  const mean = fit.x.reduce((sum, x, i) => sum + fit.weights[i]! * x, 0) / total;
+  expect(band.mean).toBeCloseTo(mean * DEGREES, 2);
+  expect(leastReach(band)).toBeCloseTo(Math.abs(band.x - band.mean) / band.deviation, 6);
+});
+
+test("the output is what the line says and ρΔx", async () => {
+  const [none, half] = await Promise.all([0, 0.5].map((keep) => biasOf(engine, stateOf("A", { keep }))));
+  expect(none!.returned).toBe(0);
+  expect(none!.y).toBe(none!.line);
+  expect(half!.y - half!.line).toBeCloseTo(0.5 * half!.bias, 9);
+});
+
+test("an arm of the T-pose is a quarter turn above straight down", async () => {
+  const { proportions } = await engine.motion({ name: "neutral walk" });
+  expect(elevation(restPose(), proportions)).toBeCloseTo(90, 0);
+});
+
+test("the share that survives is that of poses which are styled frame by frame", async () => {
+  const state = stateOf("A", { keep: 0.7 });
+  const { proportions } = await engine.motion({ name: state.motion });
+  const frames = [100, 300, 500, 700];
+  const meanOf = async (raise: number) => {
+    const poses = await Promise.all(frames.map((at) => engine.styled(lookOf({ ...state, raise, at }))));
+    return poses.reduce((sum, { pose }) => sum + elevation(pose, proportions), 0) / frames.length;
+  };
+  const given = async (raise: number) => {
+    const { poses } = await engine.motion(raisedInput({ motion: state.motion, raise }));
+    const picked = frames.map((at) => elevation(poses.subarray(at * POSE_FLOATS, (at + 1) * POSE_FLOATS), proportions));
+    return picked.reduce((sum, one) => sum + one, 0) / frames.length;
+  };
+  const share = ((await meanOf(60)) - (await meanOf(0))) / ((await given(60)) - (await given(0)));
+  expect(await survives(engine, state)).toBeCloseTo(share, 1);
+});
+
+test("A is passed by a narrow stretch of ρ, below the engine's own, and one half is refused", async () => {
+  for (const keep of [0.65, 0.7]) expect(await result("A", { keep })).toEqual({ result: "pass" });
+  expect(await result("A", { keep: 0.5 })).toEqual({ result: "refuse" });
+  expect(await result("A", { keep: 0.63 })).toEqual({ result: "near", way: "more" });
+  expect(await result("A", { keep: 0.73 })).toEqual({ result: "near", way: "less" });
+  expect(await result("A", { keep: 0.68, raise: 30 })).toEqual({ result: "near", way: "other" });
+  expect(await result("A", { keep: 1 })).toEqual({ result: "no" });
+  const said = saidIn("en", await measureBias(engine, stateOf("A", { keep: 0.5 })));
+  expect((await TEXTS.en.lessons.bias!()).exercises.A!.refuse(said)).toMatch(
+    /^ρ is a share .* 0\.50, 0\.\d\d survives\.$/,
+  );
+});
+
+test("B is passed where the band just reaches the input", async () => {
+  const least = leastReach(await biasOf(engine, stateOf("B", {})));
+  expect(least).toBeGreaterThan(DEFAULT_OPTIONS.kappa + 0.5);
+  const tenth = Math.ceil(least * 10) / 10;
+  expect(await result("B", { reach: tenth })).toEqual({ result: "pass" });
+  expect(await result("B", { reach: tenth + 0.2 })).toEqual({ result: "pass" });
+  expect(await result("B", { reach: tenth + 0.5 })).toEqual({ result: "refuse" });
+  expect(await result("B", { reach: tenth - 0.2 })).toEqual({ result: "near", way: "more" });
+  expect(await result("B", { reach: 1 })).toEqual({ result: "no" });
+  expect(await result("B", { reach: tenth, at: 200 })).toEqual({ result: "near", way: "other" });
+});
+
+test("C wants what is outside the band, and refuses a share of all of x with its sentence", async () => {
+  const { returned, keep, x, mean } = await measureBias(engine, stateOf("C", {}));
+  expect(await result("C", { guess: Number(Number(returned).toFixed(1)) })).toEqual({ result: "pass" });
+  expect(await result("C", {})).toEqual({ result: "near", way: "none" });
+  expect(await result("C", { guess: Number(keep) * (Number(x) - Number(mean)) })).toEqual({
+    result: "near",
+    way: "edge",
+  });
+  const all = Number(keep) * Number(x);
+  expect(Math.abs(all - Number(returned)), "the mistake gives another number").toBeGreaterThan(2);
+  expect(await result("C", { guess: all })).toEqual({ result: "refuse" });
+  expect(await result("C", { guess: 0 })).toEqual({ result: "no" });
+  const said = saidIn("en", await measureBias(engine, stateOf("C", { guess: all })));
+  expect((await TEXTS.en.lessons.bias!()).exercises.C!.refuse(said)).toMatch(/^You took all of x: −?\d+\.\d\d°\./);
+});

@@ -1,0 +1,121 @@
+/** Lesson: trade content for style knowingly. */
+import { biasOf, leastReach, survives } from "../element/figure/bias/bias_measure";
+import { BIAS_FIELDS, BIAS_RANGES, type BiasState } from "../element/figure/bias/bias_state";
+import { initialOf } from "../link/hash";
+import equation from "./equations/bias.tex";
+import { type Lesson, lesson } from "./lesson";
+
+const PRESET = initialOf(BIAS_FIELDS);
+
+/** Exercise A: half of the raise, how far from it passes or is close, and the share that many would set. */
+const HALF = 0.5;
+const OFF = 0.03;
+const NAIVE = 0.5;
+/** Exercise B: a raise that sticks out a little, and how much wider than needed passes, or is close. */
+const SLIGHT = 10;
+const WIDER = 0.3;
+const NARROWER_NEAR = 0.5;
+/** Exercise C: degrees from the answer that pass. */
+const DEGREES_OFF = 0.5;
+/** Less than this share is next to nothing, and more than that much. */
+const LITTLE = 0.25;
+const MUCH = 0.75;
+
+export const bias: Lesson = lesson<BiasState>({
+  id: "bias",
+  fields: BIAS_FIELDS,
+  figures: [
+    {
+      name: "raised",
+      kind: "raised",
+      beats: ["idea", "bet", "look", "why", "exercises", "sources"],
+      explained: ["look", "why", "exercises", "sources"],
+    },
+    {
+      name: "band",
+      kind: "band",
+      beats: ["look", "why", "exercises", "sources"],
+      explained: ["look", "why", "exercises", "sources"],
+    },
+  ],
+  equation,
+  symbols: ["x", "mu", "sigma", "kappa", "dx", "beta", "rho", "y"],
+  bet: {
+    options: ["little", "half", "all"],
+    reveal: async (engine) => {
+      const [without, usual] = await Promise.all([0, PRESET.keep].map((keep) => survives(engine, { ...PRESET, keep })));
+      const share = without!;
+      const answer = share < LITTLE ? "little" : share > MUCH ? "all" : "half";
+      return { answer, measure: { share, usual: usual!, keep: PRESET.keep } };
+    },
+  },
+  exercises: [
+    {
+      id: "A",
+      figure: "band",
+      start: { ...PRESET, keep: 0 },
+      pass: (measure) => isPreset(measure) && Math.abs(Number(measure.share) - HALF) <= OFF,
+      near: (measure) => {
+        if (!isPreset(measure)) return "other";
+        const off = Number(measure.share) - HALF;
+        if (Math.abs(off) > 2 * OFF) return undefined;
+        return off < 0 ? "more" : "less";
+      },
+      refuse: (measure) => isPreset(measure) && Math.abs(Number(measure.keep) - NAIVE) <= OFF,
+      solve: async (engine) => {
+        // Between these the share is nearly linear in ρ; each costs the engine a second.
+        const [low, high] = [0.6, 0.8];
+        const [less, more] = [
+          await survives(engine, { ...PRESET, keep: low }),
+          await survives(engine, { ...PRESET, keep: high }),
+        ];
+        return { keep: low + ((HALF - less) / (more - less)) * (high - low) };
+      },
+    },
+    {
+      id: "B",
+      figure: "band",
+      start: { ...PRESET, raise: SLIGHT },
+      pass: (measure) => {
+        const spare = Number(measure.reach) - Number(measure.leastReach);
+        return isSlight(measure) && measure.bias === 0 && spare <= WIDER;
+      },
+      near: (measure) => {
+        if (!isSlight(measure)) return "other";
+        const missing = Number(measure.leastReach) - Number(measure.reach);
+        return missing > 0 && missing <= NARROWER_NEAR ? "more" : undefined;
+      },
+      refuse: (measure) => isSlight(measure) && measure.bias === 0,
+      solve: async (engine) => {
+        const { digits } = BIAS_RANGES.reach;
+        const least = leastReach(await biasOf(engine, { ...PRESET, raise: SLIGHT }));
+        return { reach: Math.ceil(least * 10 ** digits + 0.5) / 10 ** digits };
+      },
+    },
+    {
+      id: "C",
+      figure: "band",
+      start: { ...PRESET },
+      pass: ({ guess, returned }) => Math.abs(Number(guess) - Number(returned)) <= DEGREES_OFF,
+      near: ({ guess, keep, x, mean }) => {
+        if (Number.isNaN(guess)) return "none";
+        const fromMean = Number(keep) * (Number(x) - Number(mean));
+        return Math.abs(Number(guess) - fromMean) <= DEGREES_OFF ? "edge" : undefined;
+      },
+      refuse: ({ guess, keep, x }) => Math.abs(Number(guess) - Number(keep) * Number(x)) <= DEGREES_OFF,
+      solve: async (engine) => ({ guess: (await biasOf(engine, PRESET)).returned }),
+    },
+  ],
+});
+
+type Shown = Readonly<Record<string, number | string>>;
+
+/** Whether only ρ differs from what exercise A begins with. */
+function isPreset({ motion, style, raise, reach }: Shown): boolean {
+  return motion === PRESET.motion && style === PRESET.style && raise === PRESET.raise && reach === PRESET.reach;
+}
+
+/** Whether only κ and ρ differ from what exercise B begins with. */
+function isSlight({ motion, style, raise, at }: Shown): boolean {
+  return motion === PRESET.motion && style === PRESET.style && raise === SLIGHT && at === PRESET.at;
+}

@@ -1,0 +1,119 @@
+/** Lesson: know what the distance ignores. */
+import type { LearnEngine } from "../client/learn/protocol";
+import type { Measure } from "../element/figure/kind";
+import { backwards, distanceOf, foundOf } from "../element/figure/near/near_measure";
+import { NEAR_FIELDS, type NearState, NO_GUESS, WINDOWS } from "../element/figure/near/near_state";
+import { initialOf } from "../link/hash";
+import equation from "./equations/near.tex";
+import { type Lesson, lesson } from "./lesson";
+
+const PRESET = initialOf(NEAR_FIELDS);
+
+/** Exercise A: neighbours may be so many times as far as the nearest, and by which share of it K is close. */
+const TIMES = 2;
+const CLOSE = 0.1;
+/** Exercise B: how far a query is turned, degrees, and moved, metres, at least; mm that pass. */
+const TURNED = 45;
+const MOVED = 0.5;
+const MM_OFF = 0.1;
+/** Exercise C: with time reversed the nearest is to be so many times as far. */
+const BACKWARDS = 4;
+
+/** The bet: the query is turned and moved by so much, and mm of √D₁ that count as the same, or as a little more. */
+const MOVE = { heading: 90, x: 1 };
+const SAME = 0.1;
+const LITTLE = 100;
+
+/** Whether the query is the lesson's own, but for where it stands. */
+const isPlain = ({ motion, at, turned }: Measure) => motion === PRESET.motion && at === PRESET.at && turned === 0;
+/** The same with the engine's own window. */
+const isForward = (measure: Measure) => isPlain(measure) && measure.reversed === 0 && measure.window === PRESET.window;
+/** The least window that tells a query from its reverse. */
+const leastWindow = (measure: Measure) => WINDOWS.find((window) => Number(measure[`backwards${window}`]) >= BACKWARDS);
+const isMoved = ({ heading, moved }: Measure) => Number(heading) >= TURNED && Number(moved) >= MOVED;
+
+export const near: Lesson = lesson<NearState>({
+  id: "near",
+  fields: NEAR_FIELDS,
+  figures: [
+    {
+      name: "query",
+      kind: "query",
+      beats: ["idea", "bet", "look", "why", "exercises", "sources"],
+      explained: ["look", "why", "exercises", "sources"],
+    },
+    {
+      name: "profile",
+      kind: "profile",
+      beats: ["look", "why", "exercises", "sources"],
+      explained: ["look", "why", "exercises", "sources"],
+    },
+  ],
+  equation,
+  symbols: ["D", "w", "theta", "x0", "z0", "y", "z", "s", "K"],
+  bet: {
+    options: ["same", "little", "much"],
+    reveal: async (engine) => {
+      const [before, after] = (await Promise.all(
+        [PRESET, { ...PRESET, ...MOVE }].map(async (state) => 1000 * distanceOf(await foundOf(engine, state), 0)),
+      )) as [number, number];
+      const change = Math.abs(after - before);
+      const answer = change < SAME ? "same" : change < LITTLE ? "little" : "much";
+      return { answer, measure: { before, after } };
+    },
+  },
+  exercises: [
+    {
+      id: "A",
+      figure: "profile",
+      start: { ...PRESET },
+      pass: (measure) => isForward(measure) && Number(measure.lastRatio) <= TIMES && Number(measure.nextRatio) > TIMES,
+      near: (measure) => {
+        if (!isForward(measure)) return "other";
+        const ratio = Number(measure.lastRatio);
+        if (Math.abs(ratio - TIMES) > CLOSE * TIMES) return undefined;
+        return ratio <= TIMES ? "more" : "less";
+      },
+      refuse: (measure) =>
+        isForward(measure) && Number(measure.lastRatio) ** 2 <= TIMES && Number(measure.nextRatio) ** 2 > TIMES,
+      solve: async (engine) => {
+        const found = await foundOf(engine, PRESET);
+        let k = 1;
+        while (distanceOf(found, k) <= TIMES * distanceOf(found, 0)) k++;
+        return { k };
+      },
+    },
+    {
+      id: "B",
+      figure: "profile",
+      start: { ...PRESET, guess: NO_GUESS },
+      pass: (measure) =>
+        isForward(measure) && isMoved(measure) && Math.abs(Number(measure.guess) - Number(measure.change)) < MM_OFF,
+      near: (measure) => {
+        if (!isForward(measure)) return "other";
+        if (!isMoved(measure)) return "further";
+        return Number.isNaN(measure.guess) ? "none" : undefined;
+      },
+      refuse: (measure) => isForward(measure) && isMoved(measure) && Number(measure.guess) >= MM_OFF,
+      solve: async () => ({ ...MOVE, guess: 0 }),
+    },
+    {
+      id: "C",
+      figure: "profile",
+      start: { ...PRESET, window: "1" },
+      pass: (measure) => isPlain(measure) && measure.reversed === 1 && measure.window === leastWindow(measure),
+      near: (measure) => {
+        if (!isPlain(measure)) return "other";
+        if (measure.reversed === 0) return "forward";
+        return Number(measure.window) > Number(leastWindow(measure)) ? "shorter" : undefined;
+      },
+      refuse: (measure) => isPlain(measure) && measure.reversed === 1 && measure.window === "1",
+      solve: async (engine) => ({ reversed: true, window: await leastTelling(engine) }),
+    },
+  ],
+});
+
+async function leastTelling(engine: LearnEngine): Promise<NearState["window"]> {
+  for (const window of WINDOWS) if ((await backwards(engine, { ...PRESET, window })) >= BACKWARDS) return window;
+  return PRESET.window;
+}

@@ -1,0 +1,84 @@
+import type { LessonText } from "../text";
+
+export const bias: LessonText = {
+  idea: [
+    "Die Eingabe geht mit gehobenen Armen. Das hat in der Datenbank niemand getan, also haben die nächsten Beispiele die Arme an der Seite.",
+    "Eine Gerade, die an solche Beispiele angepasst ist, weiß nichts von gehobenen Armen. Weit außerhalb ihrer Punkte wäre ihre Antwort Unsinn.",
+    "Darum nimmt die Engine weg, was aus den Beispielen herausragt, stilisiert den Rest und gibt einen Anteil davon zurück. Wie groß soll er sein?",
+  ],
+  bet: {
+    question: "Setze den Anteil auf 0: Nichts wird zurückgegeben. Wie viel vom Heben bleibt?",
+    options: { little: "So gut wie nichts", half: "Etwa die Hälfte", all: "Fast alles" },
+    reveal: ({ share, usual, keep }) =>
+      `${share} davon. Die Beispiele entscheiden allein, und ihre Arme hängen. Mit dem ρ der Engine, ${keep}, sind es ${usual}: Inhalt und Stil treffen sich.`,
+  },
+  look: [
+    "Die Punkte sind die Winkel der Nachbarn. Das Band um ihr [mu: Mittel μ] reicht nach beiden Seiten [kappa: κ] mal so weit wie ihre [sigma: Streuung σ].",
+    "Was von der [x: Eingabe x] aus dem Band ragt, ist der [dx: Bias Δx]. Nur was im Band liegt, geht in die Gerade; ihre Antwort ist [beta: der Ring].",
+    "Dann kehrt der [rho: Anteil ρ] des Bias zurück, und die Ausgabe endet bei [y: y]. Zieh die Eingabe die Achse entlang, und dreh ρ zwischen 0 und 1.",
+  ],
+  symbols: {
+    x: { symbol: "xₜ", name: "Winkel der Eingabe" },
+    mu: { symbol: "μ", name: "Mittel der Nachbarn" },
+    sigma: { symbol: "σ", name: "ihre Standardabweichung" },
+    kappa: { symbol: "κ", name: "Reichweite des Bandes" },
+    dx: { symbol: "Δx", name: "Bias: was herausragt" },
+    beta: { symbol: "ũᵀβ", name: "Antwort der Geraden" },
+    rho: { symbol: "ρ", name: "Anteil, der zurückkehrt" },
+    y: { symbol: "yₜ", name: "Winkel der Ausgabe" },
+  },
+  why: "Wann würdest du ρ = 1 wählen, wann ρ = 0? Denk an jemanden, der ein Tablett trägt, und an jemanden, dessen Arm schlecht aufgenommen wurde.",
+  exercises: {
+    A: {
+      task: "Die Arme sind um 60° gehoben. Finde das ρ, bei dem über den ganzen Gang die Hälfte des Hebens bleibt, auf 0,03 genau.",
+      pass: ({ keep, share }) => `Ja: Mit ρ ${keep} bleibt vom Heben ${share}.`,
+      near: {
+        other: () => "Lass das Heben bei 60°, κ und den Stil, wie sie waren: Nur ρ soll sich ändern.",
+        more: ({ share }) => `Knapp: Es bleibt ${share}. Etwas mehr ρ.`,
+        less: ({ share }) => `Knapp: Es bleibt ${share}. Etwas weniger ρ.`,
+      },
+      refuse: ({ keep, share }) =>
+        `ρ ist ein Anteil dessen, was an einem Gelenk herausragt, nicht des Hebens: Mit ρ ${keep} bleibt ${share}.`,
+      no: ({ keep, share }) => `Mit ρ ${keep} bleibt vom Heben ${share}.`,
+      hints: [
+        "Je mehr vom Bias zurückkehrt, desto mehr bleibt vom Heben. Aber der Arm im Stil hängt anders als der neutrale, darum sind die Anteile nicht gleich.",
+        "Fang beim ρ der Engine an, 0,70, und geh ein wenig herunter.",
+      ],
+    },
+    B: {
+      task: "Jetzt sind die Arme nur um 10° gehoben. Welches ist in diesem Augenblick das kleinste κ, bei dem nichts herausragt? Bis zu 0,3 mehr zählt noch.",
+      pass: ({ reach }) => `Ja: Mit κ ${reach} reicht das Band gerade bis zur Eingabe.`,
+      near: {
+        other: () => "Lass das Heben bei 10°, den Augenblick und den Stil, wie sie waren.",
+        more: ({ bias }) => `Knapp: ${bias}° ragen noch heraus. Etwas mehr κ.`,
+      },
+      refuse: ({ reach }) =>
+        `Nichts ragt heraus, aber κ ${reach} ist weiter als nötig: Die Gerade wird weit von ihren Punkten gefragt.`,
+      no: ({ bias, reach }) => `Mit κ ${reach} ragen ${bias}° heraus.`,
+      hints: [
+        "Das Band endet, wo |x − μ| = κσ ist.",
+        "Lass x, μ und σ aufleuchten: Ihre Werte stehen unter der Gleichung. Teile.",
+      ],
+    },
+    C: {
+      task: "Die Arme sind wieder um 60° gehoben. Wie viel Grad kehren an diesem Gelenk zurück? Berechne ρΔx und trage es ein.",
+      pass: ({ returned }) => `Ja: ${returned}° kehren zurück.`,
+      near: {
+        none: () => "Trage unter der Abbildung eine Zahl in Grad ein.",
+        edge: ({ guess }) =>
+          `Knapp: ${guess}°. Achte auf den Rand des Bandes: Der Bias beginnt bei μ ± κσ, nicht bei μ.`,
+      },
+      refuse: ({ guess }) =>
+        `Du hast das ganze x genommen: ${guess}°. Nur was außerhalb des Bandes liegt, ist der Bias.`,
+      no: ({ guess }) => `${guess}° ist nicht, was zurückkehrt.`,
+      hints: [
+        "Nur was außerhalb des Bandes liegt, zählt.",
+        "Δx = x − (μ + κσ), denn die Eingabe liegt über dem Band. Dann nimm davon den Anteil ρ.",
+      ],
+    },
+  },
+  sources: [
+    "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Gl. 6 und 7. Der Artikel druckt yₜ = ũᵀβ − ρΔx; die Engine addiert ρΔx, denn sonst stieße mehr Bias die Ausgabe von der Eingabe weg.",
+    "Der Bias wird in `rust/strut-core/src/transfer/bias.rs` weggenommen und zurückgegeben. Wo alle Nachbarn einig sind, hat σ einen kleinsten Wert, damit Rauschen nicht für Inhalt gehalten wird.",
+  ],
+};

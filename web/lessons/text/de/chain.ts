@@ -1,0 +1,87 @@
+import type { LessonText } from "../text";
+
+export const chain: LessonText = {
+  idea: [
+    "Dieser Gehende folgt keiner Eingabe. Ein Schritt ist eine Kette aus fünf Zuständen, und jeder Zustand kennt Mittel und Streuung jedes Winkels, seiner Änderung, und wie lange er dauert.",
+    "Zwischen diesen Zusagen wird die wahrscheinlichste Bewegung gesucht, Schritt für Schritt. Das ist ein Hidden-Semi-Markov-Modell, und seine Mittel und Varianzen sind alles, was von den Aufnahmen bleibt.",
+    "Misch die Mittel zweier Modelle, und du hast einen gemischten Gang. Geh darüber hinaus, und er ist übertrieben; geh zurück, und er ist verneint.",
+  ],
+  bet: {
+    question:
+      "Die Kurve muss drei Zusagen halten: über den Winkel, über seine Änderung, und über die Änderung der Änderung. Mach σ″, die Streuung der letzten, kleiner. Was wird aus der Kurve?",
+    options: { smoother: "Sie wird glatter", same: "Sie bleibt, wie sie ist", rougher: "Sie wird rauer" },
+    reveal: ({ leg, toes }) =>
+      `Mit einem Zehntel von σ″² ruckt der Oberschenkel ${leg}-mal so stark wie vorher, die Zehen ${toes}-mal. Eine kleine Varianz ist eine feste Zusage: Die Änderung der Änderung darf ihr Mittel kaum verlassen, und das ist glatt.`,
+  },
+  look: [
+    "Die Treppe ist das [mu: Mittel μ] jedes Zustands, die Bänder sind seine [sigma: Streuung σ]. Die [c: Kurve c] ist die wahrscheinlichste, gestrichelt ist die des Modells, wie es trainiert wurde.",
+    "Die kurzen Striche sind die [delta: Änderungen Δc]. Auch jede von ihnen hat Mittel und Streuung, und die Regler multiplizieren die drei Varianzen, vom Tausendstel bis zum Tausendfachen.",
+    "Darunter sind die Zustände, so lang wie sie [d: dauern]. Zieh das Ende eines Schritts: [rho: ρ] verlängert jeden Zustand um seine eigene Varianz ν, also gibt zuerst nach, was stark schwankt. Mit [k: k] mischst du zwei Modelle.",
+  ],
+  symbols: {
+    c: { symbol: "c", name: "Kurve; ihr Ruck gegen den des Modells" },
+    mu: { symbol: "μ", name: "Mittel; wie weit die Kurve davon ist" },
+    sigma: { symbol: "σ²", name: "Varianz der Pose" },
+    delta: { symbol: "Δc", name: "Änderung; Faktoren von σ′² und σ″²" },
+    d: { symbol: "d", name: "Dauern des linken und rechten Schritts" },
+    rho: { symbol: "ρ", name: "der linken und der rechten Schritte" },
+    k: { symbol: "k", name: "Anteil des Stils" },
+  },
+  why: "Warum läuft die Kurve nicht durch die Mittel, obwohl über den Winkel selbst sonst nichts gesagt ist? Wie sähe der Gang aus, wenn sie es täte?",
+  exercises: {
+    A: {
+      task: "Bring die Kurve des linken Oberschenkels in jedem Bild auf 2° an die Mittel heran.",
+      pass: ({ farthest }) => `Ja: höchstens ${farthest}°. Die Kurve steigt die Treppe, und niemand nennte das Gehen.`,
+      near: {
+        other: () => "Sieh auf den linken Oberschenkel des neutralen Gangs: k 0.",
+        further: ({ farthest }) => `Knapp: ${farthest}°. Weiter so.`,
+      },
+      refuse: ({ farthest }) =>
+        `Du hast eine andere Zusage gelockert: Die Kurve ist ${farthest}° von einem Mittel entfernt. Eine kleine Varianz ist eine feste Zusage.`,
+      no: ({ farthest }) => `Die Kurve ist ${farthest}° von einem Mittel entfernt.`,
+      hints: [
+        "Eine kleine Varianz ist eine feste Zusage. Welche der drei handelt vom Winkel selbst?",
+        "Mach σ² so klein, wie es geht, oder σ′² und σ″² so groß.",
+      ],
+    },
+    B: {
+      task: "Die Zehen rucken. Halbier das, auf höchstens das 0,5-Fache, ohne dich um mehr als 2 Standardabweichungen des Modells von den Mitteln zu entfernen.",
+      pass: ({ jerkShare, deviations }) =>
+        `Ja: das ${jerkShare}-Fache des Rucks, bei ${deviations} Standardabweichungen.`,
+      near: {
+        other: () => "Sieh auf die linken Zehen des neutralen Gangs: k 0.",
+        far: ({ jerkShare, deviations }) =>
+          `Knapp: glatt, das ${jerkShare}-Fache, aber ${deviations} Standardabweichungen entfernt. Weniger.`,
+        rough: ({ jerkShare, deviations }) =>
+          `Knapp: das ${jerkShare}-Fache, bei ${deviations} Standardabweichungen. Etwas mehr.`,
+      },
+      refuse: ({ jerkShare, deviations }) =>
+        `Das ${jerkShare}-Fache des Rucks, aber ${deviations} Standardabweichungen von einem Mittel: Eine zu feste Zusage bricht die anderen.`,
+      no: ({ jerkShare }) => `Die Kurve ruckt ${jerkShare}-mal so stark wie die des Modells.`,
+      hints: [
+        "Was ruckt, ist die Änderung der Änderung. Mach diese Zusage fester.",
+        "Dreh σ″² herunter, auf etwas zwischen einem Zehntel und einem Dreißigstel.",
+      ],
+    },
+    C: {
+      task: "Verlangsam den neutralen Gang durch ρ auf 100 Schritte in der Minute, auf 1 genau.",
+      pass: ({ cadence, left, right }) => `Ja: ${cadence} Schritte in der Minute mit ρ ${left} und ${right}.`,
+      near: {
+        other: () => "Nimm den neutralen Gang: k 0.",
+        longer: ({ cadence }) => `Knapp: ${cadence}. Mach die Schritte etwas länger.`,
+        shorter: ({ cadence }) => `Knapp: ${cadence}. Mach die Schritte etwas kürzer.`,
+      },
+      refuse: ({ cadence }) =>
+        `Ein negatives ρ verkürzt die Zustände: ${cadence} Schritte in der Minute. Langsame Schritte dauern länger.`,
+      no: ({ cadence }) => `${cadence} Schritte in der Minute.`,
+      hints: [
+        "Schritte, die länger dauern, sind weniger in der Minute.",
+        "Beide Arten von Schritten zählen. Versuch ρ nahe 1 für beide.",
+      ],
+    },
+  },
+  sources: [
+    "Tilmanne und Dutoit, Continuous control of style and style transitions through linear interpolation in hidden Markov model based walk synthesis, 2012, Abschnitte 4 bis 6: Modelle von Schritten, Bewegungen größter Wahrscheinlichkeit, Dauern, Steuerung des Stils.",
+    "Bewegungen löst `rust/strut-core/src/hsmm/mlpg.rs`; Dauern, und was sie begrenzt, sind die aus `rust/strut-core/src/hsmm/walker/durations.rs`.",
+  ],
+};

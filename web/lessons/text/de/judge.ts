@@ -1,0 +1,96 @@
+import type { LessonText } from "../text";
+
+export const judge: LessonText = {
+  idea: [
+    "Wie gut ist ein Verfahren, das einen alten Gang vorhersagt? Nimm eine Aufführung aus der Datenbank, lass das Verfahren sie aus einem neutralen Gang vorhersagen und vergleiche mit dem, was wirklich aufgeführt wurde. Das heißt Zurückhalten.",
+    "Keine zwei Aufführungen sind gleich, auch nicht von derselben Person. Also weicht auch eine andere echte Aufnahme desselben Stils ab: der senkrechte Strich. Ein Fehler darunter ist so gut wie ein zweiter Versuch.",
+    "Hier wird die Aufnahme „walk-pace“ in jedem Stil zurückgehalten. Ein mittlerer Fehler ist aber nur eine Zahl, und in dieser Lektion geht es darum, was sie verbirgt.",
+  ],
+  bet: {
+    question:
+      "KNN antwortet mit dem Mittel der nächsten Bilder, MAR legt Geraden hindurch. Bei aufgezeichnetem, zurückgehaltenem Gehen: Um wie viel ist der mittlere Fehler von MAR kleiner?",
+    options: {
+      little: "Um weniger als 0,1 mm",
+      some: "Um 0,1 bis 1 mm",
+      much: "Um mehr als 1 mm",
+    },
+    reveal: ({ knn, mar, difference, other }) =>
+      `KNN irrt um ${knn} mm und MAR um ${mar} mm: ${difference} mm Unterschied. Eine andere echte Aufnahme irrt um ${other} mm. Beide sind also so gut wie ein zweiter Versuch, und der Fehler kann sie auf diesen Daten nicht unterscheiden.`,
+  },
+  look: [
+    "Die Liste hat [e: den mittleren Fehler ē] jedes Verfahrens, wie [acceleration: rau] seine Bewegung gegen die Eingabe ist und wie viel vom schnellen [content: Inhalt] der Eingabe bleibt. Eine Spalte allein kann täuschen: GAR ist am glattesten und liegt am weitesten daneben.",
+    "Die Kurven sind [p: der Fehler] zweier Verfahren über der Zeit; die Fläche dazwischen hat die Farbe des besseren. Das Mittel sagt, dass eines vorn liegt, die Kurve sagt, [i: wann].",
+    "Eine Auswertung ist ehrlich, wenn die Antwort nicht in der Datenbank war. Lass die Aufnahme drin, und NN findet die Antwort dort.",
+  ],
+  symbols: {
+    e: { symbol: "ē", name: "mittlerer Fehler des gewählten Verfahrens" },
+    F: { symbol: "F", name: "Bilder der Aufnahme" },
+    J: { symbol: "J", name: "Gelenke; die Hüfte liegt, wo die Wurzel entfernt wurde" },
+    p: { symbol: "p̂ − p", name: "sein Fehler im Augenblick" },
+    u: { symbol: "u − ū", name: "mal β: was die Gerade zum Mittel hinzufügt" },
+    i: { symbol: "i", name: "Augenblick der Aufnahme" },
+    acceleration: { symbol: "×", name: "Beschleunigung gegen die der Eingabe" },
+    content: { symbol: "r", name: "Inhalt, der bleibt; 1 ist alles" },
+  },
+  why: "Warum liegt KNN fast gleichauf? Das Histogramm zeigt, was die Gerade zum Mittel der Nachbarn hinzufügt. Was sind u und ū, wenn die Nachbarn rings um die Eingabe stehen?",
+  exercises: {
+    A: {
+      task: "Der mittlere Fehler von MAR ist kleiner als der von KNN. Finde einen Augenblick, in dem MAR um mindestens 0,3 mm besser ist, und einen, in dem KNN es ist. Markiere beide.",
+      pass: ({ pick, pickGain, rival, rivalGain }) =>
+        `Ja: ${pick} ist an einer Marke um ${pickGain} mm besser, ${rival} an der anderen um ${rivalGain} mm. Ein Mittel verbirgt beides.`,
+      near: {
+        other: () => "Vergleiche MAR mit KNN auf walk-pace im Stil „alt“, zurückgehalten.",
+        noPick: ({ pick }) => `Eine Marke für ${pick} fehlt noch.`,
+        noRival: ({ rival }) => `Eine Marke für ${rival} fehlt noch.`,
+        pick: ({ pick, pickGain }) => `Knapp: ${pick} ist an seiner Marke um ${pickGain} mm besser. Nötig sind 0,3 mm.`,
+        rival: ({ rival, rivalGain }) =>
+          `Knapp: ${rival} ist an seiner Marke um ${rivalGain} mm besser. Nötig sind 0,3 mm.`,
+      },
+      refuse: ({ pick, pickGain, rival, rivalGain }) =>
+        `Die tiefere Kurve ist die bessere. An den Marken liegt ${pick} um ${pickGain} mm vorn und ${rival} um ${rivalGain} mm.`,
+      no: ({ pick, pickGain, rival, rivalGain }) =>
+        `An den Marken liegt ${pick} um ${pickGain} mm vorn und ${rival} um ${rivalGain} mm: Das reicht nicht für beide.`,
+      hints: [
+        "Ein Fehler ist ein Abstand: Die tiefere Kurve ist besser. Wer vorn liegt, wechselt oft in einem Schritt.",
+        "Suche Flächen in der Farbe der Kurve von KNN, zieh den Zeiger dorthin, dann nimm Umschalt und die Pfeiltasten.",
+      ],
+    },
+    B: {
+      task: "Lass walk-pace in der Datenbank und sieh zu, wie der Fehler von NN unter 1 mm fällt. Wähle dann, welche der zwei Zahlen von NN sagt, wie gut es vorhersagt.",
+      pass: ({ out, in: left }) =>
+        `Ja: ${out} mm. Die ${left} mm sagen nur, dass NN einen Gang wiederfindet, den es schon hat.`,
+      near: {
+        other: () => "Bleib bei walk-pace im Stil „alt“.",
+        leave: () => "Lass die Aufnahme erst drin und lies, was aus NN wird.",
+        tick: ({ in: left }) => `NN irrt jetzt um ${left} mm. Wähle die Zahl, die du veröffentlichen würdest.`,
+      },
+      refuse: ({ in: left }) => `Es hatte die Antwort gesehen. ${left} mm ist nachgeschlagen und nicht vorhergesagt.`,
+      no: () => "NN sollte um weniger als 1 mm irren: Wähle seine Aufnahme.",
+      hints: [
+        "Von welcher Bewegung willst du wissen, wie gut sie vorhergesagt wird: von einer, die in der Datenbank steht?",
+        "Schalte „Drin lassen“ ein und vergleiche die Zeile von NN mit der von MAR: Wer gewinnt am meisten, wenn es die Antwort gesehen hat?",
+      ],
+    },
+    C: {
+      task: "Nun Bewegungen anderer Sammlungen, zu denen niemand die Stile aufgeführt hat. Wähle das Verfahren, dessen Beschleunigung der der Eingabe am nächsten ist, unter denen, die einen Inhalt von mindestens 0,8 behalten.",
+      pass: ({ pick, acceleration, content }) =>
+        `Ja: ${pick}, mit Beschleunigung ${acceleration} × und Inhalt ${content}. Innerhalb lagen die Mittel gleichauf; hier sind die Verfahren weit auseinander.`,
+      near: {
+        other: () => "Wähle „andere Sammlungen“ als Quelle der Zahlen.",
+        unmeasured: ({ pick }) => `${pick} wurde dort nicht gemessen. Wähle eines mit Zahlen.`,
+      },
+      refuse: ({ pick, content, acceleration }) =>
+        `${pick} behält nur ${content} des Inhalts, bei ${acceleration} × Beschleunigung: Die Bewegung zittert und ist eine andere.`,
+      no: ({ pick, acceleration }) => `${pick} hat Beschleunigung ${acceleration} ×. Es gibt ein glatteres.`,
+      hints: [
+        "Ohne Aufführung gibt es keinen Fehler. Sieh auf das Zittern: 1 × ist so glatt wie die Eingabe.",
+        "Die Linie in der Spalte der Beschleunigung steht bei 1 ×, die gepunktete in der des Inhalts bei 0,8. Welches Verfahren reicht über diese hinaus?",
+      ],
+    },
+  },
+  sources: [
+    "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Abschnitt 7: Vergleiche und Auswertung mit zurückgehaltenen Aufnahmen.",
+    "Aufgezeichnete Zahlen sind die aus `docs/evaluation.md`, gelesen, als diese Seite gebaut wurde; `rust/strut-core/src/evaluation/leave_one_out.rs` berechnet sie, über ganze Gangzyklen. Live sind es alle Bilder einer Aufnahme, bevor Füße festgehalten werden.",
+    "NN ist der nächste Nachbar, KNN das Mittel der nächsten, LAR eine lokale Gerade, MAR eine Mischung davon, GAR eine Gerade für alles, LTI ein lineares System, GP ein Gauß-Prozess. Das Histogramm ist das von [u: β⊤(u − ū)]: meist nahe 0, also sagt die Gerade, was das Mittel sagt.",
+  ],
+};

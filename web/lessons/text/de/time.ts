@@ -1,0 +1,84 @@
+import type { LessonText } from "../text";
+
+export const time: LessonText = {
+  idea: [
+    "Ein Stil ist nicht nur, wie sich jemand bewegt, sondern auch, wie schnell. Der alte Mensch braucht für dieselben Schritte länger und liegt nach ein paar Sekunden Schritte zurück.",
+    "Darum sagt die Engine für jedes Bild zweierlei vorher: eine Pose, und wie lange sie dauert. Beides sagen die Nachbarn.",
+    "Mischst du zwei Stile, werden Posen und Dauern gleich gemischt. Kannst du das Tempo ausrechnen, bevor du die Schritte siehst?",
+  ],
+  bet: {
+    question: "Ganz alt dauert der Gang länger. Nimm halb alt und halb neutral: Wie viel der Verzögerung bleibt?",
+    options: { less: "Weniger als die Hälfte", half: "Die Hälfte", more: "Mehr als die Hälfte" },
+    reveal: ({ half, all, share }) =>
+      `Ganz alt dauert ${all} % länger, halb alt ${half} %: ${share} der Verzögerung. Dauern werden mit denselben Gewichten gemischt wie Posen, also ist die Verzögerung linear im Gewicht.`,
+  },
+  look: [
+    "Zieh den Punkt: Sein Ort sind die Gewichte [s: s] von alt und kindlich, neutral hat den Rest. Im schraffierten Teil verlassen Gewichte 0 bis 1: Stile werden übertrieben.",
+    "Die Kurve sagt, wann die Mischung tut, was die Eingabe tut; gestrichelt ist das Tempo der Eingabe. Ihre Steigung ist die [w: Dauer w] eines Bildes durch 16,7 ms.",
+    "Das w jedes Stils ist ein Mittel über seine Nachbarn. Im nächsten Schritt siehst du sie, mit [g: Gewichten g], die mit dem Abstand fallen, bei einer [h: Bandbreite h]. Zuletzt nimmt die Engine heraus, wie weit sie hinter der Eingabe herhängen oder ihr vorauslaufen.",
+  ],
+  symbols: {
+    w: { symbol: "w", name: "Dauer des Bildes" },
+    g: { symbol: "g", name: "Kern der Nachbarn; ihre Summe" },
+    h: { symbol: "h", name: "Bandbreite: ihr mittlerer Abstand" },
+    s: { symbol: "s", name: "Gewichte: alt, kindlich, neutral" },
+  },
+  why: "Wenn du nur Posen mischtest und das Tempo der Eingabe behieltest, wie sähe ein alter Gang aus? Und wenn nur Dauern?",
+  exercises: {
+    A: {
+      task: "Lass den Gang mit alt allein 1,2-mal so lang dauern wie die Eingabe, auf 0,005 genau.",
+      pass: ({ old, ratio }) => `Ja: Mit ${old} alt dauert er ${ratio}-mal so lang.`,
+      near: {
+        other: () => "Nimm alt allein: Kindlich muss 0 sein.",
+        more: ({ length }) => `Knapp: Länge jetzt ${length} s. Etwas mehr alt.`,
+        less: ({ length }) => `Knapp: Länge jetzt ${length} s. Etwas weniger alt.`,
+      },
+      refuse: ({ old, ratio }) =>
+        `${old} ist das Gewicht, nicht die Verzögerung: Ganz alt dauert viel weniger als doppelt so lang. Jetzt ist es das ${ratio}-Fache.`,
+      no: ({ length, input }) => `Länge jetzt ${length} s, für ${input} s Eingabe.`,
+      hints: [
+        "Die Verzögerung ist linear im Gewicht: Lies sie beim Gewicht 1 ab, und nimm den Teil, den du brauchst.",
+        "Beim Gewicht 1 steht unter dem Bild, wievielmal so lang. Teil 0,2 durch das, was davon über 1 liegt.",
+      ],
+    },
+    B: {
+      task: "Alt ist langsamer, kindlich ist schneller. Nimm von beiden mindestens 0,25, im Dreieck, sodass der Gang so lang ist wie die Eingabe, auf 0,005 genau.",
+      pass: ({ old, childlike, ratio }) =>
+        `Ja: ${old} alt und ${childlike} kindlich heben sich auf: das ${ratio}-Fache.`,
+      near: {
+        motion: () => "Nimm den neutralen Gang.",
+        other: () => "Von beiden mindestens 0,25, und kein Gewicht unter 0.",
+        slow: ({ length }) => `Knapp: Länge jetzt ${length} s. Etwas zu langsam.`,
+        fast: ({ length }) => `Knapp: Länge jetzt ${length} s. Etwas zu schnell.`,
+      },
+      refuse: ({ ratio }) =>
+        `Gleiche Gewichte heben sich nicht auf: Alt verzögert mehr, als kindlich eilt. Jetzt ist es das ${ratio}-Fache.`,
+      no: ({ length, input }) => `Länge jetzt ${length} s, für ${input} s Eingabe.`,
+      hints: [
+        "Lies die Verzögerung jedes Stils allein ab. Was der eine dazugibt, muss der andere wegnehmen.",
+        "Stell alt auf etwas über 0,25, dann erhöh kindlich, bis unter dem Bild 1,00 steht.",
+      ],
+    },
+    C: {
+      task: "Sei langsamer als alle: Lass den Gang länger dauern als die langsamste Aufnahme davon in irgendeinem Stil.",
+      pass: ({ ratio, longest, longestStyle }) =>
+        `Ja: das ${ratio}-Fache, und die langsamste Aufnahme, ${longestStyle}, dauerte das ${longest}-Fache. Das hat nie jemand aufgeführt.`,
+      near: {
+        other: () => "Nimm den neutralen Gang.",
+        further: ({ ratio, longest }) =>
+          `Außerhalb der Daten, beim ${ratio}-Fachen. Es braucht mehr als ${longest}: weiter.`,
+      },
+      refuse: ({ ratio }) =>
+        `Im Dreieck ist nichts langsamer als seine langsamste Ecke: jetzt das ${ratio}-Fache. Verlass es.`,
+      no: ({ ratio }) => `Jetzt ${ratio}-mal so lang.`,
+      hints: [
+        "Gewichte dürfen über 1 gehen: Dann wird neutral weggenommen.",
+        "Zieh den Punkt nach rechts, in die Schraffur.",
+      ],
+    },
+  },
+  sources: [
+    "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Abschnitte 5.1 und 5.4: Zeit, Interpolation und Extrapolation von Stilen.",
+    "Dauern rechnet `rust/strut-core/src/transfer/timing.rs`, mit Posen gemischt werden sie in `rust/strut-core/src/transfer/blend.rs`.",
+  ],
+};

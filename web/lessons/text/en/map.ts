@@ -1,0 +1,90 @@
+import type { LessonText } from "../text";
+
+export const map: LessonText = {
+  idea: [
+    "Two numbers, a whole pose: how far the feet are apart along the way, and in height. Drag the point, and the body follows.",
+    "Behind it are some dozen linear maps from the two numbers to the pose. Each knows a region of styles, and where regions meet, they share.",
+    "They organise themselves: every recorded frame pulls the maps that are near to it, first many at once, then fewer and fewer. One such pull is an update.",
+  ],
+  bet: {
+    question:
+      "An update moves a map towards the sample. The paper prints the formula with a minus, so it moves away from it. What happens if you follow the print?",
+    options: {
+      same: "It learns as well",
+      slower: "It learns more slowly",
+      diverges: "The error grows without end",
+    },
+    reveal: ({ updates, right, printed }) =>
+      `After ${updates} updates the error is ${right} rad with the right sign, and ${printed} rad as printed. Every step increases the distance, and the next step is as much longer.`,
+  },
+  look: [
+    "The dots are recorded frames, and each ellipse is what a component knows: darker where its [a: share a] is greater. Make one update: the ring is [x: the sample], and the bars are [r: how much of it] each component takes.",
+    "The dashed ring is the [sigma: width σ] of the neighbourhood. It narrows from pass to pass, as does the [delta: rate δ], so that in the end the winner learns alone.",
+    "The curve has the [E: error] of the model after each pass that you have made. Try the sign as printed, too.",
+  ],
+  symbols: {
+    u: { symbol: "u", name: "style variables; number of keys" },
+    x: { symbol: "x", name: "the sample, by its variables" },
+    r: { symbol: "rᵢ", name: "the greatest part of the sample" },
+    a: { symbol: "aᵢ", name: "the greatest share" },
+    delta: { symbol: "δ", name: "learning rate" },
+    sigma: { symbol: "σ", name: "width of the neighbourhood" },
+    w: { symbol: "w", name: "greatest weight in the pose" },
+    T: { symbol: "T", name: "temperature of sharing" },
+    E: { symbol: "E", name: "error of the model, or of the cycle" },
+  },
+  why: "Why does the neighbourhood begin wide? Think of what a map would learn that never got a sample, and of neighbours that learned different things.",
+  exercises: {
+    A: {
+      task: "When has it learned? Find the first pass after which the error is at most 1.05 times that after the last pass.",
+      pass: ({ pass, learned, last }) => `Yes: pass ${pass}, ${learned}°, and ${last}° at the end. The rest is polish.`,
+      near: {
+        later: ({ pass, learned }) => `Close: ${learned}° after pass ${pass}. A little later.`,
+        earlier: ({ pass, learned }) => `${learned}° after pass ${pass} is enough, but an earlier pass was, too.`,
+      },
+      refuse: ({ passes, last }) =>
+        `After ${passes} passes it is ${last}°. That is the end; learning was nearly over long before.`,
+      no: ({ pass, learned }) => `After pass ${pass} the error is ${learned}°.`,
+      hints: [
+        "Drag the flag to the end first, and read the last error. Multiply it by 1.05.",
+        "Then go back with the arrow keys until the error is just below that.",
+      ],
+    },
+    B: {
+      task: "Dragging must not jerk: set T so that on ten fixed drags no joint turns by more than 6° a frame, while recorded poses are still within 2°.",
+      pass: ({ temperature, change, shared }) =>
+        `Yes: with T ${temperature}, ${change}° a frame at an error of ${shared}°.`,
+      near: {
+        softer: ({ change }) => `Close: ${change}° a frame. A little softer.`,
+        harder: ({ shared }) => `Close: the error is ${shared}°. A little harder.`,
+      },
+      refuse: ({ change }) =>
+        `Shares that change at once make the body jump: ${change}° a frame. A higher T lets neighbours share.`,
+      no: ({ change, shared }) => `${change}° a frame, at an error of ${shared}°.`,
+      hints: [
+        "The higher T, the softer the change from map to map, and the less each map is heard.",
+        "Both numbers stand below the plane. Begin at T 3, and go up.",
+      ],
+    },
+    C: {
+      task: "Make the cycle from at most 3 keys, with a mean error of at most 2°.",
+      pass: ({ count, keyed }) => `Yes: ${count} keys, two numbers each, and ${keyed}° of error for a whole cycle.`,
+      near: {
+        fewer: ({ count, keyed }) => `${keyed}° is good, but ${count} keys are too many.`,
+        turns: ({ keyed, from, to, worst }) =>
+          `Close: ${keyed}°. From key ${from} ms to ${to} ms it is off by up to ${worst}°.`,
+      },
+      refuse: ({ count, from, to, worst }) =>
+        `${count} keys are too few: from key ${from} ms to ${to} ms it is off by up to ${worst}°.`,
+      no: ({ keyed, from, to, worst }) => `${keyed}°. From key ${from} ms to ${to} ms it is off by up to ${worst}°.`,
+      hints: [
+        "A curve through few keys is right where it turns as the recorded one does: keys where direction turns.",
+        "Take three keys, about a third of the cycle apart, and shift them together.",
+      ],
+    },
+  },
+  sources: [
+    "Wang, Liu and Zhou, Key-styling: learning motion style for real-time synthesis of 3D animation, 2006. Its Eq. 7 and 8 print the opposite sign, and there is no gate for regions of styles; `docs/methods/somn.md` says why both are changed.",
+    "Updates are made by `rust/strut-core/src/somn/learning.rs`, poses by `rust/strut-core/src/somn/synthesis.rs`, and cycles from keys by `rust/strut-core/src/somn/key_styling.rs`.",
+  ],
+};

@@ -1,0 +1,79 @@
+import type { LessonText } from "../text";
+
+export const time: LessonText = {
+  idea: [
+    "A style is not only how somebody moves, but also how fast. The old walker needs longer for the same steps, and after a few seconds is steps behind.",
+    "So the engine predicts two things for every frame: a pose, and how long it lasts. The neighbours say both.",
+    "Blend two styles, and poses and durations are blended alike. Can you compute the pace before you hear the steps?",
+  ],
+  bet: {
+    question: "All old, the walk takes longer. Take half of old and half of neutral: how much of that delay is left?",
+    options: { less: "Less than half", half: "Half", more: "More than half" },
+    reveal: ({ half, all, share }) =>
+      `All old takes ${all} % longer, half old ${half} %: ${share} of the delay. Durations are blended by the same weights as poses, so the delay is linear in the weight.`,
+  },
+  look: [
+    "Drag the point: its place is the weights [s: s] of old and childlike, and neutral has the rest. In the hatched part weights leave 0 to 1: styles are exaggerated.",
+    "The curve says when the blend does what the input does; the dashed line is the input’s own pace. Its slope is the [w: duration w] of a frame over 16.7 ms.",
+    "Each style’s w is a mean over its neighbours. In the next step you see them, with [g: weights g] that fall off with distance, at a [h: bandwidth h]. Last, the engine takes out by how much they hang behind the input or run ahead of it.",
+  ],
+  symbols: {
+    w: { symbol: "w", name: "duration of the frame" },
+    g: { symbol: "g", name: "kernel of the neighbours; their sum" },
+    h: { symbol: "h", name: "bandwidth: their mean distance" },
+    s: { symbol: "s", name: "weights: old, childlike, neutral" },
+  },
+  why: "If you blended poses alone, and kept the input’s pace, what would an old walk look like? And durations alone?",
+  exercises: {
+    A: {
+      task: "With old alone, let the walk take 1.2 times as long as the input, to within 0.005.",
+      pass: ({ old, ratio }) => `Yes: with ${old} of old it takes ${ratio} times as long.`,
+      near: {
+        other: () => "Use old alone: childlike must be 0.",
+        more: ({ length }) => `Close: length now ${length} s. A little more of old.`,
+        less: ({ length }) => `Close: length now ${length} s. A little less of old.`,
+      },
+      refuse: ({ old, ratio }) =>
+        `${old} is the weight, not the delay: all old takes far less than twice as long. Now it is ${ratio} times.`,
+      no: ({ length, input }) => `Length now ${length} s, for ${input} s of input.`,
+      hints: [
+        "The delay is linear in the weight: read it at weight 1, and take the part that you need.",
+        "At weight 1 the readout says how many times as long. Divide 0.2 by what that is above 1.",
+      ],
+    },
+    B: {
+      task: "Old is slower, childlike is faster. Take at least 0.25 of each, within the triangle, so that the walk is as long as the input, to within 0.005.",
+      pass: ({ old, childlike, ratio }) => `Yes: ${old} of old and ${childlike} of childlike cancel: ${ratio} times.`,
+      near: {
+        motion: () => "Use the neutral walk.",
+        other: () => "At least 0.25 of each, and no weight below 0.",
+        slow: ({ length }) => `Close: length now ${length} s. A little too slow.`,
+        fast: ({ length }) => `Close: length now ${length} s. A little too fast.`,
+      },
+      refuse: ({ ratio }) =>
+        `Equal weights do not cancel: old delays more than childlike hurries. Now it is ${ratio} times as long.`,
+      no: ({ length, input }) => `Length now ${length} s, for ${input} s of input.`,
+      hints: [
+        "Read the delay of each style alone. What one adds, the other must take away.",
+        "Set old to a little above 0.25, then raise childlike until the readout says 1.00.",
+      ],
+    },
+    C: {
+      task: "Be slower than everybody: let the walk take longer than the slowest recorded performance of it in any style.",
+      pass: ({ ratio, longest, longestStyle }) =>
+        `Yes: ${ratio} times, and the slowest recorded one, ${longestStyle}, took ${longest} times. Nobody ever performed that.`,
+      near: {
+        other: () => "Use the neutral walk.",
+        further: ({ ratio, longest }) => `Beyond the data, at ${ratio} times. It takes more than ${longest}: further.`,
+      },
+      refuse: ({ ratio }) =>
+        `Within the triangle nothing is slower than its slowest corner: now ${ratio} times. Leave it.`,
+      no: ({ ratio }) => `Now ${ratio} times as long.`,
+      hints: ["Weights may exceed 1: then neutral is taken away.", "Drag the point to the right, into the hatching."],
+    },
+  },
+  sources: [
+    "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, sections 5.1 and 5.4: timing, interpolation and extrapolation of styles.",
+    "Durations are computed by `rust/strut-core/src/transfer/timing.rs`, and blended with poses by `rust/strut-core/src/transfer/blend.rs`.",
+  ],
+};

@@ -1,0 +1,101 @@
+import { beforeAll, expect, test } from "vitest";
+import { saidIn } from "../app/views/learn/said";
+import { createLearnTable } from "../client/learn/learn_table";
+import { STYLES } from "../element/figure/built_in";
+import { frameAtSecond, lengthOf, longestOf, measurePace, pacedOf, ratioOf } from "../element/figure/pace/pace_measure";
+import { lookOf, PACE_FIELDS, type PaceState } from "../element/figure/pace/pace_state";
+import { serveLearnPackage } from "../engine/learn/wasm";
+import { initialOf, readHash } from "../link/hash";
+import { judge } from "./lesson";
+import { TEXTS } from "./text";
+import { time } from "./time";
+
+beforeAll(serveLearnPackage);
+const engine = createLearnTable();
+
+const PRESET = initialOf(PACE_FIELDS);
+const exercise = (id: string) => time.exercises.find((one) => one.id === id)!;
+const result = async (id: string, patch: Partial<PaceState>) =>
+  judge(exercise(id), await measurePace(engine, { ...readHash(PACE_FIELDS, exercise(id).start("")), ...patch }));
+
+test("the bet: half of old is half of the delay", async () => {
+  const { answer, measure } = await time.bet.reveal(engine);
+  expect(answer).toBe("half");
+  expect(Number(measure.all)).toBeGreaterThan(30);
+  expect(Number(measure.share)).toBeCloseTo(0.5, 2);
+});
+
+test("the length is the sum of the durations that the engine gives frame by frame", async () => {
+  const state: PaceState = { ...PRESET, old: 0.4, childlike: 0.3 };
+  const paced = await pacedOf(engine, state);
+  const { timeOut } = paced.styled;
+  expect(lengthOf(paced)).toBeCloseTo(timeOut.at(-1)!, 4);
+  let sum = 0;
+  for (let at = 121; at <= 180; at++) sum += (await engine.styled(lookOf({ ...state, at }))).secs;
+  expect(timeOut[180]! - timeOut[120]!).toBeCloseTo(sum, 4);
+});
+
+test("no style at all keeps the input's pace", async () => {
+  expect(ratioOf(await pacedOf(engine, { ...PRESET, old: 0 }))).toBeCloseTo(1, 3);
+});
+
+test("at a second of its clock the blend has come to the frame of that time", async () => {
+  const paced = await pacedOf(engine, PRESET);
+  const { timeOut } = paced.styled;
+  expect(frameAtSecond(paced, timeOut[300]!)).toBeCloseTo(300, 3);
+  expect(frameAtSecond(paced, (timeOut[300]! + timeOut[301]!) / 2)).toBeCloseTo(300.5, 2);
+});
+
+test("the duration of a style is the neighbours' mean by the kernel", async () => {
+  const { distances, durations, kernel, weights, bandwidth, duration } = await engine.timing(lookOf(PRESET), "old");
+  expect(bandwidth).toBeCloseTo(distances.reduce((sum, d) => sum + d, 0) / distances.length, 3);
+  const nearest = Math.min(...distances);
+  let [sum, total] = [0, 0];
+  distances.forEach((d, i) => {
+    const g = Math.exp((nearest ** 2 - d ** 2) / (2 * bandwidth ** 2));
+    if (Math.abs(g - kernel[i]!) > 1e-3) throw new Error(`neighbour ${i}: ${g} for ${kernel[i]}`);
+    sum += weights[i]! * g * durations[i]!;
+    total += weights[i]! * g;
+  });
+  expect(duration).toBeCloseTo(sum / total, 6);
+});
+
+test("the slowest performance is that of the longest recording", async () => {
+  const { style, ratio } = await longestOf(engine, PRESET.motion);
+  const performed = (await engine.counterpart(PRESET.motion, style))!;
+  expect(style).toBe("depressed");
+  for (const other of STYLES.filter((name) => name !== style)) {
+    const { timeOut } = (await engine.counterpart(PRESET.motion, other))!;
+    expect(timeOut.at(-1)! / ((timeOut.length - 1) / 60), other).toBeLessThan(ratio);
+  }
+  expect(ratio).toBeCloseTo(performed.timeOut.at(-1)! / ((performed.timeOut.length - 1) / 60), 6);
+});
+
+test("A is passed by a narrow stretch of weights, and refuses the delay as a weight", async () => {
+  expect((await result("A", {})).result).toBe("no");
+  expect(await result("A", { old: 0.2 })).toEqual({ result: "refuse" });
+  expect(await result("A", { old: 0.59 })).toEqual({ result: "near", way: "more" });
+  expect(await result("A", { old: 0.64 })).toEqual({ result: "near", way: "less" });
+  expect(await result("A", { old: 0.61 })).toEqual({ result: "pass" });
+  expect(await result("A", { old: 0.61, childlike: 0.1 })).toEqual({ result: "near", way: "other" });
+});
+
+test("B wants both styles, and refuses equal weights", async () => {
+  expect(await result("B", {})).toEqual({ result: "refuse" });
+  expect(await result("B", { old: 0.26, childlike: 0.7 })).toEqual({ result: "pass" });
+  expect(await result("B", { old: 0.25, childlike: 0.6 })).toEqual({ result: "near", way: "slow" });
+  expect(await result("B", { old: 0.1, childlike: 0.3 })).toEqual({ result: "near", way: "other" });
+  expect(await result("B", { old: 0.4, childlike: 0.7 })).toEqual({ result: "near", way: "other" });
+  expect(await result("B", { old: 0.4, childlike: 0.6 })).toEqual({ result: "no" });
+  const text = await TEXTS.en.lessons.time!();
+  expect(
+    text.exercises.B!.refuse(saidIn("en", await measurePace(engine, { ...PRESET, old: 0.5, childlike: 0.5 }))),
+  ).toMatch(/Now it is 1\.10 times as long\.$/);
+});
+
+test("C is only passed beyond the data", async () => {
+  expect(await result("C", { old: 1 })).toEqual({ result: "refuse" });
+  expect(await result("C", { old: 1.3 })).toEqual({ result: "near", way: "further" });
+  expect(await result("C", { old: 1.55 })).toEqual({ result: "pass" });
+  expect(await result("C", { childlike: 1.5, old: -0.25 })).toEqual({ result: "no" });
+});
