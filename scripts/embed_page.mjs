@@ -1,4 +1,4 @@
-// The page for frames, dist/embed.html, and where the site's address is known a page for each preset that oEmbed finds.
+// The pages for frames, dist/embed.html with a player and dist/figure.html with a figure of a lesson, and where the site's address is known a page for each preset that oEmbed finds.
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { root } from "./steps.mjs";
@@ -15,11 +15,11 @@ export async function writeEmbedPage({ site = process.env.STRUT_SITE_URL ?? "", 
   // A clean checkout installs it after this file is read.
   const { build } = await import("esbuild");
   mkdirSync(join(dist, "embed"), { recursive: true });
-  cpSync(join(SOURCE, "embed.html"), join(dist, "embed.html"));
+  for (const page of ["embed.html", "figure.html"]) cpSync(join(SOURCE, page), join(dist, page));
   cpSync(join(SOURCE, "embed.css"), join(dist, "embed", "embed.css"));
   await build({
-    entryPoints: [join(SOURCE, "embed.ts")],
-    outfile: join(dist, "embed", "embed.js"),
+    entryPoints: [join(SOURCE, "embed.ts"), join(SOURCE, "figure.ts")],
+    outdir: join(dist, "embed"),
     bundle: true,
     minify: true,
     format: "iife",

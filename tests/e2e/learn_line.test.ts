@@ -70,9 +70,9 @@ it("shows the sweep, whose handle turns the ridge", async () => {
 });
 
 it("is reached from the lesson before, and from the list", async () => {
-  await visit(page, "view=learn&lesson=style&beat=5&theme=light");
+  await visit(page, "view=learn&lesson=near&beat=5&theme=light");
   const title = () => page.locator("h1.learn-title").textContent();
-  await eventually(title).toBe("Tell content from style");
+  await eventually(title).toBe("Know what the distance ignores");
   await page.getByRole("button", { name: "Say what K, λ and β do to one prediction" }).click();
   await eventually(title).toBe("Say what K, λ and β do to one prediction");
   await eventually(() => page.locator(".learn-part:not([hidden])").getAttribute("data-beat")).toBe("idea");

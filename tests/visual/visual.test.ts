@@ -132,6 +132,27 @@ const CASES: readonly Case[] = [
     flat: true,
     act: figured,
   },
+  // The other lessons, each while its exercises are solved.
+  ...(
+    [
+      ["pose", "dark", undefined],
+      ["register", "light", undefined],
+      ["near", "dark", undefined],
+      ["bias", "light", undefined],
+      ["time", "dark", true],
+      ["feet", "light", true],
+      ["judge", "dark", true],
+      ["chain", "light", true],
+      ["map", "dark", true],
+    ] as const
+  ).map(([lesson, theme, flat]) => ({
+    name: `learn-${lesson}-${theme}`,
+    hash: `play=0&view=learn&lesson=${lesson}&beat=4`,
+    size: WIDE,
+    theme,
+    ...(flat && { flat }),
+    act: figured,
+  })),
   { name: "compare-wide-light", hash: `${SECOND}&view=compare`, size: WIDE, theme: "light", act: compared },
   {
     name: "compare-wide-dark",

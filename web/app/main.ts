@@ -7,7 +7,6 @@ import "./ui/wordmark.css";
 import "../ui/polygon/polygon.css";
 import "./shell/narrow.css";
 import { startStrutClient } from "../client/client";
-import { graphics } from "../viewer";
 import { App } from "./shell/app";
 import { isSupported } from "./shell/baseline";
 import { strings } from "./strings/strings";
@@ -34,12 +33,6 @@ async function start(root: HTMLElement): Promise<void> {
   }
   // The engine loads while the page is built.
   const client = startStrutClient();
-  await otherTasks();
-  if (graphics() === "none") {
-    client.dispose();
-    refuse(root, strings.page.noWebGl);
-    return;
-  }
   await otherTasks();
   let app: App;
   try {

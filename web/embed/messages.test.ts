@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { attributesOf, readRequest } from "./messages";
+import { attributesOf, figureAttributesOf, readRequest } from "./messages";
 
 describe("a message to a frame", () => {
   it("sets and asks for settings, and nothing that loads", () => {
@@ -27,6 +27,17 @@ describe("the query of an address", () => {
     expect(attributesOf("?styles=old:1&controls&utm_source=mail&onload=alert(1)")).toEqual([
       ["styles", "old:1"],
       ["controls", ""],
+    ]);
+  });
+});
+
+describe("the address of a figure", () => {
+  it("has attributes in its query, and the state of a link behind #, character for character", () => {
+    const url = new URL("https://strut.example/figure.html?kind=scatter&lang=de&onload=x#K=12&motion=neutral%20run");
+    expect(figureAttributesOf(url)).toEqual([
+      ["kind", "scatter"],
+      ["lang", "de"],
+      ["state", "K=12&motion=neutral%20run"],
     ]);
   });
 });

@@ -35,8 +35,25 @@ export function readRequest(data: unknown): Request | undefined {
 export function answer(player: Element, frame: number, names: readonly Setting[], event?: string) {
   const text = (name: Setting) =>
     name === "frame" ? frame.toFixed(2) : (player.getAttribute(name) ?? String(readAttribute(player, name)));
-  const state = Object.fromEntries(names.map((name) => [name, text(name)]));
+  return toldState(event, Object.fromEntries(names.map((name) => [name, text(name)])));
+}
+
+/** What a page is told: settings, and the event that they come with. */
+export function toldState(event: string | undefined, state: Readonly<Record<string, string>>) {
   return { strut: VERSION, ...(event && { event }), state };
+}
+
+/** Attributes of a figure that the query of an address may have. */
+const FIGURE_ATTRIBUTES = ["kind", "lang", "hide", "theme"] as const;
+
+/** The attributes of a figure in an address: those of its query, and the state behind #. */
+export function figureAttributesOf({ search, hash }: Pick<URL, "search" | "hash">): [name: string, value: string][] {
+  const given = new URLSearchParams(search);
+  const named = FIGURE_ATTRIBUTES.flatMap((name): [string, string][] => {
+    const value = given.get(name);
+    return value === null ? [] : [[name, value]];
+  });
+  return [...named, ["state", hash.slice(1)]];
 }
 
 /** The attributes in the query of an address, as texts; parameters that are none are passed over. */

@@ -1,4 +1,5 @@
 /** What is copied into a page to show a figure there. Pure. */
+import { escaped, frameOf } from "../ui/frame_code";
 
 /** How a figure is embedded. */
 export interface EmbedChoice {
@@ -19,9 +20,6 @@ export interface Embedded {
   /** Says what is shown, for screen readers. */
   title: string;
 }
-
-/** What a frame may do: run its own scripts, and save files that its visitor asks for. */
-const SANDBOX = "allow-scripts allow-same-origin allow-downloads";
 
 /** The attributes of a player, by name; `undefined` has none. */
 function attributesOf({ state }: Embedded, { controls, autoplay, theme, ghost }: EmbedChoice) {
@@ -44,9 +42,7 @@ export function frameAddress(embedded: Embedded, choice: EmbedChoice): string {
 
 /** The HTML of a frame. */
 export function frameCode(embedded: Embedded, choice: EmbedChoice): string {
-  const { width, height } = choice.size;
-  const src = escaped(frameAddress(embedded, choice));
-  return `<iframe src="${src}" title="${escaped(embedded.title)}" width="${width}" height="${height}" loading="lazy" sandbox="${SANDBOX}" allow="fullscreen" style="border:0;max-width:100%"></iframe>`;
+  return frameOf(frameAddress(embedded, choice), embedded.title, choice.size);
 }
 
 /** The HTML of the element, with its script. */
@@ -56,10 +52,4 @@ export function elementCode(embedded: Embedded, choice: EmbedChoice): string {
     value === "" ? ` ${name}` : ` ${name}="${escaped(value)}"`,
   );
   return `<script src="${script}"></script>\n<strut-player${attributes.join("")}></strut-player>`;
-}
-
-/** Text inside an attribute. */
-function escaped(text: string): string {
-  const entities: Record<string, string> = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" };
-  return text.replace(/[&<>"]/g, (character) => entities[character]!);
 }

@@ -3,6 +3,7 @@ import type { DroppedFile } from "../../client/build/protocol";
 import type { DatabaseSource, StrutClient } from "../../client/protocol";
 import type { ViewName } from "../../link/page";
 import { applyTheme, isDark, onSystemTheme, opposite } from "../../ui/theme";
+import { graphics } from "../../viewer";
 import { Characters } from "../character/characters";
 import { embed } from "../embed/embed";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
@@ -194,8 +195,14 @@ export class App {
   }
 
   #showView(): void {
+    const { view } = this.#store.state;
+    if (graphics() === "none" && !viewEntry(view).flat) {
+      this.#toasts.error(strings.page.noWebGl);
+      this.#store.edit({ view: "learn" });
+      return;
+    }
     this.#showTopBar();
-    void this.#views.show(this.#store.state.view);
+    void this.#views.show(view);
   }
 
   #onView(name: ViewName, view: View, first: boolean): void {

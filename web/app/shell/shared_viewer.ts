@@ -10,7 +10,9 @@ const AFTERGLOW_MS = 1200;
 const RETRY_MS = 4;
 
 export class SharedViewer {
-  readonly #viewer: Viewer;
+  /** Made when a view first wants it, so that a browser that cannot draw in 3-D still shows the others. */
+  #made: Viewer | undefined;
+  #theme: "dark" | "light";
   readonly #container = html("div", { class: "stage-view" });
   readonly #observer = new ResizeObserver(() => this.#invalidate());
   #borrower: HTMLElement | undefined;
@@ -22,15 +24,21 @@ export class SharedViewer {
   rests = false;
 
   constructor(theme: "dark" | "light") {
-    this.#viewer = new Viewer(this.#container, { theme, labels: { styled: "", input: "" } });
+    this.#theme = theme;
     for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
       this.#container.addEventListener(type, () => this.#invalidate(), { passive: true });
     this.#observer.observe(this.#container);
   }
 
   set theme(theme: "dark" | "light") {
-    this.#viewer.theme = theme;
+    this.#theme = theme;
+    if (this.#made) this.#made.theme = theme;
     this.#invalidate();
+  }
+
+  get #viewer(): Viewer {
+    this.#made ??= new Viewer(this.#container, { theme: this.#theme, labels: { styled: "", input: "" } });
+    return this.#made;
   }
 
   /** Moves the viewer into a container, where it shows nothing of what it showed in another one. */
@@ -82,8 +90,8 @@ export class SharedViewer {
 
   /** Draws if anything may have changed, and until the viewer has drawn its still picture. */
   draw(now: number): void {
-    if (this.#frozen || this.rests) return;
-    if (now < this.#drawUntil || !this.#viewer.still) this.#viewer.render(now / 1000);
+    if (!this.#made || this.#frozen || this.rests) return;
+    if (now < this.#drawUntil || !this.#made.still) this.#made.render(now / 1000);
   }
 
   /** A copy of the picture, drawn now or as soon as the graphics processor is ready for it. */
@@ -130,6 +138,6 @@ export class SharedViewer {
 
   dispose(): void {
     this.#observer.disconnect();
-    this.#viewer.dispose();
+    this.#made?.dispose();
   }
 }

@@ -8,7 +8,7 @@ export const page = {
     "This browser is too old for Strut. It needs Chrome or Edge 123, Firefox 125, Safari 17.5, or a newer one.",
   notBuilt: (why: string) => `The page could not be built. Reload it, or use another browser. ${why}`,
   noWebGl:
-    "Strut draws with WebGL 2, which this browser does not offer. Switch on hardware acceleration or use another browser.",
+    "Strut draws with WebGL 2, which this browser does not offer. Switch on hardware acceleration or use another browser. The lessons go on without 3-D pictures.",
 
   bar: {
     undo: "Undo",

@@ -16,6 +16,8 @@ export interface ViewEntry {
   load: () => Promise<ViewModule>;
   /** Which dropped files go to the view; the page handles the others. */
   takes?: "motions" | "all";
+  /** Whether it is of use in a browser that cannot draw in 3-D. */
+  flat?: true;
 }
 
 const titles = strings.page.views;
@@ -23,7 +25,7 @@ const titles = strings.page.views;
 /** Every view in the order of the tabs. A new view is a name in `state/page.ts` and a row here. */
 export const VIEWS: readonly ViewEntry[] = [
   { name: "play", title: titles.play, load: () => Promise.resolve({ createView: createPlay }) },
-  { name: "learn", title: titles.learn, load: () => import("../views/learn/learn_view") },
+  { name: "learn", title: titles.learn, load: () => import("../views/learn/learn_view"), flat: true },
   { name: "compare", title: titles.compare, load: () => import("../views/compare/compare_view") },
   { name: "walk", title: titles.walk, load: () => import("../views/walk/walk_view") },
   {

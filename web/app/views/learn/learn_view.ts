@@ -15,8 +15,10 @@ import { html, saveFile } from "../../../ui/dom";
 import { isDark, onSystemTheme } from "../../../ui/theme";
 import { type AppState, toHash } from "../../state/state";
 import { announce } from "../../ui/announce";
+import { askInDialog, dialogActions } from "../../ui/dialog";
 import { errorText } from "../../ui/words";
 import type { KeyTable, View, ViewHost } from "../../view";
+import { showFigureCode } from "./figure_dialog";
 import { LessonFigures } from "./lesson_figures";
 import { LessonPage } from "./lesson_page";
 import { ProgressStore } from "./progress";
@@ -225,6 +227,7 @@ class LearnView implements View {
         { class: "learn-tools" },
         html("div", { class: "select plain-select lessons" }, lessons, icon("chevron")),
         html("div", { class: "select plain-select" }, language, icon("chevron")),
+        button(learn.embed, () => this.#embed(), { icon: "embed" }),
         present,
       ),
       html("h1", { class: "learn-title", tabindex: -1 }, learn.titles[entry.id]!),
@@ -255,14 +258,23 @@ class LearnView implements View {
           saveFile("strut-lessons.json", new Blob([this.#progress.export()], { type: "application/json" })),
         ),
         act(learn.importProgress, () => file.click()),
-        act(learn.eraseProgress, () => {
-          this.#progress.erase();
-          this.#note(true, learn.erased, "");
-        }),
+        act(learn.eraseProgress, () => void this.#erase(learn)),
         act(learn.print, () => print()),
         file,
       ),
     );
+  }
+
+  async #erase(learn: LearnText): Promise<void> {
+    const erases = await askInDialog<true>("learn-erase", learn.eraseQuestion, (choose, cancel) => [
+      dialogActions(
+        button(learn.close, cancel, { label: true }),
+        button(learn.eraseProgress, () => choose(true), { label: true, class: "outlined" }),
+      ),
+    ]);
+    if (!erases) return;
+    this.#progress.erase();
+    this.#note(true, learn.erased, "");
   }
 
   #note(well: boolean, done: string, failed: string): void {
@@ -283,6 +295,16 @@ class LearnView implements View {
     announce(this.#words.beats[BEATS[beat]!]);
   }
 
+  #embed(): void {
+    if (!this.#open) return;
+    const { figures, language } = this.#open;
+    const shown = { site: new URL(".", location.href).href, language, state: this.#state.figures };
+    void showFigureCode(
+      figures.shown.map((figure) => ({ ...shown, ...figure })),
+      this.#words,
+    );
+  }
+
   #goTo({ id }: LessonEntry, beat: number): void {
     this.#host.store.edit({ lesson: id, beat, task: "", figures: "" });
     announce(this.#words.titles[id]!);
@@ -296,11 +318,13 @@ class LearnView implements View {
   async #reveal(): Promise<void> {
     const open = this.#open;
     if (!open) return;
-    const { lesson, language, page, text } = open;
+    const { lesson, language, page, text, figures } = open;
     const { bet } = this.#progress.of(lesson.id);
     if (bet === undefined || this.#state.hide.split(",").includes("answers")) return;
     const { learn } = TEXTS[language];
     try {
+      // The engine answers in turn: what is looked at comes first.
+      await figures.ready();
       const { answer, measure } = await lesson.bet.reveal(this.#engine);
       const how = bet === "" ? learn.skipped : bet === answer ? learn.right : learn.wrong;
       page.reveal(how, text.bet.reveal(saidIn(language, measure)));
@@ -371,13 +395,11 @@ class LearnView implements View {
 
   /** Words, symbols and marks of a term light each other. */
   #listenToTerms(): void {
-    const termOf = ({ target }: Event) =>
-      target instanceof Element ? (target.closest("[data-term]")?.getAttribute("data-term") ?? undefined) : undefined;
     const listen = (type: string, act: (term: string | undefined) => void) =>
-      this.#text.addEventListener(type, (event) => act(termOf(event)));
+      this.#text.addEventListener(type, ({ target }) => act(termOf(target)));
     listen("pointerover", (term) => this.#light(term));
     listen("pointerleave", () => this.#light(undefined));
-    listen("focusin", (term) => this.#light(term));
+    listen("focusin", () => this.#light(undefined));
     listen("focusout", () => this.#light(undefined));
     listen("click", (term) => {
       this.#tapped = term === this.#tapped ? undefined : term;
@@ -385,9 +407,17 @@ class LearnView implements View {
     });
   }
 
-  #light(term: string | undefined): void {
-    const lit = term ?? this.#tapped;
+  /** @param pointed the term that is pointed at; without one, that of what has the focus is lit, or the tapped one */
+  #light(pointed: string | undefined): void {
+    const focused = this.#text.contains(document.activeElement) ? termOf(document.activeElement) : undefined;
+    const lit = pointed ?? focused ?? this.#tapped;
     this.#open?.page.light(lit);
     this.#open?.figures.light(lit);
   }
+}
+
+function termOf(target: EventTarget | null): string | undefined {
+  return target instanceof Element
+    ? (target.closest("[data-term]")?.getAttribute("data-term") ?? undefined)
+    : undefined;
 }

@@ -68,6 +68,19 @@ export class LessonFigures {
     return this.#figures.get(figure)!.measure();
   }
 
+  /** The figures that are on the page now. */
+  get shown(): { kind: string; heading: string }[] {
+    return this.#lesson.figures.flatMap(({ name, kind }) => {
+      const { hidden, heading } = this.#figures.get(name)!;
+      return hidden ? [] : [{ kind, heading: heading || kind }];
+    });
+  }
+
+  /** Resolves when the figures on the page show their state. */
+  async ready(): Promise<void> {
+    await Promise.all([...this.#figures.values()].filter(({ hidden }) => !hidden).map((figure) => figure.ready()));
+  }
+
   light(term: string | undefined): void {
     for (const figure of this.#figures.values()) figure.light(term);
   }

@@ -28,11 +28,20 @@ export function piecesOf(text: string): Piece[] {
 
 /** A text as nodes. */
 export function prose(text: string): (Node | string)[] {
-  return piecesOf(text).map(({ kind, text, term }) => {
-    if (kind === "term") return html("button", { type: "button", class: "term", "data-term": term! }, text);
-    if (kind === "stress") return html("em", {}, text);
-    return kind === "code" ? html("code", {}, text) : text;
-  });
+  const nodes: (Node | string)[] = [];
+  for (const { kind, text: words, term } of piecesOf(text)) {
+    const last = nodes.at(-1);
+    const [mark] = /^[.,:;?!)]/.exec(words) ?? [];
+    if (kind === "term") nodes.push(html("button", { type: "button", class: "term", "data-term": term! }, words));
+    else if (kind === "stress") nodes.push(html("em", {}, words));
+    else if (kind === "code") nodes.push(html("code", {}, words));
+    else if (mark && last instanceof HTMLButtonElement) {
+      // A line may not break between a term and the mark that follows it.
+      nodes[nodes.length - 1] = html("span", { class: "glued" }, last, mark);
+      nodes.push(words.slice(1));
+    } else nodes.push(words);
+  }
+  return nodes;
 }
 
 /** Texts as paragraphs. */

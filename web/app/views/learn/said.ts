@@ -1,7 +1,7 @@
 /** Measures as a language writes them. */
 import type { Measure } from "../../../element/figure/kind";
 import { type Language, WORDS } from "../../../element/figure/languages";
-import { figure } from "../../../element/figure/words";
+import { figure } from "../../../element/figure/words/words";
 import type { Said } from "../../../lessons/text/text";
 
 /** Decimals of numbers in sentences. */

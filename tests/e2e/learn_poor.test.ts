@@ -1,0 +1,61 @@
+/** The Learn view in browsers that lack something. */
+import type { Page } from "playwright-core";
+import { it } from "vitest";
+import { eventually, openSite, visit } from "./browser";
+
+/** The page anew, after a script that takes something from the browser. */
+async function without(take: () => void, hash: string, use: (page: Page) => Promise<void>): Promise<void> {
+  const { page, close } = await openSite({ hash: "view=data&play=0", size: { width: 1440, height: 900 } });
+  await page.addInitScript(take);
+  await page.evaluate((link) => {
+    location.hash = link;
+  }, hash);
+  await page.reload();
+  try {
+    await use(page);
+  } finally {
+    await close();
+  }
+}
+
+const verdict = (page: Page, exercise: string) => page.locator(`[data-exercise="${exercise}"] .verdict`).textContent();
+
+it("needs no WebGL: text, tables and exercises are there, and other views lead to it", async () => {
+  const take = () => {
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+      return kind.startsWith("webgl") ? null : Reflect.apply(getContext, this, [kind, ...rest]);
+    } as typeof getContext;
+  };
+  await without(take, "view=play&play=0", async (page) => {
+    await eventually(() => page.locator("h1.learn-title").textContent()).toBe("Tell content from style");
+    await eventually(() => page.getByText("The lessons go on without 3-D pictures.").count()).toBeGreaterThan(0);
+    await visit(page, "view=learn&lesson=style&beat=4&task=C&joint=head");
+    await eventually(() => verdict(page, "C")).toMatch(/^✓ ?Yes: head, by 32\.01 cm/);
+    const stage = page.locator('strut-figure[data-name="stage"]');
+    await eventually(() => stage.locator(".picture .message").textContent()).toMatch(
+      /^This browser cannot draw in 3-D/,
+    );
+    await stage.locator("summary").click();
+    await eventually(() => stage.locator("td").count()).toBeGreaterThan(20);
+    await visit(page, "view=walk");
+    await eventually(() => page.evaluate(() => location.hash)).toContain("view=learn");
+  });
+});
+
+it("needs no storage: it says so, and progress lasts until the page is closed", async () => {
+  const take = () => {
+    Object.defineProperty(window, "localStorage", {
+      get: () => {
+        throw new DOMException("The operation is insecure.", "SecurityError");
+      },
+    });
+  };
+  await without(take, "view=learn&lesson=style&beat=4&task=C&joint=head", async (page) => {
+    await eventually(() => verdict(page, "C")).toMatch(/^✓ ?Yes: head/);
+    await visit(page, "view=learn&lesson=style&beat=3");
+    await eventually(() => page.locator(".learn-text").textContent()).toContain(
+      "This browser keeps nothing for the page",
+    );
+  });
+});

@@ -1,0 +1,15 @@
+/** HTML that people copy into their pages. Pure. */
+
+/** What a frame may do: run its own scripts, and save files that its visitor asks for. */
+const SANDBOX = "allow-scripts allow-same-origin allow-downloads";
+
+/** The HTML of a frame with a page; its size is in CSS pixels. */
+export function frameOf(address: string, title: string, { width, height }: { width: number; height: number }): string {
+  return `<iframe src="${escaped(address)}" title="${escaped(title)}" width="${width}" height="${height}" loading="lazy" sandbox="${SANDBOX}" allow="fullscreen" style="border:0;max-width:100%"></iframe>`;
+}
+
+/** Text inside an attribute. */
+export function escaped(text: string): string {
+  const entities: Record<string, string> = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" };
+  return text.replace(/[&<>"]/g, (character) => entities[character]!);
+}

@@ -1,0 +1,34 @@
+/** What is copied into a page to show a figure of a lesson there. Pure. */
+import type { Language } from "../../../element/figure/languages";
+import { escaped, frameOf } from "../../ui/frame_code";
+
+/** A figure that is embedded. */
+export interface EmbeddedFigure {
+  /** Address of the site's folder. */
+  site: string;
+  kind: string;
+  language: Language;
+  /** The text of a link. */
+  state: string;
+  /** Its heading, for screen readers. */
+  heading: string;
+}
+
+/** Size of a frame, CSS pixels. */
+const SIZE = { width: 688, height: 480 };
+
+/** Address of the page for a frame. */
+export function figureAddress({ site, kind, language, state }: EmbeddedFigure): string {
+  return `${new URL("figure.html", site).href}?kind=${kind}&lang=${language}#${state}`;
+}
+
+/** The HTML of a frame. */
+export function figureFrameCode(figure: EmbeddedFigure): string {
+  return frameOf(figureAddress(figure), figure.heading, SIZE);
+}
+
+/** The HTML of the element, with its script. */
+export function figureElementCode({ site, kind, language, state }: EmbeddedFigure): string {
+  const script = escaped(new URL("strut-figure.js", site).href);
+  return `<script type="module" src="${script}"></script>\n<strut-figure kind="${kind}" lang="${language}" state="${escaped(state)}"></strut-figure>`;
+}
