@@ -18,6 +18,8 @@ export interface LessonFigure {
   beats: readonly Beat[];
   /** The beats that explain its marks and what can be chosen: the others show neither. */
   explained: readonly Beat[];
+  /** An exercise whose answer it would give away: it is shown once that is solved. */
+  after?: string;
 }
 
 /** A question that a figure answers: measured, never stored. */
@@ -54,6 +56,8 @@ export interface LessonOf<State> {
   symbols: readonly string[];
   bet: Bet;
   exercises: readonly Exercise<State>[];
+  /** Decimals in sentences of measures that have others than two, by name. */
+  decimals?: Readonly<Record<string, number>>;
 }
 
 /** A lesson as the view has it: states are the texts of links. */

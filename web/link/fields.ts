@@ -17,7 +17,7 @@ export interface Field<T> {
 /** A table of fields: one for each member of a state. */
 export type Fields<State> = { readonly [K in keyof State]: Field<State[K]> };
 
-/** A number, clamped to its range and written with as few decimals as needed. */
+/** A number, clamped to its range, and read and written with as many decimals as it has there, at most. */
 export function number(key: string, initial: number, { min, max, digits }: Range, undoable: boolean): Field<number> {
   return {
     key,
@@ -26,7 +26,10 @@ export function number(key: string, initial: number, { min, max, digits }: Range
     encode: (value) => String(Number(value.toFixed(digits))),
     decode: (text) => {
       const value = Number(text);
-      return text.trim() !== "" && Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : undefined;
+      // The sum makes a zero of what is written as −0.
+      return text.trim() !== "" && Number.isFinite(value)
+        ? Number(Math.min(max, Math.max(min, value)).toFixed(digits)) + 0
+        : undefined;
     },
   };
 }

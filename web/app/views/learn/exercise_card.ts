@@ -27,6 +27,8 @@ export class ExerciseCard {
   readonly #solution: HTMLButtonElement;
   readonly #link: HTMLButtonElement;
   #hinted = 0;
+  /** What was said of the last answer that passed. */
+  #passed = "";
 
   constructor(id: string, text: ExerciseText, learn: LearnText, answers: boolean, listeners: ExerciseListeners) {
     [this.#text, this.#learn] = [text, learn];
@@ -66,15 +68,16 @@ export class ExerciseCard {
     const { pass, near, refuse, no } = this.#text;
     const sentence = verdict.result === "near" ? near[verdict.way]!(said) : { pass, refuse, no }[verdict.result](said);
     this.#judge(verdict.result, sentence);
+    if (verdict.result === "pass") this.#passed = sentence;
   }
 
   fail(sentence: string): void {
     this.#judge("no", sentence);
   }
 
-  /** What was said last, for the printed answers. */
-  get verdict(): string {
-    return this.#verdict.textContent ?? "";
+  /** What was said of the last answer that passed, for the printed answers; empty if none did. */
+  get passed(): string {
+    return this.#passed;
   }
 
   #judge(result: Verdict["result"] | "", sentence: string): void {

@@ -135,6 +135,7 @@ class LearnView implements View {
       figures,
       beat,
       locked,
+      solved: progress.solved,
       theme: isDark(theme) ? "dark" : "light",
       large: present,
       controls: !hidden.includes("controls"),
@@ -291,7 +292,6 @@ class LearnView implements View {
       return;
     }
     this.#host.store.edit({ beat });
-    this.#text.querySelector<HTMLElement>(".learn-parts")?.focus();
     announce(this.#words.beats[BEATS[beat]!]);
   }
 
@@ -327,7 +327,7 @@ class LearnView implements View {
       await figures.ready();
       const { answer, measure } = await lesson.bet.reveal(this.#engine);
       const how = bet === "" ? learn.skipped : bet === answer ? learn.right : learn.wrong;
-      page.reveal(how, text.bet.reveal(saidIn(language, measure)));
+      page.reveal(how, text.bet.reveal(saidIn(language, measure, lesson.decimals)));
     } catch (error) {
       if (!isCancellation(error)) page.reveal(learn.failed(errorText(error)));
     }
@@ -368,7 +368,7 @@ class LearnView implements View {
       if (check !== this.#check || this.#open !== open || this.#state.task !== task) return;
       const verdict = judge(exercise, measure);
       if (counts) this.#remember(open.lesson.id, task, verdict.result === "pass");
-      open.page.judge(task, verdict, saidIn(open.language, measure));
+      open.page.judge(task, verdict, saidIn(open.language, measure, open.lesson.decimals));
     } catch (error) {
       if (check === this.#check) open.page.fail(task, this.#words.failed(errorText(error)));
     }

@@ -18,6 +18,8 @@ export interface FiguresState {
   /** The part of the lesson, and how far it may give the answer to the bet away. */
   beat: number;
   locked: boolean;
+  /** The exercises that are solved. */
+  solved: readonly string[];
   theme: "dark" | "light";
   large: boolean;
   controls: boolean;
@@ -49,18 +51,22 @@ export class LessonFigures {
     );
   }
 
-  show({ figures, beat, locked, theme, large, controls }: FiguresState): void {
+  show({ figures, beat, locked, solved, theme, large, controls }: FiguresState): void {
     // Until the bet is placed only what the bet shows is shown.
     const name = BEATS[locked ? BEATS.indexOf("bet") : beat]!;
-    for (const { name: id, beats, explained } of this.#lesson.figures) {
+    const shown = this.#lesson.figures.filter(
+      ({ beats, after }) => beats.includes(name) && (after === undefined || solved.includes(after)),
+    );
+    for (const one of this.#lesson.figures) {
+      const { name: id, explained } = one;
       const figure = this.#figures.get(id)!;
-      figure.hidden = !beats.includes(name);
+      figure.hidden = !shown.includes(one);
       figure.toggleAttribute("large", large);
       figure.setAttribute("theme", theme);
       figure.setAttribute("hide", hiddenIn(controls, explained.includes(name)));
       figure.state = figures;
     }
-    this.element.dataset.shown = String(this.#lesson.figures.filter(({ beats }) => beats.includes(name)).length);
+    this.element.dataset.shown = String(shown.length);
   }
 
   /** What exercises are judged by. @throws what the engine throws */

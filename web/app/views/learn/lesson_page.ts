@@ -168,10 +168,7 @@ export class LessonPage {
 
   /** Puts what is known of the answers at the end of the printed page. */
   printAnswers(): void {
-    const said = [
-      this.#bet.revealed,
-      ...[...this.#cards].map(([id, card]) => card.verdict && `${id}: ${card.verdict}`),
-    ];
+    const said = [this.#bet.revealed, ...[...this.#cards].map(([id, card]) => card.passed && `${id}: ${card.passed}`)];
     this.#answers.replaceChildren(...said.filter((line) => line !== "").map((line) => html("p", {}, line)));
   }
 

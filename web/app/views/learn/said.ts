@@ -7,11 +7,18 @@ import type { Said } from "../../../lessons/text/text";
 /** Decimals of numbers in sentences. */
 const DIGITS = 2;
 
-/** Numbers with the language's decimal sign, styles and joints by their names. */
-export function saidIn(language: Language, measure: Measure): Said {
+/**
+ * Numbers with the language's decimal sign, styles and joints by their names.
+ * @param decimals of the numbers that have others than two, by name
+ */
+export function saidIn(language: Language, measure: Measure, decimals: Readonly<Record<string, number>> = {}): Said {
   const words = WORDS[language];
   const names: Readonly<Record<string, string>> = { ...words.joints, ...words.inputs, ...words.styles };
-  const say = (value: number | string) =>
-    typeof value === "number" ? figure(value, DIGITS, words) : Object.hasOwn(names, value) ? names[value]! : value;
-  return Object.fromEntries(Object.entries(measure).map(([name, value]) => [name, say(value)]));
+  const say = (name: string, value: number | string) =>
+    typeof value === "number"
+      ? figure(value, decimals[name] ?? DIGITS, words)
+      : Object.hasOwn(names, value)
+        ? names[value]!
+        : value;
+  return Object.fromEntries(Object.entries(measure).map(([name, value]) => [name, say(name, value)]));
 }

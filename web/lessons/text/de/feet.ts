@@ -60,7 +60,7 @@ export const feet: LessonText = {
     },
   },
   sources: [
-    "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Abschnitt 6: Kontakte durch Abstimmung der nächsten Nachbarn. Der Aufsatz gewichtet Stimmen mit 1/D; die Engine danach, wie sich Höhen und Geschwindigkeiten der Füße gleichen.",
+    "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Abschnitt 6: Kontakte durch Abstimmung der nächsten Nachbarn. Der Artikel gewichtet Stimmen mit 1/D; die Engine danach, wie sich Höhen und Geschwindigkeiten der Füße gleichen.",
     "Stimmen zählt `rust/strut-core/src/transfer/contact_likelihood.rs`, Füße hält `rust/strut-core/src/transfer/footplant.rs`, und Knie löst `rust/strut-core/src/kinematics/two_bone_ik.rs`.",
   ],
 };

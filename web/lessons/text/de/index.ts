@@ -50,7 +50,7 @@ export const learn: LearnText = {
   skip: "Wette überspringen",
   locked: "Die Antwort erscheint, sobald du die Wette abgegeben oder übersprungen hast.",
   right: "Du hast richtig gewettet.",
-  wrong: "Du hast auf die andere gewettet.",
+  wrong: "Du hast auf eine andere Antwort gesetzt.",
   skipped: "Du hast die Wette übersprungen.",
   symbols: "Zeichen mit ihren jetzigen Werten",
   equation: "Gleichung",

@@ -8,7 +8,7 @@ export const map: LessonText = {
   ],
   bet: {
     question:
-      "Ein Lernschritt bewegt eine Abbildung auf die Probe zu. Der Aufsatz druckt die Formel mit einem Minus, also bewegt sie sich von ihr weg. Was geschieht, wenn du dem Druck folgst?",
+      "Ein Lernschritt bewegt eine Abbildung auf die Probe zu. Der Artikel druckt die Formel mit einem Minus, also bewegt sie sich von ihr weg. Was geschieht, wenn du dem Druck folgst?",
     options: {
       same: "Es lernt genauso gut",
       slower: "Es lernt langsamer",

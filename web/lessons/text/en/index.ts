@@ -50,7 +50,7 @@ export const learn: LearnText = {
   skip: "Skip the bet",
   locked: "The answer is shown once you have placed your bet, or skipped it.",
   right: "You bet right.",
-  wrong: "You bet on the other one.",
+  wrong: "You bet on another one.",
   skipped: "You skipped the bet.",
   symbols: "Symbols with their present values",
   equation: "Equation",
