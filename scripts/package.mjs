@@ -158,6 +158,8 @@ export async function writePackage() {
     entryPoints: ["worker", "build_worker"].map((name) => join(SOURCE, `${name}.ts`)),
     outdir: join(OUT, "assets"),
     format: "iife",
+    // What wasm-bindgen says to those who call its functions in an old way.
+    pure: ["console.warn"],
   });
   await build({
     ...common,

@@ -5,9 +5,10 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import type { StrutFigure } from "../../web/element/figure/figure_element";
+import { LESSONS } from "../../web/lessons/lessons";
 import { serveFolder } from "../package/server";
 import { axeFaults } from "./axe";
-import { eventually, openSite, screenshot } from "./browser";
+import { eventually, openSite, screenshot, visit } from "./browser";
 
 const STATE = "i=200&K=12&ridge=0.02";
 
@@ -70,6 +71,29 @@ describe("a figure elsewhere", () => {
     expect(await colour.evaluate((dot) => getComputedStyle(dot).fill)).toBe("rgb(223, 165, 31)");
     await eventually(() => axeFaults(placed)).toEqual([]);
     await screenshot(placed, "figure-elsewhere");
+    await placed.context().close();
+  });
+
+  test("of any kind repeats a lesson's link to the bit", async () => {
+    const { page } = site;
+    const state = "i=201";
+    const expected: { kind: string; measure: unknown }[] = [];
+    for (const { id, load } of LESSONS) {
+      await visit(page, `view=learn&lesson=${id}&beat=4&${state}`);
+      await page.waitForFunction(
+        (lesson) => document.querySelector<HTMLSelectElement>(".lessons select")?.value === lesson,
+        id,
+      );
+      for (const { name, kind } of (await load()).figures)
+        expected.push({ kind, measure: await page.locator(`strut-figure[data-name="${name}"]`).evaluate(measured) });
+    }
+    expect(new Set(expected.map(({ kind }) => kind)).size).toBeGreaterThan(30);
+    const figures = expected.map(({ kind }) => `<strut-figure kind="${kind}" state="${state}"></strut-figure>`);
+    const placed = await openElsewhere(
+      `<script type="module" src="${site.site.url}strut-figure.js"></script>${figures.join("")}`,
+    );
+    for (const [i, { kind, measure }] of expected.entries())
+      expect(await placed.locator("strut-figure").nth(i).evaluate(measured), kind).toEqual(measure);
     await placed.context().close();
   });
 

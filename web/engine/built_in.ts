@@ -26,7 +26,7 @@ const ASSETS: Record<BuiltInSet, () => Asset> = {
  * @throws StrutError if they cannot be had
  */
 export async function loadBuiltIn(
-  onProgress: (fraction: number) => void = () => {},
+  onProgress?: (fraction: number) => void,
   set: BuiltInSet = "built-in",
 ): Promise<PackedMotions> {
   return inflatedAsset(ASSETS[set](), WHAT, onProgress);
@@ -41,7 +41,7 @@ export async function loadBuiltIn(
 export async function inflatedAsset(
   asset: Asset,
   what: string,
-  onProgress: (fraction: number) => void = () => {},
+  onProgress?: (fraction: number) => void,
 ): Promise<Uint8Array<ArrayBuffer>> {
   const packed = await streamOf(asset, what, onProgress);
   try {
@@ -57,7 +57,7 @@ type Bytes = Uint8Array<ArrayBuffer>;
 async function streamOf(
   asset: Asset,
   what: string,
-  onProgress: (fraction: number) => void,
+  onProgress: ((fraction: number) => void) | undefined,
 ): Promise<ReadableStream<Bytes>> {
   if (!(asset instanceof URL)) return new Blob([asset]).stream();
   if (asset.protocol === "file:") return new Blob([await readAsset(asset, what)]).stream();
@@ -70,7 +70,7 @@ async function streamOf(
     new TransformStream<Bytes, Bytes>({
       transform(chunk, controller) {
         received += chunk.length;
-        if (total > 0) onProgress(Math.min(received / total, 1));
+        if (total > 0) onProgress?.(Math.min(received / total, 1));
         controller.enqueue(chunk);
       },
     }),

@@ -86,11 +86,18 @@ describe("every lesson", () => {
       for (const term of terms) expect(lesson.symbols, "a symbol of the equation has a button").toContain(term);
       // KaTeX's other families are left out of the page: `scripts/katex_plugin.mjs`.
       expect(lesson.equation).not.toMatch(/"mord (mathbf|mathcal|mathbb|amsrm|boldsymbol|mathsf)|delimsizing size4/);
-      const words = [...text.idea, ...text.look, ...text.sources].flatMap(piecesOf);
-      for (const { term } of words) if (term) expect(lesson.symbols).toContain(term);
-      const files = words.filter(({ kind, text }) => kind === "code" && text.includes("/"));
-      expect(files.length).toBeGreaterThan(0);
-      for (const { text } of files) expect(existsSync(join(root, text)), text).toBe(true);
+      const exercises = Object.values(text.exercises).flatMap(({ task, hints }) => [task, ...hints]);
+      const said = [...text.idea, text.bet.question, ...text.look, text.why, ...exercises, ...text.sources];
+      for (const { term } of said.flatMap(piecesOf)) if (term) expect(lesson.symbols).toContain(term);
+      const named = text.sources.map((source) => piecesOf(source).filter(({ kind }) => kind === "code"));
+      expect(named.flat().length).toBeGreaterThan(0);
+      for (const codes of named) {
+        const [files, names] = [true, false].map((isFile) => codes.filter(({ text }) => text.includes("/") === isFile));
+        for (const { text } of files!) expect(existsSync(join(root, text)), text).toBe(true);
+        // A name stands beside the file that has it.
+        const sources = files!.map(({ text }) => readFileSync(join(root, text), "utf8")).join();
+        for (const { text } of names!) expect(sources, text).toContain(text);
+      }
     }
   });
 
@@ -195,15 +202,20 @@ describe("states of figures", () => {
     );
   });
 
-  test("anything else is left out", () => {
-    fc.assert(fc.property(fc.string(), (text) => isStable(style, text)));
-    fc.assert(
-      fc.property(fc.array(fc.tuple(fc.constantFrom(...style.keys, "K", "__proto__"), fc.string())), (pairs) =>
-        isStable(style, new URLSearchParams(pairs).toString()),
-      ),
+  test.each(LESSONS)("$id: anything else is left out", async ({ load }) => {
+    const lesson = await load();
+    fc.assert(fc.property(fc.string(), (text) => isStable(lesson, text)));
+    const pair = fc.tuple(
+      fc.constantFrom(...lesson.keys, "K", "__proto__"),
+      fc.oneof(fc.string(), fc.double().map(String)),
     );
+    fc.assert(fc.property(fc.array(pair), (pairs) => isStable(lesson, new URLSearchParams(pairs).toString())));
+  });
+
+  test("what is out of range is brought into it, and an unknown name is passed over", () => {
     expect(style.clean("K=12&style=<b>&i=1e99&joint=__proto__&pair=content&motion=neutral%20run")).toBe(
       "motion=neutral%20run&pair=content&i=5000",
     );
+    expect(readHash(PAIR_FIELDS, "i=160.5").at).toBe(161);
   });
 });

@@ -96,8 +96,10 @@ export class StrutFigure extends HTMLElement {
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (name === "poster") this.#showPoster();
     else if (before === after || !this.#opened) return;
-    else if (name === "state") this.#show();
-    else {
+    else if (name === "state") {
+      // What nobody sees is shown once it is seen, or measured.
+      if (this.checkVisibility()) this.#show();
+    } else {
       this.#close();
       void this.ready();
     }
@@ -125,7 +127,13 @@ export class StrutFigure extends HTMLElement {
       this.#opened = this.#open(this.#figureLife.signal);
     }
     await this.#opened;
+    this.#show();
     await this.#shown;
+  }
+
+  /** Loads what the figure is drawn with, so that it needs no network when it is seen. */
+  async prefetch(): Promise<void> {
+    await loadKind(this.getAttribute("kind") ?? "");
   }
 
   /** What exercises are judged by. @throws StrutError */

@@ -39,6 +39,7 @@ const KINDS = {
 
 /** Name of a kind. */
 export type KindName = keyof typeof KINDS;
+export const KIND_NAMES = Object.keys(KINDS) as readonly KindName[];
 
 /** Loads a kind; `undefined` where there is none of the name. */
 export async function loadKind(name: string): Promise<TextKind | undefined> {

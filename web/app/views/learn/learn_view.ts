@@ -204,6 +204,7 @@ class LearnView implements View {
     this.#text.replaceChildren(this.#head, page.element, this.#foot(learn));
     this.element.replaceChildren(this.#text, figures.element);
     this.#showState(true);
+    void figures.ready().then(() => figures.prefetch());
     if (this.#progress.of(id).bet !== undefined) void this.#reveal();
   }
 

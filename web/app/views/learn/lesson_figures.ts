@@ -29,10 +29,12 @@ export class LessonFigures {
   readonly element: HTMLElement;
   readonly #lesson: Lesson;
   readonly #figures: Map<string, StrutFigure>;
+  readonly #listeners: FigureListeners;
 
   constructor(lesson: Lesson, language: Language, label: string, listeners: FigureListeners) {
     defineFigure();
     this.#lesson = lesson;
+    this.#listeners = listeners;
     this.#figures = new Map(
       lesson.figures.map(({ name, kind }) => {
         const figure = html("strut-figure", { kind, lang: language, "data-name": name });
@@ -43,9 +45,7 @@ export class LessonFigures {
     this.element.addEventListener("statechange", (event) =>
       listeners.onState((event as CustomEvent<StateChange>).detail),
     );
-    this.element.addEventListener("figurechange", () =>
-      listeners.onValues(Object.assign({}, ...[...this.#figures.values()].map(({ values }) => values))),
-    );
+    this.element.addEventListener("figurechange", () => this.#tellValues());
     this.element.addEventListener("termpoint", (event) =>
       listeners.onPoint((event as CustomEvent<{ term: string | undefined }>).detail.term),
     );
@@ -67,6 +67,7 @@ export class LessonFigures {
       figure.state = figures;
     }
     this.element.dataset.shown = String(shown.length);
+    this.#tellValues();
   }
 
   /** What exercises are judged by. @throws what the engine throws */
@@ -84,7 +85,22 @@ export class LessonFigures {
 
   /** Resolves when the figures on the page show their state. */
   async ready(): Promise<void> {
-    await Promise.all([...this.#figures.values()].filter(({ hidden }) => !hidden).map((figure) => figure.ready()));
+    await Promise.all(this.#visible.map((figure) => figure.ready()));
+  }
+
+  /** Loads what the other parts of the lesson show, so that they need no network. */
+  async prefetch(): Promise<void> {
+    const fonts = [...document.fonts].map((face) => face.load());
+    await Promise.allSettled([...fonts, ...[...this.#figures.values()].map((figure) => figure.prefetch())]);
+  }
+
+  get #visible(): StrutFigure[] {
+    return [...this.#figures.values()].filter(({ hidden }) => !hidden);
+  }
+
+  /** What is not on the page has no say: it may still show an earlier state. */
+  #tellValues(): void {
+    this.#listeners.onValues(Object.assign({}, ...this.#visible.map(({ values }) => values)));
   }
 
   light(term: string | undefined): void {
