@@ -203,7 +203,10 @@ export class StrutFigure extends HTMLElement {
     if (!this.#figure || this.#state === this.state) return;
     this.#state = this.state;
     this.#shown = this.#figure.show(this.#state).then(
-      () => this.#say(""),
+      () => {
+        this.#container.classList.add("shown");
+        this.#say("");
+      },
       (error: unknown) => this.#say(this.#words.failed(error instanceof Error ? error.message : String(error))),
     );
   }
@@ -224,6 +227,7 @@ export class StrutFigure extends HTMLElement {
     this.#figure = undefined;
     this.#opened = undefined;
     this.#state = undefined;
+    this.#container.classList.remove("shown");
     this.#container.replaceChildren();
   }
 
