@@ -16,7 +16,7 @@ export const register: LessonText = {
   look: [
     "Nach rechts läuft der neutrale Schritt, nach oben der alte. Die Schattierung sind die [c: Kosten c] eines Paars von Bildern: der quadrierte Abstand ihrer Merkmale, nämlich Orte und Geschwindigkeiten der Gelenke, und welche Füße stehen. Der [tau: Punkt τ] ist das Paar am Zeiger; seine beiden Gehenden stehen darunter.",
     "Cᵢⱼ sind die kleinsten Kosten eines Pfads vom Anfang bis zum Paar i, j. Sein letztes Stück rückt in beiden Schritten um ein Bild vor, oder in einem um [s: s] Bilder und im anderen um eines, mit s höchstens 3. Also ist ein Pfad nirgends schneller als drei zu eins: die zwei dünnen Linien durch den Punkt.",
-    "Iterative Motion Warping, IMW, erlaubt, dass sich die Merkmale a des neutralen Schritts von den Merkmalen b des anderen um einen [alpha: Faktor α] und einen [beta: Versatz β] unterscheiden. Ein Unterschied im Stil muss dann nicht durch verzogene Zeit erklärt werden. IMW minimiert E: D ist der Unterschied aufeinanderfolgender Bilder, also lässt λ = 225 α und β sich nur langsam ändern, und μ = 0,1 hält sie nahe bei 1 und 0.",
+    "Iterative Motion Warping, IMW, erlaubt, dass sich die Merkmale a des neutralen Schritts von den Merkmalen b des anderen um einen [alpha: Faktor α] und einen [beta: Versatz β] unterscheiden. Ein Unterschied im Stil muss dann nicht durch verzogene Zeit erklärt werden. IMW minimiert E: D ist der Unterschied aufeinanderfolgender Bilder, also lässt der Term mit λ = 225 α und β sich nur langsam ändern, und der mit μ = 0,1 hält sie nahe bei 1 und 0.",
     "Die Balken außerhalb des Bildes sind Füße, die stehen: oben die des neutral Gehenden, rechts die des anderen.",
   ],
   symbols: {

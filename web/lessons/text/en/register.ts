@@ -16,7 +16,7 @@ export const register: LessonText = {
   look: [
     "The neutral step runs to the right, the old one upwards. The shade is the [c: cost c] of pairing two frames: the squared distance of their features, which are positions and velocities of the joints, and which feet stand. The [tau: point τ] is the pair at the cursor; its two walkers stand below.",
     "Cᵢⱼ is the least cost of a path from the start to the pair i, j. Its last part goes on by one frame in both steps, or by [s: s] frames in one and by one in the other, with s at most 3. So a path is nowhere faster than three to one: the two thin lines through the point.",
-    "Iterative motion warping, IMW, lets the features a of the neutral step differ from the features b of the other one by a [alpha: scale α] and an [beta: offset β]. So a difference of style does not have to be explained by warping time. It minimises E: D takes the difference of successive frames, so λ = 225 has α and β change slowly, and μ = 0.1 keeps them near 1 and 0.",
+    "Iterative motion warping, IMW, lets the features a of the neutral step differ from the features b of the other one by a [alpha: scale α] and an [beta: offset β]. So a difference of style does not have to be explained by warping time. IMW minimises E: D takes the difference of successive frames, so the term with λ = 225 makes α and β change slowly, and the one with μ = 0.1 keeps them near 1 and 0.",
     "The bars outside the plot are feet that stand: the neutral walker’s above, the other one’s at the right.",
   ],
   symbols: {
