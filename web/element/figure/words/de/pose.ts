@@ -2,7 +2,7 @@
 import type { PoseWords } from "../pose";
 
 export const pose: PoseWords = {
-  stage: "Ein Gelenk und sein Mittel",
+  stage: "Gelenk und Mittel",
   numbers: "Die 67 Zahlen dieser Pose",
   title: "Eine Zahl über der Zeit",
   knobs: {

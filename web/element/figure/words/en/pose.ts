@@ -2,7 +2,7 @@
 import type { PoseWords } from "../pose";
 
 export const pose: PoseWords = {
-  stage: "A joint and its mean",
+  stage: "Joint and mean",
   numbers: "The 67 numbers of this pose",
   title: "One number over time",
   knobs: {
