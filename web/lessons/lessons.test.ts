@@ -8,6 +8,7 @@ import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
 import { measureBias } from "../element/figure/bias/bias_measure";
 import { BIAS_FIELDS } from "../element/figure/bias/bias_state";
+import { STYLES } from "../element/figure/built_in";
 import { measureChain } from "../element/figure/chain/chain_measure";
 import { CHAIN_FIELDS } from "../element/figure/chain/chain_state";
 import { measureFeet } from "../element/figure/feet/feet_measure";
@@ -34,6 +35,7 @@ import { sharedPair } from "../element/figure/shared";
 import { measureWarp } from "../element/figure/warp/warp_measure";
 import { WARP_FIELDS } from "../element/figure/warp/warp_state";
 import { serveLearnPackage } from "../engine/learn/wasm";
+import { ROLES } from "../humanoid";
 import { readHash, writeHash } from "../link/hash";
 import { judge, type Lesson } from "./lesson";
 import { LESSONS, lessonOf } from "./lessons";
@@ -148,6 +150,22 @@ describe("style", () => {
     expect(Number(measure.second)).toBeGreaterThan(Number(measure.content));
   });
 
+  test("A: one style passes", async () => {
+    const passing: string[] = [];
+    for (const name of STYLES) if ((await result("A", { style: name })).result === "pass") passing.push(name);
+    expect(passing).toEqual(["sexy"]);
+    // By hand: the mean over the frames.
+    const meanOfStyle = async (name: string) => {
+      const { content } = (await sharedPair(engine, "neutral walk", name))!.difference;
+      let sum = 0;
+      for (let f = 0; f < content.length; f++) sum += content[f]!;
+      return sum / content.length;
+    };
+    const { meanContent } = await measured("style=sexy");
+    expect(meanContent).toBeCloseTo(await meanOfStyle("sexy"), 6);
+    expect(Math.abs((await meanOfStyle("proud")) - Number(meanContent)), "mutation: next style").toBeGreaterThan(0.1);
+  });
+
   test("A refuses the style that is nearest by the clock, and says so", async () => {
     expect(await result("A", { style: "childlike" })).toEqual({ result: "refuse" });
     expect(await result("A", { style: "proud" })).toEqual({ result: "near", way: "close" });
@@ -159,11 +177,19 @@ describe("style", () => {
     expect(text.exercises.A!.refuse(said)).toMatch(
       /^You compared different moments of the step\. .*childlike.* 11\.71 cm.* 5\.70 cm/,
     );
+    const german = await TEXTS.de.lessons.style!();
+    expect(german.exercises.A!.refuse(saidIn("de", await measured("style=childlike")))).toMatch(
+      /^Du hast verschiedene Augenblicke .*kindlich am wenigsten, 11,71 cm; .* 5,70 cm/,
+    );
   });
 
   test("B is passed in some stretches of the proud walk only, and says which way", async () => {
     expect(await result("B", {})).toEqual({ result: "refuse" });
-    expect(await result("B", { style: "old", at: 160 })).toEqual({ result: "near", way: "other" });
+    const other = { result: "near", way: "other" };
+    for (const state of [{ style: "old" }, { motion: "neutral run" }, { joint: "head" }] as const)
+      expect(await result("B", { at: 160, ...state })).toEqual(other);
+    const text = await TEXTS.en.lessons.style!();
+    expect(text.exercises.B!.refuse({})).toMatch(/^Here the two are in step: the same second is the same content/);
     const pair = (await sharedPair(engine, "neutral walk", "proud"))!;
     const passing: number[] = [];
     for (let at = 0; at < pair.input.frames; at++)
@@ -173,6 +199,14 @@ describe("style", () => {
     expect(await result("B", { at: passing[10]! })).toEqual({ result: "pass" });
     const first = passing[0]!;
     expect(await result("B", { at: first - 1 })).toEqual({ result: "near", way: "later" });
+    const last = passing.find((at) => !passing.includes(at + 1))!;
+    expect(await result("B", { at: last + 2 })).toEqual({ result: "near", way: "earlier" });
+    expect(await result("B", { at: 60 })).toEqual({ result: "no" });
+    // The hint: half a neutral cycle late, and later a whole one.
+    const cycle = 65 / 60;
+    const late = (at: number) => pair.styled.timeOut[at]! - at / 60;
+    expect(late(230)).toBeCloseTo(cycle / 2, 1);
+    expect(late(464)).toBeCloseTo(cycle, 1);
   });
 
   test("C refuses the legs, and is close at the neck", async () => {
@@ -181,6 +215,16 @@ describe("style", () => {
     expect(await result("C", { joint: "hips" })).toEqual({ result: "no" });
     expect(await result("C", {})).toEqual({ result: "near", way: "none" });
     expect(await result("C", { joint: "head", style: "proud" })).toEqual({ result: "near", way: "other" });
+    expect(await result("C", { joint: "head", motion: "neutral run" })).toEqual({ result: "near", way: "other" });
+    const passing: string[] = [];
+    for (const joint of ROLES) if ((await result("C", { joint })).result === "pass") passing.push(joint);
+    expect(passing).toEqual(["head"]);
+    const [text, german] = [await TEXTS.en.lessons.style!(), await TEXTS.de.lessons.style!()];
+    const toes = await measured("joint=left_toes");
+    expect(text.exercises.C!.refuse(saidIn("en", toes))).toMatch(
+      /^The legs move most in every walk.* toes L by 2\d\.\d\d cm\. .* At equal instants it is 9\.\d\d cm\.$/,
+    );
+    expect(german.exercises.C!.refuse(saidIn("de", toes))).toMatch(/Zehen L um 2\d,\d\d cm.* sind es 9,\d\d cm\.$/);
   });
 });
 

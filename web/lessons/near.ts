@@ -50,6 +50,8 @@ export const near: Lesson = lesson<NearState>({
     },
   ],
   equation,
+  // As the figures say them.
+  decimals: { first: 1, last: 1 },
   symbols: ["D", "w", "theta", "x0", "z0", "y", "z", "s", "K"],
   bet: {
     options: ["same", "little", "much"],

@@ -1,8 +1,10 @@
 import { beforeAll, expect, test } from "vitest";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
+import { LANGUAGES, WORDS } from "../element/figure/languages";
 import {
   changedNumbers,
+  DOFS,
   degreesOfFreedom,
   greatestJump,
   measurePose,
@@ -14,7 +16,17 @@ import {
 import { POSE_FIELDS, type PoseState } from "../element/figure/pose/pose_state";
 import { turnOf, withTurn } from "../element/figure/turned_joints";
 import { serveLearnPackage } from "../engine/learn/wasm";
-import { DEGREES, exp, JOINT, multiply, POSE_FLOATS, type Quaternion, quaternionAt, type Vector } from "../humanoid";
+import {
+  DEGREES,
+  exp,
+  JOINT,
+  JOINTS,
+  multiply,
+  POSE_FLOATS,
+  type Quaternion,
+  quaternionAt,
+  type Vector,
+} from "../humanoid";
 import { initialOf, readHash } from "../link/hash";
 import { judge } from "./lesson";
 import { pose } from "./pose";
@@ -88,13 +100,90 @@ test("numbers are 67, and say how high the hips are", async () => {
   expect(numbers[63]).toBeCloseTo(motion.poses[PRESET.at * POSE_FLOATS + 1]!, 4);
 });
 
+/** w by another way: the angle from the real part, the axis from the rest. */
+function plainLog([x, y, z, w]: Quaternion): Vector {
+  const sign = w < 0 ? -1 : 1;
+  const length = Math.hypot(x, y, z);
+  const angle = 2 * Math.atan2(length, Math.abs(w));
+  return [x, y, z].map((value) => (sign * value * angle) / Math.max(1e-12, length)) as unknown as Vector;
+}
+
+/** The product of two quaternions, written out. */
+function product([ax, ay, az, aw]: Quaternion, [bx, by, bz, bw]: Quaternion): Quaternion {
+  return [
+    aw * bx + ax * bw + ay * bz - az * by,
+    aw * by - ax * bz + ay * bw + az * bx,
+    aw * bz + ax * by - ay * bx + az * bw,
+    aw * bw - ax * bx - ay * by - az * bz,
+  ];
+}
+
+test("jumps of log R are those of a plain loop", async () => {
+  const motion = await motionOf(engine, PRESET.motion, [], 0);
+  const jumpAt = (phi: number) => {
+    const half = phi / DEGREES / 2;
+    let greatest = 0;
+    let before: Vector | undefined;
+    for (let i = 0; i < 882; i++) {
+      const now = plainLog(product(rotationAt(motion, "left_upper_leg", i), [Math.sin(half), 0, 0, Math.cos(half)]));
+      if (before) greatest = Math.max(greatest, Math.hypot(...now.map((value, k) => value - before![k]!)));
+      before = now;
+    }
+    return greatest;
+  };
+  for (const phi of [0, 170]) {
+    const { rawJump } = await measurePose(engine, { ...PRESET, joint: "left_upper_leg", phi });
+    expect(rawJump).toBeCloseTo(jumpAt(phi), 2);
+    expect(Math.abs(Number(rawJump) - jumpAt(170 - phi)), "mutation: other axes").toBeGreaterThan(5);
+  }
+});
+
+test("the angle from the mean is that between two rotations", async () => {
+  const motion = await motionOf(engine, PRESET.motion, [], 0);
+  const mean = quaternionAt(motion.means, JOINT.left_lower_leg);
+  const { angle, bend, aside, straight } = await measurePose(engine, PRESET);
+  expect(angle).toBeCloseTo(between(mean, rotationAt(motion, "left_lower_leg", PRESET.at)), 1);
+  expect(Math.hypot(Number(bend), Number(aside))).toBeCloseTo(Number(angle), 6);
+  expect(straight).toBeCloseTo(between([0, 0, 0, 1], rotationAt(motion, "left_lower_leg", PRESET.at)), 1);
+  const later = between(mean, rotationAt(motion, "left_lower_leg", PRESET.at + 20));
+  expect(Math.abs(Number(angle) - later), "mutation: another frame").toBeGreaterThan(3);
+  const other = between(
+    quaternionAt(motion.means, JOINT.left_upper_leg),
+    rotationAt(motion, "left_lower_leg", PRESET.at),
+  );
+  expect(Math.abs(Number(angle) - other), "mutation: another joint's mean").toBeGreaterThan(3);
+});
+
+test("the text counts as the engine does", async () => {
+  for (const language of LANGUAGES) {
+    const text = await TEXTS[language].lessons.pose!();
+    expect(text.bet.question).toContain(String(DOFS));
+    expect(WORDS[language].pose.numbers).toContain(String(DOFS));
+    expect(text.idea.join(" ")).toContain(`${JOINTS}\u00a0·\u00a03\u00a0=\u00a0${3 * JOINTS}`);
+  }
+});
+
+test("A is passed from φ 168° on, and no other φ", async () => {
+  for (let phi = 0; phi <= 180; phi += phi < 160 ? 10 : 1) {
+    const wanted =
+      phi >= 168 ? { result: "pass" } : phi >= 150 ? { result: "near", way: "further" } : { result: "refuse" };
+    expect(await result("A", { phi }), `φ ${phi}°`).toEqual(wanted);
+  }
+  const { exercises } = await TEXTS.en.lessons.pose!();
+  const german = await TEXTS.de.lessons.pose!();
+  const measure = await measurePose(engine, { ...PRESET, joint: "left_upper_leg", phi: 90 });
+  expect(exercises.A!.refuse(saidIn("en", measure))).toBe("Both are smooth at φ 90°: turn further.");
+  expect(german.exercises.A!.refuse(saidIn("de", measure))).toBe("Beide sind glatt bei φ 90°: Dreh weiter.");
+});
+
 test("A is passed where the swing reaches 180°", async () => {
   const { joint } = readHash(POSE_FIELDS, exercise("A").start(""));
   expect(await result("A", { phi: 90 })).toEqual({ result: "refuse" });
   expect(await result("A", { phi: 160 })).toEqual({ result: "near", way: "further" });
   expect(await result("A", { phi: 170 })).toEqual({ result: "pass" });
   expect(await result("A", { phi: 180 })).toEqual({ result: "pass" });
-  expect(await result("A", { phi: 170, joint: "left_lower_leg" })).toEqual({ result: "near", way: "other" });
+  for (const state of [{ joint: "left_lower_leg" }, { heading: 90 }, { motion: "neutral run" }] as const)
+    expect(await result("A", { phi: 170, ...state })).toEqual({ result: "near", way: "other" });
   const motion = await motionOf(engine, PRESET.motion, [], 0);
   // By hand: somewhere the angle of the turned thigh passes 180°, and its vector turns round.
   const angles = Array.from({ length: 880 }, (_, i) => rotationAt(motion, joint, i)).map(
@@ -112,7 +201,12 @@ test("B refuses a straight leg, and says so", async () => {
   expect(await result("B", { turned: more(0) })).toEqual({ result: "pass" });
   expect(await result("B", { turned: more(5) })).toEqual({ result: "near", way: "stretch" });
   expect(await result("B", { turned: more(-5) })).toEqual({ result: "near", way: "bend" });
-  expect(await result("B", { turned, at: 100 })).toEqual({ result: "near", way: "other" });
+  for (const degrees of [-10, -3.2, -2.8, -1, 1, 2.8, 3.2, 10])
+    expect((await result("B", { turned: more(degrees) })).result === "pass", `${degrees}°`).toBe(Math.abs(degrees) < 3);
+  const aside = withTurn([], "left_lower_leg", [by[0], by[1] + 4 / DEGREES, by[2]]);
+  expect(await result("B", { turned: aside })).toEqual({ result: "near", way: "aside" });
+  for (const state of [{ at: 100 }, { joint: "left_upper_leg" }, { motion: "neutral run" }] as const)
+    expect(await result("B", { turned, ...state })).toEqual({ result: "near", way: "other" });
   const motion = await motionOf(engine, PRESET.motion, [], 0);
   const [x, y, z, w] = rotationAt(motion, "left_lower_leg", PRESET.at);
   const straight = withTurn(
@@ -124,5 +218,9 @@ test("B refuses a straight leg, and says so", async () => {
   const text = await TEXTS.en.lessons.pose!();
   expect(text.exercises.B!.refuse(saidIn("en", await measurePose(engine, { ...PRESET, turned: straight })))).toMatch(
     /^That is a straight leg, 3\d\.\d\d° from the mean/,
+  );
+  const german = await TEXTS.de.lessons.pose!();
+  expect(german.exercises.B!.refuse(saidIn("de", await measurePose(engine, { ...PRESET, turned: straight })))).toMatch(
+    /^Das ist ein gestrecktes Bein, 3\d,\d\d° vom Mittel/,
   );
 });

@@ -70,6 +70,8 @@ export const pose: Lesson = lesson<PoseState>({
       near: (measure) => {
         if (!isKnee(measure)) return "other";
         if (Number(measure.angle) > 2 * OFF) return undefined;
+        // A drag in the picture's plane turns about other axes, too.
+        if (Number(measure.aside) > Math.abs(Number(measure.bend))) return "aside";
         return Number(measure.bend) < 0 ? "bend" : "stretch";
       },
       refuse: (measure) => isKnee(measure) && Number(measure.straight) <= OFF,

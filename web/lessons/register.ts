@@ -74,7 +74,10 @@ export const register: Lesson = lesson<WarpState>({
         return missing(measure) > 0 ? "later" : "earlier";
       },
       refuse: (measure) =>
-        measure.agreeDtw === 0 && measure.agreeLinear === 0 && Math.abs(missing(measure)) > FRAMES_NEAR,
+        isPreset(measure) &&
+        measure.agreeDtw === 0 &&
+        measure.agreeLinear === 0 &&
+        Math.abs(missing(measure)) > FRAMES_NEAR,
       solve: async (engine) => ({ at: mendedFrames(await warpingOf(engine, PRESET.style))[0]! }),
     },
   ],

@@ -26,6 +26,10 @@ const NEAR_JOINT = 0.7;
 const TRAVELLING = /_(foot|toes|lower_leg)$/;
 
 const ratio = (measure: Measure) => Number(measure.second) / Number(measure.content);
+/** Whether what is shown is the mean of all joints, of a style of the lesson's own walk. */
+const isMeanOf = ({ motion, style, joint }: Measure, wanted: PairState["style"]) =>
+  motion === PRESET.motion && style === wanted && joint === "";
+const isPair = ({ motion, style }: Measure) => motion === PRESET.motion && style === "old";
 
 /** The input and its performance in a style. @throws Error where the engine has none */
 async function pairOfStyle(engine: LearnEngine, style: PairState["style"]): Promise<Pair> {
@@ -80,13 +84,13 @@ export const style: Lesson = lesson<PairState>({
       id: "B",
       figure: "curve",
       start: { ...PRESET, style: "proud", at: 0 },
-      pass: (measure) => measure.style === "proud" && ratio(measure) >= TIMES,
+      pass: (measure) => isMeanOf(measure, "proud") && ratio(measure) >= TIMES,
       near: (measure) => {
-        if (measure.style !== "proud") return "other";
+        if (!isMeanOf(measure, "proud")) return "other";
         if (ratio(measure) < TIMES_NEAR) return undefined;
         return Number(measure.ratioAfter) >= Number(measure.ratioBefore) ? "later" : "earlier";
       },
-      refuse: (measure) => measure.style === "proud" && Number(measure.second) <= Number(measure.content),
+      refuse: (measure) => isMeanOf(measure, "proud") && Number(measure.second) <= Number(measure.content),
       solve: async (engine) => {
         const { difference } = await pairOfStyle(engine, "proud");
         const at = difference.content.findIndex((content, f) => difference.second[f]! >= TIMES * content);
@@ -97,13 +101,14 @@ export const style: Lesson = lesson<PairState>({
       id: "C",
       figure: "curve",
       start: { ...PRESET },
-      pass: ({ style, joint, farthest }) => style === "old" && joint === farthest,
-      near: ({ style, joint, jointMean, farthestMean }) => {
-        if (style !== "old") return "other";
+      pass: (measure) => isPair(measure) && measure.joint === measure.farthest,
+      near: (measure) => {
+        const { joint, jointMean, farthestMean } = measure;
+        if (!isPair(measure)) return "other";
         if (joint === "") return "none";
         return Number(jointMean) >= NEAR_JOINT * Number(farthestMean) ? "close" : undefined;
       },
-      refuse: ({ style, joint }) => style === "old" && TRAVELLING.test(String(joint)),
+      refuse: (measure) => isPair(measure) && TRAVELLING.test(String(measure.joint)),
       solve: async (engine) => ({
         joint: ROLES[farthestJoint(jointMeans(await pairOfStyle(engine, "old"), "content"))]!,
       }),

@@ -73,6 +73,7 @@ export async function measurePair(engine: LearnEngine, state: PairState, pair: P
     least: means.get(nearest)!,
     farthest: ROLES[farthestJoint(joints)]!,
     jointMean: joint === "" ? Number.NaN : joints[JOINT[joint]]!,
+    jointMeanSecond: joint === "" ? Number.NaN : meanOf(jointCurve(pair, "second", JOINT[joint])),
     farthestMean: Math.max(...joints),
   };
 }

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { beforeAll, expect, test } from "vitest";
 import { createLearnTable } from "../../client/learn/learn_table";
 import { serveLearnPackage } from "../../engine/learn/wasm";
-import { createWorldPose, JOINTS, POSE_FLOATS, worldFromLocal } from "../../humanoid";
+import { createWorldPose, JOINT, JOINTS, POSE_FLOATS, worldFromLocal } from "../../humanoid";
 import { measurePair } from "./pair_measure";
 import { PAIR_FIELDS, type PairState } from "./pair_state";
 import { frameAtTime, jointDifferences, meanOf, type Pair, pairOf } from "./pairing";
@@ -11,7 +11,7 @@ beforeAll(serveLearnPackage);
 const engine = createLearnTable();
 
 /** The same by another way: each pose is turned by the direction in which its hips look. */
-function independentDifference(pair: Pair, frame: number, other: number): number {
+function independentDistances(pair: Pair, frame: number, other: number): number[] {
   const place = (poses: Float32Array, f: number) => {
     const world = createWorldPose();
     worldFromLocal(pair.proportions, poses.subarray(f * POSE_FLOATS, (f + 1) * POSE_FLOATS), world);
@@ -26,8 +26,14 @@ function independentDifference(pair: Pair, frame: number, other: number): number
     });
   };
   const [a, b] = [place(pair.input.poses, frame), place(pair.styled.poses, other)];
-  const sum = a.reduce((total, p, j) => total + Math.sqrt(p.reduce((s, v, k) => s + (v - b[j]![k]!) ** 2, 0)), 0);
-  return (100 * sum) / JOINTS;
+  return a.map((p, j) => 100 * Math.sqrt(p.reduce((s, v, k) => s + (v - b[j]![k]!) ** 2, 0)));
+}
+
+/** Their mean. */
+function independentDifference(pair: Pair, frame: number, other: number): number {
+  let sum = 0;
+  for (const distance of independentDistances(pair, frame, other)) sum += distance;
+  return sum / JOINTS;
 }
 
 test("the difference is the mean distance of the joints, place and heading aside", async () => {
@@ -41,6 +47,34 @@ test("the difference is the mean distance of the joints, place and heading aside
     ).toBeGreaterThan(0.6);
     expect(meanOf(jointDifferences(pair, "content", frame))).toBeCloseTo(pair.difference.content[frame]!, 4);
   }
+});
+
+test("the same second is the frame of the styled walk that is reached then", async () => {
+  const pair = (await pairOf(engine, "neutral walk", "proud"))!;
+  for (const frame of [160, 300, 700]) {
+    let other = 0;
+    while (pair.styled.timeOut[other + 1]! <= frame / pair.rateHz) other += 1;
+    expect(Math.abs(pair.difference.second[frame]! - independentDifference(pair, frame, other))).toBeLessThan(1);
+    expect(
+      Math.abs(pair.difference.second[frame]! - independentDifference(pair, frame, frame)),
+      "mutation: paired by content",
+    ).toBeGreaterThan(3);
+  }
+});
+
+test("the mean of a joint is that of its distances in all frames", async () => {
+  const pair = (await pairOf(engine, "neutral walk", "old"))!;
+  const state: PairState = { motion: "neutral walk", style: "old", pairing: "content", at: 0, joint: "head" };
+  const { jointMean, farthestMean } = await measurePair(engine, state, pair);
+  const means = Array.from({ length: JOINTS }, () => 0);
+  const frames = Array.from({ length: 44 }, (_, i) => 20 * i);
+  for (const frame of frames)
+    for (const [j, distance] of independentDistances(pair, frame, frame).entries())
+      means[j]! += distance / frames.length;
+  expect(Math.abs(means[JOINT.head]! - Number(jointMean))).toBeLessThan(1);
+  expect(Math.max(...means)).toBe(means[JOINT.head]);
+  expect(jointMean).toBe(farthestMean);
+  expect(Math.abs(means[JOINT.neck]! - Number(jointMean)), "mutation: its neighbour").toBeGreaterThan(4);
 });
 
 test("the same second ends with a faster performance", async () => {

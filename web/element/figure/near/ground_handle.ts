@@ -40,10 +40,6 @@ export class GroundHandle {
     if (stage.viewer) stage.element.append(svg("svg", { class: "overlay", role: "group" }, this.#mark));
   }
 
-  light(lit: boolean): void {
-    this.#mark.classList.toggle("lit", lit);
-  }
-
   /** Brings the mark to the picture that was drawn. @param say how far the body is moved, in words */
   place(say: (x: number, z: number) => string): void {
     const [{ viewer }, place] = [this.#stage, this.#listeners.place()];

@@ -30,6 +30,9 @@ export interface NearState {
   guess: number;
 }
 
+/** So many of the nearest are drawn. */
+export const DRAWN = 8;
+
 /** Stands for an empty field. */
 export const NO_GUESS = -1;
 

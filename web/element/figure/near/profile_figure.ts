@@ -62,9 +62,8 @@ class ProfileFigure implements FigureInstance<NearState> {
     this.#frame.listenToMarks(parts.point);
     const window = html("div", { class: "windows" }, html("span", {}, words.near.window), this.#window.element);
     container.append(
-      html("header", { class: "head" }, html("h3", {}, words.near.title)),
+      html("header", { class: "head" }, html("h3", {}, words.near.title), this.#readout),
       this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
       html(
         "div",
         { class: "knobs" },

@@ -3,6 +3,7 @@ import { DEGREES, JOINT, ROLES, type Role } from "../../../humanoid";
 import { button } from "../../../ui/controls/buttons";
 import type { Knob } from "../../../ui/controls/knob";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
+import type { Viewer } from "../../../viewer";
 import { createKnobs } from "../controls";
 import { FigureStage } from "../figure_stage";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
@@ -15,14 +16,14 @@ import { type Aligned, align, positionsOf, WEIGHT, WEIGHTS } from "./alignment";
 import { GroundHandle } from "./ground_handle";
 import sheet from "./near.css?inline";
 import { distanceOf, type Found, foundOf, measureNear } from "./near_measure";
-import { NEAR_FIELDS, NEAR_RANGES, type NearState } from "./near_state";
+import { DRAWN, NEAR_FIELDS, NEAR_RANGES, type NearState } from "./near_state";
 
-/** So many of the nearest are shown. */
-const SHOWN = 8;
 /** Opacity of the farthest of them, as a share of the nearest's. */
 const FARTHEST = 0.25;
 /** Radius of a joint of weight 1, pixels. */
 const RADIUS = 6;
+/** Length of the marks of θ, x₀ and z₀ on the ground, metres, and of their heads. */
+const MOVE = { length: 0.6, head: 0.12 };
 const MM = 1000;
 const KNOBS = ["heading", "x", "z"] as const;
 type KnobName = (typeof KNOBS)[number];
@@ -51,8 +52,14 @@ class QueryFigure implements FigureInstance<NearState> {
   readonly #ground: GroundHandle;
   readonly #knobs: Record<KnobName, Knob>;
   readonly #readout = html("p", { class: "readout" });
-  readonly #heights = svg("path", { class: "apart heights" });
-  readonly #grounds = svg("path", { class: "apart ground" });
+  readonly #heights = svg("path", { class: "apart heights", "data-term": "y" });
+  readonly #grounds = svg("path", { class: "apart ground", "data-term": "z" });
+  /** Where the nearest example was turned to and moved along, on the ground. */
+  readonly #moves = {
+    theta: svg("path", { class: "move", "data-term": "theta" }),
+    x0: svg("path", { class: "move", "data-term": "x0" }),
+    z0: svg("path", { class: "move", "data-term": "z0" }),
+  };
   readonly #weights = new Map<Role, SVGCircleElement>();
   readonly #finding = new Latest<NearState>((state) => this.#find(state));
   #state: NearState | undefined;
@@ -93,14 +100,19 @@ class QueryFigure implements FigureInstance<NearState> {
     );
     this.#knobs = createKnobs(KNOBS, words, words.near.knobs, NEAR_RANGES, NEAR_FIELDS, change);
     for (const role of ROLES) if (WEIGHTS[role]) this.#weights.set(role, svg("circle", { class: "joint" }));
-    this.stage.overlay.append(this.#heights, this.#grounds, ...this.#weights.values());
+    const marks = [this.#heights, this.#grounds, ...Object.values(this.#moves)];
+    this.stage.overlay.append(...marks, ...this.#weights.values());
+    for (const mark of marks) {
+      mark.addEventListener("pointerenter", () => parts.point(mark.getAttribute("data-term")!));
+      mark.addEventListener("pointerleave", () => parts.point(undefined));
+    }
     const restore = button(words.near.restore, () => change({ turned: [], heading: 0, x: 0, z: 0 }, true), {
       label: true,
+      class: "restore",
     });
     container.append(
-      html("header", { class: "head" }, html("h3", {}, words.near.stage)),
+      html("header", { class: "head" }, html("h3", {}, words.near.stage), this.#readout, restore),
       this.stage.element,
-      html("footer", { class: "foot" }, restore, this.#readout),
       html("div", { class: "knobs" }, ...KNOBS.map((name) => this.#knobs[name].element)),
     );
   }
@@ -155,10 +167,7 @@ class QueryFigure implements FigureInstance<NearState> {
   }
 
   light(term: string | undefined): void {
-    this.#ground.light(term === "x0" || term === "z0");
-    this.#knobs.heading.element.classList.toggle("lit", term === "theta");
-    this.#knobs.x.element.classList.toggle("lit", term === "x0");
-    this.#knobs.z.element.classList.toggle("lit", term === "z0");
+    for (const [name, mark] of Object.entries(this.#moves)) mark.classList.toggle("lit", name === term);
     this.stage.overlay.classList.toggle("weighed", term === "w");
     this.#heights.classList.toggle("lit", term === "y" || term === "D");
     this.#grounds.classList.toggle("lit", term === "z" || term === "D");
@@ -176,7 +185,7 @@ class QueryFigure implements FigureInstance<NearState> {
   async #find(state: NearState): Promise<void> {
     const { engine, signal } = this.#parts;
     const [found, proportions] = await Promise.all([foundOf(engine, state), proportionsOf(engine, state.motion)]);
-    const rows = Array.from(found.order.subarray(0, SHOWN), (at) => found.firstRow + at);
+    const rows = Array.from(found.order.subarray(0, DRAWN), (at) => found.firstRow + at);
     const poses = await posesOf(engine, rows);
     if (signal.aborted) return;
     const before = this.#shown?.state;
@@ -208,7 +217,7 @@ class QueryFigure implements FigureInstance<NearState> {
     }
     const { words } = this.#parts;
     const mm = (place: number) => figure(MM * distanceOf(found, place), 1, words);
-    setText(this.#readout, words.near.read(mm(0), String(SHOWN), mm(SHOWN - 1)));
+    setText(this.#readout, words.near.read(mm(0), String(DRAWN), mm(DRAWN - 1)));
     this.stage.invalidate();
     this.#parts.changed();
   }
@@ -237,9 +246,30 @@ class QueryFigure implements FigureInstance<NearState> {
       heights += line(from, corner);
       ground += line(corner, to);
     }
+    this.#placeMoves(viewer, shown);
     setAttributes(this.#heights, { d: heights });
     setAttributes(this.#grounds, { d: ground });
   }
+
+  /** θ points to where the nearest example faces, x₀ and z₀ along the axes, from where the query stands. */
+  #placeMoves(viewer: Viewer, { found, nearest }: Shown): void {
+    const [x, , z] = found.query as unknown as [number, number, number];
+    const turn = nearest[0]?.aligned.turn ?? 0;
+    const arrow = (dx: number, dz: number) => ({ d: groundArrow(viewer, [x, z], [dx, dz]) });
+    // Examples face +Z before they are turned.
+    setAttributes(this.#moves.theta, arrow(Math.sin(turn), Math.cos(turn)));
+    setAttributes(this.#moves.x0, arrow(Math.sign(nearest[0]?.aligned.x ?? 1) || 1, 0));
+    setAttributes(this.#moves.z0, arrow(0, Math.sign(nearest[0]?.aligned.z ?? 1) || 1));
+  }
+}
+
+/** An arrow on the ground from a place in a direction. */
+function groundArrow(viewer: Viewer, [x, z]: readonly [number, number], [dx, dz]: readonly [number, number]): string {
+  const { length, head } = MOVE;
+  const at = (along: number, across: number) =>
+    viewer.screenPosition(x + along * dx + across * dz, 0, z + along * dz - across * dx);
+  const tip = at(length, 0);
+  return line(at(0, 0), tip) + line(tip, at(length - head, head / 2)) + line(tip, at(length - head, -head / 2));
 }
 
 interface Pixel {

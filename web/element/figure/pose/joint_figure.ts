@@ -29,7 +29,7 @@ import { degreesOfFreedom, framesOf, meanOf, measurePose, motionOf, rotationAt }
 import { COMPONENT, POSE_FIELDS, POSE_RANGES, type PoseState, READ } from "./pose_state";
 
 /** Length of the axis for a radian, and at most, metres. */
-const AXIS = { radian: 0.5, most: 0.6 };
+const AXIS = { radian: 0.8, most: 0.8 };
 /** Head of the arrow, pixels. */
 const HEAD = 8;
 /** Pieces of the arc. */
@@ -64,8 +64,13 @@ class JointFigure implements FigureInstance<PoseState> {
   readonly #heading: Knob;
   readonly #instant: Slider;
   readonly #readout = html("p", { class: "readout" });
-  readonly #axis = svg("path", { class: "axis" });
-  readonly #arc = svg("path", { class: "arc" });
+  readonly #axis = svg("path", { class: "axis", "data-term": "w" });
+  readonly #arc = svg("path", { class: "arc", "data-term": "w" });
+  /** The bone as the mean rotation would have it, and as it is: the two edges of the arc. */
+  readonly #bones = {
+    mean: svg("path", { class: "edge", "data-term": "mean" }),
+    R: svg("path", { class: "edge", "data-term": "R" }),
+  };
   readonly #posing = new Latest<PoseState>((state) => this.#pose(state));
   #state: PoseState | undefined;
   #shown: Shown | undefined;
@@ -105,12 +110,18 @@ class JointFigure implements FigureInstance<PoseState> {
     this.#knobs = { x: knob("x", 0), y: knob("y", 1), z: knob("z", 2) };
     this.#heading = createKnobs(["heading"], words, words.pose.knobs, POSE_RANGES, POSE_FIELDS, change).heading;
     this.#instant = createInstant(words, 0, change);
-    this.stage.overlay.append(this.#arc, this.#axis);
-    const restore = button(words.pose.restore, () => change({ turned: [], heading: 0 }, true), { label: true });
+    this.stage.overlay.append(this.#arc, ...Object.values(this.#bones), this.#axis);
+    for (const mark of this.stage.overlay.children) {
+      mark.addEventListener("pointerenter", () => parts.point(mark.getAttribute("data-term")!));
+      mark.addEventListener("pointerleave", () => parts.point(undefined));
+    }
+    const restore = button(words.pose.restore, () => change({ turned: [], heading: 0 }, true), {
+      label: true,
+      class: "restore",
+    });
     container.append(
-      html("header", { class: "head" }, html("h3", {}, words.pose.stage), this.#joint.element),
+      html("header", { class: "head" }, html("h3", {}, words.pose.stage), this.#readout, restore, this.#joint.element),
       this.stage.element,
-      html("footer", { class: "foot" }, restore, this.#readout),
       html(
         "div",
         { class: "knobs" },
@@ -157,8 +168,8 @@ class JointFigure implements FigureInstance<PoseState> {
   }
 
   light(term: string | undefined): void {
-    this.#axis.classList.toggle("lit", term === "w");
-    this.#arc.classList.toggle("lit", term === "w" || term === "mean" || term === "R");
+    for (const mark of this.stage.overlay.children)
+      mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
   }
 
   #degrees(radians: number): string {
@@ -229,9 +240,10 @@ class JointFigure implements FigureInstance<PoseState> {
     const points = Array.from({ length: PIECES + 1 }, (_, i) =>
       place(turnedBy(multiply(centred, exp(scaled(w, i / PIECES))), bone)),
     );
-    const middle = `${start.x.toFixed(1)} ${start.y.toFixed(1)}`;
-    const curve = points.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L");
-    setAttributes(this.#arc, { d: `M${middle}L${curve}Z` });
+    const at = ({ x, y }: Pixel) => `${x.toFixed(1)} ${y.toFixed(1)}`;
+    setAttributes(this.#arc, { d: `M${at(start)}L${points.map(at).join("L")}Z` });
+    setAttributes(this.#bones.mean, { d: `M${at(start)}L${at(points[0]!)}` });
+    setAttributes(this.#bones.R, { d: `M${at(start)}L${at(points.at(-1)!)}` });
   }
 }
 

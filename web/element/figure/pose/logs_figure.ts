@@ -76,9 +76,8 @@ class LogsFigure implements FigureInstance<PoseState> {
     setText(this.#labels.centred, words.pose.centred);
     this.#frame.listenToMarks(parts.point);
     container.append(
-      html("header", { class: "head" }, html("h3", {}, words.pose.title)),
+      html("header", { class: "head" }, html("h3", {}, words.pose.title), this.#readout),
       this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
       html("div", { class: "knobs" }, this.#phi.element),
     );
   }

@@ -42,7 +42,7 @@ class NumbersFigure implements FigureInstance<PoseState> {
     const list = html(
       "div",
       { class: "numbers" },
-      ...ROLES.map((role, joint) => row(words.joints[role], 3 * joint, 3)),
+      ...ROLES.map((role, joint) => row(words.pose.angles(words.joints[role]), 3 * joint, 3)),
       ...[height, sideways, forwards, turning].map((name, i) => row(name, 3 * JOINTS + i, 1)),
     );
     for (const cell of this.#cells) {
@@ -90,7 +90,11 @@ class NumbersFigure implements FigureInstance<PoseState> {
   }
 
   light(term: string | undefined): void {
-    for (const cell of this.#cells) cell.classList.toggle("lit", cell.dataset.term === term);
+    const joint = this.#state && ROLES.indexOf(this.#state.joint);
+    // w is that of the joint that is read.
+    this.#cells.forEach((cell, i) => {
+      cell.classList.toggle("lit", cell.dataset.term === term && (term !== "w" || Math.floor(i / 3) === joint));
+    });
   }
 
   async #read(state: PoseState): Promise<void> {

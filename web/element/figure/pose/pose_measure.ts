@@ -112,6 +112,7 @@ export async function measurePose(engine: LearnEngine, state: PoseState): Promis
     phi: String(phi),
     angle: Math.hypot(...w) * DEGREES,
     bend: w[0] * DEGREES,
+    aside: Math.hypot(w[1], w[2]) * DEGREES,
     straight: Math.hypot(...raw) * DEGREES,
     rawJump: greatestJump(frames, (i) => rawLog(motion, joint, phi, i)),
     jump: greatestJump(frames, (i) => degreesOfFreedom(motion, joint, phi, i)),

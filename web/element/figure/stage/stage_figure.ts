@@ -140,7 +140,8 @@ class StageFigure implements FigureInstance<PairState> {
   }
 
   light(term: string | undefined): void {
-    this.stage.overlay.classList.toggle("lit", term === "e");
+    // The difference is the mean of all the joints.
+    this.stage.overlay.classList.toggle("lit", term === "e" || term === "J");
     const labels = { styled: this.#styleName, input: this.#parts.words.styles.neutral };
     if (!this.#viewer) return;
     // Either walker is lit by its name.

@@ -23,8 +23,8 @@ const ANCHOR_STEP = { coarse: 1, fine: 0.25 };
 /** Frames between two rows of the table. */
 const TABLE_STEP = 5;
 /** Bars of planted feet stand above and at the right. */
-const ROOM: Margin = { left: 44, right: 34, top: 38, bottom: 44 };
-const BAR = { first: 5, each: 8, width: 6 };
+const ROOM: Margin = { left: 44, right: 38, top: 40, bottom: 44 };
+const BAR = { first: 5, each: 10, width: 6 };
 /** Half the length of the lines that show the greatest pace, frames of the faster step. */
 const WEDGE = 15;
 
@@ -107,10 +107,12 @@ class WarpFigure implements FigureInstance<WarpState> {
         return [path, html("span", { class: `legend ${path}` }, name!, " ", cost!, " ", off!)];
       }),
     ) as Record<PathName, HTMLElement>;
+    const [cost, off] = words.warp.lead;
+    const lead = html("span", {}, cost, html("span", { class: "off" }, ` ${off}`), ":");
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.warp.title), this.#style.element),
       this.#frame.element,
-      html("footer", { class: "foot" }, html("p", { class: "readout legends" }, ...Object.values(this.#legends))),
+      html("footer", { class: "foot" }, html("p", { class: "readout legends" }, lead, ...Object.values(this.#legends))),
       html("div", { class: "knobs" }, this.#path.element),
     );
   }
@@ -235,6 +237,7 @@ class WarpFigure implements FigureInstance<WarpState> {
     this.#drawCursor(axes, warping, state);
     const places = cornersOf(warping, state.anchors).slice(1, -1);
     const inMs = places.map(([x, y]): Place => [this.#ms(x), this.#ms(y)]);
+    this.#frame.picture.classList.add("drawn");
     this.#anchors.place(axes, inMs, ([x, y]) => words.warp.place(figure(x, 0, words), figure(y, 0, words)));
   }
 
@@ -265,7 +268,14 @@ class WarpFigure implements FigureInstance<WarpState> {
         const [y, end] = [this.#y(axes, to), this.#y(axes, from)];
         return svg("rect", { x: right + away, y, width: BAR.width, height: end - y });
       });
-      return [...above, ...beside];
+      // Whose foot it is stands at the first end of the bars.
+      const name = this.#parts.words.warp.sides[foot]!;
+      const middle = away + BAR.width / 2;
+      const names = [
+        svg("text", { x: xOf(axes, axes.x[0]) - 6, y: top - middle + 4, "text-anchor": "end" }, name),
+        svg("text", { x: right + middle, y: yOf(axes, axes.y[0]) + 12, "text-anchor": "middle" }, name),
+      ];
+      return [...above, ...beside, ...names];
     });
     this.#feet.replaceChildren(...bars);
   }

@@ -54,6 +54,8 @@ export async function measureWarp(engine: LearnEngine, state: WarpState): Promis
     at,
     time: ms(at),
     tau: ms(pathOf(warping, state)[at]!),
+    tauDtw: ms(paths.dtw[at]!),
+    tauLinear: ms(paths.linear[at]!),
     cost: costRatio(warping, own),
     costLinear: costRatio(warping, paths.linear),
     costExact: costRatio(warping, paths.exact),

@@ -9,6 +9,8 @@ export interface PoseWords {
   knobs: Record<"x" | "y" | "z" | "heading" | "phi", KnobWords>;
   restore: string;
   pose: string;
+  /** Name of the three cells of a joint, with their unit. */
+  angles: (joint: string) => string;
   /** Names of the last four cells. */
   height: string;
   sideways: string;

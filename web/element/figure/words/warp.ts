@@ -11,9 +11,12 @@ export interface WarpWords {
   styled: (style: string) => string;
   anchor: (n: number) => string;
   place: (x: string, y: string) => string;
-  /** What a path costs, and how far it is from the exact one. */
+  /** What is said of paths, and of each: what it costs, and how far it is from the exact one. */
+  lead: readonly [cost: string, off: string];
   cost: (ratio: string) => string;
   off: (ms: string) => string;
+  /** Left and right, as letters beside the bars. */
+  sides: readonly [left: string, right: string];
   feet: { both: string; left: string; right: string; none: string };
   said: (path: string, time: string, tau: string, cost: string, neutral: string, style: string, feet: string) => string;
   walkers: string;

@@ -3,46 +3,48 @@ import type { LessonText } from "../text";
 export const near: LessonText = {
   idea: [
     "Die Engine sucht in der Datenbank Momente, die dem gleichen, was du gerade tust. Dafür braucht sie eine Zahl, die sagt, wie ähnlich sich zwei Momente sind.",
-    "Sie vergleicht die letzten fünf Bilder, Gelenk für Gelenk, und summiert quadrierte Abstände. Zwei Momente sind also nah, wenn die Posen sich gleichen und wenn es gleich weitergeht.",
-    "Aber ist jemand, der nach Norden geht, anders als jemand, der nach Osten geht? Ein guter Abstand muss wissen, was er nicht beachtet.",
+    "Sie vergleicht die letzten fünf Bilder, Gelenk für Gelenk, und summiert quadrierte Abstände. Zwei Momente sind also nah, wenn sich Posen und Bewegung gleichen.",
+    "Aber ist es etwas anderes, nach Norden zu gehen als nach Osten? Ein guter Abstand muss wissen, was er nicht beachten soll.",
   ],
   bet: {
     question: "Dreh den Gehenden um 90° und verschieb ihn um 1 m. Was wird aus seinem Abstand zum nächsten Beispiel?",
     options: { same: "Er bleibt gleich", little: "Er wächst um einige Zentimeter", much: "Er wächst um viel mehr" },
     reveal: ({ before, after }) =>
-      `Vorher: ${before} mm. Nachher: ${after} mm. Bevor zwei Fenster verglichen werden, wird eines auf dem Boden dorthin gedreht und verschoben, wo es am besten passt.`,
+      `Vorher: ${before} mm. Nachher: ${after} mm. Ein Fenster sind die letzten fünf Bilder. Bevor zwei Fenster verglichen werden, wird eines auf dem Boden dorthin gedreht und verschoben, wo es am besten passt.`,
   },
   look: [
-    "Um den Gehenden stehen seine 8 nächsten Beispiele, je näher, desto dichter. Jedes ist um [theta: θ gedreht] und um [x0: x₀] und [z0: z₀] dorthin verschoben, wo es am besten passt.",
-    "Was bleibt, sind Unterschiede in der [y: Höhe] und [z: am Boden], gewichtet nach der [w: Größe jedes Gelenks]. Zieh ein Glied an seinem Ring und sieh [D: D] wachsen.",
-    "Die Kurve ist [D: √D] für jeden Moment der Klasse, die Punkte sind die [K: K nächsten]. Zieh auch den Ring am Boden: Die Anfrage bewegt sich, die Kurve nicht.",
+    "Die undurchsichtige Figur ist die Anfrage, und p sind ihre Gelenke. Um sie stehen ihre 8 nächsten Beispiele; je näher eines ist, desto weniger durchsichtig. Die Gelenke p′ eines Beispiels bringt T, eine [theta: Drehung um θ] und eine Verschiebung um [x0: x₀] und [z0: z₀], dorthin, wo sie am besten passen.",
+    "Was bleibt, sind Unterschiede in der [y: Höhe] und [z: am Boden], gewichtet nach der [w: Größe jedes Gelenks]. Die acht sind so nah, dass sie sich hinter der Anfrage verstecken: Zieh ein Glied an seinem Ring, und sieh, wie sie sich trennen und [D: D] wächst.",
+    "Die zweite Zeile der Gleichung findet die beste Drehung und Verschiebung ohne Suche. Dabei sind y die Höhen und z die Orte am Boden als komplexe Zahlen, von denen ihr Mittel abgezogen ist, beide mit √w multipliziert. Eine Drehung multipliziert z′ mit einer Zahl der Länge 1, und die beste macht das Produkt ⟨z, z′⟩ reell und positiv.",
+    "Die Kurve ist [D: √D], ein Abstand in Millimetern, für jeden Moment der Klasse, die Punkte sind die [K: K nächsten]. Zieh jetzt den Ring am Boden: Die Anfrage bewegt sich, die Kurve nicht. Das Fenster hat [s: s Bilder] mit je 20 Gelenken.",
   ],
   symbols: {
-    D: { symbol: "D", name: "quadrierter Abstand; √D zum nächsten" },
-    w: { symbol: "wᵢ", name: "Gewicht eines Gelenks; das größte" },
+    D: { symbol: "D", name: "mittlerer quadrierter Abstand; √D₁" },
+    w: { symbol: "wᵢ", name: "größtes Gewicht eines Gelenks" },
     theta: { symbol: "θ", name: "Drehung des nächsten auf die Anfrage" },
     x0: { symbol: "x₀", name: "seine Verschiebung längs x" },
     z0: { symbol: "z₀", name: "seine Verschiebung längs z" },
-    y: { symbol: "y − y′", name: "Rest in der Höhe, letztes Bild" },
-    z: { symbol: "z", name: "Rest am Boden, letztes Bild" },
+    y: { symbol: "y", name: "Unterschied in der Höhe, letztes Bild" },
+    z: { symbol: "z", name: "Unterschied am Boden, letztes Bild" },
     s: { symbol: "s", name: "Bilder eines Fensters" },
-    K: { symbol: "K", name: "Nachbarn; √D des letzten" },
+    K: { symbol: "K", name: "Zahl der Nachbarn; √D des letzten" },
   },
-  why: "Der Abstand beachtet nicht, wo jemand ist und wohin er sieht. Die Höhe beachtet er. Warum, und bei welchen Bewegungen wäre das wichtig?",
+  why: "Der Abstand beachtet nicht, wo jemand ist und wohin er sich wendet. Die Höhe beachtet er. Warum, und bei welchen Bewegungen ist das wichtig?",
   exercises: {
     A: {
       task: "Wie viele Nachbarn sind höchstens doppelt so weit wie der nächste? Stell K so ein, dass √D des letzten höchstens 2 √D₁ ist und einer mehr darüber läge.",
       pass: ({ K, last, first }) => `Ja: Nummer ${K} ist ${last} mm entfernt, und 2 √D₁ ist zweimal ${first} mm.`,
       near: {
-        other: () => "Nimm den Gehenden, wie er war, fünf Bilder, und die Zeit vorwärts.",
+        other: () =>
+          "Nimm den Gehenden, wie er am Anfang war: kein gebeugtes Glied, fünf Bilder, und die Zeit vorwärts.",
         more: ({ K, last }) => `Knapp: Nummer ${K} ist ${last} mm entfernt. Ein paar mehr passen noch.`,
         less: ({ K, last }) => `Knapp: Nummer ${K} ist ${last} mm entfernt. Das ist etwas zu weit.`,
       },
       refuse: ({ K }) => `Du hast D verglichen, das quadriert ist: Mit K ${K} verdoppelt sich D. Gefragt ist √D.`,
       no: ({ K, last, first }) => `Nummer ${K} ist ${last} mm entfernt, der nächste ${first} mm.`,
       hints: [
-        "Lies √D₁ unter der Kurve ab und verdopple es.",
-        "Dreh K, bis die gestrichelte Linie, √D von Nummer K, knapp darunter liegt. Pfeiltasten ändern K um eins.",
+        "Lies √D₁ über der Kurve ab und verdopple es.",
+        "Dreh den Knopf K, bis die gestrichelte Linie, √D von Nummer K, knapp darunter liegt. Pfeiltasten ändern K um eins.",
       ],
     },
     B: {
@@ -51,29 +53,34 @@ export const near: LessonText = {
       near: {
         other: () =>
           "Nur drehen und verschieben: Setz gebeugte Glieder zurück, nimm fünf Bilder und die Zeit vorwärts.",
-        further: ({ heading, moved }) => `Sie ist um ${heading}° gedreht und um ${moved} m verschoben. Geh weiter.`,
+        further: ({ heading, moved }) =>
+          `Bis jetzt ist sie um ${heading}° gedreht und um ${moved} m verschoben. Geh weiter.`,
         none: () => "Trag jetzt die Änderung unter der Kurve ein.",
       },
       refuse: ({ guess, change }) =>
-        `Du hast ${guess} mm eingetragen, aber √D₁ änderte sich um ${change} mm: Die beste Drehung und Verschiebung nehmen deine wieder weg.`,
+        `Du hast ${guess} mm eingetragen, aber √D₁ änderte sich um ${change} mm: Die beste Drehung und Verschiebung machen deine rückgängig.`,
       no: ({ guess }) => `${guess} mm ist nicht die Änderung.`,
       hints: [
-        "Lies √D₁ unter der Kurve vorher und nachher ab.",
-        "Lass θ, x₀ und z₀ aufleuchten, während du schiebst: Sie nehmen die ganze Verschiebung auf.",
+        "Lies √D₁ über der Kurve vorher und nachher ab.",
+        "Beobachte die Punkte der Kurve, während du die Anfrage verschiebst. Bewegen sie sich?",
       ],
     },
     C: {
       task: "Kehr die Zeit um: Der Gehende geht rückwärts. Welches ist das kürzeste Fenster, in dem das nächste Beispiel mindestens 4-mal so weit ist wie mit der Zeit vorwärts?",
       pass: ({ window }) =>
-        `Ja: ${window} Bilder haben eine Richtung, darum ist Rückwärtsgehen dem Vorwärtsgehen nicht nah.`,
+        `Ja: ${window} Bilder zeigen eine Richtung, darum ist Rückwärtsgehen weit vom Vorwärtsgehen entfernt.`,
       near: {
-        other: () => "Nimm den Gehenden, wie er war: Setz gebeugte Glieder zurück.",
+        other: () => "Nimm den Gehenden, wie er am Anfang war: Setz gebeugte Glieder zurück.",
         forward: () => "Kehr zuerst die Zeit um.",
         shorter: ({ window }) => `Mit ${window} Bildern ist es weit genug, aber ein kürzeres Fenster reicht auch.`,
       },
-      refuse: () => "Bei s = 1 sind beide dieselben Posen: Ein Bild hat keine Richtung.",
+      refuse: () =>
+        "Bei s = 1 sind es in beiden Richtungen dieselben Posen: Ein Bild hat keine Richtung, also ist √D₁ gleich.",
       no: ({ window }) => `${window} Bilder unterscheiden die beiden nicht.`,
-      hints: ["Ein Bild hat keine Richtung.", "Schalte „Zeit umkehren“ für jedes s ein und aus, und vergleich √D₁."],
+      hints: [
+        "Wie viele Bilder brauchst du, um zu sehen, wohin sich jemand bewegt?",
+        "Schalte „Zeit umkehren“ für jedes s ein und aus, und vergleich √D₁.",
+      ],
     },
   },
   sources: [

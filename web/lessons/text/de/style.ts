@@ -4,19 +4,19 @@ export const style: LessonText = {
   idea: [
     "Zwei Gehende machen dieselben Schritte: links, rechts, links, in derselben Reihenfolge. Das ist der Inhalt.",
     "Die eine Figur geht neutral, die andere wie ein alter Mensch: gebeugt, und langsamer. Das ist der Stil.",
-    "Um allein den Stil zu sehen, muss man gleiche Augenblicke des Schritts vergleichen. Aber welche sind gleich?",
+    "Um allein den Stil zu sehen, musst du gleiche Augenblicke des Schritts vergleichen. Aber welche sind gleich?",
   ],
   bet: {
     question:
-      "Man kann die beiden nach der Uhr paaren, Sekunde mit Sekunde, oder nach dem Schritt, Auftritt mit Auftritt. Welche Paarung zeigt mehr Unterschied zwischen den Posen?",
+      "Du kannst die beiden nach der Uhr paaren, Sekunde mit Sekunde, oder nach dem Schritt, Auftritt mit Auftritt. Welche Paarung zeigt mehr Unterschied zwischen den Posen?",
     options: { second: "Die gleiche Sekunde", content: "Der gleiche Inhalt" },
     reveal: ({ second, content }) =>
       `Im Mittel unterscheiden sich die Posen in der gleichen Sekunde um ${second} cm, bei gleichem Inhalt um ${content} cm. Der alte Gang ist langsamer: Nach einigen Sekunden steht die eine Figur auf dem linken Fuß, die andere auf dem rechten. Das ist Tempo, und die Uhr zählt es als Pose.`,
   },
   look: [
-    "Miss in jedem Augenblick, wie weit jedes Gelenk von seinem Gegenstück entfernt ist, ohne Ort und Richtung des Gehens. Das Mittel aller Gelenke ist der [e: Unterschied e].",
-    "Entscheidend ist die [tau: Paarung τ]: Sie nennt den Augenblick des Stils, der denselben Inhalt hat. In der Kurve führt ein Faden vom Zeiger zu diesem Augenblick.",
-    "Zieh am Zeiger, ändere den Stil, und wechsle zwischen *gleiche Sekunde* und *gleicher Inhalt*. Je größer eine Marke am Körper, desto weiter ist das Gelenk entfernt.",
+    "Miss in jedem Augenblick i, wie weit jedes Gelenk der einen Figur vom selben Gelenk der anderen entfernt ist. Ort und Richtung des Gehens werden vorher abgezogen. Das Mittel über die [J: J Gelenke] ist der [e: Unterschied e], in Zentimetern.",
+    "Entscheidend ist die [tau: Paarung τ]: Sie nennt den Augenblick des Gangs im Stil, der mit i verglichen wird. Unter der Kurve führt ein Faden vom [i: Zeiger] zu diesem Augenblick.",
+    "Zieh am Zeiger, ändere den Stil, und wechsle zwischen *gleiche Sekunde* und *gleicher Inhalt*. Je größer ein Punkt am Körper, desto weiter liegt dieses Gelenk bei den beiden auseinander.",
   ],
   symbols: {
     e: { symbol: "e", name: "Unterschied der Posen" },
@@ -40,14 +40,14 @@ export const style: LessonText = {
       no: ({ style, meanContent }) => `${style} hat im Mittel ${meanContent} cm. Es geht mit weniger.`,
       hints: [
         "Auch Tempo ist Stil, aber es ist keine Pose. Paare gleiche Augenblicke.",
-        "Stelle *gleicher Inhalt* ein und lies das Mittel neben der Kurve dieses Namens.",
+        "Stell *gleicher Inhalt* ein und lies das Mittel neben der Kurve dieses Namens.",
       ],
     },
     B: {
       task: "Finde im stolzen Gang einen Augenblick, in dem die gleiche Sekunde mindestens das Vierfache des gleichen Inhalts zeigt.",
       pass: ({ secs, second, content }) => `Ja: Bei ${secs} s sind es ${second} cm gegen ${content} cm.`,
       near: {
-        other: () => "Wähle zuerst den Stil „stolz“.",
+        other: () => "Zeig den Stil „stolz“ für das neutrale Gehen, und das Mittel aller Gelenke.",
         later: ({ second, content }) => `Knapp: ${second} cm gegen ${content} cm. Geh etwas später.`,
         earlier: ({ second, content }) => `Knapp: ${second} cm gegen ${content} cm. Geh etwas früher.`,
       },
@@ -56,24 +56,25 @@ export const style: LessonText = {
       no: ({ secs, second, content }) =>
         `Bei ${secs} s sind es ${second} cm gegen ${content} cm. Such einen größeren Abstand.`,
       hints: [
-        "Der stolze Gang ist langsamer. Je länger er dauert, desto weiter bleibt er zurück, bis zu einem halben Zyklus.",
+        "Der stolze Gang ist langsamer und bleibt zurück. Nach einer Weile fehlt ihm ein halber Zyklus, später ein ganzer.",
         "Achte auf die Beine: Wo die eine Figur den linken Fuß vorn hat und die andere den rechten, ist der Abstand am größten.",
       ],
     },
     C: {
-      task: "Welches Gelenk bewegt der alte Stil am meisten? Wähle es in der Liste, oder klick auf seine Marke.",
+      task: "Welches Gelenk verschiebt der alte Stil im Mittel am meisten? Wähle es in der Liste, oder klick auf seinen Punkt am Körper.",
       pass: ({ joint, jointMean }) => `Ja: ${joint}, im Mittel um ${jointMean} cm.`,
       near: {
-        other: () => "Wähle zuerst den Stil „alt“.",
-        none: () => "Wähle ein Gelenk in der Liste über der Kurve, oder klick auf seine Marke am Körper.",
-        close: ({ joint, jointMean }) => `Knapp: ${joint}, ${jointMean} cm. Ein Gelenk daneben bewegt sich mehr.`,
+        other: () => "Zeig den Stil „alt“ für das neutrale Gehen.",
+        none: () => "Wähle ein Gelenk in der Liste über der Kurve, oder klick auf seinen Punkt am Körper.",
+        close: ({ joint, jointMean }) =>
+          `Knapp: ${joint}, ${jointMean} cm. Ein Gelenk in der Nähe verschiebt sich mehr.`,
       },
-      refuse: ({ joint, jointMean }) =>
-        `Du hast verschiedene Augenblicke des Schritts verglichen. Beine bewegen sich in jedem Gang weit; in gleichen Augenblicken weicht ${joint} nur um ${jointMean} cm ab.`,
-      no: ({ joint, jointMean }) => `${joint}: im Mittel ${jointMean} cm. Ein anderes Gelenk bewegt sich mehr.`,
+      refuse: ({ joint, jointMean, jointMeanSecond }) =>
+        `Die Beine bewegen sich in jedem Gang am meisten, darum liegen sie nach der Uhr weit auseinander: ${joint} um ${jointMeanSecond} cm. Das ist Tempo. In gleichen Augenblicken sind es ${jointMean} cm.`,
+      no: ({ joint, jointMean }) => `${joint}: im Mittel ${jointMean} cm. Ein anderes Gelenk verschiebt sich mehr.`,
       hints: [
-        "Ein alter Mensch geht gebeugt. Was am weitesten von der Hüfte entfernt ist, bewegt sich am meisten.",
-        "Such die größte Marke am Körper.",
+        "Ein alter Mensch geht in der Hüfte gebeugt. Je weiter ein Gelenk von ihr entfernt ist, desto mehr verschiebt es sich.",
+        "Stell *gleicher Inhalt* ein und such den größten Punkt am Körper.",
       ],
     },
   },

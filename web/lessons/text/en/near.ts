@@ -3,46 +3,47 @@ import type { LessonText } from "../text";
 export const near: LessonText = {
   idea: [
     "The engine looks for moments of the database that resemble what you do now. For that it needs a number that says how alike two moments are.",
-    "It compares the last five frames, joint by joint, and adds up squared distances. So two moments are near if the poses are alike, and if they go on alike.",
-    "But is somebody who walks north unlike somebody who walks east? A good distance must know what to ignore.",
+    "It compares the last five frames, joint by joint, and adds up squared distances. So two moments are near if both the poses and the motion are alike.",
+    "But is walking north any different from walking east? A good distance must know what to ignore.",
   ],
   bet: {
     question: "Turn the walker by 90° and move it by 1 m. What becomes of its distance to the nearest example?",
     options: { same: "It stays the same", little: "It grows by some centimetres", much: "It grows by much more" },
     reveal: ({ before, after }) =>
-      `Before: ${before} mm. After: ${after} mm. Before two windows are compared, one of them is turned and moved over the ground to where it fits best.`,
+      `Before: ${before} mm. After: ${after} mm. A window is the last five frames. Before two windows are compared, one of them is turned and moved over the ground to where it fits best.`,
   },
   look: [
-    "Around the walker stand its 8 nearest examples, the nearer the denser. Each is [theta: turned by θ] and [x0: moved by x₀] and [z0: z₀] to where it fits best.",
-    "What is left are differences in [y: height] and [z: over the ground], weighted by [w: the size of each joint]. Drag a limb by its ring and watch [D: D] grow.",
-    "The curve is [D: √D] of every moment of the class, and the dots are the [K: K nearest]. Drag the ring on the ground, too: the query moves, the curve does not.",
+    "The solid walker is the query, and p are its joints. Around it stand its 8 nearest examples; the nearer an example, the less transparent it is. The joints p′ of each are moved by T, a [theta: turn by θ] and a shift by [x0: x₀] and [z0: z₀], to where they fit best.",
+    "What is left are differences in [y: height] and [z: on the ground], weighted by [w: the size of each joint]. The eight are so near that they hide behind the query: drag a limb by its ring, and watch them part and [D: D] grow.",
+    "The second line of the equation finds the best turn and shift without a search. Here y are the heights, and z the places on the ground as complex numbers with their mean taken off, both multiplied by √w. A turn multiplies z′ by a number of length 1, and the best one makes the product ⟨z, z′⟩ real and positive.",
+    "The curve is [D: √D], a distance in millimetres, for every moment of the class, and the dots are the [K: K nearest]. Now drag the ring on the ground: the query moves, the curve does not. The window has [s: s frames], each with 20 joints.",
   ],
   symbols: {
-    D: { symbol: "D", name: "squared distance; √D of the nearest" },
-    w: { symbol: "wᵢ", name: "weight of a joint; the largest" },
+    D: { symbol: "D", name: "mean squared distance; here √D₁" },
+    w: { symbol: "wᵢ", name: "largest weight of a joint" },
     theta: { symbol: "θ", name: "turn of the nearest onto the query" },
     x0: { symbol: "x₀", name: "its shift along x" },
     z0: { symbol: "z₀", name: "its shift along z" },
-    y: { symbol: "y − y′", name: "left in height, last frame" },
-    z: { symbol: "z", name: "left on the ground, last frame" },
+    y: { symbol: "y", name: "difference in height, last frame" },
+    z: { symbol: "z", name: "difference on the ground, last frame" },
     s: { symbol: "s", name: "frames of a window" },
-    K: { symbol: "K", name: "neighbours; √D of the last" },
+    K: { symbol: "K", name: "number of neighbours; √D of the last" },
   },
-  why: "The distance ignores where somebody is and which way they face. Height is not ignored. Why not, and for which motions would it matter?",
+  why: "The distance ignores where somebody is and which way they face. It does not ignore how high they are. Why not, and for which motions does that matter?",
   exercises: {
     A: {
       task: "How many neighbours are at most twice as far as the nearest? Set K so that √D of the last is at most 2 √D₁, and one more would be beyond it.",
       pass: ({ K, last, first }) => `Yes: number ${K} is ${last} mm away, and 2 √D₁ is twice ${first} mm.`,
       near: {
-        other: () => "Use the walker as it was, five frames, and time forwards.",
+        other: () => "Use the walker as it was at the start: no bent limbs, five frames, and time forwards.",
         more: ({ K, last }) => `Close: number ${K} is ${last} mm away. A few more fit.`,
         less: ({ K, last }) => `Close: number ${K} is ${last} mm away. That is a little too far.`,
       },
       refuse: ({ K }) => `You compared D, which is squared: with K ${K}, D doubles. The task is about √D.`,
       no: ({ K, last, first }) => `Number ${K} is ${last} mm away; the nearest ${first} mm.`,
       hints: [
-        "Read √D₁ below the plot, and double it.",
-        "Turn K until the dashed line, √D of number K, is just below that. Arrow keys change K by one.",
+        "Read √D₁ above the plot, and double it.",
+        "Turn the knob K until the dashed line, √D of number K, is just below that. Arrow keys change K by one.",
       ],
     },
     B: {
@@ -50,28 +51,32 @@ export const near: LessonText = {
       pass: ({ change }) => `Yes: it changed by ${change} mm. Place and heading are not part of the distance.`,
       near: {
         other: () => "Only turn and move it: put bent limbs back, use five frames, and time forwards.",
-        further: ({ heading, moved }) => `It is turned by ${heading}° and moved by ${moved} m. Go further.`,
+        further: ({ heading, moved }) => `So far it is turned by ${heading}° and moved by ${moved} m. Go further.`,
         none: () => "Now enter the change below the plot.",
       },
       refuse: ({ guess, change }) =>
-        `You entered ${guess} mm, but √D₁ changed by ${change} mm: the best turn and shift take your move off again.`,
+        `You entered ${guess} mm, but √D₁ changed by ${change} mm: the best turn and shift undo your move.`,
       no: ({ guess }) => `${guess} mm is not the change.`,
       hints: [
-        "Read √D₁ below the plot before and after.",
-        "Light up θ, x₀ and z₀ while you move: they take up the whole move.",
+        "Read √D₁ above the plot before and after.",
+        "Watch the dots of the curve while you move the query. Do they move?",
       ],
     },
     C: {
       task: "Reverse time: the walker goes backwards. Which is the shortest window in which the nearest example is at least 4 times as far as with time forwards?",
-      pass: ({ window }) => `Yes: ${window} frames have a direction, so a walk backwards is not near to one forwards.`,
+      pass: ({ window }) =>
+        `Yes: ${window} frames show a direction, so walking backwards is far from walking forwards.`,
       near: {
-        other: () => "Use the walker as it was: put bent limbs back.",
+        other: () => "Use the walker as it was at the start: put bent limbs back.",
         forward: () => "Reverse time first.",
         shorter: ({ window }) => `With ${window} frames it is far enough, but a shorter window does it, too.`,
       },
-      refuse: () => "At s = 1 both are the same poses: one frame has no direction.",
+      refuse: () => "At s = 1 both ways have the same poses: one frame has no direction, so √D₁ is the same.",
       no: ({ window }) => `${window} frames do not tell the two apart.`,
-      hints: ["One frame has no direction.", "Switch “Reverse time” on and off for each s, and compare √D₁."],
+      hints: [
+        "How many frames does it take to see which way somebody moves?",
+        "Switch “Reverse time” on and off for each s, and compare √D₁.",
+      ],
     },
   },
   sources: [

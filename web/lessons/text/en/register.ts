@@ -3,65 +3,69 @@ import type { LessonText } from "../text";
 export const register: LessonText = {
   idea: [
     "Two people take the same step, one in 1.1 s, the other in 1.5 s. To compare them, you need to know which instants correspond.",
-    "Such a correspondence is a path: for each instant of one step it names an instant of the other. Where it is steep, the other one is slow.",
-    "The usual way is to pair frames that look alike, as cheaply as possible overall. That is called dynamic time warping, DTW.",
+    "Such a correspondence is a path: for each instant of one step it names an instant of the other. Where the path is steep, the other walker takes longer for the same part of the step.",
+    "The usual way is to give each pair of frames a cost, small if they look alike, and to choose the path with the least total cost. That is called dynamic time warping, DTW.",
   ],
   bet: {
     question:
-      "The greyer a place, the less alike are the two poses. One path winds through the valleys at the least cost, DTW; one is straight. Which is nearer to the truth?",
+      "The darker a place in the plot, the less alike the two poses are. One path, DTW, winds through the valleys at the least cost; the other is straight. Which is nearer to the truth?",
     options: { true: "The cheapest path", straight: "The straight line" },
     reveal: ({ dtw, linear }) =>
-      `The cheapest path is ${dtw} ms off on average, the straight line ${linear} ms. An old person’s pose at mid-stance looks like a neutral one at another time, and DTW pairs what looks alike. The truth is known here, as these steps were scripted.`,
+      `The cheapest path is ${dtw} ms off on average, the straight line ${linear} ms. An old walker in the middle of a step can look like a neutral one at another time, and DTW pairs what looks alike. The truth is known here because these steps were generated from a script.`,
   },
   look: [
-    "Across is the neutral step, upwards the old one. The grey is [c: the cost c] of pairing two frames, and [tau: the point] is the pair at the cursor, whose walkers stand below.",
-    "A path may be at most three times as fast as the other step, and no slower than a third: [s: the two lines through the point]. The bars outside are feet that stand.",
-    "IMW lets poses differ by a [alpha: scale α] and an [beta: offset β] that change slowly. So what is style need not be paid by warping time.",
+    "The neutral step runs to the right, the old one upwards. The shade is the [c: cost c] of pairing two frames: the squared distance of their features, which are positions and velocities of the joints, and which feet stand. The [tau: point τ] is the pair at the cursor; its two walkers stand below.",
+    "Cᵢⱼ is the least cost of a path from the start to the pair i, j. Its last part goes on by one frame in both steps, or by [s: s] frames in one and by one in the other, with s at most 3. So a path is nowhere faster than three to one: the two thin lines through the point.",
+    "Iterative motion warping, IMW, lets the features a of the neutral step differ from the features b of the other one by a [alpha: scale α] and an [beta: offset β]. So a difference of style does not have to be explained by warping time. IMW minimises E: D takes the difference of successive frames, so the term with λ = 225 makes α and β change slowly, and the one with μ = 0.1 keeps them near 1 and 0.",
+    "The bars outside the plot are feet that stand: the neutral walker’s above, the other one’s at the right.",
   ],
   symbols: {
     c: { symbol: "c", name: "cost of the pair at the cursor" },
-    s: { symbol: "s", name: "pace of the path there" },
-    tau: { symbol: "τ", name: "time in the styled step" },
-    alpha: { symbol: "α", name: "scale of the strongest feature" },
+    s: { symbol: "s", name: "pace of the path at the cursor" },
+    tau: { symbol: "τ", name: "time that it is paired with" },
+    alpha: { symbol: "α", name: "scale of the strongest feature, IMW" },
     beta: { symbol: "β", name: "its offset" },
   },
-  why: "A style changes both when and how somebody moves. Why can no cost of likeness alone tell the two apart, and what else could you measure?",
+  why: "A style changes both when and how somebody moves. Why can a cost that measures only likeness not tell the two apart, and what else could you measure?",
   exercises: {
     A: {
       task: "Bend your own path at its three points until it costs at most 1.2 times as much as DTW’s.",
-      pass: ({ cost, off }) => `Yes: ${cost} times the cost, and ${off} ms from the truth. Cheap is not true.`,
+      pass: ({ cost, off }) =>
+        `Yes: ${cost} times the cost, and ${off} ms from the truth. A cheap path need not be a true one.`,
       near: {
         other: () => "Use the old step.",
         up: ({ cost, dearFrom, dearTo }) => `Close: ${cost} times. Bend it up from ${dearFrom} to ${dearTo} ms.`,
         down: ({ cost, dearFrom, dearTo }) => `Close: ${cost} times. Bend it down from ${dearFrom} to ${dearTo} ms.`,
       },
       refuse: ({ cost, off }) =>
-        `You follow the truth, ${off} ms from it, at ${cost} times the cost. The task is about cost alone.`,
-      no: ({ cost, dearFrom, dearTo }) => `${cost} times the cost. Dearest: from ${dearFrom} to ${dearTo} ms.`,
+        `Your path is only ${off} ms from the truth, but it costs ${cost} times as much as DTW’s. This task is about cost alone.`,
+      no: ({ cost, dearFrom, dearTo }) =>
+        `${cost} times the cost of DTW. Most is lost from ${dearFrom} to ${dearTo} ms.`,
       hints: [
-        "Follow the clear valley: bend the path where a foot strikes, at the ends of the bars.",
-        "Look at the path of DTW: bring your points onto it, then move one after the other with the arrow keys.",
+        "Follow the bright valley. It bends where a foot strikes or lifts, at the ends of the bars.",
+        "Put your three points onto the path of DTW where it bends. Then move one after the other with the arrow keys.",
       ],
     },
     B: {
-      task: "Move the cursor to an instant at which different feet stand when time is shared out evenly, but the same feet stand under DTW.",
-      pass: ({ time, tau }) => `Yes: at ${time} ms DTW says ${tau} ms, and the same feet stand.`,
+      task: "Move the cursor to an instant at which the linear path pairs different standing feet, but DTW pairs the same ones.",
+      pass: ({ time, tauDtw, tauLinear }) =>
+        `Yes: at ${time} ms DTW says ${tauDtw} ms, where the same feet stand. The linear path says ${tauLinear} ms, where they do not.`,
       near: {
         other: () => "Use the old step.",
         later: () => "Close: a little later.",
         earlier: () => "Close: a little earlier.",
       },
       refuse: ({ time }) =>
-        `At ${time} ms different feet stand under DTW, too: it pairs what looks alike, not what touches the ground.`,
-      no: ({ time }) => `At ${time} ms the same feet stand in linear time already, or under neither.`,
+        `At ${time} ms DTW pairs different feet, too: it pairs what looks alike, even where other feet stand.`,
+      no: ({ time }) => `At ${time} ms the linear path pairs the same feet already.`,
       hints: [
         "The bars outside the plot are feet that stand. Look where one ends.",
-        "Read the line below the walkers with the path linear, then with DTW, at each end of a bar.",
+        "At each end of a bar, read the line below the walkers: once with the path linear, once with DTW.",
       ],
     },
   },
   sources: [
     "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, section 4: registration; Hsu, Pulli and Popović, Style translation for human motion, SIGGRAPH 2005: iterative motion warping.",
-    "The paths are those of `rust/strut-core/src/registration/dtw.rs` and `rust/strut-core/src/registration/imw.rs`. DTW pairs whole frames; a path between frames may cost a little less than its 1 ×.",
+    "The paths are those of `rust/strut-core/src/registration/dtw.rs` and `rust/strut-core/src/registration/imw.rs`. DTW pairs whole frames, so a path between frames may cost a little less than 1 ×.",
   ],
 };

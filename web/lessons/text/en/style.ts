@@ -4,7 +4,7 @@ export const style: LessonText = {
   idea: [
     "Two walkers take the same steps: left, right, left, in the same order. That is the content.",
     "One of them is neutral, the other walks as an old person does: bent forward, and slower. That is the style.",
-    "To see style alone you have to compare equal instants of the step. But which instants are equal?",
+    "To see style alone, you have to compare equal instants of the step. But which instants are equal?",
   ],
   bet: {
     question:
@@ -14,9 +14,9 @@ export const style: LessonText = {
       `Over the whole walk the poses differ by ${second} cm in the same second, and by ${content} cm at the same content. The old walker is slower: after a few seconds one stands on the left foot while the other stands on the right. That is pace, and the clock counts it as pose.`,
   },
   look: [
-    "At each instant, measure how far each joint is from its partner, after place and heading are taken away. The mean of all joints is the [e: difference e].",
-    "What decides is the [tau: pairing τ]: it names the instant of the styled walk that has the same content. In the curve a thread leads from the playhead to that instant.",
-    "Drag the playhead, change the style, and switch between *same second* and *same content*. The larger a mark on the body, the farther apart that joint is.",
+    "At each instant i, measure how far each joint of one walker is from the same joint of the other. Place and heading are taken away first. The mean over the [J: J joints] is the [e: difference e], in centimetres.",
+    "What decides is the [tau: pairing τ]: it names the instant of the styled walk that is compared with i. Below the curve, a thread leads from the [i: playhead] to that instant.",
+    "Drag the playhead, change the style, and switch between *same second* and *same content*. The larger a dot on the body, the farther apart the two walkers have that joint.",
   ],
   symbols: {
     e: { symbol: "e", name: "difference of the poses" },
@@ -47,31 +47,31 @@ export const style: LessonText = {
       task: "Find an instant of the proud walk at which the same second shows at least four times the difference of the same content.",
       pass: ({ secs, second, content }) => `Yes: at ${secs} s it is ${second} cm against ${content} cm.`,
       near: {
-        other: () => "Choose the style “proud” first.",
+        other: () => "Show the style “proud” on the neutral walk, and the mean of all joints.",
         later: ({ second, content }) => `Close: ${second} cm against ${content} cm. Go a little later.`,
         earlier: ({ second, content }) => `Close: ${second} cm against ${content} cm. Go a little earlier.`,
       },
       refuse: () => "Here the two are in step: the same second is the same content. Look where they are out of step.",
       no: ({ secs, second, content }) => `At ${secs} s it is ${second} cm against ${content} cm. Look for a wider gap.`,
       hints: [
-        "Proud walkers are slower. The longer they walk, the more they fall behind, up to half a cycle.",
+        "The proud walker is slower and falls behind. After a while it is half a cycle late, and later a whole cycle.",
         "Watch the legs: where one walker has the left foot in front and the other the right, the gap is widest.",
       ],
     },
     C: {
-      task: "Which joint does the old style move most? Choose it from the list, or click its mark.",
+      task: "Which joint does the old style move most, on average? Choose it from the list, or click its dot on the body.",
       pass: ({ joint, jointMean }) => `Yes: ${joint}, by ${jointMean} cm on average.`,
       near: {
-        other: () => "Choose the style “old” first.",
-        none: () => "Choose a joint from the list above the curve, or click its mark on the body.",
-        close: ({ joint, jointMean }) => `Close: ${joint}, ${jointMean} cm. A neighbour of it moves more.`,
+        other: () => "Show the style “old” on the neutral walk.",
+        none: () => "Choose a joint from the list above the curve, or click its dot on the body.",
+        close: ({ joint, jointMean }) => `Close: ${joint}, ${jointMean} cm. A joint near it moves more.`,
       },
-      refuse: ({ joint, jointMean }) =>
-        `You compared different moments of the step. Legs travel far in every walk; at equal instants ${joint} differs by ${jointMean} cm only.`,
+      refuse: ({ joint, jointMean, jointMeanSecond }) =>
+        `The legs move most in every walk, so by the clock they are far apart: ${joint} by ${jointMeanSecond} cm. That is pace. At equal instants it is ${jointMean} cm.`,
       no: ({ joint, jointMean }) => `${joint}: ${jointMean} cm on average. Another joint moves more.`,
       hints: [
-        "An old walker is bent. What is farthest from the hips moves most.",
-        "Find the largest mark on the body.",
+        "An old walker is bent forward at the hips. The farther a joint is from them, the more it moves.",
+        "Set *same content* and find the largest dot on the body.",
       ],
     },
   },

@@ -5,9 +5,17 @@ export const near: NearWords = {
   stage: "Die Anfrage und ihre 8 nächsten",
   title: "Abstand zu jedem Fenster",
   knobs: {
-    heading: { symbol: "θ", name: "Drehung", description: "Dreht die ganze Anfrage um die Senkrechte, Grad." },
-    x: { symbol: "x₀", name: "Verschiebung x", description: "Verschiebt die ganze Anfrage auf dem Boden, Meter." },
-    z: { symbol: "z₀", name: "Verschiebung z", description: "Verschiebt die ganze Anfrage auf dem Boden, Meter." },
+    heading: { symbol: "drehen", name: "Drehung", description: "Dreht die ganze Anfrage um die Senkrechte, Grad." },
+    x: {
+      symbol: "x",
+      name: "Verschiebung x",
+      description: "Verschiebt die ganze Anfrage auf dem Boden längs x, Meter.",
+    },
+    z: {
+      symbol: "z",
+      name: "Verschiebung z",
+      description: "Verschiebt die ganze Anfrage auf dem Boden längs z, Meter.",
+    },
     k: { symbol: "K", name: "Nachbarn K", description: "Wie viele der nächsten Fenster benutzt werden." },
   },
   move: "Ort der Anfrage",
@@ -23,6 +31,6 @@ export const near: NearWords = {
   said: (window, reversed, first, k, last) =>
     `Fenster aus ${window} ${window === "1" ? "Bild" : "Bildern"}${reversed ? ", die Zeit der Anfrage umgekehrt" : ""}: Das nächste ist ${first} mm entfernt, Nummer ${k} ${last} mm.`,
   posed: (heading, x, z, limbs, first) =>
-    `Die Anfrage ist um ${heading}° gedreht und um ${x} m und ${z} m verschoben, ${limbs} Glieder sind gebeugt. Das nächste Beispiel ist ${first} mm entfernt.`,
+    `Die Anfrage ist um ${heading}° gedreht und um ${x} m und ${z} m verschoben, ${limbs === "1" ? "1 Glied ist" : `${limbs} Glieder sind`} gebeugt. Das nächste Beispiel ist ${first} mm entfernt.`,
   columns: ["Zeile", "√D, mm", "θ"],
 };

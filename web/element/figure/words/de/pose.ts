@@ -2,7 +2,7 @@
 import type { PoseWords } from "../pose";
 
 export const pose: PoseWords = {
-  stage: "Ein Gelenk und sein Mittel",
+  stage: "Gelenk und Mittel",
   numbers: "Die 67 Zahlen dieser Pose",
   title: "Eine Zahl über der Zeit",
   knobs: {
@@ -17,11 +17,12 @@ export const pose: PoseWords = {
     phi: {
       symbol: "φ",
       name: "Eigene Achsen φ",
-      description: "Wie die eigenen Achsen des Gelenks im Skelett liegen: um so viele Grad um x gedreht.",
+      description: "Dreht die eigenen Achsen des Gelenks um x, Grad. Jedes Skelett legt sie frei fest.",
     },
   },
   restore: "Zurücksetzen",
   pose: "Pose",
+  angles: (joint) => `${joint}, °`,
   height: "h, m",
   sideways: "v nach links, m/s",
   forwards: "v vorwärts, m/s",
@@ -35,7 +36,7 @@ export const pose: PoseWords = {
   jumps: (raw, jump) => `größter Sprung: log R ${raw} rad · w ${jump} rad`,
   posed: (joint, angle, x, y, z) => `${joint}: ${angle}° vom Mittel gedreht, ${x}° um x, ${y}° um y, ${z}° um z.`,
   listed: (changed, of, heading, limbs) =>
-    `Der Gehende ist um ${heading}° gedreht, ${limbs} Glieder sind gebeugt: ${changed} von ${of} Zahlen sind anders als die der Eingabe.`,
+    `Der Gehende ist um ${heading}° gedreht, ${limbs === "1" ? "1 Glied ist" : `${limbs} Glieder sind`} gebeugt: ${changed} von ${of} Zahlen sind anders als die der Eingabe.`,
   plotted: (joint, phi, raw, jump) =>
     `${joint}, die eigenen Achsen um ${phi}° gedreht: Von Bild zu Bild springt log R um höchstens ${raw} rad, w um ${jump} rad.`,
   components: ["Gelenk", "x, °", "y, °", "z, °"],

@@ -9,8 +9,10 @@ export const warp: WarpWords = {
   styled: (style) => `Schritt „${style}“, ms`,
   anchor: (n) => `Knick ${n}`,
   place: (x, y) => `${x} ms mit ${y} ms`,
+  lead: ["Kosten", "· neben der Wahrheit"],
   cost: (ratio) => `${ratio} ×`,
-  off: (ms) => `${ms} ms daneben`,
+  off: (ms) => `· ${ms} ms`,
+  sides: ["L", "R"],
   feet: { both: "beide Füße", left: "linker Fuß", right: "rechter Fuß", none: "kein Fuß" },
   said: (path, time, tau, cost, neutral, style, feet) =>
     `Pfad ${path}: ${time} ms des neutralen Schritts (${neutral}) mit ${tau} ms im Stil „${style}“ (${feet}). Unterschied c ${cost}.`,

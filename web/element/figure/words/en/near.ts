@@ -5,9 +5,9 @@ export const near: NearWords = {
   stage: "The query and its 8 nearest",
   title: "Distance to every window",
   knobs: {
-    heading: { symbol: "θ", name: "Turn", description: "Turns the whole query about the vertical, degrees." },
-    x: { symbol: "x₀", name: "Move x", description: "Moves the whole query over the ground, metres." },
-    z: { symbol: "z₀", name: "Move z", description: "Moves the whole query over the ground, metres." },
+    heading: { symbol: "turn", name: "Turn", description: "Turns the whole query about the vertical, degrees." },
+    x: { symbol: "x", name: "Move x", description: "Moves the whole query along x on the ground, metres." },
+    z: { symbol: "z", name: "Move z", description: "Moves the whole query along z on the ground, metres." },
     k: { symbol: "K", name: "Neighbours K", description: "How many of the nearest windows are used." },
   },
   move: "Place of the query",
@@ -23,6 +23,6 @@ export const near: NearWords = {
   said: (window, reversed, first, k, last) =>
     `Windows of ${window} ${window === "1" ? "frame" : "frames"}${reversed ? ", the query’s time reversed" : ""}: the nearest is ${first} mm away, number ${k} is ${last} mm away.`,
   posed: (heading, x, z, limbs, first) =>
-    `The query is turned by ${heading}° and moved by ${x} m and ${z} m, with ${limbs} limbs bent. The nearest example is ${first} mm away.`,
+    `The query is turned by ${heading}° and moved by ${x} m and ${z} m, with ${limbs} ${limbs === "1" ? "limb" : "limbs"} bent. The nearest example is ${first} mm away.`,
   columns: ["row", "√D, mm", "θ"],
 };

@@ -2,7 +2,7 @@
 import type { PoseWords } from "../pose";
 
 export const pose: PoseWords = {
-  stage: "A joint and its mean",
+  stage: "Joint and mean",
   numbers: "The 67 numbers of this pose",
   title: "One number over time",
   knobs: {
@@ -17,11 +17,12 @@ export const pose: PoseWords = {
     phi: {
       symbol: "φ",
       name: "Own axes φ",
-      description: "How the skeleton's maker has laid the joint's own axes: turned about x by so many degrees.",
+      description: "Turns the joint's own axes about x, degrees. Each skeleton chooses them freely.",
     },
   },
   restore: "Put back",
   pose: "pose",
+  angles: (joint) => `${joint}, °`,
   height: "h, m",
   sideways: "v to the left, m/s",
   forwards: "v forwards, m/s",
@@ -36,7 +37,7 @@ export const pose: PoseWords = {
   posed: (joint, angle, x, y, z) =>
     `The ${joint} is turned by ${angle}° from its mean: ${x}° about x, ${y}° about y, ${z}° about z.`,
   listed: (changed, of, heading, limbs) =>
-    `With the walker turned by ${heading}° and ${limbs} limbs bent, ${changed} of ${of} numbers differ from the input's.`,
+    `With the walker turned by ${heading}° and ${limbs} ${limbs === "1" ? "limb" : "limbs"} bent, ${changed} of ${of} numbers differ from the input's.`,
   plotted: (joint, phi, raw, jump) =>
     `The ${joint} with its own axes turned by ${phi}°: from frame to frame log R jumps by ${raw} rad at most, w by ${jump} rad.`,
   components: ["joint", "x, °", "y, °", "z, °"],

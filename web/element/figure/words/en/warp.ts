@@ -9,8 +9,10 @@ export const warp: WarpWords = {
   styled: (style) => `${style} step, ms`,
   anchor: (n) => `Bend ${n}`,
   place: (x, y) => `${x} ms with ${y} ms`,
+  lead: ["cost", "· off the truth"],
   cost: (ratio) => `${ratio} ×`,
-  off: (ms) => `${ms} ms off`,
+  off: (ms) => `· ${ms} ms`,
+  sides: ["L", "R"],
   feet: { both: "both feet", left: "the left foot", right: "the right foot", none: "no foot" },
   said: (path, time, tau, cost, neutral, style, feet) =>
     `Path ${path}: ${time} ms of the neutral step, on ${neutral}, with ${tau} ms of the ${style} one, on ${feet}. Difference c ${cost}.`,
