@@ -23,7 +23,7 @@ export const learn: LearnText = {
     register: "Eine Zeitverzerrung lesen",
     near: "Wissen, was der Abstand nicht beachtet",
     line: "Sagen, was K, λ und β mit einer Vorhersage machen",
-    mix: "Aus Entfernungen Gewichte gewinnen",
+    mix: "Aus Abständen Gewichte gewinnen",
     bias: "Inhalt wissend gegen Stil tauschen",
     time: "Das Tempo einer Mischung ausrechnen",
     feet: "Rutschen erklären und beheben",
