@@ -182,6 +182,24 @@ test("numbers of the text are the engine's", async () => {
   ]);
 });
 
+test("before and after the jumps a kick is read, where the input stands still", async () => {
+  const state = stateOf("A", {});
+  const { weights, actions } = await readingOf(engine, state.motion, state.delta);
+  const { rows } = await engine.motion({ name: state.motion });
+  const [kick, jump] = ["kick", "jump"].map((action) => weights[actions.indexOf(action)]!) as [
+    Float32Array,
+    Float32Array,
+  ];
+  for (const at of [456, 576]) {
+    expect(kick[at], `frame ${at}`).toBeGreaterThan(0.9);
+    // Velocity of the hips, m/s: the numbers after the joints and the height.
+    expect(Math.hypot(rows[at * 68 + 64]!, rows[at * 68 + 65]!), `frame ${at}`).toBeLessThan(0.1);
+  }
+  const leap = jump.findIndex((weight) => weight > 0.9);
+  expect(leap).toBeGreaterThan(456);
+  expect(jump.findLastIndex((weight) => weight > 0.9)).toBeLessThan(576);
+});
+
 test("an instant after the end is the last", async () => {
   const { frames, rateHz } = await readingOf(engine, stateOf("A", {}).motion, stateOf("A", {}).delta);
   const { secs } = await measureMix(engine, stateOf("A", { at: 5000 }));

@@ -84,6 +84,8 @@ class BandFigure implements FigureInstance<BiasState> {
     );
     picture.append(this.#band, this.#mean, this.#dots, this.#bias, this.#returned, this.#line, this.#output);
     picture.append(...Object.values(this.#rows), ...Object.values(this.#labels), this.#handle.element);
+    // Until it has a place.
+    setAttributes(this.#handle.element, { visibility: "hidden" });
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.bias.title)),
@@ -201,6 +203,7 @@ class BandFigure implements FigureInstance<BiasState> {
     setText(this.#labels.x, `x ${degrees(x)}`);
     setAttributes(this.#labels.y, { x: at(y) + 8, y: below - HALF.tick });
     setText(this.#labels.y, `y ${degrees(y)}`);
+    setAttributes(this.#handle.element, { visibility: "visible" });
     this.#handle.place({ x: at(x), bottom: above + HALF.band, value: state.raise, text: `${state.raise}°` });
     setText(this.#readout, words.bias.read(figure(mean - reach, 1, words), figure(mean + reach, 1, words)));
   }

@@ -63,6 +63,8 @@ class ReadingFigure implements FigureInstance<MixState> {
     const texts = { delta: words.mix.delta };
     this.#knob = createKnobs(["delta"], words, texts, { delta: DELTA }, MIX_FIELDS, change).delta;
     picture.append(this.#areas, this.#names, this.#handle.element);
+    // Until it has a place.
+    setAttributes(this.#handle.element, { visibility: "hidden" });
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.mix.reading), this.#key),
@@ -164,6 +166,7 @@ class ReadingFigure implements FigureInstance<MixState> {
     }
     const at = this.#at();
     const place = { x: xOf(axes, at / reading.rateHz), bottom: yOf(axes, 0), value: at, text: this.sentence() };
+    setAttributes(this.#handle.element, { visibility: "visible" });
     this.#handle.place(place);
     setText(this.#readout, this.sentence());
   }

@@ -2,7 +2,7 @@ import type { LessonText } from "../text";
 
 export const bias: LessonText = {
   idea: [
-    "Die Eingabe geht mit gehobenen Armen. Das hat in der Datenbank niemand getan, also haben die nächsten Beispiele die Arme an der Seite.",
+    "Die Eingabe geht mit gehobenen Armen. So geht in der Datenbank niemand, also haben die nächsten Beispiele die Arme an der Seite.",
     "Eine Gerade, die an solche Beispiele angepasst ist, weiß nichts von gehobenen Armen. Weit außerhalb ihrer Punkte wäre ihre Antwort Unsinn.",
     "Darum nimmt die Engine weg, was aus den Beispielen herausragt, stilisiert den Rest und gibt einen Anteil davon zurück. Wie groß soll er sein?",
   ],

@@ -24,7 +24,7 @@ export const learn: LearnText = {
     near: "Wissen, was der Abstand nicht beachtet",
     line: "Sagen, was K, λ und β mit einer Vorhersage machen",
     mix: "Aus Abständen Gewichte gewinnen",
-    bias: "Inhalt wissend gegen Stil tauschen",
+    bias: "Inhalt und Stil bewusst abwägen",
     time: "Das Tempo einer Mischung ausrechnen",
     feet: "Rutschen erklären und beheben",
     judge: "Eine Auswertung anzweifeln",

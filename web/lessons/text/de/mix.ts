@@ -14,7 +14,7 @@ export const mix: LessonText = {
       `Ihr Gewicht geht von ${before} auf ${after}. Ein größeres δ verzeiht Abstand: Die Klassen dahinter holen auf, und weil alle Gewichte zusammen 1 sind, zahlt die stärkste.`,
   },
   look: [
-    "Die Flächen sind die [lambda: Gewichte λ] der Handlungen über der Zeit, alle Stile einer Handlung zusammen. Zusammen sind sie immer 1.",
+    "Die Flächen sind die [lambda: Gewichte λ] der Handlungen über der Zeit, alle Stile einer Handlung zusammen. Ihre Summe ist immer 1. Vor und nach den Sprüngen liest die Engine kurz einen Tritt: Dort steht die Eingabe still, wie man es vor einem Tritt tut.",
     "Die Liste hat die nächsten Klassen am Zeiger. [D: D] ist der mittlere quadrierte Abstand der nächsten Beispiele einer Klasse, in cm²; der Balken daneben ist das Gewicht, das daraus wird. Das Zeichen ∝ heißt „proportional zu“: Am Ende werden alle Gewichte durch ihre Summe geteilt.",
     "Die Kurve neben der Liste zeigt, wie das Gewicht mit dem Abstand fällt. Sie beginnt beim [min: kleinsten D], dem der nächsten Klasse. Über [delta: δ] mal min D fällt sie auf 1/e, etwa ein Drittel. Dreh an δ und beobachte die Klassen dahinter.",
     "Weil D durch min D geteilt wird, zählen nur Verhältnisse: Wären alle Abstände doppelt so groß, blieben die Gewichte gleich. Das gilt, solange die Datenbank die Pose kennt. Ist selbst die nächste Klasse mehrere Zentimeter entfernt, macht die Engine δ breiter; neben seinem Wert steht dann, wie breit es hier ist.",

@@ -80,6 +80,6 @@ export const time: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Abschnitte 5.1 und 5.4: Zeit, Interpolation und Extrapolation von Stilen.",
-    "Dauern rechnet `rust/strut-core/src/transfer/timing.rs`, mit Posen gemischt werden sie in `rust/strut-core/src/transfer/blend.rs`. Die Engine teilt jedes g durch das des nächsten Nachbarn, damit keines 0 wird, wo alle fern sind; im Mittel kürzt sich das.",
+    "Die Dauern berechnet `rust/strut-core/src/transfer/timing.rs`, gemischt werden sie zusammen mit den Posen in `rust/strut-core/src/transfer/blend.rs`. Die Engine teilt jedes g durch das des nächsten Nachbarn, damit keines 0 wird, wo alle fern sind; im Mittel kürzt sich das.",
   ],
 };

@@ -2,7 +2,7 @@ import type { LessonText } from "../text";
 
 export const bias: LessonText = {
   idea: [
-    "The input walks with both arms raised. Nobody in the database ever did that, so the nearest examples have their arms at their sides.",
+    "The input walks with both arms raised. No walk in the database is like that, so the nearest examples have their arms at their sides.",
     "A line that was fitted to such examples knows nothing of raised arms. Far outside its dots it would answer with nonsense.",
     "So the engine takes off what sticks out of the examples, styles the rest, and gives a share of it back. How large should the share be?",
   ],

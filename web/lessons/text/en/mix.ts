@@ -14,7 +14,7 @@ export const mix: LessonText = {
       `Its weight goes from ${before} to ${after}. A larger δ forgives distance: the classes behind catch up, and as all weights sum to 1, the winner pays.`,
   },
   look: [
-    "The areas are the [lambda: weights λ] of the actions over time, all styles of an action together. They always sum to 1.",
+    "The areas are the [lambda: weights λ] of the actions over time, all styles of an action together. They always sum to 1. Before and after the jumps the engine reads a kick for a moment: there the input stands still, as people do before a kick.",
     "The list has the nearest classes at the playhead. [D: D] is the mean squared distance of a class’s nearest examples, in cm²; the bar beside it is the weight that D becomes. The sign ∝ means “in proportion”: at the end all weights are divided by their sum.",
     "The curve beside the list shows how weight falls with distance. It begins at the [min: least D], the distance of the nearest class. Over [delta: δ] times min D it falls to 1/e, about a third. Turn δ and watch the classes behind.",
     "As D is divided by min D, only ratios count: were all distances twice as long, the weights would be the same. That holds as long as the database knows the pose. Where even the nearest class is several centimetres away, the engine widens δ; its value then also says how wide it is here.",
