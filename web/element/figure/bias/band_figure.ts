@@ -99,6 +99,7 @@ class BandFigure implements FigureInstance<BiasState> {
     this.#state = state;
     for (const name of KNOBS) this.#knobs[name].value = state[name];
     this.#guess.text = state.guess === NO_GUESS ? "" : figure(state.guess, 1, this.#parts.words);
+    this.#frame.request();
     return this.#fitting.take(state);
   }
 
@@ -204,7 +205,9 @@ class BandFigure implements FigureInstance<BiasState> {
     setAttributes(this.#labels.y, { x: at(y) + 8, y: below - HALF.tick });
     setText(this.#labels.y, `y ${degrees(y)}`);
     setAttributes(this.#handle.element, { visibility: "visible" });
-    this.#handle.place({ x: at(x), bottom: above + HALF.band, value: state.raise, text: `${state.raise}°` });
+    // The handle goes with the hand; all else waits for the engine.
+    const ahead = (this.#state?.raise ?? state.raise) - state.raise;
+    this.#handle.place({ x: at(x + ahead), bottom: above + HALF.band, value: state.raise, text: `${state.raise}°` });
     setText(this.#readout, words.bias.read(figure(mean - reach, 1, words), figure(mean + reach, 1, words)));
   }
 
