@@ -124,7 +124,7 @@ describe("by the keyboard alone", () => {
     await page.getByRole("slider", { name: "Reach κ" }).focus();
     await page.keyboard.type((least + 0.15).toFixed(1));
     await page.keyboard.press("Enter");
-    await eventually(() => verdict("B")).toMatch(/^✓ ?Yes: with κ \d\.\d0 the band just reaches/);
+    await eventually(() => verdict("B")).toMatch(/^✓ ?Yes: with κ \d\.\d the band just reaches/);
     await screenshot(page, "lesson-bias-solved");
   });
 

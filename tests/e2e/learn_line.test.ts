@@ -47,18 +47,27 @@ it("is solved by the keyboard alone, and refuses what it is about", async () => 
   await tabTo("Ridge λ");
   await page.keyboard.type("5");
   await page.keyboard.press("Enter");
-  await eventually(() => verdict("B")).toMatch(/^✗ ?Only the mean is left: λ 5\.00/);
+  await eventually(() => verdict("B")).toMatch(/^✗ ?Only the mean is left: λ 5\.0000/);
   await page.keyboard.press("Escape");
   await page.keyboard.type("0.9");
   await page.keyboard.press("Enter");
-  await eventually(() => verdict("B")).toMatch(/^✓ ?Yes: at λ 0\.90 the prediction is −0\.\d\d° from the mean\./);
+  await eventually(() => verdict("B")).toMatch(/^✓ ?Yes: at λ 0\.9000 the prediction is −0\.\d\d° from the mean\./);
   expect(await faults()).toEqual([]);
   await screenshot(page, "learn-line-solved");
 });
 
-it("shows the sweep, whose handle turns the ridge", async () => {
+it("shows the sweep once exercise A is solved, and its handle turns the ridge", async () => {
+  const sweep = page.locator('strut-figure[data-name="sweep"]');
   await visit(page, "view=learn&lesson=line&beat=5&K=12&nu=4&taper=0&ridge=0.02&theme=light");
-  const handle = page.locator('strut-figure[data-name="sweep"]').getByRole("slider", { name: "Ridge λ" });
+  await page.locator('strut-figure[data-name="scatter"]').waitFor();
+  expect(await sweep.isVisible(), "it would give the answer away").toBe(false);
+  await visit(page, "view=learn&lesson=line&beat=4&theme=light");
+  await page.locator('[data-exercise="A"]').getByRole("button", { name: "Begin" }).press("Enter");
+  await tabTo("Ridge λ");
+  await page.keyboard.type("0.02");
+  await page.keyboard.press("Enter");
+  await eventually(() => verdict("A")).toMatch(/^✓ ?Yes: λ 0\.0200 gives 1\.43°/);
+  const handle = sweep.getByRole("slider", { name: "Ridge λ" });
   await eventually(() => handle.getAttribute("aria-valuetext")).toMatch(
     /^At λ 0\.0200 .* 1\.43°; the least is 1\.4\d°/,
   );
@@ -67,6 +76,7 @@ it("shows the sweep, whose handle turns the ridge", async () => {
   await eventually(() => page.evaluate(() => window.strut.state.figures)).toContain("ridge=10");
   await eventually(() => handle.getAttribute("aria-valuetext")).toMatch(/^At λ 10\.0000 .* 1\.47°/);
   expect(await faults()).toEqual([]);
+  await screenshot(page, "learn-line-sweep");
 });
 
 it("is reached from the lesson before, and from the list", async () => {

@@ -1,3 +1,5 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { beforeAll, expect, test } from "vitest";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
@@ -22,6 +24,8 @@ const stateOf = (id: string, patch: Partial<BiasState>): BiasState => ({
 });
 const result = async (id: string, patch: Partial<BiasState>) =>
   judge(exercise(id), await measureBias(engine, stateOf(id, patch)));
+const said = async (language: "en" | "de", id: string, patch: Partial<BiasState>) =>
+  saidIn(language, await measureBias(engine, stateOf(id, patch)), bias.decimals);
 
 test("the bet: without ρ next to nothing of the raise survives", async () => {
   const { answer, measure } = await bias.bet.reveal(engine);
@@ -43,6 +47,10 @@ test("x is the angle of the raised arm from its mean, and Δx is what of it is o
   const inside = Math.min(band.mean + reach, Math.max(band.mean - reach, x));
   expect(band.bias).toBeCloseTo(x - inside, 2);
   expect(band.bias).toBeGreaterThan(20);
+  const later = await biasOf(engine, { ...state, at: state.at + 15 });
+  expect(Math.abs(later.x - x), "mutation: another frame").toBeGreaterThan(2);
+  const wider = await biasOf(engine, { ...state, reach: 1.5 * state.reach });
+  expect(Math.abs(wider.bias - band.bias), "mutation: another κ").toBeGreaterThan(1);
 });
 
 test("the mean and the deviation are those of the neighbours, by their weights", async () => {
@@ -51,6 +59,12 @@ test("the mean and the deviation are those of the neighbours, by their weights",
   const total = fit.weights.reduce((sum, weight) => sum + weight, 0);
   const mean = fit.x.reduce((sum, x, i) => sum + fit.weights[i]! * x, 0) / total;
   expect(band.mean).toBeCloseTo(mean * DEGREES, 2);
+  const unweighted = fit.x.reduce((sum, x) => sum + x, 0) / fit.x.length;
+  expect(Math.abs(band.mean - unweighted * DEGREES), "mutation: all weights equal").toBeGreaterThan(0.02);
+  const square = fit.x.reduce((sum, x, i) => sum + fit.weights[i]! * (x - mean) ** 2, 0) / total;
+  const deviation = Math.max(Math.sqrt(square), 0.05 * fit.globalDeviation, 0.005) * DEGREES;
+  expect(band.deviation).toBeCloseTo(deviation, 2);
+  expect(leastReach(band)).toBeCloseTo(Math.abs(band.x - mean * DEGREES) / deviation, 1);
   expect(leastReach(band)).toBeCloseTo(Math.abs(band.x - band.mean) / band.deviation, 6);
 });
 
@@ -81,19 +95,24 @@ test("the share that survives is that of poses which are styled frame by frame",
   };
   const share = ((await meanOf(60)) - (await meanOf(0))) / ((await given(60)) - (await given(0)));
   expect(await survives(engine, state)).toBeCloseTo(share, 1);
+  expect(Math.abs((await survives(engine, { ...state, keep: 0.3 })) - share), "mutation: another ρ").toBeGreaterThan(
+    0.2,
+  );
 });
 
 test("A is passed by a narrow stretch of ρ, below the engine's own, and one half is refused", async () => {
-  for (const keep of [0.65, 0.7]) expect(await result("A", { keep })).toEqual({ result: "pass" });
+  for (const keep of [0.63, 0.69]) expect(await result("A", { keep })).toEqual({ result: "pass" });
   expect(await result("A", { keep: 0.5 })).toEqual({ result: "refuse" });
-  expect(await result("A", { keep: 0.63 })).toEqual({ result: "near", way: "more" });
-  expect(await result("A", { keep: 0.73 })).toEqual({ result: "near", way: "less" });
-  expect(await result("A", { keep: 0.68, raise: 30 })).toEqual({ result: "near", way: "other" });
+  expect(await result("A", { keep: 0.6 })).toEqual({ result: "near", way: "more" });
+  expect(await result("A", { keep: DEFAULT_OPTIONS.rho })).toEqual({ result: "near", way: "less" });
+  for (const patch of [{ raise: 30 }, { reach: 4 }, { style: "old" }, { motion: "neutral run" }] as const)
+    expect(await result("A", { keep: 0.66, ...patch })).toEqual({ result: "near", way: "other" });
   expect(await result("A", { keep: 1 })).toEqual({ result: "no" });
-  const said = saidIn("en", await measureBias(engine, stateOf("A", { keep: 0.5 })));
-  expect((await TEXTS.en.lessons.bias!()).exercises.A!.refuse(said)).toMatch(
+  const text = { en: await TEXTS.en.lessons.bias!(), de: await TEXTS.de.lessons.bias!() };
+  expect(text.en.exercises.A!.refuse(await said("en", "A", { keep: 0.5 }))).toMatch(
     /^ρ is a share .* 0\.50, 0\.\d\d survives\.$/,
   );
+  expect(text.de.exercises.A!.refuse(await said("de", "A", { keep: 0.5 }))).toMatch(/^ρ ist ein Anteil .* 0,\d\d\.$/);
 });
 
 test("B is passed where the band just reaches the input", async () => {
@@ -102,24 +121,44 @@ test("B is passed where the band just reaches the input", async () => {
   const tenth = Math.ceil(least * 10) / 10;
   expect(await result("B", { reach: tenth })).toEqual({ result: "pass" });
   expect(await result("B", { reach: tenth + 0.2 })).toEqual({ result: "pass" });
-  expect(await result("B", { reach: tenth + 0.5 })).toEqual({ result: "refuse" });
+  expect(await result("B", { reach: tenth + 0.4 })).toEqual({ result: "near", way: "less" });
+  expect(await result("B", { reach: tenth + 0.7 })).toEqual({ result: "refuse" });
   expect(await result("B", { reach: tenth - 0.2 })).toEqual({ result: "near", way: "more" });
   expect(await result("B", { reach: 1 })).toEqual({ result: "no" });
-  expect(await result("B", { reach: tenth, at: 200 })).toEqual({ result: "near", way: "other" });
+  for (const patch of [{ at: 200 }, { raise: 9 }, { style: "old" }, { motion: "neutral run" }] as const)
+    expect(await result("B", { reach: tenth, ...patch })).toEqual({ result: "near", way: "other" });
+  const text = { en: await TEXTS.en.lessons.bias!(), de: await TEXTS.de.lessons.bias!() };
+  expect(text.en.exercises.B!.refuse(await said("en", "B", { reach: 12 }))).toMatch(
+    /^Nothing sticks out, but κ 12\.0 is wider than it needs to be/,
+  );
+  expect(text.de.exercises.B!.refuse(await said("de", "B", { reach: 12 }))).toMatch(/^Nichts ragt heraus, aber κ 12,0/);
 });
 
 test("C wants what is outside the band, and refuses a share of all of x with its sentence", async () => {
   const { returned, keep, x, mean } = await measureBias(engine, stateOf("C", {}));
-  expect(await result("C", { guess: Number(Number(returned).toFixed(1)) })).toEqual({ result: "pass" });
+  const right = Number(Number(returned).toFixed(1));
+  expect(await result("C", { guess: right })).toEqual({ result: "pass" });
+  expect(await result("C", { guess: right + 0.8 })).toEqual({ result: "near", way: "less" });
+  expect(await result("C", { guess: right - 0.8 })).toEqual({ result: "near", way: "more" });
   expect(await result("C", {})).toEqual({ result: "near", way: "none" });
-  expect(await result("C", { guess: Number(keep) * (Number(x) - Number(mean)) })).toEqual({
-    result: "near",
-    way: "edge",
-  });
+  const fromMean = Number(keep) * (Number(x) - Number(mean));
+  expect(await result("C", { guess: fromMean })).toEqual({ result: "near", way: "edge" });
   const all = Number(keep) * Number(x);
   expect(Math.abs(all - Number(returned)), "the mistake gives another number").toBeGreaterThan(2);
   expect(await result("C", { guess: all })).toEqual({ result: "refuse" });
   expect(await result("C", { guess: 0 })).toEqual({ result: "no" });
-  const said = saidIn("en", await measureBias(engine, stateOf("C", { guess: all })));
-  expect((await TEXTS.en.lessons.bias!()).exercises.C!.refuse(said)).toMatch(/^You took all of x: −?\d+\.\d\d°\./);
+  // Other settings that would make it trivial: nothing sticks out, or nothing returns.
+  for (const patch of [{ reach: 16 }, { keep: 0 }, { raise: 0 }, { at: 200 }, { style: "old" }] as const)
+    expect(await result("C", { guess: 0, ...patch }), JSON.stringify(patch)).toEqual({ result: "near", way: "other" });
+  const text = { en: await TEXTS.en.lessons.bias!(), de: await TEXTS.de.lessons.bias!() };
+  expect(text.en.exercises.C!.refuse(await said("en", "C", { guess: all }))).toMatch(
+    /^You took all of x: −?\d+\.\d°\./,
+  );
+  expect(text.de.exercises.C!.refuse(await said("de", "C", { guess: all }))).toMatch(/^Du hast das ganze x genommen/);
+});
+
+test("floors of the deviation are the engine's", () => {
+  const source = readFileSync(join(import.meta.dirname, "../../rust/strut-core/src/transfer/bias.rs"), "utf8");
+  expect(source).toContain("const MIN_SHARE: f32 = 0.05;");
+  expect(source).toContain("const MIN_DEVIATION: f32 = 0.005;");
 });

@@ -1,6 +1,8 @@
 /** Lesson: trade content for style knowingly. */
+
 import { biasOf, leastReach, survives } from "../element/figure/bias/bias_measure";
 import { BIAS_FIELDS, BIAS_RANGES, type BiasState } from "../element/figure/bias/bias_state";
+import type { Measure } from "../element/figure/kind";
 import { initialOf } from "../link/hash";
 import equation from "./equations/bias.tex";
 import { type Lesson, lesson } from "./lesson";
@@ -11,10 +13,9 @@ const PRESET = initialOf(BIAS_FIELDS);
 const HALF = 0.5;
 const OFF = 0.03;
 const NAIVE = 0.5;
-/** Exercise B: a raise that sticks out a little, and how much wider than needed passes, or is close. */
+/** Exercise B: a raise that sticks out a little, and how much wider than needed passes; so much again is close. */
 const SLIGHT = 10;
 const WIDER = 0.3;
-const NARROWER_NEAR = 0.5;
 /** Exercise C: degrees from the answer that pass. */
 const DEGREES_OFF = 0.5;
 /** Less than this share is next to nothing, and more than that much. */
@@ -39,6 +40,7 @@ export const bias: Lesson = lesson<BiasState>({
     },
   ],
   equation,
+  decimals: { reach: 1, guess: 1, returned: 1, bias: 1 },
   symbols: ["x", "mu", "sigma", "kappa", "dx", "beta", "rho", "y"],
   bet: {
     options: ["little", "half", "all"],
@@ -82,10 +84,11 @@ export const bias: Lesson = lesson<BiasState>({
       },
       near: (measure) => {
         if (!isSlight(measure)) return "other";
-        const missing = Number(measure.leastReach) - Number(measure.reach);
-        return missing > 0 && missing <= NARROWER_NEAR ? "more" : undefined;
+        const spare = Number(measure.reach) - Number(measure.leastReach);
+        if (Math.abs(spare) > 2 * WIDER) return undefined;
+        return spare < 0 ? "more" : "less";
       },
-      refuse: (measure) => isSlight(measure) && measure.bias === 0,
+      refuse: (measure) => isSlight(measure) && Number(measure.reach) - Number(measure.leastReach) > 2 * WIDER,
       solve: async (engine) => {
         const { digits } = BIAS_RANGES.reach;
         const least = leastReach(await biasOf(engine, { ...PRESET, raise: SLIGHT }));
@@ -96,26 +99,36 @@ export const bias: Lesson = lesson<BiasState>({
       id: "C",
       figure: "band",
       start: { ...PRESET },
-      pass: ({ guess, returned }) => Math.abs(Number(guess) - Number(returned)) <= DEGREES_OFF,
-      near: ({ guess, keep, x, mean }) => {
-        if (Number.isNaN(guess)) return "none";
-        const fromMean = Number(keep) * (Number(x) - Number(mean));
-        return Math.abs(Number(guess) - fromMean) <= DEGREES_OFF ? "edge" : undefined;
+      pass: (measure) => isAsked(measure) && isTyped(measure, Number(measure.returned)),
+      near: (measure) => {
+        if (!isAsked(measure)) return "other";
+        if (Number.isNaN(measure.guess)) return "none";
+        const off = Number(measure.guess) - Number(measure.returned);
+        if (Math.abs(off) <= 2 * DEGREES_OFF) return off < 0 ? "more" : "less";
+        return isTyped(measure, PRESET.keep * (Number(measure.x) - Number(measure.mean))) ? "edge" : undefined;
       },
-      refuse: ({ guess, keep, x }) => Math.abs(Number(guess) - Number(keep) * Number(x)) <= DEGREES_OFF,
+      refuse: (measure) => isAsked(measure) && isTyped(measure, PRESET.keep * Number(measure.x)),
       solve: async (engine) => ({ guess: (await biasOf(engine, PRESET)).returned }),
     },
   ],
 });
 
-type Shown = Readonly<Record<string, number | string>>;
-
 /** Whether only ρ differs from what exercise A begins with. */
-function isPreset({ motion, style, raise, reach }: Shown): boolean {
+function isPreset({ motion, style, raise, reach }: Measure): boolean {
   return motion === PRESET.motion && style === PRESET.style && raise === PRESET.raise && reach === PRESET.reach;
 }
 
 /** Whether only κ and ρ differ from what exercise B begins with. */
-function isSlight({ motion, style, raise, at }: Shown): boolean {
+function isSlight({ motion, style, raise, at }: Measure): boolean {
   return motion === PRESET.motion && style === PRESET.style && raise === SLIGHT && at === PRESET.at;
+}
+
+/** Whether all is as exercise C begins. */
+function isAsked(measure: Measure): boolean {
+  return isPreset(measure) && measure.at === PRESET.at && measure.keep === PRESET.keep;
+}
+
+/** Whether somebody typed so many degrees. */
+function isTyped({ guess }: Measure, degrees: number): boolean {
+  return Math.abs(Number(guess) - degrees) <= DEGREES_OFF;
 }

@@ -1,5 +1,6 @@
 /** Lesson: say what K, λ and β do to one prediction. */
 import type { LearnEngine } from "../client/learn/protocol";
+import type { Measure } from "../element/figure/kind";
 import { aboveMean, fitOf, LAMBDAS, leastLambda, sweepOf } from "../element/figure/line/line_measure";
 import { INSTANTS, LINE_FIELDS, LINE_RANGES, type LineState } from "../element/figure/line/line_state";
 import { initialOf } from "../link/hash";
@@ -23,10 +24,16 @@ const FAR_NEAR = 1;
 /** The solution of C looks at every so many frames. */
 const STRIDE = 4;
 
-const isNoisy = ({ k, noise, taper }: Readonly<Record<string, number | string>>) =>
-  k === NOISY.k && noise === NOISY.noise && taper === 0;
-const isDefault = ({ k, noise, at }: Readonly<Record<string, number | string>>) =>
-  k === PRESET.k && noise === 0 && at === PRESET.at;
+/** Whether a measure is of the line that all exercises are about. */
+const isOfTheKnee = ({ motion, style, joint, axis }: Measure) =>
+  motion === PRESET.motion && style === PRESET.style && joint === PRESET.joint && axis === PRESET.axis;
+/** The error is that of the whole walk: at whichever instant. */
+const isNoisy = (measure: Measure) =>
+  isOfTheKnee(measure) && measure.k === NOISY.k && measure.noise === NOISY.noise && measure.taper === 0;
+const isTapered = (measure: Measure) => isOfTheKnee(measure) && measure.noise === 0 && measure.taper === 1;
+const isDefault = (measure: Measure) => isTapered(measure) && measure.k === PRESET.k && measure.at === PRESET.at;
+/** λ leaves nothing of the line, or there is a single dot: about the mean. */
+const isFlat = ({ lambda, k }: Measure) => Number(lambda) >= 1 || Number(k) <= 2;
 
 async function solveFar(engine: LearnEngine): Promise<Partial<LineState>> {
   const state = { ...PRESET, k: LINE_RANGES.k.max, lambda: LINE_RANGES.lambda.min };
@@ -45,10 +52,13 @@ export const line: Lesson = lesson<LineState>({
       beats: ["idea", "bet", "look", "why", "exercises", "sources"],
       explained: ["look", "why", "exercises", "sources"],
     },
-    { name: "sweep", kind: "sweep", beats: ["sources"], explained: ["sources"] },
+    { name: "terms", kind: "terms", beats: ["look", "why"], explained: ["look", "why"] },
+    // It shows the answer to exercise A.
+    { name: "sweep", kind: "sweep", beats: ["exercises", "sources"], explained: ["exercises", "sources"], after: "A" },
   ],
   equation,
   symbols: ["y", "x", "a", "b", "c", "d", "K", "v", "lambda"],
+  decimals: { k: 0, lambda: 4, leastLambda: 4, bestLambda: 4, noise: 1, at: 0 },
   bet: {
     options: ["zero", "one", "any"],
     reveal: async (engine) => {
@@ -68,7 +78,10 @@ export const line: Lesson = lesson<LineState>({
         if (Number(measure.error) > CLOSE * Number(measure.leastError)) return undefined;
         return Number(measure.lambda) < Number(measure.bestLambda) ? "more" : "less";
       },
-      refuse: (measure) => isNoisy(measure) && Number(measure.lambda) < Number(measure.bestLambda),
+      refuse: (measure) =>
+        isNoisy(measure) &&
+        Number(measure.lambda) < Number(measure.bestLambda) &&
+        Number(measure.error) > CLOSE * Number(measure.leastError),
       solve: async (engine) => {
         const errors = await sweepOf(engine, { ...PRESET, ...NOISY });
         return { lambda: LAMBDAS[errors.indexOf(Math.min(...errors))]! };
@@ -89,19 +102,22 @@ export const line: Lesson = lesson<LineState>({
         }
         return Number(measure.lambda) <= TIMES_NEAR * Number(measure.leastLambda) ? "less" : undefined;
       },
-      refuse: (measure) => isDefault(measure) && Math.abs(Number(measure.above)) <= ABOUT,
+      refuse: (measure) =>
+        isDefault(measure) &&
+        Math.abs(Number(measure.above)) <= ABOUT &&
+        Number(measure.lambda) > TIMES_NEAR * Number(measure.leastLambda),
       solve: async (engine) => ({ lambda: (await leastLambda(engine, PRESET))! * 1.1 }),
     },
     {
       id: "C",
       figure: "scatter",
       start: { ...PRESET },
-      pass: (measure) => Math.abs(Number(measure.above)) >= FAR && measure.noise === 0,
+      pass: (measure) => isTapered(measure) && Math.abs(Number(measure.above)) >= FAR,
       near: (measure) => {
-        if (measure.noise !== 0) return "other";
+        if (!isTapered(measure)) return "other";
         return Math.abs(Number(measure.above)) >= FAR_NEAR ? "close" : undefined;
       },
-      refuse: (measure) => Number(measure.lambda) >= 1 || Number(measure.k) <= 2,
+      refuse: (measure) => isTapered(measure) && isFlat(measure),
       solve: solveFar,
     },
   ],

@@ -1,6 +1,7 @@
 /** Lesson: get weights from distances. */
 
 import type { LearnEngine } from "../client/learn/protocol";
+import type { Measure } from "../element/figure/kind";
 import { firstFrame, measureMix, readingOf, sharesOf, weightAlone } from "../element/figure/mix/mix_measure";
 import { DELTA, MIX_FIELDS, type MixState } from "../element/figure/mix/mix_state";
 import { initialOf } from "../link/hash";
@@ -34,8 +35,20 @@ async function solveHalf(engine: LearnEngine): Promise<Partial<MixState>> {
   return { delta: Math.sqrt(low * high) };
 }
 
-/** Frame and width of exercise C: what is asked differs from what a mistake gives, and the input is known. */
-const ASKED = { at: 160, delta: 2 };
+/** Frame and width of exercise C: what is asked differs from what mistakes give, and the input is known. */
+const ASKED = { at: 460, delta: 2 };
+
+/** Whether a measure is of the input that all exercises are about. */
+const isInput = ({ motion }: Measure) => motion === PRESET.motion;
+/** Whether only the instant differs from what exercise A begins with, only δ from B, and only the guess from C. */
+const isRead = (measure: Measure) => isInput(measure) && measure.delta === PRESET.delta;
+const isFrame = (measure: Measure) => isInput(measure) && measure.at === PRESET.at;
+const isAsked = (measure: Measure) => isInput(measure) && measure.at === ASKED.at && measure.delta === ASKED.delta;
+
+const isTyped = ({ guess }: Measure) => Number(guess) >= 0;
+/** Whether the guess of exercise C is a weight, or what a mistake makes of it. */
+const isAt = (measure: Measure, what: "alone" | "plain") =>
+  Math.abs(Number(measure.guess) - Number(measure[what])) <= OFF_ALONE;
 
 export const mix: Lesson = lesson<MixState>({
   id: "mix",
@@ -56,6 +69,7 @@ export const mix: Lesson = lesson<MixState>({
   ],
   equation,
   symbols: ["lambda", "D", "delta", "min", "t"],
+  decimals: { guess: 3, alone: 3 },
   bet: {
     options: ["gains", "loses", "same"],
     reveal: async (engine) => {
@@ -72,14 +86,15 @@ export const mix: Lesson = lesson<MixState>({
       id: "A",
       figure: "reading",
       start: { ...PRESET },
-      pass: ({ motion, at, change }) => motion === PRESET.motion && Math.abs(Number(at) - Number(change)) <= BESIDE,
-      near: ({ motion, at, change }) => {
-        if (motion !== PRESET.motion) return "other";
+      pass: (measure) => isRead(measure) && Math.abs(Number(measure.at) - Number(measure.change)) <= BESIDE,
+      near: (measure) => {
+        if (!isRead(measure)) return "other";
+        const { at, change } = measure;
         const off = Number(at) - Number(change);
         if (Math.abs(off) > BESIDE_NEAR) return undefined;
         return off < 0 ? "later" : "earlier";
       },
-      refuse: ({ motion, walk }) => motion === PRESET.motion && Number(walk) >= CERTAIN,
+      refuse: (measure) => isRead(measure) && Number(measure.walk) >= CERTAIN,
       solve: async (engine) => ({
         at: firstFrame(await readingOf(engine, PRESET.motion, PRESET.delta), "walk", "run"),
       }),
@@ -88,28 +103,29 @@ export const mix: Lesson = lesson<MixState>({
       id: "B",
       figure: "reading",
       start: { ...PRESET },
-      pass: ({ at, running }) => at === PRESET.at && Math.abs(Number(running) - HALF) <= OFF,
-      near: ({ at, motion, running }) => {
-        if (at !== PRESET.at || motion !== PRESET.motion) return "other";
-        const off = Number(running) - HALF;
+      pass: (measure) => isFrame(measure) && Math.abs(Number(measure.running) - HALF) <= OFF,
+      near: (measure) => {
+        if (!isFrame(measure)) return "other";
+        const off = Number(measure.running) - HALF;
         if (Math.abs(off) > 2 * OFF) return undefined;
         return off > 0 ? "more" : "less";
       },
-      refuse: ({ at, delta }) => at === PRESET.at && Math.abs(Number(delta) - HALF) <= OFF,
+      refuse: (measure) => isFrame(measure) && Math.abs(Number(measure.delta) - HALF) <= OFF,
       solve: solveHalf,
     },
     {
       id: "C",
       figure: "bars",
       start: { ...PRESET, ...ASKED },
-      pass: ({ guess, alone }) => Number(guess) >= 0 && Math.abs(Number(guess) - Number(alone)) <= OFF_ALONE,
-      near: ({ guess, alone }) => {
-        if (Number(guess) < 0) return "none";
-        const off = Number(guess) - Number(alone);
+      pass: (measure) => isAsked(measure) && isTyped(measure) && isAt(measure, "alone"),
+      near: (measure) => {
+        if (!isAsked(measure)) return "other";
+        if (!isTyped(measure)) return "none";
+        const off = Number(measure.guess) - Number(measure.alone);
         if (Math.abs(off) > 2 * OFF_ALONE) return undefined;
         return off < 0 ? "more" : "less";
       },
-      refuse: ({ guess, plain }) => Number(guess) >= 0 && Math.abs(Number(guess) - Number(plain)) <= OFF_ALONE,
+      refuse: (measure) => isAsked(measure) && isTyped(measure) && isAt(measure, "plain"),
       solve: async (engine) => {
         const [first, second] = await sharesOf(engine, { ...PRESET, ...ASKED });
         return { guess: weightAlone([first!.square, second!.square], ASKED.delta) };

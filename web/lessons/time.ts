@@ -38,7 +38,7 @@ export const time: Lesson = lesson<PaceState>({
     },
     { name: "polygon", kind: "polygon", beats: ["look", "exercises"], explained: ["look", "exercises"] },
     { name: "clock", kind: "clock", beats: ["look", "exercises"], explained: ["look", "exercises"] },
-    { name: "votes", kind: "votes", beats: ["why", "sources"], explained: ["why", "sources"] },
+    { name: "votes", kind: "votes", beats: ["look", "why", "sources"], explained: ["look", "why", "sources"] },
   ],
   equation,
   symbols: ["w", "g", "h", "s"],

@@ -7,6 +7,7 @@ const KINDS = {
   scatter: async () => textKind((await import("./line/scatter_figure")).SCATTER),
   reading: async () => textKind((await import("./mix/reading_figure")).READING),
   bars: async () => textKind((await import("./mix/bars_figure")).BARS),
+  terms: async () => textKind((await import("./line/terms_figure")).TERMS),
   sweep: async () => textKind((await import("./line/sweep_figure")).SWEEP),
   joint: async () => textKind((await import("./pose/joint_figure")).JOINT_KIND),
   numbers: async () => textKind((await import("./pose/numbers_figure")).NUMBERS),

@@ -84,6 +84,8 @@ class BandFigure implements FigureInstance<BiasState> {
     );
     picture.append(this.#band, this.#mean, this.#dots, this.#bias, this.#returned, this.#line, this.#output);
     picture.append(...Object.values(this.#rows), ...Object.values(this.#labels), this.#handle.element);
+    // Until it has a place.
+    setAttributes(this.#handle.element, { visibility: "hidden" });
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.bias.title)),
@@ -97,6 +99,7 @@ class BandFigure implements FigureInstance<BiasState> {
     this.#state = state;
     for (const name of KNOBS) this.#knobs[name].value = state[name];
     this.#guess.text = state.guess === NO_GUESS ? "" : figure(state.guess, 1, this.#parts.words);
+    this.#frame.request();
     return this.#fitting.take(state);
   }
 
@@ -201,7 +204,10 @@ class BandFigure implements FigureInstance<BiasState> {
     setText(this.#labels.x, `x ${degrees(x)}`);
     setAttributes(this.#labels.y, { x: at(y) + 8, y: below - HALF.tick });
     setText(this.#labels.y, `y ${degrees(y)}`);
-    this.#handle.place({ x: at(x), bottom: above + HALF.band, value: state.raise, text: `${state.raise}°` });
+    setAttributes(this.#handle.element, { visibility: "visible" });
+    // The handle goes with the hand; all else waits for the engine.
+    const ahead = (this.#state?.raise ?? state.raise) - state.raise;
+    this.#handle.place({ x: at(x + ahead), bottom: above + HALF.band, value: state.raise, text: `${state.raise}°` });
     setText(this.#readout, words.bias.read(figure(mean - reach, 1, words), figure(mean + reach, 1, words)));
   }
 

@@ -29,6 +29,8 @@ class RaisedFigure implements FigureInstance<BiasState> {
   readonly #posing = new Latest<BiasState>((state) => this.#pose(state));
   #state: BiasState | undefined;
   #shown: BiasState | undefined;
+  /** The frame that is shown: an input may be shorter than a link says. */
+  #at = 0;
   /** Of the arms of the input and of what is made of it, degrees. */
   #elevations: readonly number[] = [];
 
@@ -58,7 +60,7 @@ class RaisedFigure implements FigureInstance<BiasState> {
     const state = this.#shown;
     if (!state) return "";
     const { words } = this.#parts;
-    return words.bias.posed(words.styles[state.style], figure(state.at / RATE_HZ, 2, words), String(state.raise));
+    return words.bias.posed(words.styles[state.style], figure(this.#at / RATE_HZ, 2, words), String(state.raise));
   }
 
   table(): Table {
@@ -95,6 +97,7 @@ class RaisedFigure implements FigureInstance<BiasState> {
     const isFirst = !this.#shown;
     this.#shown = state;
     const at = Math.min(state.at, poses.length / POSE_FLOATS - 1);
+    this.#at = at;
     const given = poses.subarray(at * POSE_FLOATS, (at + 1) * POSE_FLOATS);
     this.#elevations = [given, pose].map((one) => elevation(one, proportions));
     const { viewer } = this.stage;

@@ -1,6 +1,7 @@
 /** What exercises about the line of one degree of freedom are judged by; angles in degrees. */
 
 import type { Fit, LearnEngine } from "../../../client/learn/protocol";
+import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import { DEGREES } from "../../../humanoid";
 import type { Measure } from "../kind";
 import { type LineState, lookOf, settingsOf } from "./line_state";
@@ -12,6 +13,36 @@ export const LAMBDAS: readonly number[] = Array.from({ length: 25 }, (_, i) => 1
 export const ABOUT_MEAN = 0.1;
 /** The least λ is found to this factor. */
 const LEAST_STEP = 1.02;
+
+/** Coefficients of all three terms below this leave nothing but the mean. */
+const NO_SLOPE = 0.05;
+
+/** The terms of Eq. 2 that make up a prediction, degrees. */
+export interface Terms {
+  /** a xₜ₋₁, b yₜ₋₁, c xₜ and d: they sum to the prediction, but for what is returned. */
+  a: number;
+  b: number;
+  c: number;
+  d: number;
+  /** ρΔx of Eq. 7: 0 within the neighbours' band. */
+  returned: number;
+}
+
+/** What each term of the line adds to its prediction; Δx is taken off before (Eq. 7). */
+export function termsOf({ beta, query, means, bias }: Fit): Terms {
+  const [a, b, c] = beta;
+  const [xPrevious, yPrevious, x] = query;
+  const returned = DEFAULT_OPTIONS.rho * bias;
+  const terms = [a * (xPrevious - bias), b * (yPrevious - returned), c * (x - bias)] as const;
+  const d = means.y - a * means.xPrevious - b * means.yPrevious - c * means.x;
+  return {
+    a: terms[0] * DEGREES,
+    b: terms[1] * DEGREES,
+    c: terms[2] * DEGREES,
+    d: d * DEGREES,
+    returned: returned * DEGREES,
+  };
+}
 
 /** The fit of a state. */
 export function fitOf(engine: LearnEngine, state: LineState): Promise<Fit> {
@@ -75,6 +106,8 @@ export async function measureLine(engine: LearnEngine, state: LineState): Promis
     motion: state.motion,
     style: state.style,
     at: state.at,
+    joint: state.joint,
+    axis: state.axis,
     k: state.k,
     lambda: state.lambda,
     noise: state.noise,
@@ -84,6 +117,8 @@ export async function measureLine(engine: LearnEngine, state: LineState): Promis
     mean: fit.means.y * DEGREES,
     above: aboveMean(fit),
     slope: fit.beta[2],
+    // What the prediction leans on.
+    left: fit.beta.every((one) => Math.abs(one) < NO_SLOPE) ? "mean" : "line",
     error: own[0]!,
     leastError,
     bestLambda: LAMBDAS[errors.indexOf(leastError)]!,

@@ -1,5 +1,6 @@
 /** The state of figures about the line of one degree of freedom. */
 import type { FitSettings, Look } from "../../../client/learn/protocol";
+import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import { DEGREES, JOINT, ROLES, type Role } from "../../../humanoid";
 import { choice, type Fields, flag, number } from "../../../link/fields";
 import type { DialRange } from "../../../ui/controls/dial";
@@ -38,15 +39,15 @@ export const LINE_RANGES = {
 /** Instants of the default input that can be looked at; of a longer one a link may say later ones. */
 export const INSTANTS: Range = { min: 2, max: FRAMES - 1, digits: 0 };
 
-/** How the state is written into a link. Defaults are the engine's. */
+/** How the state is written into a link. K and λ are the engine's. */
 export const LINE_FIELDS: Fields<LineState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
   style: choice("style", "old", STYLES, true),
   at: number("i", 160, { min: 2, max: 5000, digits: 0 }, true),
   joint: choice("joint", "left_lower_leg", ROLES, true),
   axis: choice("axis", "x", AXES, true),
-  k: number("K", 40, LINE_RANGES.k, true),
-  lambda: number("ridge", 0.1, LINE_RANGES.lambda, true),
+  k: number("K", DEFAULT_OPTIONS.k, LINE_RANGES.k, true),
+  lambda: number("ridge", DEFAULT_OPTIONS.lambda, LINE_RANGES.lambda, true),
   noise: number("nu", 0, LINE_RANGES.noise, true),
   taper: flag("taper", true, true),
 };

@@ -11,6 +11,7 @@ import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "..
 import { Latest } from "../latest";
 import { PlotFrame } from "../plot_frame";
 import { figure } from "../words/words";
+import sheet from "./line.css?inline";
 import { aboveMean, fitOf, measureLine, residual } from "./line_measure";
 import { LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
 
@@ -20,6 +21,8 @@ const LEAST_EXTENT = 2;
 const RADIUS = { least: 2, most: 6 };
 /** Rows of the table. */
 const TABLE_ROWS = 12;
+/** Terms that light the dots. */
+const ON_DOTS: readonly string[] = ["x", "y", "v", "K"];
 
 /** Knobs of the figure. */
 const KNOBS = ["k", "lambda", "noise"] as const;
@@ -27,6 +30,7 @@ type KnobName = (typeof KNOBS)[number];
 
 export const SCATTER: FigureKind<LineState> = {
   fields: LINE_FIELDS,
+  sheet,
   create: (parts) => new ScatterFigure(parts),
 };
 
@@ -38,13 +42,16 @@ class ScatterFigure implements FigureInstance<LineState> {
   readonly #taper: Toggle;
   readonly #instant: Slider;
   readonly #readout = html("p", { class: "readout" });
-  readonly #band = svg("path", { class: "band", "data-term": "residual" });
-  readonly #mean = svg("path", { class: "mean", "data-term": "d" });
-  readonly #dots = svg("g", { class: "dots", "data-term": "xy" });
+  readonly #band = svg("path", { class: "band" });
+  readonly #mean = svg("path", { class: "mean" });
+  readonly #dots = svg("g", { class: "dots", "data-term": "v" });
   readonly #line = svg("path", { class: "fit", "data-term": "c" });
-  readonly #guide = svg("path", { class: "guide" });
+  readonly #guide = svg("path", { class: "guide", "data-term": "x" });
   readonly #point = svg("circle", { class: "query", r: 5, "data-term": "y" });
-  readonly #labels = { x: svg("text", { class: "label x" }), y: svg("text", { class: "label y" }) };
+  readonly #labels = {
+    x: svg("text", { class: "label x", "data-term": "x" }),
+    y: svg("text", { class: "label y", "data-term": "y" }),
+  };
   readonly #fitting = new Latest<LineState>((state) => this.#fit(state));
   #state: LineState | undefined;
   #fitted: { state: LineState; fit: Fit } | undefined;
@@ -134,7 +141,7 @@ class ScatterFigure implements FigureInstance<LineState> {
       d: degrees(d),
       K: String(fit.rows.length),
       lambda: figure(state.lambda, state.lambda < 0.01 ? 4 : 2, words),
-      v: `${figure(
+      v: `V ${figure(
         fit.weights.reduce((sum, weight) => sum + weight, 0),
         1,
         words,
@@ -144,6 +151,8 @@ class ScatterFigure implements FigureInstance<LineState> {
 
   light(term: string | undefined): void {
     this.#frame.light(term);
+    // The dots are pairs of x and y, and K of them.
+    this.#dots.classList.toggle("lit", term !== undefined && ON_DOTS.includes(term));
     const knobs: Readonly<Record<string, KnobName>> = { K: "k", lambda: "lambda" };
     for (const [of, name] of Object.entries(knobs)) this.#knobs[name].element.classList.toggle("lit", of === term);
   }
@@ -194,7 +203,9 @@ class ScatterFigure implements FigureInstance<LineState> {
     setAttributes(this.#point, { cx: px, cy: py });
     setAttributes(this.#guide, { d: `M${px} ${yOf(axes, axes.y[0])}V${py}H${xOf(axes, axes.x[0])}` });
     setAttributes(this.#labels.x, { x: px + 6, y: yOf(axes, axes.y[0]) - 6 });
-    setAttributes(this.#labels.y, { x: xOf(axes, axes.x[0]) + 6, y: py - 6 });
+    // Below its guide where the line comes in above it.
+    const isBelow = fit.beta[2] < 0;
+    setAttributes(this.#labels.y, { x: xOf(axes, axes.x[0]) + 6, y: py + (isBelow ? 16 : -6) });
     setText(this.#labels.x, `${figure(x, 1, words)}°`);
     setText(this.#labels.y, `${figure(y, 1, words)}°`);
     const above = aboveMean(fit);

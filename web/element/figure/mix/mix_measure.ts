@@ -25,7 +25,10 @@ export interface Reading {
 }
 
 /** The floor of the least distance, (1 mm)² in cm². */
-const FLOOR = 0.01;
+export const FLOOR = 0.01;
+/** The least distance at which input is known by half, cm², and how many times as wide δ is where it is unknown. */
+export const HALF_KNOWN = 25;
+export const WIDEST = 3;
 
 /** All classes at a state's frame, the nearest first. */
 export async function sharesOf(engine: LearnEngine, state: MixState): Promise<ClassShare[]> {
@@ -39,7 +42,13 @@ export async function sharesOf(engine: LearnEngine, state: MixState): Promise<Cl
   return shares.sort((a, b) => a.square - b.square);
 }
 
-/** λ of the first of distances if they were alone (Eq. 4). */
+/** δ as the engine widens it for input whose nearest class is at a distance, cm². */
+export function widthAt(least: number, delta: number): number {
+  const known = 1 / (1 + (least / HALF_KNOWN) ** 4);
+  return delta * (WIDEST - (WIDEST - 1) * known);
+}
+
+/** λ of the first of distances if they were alone, with a δ that nothing widens (Eq. 4). */
 export function weightAlone(squares: readonly number[], delta: number): number {
   const least = Math.max(FLOOR, Math.min(...squares));
   const raw = squares.map((square) => Math.exp(-(square - squares[0]!) / (delta * least)));
@@ -82,7 +91,7 @@ export async function measureMix(engine: LearnEngine, state: MixState): Promise<
   return {
     motion: state.motion,
     at: state.at,
-    secs: state.at / reading.rateHz,
+    secs: Math.min(state.at, reading.frames - 1) / reading.rateHz,
     delta: state.delta,
     guess: state.guess,
     walk: of("walk"),

@@ -33,6 +33,7 @@ class ReadingFigure implements FigureInstance<MixState> {
   readonly #handle: Handle;
   readonly #knob: Knob;
   readonly #readout = html("p", { class: "readout" });
+  readonly #key = html("p", { class: "key" });
   readonly #reading = new Latest<MixState>((state) => this.#read(state));
   #state: MixState | undefined;
   #shown: { delta: number; motion: string; reading: Reading } | undefined;
@@ -62,9 +63,11 @@ class ReadingFigure implements FigureInstance<MixState> {
     const texts = { delta: words.mix.delta };
     this.#knob = createKnobs(["delta"], words, texts, { delta: DELTA }, MIX_FIELDS, change).delta;
     picture.append(this.#areas, this.#names, this.#handle.element);
+    // Until it has a place.
+    setAttributes(this.#handle.element, { visibility: "hidden" });
     this.#frame.listenToMarks(parts.point);
     container.append(
-      html("header", { class: "head" }, html("h3", {}, words.mix.reading)),
+      html("header", { class: "head" }, html("h3", {}, words.mix.reading), this.#key),
       this.#frame.element,
       html("footer", { class: "foot" }, this.#readout),
       html("div", { class: "knobs" }, this.#knob.element),
@@ -131,6 +134,12 @@ class ReadingFigure implements FigureInstance<MixState> {
     const reading = await readingOf(this.#parts.engine, motion, delta);
     if (this.#parts.signal.aborted) return;
     this.#shown = { motion, delta, reading };
+    const { actions } = this.#parts.words.mix;
+    this.#key.replaceChildren(
+      ...reading.actions.map((action) =>
+        html("span", {}, html("i", { "data-action": action }), actions[action] ?? action),
+      ),
+    );
     this.#draw();
   }
 
@@ -157,6 +166,7 @@ class ReadingFigure implements FigureInstance<MixState> {
     }
     const at = this.#at();
     const place = { x: xOf(axes, at / reading.rateHz), bottom: yOf(axes, 0), value: at, text: this.sentence() };
+    setAttributes(this.#handle.element, { visibility: "visible" });
     this.#handle.place(place);
     setText(this.#readout, this.sentence());
   }

@@ -57,6 +57,8 @@ class ClockFigure implements FigureInstance<PaceState> {
       signal,
     );
     picture.append(this.#even, this.#curve, this.#guide, this.#handle.element, this.#point);
+    // Until it has a place.
+    setAttributes(this.#handle.element, { visibility: "hidden" });
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.pace.clock)),
@@ -150,6 +152,7 @@ class ClockFigure implements FigureInstance<PaceState> {
     const [x, y] = [xOf(axes, at / input.rateHz), yOf(axes, styled.timeOut[at]!)];
     setAttributes(this.#point, { cx: x, cy: y });
     setAttributes(this.#guide, { d: `M${x} ${y}H${xOf(axes, 0)}` });
+    setAttributes(this.#handle.element, { visibility: "visible" });
     this.#handle.place({ x, bottom: yOf(axes, 0), value: at, text: `${figure(at / input.rateHz, 2, words)} s` });
     const two = (value: number) => figure(value, 2, words);
     setText(this.#readout, words.pace.read(two(lengthOf(paced)), two(secs), figure(ratioOf(paced), 3, words)));

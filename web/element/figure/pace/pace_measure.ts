@@ -32,6 +32,11 @@ export function pacedOf(engine: LearnEngine, { motion, old, childlike }: PaceSta
   return pacedBy(engine, motion, old, childlike);
 }
 
+/** g of a neighbour at a distance. */
+export function kernelAt(distance: number, bandwidth: number): number {
+  return Math.exp(-(distance ** 2) / (2 * bandwidth ** 2));
+}
+
 /** Length of the output, seconds. */
 export function lengthOf({ styled: { timeOut } }: Paced): number {
   return timeOut.at(-1)! - timeOut[0]!;

@@ -8,7 +8,7 @@ import { Latest } from "../latest";
 import { PlotFrame } from "../plot_frame";
 import { figure } from "../words/words";
 import sheet from "./pace.css?inline";
-import { measurePace } from "./pace_measure";
+import { kernelAt, measurePace } from "./pace_measure";
 import { BLENDED, type Blended, lookOf, PACE_FIELDS, type PaceState } from "./pace_state";
 
 /** Radius of a neighbour of g 0 and of g 1, pixels. */
@@ -29,7 +29,12 @@ class VotesFigure implements FigureInstance<PaceState> {
   readonly #parts: FigureParts<PaceState>;
   readonly #frame: PlotFrame;
   readonly #style: Choice<Blended>;
-  readonly #kernel = svg("path", { class: "kernel", "data-term": "h" });
+  readonly #kernel = svg("path", { class: "kernel", "data-term": "g" });
+  readonly #width = svg("path", { class: "guide", "data-term": "h" });
+  readonly #labels = {
+    h: svg("text", { class: "label votes", "data-term": "h" }, "h"),
+    g: svg("text", { class: "label votes", "data-term": "g" }, "g"),
+  };
   readonly #dots = svg("g", { class: "dots", "data-term": "g" });
   readonly #mean = svg("path", { class: "fit", "data-term": "w" });
   readonly #readout = html("p", { class: "readout" });
@@ -52,7 +57,8 @@ class VotesFigure implements FigureInstance<PaceState> {
       },
     );
     this.#style.value = this.#chosen;
-    this.#frame.picture.append(this.#kernel, this.#dots, this.#mean);
+    const { h, g } = this.#labels;
+    this.#frame.picture.append(this.#kernel, this.#width, this.#dots, this.#mean, h, g);
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.pace.votes), this.#style.element),
@@ -84,23 +90,17 @@ class VotesFigure implements FigureInstance<PaceState> {
     const rows = Array.from({ length: Math.min(TABLE_ROWS, timing?.durations.length ?? 0) }, (_, i) => [
       figure(timing!.distances[i]!, 2, words),
       figure(MS * timing!.durations[i]!, 1, words),
-      figure(timing!.kernel[i]!, 2, words),
+      figure(kernelAt(timing!.distances[i]!, timing!.bandwidth), 2, words),
     ]);
     return { head: words.pace.voices, rows };
   }
 
   values(): Readonly<Record<string, string>> {
     if (!this.#timed) return {};
-    const { kernel, bandwidth } = this.#timed.timing;
+    const { distances, bandwidth } = this.#timed.timing;
     const { words } = this.#parts;
-    return {
-      g: figure(
-        kernel.reduce((sum, g) => sum + g, 0),
-        1,
-        words,
-      ),
-      h: figure(bandwidth, 2, words),
-    };
+    const sum = distances.reduce((total, d) => total + kernelAt(d, bandwidth), 0);
+    return { g: `Σ ${figure(sum, 1, words)}`, h: `${figure(bandwidth, 1, words)} σ` };
   }
 
   light(term: string | undefined): void {
@@ -145,7 +145,7 @@ class VotesFigure implements FigureInstance<PaceState> {
       setAttributes(this.#dots.children[i]!, {
         cx: xOf(axes, timing.distances[i]!).toFixed(1),
         cy: yOf(axes, ms).toFixed(1),
-        r: (RADIUS.least + (RADIUS.most - RADIUS.least) * timing.kernel[i]!).toFixed(1),
+        r: (RADIUS.least + (RADIUS.most - RADIUS.least) * kernelAt(timing.distances[i]!, timing.bandwidth)).toFixed(1),
       });
     });
     this.#drawKernel(axes, timing);
@@ -159,9 +159,14 @@ class VotesFigure implements FigureInstance<PaceState> {
     const [bottom, top] = axes.y;
     const points = Array.from({ length: PIECES + 1 }, (_, i) => {
       const d = (axes.x[1] * i) / PIECES;
-      const g = Math.exp(-(d * d) / (2 * bandwidth * bandwidth));
-      return `${xOf(axes, d).toFixed(1)} ${yOf(axes, bottom + g * (top - bottom)).toFixed(1)}`;
+      return `${xOf(axes, d).toFixed(1)} ${yOf(axes, bottom + kernelAt(d, bandwidth) * (top - bottom)).toFixed(1)}`;
     });
     setAttributes(this.#kernel, { d: `M${points.join("L")}` });
+    const [x, foot] = [xOf(axes, bandwidth), yOf(axes, bottom)];
+    setAttributes(this.#width, { d: `M${x} ${foot}V${yOf(axes, top)}` });
+    setAttributes(this.#labels.h, { x: x + 5, y: foot - 6 });
+    const near = axes.x[1] / PIECES;
+    const below = yOf(axes, bottom + kernelAt(near, bandwidth) * (top - bottom)) + 16;
+    setAttributes(this.#labels.g, { x: xOf(axes, near), y: below });
   }
 }

@@ -11,6 +11,12 @@ export interface LineWords {
   /** Heads of the table: row of the database, input, target, weight. */
   columns: readonly [string, string, string, string];
   read: (mean: string, above: string) => string;
+  /** Title of the terms, their names, heads of their table, and their axis. */
+  terms: string;
+  termNames: Readonly<Record<"a" | "b" | "c" | "d" | "returned" | "y", string>>;
+  termColumns: readonly [string, string, string];
+  adds: string;
+  summed: (terms: string, y: string) => string;
   said: (joint: string, k: string, x: string, y: string, slope: string, above: string) => string;
 }
 

@@ -10,6 +10,12 @@ export interface MixWords {
   guess: string;
   /** Heads of the table: class, D, λ. */
   columns: readonly [string, string, string];
+  /** Title of the curve, what its width is called, and the least distance. */
+  decay: string;
+  distance: string;
+  span: string;
+  least: string;
+  here: (delta: string, here: string) => string;
   class: (name: string, square: string, weight: string) => string;
   nearest: (classes: string) => string;
   readAs: (time: string, actions: string) => string;

@@ -2,7 +2,7 @@ import type { LessonText } from "../text";
 
 export const bias: LessonText = {
   idea: [
-    "Die Eingabe geht mit gehobenen Armen. Das hat in der Datenbank niemand getan, also haben die nächsten Beispiele die Arme an der Seite.",
+    "Die Eingabe geht mit gehobenen Armen. So geht in der Datenbank niemand, also haben die nächsten Beispiele die Arme an der Seite.",
     "Eine Gerade, die an solche Beispiele angepasst ist, weiß nichts von gehobenen Armen. Weit außerhalb ihrer Punkte wäre ihre Antwort Unsinn.",
     "Darum nimmt die Engine weg, was aus den Beispielen herausragt, stilisiert den Rest und gibt einen Anteil davon zurück. Wie groß soll er sein?",
   ],
@@ -10,18 +10,19 @@ export const bias: LessonText = {
     question: "Setze den Anteil auf 0: Nichts wird zurückgegeben. Wie viel vom Heben bleibt?",
     options: { little: "So gut wie nichts", half: "Etwa die Hälfte", all: "Fast alles" },
     reveal: ({ share, usual, keep }) =>
-      `${share} davon. Die Beispiele entscheiden allein, und ihre Arme hängen. Mit dem ρ der Engine, ${keep}, sind es ${usual}: Inhalt und Stil treffen sich.`,
+      `${share} davon. Die Beispiele entscheiden allein, und ihre Arme hängen. Mit dem Anteil der Engine, ${keep}, bleibt vom Heben ${usual}.`,
   },
   look: [
     "Die Punkte sind die Winkel der Nachbarn. Das Band um ihr [mu: Mittel μ] reicht nach beiden Seiten [kappa: κ] mal so weit wie ihre [sigma: Streuung σ].",
-    "Was von der [x: Eingabe x] aus dem Band ragt, ist der [dx: Bias Δx]. Nur was im Band liegt, geht in die Gerade; ihre Antwort ist [beta: der Ring].",
+    "clamp schiebt die [x: Eingabe x], wenn sie außerhalb des Bandes liegt, an sein nächstes Ende. Was dabei wegfällt, ist der [dx: Bias Δx].",
+    "Die Gerade β aus Lektion 5 ist an Beispiele ohne gehobene Arme angepasst, also muss sie auch ohne sie gefragt werden: ũ ist die Eingabe jetzt und ein Bild vorher ohne Δx, und die letzte Ausgabe ohne das ρΔx, das sie bekommen hat. Die Antwort der Geraden ist [beta: der Ring].",
     "Dann kehrt der [rho: Anteil ρ] des Bias zurück, und die Ausgabe endet bei [y: y]. Zieh die Eingabe die Achse entlang, und dreh ρ zwischen 0 und 1.",
   ],
   symbols: {
-    x: { symbol: "xₜ", name: "Winkel der Eingabe" },
+    x: { symbol: "xₜ", name: "Winkel des Arms der Eingabe" },
     mu: { symbol: "μ", name: "Mittel der Nachbarn" },
     sigma: { symbol: "σ", name: "ihre Standardabweichung" },
-    kappa: { symbol: "κ", name: "Reichweite des Bandes" },
+    kappa: { symbol: "κ", name: "halbe Breite des Bandes, in σ" },
     dx: { symbol: "Δx", name: "Bias: was herausragt" },
     beta: { symbol: "ũᵀβ", name: "Antwort der Geraden" },
     rho: { symbol: "ρ", name: "Anteil, der zurückkehrt" },
@@ -42,7 +43,7 @@ export const bias: LessonText = {
       no: ({ keep, share }) => `Mit ρ ${keep} bleibt vom Heben ${share}.`,
       hints: [
         "Je mehr vom Bias zurückkehrt, desto mehr bleibt vom Heben. Aber der Arm im Stil hängt anders als der neutrale, darum sind die Anteile nicht gleich.",
-        "Fang beim ρ der Engine an, 0,70, und geh ein wenig herunter.",
+        "Lass ρ aufleuchten: Sein Pfeil kehrt an jedem Gelenk und in jedem Bild zurück. Fang bei 1 an und geh herunter.",
       ],
     },
     B: {
@@ -51,6 +52,7 @@ export const bias: LessonText = {
       near: {
         other: () => "Lass das Heben bei 10°, den Augenblick und den Stil, wie sie waren.",
         more: ({ bias }) => `Knapp: ${bias}° ragen noch heraus. Etwas mehr κ.`,
+        less: ({ reach }) => `Knapp: Mit κ ${reach} ragt nichts heraus, aber etwas weniger κ genügt.`,
       },
       refuse: ({ reach }) =>
         `Nichts ragt heraus, aber κ ${reach} ist weiter als nötig: Die Gerade wird weit von ihren Punkten gefragt.`,
@@ -64,6 +66,9 @@ export const bias: LessonText = {
       task: "Die Arme sind wieder um 60° gehoben. Wie viel Grad kehren an diesem Gelenk zurück? Berechne ρΔx und trage es ein.",
       pass: ({ returned }) => `Ja: ${returned}° kehren zurück.`,
       near: {
+        other: () => "Lass Heben, κ, ρ, Augenblick und Stil, wie sie waren. „Anfangen“ bringt sie zurück.",
+        more: ({ guess }) => `Knapp: etwas mehr als ${guess}°.`,
+        less: ({ guess }) => `Knapp: etwas weniger als ${guess}°.`,
         none: () => "Trage unter der Abbildung eine Zahl in Grad ein.",
         edge: ({ guess }) =>
           `Knapp: ${guess}°. Achte auf den Rand des Bandes: Der Bias beginnt bei μ ± κσ, nicht bei μ.`,

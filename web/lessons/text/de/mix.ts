@@ -8,30 +8,32 @@ export const mix: LessonText = {
   ],
   bet: {
     question:
-      "Die Breite δ sagt, wie langsam ein Gewicht mit der Entfernung fällt. Verdopple sie: Gewinnt oder verliert die stärkste Klasse?",
+      "Die Breite δ sagt, wie langsam ein Gewicht mit dem Abstand fällt. Verdopple sie: Gewinnt oder verliert die stärkste Klasse?",
     options: { gains: "Sie gewinnt", loses: "Sie verliert", same: "Nichts ändert sich" },
     reveal: ({ before, after }) =>
-      `Ihr Gewicht geht von ${before} auf ${after}. Ein größeres δ verzeiht Entfernung: Die Klassen dahinter holen auf, und weil alle Gewichte zusammen 1 sind, zahlt die stärkste.`,
+      `Ihr Gewicht geht von ${before} auf ${after}. Ein größeres δ verzeiht Abstand: Die Klassen dahinter holen auf, und weil alle Gewichte zusammen 1 sind, zahlt die stärkste.`,
   },
   look: [
-    "Die Flächen sind die [lambda: Gewichte λ] der Handlungen über der Zeit, alle Stile einer Handlung zusammen. Zusammen sind sie immer 1.",
-    "Die Liste hat die nächsten Klassen am Zeiger. [D: D] ist die mittlere quadrierte Entfernung der nächsten Beispiele einer Klasse; der Balken daneben ist das Gewicht, das daraus wird.",
-    "Gewichte hängen nur vom Verhältnis zum [min: kleinsten D] ab: Wären alle Entfernungen doppelt so groß, änderte sich nichts. Dreh an [delta: δ] und beobachte die Klassen dahinter.",
+    "Die Flächen sind die [lambda: Gewichte λ] der Handlungen über der Zeit, alle Stile einer Handlung zusammen. Ihre Summe ist immer 1. Vor und nach den Sprüngen liest die Engine kurz einen Tritt: Dort steht die Eingabe still, wie man es vor einem Tritt tut.",
+    "Die Liste hat die nächsten Klassen am Zeiger. [D: D] ist der mittlere quadrierte Abstand der nächsten Beispiele einer Klasse, in cm²; der Balken daneben ist das Gewicht, das daraus wird. Das Zeichen ∝ heißt „proportional zu“: Am Ende werden alle Gewichte durch ihre Summe geteilt.",
+    "Die Kurve neben der Liste zeigt, wie das Gewicht mit dem Abstand fällt. Sie beginnt beim [min: kleinsten D], dem der nächsten Klasse. Über [delta: δ] mal min D fällt sie auf 1/e, etwa ein Drittel. Dreh an δ und beobachte die Klassen dahinter.",
+    "Weil D durch min D geteilt wird, zählen nur Verhältnisse: Wären alle Abstände doppelt so groß, blieben die Gewichte gleich. Das gilt, solange die Datenbank die Pose kennt. Ist selbst die nächste Klasse mehrere Zentimeter entfernt, macht die Engine δ breiter; neben seinem Wert steht dann, wie breit es hier ist.",
+    "Die zweite Zeile der Gleichung ist die Antwort, E(y): Jede Klasse j hat eine Gerade uᵀβ wie in Lektion 5, und deren Antworten werden mit diesen Gewichten gemittelt.",
   ],
   symbols: {
-    lambda: { symbol: "λⱼ", name: "Gewicht der nächsten Klasse" },
-    D: { symbol: "Dⱼ", name: "ihre Entfernung, quadriert" },
-    delta: { symbol: "δ", name: "Breite" },
-    min: { symbol: "min D", name: "kleinste Entfernung" },
+    lambda: { symbol: "λⱼ", name: "Gewicht einer Klasse; hier der zweiten" },
+    D: { symbol: "Dⱼ", name: "mittlerer quadrierter Abstand derselben Klasse" },
+    delta: { symbol: "δ", name: "Breite: wie langsam Gewicht fällt" },
+    min: { symbol: "min D", name: "kleinstes D: das der nächsten Klasse" },
     t: { symbol: "t", name: "Augenblick der Eingabe" },
   },
-  why: "Warum zählt das Verhältnis der Entfernungen und nicht ihr Unterschied? Denk an eine Eingabe, der niemand in der Datenbank gleicht.",
+  why: "Warum zählt das Verhältnis der Abstände und nicht ihr Unterschied? Vergleiche ein Bild, dessen zwei nächste Klassen bei 1 und 2 cm² liegen, mit einem, bei dem es 21 und 22 cm² sind.",
   exercises: {
     A: {
       task: "Wann wird aus Laufen Gehen? Finde den ersten Augenblick, in dem alle Klassen des Gehens zusammen mindestens so viel wiegen wie alle des Laufens.",
       pass: ({ secs, walk, run }) => `Ja: Bei ${secs} s hat Gehen ${walk} und Laufen ${run}.`,
       near: {
-        other: () => "Bleib bei der Eingabe, die erst läuft und dann geht.",
+        other: () => "Lass die Eingabe und δ, wie sie waren: Nur der Zeiger soll sich bewegen.",
         later: ({ walk, run }) => `Knapp: Gehen hat ${walk}, Laufen ${run}. Etwas später.`,
         earlier: ({ walk, run }) => `Knapp: Gehen hat ${walk}, Laufen ${run}. Etwas früher.`,
       },
@@ -47,7 +49,7 @@ export const mix: LessonText = {
       task: "Wo der Zeiger steht, hat neutrales Laufen mehr als die Hälfte des Gewichts. Finde das δ, bei dem es die Hälfte hat.",
       pass: ({ delta, running }) => `Ja: Mit δ ${delta} hat neutrales Laufen ${running}.`,
       near: {
-        other: () => "Lass den Zeiger, wo er war: Nur δ soll sich ändern.",
+        other: () => "Lass die Eingabe, wie sie war, und den Zeiger, wo er war: Nur δ soll sich ändern.",
         more: ({ running }) => `Knapp: ${running}. Etwas mehr δ.`,
         less: ({ running }) => `Knapp: ${running}. Etwas weniger δ.`,
       },
@@ -55,28 +57,29 @@ export const mix: LessonText = {
         `δ ist eine Breite und kein Gewicht: Mit δ ${delta} hat neutrales Laufen ${running}, nicht die Hälfte.`,
       no: ({ delta, running }) => `Mit δ ${delta} hat neutrales Laufen ${running}.`,
       hints: [
-        "Ein breiteres δ verzeiht Entfernung, und die stärkste Klasse verliert.",
+        "Ein breiteres δ verzeiht Abstand, und die stärkste Klasse verliert.",
         "Lies das Gewicht von Laufen / neutral in der Liste der nächsten Klassen, während du an δ drehst.",
       ],
     },
     C: {
-      task: "Nimm die zwei nächsten Klassen allein, mit dem eingestellten δ. Berechne das Gewicht der ersten aus den zwei Entfernungen und trage es ein.",
+      task: "Nimm die zwei nächsten Klassen allein, mit dem eingestellten δ. Berechne das Gewicht der ersten aus den zwei Abständen D und trage es ein.",
       pass: ({ alone, first, second }) => `Ja: ${first} und ${second} cm² ergeben ${alone}.`,
       near: {
+        other: () => "Lass Eingabe, Augenblick und δ, wie sie waren. „Anfangen“ bringt sie zurück.",
         none: () => "Trage unter den Klassen eine Zahl von 0 bis 1 ein.",
         more: () => "Knapp. Es ist etwas mehr.",
         less: () => "Knapp. Es ist etwas weniger.",
       },
-      refuse: ({ guess }) => `Das ist exp(−D): ${guess}. Teile erst beide Entfernungen durch die kleinste und durch δ.`,
+      refuse: ({ guess }) => `Das ist exp(−D): ${guess}. Teile erst beide D durch die kleinste und durch δ.`,
       no: ({ guess, first, second }) => `${guess} ist nicht das Gewicht zu ${first} und ${second} cm².`,
       hints: [
-        "Teile durch die kleinste: Die erste Klasse hat D / min D = 1.",
+        "Teile zuerst durch das kleinste: Für die erste Klasse ist D / min D gleich 1.",
         "Zwei Terme: exp(−1/δ) und exp(−D₂/(δ D₁)). Das Gewicht ist der erste, geteilt durch ihre Summe.",
       ],
     },
   },
   sources: [
     "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Gl. 3–5: die Mischung autoregressiver Modelle.",
-    "Die Gewichte berechnet `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. Die kleinste Entfernung zählt mindestens als 1 mm², Anteile unter zwei Hunderttausendsteln des größten fallen weg, und δ ist bis zu dreimal so breit, wo die Eingabe unbekannt ist, ihr kleinstes D also über 25 cm².",
+    "Die Gewichte berechnet `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. Das kleinste D zählt mindestens als 1 mm². Gewichte unter zwei Hunderttausendsteln des größten fallen weg. δ ist bis zu dreimal so breit, wo die Eingabe unbekannt ist, und doppelt so breit, wo das kleinste D 25 cm² ist.",
   ],
 };

@@ -10,18 +10,19 @@ export const time: LessonText = {
     question: "Ganz alt dauert der Gang länger. Nimm halb alt und halb neutral: Wie viel der Verzögerung bleibt?",
     options: { less: "Weniger als die Hälfte", half: "Die Hälfte", more: "Mehr als die Hälfte" },
     reveal: ({ half, all, share }) =>
-      `Ganz alt dauert ${all} % länger, halb alt ${half} %: ${share} der Verzögerung. Dauern werden mit denselben Gewichten gemischt wie Posen, also ist die Verzögerung linear im Gewicht.`,
+      `Ganz alt dauert ${all} % länger, halb alt ${half} %: ${share} der Verzögerung. Dauern werden mit denselben Gewichten gemischt wie Posen, also wächst die Verzögerung linear mit dem Gewicht.`,
   },
   look: [
-    "Zieh den Punkt: Sein Ort sind die Gewichte [s: s] von alt und kindlich, neutral hat den Rest. Im schraffierten Teil verlassen Gewichte 0 bis 1: Stile werden übertrieben.",
-    "Die Kurve sagt, wann die Mischung tut, was die Eingabe tut; gestrichelt ist das Tempo der Eingabe. Ihre Steigung ist die [w: Dauer w] eines Bildes durch 16,7 ms.",
-    "Das w jedes Stils ist ein Mittel über seine Nachbarn. Im nächsten Schritt siehst du sie, mit [g: Gewichten g], die mit dem Abstand fallen, bei einer [h: Bandbreite h]. Zuletzt nimmt die Engine heraus, wie weit sie hinter der Eingabe herhängen oder ihr vorauslaufen.",
+    "Zieh den Punkt: Sein Ort sind die Gewichte [s: s] von alt und kindlich. Neutral hat den Rest, zusammen sind es 1. Im schraffierten Teil liegen Gewichte unter 0 oder über 1: Stile werden übertrieben.",
+    "Die Kurve sagt, wann die Mischung tut, was die Eingabe tut; gestrichelt ist das Tempo der Eingabe. Die Steigung der Kurve ist die [w: Dauer w] eines Bildes, geteilt durch die 16,7 ms, die es in der Eingabe dauert.",
+    "Die letzte Abbildung zeigt, woher die Dauer eines Stils kommt. Jeder Punkt ist ein Nachbar k im Abstand d, dessen Bild wₖ dauerte. Ein näherer Nachbar hat ein größeres [g: Gewicht gₖ]; wie schnell g fällt, bestimmt die [h: Bandbreite h], der mittlere Abstand aller K. vₖ ist das Gewicht aus Lektion 5. Das Mittel mit beiden Gewichten ist die waagrechte Linie.",
+    "Die übrigen Zeilen mischen die Stile m: yᵐ ist die Pose eines Stils, wᵐ seine Dauer, und beide werden mit denselben Gewichten gemischt. Zuletzt gleicht die Engine Bilder aus, bei denen die Nachbarn hinter der Eingabe zurückbleiben oder ihr vorauslaufen; darum weicht w etwas von ihrem Mittel ab.",
   ],
   symbols: {
     w: { symbol: "w", name: "Dauer des Bildes" },
-    g: { symbol: "g", name: "Kern der Nachbarn; ihre Summe" },
-    h: { symbol: "h", name: "Bandbreite: ihr mittlerer Abstand" },
-    s: { symbol: "s", name: "Gewichte: alt, kindlich, neutral" },
+    g: { symbol: "gₖ", name: "Gewicht nach Abstand; die Summe Σ aller" },
+    h: { symbol: "h", name: "Bandbreite: mittlerer Abstand, in σ" },
+    s: { symbol: "sₘ", name: "Gewichte: alt, kindlich, neutral" },
   },
   why: "Wenn du nur Posen mischtest und das Tempo der Eingabe behieltest, wie sähe ein alter Gang aus? Und wenn nur Dauern?",
   exercises: {
@@ -79,6 +80,6 @@ export const time: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Abschnitte 5.1 und 5.4: Zeit, Interpolation und Extrapolation von Stilen.",
-    "Dauern rechnet `rust/strut-core/src/transfer/timing.rs`, mit Posen gemischt werden sie in `rust/strut-core/src/transfer/blend.rs`.",
+    "Die Dauern berechnet `rust/strut-core/src/transfer/timing.rs`, gemischt werden sie zusammen mit den Posen in `rust/strut-core/src/transfer/blend.rs`. Die Engine teilt jedes g durch das des nächsten Nachbarn, damit keines 0 wird, wo alle fern sind; im Mittel kürzt sich das.",
   ],
 };

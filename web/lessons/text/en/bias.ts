@@ -2,7 +2,7 @@ import type { LessonText } from "../text";
 
 export const bias: LessonText = {
   idea: [
-    "The input walks with both arms raised. Nobody in the database ever did that, so the nearest examples have their arms at their sides.",
+    "The input walks with both arms raised. No walk in the database is like that, so the nearest examples have their arms at their sides.",
     "A line that was fitted to such examples knows nothing of raised arms. Far outside its dots it would answer with nonsense.",
     "So the engine takes off what sticks out of the examples, styles the rest, and gives a share of it back. How large should the share be?",
   ],
@@ -10,18 +10,19 @@ export const bias: LessonText = {
     question: "Let the share be 0: nothing is given back. How much of the raise survives?",
     options: { little: "Next to nothing", half: "About half", all: "Nearly all" },
     reveal: ({ share, usual, keep }) =>
-      `${share} of it. The examples decide alone, and their arms hang. With the engine’s ρ of ${keep} it is ${usual}: content and style meet.`,
+      `${share} of it. The examples decide alone, and their arms hang. With the engine’s own share, ${keep}, ${usual} of the raise survives.`,
   },
   look: [
     "The dots are the neighbours’ angles. The band around their [mu: mean μ] reaches [kappa: κ] times their [sigma: deviation σ] to both sides.",
-    "What of the [x: input x] sticks out of the band is the [dx: bias Δx]. Only the part inside goes into the line, which answers with [beta: the ring].",
+    "clamp moves the [x: input x] to the nearest end of the band, if it is outside. What is moved off is the [dx: bias Δx].",
+    "The line β of lesson 5 was fitted to examples without raised arms, so it must be asked without them, too: ũ is the input now and one frame ago less Δx, and the last output less the ρΔx that it was given. The line answers with [beta: the ring].",
     "Then the [rho: share ρ] of the bias returns, and the output ends at [y: y]. Drag the input along the axis, and turn ρ between 0 and 1.",
   ],
   symbols: {
-    x: { symbol: "xₜ", name: "angle of the input" },
+    x: { symbol: "xₜ", name: "angle of the input’s arm" },
     mu: { symbol: "μ", name: "mean of the neighbours" },
     sigma: { symbol: "σ", name: "their standard deviation" },
-    kappa: { symbol: "κ", name: "reach of the band" },
+    kappa: { symbol: "κ", name: "half the band, in σ" },
     dx: { symbol: "Δx", name: "bias: what sticks out" },
     beta: { symbol: "ũᵀβ", name: "answer of the line" },
     rho: { symbol: "ρ", name: "share that returns" },
@@ -41,8 +42,8 @@ export const bias: LessonText = {
         `ρ is a share of what sticks out at one joint, not of the raise: with ρ ${keep}, ${share} survives.`,
       no: ({ keep, share }) => `With ρ ${keep}, ${share} of the raise survives.`,
       hints: [
-        "More of the bias returns, more of the raise survives. But the styled arm does not hang as the neutral one does, so shares are not equal.",
-        "Begin at the engine’s own 0.70, and go down a little.",
+        "The more of the bias returns, the more of the raise survives. But the styled arm does not hang as the neutral one does, so the two shares are not equal.",
+        "Light up ρ: its arrow returns at every joint and frame. Begin at 1, and go down.",
       ],
     },
     B: {
@@ -51,6 +52,7 @@ export const bias: LessonText = {
       near: {
         other: () => "Keep the raise at 10°, and the instant and the style as they were.",
         more: ({ bias }) => `Close: ${bias}° still stick out. A little more κ.`,
+        less: ({ reach }) => `Close: with κ ${reach} nothing sticks out, but a little less κ would do.`,
       },
       refuse: ({ reach }) =>
         `Nothing sticks out, but κ ${reach} is wider than it needs to be: the line is asked far from its dots.`,
@@ -64,6 +66,9 @@ export const bias: LessonText = {
       task: "The arms are raised by 60° again. How many degrees return at this joint? Compute ρΔx, and enter it.",
       pass: ({ returned }) => `Yes: ${returned}° return.`,
       near: {
+        other: () => "Keep the raise, κ, ρ, the instant and the style as they were. “Begin” brings them back.",
+        more: ({ guess }) => `Close: a little more than ${guess}°.`,
+        less: ({ guess }) => `Close: a little less than ${guess}°.`,
         none: () => "Enter a number of degrees below the figure.",
         edge: ({ guess }) => `Close: ${guess}°. Mind the edge of the band: the bias begins at μ ± κσ, not at μ.`,
       },

@@ -14,24 +14,26 @@ export const mix: LessonText = {
       `Its weight goes from ${before} to ${after}. A larger δ forgives distance: the classes behind catch up, and as all weights sum to 1, the winner pays.`,
   },
   look: [
-    "The areas are the [lambda: weights λ] of the actions over time, all styles of an action together. They always sum to 1.",
-    "The list has the nearest classes at the playhead. [D: D] is the mean squared distance of a class’s nearest examples; the bar beside it is the weight that D becomes.",
-    "Weights depend on the ratio to the [min: least D] alone: were all distances twice as long, nothing would change. Turn [delta: δ] and watch the runners-up.",
+    "The areas are the [lambda: weights λ] of the actions over time, all styles of an action together. They always sum to 1. Before and after the jumps the engine reads a kick for a moment: there the input stands still, as people do before a kick.",
+    "The list has the nearest classes at the playhead. [D: D] is the mean squared distance of a class’s nearest examples, in cm²; the bar beside it is the weight that D becomes. The sign ∝ means “in proportion”: at the end all weights are divided by their sum.",
+    "The curve beside the list shows how weight falls with distance. It begins at the [min: least D], the distance of the nearest class. Over [delta: δ] times min D it falls to 1/e, about a third. Turn δ and watch the classes behind.",
+    "As D is divided by min D, only ratios count: were all distances twice as long, the weights would be the same. That holds as long as the database knows the pose. Where even the nearest class is several centimetres away, the engine widens δ; its value then also says how wide it is here.",
+    "The second line of the equation is the answer, E(y): each class j has a line uᵀβ, as in lesson 5, and their answers are averaged by these weights.",
   ],
   symbols: {
-    lambda: { symbol: "λⱼ", name: "weight of the nearest class" },
-    D: { symbol: "Dⱼ", name: "its distance, squared" },
-    delta: { symbol: "δ", name: "width" },
-    min: { symbol: "min D", name: "the least distance" },
+    lambda: { symbol: "λⱼ", name: "weight of a class; here of the second" },
+    D: { symbol: "Dⱼ", name: "mean squared distance of the same class" },
+    delta: { symbol: "δ", name: "width: how slowly weight falls" },
+    min: { symbol: "min D", name: "the least D: of the nearest class" },
     t: { symbol: "t", name: "instant of the input" },
   },
-  why: "Why is it the ratio of the distances that counts, and not their difference? Think of an input that nobody in the database resembles.",
+  why: "Why is it the ratio of the distances that counts, and not their difference? Compare a frame whose two nearest classes are at 1 and 2 cm² with one where they are at 21 and 22 cm².",
   exercises: {
     A: {
       task: "When does running become walking? Find the first instant at which all walking classes together weigh at least as much as all running ones.",
       pass: ({ secs, walk, run }) => `Yes: at ${secs} s walking has ${walk} and running ${run}.`,
       near: {
-        other: () => "Stay with the input that runs first and walks then.",
+        other: () => "Keep the input and δ as they were: only the playhead should move.",
         later: ({ walk, run }) => `Close: walking has ${walk}, running ${run}. A little later.`,
         earlier: ({ walk, run }) => `Close: walking has ${walk}, running ${run}. A little earlier.`,
       },
@@ -47,7 +49,7 @@ export const mix: LessonText = {
       task: "Where the playhead stands, neutral running has more than half of the weight. Find the δ at which it has one half.",
       pass: ({ delta, running }) => `Yes: with δ ${delta} neutral running has ${running}.`,
       near: {
-        other: () => "Leave the playhead where it was: only δ is to change.",
+        other: () => "Keep the input, and leave the playhead where it was: only δ should change.",
         more: ({ running }) => `Close: ${running}. A little more δ.`,
         less: ({ running }) => `Close: ${running}. A little less δ.`,
       },
@@ -63,6 +65,7 @@ export const mix: LessonText = {
       task: "Take the two nearest classes alone, with the δ that is set. Compute the weight of the first from the two distances, and type it in.",
       pass: ({ alone, first, second }) => `Yes: ${first} and ${second} cm² give ${alone}.`,
       near: {
+        other: () => "Keep the input, the instant and δ as they were. “Begin” brings them back.",
         none: () => "Type a number from 0 to 1 into the field below the classes.",
         more: () => "Close. It is a little more.",
         less: () => "Close. It is a little less.",
@@ -70,13 +73,13 @@ export const mix: LessonText = {
       refuse: ({ guess }) => `That is exp(−D): ${guess}. Divide both distances by the least one, and by δ, first.`,
       no: ({ guess, first, second }) => `${guess} is not the weight for ${first} and ${second} cm².`,
       hints: [
-        "Divide by the least: the first class has D / min D = 1.",
+        "Divide by the least first: for the first class D / min D is 1.",
         "Two terms: exp(−1/δ) and exp(−D₂/(δ D₁)). The weight is the first, divided by their sum.",
       ],
     },
   },
   sources: [
     "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Eq. 3–5: the mixture of autoregressive models.",
-    "Weights are computed by `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. The least distance counts as 1 mm² at least, shares below two hundred-thousandths of the largest are dropped, and δ is up to three times as wide where the input is unknown, its least D beyond 25 cm².",
+    "Weights are computed by `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. The least D counts as 1 mm² at least. Weights below two hundred-thousandths of the largest are dropped. δ is widened up to three times where the input is unknown, and twice where the least D is 25 cm².",
   ],
 };

@@ -4,7 +4,7 @@ export const time: LessonText = {
   idea: [
     "A style is not only how somebody moves, but also how fast. The old walker needs longer for the same steps, and after a few seconds is steps behind.",
     "So the engine predicts two things for every frame: a pose, and how long it lasts. The neighbours say both.",
-    "Blend two styles, and poses and durations are blended alike. Can you compute the pace before you hear the steps?",
+    "Blend two styles, and poses and durations are blended alike. Can you compute the pace before you watch the walk?",
   ],
   bet: {
     question: "All old, the walk takes longer. Take half of old and half of neutral: how much of that delay is left?",
@@ -13,15 +13,16 @@ export const time: LessonText = {
       `All old takes ${all} % longer, half old ${half} %: ${share} of the delay. Durations are blended by the same weights as poses, so the delay is linear in the weight.`,
   },
   look: [
-    "Drag the point: its place is the weights [s: s] of old and childlike, and neutral has the rest. In the hatched part weights leave 0 to 1: styles are exaggerated.",
-    "The curve says when the blend does what the input does; the dashed line is the input’s own pace. Its slope is the [w: duration w] of a frame over 16.7 ms.",
-    "Each style’s w is a mean over its neighbours. In the next step you see them, with [g: weights g] that fall off with distance, at a [h: bandwidth h]. Last, the engine takes out by how much they hang behind the input or run ahead of it.",
+    "Drag the point: its place is the weights [s: s] of old and childlike. Neutral has the rest, so that all sum to 1. In the hatched part weights are below 0 or above 1: styles are exaggerated.",
+    "The curve says when the blend does what the input does; the dashed line is the input’s own pace. The slope of the curve is the [w: duration w] of a frame, divided by the 16.7 ms that it lasts in the input.",
+    "The last figure shows where the duration of one style comes from. Each dot is a neighbour k at distance d, whose frame lasted wₖ. A nearer neighbour has a greater [g: weight gₖ]; how fast g falls is the [h: bandwidth h], the mean distance of all K. vₖ is the weight from lesson 5. The mean by both weights is the level line.",
+    "The other lines blend the styles m: yᵐ is the pose of a style, wᵐ its duration, and both are blended by the same weights. Last, the engine evens out frames at which the neighbours lag behind the input or run ahead of it, so w differs a little from their mean.",
   ],
   symbols: {
     w: { symbol: "w", name: "duration of the frame" },
-    g: { symbol: "g", name: "kernel of the neighbours; their sum" },
-    h: { symbol: "h", name: "bandwidth: their mean distance" },
-    s: { symbol: "s", name: "weights: old, childlike, neutral" },
+    g: { symbol: "gₖ", name: "weight by distance; the sum Σ of all" },
+    h: { symbol: "h", name: "bandwidth: mean distance, in σ" },
+    s: { symbol: "sₘ", name: "weights: old, childlike, neutral" },
   },
   why: "If you blended poses alone, and kept the input’s pace, what would an old walk look like? And durations alone?",
   exercises: {
@@ -74,6 +75,6 @@ export const time: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, sections 5.1 and 5.4: timing, interpolation and extrapolation of styles.",
-    "Durations are computed by `rust/strut-core/src/transfer/timing.rs`, and blended with poses by `rust/strut-core/src/transfer/blend.rs`.",
+    "Durations are computed by `rust/strut-core/src/transfer/timing.rs`, and blended with poses by `rust/strut-core/src/transfer/blend.rs`. The engine divides every g by that of the nearest neighbour, so that none becomes 0 where all are far; in the mean this cancels.",
   ],
 };

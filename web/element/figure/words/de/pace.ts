@@ -21,7 +21,7 @@ export const pace: PaceWords = {
   },
   input: "Zeit der Eingabe, s",
   output: "Zeit der Ausgabe, s",
-  distance: "Abstand d",
+  distance: "Abstand d, in Standardabweichungen σ",
   duration: "Dauer w eines Bildes, ms",
   weights: (old, childlike, neutral) => `alt ${old} · kindlich ${childlike} · neutral ${neutral}`,
   read: (output, input, ratio) => `${output} s für ${input} s: ${ratio}-mal so lang`,

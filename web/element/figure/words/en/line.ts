@@ -10,9 +10,14 @@ export const line: LineWords = {
   },
   taper: "Nearer examples count more",
   input: (name) => `${name}, input`,
-  output: (name, style) => `${name}, ${style}`,
+  output: (name, style) => `${name}, ${style}, °`,
   columns: ["row", "input x, °", "target y, °", "weight v"],
   read: (mean, above) => `mean ${mean}°, prediction ${above}° from it`,
+  terms: "What each term adds to the prediction",
+  termNames: { a: "a xₜ₋₁", b: "b yₜ₋₁", c: "c xₜ", d: "d", returned: "ρ Δx", y: "= yₜ" },
+  termColumns: ["term", "coefficient", "adds, °"],
+  adds: "angle from the mean of all rows, °",
+  summed: (terms, y) => `The terms ${terms} sum to a prediction of ${y}.`,
   said: (name, k, x, y, slope, above) =>
     `${name}: ${k} examples; at an input of ${x}° the line predicts ${y}°, slope ${slope}, ${above}° from their mean.`,
 };

@@ -17,7 +17,7 @@ export const pace: PaceWords = {
   },
   input: "time of the input, s",
   output: "time of the output, s",
-  distance: "distance d",
+  distance: "distance d, in standard deviations σ",
   duration: "duration w of a frame, ms",
   weights: (old, childlike, neutral) => `old ${old} · childlike ${childlike} · neutral ${neutral}`,
   read: (output, input, ratio) => `${output} s for ${input} s: ${ratio} times as long`,
