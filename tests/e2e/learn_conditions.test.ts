@@ -53,6 +53,18 @@ const overflow = () =>
   });
 
 describe.each(LESSONS)("$id", ({ id }) => {
+  test("has a value and a mark for every symbol", async () => {
+    await open(id, 2);
+    const symbols = page.locator(".learn-symbols .symbol");
+    const values = () => symbols.locator(".value").allTextContents();
+    await eventually(async () => (await values()).filter((value) => value.trim() === "")).toEqual([]);
+    const lit = () => page.locator("strut-figure:not([hidden]) .lit").count();
+    for (const symbol of await symbols.all()) {
+      await symbol.focus();
+      await eventually(lit, (await symbol.getAttribute("data-term"))!).toBeGreaterThan(0);
+    }
+  });
+
   test("is projected without overflow, and accessible", async () => {
     for (const beat of BEATS) {
       await open(id, beat, "&present=1");
