@@ -26,3 +26,17 @@ export function dotsOf(axes: Axes, values: Float32Array): string {
 export function createDots(): SVGPathElement {
   return svg("path", { class: "samples" });
 }
+
+/** Height of the bar of 1, pixels, and width of all bars. */
+const BAR = { height: 34, width: 7, gap: 3 };
+
+/** A bar for every component at the upper right, with the name of what they are. */
+export function barsOf(axes: Axes, shares: Float32Array, name: string): SVGElement[] {
+  const left = xOf(axes, axes.x[1]) - shares.length * (BAR.width + BAR.gap);
+  const bottom = yOf(axes, axes.y[1]) + BAR.height + 6;
+  const bars = Array.from(shares, (share, i) => {
+    const height = Math.max(1, BAR.height * share);
+    return svg("rect", { x: left + i * (BAR.width + BAR.gap), y: bottom - height, width: BAR.width, height });
+  });
+  return [svg("text", { class: "label y", x: left - 8, y: bottom, "text-anchor": "end" }, name), ...bars];
+}
