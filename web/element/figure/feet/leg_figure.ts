@@ -146,8 +146,8 @@ class LegFigure implements FigureInstance<FeetState> {
     };
     const middle = (a: readonly [number, number], b: readonly [number, number]) =>
       [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2] as const;
-    label(this.#labels.a, `a ${figure(leg.a, 3, words)}`, ...middle(hip, knee));
-    label(this.#labels.b, `b ${figure(leg.b, 3, words)}`, ...middle(knee, ankle));
+    label(this.#labels.a, `a ${figure(leg.a, 3, words)} m`, ...middle(hip, knee));
+    label(this.#labels.b, `b ${figure(leg.b, 3, words)} m`, ...middle(knee, ankle));
     label(this.#labels.gamma, `γ ${figure(leg.gamma, 1, words)}°`, knee[0] + ARC, knee[1] - 4);
     this.#handles.place(axes, [[state.x, state.y]], () => this.sentence());
     setText(this.#readout, words.feet.reached(figure(leg.d, 3, words), figure(leg.gamma, 1, words)));

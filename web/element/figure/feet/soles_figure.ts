@@ -13,8 +13,8 @@ import { measureFeet, type Track, type Tracks, tracksOf, within } from "./feet_m
 import { FEET_FIELDS, type FeetState } from "./feet_state";
 import { pivotTravel, type Sole } from "./soles";
 
-/** Half of what is shown across, cm; as much forwards as the picture has room for. */
-const HALF = 12;
+/** What is shown forwards, cm: a foot's length, and room to slide; as much across as the picture has room for. */
+const ALONG = [-5, 23] as const;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 5;
 const CM = 100;
@@ -145,8 +145,9 @@ class SolesFigure implements FigureInstance<FeetState> {
     const { outlines, cm, now, other, moved } = this.#shown;
     const [width, height] = [this.#frame.width, this.#frame.height];
     // A centimetre is as long in both directions.
-    const perCm = Math.max(1, height - 60) / (2 * HALF);
-    const axes: Axes = { width, height, x: [-HALF, (width - 60) / perCm - HALF], y: [-HALF, HALF] };
+    const perCm = Math.max(1, width - 60) / (ALONG[1] - ALONG[0]);
+    const half = Math.max(1, height - 60) / perCm / 2;
+    const axes: Axes = { width, height, x: ALONG, y: [-half, half] };
     const columns = ticksOf(axes.x, 8).map((value) => [value, figure(value, 0, words)] as const);
     this.#frame.drawGrid(axes, { x: words.feet.along, y: words.feet.across, columns, rows: ticksOf(axes.y, 4) }, words);
     const shape = ({ heel, ball }: Outline) =>
@@ -167,7 +168,7 @@ class SolesFigure implements FigureInstance<FeetState> {
     const visible = free && held && moved >= LEAST_ARROW;
     setAttributes(this.#correction, { d: visible ? arrow(middle(free), middle(held)) : "" });
     const [x, y] = held ? middle(held) : [0, 0];
-    setAttributes(this.#label, { x: x + 8, y: y - 10 });
+    setAttributes(this.#label, { x: x + 8, y: y - 16 });
     setText(this.#label, visible ? `q ${figure(moved, 1, this.#parts.words)} cm` : "");
   }
 }

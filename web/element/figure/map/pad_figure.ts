@@ -62,7 +62,7 @@ class PadFigure implements FigureInstance<MapState> {
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.map.pad)),
       this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
+      html("footer", { class: "foot needed" }, this.#readout),
       html("div", { class: "knobs" }, this.#temperature.element),
     );
   }

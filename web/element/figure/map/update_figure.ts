@@ -67,6 +67,7 @@ class UpdateFigure implements FigureInstance<MapState> {
   }
 
   #labels(term?: string): { styled: string; input: string } {
+    if (!this.#poses) return { styled: "", input: "" };
     const { sampled, predicted } = this.#parts.words.map;
     return { styled: term === "Z" ? "" : sampled, input: term === "x" ? "" : predicted };
   }
@@ -86,6 +87,7 @@ class UpdateFigure implements FigureInstance<MapState> {
       if (!this.#isReady) viewer.setProportions(proportions);
       if (poses) viewer.setStyled(poses.sample);
       viewer.setInput(poses?.predicted ?? null);
+      viewer.labels = this.#labels();
       viewer.description = this.sentence();
       if (!this.#isReady) viewer.resetTrail();
     }

@@ -16,7 +16,7 @@ export const chain: LessonText = {
   look: [
     "Die Treppe ist das [mu: Mittel μ] jedes Zustands, die Bänder sind seine [sigma: Standardabweichung σ]. Die [c: Kurve c] ist die wahrscheinlichste; gestrichelt ist die des Modells, wie es trainiert wurde.",
     "Die kurzen Striche sind die [delta: Änderungen Δc], die halbe Differenz von nächstem und vorigem Bild; Δ²c ist die Änderung dieser Änderung. μ′, σ′ und μ″, σ″ sind ihre Mittel und Standardabweichungen. Die Regler multiplizieren die drei Varianzen, mit einem Tausendstel bis zum Tausendfachen.",
-    "Die Blöcke sind die Zustände, so lang, wie sie [d: dauern]. d̄ ist die mittlere Dauer eines Zustands und ν ihre Varianz. Zieh das Ende eines Schritts: [rho: ρ] verlängert jeden Zustand um das ρ-Fache seines ν, sodass zuerst nachgibt, was stark schwankt.",
+    "Die Blöcke sind die Zustände, so lang, wie sie [d: dauern]. Das d mit Strich ist die mittlere Dauer eines Zustands, ν ihre Varianz. Zieh das Ende eines Schritts: [rho: ρ] verlängert jeden Zustand um das ρ-Fache seines ν, sodass zuerst nachgibt, was stark schwankt.",
     "m₁ ist das Modell des neutralen Gangs, m₂ das des Stils: Mit [k: k] mischst du sie.",
   ],
   symbols: {

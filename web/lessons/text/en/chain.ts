@@ -16,7 +16,7 @@ export const chain: LessonText = {
   look: [
     "The stairs are the [mu: mean μ] of each state, the bands its [sigma: deviation σ]. The [c: curve c] is the likeliest one; the dashed curve is that of the model as it was trained.",
     "The short lines are the [delta: changes Δc], half the difference between the next frame and the last one; Δ²c is the change of that change. μ′, σ′ and μ″, σ″ are their means and deviations. The knobs multiply the three variances by a thousandth to a thousand.",
-    "The blocks are the states, as long as they [d: last]. d̄ is a state’s mean duration and ν its variance. Drag the end of a step: [rho: ρ] makes each state longer by ρ times its ν, so that states which vary much give way first.",
+    "The blocks are the states, as long as they [d: last]. The d with a bar is a state’s mean duration, ν its variance. Drag the end of a step: [rho: ρ] makes each state longer by ρ times its ν, so that states which vary much give way first.",
     "m₁ is the model of the neutral walk, m₂ that of the style: with [k: k] you mix them.",
   ],
   symbols: {
