@@ -177,7 +177,7 @@ class FeetFigure implements FigureInstance<FeetState> {
     };
     this.#axes = axes;
     const columns = ticksOf(axes.x, 6).map((value) => [value, figure(value, 1, words)] as const);
-    this.#frame.drawGrid(axes, { x: words.feet.time, y: words.feet.speed, columns, rows: ticksOf(axes.y, 4) }, words);
+    this.#frame.drawGrid(axes, { x: words.feet.time, y: "", columns, rows: ticksOf(axes.y, 4) }, words);
     const x = (frame: number) => xOf(axes, frame / rateHz);
     const share = (p: number) => yOf(axes, p * MOST);
     this.#stances.replaceChildren(
@@ -202,6 +202,8 @@ class FeetFigure implements FigureInstance<FeetState> {
     this.#ticks.replaceChildren(
       ...[0, RELEASE, PLANT, 1].map((p) => svg("text", { x: right, y: share(p) + 4 }, figure(p, 1, words))),
       svg("text", { x: right, y: share(1) - 10 }, words.feet.likelihood),
+      // Below the flag, which stands at the left where the foot lands.
+      svg("text", { x: xOf(axes, axes.x[0]), y: share(1) - 4 }, words.feet.speed),
     );
     const { at } = state;
     setAttributes(this.#point, { cx: x(at), cy: yOf(axes, Math.min(MOST, chosen.speeds[at]!)) });

@@ -13,8 +13,9 @@ import { measureFeet, type Track, type Tracks, tracksOf, within } from "./feet_m
 import { FEET_FIELDS, type FeetState } from "./feet_state";
 import { pivotTravel, type Sole } from "./soles";
 
-/** What is shown forwards, cm: a foot's length, and room to slide; as much across as the picture has room for. */
+/** What is shown forwards at least, cm: a foot's length, and room to slide; and what is shown across. */
 const ALONG = [-5, 23] as const;
+const ACROSS = 6;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 5;
 const CM = 100;
@@ -145,9 +146,10 @@ class SolesFigure implements FigureInstance<FeetState> {
     const { outlines, cm, now, other, moved } = this.#shown;
     const [width, height] = [this.#frame.width, this.#frame.height];
     // A centimetre is as long in both directions.
-    const perCm = Math.max(1, width - 60) / (ALONG[1] - ALONG[0]);
-    const half = Math.max(1, height - 60) / perCm / 2;
-    const axes: Axes = { width, height, x: ALONG, y: [-half, half] };
+    const [wide, high] = [Math.max(1, width - 60), Math.max(1, height - 60)];
+    const perCm = Math.min(wide / (ALONG[1] - ALONG[0]), high / ACROSS);
+    const half = high / perCm / 2;
+    const axes: Axes = { width, height, x: [ALONG[0], ALONG[0] + wide / perCm], y: [-half, half] };
     const columns = ticksOf(axes.x, 8).map((value) => [value, figure(value, 0, words)] as const);
     this.#frame.drawGrid(axes, { x: words.feet.along, y: words.feet.across, columns, rows: ticksOf(axes.y, 4) }, words);
     const shape = ({ heel, ball }: Outline) =>

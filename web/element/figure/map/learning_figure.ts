@@ -85,7 +85,7 @@ class LearningFigure implements FigureInstance<MapState> {
 
   values(): Readonly<Record<string, string>> {
     const error = this.#shown?.errors[this.#pass - 1];
-    return error === undefined ? {} : { E: `${figure(error, 3, this.#parts.words)}°` };
+    return { E: error === undefined ? "–" : `${figure(error, 3, this.#parts.words)}°` };
   }
 
   light(term: string | undefined): void {

@@ -137,7 +137,7 @@ class SomFigure implements FigureInstance<MapState> {
         2,
         words,
       ),
-      ...(sample && { x: `${figure(sample[0]!, 0, words)}, ${figure(sample[1]!, 0, words)} cm` }),
+      x: sample ? `${figure(sample[0]!, 0, words)}, ${figure(sample[1]!, 0, words)} cm` : "–",
     };
   }
 

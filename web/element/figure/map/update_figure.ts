@@ -55,7 +55,7 @@ class UpdateFigure implements FigureInstance<MapState> {
   }
 
   values(): Readonly<Record<string, string>> {
-    return this.#poses ? { Z: `${this.#degrees}°` } : {};
+    return { Z: this.#poses ? `${this.#degrees}°` : "–" };
   }
 
   light(term: string | undefined): void {

@@ -3,7 +3,7 @@ import type { LessonText } from "../text";
 export const feet: LessonText = {
   idea: [
     "Eine vorhergesagte Pose kann auf einen Zentimeter stimmen, und doch siehst du sofort, wenn ein stehender Fuß rutscht. Auf Englisch heißt das Foot Skate.",
-    "Die Abbildung zeigt die Sohle eines Fußes von oben, für jedes Bild eines Stands als Linie von der Ferse zum Ballen. Stünde der Fuß still, wären alle Linien eine.",
+    "Die Abbildung zeigt die Sohle eines Fußes von oben, für jedes Bild eines Stands als Linie von der Ferse zum Ballen. Stünde der Fuß still, wären alle Linien eine. Die rote ist der Fuß im gewählten Augenblick, die gestrichelte zeigt, wohin das Halten ihn bringt.",
     "Die Abhilfe hat drei Teile: wissen, ob ein Fuß steht, ihn halten, wo er ist, und das Knie so beugen, dass das Bein ihn erreicht.",
   ],
   bet: {

@@ -3,7 +3,7 @@ import type { LessonText } from "../text";
 export const feet: LessonText = {
   idea: [
     "A predicted pose may be right to a centimetre, and still you see at once when a standing foot slides. That is called foot skate.",
-    "The picture shows the sole of one foot from above, as a line from heel to ball for each frame of a stance. If the foot stood still, all lines would be one.",
+    "The picture shows the sole of one foot from above, as a line from heel to ball for each frame of a stance. If the foot stood still, all lines would be one. The red line is the foot at the chosen instant, the dashed one shows where the hold puts it.",
     "The cure has three parts: know whether a foot stands, keep it where it is, and bend the knee so that the leg reaches it.",
   ],
   bet: {

@@ -10,7 +10,7 @@ export const map: LessonText = {
     question:
       "An update moves a map towards the sample. The paper prints the formula with a minus, so it moves away from it. What happens if you follow the print?",
     options: {
-      same: "It learns as well",
+      same: "It learns just as well",
       slower: "It learns more slowly",
       diverges: "The error grows without end",
     },
