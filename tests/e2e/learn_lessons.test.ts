@@ -203,4 +203,17 @@ describe("by the keyboard alone", () => {
     await eventually(() => verdict("A")).toMatch(/^✓ ?Yes: pass 8, 1\.39°/);
     await screenshot(page, "lesson-map-solved");
   });
+
+  it("map: learning plays only when it is asked to, and stops", async () => {
+    await visit(page, "view=learn&lesson=map&beat=5&updates=0");
+    const som = page.locator('strut-figure[data-name="som"]');
+    const updates = async () => Number.parseInt((await som.locator(".readout").textContent())!, 10);
+    await eventually(updates).toBe(0);
+    await som.getByRole("button", { name: "Play" }).press("Enter");
+    await eventually(async () => (await updates()) > 3).toBe(true);
+    await som.getByRole("button", { name: "Pause" }).press("Enter");
+    await eventually(() => som.getByRole("button", { name: "Play" }).count()).toBe(1);
+    const linked = () => Number(new URLSearchParams(new URL(page.url()).hash.slice(1)).get("updates"));
+    await eventually(async () => (await updates()) - linked()).toBe(0);
+  });
 });
