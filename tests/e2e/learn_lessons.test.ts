@@ -205,6 +205,7 @@ describe("by the keyboard alone", () => {
   });
 
   it("map: learning plays only when it is asked to, and stops", async () => {
+    await open("map");
     await visit(page, "view=learn&lesson=map&beat=5&updates=0");
     const som = page.locator('strut-figure[data-name="som"]');
     const updates = async () => Number.parseInt((await som.locator(".readout").textContent())!, 10);

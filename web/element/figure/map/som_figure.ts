@@ -55,6 +55,8 @@ class SomFigure implements FigureInstance<MapState> {
     };
     const { one, ten, pass, all, restart } = words.map.steps;
     this.#play = button(words.play, () => (this.#run ? this.#stop() : this.#start()), { label: true });
+    // Its name changes.
+    this.#play.removeAttribute("title");
     signal.addEventListener("abort", () => this.#stop(), { once: true });
     const steps = [
       this.#play,
