@@ -25,7 +25,7 @@ const CADENCE_NEAR = 3;
 const SMALLER = 0.1;
 const SAME = 0.03;
 
-const isPlain = ({ share }: Measure) => share === PRESET.share;
+const isPlain = ({ share, style }: Measure) => share === PRESET.share || style === "neutral";
 const isOf = (measure: Measure, joint: string) => isPlain(measure) && measure.joint === joint && measure.axis === "x";
 /** Whether a variance of pose, or of changes, went the wrong way for exercise A. */
 const isLoosened = ({ pose, velocity, acceleration }: Measure) =>
@@ -35,7 +35,6 @@ export const chain: Lesson = lesson<ChainState>({
   id: "chain",
   fields: CHAIN_FIELDS,
   figures: [
-    { name: "gait", kind: "gait", beats: ["idea", "why", "sources"], explained: ["idea", "why", "sources"] },
     { name: "path", kind: "path", beats: ["bet", "look", "exercises"], explained: ["look", "exercises"] },
     {
       name: "chain",
@@ -43,7 +42,14 @@ export const chain: Lesson = lesson<ChainState>({
       beats: ["look", "why", "exercises"],
       explained: ["look", "why", "exercises"],
     },
+    {
+      name: "gait",
+      kind: "gait",
+      beats: ["idea", "look", "why", "sources"],
+      explained: ["idea", "look", "why", "sources"],
+    },
   ],
+  decimals: { farthest: 1, cadence: 1 },
   equation,
   symbols: ["c", "mu", "sigma", "delta", "d", "rho", "k"],
   bet: {

@@ -18,8 +18,10 @@ const NEAR = 4;
 /** The bet: the first and the last part of a stance. */
 const PART = 0.25;
 
-const isPreset = ({ motion, style, foot, stretch }: Measure) =>
+const isFoot = ({ motion, style, foot, stretch }: Measure) =>
   motion === PRESET.motion && style === PRESET.style && foot === PRESET.foot && stretch === stretchOf(PRESET.at);
+/** Whether a measure is of the foot, the stretch and the setting that exercise A names. */
+const isPreset = (measure: Measure) => isFoot(measure) && measure.hold === 0;
 /** Frames to the fastest slide. */
 const missing = ({ fastest, at }: Measure) => Number(fastest) - Number(at);
 
@@ -34,10 +36,16 @@ export const feet: Lesson = lesson<FeetState>({
       explained: ["idea", "look", "sources"],
     },
     { name: "feet", kind: "feet", beats: ["look", "exercises"], explained: ["look", "exercises"] },
-    { name: "leg", kind: "leg", beats: ["why", "exercises", "sources"], explained: ["why", "exercises", "sources"] },
+    {
+      name: "leg",
+      kind: "leg",
+      beats: ["look", "why", "exercises", "sources"],
+      explained: ["look", "why", "exercises", "sources"],
+    },
   ],
+  decimals: { speed: 0, most: 0, middle: 1, held: 1, d: 3, gamma: 1, bend: 1 },
   equation,
-  symbols: ["P", "c", "q", "gamma", "d", "i"],
+  symbols: ["P", "c", "p", "q", "gamma", "d", "i"],
   bet: {
     options: ["strike", "middle", "lift"],
     reveal: async (engine) => {
@@ -50,7 +58,8 @@ export const feet: Lesson = lesson<FeetState>({
       const answer = share < PART ? "strike" : share > 1 - PART ? "lift" : "middle";
       const middle = (from + to) >> 1;
       const speeds = { most: tracks.free.speeds[fastest]!, middle: tracks.free.speeds[middle]! };
-      return { answer, measure: { ...speeds, held: tracks.held.speeds[fastest]! } };
+      const place = { nth: String(fastest - from + 1), frames: String(to - from + 1) };
+      return { answer, measure: { ...speeds, ...place, held: tracks.held.speeds[fastest]! } };
     },
   },
   exercises: [
@@ -60,12 +69,17 @@ export const feet: Lesson = lesson<FeetState>({
       start: { ...PRESET },
       pass: (measure) => isPreset(measure) && measure.stands === 1 && Math.abs(missing(measure)) <= FRAMES,
       near: (measure) => {
-        if (!isPreset(measure)) return "other";
+        if (!isFoot(measure)) return "other";
+        if (measure.hold !== 0) return "held";
         if (Math.abs(missing(measure)) > FRAMES_NEAR) return undefined;
         return missing(measure) > 0 ? "later" : "earlier";
       },
-      refuse: (measure) => isPreset(measure) && measure.stands === 0,
-      solve: async (engine) => ({ at: fastestSlide(await tracksOf(engine, PRESET), stretchOf(PRESET.at)) }),
+      // Just before the strike the foot is lifted, too: that is close.
+      refuse: (measure) => isPreset(measure) && measure.stands === 0 && Math.abs(missing(measure)) > FRAMES_NEAR,
+      solve: async (engine) => ({
+        at: fastestSlide(await tracksOf(engine, PRESET), stretchOf(PRESET.at)),
+        hold: false,
+      }),
     },
     {
       id: "B",

@@ -47,10 +47,10 @@ export const judge: Lesson = lesson<JudgeState>({
       explained: ["look", "exercises", "sources"],
     },
     { name: "duel", kind: "duel", beats: ["look", "why", "exercises"], explained: ["look", "why", "exercises"] },
-    { name: "histogram", kind: "histogram", beats: ["why", "sources"], explained: ["why", "sources"] },
+    { name: "histogram", kind: "histogram", beats: ["look", "why", "sources"], explained: ["look", "why", "sources"] },
   ],
   equation,
-  symbols: ["e", "F", "J", "p", "u", "i", "acceleration", "content"],
+  symbols: ["e", "p", "u", "i", "acceleration", "content"],
   bet: {
     options: ["little", "some", "much"],
     reveal: async () => {

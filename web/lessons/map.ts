@@ -3,6 +3,7 @@ import type { LearnEngine } from "../client/learn/protocol";
 import { draggedOf, errorsOf, keyedOf, samplesOf } from "../element/figure/map/map_measure";
 import { MAP_FIELDS, type MapState, TEMPERATURE } from "../element/figure/map/map_state";
 import { meanOf } from "../element/figure/pairing";
+import { DEGREES } from "../humanoid";
 import { initialOf } from "../link/hash";
 import equation from "./equations/map.tex";
 import { type Lesson, lesson } from "./lesson";
@@ -31,20 +32,28 @@ export const map: Lesson = lesson<MapState>({
   fields: MAP_FIELDS,
   figures: [
     { name: "posed", kind: "posed", beats: ["idea", "why"], explained: ["idea", "why"] },
-    { name: "pad", kind: "pad", beats: ["idea", "why", "exercises"], explained: ["idea", "why", "exercises"] },
     { name: "som", kind: "som", beats: ["bet", "look", "sources"], explained: ["look", "sources"] },
+    { name: "update", kind: "update", beats: ["look"], explained: ["look"] },
     { name: "learning", kind: "learning", beats: ["look", "exercises"], explained: ["look", "exercises"] },
+    {
+      name: "pad",
+      kind: "pad",
+      beats: ["idea", "look", "why", "exercises"],
+      explained: ["idea", "look", "why", "exercises"],
+    },
     { name: "keys", kind: "keys", beats: ["exercises"], explained: ["exercises"] },
   ],
+  decimals: { temperature: 1, change: 1, right: 1, printed: 0 },
   equation,
-  symbols: ["u", "x", "r", "a", "delta", "sigma", "w", "T", "E"],
+  symbols: ["u", "x", "r", "a", "Z", "delta", "sigma", "w", "T", "E"],
   bet: {
     options: ["same", "slower", "diverges"],
     reveal: async (engine) => {
       const [right, printed] = await Promise.all([false, true].map((sign) => engine.somn(UPDATES, sign)));
       const share = printed!.error / right!.error;
       const answer = !(share < DIVERGED) ? "diverges" : share > SLOWER ? "slower" : "same";
-      return { answer, measure: { updates: String(UPDATES), right: right!.error, printed: printed!.error } };
+      const degrees = { right: right!.error * DEGREES, printed: printed!.error * DEGREES };
+      return { answer, measure: { updates: String(UPDATES), ...degrees } };
     },
   },
   exercises: [

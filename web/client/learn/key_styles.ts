@@ -7,7 +7,7 @@ import { loadBuiltIn } from "../../engine/built_in";
 import { KeyStyleModel, type StyleKey } from "../../engine/key_style/model";
 import type { Somn } from "../../engine/key_style/somn";
 import { DEGREES, POSE_FLOATS } from "../../humanoid";
-import type { Keyed, LearnEngine, SomnSnapshot, StyleSamples } from "./protocol";
+import type { Keyed, LearnEngine, SamplePoses, SomnSnapshot, StyleSamples } from "./protocol";
 
 /** Style variables of the lesson. */
 const AXES = ["foot_separation", "foot_height_difference"];
@@ -22,7 +22,7 @@ const CYCLE = { skip: 10, shortest: 24, longest: 49, compared: 25 };
 /** The functions behind the calls of key-styling. */
 export function createKeyStyles(): Pick<
   LearnEngine,
-  "styleSamples" | "somn" | "somnErrors" | "dragged" | "stylePose" | "keyed"
+  "styleSamples" | "somn" | "somnPoses" | "somnErrors" | "dragged" | "stylePose" | "keyed"
 > {
   let opening: Promise<Opened> | undefined;
   const opened = () => {
@@ -35,6 +35,7 @@ export function createKeyStyles(): Pick<
   return {
     styleSamples: async () => structuredClone((await opened()).samples),
     somn: async (updates, asPrinted) => (await opened()).somn(updates, asPrinted),
+    somnPoses: async (updates, asPrinted) => (await opened()).samplePoses(updates, asPrinted),
     somnErrors: async () => errorsOf((await opened()).model),
     dragged: async (sharing) => {
       const { model, samples } = await opened();
@@ -67,14 +68,36 @@ class Opened {
     this.samples = { values, units, rateHz, proportions, cycle: cycleOf(model) };
   }
 
-  /** Goes on from where learning is, or begins again where that is later. */
   somn(updates: number, asPrinted: boolean): SomnSnapshot {
+    const run = this.#runTo(updates, asPrinted);
+    return structuredClone({ ...run.state, frames: run.frames, total: run.updates });
+  }
+
+  samplePoses(updates: number, asPrinted: boolean): SamplePoses | undefined {
+    const run = this.#runTo(updates, asPrinted);
+    const { sample: frame } = run.state;
+    if (frame < 0) return undefined;
+    const sample = this.model.recorded(frame)!;
+    const soFar = run.model();
+    const poser = soFar.poser();
+    try {
+      poser.mode = "hard";
+      const predicted = poser.jump(valuesAt(this.model, frame)).pose.slice();
+      return { sample, predicted, apart: meanOf(turns(sample, predicted)) };
+    } finally {
+      poser.dispose();
+      soFar.dispose();
+    }
+  }
+
+  /** Goes on from where learning is, or begins again where that is later. */
+  #runTo(updates: number, asPrinted: boolean): Somn<KeyStyleModel> {
     const known = this.#runs.get(asPrinted);
     if (known && known.state.updates > updates) known.dispose();
     const run = known && known.state.updates <= updates ? known : this.model.learn({ asPrinted });
     this.#runs.set(asPrinted, run);
-    const state = run.step(updates - run.state.updates);
-    return structuredClone({ ...state, frames: run.frames, total: run.updates });
+    run.step(updates - run.state.updates);
+    return run;
   }
 }
 
@@ -161,6 +184,8 @@ function turns(a: ArrayLike<number>, b: ArrayLike<number>): number[] {
   });
 }
 
+const meanOf = (values: readonly number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
+
 /** A cycle of the first clip that has two: the length at which its variables come back best. */
 function cycleOf(model: KeyStyleModel): StyleSamples["cycle"] {
   const clip = model.clips.find(({ frames }) => frames > CYCLE.skip + 2 * CYCLE.longest) ?? model.clips[0]!;
@@ -199,7 +224,7 @@ function keyedCycle(model: KeyStyleModel, { cycle, rateHz, values }: StyleSample
     for (let frame = 0; frame < cycle.frames; frame++) {
       const { pose, reached } = styling.at((frame + cycle.frames) / rateHz - begin, "style");
       const angles = turns(pose, model.recorded(cycle.first + frame)!);
-      errors[frame] = angles.reduce((sum, angle) => sum + angle, 0) / angles.length;
+      errors[frame] = meanOf(angles);
       followed.set(reached, VARIABLES * frame);
     }
     return { errors, values: followed };

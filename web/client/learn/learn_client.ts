@@ -23,6 +23,7 @@ const ARITY = {
   clips: 1,
   styleSamples: 0,
   somn: 2,
+  somnPoses: 2,
   somnErrors: 0,
   dragged: 1,
   stylePose: 2,

@@ -157,6 +157,15 @@ export interface SomnSnapshot extends SomnState {
   total: number;
 }
 
+/** The pose of the last update's sample, and what the network predicts for its variables now. */
+export interface SamplePoses {
+  sample: Float32Array;
+  /** By the component that is likeliest for the variables; no finite numbers once learning has diverged. */
+  predicted: Float32Array;
+  /** Mean angle of the joints between the two, degrees. */
+  apart: number;
+}
+
 /** How poses follow the style variables; see `PoseMode`. */
 export interface PoseSharing {
   temperature: number;
@@ -232,6 +241,8 @@ export interface LearnEngine {
   styleSamples(call?: LearnCall): Promise<StyleSamples>;
   /** The network after so many updates, with the signs as they are or as the paper prints them. */
   somn(updates: number, asPrinted: boolean, call?: LearnCall): Promise<SomnSnapshot>;
+  /** The last sample of {@link somn} and its prediction; `undefined` before the first update. */
+  somnPoses(updates: number, asPrinted: boolean, call?: LearnCall): Promise<SamplePoses | undefined>;
   /** {@link Dragged.error} of the models that learning makes after each pass, hard shares. */
   somnErrors(call?: LearnCall): Promise<Float32Array>;
   /** How well the learned model can be dragged. */

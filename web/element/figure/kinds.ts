@@ -32,6 +32,7 @@ const KINDS = {
   path: async () => textKind((await import("./chain/path_figure")).PATH),
   gait: async () => textKind((await import("./chain/gait_figure")).GAIT),
   som: async () => textKind((await import("./map/som_figure")).SOM),
+  update: async () => textKind((await import("./map/update_figure")).UPDATE),
   learning: async () => textKind((await import("./map/learning_figure")).LEARNING),
   pad: async () => textKind((await import("./map/pad_figure")).PAD),
   posed: async () => textKind((await import("./map/posed_figure")).POSED),

@@ -9,7 +9,7 @@ import { Latest } from "../latest";
 import { PlotFrame } from "../plot_frame";
 import { figure } from "../words/words";
 import sheet from "./feet.css?inline";
-import { measureFeet, type Tracks, tracksOf, type Votes, votesOf } from "./feet_measure";
+import { measureFeet, PLANT, RELEASE, type Tracks, tracksOf, type Votes, votesOf, within } from "./feet_measure";
 import { FEET_FIELDS, type FeetState, STRETCH, stretchOf } from "./feet_state";
 import { SIDES, type Side } from "./soles";
 
@@ -19,9 +19,6 @@ const STEP = 5;
 const TABLE_STEP = 6;
 /** A lifted foot is faster than the picture is high, cm/s. */
 const MOST = 80;
-/** A foot stands from this likelihood on, and until it is below the other: the engine's `contact_likelihood.rs`. */
-const PLANT = 0.6;
-const RELEASE = 0.4;
 /** Room for a second axis at the right. */
 const ROOM: Margin = { left: 44, right: 34, top: 24, bottom: 44 };
 
@@ -47,7 +44,7 @@ class FeetFigure implements FigureInstance<FeetState> {
   readonly #votes = svg("g", { class: "dots", "data-term": "c" });
   readonly #likelihood = svg("path", { class: "likelihood", "data-term": "P" });
   readonly #other = svg("path", { class: "speed other" });
-  readonly #speed = svg("path", { class: "speed", "data-term": "q" });
+  readonly #speed = svg("path", { class: "speed", "data-term": "p" });
   readonly #ticks = svg("g", { class: "ticks" });
   readonly #point = svg("circle", { class: "query", r: 5 });
   readonly #handle: Handle;
@@ -73,11 +70,11 @@ class FeetFigure implements FigureInstance<FeetState> {
       "i",
       picture,
       {
-        value: () => this.#axes && this.#state?.at,
+        value: () => this.#axes && this.#shown?.state.at,
         valueOf: (pixel) => valueOfX(this.#axes!, pixel) * this.#shown!.tracks.rateHz,
         stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
         ends: () => {
-          const first = stretchOf(this.#state?.at ?? 0);
+          const first = stretchOf(this.#shown?.state.at ?? 0);
           return [Math.max(2, first), Math.min(this.#shown?.tracks.stands.length ?? STRETCH, first + STRETCH) - 1];
         },
         onInput: (at) => change({ at: Math.round(at) }, false),
@@ -138,7 +135,7 @@ class FeetFigure implements FigureInstance<FeetState> {
     return {
       P: likelihood,
       c: figure(votes.votes[nearest(votes, state.at)] ?? Number.NaN, 2, words),
-      q: `${speed} cm/s`,
+      p: `${speed} cm/s`,
       i: `${figure(state.at / tracks.rateHz, 2, words)} s`,
     };
   }
@@ -152,7 +149,7 @@ class FeetFigure implements FigureInstance<FeetState> {
     const tracks = await tracksOf(engine, state);
     const votes = await votesOf(engine, state, tracks.stands.length);
     if (signal.aborted) return;
-    this.#shown = { state: { ...state, at: Math.min(state.at, tracks.stands.length - 1) }, tracks, votes };
+    this.#shown = { state: within(state, tracks), tracks, votes };
     this.#parts.changed();
     this.#frame.request();
   }
@@ -180,7 +177,7 @@ class FeetFigure implements FigureInstance<FeetState> {
     };
     this.#axes = axes;
     const columns = ticksOf(axes.x, 6).map((value) => [value, figure(value, 1, words)] as const);
-    this.#frame.drawGrid(axes, { x: words.feet.time, y: words.feet.speed, columns, rows: ticksOf(axes.y, 4) }, words);
+    this.#frame.drawGrid(axes, { x: words.feet.time, y: "", columns, rows: ticksOf(axes.y, 4) }, words);
     const x = (frame: number) => xOf(axes, frame / rateHz);
     const share = (p: number) => yOf(axes, p * MOST);
     this.#stances.replaceChildren(
@@ -205,6 +202,8 @@ class FeetFigure implements FigureInstance<FeetState> {
     this.#ticks.replaceChildren(
       ...[0, RELEASE, PLANT, 1].map((p) => svg("text", { x: right, y: share(p) + 4 }, figure(p, 1, words))),
       svg("text", { x: right, y: share(1) - 10 }, words.feet.likelihood),
+      // Below the flag, which stands at the left where the foot lands.
+      svg("text", { x: xOf(axes, axes.x[0]), y: share(1) - 4 }, words.feet.speed),
     );
     const { at } = state;
     setAttributes(this.#point, { cx: x(at), cy: yOf(axes, Math.min(MOST, chosen.speeds[at]!)) });

@@ -25,6 +25,10 @@ export interface Tracks {
 
 const CM = 100;
 
+/** A foot is planted from this likelihood on, and until it is below the other: the engine's `contact_likelihood.rs`. */
+export const PLANT = 0.6;
+export const RELEASE = 0.4;
+
 const tracked = remembered(async (engine, motion: FeetState["motion"], style: string, side: Side): Promise<Tracks> => {
   const input = inputOf({ motion });
   const run = (footplant: boolean) => engine.stylize(input, { ...DEFAULT_OPTIONS, styles: { [style]: 1 }, footplant });
@@ -72,17 +76,16 @@ const voted = remembered(
   },
 );
 
-/** The votes on a state's foot in the stretch around its frame; computed once. */
-export function votesOf(engine: LearnEngine, state: FeetState, frames: number): Promise<Votes> {
-  const first = Math.max(2, stretchOf(state.at));
-  return voted(
-    engine,
-    state.motion,
-    state.style,
-    state.foot,
-    first,
-    Math.min(frames, stretchOf(state.at) + STRETCH) - 1,
-  );
+/** A state whose frame is one of a motion. */
+export function within(state: FeetState, { stands }: Tracks): FeetState {
+  return { ...state, at: Math.min(state.at, stands.length - 1) };
+}
+
+/** The votes on a state's foot in the stretch around its frame, of so many in all; computed once. */
+export function votesOf(engine: LearnEngine, { at, ...state }: FeetState, frames: number): Promise<Votes> {
+  const begin = stretchOf(Math.min(at, frames - 1));
+  const [first, last] = [Math.max(2, begin), Math.min(frames, begin + STRETCH) - 1];
+  return voted(engine, state.motion, state.style, state.foot, first, last);
 }
 
 /** The frame of a stretch in which a standing foot that is not held slides fastest; −1 where none stands. */
@@ -133,6 +136,7 @@ export async function measureFeet(engine: LearnEngine, state: FeetState): Promis
     motion: state.motion,
     style: state.style,
     foot: state.foot,
+    hold: state.hold ? 1 : 0,
     at,
     stretch: stretchOf(at),
     stands: tracks.stands[at]!,

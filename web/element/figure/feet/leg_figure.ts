@@ -16,6 +16,8 @@ const STEP = { coarse: 0.02, fine: 0.002 };
 const SHOWN = { top: 0.08, bottom: -0.88 };
 /** Radius of the arc of γ, and of the hip, pixels. */
 const ARC = 26;
+/** How far from the bones labels stand, pixels. */
+const LABEL = 14;
 
 export const LEG: FigureKind<FeetState> = {
   fields: FEET_FIELDS,
@@ -140,15 +142,20 @@ class LegFigure implements FigureInstance<FeetState> {
     setAttributes(this.#arc, {
       d: `M${knee[0]} ${knee[1]}L${from[0]} ${from[1]}A${ARC} ${ARC} 0 0 0 ${to[0]} ${to[1]}Z`,
     });
+    // Labels stand outside the bend, where no bone is.
+    const away = [knee[0] - (hip[0] + ankle[0]) / 2, knee[1] - (hip[1] + ankle[1]) / 2] as const;
+    const size = Math.hypot(...away) || 1;
+    const [outX, outY] = away[0] === 0 && away[1] === 0 ? [1, 0] : [away[0] / size, away[1] / size];
     const label = (of: SVGTextElement, text: string, x: number, y: number) => {
       setText(of, text);
-      setAttributes(of, { x: x + 10, y });
+      const anchor = outX < 0 ? "end" : "start";
+      setAttributes(of, { x: x + LABEL * outX, y: y + LABEL * outY + 4, "text-anchor": anchor });
     };
     const middle = (a: readonly [number, number], b: readonly [number, number]) =>
       [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2] as const;
-    label(this.#labels.a, `a ${figure(leg.a, 3, words)}`, ...middle(hip, knee));
-    label(this.#labels.b, `b ${figure(leg.b, 3, words)}`, ...middle(knee, ankle));
-    label(this.#labels.gamma, `γ ${figure(leg.gamma, 1, words)}°`, knee[0] + ARC, knee[1] - 4);
+    label(this.#labels.a, `a ${figure(leg.a, 3, words)} m`, ...middle(hip, knee));
+    label(this.#labels.b, `b ${figure(leg.b, 3, words)} m`, ...middle(knee, ankle));
+    label(this.#labels.gamma, `γ ${figure(leg.gamma, 1, words)}°`, ...knee);
     this.#handles.place(axes, [[state.x, state.y]], () => this.sentence());
     setText(this.#readout, words.feet.reached(figure(leg.d, 3, words), figure(leg.gamma, 1, words)));
   }

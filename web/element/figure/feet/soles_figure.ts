@@ -9,15 +9,19 @@ import { Latest } from "../latest";
 import { PlotFrame } from "../plot_frame";
 import { figure } from "../words/words";
 import sheet from "./feet.css?inline";
-import { measureFeet, type Tracks, tracksOf } from "./feet_measure";
+import { measureFeet, type Track, type Tracks, tracksOf, within } from "./feet_measure";
 import { FEET_FIELDS, type FeetState } from "./feet_state";
 import { pivotTravel, type Sole } from "./soles";
 
-/** Half of what is shown across, cm; as much forwards as the picture has room for. */
-const HALF = 12;
+/** What is shown forwards at least, cm: a foot's length, and room to slide; and what is shown across. */
+const ALONG = [-5, 23] as const;
+const ACROSS = 6;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 5;
 const CM = 100;
+/** Length of an arrow's head, pixels; a shorter arrow than this, cm, is not drawn. */
+const BARB = 8;
+const LEAST_ARROW = 0.2;
 
 export const SOLES: FigureKind<FeetState> = {
   fields: FEET_FIELDS,
@@ -32,23 +36,40 @@ interface Outline {
   ball: readonly [along: number, across: number];
 }
 
+/** A foot in a stance, and at the playhead with either setting of the hold. */
+interface Shown {
+  state: FeetState;
+  outlines: Outline[];
+  /** The way that it slides in this stance, cm. */
+  cm: number;
+  /** At the playhead: as it is shown, and with the other setting of the hold; none while it is lifted. */
+  now: Outline | undefined;
+  other: Outline | undefined;
+  /** How far the hold has moved it at the playhead, cm. */
+  moved: number;
+}
+
 class SolesFigure implements FigureInstance<FeetState> {
   readonly #parts: FigureParts<FeetState>;
   readonly #frame: PlotFrame;
   readonly #instant: Slider;
   readonly #outlines = svg("g", { class: "outlines" });
-  readonly #now = svg("path", { class: "sole now", "data-term": "q" });
+  readonly #other = svg("path", { class: "sole other" });
+  readonly #now = svg("path", { class: "sole now", "data-term": "p" });
+  readonly #correction = svg("path", { class: "correction", "data-term": "q" });
+  readonly #label = svg("text", { class: "label chosen" });
   readonly #readout = html("p", { class: "readout" });
   readonly #tracking = new Latest<FeetState>((state) => this.#track(state));
   #state: FeetState | undefined;
-  #shown: { state: FeetState; outlines: Outline[]; cm: number } | undefined;
+  #shown: Shown | undefined;
 
   constructor(parts: FigureParts<FeetState>) {
     this.#parts = parts;
     const { words, container, signal, change } = parts;
     this.#frame = new PlotFrame(words.feet.soles, () => this.#drawNow(), signal);
     this.#instant = createInstant(words, 2, change);
-    this.#frame.picture.append(this.#outlines, this.#now);
+    const { picture } = this.#frame;
+    picture.append(this.#outlines, this.#other, this.#now, this.#correction, this.#label);
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.feet.soles)),
@@ -88,22 +109,33 @@ class SolesFigure implements FigureInstance<FeetState> {
   }
 
   values(): Readonly<Record<string, string>> {
-    return {};
+    return this.#shown ? { q: `${figure(this.#shown.moved, 1, this.#parts.words)} cm` } : {};
   }
 
   light(term: string | undefined): void {
     this.#frame.light(term);
   }
 
-  async #track(state: FeetState): Promise<void> {
-    const tracks = await tracksOf(this.#parts.engine, state);
+  async #track(asked: FeetState): Promise<void> {
+    const tracks = await tracksOf(this.#parts.engine, asked);
     if (this.#parts.signal.aborted) return;
+    const state = within(asked, tracks);
     const [from, to] = stanceAt(tracks, state.at);
-    const { soles } = state.hold ? tracks.held : tracks.free;
+    const [{ soles }, other] = state.hold ? [tracks.held, tracks.free] : [tracks.free, tracks.held];
     let cm = 0;
     for (let frame = from + 1; frame <= to; frame++)
       cm += CM * Math.hypot(...pivotTravel(soles[frame]!, soles[frame - 1]!));
-    this.#shown = { state, outlines: outlinesOf(soles, from, to), cm };
+    const place = placesOf(soles[(from + to) >> 1]!);
+    const outlines = soles.slice(from, to + 1).map((sole, i) => place(sole, from + i));
+    const now = outlines.find(({ frame }) => frame === state.at);
+    this.#shown = {
+      state,
+      outlines,
+      cm,
+      now,
+      other: now && place(other.soles[state.at]!, state.at),
+      moved: correctionOf(tracks, state.at),
+    };
     this.#parts.changed();
     this.#frame.request();
   }
@@ -111,20 +143,44 @@ class SolesFigure implements FigureInstance<FeetState> {
   #drawNow(): void {
     if (!this.#shown) return;
     const { words } = this.#parts;
-    const { state, outlines, cm } = this.#shown;
+    const { outlines, cm, now, other, moved } = this.#shown;
     const [width, height] = [this.#frame.width, this.#frame.height];
     // A centimetre is as long in both directions.
-    const perCm = Math.max(1, height - 60) / (2 * HALF);
-    const axes: Axes = { width, height, x: [-HALF, (width - 60) / perCm - HALF], y: [-HALF, HALF] };
+    const [wide, high] = [Math.max(1, width - 60), Math.max(1, height - 60)];
+    const perCm = Math.min(wide / (ALONG[1] - ALONG[0]), high / ACROSS);
+    const half = high / perCm / 2;
+    const axes: Axes = { width, height, x: [ALONG[0], ALONG[0] + wide / perCm], y: [-half, half] };
     const columns = ticksOf(axes.x, 8).map((value) => [value, figure(value, 0, words)] as const);
     this.#frame.drawGrid(axes, { x: words.feet.along, y: words.feet.across, columns, rows: ticksOf(axes.y, 4) }, words);
     const shape = ({ heel, ball }: Outline) =>
       `M${xOf(axes, heel[0]).toFixed(1)} ${yOf(axes, heel[1]).toFixed(1)}L${xOf(axes, ball[0]).toFixed(1)} ${yOf(axes, ball[1]).toFixed(1)}`;
     this.#outlines.replaceChildren(...outlines.map((one) => svg("path", { class: "sole", d: shape(one) })));
-    const now = outlines.find(({ frame }) => frame === state.at);
     setAttributes(this.#now, { d: now ? shape(now) : "" });
+    setAttributes(this.#other, { d: other ? shape(other) : "" });
+    this.#drawCorrection(axes, moved);
     setText(this.#readout, words.feet.slid(figure(cm, 1, words)));
   }
+
+  /** From where the foot would be without the hold to where the hold has it. */
+  #drawCorrection(axes: Axes, moved: number): void {
+    const { state, now, other } = this.#shown!;
+    const middle = ({ heel, ball }: Outline) =>
+      [xOf(axes, (heel[0] + ball[0]) / 2), yOf(axes, (heel[1] + ball[1]) / 2)] as const;
+    const [free, held] = state.hold ? [other, now] : [now, other];
+    const visible = free && held && moved >= LEAST_ARROW;
+    setAttributes(this.#correction, { d: visible ? arrow(middle(free), middle(held)) : "" });
+    const [x, y] = held ? middle(held) : [0, 0];
+    setAttributes(this.#label, { x: x + 8, y: y - 16 });
+    setText(this.#label, visible ? `q ${figure(moved, 1, this.#parts.words)} cm` : "");
+  }
+}
+
+/** An arrow from one point to another. */
+function arrow([x, y]: readonly [number, number], [toX, toY]: readonly [number, number]): string {
+  const angle = Math.atan2(toY - y, toX - x);
+  const barb = (by: number) =>
+    `${(toX - BARB * Math.cos(angle + by)).toFixed(1)} ${(toY - BARB * Math.sin(angle + by)).toFixed(1)}`;
+  return `M${x.toFixed(1)} ${y.toFixed(1)}L${toX.toFixed(1)} ${toY.toFixed(1)}M${barb(0.5)}L${toX.toFixed(1)} ${toY.toFixed(1)}L${barb(-0.5)}`;
 }
 
 /** First and last frames of the stance that a frame is in, or of the next one. */
@@ -137,10 +193,8 @@ function stanceAt({ stands }: Tracks, at: number): [from: number, to: number] {
   return [from, to];
 }
 
-/** Outlines of a stance, seen along the foot at its start. */
-function outlinesOf(soles: readonly Sole[], from: number, to: number): Outline[] {
-  // The foot lies flat in the middle of its stance.
-  const flat = soles[(from + to) >> 1]!;
+/** Places over the ground, seen along a foot that lies flat, as it does in the middle of its stance. */
+function placesOf(flat: Sole): (sole: Sole, frame: number) => Outline {
   const origin = flat.heel;
   const [dx, dz] = [flat.ball[0] - flat.heel[0], flat.ball[2] - flat.heel[2]];
   const length = Math.hypot(dx, dz) || 1;
@@ -149,8 +203,11 @@ function outlinesOf(soles: readonly Sole[], from: number, to: number): Outline[]
     // Left of somebody who faces +Z is +X.
     return [(px * dx + pz * dz) / length, (px * dz - pz * dx) / length];
   };
-  return Array.from({ length: to - from + 1 }, (_, i) => {
-    const { heel, ball } = soles[from + i]!;
-    return { frame: from + i, heel: place(heel), ball: place(ball) };
-  });
+  return ({ heel, ball }, frame) => ({ frame, heel: place(heel), ball: place(ball) });
+}
+
+/** How far apart the middles of a sole are with the hold and without, cm: the size of q. */
+export function correctionOf({ held, free }: Pick<Tracks, "held" | "free">, frame: number): number {
+  const middle = ({ soles }: Track, axis: 0 | 2) => (soles[frame]!.heel[axis] + soles[frame]!.ball[axis]) / 2;
+  return CM * Math.hypot(middle(held, 0) - middle(free, 0), middle(held, 2) - middle(free, 2));
 }

@@ -151,7 +151,6 @@ class DuelFigure implements FigureInstance<JudgeState> {
     return {
       ...(u !== undefined && { u: `${figure(u, 2, words)}°` }),
       i: `${figure(at / RATE_HZ, 2, words)} s`,
-      F: String(this.#frames()),
       p: `${this.#mm(shown.trials.pick.errors[at]!)} mm`,
     };
   }

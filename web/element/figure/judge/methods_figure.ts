@@ -6,7 +6,7 @@ import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "..
 import { Latest } from "../latest";
 import { figure } from "../words/words";
 import sheet from "./judge.css?inline";
-import { COMPARED, measureJudge, standingOn, trialOf } from "./judge_measure";
+import { measureJudge, standingOn, trialOf } from "./judge_measure";
 import {
   HONEST,
   type Honest,
@@ -139,7 +139,6 @@ class MethodsFigure implements FigureInstance<JudgeState> {
     const { words } = this.#parts;
     const [pose] = this.#said(of);
     return {
-      J: String(COMPARED),
       e: of.pose === undefined ? "–" : `${pose} mm`,
       acceleration: `${figure(of.acceleration, 2, words)} ×`,
       content: figure(of.content, 2, words),

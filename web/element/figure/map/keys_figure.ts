@@ -29,7 +29,7 @@ class KeysFigure implements FigureInstance<MapState> {
   readonly #frame: PlotFrame;
   readonly #errors = svg("path", { class: "errors", "data-term": "E" });
   readonly #recorded = svg("path", { class: "recorded" });
-  readonly #followed = svg("path", { class: "followed", "data-term": "u" });
+  readonly #followed = svg("path", { class: "followed" });
   readonly #handles: PlaneHandles;
   readonly #add: HTMLButtonElement;
   readonly #remove: HTMLButtonElement;
@@ -110,7 +110,7 @@ class KeysFigure implements FigureInstance<MapState> {
   values(): Readonly<Record<string, string>> {
     if (!this.#shown) return {};
     const { words } = this.#parts;
-    return { u: String(this.#shown.state.keys.length), E: `${figure(meanOf(this.#shown.keyed.errors), 2, words)}°` };
+    return { E: `${figure(meanOf(this.#shown.keyed.errors), 2, words)}°` };
   }
 
   light(term: string | undefined): void {

@@ -22,6 +22,7 @@ class LearningFigure implements FigureInstance<MapState> {
   readonly #frame: PlotFrame;
   readonly #curve = svg("path", { class: "learned", "data-term": "E" });
   readonly #dots = svg("g", { class: "dots", "data-term": "E" });
+  readonly #name = svg("text", { "text-anchor": "end" });
   readonly #handle: Handle;
   readonly #readout = html("p", { class: "readout" });
   readonly #asking = new Latest<MapState>(() => this.#ask());
@@ -48,7 +49,7 @@ class LearningFigure implements FigureInstance<MapState> {
       },
       signal,
     );
-    picture.append(this.#curve, this.#dots, this.#handle.element);
+    picture.append(this.#name, this.#curve, this.#dots, this.#handle.element);
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.map.learning)),
@@ -84,7 +85,7 @@ class LearningFigure implements FigureInstance<MapState> {
 
   values(): Readonly<Record<string, string>> {
     const error = this.#shown?.errors[this.#pass - 1];
-    return error === undefined ? {} : { E: `${figure(error, 3, this.#parts.words)}°` };
+    return { E: error === undefined ? "–" : `${figure(error, 3, this.#parts.words)}°` };
   }
 
   light(term: string | undefined): void {
@@ -125,8 +126,11 @@ class LearningFigure implements FigureInstance<MapState> {
     };
     this.#axes = axes;
     const columns = ticksOf(axes.x, 10).map((value) => [value, figure(value, 0, words)] as const);
-    const labels = { x: words.map.pass, y: words.map.error, columns, rows: ticksOf(axes.y, 4) };
+    const labels = { x: words.map.pass, y: "", columns, rows: ticksOf(axes.y, 4) };
     this.#frame.drawGrid(axes, labels, words);
+    // At the left it would lie under the flag before the first pass.
+    setAttributes(this.#name, { x: xOf(axes, axes.x[1]) - 6, y: yOf(axes, axes.y[1]) + 16 });
+    setText(this.#name, words.map.error);
     const pass = this.#pass;
     const points = Array.from(errors.subarray(0, pass), (error, i) => [xOf(axes, i + 1), yOf(axes, error)] as const);
     setAttributes(this.#curve, { d: points.length > 0 ? `M${points.map(([x, y]) => `${x} ${y}`).join("L")}` : "" });

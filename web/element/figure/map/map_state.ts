@@ -29,7 +29,8 @@ const MOST_FRAMES = 50;
 
 /** How the state is written into a link. */
 export const MAP_FIELDS: Fields<MapState> = {
-  updates: number("updates", 0, { min: 0, max: 100_000, digits: 0 }, true),
+  // Some way into the second pass: every mark has something to show.
+  updates: number("updates", 1000, { min: 0, max: 100_000, digits: 0 }, true),
   printed: flag("printed", false, true),
   temperature: number("T", 1, TEMPERATURE, true),
   separation: number("sep", 30, { min: -200, max: 200, digits: 1 }, true),

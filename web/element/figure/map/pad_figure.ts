@@ -1,7 +1,7 @@
 /** The style variables as a plane in which the character is dragged. */
 import type { Dragged, StyleSamples } from "../../../client/learn/protocol";
 import type { Knob } from "../../../ui/controls/knob";
-import { html, setAttributes, setText } from "../../../ui/dom";
+import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import type { Axes } from "../axes";
 import { createKnobs } from "../controls";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
@@ -11,8 +11,8 @@ import { PlotFrame } from "../plot_frame";
 import { figure } from "../words/words";
 import sheet from "./map.css?inline";
 import { draggedOf, measureMap, samplesOf } from "./map_measure";
-import { MAP_FIELDS, type MapState, TEMPERATURE } from "./map_state";
-import { createDots, dotsOf, planeOf } from "./plane";
+import { MAP_FIELDS, type MapState, sharingOf, TEMPERATURE } from "./map_state";
+import { barsOf, createDots, dotsOf, planeOf } from "./plane";
 
 /** Centimetres of an arrow key; with Shift the fine one. */
 const STEP = { coarse: 2, fine: 0.5 };
@@ -28,11 +28,12 @@ class PadFigure implements FigureInstance<MapState> {
   readonly #frame: PlotFrame;
   readonly #temperature: Knob;
   readonly #dots = createDots();
+  readonly #bars = svg("g", { class: "bars", "data-term": "w" });
   readonly #handles: PlaneHandles;
   readonly #readout = html("p", { class: "readout" });
   readonly #dragging = new Latest<MapState>((state) => this.#drag(state));
   #state: MapState | undefined;
-  #shown: { samples: StyleSamples; dragged: Dragged } | undefined;
+  #shown: { samples: StyleSamples; dragged: Dragged; weights: Float32Array } | undefined;
   #axes: Axes | undefined;
 
   constructor(parts: FigureParts<MapState>) {
@@ -55,11 +56,13 @@ class PadFigure implements FigureInstance<MapState> {
       },
       signal,
     );
-    this.#frame.picture.append(this.#dots, ...this.#handles.elements);
+    for (const handle of this.#handles.elements) setAttributes(handle, { "data-term": "u" });
+    this.#frame.picture.append(this.#dots, this.#bars, ...this.#handles.elements);
+    this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.map.pad)),
       this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
+      html("footer", { class: "foot needed" }, this.#readout),
       html("div", { class: "knobs" }, this.#temperature.element),
     );
   }
@@ -96,7 +99,15 @@ class PadFigure implements FigureInstance<MapState> {
   }
 
   values(): Readonly<Record<string, string>> {
-    return this.#state ? { T: figure(this.#state.temperature, 1, this.#parts.words) } : {};
+    const state = this.#state;
+    if (!state) return {};
+    const { words } = this.#parts;
+    const most = this.#shown?.weights.reduce((a, b) => Math.max(a, b), 0);
+    return {
+      u: `${figure(state.separation, 0, words)}, ${figure(state.height, 0, words)} cm`,
+      T: figure(state.temperature, 1, words),
+      ...(most !== undefined && { w: figure(most, 2, words) }),
+    };
   }
 
   light(term: string | undefined): void {
@@ -106,9 +117,13 @@ class PadFigure implements FigureInstance<MapState> {
 
   async #drag(state: MapState): Promise<void> {
     const { engine, signal } = this.#parts;
-    const [samples, dragged] = await Promise.all([samplesOf(engine), draggedOf(engine, state.temperature)]);
+    const [samples, dragged, { weights }] = await Promise.all([
+      samplesOf(engine),
+      draggedOf(engine, state.temperature),
+      engine.stylePose([state.separation, state.height], sharingOf(state)),
+    ]);
     if (signal.aborted) return;
-    this.#shown = { samples, dragged };
+    this.#shown = { samples, dragged, weights };
     this.#parts.changed();
     this.#frame.request();
   }
@@ -120,6 +135,7 @@ class PadFigure implements FigureInstance<MapState> {
     this.#axes = planeOf(this.#frame, shown.samples.values, words);
     setAttributes(this.#dots, { d: dotsOf(this.#axes, shown.samples.values) });
     this.#handles.place(this.#axes, [[state.separation, state.height]], () => this.sentence());
+    this.#bars.replaceChildren(...barsOf(this.#axes, shown.weights, "w"));
     const { change, error } = shown.dragged;
     setText(this.#readout, words.map.dragged(figure(change, 1, words), figure(error, 2, words)));
   }

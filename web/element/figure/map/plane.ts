@@ -26,3 +26,19 @@ export function dotsOf(axes: Axes, values: Float32Array): string {
 export function createDots(): SVGPathElement {
   return svg("path", { class: "samples" });
 }
+
+/** Height of the bar of 1, pixels; and how far from one bar to the next, at most that, and together a share of the plot. */
+const BAR = { height: 34, most: 10, share: 0.3, filled: 0.7 };
+
+/** A bar for every component at the upper right, with the name of what they are. */
+export function barsOf(axes: Axes, shares: Float32Array, name: string): SVGElement[] {
+  const [begin, end] = [xOf(axes, axes.x[0]), xOf(axes, axes.x[1])];
+  const step = Math.min(BAR.most, (BAR.share * (end - begin)) / shares.length);
+  const left = end - shares.length * step;
+  const bottom = yOf(axes, axes.y[1]) + BAR.height + 6;
+  const bars = Array.from(shares, (share, i) => {
+    const height = Math.max(1, BAR.height * share);
+    return svg("rect", { x: left + i * step, y: bottom - height, width: BAR.filled * step, height });
+  });
+  return [svg("text", { class: "label y", x: left - 8, y: bottom, "text-anchor": "end" }, name), ...bars];
+}

@@ -1,5 +1,6 @@
 /** Learning of a self-organising mixture network, update by update: components over the training frames. */
 import type { SomnSnapshot, StyleSamples } from "../../../client/learn/protocol";
+import { DEGREES } from "../../../humanoid";
 import { button, Toggle } from "../../../ui/controls/buttons";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { xOf, yOf } from "../axes";
@@ -10,10 +11,14 @@ import { figure } from "../words/words";
 import sheet from "./map.css?inline";
 import { measureMap, passOf, samplesOf } from "./map_measure";
 import { MAP_FIELDS, type MapState } from "./map_state";
-import { createDots, dotsOf, planeOf } from "./plane";
+import { barsOf, createDots, dotsOf, planeOf } from "./plane";
 
-/** Height of the bar of r 1, pixels, and width of all bars. */
-const BAR = { height: 34, width: 7, gap: 3 };
+/** Updates a second while it plays: few at first, then a share of those that were made. */
+const PLAY = { least: 4, share: 0.4 };
+/** A centre that an update moves less than so many pixels has no arrow. */
+const LEAST_MOVE = 3;
+/** Errors from here on, degrees, are said by their powers of ten. */
+const HUGE = 10_000;
 
 export const SOM: FigureKind<MapState> = {
   fields: MAP_FIELDS,
@@ -30,10 +35,14 @@ class SomFigure implements FigureInstance<MapState> {
   readonly #neighbourhood = svg("circle", { class: "neighbourhood", "data-term": "sigma" });
   readonly #sample = svg("circle", { class: "query", r: 5, "data-term": "x" });
   readonly #bars = svg("g", { class: "bars", "data-term": "r" });
+  readonly #moves = svg("path", { class: "moves", "data-term": "delta" });
+  readonly #play: HTMLButtonElement;
   readonly #readout = html("p", { class: "readout" });
   readonly #stepping = new Latest<MapState>((state) => this.#step(state));
   #state: MapState | undefined;
   #shown: { samples: StyleSamples; now: SomnSnapshot } | undefined;
+  /** The updates that playing has come to, and the time of its last picture; `undefined` while it stands. */
+  #run: { at: number; last: number } | undefined;
 
   constructor(parts: FigureParts<MapState>) {
     this.#parts = parts;
@@ -45,7 +54,12 @@ class SomFigure implements FigureInstance<MapState> {
       if (state && shown) change({ updates: Math.min(shown.now.total, state.updates + by(shown.now)) }, true);
     };
     const { one, ten, pass, all, restart } = words.map.steps;
+    this.#play = button(words.play, () => (this.#run ? this.#stop() : this.#start()), { label: true });
+    // Its name changes.
+    this.#play.removeAttribute("title");
+    signal.addEventListener("abort", () => this.#stop(), { once: true });
     const steps = [
+      this.#play,
       button(
         one,
         go(() => 1),
@@ -69,7 +83,8 @@ class SomFigure implements FigureInstance<MapState> {
       ),
       button(restart, () => change({ updates: 0 }, true), { label: true }),
     ];
-    this.#frame.picture.append(this.#dots, this.#components, this.#neighbourhood, this.#sample, this.#bars);
+    this.#frame.picture.append(this.#dots, this.#components, this.#moves, this.#neighbourhood);
+    this.#frame.picture.append(this.#sample, this.#bars);
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.map.som)),
@@ -82,6 +97,8 @@ class SomFigure implements FigureInstance<MapState> {
   show(state: MapState): Promise<void> {
     this.#state = state;
     this.#printed.on = state.printed;
+    // Somebody has gone elsewhere meanwhile.
+    if (this.#run && state.updates !== Math.floor(this.#run.at)) this.#run.at = state.updates;
     return this.#stepping.take(state);
   }
 
@@ -116,13 +133,13 @@ class SomFigure implements FigureInstance<MapState> {
     return {
       r: figure(most, 2, words),
       delta: figure(now.delta, 2, words),
-      sigma: `${figure(now.sigma, 2, words)} rad`,
+      sigma: `${figure(now.sigma * DEGREES, 1, words)}°`,
       a: figure(
         now.weights.reduce((a, b) => Math.max(a, b), 0),
         2,
         words,
       ),
-      ...(sample && { x: `${figure(sample[0]!, 0, words)}, ${figure(sample[1]!, 0, words)} cm` }),
+      x: sample ? `${figure(sample[0]!, 0, words)}, ${figure(sample[1]!, 0, words)} cm` : "–",
     };
   }
 
@@ -133,7 +150,47 @@ class SomFigure implements FigureInstance<MapState> {
   /** The running error; once learning has diverged it is no number any more. */
   #error({ error }: SomnSnapshot): string {
     if (!Number.isFinite(error)) return "∞";
-    return error < 100 ? figure(error, 3, this.#parts.words) : error.toExponential(0);
+    const degrees = error * DEGREES;
+    return degrees < HUGE ? figure(degrees, 1, this.#parts.words) : powerOfTen(degrees);
+  }
+
+  #start(): void {
+    const { words } = this.#parts;
+    const { state, now } = { state: this.#state, now: this.#shown?.now };
+    if (!state || !now) return;
+    // From the end it begins anew.
+    this.#run = { at: state.updates >= now.total ? 0 : state.updates, last: performance.now() };
+    setText(this.#play.querySelector("span")!, words.pause);
+    requestAnimationFrame((time) => this.#goOn(time));
+  }
+
+  #stop(): void {
+    if (!this.#run) return;
+    this.#run = undefined;
+    setText(this.#play.querySelector("span")!, this.#parts.words.play);
+    if (!this.#parts.signal.aborted) this.#parts.change({}, true);
+  }
+
+  /** The next picture while it plays; where motion is to be reduced, a pass a second. */
+  #goOn(time: number): void {
+    const [run, now] = [this.#run, this.#shown?.now];
+    if (!run || !now) return;
+    // Nobody sees it.
+    if (this.#frame.picture.getClientRects().length === 0) {
+      this.#stop();
+      return;
+    }
+    const secs = Math.max(0, time - run.last) / 1000;
+    const isReduced = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (!isReduced || secs >= 1) {
+      run.last = time;
+      run.at += isReduced ? now.frames : Math.min(0.1, secs) * Math.max(PLAY.least, PLAY.share * run.at);
+      run.at = Math.min(now.total, run.at);
+      const updates = Math.floor(run.at);
+      if (updates !== this.#state!.updates) this.#parts.change({ updates }, false);
+    }
+    if (run.at >= now.total) this.#stop();
+    else requestAnimationFrame((next) => this.#goOn(next));
   }
 
   async #step(state: MapState): Promise<void> {
@@ -173,15 +230,34 @@ class SomFigure implements FigureInstance<MapState> {
     setAttributes(this.#sample, { cx: xOf(axes, sx), cy: yOf(axes, sy), visibility });
     // The neighbourhood is one of poses; the ring says only how wide it is against its first width.
     setAttributes(this.#neighbourhood, { cx: xOf(axes, sx), cy: yOf(axes, sy), r: 60 * now.sigma, visibility });
-    const left = xOf(axes, axes.x[1]) - count * (BAR.width + BAR.gap);
-    const bottom = yOf(axes, axes.y[1]) + BAR.height + 6;
-    this.#bars.replaceChildren(
-      ...Array.from({ length: count }, (_, i) => {
-        const height = Math.max(1, BAR.height * now.r[i]!);
-        return svg("rect", { x: left + i * (BAR.width + BAR.gap), y: bottom - height, width: BAR.width, height });
-      }),
-    );
+    this.#bars.replaceChildren(...barsOf(axes, now.r, "r"));
+    setAttributes(this.#moves, { d: known ? movesOf(now, [sx, sy], (x, y) => [xOf(axes, x), yOf(axes, y)]) : "" });
     const pass = String(Math.min(now.total / now.frames, passOf(now.updates, now.frames) + 1));
     setText(this.#readout, words.map.at(String(now.updates), pass, this.#error(now)));
   }
+}
+
+/** How the last update moved the centres: each by δ r of the way to the sample. */
+function movesOf(
+  { centres, r, delta }: SomnSnapshot,
+  sample: readonly number[],
+  at: (x: number, y: number) => readonly [number, number],
+): string {
+  let path = "";
+  r.forEach((share, i) => {
+    const [x, y] = [0, 1].map((axis) => {
+      const now = centres[2 * i + axis]!;
+      return [(now - delta * share * sample[axis]!) / (1 - delta * share), now] as const;
+    }) as [readonly [number, number], readonly [number, number]];
+    const [from, to] = [at(x[0], y[0]), at(x[1], y[1])];
+    if (Math.hypot(to[0] - from[0], to[1] - from[1]) < LEAST_MOVE) return;
+    path += `M${from.map((pixel) => pixel.toFixed(1)).join(" ")}L${to.map((pixel) => pixel.toFixed(1)).join(" ")}`;
+  });
+  return path;
+}
+
+/** A large number by its power of ten. */
+function powerOfTen(value: number): string {
+  const digits = String(Math.floor(Math.log10(value)));
+  return `10${Array.from(digits, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]).join("")}`;
 }

@@ -7,6 +7,7 @@ export interface MapWords {
   learning: string;
   pad: string;
   posed: string;
+  update: string;
   keys: string;
   temperature: KnobWords;
   /** Buttons: updates, a pass, all, and the beginning. */
@@ -32,6 +33,11 @@ export interface MapWords {
   asked: (separation: string, height: string) => string;
   interpolated: (count: string, error: string, from: string, to: string, worst: string) => string;
   pose: string;
+  /** The two bodies of an update, and how far they are apart. */
+  sampled: string;
+  predicted: string;
+  predictedOff: (degrees: string) => string;
+  noUpdate: string;
   /** Heads of the tables. */
   components: readonly [string, string, string, string];
   passes: readonly [string, string];

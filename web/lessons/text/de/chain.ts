@@ -2,36 +2,38 @@ import type { LessonText } from "../text";
 
 export const chain: LessonText = {
   idea: [
-    "Dieser Gehende folgt keiner Eingabe. Ein Schritt ist eine Kette aus fünf Zuständen, und jeder Zustand kennt Mittel und Streuung jedes Winkels, seiner Änderung, und wie lange er dauert.",
-    "Zwischen diesen Zusagen wird die wahrscheinlichste Bewegung gesucht, Schritt für Schritt. Das ist ein Hidden-Semi-Markov-Modell, und seine Mittel und Varianzen sind alles, was von den Aufnahmen bleibt.",
-    "Misch die Mittel zweier Modelle, und du hast einen gemischten Gang. Geh darüber hinaus, und er ist übertrieben; geh zurück, und er ist verneint.",
+    "Dieser Gehende folgt keiner Eingabe. Ein Schritt ist eine Kette aus fünf Zuständen, und jeder Zustand kennt Mittel und Varianz jedes Winkels, seiner Änderung von Bild zu Bild, der Änderung dieser Änderung und seiner Dauer.",
+    "Ein Mittel mit seiner Varianz ist wie eine Zusage: Mit kleiner Varianz ist sie fest, mit großer locker. Unter allen Bewegungen wird die gewählt, die alle Zusagen am besten hält, Schritt für Schritt. Das ist ein Hidden-Semi-Markov-Modell, und seine Mittel und Varianzen sind alles, was von den Aufnahmen bleibt.",
+    "Misch die Mittel zweier Modelle, und du hast einen gemischten Gang. Mit k über 1 ist der Stil übertrieben, unter 0 in sein Gegenteil umgekehrt.",
   ],
   bet: {
     question:
-      "Die Kurve muss drei Zusagen halten: über den Winkel, über seine Änderung, und über die Änderung der Änderung. Mach σ″, die Streuung der letzten, kleiner. Was wird aus der Kurve?",
+      "Die Kurve muss drei Zusagen halten: über den Winkel, über seine Änderung und über die Änderung der Änderung. Mach σ″, die Standardabweichung der letzten, kleiner. Was wird aus der Kurve?",
     options: { smoother: "Sie wird glatter", same: "Sie bleibt, wie sie ist", rougher: "Sie wird rauer" },
     reveal: ({ leg, toes }) =>
-      `Mit einem Zehntel von σ″² ruckt der Oberschenkel ${leg}-mal so stark wie vorher, die Zehen ${toes}-mal. Eine kleine Varianz ist eine feste Zusage: Die Änderung der Änderung darf ihr Mittel kaum verlassen, und das ist glatt.`,
+      `Mit einem Zehntel von σ″² ruckt der Oberschenkel ${leg}-mal so stark wie vorher, die Zehen ${toes}-mal. Eine kleine Varianz ist eine feste Zusage: Die Änderung der Änderung muss nah an ihrem Mittel bleiben, und das schwankt kaum.`,
   },
   look: [
-    "Die Treppe ist das [mu: Mittel μ] jedes Zustands, die Bänder sind seine [sigma: Streuung σ]. Die [c: Kurve c] ist die wahrscheinlichste, gestrichelt ist die des Modells, wie es trainiert wurde.",
-    "Die kurzen Striche sind die [delta: Änderungen Δc]. Auch jede von ihnen hat Mittel und Streuung, und die Regler multiplizieren die drei Varianzen, vom Tausendstel bis zum Tausendfachen.",
-    "Darunter sind die Zustände, so lang wie sie [d: dauern]. Zieh das Ende eines Schritts: [rho: ρ] verlängert jeden Zustand um seine eigene Varianz ν, also gibt zuerst nach, was stark schwankt. Mit [k: k] mischst du zwei Modelle.",
+    "Die Treppe ist das [mu: Mittel μ] jedes Zustands, die Bänder sind seine [sigma: Standardabweichung σ]. Die [c: Kurve c] ist die wahrscheinlichste; gestrichelt ist die des Modells, wie es trainiert wurde.",
+    "Die kurzen Striche sind die [delta: Änderungen Δc], die halbe Differenz von nächstem und vorigem Bild; Δ²c ist die Änderung dieser Änderung. μ′, σ′ und μ″, σ″ sind ihre Mittel und Standardabweichungen. Die Regler multiplizieren die drei Varianzen, mit einem Tausendstel bis zum Tausendfachen.",
+    "Die Blöcke sind die Zustände, so lang, wie sie [d: dauern]. Das d mit Strich ist die mittlere Dauer eines Zustands, ν ihre Varianz. Zieh das Ende eines Schritts: [rho: ρ] verlängert jeden Zustand um das ρ-Fache seines ν, sodass zuerst nachgibt, was stark schwankt.",
+    "m₁ ist das Modell des neutralen Gangs, m₂ das des Stils: Mit [k: k] mischst du sie.",
   ],
   symbols: {
-    c: { symbol: "c", name: "Kurve; ihr Ruck gegen den des Modells" },
-    mu: { symbol: "μ", name: "Mittel; wie weit die Kurve davon ist" },
-    sigma: { symbol: "σ²", name: "Varianz der Pose" },
-    delta: { symbol: "Δc", name: "Änderung; Faktoren von σ′² und σ″²" },
+    c: { symbol: "c", name: "Ruck der Kurve, × den des Modells" },
+    mu: { symbol: "μ", name: "größter Abstand von c zum Mittel" },
+    sigma: { symbol: "σ²", name: "Faktor der Varianz der Posen" },
+    delta: { symbol: "Δc", name: "Faktoren von σ′² und σ″²" },
     d: { symbol: "d", name: "Dauern des linken und rechten Schritts" },
-    rho: { symbol: "ρ", name: "der linken und der rechten Schritte" },
+    rho: { symbol: "ρ", name: "Verlängerung der linken und rechten Schritte" },
     k: { symbol: "k", name: "Anteil des Stils" },
   },
   why: "Warum läuft die Kurve nicht durch die Mittel, obwohl über den Winkel selbst sonst nichts gesagt ist? Wie sähe der Gang aus, wenn sie es täte?",
   exercises: {
     A: {
       task: "Bring die Kurve des linken Oberschenkels in jedem Bild auf 2° an die Mittel heran.",
-      pass: ({ farthest }) => `Ja: höchstens ${farthest}°. Die Kurve steigt die Treppe, und niemand nennte das Gehen.`,
+      pass: ({ farthest }) =>
+        `Ja: höchstens ${farthest}°. Die Kurve steigt die Treppe: Sie springt von Zustand zu Zustand.`,
       near: {
         other: () => "Sieh auf den linken Oberschenkel des neutralen Gangs: k 0.",
         further: ({ farthest }) => `Knapp: ${farthest}°. Weiter so.`,
@@ -64,7 +66,7 @@ export const chain: LessonText = {
       ],
     },
     C: {
-      task: "Verlangsam den neutralen Gang durch ρ auf 100 Schritte in der Minute, auf 1 genau.",
+      task: "Verlangsame den neutralen Gang mit ρ auf 100 Schritte in der Minute, auf 1 genau.",
       pass: ({ cadence, left, right }) => `Ja: ${cadence} Schritte in der Minute mit ρ ${left} und ${right}.`,
       near: {
         other: () => "Nimm den neutralen Gang: k 0.",
@@ -72,11 +74,11 @@ export const chain: LessonText = {
         shorter: ({ cadence }) => `Knapp: ${cadence}. Mach die Schritte etwas kürzer.`,
       },
       refuse: ({ cadence }) =>
-        `Ein negatives ρ verkürzt die Zustände: ${cadence} Schritte in der Minute. Langsame Schritte dauern länger.`,
+        `Ein negatives ρ verkürzt die Zustände: ${cadence} Schritte in der Minute. Langsamere Schritte dauern länger.`,
       no: ({ cadence }) => `${cadence} Schritte in der Minute.`,
       hints: [
         "Schritte, die länger dauern, sind weniger in der Minute.",
-        "Beide Arten von Schritten zählen. Versuch ρ nahe 1 für beide.",
+        "Linke und rechte Schritte zählen. Versuch ρ nahe 1 für beide.",
       ],
     },
   },

@@ -2,25 +2,26 @@ import type { LessonText } from "../text";
 
 export const feet: LessonText = {
   idea: [
-    "Eine vorhergesagte Pose stimmt auf einen Zentimeter, und doch siehst du sofort, wenn ein stehender Fuß rutscht. Das heißt Skate, und nichts sieht künstlicher aus.",
-    "Das Bild ist die Sohle eines Fußes von oben, ein Umriss für jedes Bild eines Stands. Ein Fuß, der steht, sollte einen Umriss hinterlassen.",
+    "Eine vorhergesagte Pose kann auf einen Zentimeter stimmen, und doch siehst du sofort, wenn ein stehender Fuß rutscht. Auf Englisch heißt das Foot Skate.",
+    "Die Abbildung zeigt die Sohle eines Fußes von oben, für jedes Bild eines Stands als Linie von der Ferse zum Ballen. Stünde der Fuß still, wären alle Linien eine. Die rote ist der Fuß im gewählten Augenblick, die gestrichelte zeigt, wohin das Halten ihn bringt.",
     "Die Abhilfe hat drei Teile: wissen, ob ein Fuß steht, ihn halten, wo er ist, und das Knie so beugen, dass das Bein ihn erreicht.",
   ],
   bet: {
     question: "Das Halten ist aus. Wann rutscht ein stehender Fuß am schnellsten?",
     options: { strike: "Wenn er aufsetzt", middle: "Mitten im Stand", lift: "Wenn er abhebt" },
-    reveal: ({ most, middle, held }) =>
-      `Gleich nach dem Aufsetzen: ${most} cm/s, und ${middle} cm/s mitten im Stand. Ein Fuß, der eben noch schwang, gilt als stehend, bevor er ganz in Ruhe ist. Gehalten sind es ${held} cm/s.`,
+    reveal: ({ most, middle, held, nth, frames }) =>
+      `Dieser Stand hat ${frames} Bilder, und am schnellsten rutscht der Fuß in Bild ${nth}: mit ${most} cm/s, gegenüber ${middle} cm/s in der Mitte. Ein Fuß, der aufsetzt, gilt kurz bevor er ruht als stehend. Gehalten rutscht er dort mit ${held} cm/s.`,
   },
   look: [
-    "In den grauen Abschnitten steht der Fuß. Er tut es ab [P: P] 0,6 und bis es unter 0,4 fällt: Die Punkte sind die [c: Stimmen der Nachbarn], die über die Zeit geglättet werden. Ein Fuß, der tief und langsam ist, steht sofort.",
-    "Die dicke Kurve ist [q: das Rutschen], gestrichelt ist es mit der anderen Einstellung des Haltens. Stell den Abspielkopf auf einen [i: Augenblick], und schalte das Halten.",
-    "Ein gehaltener Fuß wird um das berichtigt, was er gerutscht wäre, über drei Bilder. Dann ist die [d: Entfernung d] von der Hüfte zum Knöchel gegeben, und das Knie hat den [gamma: Winkel γ].",
+    "Steht der Fuß? Die 40 ähnlichsten Bilder der Datenbank stimmen ab: cₖ ist 1, wenn der Fuß in Bild k steht, und die Stimme zählt umso mehr, je kleiner eₖ ist, der Unterschied seiner Füße zu denen der Eingabe in Höhe und Geschwindigkeit. Jeder Punkt ist [c: das Ergebnis in einem Augenblick]; gemittelt mit den Kontakten des aufgenommenen Stils und über die Zeit geglättet ist es [P: P]. Ab P 0,6 wird der Fuß gehalten, unter 0,4 gelöst, das sind die gepunkteten Linien; ein Fuß, der tief und langsam ist, steht ohnehin. Wo er steht, ist das Diagramm grau.",
+    "Die dicke Kurve ist [p: das Rutschen Δp] je Sekunde; gestrichelt ist das Rutschen mit der anderen Einstellung des Haltens. Stell den Abspielkopf auf einen [i: Augenblick], und schalte das Halten um: [q: Die Korrektur q] schiebt einen stehenden Fuß um das zurück, was er gerutscht ist. n zählt die Bilder, seit der Fuß steht, sodass das Halten über drei Bilder einsetzt.",
+    "Nun steht fest, wo der Knöchel ist, und damit sein [d: Abstand d] von der Hüfte. Oberschenkel a, Unterschenkel b und d bilden ein Dreieck: Der Kosinussatz ergibt den [gamma: Winkel γ] im Knie.",
   ],
   symbols: {
     P: { symbol: "P", name: "wie wahrscheinlich der Fuß steht" },
-    c: { symbol: "c", name: "Stimmen der Nachbarn" },
-    q: { symbol: "Δp", name: "Rutschen des Fußes, wie es das Halten lässt" },
+    c: { symbol: "c", name: "Anteil der Stimmen fürs Stehen" },
+    p: { symbol: "Δp", name: "Rutschen des Fußes" },
+    q: { symbol: "q", name: "wie weit das Halten den Fuß verschiebt" },
     gamma: { symbol: "γ", name: "Winkel zwischen Ober- und Unterschenkel" },
     d: { symbol: "d", name: "von der Hüfte zum Knöchel" },
     i: { symbol: "t", name: "Augenblick" },
@@ -28,19 +29,20 @@ export const feet: LessonText = {
   why: "Warum sind zwei Grenzen besser als eine: 0,6 zum Aufsetzen, 0,4 zum Lösen? Denk an ein P, das um 0,5 zittert.",
   exercises: {
     A: {
-      task: "Mit ausgeschaltetem Halten: Geh auf 3 Bilder an den Augenblick heran, in dem der stehende linke Fuß am schnellsten rutscht.",
-      pass: ({ speed, most }) => `Ja: ${speed} cm/s hier, und höchstens ${most} cm/s, beim Aufsetzen.`,
+      task: "Das Halten ist aus. Stell den Abspielkopf im gezeigten Abschnitt auf den Augenblick, in dem der stehende linke Fuß am schnellsten rutscht, auf 3 Bilder genau.",
+      pass: ({ speed, most }) => `Ja: ${speed} cm/s hier, und höchstens ${most} cm/s, dort, wo der Fuß aufsetzt.`,
       near: {
         other: () => "Sieh auf den linken Fuß des alten Gangs, in diesem Abschnitt.",
-        later: ({ speed }) => `Knapp: ${speed} cm/s. Etwas später.`,
+        held: () => "Schalte zuerst das Halten aus: Gehalten bleibt der Fuß, wo er ist.",
+        later: () => "Knapp, aber hier ist der Fuß noch in der Luft. Etwas später.",
         earlier: ({ speed }) => `Knapp: ${speed} cm/s. Etwas früher.`,
       },
       refuse: ({ speed }) =>
-        `Ein gehobener Fuß darf sich bewegen, auch mit ${speed} cm/s. Bleib in den grauen Abschnitten.`,
+        `Ein gehobener Fuß darf sich bewegen, auch mit ${speed} cm/s. Sieh dort nach, wo er steht: im Grauen.`,
       no: ({ speed }) => `Hier rutscht er mit ${speed} cm/s. Anderswo ist er schneller.`,
       hints: [
-        "Nur wo der Fuß steht, zählt seine Geschwindigkeit: in den grauen Abschnitten.",
-        "Sieh auf die Ränder der Abschnitte, und nimm Umschalt mit den Pfeiltasten für einzelne Bilder.",
+        "Nur die Geschwindigkeit eines stehenden Fußes zählt: Sieh in die grauen Abschnitte.",
+        "Sieh auf die Ränder der grauen Abschnitte. Die Pfeiltasten bewegen den Abspielkopf, mit Umschalt um einzelne Bilder.",
       ],
     },
     B: {
@@ -60,7 +62,7 @@ export const feet: LessonText = {
     },
   },
   sources: [
-    "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Abschnitt 6: Kontakte durch Abstimmung der nächsten Nachbarn. Der Artikel gewichtet Stimmen mit 1/D; die Engine danach, wie sich Höhen und Geschwindigkeiten der Füße gleichen.",
+    "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Abschnitt 6: Kontakte durch Abstimmung der nächsten Nachbarn. Der Artikel gewichtet Stimmen mit 1/D; die Engine danach, wie ähnlich sich die Füße in Höhe und Geschwindigkeit sind.",
     "Stimmen zählt `rust/strut-core/src/transfer/contact_likelihood.rs`, Füße hält `rust/strut-core/src/transfer/footplant.rs`, und Knie löst `rust/strut-core/src/kinematics/two_bone_ik.rs`.",
   ],
 };

@@ -18,14 +18,13 @@ export const judge: LessonText = {
       `KNN irrt um ${knn} mm und MAR um ${mar} mm: ${difference} mm Unterschied. Eine andere echte Aufnahme irrt um ${other} mm. Beide sind also so gut wie ein zweiter Versuch, und der Fehler kann sie auf diesen Daten nicht unterscheiden.`,
   },
   look: [
-    "Die Liste hat [e: den mittleren Fehler ē] jedes Verfahrens, wie [acceleration: rau] seine Bewegung gegen die Eingabe ist und wie viel vom schnellen [content: Inhalt] der Eingabe bleibt. Eine Spalte allein kann täuschen: GAR ist am glattesten und liegt am weitesten daneben.",
-    "Die Kurven sind [p: der Fehler] zweier Verfahren über der Zeit; die Fläche dazwischen hat die Farbe des besseren. Das Mittel sagt, dass eines vorn liegt, die Kurve sagt, [i: wann].",
-    "Eine Auswertung ist ehrlich, wenn die Antwort nicht in der Datenbank war. Lass die Aufnahme drin, und NN findet die Antwort dort.",
+    "Die Tabelle hat [e: den mittleren Fehler ē] jedes Verfahrens, über F Bilder und J Gelenke: alle außer der Hüfte, an der die Körper übereinandergelegt werden. Sie sagt auch, wie [acceleration: rau] die Bewegung ist, als Beschleunigung im Verhältnis zur Eingabe, und wie viel vom schnellen [content: Inhalt] der Eingabe bleibt. Eine Spalte allein kann täuschen: GAR ist am glattesten und liegt am weitesten daneben.",
+    "Die Kurven sind [p: der Fehler] zweier Verfahren über der Zeit, der Abstand der vorhergesagten Gelenke p̂ von den aufgeführten p. Die Fläche dazwischen hat die Farbe des besseren. Das Mittel sagt, dass eines vorn liegt, die Kurve sagt, [i: wann].",
+    "KNN antwortet mit dem Mittel ȳ der Nachbarn. Die Antwort ŷ der Geraden weicht davon um Steigung mal Abstand ab: β sind die Steigungen, u ist die Eingabe und ū das Mittel der Eingaben der Nachbarn. Das Histogramm zählt [u: diesen Unterschied] über die ganze Aufnahme.",
+    "Eine Auswertung ist nur ehrlich, wenn die Antwort nicht in der Datenbank war. Lass die Aufnahme drin, und NN findet die Antwort dort.",
   ],
   symbols: {
     e: { symbol: "ē", name: "mittlerer Fehler des gewählten Verfahrens" },
-    F: { symbol: "F", name: "Bilder der Aufnahme" },
-    J: { symbol: "J", name: "Gelenke; die Hüfte liegt, wo die Wurzel entfernt wurde" },
     p: { symbol: "p̂ − p", name: "sein Fehler im Augenblick" },
     u: { symbol: "u − ū", name: "mal β: was die Gerade zum Mittel hinzufügt" },
     i: { symbol: "i", name: "Augenblick der Aufnahme" },
@@ -52,7 +51,7 @@ export const judge: LessonText = {
         `An den Marken liegt ${pick} um ${pickGain} mm vorn und ${rival} um ${rivalGain} mm: Das reicht nicht für beide.`,
       hints: [
         "Ein Fehler ist ein Abstand: Die tiefere Kurve ist besser. Wer vorn liegt, wechselt oft in einem Schritt.",
-        "Suche Flächen in der Farbe der Kurve von KNN, zieh den Zeiger dorthin, dann nimm Umschalt und die Pfeiltasten.",
+        "Suche Flächen in der Farbe der Kurve von KNN, zieh den Abspielkopf dorthin, dann nimm Umschalt und die Pfeiltasten.",
       ],
     },
     B: {

@@ -3,37 +3,39 @@ import type { LessonText } from "../text";
 export const map: LessonText = {
   idea: [
     "Zwei Zahlen, eine ganze Pose: wie weit die Füße längs des Wegs auseinander sind, und in der Höhe. Zieh den Punkt, und der Körper folgt.",
-    "Dahinter sind etwa ein Dutzend lineare Abbildungen von den beiden Zahlen auf die Pose. Jede kennt ein Gebiet von Stilen, und wo Gebiete sich treffen, teilen sie sich die Antwort.",
+    "Dahinter sind mehrere lineare Abbildungen von den beiden Zahlen auf die Pose. Jede kennt ein Gebiet von Stilen, und wo Gebiete sich treffen, teilen sie sich die Antwort.",
     "Sie organisieren sich selbst: Jedes aufgenommene Bild zieht an den Abbildungen, die ihm nah sind, erst an vielen zugleich, dann an immer weniger. Ein solcher Zug ist ein Lernschritt.",
   ],
   bet: {
     question:
-      "Ein Lernschritt bewegt eine Abbildung auf die Probe zu. Der Artikel druckt die Formel mit einem Minus, also bewegt sie sich von ihr weg. Was geschieht, wenn du dem Druck folgst?",
+      "Ein Lernschritt bewegt eine Abbildung auf die Stichprobe zu. Der Artikel druckt die Formel mit einem Minus, also bewegt sie sich von ihr weg. Was geschieht, wenn du dem Druck folgst?",
     options: {
       same: "Es lernt genauso gut",
       slower: "Es lernt langsamer",
       diverges: "Der Fehler wächst ohne Ende",
     },
     reveal: ({ updates, right, printed }) =>
-      `Nach ${updates} Schritten ist der Fehler ${right} rad mit dem richtigen Vorzeichen, und ${printed} rad wie gedruckt. Jeder Schritt vergrößert den Abstand, und der nächste ist um so viel länger.`,
+      `Nach ${updates} Schritten ist der Fehler ${right}° mit dem richtigen Vorzeichen und ${printed}° wie gedruckt. Jeder Schritt führt von der Stichprobe weg, und je größer der Abstand, desto länger der nächste Schritt.`,
   },
   look: [
-    "Die Punkte sind aufgenommene Bilder, und jede Ellipse ist, was eine Komponente kennt: dunkler, wo ihr [a: Anteil a] größer ist. Mach einen Schritt: Der Ring ist [x: die Probe], und die Balken sind, [r: wie viel davon] jede Komponente nimmt.",
-    "Der gestrichelte Ring ist die [sigma: Breite σ] der Nachbarschaft. Sie wird von Durchgang zu Durchgang enger, wie auch die [delta: Rate δ], sodass am Ende nur noch die Siegerin lernt.",
-    "Die Kurve hat den [E: Fehler] des Modells nach jedem Durchgang, den du gemacht hast. Versuch auch das Vorzeichen wie gedruckt.",
+    "Die Punkte sind aufgenommene Bilder, angeordnet nach ihren Stilvariablen. Jede Ellipse ist, was eine Komponente kennt: mᵢ ist ihre Mitte, Sᵢ ihre Streuung, und sie ist dunkler, wo ihr [a: Anteil a] größer ist. Mach einen Lernschritt: Der Ring ist [x: die Stichprobe x], und die Balken sind, [r: wie viel davon, r,] jede Komponente nimmt.",
+    "Die Abbildung Zᵢ macht aus v, den beiden Variablen und einer 1, eine Pose. Der feste Körper ist die Pose der Stichprobe, die Schattenfigur [Z: die Vorhersage Zv]. Ein Lernschritt bewegt Zv um δ r des Wegs auf x zu; δ ist die [delta: Lernrate]. Die Striche zeigen, wie weit er die Mitten bewegt hat.",
+    "Der gestrichelte Ring steht für die [sigma: Breite σ] der Nachbarschaft: Eine Komponente, deren Vorhersage weiter als σ von der Stichprobe ist, nimmt wenig von ihr. Von Durchgang zu Durchgang wird σ enger und δ kleiner, sodass am Ende nur noch die Siegerin lernt. Die Kurve ist der [E: Fehler] des Modells nach jedem Durchgang. Drück auf Abspielen, und versuch auch das Vorzeichen wie gedruckt.",
+    "Zuletzt wird nach einer Pose gefragt: [u: Zieh u]. Alle Abbildungen antworten, mit [w: Gewichten w] danach, wie gut u zu ihren mᵢ und Sᵢ passt. Je höher die Temperatur [T: T], desto gleicher die Gewichte.",
   ],
   symbols: {
-    u: { symbol: "u", name: "Stilvariablen; Zahl der Schlüssel" },
-    x: { symbol: "x", name: "die Probe, durch ihre Variablen" },
-    r: { symbol: "rᵢ", name: "der größte Teil der Probe" },
+    u: { symbol: "u", name: "Stilvariablen, nach denen gefragt wird" },
+    x: { symbol: "x", name: "die Stichprobe, durch ihre Variablen" },
+    r: { symbol: "rᵢ", name: "der größte Teil der Stichprobe" },
     a: { symbol: "aᵢ", name: "der größte Anteil" },
+    Z: { symbol: "Zᵢv", name: "Abstand der Vorhersage von x" },
     delta: { symbol: "δ", name: "Lernrate" },
     sigma: { symbol: "σ", name: "Breite der Nachbarschaft" },
     w: { symbol: "w", name: "größtes Gewicht in der Pose" },
     T: { symbol: "T", name: "Temperatur des Teilens" },
-    E: { symbol: "E", name: "Fehler des Modells oder des Zyklus" },
+    E: { symbol: "E", name: "Fehler nach dem letzten Durchgang" },
   },
-  why: "Warum beginnt die Nachbarschaft breit? Überleg, was eine Abbildung lernte, die nie eine Probe bekam, und was bei Nachbarn geschähe, die Verschiedenes lernten.",
+  why: "Warum beginnt die Nachbarschaft breit? Denk an eine Abbildung, die nie eine Stichprobe bekommt, und an Nachbarn, die Verschiedenes lernen.",
   exercises: {
     A: {
       task: "Wann hat es gelernt? Finde den ersten Durchgang, nach dem der Fehler höchstens das 1,05-Fache dessen nach dem letzten ist.",
@@ -65,30 +67,30 @@ export const map: LessonText = {
       no: ({ change, shared }) => `${change}° je Bild, bei einem Fehler von ${shared}°.`,
       hints: [
         "Je höher T, desto weicher der Wechsel von Abbildung zu Abbildung, und desto weniger gilt jede einzelne.",
-        "Beide Zahlen stehen unter der Ebene. Fang bei T 3 an, und geh hinauf.",
+        "Beide Zahlen stehen unter der Ebene. Dreh T langsam hinauf.",
       ],
     },
     C: {
-      task: "Mach den Zyklus aus höchstens 3 Schlüsseln, mit einem mittleren Fehler von höchstens 2°.",
+      task: "Mach den Zyklus aus höchstens 3 Schlüsselbildern, mit einem mittleren Fehler von höchstens 2°.",
       pass: ({ count, keyed }) =>
-        `Ja: ${count} Schlüssel mit je zwei Zahlen, und ${keyed}° Fehler für einen ganzen Zyklus.`,
+        `Ja: ${count} Schlüsselbilder mit je zwei Zahlen, und ${keyed}° Fehler für einen ganzen Zyklus.`,
       near: {
-        fewer: ({ count, keyed }) => `${keyed}° ist gut, aber ${count} Schlüssel sind zu viele.`,
+        fewer: ({ count, keyed }) => `${keyed}° ist gut, aber ${count} Schlüsselbilder sind zu viele.`,
         turns: ({ keyed, from, to, worst }) =>
-          `Knapp: ${keyed}°. Vom Schlüssel bei ${from} ms bis ${to} ms liegt er um bis zu ${worst}° daneben.`,
+          `Knapp: ${keyed}°. Vom Schlüsselbild bei ${from} ms bis ${to} ms liegt er um bis zu ${worst}° daneben.`,
       },
       refuse: ({ count, from, to, worst }) =>
-        `${count} Schlüssel sind zu wenige: Vom Schlüssel bei ${from} ms bis ${to} ms liegt er um bis zu ${worst}° daneben.`,
+        `${count} Schlüsselbilder sind zu wenige: Vom Schlüsselbild bei ${from} ms bis ${to} ms liegt er um bis zu ${worst}° daneben.`,
       no: ({ keyed, from, to, worst }) =>
-        `${keyed}°. Vom Schlüssel bei ${from} ms bis ${to} ms liegt er um bis zu ${worst}° daneben.`,
+        `${keyed}°. Vom Schlüsselbild bei ${from} ms bis ${to} ms liegt er um bis zu ${worst}° daneben.`,
       hints: [
-        "Eine Kurve durch wenige Schlüssel stimmt, wenn sie wendet, wo die aufgenommene wendet: Schlüssel, wo die Richtung wechselt.",
-        "Nimm drei Schlüssel, etwa ein Drittel des Zyklus auseinander, und verschieb sie gemeinsam.",
+        "Die Kurve durch die Schlüsselbilder soll dort wenden, wo die aufgenommene wendet. Setz sie dorthin, wo sich die Richtung ändert.",
+        "Nimm drei Schlüsselbilder, etwa ein Drittel des Zyklus auseinander, und verschieb sie gemeinsam.",
       ],
     },
   },
   sources: [
-    "Wang, Liu und Zhou, Key-styling: learning motion style for real-time synthesis of 3D animation, 2006. Gl. 7 und 8 drucken das umgekehrte Vorzeichen, und ein Gate für Gebiete von Stilen gibt es nicht; `docs/methods/somn.md` sagt, warum beides geändert ist.",
+    "Wang, Liu und Zhou, Key-styling: learning motion style for real-time synthesis of 3D animation, 2006. Gl. 7 und 8 drucken das umgekehrte Vorzeichen, und Gewichte nach Gebieten von Stilen (mᵢ, Sᵢ) gibt es dort nicht; `docs/methods/somn.md` sagt, warum beides geändert ist.",
     "Lernschritte macht `rust/strut-core/src/somn/learning.rs`, Posen `rust/strut-core/src/somn/synthesis.rs`, und Zyklen aus Schlüsseln `rust/strut-core/src/somn/key_styling.rs`.",
   ],
 };

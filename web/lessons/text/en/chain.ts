@@ -2,29 +2,30 @@ import type { LessonText } from "../text";
 
 export const chain: LessonText = {
   idea: [
-    "This walker follows no input. A step is a chain of five states, and each state knows the mean and the spread of every angle, of its change, and of how long the state lasts.",
-    "Between these promises the likeliest motion is found, step after step. That is a hidden semi-Markov model, and its means and variances are all that is left of the recordings.",
-    "Mix the means of two models, and you have a mixed walk. Go beyond, and it is exaggerated; go back, and it is negated.",
+    "This walker follows no input. A step is a chain of five states, and each state knows a mean and a variance for every angle, for its change from frame to frame, for the change of that change, and for how long the state lasts.",
+    "A mean with its variance is like a promise: with a small variance it is firm, with a large one it is loose. Of all motions the one is chosen that keeps all promises best, step after step. That is a hidden semi-Markov model, and its means and variances are all that is left of the recordings.",
+    "Mix the means of two models, and you have a mixed walk. With k above 1 the style is exaggerated, below 0 it is turned into its opposite.",
   ],
   bet: {
     question:
       "The curve must keep three promises: about the angle, about its change, and about the change of its change. Make σ″, the spread of the last, smaller. What becomes of the curve?",
     options: { smoother: "It gets smoother", same: "It stays as it is", rougher: "It gets rougher" },
     reveal: ({ leg, toes }) =>
-      `With a tenth of σ″² the thigh jerks ${leg} times as much as before, the toes ${toes} times. A small variance is a firm promise: the change of change may hardly leave its mean, which is smooth.`,
+      `With a tenth of σ″² the thigh jerks ${leg} times as much as before, the toes ${toes} times. A small variance is a firm promise: the change of the change must stay close to its mean, which hardly varies.`,
   },
   look: [
-    "The stairs are the [mu: mean μ] of each state, the bands its [sigma: deviation σ]. The [c: curve c] is the likeliest one, and the dashed one is that of the model as it was trained.",
-    "The short lines are the [delta: changes Δc]. Each has a mean and a spread, too, and the knobs multiply the three variances, from a thousandth to a thousand times.",
-    "Below are the states as long as they [d: last]. Drag the end of a step: [rho: ρ] makes each state longer by its own variance ν, so what varies much gives way first. With [k: k] you mix two models.",
+    "The stairs are the [mu: mean μ] of each state, the bands its [sigma: deviation σ]. The [c: curve c] is the likeliest one; the dashed curve is that of the model as it was trained.",
+    "The short lines are the [delta: changes Δc], half the difference between the next frame and the last one; Δ²c is the change of that change. μ′, σ′ and μ″, σ″ are their means and deviations. The knobs multiply the three variances by a thousandth to a thousand.",
+    "The blocks are the states, as long as they [d: last]. The d with a bar is a state’s mean duration, ν its variance. Drag the end of a step: [rho: ρ] makes each state longer by ρ times its ν, so that states which vary much give way first.",
+    "m₁ is the model of the neutral walk, m₂ that of the style: with [k: k] you mix them.",
   ],
   symbols: {
-    c: { symbol: "c", name: "curve; its jerk against the model’s own" },
-    mu: { symbol: "μ", name: "mean; how far the curve is from it" },
-    sigma: { symbol: "σ²", name: "variance of the pose" },
-    delta: { symbol: "Δc", name: "change; factors of σ′² and σ″²" },
+    c: { symbol: "c", name: "jerk of the curve, × the model’s own" },
+    mu: { symbol: "μ", name: "greatest distance of c from the mean" },
+    sigma: { symbol: "σ²", name: "factor of the variance of poses" },
+    delta: { symbol: "Δc", name: "factors of σ′² and σ″²" },
     d: { symbol: "d", name: "durations of a left and a right step" },
-    rho: { symbol: "ρ", name: "of left and of right steps" },
+    rho: { symbol: "ρ", name: "extra length of left and right steps" },
     k: { symbol: "k", name: "share of the style" },
   },
   why: "Why does the curve not run through the means, though nothing else is said about the angle itself? What would the walk look like if it did?",
@@ -32,7 +33,7 @@ export const chain: LessonText = {
     A: {
       task: "Let the curve of the left thigh be within 2° of the means in every frame.",
       pass: ({ farthest }) =>
-        `Yes: ${farthest}° at most. The curve climbs the stairs, and nobody would call that a walk.`,
+        `Yes: ${farthest}° at most. The curve climbs the stairs: it moves in jumps, from state to state.`,
       near: {
         other: () => "Look at the left thigh of the neutral walk: k 0.",
         further: ({ farthest }) => `Close: ${farthest}°. Further the same way.`,
@@ -63,7 +64,7 @@ export const chain: LessonText = {
       ],
     },
     C: {
-      task: "Slow the neutral walk down to 100 steps a minute, to within 1, by ρ.",
+      task: "Use ρ to slow the neutral walk down to 100 steps a minute, to within 1.",
       pass: ({ cadence, left, right }) => `Yes: ${cadence} steps a minute with ρ ${left} and ${right}.`,
       near: {
         other: () => "Use the neutral walk: k 0.",
@@ -73,7 +74,7 @@ export const chain: LessonText = {
       refuse: ({ cadence }) =>
         `A negative ρ makes states shorter: ${cadence} steps a minute. Slower steps last longer.`,
       no: ({ cadence }) => `${cadence} steps a minute.`,
-      hints: ["Steps that last longer are fewer a minute.", "Both kinds of steps count. Try ρ near 1 for both."],
+      hints: ["Steps that last longer are fewer a minute.", "Left and right steps both count. Try ρ near 1 for both."],
     },
   },
   sources: [

@@ -2,25 +2,26 @@ import type { LessonText } from "../text";
 
 export const feet: LessonText = {
   idea: [
-    "A predicted pose is right to a centimetre, and still you see at once if a standing foot slides. That is called skate, and nothing looks more artificial.",
-    "The picture is the sole of one foot from above, an outline for each frame of a stance. A foot that stands should leave one outline.",
+    "A predicted pose may be right to a centimetre, and still you see at once when a standing foot slides. That is called foot skate.",
+    "The picture shows the sole of one foot from above, as a line from heel to ball for each frame of a stance. If the foot stood still, all lines would be one. The red line is the foot at the chosen instant, the dashed one shows where the hold puts it.",
     "The cure has three parts: know whether a foot stands, keep it where it is, and bend the knee so that the leg reaches it.",
   ],
   bet: {
     question: "The hold is off. When does a standing foot slide fastest?",
     options: { strike: "When it strikes", middle: "In the middle of the stance", lift: "When it is lifted" },
-    reveal: ({ most, middle, held }) =>
-      `Just after the strike: ${most} cm/s, and ${middle} cm/s in the middle of the stance. A foot that was swinging is called standing before it is quite at rest. With the hold it is ${held} cm/s.`,
+    reveal: ({ most, middle, held, nth, frames }) =>
+      `This stance has ${frames} frames, and the foot slides fastest in frame ${nth}: at ${most} cm/s, against ${middle} cm/s in the middle. A foot that lands is called standing a little before it is at rest. With the hold it slides at ${held} cm/s there.`,
   },
   look: [
-    "In the grey stretches the foot stands. It does so from [P: P] 0.6 on and until it falls below 0.4: the dots are the [c: neighbours’ votes], which are smoothed over time. A foot that is low and slow stands at once.",
-    "The thick curve is [q: the slide], and the dashed one that with the other setting of the hold. Move the playhead to an [i: instant], and switch the hold.",
-    "A held foot is corrected by what it would have slid, over three frames. Then the [d: distance d] from hip to ankle is given, and the knee has the [gamma: angle γ].",
+    "Does the foot stand? The 40 most similar frames of the database vote: cₖ is 1 where the foot of frame k stands, and the vote counts more, the smaller eₖ is, the difference of its feet from the input’s in height and speed. Each dot is [c: the outcome at one instant]; averaged with the contacts of the recorded style, and smoothed over time, it is [P: P]. The foot is planted from P 0.6 on and released below 0.4, the dotted lines; a foot that is low and slow stands anyway. Where it stands, the plot is grey.",
+    "The thick curve is [p: the slide Δp], per second; the dashed one is the slide with the other setting of the hold. Move the playhead to an [i: instant], and switch the hold: [q: the correction q] moves a standing foot back by what it has slid. n counts the frames since the foot was planted, so that the hold sets in over three frames.",
+    "Now the ankle has its place, and with it its [d: distance d] from the hip. Thigh a, shin b and d make a triangle: the law of cosines gives the [gamma: angle γ] at the knee.",
   ],
   symbols: {
     P: { symbol: "P", name: "how likely the foot stands" },
-    c: { symbol: "c", name: "votes of the neighbours" },
-    q: { symbol: "Δp", name: "slide of the foot, as the hold has it" },
+    c: { symbol: "c", name: "share of the votes for standing" },
+    p: { symbol: "Δp", name: "slide of the foot" },
+    q: { symbol: "q", name: "how far the hold moves the foot" },
     gamma: { symbol: "γ", name: "angle between thigh and shin" },
     d: { symbol: "d", name: "from hip to ankle" },
     i: { symbol: "t", name: "instant" },
@@ -28,18 +29,19 @@ export const feet: LessonText = {
   why: "Why are two limits better than one: 0.6 to plant, 0.4 to release? Think of a P that trembles about 0.5.",
   exercises: {
     A: {
-      task: "With the hold off: go to within 3 frames of the instant at which the standing left foot slides fastest.",
-      pass: ({ speed, most }) => `Yes: ${speed} cm/s here, and ${most} cm/s at most, at the strike.`,
+      task: "The hold is off. In the stretch that you see, go to the instant at which the standing left foot slides fastest, to within 3 frames.",
+      pass: ({ speed, most }) => `Yes: ${speed} cm/s here, and ${most} cm/s at most, where the foot lands.`,
       near: {
         other: () => "Look at the left foot of the old walk, in this stretch.",
-        later: ({ speed }) => `Close: ${speed} cm/s. A little later.`,
+        held: () => "Switch the hold off first: held, the foot stays where it is.",
+        later: () => "Close, but here the foot is still lifted. A little later.",
         earlier: ({ speed }) => `Close: ${speed} cm/s. A little earlier.`,
       },
-      refuse: ({ speed }) => `A lifted foot may move, even at ${speed} cm/s. Stay in the grey stretches.`,
+      refuse: ({ speed }) => `A lifted foot may move, even at ${speed} cm/s. Look where it stands: in grey.`,
       no: ({ speed }) => `Here it slides at ${speed} cm/s. It is faster somewhere else.`,
       hints: [
-        "Only where the foot stands does its speed matter: the grey stretches.",
-        "Look at the edges of the stretches, and use Shift with the arrow keys for single frames.",
+        "Only the speed of a standing foot counts: look in the grey stretches.",
+        "Look at the edges of the grey stretches. Arrow keys move the playhead, with Shift by single frames.",
       ],
     },
     B: {
@@ -59,7 +61,7 @@ export const feet: LessonText = {
     },
   },
   sources: [
-    "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, section 6: contacts by the nearest neighbours’ vote. The paper weighs votes by 1/D; the engine weighs them by how alike heights and speeds of the feet are.",
+    "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, section 6: contacts by the nearest neighbours’ vote. The paper weighs votes by 1/D; the engine by how similar the feet are in height and speed.",
     "Votes are counted by `rust/strut-core/src/transfer/contact_likelihood.rs`, feet are held by `rust/strut-core/src/transfer/footplant.rs`, and knees solved by `rust/strut-core/src/kinematics/two_bone_ik.rs`.",
   ],
 };

@@ -18,14 +18,13 @@ export const judge: LessonText = {
       `KNN errs by ${knn} mm and MAR by ${mar} mm: ${difference} mm apart. Another real take errs by ${other} mm, so both are as good as a second try, and on this data the error cannot tell them apart.`,
   },
   look: [
-    "The list has [e: the mean error ē] of each method, how [acceleration: rough] its motion is against the input, and how much of the input’s fast [content: content] is left. One column alone may mislead: GAR is the smoothest, and the farthest off.",
-    "The curves are [p: the error] of two methods over time; the fill between them has the colour of the better one. The mean says that one is ahead, the curve says [i: when].",
-    "An evaluation is honest where the answer was not in the database. Leave the take in, and NN finds the answer there.",
+    "The table has [e: the mean error ē] of each method, over F frames and J joints: all but the hips, at which the bodies are laid over each other. It also says how [acceleration: rough] the motion is, as its acceleration over the input’s, and how much of the input’s fast [content: content] is left. One column alone may mislead: GAR is the smoothest, and the farthest off.",
+    "The curves are [p: the error] of two methods over time, the distance of the predicted joints p̂ from the performed ones p. The fill between them has the colour of the better one. The mean says that one is ahead, the curve says [i: when].",
+    "KNN answers with the neighbours’ mean ȳ. The line’s answer ŷ differs from it by slopes times distance: β are the slopes, u is the input and ū the mean of the neighbours’ inputs. The histogram counts [u: this difference] over the whole take.",
+    "An evaluation is honest only if the answer was not in the database. Leave the take in, and NN finds the answer there.",
   ],
   symbols: {
     e: { symbol: "ē", name: "mean error of the chosen method" },
-    F: { symbol: "F", name: "frames of the take" },
-    J: { symbol: "J", name: "joints; the hips are where the root was removed" },
     p: { symbol: "p̂ − p", name: "its error at the instant" },
     u: { symbol: "u − ū", name: "times β: what the line adds to the mean" },
     i: { symbol: "i", name: "instant of the take" },

@@ -3,37 +3,39 @@ import type { LessonText } from "../text";
 export const map: LessonText = {
   idea: [
     "Two numbers, a whole pose: how far the feet are apart along the way, and in height. Drag the point, and the body follows.",
-    "Behind it are some dozen linear maps from the two numbers to the pose. Each knows a region of styles, and where regions meet, they share.",
+    "Behind it are several linear maps from the two numbers to the pose. Each one knows a region of styles, and where regions meet, they share.",
     "They organise themselves: every recorded frame pulls the maps that are near to it, first many at once, then fewer and fewer. One such pull is an update.",
   ],
   bet: {
     question:
       "An update moves a map towards the sample. The paper prints the formula with a minus, so it moves away from it. What happens if you follow the print?",
     options: {
-      same: "It learns as well",
+      same: "It learns just as well",
       slower: "It learns more slowly",
       diverges: "The error grows without end",
     },
     reveal: ({ updates, right, printed }) =>
-      `After ${updates} updates the error is ${right} rad with the right sign, and ${printed} rad as printed. Every step increases the distance, and the next step is as much longer.`,
+      `After ${updates} updates the error is ${right}° with the right sign, and ${printed}° as printed. Every step leads away from the sample, and the greater the distance, the longer the next step.`,
   },
   look: [
-    "The dots are recorded frames, and each ellipse is what a component knows: darker where its [a: share a] is greater. Make one update: the ring is [x: the sample], and the bars are [r: how much of it] each component takes.",
-    "The dashed ring is the [sigma: width σ] of the neighbourhood. It narrows from pass to pass, as does the [delta: rate δ], so that in the end the winner learns alone.",
-    "The curve has the [E: error] of the model after each pass that you have made. Try the sign as printed, too.",
+    "The dots are recorded frames, placed by their style variables. Each ellipse is what a component knows: mᵢ is its centre, Sᵢ its spread, and it is darker where its [a: share a] is greater. Make one update: the ring is [x: the sample x], and the bars are [r: how much of it, r,] each component takes.",
+    "The map Zᵢ turns v, the two variables and a 1, into a pose. The solid body is the sample’s pose, the ghost is [Z: the prediction Zv]. An update moves Zv by δ r of the way to x; δ is the [delta: learning rate]. The strokes show how far it has moved the centres.",
+    "The dashed ring stands for the [sigma: width σ] of the neighbourhood: a component whose prediction is farther than σ from the sample takes little of it. From pass to pass σ narrows and δ falls, so that in the end the winner learns alone. The curve is the [E: error] of the model after each pass. Press Play, and try the sign as printed, too.",
+    "Last, a pose is asked for: [u: drag u]. All maps answer, with [w: weights w] by how well u fits their mᵢ and Sᵢ. The higher the temperature [T: T], the more equal the weights are.",
   ],
   symbols: {
-    u: { symbol: "u", name: "style variables; number of keys" },
+    u: { symbol: "u", name: "style variables that are asked for" },
     x: { symbol: "x", name: "the sample, by its variables" },
     r: { symbol: "rᵢ", name: "the greatest part of the sample" },
     a: { symbol: "aᵢ", name: "the greatest share" },
+    Z: { symbol: "Zᵢv", name: "distance of the prediction from x" },
     delta: { symbol: "δ", name: "learning rate" },
     sigma: { symbol: "σ", name: "width of the neighbourhood" },
     w: { symbol: "w", name: "greatest weight in the pose" },
     T: { symbol: "T", name: "temperature of sharing" },
-    E: { symbol: "E", name: "error of the model, or of the cycle" },
+    E: { symbol: "E", name: "error after the last pass" },
   },
-  why: "Why does the neighbourhood begin wide? Think of what a map would learn that never got a sample, and of neighbours that learned different things.",
+  why: "Why does the neighbourhood begin wide? Think of a map that never gets a sample, and of neighbours that learn different things.",
   exercises: {
     A: {
       task: "When has it learned? Find the first pass after which the error is at most 1.05 times that after the last pass.",
@@ -62,8 +64,8 @@ export const map: LessonText = {
         `Shares that change at once make the body jump: ${change}° a frame. A higher T lets neighbours share.`,
       no: ({ change, shared }) => `${change}° a frame, at an error of ${shared}°.`,
       hints: [
-        "The higher T, the softer the change from map to map, and the less each map is heard.",
-        "Both numbers stand below the plane. Begin at T 3, and go up.",
+        "The higher T, the softer the change from map to map, and the less each single map counts.",
+        "Both numbers stand below the plane. Turn T up slowly.",
       ],
     },
     C: {
@@ -78,13 +80,13 @@ export const map: LessonText = {
         `${count} keys are too few: from key ${from} ms to ${to} ms it is off by up to ${worst}°.`,
       no: ({ keyed, from, to, worst }) => `${keyed}°. From key ${from} ms to ${to} ms it is off by up to ${worst}°.`,
       hints: [
-        "A curve through few keys is right where it turns as the recorded one does: keys where direction turns.",
+        "The curve through the keys should turn where the recorded one turns. Put keys where its direction changes.",
         "Take three keys, about a third of the cycle apart, and shift them together.",
       ],
     },
   },
   sources: [
-    "Wang, Liu and Zhou, Key-styling: learning motion style for real-time synthesis of 3D animation, 2006. Its Eq. 7 and 8 print the opposite sign, and there is no gate for regions of styles; `docs/methods/somn.md` says why both are changed.",
+    "Wang, Liu and Zhou, Key-styling: learning motion style for real-time synthesis of 3D animation, 2006. Its Eq. 7 and 8 print the opposite sign, and it has no weights by regions of styles (mᵢ, Sᵢ); `docs/methods/somn.md` says why both are changed.",
     "Updates are made by `rust/strut-core/src/somn/learning.rs`, poses by `rust/strut-core/src/somn/synthesis.rs`, and cycles from keys by `rust/strut-core/src/somn/key_styling.rs`.",
   ],
 };

@@ -30,7 +30,7 @@ export const chain: ChainWords = {
     share: {
       symbol: "k",
       name: "Anteil k des Stils",
-      description: "0 ist neutral, 1 der Stil; unter 0 ist er verneint, über 1 übertrieben.",
+      description: "0 ist neutral, 1 der Stil; unter 0 ist er umgekehrt, über 1 übertrieben.",
     },
   },
   ends: { left: "Ende des linken Schritts", right: "Ende des rechten Schritts" },
@@ -42,7 +42,7 @@ export const chain: ChainWords = {
   walked: (left, right, cadence) => `links ${left} s · rechts ${right} s · ${cadence} Schritte in der Minute`,
   said: (joint, farthest, deviations, jerk) =>
     `${joint}: Die Kurve ist höchstens ${farthest}° von einem Mittel entfernt, ${deviations} Standardabweichungen, und ruckt ${jerk}-mal so stark wie die des Modells.`,
-  walks: (style, share) => `Ein Gang, der ${share} des Wegs von neutral zu ${style} gegangen ist.`,
+  walks: (style, share) => `Ein Gang, der ${share} des Wegs von neutral zu ${style} geht.`,
   walker: "Gang",
   columns: ["Zeit, s", "μ, °", "σ, °", "c, °"],
   durations: ["Zustand", "links, s", "rechts, s"],

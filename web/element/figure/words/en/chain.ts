@@ -18,7 +18,7 @@ export const chain: ChainWords = {
     share: {
       symbol: "k",
       name: "Share k of the style",
-      description: "0 is neutral, 1 the style; below 0 it is negated, above 1 exaggerated.",
+      description: "0 is neutral, 1 the style; below 0 it is reversed, above 1 exaggerated.",
     },
   },
   ends: { left: "End of the left step", right: "End of the right step" },

@@ -1,11 +1,15 @@
 /** Figures of key-styling in English. */
 import type { MapWords } from "../map";
 
+/** A count with its noun. */
+const counted = (count: string, noun: string) => `${count} ${noun}${count === "1" ? "" : "s"}`;
+
 export const map: MapWords = {
   som: "Components and what they know",
   learning: "Error after each pass",
   pad: "Drag the feet apart",
   posed: "The pose of these variables",
+  update: "The sample, and what the maps predict",
   keys: "A cycle from keys",
   temperature: { symbol: "T", name: "Temperature T", description: "How softly components share in a pose." },
   steps: { one: "1 update", ten: "10", pass: "a pass", all: "all", restart: "Begin again" },
@@ -19,18 +23,22 @@ export const map: MapWords = {
   pass: "pass",
   error: "error, °",
   time: "time of the cycle, s",
-  at: (updates, pass, error) => `${updates} updates · pass ${pass} · error ${error} rad`,
+  at: (updates, pass, error) => `${counted(updates, "update")} · pass ${pass} · error ${error}°`,
   learned: (pass, error) => `pass ${pass}: ${error}°`,
   unlearned: "before the first pass",
   dragged: (change, error) => `greatest change ${change}° a frame · error ${error}°`,
-  keyed: (count, error) => `${count} keys · error ${error}°`,
+  keyed: (count, error) => `${counted(count, "key")} · error ${error}°`,
   stepped: (updates, count, error) =>
-    `After ${updates} updates of ${count} components the error of this pass is ${error} radians.`,
+    `After ${counted(updates, "update")} of ${count} components the error of this pass is ${error}°.`,
   fallen: (pass, error) => `After pass ${pass} the model is off by ${error}° on average.`,
   asked: (separation, height) => `The feet are ${separation} cm apart along the way, and ${height} cm in height.`,
   interpolated: (count, error, from, to, worst) =>
-    `With ${count} keys the cycle is off by ${error}° on average, most between ${from} and ${to} s, by ${worst}°.`,
+    `With ${counted(count, "key")} the cycle is off by ${error}° on average, most between ${from} and ${to} s, by ${worst}°.`,
   pose: "pose",
+  sampled: "sample x",
+  predicted: "prediction Zv",
+  predictedOff: (degrees) => `The prediction Zv is ${degrees}° from the sample x, averaged over the joints.`,
+  noUpdate: "Make an update: then its sample is shown here.",
   components: ["component", "share a", "r", "m, cm"],
   passes: ["pass", "error, °"],
   variables: ["variable", "cm"],
