@@ -5,7 +5,7 @@ mod common;
 use common::{assert_refused, mocap_folder, strut, strut_ok};
 use std::path::Path;
 use std::sync::Arc;
-use strut_core::hsmm::evaluation::{Reconstruction, recognise};
+use strut_core::hsmm::evaluation::{GaitStatistics, Reconstruction, recognise};
 use strut_core::hsmm::{LabelledClip, Options, RuntimeWalkModel, Track, Walker, train};
 use strut_core::humanoid::{HumanoidMotion, Proportions, Role};
 use strut_core::kinematics::world_from_local;
@@ -97,6 +97,34 @@ fn strides_are_as_long_as_asked_for_and_who_stops_stands_on_both_feet() {
         assert!((left.y - right.y).abs() < 0.04, "{name}: {left} {right}");
         for foot in [left, right] {
             assert!((centre - foot.z).abs() < 0.12, "{name}: {foot} below {centre}");
+        }
+    }
+}
+
+#[test]
+fn steps_and_speed_go_one_way_from_the_opposite_of_a_style_to_twice_of_it() {
+    /// Steps of each walk; what settles in the first few counts little among them.
+    const STEPS: u64 = 60;
+    let Some(mocap) = mocap_folder() else { return };
+    let (body, walks) = walks(&mocap);
+    let training: Vec<LabelledClip> = walks
+        .iter()
+        .filter(|(_, take, _)| *take > 2)
+        .map(|(style, _, track)| LabelledClip { style: STYLES[*style], track })
+        .collect();
+    let model = train(&body, &training, Options { refined: true }, &Sequential).unwrap();
+    let runtime = Arc::new(RuntimeWalkModel::new(&model));
+    for (style, name) in STYLES.iter().enumerate() {
+        let at = |quarter: i16| {
+            let mut weights = vec![0.0; STYLES.len()];
+            weights[style] = 0.25 * f32::from(quarter);
+            GaitStatistics::of(&model, &runtime, &weights, STEPS).unwrap()
+        };
+        let gaits: Vec<GaitStatistics> = (-4..=8).map(at).collect();
+        for (measure, of) in [("length", (|g| g.step_length) as fn(&GaitStatistics) -> f64), ("speed", |g| g.speed)] {
+            let way: Vec<f64> = gaits.iter().map(of).collect();
+            let rises = way.is_sorted();
+            assert!(rises || way.iter().rev().is_sorted(), "{name}, {measure}: {way:.4?}");
         }
     }
 }

@@ -8,6 +8,7 @@
 //! | `reference` | 21, 4 | mean rotations x y z w; that of the hips without the heading |
 //! | `means` | S, 2, 5, 3, D | means of every style's states |
 //! | `durations` | S, 2, 5 | mean durations of the states, frames |
+//! | `step_lengths` | S | mean length of a step as it is walked, metres; since version 1.2, absent where it was not measured |
 //! | `variances` | 2, 5, 3, D | variances, shared by all styles |
 //! | `duration_variances` | 2, 5 | variances of the durations, frames² |
 //! | `range` | 2, D | least and greatest value in the recorded walks |
@@ -29,7 +30,7 @@ use thiserror::Error;
 
 /// The kind of file.
 pub const KIND: Kind =
-    Kind { name: "walk model", entry: "strut-walk", version: "1.1", checksum_since: 1, max_bytes: 64 << 20 };
+    Kind { name: "walk model", entry: "strut-walk", version: "1.2", checksum_since: 1, max_bytes: 64 << 20 };
 /// Greatest number of styles of a model.
 pub const MAX_STYLES: usize = 1000;
 /// Greatest magnitude of a mean and of a range's end, radians.
@@ -38,9 +39,12 @@ const MAX_RADIANS: f32 = 100.0;
 const VARIANCES: RangeInclusive<f32> = 1e-10..=1e4;
 /// Durations of a state, frames.
 const DURATIONS: RangeInclusive<f32> = 1e-3..=1e3;
+/// Lengths of a step, metres; 0 where it was not measured.
+const STEP_LENGTHS: RangeInclusive<f32> = 0.0..=100.0;
 /// Variances of durations, frames²; training gives at least 0.25.
 const DURATION_VARIANCES: RangeInclusive<f32> = 1e-6..=1e6;
 
+const LENGTHS: &str = "step_lengths";
 const CONTEXTS: [&str; SIDES] = ["left", "right"];
 const OBSERVATION: usize = 3 * ROTATION_DIMS;
 
@@ -88,7 +92,7 @@ pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
     };
     let styles = model.means.len();
     let means = || model.means.iter();
-    let tensors = [
+    let mut tensors = vec![
         ("reference", floats(vec![JOINTS, 4], || model.reference.iter().copied().flat_map(Quat::to_array))),
         (
             "means",
@@ -107,6 +111,9 @@ pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
         ),
         ("range", rounded(vec![2, ROTATION_DIMS], || model.range.as_flattened().iter().copied())),
     ];
+    if means().any(|m| m.step_length != 0.0) {
+        tensors.push((LENGTHS, rounded(vec![styles], || means().map(|m| m.step_length))));
+    }
     container::write(KIND, &metadata, &tensors)
 }
 
@@ -132,6 +139,10 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
     let radians_expected = "a number within ±100 rad";
     let means = tensors.within("means", &[styles, SIDES, STATES, 3, ROTATION_DIMS], &radians, radians_expected)?;
     let durations = tensors.within("durations", &[styles, SIDES, STATES], &DURATIONS, "0.001 to 1000 frames")?;
+    let step_lengths = match tensors.rows(LENGTHS) {
+        0 => vec![0.0; styles],
+        _ => tensors.within(LENGTHS, &[styles], &STEP_LENGTHS, "0 to 100 m")?,
+    };
     let variances = tensors.within(
         "variances",
         &[SIDES, STATES, 3, ROTATION_DIMS],
@@ -164,9 +175,11 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
         means: means
             .chunks_exact(SIDES * STATES * OBSERVATION)
             .zip(durations.chunks_exact(SIDES * STATES))
-            .map(|(means, durations)| StyleMeans {
+            .zip(step_lengths)
+            .map(|((means, durations), step_length)| StyleMeans {
                 means: Box::new(observations(means)),
                 durations: per_state(durations),
+                step_length: step_length.into(),
             })
             .collect(),
     })
@@ -196,6 +209,7 @@ mod tests {
         let means = |value: f64| StyleMeans {
             means: Box::new([[[[value; ROTATION_DIMS]; 3]; STATES]; SIDES]),
             durations: [[3.0; STATES]; SIDES],
+            step_length: 0.5,
         };
         WalkModel {
             proportions: Proportions::default(),
@@ -224,6 +238,16 @@ mod tests {
     }
 
     #[test]
+    fn a_file_that_holds_no_lengths_opens() {
+        let mut old = model();
+        old.means.iter_mut().for_each(|means| means.step_length = 0.0);
+        let file = write(&old, "test");
+        assert!(!file.windows(LENGTHS.len()).any(|bytes| bytes == LENGTHS.as_bytes()));
+        assert_eq!(read(&file).unwrap(), old);
+        assert!(walks(&file));
+    }
+
+    #[test]
     fn other_files_are_refused_with_a_reason() {
         let refused = |bytes: &[u8]| read(bytes).unwrap_err().to_string();
         assert!(refused(b"HIERARCHY\nROOT Hips\n").contains("no walk model"));
@@ -245,6 +269,9 @@ mod tests {
         other = model();
         other.means[1].means[0][0][2][0] = 1e30;
         assert!(refused(&write(&other, "test")).contains("'means' holds 1000000"));
+        other = model();
+        other.means[1].step_length = -0.5;
+        assert!(refused(&write(&other, "test")).contains("'step_lengths' holds -0.5; 0 to 100 m"));
         other = model();
         other.range[0][7] = 2.0;
         assert!(refused(&write(&other, "test")).contains("'range' holds 2 to 1.5"));

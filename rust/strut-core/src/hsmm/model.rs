@@ -63,12 +63,18 @@ pub struct StyleMeans {
     pub means: Box<PerState<Observation>>,
     /// Mean durations, frames.
     pub durations: PerState<f64>,
+    /// Mean length of a step as it is walked, metres; 0 where that was not measured.
+    pub step_length: f64,
 }
 
 impl StyleMeans {
     /// All zero.
     pub(super) fn zero() -> Self {
-        Self { means: Box::new([[[[0.0; ROTATION_DIMS]; 3]; STATES]; SIDES]), durations: [[0.0; STATES]; SIDES] }
+        Self {
+            means: Box::new([[[[0.0; ROTATION_DIMS]; 3]; STATES]; SIDES]),
+            durations: [[0.0; STATES]; SIDES],
+            step_length: 0.0,
+        }
     }
 
     /// With a pose added to that of every state.
@@ -85,6 +91,7 @@ impl StyleMeans {
         flattened_mut(&mut self.means).iter_mut().zip(flattened(&other.means)).for_each(|(a, b)| *a += weight * b);
         let durations = self.durations.as_flattened_mut().iter_mut();
         durations.zip(other.durations.as_flattened()).for_each(|(a, b)| *a += weight * b);
+        self.step_length += weight * other.step_length;
     }
 }
 

@@ -197,8 +197,10 @@ fn an_hour_of_walking_neither_drifts_nor_grows() {
     const ENDS: usize = 10 * RATE_HZ as usize;
     let mut walker = walker(&[0.6, 0.7]);
     let frames = |walker: &mut Walker| -> Vec<Pose> { (0..ENDS).map(|_| *walker.advance()).collect() };
+    // Steps come to their length.
+    frames(&mut walker);
     let first = frames(&mut walker);
-    (0..HOUR - 2 * ENDS).for_each(|_| _ = walker.advance());
+    (0..HOUR - 3 * ENDS).for_each(|_| _ = walker.advance());
     let last = frames(&mut walker);
     let mean = |of: &dyn Fn(&Pose) -> f32, poses: &[Pose]| poses.iter().map(of).sum::<f32>() / poses.len() as f32;
     let height = |poses| mean(&|pose| pose.root.y, poses);
@@ -314,6 +316,51 @@ fn strides_are_longer_where_that_is_asked_for() {
         walker.pose().root.z
     });
     assert!(ways.is_sorted() && ways[0] < 0.85 * ways[2], "{ways:?}");
+}
+
+/// Mean length of a walker's next steps, metres.
+fn mean_step_length(walker: &mut Walker, steps: u64) -> f64 {
+    let mut place_at = |step: u64| {
+        while walker.next_step() < step {
+            walker.advance();
+        }
+        walker.pose().root
+    };
+    let settled = 20;
+    let from = place_at(settled);
+    f64::from((place_at(settled + steps) - from).length()) / steps as f64
+}
+
+#[test]
+fn steps_are_as_long_as_the_mixture_says() {
+    let all = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.5], [0.75, 0.25]];
+    let off: Vec<_> = all
+        .into_iter()
+        .map(|weights| {
+            let expected = MODEL.mix(&MODEL.average(), &weights.map(f64::from)).step_length;
+            (weights, mean_step_length(&mut walker(&weights), 40) / expected - 1.0)
+        })
+        .collect();
+    // 0.045 without: a mixture of joints' angles is no mixture of lengths.
+    assert!(off.iter().all(|(_, off)| off.abs() < 0.02), "{off:?}");
+}
+
+#[test]
+fn of_a_longer_stride_the_length_is_known() {
+    let mut walker = walker(&[0.5, 0.5]);
+    walker.set_stride(0.9);
+    let (found, whole) = (mean_step_length(&mut walker, 40), MODEL.average().step_length);
+    assert!((found / whole - 0.9).abs() < 0.005, "{found} of {whole}");
+}
+
+#[test]
+fn models_that_do_not_know_their_lengths_walk_and_can_learn_them() {
+    let mut old = MODEL.clone();
+    old.means.iter_mut().for_each(|means| means.step_length = 0.0);
+    let mut walker = Walker::new(Arc::new(RuntimeWalkModel::new(&old)));
+    walker.set_styles(&[1.0, 0.0]).unwrap();
+    assert!((mean_step_length(&mut walker, 20) / MODEL.means[0].step_length - 1.0).abs() < 0.02);
+    assert_eq!(old.with_walked_lengths(&Sequential), *MODEL);
 }
 
 #[test]

@@ -183,12 +183,13 @@ impl IncrementalJob for Trainer {
         Ok(Some(TrainProgress { done, total: 2 * count + 1 }))
     }
 
-    fn conclude(self, _executor: &impl ParallelMap) -> Result<WalkModel, Infallible> {
+    fn conclude(self, executor: &impl ParallelMap) -> Result<WalkModel, Infallible> {
         let range = range_of(&self.samples);
         let Self { proportions, reference, styles, means, .. } = self;
         let shared = self.pooled.map_or_else(|| mean_variances(std::iter::empty()), |(_, shared)| shared);
         let SharedVariances { variances, duration_variances } = shared;
-        Ok(WalkModel { proportions, reference, variances, duration_variances, range, styles, means })
+        let model = WalkModel { proportions, reference, variances, duration_variances, range, styles, means };
+        Ok(model.with_walked_lengths(executor))
     }
 }
 

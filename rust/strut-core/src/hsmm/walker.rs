@@ -4,6 +4,7 @@ mod controls;
 mod durations;
 mod planner;
 mod runtime_model;
+mod step_length;
 
 pub use controls::{MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WeightsError};
 pub(super) use durations::counted_end;
@@ -24,6 +25,7 @@ use crate::math::{Vec3, exp_map};
 use planner::{Planner, Start};
 use runtime_model::{PADDED, Padded};
 use std::sync::Arc;
+use step_length::{Frame, StepLength};
 
 const LANES: usize = PADDED / WIDTH;
 
@@ -57,6 +59,7 @@ pub struct Walker {
     path: Vec<(u64, usize)>,
     root: RootPath,
     pose: Pose,
+    step_length: StepLength,
 }
 
 impl Walker {
@@ -74,6 +77,7 @@ impl Walker {
             path: Vec::with_capacity(HORIZON + 1),
             root: RootPath::new(&runtime.proportions),
             pose: Pose::default(),
+            step_length: StepLength::default(),
             runtime,
         };
         walker.begin();
@@ -137,9 +141,22 @@ impl Walker {
         self.pose = Pose { root: Vec3::ZERO, rotations };
         let (step, state) = self.path[0];
         let frames = self.durations().iter().sum::<f32>();
-        self.heading = wrap_angle(self.heading + self.planner.start.share(step, state) * self.turn / frames);
+        let walking = self.planner.start.share(step, state);
+        self.heading = wrap_angle(self.heading + walking * self.turn / frames);
         self.root.place(&mut self.pose, side_of(step), self.heading, 1.0 / RATE_HZ);
+        self.follow_length(step, walking);
         &self.pose
+    }
+
+    /// Sees to the lengths of steps after a frame of one with so much walking in it.
+    fn follow_length(&mut self, step: u64, walking: f32) {
+        // Lengths were measured within the limits.
+        let follows = self.runtime.has_step_lengths && self.planner.limits && walking == 1.0;
+        let length = follows.then(|| self.planner.step(step).length.max(0.0));
+        if let Some(swing) = self.step_length.advance(Frame { step, length, place: self.pose.root }) {
+            self.planner.swing = swing;
+            self.planner.forget();
+        }
     }
 
     /// Foot, point and place in the world that touch the ground.
@@ -151,6 +168,8 @@ impl Walker {
     /// Synthesises two frames that are not shown, so that the first shown frame has predecessors.
     fn begin(&mut self) {
         (self.frame, self.position) = (0, Position::default());
+        self.step_length = StepLength::default();
+        self.planner.swing = 1.0;
         self.planner.forget();
         self.follow_path();
         self.solve(false);

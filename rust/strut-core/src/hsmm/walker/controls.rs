@@ -102,7 +102,7 @@ impl Walker {
         self.turn = if turn.is_finite() { turn.clamp(-MAX_TURN, MAX_TURN) } else { 0.0 };
     }
 
-    /// Length of steps as a share of the style's, about: the legs swing by as much more or less. The nearest of [`STRIDE`] is
+    /// Length of steps as a share of the style's: the legs swing by about as much more or less. The nearest of [`STRIDE`] is
     /// taken.
     pub fn set_stride(&mut self, share: f32) {
         self.planner.stride = if share.is_finite() { share.clamp(STRIDE[0], STRIDE[1]) } else { 1.0 };
@@ -121,8 +121,8 @@ impl Walker {
         }
     }
 
-    /// Whether joints, and how long steps and their states last, keep within the range of the recorded walks; they do unless
-    /// told otherwise.
+    /// Whether joints, and how long steps and their states last, keep within the range of the recorded walks, and steps get
+    /// as long as their mixture of styles has them; they do unless told otherwise.
     pub fn set_limits(&mut self, limits: bool) {
         self.planner.limits = limits;
         self.planner.forget();

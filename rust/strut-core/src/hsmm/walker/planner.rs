@@ -86,6 +86,8 @@ pub(super) struct PlannedStep {
     number: u64,
     pub(super) means: [StateMeans; STATES],
     pub(super) durations: Durations,
+    /// How long the step should get, metres.
+    pub(super) length: f32,
 }
 
 /// Plans the coming steps from the controls.
@@ -100,6 +102,8 @@ pub(super) struct Planner {
     pub(super) tempo: Option<Tempo>,
     /// Length of steps as a share of the style's.
     pub(super) stride: f32,
+    /// The share of their swing by which the legs make steps as long as that within the limits ([`super::step_length`]).
+    pub(super) swing: f32,
     pub(super) start: Start,
     /// Whether durations are limited to the range of the recorded walks.
     pub(super) limits: bool,
@@ -111,13 +115,15 @@ impl Planner {
     /// Of steps as the average of all styles has them.
     pub(super) fn new(runtime: Arc<RuntimeWalkModel>) -> Self {
         let none = Weights([(); SIDES].map(|()| vec![0.0; runtime.styles.len()]));
-        let step = PlannedStep { number: u64::MAX, means: runtime.average.means[0], durations: [0.0; STATES] };
+        let step =
+            PlannedStep { number: u64::MAX, means: runtime.average.means[0], durations: [0.0; STATES], length: 0.0 };
         Self {
             weights: none,
             transitions: Vec::new(),
             seed: None,
             tempo: None,
             stride: 1.0,
+            swing: 1.0,
             start: Start { first: 0, from: 1.0, to: 1.0 },
             limits: true,
             steps: vec![step; PLANNED],
@@ -159,6 +165,8 @@ impl Planner {
         };
         let step = &mut self.steps[slot_of(number)];
         step.number = number;
+        step.length = 0.0;
+        let legs = if self.limits { self.stride * self.swing } else { self.stride };
         for (state, means) in step.means.iter_mut().enumerate() {
             *means = [[0.0; PADDED]; 3];
             let mixed = runtime.mixed(|style| weight(style, state));
@@ -167,10 +175,11 @@ impl Planner {
                 let sums = means.as_flattened_mut().iter_mut();
                 sums.zip(runtime_style.means[side][state].as_flattened()).for_each(|(sum, v)| *sum += weight * v);
                 standing.iter_mut().zip(runtime_style.standing).for_each(|(sum, v)| *sum += weight * v);
+                step.length += weight * self.stride * runtime_style.step_length / STATES as f32;
             }
             let walking = self.start.share(number, state);
-            if walking < 1.0 || self.stride != 1.0 {
-                swing(means, &standing, walking, self.stride);
+            if walking < 1.0 || legs != 1.0 {
+                swing(means, &standing, walking, legs);
             }
             step.durations[state] = runtime.durations_of(mixed, side, self.limits)[state];
         }

@@ -33,6 +33,8 @@ pub(super) type StateMeans = [Padded; 3];
 pub(super) struct RuntimeStyle {
     pub(super) means: [[StateMeans; STATES]; SIDES],
     pub(super) durations: [Durations; SIDES],
+    /// Of a step, metres.
+    pub(super) step_length: f32,
     /// The pose that walking swings about, and stops in: either leg as it is below the body, and all else in between.
     pub(super) standing: Padded,
 }
@@ -47,6 +49,7 @@ impl RuntimeStyle {
         Self {
             means: means.means.each_ref().map(|side| side.each_ref().map(padded)),
             durations: means.durations.map(|side| side.map(|d| d as f32)),
+            step_length: means.step_length as f32,
             standing: std::array::from_fn(|d| if d < ROTATION_DIMS { standing(d) as f32 } else { 0.0 }),
         }
     }
@@ -62,6 +65,8 @@ pub struct RuntimeWalkModel {
     /// Frames of the shortest style's step and of the longest one's.
     pub(super) step_frames: [[f32; 2]; SIDES],
     pub(super) range: Vec<[f32; 2]>,
+    /// Whether it is known of all styles how long their steps are.
+    pub(super) has_step_lengths: bool,
     pub(super) average: RuntimeStyle,
     pub(super) styles: Vec<RuntimeStyle>,
 }
@@ -84,6 +89,7 @@ impl RuntimeWalkModel {
             inverse_variances: model.variances.each_ref().map(|side| side.each_ref().map(inverse)),
             duration_variances: model.duration_variances.map(|side| side.map(|v| v as f32)),
             range: low.iter().zip(high).map(|(l, h)| [*l as f32, *h as f32]).collect(),
+            has_step_lengths: model.means.iter().all(|means| means.step_length > 0.0),
             average: RuntimeStyle::new(model, &model.average()),
             step_frames: std::array::from_fn(|side| shortest_and_longest(styles.iter().map(|v| &v.durations[side]))),
             styles,

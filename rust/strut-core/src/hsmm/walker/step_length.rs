@@ -1,0 +1,162 @@
+//! Steps that are as long as their mixture of styles has them (`docs/methods/hsmm.md` §11).
+
+use super::{RuntimeWalkModel, Walker};
+use crate::hsmm::model::WalkModel;
+use crate::math::Vec3;
+use crate::parallel::ParallelMap;
+use std::sync::Arc;
+
+/// How much of what two steps lack, or have too much, the next two make up for.
+const GAIN: f32 = 0.5;
+/// Least and greatest share of their swing that the legs are given. Beyond 1.2 the steps of a style that is exaggerated may get
+/// shorter again: a stretched leg comes down early, and pushes the body back.
+const SHARE: [f32; 2] = [0.75, 1.2];
+/// Steps of a walk that is measured that belong to its beginning, and those that are measured: as many of either foot.
+const BEGINNING: u64 = 2;
+const MEASURED: u64 = 20;
+
+/// A frame of a walk.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    /// Number of its step.
+    pub(super) step: u64,
+    /// How long that step should get, metres; `None` where nothing is asked of it.
+    pub(super) length: Option<f32>,
+    /// Where the body is.
+    pub(super) place: Vec3,
+}
+
+/// Two steps that are walked.
+#[derive(Clone, Copy, Debug)]
+struct Stride {
+    from: Vec3,
+    /// How long the steps that are over should have been, metres.
+    expected: f32,
+}
+
+/// The share of their swing with which the legs make steps as long as they should be. How long a step gets is no linear
+/// function of the joints' angles, and limits of joints take from it, so that it is measured: the next two steps make up for
+/// what two steps lack, and over many of them the way is what it should be. The feet stand as ever, as the way follows
+/// from the legs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StepLength {
+    share: f32,
+    /// Of the last frame.
+    step: u64,
+    length: Option<f32>,
+    stride: Option<Stride>,
+}
+
+impl Default for StepLength {
+    fn default() -> Self {
+        Self { share: 1.0, step: 0, length: None, stride: None }
+    }
+}
+
+impl StepLength {
+    /// Takes note of a frame: the share that the swing has from the next one on, if it is another.
+    pub(super) fn advance(&mut self, frame: Frame) -> Option<f32> {
+        let (last_step, last_length) = (self.step, self.length);
+        (self.step, self.length) = (frame.step, frame.length);
+        if frame.length.is_none() {
+            self.stride = None;
+        }
+        let mut share = None;
+        if let Some(length) = last_length
+            && frame.length.is_some()
+            && frame.step != last_step
+        {
+            if let Some(stride) = &mut self.stride {
+                stride.expected += length;
+            }
+            if frame.step.is_multiple_of(2) {
+                let next = Stride { from: frame.place, expected: 0.0 };
+                share = self.stride.replace(next).map(|stride| stride.corrected(self.share, frame.place));
+                self.share = share.unwrap_or(self.share);
+            }
+        }
+        share
+    }
+}
+
+impl Stride {
+    /// The share of the legs' swing after these steps, if it was this in them and they led to a place.
+    fn corrected(&self, share: f32, to: Vec3) -> f32 {
+        let found = (to - self.from).length();
+        let longest = found.max(self.expected);
+        let lacks = if longest > 0.0 { (self.expected - found) / longest } else { 0.0 };
+        (share + GAIN * lacks).clamp(SHARE[0], SHARE[1])
+    }
+}
+
+impl WalkModel {
+    /// With the lengths of every style's steps as a walker takes them when it is not told how long they are.
+    pub fn with_walked_lengths(mut self, executor: &impl ParallelMap) -> Self {
+        self.means.iter_mut().for_each(|means| means.step_length = 0.0);
+        let runtime = Arc::new(RuntimeWalkModel::new(&self));
+        let lengths = executor.map(self.styles.len(), &|style| walked_length(&runtime, style));
+        self.means.iter_mut().zip(lengths).for_each(|(means, length)| means.step_length = length);
+        self
+    }
+}
+
+/// Mean length of a style's steps, metres.
+fn walked_length(runtime: &Arc<RuntimeWalkModel>, style: usize) -> f64 {
+    let mut walker = Walker::new(Arc::clone(runtime));
+    for weights in &mut walker.planner.weights.0 {
+        weights[style] = 1.0;
+    }
+    walker.reset(Vec3::ZERO, 0.0);
+    let mut place_before = |step: u64| {
+        while walker.next_step() < step {
+            walker.advance();
+        }
+        walker.pose.root
+    };
+    let from = place_before(BEGINNING);
+    f64::from((place_before(BEGINNING + MEASURED) - from).length()) / MEASURED as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Frames of a step.
+    const FRAMES: u64 = 15;
+
+    /// Walks so many steps which are to have a length, and have the one that a share of swing gives: the way and the last share.
+    fn walk(steps: u64, length: Option<f32>, length_of: impl Fn(f32) -> f32) -> (f32, f32) {
+        let (mut controlled, mut share, mut way) = (StepLength::default(), 1.0, 0.0);
+        for frame in 0..steps * FRAMES {
+            let place = Vec3::new(0.0, 0.0, way);
+            share = controlled.advance(Frame { step: frame / FRAMES, length, place }).unwrap_or(share);
+            way += length_of(share) / FRAMES as f32;
+        }
+        (way, share)
+    }
+
+    proptest! {
+        #[test]
+        fn the_way_is_that_of_all_steps(length in 0.3f32..0.9, bent in -0.3f32..0.3, should_be in 0.85f32..1.15) {
+            // A leg that is bent makes more of its swing, or less.
+            let length_of = |share: f32| length * (share + bent * (share - 1.0) * share);
+            let asked = length_of(should_be);
+            let (first, _) = walk(20, Some(asked), length_of);
+            let (all, share) = walk(60, Some(asked), length_of);
+            prop_assert!((share - should_be).abs() < 0.002, "{share} instead of {should_be}");
+            prop_assert!(((all - first) / 40.0 - asked).abs() < 0.002 * asked);
+        }
+    }
+
+    #[test]
+    fn legs_swing_no_farther_than_helps() {
+        assert_eq!(walk(80, Some(2.0), |share| 0.6 * share).1, SHARE[1]);
+        assert_eq!(walk(80, Some(0.0), |share| 0.6 * share).1, SHARE[0]);
+    }
+
+    #[test]
+    fn nothing_changes_where_no_length_is_asked_for() {
+        assert_eq!(walk(40, None, |share| 0.6 * share).1, 1.0);
+    }
+}
