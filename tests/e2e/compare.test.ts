@@ -91,6 +91,52 @@ describe("the columns", () => {
   });
 });
 
+describe("the search", () => {
+  const search = () => page.getByRole("combobox", { name: "Search", exact: true });
+  /** A row of figures as the page writes it: recall, milliseconds. */
+  const found = async (name: string): Promise<[recall: number, ms: number]> => {
+    const row = page.locator(".compare-search-figures > div").filter({ hasText: name });
+    const [recall, ms] = await row.locator("dd").allTextContents();
+    return [Number(/^recall@40 ([01]\.\d{3})$/.exec(recall!)![1]), Number(/^(\d+\.\d\d) ms a frame$/.exec(ms!)![1])];
+  };
+  const figures = () => page.getByLabel("What the searches find, and how long they take");
+
+  it("is exact, and then there is nothing to compare", async () => {
+    await visit(page, COMPARED);
+    await eventually(() => search().inputValue()).toBe("exact");
+    expect(await figures().isVisible()).toBe(false);
+  });
+
+  it("by kd-trees is shown beside the exact one, over the whole clip: more candidates find more and take longer", async () => {
+    const recalls: number[] = [];
+    const times: number[] = [];
+    for (const candidates of [40, 160, 640]) {
+      await search().selectOption(`kd-tree, ${candidates} candidates`);
+      await eventually(() => page.url()).toContain(`search=kdtree:${candidates}`);
+      await eventually(() => figures().isVisible(), "figures of these candidates").toBe(true);
+      expect((await found("Exact"))[0]).toBe(1);
+      const [recall, ms] = await found("kd-tree");
+      recalls.push(recall);
+      times.push(ms);
+      if (candidates === 160) await screenshot(page, "compare-search");
+    }
+    expect(recalls[0]).toBeLessThan(0.95);
+    expect(recalls).toEqual(recalls.toSorted());
+    expect(times[2]).toBeGreaterThan(times[0]!);
+    await eventually(faults).toEqual([]);
+  });
+
+  it("is a choice that is taken back, and that keys make", async () => {
+    await page.mouse.click(700, 400);
+    await page.keyboard.press("Control+z");
+    await eventually(() => search().inputValue()).toBe("kdtree:160");
+    await search().focus();
+    await page.keyboard.press("Home");
+    await eventually(async () => (await state()).search).toBe("exact");
+    await eventually(() => figures().isVisible()).toBe(false);
+  });
+});
+
 describe("the clock", () => {
   it("plays, steps and scrubs all columns at once", async () => {
     const time = () => page.locator(".compare-clock").textContent();
@@ -120,10 +166,11 @@ describe("a narrow screen", () => {
   it("scrolls the columns sideways and nothing else", async () => {
     await page.setViewportSize({ width: 390, height: 844 });
     await page.evaluate(() => {
-      location.hash = "view=compare&play=0&frame=160";
+      location.hash = "view=compare&play=0&frame=160&search=kdtree:160";
     });
     await eventually(() => page.locator(".compare-body").isVisible()).toBe(true);
     await eventually(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+    await eventually(() => page.locator(".compare-search-figures").isVisible()).toBe(true);
     await transitionsEnded(page);
     await screenshot(page, "compare-narrow");
     await eventually(faults).toEqual([]);

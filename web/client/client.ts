@@ -18,6 +18,7 @@ import {
   type LiveFrame,
   type Performed,
   type Restarted,
+  type SearchFigures,
   type StrutClient,
   type StyledClip,
   type StylizeOptions,
@@ -147,6 +148,11 @@ class SingleSessionClient implements StrutClient {
 
   async counterpart(style: string): Promise<Performed | undefined> {
     return this.openedInput().motion.counterpart(style);
+  }
+
+  async compareSearch(neighbours: number, candidates: number, call?: CallOptions): Promise<SearchFigures | undefined> {
+    const { motion, session } = this.openedInput();
+    return motion.compareSearch(session.database, neighbours, candidates, call);
   }
 
   async exportBvh(call?: CallOptions): Promise<string> {

@@ -70,6 +70,7 @@ const STYLING: ReadonlySet<Method> = new Set([
   "exportBvh",
   "stylize",
   "counterpart",
+  "compareSearch",
   "push",
 ]);
 

@@ -18,6 +18,7 @@ import type {
   MotionFacts,
   OpenMemory,
   Performed,
+  SearchFigures,
   StyledClip,
   StyleWeights,
   StylizeOptions,
@@ -160,6 +161,18 @@ export class ClientMotion extends ClientHandle {
   /** The motion as a style really performs it, where that is known: a built-in one, in a worker with counterparts. */
   counterpart(style: string): Promise<Performed | undefined> {
     return this.call("counterpart", [this.id, style]);
+  }
+
+  /** The search for neighbours by kd-trees beside the exact one, over the whole motion, in a worker that has kd-trees. */
+  async compareSearch(
+    database: ClientDatabase,
+    neighbours: number,
+    candidates: number,
+    call?: CallOptions,
+  ): Promise<SearchFigures | undefined> {
+    const figures = await this.call("compareSearch", [this.id, database.id, neighbours, candidates], call);
+    this.usedWith(database);
+    return figures;
   }
 
   /** The whole motion in a style; `bvh` asks for the text of a BVH file, too. */

@@ -14,6 +14,7 @@ import type {
   MotionFacts,
   Performed,
   Progress,
+  SearchFigures,
   StyledClip,
   StylizeOptions,
 } from "./protocol";
@@ -45,6 +46,7 @@ export interface WorkerCalls {
   motionOn(motion: Id, database: Id): InputInfo;
   stylize(motion: Id, database: Id, options: StylizeOptions, bvh: boolean): StyledClip;
   counterpart(motion: Id, style: string): Performed | undefined;
+  compareSearch(motion: Id, database: Id, neighbours: number, candidates: number): SearchFigures | undefined;
   createSession(session: Id, setup: SessionSetup): undefined;
   configure(session: Id, options: StylizeOptions): undefined;
   setLoop(session: Id, loop: boolean, range: FrameRange | undefined): undefined;

@@ -15,6 +15,7 @@ import type {
   InputInfo,
   Performed,
   Reading,
+  SearchFigures,
   StylizeOptions,
   WasmMemory,
 } from "../engine/types";
@@ -128,6 +129,11 @@ export interface StrutClient {
    * counterparts (`compare/`).
    */
   counterpart(style: string): Promise<Performed | undefined>;
+  /**
+   * The search for so many neighbours of every class among so many candidates of its kd-tree, beside the exact one, over the
+   * whole input; `undefined` from a package without kd-trees (`compare/` has them).
+   */
+  compareSearch(neighbours: number, candidates: number, options?: CallOptions): Promise<SearchFigures | undefined>;
   /** The styled input as BVH text, on the input's own skeleton. */
   exportBvh(options?: CallOptions): Promise<string>;
   onRestart: ((restarted: Restarted) => void) | undefined;

@@ -162,6 +162,16 @@ export interface Styled {
 /** A motion that was performed in a style instead of styled: frame for frame with its input. */
 export type Performed = Pick<Analysis, "poses" | "timeOut" | "planted">;
 
+/** A search by kd-trees beside the exact one, over a whole motion. */
+export interface SearchFigures {
+  /** Share of the nearest windows of every class that kd-trees find, 0–1. */
+  recall: number;
+  /** Median time of a frame's exact search in all classes, milliseconds. */
+  exactMs: number;
+  /** The same by kd-trees. */
+  treesMs: number;
+}
+
 /** What a curve may show of a pose: the rotation of a joint, by its number, or the height of the hips. */
 export type CurveSubject = number | "height";
 

@@ -14,6 +14,8 @@ mod motion_facts;
 #[cfg(feature = "parity")]
 mod parity;
 mod poses;
+#[cfg(feature = "compare")]
+mod search_comparison;
 mod stylizer;
 
 #[cfg(feature = "bench")]
@@ -29,5 +31,7 @@ pub use motion_facts::MotionFacts;
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;
 pub use poses::interpolate_poses;
+#[cfg(feature = "compare")]
+pub use search_comparison::SearchComparison;
 pub use strut_wasm_common::EngineError;
 pub use stylizer::Stylizer;

@@ -1,11 +1,23 @@
 /** State of the Compare view. */
-import { type Fields, listed, text } from "../../link/fields";
+import { choice, type Fields, listed, text } from "../../link/fields";
 
 export interface CompareState {
   /** Names of the columns. */
   columns: readonly string[];
   /** The column that is drawn behind the others. */
   behind: string;
+  /** The search that is shown beside the exact one. */
+  search: SearchName;
+}
+
+/** Searches for neighbours, as the command line names them: the exact one, and those among so many candidates of kd-trees. */
+export const SEARCHES = ["exact", "kdtree:40", "kdtree:160", "kdtree:640"] as const;
+export type SearchName = (typeof SEARCHES)[number];
+
+/** How many candidates of every kd-tree a search looks at; `undefined` for the exact one, which has no trees. */
+export function candidatesOf(search: SearchName): number | undefined {
+  const [, candidates] = search.split(":");
+  return candidates === undefined ? undefined : Number(candidates);
 }
 
 /** Maximum number of columns side by side. */
@@ -19,4 +31,5 @@ export const COMPARE_FIELDS: Fields<CompareState> = {
     (text) => text.split(",").slice(0, MAX_COLUMNS),
   ),
   behind: text("behind", "real", true),
+  search: choice("search", "exact", SEARCHES, true),
 };

@@ -1,6 +1,10 @@
 /** The entry of the Compare view's worker: the engine's server over a package that can do more. */
-import { counterpartOf, serveComparePackage } from "../../engine/compare/wasm";
+import { counterpartOf, SearchComparison, serveComparePackage } from "../../engine/compare/wasm";
 import { type ServerPort, serve } from "../server/serve";
 
 serveComparePackage();
-void serve(self as unknown as ServerPort, { counterparts: counterpartOf, preload: "built-in" });
+void serve(self as unknown as ServerPort, {
+  counterparts: counterpartOf,
+  searches: (...setup) => new SearchComparison(...setup),
+  preload: "built-in",
+});

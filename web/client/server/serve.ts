@@ -5,9 +5,10 @@ import { toStrutError } from "../../engine/errors";
 import type { Arguments, Call, Method, Reply, Request, Result } from "../messages";
 import { BuiltInMotions } from "./built_in_motions";
 import * as databases from "./databases";
-import type { Counterparts, Host } from "./host";
+import type { Counterparts, Host, Searches } from "./host";
 import * as motions from "./motions";
 import { Registry } from "./registry";
+import { compareSearch } from "./searches";
 import * as sessions from "./sessions";
 import * as stylizers from "./stylizers";
 import type { Caller } from "./time_slices";
@@ -30,6 +31,7 @@ const HANDLERS: Handlers = {
   motionOn: motions.motionOn,
   stylize: motions.stylize,
   counterpart: motions.counterpart,
+  compareSearch,
   createSession: sessions.createSession,
   configure: sessions.configure,
   setLoop: sessions.setLoop,
@@ -51,6 +53,7 @@ const HANDLERS: Handlers = {
 /** What a server does besides. */
 export interface ServerSetup {
   counterparts?: Counterparts;
+  searches?: Searches;
   /** A set of built-in motions that begins to load with the engine. */
   preload?: BuiltInSet;
 }
@@ -58,14 +61,14 @@ export interface ServerSetup {
 /** Loads the engine and answers the calls that arrive at `port`. */
 export async function serve(
   port: ServerPort,
-  { counterparts = () => undefined, preload }: ServerSetup = {},
+  { counterparts = () => undefined, searches = () => undefined, preload }: ServerSetup = {},
 ): Promise<void> {
   /** Calls under way, and which of them were cancelled. */
   const cancelled = new Map<number, boolean>();
   const builtIn = new BuiltInMotions();
   if (preload) builtIn.preload(preload);
   const open = new Registry();
-  const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, open }));
+  const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, searches, open }));
 
   const answer = async (call: Call) => {
     const { id } = call;

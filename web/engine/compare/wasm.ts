@@ -1,12 +1,14 @@
 /**
- * The WASM package of the Compare view: the engine's, with the methods that are trained beforehand and the built-in inputs
- * in every style. Only the Compare view loads it.
+ * The WASM package of the Compare view: the engine's, with the methods that are trained beforehand, the search by kd-trees
+ * and the built-in inputs in every style. Only the Compare view loads it.
  */
 import { assetOf } from "../assets";
 import { performedBy } from "../performed";
 import type { Performed } from "../types";
 import { type Glue, servePackage } from "../wasm";
 import * as glue from "./pkg/strut_compare.js";
+
+export { SearchComparison } from "./search_comparison";
 
 /** Uses this package as the engine's on this thread; call it before anything is loaded. */
 export function serveComparePackage(): void {

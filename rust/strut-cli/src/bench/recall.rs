@@ -8,7 +8,7 @@ use std::num::NonZero;
 use std::time::Instant;
 use strut_core::catalogue::Catalogue;
 use strut_core::pose_vector::HeadingFilter;
-use strut_core::search::{Index, Metric, Neighbours, QueryWindow, Scratch};
+use strut_core::search::{ClassSearch, Index, Neighbours, QueryWindow, Recall};
 use strut_demo::benchmark::Query;
 
 /// Neighbours that are looked for in every class.
@@ -34,28 +34,22 @@ pub(crate) struct SearchRow {
 /// The exact search and kd-trees of several sizes on the same windows.
 pub(super) fn measure(db: &Catalogue, index: &Index, queries: &[Query]) -> Vec<SearchRow> {
     let windows: Vec<QueryWindow> = queries.iter().flat_map(|query| windows(db, query)).collect();
-    let (exact, times) = search(index, &windows);
+    let (nearest, times) = search(index, &windows);
+    let row = |search: Search, found: &[Vec<Neighbours>], mut times: Vec<f64>| {
+        let mut recall = Recall::default();
+        nearest.iter().zip(found).for_each(|(nearest, found)| recall.add(nearest, found));
+        times.sort_by(f64::total_cmp);
+        let [median_ms, p95_ms] = [0.5, 0.95].map(|share| percentile(&times, share));
+        let (frames, classes) = (db.frames(), index.classes());
+        SearchRow { search, frames, classes, recall: recall.share(), median_ms, p95_ms }
+    };
+    let exact = row(Search::Exact, &nearest, times);
     let trees = CANDIDATES.into_iter().filter_map(NonZero::new).map(|candidates| Search::KdTree { candidates });
-    let found = trees.map(|trees| {
+    let trees = trees.map(|trees| {
         let (found, times) = search(&trees.of(index.clone()), &windows);
-        (trees, found, times)
+        row(trees, &found, times)
     });
-    let found: Vec<_> = found.collect();
-    std::iter::once((Search::Exact, exact.clone(), times))
-        .chain(found)
-        .map(|(search, found, mut times)| {
-            times.sort_by(f64::total_cmp);
-            let [median_ms, p95_ms] = [0.5, 0.95].map(|share| percentile(&times, share));
-            SearchRow {
-                search,
-                frames: db.frames(),
-                classes: index.classes(),
-                recall: share_found(&exact, &found),
-                median_ms,
-                p95_ms,
-            }
-        })
-        .collect()
+    std::iter::once(exact).chain(trees).collect()
 }
 
 /// A line each.
@@ -85,32 +79,17 @@ fn windows(db: &Catalogue, query: &Query) -> Vec<QueryWindow> {
     all.skip(STRIDE).step_by(STRIDE).collect()
 }
 
-/// The rows found in every class for every window, sorted, and the milliseconds that each window took.
-fn search(index: &Index, windows: &[QueryWindow]) -> (Vec<Vec<u32>>, Vec<f64>) {
-    let (mut scratch, mut rows, mut times) = (Scratch::default(), Vec::new(), Vec::new());
-    for window in windows {
-        let mut found = vec![Neighbours::default(); index.classes()];
+/// What is found in every class for every window, from a cold start, and the milliseconds that each window took.
+fn search(index: &Index, windows: &[QueryWindow]) -> (Vec<Vec<Neighbours>>, Vec<f64>) {
+    let mut search = ClassSearch::default();
+    let one = |window| {
+        search.forget();
         let started = Instant::now();
-        let query = index.prepare(window, Metric::FullBody);
-        for (class, found) in found.iter_mut().enumerate() {
-            index.nearest(&query, &[class], K, &mut scratch, found);
-        }
-        times.push(ms_since(started));
-        rows.extend(found.iter().map(|found| {
-            let mut rows: Vec<u32> = found.as_slice().iter().map(|n| n.row).collect();
-            rows.sort_unstable();
-            rows
-        }));
-    }
-    (rows, times)
-}
-
-/// Share of the first rows that are among the second, list by list.
-fn share_found(exact: &[Vec<u32>], found: &[Vec<u32>]) -> f64 {
-    let hits =
-        |(exact, found): (&Vec<u32>, &Vec<u32>)| exact.iter().filter(|&r| found.binary_search(r).is_ok()).count();
-    let all: usize = exact.iter().map(Vec::len).sum();
-    exact.iter().zip(found).map(hits).sum::<usize>() as f64 / all.max(1) as f64
+        let found = search.find(index, window, K);
+        let ms = ms_since(started);
+        (found.to_vec(), ms)
+    };
+    windows.iter().map(one).unzip()
 }
 
 #[cfg(test)]

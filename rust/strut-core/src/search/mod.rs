@@ -19,6 +19,8 @@ mod plan;
 mod principal;
 #[cfg(feature = "baselines")]
 mod profile;
+#[cfg(feature = "baselines")]
+mod recall;
 mod subspace;
 mod windows;
 
@@ -29,6 +31,8 @@ pub use neighbours::{Neighbour, Neighbours};
 pub use plan::{Plan, PlanError};
 #[cfg(feature = "baselines")]
 pub use profile::Profile;
+#[cfg(feature = "baselines")]
+pub use recall::{ClassSearch, Recall};
 pub(crate) use windows::Windows;
 
 #[cfg(test)]

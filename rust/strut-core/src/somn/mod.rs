@@ -22,6 +22,7 @@ mod mixture;
 mod model;
 mod named_measures;
 mod pose_space;
+mod recorded_styles;
 mod recording;
 mod spline;
 mod synthesis;

@@ -1,9 +1,10 @@
 //! Synthesis of a pose from a style (`docs/methods/somn.md` §7).
 
 use super::frame::Frame;
-use super::mixture::{Gate, MAX_AXES, Style, softmax};
+use super::mixture::{Gate, Style, softmax};
 use super::model::KeyStyleModel;
 use super::pose_space::{DIMS, Row};
+use super::recorded_styles::RecordedStyles;
 use crate::humanoid::Pose;
 use std::sync::Arc;
 use thiserror::Error;
@@ -70,6 +71,7 @@ impl Default for Mode {
 #[derive(Clone, Debug)]
 pub struct Synthesis {
     model: Arc<KeyStyleModel>,
+    recorded: RecordedStyles,
     gates: Vec<Gate>,
     /// The same, blurred by so much.
     blurred: (f64, Vec<Gate>),
@@ -81,7 +83,7 @@ impl Synthesis {
     pub fn new(model: Arc<KeyStyleModel>) -> Self {
         let gates = Gate::all(&model.components, model.axis_count()).unwrap_or_default();
         let weights = vec![0.0; gates.len()];
-        Self { model, blurred: (0.0, gates.clone()), gates, weights }
+        Self { recorded: RecordedStyles::new(&model.styles), model, blurred: (0.0, gates.clone()), gates, weights }
     }
 
     /// The model.
@@ -134,19 +136,21 @@ impl Synthesis {
 
     /// The recorded frame whose style is nearest; none where nothing was recorded.
     pub fn nearest(&self, style: &Style) -> Option<usize> {
-        self.nearest_to(&self.model.standardised(style)).map(|(_, frame)| frame)
+        self.recorded.nearest(&self.model.standardised(style)).map(|(_, frame)| frame)
     }
 
     /// The style itself, or, farther than half a standard deviation from all recorded ones, the one at that distance on the
     /// way to the nearest of them.
     pub fn within_reach(&self, style: &Style) -> Style {
         let u = self.model.standardised(style);
-        let Some((square, nearest)) = self.nearest_to(&u) else { return self.model.in_units(&u) };
-        let nearest = self.model.styles[nearest];
-        let distance = square.sqrt();
-        if distance <= FARTHEST_FROM_RECORDED {
+        let is_beyond = |square: f64| square.sqrt() > FARTHEST_FROM_RECORDED;
+        // Mostly a bound will do, which costs less than the nearest style.
+        let nearest =
+            self.recorded.bound(&u).filter(|square| is_beyond(*square)).and_then(|_| self.recorded.nearest(&u));
+        let Some((square, frame)) = nearest.filter(|(square, _)| is_beyond(*square)) else {
             return self.model.in_units(&u);
-        }
+        };
+        let (nearest, distance) = (self.model.styles[frame], square.sqrt());
         let share = FARTHEST_FROM_RECORDED / distance;
         self.model.in_units(&std::array::from_fn(|j| nearest[j] + share * (u[j] - nearest[j])))
     }
@@ -155,13 +159,6 @@ impl Synthesis {
     pub fn measured(&self, pose: &Pose) -> Style {
         let frame = Frame::new(&self.model.space.proportions, pose, f32::NAN);
         std::array::from_fn(|j| self.model.axes.get(j).map_or(0.0, |axis| axis.measure(&frame)))
-    }
-
-    /// Squared distance to the nearest recorded style, and its frame: the first of those that are as near.
-    fn nearest_to(&self, u: &Style) -> Option<(f64, usize)> {
-        let square = |v: &Style| (0..MAX_AXES).map(|j| (u[j] - v[j]) * (u[j] - v[j])).sum::<f64>();
-        let styles = self.model.styles.iter().enumerate().map(|(frame, v)| (square(v), frame));
-        styles.reduce(|a, b| if b.0 < a.0 { b } else { a })
     }
 
     fn weigh(&mut self, u: &Style, mode: Mode) {

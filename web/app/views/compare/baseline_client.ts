@@ -1,4 +1,4 @@
-/** A second engine with the trained methods and the real counterparts, which the engine of Play does not have. */
+/** A second engine with the trained methods, kd-trees and the real counterparts, which the engine of Play does not have. */
 
 import { createCompareClient } from "../../../client/compare/client";
 import {
@@ -6,6 +6,7 @@ import {
   type DatabaseSource,
   isFault,
   type Performed,
+  type SearchFigures,
   type StrutClient,
   type StyleWeights,
   type StylizeOptions,
@@ -24,6 +25,8 @@ export class BaselineClient {
   /** What the engine has open; nothing after it failed, because it may have closed everything. */
   #database: DatabaseSource | undefined;
   #input = "";
+  /** Requests to open run one after another: the second finds open what the first has opened. */
+  #opening: Promise<unknown> = Promise.resolve();
   /** Performances of the input by style; `undefined` for a style in which it was never performed. */
   readonly #counterparts = new Map<string, Performed | undefined>();
 
@@ -52,6 +55,16 @@ export class BaselineClient {
     });
   }
 
+  /** The search by kd-trees over the whole input, beside the exact one. */
+  compareSearch(
+    session: OpenSources,
+    neighbours: number,
+    candidates: number,
+    call: CallOptions,
+  ): Promise<SearchFigures | undefined> {
+    return this.#ask(session, call, (client) => client.compareSearch(neighbours, candidates, call));
+  }
+
   dispose(): void {
     this.#starting?.then(
       (client) => client.dispose(),
@@ -78,7 +91,13 @@ export class BaselineClient {
   }
 
   /** The engine with the database and the input of the session. */
-  async #opened(session: OpenSources, call: CallOptions): Promise<StrutClient> {
+  #opened(session: OpenSources, call: CallOptions): Promise<StrutClient> {
+    const turn = this.#opening.then(() => this.#open(session, call));
+    this.#opening = turn.catch(() => {});
+    return turn;
+  }
+
+  async #open(session: OpenSources, call: CallOptions): Promise<StrutClient> {
     this.#starting ??= this.#start().catch((error) => {
       this.#starting = undefined;
       throw error;

@@ -12,7 +12,7 @@ import { html, setText } from "../../../ui/dom";
 import { allOf } from "../../../ui/polygon/selection";
 import { isDark, onSystemTheme } from "../../../ui/theme";
 import { SideBySideViewer } from "../../../viewer/side_by_side_viewer";
-import { MAX_COLUMNS } from "../../state/compare";
+import { candidatesOf, MAX_COLUMNS } from "../../state/compare";
 import type { AppState } from "../../state/state";
 import { strings } from "../../strings/strings";
 import { ProgressLine } from "../../ui/progress";
@@ -33,6 +33,8 @@ import {
   motionRequest,
 } from "./columns";
 import { type ColumnMotion, figuresAt, type MeasuredMotion } from "./figures";
+import { SearchMeasurement } from "./search_measurement";
+import { SearchStrip } from "./search_strip";
 import { type Comparison, pictureOf, summaryOf, titleOf } from "./sentences";
 import { CompareTransport } from "./transport";
 
@@ -69,6 +71,13 @@ class CompareView implements View {
     make: (request) => this.#make(request),
     cancel: () => this.#progress.cancel(),
     onMade: () => this.#showMade(),
+    onError: (error) => this.#host.toasts.error(errorText(error)),
+  });
+  readonly #search: SearchStrip;
+  readonly #searched = new SearchMeasurement({
+    measure: ({ neighbours, candidates }, call) =>
+      this.#baselines.compareSearch(this.#host.session, neighbours, candidates, call),
+    onChange: () => this.#showSearch(),
     onError: (error) => this.#host.toasts.error(errorText(error)),
   });
   #columns: CompareColumn[] = [];
@@ -109,6 +118,7 @@ class CompareView implements View {
       onSpeed: (speed) => store.edit({ speed }),
       speeds: SPEEDS,
     });
+    this.#search = new SearchStrip((search) => store.edit({ search }));
     const select = (element: HTMLSelectElement) => html("div", { class: "select outlined" }, element, icon("chevron"));
     this.element = html(
       "main",
@@ -128,6 +138,7 @@ class CompareView implements View {
         ),
       ),
       html("div", { class: "compare-body" }, this.#heads, this.#picture, this.#tables),
+      this.#search.element,
       html(
         "footer",
         { class: "compare-foot" },
@@ -159,6 +170,7 @@ class CompareView implements View {
     this.#shown = false;
     this.#listening.abort();
     this.#motions.pause();
+    this.#searched.stop();
     cancelAnimationFrame(this.#request);
   }
 
@@ -178,7 +190,10 @@ class CompareView implements View {
     const columns = this.#columnNames();
     this.#showColumns(columns, state);
     this.#transport.show({ playing: state.playing, speed: state.speed });
-    if (!database || !input) return;
+    if (!database || !input) {
+      this.#showSearch();
+      return;
+    }
     if (this.#openInput !== input) {
       this.#openInput = input;
       this.#measuredInput = measure(
@@ -208,6 +223,9 @@ class CompareView implements View {
       }),
     );
     this.#motions.request({ input, proportions }, [...this.#requests.values()]);
+    const candidates = candidatesOf(state.search);
+    this.#searched.request(candidates === undefined ? undefined : { input, neighbours: state.k, candidates });
+    this.#showSearch();
     this.#showStyles(state, database.styles, neutral);
     this.#showWords(state, session);
   }
@@ -238,6 +256,12 @@ class CompareView implements View {
     const choices = offered.map((name): Choice => [name, strings.compare.columns[name]]);
     const chosen = offered.find((name) => name === state.behind) ?? "none";
     showChoices(this.#behind, [["none", strings.compare.nothing], ...choices], chosen);
+  }
+
+  #showSearch(): void {
+    const { search, k } = this.#host.store.state;
+    const { figures, fraction } = this.#searched;
+    this.#search.show({ search, neighbours: k, figures, fraction });
   }
 
   #showStyles(state: Readonly<AppState>, styles: readonly string[], neutral: string): void {

@@ -44,6 +44,21 @@ export const compare = {
   training: (column: string) => `Training: ${column}.`,
   styling: (column: string) => `Styling: ${column}.`,
   seconds: (secs: string) => `${secs} seconds`,
+  search: {
+    name: "Search",
+    figures: "What the searches find, and how long they take",
+    exactAlone: "exact",
+    candidates: (count: number) => `kd-tree, ${count} candidates`,
+    exact: "Exact",
+    trees: "kd-tree",
+    recallAt: (neighbours: number) => `recall@${neighbours}`,
+    recallWhy: "Share of the nearest windows of every class that are found, over the whole input",
+    ms: (ms: string) => `${ms} ms a frame`,
+    msWhy: "Median time of a frame's search in all classes, over the whole input",
+    exactNote: (neighbours: number) => `The ${neighbours} nearest windows of every class, all of them.`,
+    columnsNote: "The columns are styled with the exact search.",
+    measuring: (percent: number) => `Searching the whole input both ways, ${percent} %.`,
+  },
   figures: {
     difference: {
       name: "Pose difference",

@@ -1,0 +1,54 @@
+/** Calls about the search for neighbours. */
+import type { SearchFigures } from "../protocol";
+import { OpenDatabase } from "./databases";
+import type { Host, SearchJob } from "./host";
+import { carriedMotion } from "./motions";
+import { type Caller, median, stage } from "./time_slices";
+
+/** Frames that are searched at once: the clocks of browsers are coarse. */
+const PORTION = 8;
+
+/**
+ * Searches a whole motion exactly and by kd-trees, in time slices; `undefined` where the package has no kd-trees.
+ * @throws StrutError `cancelled`, also if the motion or the database is closed meanwhile
+ */
+export async function compareSearch(
+  host: Host,
+  caller: Caller,
+  motion: number,
+  database: number,
+  neighbours: number,
+  candidates: number,
+): Promise<SearchFigures | undefined> {
+  const { open, searches } = host;
+  const carried = await carriedMotion(host, caller, motion, database);
+  const { input } = carried;
+  const job = searches(open.get(OpenDatabase, database).database, input, neighbours, candidates);
+  if (!job) return undefined;
+  const isCancelled = () => caller.isCancelled() || !open.has(carried);
+  try {
+    return await figuresOf(job, input.info.frames, { ...caller, isCancelled });
+  } finally {
+    job.dispose();
+  }
+}
+
+async function figuresOf(job: SearchJob, frames: number, caller: Caller): Promise<SearchFigures> {
+  const [exactMs, treesMs]: [number[], number[]] = [[], []];
+  let done = 0;
+  for (;;) {
+    const taken = job.take(PORTION);
+    if (taken === 0) return { recall: job.recall(), exactMs: median(exactMs), treesMs: median(treesMs) };
+    exactMs.push(msOf(() => job.searchExactly()) / taken);
+    treesMs.push(msOf(() => job.searchTrees()) / taken);
+    job.count();
+    done += taken;
+    await stage(caller, "Searching the clip", done / frames);
+  }
+}
+
+function msOf(work: () => void): number {
+  const started = performance.now();
+  work();
+  return performance.now() - started;
+}
