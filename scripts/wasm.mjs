@@ -20,8 +20,8 @@ const RUST = join(root, "rust");
  */
 const INLINE_LESS = "-Cllvm-args=-inline-threshold=100";
 
-/** A lesson looks at a frame when a hand moves: that may take a fifth longer, and the module is a tenth smaller. */
-const SMALL_LESSONS = {
+/** What a lesson or a dragged style asks for may take a fifth longer, and the module is a tenth smaller. */
+const SMALL = {
   flags: ["-Cllvm-args=-inline-threshold=25"],
   config: ["--config", "profile.web.package.strut-core.opt-level=2"],
 };
@@ -46,7 +46,12 @@ const PACKAGES = {
   build: { folder: "web/engine/build/pkg", crate: "strut-wasm-build", name: "strut_wasm_build", config: FAST_BUILDING },
   // … for those who open the Walk view, the Key-style view …
   walk: { folder: "web/engine/walk/pkg", crate: "strut-wasm-walk", name: "strut_wasm_walk" },
-  keyStyle: { folder: "web/engine/key_style/pkg", crate: "strut-wasm-key-style", name: "strut_wasm_key_style" },
+  keyStyle: {
+    folder: "web/engine/key_style/pkg",
+    crate: "strut-wasm-key-style",
+    name: "strut_wasm_key_style",
+    ...SMALL,
+  },
   // … for those who bring a character …
   character: {
     folder: "web/engine/character/pkg",
@@ -68,7 +73,7 @@ const PACKAGES = {
     crate: "strut-wasm",
     name: "strut_learn",
     features: ["learn"],
-    ...SMALL_LESSONS,
+    ...SMALL,
   },
   // The engine with the report that `tests/parity` compares and the yardsticks of `bench/` …
   bench: {

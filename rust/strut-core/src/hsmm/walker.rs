@@ -5,6 +5,7 @@ mod durations;
 mod planner;
 mod runtime_model;
 mod step_length;
+mod walked_length;
 
 pub use controls::{MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WeightsError};
 pub(super) use durations::counted_end;
