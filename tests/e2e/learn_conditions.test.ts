@@ -4,13 +4,17 @@ import { beforeAll, describe, expect, test } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { LESSONS } from "../../web/lessons/lessons";
 import { axeFaults } from "./axe";
-import { eventually, openSite, visit } from "./browser";
+import { openSite, visit } from "./browser";
 import { transitionsEnded } from "./rest";
 
 declare const window: Window & { strut: StrutHook };
 
 const WIDE = { width: 1440, height: 900 };
 const BEATS = [0, 1, 2, 3, 4, 5];
+
+/** What follows an action is asked for until it holds. */
+const soon = <T>(ask: () => T | Promise<T>, message?: string) =>
+  expect.poll(ask, { timeout: 20_000, ...(message ? { message } : {}) });
 
 let page: Page;
 beforeAll(async () => {
@@ -44,7 +48,7 @@ const overflow = () =>
     const figures = [...document.querySelectorAll(".learn-figures strut-figure:not([hidden])")];
     const inside = figures.flatMap((figure) => [figure, ...figure.shadowRoot!.querySelectorAll("*")]);
     const boxes = [...document.querySelectorAll(".learn-text *"), ...inside].filter(
-      (box) => box instanceof HTMLElement && box.clientWidth > 0 && !box.closest(".katex, .visually-hidden"),
+      (box) => box instanceof HTMLElement && box.clientWidth > 0 && !box.closest(".equation, .visually-hidden"),
     );
     const wide = boxes.filter(
       (box) => box.scrollWidth > box.clientWidth + 1 && getComputedStyle(box).overflowX === "visible",
@@ -53,77 +57,72 @@ const overflow = () =>
   });
 
 describe.each(LESSONS)("$id", ({ id }) => {
-  test("has a value and a mark for every symbol", async () => {
+  test("has a value for every symbol where it explains them", async () => {
     await open(id, 2);
-    const symbols = page.locator(".learn-symbols .symbol");
-    const values = () => symbols.locator(".value").allTextContents();
-    await eventually(async () => (await values()).filter((value) => value.trim() === "")).toEqual([]);
-    const lit = () => page.locator("strut-figure:not([hidden]) .lit").count();
-    for (const symbol of await symbols.all()) {
-      await symbol.focus();
-      await eventually(lit, (await symbol.getAttribute("data-term"))!).toBeGreaterThan(0);
-    }
+    const values = () => page.locator(".learn-symbols .symbol .value").allTextContents();
+    await soon(async () => (await values()).filter((value) => value.trim() === "")).toEqual([]);
   });
 
   test("is projected without overflow, and accessible", async () => {
     for (const beat of BEATS) {
       await open(id, beat, "&present=1");
-      await eventually(overflow, `part ${beat}`).toEqual([]);
+      await soon(overflow, `part ${beat}`).toEqual([]);
     }
     await open(id, 2, "&present=1");
     await transitionsEnded(page);
-    await eventually(() => axeFaults(page)).toEqual([]);
+    await soon(() => axeFaults(page)).toEqual([]);
   });
 
   test("has room for German, and for words that are longer still", async () => {
     for (const beat of BEATS) {
       await open(id, beat, "&lang=de");
-      await eventually(overflow, `part ${beat}`).toEqual([]);
+      await soon(overflow, `part ${beat}`).toEqual([]);
     }
     // Every text as 1.4 times as long.
     await page.evaluate(() => {
-      const roots: Node[] = [document.querySelector(".learn-text")!];
-      for (const figure of document.querySelectorAll("strut-figure:not([hidden])")) roots.push(figure.shadowRoot!);
-      for (const root of roots) {
-        const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
-        for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-          const text = node.textContent!;
-          if (text.trim().length > 1 && !node.parentElement!.closest(".katex, option, style, svg"))
-            node.textContent = text.replace(/\p{L}{2,}/gu, (word) => word + "x".repeat(Math.ceil(word.length * 0.4)));
-        }
+      const walker = document.createTreeWalker(document.querySelector(".learn-text")!, NodeFilter.SHOW_TEXT);
+      for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+        const text = node.textContent!;
+        if (text.trim().length > 1 && !node.parentElement!.closest(".katex, option"))
+          node.textContent = text.replace(/\p{L}{2,}/gu, (word) => word + "x".repeat(Math.ceil(word.length * 0.4)));
       }
     });
-    await eventually(overflow, "long words").toEqual([]);
+    await soon(overflow, "long words").toEqual([]);
   });
 
   test("prints all its parts and figures, and nothing is cut off", async () => {
     await open(id, 2);
     await page.emulateMedia({ media: "print" });
     await page.setViewportSize({ width: 680, height: 900 });
-    const clipped = () =>
-      page.evaluate(() => {
-        const figures = [...document.querySelectorAll(".learn-figures strut-figure:not([hidden])")];
-        const boxes = [document.querySelector(".learn")!, ...document.querySelectorAll(".learn *")].filter(
-          (box) => box instanceof HTMLElement && !box.closest(".katex, .visually-hidden, strut-figure"),
-        );
-        const cut = [
-          ...boxes,
-          ...figures.flatMap((figure) => [...figure.shadowRoot!.querySelectorAll("div, p")]),
-        ].filter(
-          (box) =>
-            box.clientHeight > 0 &&
-            getComputedStyle(box).overflowY !== "visible" &&
-            !box.classList.contains("visually-hidden") &&
-            box.scrollHeight > box.clientHeight + 1,
-        );
-        return cut.map((box) => `${box.localName}.${box.className} ${box.scrollHeight} > ${box.clientHeight}`);
-      });
-    await eventually(clipped).toEqual([]);
-    const parts = await page.locator(".learn-part").evaluateAll((all) => all.filter((part) => !part.checkVisibility()));
-    expect(parts).toEqual([]);
-    expect((await page.pdf({ preferCSSPageSize: true })).length).toBeGreaterThan(10_000);
-    await page.emulateMedia({ media: "screen" });
-    await page.setViewportSize(WIDE);
+    try {
+      const clipped = () =>
+        page.evaluate(() => {
+          const figures = [...document.querySelectorAll(".learn-figures strut-figure:not([hidden])")];
+          const boxes = [document.querySelector(".learn")!, ...document.querySelectorAll(".learn *")].filter(
+            (box) => box instanceof HTMLElement && !box.closest(".katex, .visually-hidden, strut-figure"),
+          );
+          const cut = [
+            ...boxes,
+            ...figures.flatMap((figure) => [...figure.shadowRoot!.querySelectorAll("div, p")]),
+          ].filter(
+            (box) =>
+              box.clientHeight > 0 &&
+              getComputedStyle(box).overflowY !== "visible" &&
+              !box.classList.contains("visually-hidden") &&
+              box.scrollHeight > box.clientHeight + 1,
+          );
+          return cut.map((box) => `${box.localName}.${box.className} ${box.scrollHeight} > ${box.clientHeight}`);
+        });
+      await soon(clipped).toEqual([]);
+      const parts = await page
+        .locator(".learn-part")
+        .evaluateAll((all) => all.filter((part) => !part.checkVisibility()));
+      expect(parts).toEqual([]);
+      expect((await page.pdf({ preferCSSPageSize: true })).length).toBeGreaterThan(10_000);
+    } finally {
+      await page.emulateMedia({ media: "screen" });
+      await page.setViewportSize(WIDE);
+    }
   });
 
   test("goes on without a network once it is open", async () => {
@@ -131,18 +130,14 @@ describe.each(LESSONS)("$id", ({ id }) => {
     await page.goBack();
     await page.waitForFunction(() => window.strut?.frame !== undefined);
     await open(id, 0);
-    await page.waitForLoadState("networkidle");
+    await page.locator(".learn-figures[data-prefetched]").waitFor({ state: "attached" });
     await page.context().setOffline(true);
     try {
       for (const beat of BEATS) {
         await open(id, beat);
-        await eventually(() => page.locator("strut-figure:not([hidden]) .message:visible").allTextContents()).toEqual(
-          [],
-        );
+        await soon(() => page.locator("strut-figure:not([hidden]) .message:visible").allTextContents()).toEqual([]);
       }
-      await eventually(() =>
-        page.evaluate(() => [...document.fonts].filter(({ status }) => status === "error")),
-      ).toEqual([]);
+      await soon(() => page.evaluate(() => [...document.fonts].filter(({ status }) => status === "error"))).toEqual([]);
     } finally {
       await page.context().setOffline(false);
     }
@@ -156,8 +151,8 @@ describe.each(LESSONS)("$id", ({ id }) => {
       "motion=%00&joint=tail&pick=%3Cb%3E&keys=9,9,9&old=2&childlike=2&task=Z&window=7&guess=1e400",
     ]) {
       await open(id, 4, `&${wrong}`);
-      await eventually(() => page.locator("strut-figure:not([hidden]) .message:visible").allTextContents()).toEqual([]);
-      await eventually(() => page.locator(".toast.error").count()).toBe(0);
+      await soon(() => page.locator("strut-figure:not([hidden]) .message:visible").allTextContents()).toEqual([]);
+      await soon(() => page.locator(".toast.error").count()).toBe(0);
     }
   });
 });

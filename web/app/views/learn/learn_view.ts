@@ -118,7 +118,8 @@ class LearnView implements View {
       return;
     }
     const open = this.#open;
-    if (!open) return;
+    // Another lesson than the one that is being loaded knows other ranges.
+    if (open?.key !== key) return;
     const { beat, present, task, hide, theme } = this.#state;
     const figures = open.lesson.clean(this.#state.figures);
     if (figures !== this.#state.figures) {

@@ -92,6 +92,7 @@ export class LessonFigures {
   async prefetch(): Promise<void> {
     const fonts = [...document.fonts].map((face) => face.load());
     await Promise.allSettled([...fonts, ...[...this.#figures.values()].map((figure) => figure.prefetch())]);
+    this.element.dataset.prefetched = "";
   }
 
   get #visible(): StrutFigure[] {
