@@ -87,10 +87,14 @@ async function learn(page: Page): Promise<void> {
   await page.locator('.key-style[aria-busy="false"] .pad-key').first().waitFor();
 }
 
-/** Waits until every figure of the lesson says what it shows. */
+/** Waits until every figure of the lesson shows its state, and says what that is. */
 async function figured(page: Page): Promise<void> {
   const figures = page.locator("strut-figure:not([hidden]) :is(.readout, .bars)");
   await figures.first().waitFor({ state: "attached" });
+  await page.evaluate(async () => {
+    for (const figure of document.querySelectorAll("strut-figure:not([hidden])"))
+      await (figure as HTMLElement & { ready(): Promise<void> }).ready();
+  });
   await eventually(async () => (await figures.allTextContents()).filter((text) => text.trim() === "")).toEqual([]);
 }
 
