@@ -115,6 +115,20 @@ const ELEMENT = {
   },
 };
 
+/** The packages' own loaders are left out: `web/engine/module.ts` loads the modules. */
+const OWN_LOADER = {
+  name: "own loader",
+  setup({ onLoad }) {
+    onLoad({ filter: /\/pkg\/strut_\w+\.js$/ }, ({ path }) => ({
+      contents: readFileSync(path, "utf8").replace(
+        "export { initSync, __wbg_init as default };",
+        "export { initSync };",
+      ),
+      loader: "js",
+    }));
+  },
+};
+
 /** Models that no player trains or opens are left out of its script. */
 const NO_MODELS = {
   name: "no models",
@@ -134,8 +148,11 @@ const COMMON = {
   absWorkingDir: root,
 };
 
-const IN_BROWSERS = { platform: "browser", plugins: [readsWith(undefined), OWN_ADDRESSES_ONLY, INLINED, ELEMENT] };
-const IN_NODE = { platform: "node", plugins: [readsWith("node:fs/promises"), OWN_ADDRESSES_ONLY, INLINED] };
+const IN_BROWSERS = {
+  platform: "browser",
+  plugins: [readsWith(undefined), OWN_ADDRESSES_ONLY, OWN_LOADER, INLINED, ELEMENT],
+};
+const IN_NODE = { platform: "node", plugins: [readsWith("node:fs/promises"), OWN_ADDRESSES_ONLY, OWN_LOADER, INLINED] };
 
 /** Writes dist/package/ from the WASM packages as they are built. */
 export async function writePackage() {
