@@ -43,7 +43,10 @@ const OWN_ADDRESSES_ONLY = {
   name: "own addresses only",
   setup({ onLoad }) {
     onLoad({ filter: /web\/(engine|client)\/.*\.(ts|js)$/ }, ({ path }) => ({
-      contents: readFileSync(path, "utf8").replaceAll("import.meta.url", '"strut:nowhere"'),
+      contents: readFileSync(path, "utf8")
+        .replaceAll("import.meta.url", '"strut:nowhere"')
+        // What wasm-bindgen would load a module with; `web/engine/module.ts` does that.
+        .replace("export { initSync, __wbg_init as default };", "export { initSync };"),
       loader: path.endsWith(".ts") ? "ts" : "js",
     }));
   },
@@ -115,20 +118,6 @@ const ELEMENT = {
   },
 };
 
-/** The packages' own loaders are left out: `web/engine/module.ts` loads the modules. */
-const OWN_LOADER = {
-  name: "own loader",
-  setup({ onLoad }) {
-    onLoad({ filter: /\/pkg\/strut_\w+\.js$/ }, ({ path }) => ({
-      contents: readFileSync(path, "utf8").replace(
-        "export { initSync, __wbg_init as default };",
-        "export { initSync };",
-      ),
-      loader: "js",
-    }));
-  },
-};
-
 /** Models that no player trains or opens are left out of its script. */
 const NO_MODELS = {
   name: "no models",
@@ -150,9 +139,9 @@ const COMMON = {
 
 const IN_BROWSERS = {
   platform: "browser",
-  plugins: [readsWith(undefined), OWN_ADDRESSES_ONLY, OWN_LOADER, INLINED, ELEMENT],
+  plugins: [readsWith(undefined), OWN_ADDRESSES_ONLY, INLINED, ELEMENT],
 };
-const IN_NODE = { platform: "node", plugins: [readsWith("node:fs/promises"), OWN_ADDRESSES_ONLY, OWN_LOADER, INLINED] };
+const IN_NODE = { platform: "node", plugins: [readsWith("node:fs/promises"), OWN_ADDRESSES_ONLY, INLINED] };
 
 /** Writes dist/package/ from the WASM packages as they are built. */
 export async function writePackage() {
