@@ -1,6 +1,8 @@
 /** What the lessons ask of the engine, timed in Node: what `lessons.mjs` calls. */
+import { readFile } from "node:fs/promises";
 import { createLearnTable } from "../web/client/learn/learn_table";
 import type { Look } from "../web/client/learn/protocol";
+import { type AssetName, placeAssets } from "../web/engine/assets";
 import { serveLearnPackage } from "../web/engine/learn/wasm";
 import { LESSONS } from "../web/lessons/lessons";
 
@@ -15,6 +17,16 @@ export interface TimedCall {
   boundMs: number;
 }
 
+/** The files of the engine; it cannot read any itself from a module that Vite runs. */
+const FILES: readonly (readonly [AssetName, string])[] = [
+  ["strut_learn_bg.wasm", "learn/pkg/strut_learn_bg.wasm"],
+  ["strut_wasm_walk_bg.wasm", "walk/pkg/strut_wasm_walk_bg.wasm"],
+  ["strut_wasm_key_style_bg.wasm", "key_style/pkg/strut_wasm_key_style_bg.wasm"],
+  ["strut_wasm_build_bg.wasm", "build/pkg/strut_wasm_build_bg.wasm"],
+  ["built_in.bin", "motions/built_in.bin"],
+  ["built_in.strutwalk", "motions/built_in.strutwalk"],
+];
+
 /** Frames of the default input that are looked at. */
 const FRAMES = { first: 100, count: 41, step: 7 };
 /** The left knee about x. */
@@ -24,7 +36,10 @@ const LAMBDAS = Array.from({ length: 25 }, (_, i) => 10 ** (-4 + (5 * i) / 24));
 
 /** Times each kind of call on the built-in database, after one that warms up. */
 export async function timeCalls(): Promise<TimedCall[]> {
-  await serveLearnPackage();
+  const read = async (path: string) =>
+    new Uint8Array(await readFile(new URL(`../web/engine/${path}`, import.meta.url)));
+  placeAssets(Object.fromEntries(await Promise.all(FILES.map(async ([name, path]) => [name, await read(path)]))));
+  serveLearnPackage();
   const engine = createLearnTable();
   const look = (frame: number): Look => ({ input: { name: "neutral walk" }, styles: { old: 1 }, frame });
   const frames = Array.from({ length: FRAMES.count }, (_, i) => FRAMES.first + i * FRAMES.step);
@@ -60,7 +75,7 @@ export async function timeCalls(): Promise<TimedCall[]> {
   const clips = await engine.clips("walk");
   const [a, b] = ["neutral", "old"].map((style) => clips.find(({ name }) => name.includes(style)) ?? clips[0]!);
   const register = (by: "dtw" | "imw") => engine.register("walk", a!.cycles[1]!, b!.cycles[1]!, by);
-  calls.push(await once("`register` for the first time (features of all walks)", 2000, () => register("dtw")));
+  calls.push(await once("`register` for the first time, after `clips`", 2000, () => register("dtw")));
   calls.push(await timed("`register` by DTW", 100, () => register("dtw")));
   calls.push(await timed("`register` by IMW", 100, () => register("imw")));
 
