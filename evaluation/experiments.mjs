@@ -8,7 +8,7 @@ const FOREIGN = "--protocol off-database --inputs $MOCAP/cmu,$MOCAP/xia";
 /**
  * Each: `id` names its files, `title` and `question` go above its table, `args` follow `strut evaluate`; `$MOCAP`
  * stands for the folder of real clips and `$DEMO` for the built-in motions as BVH files. `set` puts it into the
- * figure of error bars, `curves` writes curves over time too.
+ * figure of error bars, `curves` writes curves over time too, `findings` follow the table.
  */
 export const experiments = [
   {
@@ -71,6 +71,13 @@ export const experiments = [
     question:
       "How many performances of a style does the database need? Chosen by chance, three times a fold. The neutral style keeps all of its own.",
     args: `${BN2} --actions walk --methods knn,mar --takes 1,2,4,0`,
+  },
+  {
+    id: "progress",
+    title: "How much of a style comes out",
+    question:
+      "Share of the way from the input to the style that the output covers, and the real take held out, mean ± standard deviation over the folds. The way leads to the mean of the style's other takes, in the means and deviations of the joints' places, each in units of its spread over takes. Action and style known; least beside the real takes first.",
+    args: `${BN2} --methods mar --labels both --progress`,
   },
   {
     id: "foreign-methods",
