@@ -267,8 +267,7 @@ impl Report {
         }
     }
 
-    /// One line for each file refused.
-    /// Refused clips with the reason, then every clip and its faulty cycles, worst first.
+    /// Refused clips with the reason, actions, styles of two manners, then every clip and its faulty cycles, worst first.
     fn markdown(&self) -> String {
         let mut out = format!("# Registration of {}\n\n## Refused\n\n", self.database);
         // Writing to a string cannot fail.

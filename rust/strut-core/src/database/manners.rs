@@ -134,6 +134,6 @@ mod tests {
     #[test]
     fn takes_that_are_all_alike_have_one_manner() {
         let class = vec![[1.0; STATISTICS]; 6];
-        assert_eq!(manners(&class, &TakeSpread::of(&[class.clone()])), None);
+        assert_eq!(manners(&class, &TakeSpread::of(std::slice::from_ref(&class))), None);
     }
 }
