@@ -44,14 +44,14 @@ export class ClipsPanel {
       onNeutral: (style) => {
         clips.neutral = style;
       },
-      onFilter: (filter) => this.narrow(filter),
+      onFilter: (filter) => this.#narrow(filter),
       onRename: (field, from, to) => clips.rename(field, from, to),
     });
     this.#list = new ClipList({
       onSelect: listeners.onSelect,
       onEdit: (row, field, value) => clips.edit(row, field, value),
     });
-    this.#leftOut = button(words.leftOut, () => this.narrow(this.#filter === "left out" ? undefined : "left out"), {
+    this.#leftOut = button(words.leftOut, () => this.#narrow(this.#filter === "left out" ? undefined : "left out"), {
       label: true,
     });
     this.#pattern.addEventListener("change", () => listeners.onPattern(this.#pattern.value.trim()));
@@ -115,8 +115,13 @@ export class ClipsPanel {
     this.#showList(classes);
   }
 
-  /** Narrows the table of clips; `undefined` shows all again. */
-  narrow(filter: Filter): void {
+  /** Narrows the table of clips to a class, and brings it into view. */
+  reveal(of: ClassFilter): void {
+    this.#narrow(of);
+    this.#list.element.scrollIntoView({ block: "nearest" });
+  }
+
+  #narrow(filter: Filter): void {
     this.#filter = filter;
     this.#list.element.scrollTop = 0;
     const { usable } = this.#clips;

@@ -67,7 +67,7 @@ class DatabaseView implements View {
       onRoles: (skeleton) => void this.#chooseRoles(skeleton),
     });
     this.#manners = new MannersPanel({
-      onShow: ({ action, style }) => this.#clipsPanel.narrow({ action, style }),
+      onShow: ({ action, style }) => this.#clipsPanel.reveal({ action, style }),
       onDivide: (found) => this.#clips.divide(found),
     });
     this.#databasesPanel = new DatabasesPanel({
