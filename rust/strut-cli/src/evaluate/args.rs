@@ -23,7 +23,7 @@ The results of --json:
             window, search, registration, takes, samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s,
             floor_cm, input_cm, …, style_progress (share of the way from the input to the mean of the style's takes in the
             database that the output covers, in the means and deviations of the joints' places), take_progress (the
-            same of the take held out), skate_cm_s_in, skate_cm_s_out, jerk_ratio, acceleration_ratio,
+            same of the take held out; neither where every class of the database has one take), skate_cm_s_in, skate_cm_s_out, jerk_ratio, acceleration_ratio,
             content_correlation, ms_per_frame}]
   Means over the samples (folds, or input clips); NAME_sd is the standard deviation of NAME over them.
 A run that is stopped goes on where it was, if --json names the same file.";

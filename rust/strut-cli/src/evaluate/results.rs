@@ -163,7 +163,7 @@ impl Report {
                 None => lines.push((name, vec![row])),
             }
         }
-        let varies = varying(&lines.iter().map(|(name, _)| name).collect::<Vec<_>>());
+        let varies = varying(&lines.iter().map(|(name, _)| name).collect::<Vec<_>>(), 1);
         let header = varies.iter().map(|&i| lines[0].0[i].0).chain(columns.iter().map(|c| c.0));
         let mut out = table_row(header.map(str::to_owned));
         let rule = varies.iter().map(|_| "---").chain(columns.iter().map(|_| "---:"));
@@ -202,7 +202,7 @@ impl Report {
             |row: &Row| row.values.get("style_progress").zip(row.values.get("take_progress")).map(|(s, t)| s / t);
         let mut rows: Vec<(Description, &Row)> = self.results.iter().map(|row| (row.description(), row)).collect();
         rows.sort_by(|(_, a), (_, b)| beside(a).unwrap_or(f64::NAN).total_cmp(&beside(b).unwrap_or(f64::NAN)));
-        let varies = varying(&rows.iter().map(|(name, _)| name).collect::<Vec<_>>());
+        let varies = varying(&rows.iter().map(|(name, _)| name).collect::<Vec<_>>(), 0);
         let settings = varies.iter().map(|&i| rows[0].0[i].0);
         let header = ["action", "style"].into_iter().chain(settings);
         let mut out = table_row(header.chain(["output", "real takes", "output ÷ takes", "pose cm"]).map(str::to_owned));
@@ -223,10 +223,10 @@ impl Report {
     }
 }
 
-/// Indices of the parameters in which settings differ, and the method.
-fn varying(settings: &[&Description]) -> Vec<usize> {
+/// Indices of the first `always` parameters and of those in which settings differ.
+fn varying(settings: &[&Description], always: usize) -> Vec<usize> {
     let values = |i: usize| settings.iter().map(|s| &s[i].1).collect::<BTreeSet<_>>();
-    (0..settings.first().map_or(0, |s| s.len())).filter(|&i| i == 0 || values(i).len() > 1).collect()
+    (0..settings.first().map_or(0, |s| s.len())).filter(|&i| i < always || values(i).len() > 1).collect()
 }
 
 impl Row {

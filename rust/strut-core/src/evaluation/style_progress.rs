@@ -33,7 +33,7 @@ impl StyleProgress {
     }
 
     /// How much of the way from `input` to the takes of a style `motion` covers; any number, 1 at the mean of the takes.
-    /// `None` if there are no takes, or the input is there already. Both motions are on the database's body.
+    /// `None` if there are no takes, no class has several, or the input is there already. Both motions are on the database's body.
     pub fn of(&self, action: &str, style: &str, input: &HumanoidMotion, motion: &HumanoidMotion) -> Option<f64> {
         let (.., takes) = self.classes.iter().find(|(a, s, _)| a == action && s == style)?;
         let point = |m: &HumanoidMotion| self.spread.standardised(&motion_statistics(&heading_free_points(m)));
