@@ -56,7 +56,7 @@ async function measure(strut, experiment, places) {
 const json = async (path) => JSON.parse(await readFile(path, "utf8"));
 
 /** One experiment as Markdown. */
-async function section({ id, title, question, args, curves }) {
+async function section({ id, title, question, args, curves, findings = "" }) {
   const table = await readFile(file(id, "md"), "utf8");
   const command = `strut evaluate ${args}`.replaceAll("$MOCAP", "../shared/data").replaceAll("$DEMO", "demo");
   const figures = curves
@@ -65,7 +65,9 @@ async function section({ id, title, question, args, curves }) {
         "![Output time against input time, by method](evaluation/time-warp.svg)",
       ].join("\n\n")
     : "";
-  return `## ${title}\n\n${question}\n\n\`\`\`\n${command}\n\`\`\`\n\n${table}\n\n${figures}`.trimEnd();
+  return [`## ${title}`, question, `\`\`\`\n${command}\n\`\`\``, table.trimEnd(), findings, figures]
+    .filter(Boolean)
+    .join("\n\n");
 }
 
 const INTRODUCTION = `# Evaluation

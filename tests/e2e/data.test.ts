@@ -150,6 +150,45 @@ describe("a zip of clips", () => {
   });
 });
 
+describe("a style of two manners", () => {
+  it("is named with the clips of each, and made two styles", async () => {
+    const alike = (style: string, first: number, bvh: string) =>
+      [bvh, everyNth(bvh, 2)].map((content, i) => ({ name: `walk_${style}_${first + i}.bvh`, content }));
+    const clips = [
+      ...alike("neutral", 1, walks.neutral),
+      ...alike("neutral", 3, everyNth(walks.neutral, 1, 120)),
+      ...alike("old", 1, walks.old),
+      ...alike("old", 3, walks.proud),
+    ];
+    await choose(written("manners.zip", zipOf(clips)));
+    await read();
+    const report = page.getByRole("region", { name: "Two manners" });
+    expect(await report.count(), "nothing is known before a build").toBe(0);
+    await build();
+    await eventually(() => report.locator("li").allTextContents()).toEqual([
+      expect.stringMatching(/^“old” in “walk”takes 1–2andtakes 3–4/),
+    ]);
+    await report.getByRole("button", { name: "Show: old in walk" }).click();
+    await eventually(() => page.locator(".clip-file").count()).toBe(4);
+    await report.scrollIntoViewIfNeeded();
+    await eventually(faults).toEqual([]);
+    await screenshot(page, "data-manners");
+    await page.setViewportSize({ width: 390, height: 844 });
+    await report.scrollIntoViewIfNeeded();
+    await screenshot(page, "data-manners-mobile");
+    await page.setViewportSize({ width: 1440, height: 900 });
+
+    await report.getByRole("button", { name: "Make two styles: old in walk" }).click();
+    await eventually(heading).toBe("8 clips, 3 styles");
+    await eventually(() => report.count()).toBe(0);
+    await dismissNotes();
+    await buildButton().click();
+    await page.getByRole("button", { name: "Replace it" }).click();
+    await eventually(() => saidReady().textContent()).toMatch(/^Three styles ready/);
+    expect(await report.count(), "each has one manner now").toBe(0);
+  });
+});
+
 describe("a database of a name that is taken", () => {
   it("is another one, unless the person wants it replaced", async () => {
     await choose(written("walk_neutral_1.bvh", walks.neutral), written("walk_old_1.bvh", walks.old));

@@ -5,6 +5,7 @@ use crate::corpus::{self, RefusedFile};
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print, print_warnings};
 use crate::gather::gather;
+use crate::manners::{self, TwoMannersEntry};
 use crate::progress::Bar;
 use crate::threads::ThreadPool;
 use serde::Serialize;
@@ -27,6 +28,8 @@ The report of --json:
   actions  [{action, method, reference_clip, canonical_frames, canonical_contact {left, right}: the share of clips or
             cycles that have the foot planted, for every canonical frame}]
   totals   {clips, frames, cycles, refused, bytes}
+  two_manners  [{action, style, separation (in distances of two takes of a class as they usually are), clips [[name], [name]]}]:
+            styles that are performed in two manners, of at least 2 clips each
   clips    [{file, name, action, style, take, frames, cycles, mean_cycle_secs, turn_degrees, registration_cost,
             residual_cm, residual_ratio (to the median of its action and style, or of the action if that has fewer than 3
             clips), contact_agreement_percent (with canonical_contact), faulty_cycles [{first_frame, frames, fault}]}]
@@ -137,6 +140,7 @@ struct Report {
     styles: Vec<String>,
     actions: Vec<ActionEntry>,
     totals: Totals,
+    two_manners: Vec<TwoMannersEntry>,
     clips: Vec<ClipEntry>,
     refused: Vec<RefusedFile>,
 }
@@ -257,13 +261,13 @@ impl Report {
                 refused: refused.len(),
                 bytes,
             },
+            two_manners: manners::entries(&report.two_manners),
             clips: report.accepted().map(entry).collect(),
             refused,
         }
     }
 
-    /// One line for each file refused.
-    /// Refused clips with the reason, then every clip and its faulty cycles, worst first.
+    /// Refused clips with the reason, actions, styles of two manners, then every clip and its faulty cycles, worst first.
     fn markdown(&self) -> String {
         let mut out = format!("# Registration of {}\n\n## Refused\n\n", self.database);
         // Writing to a string cannot fail.
@@ -281,6 +285,14 @@ impl Report {
         );
         for a in &self.actions {
             let _ = writeln!(out, "| {} | {} {}|", a.action, a.method, a.canonical_contact.cells());
+        }
+        out.push_str("\n## Styles of two manners\n\n");
+        if self.two_manners.is_empty() {
+            out.push_str("None.\n");
+        }
+        for found in &self.two_manners {
+            let [first, second] = found.clips.each_ref().map(|names| names.join(", "));
+            let _ = writeln!(out, "- {}\n  - {first}\n  - {second}", found.sentence());
         }
         out.push_str(
             "\n## Clips\n\nResidual: mean distance of the joints from those of the counterparts in all styles, without the\n\
@@ -303,7 +315,7 @@ impl Report {
     fn summary(&self) -> String {
         let t = &self.totals;
         let refused = if t.refused > 0 { format!(" ({} refused)", t.refused) } else { String::new() };
-        format!(
+        let built = format!(
             "{}: {} clips{refused}, {} frames at {} Hz, {} gait cycles, {} actions, {} styles (neutral: {}), {:.1} MB, {:.1} s\n",
             self.database,
             t.clips,
@@ -315,7 +327,8 @@ impl Report {
             self.neutral,
             t.bytes as f64 / 1e6,
             self.seconds
-        )
+        );
+        built + &manners::text(&self.two_manners)
     }
 }
 

@@ -2,11 +2,12 @@
 
 use crate::failure::{Failure, Outcome};
 use crate::files::{self, Outputs};
+use crate::manners::{self, TwoMannersEntry};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 use strut_core::contact;
-use strut_core::database::{Class, Database};
+use strut_core::database::{Class, Database, two_manners};
 use strut_core::humanoid::{JOINTS, Role};
 use strut_core::math::Vec3;
 use strut_core::motion::Motion;
@@ -29,6 +30,7 @@ The report of --json on a database:
   file, kind (\"database\"), version, generator, rate_hz, frames, duration_secs, counterparts_per_style
   skeleton       {names, parents, offsets_cm, roles}
   actions, styles, neutral
+  two_manners    [{action, style, separation, clips [[name], [name]]}], as build-db reports them
   classes        [{action, style, clips, frames, duration_secs, planted_share}]
   clips          [{name, action, style, take, frames, first_frame, source, licence}]";
 
@@ -225,6 +227,7 @@ struct DatabaseReport {
     neutral: String,
     counterparts_per_style: usize,
     classes: Vec<ClassReport>,
+    two_manners: Vec<TwoMannersEntry>,
     clips: Vec<ClipInfo>,
 }
 
@@ -255,6 +258,7 @@ fn database_report(path: String, bytes: &[u8]) -> Result<DatabaseReport, strutdb
         neutral: metadata.neutral,
         counterparts_per_style: db.counterparts_per_style,
         classes: db.classes().iter().map(|class| describe_class(&db, class)).collect(),
+        two_manners: manners::entries(&two_manners(&db)),
         clips: metadata.clips,
     })
 }
@@ -300,7 +304,7 @@ impl DatabaseReport {
                 ),
             );
         }
-        out
+        out + &manners::text(&self.two_manners)
     }
 }
 

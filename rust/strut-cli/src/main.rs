@@ -20,6 +20,7 @@ mod files;
 mod gather;
 mod inspect;
 mod key_style;
+mod manners;
 mod progress;
 mod recordings;
 mod search;

@@ -61,6 +61,19 @@ fn every_combination_is_measured_and_named() {
 }
 
 #[test]
+fn progress_has_a_line_for_every_action_and_style() {
+    let folder = demo();
+    let args =
+        ["--actions", "walk,run", "--targets", "proud,old", "--methods", "mar", "--labels", "both", "--progress"];
+    let table = strut_ok(folder.path(), &[&WALK[..5], &args].concat());
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(lines[0], "| action | style | output | real takes | output ÷ takes | pose cm |");
+    let classes = lines[2..].iter().map(|line| line.split(" | ").take(2).collect::<Vec<_>>().join(" "));
+    let classes: std::collections::BTreeSet<String> = classes.collect();
+    assert_eq!(Vec::from_iter(classes), ["| run old", "| run proud", "| walk old", "| walk proud"]);
+}
+
+#[test]
 fn foreign_motion_is_compared_with_itself() {
     let folder = demo();
     let args = ["--protocol", "off-database", "--inputs", "bvh/run_neutral_001.bvh", "--targets", "old"];
@@ -101,6 +114,7 @@ fn wrong_questions_get_a_sentence() {
         (vec!["--targets", "prod"], 1, "proud"),
         (vec!["--protocol", "off-database"], 2, "needs --inputs"),
         (vec!["--inputs", "bvh"], 2, "goes with --protocol off-database"),
+        (vec!["--protocol", "off-database", "--inputs", "bvh", "--progress"], 2, "--progress goes with --protocol loo"),
     ] {
         let output = strut(folder.path(), &[&WALK[..], &args].concat());
         let said = String::from_utf8_lossy(&output.stderr);

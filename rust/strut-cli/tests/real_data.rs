@@ -76,6 +76,22 @@ fn a_neutral_walk_becomes_elderly_active_and_exhausted() {
     }
 }
 
+#[test]
+fn exhausted_turns_are_named_with_the_clips_of_their_two_manners() {
+    let Some(mocap) = mocap_folder() else { return };
+    let Built { folder, report } = bandai_namco_2(&mocap);
+    strut_ok(folder.path(), &["inspect", "bn2.strutdb", "--json", "inspect.json"]);
+    let inspected: Value = serde_json::from_slice(&fs::read(folder.path().join("inspect.json")).unwrap()).unwrap();
+    assert_eq!(inspected["two_manners"], report["two_manners"]);
+    let found = report["two_manners"].as_array().unwrap();
+    assert_eq!(found.len(), 2, "{found:?}");
+    for (entry, action) in found.iter().zip(["walk-turn-left", "walk-turn-right"]) {
+        assert_eq!((&entry["action"], &entry["style"]), (&action.into(), &"exhausted".into()));
+        let clips = |takes: [u32; 4]| takes.map(|take| format!("dataset-2_{action}_exhausted_{take:03}"));
+        assert_eq!(entry["clips"], serde_json::json!([clips([1, 2, 3, 4]), clips([5, 6, 7, 8])]));
+    }
+}
+
 /// Mean weight of the classes whose action is a walk.
 fn mean_walking_weight(trace: &Path) -> f64 {
     let text = fs::read_to_string(trace).unwrap();

@@ -22,6 +22,7 @@ pub mod kinematics;
 pub mod math;
 pub mod metrics;
 pub mod motion;
+pub mod motion_statistics;
 pub mod parallel;
 pub mod pose_vector;
 pub mod registration;

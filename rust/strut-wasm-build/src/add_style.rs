@@ -21,5 +21,5 @@ pub fn add_style(database: Uint8Array, path: &str, style: String, bvh: &[u8]) ->
     let clip = Entry { path: path.to_owned(), labels, licence: String::new() }.source_clip(&clip, &db.proportions);
     let added = build::add_style(&db, &clip, &registration::Options::default(), &Sequential)
         .map_err(EngineError::unusable_file)?;
-    Ok(Built::new(added.database, Vec::new()))
+    Ok(Built::new(added.database, Vec::new(), Vec::new()))
 }

@@ -4,6 +4,7 @@ use crate::built::Built;
 use crate::clip::bind;
 use crate::progress::Progress;
 use std::collections::HashMap;
+use strut_core::database::TwoManners;
 use strut_core::database::build::{self, Build, BuildOptions, BuildReport, SourceClip};
 use strut_core::humanoid::Proportions;
 use strut_core::incremental::IncrementalJob;
@@ -105,15 +106,26 @@ impl Building {
         listener.progress("indexing", 0, 1);
         let sources = self.build.clips().iter().map(|c| (c.name.clone(), c.source.clone())).collect();
         let (database, report) = self.build.finish(&Sequential).map_err(EngineError::unusable_file)?;
-        let built = Built::new(database, refused(&report, &sources));
+        let built = Built::new(database, refused(&report, &sources), two_manners(&report, &sources));
         listener.progress("indexing", 1, 1);
         Ok(built)
     }
 }
 
+/// Path of the clip of a name.
+fn path(name: &String, sources: &HashMap<String, String>) -> String {
+    sources.get(name).unwrap_or(name).clone()
+}
+
 /// Path of and reason for every clip that the build left out.
 fn refused(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<String> {
-    let path = |name: &String| sources.get(name).unwrap_or(name).clone();
-    let entry = |clip: &build::ClipReport| Some([path(&clip.name), sentence(clip.refused.as_ref()?)]);
+    let entry = |clip: &build::ClipReport| Some([path(&clip.name, sources), sentence(clip.refused.as_ref()?)]);
     report.refused().filter_map(entry).flatten().collect()
+}
+
+/// The styles of two manners, with paths for the names of clips.
+fn two_manners(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<TwoManners> {
+    let mut found = report.two_manners.clone();
+    found.iter_mut().flat_map(|f| f.clips.iter_mut().flatten()).for_each(|name| *name = path(name, sources));
+    found
 }

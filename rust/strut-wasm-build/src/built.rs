@@ -1,6 +1,6 @@
 //! Handle of a database that was built.
 
-use strut_core::database::Database;
+use strut_core::database::{Database, TwoManners};
 use strut_core::search::Index;
 use strut_formats::strutdb;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -11,12 +11,14 @@ pub struct Built {
     database: Database,
     file: Vec<u8>,
     refused: Vec<String>,
+    two_manners: Vec<TwoManners>,
 }
 
 impl Built {
-    pub(crate) fn new(database: Database, refused: Vec<String>) -> Self {
+    /// `two_manners` names clips by their paths.
+    pub(crate) fn new(database: Database, refused: Vec<String>, two_manners: Vec<TwoManners>) -> Self {
         let file = strutdb::write(&database, &Index::build(&database).plan(), strut_formats::GENERATOR);
-        Self { database, file, refused }
+        Self { database, file, refused, two_manners }
     }
 }
 
@@ -56,5 +58,18 @@ impl Built {
     /// Path of and reason for every clip that the build left out, in turn.
     pub fn refused(&self) -> Vec<String> {
         self.refused.clone()
+    }
+
+    /// The clips of styles that are performed in two manners: action, style, manner (0 or 1) and path of each, in turn.
+    #[wasm_bindgen(js_name = twoManners)]
+    pub fn two_manners(&self) -> Vec<String> {
+        let clips = |found: &TwoManners| {
+            let TwoManners { action, style, clips, .. } = found;
+            let entry =
+                |manner: usize, path: &String| [action.clone(), style.clone(), manner.to_string(), path.clone()];
+            let of = |manner: usize| clips[manner].iter().flat_map(move |path| entry(manner, path));
+            of(0).chain(of(1)).collect::<Vec<_>>()
+        };
+        self.two_manners.iter().flat_map(clips).collect()
     }
 }

@@ -117,7 +117,13 @@ describe("a build", () => {
       file("walk_old_1.bvh", everyNth(renamed, 2)),
       file("walk_old_2.bvh", playedAt(walks.old, 24)),
     ]);
-    expect(built).toMatchObject({ clips: 4, styles: ["neutral", "old"], neutral: "neutral", refused: [] });
+    expect(built).toMatchObject({
+      clips: 4,
+      styles: ["neutral", "old"],
+      neutral: "neutral",
+      refused: [],
+      twoManners: [],
+    });
     // 150 frames at 60 Hz, half of them at 120, the same length at 30, and 6.2 s at 24.
     expect(built.frames).toBe(150 + 75 + 149 + 373);
   });
@@ -134,6 +140,22 @@ describe("a build", () => {
     expect(built).toMatchObject({ clips: 4, actions: ["stroll", "walk"], styles: ["neutral", "old", "proud"] });
     expect(built.refused.map(({ path }) => path)).toEqual(["walk_proud_1.bvh", "walk_proud_2.bvh"]);
     expect(built.refused.every(({ reason }) => /^[A-Z].*\.$/.test(reason))).toBe(true);
+  });
+
+  test("names a style of two manners, with the clips of each", async () => {
+    const alike = (style: string, first: number, bvh: string) =>
+      [bvh, everyNth(bvh, 2)].map((text, i) => file(`in/walk_${style}_${first + i}.bvh`, text));
+    const built = await build([
+      ...alike("neutral", 1, walks.neutral),
+      ...alike("neutral", 3, everyNth(walks.neutral, 1, 120)),
+      ...alike("old", 1, walks.old),
+      ...alike("old", 3, walks.proud),
+    ]);
+    const paths = [
+      ["in/walk_old_1.bvh", "in/walk_old_2.bvh"],
+      ["in/walk_old_3.bvh", "in/walk_old_4.bvh"],
+    ];
+    expect(built.twoManners).toEqual([{ action: "walk", style: "old", paths }]);
   });
 
   test("keeps names in any script as they are", async () => {

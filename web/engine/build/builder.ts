@@ -54,6 +54,13 @@ export interface RefusedFile {
   reason: string;
 }
 
+/** A style that is performed in two manners in an action, with the paths of the clips of each. */
+export interface TwoManners {
+  action: string;
+  style: string;
+  paths: [string[], string[]];
+}
+
 /** A stage of {@link Build.step} and {@link Build.finish}. */
 export type BuildStage = "preparing" | "registering" | "indexing";
 
@@ -70,6 +77,8 @@ export interface BuiltDatabase {
   styles: string[];
   neutral: string;
   refused: RefusedFile[];
+  /** Styles that styling takes to the mean of two manners. */
+  twoManners: TwoManners[];
 }
 
 /** Frames per second of databases. */
@@ -222,11 +231,27 @@ function databaseOf(built: ReturnType<BuildGlue["addStyle"]>): BuiltDatabase {
           path: refused[2 * i]!,
           reason: refused[2 * i + 1]!,
         })),
+        twoManners: twoMannersOf(built.twoManners()),
       };
     });
   } finally {
     built.free();
   }
+}
+
+/** Styles from the action, style, manner and path of each of their clips. */
+function twoMannersOf(flat: readonly string[]): TwoManners[] {
+  const found: TwoManners[] = [];
+  for (let i = 0; i < flat.length; i += 4) {
+    const [action, style, manner, path] = flat.slice(i, i + 4) as [string, string, "0" | "1", string];
+    let last = found.at(-1);
+    if (last?.action !== action || last.style !== style) {
+      last = { action, style, paths: [[], []] };
+      found.push(last);
+    }
+    last.paths[manner].push(path);
+  }
+  return found;
 }
 
 function infoOf(clip: InstanceType<BuildGlue["Clip"]>): ClipInfo {

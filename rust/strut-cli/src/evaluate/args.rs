@@ -21,7 +21,9 @@ The results of --json:
   protocol, rate, generator, command
   results  [{action, source, target, method, labels, mode, k, delta, lambda, kappa, rho, tempo, coherence, intensity, part,
             window, search, registration, takes, samples, frames, pose_error_cm, timing_error_ms, velocity_error_cm_s,
-            floor_cm, input_cm, …, skate_cm_s_in, skate_cm_s_out, jerk_ratio, acceleration_ratio,
+            floor_cm, input_cm, …, style_progress (share of the way from the input to the mean of the style's takes in the
+            database that the output covers, in the means and deviations of the joints' places), take_progress (the
+            same of the take held out; neither where every class of the database has one take), skate_cm_s_in, skate_cm_s_out, jerk_ratio, acceleration_ratio,
             content_correlation, ms_per_frame}]
   Means over the samples (folds, or input clips); NAME_sd is the standard deviation of NAME over them.
 A run that is stopped goes on where it was, if --json names the same file.";
@@ -109,6 +111,9 @@ pub(crate) struct Args {
     /// loo: number of folds, the first ones; 0 for all
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub(super) folds: usize,
+    /// loo: print a line for every action and style, by how much of the way to the style is covered, instead of the means
+    #[arg(long)]
+    pub(super) progress: bool,
     /// Write the results as JSON
     #[arg(long, value_name = "FILE")]
     pub(super) json: Option<PathBuf>,

@@ -10,6 +10,7 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 use std::sync::Arc;
 use strut_core::database::build::SourceClip;
 use strut_core::evaluation::leave_one_out::{LeaveOneOut, Trial};
+use strut_core::evaluation::style_progress::StyleProgress;
 use strut_core::evaluation::truth::Errors;
 use strut_core::transfer::Model;
 
@@ -83,19 +84,27 @@ fn samples_of(args: &Args, grid: &Grid, clips: &[SourceClip], fold: Fold) -> Out
     if trials.is_empty() {
         return Ok(Vec::new());
     }
-    let model = grid.builds[build].model(protocol.database_without(take, draw).map_err(Failure::new)?);
+    let database = protocol.database_without(take, draw).map_err(Failure::new)?;
+    let takes = StyleProgress::new(&database);
+    let model = grid.builds[build].model(database);
     let trials: Vec<&Trial> = trials.iter().filter(|t| model.catalogue().style_index(&t.target).is_some()).collect();
     let jobs: Vec<(&Trial, usize)> =
         trials.iter().flat_map(|t| (0..grid.settings.len()).map(move |s| (*t, s))).collect();
     jobs.par_iter()
         .map(|&(trial, s)| {
-            sample(trial, &grid.settings[s], &model).map(|v| Sample::new(&trial.action, &trial.target, build, s, v))
+            sample(trial, &grid.settings[s], &model, &takes)
+                .map(|v| Sample::new(&trial.action, &trial.target, build, s, v))
         })
         .collect()
 }
 
-/// Result of a trial with one setting.
-fn sample(trial: &Trial, setting: &Setting, model: &Arc<Model>) -> Outcome<Vec<(&'static str, f64)>> {
+/// Result of a trial with one setting; `takes` are those that the database holds.
+fn sample(
+    trial: &Trial,
+    setting: &Setting,
+    model: &Arc<Model>,
+    takes: &StyleProgress,
+) -> Outcome<Vec<(&'static str, f64)>> {
     let stylizer = setting.stylizer(model, Some(&trial.action), &trial.target)?;
     let (styled, ms_per_frame) = setting.styled(&stylizer, &trial.input);
     let measured = trial.measure(&styled);
@@ -111,6 +120,10 @@ fn sample(trial: &Trial, setting: &Setting, model: &Arc<Model>) -> Outcome<Vec<(
     values.extend(quality_values(&measured.quality));
     values.extend(errors(["pose_error_cm", "timing_error_ms", "velocity_error_cm_s"], measured.errors));
     values.extend(errors(["input_cm", "input_ms", "input_cm_s"], trial.unchanged));
+    let progress = |of| takes.of(&trial.action, &trial.target, &trial.input, of);
+    for (name, of) in [("style_progress", &styled.output), ("take_progress", &trial.target_take)] {
+        values.extend(progress(of).map(|share| (name, share)));
+    }
     if let Some(floor) = trial.floor {
         values.extend(errors(["floor_cm", "floor_ms", "floor_cm_s"], floor.best_take));
         values.extend(errors(["mean_floor_cm", "mean_floor_ms", "mean_floor_cm_s"], floor.mean_of_takes));

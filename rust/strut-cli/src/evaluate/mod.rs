@@ -44,6 +44,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
         Protocol::OffDatabase if args.curves.is_some() => {
             return Err(Failure::usage("--curves goes with --protocol loo"));
         }
+        Protocol::OffDatabase if args.progress => {
+            return Err(Failure::usage("--progress goes with --protocol loo"));
+        }
         _ => {}
     }
     let clips = read(args)?;
@@ -65,7 +68,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     outputs.commit()?;
     checkpoint.remove();
-    print(&report.markdown());
+    print(&if args.progress { report.progress_markdown() } else { report.markdown() });
     Ok(())
 }
 

@@ -11,7 +11,8 @@ use strut_core::transfer::BodyPart;
 use strut_formats::GENERATOR;
 
 /// Values whose standard deviation over the samples is given.
-const SPREAD: [&str; 3] = ["pose_error_cm", "timing_error_ms", "velocity_error_cm_s"];
+const SPREAD: [&str; 5] =
+    ["pose_error_cm", "timing_error_ms", "velocity_error_cm_s", "style_progress", "take_progress"];
 
 /// Title, name of the value, digits after the point.
 type Column = (&'static str, &'static str, usize);
@@ -162,9 +163,7 @@ impl Report {
                 None => lines.push((name, vec![row])),
             }
         }
-        let varies: Vec<usize> = (0..lines[0].0.len())
-            .filter(|&i| i == 0 || lines.iter().map(|(n, _)| &n[i].1).collect::<BTreeSet<_>>().len() > 1)
-            .collect();
+        let varies = varying(&lines.iter().map(|(name, _)| name).collect::<Vec<_>>(), 1);
         let header = varies.iter().map(|&i| lines[0].0[i].0).chain(columns.iter().map(|c| c.0));
         let mut out = table_row(header.map(str::to_owned));
         let rule = varies.iter().map(|_| "---").chain(columns.iter().map(|_| "---:"));
@@ -193,6 +192,41 @@ impl Report {
         }
         out
     }
+}
+
+impl Report {
+    /// A table with a line for every action, target and setting: how much of the way to the style the output covers
+    /// beside the takes held out, each mean ± standard deviation over the folds. Least beside the takes first.
+    pub(super) fn progress_markdown(&self) -> String {
+        let beside =
+            |row: &Row| row.values.get("style_progress").zip(row.values.get("take_progress")).map(|(s, t)| s / t);
+        let mut rows: Vec<(Description, &Row)> = self.results.iter().map(|row| (row.description(), row)).collect();
+        rows.sort_by(|(_, a), (_, b)| beside(a).unwrap_or(f64::NAN).total_cmp(&beside(b).unwrap_or(f64::NAN)));
+        let varies = varying(&rows.iter().map(|(name, _)| name).collect::<Vec<_>>(), 0);
+        let settings = varies.iter().map(|&i| rows[0].0[i].0);
+        let header = ["action", "style"].into_iter().chain(settings);
+        let mut out = table_row(header.chain(["output", "real takes", "output ÷ takes", "pose cm"]).map(str::to_owned));
+        out += &table_row((0..varies.len() + 6).map(|i| if i < varies.len() + 2 { "---" } else { "---:" }.to_owned()));
+        for (name, row) in &rows {
+            let value = |name: &str| row.values.get(name).map_or("–".to_owned(), |v| format!("{v:.2}"));
+            let spread = |name: &str| format!("{} ± {}", value(name), value(&format!("{name}_sd")));
+            let labels = [row.action.clone(), row.target.clone()];
+            let figures = [
+                spread("style_progress"),
+                spread("take_progress"),
+                beside(row).map_or("–".to_owned(), |share| format!("{share:.2}")),
+                value("pose_error_cm"),
+            ];
+            out += &table_row(labels.into_iter().chain(varies.iter().map(|&i| name[i].1.clone())).chain(figures));
+        }
+        out
+    }
+}
+
+/// Indices of the first `always` parameters and of those in which settings differ.
+fn varying(settings: &[&Description], always: usize) -> Vec<usize> {
+    let values = |i: usize| settings.iter().map(|s| &s[i].1).collect::<BTreeSet<_>>();
+    (0..settings.first().map_or(0, |s| s.len())).filter(|&i| i < always || values(i).len() > 1).collect()
 }
 
 impl Row {

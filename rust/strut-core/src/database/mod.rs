@@ -4,6 +4,7 @@
 //! is a contiguous range of rows. The layout follows the `.strutdb` file (DESIGN §5).
 
 pub mod build;
+mod manners;
 mod offline;
 mod parts;
 #[cfg(feature = "baselines")]
@@ -12,6 +13,9 @@ mod validation;
 mod without_clips;
 
 pub use crate::registration::MAX_COUNTERPARTS;
+#[cfg(feature = "baselines")]
+pub(crate) use manners::statistics_of_takes;
+pub use manners::{TwoManners, two_manners};
 pub use offline::Database;
 pub use parts::{Class, Clip, DatabaseParts};
 #[cfg(feature = "baselines")]

@@ -47,7 +47,9 @@ pub struct Trial {
     pub input: HumanoidMotion,
     /// Frames that are compared: whole gait cycles, or all of a clip without any.
     pub segments: Vec<Range<usize>>,
-    /// The target style's take.
+    /// The target style's take at the database's rate.
+    pub target_take: HumanoidMotion,
+    /// The target style's take, frame by frame beside the input.
     pub truth: Aligned,
     /// Errors of the unchanged input: the ceiling.
     pub unchanged: Errors,
@@ -174,6 +176,7 @@ impl<'a> LeaveOneOut<'a> {
             take,
             input,
             segments,
+            target_take: motions[held_out].clone(),
             truth,
         })
     }

@@ -7,6 +7,7 @@ pub mod interpolation;
 pub(crate) mod lanes;
 pub(crate) mod linear;
 pub(crate) mod order;
+pub(crate) mod partition;
 mod quat;
 pub mod random;
 

@@ -1,14 +1,16 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { BuildClient, DroppedFile, Labelled } from "../../../client/build/protocol";
+import type { BuildClient, DroppedFile, Labelled, TwoManners } from "../../../client/build/protocol";
 import { ClipCollection } from "./clip_collection";
 
 /** What the client was told to label with. */
 let labelled: { pattern: string | undefined; table: string | undefined }[];
 let opened: string[];
+/** What a build finds. */
+let twoManners: TwoManners[];
 let clips: ClipCollection;
 let changes: number;
 beforeEach(() => {
-  [labelled, opened, changes] = [[], [], 0];
+  [labelled, opened, twoManners, changes] = [[], [], [], 0];
   // Takes “action_style.bvh” apart; a table calls everything “tabled”, unless it is broken.
   const client = {
     open: async (files: DroppedFile[]) => {
@@ -24,6 +26,7 @@ beforeEach(() => {
         return { action, style: table ? "tabled" : style, take: undefined };
       });
     },
+    build: async () => ({ refused: [], twoManners }),
     dispose: () => {},
   } as unknown as BuildClient;
   clips = new ClipCollection(client, () => {
@@ -85,4 +88,31 @@ test("a style is renamed wherever it is, with its being neutral, and back", asyn
   expect([styles()["run_neutral.bvh"], clips.neutral]).toEqual(["calm", "calm"]);
   clips.edits.undo();
   expect([styles()["run_neutral.bvh"], clips.neutral]).toEqual(["neutral", "neutral"]);
+});
+
+test("a style of two manners becomes two styles, of the same name in every action, and one again", async () => {
+  const of = (action: string) => ["a", "b", "c", "d"].map((take) => `${action}_old_${take}.bvh`);
+  await clips.open(files(...of("turn"), ...of("walk")), {}, {});
+  twoManners = ["turn", "walk"].map((action) => {
+    const [a, b, c, d] = of(action) as [string, string, string, string];
+    return {
+      action,
+      style: "old",
+      paths: [
+        [a, b],
+        [c, d],
+      ],
+    };
+  });
+  expect(clips.manners, "before a build").toEqual([]);
+  await clips.build({});
+  expect(clips.manners.map(({ action }) => action)).toEqual(["turn", "walk"]);
+  for (const found of clips.manners) clips.divide(found);
+  expect(clips.manners).toEqual([]);
+  const second = Object.entries(styles()).filter(([, style]) => style === "old 2");
+  expect(second.map(([path]) => path)).toEqual([...of("turn").slice(2), ...of("walk").slice(2)]);
+  clips.edits.undo();
+  expect(clips.manners.map(({ action }) => action)).toEqual(["walk"]);
+  clips.clear();
+  expect(clips.manners).toEqual([]);
 });

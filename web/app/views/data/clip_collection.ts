@@ -6,6 +6,7 @@ import type {
   DroppedFile,
   Preview,
   Roles,
+  TwoManners,
 } from "../../../client/build/protocol";
 import { type CallOptions, isCancellation } from "../../../client/protocol";
 import { strings } from "../../strings/strings";
@@ -23,6 +24,8 @@ import {
   rowOf,
 } from "./corpus";
 import { Edits } from "./edits";
+import { freeName } from "./free_name";
+import { type Manners, mannersAmong } from "./manners";
 
 const words = strings.data;
 
@@ -47,6 +50,8 @@ export class ClipCollection {
   #files: DroppedFile[] = [];
   #table: File | undefined;
   #neutral = "";
+  /** What the last build found. */
+  #twoManners: readonly TwoManners[] = [];
 
   /** @param onChange is called whenever rows, labels or the neutral style are others */
   constructor(client: BuildClient, onChange: () => void) {
@@ -58,6 +63,11 @@ export class ClipCollection {
   /** The clips that will be part of the database. */
   get usable(): Row[] {
     return this.rows.filter((row) => obstacle(row, this.skeletons) === "");
+  }
+
+  /** Styles that the last build found to be performed in two manners, as long as they are labelled as one. */
+  get manners(): Manners[] {
+    return mannersAmong(this.usable, this.#twoManners);
   }
 
   /** The style that the others are compared with. */
@@ -82,6 +92,7 @@ export class ClipCollection {
     this.rows = [];
     this.#table = undefined;
     this.#neutral = "";
+    this.#twoManners = [];
     this.#forgetRead();
     this.#onChange();
   }
@@ -155,6 +166,12 @@ export class ClipCollection {
     );
   }
 
+  /** Makes the second manner of a style a style of its own, under a name that is free in the action. */
+  divide({ action, style, rows }: Manners): void {
+    const taken = this.rows.filter((row) => row.action === action).map((row) => row.style.trim());
+    this.edits.edit(rows[1], { style: freeName(style.trim(), taken) });
+  }
+
   /** A clip as it will enter the database. */
   preview(row: Row): Promise<Preview> {
     return this.#client.preview(row.index, this.#rolesOf(row));
@@ -176,6 +193,7 @@ export class ClipCollection {
     const built = await this.#client.build(files, this.#neutral, options);
     const reasons = new Map(built.refused.map(({ path, reason }) => [path, reason]));
     for (const row of this.rows) row.fault = reasons.get(row.path) ?? row.fault;
+    this.#twoManners = built.twoManners;
     return built;
   }
 

@@ -115,6 +115,12 @@ export class ClipsPanel {
     this.#showList(classes);
   }
 
+  /** Narrows the table of clips to a class, and brings it into view. */
+  reveal(of: ClassFilter): void {
+    this.#narrow(of);
+    this.#list.element.scrollIntoView({ block: "nearest" });
+  }
+
   #narrow(filter: Filter): void {
     this.#filter = filter;
     this.#list.element.scrollTop = 0;

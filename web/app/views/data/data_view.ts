@@ -19,6 +19,7 @@ import { ClipsPanel } from "./clips_panel";
 import { classTable, concerns, type Row } from "./corpus";
 import { DatabasesPanel } from "./databases_panel";
 import { DeviceDatabases, type Placed } from "./device_databases";
+import { MannersPanel } from "./manners_panel";
 import { ClipPreview } from "./preview";
 import { askToReplace } from "./replace_dialog";
 import type { SavedDatabase } from "./saved_databases";
@@ -40,6 +41,7 @@ class DatabaseView implements View {
   readonly #clipsPanel: ClipsPanel;
   readonly #preview: ClipPreview;
   readonly #build: BuildPanel;
+  readonly #manners: MannersPanel;
   readonly #databasesPanel: DatabasesPanel;
   readonly #catalogue = new CataloguePanel((set, files) => this.#takeSet(set, files));
   /** Index of the clip that the preview shows. */
@@ -63,6 +65,10 @@ class DatabaseView implements View {
     this.#build = new BuildPanel({
       onBuild: (name) => void this.#start(name),
       onRoles: (skeleton) => void this.#chooseRoles(skeleton),
+    });
+    this.#manners = new MannersPanel({
+      onShow: ({ action, style }) => this.#clipsPanel.reveal({ action, style }),
+      onDivide: (found) => this.#clips.divide(found),
     });
     this.#databasesPanel = new DatabasesPanel({
       onOpen: ({ name, file }) => void host.openDatabase(name, file, this.#databases.isKept(name)),
@@ -139,6 +145,7 @@ class DatabaseView implements View {
       { class: "data-panels", "aria-label": words.build.panels },
       this.#preview.element,
       this.#build.element,
+      this.#manners.element,
       this.#databasesPanel.element,
       this.#catalogue.element,
     );
@@ -256,7 +263,7 @@ class DatabaseView implements View {
     const started = performance.now();
     await this.#attempt(() =>
       this.#build.progress.run(words.build.progress, async (options) => {
-        const { refused, neutral: _, ...built } = await this.#clips.build(options);
+        const { refused, neutral: _, twoManners: __, ...built } = await this.#clips.build(options);
         const placed = await place({ name, ...built });
         this.#build.name = placed.name;
         this.#host.databaseReplaced(placed.name, built.file);
@@ -286,6 +293,7 @@ class DatabaseView implements View {
   #show(): void {
     const { rows, skeletons, usable } = this.#clips;
     this.element.classList.toggle("filled", rows.length > 0);
+    this.#manners.show(this.#clips.manners);
     if (rows.length === 0) return;
     const classes = classTable(usable);
     this.#clipsPanel.show(usable, classes);

@@ -115,6 +115,17 @@ export const data = {
     keepBoth: "Keep both",
   },
 
+  manners: {
+    heading: "Two manners",
+    note: "Some takes of a style are performed in another manner than the others, so that what comes out lies between the two. Make two styles of it and build again to keep both.",
+    differ: (action: string, style: string) => `${quoted(style)} in ${quoted(action)}`,
+    takes: (numbers: string) => `takes ${numbers}`,
+    and: "and",
+    show: "Show",
+    divide: "Make two styles",
+    does: (what: string, action: string, style: string) => `${what}: ${style} in ${action}`,
+  },
+
   saved: {
     heading: "Databases",
     kept: "Kept by this browser, on this device.",

@@ -28,7 +28,7 @@ export async function styleOfClip(
 ): Promise<StyleOfClip> {
   const client = createBuildClient();
   try {
-    const { refused: _, neutral: __, ...built } = await client.addStyle(file, clip, style, options);
+    const { refused: _, neutral: __, twoManners: ___, ...built } = await client.addStyle(file, clip, style, options);
     const base = file ? known.name.replace(/\.strutdb$/i, "") : strings.data.saved.builtIn;
     const database = { name: strings.data.style.database(base, style), ...built };
     try {

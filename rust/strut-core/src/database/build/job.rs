@@ -6,7 +6,7 @@ use super::options::{BuildOptions, RATES_HZ};
 use super::prepare::{Labels, Preparation, Prepared};
 use super::report::{ActionReport, BuildReport, ClipReport};
 use super::source::SourceClip;
-use crate::database::{Database, MAX_FRAMES};
+use crate::database::{Database, MAX_FRAMES, two_manners};
 use crate::incremental::IncrementalJob;
 use crate::parallel::ParallelMap;
 use crate::pose_vector::PoseChart;
@@ -120,7 +120,7 @@ impl<C: Borrow<SourceClip> + Sync> Build<C> {
             (&a.action, &a.style, a.take, &a.name).cmp(&(&b.action, &b.style, b.take, &b.name))
         });
         let entries = clips.iter().map(|c| empty_report(c.borrow())).collect();
-        let report = BuildReport { actions: Vec::new(), clips: entries };
+        let report = BuildReport { clips: entries, ..BuildReport::default() };
         let phase = Phase::Preparing(Preparation::new(clips, options.clone()));
         Ok(Self { options: options.clone(), report, phase })
     }
@@ -196,7 +196,7 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Build<C> {
     }
 
     fn conclude(self, _executor: &impl ParallelMap) -> Result<Self::Output, BuildError> {
-        let Self { options, report, phase } = self;
+        let Self { options, mut report, phase } = self;
         let Phase::Registering(registering) = phase else { return Err(BuildError::NoClips) };
         let Registering { clips, labels, chart, kept, .. } = *registering;
         if kept.is_empty() {
@@ -204,7 +204,9 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Build<C> {
             return Err(first.map_or(BuildError::NoClips, |(name, reason)| BuildError::NothingLeft { name, reason }));
         }
         let parts = assemble::parts(&clips, &kept, labels, &chart, &options);
-        Ok((Database::new(parts)?, report))
+        let database = Database::new(parts)?;
+        report.two_manners = two_manners(&database);
+        Ok((database, report))
     }
 }
 

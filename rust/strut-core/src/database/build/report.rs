@@ -1,16 +1,19 @@
-//! Report of a build on each clip, for messages and for the command line's JSON.
+//! Report of a build on actions, styles and each clip, for messages and for the command line's JSON.
 
+use crate::database::TwoManners;
 use crate::humanoid::TooManyFrames;
 use crate::registration::{self, FaultyCycle};
 use thiserror::Error;
 
-/// Results of a build by clip and action.
+/// Results of a build by action, clip and style.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildReport {
     /// One entry an action that entered the database, in the database's order.
     pub actions: Vec<ActionReport>,
     /// One entry a clip, refused ones included, sorted by action, style and take.
     pub clips: Vec<ClipReport>,
+    /// Styles whose clips are performed in two manners in an action, in the database's order.
+    pub two_manners: Vec<TwoManners>,
 }
 
 impl BuildReport {
