@@ -67,7 +67,7 @@ describe("a figure elsewhere", () => {
     await framed.context().close();
     const placed = await openElsewhere(element);
     expect(await placed.locator("strut-figure").evaluate(measured)).toEqual(expected);
-    const colour = placed.locator("strut-figure .dots circle").first();
+    const colour = placed.locator("strut-figure .dots");
     expect(await colour.evaluate((dot) => getComputedStyle(dot).fill)).toBe("rgb(223, 165, 31)");
     await eventually(() => axeFaults(placed)).toEqual([]);
     await screenshot(placed, "figure-elsewhere");

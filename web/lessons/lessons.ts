@@ -1,25 +1,32 @@
 /** The lessons that there are, in order: a lesson is a module, its texts, and a line here. Each is loaded when it is opened. */
+import type { LearnEngine } from "../client/learn/protocol";
 import type { Lesson } from "./lesson";
 
 /** Where a lesson is. */
 export interface LessonEntry {
   id: string;
   load: () => Promise<Lesson>;
+  /** Has the engine open what its figures begin with. */
+  begin: (engine: LearnEngine) => Promise<unknown>;
 }
 
+const database = (engine: LearnEngine) => engine.database();
+const walk = (engine: LearnEngine) => engine.walk({ neutral: 1 }, 1);
+const keyStyles = (engine: LearnEngine) => engine.styleSamples();
+
 export const LESSONS: readonly LessonEntry[] = [
-  { id: "style", load: async () => (await import("./style")).style },
-  { id: "pose", load: async () => (await import("./pose")).pose },
-  { id: "register", load: async () => (await import("./register")).register },
-  { id: "near", load: async () => (await import("./near")).near },
-  { id: "line", load: async () => (await import("./line")).line },
-  { id: "mix", load: async () => (await import("./mix")).mix },
-  { id: "bias", load: async () => (await import("./bias")).bias },
-  { id: "time", load: async () => (await import("./time")).time },
-  { id: "feet", load: async () => (await import("./feet")).feet },
-  { id: "judge", load: async () => (await import("./judge")).judge },
-  { id: "chain", load: async () => (await import("./chain")).chain },
-  { id: "map", load: async () => (await import("./map")).map },
+  { id: "style", begin: database, load: async () => (await import("./style")).style },
+  { id: "pose", begin: database, load: async () => (await import("./pose")).pose },
+  { id: "register", begin: database, load: async () => (await import("./register")).register },
+  { id: "near", begin: database, load: async () => (await import("./near")).near },
+  { id: "line", begin: database, load: async () => (await import("./line")).line },
+  { id: "mix", begin: database, load: async () => (await import("./mix")).mix },
+  { id: "bias", begin: database, load: async () => (await import("./bias")).bias },
+  { id: "time", begin: database, load: async () => (await import("./time")).time },
+  { id: "feet", begin: database, load: async () => (await import("./feet")).feet },
+  { id: "judge", begin: database, load: async () => (await import("./judge")).judge },
+  { id: "chain", begin: walk, load: async () => (await import("./chain")).chain },
+  { id: "map", begin: keyStyles, load: async () => (await import("./map")).map },
 ];
 
 /** The lesson so many places after another; `undefined` beyond the ends. */

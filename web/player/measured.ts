@@ -15,9 +15,14 @@ export type Measured<M extends Posed = Posed> = M & {
   local: Float32Array;
 };
 
+/** Number of a motion's frames. */
+export function framesOf({ poses }: Posed): number {
+  return poses.length / POSE_FLOATS;
+}
+
 /** Computes the joints of every frame. */
 export function measure<M extends Posed>(motion: M, proportions: ArrayLike<number>): Measured<M> {
-  const frames = motion.poses.length / POSE_FLOATS;
+  const frames = framesOf(motion);
   const [world, local] = [new Float32Array(3 * JOINTS * frames), new Float32Array(3 * JOINTS * frames)];
   const joints = createWorldPose();
   let heading = 0;
@@ -58,11 +63,12 @@ const buffers = new WeakMap<Posed, Float32Array>();
  * A motion's pose at a fractional frame, `POSE_FLOATS` numbers that the next call for the motion overwrites. Quaternions are
  * interpolated linearly and not normalised: the mannequin does that.
  */
-export function poseAt(motion: Measured, frame: number): Float32Array {
+export function poseAt(motion: Posed, frame: number): Float32Array {
   const out = buffers.get(motion) ?? new Float32Array(POSE_FLOATS);
   buffers.set(motion, out);
-  const i = Math.min(Math.floor(frame), motion.frames - 1);
-  const j = Math.min(i + 1, motion.frames - 1);
+  const last = framesOf(motion) - 1;
+  const i = Math.min(Math.floor(frame), last);
+  const j = Math.min(i + 1, last);
   const t = frame - Math.floor(frame);
   const a = motion.poses.subarray(i * POSE_FLOATS, (i + 1) * POSE_FLOATS);
   const b = motion.poses.subarray(j * POSE_FLOATS, (j + 1) * POSE_FLOATS);

@@ -5,14 +5,17 @@ type Attributes = Readonly<Record<string, string | number | boolean>>;
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
- * Sets attributes; `true` is an empty attribute, `false` takes it away. `style` is CSS text and set through the object model:
- * the page's content security policy forbids style attributes.
+ * Sets attributes where they differ, so that what is unchanged costs no layout; `true` is an empty attribute, `false` takes
+ * it away. `style` is CSS text and set through the object model: the page's content security policy forbids style attributes.
  */
 export function setAttributes(target: Element, attributes: Attributes): void {
   for (const [name, value] of Object.entries(attributes)) {
     if (name === "style" && typeof value === "string") (target as HTMLElement | SVGElement).style.cssText = value;
     else if (value === false) target.removeAttribute(name);
-    else target.setAttribute(name, value === true ? "" : String(value));
+    else {
+      const text = value === true ? "" : String(value);
+      if (target.getAttribute(name) !== text) target.setAttribute(name, text);
+    }
   }
 }
 

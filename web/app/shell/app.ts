@@ -58,6 +58,7 @@ export class App {
     this.#characters = new Characters(this.#toasts, this.#progress.input, () => this.#views.shown?.refresh?.());
     this.#topBar = new TopBar({
       onView: (view) => store.edit({ view }),
+      onReach: (view) => void this.#prepare(view),
       onUndo: () => this.#history.undo(),
       onRedo: () => this.#history.redo(),
       onShare: () => void shareLink(store.state, this.#workspace.session.library, this.#toasts),
@@ -203,6 +204,13 @@ export class App {
     }
     this.#showTopBar();
     void this.#views.show(view);
+  }
+
+  /** Begins to load a view that is likely to be shown next; what fails is said when it is. */
+  async #prepare(name: ViewName): Promise<void> {
+    try {
+      (await viewEntry(name).load()).prepare?.(this.#store.state);
+    } catch {}
   }
 
   #onView(name: ViewName, view: View, first: boolean): void {

@@ -11,6 +11,8 @@ import { VIEWS } from "./view_table";
 
 export interface TopBarListeners {
   onView: (view: ViewName) => void;
+  /** The tab of a view is pointed at, or has the focus. */
+  onReach: (view: ViewName) => void;
   onUndo: () => void;
   onRedo: () => void;
   onShare: () => void;
@@ -73,6 +75,7 @@ export class TopBar {
         event.preventDefault();
         listeners.onView(name);
       });
+      for (const type of ["pointerenter", "focus"]) element.addEventListener(type, () => listeners.onReach(name));
       return { name, element };
     });
     const menuViews = VIEWS.map(({ name, title }) => {

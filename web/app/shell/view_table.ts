@@ -1,12 +1,15 @@
 /** The views that there are. */
 
 import type { ViewName } from "../../link/page";
+import type { AppState } from "../state/state";
 import { strings } from "../strings/strings";
 import type { View, ViewHost } from "../view";
 import { createView as createPlay } from "../views/play/play_view";
 
 interface ViewModule {
   createView(host: ViewHost): View;
+  /** Begins what takes long, such as an engine, before the view is made: its tab is pointed at. */
+  prepare?(state: Readonly<AppState>): void;
 }
 
 export interface ViewEntry {

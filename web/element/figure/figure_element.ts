@@ -43,6 +43,8 @@ export class StrutFigure extends HTMLElement {
   #opened: Promise<void> | undefined;
   #saying: ReturnType<typeof setTimeout> | undefined;
   #onScreen = false;
+  /** Whether it has a place on the page; to ask the document with every change would cost a layout. */
+  #placed = false;
   /** The state that is shown, or is going to be. */
   #state: string | undefined;
 
@@ -80,7 +82,19 @@ export class StrutFigure extends HTMLElement {
       this.#run();
     });
     observer.observe(this);
-    signal.addEventListener("abort", () => observer.disconnect(), { once: true });
+    const places = new ResizeObserver(([entry]) => {
+      this.#placed = entry!.borderBoxSize[0]!.inlineSize > 0;
+      if (this.#placed && this.#opened) this.#show();
+    });
+    places.observe(this);
+    signal.addEventListener(
+      "abort",
+      () => {
+        observer.disconnect();
+        places.disconnect();
+      },
+      { once: true },
+    );
     document.addEventListener("visibilitychange", () => this.#run(), { signal });
     this.#say(this.#words.loading);
   }
@@ -97,8 +111,8 @@ export class StrutFigure extends HTMLElement {
     if (name === "poster") this.#showPoster();
     else if (before === after || !this.#opened) return;
     else if (name === "state") {
-      // What nobody sees is shown once it is seen, or measured.
-      if (this.checkVisibility()) this.#show();
+      // What has no place on the page is shown once it has one, or is measured.
+      if (this.#placed) this.#show();
     } else {
       this.#close();
       void this.ready();
@@ -245,6 +259,8 @@ export class StrutFigure extends HTMLElement {
   }
 
   #changed(): void {
+    // Some of what it shows may still be computed.
+    this.#container.classList.add("shown");
     this.#tell("figurechange", undefined);
     if (this.#saying !== undefined) return;
     this.#saying = setTimeout(() => {

@@ -18,6 +18,8 @@ export class PlotFrame {
   readonly #grid = svg("g", { class: "grid" });
   readonly #draw: () => void;
   #request = 0;
+  /** What the grid that is drawn was drawn from. */
+  #drawn = "";
   width = 0;
   height = 0;
 
@@ -63,7 +65,12 @@ export class PlotFrame {
       mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
   }
 
-  drawGrid(axes: Axes, { x, y, columns, rows }: Grid, words: Words): void {
+  /** Draws the grid, unless it is the one that is there. */
+  drawGrid(axes: Axes, grid: Grid, words: Words): void {
+    const drawn = JSON.stringify([axes, grid]);
+    if (drawn === this.#drawn) return;
+    this.#drawn = drawn;
+    const { x, y, columns, rows } = grid;
     const [left, right] = [xOf(axes, axes.x[0]), xOf(axes, axes.x[1])];
     const [top, bottom] = [yOf(axes, axes.y[1]), yOf(axes, axes.y[0])];
     const text = (at: number, height: number, anchor: string, label: string) =>

@@ -29,5 +29,12 @@ export function leaveEngine(): void {
   }, LINGER_MS);
 }
 
+/** Has the engine open what figures begin with, which takes long; it ends if nobody joins. */
+export function startEngine(begin: (engine: LearnEngine) => Promise<unknown>): void {
+  // What fails is said by the figure that needs it.
+  begin(joinEngine()).catch(() => {});
+  leaveEngine();
+}
+
 /** {@link pairOf}, computed once. */
 export const sharedPair = remembered(pairOf);

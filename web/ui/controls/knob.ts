@@ -101,10 +101,10 @@ export class Knob {
     this.#value = value;
     const share = shareOf(value, this.#range);
     const shown = this.#shown;
-    this.#filled.setAttribute("d", arc(share));
-    this.#pointer.setAttribute("transform", `rotate(${START + SWEEP * share})`);
+    setAttributes(this.#filled, { d: arc(share) });
+    setAttributes(this.#pointer, { transform: `rotate(${START + SWEEP * share})` });
     setAttributes(this.#dial, { "aria-valuenow": value, "aria-valuetext": shown });
-    if (document.activeElement !== this.#number) this.#number.value = shown;
+    if (document.activeElement !== this.#number && this.#number.value !== shown) this.#number.value = shown;
   }
 
   get #shown(): string {

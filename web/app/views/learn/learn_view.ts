@@ -4,7 +4,7 @@ import "katex/dist/katex.min.css";
 import "./learn.css";
 import { isCancellation } from "../../../client/protocol";
 import { LANGUAGES, type Language } from "../../../element/figure/languages";
-import { joinEngine, leaveEngine } from "../../../element/figure/shared";
+import { joinEngine, leaveEngine, startEngine } from "../../../element/figure/shared";
 import { BEATS, judge, type Lesson } from "../../../lessons/lesson";
 import { LESSONS, type LessonEntry, lessonBeside, lessonOf } from "../../../lessons/lessons";
 import { TEXTS } from "../../../lessons/text";
@@ -26,6 +26,10 @@ import { saidIn } from "./said";
 
 export function createView(host: ViewHost): View {
   return new LearnView(host);
+}
+
+export function prepare({ lesson }: Readonly<AppState>): void {
+  startEngine(lessonOf(lesson).begin);
 }
 
 /** A lesson that is open, in a language. */
@@ -56,6 +60,7 @@ class LearnView implements View {
 
   constructor(host: ViewHost) {
     this.#host = host;
+    startEngine(lessonOf(this.#state.lesson).begin);
     this.element.append(this.#text);
     this.#listenToTerms();
   }

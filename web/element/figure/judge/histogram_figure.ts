@@ -1,6 +1,6 @@
 /** How often the line's answer differs from the neighbours' mean, and by how much. */
 import { ROLES, type Role } from "../../../humanoid";
-import { html, setAttributes, setText, svg } from "../../../ui/dom";
+import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, type Extent, ticksOf, xOf, yOf } from "../axes";
 import { RATE_HZ } from "../built_in";
 import { Choice } from "../controls";
@@ -157,16 +157,16 @@ class HistogramFigure implements FigureInstance<JudgeState> {
     const columns = ticksOf([-REACH, REACH], 4).map((value) => [value, this.#tick(value)] as const);
     const names = { x: words.judge.correction, y: words.judge.instants };
     this.#frame.drawGrid(axes, { ...names, columns, rows: ticksOf(axes.y, 4) }, words);
-    const bars = counts.map((count, i) => {
+    keepCount(this.#bars, counts.length, () => svg("rect"));
+    counts.forEach((count, i) => {
       const [left, right] = [-0.5, 0.5].map((side) => xOf(axes, (i + side) * BIN - REACH)) as unknown as Extent;
-      return svg("rect", {
+      setAttributes(this.#bars.children[i]!, {
         x: left + 1,
         y: yOf(axes, count),
         width: Math.max(1, right - left - 2),
         height: yOf(axes, 0) - yOf(axes, count),
       });
     });
-    this.#bars.replaceChildren(...bars);
     this.#drawInstant(axes);
     setText(this.#readout, this.sentence());
   }

@@ -61,7 +61,7 @@ export const trialOf = remembered(
   },
 );
 
-/** The methods on a take, and their floors; `onMethod` is told the standing so far with each method that is done. */
+/** The methods on a take, and their floors; `onMethod` is told the standing before the first and with each that is done. */
 export async function standingOn(
   engine: LearnEngine,
   { take, style, leftIn }: JudgeState,
@@ -71,6 +71,7 @@ export async function standingOn(
   const methods = new Map<Method, Trial>();
   const floor = BUILT_IN_OTHER_TAKE === undefined ? {} : { otherTake: BUILT_IN_OTHER_TAKE };
   const standing = { methods, unchanged: meanOf(poseErrors(input, truth)), ...floor };
+  onMethod(standing);
   await Promise.all(
     METHODS.map(async (method) => {
       methods.set(method, await trialOf(engine, take, style, leftIn, method));

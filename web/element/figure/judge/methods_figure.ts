@@ -193,7 +193,9 @@ class MethodsFigure implements FigureInstance<JudgeState> {
       this.#list.setAttribute("aria-busy", "true");
       setText(this.#readout, words.judge.computing);
       const drawSoFar = (sofar: Standing) => {
-        if (!signal.aborted) this.#drawRows(sofar);
+        if (signal.aborted) return;
+        this.#drawRows(sofar);
+        this.#parts.changed();
       };
       const standing = source === "live" ? await standingOn(engine, state, drawSoFar) : RECORDED[source];
       if (signal.aborted) return;

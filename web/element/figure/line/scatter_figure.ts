@@ -4,7 +4,7 @@ import { DEGREES, ROLES, type Role } from "../../../humanoid";
 import { Toggle } from "../../../ui/controls/buttons";
 import type { Knob } from "../../../ui/controls/knob";
 import type { Slider } from "../../../ui/controls/slider";
-import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
+import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, digitsOf, extentOf, ticksOf, xOf, yOf } from "../axes";
 import { Choice, createInstant, createKnobs } from "../controls";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
@@ -44,7 +44,8 @@ class ScatterFigure implements FigureInstance<LineState> {
   readonly #readout = html("p", { class: "readout" });
   readonly #band = svg("path", { class: "band" });
   readonly #mean = svg("path", { class: "mean" });
-  readonly #dots = svg("g", { class: "dots", "data-term": "v" });
+  /** One path: all of them change at once. */
+  readonly #dots = svg("path", { class: "dots", "data-term": "v" });
   readonly #line = svg("path", { class: "fit", "data-term": "c" });
   readonly #guide = svg("path", { class: "guide", "data-term": "x" });
   readonly #point = svg("circle", { class: "query", r: 5, "data-term": "y" });
@@ -216,14 +217,9 @@ class ScatterFigure implements FigureInstance<LineState> {
   }
 
   #drawDots(axes: Axes, xs: readonly number[], ys: readonly number[], weights: Float32Array): void {
-    keepCount(this.#dots, xs.length, () => svg("circle", {}));
-    xs.forEach((value, i) => {
-      setAttributes(this.#dots.children[i]!, {
-        cx: xOf(axes, value).toFixed(1),
-        cy: yOf(axes, ys[i]!).toFixed(1),
-        r: (RADIUS.least + (RADIUS.most - RADIUS.least) * weights[i]!).toFixed(1),
-      });
-    });
+    const dot = (value: number, i: number) =>
+      circle(xOf(axes, value), yOf(axes, ys[i]!), RADIUS.least + (RADIUS.most - RADIUS.least) * weights[i]!);
+    setAttributes(this.#dots, { d: xs.map(dot).join("") });
   }
 
   /** The line at the query's other terms goes through the prediction. */
@@ -235,6 +231,12 @@ class ScatterFigure implements FigureInstance<LineState> {
     setAttributes(this.#line, { d: `M${ends(0).join("L")}` });
     setAttributes(this.#band, { d: `M${ends(spread).join("L")}L${ends(-spread).reverse().join("L")}Z` });
   }
+}
+
+/** The path of a circle. */
+function circle(x: number, y: number, radius: number): string {
+  const [r, across] = [radius.toFixed(1), (2 * radius).toFixed(1)];
+  return `M${(x - radius).toFixed(1)} ${y.toFixed(1)}a${r} ${r} 0 1 0 ${across} 0a${r} ${r} 0 1 0 -${across} 0z`;
 }
 
 type Three = [number, number, number];

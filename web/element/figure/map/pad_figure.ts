@@ -1,7 +1,7 @@
 /** The style variables as a plane in which the character is dragged. */
 import type { Dragged, StyleSamples } from "../../../client/learn/protocol";
 import type { Knob } from "../../../ui/controls/knob";
-import { html, setAttributes, setText, svg } from "../../../ui/dom";
+import { html, setAttributes, setText } from "../../../ui/dom";
 import type { Axes } from "../axes";
 import { createKnobs } from "../controls";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
@@ -12,7 +12,7 @@ import { figure } from "../words/words";
 import sheet from "./map.css?inline";
 import { draggedOf, measureMap, samplesOf } from "./map_measure";
 import { MAP_FIELDS, type MapState, sharingOf, TEMPERATURE } from "./map_state";
-import { barsOf, createDots, dotsOf, planeOf } from "./plane";
+import { SamplePlane, ShareBars } from "./plane";
 
 /** Centimetres of an arrow key; with Shift the fine one. */
 const STEP = { coarse: 2, fine: 0.5 };
@@ -27,8 +27,8 @@ class PadFigure implements FigureInstance<MapState> {
   readonly #parts: FigureParts<MapState>;
   readonly #frame: PlotFrame;
   readonly #temperature: Knob;
-  readonly #dots = createDots();
-  readonly #bars = svg("g", { class: "bars", "data-term": "w" });
+  readonly #plane = new SamplePlane();
+  readonly #bars = new ShareBars("w");
   readonly #handles: PlaneHandles;
   readonly #readout = html("p", { class: "readout" });
   readonly #dragging = new Latest<MapState>((state) => this.#drag(state));
@@ -57,7 +57,7 @@ class PadFigure implements FigureInstance<MapState> {
       signal,
     );
     for (const handle of this.#handles.elements) setAttributes(handle, { "data-term": "u" });
-    this.#frame.picture.append(this.#dots, this.#bars, ...this.#handles.elements);
+    this.#frame.picture.append(this.#plane.dots, this.#bars.element, ...this.#handles.elements);
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.map.pad)),
@@ -132,10 +132,9 @@ class PadFigure implements FigureInstance<MapState> {
     const [state, shown] = [this.#state, this.#shown];
     if (!state || !shown) return;
     const { words } = this.#parts;
-    this.#axes = planeOf(this.#frame, shown.samples.values, words);
-    setAttributes(this.#dots, { d: dotsOf(this.#axes, shown.samples.values) });
+    this.#axes = this.#plane.draw(this.#frame, shown.samples.values, words);
     this.#handles.place(this.#axes, [[state.separation, state.height]], () => this.sentence());
-    this.#bars.replaceChildren(...barsOf(this.#axes, shown.weights, "w"));
+    this.#bars.draw(this.#axes, shown.weights);
     const { change, error } = shown.dragged;
     setText(this.#readout, words.map.dragged(figure(change, 1, words), figure(error, 2, words)));
   }

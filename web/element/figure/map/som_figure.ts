@@ -2,7 +2,7 @@
 import type { SomnSnapshot, StyleSamples } from "../../../client/learn/protocol";
 import { DEGREES } from "../../../humanoid";
 import { button, Toggle } from "../../../ui/controls/buttons";
-import { html, setAttributes, setText, svg } from "../../../ui/dom";
+import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
 import { xOf, yOf } from "../axes";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
 import { Latest } from "../latest";
@@ -11,7 +11,7 @@ import { figure } from "../words/words";
 import sheet from "./map.css?inline";
 import { measureMap, passOf, samplesOf } from "./map_measure";
 import { MAP_FIELDS, type MapState } from "./map_state";
-import { barsOf, createDots, dotsOf, planeOf } from "./plane";
+import { SamplePlane, ShareBars } from "./plane";
 
 /** Updates a second while it plays: few at first, then a share of those that were made. */
 const PLAY = { least: 4, share: 0.4 };
@@ -30,11 +30,11 @@ class SomFigure implements FigureInstance<MapState> {
   readonly #parts: FigureParts<MapState>;
   readonly #frame: PlotFrame;
   readonly #printed: Toggle;
-  readonly #dots = createDots();
+  readonly #plane = new SamplePlane();
   readonly #components = svg("g", { class: "components", "data-term": "a" });
   readonly #neighbourhood = svg("circle", { class: "neighbourhood", "data-term": "sigma" });
   readonly #sample = svg("circle", { class: "query", r: 5, "data-term": "x" });
-  readonly #bars = svg("g", { class: "bars", "data-term": "r" });
+  readonly #bars = new ShareBars("r");
   readonly #moves = svg("path", { class: "moves", "data-term": "delta" });
   readonly #play: HTMLButtonElement;
   readonly #readout = html("p", { class: "readout" });
@@ -83,8 +83,8 @@ class SomFigure implements FigureInstance<MapState> {
       ),
       button(restart, () => change({ updates: 0 }, true), { label: true }),
     ];
-    this.#frame.picture.append(this.#dots, this.#components, this.#moves, this.#neighbourhood);
-    this.#frame.picture.append(this.#sample, this.#bars);
+    this.#frame.picture.append(this.#plane.dots, this.#components, this.#moves, this.#neighbourhood);
+    this.#frame.picture.append(this.#sample, this.#bars.element);
     this.#frame.listenToMarks(parts.point);
     container.append(
       html("header", { class: "head" }, html("h3", {}, words.map.som)),
@@ -206,31 +206,28 @@ class SomFigure implements FigureInstance<MapState> {
     if (!this.#shown) return;
     const { words } = this.#parts;
     const { samples, now } = this.#shown;
-    const axes = planeOf(this.#frame, samples.values, words);
-    setAttributes(this.#dots, { d: dotsOf(axes, samples.values) });
+    const axes = this.#plane.draw(this.#frame, samples.values, words);
     const count = now.weights.length;
     const heaviest = now.weights.reduce((a, b) => Math.max(a, b), 0);
     const perUnit = { x: xOf(axes, 1) - xOf(axes, 0), y: yOf(axes, 0) - yOf(axes, 1) };
-    this.#components.replaceChildren(
-      ...Array.from({ length: count }, (_, i) => {
-        const [x, y] = [xOf(axes, now.centres[2 * i]!), yOf(axes, now.centres[2 * i + 1]!)];
-        return svg("ellipse", {
-          cx: x.toFixed(1),
-          cy: y.toFixed(1),
-          rx: (perUnit.x * now.spreads[2 * i]!).toFixed(1),
-          ry: (perUnit.y * now.spreads[2 * i + 1]!).toFixed(1),
-          "fill-opacity": (0.28 * (now.weights[i]! / heaviest)).toFixed(3),
-          class: now.r[i]! > 0.1 ? "taking" : "",
-        });
-      }),
-    );
+    keepCount(this.#components, count, () => svg("ellipse"));
+    for (let i = 0; i < count; i++) {
+      setAttributes(this.#components.children[i]!, {
+        cx: xOf(axes, now.centres[2 * i]!).toFixed(1),
+        cy: yOf(axes, now.centres[2 * i + 1]!).toFixed(1),
+        rx: (perUnit.x * now.spreads[2 * i]!).toFixed(1),
+        ry: (perUnit.y * now.spreads[2 * i + 1]!).toFixed(1),
+        "fill-opacity": (0.28 * (now.weights[i]! / heaviest)).toFixed(3),
+        class: now.r[i]! > 0.1 ? "taking" : "",
+      });
+    }
     const known = now.sample >= 0;
     const [sx, sy] = known ? [samples.values[2 * now.sample]!, samples.values[2 * now.sample + 1]!] : [0, 0];
     const visibility = known ? "visible" : "hidden";
     setAttributes(this.#sample, { cx: xOf(axes, sx), cy: yOf(axes, sy), visibility });
     // The neighbourhood is one of poses; the ring says only how wide it is against its first width.
     setAttributes(this.#neighbourhood, { cx: xOf(axes, sx), cy: yOf(axes, sy), r: 60 * now.sigma, visibility });
-    this.#bars.replaceChildren(...barsOf(axes, now.r, "r"));
+    this.#bars.draw(axes, now.r);
     setAttributes(this.#moves, { d: known ? movesOf(now, [sx, sy], (x, y) => [xOf(axes, x), yOf(axes, y)]) : "" });
     const pass = String(Math.min(now.total / now.frames, passOf(now.updates, now.frames) + 1));
     setText(this.#readout, words.map.at(String(now.updates), pass, this.#error(now)));

@@ -1,5 +1,5 @@
 /** An input and a blend of styles, at the same second of their clocks. */
-import { type Measured, measure as measured, type Posed, poseAt } from "../../../player/measured";
+import { framesOf, poseAt } from "../../../player/measured";
 import type { Slider } from "../../../ui/controls/slider";
 import { html, setText } from "../../../ui/dom";
 import { RATE_HZ } from "../built_in";
@@ -17,13 +17,6 @@ export const PACED: FigureKind<PaceState> = {
   create: (parts) => new PacedFigure(parts),
 };
 
-/** Both motions with their joints. */
-interface Walked {
-  paced: Paced;
-  input: Measured<Posed>;
-  styled: Measured<Posed>;
-}
-
 class PacedFigure implements FigureInstance<PaceState> {
   readonly #parts: FigureParts<PaceState>;
   readonly stage: FigureStage;
@@ -32,7 +25,7 @@ class PacedFigure implements FigureInstance<PaceState> {
   readonly #readout = html("p", { class: "readout" });
   readonly #walking = new Latest<PaceState>((state) => this.#walk(state));
   #state: PaceState | undefined;
-  #walked: Walked | undefined;
+  #paced: Paced | undefined;
 
   constructor(parts: FigureParts<PaceState>) {
     this.#parts = parts;
@@ -91,28 +84,24 @@ class PacedFigure implements FigureInstance<PaceState> {
 
   /** The second that is shown, and the frame that the blend has come to then; NaN once it has ended. */
   #now() {
-    const [state, walked] = [this.#state, this.#walked];
-    if (!state || !walked) return undefined;
-    const at = Math.min(state.at, walked.input.frames - 1);
-    return { at, walked, styledAt: frameAtSecond(walked.paced, at / walked.paced.input.rateHz) };
+    const [state, paced] = [this.#state, this.#paced];
+    if (!state || !paced) return undefined;
+    const at = Math.min(state.at, framesOf(paced.input) - 1);
+    return { at, paced, styledAt: frameAtSecond(paced, at / paced.input.rateHz) };
   }
 
   #advance(dtSecs: number): void {
-    if (!this.#walked) return;
-    const at = this.#playing.advance(dtSecs, this.#walked.paced.input.rateHz, this.#walked.input.frames - 1);
+    if (!this.#paced) return;
+    const { input } = this.#paced;
+    const at = this.#playing.advance(dtSecs, input.rateHz, framesOf(input) - 1);
     if (at !== undefined && at !== this.#state?.at) this.#parts.change({ at: Math.max(2, at) }, false);
   }
 
   async #walk(state: PaceState): Promise<void> {
     const paced = await pacedOf(this.#parts.engine, state);
-    if (this.#parts.signal.aborted || this.#walked?.paced === paced) return;
-    const { proportions } = paced.input;
-    if (!this.#walked) this.stage.viewer?.setProportions(proportions);
-    this.#walked = {
-      paced,
-      input: measured({ poses: paced.input.poses }, proportions),
-      styled: measured({ poses: paced.styled.poses }, proportions),
-    };
+    if (this.#parts.signal.aborted || this.#paced === paced) return;
+    if (!this.#paced) this.stage.viewer?.setProportions(paced.input.proportions);
+    this.#paced = paced;
     this.#pose();
     this.stage.viewer?.resetTrail();
   }
@@ -120,11 +109,12 @@ class PacedFigure implements FigureInstance<PaceState> {
   #pose(): void {
     const now = this.#now();
     if (!now) return;
-    const { walked, at, styledAt } = now;
+    const { at, styledAt } = now;
+    const { input, styled } = now.paced;
     const { viewer } = this.stage;
     if (viewer) {
-      viewer.setStyled(poseAt(walked.styled, Number.isNaN(styledAt) ? walked.styled.frames - 1 : styledAt));
-      viewer.setInput(poseAt(walked.input, at));
+      viewer.setStyled(poseAt(styled, Number.isNaN(styledAt) ? framesOf(styled) - 1 : styledAt));
+      viewer.setInput(poseAt(input, at));
       viewer.description = this.sentence();
     }
     setText(this.#readout, this.sentence());
