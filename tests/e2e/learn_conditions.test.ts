@@ -10,6 +10,7 @@ import { transitionsEnded } from "./rest";
 declare const window: Window & { strut: StrutHook };
 
 const WIDE = { width: 1440, height: 900 };
+const NARROW = { width: 390, height: 844 };
 const BEATS = [0, 1, 2, 3, 4, 5];
 
 /** What follows an action is asked for until it holds. */
@@ -80,14 +81,20 @@ describe.each(LESSONS)("$id", ({ id }) => {
     }
     // Every text as 1.4 times as long.
     await page.evaluate(() => {
-      const walker = document.createTreeWalker(document.querySelector(".learn-text")!, NodeFilter.SHOW_TEXT);
-      for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-        const text = node.textContent!;
-        if (text.trim().length > 1 && !node.parentElement!.closest(".katex, option"))
-          node.textContent = text.replace(/\p{L}{2,}/gu, (word) => word + "x".repeat(Math.ceil(word.length * 0.4)));
+      const figures = [...document.querySelectorAll("strut-figure:not([hidden])")];
+      for (const root of [document.querySelector(".learn-text")!, ...figures.map((figure) => figure.shadowRoot!)]) {
+        const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
+        for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+          const text = node.textContent!;
+          if (text.trim().length > 1 && !node.parentElement!.closest(".katex, option, svg, style"))
+            node.textContent = text.replace(/\p{L}{2,}/gu, (word) => word + "x".repeat(Math.ceil(word.length * 0.4)));
+        }
       }
     });
     await soon(overflow, "long words").toEqual([]);
+    await page.setViewportSize(NARROW);
+    await soon(overflow, "long words on a narrow screen").toEqual([]);
+    await page.setViewportSize(WIDE);
   });
 
   test("prints all its parts and figures, and nothing is cut off", async () => {
