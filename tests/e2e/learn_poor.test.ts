@@ -1,6 +1,7 @@
 /** The Learn view in browsers that lack something. */
 import type { Page } from "playwright-core";
-import { it } from "vitest";
+import { expect, it } from "vitest";
+import { LESSONS } from "../../web/lessons/lessons";
 import { eventually, openSite, visit } from "./browser";
 
 /** The page anew, after a script that takes something from the browser. */
@@ -20,14 +21,15 @@ async function without(take: () => void, hash: string, use: (page: Page) => Prom
 
 const verdict = (page: Page, exercise: string) => page.locator(`[data-exercise="${exercise}"] .verdict`).textContent();
 
+const noWebGl = () => {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+    return kind.startsWith("webgl") ? null : Reflect.apply(getContext, this, [kind, ...rest]);
+  } as typeof getContext;
+};
+
 it("needs no WebGL: text, tables and exercises are there, and other views lead to it", async () => {
-  const take = () => {
-    const { getContext } = HTMLCanvasElement.prototype;
-    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
-      return kind.startsWith("webgl") ? null : Reflect.apply(getContext, this, [kind, ...rest]);
-    } as typeof getContext;
-  };
-  await without(take, "view=play&play=0", async (page) => {
+  await without(noWebGl, "view=play&play=0", async (page) => {
     await eventually(() => page.locator("h1.learn-title").textContent()).toBe("Tell content from style");
     await eventually(() => page.getByText("The lessons go on without 3-D pictures.").count()).toBeGreaterThan(0);
     await visit(page, "view=learn&lesson=style&beat=4&task=C&joint=head");
@@ -40,6 +42,26 @@ it("needs no WebGL: text, tables and exercises are there, and other views lead t
     await eventually(() => stage.locator("td").count()).toBeGreaterThan(20);
     await visit(page, "view=walk");
     await eventually(() => page.evaluate(() => location.hash)).toContain("view=learn");
+  });
+});
+
+it("explains every lesson without WebGL: its symbols have values, and each figure says what it would show", async () => {
+  await without(noWebGl, "view=learn&lesson=style", async (page) => {
+    for (const { id } of LESSONS) {
+      await visit(page, `view=learn&lesson=${id}&beat=2`);
+      await eventually(() => page.locator(".lessons select").inputValue()).toBe(id);
+      const skip = page.locator(".lock:not([hidden])").getByRole("button", { name: "Skip the bet" });
+      if (await skip.isVisible()) await skip.click();
+      const unsaid = () =>
+        page
+          .locator("strut-figure:not([hidden]) [role=status]")
+          .evaluateAll((all) => all.filter((said) => said.textContent!.length < 10).length);
+      await eventually(unsaid, id).toBe(0);
+      const values = () => page.locator(".learn-symbols .symbol .value").allTextContents();
+      await eventually(async () => (await values()).filter((value) => value.trim() === ""), id).toEqual([]);
+      await eventually(() => page.locator(".learn-text .katex").count(), id).toBeGreaterThan(0);
+    }
+    expect(await page.locator(".toast.error").count()).toBe(0);
   });
 });
 
