@@ -146,7 +146,10 @@ class LearnView implements View {
       large: present,
       controls: !hidden.includes("controls"),
     });
-    if (arrived && task !== "" && !this.#byHand) void this.#checkTask(false);
+    const exercise = open.lesson.exercises.find(({ id }) => id === task);
+    if (!arrived || !exercise || this.#byHand) return;
+    open.figures.bring(exercise.figure);
+    void this.#checkTask(false);
   }
 
   /** Whether the change that is being shown was made by a hand, which will let go. */
@@ -346,6 +349,7 @@ class LearnView implements View {
     this.#byHand = true;
     this.#host.store.edit({ task, figures: exercise.start(this.#state.figures) });
     this.#byHand = false;
+    this.#open?.figures.bring(exercise.figure);
   }
 
   async #solve(task: string): Promise<void> {
@@ -356,6 +360,7 @@ class LearnView implements View {
       const figures = await exercise.solve(this.#engine);
       if (this.#open !== open) return;
       this.#host.store.edit({ task, figures });
+      open.figures.bring(exercise.figure);
       // The state may be the same already.
       void this.#checkTask(false);
     } catch (error) {

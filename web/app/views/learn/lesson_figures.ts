@@ -75,6 +75,11 @@ export class LessonFigures {
     return this.#figures.get(figure)!.measure();
   }
 
+  /** Brings a figure to where it is seen: they may not all have room beside each other. */
+  bring(figure: string): void {
+    this.#figures.get(figure)?.scrollIntoView({ block: "nearest", inline: "nearest" });
+  }
+
   /** The figures that are on the page now. */
   get shown(): { kind: string; heading: string }[] {
     return this.#lesson.figures.flatMap(({ name, kind }) => {
