@@ -15,7 +15,7 @@ export const judge: LessonText = {
       much: "Um mehr als 1 mm",
     },
     reveal: ({ knn, mar, difference, other }) =>
-      `KNN liegt um ${knn} mm daneben und MAR um ${mar} mm: ${difference} mm Unterschied. Eine andere echte Aufnahme liegt um ${other} mm daneben. Beide sind also so gut wie ein zweiter Versuch, und der Fehler kann sie auf diesen Daten nicht unterscheiden.`,
+      `KNN liegt um ${knn} mm daneben und MAR um ${mar} mm: ${difference} mm Unterschied. Selbst die beste andere echte Aufnahme liegt um ${other} mm daneben. Beide sind also so gut wie ein zweiter Versuch, und der Fehler kann sie auf diesen Daten nicht unterscheiden.`,
   },
   look: [
     "Die Tabelle hat [e: den mittleren Fehler ē] jedes Verfahrens, über F Bilder und J Gelenke: alle außer der Hüfte, an der die Körper übereinandergelegt werden. Sie sagt auch, wie [acceleration: rau] die Bewegung ist, als Beschleunigung im Verhältnis zur Eingabe, und wie viel [content: Inhalt] bleibt: die Korrelation r der schnellen Bewegungen von Eingabe und Ausgabe. Eine Spalte allein kann täuschen: GAR, eine Gerade für alles, ist am glattesten und liegt am weitesten daneben.",
@@ -73,7 +73,7 @@ export const judge: LessonText = {
     C: {
       task: "Nun Bewegungen anderer Sammlungen, die niemand in den Stilen aufgeführt hat. Wähle das Verfahren, dessen Beschleunigung der der Eingabe am nächsten ist, unter denen, die einen Inhalt von mindestens 0,8 behalten.",
       pass: ({ pick, acceleration, content }) =>
-        `Ja: ${pick}, mit Beschleunigung ${acceleration} × und Inhalt ${content}. Beim aufgezeichneten Gehen lagen die Fehler gleichauf; hier sind die Verfahren weit auseinander.`,
+        `Ja: ${pick}, mit Beschleunigung ${acceleration} × und Inhalt ${content}: Von denen hier hat nur dieses den Bias aus Lektion 7. Beim aufgezeichneten Gehen lagen die Fehler gleichauf; hier sind die Verfahren weit auseinander.`,
       near: {
         other: () => "Wähle „andere Sammlungen“ als Quelle der Zahlen.",
         unmeasured: ({ pick }) => `${pick} wurde dort nicht gemessen. Wähle eines mit Zahlen.`,

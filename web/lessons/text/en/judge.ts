@@ -15,7 +15,7 @@ export const judge: LessonText = {
       much: "By more than 1 mm",
     },
     reveal: ({ knn, mar, difference, other }) =>
-      `KNN errs by ${knn} mm and MAR by ${mar} mm: ${difference} mm apart. Another real take errs by ${other} mm, so both are as good as a second try, and on this data the error cannot tell them apart.`,
+      `KNN errs by ${knn} mm and MAR by ${mar} mm: ${difference} mm apart. Even the best other real take errs by ${other} mm, so both are as good as a second try, and on this data the error cannot tell them apart.`,
   },
   look: [
     "The table has [e: the mean error ē] of each method, over F frames and J joints: all but the hips, at which the bodies are laid over each other. It also says how [acceleration: rough] the motion is, as its acceleration over the input’s, and how much [content: content] is left: the correlation r of the fast movements of input and output. One column alone may mislead: GAR, one line for all, is the smoothest, and the farthest off.",
@@ -72,7 +72,7 @@ export const judge: LessonText = {
     C: {
       task: "Now motions of other collections, which nobody performed in the styles. Choose the method whose acceleration is nearest to the input’s, among those that keep a content of at least 0.8.",
       pass: ({ pick, acceleration, content }) =>
-        `Yes: ${pick}, with acceleration ${acceleration} × and content ${content}. On the recorded walks the errors tied; here the methods are far apart.`,
+        `Yes: ${pick}, with acceleration ${acceleration} × and content ${content}: of those here it alone has the bias term of lesson 7. On the recorded walks the errors tied; here the methods are far apart.`,
       near: {
         other: () => "Choose “other collections” as the source of the numbers.",
         unmeasured: ({ pick }) => `${pick} was not measured there. Choose one with numbers.`,
