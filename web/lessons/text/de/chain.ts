@@ -2,7 +2,7 @@ import type { LessonText } from "../text";
 
 export const chain: LessonText = {
   idea: [
-    "Dieser Gehende folgt keiner Eingabe. Ein Schritt ist eine Kette aus fünf Zuständen, und jeder Zustand kennt Mittel und Varianz jedes Winkels, von dessen Geschwindigkeit (der Änderung von Bild zu Bild), von dessen Beschleunigung (der Änderung dieser Änderung) und der eigenen Dauer.",
+    "Dieser Gehende folgt keiner Eingabe. Ein Schritt ist eine Kette aus fünf Zuständen, und jeder Zustand kennt Mittel und Varianz jedes Winkels, seiner Geschwindigkeit (der Änderung von Bild zu Bild), seiner Beschleunigung (der Änderung dieser Änderung) und der Dauer des Zustands.",
     "Ein Mittel mit seiner Varianz ist wie eine Zusage: Mit kleiner Varianz ist sie fest, mit großer locker. Unter allen Bewegungen wird die gewählt, die alle Zusagen am besten hält, Schritt für Schritt. Das ist ein Hidden-Semi-Markov-Modell, und seine Mittel und Varianzen sind alles, was von den Aufnahmen bleibt.",
     "Mische die Mittel zweier Modelle, und du hast einen gemischten Gang. Mit k über 1 ist der Stil übertrieben, unter 0 in sein Gegenteil umgekehrt.",
   ],
