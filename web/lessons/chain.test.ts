@@ -212,10 +212,10 @@ test("A is passed by a firm promise about poses, or by loose ones about changes"
     expect((await result("A", one)).result).toBe("no");
   const [en, de] = [await TEXTS.en.lessons.chain!(), await TEXTS.de.lessons.chain!()];
   expect(en.exercises.A!.refuse(await said("en", "A", { acceleration: 0.1 }))).toMatch(
-    /^You loosened another promise: the curve is 8\.6° from a mean\./,
+    /^The promise about the angle is now the weaker one: the curve is 8\.6° from a mean\./,
   );
   expect(de.exercises.A!.refuse(await said("de", "A", { acceleration: 0.1 }))).toMatch(
-    /^Du hast eine andere Zusage gelockert: Die Kurve ist 8,6° von einem Mittel entfernt\./,
+    /^Die Zusage über den Winkel ist jetzt die schwächere: Die Kurve ist 8,6° von einem Mittel entfernt\./,
   );
 });
 
@@ -236,7 +236,7 @@ test("B is passed by a stretch of σ″², and refuses one that is too firm", as
     expect(await result("B", { acceleration: 0.08, ...other })).toEqual({ result: "near", way: "other" });
   const [en, de] = [await TEXTS.en.lessons.chain!(), await TEXTS.de.lessons.chain!()];
   expect(en.exercises.B!.refuse(await said("en", "B", { acceleration: 0.01 }))).toMatch(
-    /^0\.41 times the jerk, but 3\.17 deviations from a mean: a promise that is too firm breaks the others\.$/,
+    /^0\.41 times the jerk, but 3\.17 σ from a mean: a promise that is too firm breaks the others\.$/,
   );
   expect(de.exercises.B!.refuse(await said("de", "B", { acceleration: 0.01 }))).toMatch(/^Das 0,41-Fache des Rucks/);
 });

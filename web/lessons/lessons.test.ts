@@ -202,7 +202,7 @@ describe("style", () => {
     const last = passing.find((at) => !passing.includes(at + 1))!;
     expect(await result("B", { at: last + 2 })).toEqual({ result: "near", way: "earlier" });
     expect(await result("B", { at: 60 })).toEqual({ result: "no" });
-    // The hint: half a neutral cycle late, and later a whole one.
+    // The hint: one step, half a neutral cycle, late, and later two.
     const cycle = 65 / 60;
     const late = (at: number) => pair.styled.timeOut[at]! - at / 60;
     expect(late(230)).toBeCloseTo(cycle / 2, 1);

@@ -2,7 +2,7 @@ import type { LessonText } from "../text";
 
 export const bias: LessonText = {
   idea: [
-    "Die Eingabe geht mit gehobenen Armen. So geht in der Datenbank niemand, also haben die nächsten Beispiele die Arme an der Seite.",
+    "Die Eingabe geht mit gehobenen Armen. So geht in der Datenbank niemand, also lassen die nächsten Beispiele die Arme hängen.",
     "Eine Gerade, die an solche Beispiele angepasst ist, weiß nichts von gehobenen Armen. Weit außerhalb ihrer Punkte wäre ihre Antwort Unsinn.",
     "Darum nimmt die Engine weg, was aus den Beispielen herausragt, stilisiert den Rest und gibt einen Anteil davon zurück. Wie groß soll er sein?",
   ],
@@ -13,9 +13,9 @@ export const bias: LessonText = {
       `${share} davon. Die Beispiele entscheiden allein, und ihre Arme hängen. Mit dem Anteil der Engine, ${keep}, bleibt vom Heben ${usual}.`,
   },
   look: [
-    "Die Punkte sind die Winkel der Nachbarn. Das Band um ihr [mu: Mittel μ] reicht nach beiden Seiten [kappa: κ] mal so weit wie ihre [sigma: Streuung σ].",
-    "clamp schiebt die [x: Eingabe x], wenn sie außerhalb des Bandes liegt, an sein nächstes Ende. Was dabei wegfällt, ist der [dx: Bias Δx].",
-    "Die Gerade β aus Lektion 5 ist an Beispiele ohne gehobene Arme angepasst, also muss sie auch ohne sie gefragt werden: ũ ist die Eingabe jetzt und ein Bild vorher ohne Δx, und die letzte Ausgabe ohne das ρΔx, das sie bekommen hat. Die Antwort der Geraden ist [beta: der Ring].",
+    "Die Punkte sind die Winkel der Nachbarn. Das Band um ihr [mu: Mittel μ] reicht nach beiden Seiten [kappa: κ] mal so weit wie ihre [sigma: Standardabweichung σ].",
+    "clamp schiebt die [x: Eingabe x], wenn sie außerhalb des Bandes liegt, an sein nächstes Ende. Was dabei abgeschnitten wird, ist der [dx: Bias Δx].",
+    "Die Gerade β aus Lektion 5 ist an Beispiele ohne gehobene Arme angepasst, also muss sie auch ohne sie gefragt werden: ũ ist die Eingabe jetzt und ein Bild vorher ohne Δx, und die letzte Ausgabe ohne ρΔx. Die Antwort der Geraden ist [beta: der Ring].",
     "Dann kehrt der [rho: Anteil ρ] des Bias zurück, und die Ausgabe endet bei [y: y]. Zieh die Eingabe die Achse entlang, und dreh ρ zwischen 0 und 1.",
   ],
   symbols: {
@@ -43,7 +43,7 @@ export const bias: LessonText = {
       no: ({ keep, share }) => `Mit ρ ${keep} bleibt vom Heben ${share}.`,
       hints: [
         "Je mehr vom Bias zurückkehrt, desto mehr bleibt vom Heben. Aber der Arm im Stil hängt anders als der neutrale, darum sind die Anteile nicht gleich.",
-        "Lass ρ aufleuchten: Sein Pfeil kehrt an jedem Gelenk und in jedem Bild zurück. Fang bei 1 an und geh herunter.",
+        "Lass ρ aufleuchten: Sein Pfeil ist, was zurückkehrt, hier und genauso an jedem Gelenk. Fang bei ρ = 1 an und geh herunter.",
       ],
     },
     B: {
@@ -83,7 +83,7 @@ export const bias: LessonText = {
     },
   },
   sources: [
-    "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Gl. 6 und 7. Der Artikel druckt yₜ = ũᵀβ − ρΔx; die Engine addiert ρΔx, denn sonst stieße mehr Bias die Ausgabe von der Eingabe weg.",
+    "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Gl. 6 und 7. Der Artikel druckt yₜ = ũᵀβ − ρΔx; die Engine addiert ρΔx, denn mit dem Minus schöbe ein größeres ρ die Ausgabe von der Eingabe weg.",
     "Der Bias wird in `rust/strut-core/src/transfer/bias.rs` weggenommen und zurückgegeben. Wo alle Nachbarn einig sind, hat σ einen kleinsten Wert, damit Rauschen nicht für Inhalt gehalten wird.",
   ],
 };

@@ -2,25 +2,25 @@ import type { LessonText } from "../text";
 
 export const chain: LessonText = {
   idea: [
-    "Dieser Gehende folgt keiner Eingabe. Ein Schritt ist eine Kette aus fünf Zuständen, und jeder Zustand kennt Mittel und Varianz jedes Winkels, seiner Änderung von Bild zu Bild, der Änderung dieser Änderung und seiner Dauer.",
+    "Dieser Gehende folgt keiner Eingabe. Ein Schritt ist eine Kette aus fünf Zuständen, und jeder Zustand kennt Mittel und Varianz jedes Winkels, seiner Geschwindigkeit (der Änderung von Bild zu Bild), seiner Beschleunigung (der Änderung dieser Änderung) und der Dauer des Zustands.",
     "Ein Mittel mit seiner Varianz ist wie eine Zusage: Mit kleiner Varianz ist sie fest, mit großer locker. Unter allen Bewegungen wird die gewählt, die alle Zusagen am besten hält, Schritt für Schritt. Das ist ein Hidden-Semi-Markov-Modell, und seine Mittel und Varianzen sind alles, was von den Aufnahmen bleibt.",
-    "Misch die Mittel zweier Modelle, und du hast einen gemischten Gang. Mit k über 1 ist der Stil übertrieben, unter 0 in sein Gegenteil umgekehrt.",
+    "Mische die Mittel zweier Modelle, und du hast einen gemischten Gang. Mit k über 1 ist der Stil übertrieben, unter 0 in sein Gegenteil umgekehrt.",
   ],
   bet: {
     question:
-      "Die Kurve muss drei Zusagen halten: über den Winkel, über seine Änderung und über die Änderung der Änderung. Mach σ″, die Standardabweichung der letzten, kleiner. Was wird aus der Kurve?",
+      "Die Kurve muss drei Zusagen halten: über den Winkel, seine Geschwindigkeit und seine Beschleunigung. Mach σ″, die Standardabweichung der letzten, kleiner. Was wird aus der Kurve?",
     options: { smoother: "Sie wird glatter", same: "Sie bleibt, wie sie ist", rougher: "Sie wird rauer" },
     reveal: ({ leg, toes }) =>
-      `Mit einem Zehntel von σ″² ruckt der Oberschenkel ${leg}-mal so stark wie vorher, die Zehen ${toes}-mal. Eine kleine Varianz ist eine feste Zusage: Die Änderung der Änderung muss nah an ihrem Mittel bleiben, und das schwankt kaum.`,
+      `Mit einem Zehntel von σ″² ist der Ruck (wie schnell sich die Beschleunigung ändert) am Oberschenkel das ${leg}-Fache von vorher, an den Zehen das ${toes}-Fache. Eine kleine Varianz ist eine feste Zusage: Die Beschleunigung muss nah an ihrem Mittel bleiben, und das schwankt kaum.`,
   },
   look: [
     "Die Treppe ist das [mu: Mittel μ] jedes Zustands, die Bänder sind seine [sigma: Standardabweichung σ]. Die [c: Kurve c] ist die wahrscheinlichste; gestrichelt ist die des Modells, wie es trainiert wurde.",
-    "Die kurzen Striche sind die [delta: Änderungen Δc], die halbe Differenz von nächstem und vorigem Bild; Δ²c ist die Änderung dieser Änderung. μ′, σ′ und μ″, σ″ sind ihre Mittel und Standardabweichungen. Die Regler multiplizieren die drei Varianzen, mit einem Tausendstel bis zum Tausendfachen.",
+    "Die kurzen Striche sind die [delta: Geschwindigkeiten Δc], die halbe Differenz von nächstem und vorigem Bild; Δ²c ist die Beschleunigung. μ′, σ′ und μ″, σ″ sind ihre Mittel und Standardabweichungen. Die Regler multiplizieren die drei Varianzen, mit einem Tausendstel bis zum Tausendfachen.",
     "Die Blöcke sind die Zustände, so lang, wie sie [d: dauern]. Das d mit Strich ist die mittlere Dauer eines Zustands, ν ihre Varianz. Zieh das Ende eines Schritts: [rho: ρ] verlängert jeden Zustand um das ρ-Fache seines ν, sodass zuerst nachgibt, was stark schwankt.",
     "m₁ ist das Modell des neutralen Gangs, m₂ das des Stils: Mit [k: k] mischst du sie.",
   ],
   symbols: {
-    c: { symbol: "c", name: "Ruck der Kurve, × den des Modells" },
+    c: { symbol: "c", name: "Ruck der Kurve, Vielfaches des Modells" },
     mu: { symbol: "μ", name: "größter Abstand von c zum Mittel" },
     sigma: { symbol: "σ²", name: "Faktor der Varianz der Posen" },
     delta: { symbol: "Δc", name: "Faktoren von σ′² und σ″²" },
@@ -33,13 +33,13 @@ export const chain: LessonText = {
     A: {
       task: "Bring die Kurve des linken Oberschenkels in jedem Bild auf 2° an die Mittel heran.",
       pass: ({ farthest }) =>
-        `Ja: höchstens ${farthest}°. Die Kurve steigt die Treppe: Sie springt von Zustand zu Zustand.`,
+        `Ja: höchstens ${farthest}°. Die Kurve folgt der Treppe: Sie springt von Zustand zu Zustand.`,
       near: {
         other: () => "Sieh auf den linken Oberschenkel des neutralen Gangs: k 0.",
-        further: ({ farthest }) => `Knapp: ${farthest}°. Weiter so.`,
+        further: ({ farthest }) => `Knapp: ${farthest}°. Weiter in dieser Richtung.`,
       },
       refuse: ({ farthest }) =>
-        `Du hast eine andere Zusage gelockert: Die Kurve ist ${farthest}° von einem Mittel entfernt. Eine kleine Varianz ist eine feste Zusage.`,
+        `Die Zusage über den Winkel ist jetzt die schwächere: Die Kurve ist ${farthest}° von einem Mittel entfernt. Eine kleine Varianz ist eine feste Zusage.`,
       no: ({ farthest }) => `Die Kurve ist ${farthest}° von einem Mittel entfernt.`,
       hints: [
         "Eine kleine Varianz ist eine feste Zusage. Welche der drei handelt vom Winkel selbst?",
@@ -47,21 +47,19 @@ export const chain: LessonText = {
       ],
     },
     B: {
-      task: "Die Zehen rucken. Halbier das, auf höchstens das 0,5-Fache, ohne dich um mehr als 2 Standardabweichungen des Modells von den Mitteln zu entfernen.",
-      pass: ({ jerkShare, deviations }) =>
-        `Ja: das ${jerkShare}-Fache des Rucks, bei ${deviations} Standardabweichungen.`,
+      task: "Die Zehen rucken. Bring den Ruck auf höchstens das 0,5-Fache, wobei die Kurve höchstens 2 σ von den Mitteln entfernt bleibt (mit dem σ des Modells).",
+      pass: ({ jerkShare, deviations }) => `Ja: das ${jerkShare}-Fache des Rucks, bei ${deviations} σ.`,
       near: {
         other: () => "Sieh auf die linken Zehen des neutralen Gangs: k 0.",
         far: ({ jerkShare, deviations }) =>
-          `Knapp: glatt, das ${jerkShare}-Fache, aber ${deviations} Standardabweichungen entfernt. Weniger.`,
-        rough: ({ jerkShare, deviations }) =>
-          `Knapp: das ${jerkShare}-Fache, bei ${deviations} Standardabweichungen. Etwas mehr.`,
+          `Knapp: glatt, das ${jerkShare}-Fache, aber ${deviations} σ von einem Mittel. Etwas weniger fest.`,
+        rough: ({ jerkShare, deviations }) => `Knapp: das ${jerkShare}-Fache, bei ${deviations} σ. Etwas fester.`,
       },
       refuse: ({ jerkShare, deviations }) =>
-        `Das ${jerkShare}-Fache des Rucks, aber ${deviations} Standardabweichungen von einem Mittel: Eine zu feste Zusage bricht die anderen.`,
+        `Das ${jerkShare}-Fache des Rucks, aber ${deviations} σ von einem Mittel: Eine zu feste Zusage bricht die anderen.`,
       no: ({ jerkShare }) => `Die Kurve ruckt ${jerkShare}-mal so stark wie die des Modells.`,
       hints: [
-        "Was ruckt, ist die Änderung der Änderung. Mach diese Zusage fester.",
+        "Ruck ist, wie schnell sich die Beschleunigung ändert. Mach die Zusage über die Beschleunigung fester.",
         "Dreh σ″² herunter, auf etwas zwischen einem Zehntel und einem Dreißigstel.",
       ],
     },
@@ -77,13 +75,13 @@ export const chain: LessonText = {
         `Ein negatives ρ verkürzt die Zustände: ${cadence} Schritte in der Minute. Langsamere Schritte dauern länger.`,
       no: ({ cadence }) => `${cadence} Schritte in der Minute.`,
       hints: [
-        "Schritte, die länger dauern, sind weniger in der Minute.",
+        "Je länger jeder Schritt dauert, desto weniger sind es in der Minute.",
         "Linke und rechte Schritte zählen. Versuch ρ nahe 1 für beide.",
       ],
     },
   },
   sources: [
-    "Tilmanne und Dutoit, Continuous control of style and style transitions through linear interpolation in hidden Markov model based walk synthesis, 2012, Abschnitte 4 bis 6: Modelle von Schritten, Bewegungen größter Wahrscheinlichkeit, Dauern, Steuerung des Stils.",
-    "Bewegungen löst `rust/strut-core/src/hsmm/mlpg.rs`; Dauern, und was sie begrenzt, sind die aus `rust/strut-core/src/hsmm/walker/durations.rs`.",
+    "Tilmanne und Dutoit, Continuous control of style and style transitions through linear interpolation in hidden Markov model based walk synthesis, 2012, Abschnitte 4 bis 6: Modelle von Schritten, Bewegungen nach größter Wahrscheinlichkeit, Dauern, Steuerung des Stils.",
+    "Bewegungen berechnet `rust/strut-core/src/hsmm/mlpg.rs`; Dauern, und was sie begrenzt, sind die aus `rust/strut-core/src/hsmm/walker/durations.rs`.",
   ],
 };

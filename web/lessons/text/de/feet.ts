@@ -3,18 +3,18 @@ import type { LessonText } from "../text";
 export const feet: LessonText = {
   idea: [
     "Eine vorhergesagte Pose kann auf einen Zentimeter stimmen, und doch siehst du sofort, wenn ein stehender Fuß rutscht. Auf Englisch heißt das Foot Skate.",
-    "Die Abbildung zeigt die Sohle eines Fußes von oben, für jedes Bild eines Stands als Linie von der Ferse zum Ballen. Stünde der Fuß still, wären alle Linien eine. Die rote ist der Fuß im gewählten Augenblick, die gestrichelte zeigt, wohin das Halten ihn bringt.",
+    "Die Abbildung zeigt die Sohle eines Fußes von oben, für jedes Bild eines Stands (solange er steht) als Linie von der Ferse zum Ballen. Stünde der Fuß still, wären alle Linien eine. Die rote ist der Fuß im gewählten Augenblick, die gestrichelte zeigt, wohin das Halten ihn bringt.",
     "Die Abhilfe hat drei Teile: wissen, ob ein Fuß steht, ihn halten, wo er ist, und das Knie so beugen, dass das Bein ihn erreicht.",
   ],
   bet: {
     question: "Das Halten ist aus. Wann rutscht ein stehender Fuß am schnellsten?",
     options: { strike: "Wenn er aufsetzt", middle: "Mitten im Stand", lift: "Wenn er abhebt" },
     reveal: ({ most, middle, held, nth, frames }) =>
-      `Dieser Stand hat ${frames} Bilder, und am schnellsten rutscht der Fuß in Bild ${nth}: mit ${most} cm/s, gegenüber ${middle} cm/s in der Mitte. Ein Fuß, der aufsetzt, gilt kurz bevor er ruht als stehend. Gehalten rutscht er dort mit ${held} cm/s.`,
+      `Dieser Stand hat ${frames} Bilder, und am schnellsten rutscht der Fuß in Bild ${nth}: mit ${most} cm/s, gegenüber ${middle} cm/s in der Mitte. Ein Fuß, der aufsetzt, gilt schon als stehend, kurz bevor er ruht. Gehalten rutscht er dort mit ${held} cm/s.`,
   },
   look: [
-    "Steht der Fuß? Die 40 ähnlichsten Bilder der Datenbank stimmen ab: cₖ ist 1, wenn der Fuß in Bild k steht, und die Stimme zählt umso mehr, je kleiner eₖ ist, der Unterschied seiner Füße zu denen der Eingabe in Höhe und Geschwindigkeit. Jeder Punkt ist [c: das Ergebnis in einem Augenblick]; gemittelt mit den Kontakten des aufgenommenen Stils und über die Zeit geglättet ist es [P: P]. Ab P 0,6 wird der Fuß gehalten, unter 0,4 gelöst, das sind die gepunkteten Linien; ein Fuß, der tief und langsam ist, steht ohnehin. Wo er steht, ist das Diagramm grau.",
-    "Die dicke Kurve ist [p: das Rutschen Δp] je Sekunde; gestrichelt ist das Rutschen mit der anderen Einstellung des Haltens. Stell den Abspielkopf auf einen [i: Augenblick], und schalte das Halten um: [q: Die Korrektur q] schiebt einen stehenden Fuß um das zurück, was er gerutscht ist. n zählt die Bilder, seit der Fuß steht, sodass das Halten über drei Bilder einsetzt.",
+    "Steht der Fuß? Die 40 ähnlichsten Bilder der Datenbank stimmen ab: cₖ ist 1, wenn der Fuß in Bild k steht, sonst 0. Eine Stimme zählt umso mehr, je kleiner eₖ ist: wie sehr sich die Füße in Bild k von denen der Eingabe in Höhe und Geschwindigkeit unterscheiden. Jeder Punkt ist [c: das Ergebnis in einem Augenblick]; gemittelt mit den Kontakten des aufgenommenen Stils und über die Zeit geglättet ist es [P: P]. Ab P 0,6 wird der Fuß gehalten, unter 0,4 gelöst, das sind die gepunkteten Linien; ein Fuß, der tief und langsam ist, gilt ohnehin als stehend. Wo er steht, ist das Diagramm grau.",
+    "Die dicke Kurve ist [p: das Rutschen Δp] je Sekunde; gestrichelt ist das Rutschen mit der anderen Einstellung des Haltens. Stell den Zeiger auf einen [i: Augenblick], und schalte das Halten um: [q: Die Korrektur q] schiebt einen stehenden Fuß um das zurück, was er gerutscht ist. n zählt die Bilder, seit der Fuß steht, sodass das Halten über drei Bilder einsetzt.",
     "Nun steht fest, wo der Knöchel ist, und damit sein [d: Abstand d] von der Hüfte. Oberschenkel a, Unterschenkel b und d bilden ein Dreieck: Der Kosinussatz ergibt den [gamma: Winkel γ] im Knie.",
   ],
   symbols: {
@@ -29,28 +29,28 @@ export const feet: LessonText = {
   why: "Warum sind zwei Grenzen besser als eine: 0,6 zum Aufsetzen, 0,4 zum Lösen? Denk an ein P, das um 0,5 zittert.",
   exercises: {
     A: {
-      task: "Das Halten ist aus. Stell den Abspielkopf im gezeigten Abschnitt auf den Augenblick, in dem der stehende linke Fuß am schnellsten rutscht, auf 3 Bilder genau.",
+      task: "Das Halten ist aus. Stell den Zeiger im gezeigten Abschnitt auf den Augenblick, in dem der stehende linke Fuß am schnellsten rutscht, auf 3 Bilder genau.",
       pass: ({ speed, most }) => `Ja: ${speed} cm/s hier, und höchstens ${most} cm/s, dort, wo der Fuß aufsetzt.`,
       near: {
-        other: () => "Sieh auf den linken Fuß des alten Gangs, in diesem Abschnitt.",
+        other: () => "Sieh dir den linken Fuß des alten Gangs an, in diesem Abschnitt.",
         held: () => "Schalte zuerst das Halten aus: Gehalten bleibt der Fuß, wo er ist.",
         later: () => "Knapp, aber hier ist der Fuß noch in der Luft. Etwas später.",
         earlier: ({ speed }) => `Knapp: ${speed} cm/s. Etwas früher.`,
       },
       refuse: ({ speed }) =>
-        `Ein gehobener Fuß darf sich bewegen, auch mit ${speed} cm/s. Sieh dort nach, wo er steht: im Grauen.`,
+        `Ein gehobener Fuß darf sich bewegen, auch mit ${speed} cm/s. Sieh dort nach, wo er steht: wo es grau ist.`,
       no: ({ speed }) => `Hier rutscht er mit ${speed} cm/s. Anderswo ist er schneller.`,
       hints: [
-        "Nur die Geschwindigkeit eines stehenden Fußes zählt: Sieh in die grauen Abschnitte.",
-        "Sieh auf die Ränder der grauen Abschnitte. Die Pfeiltasten bewegen den Abspielkopf, mit Umschalt um einzelne Bilder.",
+        "Nur die Geschwindigkeit eines stehenden Fußes zählt: Sieh dir die grauen Abschnitte an.",
+        "Sieh dir die Ränder der grauen Abschnitte an. Die Pfeiltasten bewegen den Zeiger, mit Umschalt um einzelne Bilder.",
       ],
     },
     B: {
       task: "Zieh den Knöchel, bis das Knie um 60° gebeugt ist, auf 1° genau.",
       pass: ({ d, bend }) => `Ja: Bei d ${d} m ist das Knie um ${bend}° gebeugt.`,
       near: {
-        more: ({ bend }) => `Knapp: ${bend}°. Beug es etwas mehr.`,
-        less: ({ bend }) => `Knapp: ${bend}°. Beug es etwas weniger.`,
+        more: ({ bend }) => `Knapp: ${bend}°. Beuge es etwas mehr.`,
+        less: ({ bend }) => `Knapp: ${bend}°. Beuge es etwas weniger.`,
       },
       refuse: ({ gamma, bend }) =>
         `γ ist ${gamma}°, der Winkel zwischen den Knochen. Ein gestrecktes Bein hat γ 180°: Dieses Knie ist um ${bend}° gebeugt.`,

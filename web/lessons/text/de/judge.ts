@@ -2,8 +2,8 @@ import type { LessonText } from "../text";
 
 export const judge: LessonText = {
   idea: [
-    "Wie gut ist ein Verfahren, das einen alten Gang vorhersagt? Nimm eine Aufführung aus der Datenbank, lass das Verfahren sie aus einem neutralen Gang vorhersagen und vergleiche mit dem, was wirklich aufgeführt wurde. Das heißt Zurückhalten.",
-    "Keine zwei Aufführungen sind gleich, auch nicht von derselben Person. Also weicht auch eine andere echte Aufnahme desselben Stils ab: der senkrechte Strich. Ein Fehler darunter ist so gut wie ein zweiter Versuch.",
+    "Wie gut ist ein Verfahren, das einen alten Gang vorhersagt? Nimm eine Aufnahme aus der Datenbank, lass das Verfahren sie aus einem neutralen Gang vorhersagen und vergleiche mit dem, was wirklich aufgenommen wurde. Das heißt Zurückhalten.",
+    "Keine zwei Aufnahmen sind gleich, auch nicht von derselben Person. Also weicht auch eine andere echte Aufnahme desselben Stils ab: der senkrechte Strich. Ein Fehler darunter ist so gut wie ein zweiter Versuch.",
     "Hier wird die Aufnahme „walk-pace“ in jedem Stil zurückgehalten. Ein mittlerer Fehler ist aber nur eine Zahl, und in dieser Lektion geht es darum, was sie verbirgt.",
   ],
   bet: {
@@ -15,13 +15,13 @@ export const judge: LessonText = {
       much: "Um mehr als 1 mm",
     },
     reveal: ({ knn, mar, difference, other }) =>
-      `KNN irrt um ${knn} mm und MAR um ${mar} mm: ${difference} mm Unterschied. Eine andere echte Aufnahme irrt um ${other} mm. Beide sind also so gut wie ein zweiter Versuch, und der Fehler kann sie auf diesen Daten nicht unterscheiden.`,
+      `KNN liegt um ${knn} mm daneben und MAR um ${mar} mm: ${difference} mm Unterschied. Selbst die beste andere echte Aufnahme liegt um ${other} mm daneben. Beide sind also so gut wie ein zweiter Versuch, und der Fehler kann sie auf diesen Daten nicht unterscheiden.`,
   },
   look: [
-    "Die Tabelle hat [e: den mittleren Fehler ē] jedes Verfahrens, über F Bilder und J Gelenke: alle außer der Hüfte, an der die Körper übereinandergelegt werden. Sie sagt auch, wie [acceleration: rau] die Bewegung ist, als Beschleunigung im Verhältnis zur Eingabe, und wie viel vom schnellen [content: Inhalt] der Eingabe bleibt. Eine Spalte allein kann täuschen: GAR ist am glattesten und liegt am weitesten daneben.",
-    "Die Kurven sind [p: der Fehler] zweier Verfahren über der Zeit, der Abstand der vorhergesagten Gelenke p̂ von den aufgeführten p. Die Fläche dazwischen hat die Farbe des besseren. Das Mittel sagt, dass eines vorn liegt, die Kurve sagt, [i: wann].",
+    "Die Tabelle hat [e: den mittleren Fehler ē] jedes Verfahrens, über F Bilder und J Gelenke: alle außer der Hüfte, an der die Körper übereinandergelegt werden. Sie sagt auch, wie [acceleration: rau] die Bewegung ist, als Beschleunigung im Verhältnis zur Eingabe, und wie viel [content: Inhalt] bleibt: die Korrelation r der schnellen Bewegungen von Eingabe und Ausgabe. Eine Spalte allein kann täuschen: GAR, eine Gerade für alles, ist am glattesten und liegt am weitesten daneben.",
+    "Die Kurven sind [p: der Fehler] zweier Verfahren über der Zeit, der Abstand der vorhergesagten Gelenke p̂ von den aufgenommenen p. Die Fläche dazwischen hat die Farbe des besseren. Das Mittel sagt, dass eines vorn liegt, die Kurve sagt, [i: wann].",
     "KNN antwortet mit dem Mittel ȳ der Nachbarn. Die Antwort ŷ der Geraden weicht davon um Steigung mal Abstand ab: β sind die Steigungen, u ist die Eingabe und ū das Mittel der Eingaben der Nachbarn. Das Histogramm zählt [u: diesen Unterschied] über die ganze Aufnahme.",
-    "Eine Auswertung ist nur ehrlich, wenn die Antwort nicht in der Datenbank war. Lass die Aufnahme drin, und NN findet die Antwort dort.",
+    "Eine Auswertung ist nur ehrlich, wenn die Antwort nicht in der Datenbank war. Lass die Aufnahme drin, und NN, das mit dem nächsten Bild antwortet, findet die Antwort dort.",
   ],
   symbols: {
     e: { symbol: "ē", name: "mittlerer Fehler des gewählten Verfahrens" },
@@ -50,8 +50,8 @@ export const judge: LessonText = {
       no: ({ pick, pickGain, rival, rivalGain }) =>
         `An den Marken liegt ${pick} um ${pickGain} mm vorn und ${rival} um ${rivalGain} mm: Das reicht nicht für beide.`,
       hints: [
-        "Ein Fehler ist ein Abstand: Die tiefere Kurve ist besser. Wer vorn liegt, wechselt oft in einem Schritt.",
-        "Suche Flächen in der Farbe der Kurve von KNN, zieh den Abspielkopf dorthin, dann nimm Umschalt und die Pfeiltasten.",
+        "Ein Fehler ist ein Abstand: Die tiefere Kurve ist besser. Wer vorn liegt, wechselt in einem Schritt mehrmals.",
+        "Suche Flächen in der Farbe der Kurve von KNN, zieh den Zeiger dorthin, dann nimm Umschalt und die Pfeiltasten.",
       ],
     },
     B: {
@@ -61,28 +61,28 @@ export const judge: LessonText = {
       near: {
         other: () => "Bleib bei walk-pace im Stil „alt“.",
         leave: () => "Lass die Aufnahme erst drin und lies, was aus NN wird.",
-        tick: ({ in: left }) => `NN irrt jetzt um ${left} mm. Wähle die Zahl, die du veröffentlichen würdest.`,
+        tick: ({ in: left }) => `NN liegt jetzt um ${left} mm daneben. Wähle die Zahl, die du veröffentlichen würdest.`,
       },
       refuse: ({ in: left }) => `Es hatte die Antwort gesehen. ${left} mm ist nachgeschlagen und nicht vorhergesagt.`,
-      no: () => "NN sollte um weniger als 1 mm irren: Wähle seine Aufnahme.",
+      no: () => "NN sollte um weniger als 1 mm danebenliegen: Wähle seine Aufnahme.",
       hints: [
-        "Von welcher Bewegung willst du wissen, wie gut sie vorhergesagt wird: von einer, die in der Datenbank steht?",
-        "Schalte „Drin lassen“ ein und vergleiche die Zeile von NN mit der von MAR: Wer gewinnt am meisten, wenn es die Antwort gesehen hat?",
+        "Welche Bewegung willst du vorhersagen: eine, die schon in der Datenbank steht?",
+        "Schalte „Drin lassen“ ein und vergleiche die Zeile von NN mit der von MAR: Welches Verfahren gewinnt am meisten, wenn es die Antwort gesehen hat?",
       ],
     },
     C: {
-      task: "Nun Bewegungen anderer Sammlungen, zu denen niemand die Stile aufgeführt hat. Wähle das Verfahren, dessen Beschleunigung der der Eingabe am nächsten ist, unter denen, die einen Inhalt von mindestens 0,8 behalten.",
+      task: "Nun Bewegungen anderer Sammlungen, die niemand in den Stilen aufgeführt hat. Wähle das Verfahren, dessen Beschleunigung der der Eingabe am nächsten ist, unter denen, die einen Inhalt von mindestens 0,8 behalten.",
       pass: ({ pick, acceleration, content }) =>
-        `Ja: ${pick}, mit Beschleunigung ${acceleration} × und Inhalt ${content}. Innerhalb lagen die Mittel gleichauf; hier sind die Verfahren weit auseinander.`,
+        `Ja: ${pick}, mit Beschleunigung ${acceleration} × und Inhalt ${content}: Von denen hier hat nur dieses den Bias aus Lektion 7. Beim aufgezeichneten Gehen lagen die Fehler gleichauf; hier sind die Verfahren weit auseinander.`,
       near: {
         other: () => "Wähle „andere Sammlungen“ als Quelle der Zahlen.",
         unmeasured: ({ pick }) => `${pick} wurde dort nicht gemessen. Wähle eines mit Zahlen.`,
       },
       refuse: ({ pick, content, acceleration }) =>
-        `${pick} behält nur ${content} des Inhalts, bei ${acceleration} × Beschleunigung: Die Bewegung zittert und ist eine andere.`,
+        `${pick} behält nur ${content} des Inhalts, bei ${acceleration} × Beschleunigung: Die Bewegung zittert und folgt der Eingabe nicht mehr.`,
       no: ({ pick, acceleration }) => `${pick} hat Beschleunigung ${acceleration} ×. Es gibt ein glatteres.`,
       hints: [
-        "Ohne Aufführung gibt es keinen Fehler. Sieh auf das Zittern: 1 × ist so glatt wie die Eingabe.",
+        "Ohne Aufführung im Stil gibt es keinen Fehler. Achte auf das Zittern: 1 × ist so glatt wie die Eingabe.",
         "Die Linie in der Spalte der Beschleunigung steht bei 1 ×, die gepunktete in der des Inhalts bei 0,8. Welches Verfahren reicht über diese hinaus?",
       ],
     },

@@ -37,11 +37,10 @@ export const line: LessonText = {
   why: "Warum darf die Engine eine Gerade anpassen, obwohl sich ein Knie nicht auf einer Geraden bewegt?",
   exercises: {
     A: {
-      task: "Zwölf Punkte, alle gleich schwer, mit 4° Rauschen. Finde ein λ, dessen Vorhersage des ganzen Gangs so gut ist wie möglich: höchstens 1 % über dem kleinsten Fehler.",
+      task: "Zwölf Punkte, alle mit gleichem Gewicht, mit 4° Rauschen. Sag den ganzen Gang vorher und vergleiche ihn mit dem aufgenommenen alten Gang: Finde ein λ, dessen Fehler höchstens 1 % über dem kleinsten liegt.",
       pass: ({ error, lambda }) => `Ja: λ ${lambda} ergibt ${error}°, und kein λ ist um mehr als 1 % besser.`,
       near: {
-        other: () =>
-          "Bleib beim Knie des alten Gangs, bei K 12, ν 4 und gleich schweren Punkten: Nur λ soll sich ändern.",
+        other: () => "Bleib beim Knie des alten Gangs, bei K 12, ν 4 und gleichen Gewichten: Nur λ soll sich ändern.",
         more: ({ error, leastError }) => `Knapp: ${error}°, am wenigsten sind ${leastError}°. Etwas mehr λ.`,
         less: ({ error, leastError }) => `Knapp: ${error}°, am wenigsten sind ${leastError}°. Etwas weniger λ.`,
       },
@@ -52,12 +51,12 @@ export const line: LessonText = {
           ? `Nur das Mittel ist übrig, und die Pose der Eingabe zählt nicht mehr: ${error}°, wo ${leastError}° möglich sind.`
           : `Zu viel λ: Die Gerade ist flacher als ihre Punkte. ${error}°, wo ${leastError}° möglich sind.`,
       hints: [
-        "Ein kleines λ glaubt dem Rauschen, ein großes glaubt nichts. Das beste liegt dazwischen.",
+        "Mit kleinem λ folgt die Gerade dem Rauschen, mit großem beachtet sie die Eingabe nicht. Das beste liegt dazwischen.",
         "Achte auf die Gerade, während du an λ drehst: Sie soll weder steil sein noch waagrecht.",
       ],
     },
     B: {
-      task: "Ohne Rauschen, mit 40 Nachbarn: Welches ist das kleinste λ, bei dem die Vorhersage höchstens 0,1° vom Mittel der Nachbarn abweicht? Um die Hälfte zu viel zählt noch.",
+      task: "Ohne Rauschen, mit 40 Nachbarn: Welches ist das kleinste λ, bei dem die Vorhersage höchstens 0,1° vom Mittel der Nachbarn abweicht? Bis zum 1,5-Fachen davon zählt noch.",
       pass: ({ lambda, above }) => `Ja: Bei λ ${lambda} liegt die Vorhersage ${above}° vom Mittel.`,
       near: {
         other: () =>
@@ -83,7 +82,7 @@ export const line: LessonText = {
           `Knapp: ${above}°. Suche einen Augenblick, in dem die Punkte steiler steigen oder fallen.`,
       },
       refuse: ({ above }) =>
-        `Nur das Mittel ist übrig: ${above}°. Eine steile Gerade muss billig sein und braucht mehr als einen Punkt.`,
+        `Nur das Mittel ist übrig: ${above}°. Eine steile Gerade braucht ein kleines λ und mehr als ein, zwei Punkte.`,
       no: ({ above }) => `${above}° vom Mittel. In anderen Augenblicken ist es mehr.`,
       hints: [
         "Weit vom Mittel heißt: eine steile Gerade, und eine Eingabe weit auf einer Seite ihrer Nachbarn.",

@@ -2,13 +2,13 @@ import type { LessonText } from "../text";
 
 export const map: LessonText = {
   idea: [
-    "Zwei Zahlen, eine ganze Pose: wie weit die Füße längs des Wegs auseinander sind, und in der Höhe. Zieh den Punkt, und der Körper folgt.",
-    "Dahinter sind mehrere lineare Abbildungen von den beiden Zahlen auf die Pose. Jede kennt ein Gebiet von Stilen, und wo Gebiete sich treffen, teilen sie sich die Antwort.",
+    "Zwei Zahlen, die Stilvariablen, ergeben eine ganze Pose: Sie sagen, wie weit die Füße längs des Wegs auseinander sind, und in der Höhe. Zieh den Punkt, und der Körper folgt.",
+    "Dahinter sind mehrere lineare Abbildungen von den beiden Zahlen auf die Pose. Jede kennt ein Gebiet der Ebene, und wo Gebiete sich treffen, teilen sich die Abbildungen die Antwort.",
     "Sie organisieren sich selbst: Jedes aufgenommene Bild zieht an den Abbildungen, die ihm nah sind, erst an vielen zugleich, dann an immer weniger. Ein solcher Zug ist ein Lernschritt.",
   ],
   bet: {
     question:
-      "Ein Lernschritt bewegt eine Abbildung auf die Stichprobe zu. Der Artikel druckt die Formel mit einem Minus, also bewegt sie sich von ihr weg. Was geschieht, wenn du dem Druck folgst?",
+      "Ein Lernschritt bewegt eine Abbildung auf die Stichprobe zu, ein aufgenommenes Bild. Der Artikel druckt die Formel mit einem Minus, das sie davon wegbewegt. Was geschieht, wenn du wie gedruckt rechnest?",
     options: {
       same: "Es lernt genauso gut",
       slower: "Es lernt langsamer",
@@ -18,9 +18,9 @@ export const map: LessonText = {
       `Nach ${updates} Schritten ist der Fehler ${right}° mit dem richtigen Vorzeichen und ${printed}° wie gedruckt. Jeder Schritt führt von der Stichprobe weg, und je größer der Abstand, desto länger der nächste Schritt.`,
   },
   look: [
-    "Die Punkte sind aufgenommene Bilder, angeordnet nach ihren Stilvariablen. Jede Ellipse ist, was eine Komponente kennt: mᵢ ist ihre Mitte, Sᵢ ihre Streuung, und sie ist dunkler, wo ihr [a: Anteil a] größer ist. Mach einen Lernschritt: Der Ring ist [x: die Stichprobe x], und die Balken sind, [r: wie viel davon, r,] jede Komponente nimmt.",
-    "Die Abbildung Zᵢ macht aus v, den beiden Variablen und einer 1, eine Pose. Der feste Körper ist die Pose der Stichprobe, die Schattenfigur [Z: die Vorhersage Zv]. Ein Lernschritt bewegt Zv um δ r des Wegs auf x zu; δ ist die [delta: Lernrate]. Die Striche zeigen, wie weit er die Mitten bewegt hat.",
-    "Der gestrichelte Ring steht für die [sigma: Breite σ] der Nachbarschaft: Eine Komponente, deren Vorhersage weiter als σ von der Stichprobe ist, nimmt wenig von ihr. Von Durchgang zu Durchgang wird σ enger und δ kleiner, sodass am Ende nur noch die Siegerin lernt. Die Kurve ist der [E: Fehler] des Modells nach jedem Durchgang. Drück auf Abspielen, und versuch auch das Vorzeichen wie gedruckt.",
+    "Die Punkte sind aufgenommene Bilder, angeordnet nach ihren Stilvariablen. Jede Ellipse ist das Gebiet einer Komponente, einer Abbildung Zᵢ: mᵢ ist ihre Mitte, Sᵢ ihre Streuung. Je dunkler sie ist, desto größer ihr [a: Anteil a] an allen Stichproben. Mach einen Lernschritt: Der Ring ist [x: die Stichprobe x], und die Balken sind, [r: wie viel davon, r,] jede Komponente nimmt.",
+    "Die Abbildung Zᵢ macht aus v, den beiden Variablen und einer 1, eine Pose. Die undurchsichtige Figur ist die Pose der Stichprobe, die durchscheinende [Z: die Vorhersage Zv]. Ein Lernschritt bewegt Zv um δ r des Wegs auf x zu; δ ist die [delta: Lernrate]. Die Striche zeigen, wie weit er die Mitten bewegt hat.",
+    "Der gestrichelte Ring steht für die [sigma: Breite σ] der Nachbarschaft: Eine Komponente, deren Vorhersage weiter als σ von der Stichprobe ist, nimmt wenig von ihr. Von Durchgang zu Durchgang wird σ enger und δ kleiner, sodass am Ende nur noch die nächste Komponente lernt. Die Kurve ist der [E: Fehler] des Modells nach jedem Durchgang. Drück auf Abspielen, und versuch auch das Vorzeichen wie gedruckt.",
     "Zuletzt wird nach einer Pose gefragt: [u: Zieh u]. Alle Abbildungen antworten, mit [w: Gewichten w] danach, wie gut u zu ihren mᵢ und Sᵢ passt. Je höher die Temperatur [T: T], desto gleicher die Gewichte.",
   ],
   symbols: {
@@ -38,7 +38,7 @@ export const map: LessonText = {
   why: "Warum beginnt die Nachbarschaft breit? Denk an eine Abbildung, die nie eine Stichprobe bekommt, und an Nachbarn, die Verschiedenes lernen.",
   exercises: {
     A: {
-      task: "Wann hat es gelernt? Finde den ersten Durchgang, nach dem der Fehler höchstens das 1,05-Fache dessen nach dem letzten ist.",
+      task: "Wann hat das Modell gelernt? Finde den ersten Durchgang (durch alle Bilder), nach dem der Fehler höchstens das 1,05-Fache dessen nach dem letzten ist.",
       pass: ({ pass, learned, last }) =>
         `Ja: Durchgang ${pass}, ${learned}°, und ${last}° am Ende. Der Rest ist Feinschliff.`,
       near: {
@@ -59,11 +59,11 @@ export const map: LessonText = {
       pass: ({ temperature, change, shared }) =>
         `Ja: mit T ${temperature} ${change}° je Bild bei einem Fehler von ${shared}°.`,
       near: {
-        softer: ({ change }) => `Knapp: ${change}° je Bild. Etwas weicher.`,
-        harder: ({ shared }) => `Knapp: Der Fehler ist ${shared}°. Etwas härter.`,
+        softer: ({ change }) => `Knapp: ${change}° je Bild. Etwas mehr T.`,
+        harder: ({ shared }) => `Knapp: Der Fehler ist ${shared}°. Etwas weniger T.`,
       },
       refuse: ({ change }) =>
-        `Anteile, die auf einmal wechseln, lassen den Körper springen: ${change}° je Bild. Ein höheres T lässt Nachbarn teilen.`,
+        `Gewichte, die auf einmal wechseln, lassen den Körper springen: ${change}° je Bild. Mit höherem T teilen sich die Abbildungen die Pose.`,
       no: ({ change, shared }) => `${change}° je Bild, bei einem Fehler von ${shared}°.`,
       hints: [
         "Je höher T, desto weicher der Wechsel von Abbildung zu Abbildung, und desto weniger gilt jede einzelne.",
@@ -71,7 +71,7 @@ export const map: LessonText = {
       ],
     },
     C: {
-      task: "Mach den Zyklus aus höchstens 3 Schlüsselbildern, mit einem mittleren Fehler von höchstens 2°.",
+      task: "Ein Schlüsselbild legt die zwei Zahlen in einem Augenblick fest, eine glatte Kurve verbindet sie. Mach den Zyklus aus höchstens 3 Schlüsselbildern, mit einem mittleren Fehler von höchstens 2°.",
       pass: ({ count, keyed }) =>
         `Ja: ${count} Schlüsselbilder mit je zwei Zahlen, und ${keyed}° Fehler für einen ganzen Zyklus.`,
       near: {
@@ -91,6 +91,6 @@ export const map: LessonText = {
   },
   sources: [
     "Wang, Liu und Zhou, Key-styling: learning motion style for real-time synthesis of 3D animation, 2006. Gl. 7 und 8 drucken das umgekehrte Vorzeichen, und Gewichte nach Gebieten von Stilen (mᵢ, Sᵢ) gibt es dort nicht; `docs/methods/somn.md` sagt, warum beides geändert ist.",
-    "Lernschritte macht `rust/strut-core/src/somn/learning.rs`, Posen `rust/strut-core/src/somn/synthesis.rs`, und Zyklen aus Schlüsseln `rust/strut-core/src/somn/key_styling.rs`.",
+    "Lernschritte macht `rust/strut-core/src/somn/learning.rs`, Posen `rust/strut-core/src/somn/synthesis.rs`, und Zyklen aus Schlüsselbildern `rust/strut-core/src/somn/key_styling.rs`.",
   ],
 };

@@ -11,11 +11,11 @@ export const mix: LessonText = {
       "Die Breite δ sagt, wie langsam ein Gewicht mit dem Abstand fällt. Verdopple sie: Gewinnt oder verliert die stärkste Klasse?",
     options: { gains: "Sie gewinnt", loses: "Sie verliert", same: "Nichts ändert sich" },
     reveal: ({ before, after }) =>
-      `Ihr Gewicht geht von ${before} auf ${after}. Ein größeres δ verzeiht Abstand: Die Klassen dahinter holen auf, und weil alle Gewichte zusammen 1 sind, zahlt die stärkste.`,
+      `Ihr Gewicht geht von ${before} auf ${after}. Ein größeres δ verzeiht Abstand: Die Klassen dahinter holen auf, und weil alle Gewichte zusammen 1 sind, verliert die stärkste.`,
   },
   look: [
     "Die Flächen sind die [lambda: Gewichte λ] der Handlungen über der Zeit, alle Stile einer Handlung zusammen. Ihre Summe ist immer 1. Vor und nach den Sprüngen liest die Engine kurz einen Tritt: Dort steht die Eingabe still, wie man es vor einem Tritt tut.",
-    "Die Liste hat die nächsten Klassen am Zeiger. [D: D] ist der mittlere quadrierte Abstand der nächsten Beispiele einer Klasse, in cm²; der Balken daneben ist das Gewicht, das daraus wird. Das Zeichen ∝ heißt „proportional zu“: Am Ende werden alle Gewichte durch ihre Summe geteilt.",
+    "Die Liste zeigt die nächsten Klassen am Zeiger. [D: D] ist der mittlere quadrierte Abstand der nächsten Beispiele einer Klasse, in cm²; der Balken daneben ist das Gewicht, das daraus wird. Das Zeichen ∝ heißt „proportional zu“: Am Ende werden alle Gewichte durch ihre Summe geteilt.",
     "Die Kurve neben der Liste zeigt, wie das Gewicht mit dem Abstand fällt. Sie beginnt beim [min: kleinsten D], dem der nächsten Klasse. Über [delta: δ] mal min D fällt sie auf 1/e, etwa ein Drittel. Dreh an δ und beobachte die Klassen dahinter.",
     "Weil D durch min D geteilt wird, zählen nur Verhältnisse: Wären alle Abstände doppelt so groß, blieben die Gewichte gleich. Das gilt, solange die Datenbank die Pose kennt. Ist selbst die nächste Klasse mehrere Zentimeter entfernt, macht die Engine δ breiter; neben seinem Wert steht dann, wie breit es hier ist.",
     "Die zweite Zeile der Gleichung ist die Antwort, E(y): Jede Klasse j hat eine Gerade uᵀβ wie in Lektion 5, und deren Antworten werden mit diesen Gewichten gemittelt.",
@@ -70,7 +70,7 @@ export const mix: LessonText = {
         more: () => "Knapp. Es ist etwas mehr.",
         less: () => "Knapp. Es ist etwas weniger.",
       },
-      refuse: ({ guess }) => `Das ist exp(−D): ${guess}. Teile erst beide D durch die kleinste und durch δ.`,
+      refuse: ({ guess }) => `Das ist exp(−D): ${guess}. Teile erst beide D durch das kleinste und durch δ.`,
       no: ({ guess, first, second }) => `${guess} ist nicht das Gewicht zu ${first} und ${second} cm².`,
       hints: [
         "Teile zuerst durch das kleinste: Für die erste Klasse ist D / min D gleich 1.",

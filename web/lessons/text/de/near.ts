@@ -14,9 +14,9 @@ export const near: LessonText = {
   },
   look: [
     "Die undurchsichtige Figur ist die Anfrage, und p sind ihre Gelenke. Um sie stehen ihre 8 nächsten Beispiele; je näher eines ist, desto weniger durchsichtig. Die Gelenke p′ eines Beispiels bringt T, eine [theta: Drehung um θ] und eine Verschiebung um [x0: x₀] und [z0: z₀], dorthin, wo sie am besten passen.",
-    "Was bleibt, sind Unterschiede in der [y: Höhe] und [z: am Boden], gewichtet nach der [w: Größe jedes Gelenks]. Die acht sind so nah, dass sie sich hinter der Anfrage verstecken: Zieh ein Glied an seinem Ring, und sieh, wie sie sich trennen und [D: D] wächst.",
+    "Was bleibt, sind Unterschiede in der [y: Höhe] und [z: am Boden], gewichtet danach, [w: wie groß und sichtbar jeder Teil ist]. Die acht sind so nah, dass sie sich hinter der Anfrage verstecken: Zieh ein Glied an seinem Ring, und sieh, wie sie sich trennen und [D: D] wächst.",
     "Die zweite Zeile der Gleichung findet die beste Drehung und Verschiebung ohne Suche. Dabei sind y die Höhen und z die Orte am Boden als komplexe Zahlen, von denen ihr Mittel abgezogen ist, beide mit √w multipliziert. Eine Drehung multipliziert z′ mit einer Zahl der Länge 1, und die beste macht das Produkt ⟨z, z′⟩ reell und positiv.",
-    "Die Kurve ist [D: √D], ein Abstand in Millimetern, für jeden Moment der Klasse, die Punkte sind die [K: K nächsten]. Zieh jetzt den Ring am Boden: Die Anfrage bewegt sich, die Kurve nicht. Das Fenster hat [s: s Bilder] mit je 20 Gelenken.",
+    "Die Kurve ist [D: √D], ein Abstand in Millimetern, für jeden Moment einer Klasse (einer Handlung in einem Stil), die Punkte sind die [K: K nächsten]. Zieh jetzt den Ring am Boden: Die Anfrage bewegt sich, die Kurve nicht. Das Fenster hat [s: s Bilder] mit je 20 Gelenken.",
   ],
   symbols: {
     D: { symbol: "D", name: "mittlerer quadrierter Abstand; √D₁" },
@@ -32,7 +32,7 @@ export const near: LessonText = {
   why: "Der Abstand beachtet nicht, wo jemand ist und wohin er sich wendet. Die Höhe beachtet er. Warum, und bei welchen Bewegungen ist das wichtig?",
   exercises: {
     A: {
-      task: "Wie viele Nachbarn sind höchstens doppelt so weit wie der nächste? Stell K so ein, dass √D des letzten höchstens 2 √D₁ ist und einer mehr darüber läge.",
+      task: "Wie viele Nachbarn sind höchstens doppelt so weit entfernt wie der nächste? Stell K so ein, dass √D des letzten höchstens 2 √D₁ ist und ein weiterer darüber läge.",
       pass: ({ K, last, first }) => `Ja: Nummer ${K} ist ${last} mm entfernt, und 2 √D₁ ist zweimal ${first} mm.`,
       near: {
         other: () =>
@@ -66,7 +66,7 @@ export const near: LessonText = {
       ],
     },
     C: {
-      task: "Kehr die Zeit um: Der Gehende geht rückwärts. Welches ist das kürzeste Fenster, in dem das nächste Beispiel mindestens 4-mal so weit ist wie mit der Zeit vorwärts?",
+      task: "Kehr die Zeit um: Der Gehende geht rückwärts. Welches ist das kürzeste Fenster, in dem das nächste Beispiel mindestens 4-mal so weit entfernt ist wie mit der Zeit vorwärts?",
       pass: ({ window }) =>
         `Ja: ${window} Bilder zeigen eine Richtung, darum ist Rückwärtsgehen weit vom Vorwärtsgehen entfernt.`,
       near: {
@@ -79,7 +79,7 @@ export const near: LessonText = {
       no: ({ window }) => `${window} Bilder unterscheiden die beiden nicht.`,
       hints: [
         "Wie viele Bilder brauchst du, um zu sehen, wohin sich jemand bewegt?",
-        "Schalte „Zeit umkehren“ für jedes s ein und aus, und vergleich √D₁.",
+        "Schalte „Zeit umkehren“ für jedes s ein und aus, und vergleiche √D₁.",
       ],
     },
   },

@@ -3,8 +3,8 @@ import type { LessonText } from "../text";
 export const pose: LessonText = {
   idea: [
     "Um eine Pose vorherzusagen, musst du sie als Zahlen schreiben. Jedes Gelenk ist eine Drehung gegenüber dem Gelenk, an dem es hängt, und eine Drehung ist eine Achse und ein Winkel.",
-    "Multiplizier die Achse, einen Vektor der Länge 1, mit dem Winkel, und du hast drei Zahlen. Sie werden von der mittleren Drehung des Gelenks aus gemessen: Gelenke drehen sich selten weit von ihrem Mittel weg, also bleiben die Zahlen klein.",
-    "Zwanzig Gelenke und die Neigung der Hüfte ergeben 21 · 3 = 63 Zahlen. Vier weitere sagen, wie hoch die Hüfte ist und wie schnell der Gehende sich bewegt und dreht.",
+    "Multipliziere die Achse, einen Vektor der Länge 1, mit dem Winkel, und du hast drei Zahlen. Sie werden von der mittleren Drehung des Gelenks aus gemessen: Gelenke drehen sich selten weit von ihrem Mittel weg, also bleiben die Zahlen klein.",
+    "Zwanzig Gelenke und die Neigung der Hüfte ergeben 21 · 3 = 63 Zahlen. Vier weitere sagen, wie hoch die Hüfte ist und wie schnell der Gehende sich bewegt und dreht. Jede dieser Zahlen heißt Freiheitsgrad.",
   ],
   bet: {
     question: "Dreh den Gehenden um 90°. Wie viele der 67 Zahlen seiner Pose ändern sich?",
@@ -23,15 +23,15 @@ export const pose: LessonText = {
     mean: { symbol: "R̄ⱼ", name: "mittlere Drehung des Gelenks; Winkel" },
     R: { symbol: "Rⱼ", name: "Drehung des Gelenks; Winkel" },
     h: { symbol: "h", name: "Höhe der Hüfte" },
-    v: { symbol: "v", name: "Tempo nach links und nach vorn" },
+    v: { symbol: "v", name: "Geschwindigkeit nach links und vorwärts" },
     psi: { symbol: "ψ̇", name: "wie schnell sich die Richtung dreht" },
   },
   why: "Winkel von 179° und −179° sind fast dieselbe Drehung, aber als Zahlen weit auseinander. Warum ist das schlecht für eine Vorhersage, wenn sich ein Gelenk dort bewegt, und wie hilft das Mittel?",
   exercises: {
     A: {
-      task: "Jedes Skelett legt die Richtungen der eigenen Achsen eines Gelenks frei fest. Dreh die des linken Oberschenkels um φ, bis log R, das ohne das Mittel gelesen wird, von einem Bild zum nächsten um mehr als 1,5 rad springt.",
+      task: "Jedes Skelett legt die Richtungen der eigenen Achsen eines Gelenks frei fest. Dreh die Achsen des linken Oberschenkels um φ, bis log R, ohne das Mittel berechnet, von einem Bild zum nächsten um mehr als 1,5 rad (86°) springt.",
       pass: ({ phi, rawJump, jump }) =>
-        `Ja: Bei φ ${phi}° springt log R um ${rawJump} rad, w nie um mehr als ${jump} rad. Die Achsen drehen R und R̄ gleich, also hängt w nicht von ihnen ab.`,
+        `Ja: Bei φ ${phi}° springt log R um ${rawJump} rad, w nie um mehr als ${jump} rad. φ dreht R und R̄ gleich, also bleibt der Winkel zwischen ihnen derselbe.`,
       near: {
         other: () =>
           "Lies den linken Oberschenkel beim neutralen Gehen, ohne gebeugtes Glied und ohne den Gehenden zu drehen.",
@@ -50,8 +50,8 @@ export const pose: LessonText = {
       near: {
         other: () =>
           "Lies den linken Unterschenkel beim neutralen Gehen, in dem Augenblick, in dem die Aufgabe begann.",
-        bend: ({ angle }) => `Knapp: ${angle}°. Beug es etwas mehr.`,
-        stretch: ({ angle }) => `Knapp: ${angle}°. Streck es etwas.`,
+        bend: ({ angle }) => `Knapp: ${angle}°. Beuge es etwas mehr.`,
+        stretch: ({ angle }) => `Knapp: ${angle}°. Strecke es etwas.`,
         aside: ({ angle }) => `Knapp: ${angle}°. Es ist zur Seite gedreht: Bring w y und w z auf 0.`,
       },
       refuse: ({ angle }) =>

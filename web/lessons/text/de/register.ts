@@ -2,22 +2,22 @@ import type { LessonText } from "../text";
 
 export const register: LessonText = {
   idea: [
-    "Zwei Menschen machen denselben Schritt, der eine in 1,1 s, der andere in 1,5 s. Um sie zu vergleichen, musst du wissen, welche Augenblicke einander entsprechen.",
+    "Zwei Menschen machen denselben Schritt (hier: links und rechts, bis die linke Ferse wieder aufsetzt), der eine in 1,1 s, der andere in 1,5 s. Um sie zu vergleichen, musst du wissen, welche Augenblicke einander entsprechen.",
     "Eine solche Entsprechung ist ein Pfad: Zu jedem Augenblick des einen Schritts nennt er einen des anderen. Wo der Pfad steil ist, braucht der andere für denselben Teil des Schritts länger.",
     "Üblich ist, jedem Paar von Bildern Kosten zu geben, kleine, wenn sie sich gleichen, und den Pfad mit den kleinsten Gesamtkosten zu wählen. Das heißt Dynamic Time Warping, DTW.",
   ],
   bet: {
     question:
-      "Je dunkler eine Stelle im Bild, desto weniger gleichen sich die beiden Posen. Ein Pfad, DTW, läuft mit den kleinsten Kosten durch die Täler; der andere ist gerade. Welcher ist näher an der Wahrheit?",
+      "Je dunkler eine Stelle im Bild, desto weniger gleichen sich die beiden Posen. Ein Pfad, DTW, läuft mit den kleinsten Kosten durch die hellen Täler; der andere ist gerade. Welcher ist näher an der Wahrheit?",
     options: { true: "Der billigste Pfad", straight: "Die Gerade" },
     reveal: ({ dtw, linear }) =>
-      `Der billigste Pfad liegt im Mittel um ${dtw} ms daneben, die Gerade um ${linear} ms. Wer alt geht, kann mitten im Schritt einem neutral Gehenden zu einer anderen Zeit gleichen, und DTW paart, was sich gleicht. Die Wahrheit ist hier bekannt, denn diese Schritte wurden nach einem Drehbuch erzeugt.`,
+      `Der billigste Pfad liegt im Mittel um ${dtw} ms daneben, die Gerade um ${linear} ms. Eine alte Figur kann mitten im Schritt aussehen wie eine neutrale zu einer anderen Zeit, und DTW paart, was sich gleicht. Die Wahrheit ist hier bekannt, denn ein Programm hat beide Schritte erzeugt.`,
   },
   look: [
     "Nach rechts läuft der neutrale Schritt, nach oben der alte. Die Schattierung sind die [c: Kosten c] eines Paars von Bildern: der quadrierte Abstand ihrer Merkmale, nämlich Orte und Geschwindigkeiten der Gelenke, und welche Füße stehen. Der [tau: Punkt τ] ist das Paar am Zeiger; seine beiden Gehenden stehen darunter.",
     "Cᵢⱼ sind die kleinsten Kosten eines Pfads vom Anfang bis zum Paar i, j. Sein letztes Stück rückt in beiden Schritten um ein Bild vor, oder in einem um [s: s] Bilder und im anderen um eines, mit s höchstens 3. Also ist ein Pfad nirgends schneller als drei zu eins: die zwei dünnen Linien durch den Punkt.",
     "Iterative Motion Warping, IMW, erlaubt, dass sich die Merkmale a des neutralen Schritts von den Merkmalen b des anderen um einen [alpha: Faktor α] und einen [beta: Versatz β] unterscheiden. Ein Unterschied im Stil muss dann nicht durch verzogene Zeit erklärt werden. IMW minimiert E: D ist der Unterschied aufeinanderfolgender Bilder, also lässt der Term mit λ = 225 α und β sich nur langsam ändern, und der mit μ = 0,1 hält sie nahe bei 1 und 0.",
-    "Die Balken außerhalb des Bildes sind Füße, die stehen: oben die des neutral Gehenden, rechts die des anderen.",
+    "Die Balken außerhalb des Bildes zeigen, wann jeder Fuß steht: oben die des neutral Gehenden, rechts die des anderen.",
   ],
   symbols: {
     c: { symbol: "c", name: "Kosten des Paars am Zeiger" },
@@ -42,9 +42,9 @@ export const register: LessonText = {
       refuse: ({ cost, off }) =>
         `Dein Pfad ist nur ${off} ms von der Wahrheit entfernt, kostet aber das ${cost}-Fache von DTW. Hier geht es nur um Kosten.`,
       no: ({ cost, dearFrom, dearTo }) =>
-        `Das ${cost}-Fache der Kosten von DTW. Am meisten geht von ${dearFrom} bis ${dearTo} ms verloren.`,
+        `Das ${cost}-Fache der Kosten von DTW. Die meisten Mehrkosten entstehen von ${dearFrom} bis ${dearTo} ms.`,
       hints: [
-        "Folg dem hellen Tal. Es knickt, wo ein Fuß aufsetzt oder abhebt, an den Enden der Balken.",
+        "Folge dem hellen Tal. Es knickt, wo ein Fuß aufsetzt oder abhebt, an den Enden der Balken.",
         "Setz deine drei Punkte auf den Pfad von DTW, wo er knickt. Dann verschieb einen nach dem anderen mit den Pfeiltasten.",
       ],
     },
@@ -61,7 +61,7 @@ export const register: LessonText = {
         `Bei ${time} ms stehen auch bei DTW verschiedene Füße: Es paart, was sich gleicht, selbst wenn andere Füße stehen.`,
       no: ({ time }) => `Bei ${time} ms stehen schon beim linearen Pfad dieselben Füße.`,
       hints: [
-        "Die Balken außen sind Füße, die stehen. Sieh nach, wo einer endet.",
+        "Die Balken außen zeigen, wann jeder Fuß steht. Sieh nach, wo einer endet.",
         "Lies an jedem Ende eines Balkens die Zeile unter den Gehenden: einmal mit dem linearen Pfad, einmal mit DTW.",
       ],
     },

@@ -8,10 +8,10 @@ export const style: LessonText = {
   ],
   bet: {
     question:
-      "Du kannst die beiden nach der Uhr paaren, Sekunde mit Sekunde, oder nach dem Schritt, Auftritt mit Auftritt. Welche Paarung zeigt mehr Unterschied zwischen den Posen?",
+      "Du kannst die beiden nach der Uhr paaren, Sekunde mit Sekunde, oder nach dem Schritt, Aufsetzen mit Aufsetzen. Welche Paarung zeigt mehr Unterschied zwischen den Posen?",
     options: { second: "Die gleiche Sekunde", content: "Der gleiche Inhalt" },
     reveal: ({ second, content }) =>
-      `Im Mittel unterscheiden sich die Posen in der gleichen Sekunde um ${second} cm, bei gleichem Inhalt um ${content} cm. Der alte Gang ist langsamer: Nach einigen Sekunden steht die eine Figur auf dem linken Fuß, die andere auf dem rechten. Das ist Tempo, und die Uhr zählt es als Pose.`,
+      `Im Mittel unterscheiden sich die Posen in der gleichen Sekunde um ${second} cm, bei gleichem Inhalt um ${content} cm. Der alte Gang ist langsamer: Nach einigen Sekunden steht die eine Figur auf dem linken Fuß, die andere auf dem rechten. Das ist ein Unterschied im Tempo, aber nach der Uhr zählt er als Unterschied der Pose.`,
   },
   look: [
     "Miss in jedem Augenblick i, wie weit jedes Gelenk der einen Figur vom selben Gelenk der anderen entfernt ist. Ort und Richtung des Gehens werden vorher abgezogen. Das Mittel über die [J: J Gelenke] ist der [e: Unterschied e], in Zentimetern.",
@@ -44,7 +44,7 @@ export const style: LessonText = {
       ],
     },
     B: {
-      task: "Finde im stolzen Gang einen Augenblick, in dem die gleiche Sekunde mindestens das Vierfache des gleichen Inhalts zeigt.",
+      task: "Finde im stolzen Gang einen Augenblick, in dem der Unterschied in der gleichen Sekunde mindestens viermal so groß ist wie bei gleichem Inhalt.",
       pass: ({ secs, second, content }) => `Ja: Bei ${secs} s sind es ${second} cm gegen ${content} cm.`,
       near: {
         other: () => "Zeig den Stil „stolz“ für das neutrale Gehen, und das Mittel aller Gelenke.",
@@ -52,11 +52,11 @@ export const style: LessonText = {
         earlier: ({ second, content }) => `Knapp: ${second} cm gegen ${content} cm. Geh etwas früher.`,
       },
       refuse: () =>
-        "Hier gehen beide im Gleichschritt: Die gleiche Sekunde ist der gleiche Inhalt. Such eine Stelle außer Tritt.",
+        "Hier gehen beide im Gleichschritt: Die gleiche Sekunde ist der gleiche Inhalt. Such eine Stelle, an der sie es nicht tun.",
       no: ({ secs, second, content }) =>
         `Bei ${secs} s sind es ${second} cm gegen ${content} cm. Such einen größeren Abstand.`,
       hints: [
-        "Der stolze Gang ist langsamer und bleibt zurück. Nach einer Weile fehlt ihm ein halber Zyklus, später ein ganzer.",
+        "Der stolze Gang ist langsamer und bleibt zurück. Ist er einen Schritt zurück, steht er auf dem anderen Fuß; bei zwei Schritten gehen beide wieder im Gleichschritt.",
         "Achte auf die Beine: Wo die eine Figur den linken Fuß vorn hat und die andere den rechten, ist der Abstand am größten.",
       ],
     },
@@ -73,7 +73,7 @@ export const style: LessonText = {
         `Die Beine bewegen sich in jedem Gang am meisten, darum liegen sie nach der Uhr weit auseinander: ${joint} um ${jointMeanSecond} cm. Das ist Tempo. In gleichen Augenblicken sind es ${jointMean} cm.`,
       no: ({ joint, jointMean }) => `${joint}: im Mittel ${jointMean} cm. Ein anderes Gelenk verschiebt sich mehr.`,
       hints: [
-        "Ein alter Mensch geht in der Hüfte gebeugt. Je weiter ein Gelenk von ihr entfernt ist, desto mehr verschiebt es sich.",
+        "Ein alter Mensch geht in der Hüfte gebeugt. Je höher ein Gelenk über ihr liegt, desto mehr verschiebt es sich.",
         "Stell *gleicher Inhalt* ein und such den größten Punkt am Körper.",
       ],
     },

@@ -3,7 +3,7 @@ import type { LessonText } from "../text";
 export const time: LessonText = {
   idea: [
     "Ein Stil ist nicht nur, wie sich jemand bewegt, sondern auch, wie schnell. Der alte Mensch braucht für dieselben Schritte länger und liegt nach ein paar Sekunden Schritte zurück.",
-    "Darum sagt die Engine für jedes Bild zweierlei vorher: eine Pose, und wie lange sie dauert. Beides sagen die Nachbarn.",
+    "Darum sagt die Engine für jedes Bild zweierlei vorher: eine Pose, und wie lange sie dauert. Beides sagen seine Nachbarn, die nächsten Beispiele.",
     "Mischst du zwei Stile, werden Posen und Dauern gleich gemischt. Kannst du das Tempo ausrechnen, bevor du die Schritte siehst?",
   ],
   bet: {
@@ -39,7 +39,7 @@ export const time: LessonText = {
       no: ({ length, input }) => `Länge jetzt ${length} s, für ${input} s Eingabe.`,
       hints: [
         "Die Verzögerung ist linear im Gewicht: Lies sie beim Gewicht 1 ab, und nimm den Teil, den du brauchst.",
-        "Beim Gewicht 1 steht unter dem Bild, wievielmal so lang. Teil 0,2 durch das, was davon über 1 liegt.",
+        "Beim Gewicht 1 steht unter dem Bild, wievielmal so lang. Teile 0,2 durch das, was davon über 1 liegt.",
       ],
     },
     B: {
@@ -53,11 +53,11 @@ export const time: LessonText = {
         fast: ({ length }) => `Knapp: Länge jetzt ${length} s. Etwas zu schnell.`,
       },
       refuse: ({ ratio }) =>
-        `Gleiche Gewichte heben sich nicht auf: Alt verzögert mehr, als kindlich eilt. Jetzt ist es das ${ratio}-Fache.`,
+        `Gleiche Gewichte heben sich nicht auf: Alt bremst mehr, als kindlich beschleunigt. Jetzt ist es das ${ratio}-Fache.`,
       no: ({ length, input }) => `Länge jetzt ${length} s, für ${input} s Eingabe.`,
       hints: [
         "Lies die Verzögerung jedes Stils allein ab. Was der eine dazugibt, muss der andere wegnehmen.",
-        "Stell alt auf etwas über 0,25, dann erhöh kindlich, bis unter dem Bild 1,00 steht.",
+        "Stell alt auf etwas über 0,25, dann erhöhe kindlich, bis unter dem Bild 1,00 steht.",
       ],
     },
     C: {
@@ -70,7 +70,7 @@ export const time: LessonText = {
           `Außerhalb der Daten, beim ${ratio}-Fachen. Es braucht mehr als ${longest}: weiter.`,
       },
       refuse: ({ ratio }) =>
-        `Im Dreieck ist nichts langsamer als seine langsamste Ecke: jetzt das ${ratio}-Fache. Verlass es.`,
+        `Im Dreieck ist nichts langsamer als seine langsamste Ecke: jetzt das ${ratio}-Fache. Verlass das Dreieck.`,
       no: ({ ratio }) => `Jetzt ${ratio}-mal so lang.`,
       hints: [
         "Gewichte dürfen über 1 gehen: Dann wird neutral weggenommen.",

@@ -13,9 +13,9 @@ export const bias: LessonText = {
       `${share} of it. The examples decide alone, and their arms hang. With the engine’s own share, ${keep}, ${usual} of the raise survives.`,
   },
   look: [
-    "The dots are the neighbours’ angles. The band around their [mu: mean μ] reaches [kappa: κ] times their [sigma: deviation σ] to both sides.",
-    "clamp moves the [x: input x] to the nearest end of the band, if it is outside. What is moved off is the [dx: bias Δx].",
-    "The line β of lesson 5 was fitted to examples without raised arms, so it must be asked without them, too: ũ is the input now and one frame ago less Δx, and the last output less the ρΔx that it was given. The line answers with [beta: the ring].",
+    "The dots are the neighbours’ angles. The band around their [mu: mean μ] reaches [kappa: κ] times their [sigma: standard deviation σ] to both sides.",
+    "clamp moves the [x: input x] to the nearest end of the band, if it is outside. What is cut off is the [dx: bias Δx].",
+    "The line β of lesson 5 was fitted to examples without raised arms, so it must be asked without them, too: ũ is the input now and one frame ago less Δx, and the last output less ρΔx. The line answers with [beta: the ring].",
     "Then the [rho: share ρ] of the bias returns, and the output ends at [y: y]. Drag the input along the axis, and turn ρ between 0 and 1.",
   ],
   symbols: {
@@ -43,7 +43,7 @@ export const bias: LessonText = {
       no: ({ keep, share }) => `With ρ ${keep}, ${share} of the raise survives.`,
       hints: [
         "The more of the bias returns, the more of the raise survives. But the styled arm does not hang as the neutral one does, so the two shares are not equal.",
-        "Light up ρ: its arrow returns at every joint and frame. Begin at 1, and go down.",
+        "Light up ρ: its arrow is what returns, here and in the same way at every joint. Begin at ρ = 1, and go down.",
       ],
     },
     B: {
@@ -81,7 +81,7 @@ export const bias: LessonText = {
     },
   },
   sources: [
-    "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Eq. 6 and 7. The paper prints yₜ = ũᵀβ − ρΔx; the engine adds ρΔx, as otherwise more of the bias would push the output away from the input.",
+    "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Eq. 6 and 7. The paper prints yₜ = ũᵀβ − ρΔx; the engine adds ρΔx, as with the minus a larger ρ would push the output away from the input.",
     "The bias is taken off and given back in `rust/strut-core/src/transfer/bias.rs`. Where all neighbours agree, σ has a least value, so that noise is not taken for content.",
   ],
 };

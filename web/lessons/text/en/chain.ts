@@ -2,20 +2,20 @@ import type { LessonText } from "../text";
 
 export const chain: LessonText = {
   idea: [
-    "This walker follows no input. A step is a chain of five states, and each state knows a mean and a variance for every angle, for its change from frame to frame, for the change of that change, and for how long the state lasts.",
+    "This walker follows no input. A step is a chain of five states, and each state knows a mean and a variance for every angle, for its velocity (the change from frame to frame), for its acceleration (the change of that change), and for how long the state lasts.",
     "A mean with its variance is like a promise: with a small variance it is firm, with a large one it is loose. Of all motions the one is chosen that keeps all promises best, step after step. That is a hidden semi-Markov model, and its means and variances are all that is left of the recordings.",
     "Mix the means of two models, and you have a mixed walk. With k above 1 the style is exaggerated, below 0 it is turned into its opposite.",
   ],
   bet: {
     question:
-      "The curve must keep three promises: about the angle, about its change, and about the change of its change. Make σ″, the spread of the last, smaller. What becomes of the curve?",
+      "The curve must keep three promises: about the angle, its velocity and its acceleration. Make σ″, the standard deviation of the last, smaller. What becomes of the curve?",
     options: { smoother: "It gets smoother", same: "It stays as it is", rougher: "It gets rougher" },
     reveal: ({ leg, toes }) =>
-      `With a tenth of σ″² the thigh jerks ${leg} times as much as before, the toes ${toes} times. A small variance is a firm promise: the change of the change must stay close to its mean, which hardly varies.`,
+      `With a tenth of σ″² the jerk (how fast the acceleration changes) is ${leg} times that of before at the thigh, and ${toes} times at the toes. A small variance is a firm promise: the acceleration must stay close to its mean, which hardly varies.`,
   },
   look: [
-    "The stairs are the [mu: mean μ] of each state, the bands its [sigma: deviation σ]. The [c: curve c] is the likeliest one; the dashed curve is that of the model as it was trained.",
-    "The short lines are the [delta: changes Δc], half the difference between the next frame and the last one; Δ²c is the change of that change. μ′, σ′ and μ″, σ″ are their means and deviations. The knobs multiply the three variances by a thousandth to a thousand.",
+    "The stairs are the [mu: mean μ] of each state, the bands its [sigma: standard deviation σ]. The [c: curve c] is the likeliest one; the dashed curve is that of the model as it was trained.",
+    "The short lines are the [delta: velocities Δc], half the difference between the next frame and the previous one; Δ²c is the acceleration. μ′, σ′ and μ″, σ″ are their means and standard deviations. The knobs multiply the three variances by a thousandth to a thousand.",
     "The blocks are the states, as long as they [d: last]. The d with a bar is a state’s mean duration, ν its variance. Drag the end of a step: [rho: ρ] makes each state longer by ρ times its ν, so that states which vary much give way first.",
     "m₁ is the model of the neutral walk, m₂ that of the style: with [k: k] you mix them.",
   ],
@@ -32,14 +32,13 @@ export const chain: LessonText = {
   exercises: {
     A: {
       task: "Let the curve of the left thigh be within 2° of the means in every frame.",
-      pass: ({ farthest }) =>
-        `Yes: ${farthest}° at most. The curve climbs the stairs: it moves in jumps, from state to state.`,
+      pass: ({ farthest }) => `Yes: ${farthest}° at most. The curve follows the stairs: it jumps from state to state.`,
       near: {
         other: () => "Look at the left thigh of the neutral walk: k 0.",
         further: ({ farthest }) => `Close: ${farthest}°. Further the same way.`,
       },
       refuse: ({ farthest }) =>
-        `You loosened another promise: the curve is ${farthest}° from a mean. A small variance is a firm promise.`,
+        `The promise about the angle is now the weaker one: the curve is ${farthest}° from a mean. A small variance is a firm promise.`,
       no: ({ farthest }) => `The curve is ${farthest}° from a mean.`,
       hints: [
         "A small variance is a firm promise. Which of the three is about the angle itself?",
@@ -47,19 +46,19 @@ export const chain: LessonText = {
       ],
     },
     B: {
-      task: "The toes jerk. Halve that, to 0.5 times or less, without leaving the means by more than 2 of the model’s deviations.",
-      pass: ({ jerkShare, deviations }) => `Yes: ${jerkShare} times the jerk, at ${deviations} deviations.`,
+      task: "The toes jerk. Bring the jerk down to 0.5 times or less, while the curve stays within 2 σ of the means (with the model’s own σ).",
+      pass: ({ jerkShare, deviations }) => `Yes: ${jerkShare} times the jerk, at ${deviations} σ.`,
       near: {
         other: () => "Look at the left toes of the neutral walk: k 0.",
         far: ({ jerkShare, deviations }) =>
-          `Close: smooth, at ${jerkShare} times, but ${deviations} deviations away. Less.`,
-        rough: ({ jerkShare, deviations }) => `Close: ${jerkShare} times, at ${deviations} deviations. A little more.`,
+          `Close: smooth, at ${jerkShare} times, but ${deviations} σ from a mean. A little less firm.`,
+        rough: ({ jerkShare, deviations }) => `Close: ${jerkShare} times, at ${deviations} σ. A little firmer.`,
       },
       refuse: ({ jerkShare, deviations }) =>
-        `${jerkShare} times the jerk, but ${deviations} deviations from a mean: a promise that is too firm breaks the others.`,
+        `${jerkShare} times the jerk, but ${deviations} σ from a mean: a promise that is too firm breaks the others.`,
       no: ({ jerkShare }) => `The curve jerks ${jerkShare} times as much as the model’s own.`,
       hints: [
-        "The change of change is what jerks. Make that promise firmer.",
+        "Jerk is how fast the acceleration changes. Make the promise about the acceleration firmer.",
         "Turn σ″² down to somewhere between a tenth and a thirtieth.",
       ],
     },
@@ -74,11 +73,14 @@ export const chain: LessonText = {
       refuse: ({ cadence }) =>
         `A negative ρ makes states shorter: ${cadence} steps a minute. Slower steps last longer.`,
       no: ({ cadence }) => `${cadence} steps a minute.`,
-      hints: ["Steps that last longer are fewer a minute.", "Left and right steps both count. Try ρ near 1 for both."],
+      hints: [
+        "The longer each step lasts, the fewer there are in a minute.",
+        "Left and right steps both count. Try ρ near 1 for both.",
+      ],
     },
   },
   sources: [
     "Tilmanne and Dutoit, Continuous control of style and style transitions through linear interpolation in hidden Markov model based walk synthesis, 2012, sections 4 to 6: models of steps, trajectories by maximum likelihood, durations, and style control.",
-    "Trajectories are solved by `rust/strut-core/src/hsmm/mlpg.rs`; durations, and what limits them, are those of `rust/strut-core/src/hsmm/walker/durations.rs`.",
+    "Trajectories are computed by `rust/strut-core/src/hsmm/mlpg.rs`; durations, and what limits them, are those of `rust/strut-core/src/hsmm/walker/durations.rs`.",
   ],
 };

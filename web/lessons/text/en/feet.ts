@@ -3,17 +3,17 @@ import type { LessonText } from "../text";
 export const feet: LessonText = {
   idea: [
     "A predicted pose may be right to a centimetre, and still you see at once when a standing foot slides. That is called foot skate.",
-    "The picture shows the sole of one foot from above, as a line from heel to ball for each frame of a stance. If the foot stood still, all lines would be one. The red line is the foot at the chosen instant, the dashed one shows where the hold puts it.",
+    "The picture shows the sole of one foot from above, as a line from heel to ball for each frame of a stance, the time it stands. If the foot stood still, all lines would be one. The red line is the foot at the chosen instant, the dashed one shows where the hold puts it.",
     "The cure has three parts: know whether a foot stands, keep it where it is, and bend the knee so that the leg reaches it.",
   ],
   bet: {
     question: "The hold is off. When does a standing foot slide fastest?",
     options: { strike: "When it strikes", middle: "In the middle of the stance", lift: "When it is lifted" },
     reveal: ({ most, middle, held, nth, frames }) =>
-      `This stance has ${frames} frames, and the foot slides fastest in frame ${nth}: at ${most} cm/s, against ${middle} cm/s in the middle. A foot that lands is called standing a little before it is at rest. With the hold it slides at ${held} cm/s there.`,
+      `This stance has ${frames} frames, and the foot slides fastest in frame ${nth}: at ${most} cm/s, against ${middle} cm/s in the middle. A landing foot counts as standing a little before it is at rest. With the hold it slides at ${held} cm/s there.`,
   },
   look: [
-    "Does the foot stand? The 40 most similar frames of the database vote: cₖ is 1 where the foot of frame k stands, and the vote counts more, the smaller eₖ is, the difference of its feet from the input’s in height and speed. Each dot is [c: the outcome at one instant]; averaged with the contacts of the recorded style, and smoothed over time, it is [P: P]. The foot is planted from P 0.6 on and released below 0.4, the dotted lines; a foot that is low and slow stands anyway. Where it stands, the plot is grey.",
+    "Does the foot stand? The 40 most similar frames of the database vote: cₖ is 1 if the foot of frame k stands, else 0. A vote counts more the smaller eₖ is: how much the feet of frame k differ from the input’s in height and speed. Each dot is [c: the outcome at one instant]; averaged with the contacts of the recorded style, and smoothed over time, it is [P: P]. The foot is planted from P 0.6 on and released below 0.4, the dotted lines; a foot that is low and slow counts as standing anyway. Where it stands, the plot is grey.",
     "The thick curve is [p: the slide Δp], per second; the dashed one is the slide with the other setting of the hold. Move the playhead to an [i: instant], and switch the hold: [q: the correction q] moves a standing foot back by what it has slid. n counts the frames since the foot was planted, so that the hold sets in over three frames.",
     "Now the ankle has its place, and with it its [d: distance d] from the hip. Thigh a, shin b and d make a triangle: the law of cosines gives the [gamma: angle γ] at the knee.",
   ],

@@ -15,13 +15,13 @@ export const judge: LessonText = {
       much: "By more than 1 mm",
     },
     reveal: ({ knn, mar, difference, other }) =>
-      `KNN errs by ${knn} mm and MAR by ${mar} mm: ${difference} mm apart. Another real take errs by ${other} mm, so both are as good as a second try, and on this data the error cannot tell them apart.`,
+      `KNN errs by ${knn} mm and MAR by ${mar} mm: ${difference} mm apart. Even the best other real take errs by ${other} mm, so both are as good as a second try, and on this data the error cannot tell them apart.`,
   },
   look: [
-    "The table has [e: the mean error ē] of each method, over F frames and J joints: all but the hips, at which the bodies are laid over each other. It also says how [acceleration: rough] the motion is, as its acceleration over the input’s, and how much of the input’s fast [content: content] is left. One column alone may mislead: GAR is the smoothest, and the farthest off.",
+    "The table has [e: the mean error ē] of each method, over F frames and J joints: all but the hips, at which the bodies are laid over each other. It also says how [acceleration: rough] the motion is, as its acceleration over the input’s, and how much [content: content] is left: the correlation r of the fast movements of input and output. One column alone may mislead: GAR, one line for all, is the smoothest, and the farthest off.",
     "The curves are [p: the error] of two methods over time, the distance of the predicted joints p̂ from the performed ones p. The fill between them has the colour of the better one. The mean says that one is ahead, the curve says [i: when].",
     "KNN answers with the neighbours’ mean ȳ. The line’s answer ŷ differs from it by slopes times distance: β are the slopes, u is the input and ū the mean of the neighbours’ inputs. The histogram counts [u: this difference] over the whole take.",
-    "An evaluation is honest only if the answer was not in the database. Leave the take in, and NN finds the answer there.",
+    "An evaluation is honest only if the answer was not in the database. Leave the take in, and NN, which answers with the nearest frame, finds the answer there.",
   ],
   symbols: {
     e: { symbol: "ē", name: "mean error of the chosen method" },
@@ -65,20 +65,20 @@ export const judge: LessonText = {
       refuse: ({ in: left }) => `It had seen the answer. ${left} mm is a look-up, and no prediction.`,
       no: () => "NN should err by less than 1 mm: choose its take.",
       hints: [
-        "Of what motion do you want to know how well it is predicted: of one that the database has?",
+        "Which motion do you want to predict: one that the database has already?",
         "Switch “Leave it in”, then compare NN’s row with that of MAR: who gains most from having seen the answer?",
       ],
     },
     C: {
-      task: "Now motion of other collections, of which nobody performed the styles. Choose the method whose acceleration is nearest to the input’s, among those that keep a content of at least 0.8.",
+      task: "Now motions of other collections, which nobody performed in the styles. Choose the method whose acceleration is nearest to the input’s, among those that keep a content of at least 0.8.",
       pass: ({ pick, acceleration, content }) =>
-        `Yes: ${pick}, with acceleration ${acceleration} × and content ${content}. Inside, the means tied; here the methods are far apart.`,
+        `Yes: ${pick}, with acceleration ${acceleration} × and content ${content}: of those here it alone has the bias term of lesson 7. On the recorded walks the errors tied; here the methods are far apart.`,
       near: {
         other: () => "Choose “other collections” as the source of the numbers.",
         unmeasured: ({ pick }) => `${pick} was not measured there. Choose one with numbers.`,
       },
       refuse: ({ pick, content, acceleration }) =>
-        `${pick} keeps only ${content} of the content, at ${acceleration} × the acceleration: the motion jitters, and is another one.`,
+        `${pick} keeps only ${content} of the content, at ${acceleration} × the acceleration: the motion jitters, and no longer follows the input.`,
       no: ({ pick, acceleration }) => `${pick} has acceleration ${acceleration} ×. There is a smoother one.`,
       hints: [
         "Without a performance there is no error. Look at jitter: 1 × is as smooth as the input.",

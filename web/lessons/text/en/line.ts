@@ -33,7 +33,7 @@ export const line: LessonText = {
   why: "Why may the engine fit a straight line although a knee does not move in a straight line?",
   exercises: {
     A: {
-      task: "Twelve dots, all of equal weight, with 4° of noise. Find a λ whose prediction of the whole walk is as good as can be: within 1 % of the least error.",
+      task: "Twelve dots, all of equal weight, with 4° of noise. Predict the whole walk, and compare it with the performed old walk: find a λ whose error is within 1 % of the least.",
       pass: ({ error, lambda }) => `Yes: λ ${lambda} gives ${error}°, and no λ is better by more than 1 %.`,
       near: {
         other: () =>
@@ -48,12 +48,12 @@ export const line: LessonText = {
           ? `Only the mean is left, and the pose of the input no longer matters: ${error}°, where ${leastError}° is possible.`
           : `Too much λ: the line is flatter than its dots. ${error}°, where ${leastError}° is possible.`,
       hints: [
-        "A small λ believes the noise, a large one believes nothing. The best lies between.",
+        "With a small λ the line follows the noise, with a large one it ignores the input. The best lies between.",
         "Watch the line while you turn λ: it should be neither steep nor level.",
       ],
     },
     B: {
-      task: "Without noise, at 40 neighbours: what is the least λ at which the prediction is within 0.1° of the neighbours’ mean? A half too much still counts.",
+      task: "Without noise, at 40 neighbours: what is the least λ at which the prediction is within 0.1° of the neighbours’ mean? Up to 1.5 times that λ still counts.",
       pass: ({ lambda, above }) => `Yes: at λ ${lambda} the prediction is ${above}° from the mean.`,
       near: {
         other: () => "Keep the joint, K at 40, ν at 0, the weights and the instant as they were: only λ should change.",
@@ -75,7 +75,8 @@ export const line: LessonText = {
           "Keep the joint and the weights as they were, and the noise ν at 0: only K, λ and the instant are free.",
         close: ({ above }) => `Close: ${above}°. Look for an instant at which the dots rise or fall more steeply.`,
       },
-      refuse: ({ above }) => `Only the mean is left: ${above}°. A steep line must be cheap, and needs more than a dot.`,
+      refuse: ({ above }) =>
+        `Only the mean is left: ${above}°. A steep line needs a small λ, and more than one or two dots.`,
       no: ({ above }) => `${above}° from the mean. At other instants it is more.`,
       hints: [
         "Far from the mean means a steep line, and an input far to one side of its neighbours.",

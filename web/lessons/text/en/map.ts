@@ -2,25 +2,25 @@ import type { LessonText } from "../text";
 
 export const map: LessonText = {
   idea: [
-    "Two numbers, a whole pose: how far the feet are apart along the way, and in height. Drag the point, and the body follows.",
-    "Behind it are several linear maps from the two numbers to the pose. Each one knows a region of styles, and where regions meet, they share.",
+    "Two numbers, the style variables, give a whole pose: they say how far the feet are apart along the way, and in height. Drag the point, and the body follows.",
+    "Behind it are several linear maps from the two numbers to the pose. Each one knows a region of the plane, and where regions meet, the maps share the answer.",
     "They organise themselves: every recorded frame pulls the maps that are near to it, first many at once, then fewer and fewer. One such pull is an update.",
   ],
   bet: {
     question:
-      "An update moves a map towards the sample. The paper prints the formula with a minus, so it moves away from it. What happens if you follow the print?",
+      "An update moves a map towards the sample, one recorded frame. The paper prints the formula with a minus, which moves it away. What happens if you compute as printed?",
     options: {
       same: "It learns just as well",
       slower: "It learns more slowly",
       diverges: "The error grows without end",
     },
     reveal: ({ updates, right, printed }) =>
-      `After ${updates} updates the error is ${right}° with the right sign, and ${printed}° as printed. Every step leads away from the sample, and the greater the distance, the longer the next step.`,
+      `After ${updates} updates the error is ${right}° with the right sign, and ${printed}° as printed. Every update leads away from the sample, and the greater the distance, the larger the next one.`,
   },
   look: [
-    "The dots are recorded frames, placed by their style variables. Each ellipse is what a component knows: mᵢ is its centre, Sᵢ its spread, and it is darker where its [a: share a] is greater. Make one update: the ring is [x: the sample x], and the bars are [r: how much of it, r,] each component takes.",
+    "The dots are recorded frames, placed by their style variables. Each ellipse is the region of one component, a map Zᵢ: mᵢ is its centre, Sᵢ its spread. The darker it is, the greater its [a: share a] of all samples. Make one update: the ring is [x: the sample x], and the bars are [r: how much of it, r,] each component takes.",
     "The map Zᵢ turns v, the two variables and a 1, into a pose. The solid body is the sample’s pose, the ghost is [Z: the prediction Zv]. An update moves Zv by δ r of the way to x; δ is the [delta: learning rate]. The strokes show how far it has moved the centres.",
-    "The dashed ring stands for the [sigma: width σ] of the neighbourhood: a component whose prediction is farther than σ from the sample takes little of it. From pass to pass σ narrows and δ falls, so that in the end the winner learns alone. The curve is the [E: error] of the model after each pass. Press Play, and try the sign as printed, too.",
+    "The dashed ring stands for the [sigma: width σ] of the neighbourhood: a component whose prediction is farther than σ from the sample takes little of it. From pass to pass σ narrows and δ falls, so that in the end the nearest component learns alone. The curve is the [E: error] of the model after each pass. Press Play, and try the sign as printed, too.",
     "Last, a pose is asked for: [u: drag u]. All maps answer, with [w: weights w] by how well u fits their mᵢ and Sᵢ. The higher the temperature [T: T], the more equal the weights are.",
   ],
   symbols: {
@@ -38,7 +38,7 @@ export const map: LessonText = {
   why: "Why does the neighbourhood begin wide? Think of a map that never gets a sample, and of neighbours that learn different things.",
   exercises: {
     A: {
-      task: "When has it learned? Find the first pass after which the error is at most 1.05 times that after the last pass.",
+      task: "When has the model learned? Find the first pass (over all frames) after which the error is at most 1.05 times that after the last pass.",
       pass: ({ pass, learned, last }) => `Yes: pass ${pass}, ${learned}°, and ${last}° at the end. The rest is polish.`,
       near: {
         later: ({ pass, learned }) => `Close: ${learned}° after pass ${pass}. A little later.`,
@@ -57,11 +57,11 @@ export const map: LessonText = {
       pass: ({ temperature, change, shared }) =>
         `Yes: with T ${temperature}, ${change}° a frame at an error of ${shared}°.`,
       near: {
-        softer: ({ change }) => `Close: ${change}° a frame. A little softer.`,
-        harder: ({ shared }) => `Close: the error is ${shared}°. A little harder.`,
+        softer: ({ change }) => `Close: ${change}° a frame. A little more T.`,
+        harder: ({ shared }) => `Close: the error is ${shared}°. A little less T.`,
       },
       refuse: ({ change }) =>
-        `Shares that change at once make the body jump: ${change}° a frame. A higher T lets neighbours share.`,
+        `Weights that change at once make the body jump: ${change}° a frame. With a higher T the maps share.`,
       no: ({ change, shared }) => `${change}° a frame, at an error of ${shared}°.`,
       hints: [
         "The higher T, the softer the change from map to map, and the less each single map counts.",
@@ -69,7 +69,7 @@ export const map: LessonText = {
       ],
     },
     C: {
-      task: "Make the cycle from at most 3 keys, with a mean error of at most 2°.",
+      task: "A key sets the two numbers at one instant, and a smooth curve joins the keys. Make the cycle from at most 3 keys, with a mean error of at most 2°.",
       pass: ({ count, keyed }) => `Yes: ${count} keys, two numbers each, and ${keyed}° of error for a whole cycle.`,
       near: {
         fewer: ({ count, keyed }) => `${keyed}° is good, but ${count} keys are too many.`,

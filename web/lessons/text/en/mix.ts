@@ -11,7 +11,7 @@ export const mix: LessonText = {
       "The width δ says how slowly a weight falls with the distance. Double it: does the winning class gain or lose?",
     options: { gains: "It gains", loses: "It loses", same: "Nothing changes" },
     reveal: ({ before, after }) =>
-      `Its weight goes from ${before} to ${after}. A larger δ forgives distance: the classes behind catch up, and as all weights sum to 1, the winner pays.`,
+      `Its weight goes from ${before} to ${after}. A larger δ forgives distance: the classes behind catch up, and as all weights sum to 1, the winner loses.`,
   },
   look: [
     "The areas are the [lambda: weights λ] of the actions over time, all styles of an action together. They always sum to 1. Before and after the jumps the engine reads a kick for a moment: there the input stands still, as people do before a kick.",

@@ -14,9 +14,9 @@ export const near: LessonText = {
   },
   look: [
     "The solid walker is the query, and p are its joints. Around it stand its 8 nearest examples; the nearer an example, the less transparent it is. The joints p′ of each are moved by T, a [theta: turn by θ] and a shift by [x0: x₀] and [z0: z₀], to where they fit best.",
-    "What is left are differences in [y: height] and [z: on the ground], weighted by [w: the size of each joint]. The eight are so near that they hide behind the query: drag a limb by its ring, and watch them part and [D: D] grow.",
+    "What is left are differences in [y: height] and [z: on the ground], weighted by [w: how large and visible each part is]. The eight are so near that they hide behind the query: drag a limb by its ring, and watch them part and [D: D] grow.",
     "The second line of the equation finds the best turn and shift without a search. Here y are the heights, and z the places on the ground as complex numbers with their mean taken off, both multiplied by √w. A turn multiplies z′ by a number of length 1, and the best one makes the product ⟨z, z′⟩ real and positive.",
-    "The curve is [D: √D], a distance in millimetres, for every moment of the class, and the dots are the [K: K nearest]. Now drag the ring on the ground: the query moves, the curve does not. The window has [s: s frames], each with 20 joints.",
+    "The curve is [D: √D], a distance in millimetres, for every moment of one class (an action in one style), and the dots are the [K: K nearest]. Now drag the ring on the ground: the query moves, the curve does not. The window has [s: s frames], each with 20 joints.",
   ],
   symbols: {
     D: { symbol: "D", name: "mean squared distance; here √D₁" },

@@ -2,9 +2,9 @@ import type { LessonText } from "../text";
 
 export const pose: LessonText = {
   idea: [
-    "To predict a pose, you must write it as numbers. Each joint is a rotation relative to its parent, and a rotation is an axis and an angle.",
+    "To predict a pose, you must write it as numbers. Each joint is a rotation relative to its parent, the joint it hangs on, and a rotation is an axis and an angle.",
     "Multiply the axis, a vector of length 1, by the angle, and you have three numbers. They are measured from the joint’s mean rotation: joints seldom turn far from their mean, so the numbers stay small.",
-    "Twenty joints and the tilt of the hips give 21 · 3 = 63 numbers. Four more say how high the hips are, and how fast the walker moves and turns.",
+    "Twenty joints and the tilt of the hips give 21 · 3 = 63 numbers. Four more say how high the hips are, and how fast the walker moves and turns. Each number is called a degree of freedom.",
   ],
   bet: {
     question: "Turn the walker by 90°. How many of the 67 numbers of its pose change?",
@@ -29,9 +29,9 @@ export const pose: LessonText = {
   why: "Angles of 179° and of −179° are nearly the same rotation, but far apart as numbers. Why is that bad for a prediction if a joint moves there, and how does the mean help?",
   exercises: {
     A: {
-      task: "Each skeleton chooses the directions of a joint’s own axes freely. Turn those of the left thigh by φ until log R, which is read without the mean, jumps by more than 1.5 rad from one frame to the next.",
+      task: "Each skeleton chooses the directions of a joint’s own axes freely. Turn those of the left thigh by φ until log R, taken without the mean, jumps by more than 1.5 rad (86°) from one frame to the next.",
       pass: ({ phi, rawJump, jump }) =>
-        `Yes: at φ ${phi}° log R jumps by ${rawJump} rad, and w never by more than ${jump} rad. The axes turn R and R̄ alike, so w does not depend on them.`,
+        `Yes: at φ ${phi}° log R jumps by ${rawJump} rad, and w never by more than ${jump} rad. φ turns R and R̄ alike, so the angle between them stays the same.`,
       near: {
         other: () => "Read the left thigh of the neutral walk, with no limb bent and the walker not turned.",
         further: ({ phi }) => `Close: at φ ${phi}° both are still smooth. A little further.`,

@@ -2,22 +2,22 @@ import type { LessonText } from "../text";
 
 export const register: LessonText = {
   idea: [
-    "Two people take the same step, one in 1.1 s, the other in 1.5 s. To compare them, you need to know which instants correspond.",
+    "Two people take the same step (here: left and right, up to the next left heel strike), one in 1.1 s, the other in 1.5 s. To compare them, you need to know which instants correspond.",
     "Such a correspondence is a path: for each instant of one step it names an instant of the other. Where the path is steep, the other walker takes longer for the same part of the step.",
     "The usual way is to give each pair of frames a cost, small if they look alike, and to choose the path with the least total cost. That is called dynamic time warping, DTW.",
   ],
   bet: {
     question:
-      "The darker a place in the plot, the less alike the two poses are. One path, DTW, winds through the valleys at the least cost; the other is straight. Which is nearer to the truth?",
+      "The darker a place in the plot, the less alike the two poses are. One path, DTW, winds through the bright valleys at the least cost; the other is straight. Which is nearer to the truth?",
     options: { true: "The cheapest path", straight: "The straight line" },
     reveal: ({ dtw, linear }) =>
-      `The cheapest path is ${dtw} ms off on average, the straight line ${linear} ms. An old walker in the middle of a step can look like a neutral one at another time, and DTW pairs what looks alike. The truth is known here because these steps were generated from a script.`,
+      `The cheapest path is ${dtw} ms off on average, the straight line ${linear} ms. An old walker in the middle of a step can look like a neutral one at another time, and DTW pairs what looks alike. The truth is known here because a program generated both steps.`,
   },
   look: [
     "The neutral step runs to the right, the old one upwards. The shade is the [c: cost c] of pairing two frames: the squared distance of their features, which are positions and velocities of the joints, and which feet stand. The [tau: point τ] is the pair at the cursor; its two walkers stand below.",
     "Cᵢⱼ is the least cost of a path from the start to the pair i, j. Its last part goes on by one frame in both steps, or by [s: s] frames in one and by one in the other, with s at most 3. So a path is nowhere faster than three to one: the two thin lines through the point.",
     "Iterative motion warping, IMW, lets the features a of the neutral step differ from the features b of the other one by a [alpha: scale α] and an [beta: offset β]. So a difference of style does not have to be explained by warping time. IMW minimises E: D takes the difference of successive frames, so the term with λ = 225 makes α and β change slowly, and the one with μ = 0.1 keeps them near 1 and 0.",
-    "The bars outside the plot are feet that stand: the neutral walker’s above, the other one’s at the right.",
+    "The bars outside the plot show when each foot stands: the neutral walker’s above, the other one’s at the right.",
   ],
   symbols: {
     c: { symbol: "c", name: "cost of the pair at the cursor" },
@@ -40,14 +40,14 @@ export const register: LessonText = {
       refuse: ({ cost, off }) =>
         `Your path is only ${off} ms from the truth, but it costs ${cost} times as much as DTW’s. This task is about cost alone.`,
       no: ({ cost, dearFrom, dearTo }) =>
-        `${cost} times the cost of DTW. Most is lost from ${dearFrom} to ${dearTo} ms.`,
+        `${cost} times the cost of DTW. Most of the extra cost is from ${dearFrom} to ${dearTo} ms.`,
       hints: [
         "Follow the bright valley. It bends where a foot strikes or lifts, at the ends of the bars.",
         "Put your three points onto the path of DTW where it bends. Then move one after the other with the arrow keys.",
       ],
     },
     B: {
-      task: "Move the cursor to an instant at which the linear path pairs different standing feet, but DTW pairs the same ones.",
+      task: "Move the cursor to an instant at which the linear path pairs frames with different feet on the ground, but DTW frames with the same feet.",
       pass: ({ time, tauDtw, tauLinear }) =>
         `Yes: at ${time} ms DTW says ${tauDtw} ms, where the same feet stand. The linear path says ${tauLinear} ms, where they do not.`,
       near: {
@@ -59,7 +59,7 @@ export const register: LessonText = {
         `At ${time} ms DTW pairs different feet, too: it pairs what looks alike, even where other feet stand.`,
       no: ({ time }) => `At ${time} ms the linear path pairs the same feet already.`,
       hints: [
-        "The bars outside the plot are feet that stand. Look where one ends.",
+        "The bars outside the plot show when each foot stands. Look where one ends.",
         "At each end of a bar, read the line below the walkers: once with the path linear, once with DTW.",
       ],
     },

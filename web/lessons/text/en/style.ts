@@ -8,10 +8,10 @@ export const style: LessonText = {
   ],
   bet: {
     question:
-      "You can pair the two walkers by the clock, second with second, or by the step, strike with strike. Which pairing shows more difference between the poses?",
+      "You can pair the two walkers by the clock, second with second, or by the step, foot strike with foot strike. Which pairing shows more difference between the poses?",
     options: { second: "The same second", content: "The same content" },
     reveal: ({ second, content }) =>
-      `Over the whole walk the poses differ by ${second} cm in the same second, and by ${content} cm at the same content. The old walker is slower: after a few seconds one stands on the left foot while the other stands on the right. That is pace, and the clock counts it as pose.`,
+      `Over the whole walk the poses differ by ${second} cm in the same second, and by ${content} cm at the same content. The old walker is slower: after a few seconds one stands on the left foot while the other stands on the right. That is a difference in pace, but by the clock it counts as one in pose.`,
   },
   look: [
     "At each instant i, measure how far each joint of one walker is from the same joint of the other. Place and heading are taken away first. The mean over the [J: J joints] is the [e: difference e], in centimetres.",
@@ -44,7 +44,7 @@ export const style: LessonText = {
       ],
     },
     B: {
-      task: "Find an instant of the proud walk at which the same second shows at least four times the difference of the same content.",
+      task: "Find an instant of the proud walk at which the difference in the same second is at least four times that at the same content.",
       pass: ({ secs, second, content }) => `Yes: at ${secs} s it is ${second} cm against ${content} cm.`,
       near: {
         other: () => "Show the style “proud” on the neutral walk, and the mean of all joints.",
@@ -54,7 +54,7 @@ export const style: LessonText = {
       refuse: () => "Here the two are in step: the same second is the same content. Look where they are out of step.",
       no: ({ secs, second, content }) => `At ${secs} s it is ${second} cm against ${content} cm. Look for a wider gap.`,
       hints: [
-        "The proud walker is slower and falls behind. After a while it is half a cycle late, and later a whole cycle.",
+        "The proud walker is slower and falls behind. One step late, it stands on the other foot; two steps late, the two are in step again.",
         "Watch the legs: where one walker has the left foot in front and the other the right, the gap is widest.",
       ],
     },
@@ -70,7 +70,7 @@ export const style: LessonText = {
         `The legs move most in every walk, so by the clock they are far apart: ${joint} by ${jointMeanSecond} cm. That is pace. At equal instants it is ${jointMean} cm.`,
       no: ({ joint, jointMean }) => `${joint}: ${jointMean} cm on average. Another joint moves more.`,
       hints: [
-        "An old walker is bent forward at the hips. The farther a joint is from them, the more it moves.",
+        "An old walker is bent forward at the hips. The higher above them a joint is, the more it moves.",
         "Set *same content* and find the largest dot on the body.",
       ],
     },

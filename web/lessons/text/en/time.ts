@@ -3,7 +3,7 @@ import type { LessonText } from "../text";
 export const time: LessonText = {
   idea: [
     "A style is not only how somebody moves, but also how fast. The old walker needs longer for the same steps, and after a few seconds is steps behind.",
-    "So the engine predicts two things for every frame: a pose, and how long it lasts. The neighbours say both.",
+    "So the engine predicts two things for every frame: a pose, and how long it lasts. Its neighbours, the nearest examples, say both.",
     "Blend two styles, and poses and durations are blended alike. Can you compute the pace before you watch the walk?",
   ],
   bet: {
@@ -52,7 +52,7 @@ export const time: LessonText = {
         fast: ({ length }) => `Close: length now ${length} s. A little too fast.`,
       },
       refuse: ({ ratio }) =>
-        `Equal weights do not cancel: old delays more than childlike hurries. Now it is ${ratio} times as long.`,
+        `Equal weights do not cancel: old slows down more than childlike speeds up. Now it is ${ratio} times as long.`,
       no: ({ length, input }) => `Length now ${length} s, for ${input} s of input.`,
       hints: [
         "Read the delay of each style alone. What one adds, the other must take away.",
@@ -68,7 +68,7 @@ export const time: LessonText = {
         further: ({ ratio, longest }) => `Beyond the data, at ${ratio} times. It takes more than ${longest}: further.`,
       },
       refuse: ({ ratio }) =>
-        `Within the triangle nothing is slower than its slowest corner: now ${ratio} times. Leave it.`,
+        `Within the triangle nothing is slower than its slowest corner: now ${ratio} times. Leave the triangle.`,
       no: ({ ratio }) => `Now ${ratio} times as long.`,
       hints: ["Weights may exceed 1: then neutral is taken away.", "Drag the point to the right, into the hatching."],
     },
