@@ -6,8 +6,8 @@ import { SideBySideViewer } from "../../web/viewer/side_by_side_viewer";
 
 /** What is drawn of a clip. */
 export interface Strip {
-  /** Words beside the strip. */
-  title: string;
+  /** Words beside the strip, before its duration; without them nothing is said beside it. */
+  title?: string;
   /** The BVH file. */
   bvh: string;
   /** Which stretch of it: a stride, or the time around the moment that makes the action. */
@@ -64,7 +64,7 @@ async function draw({ title, bvh, action, view }: Strip): Promise<void> {
   picture.width = COLUMNS * COLUMN_PX.width;
   await picture.decode();
   const caption = document.createElement("figcaption");
-  caption.textContent = `${title} ${((to - from) / clip.rateHz).toFixed(2)} s`;
+  if (title !== undefined) caption.textContent = `${title} ${((to - from) / clip.rateHz).toFixed(2)} s`;
   const figure = document.createElement("figure");
   figure.append(caption, picture);
   document.querySelector("main")!.append(figure);

@@ -1,0 +1,91 @@
+// The quiz of `npm run strips -- --quiz`: motions under names that say nothing, the key to them, and the answer sheet.
+
+/** The items in an order that the seed, a whole number below 2³², decides (Fisher and Yates, by mulberry32). */
+export function shuffled(items, seed) {
+  const order = [...items];
+  let state = seed;
+  for (let last = order.length - 1; last > 0; last--) {
+    state = (state + 0x6d2b79f5) | 0;
+    let bits = Math.imul(state ^ (state >>> 15), state | 1);
+    bits ^= bits + Math.imul(bits ^ (bits >>> 7), bits | 61);
+    const chosen = Math.floor((((bits ^ (bits >>> 14)) >>> 0) / 2 ** 32) * (last + 1));
+    [order[last], order[chosen]] = [order[chosen], order[last]];
+  }
+  return order;
+}
+
+/** The key: every style of every action under a number, in shuffled order, and the seed that gives this order again. */
+export function keyOf(styles, actions, seed) {
+  const motions = shuffled(
+    actions.flatMap((action) => styles.map((style) => ({ style, action }))),
+    seed,
+  );
+  const digits = String(motions.length).length;
+  return { seed, strips: motions.map((motion, i) => ({ name: String(i + 1).padStart(digits, "0"), ...motion })) };
+}
+
+/**
+ * What is right, and which style was taken for which, most often first; a line each. Strips without an answer do not count.
+ * The answer sheet has the text of this function, which therefore calls no other.
+ * @param answers the style that was named for each name of a strip
+ */
+export function mark(answers, strips) {
+  const answered = strips.filter(({ name }) => answers[name]);
+  const wrong = answered.filter(({ name, style }) => answers[name] !== style);
+  const taken = new Map();
+  for (const { name, style, action } of wrong) {
+    const mistake = `${style} taken for ${answers[name]}`;
+    taken.set(mistake, [...(taken.get(mistake) ?? []), `${name} (${action})`]);
+  }
+  const mistakes = [...taken].sort(([, a], [, b]) => b.length - a.length);
+  return [
+    `${answered.length - wrong.length} of ${answered.length} are right.`,
+    ...mistakes.map(([mistake, names]) => `${mistake}: ${names.join(", ")}`),
+  ];
+}
+
+/** The answer sheet, an HTML page beside the pictures `{name}.png`: styles to choose from, and a place to open the key. */
+export function answerSheet(names, styles) {
+  const options = ["", ...styles].map((style) => `<option>${style}</option>`).join("");
+  const questions = names.map(
+    (name) => `<p><label>${name} <select name="${name}">${options}</select></label><br />
+  <img src="${name}.png" alt="Strip ${name}" /></p>`,
+  );
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8" />
+<title>Name the style at sight</title>
+<style>
+body { margin: 2rem auto; max-width: 1140px; font: 16px/1.5 system-ui, sans-serif; color: #222; background: #fff; }
+img { max-width: 100%; border: 1px solid #ccc; }
+output { display: block; white-space: pre-line; }
+</style>
+</head>
+<body>
+<h1>Name the style at sight</h1>
+<p>Every picture shows one motion twice, from the side and from the front. The styles are ${styles.join(", ")}.
+Answers are kept until this page is closed.</p>
+<form>
+${questions.join("\n")}
+</form>
+<p><label>When all is answered, open the key, quiz-key.json: <input type="file" accept=".json" /></label></p>
+<output></output>
+<script>
+${mark}
+document.querySelector("input").addEventListener("change", async ({ target }) => {
+  const output = document.querySelector("output");
+  try {
+    const { strips } = JSON.parse(await target.files[0].text());
+    output.textContent = mark(Object.fromEntries(new FormData(document.querySelector("form"))), strips).join("\\n");
+  } catch {
+    output.textContent = "This file is no key of a quiz.";
+  }
+  // Opening it once more, after other answers, is a change too.
+  target.value = "";
+});
+</script>
+</body>
+</html>
+`;
+}
