@@ -10,11 +10,15 @@ use std::path::Path;
 use std::sync::Arc;
 use strut_core::contact::label;
 use strut_core::humanoid::HumanoidMotion;
+use strut_core::math::Vec3;
 use strut_core::math::float_funcs::double;
 use strut_core::metrics::foot_skate;
 use strut_core::retarget::to_humanoid;
 use strut_core::somn::evaluation::{Observed, pose_error};
-use strut_core::somn::{DragCharacter, KeyStyleModel, Measure, Mode, Options, RATE_HZ, Recording, Synthesis, train};
+use strut_core::somn::{
+    DragCharacter, Interpolation, Key, KeyStyleModel, KeyStyling, Measure, Method, Mode, Options, RATE_HZ, Recording,
+    Synthesis, train,
+};
 use strut_formats::corpus::Clip;
 use strut_formats::key_style_model;
 
@@ -199,4 +203,47 @@ fn a_circle_on_the_pad_walks() {
     let way = (motion.poses[349].root - motion.poses[34].root).z / 9.0;
     let skate = foot_skate(&motion, &label(&motion));
     assert!((0.8..1.3).contains(&way) && skate < 0.1, "{way} m a turn, {skate} m/s");
+}
+
+#[test]
+fn a_run_by_keys_flies_as_far_as_the_recorded_one() {
+    let Some(mocap) = mocap_folder() else { return };
+    let names: Vec<_> = (1..=8).map(|take| format!("bandai-namco-2/dataset-2_run_normal_{take:03}.bvh")).collect();
+    let runs = recordings(&mocap, names.iter().cloned());
+    let (model, _) = learnt(&runs.iter().collect::<Vec<_>>(), &[], AXES);
+    let way = |motion: &HumanoidMotion| {
+        let [first, last] = [motion.poses.first(), motion.poses.last()].map(|pose| pose.unwrap().root);
+        ((last - first) * Vec3::new(1.0, 0.0, 1.0)).length()
+    };
+    for (name, run) in names.iter().zip(&runs).take(3) {
+        let clip = Clip::parse(&fs::read(mocap.join(name)).unwrap()).unwrap();
+        let recorded = to_humanoid(&clip.motion, &clip.binding, &run.proportions).resampled(RATE_HZ).unwrap();
+        // A key a frame: the style says all, and the root alone is made.
+        let styles = Observed::new(&model, run).styles;
+        let keys: Vec<_> = styles
+            .iter()
+            .enumerate()
+            .map(|(frame, style)| Key { secs: frame as f64 / f64::from(RATE_HZ), style: *style, row: None })
+            .collect();
+        let mut synthesis = Synthesis::new(Arc::clone(&model));
+        let styling = KeyStyling::new(&keys, Interpolation::default(), &mut synthesis, Mode::KEYED).unwrap();
+        let made = styling.motion(&mut synthesis, Method::KeyStyle);
+        // By its feet alone the body covers half of the way.
+        let share = way(&made) / way(&recorded);
+        assert!((0.85..1.1).contains(&share), "{name}: {share} of the way");
+        let highest = |motion: &HumanoidMotion| motion.poses.iter().map(|p| p.root.y).fold(0.0, f32::max);
+        assert!((highest(&made) - highest(&recorded)).abs() < 0.03, "{name}: {} m", highest(&made));
+    }
+}
+
+#[test]
+fn a_walk_never_flies() {
+    let Some(mocap) = mocap_folder() else { return };
+    let walks = walks(&mocap);
+    let (model, _) = learnt(&walks.iter().collect::<Vec<_>>(), &[], AXES);
+    let synthesis = Synthesis::new(Arc::clone(&model));
+    for frame in 0..model.rows.len() {
+        let row = model.recorded_row(frame);
+        assert_eq!(synthesis.pose_of(&row), model.space.pose(&row));
+    }
 }

@@ -3,6 +3,7 @@
 use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::Soles;
 use crate::kinematics::{WorldPose, world_from_local};
+use crate::math::float_funcs::half_life_share;
 use crate::math::{Quat, Vec3};
 
 /// Points of a foot that may touch the ground: heel, ball, and the tip of the toes.
@@ -19,6 +20,11 @@ const OTHER_FOOT_AUTO: f32 = 0.005;
 /// this over the ground, m/s.
 const STANDING_HEIGHT: f32 = 0.025;
 const STANDING_SPEED: f32 = 0.36;
+
+/// Half-life of the low-pass filter on the body's velocity, with which it takes off, seconds.
+const VELOCITY_HALF_LIFE_SECS: f32 = 0.05;
+/// Nobody flies longer, seconds: who is held in the air stays where he is.
+const LONGEST_FLIGHT_SECS: f32 = 0.6;
 
 /// Which foot supports the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +49,10 @@ pub(crate) struct RootPath {
     last: Option<(usize, usize, FeetPoints)>,
     /// Feet that stand.
     planted: [bool; 2],
+    /// Velocity of the root over the ground, [x, z] in m/s.
+    velocity: [f32; 2],
+    /// How long no foot has stood, seconds; `None` while one does.
+    flown_secs: Option<f32>,
 }
 
 type FeetPoints = [[Vec3; POINTS]; 2];
@@ -79,17 +89,41 @@ impl Feet {
 impl RootPath {
     pub(crate) fn new(proportions: &Proportions) -> Self {
         let feet = Feet::new(proportions);
-        Self { proportions: *proportions, feet, place: [0.0; 2], height: 0.0, last: None, planted: [false; 2] }
+        Self {
+            proportions: *proportions,
+            feet,
+            place: [0.0; 2],
+            height: 0.0,
+            last: None,
+            planted: [false; 2],
+            velocity: [0.0; 2],
+            flown_secs: None,
+        }
     }
 
     /// Begins anew above a point of the ground.
     pub(crate) fn reset(&mut self, at: Vec3) {
         self.place = [at.x, at.z].map(f64::from);
         self.last = None;
+        self.velocity = [0.0; 2];
+        self.flown_secs = None;
     }
 
     /// Puts the next pose, `dt_secs` after the one before, where its supporting foot says, turned by a heading.
     pub(crate) fn place(&mut self, pose: &mut Pose, support: impl Into<Support>, heading: f32, dt_secs: f32) {
+        self.place_above(pose, support, heading, dt_secs, 0.0);
+    }
+
+    /// The same for a pose whose lowest foot is so high above the ground, metres: where that is more than 0 no foot carries
+    /// the body, and it goes on with the velocity that it took off with until it has landed.
+    pub(crate) fn place_above(
+        &mut self,
+        pose: &mut Pose,
+        support: impl Into<Support>,
+        heading: f32,
+        dt_secs: f32,
+        above: f32,
+    ) {
         pose.root = Vec3::ZERO;
         pose.rotations[0] = Quat::from_rotation_y(heading) * pose.rotations[0];
         let points = self.feet.points(&world_from_local(&self.proportions, pose));
@@ -113,6 +147,14 @@ impl RootPath {
                 point = last_point;
             }
         }
+        if above > 0.0 || self.flown_secs.is_some() {
+            travel = self.fly(dt_secs, above > 0.0);
+        } else if dt_secs > 0.0 && self.last.is_some() {
+            let share = half_life_share(dt_secs, VELOCITY_HALF_LIFE_SECS);
+            for (velocity, way) in self.velocity.iter_mut().zip([travel.x, travel.z]) {
+                *velocity += share * (way / dt_secs - *velocity);
+            }
+        }
         self.place[0] += f64::from(travel.x);
         self.place[1] += f64::from(travel.z);
         let ground = height(support).min(height(other));
@@ -121,11 +163,22 @@ impl RootPath {
             let p = lowest(side);
             let way = (points[side][p] - before[side][p] + travel) * Vec3::new(1.0, 0.0, 1.0);
             let is_slow = way.length() <= STANDING_SPEED * dt_secs;
-            side == foot || (points[side][p].y - ground < STANDING_HEIGHT && is_slow)
+            above <= 0.0 && (side == foot || (points[side][p].y - ground < STANDING_HEIGHT && is_slow))
         });
         self.last = Some((foot, point, points));
-        self.height = -ground;
+        self.height = above - ground;
         pose.root = self.root();
+    }
+
+    /// The way over the ground in a frame that began in the air, or ends there.
+    fn fly(&mut self, dt_secs: f32, is_in_air: bool) -> Vec3 {
+        let flown = self.flown_secs.unwrap_or(0.0) + dt_secs;
+        self.flown_secs = is_in_air.then_some(flown);
+        if flown > LONGEST_FLIGHT_SECS {
+            self.velocity = [0.0; 2];
+        }
+        let [x, z] = self.velocity.map(|velocity| velocity * dt_secs);
+        Vec3::new(x, 0.0, z)
     }
 
     fn root(&self) -> Vec3 {
@@ -176,6 +229,47 @@ mod tests {
         let cycles = (3600.0 * RATE_HZ / NEUTRAL.period) as usize;
         let (found, expected) = (distance_after(cycles), begin + per_cycle * (cycles - 1) as f64);
         assert!(expected > 1000.0 && (found - expected).abs() < 0.01, "{found} m instead of {expected} m");
+    }
+
+    #[test]
+    fn who_is_in_the_air_goes_on_as_he_took_off_until_he_lands() {
+        const ABOVE: f32 = 0.1;
+        let cycle = walk(&NEUTRAL, NEUTRAL.period as usize, 0.0).poses;
+        let dt_secs = 1.0 / RATE_HZ;
+        let mut path = RootPath::new(&Proportions::default());
+        let mut place = |frame: usize, above: f32| {
+            let mut pose = cycle[frame % cycle.len()];
+            path.place_above(&mut pose, Support::Auto, 0.0, dt_secs, above);
+            (pose.root, path.planted())
+        };
+        let walked: Vec<Vec3> = (0..2 * cycle.len()).map(|frame| place(frame, 0.0).0).collect();
+        let (taken_off, speed) = (walked[walked.len() - 1], walked[walked.len() - 1].z / walked.len() as f32);
+        let flown: Vec<_> = (0..6).map(|frame| place(frame, ABOVE)).collect();
+        let step = flown[0].0.z - taken_off.z;
+        assert!((0.4 * speed..2.5 * speed).contains(&step), "{step} m a frame after {speed} m");
+        for pair in flown.windows(2) {
+            assert!((pair[1].0.z - pair[0].0.z - step).abs() < 1e-5);
+            assert_eq!(pair[1].1, [false; 2]);
+        }
+        // The frame in which a foot comes down belongs to the flight; from then on the foot carries.
+        let (landed, planted) = place(6, 0.0);
+        assert!((landed.z - flown[5].0.z - step).abs() < 1e-5 && planted.contains(&true));
+        assert!((flown[0].0.y - walked[0].y - ABOVE).abs() < 1e-5);
+    }
+
+    #[test]
+    fn who_is_held_in_the_air_comes_to_rest() {
+        let cycle = walk(&NEUTRAL, NEUTRAL.period as usize, 0.0).poses;
+        let mut path = RootPath::new(&Proportions::default());
+        let mut at = |frame: usize, above: f32| {
+            let mut pose = cycle[frame];
+            path.place_above(&mut pose, Support::Auto, 0.0, 1.0 / RATE_HZ, above);
+            pose.root
+        };
+        (0..cycle.len()).for_each(|frame| drop(at(frame, 0.0)));
+        let held: Vec<Vec3> = (0..RATE_HZ as usize).map(|_| at(0, 0.1)).collect();
+        assert!(held[1].z > held[0].z);
+        assert_eq!(held[held.len() - 1], held[held.len() - 2]);
     }
 
     /// Standing on the left foot while the right one slides by at a speed, close above the ground.

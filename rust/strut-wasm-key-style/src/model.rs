@@ -91,7 +91,7 @@ impl KeyStyleModel {
 
     /// The pose of a training frame; none if there is no such frame.
     pub fn recorded(&self, frame: usize) -> Option<Vec<f32>> {
-        let pose = || self.model.space.pose(&self.model.recorded_row(frame));
+        let pose = || self.synthesis.pose_of(&self.model.recorded_row(frame));
         (frame < self.model.rows.len()).then(|| floats_of([pose()].iter()))
     }
 

@@ -16,8 +16,8 @@ const HALF_LIFE_SECS: f64 = 0.1;
 /// Longest time that passes at once, seconds.
 const LONGEST_SECS: f64 = 1.0;
 
-/// A body on a critically damped spring to the pose of a style. It stands on the foot that is lowest: where the recordings
-/// went somewhere it goes where that foot carries it, else it stays.
+/// A body on a critically damped spring to the pose of a style. It stands on the foot that is lowest, unless neither stood:
+/// where the recordings went somewhere it goes where that foot carries it and flies on from there, else it stays.
 #[derive(Clone, Debug)]
 pub struct DragCharacter {
     synthesis: Synthesis,
@@ -124,7 +124,7 @@ impl DragCharacter {
     fn place(&mut self, secs: f64) {
         let model = self.synthesis.model();
         self.pose = model.space.pose(&self.row);
-        self.path.place(&mut self.pose, Support::Auto, 0.0, secs as f32);
+        self.path.place_above(&mut self.pose, Support::Auto, 0.0, secs as f32, self.synthesis.flight_of(&self.row));
         if !model.travels {
             (self.pose.root.x, self.pose.root.z) = (0.0, 0.0);
         }

@@ -14,6 +14,7 @@ mod em;
 #[cfg(feature = "baselines")]
 pub mod evaluation;
 mod expression;
+mod flight;
 mod frame;
 mod key_styling;
 mod learning;

@@ -1,5 +1,6 @@
 //! Synthesis of a pose from a style (`docs/methods/somn.md` §7).
 
+use super::flight::Flight;
 use super::frame::Frame;
 use super::mixture::{Gate, Style, softmax};
 use super::model::KeyStyleModel;
@@ -72,6 +73,7 @@ impl Default for Mode {
 pub struct Synthesis {
     model: Arc<KeyStyleModel>,
     recorded: RecordedStyles,
+    flight: Option<Flight>,
     gates: Vec<Gate>,
     /// The same, blurred by so much.
     blurred: (f64, Vec<Gate>),
@@ -83,7 +85,14 @@ impl Synthesis {
     pub fn new(model: Arc<KeyStyleModel>) -> Self {
         let gates = Gate::all(&model.components, model.axis_count()).unwrap_or_default();
         let weights = vec![0.0; gates.len()];
-        Self { recorded: RecordedStyles::new(&model.styles), model, blurred: (0.0, gates.clone()), gates, weights }
+        Self {
+            recorded: RecordedStyles::new(&model.styles),
+            flight: Flight::of(&model),
+            model,
+            blurred: (0.0, gates.clone()),
+            gates,
+            weights,
+        }
     }
 
     /// The model.
@@ -108,7 +117,20 @@ impl Synthesis {
     /// The pose of a style, above the origin and facing +Z.
     pub fn pose(&mut self, style: &Style, mode: Mode) -> Pose {
         let row = self.row(style, mode);
-        self.model.space.pose(&row)
+        self.pose_of(&row)
+    }
+
+    /// The pose of a row above the origin: its lowest foot on the floor, or as high as it flies.
+    pub fn pose_of(&self, row: &Row) -> Pose {
+        let mut pose = self.model.space.pose(row);
+        pose.root.y += self.flight_of(row);
+        pose
+    }
+
+    /// Height of the lowest foot above the ground in a row, metres: 0 where it stands, and everywhere if nobody took off in
+    /// the recordings.
+    pub(super) fn flight_of(&self, row: &Row) -> f32 {
+        self.flight.map_or(0.0, |flight| flight.height(&self.model.space, row))
     }
 
     /// Mean angle between the joints of the recorded poses and of those that their styles give, degrees; NaN where nothing
