@@ -19,6 +19,9 @@ class FakeElement {
   set textContent(text: string) {
     this.replaceChildren(text);
   }
+  getAttribute(name: string): string | null {
+    return this.attributes[name] ?? null;
+  }
   setAttribute(name: string, value: string): void {
     this.attributes[name] = value;
   }

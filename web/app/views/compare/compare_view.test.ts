@@ -50,6 +50,9 @@ class FakeElement {
   readonly dataset = {};
   readonly style = { setProperty: () => {} };
   readonly classList = { toggle: () => {} };
+  getAttribute() {
+    return null;
+  }
   setAttribute() {}
   removeAttribute() {}
   append() {}
