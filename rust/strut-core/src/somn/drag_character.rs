@@ -124,7 +124,8 @@ impl DragCharacter {
     fn place(&mut self, secs: f64) {
         let model = self.synthesis.model();
         self.pose = model.space.pose(&self.row);
-        self.path.place_above(&mut self.pose, Support::Auto, 0.0, secs as f32, self.synthesis.flight_of(&self.row));
+        let above = self.synthesis.flight_of(&self.row, &self.pose);
+        self.path.place_above(&mut self.pose, Support::Auto, 0.0, secs as f32, above);
         if !model.travels {
             (self.pose.root.x, self.pose.root.z) = (0.0, 0.0);
         }

@@ -1,7 +1,8 @@
 //! Phases of flight: how high the feet are above the ground where neither of them stands (`docs/methods/somn.md` §7).
 
 use super::model::KeyStyleModel;
-use super::pose_space::{DIMS, PoseSpace};
+use super::pose_space::{DIMS, PoseSpace, Row};
+use crate::humanoid::Pose;
 
 /// So many recorded frames are looked at, evenly spread.
 const SAMPLES: usize = 256;
@@ -27,7 +28,10 @@ impl Flight {
     /// Of a model's recordings; `None` where a foot always stands.
     pub(super) fn of(model: &KeyStyleModel) -> Option<Self> {
         let step = model.rows.len().div_ceil(SAMPLES).max(1);
-        let clearance = |row: &[f32; DIMS]| clearance(&model.space, &row.map(f64::from));
+        let clearance = |row: &[f32; DIMS]| {
+            let row = row.map(f64::from);
+            clearance(&row, &model.space.pose(&row))
+        };
         let mut heights: Vec<f32> = model.rows.iter().step_by(step).map(clearance).collect();
         heights.sort_unstable_by(f32::total_cmp);
         let ground = *heights.get((heights.len() as f32 * STANDING_SHARE) as usize)?;
@@ -35,14 +39,14 @@ impl Flight {
         (flying as f32 >= LEAST_SHARE * heights.len() as f32).then_some(Self { ground })
     }
 
-    /// Height of the lowest foot above the ground in a row, metres; 0 where it stands.
-    pub(super) fn height(self, space: &PoseSpace, row: &[f64; DIMS]) -> f32 {
-        let height = clearance(space, row) - self.ground;
+    /// Height of the lowest foot above the ground in a row, metres, by the row's pose on the floor; 0 where it stands.
+    pub(super) fn height(self, row: &Row, standing: &Pose) -> f32 {
+        let height = clearance(row, standing) - self.ground;
         (2.0 * (height - UNCERTAIN)).min(height).max(0.0)
     }
 }
 
 /// Height of the lowest foot where the hips are as high as a row says, metres.
-fn clearance(space: &PoseSpace, row: &[f64; DIMS]) -> f32 {
-    PoseSpace::height(row) - space.pose(row).root.y
+fn clearance(row: &Row, standing: &Pose) -> f32 {
+    PoseSpace::height(row) - standing.root.y
 }

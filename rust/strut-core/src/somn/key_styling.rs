@@ -134,9 +134,12 @@ impl KeyStyling {
         let frames = ((self.end - self.begin) * rate + 1e-6).floor() as usize + 1;
         let mut at = |frame: usize| {
             let row = self.row(synthesis, self.begin + frame as f64 / rate, method);
-            let mut pose = synthesis.pose_of(&row);
+            let mut pose = model.space.pose(&row);
+            let above = synthesis.flight_of(&row, &pose);
             if model.travels {
-                path.place_above(&mut pose, Support::Auto, 0.0, 1.0 / RATE_HZ, synthesis.flight_of(&row));
+                path.place_above(&mut pose, Support::Auto, 0.0, 1.0 / RATE_HZ, above);
+            } else {
+                pose.root.y += above;
             }
             pose
         };

@@ -123,14 +123,14 @@ impl Synthesis {
     /// The pose of a row above the origin: its lowest foot on the floor, or as high as it flies.
     pub fn pose_of(&self, row: &Row) -> Pose {
         let mut pose = self.model.space.pose(row);
-        pose.root.y += self.flight_of(row);
+        pose.root.y += self.flight_of(row, &pose);
         pose
     }
 
-    /// Height of the lowest foot above the ground in a row, metres: 0 where it stands, and everywhere if nobody took off in
-    /// the recordings.
-    pub(super) fn flight_of(&self, row: &Row) -> f32 {
-        self.flight.map_or(0.0, |flight| flight.height(&self.model.space, row))
+    /// Height of the lowest foot above the ground in a row, metres, by the row's pose on the floor: 0 where it stands, and
+    /// everywhere if nobody took off in the recordings.
+    pub(super) fn flight_of(&self, row: &Row, standing: &Pose) -> f32 {
+        self.flight.map_or(0.0, |flight| flight.height(row, standing))
     }
 
     /// Mean angle between the joints of the recorded poses and of those that their styles give, degrees; NaN where nothing
