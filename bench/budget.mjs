@@ -4,21 +4,14 @@
 //
 // Memory is what is reachable after garbage collection. Code is counted apart: for minutes the browser compiles anew, and
 // better, what runs often, which is most of what the heap gains and nothing that the page keeps.
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { join } from "node:path";
 import { parseArgs } from "node:util";
-import { chromium } from "playwright-core";
-import { preview } from "vite";
 import { checkSize } from "../scripts/size.mjs";
-import { main, root, Sentence } from "../scripts/steps.mjs";
+import { main, Sentence } from "../scripts/steps.mjs";
+import { onBuiltSite } from "./built_site.mjs";
 
-const FLAGS = [
-  "--no-sandbox",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--disable-background-networking",
-];
 /** Visits that the first character is timed in. */
 const VISITS = 5;
 /** Least frames of the clip that is styled. */
@@ -137,28 +130,14 @@ await main(async () => {
   });
   const minutes = Number(values.minutes);
   if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
-  if (!existsSync(resolve(root, "dist/index.html"))) throw new Sentence("dist/ is missing; run 'npm run build' first.");
-  const server = await preview({
-    root: resolve(root, "web/app"),
-    configFile: resolve(root, "vite.config.ts"),
-    preview: { port: 0, strictPort: false, open: false },
-    logLevel: "error",
-  });
-  const url = server.resolvedUrls.local[0];
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
-    args: FLAGS,
-  });
-  const figures = {
+  const figures = await onBuiltSite(async (browser, url) => ({
     machine: `${cpus().length} × ${cpus()[0].model}`,
     size: checkSize(),
     first_character_ms: Math.round(await firstCharacter(browser, url)),
     longest_task_ms: Math.round(await longestTask(browser, url)),
     heap_growth_percent: await growth(browser, url, minutes),
     minutes,
-  };
-  await browser.close();
-  await server.close();
+  }));
   console.log(`machine          ${figures.machine}`);
   console.log(`size             ${figures.size}`);
   console.log(

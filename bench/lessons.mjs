@@ -1,19 +1,13 @@
 // npm run lessons: what the lessons cost, into docs/lessons.md: calls of their engine in Node, and in Chromium on the built
 // site how long a lesson takes to open after Play, and what a figure costs the page's thread while its state changes.
 // Figures depend on the machine; it says which it was. The part of the page about exercises is written by hand.
-import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
-import { join, resolve } from "node:path";
-import { chromium } from "playwright-core";
-import { preview, runnerImport } from "vite";
-import { main, root, Sentence, step } from "../scripts/steps.mjs";
+import { join } from "node:path";
+import { runnerImport } from "vite";
+import { main, root, step } from "../scripts/steps.mjs";
+import { onBuiltSite } from "./built_site.mjs";
 
-const FLAGS = [
-  "--no-sandbox",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--disable-background-networking",
-];
 const OPENS_IN_MS = 1000;
 const FRAME_MS = 4;
 /** Changes of the state that a figure is timed over. */
@@ -178,35 +172,19 @@ function tables({ machine, calls, opened, costs }) {
 }
 
 await main(async () => {
-  if (!existsSync(resolve(root, "dist/figure.html")))
-    throw new Sentence("dist/ is missing; run 'npm run build' first.");
   const { module: lessons } = await runnerImport(join(root, "bench", "lessons.ts"));
   const measured = { machine: `${cpus().length} × ${cpus()[0].model.trim()}` };
   await step("Calls of the engine", async () => {
     measured.calls = await lessons.timeCalls();
   });
-  const server = await preview({
-    root: resolve(root, "web/app"),
-    configFile: resolve(root, "vite.config.ts"),
-    preview: { port: 0, strictPort: false, open: false },
-    logLevel: "error",
-  });
-  const url = server.resolvedUrls.local[0];
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
-    args: FLAGS,
-  });
-  try {
+  await onBuiltSite(async (browser, url) => {
     await step("Opening of lessons", async () => {
       measured.opened = await openings(browser, url, lessons.LESSON_IDS);
     });
     await step("Costs of figures", async () => {
       measured.costs = await figureCosts(browser, url, lessons.KIND_NAMES);
     });
-  } finally {
-    await browser.close();
-    await server.close();
-  }
+  });
   const file = join(root, "docs", "lessons.md");
   const [before, rest] = readFileSync(file, "utf8").split(BEGIN);
   writeFileSync(file, `${before}${BEGIN}\n\n${tables(measured)}\n\n${END}${rest.split(END)[1]}`);
