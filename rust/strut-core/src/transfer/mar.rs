@@ -1,7 +1,7 @@
 //! The mixture of autoregressive models of one frame: neighbours → classes → styles (Eq. 2–7).
 
 use super::bias::Bias;
-use super::coherence::{ComplementaryFilter, HALF_LIFE_SECS, taper};
+use super::coherence::{ComplementaryFilter, half_life_secs, taper};
 use super::input::Input;
 use super::mixture::{class_weights, greatest_distance, known};
 use super::model::Model;
@@ -262,7 +262,8 @@ impl Mixture {
             }
         }
         if is_coherent(options) && heaviest.is_some() {
-            let share = half_life_share(1.0 / db.rate_hz, HALF_LIFE_SECS);
+            let nearest = self.heaviest_neighbours().first().map_or(f32::INFINITY, |n| n.distance);
+            let share = half_life_share(1.0 / db.rate_hz, half_life_secs(nearest));
             for s in styles.iter_mut().filter(|s| s.started) {
                 s.filter.correct(&s.previous, share, &mut s.current);
             }
