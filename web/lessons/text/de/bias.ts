@@ -31,7 +31,7 @@ export const bias: LessonText = {
   why: "Wann würdest du ρ = 1 wählen, wann ρ = 0? Denk an jemanden, der ein Tablett trägt, und an jemanden, dessen Arm schlecht aufgenommen wurde.",
   exercises: {
     A: {
-      task: "Die Arme sind um 60° gehoben. Finde das ρ, bei dem über den ganzen Gang die Hälfte des Hebens bleibt, auf 0,03 genau.",
+      task: "Die Arme sind um 60° gehoben. Finde das ρ, bei dem über den ganzen Gang die Hälfte des Hebens bleibt, auf 0,02 genau.",
       pass: ({ keep, share }) => `Ja: Mit ρ ${keep} bleibt vom Heben ${share}.`,
       near: {
         other: () => "Lass das Heben bei 60°, κ und den Stil, wie sie waren: Nur ρ soll sich ändern.",

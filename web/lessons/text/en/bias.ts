@@ -31,7 +31,7 @@ export const bias: LessonText = {
   why: "When would you choose ρ = 1, and when ρ = 0? Think of somebody who carries a tray, and of somebody whose arm was recorded badly.",
   exercises: {
     A: {
-      task: "The arms are raised by 60°. Find the ρ with which half of the raise survives over the whole walk, to within 0.03.",
+      task: "The arms are raised by 60°. Find the ρ with which half of the raise survives over the whole walk, to within 0.02.",
       pass: ({ keep, share }) => `Yes: with ρ ${keep}, ${share} of the raise survives.`,
       near: {
         other: () => "Keep the raise at 60°, and κ and the style as they were: only ρ should change.",
