@@ -21,8 +21,13 @@ const HALF_KNOWN = 0.0025;
 const JUMP_ROWS = 4;
 /** Least of the distances of classes, m². */
 const LEAST_DISTANCE = 1e-6;
-/** Half-life of what separates expectation and prediction, seconds. */
+/**
+ * Half-life of what separates expectation and prediction for known input, seconds, how many times as long it is for unknown,
+ * and D of the nearest neighbour halfway between, m².
+ */
 const HALF_LIFE_SECS = 1 / 120;
+const LONGEST = 6;
+const HALF_UNKNOWN = 0.0016;
 /**
  * Windows of like legs that say which feet are planted, and what halves the say of one: differences of a point's height,
  * metres, and speed, m/s, and the least sum of their squares.
@@ -227,7 +232,9 @@ export class NaiveTransfer implements Yardstick {
         step[d]! += weight * (mean[3]! - mean[2]! - RHO * (mean[1]! - mean[0]!));
       }
     });
-    const share = 1 - 2 ** (-1 / rateHz / HALF_LIFE_SECS);
+    const heaviest = this.weights.indexOf(Math.max(...this.weights));
+    const known = 1 / (1 + (this.nearest[heaviest]![0]!.distance / HALF_UNKNOWN) ** 4);
+    const share = 1 - 2 ** (-1 / rateHz / (HALF_LIFE_SECS * (LONGEST - (LONGEST - 1) * known)));
     for (let d = 0; d < dofs; d++) {
       const expected = yBefore[d]! + step[d]!;
       y[d] = expected + share * (y[d]! - expected);

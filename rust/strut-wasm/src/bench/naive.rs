@@ -26,8 +26,11 @@ const LEAST_DEVIATION: [f32; 2] = [0.05, 0.005];
 const HALF_KNOWN: f32 = 0.0025;
 /// Least of the distances of classes, m².
 const LEAST_DISTANCE: f32 = 1e-6;
-/// Half-life of what separates expectation and prediction, seconds.
+/// Half-life of what separates expectation and prediction for known input, seconds, how many times as long it is for unknown,
+/// and D of the nearest neighbour halfway between, m².
 const HALF_LIFE_SECS: f32 = 1.0 / 120.0;
+const LONGEST: f32 = 6.0;
+const HALF_UNKNOWN: f32 = 0.0016;
 /// Windows of like legs that say which feet are planted, and what halves the say of one: differences of a point's height,
 /// metres, and speed, m/s, and the least sum of their squares.
 const VOTERS: usize = 40;
@@ -223,7 +226,12 @@ impl Naive {
                 step[d] += weight * (mean[3] - mean[2] - rho * (mean[1] - mean[0]));
             }
         }
-        let share = half_life_share(1.0 / db.rate_hz, HALF_LIFE_SECS);
+        let heaviest = (0..self.weights.len())
+            .reduce(|best, class| if self.weights[class] > self.weights[best] { class } else { best })
+            .unwrap_or_default();
+        let ratio = square(self.nearest[heaviest][0].distance / HALF_UNKNOWN);
+        let times = LONGEST - (LONGEST - 1.0) / (1.0 + square(ratio));
+        let share = half_life_share(1.0 / db.rate_hz, times * HALF_LIFE_SECS);
         for d in 0..DOFS {
             let expected = y_before[d] + step[d];
             y[d] = expected + share * (y[d] - expected);
