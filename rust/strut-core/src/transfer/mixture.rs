@@ -18,7 +18,12 @@ const WIDEST: f32 = 3.0;
 
 /// How far input is like the database's, 0 to 1, by the mean squared distance of its nearest class, m².
 pub(super) fn known(least: f32) -> f32 {
-    let square = (least / HALF_KNOWN) * (least / HALF_KNOWN);
+    known_by_half_at(HALF_KNOWN, least)
+}
+
+/// How far input is like the database's, 0 to 1, by a squared distance, where input at the distance `half` is known by half.
+pub(super) fn known_by_half_at(half: f32, distance: f32) -> f32 {
+    let square = (distance / half) * (distance / half);
     1.0 / (1.0 + square * square)
 }
 
