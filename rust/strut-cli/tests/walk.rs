@@ -6,7 +6,7 @@ use common::{assert_refused, mocap_folder, strut, strut_ok};
 use std::path::Path;
 use std::sync::Arc;
 use strut_core::hsmm::evaluation::{GaitStatistics, Reconstruction, recognise};
-use strut_core::hsmm::{LabelledClip, Options, RuntimeWalkModel, Track, Walker, train};
+use strut_core::hsmm::{LabelledClip, Options, RuntimeWalkModel, Track, WalkModel, Walker, train};
 use strut_core::humanoid::{HumanoidMotion, Proportions, Role};
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
@@ -16,6 +16,10 @@ use strut_formats::bvh::{self, Bvh};
 use strut_formats::corpus::Clip;
 
 const STYLES: [&str; 7] = ["active", "elderly", "exhausted", "feminine", "masculine", "normal", "youthful"];
+
+/// Those of `bandai-namco-1`.
+const ACTED: &str =
+    "active angry childish chimpira feminine giant happy masculinity musical normal not-confident old proud sad tired";
 
 /// The walks of `bandai-namco-2`: style, take and track, on the body of the first.
 fn walks(mocap: &Path) -> (Proportions, Vec<(usize, usize, Track)>) {
@@ -103,22 +107,34 @@ fn strides_are_as_long_as_asked_for_and_who_stops_stands_on_both_feet() {
 
 #[test]
 fn steps_and_speed_go_one_way_from_the_opposite_of_a_style_to_twice_of_it() {
-    /// Steps of each walk; what settles in the first few counts little among them.
-    const STEPS: u64 = 60;
     let Some(mocap) = mocap_folder() else { return };
     let (body, walks) = walks(&mocap);
-    let training: Vec<LabelledClip> = walks
+    let mut training: Vec<LabelledClip> = walks
         .iter()
         .filter(|(_, take, _)| *take > 2)
         .map(|(style, _, track)| LabelledClip { style: STYLES[*style], track })
         .collect();
-    let model = train(&body, &training, Options { refined: true }, &Sequential).unwrap();
-    let runtime = Arc::new(RuntimeWalkModel::new(&model));
-    for (style, name) in STYLES.iter().enumerate() {
+    all_go_one_way(&train(&body, &training, Options { refined: true }, &Sequential).unwrap(), 60);
+
+    let acted = ACTED.split(' ').map(|name| {
+        let path = mocap.join(format!("bandai-namco-1/dataset-1_walk_{name}_001.bvh"));
+        let clip = Clip::parse(&std::fs::read(path).unwrap()).unwrap();
+        (format!("{name} 1"), Track::new(&to_humanoid(&clip.motion, &clip.binding, &body)).unwrap())
+    });
+    let acted: Vec<(String, Track)> = acted.collect();
+    training.extend(acted.iter().map(|(style, track)| LabelledClip { style, track }));
+    all_go_one_way(&train(&body, &training, Options { refined: true }, &Sequential).unwrap(), 100);
+}
+
+/// Fails unless length and speed of so many steps of every style go one way with its weight. What settles in the first few
+/// counts little among them: most where a style's legs are at their limit.
+fn all_go_one_way(model: &WalkModel, steps: u64) {
+    let runtime = Arc::new(RuntimeWalkModel::new(model));
+    for (style, name) in model.styles.iter().enumerate() {
         let at = |quarter: i16| {
-            let mut weights = vec![0.0; STYLES.len()];
+            let mut weights = vec![0.0; model.styles.len()];
             weights[style] = 0.25 * f32::from(quarter);
-            GaitStatistics::of(&model, &runtime, &weights, STEPS).unwrap()
+            GaitStatistics::of(model, &runtime, &weights, steps).unwrap()
         };
         let gaits: Vec<GaitStatistics> = (-4..=8).map(at).collect();
         for (measure, of) in [("length", (|g| g.step_length) as fn(&GaitStatistics) -> f64), ("speed", |g| g.speed)] {

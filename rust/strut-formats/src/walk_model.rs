@@ -9,6 +9,7 @@
 //! | `means` | S, 2, 5, 3, D | means of every style's states |
 //! | `durations` | S, 2, 5 | mean durations of the states, frames |
 //! | `step_lengths` | S | mean length of a step as it is walked, metres; since version 1.2, absent where it was not measured |
+//! | `step_length_bends` | S, 2 | metres that a step is asked to be longer than in proportion for every unit of a weight below 0 and above 1; since version 1.3, absent where that is nothing |
 //! | `variances` | 2, 5, 3, D | variances, shared by all styles |
 //! | `duration_variances` | 2, 5 | variances of the durations, frames² |
 //! | `range` | 2, D | least and greatest value in the recorded walks |
@@ -30,11 +31,11 @@ use thiserror::Error;
 
 /// The kind of file.
 pub const KIND: Kind =
-    Kind { name: "walk model", entry: "strut-walk", version: "1.2", checksum_since: 1, max_bytes: 64 << 20 };
+    Kind { name: "walk model", entry: "strut-walk", version: "1.3", checksum_since: 1, max_bytes: 64 << 20 };
 /// Greatest number of styles of a model.
 pub const MAX_STYLES: usize = 1000;
-/// Greatest magnitude of a mean and of a range's end, radians.
-const MAX_RADIANS: f32 = 100.0;
+/// Greatest magnitude of a mean and of a range's end, radians, and of a step's bend, metres.
+const MODERATE: f32 = 100.0;
 /// Variances, radians²; training gives at least 1e-9. Walking divides by them in single precision.
 const VARIANCES: RangeInclusive<f32> = 1e-10..=1e4;
 /// Durations of a state, frames.
@@ -45,6 +46,7 @@ const STEP_LENGTHS: RangeInclusive<f32> = 0.0..=100.0;
 const DURATION_VARIANCES: RangeInclusive<f32> = 1e-6..=1e6;
 
 const LENGTHS: &str = "step_lengths";
+const BENDS: &str = "step_length_bends";
 const CONTEXTS: [&str; SIDES] = ["left", "right"];
 const OBSERVATION: usize = 3 * ROTATION_DIMS;
 
@@ -114,6 +116,9 @@ pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
     if means().any(|m| m.step_length != 0.0) {
         tensors.push((LENGTHS, rounded(vec![styles], || means().map(|m| m.step_length))));
     }
+    if means().any(|m| m.step_length_bends != [0.0; 2]) {
+        tensors.push((BENDS, rounded(vec![styles, 2], || means().flat_map(|m| m.step_length_bends))));
+    }
     container::write(KIND, &metadata, &tensors)
 }
 
@@ -135,13 +140,17 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
         return Err(WalkModelError::Styles(styles));
     }
 
-    let radians = -MAX_RADIANS..=MAX_RADIANS;
-    let radians_expected = "a number within ±100 rad";
-    let means = tensors.within("means", &[styles, SIDES, STATES, 3, ROTATION_DIMS], &radians, radians_expected)?;
+    let moderate = -MODERATE..=MODERATE;
+    let moderate_expected = "a number within ±100";
+    let means = tensors.within("means", &[styles, SIDES, STATES, 3, ROTATION_DIMS], &moderate, moderate_expected)?;
     let durations = tensors.within("durations", &[styles, SIDES, STATES], &DURATIONS, "0.001 to 1000 frames")?;
     let step_lengths = match tensors.rows(LENGTHS) {
         0 => vec![0.0; styles],
         _ => tensors.within(LENGTHS, &[styles], &STEP_LENGTHS, "0 to 100 m")?,
+    };
+    let bends = match tensors.rows(BENDS) {
+        0 => Vec::new(),
+        _ => tensors.within(BENDS, &[styles, 2], &moderate, moderate_expected)?,
     };
     let variances = tensors.within(
         "variances",
@@ -155,7 +164,7 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
         &DURATION_VARIANCES,
         "a variance of 0.000001 to 1000000 frames²",
     )?;
-    let range = tensors.within("range", &[2, ROTATION_DIMS], &radians, radians_expected)?;
+    let range = tensors.within("range", &[2, ROTATION_DIMS], &moderate, moderate_expected)?;
     let (low, high) = range.split_at(ROTATION_DIMS);
     if let Some((low, high)) = low.iter().zip(high).find(|(low, high)| low > high) {
         return Err(ContainerError::value(
@@ -165,6 +174,20 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
         )
         .into());
     }
+    let mut means: Vec<StyleMeans> = means
+        .chunks_exact(SIDES * STATES * OBSERVATION)
+        .zip(durations.chunks_exact(SIDES * STATES))
+        .zip(step_lengths)
+        .map(|((means, durations), step_length)| StyleMeans {
+            means: Box::new(observations(means)),
+            durations: per_state(durations),
+            step_length: step_length.into(),
+            step_length_bends: [0.0; 2],
+        })
+        .collect();
+    for (means, bends) in means.iter_mut().zip(bends.chunks_exact(2)) {
+        means.step_length_bends = [bends[0].into(), bends[1].into()];
+    }
     Ok(WalkModel {
         proportions,
         reference: tensors.rotations("reference")?,
@@ -172,16 +195,7 @@ pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
         duration_variances: per_state(&duration_variances),
         range: std::array::from_fn(|end| std::array::from_fn(|d| range[end * ROTATION_DIMS + d].into())),
         styles: metadata.styles,
-        means: means
-            .chunks_exact(SIDES * STATES * OBSERVATION)
-            .zip(durations.chunks_exact(SIDES * STATES))
-            .zip(step_lengths)
-            .map(|((means, durations), step_length)| StyleMeans {
-                means: Box::new(observations(means)),
-                durations: per_state(durations),
-                step_length: step_length.into(),
-            })
-            .collect(),
+        means,
     })
 }
 
@@ -210,6 +224,7 @@ mod tests {
             means: Box::new([[[[value; ROTATION_DIMS]; 3]; STATES]; SIDES]),
             durations: [[3.0; STATES]; SIDES],
             step_length: 0.5,
+            step_length_bends: [0.0, 0.125 * value],
         };
         WalkModel {
             proportions: Proportions::default(),
@@ -240,11 +255,18 @@ mod tests {
     #[test]
     fn a_file_that_holds_no_lengths_opens() {
         let mut old = model();
-        old.means.iter_mut().for_each(|means| means.step_length = 0.0);
-        let file = write(&old, "test");
-        assert!(!file.windows(LENGTHS.len()).any(|bytes| bytes == LENGTHS.as_bytes()));
-        assert_eq!(read(&file).unwrap(), old);
-        assert!(walks(&file));
+        for (name, forget) in [
+            (BENDS, (|means| means.step_length_bends = [0.0; 2]) as fn(&mut StyleMeans)),
+            (LENGTHS, |means| means.step_length = 0.0),
+        ] {
+            let holds = |file: &[u8]| file.windows(name.len()).any(|bytes| bytes == name.as_bytes());
+            assert!(holds(&write(&old, "test")));
+            old.means.iter_mut().for_each(forget);
+            let file = write(&old, "test");
+            assert!(!holds(&file));
+            assert_eq!(read(&file).unwrap(), old);
+            assert!(walks(&file));
+        }
     }
 
     #[test]
@@ -272,6 +294,9 @@ mod tests {
         other = model();
         other.means[1].step_length = -0.5;
         assert!(refused(&write(&other, "test")).contains("'step_lengths' holds -0.5; 0 to 100 m"));
+        other = model();
+        other.means[0].step_length_bends[1] = f64::NAN;
+        assert!(refused(&write(&other, "test")).contains("'step_length_bends' holds NaN; a number within ±100"));
         other = model();
         other.range[0][7] = 2.0;
         assert!(refused(&write(&other, "test")).contains("'range' holds 2 to 1.5"));

@@ -65,6 +65,9 @@ pub struct StyleMeans {
     pub durations: PerState<f64>,
     /// Mean length of a step as it is walked, metres; 0 where that was not measured.
     pub step_length: f64,
+    /// How much longer than in proportion a step is asked to be for every unit of the style's weight below 0, and above 1,
+    /// metres: 0 where the legs can swing as far as the length in proportion takes. A mixture of styles has none of its own.
+    pub step_length_bends: [f64; 2],
 }
 
 impl StyleMeans {
@@ -74,6 +77,7 @@ impl StyleMeans {
             means: Box::new([[[[0.0; ROTATION_DIMS]; 3]; STATES]; SIDES]),
             durations: [[0.0; STATES]; SIDES],
             step_length: 0.0,
+            step_length_bends: [0.0; 2],
         }
     }
 
@@ -86,7 +90,7 @@ impl StyleMeans {
         means
     }
 
-    /// Adds `weight` times another.
+    /// Adds `weight` times another, whose length does not bend in it.
     pub(super) fn add(&mut self, weight: f64, other: &Self) {
         flattened_mut(&mut self.means).iter_mut().zip(flattened(&other.means)).for_each(|(a, b)| *a += weight * b);
         let durations = self.durations.as_flattened_mut().iter_mut();
@@ -130,7 +134,8 @@ impl WalkModel {
     }
 
     /// A style of these weights, one a style of the model; the remainder to a sum of 1 is the weight of the `average`
-    /// (`docs/methods/hsmm.md` §9). One style alone with weight 1 is that style to the bit.
+    /// (`docs/methods/hsmm.md` §9). One style alone with weight 1 is that style to the bit, but
+    /// for the bends of its length.
     pub fn mix(&self, average: &StyleMeans, weights: &[f64]) -> StyleMeans {
         let mut mixed = StyleMeans::zero();
         let rest = 1.0 - weights.iter().sum::<f64>();

@@ -21,15 +21,18 @@ fn track(gait: &Gait) -> Track {
     Track::new(&HumanoidMotion { proportions, rate_hz: SINE_RATE_HZ, poses }).unwrap()
 }
 
-/// Upright and bent walking, by clips whose steps are not all of one length.
-static MODEL: LazyLock<WalkModel> = LazyLock::new(|| {
-    let tracks: Vec<(&str, Track)> = [("upright", NEUTRAL), ("bent", BENT)]
-        .into_iter()
-        .flat_map(|(name, gait)| [0.0, 3.0].map(|more| (name, track(&Gait { period: gait.period + more, ..gait }))))
+/// A model of gaits, by clips whose steps are not all of one length.
+fn model_of(gaits: &[(&str, Gait)]) -> WalkModel {
+    let tracks: Vec<(&str, Track)> = gaits
+        .iter()
+        .flat_map(|(name, gait)| [0.0, 3.0].map(|more| (*name, track(&Gait { period: gait.period + more, ..*gait }))))
         .collect();
     let clips: Vec<LabelledClip> = tracks.iter().map(|(style, track)| LabelledClip { style, track }).collect();
     train(&Proportions::default(), &clips, Options::default(), &Sequential).unwrap()
-});
+}
+
+/// Upright and bent walking.
+static MODEL: LazyLock<WalkModel> = LazyLock::new(|| model_of(&[("upright", NEUTRAL), ("bent", BENT)]));
 
 pub(super) fn walker(weights: &[f32]) -> Walker {
     let mut walker = Walker::new(Arc::new(RuntimeWalkModel::new(&MODEL)));
@@ -346,6 +349,28 @@ fn steps_are_as_long_as_the_mixture_says() {
 }
 
 #[test]
+fn steps_get_longer_all_the_way_where_legs_reach_their_limit() {
+    // In twice the long steps thighs would swing by half more than was recorded.
+    let gaits = [("short", Gait { swing: 0.1, ..NEUTRAL }), ("long", Gait { swing: 0.7, ..NEUTRAL })];
+    let model = model_of(&gaits);
+    let [_, twice] = model.means[1].step_length_bends;
+    assert!(twice < 0.0, "twice the long steps cannot be reached: {twice}");
+    let runtime = Arc::new(RuntimeWalkModel::new(&model));
+    let lengths: Vec<f64> = (-4..=8)
+        .map(|quarter: i16| {
+            let mut walker = Walker::new(Arc::clone(&runtime));
+            walker.set_styles(&[0.0, 0.25 * f32::from(quarter)]).unwrap();
+            mean_step_length(&mut walker, 40)
+        })
+        .collect();
+    assert!(lengths.is_sorted(), "{lengths:.4?}");
+    let asked = 2.0 * model.means[1].step_length - model.average().step_length + twice;
+    let off = lengths[12] / asked - 1.0;
+    // 0.19 in proportion.
+    assert!(off.abs() < 0.03, "{off}");
+}
+
+#[test]
 fn of_a_longer_stride_the_length_is_known() {
     let mut walker = walker(&[0.5, 0.5]);
     walker.set_stride(0.9);
@@ -356,7 +381,9 @@ fn of_a_longer_stride_the_length_is_known() {
 #[test]
 fn models_that_do_not_know_their_lengths_walk_and_can_learn_them() {
     let mut old = MODEL.clone();
-    old.means.iter_mut().for_each(|means| means.step_length = 0.0);
+    for means in &mut old.means {
+        (means.step_length, means.step_length_bends) = (0.0, [0.0; 2]);
+    }
     let mut walker = Walker::new(Arc::new(RuntimeWalkModel::new(&old)));
     walker.set_styles(&[1.0, 0.0]).unwrap();
     assert!((mean_step_length(&mut walker, 20) / MODEL.means[0].step_length - 1.0).abs() < 0.02);

@@ -175,7 +175,9 @@ impl Planner {
                 let sums = means.as_flattened_mut().iter_mut();
                 sums.zip(runtime_style.means[side][state].as_flattened()).for_each(|(sum, v)| *sum += weight * v);
                 standing.iter_mut().zip(runtime_style.standing).for_each(|(sum, v)| *sum += weight * v);
-                step.length += weight * self.stride * runtime_style.step_length / STATES as f32;
+                let length =
+                    weight * self.stride * runtime_style.step_length + self.stride * runtime_style.bend(weight);
+                step.length += length / STATES as f32;
             }
             let walking = self.start.share(number, state);
             if walking < 1.0 || legs != 1.0 {

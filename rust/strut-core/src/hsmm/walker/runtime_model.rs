@@ -35,6 +35,7 @@ pub(super) struct RuntimeStyle {
     pub(super) durations: [Durations; SIDES],
     /// Of a step, metres.
     pub(super) step_length: f32,
+    step_length_bends: [f32; 2],
     /// The pose that walking swings about, and stops in: either leg as it is below the body, and all else in between.
     pub(super) standing: Padded,
 }
@@ -50,8 +51,15 @@ impl RuntimeStyle {
             means: means.means.each_ref().map(|side| side.each_ref().map(padded)),
             durations: means.durations.map(|side| side.map(|d| d as f32)),
             step_length: means.step_length as f32,
+            step_length_bends: means.step_length_bends.map(|bend| bend as f32),
             standing: std::array::from_fn(|d| if d < ROTATION_DIMS { standing(d) as f32 } else { 0.0 }),
         }
+    }
+
+    /// How much longer a step gets than in proportion to the style's weight, metres: nothing from 0 to 1.
+    pub(super) fn bend(&self, weight: f32) -> f32 {
+        let beyond = weight - weight.clamp(0.0, 1.0);
+        beyond * self.step_length_bends[usize::from(beyond > 0.0)]
     }
 }
 

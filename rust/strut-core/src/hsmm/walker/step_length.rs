@@ -6,7 +6,7 @@ use crate::math::Vec3;
 const GAIN: f32 = 0.5;
 /// Least and greatest share of their swing that the legs are given. Beyond 1.2 the steps of a style that is exaggerated may get
 /// shorter again: a stretched leg comes down early, and pushes the body back.
-const SHARE: [f32; 2] = [0.75, 1.2];
+pub(super) const SHARE: [f32; 2] = [0.75, 1.2];
 
 /// A frame of a walk.
 #[derive(Clone, Copy, Debug)]

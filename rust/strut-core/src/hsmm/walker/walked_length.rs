@@ -1,31 +1,57 @@
 //! How long the steps of a style are: measured in the walking figure (`docs/methods/hsmm.md` §11).
 
+use super::step_length::SHARE;
 use super::{RuntimeWalkModel, Walker};
 use crate::hsmm::model::WalkModel;
 use crate::math::Vec3;
 use crate::parallel::ParallelMap;
 use std::sync::Arc;
 
-/// Steps of a walk that is measured that belong to its beginning, and those that are measured: as many of either foot.
+/// Steps of a walk that is measured that belong to its beginning, where it is not told how long its steps should be and where
+/// it is, and those that are measured: as many of either foot.
 const BEGINNING: u64 = 2;
+const COMING_TO_LENGTH: u64 = 20;
 const MEASURED: u64 = 20;
+/// Weights of a style at which is measured how long its steps can get: its opposite, and twice of it.
+const BEYOND: [f32; 2] = [-1.0, 2.0];
 
 impl WalkModel {
-    /// With the lengths of every style's steps as a walker takes them when it is not told how long they are.
+    /// With the lengths of every style's steps as a walker takes them when it is not told how long they are, and with
+    /// what these lengths in proportion lack where the legs cannot swing as far, in the style's opposite and in twice of it.
     pub fn with_walked_lengths(mut self, executor: &impl ParallelMap) -> Self {
-        self.means.iter_mut().for_each(|means| means.step_length = 0.0);
+        for means in &mut self.means {
+            (means.step_length, means.step_length_bends) = (0.0, [0.0; 2]);
+        }
         let runtime = Arc::new(RuntimeWalkModel::new(&self));
-        let lengths = executor.map(self.styles.len(), &|style| walked_length(&runtime, style));
+        let lengths = executor.map(self.styles.len(), &|style| walked(&runtime, style, 1.0, BEGINNING).length);
         self.means.iter_mut().zip(lengths).for_each(|(means, length)| means.step_length = length);
+        let runtime = Arc::new(RuntimeWalkModel::new(&self));
+        let average = self.average().step_length;
+        let bends = executor.map(self.styles.len(), &|style| {
+            BEYOND.map(|weight| {
+                let asked = average + f64::from(weight) * (self.means[style].step_length - average);
+                let Walked { length, swing } = walked(&runtime, style, weight, COMING_TO_LENGTH);
+                if SHARE.contains(&swing) { (length - asked) / f64::from(weight - weight.clamp(0.0, 1.0)) } else { 0.0 }
+            })
+        });
+        self.means.iter_mut().zip(bends).for_each(|(means, bends)| means.step_length_bends = bends);
         self
     }
 }
 
-/// Mean length of a style's steps, metres.
-fn walked_length(runtime: &Arc<RuntimeWalkModel>, style: usize) -> f64 {
+/// A walk that was measured.
+struct Walked {
+    /// Mean length of its steps, metres.
+    length: f64,
+    /// The share of their swing that the legs had at its end.
+    swing: f32,
+}
+
+/// Walks a style with a weight.
+fn walked(runtime: &Arc<RuntimeWalkModel>, style: usize, weight: f32, beginning: u64) -> Walked {
     let mut walker = Walker::new(Arc::clone(runtime));
     for weights in &mut walker.planner.weights.0 {
-        weights[style] = 1.0;
+        weights[style] = weight;
     }
     walker.reset(Vec3::ZERO, 0.0);
     let mut place_before = |step: u64| {
@@ -34,6 +60,7 @@ fn walked_length(runtime: &Arc<RuntimeWalkModel>, style: usize) -> f64 {
         }
         walker.pose.root
     };
-    let from = place_before(BEGINNING);
-    f64::from((place_before(BEGINNING + MEASURED) - from).length()) / MEASURED as f64
+    let from = place_before(beginning);
+    let way = f64::from((place_before(beginning + MEASURED) - from).length());
+    Walked { length: way / MEASURED as f64, swing: walker.planner.swing }
 }
