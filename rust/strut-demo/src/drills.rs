@@ -16,9 +16,13 @@ const FLAT: Foot = foot(0.0, 0.0, 0.0);
 /// Share of the trunk's bend that the pelvis has.
 const PELVIS_SHARE: f32 = 0.45;
 
+/// Flexion in degrees at which an arm still hangs, however high the style swings it in walking.
+const MOST_HANGING: f32 = 9.0;
+
 /// Standing at ease: the arms hang as the style carries them.
 fn standing(style: &Style) -> Key {
-    let hanging = arm(5.0 + style.arm_forward, style.arm_spread, style.arm_twist, 0.8 * style.elbow);
+    let flexion = (5.0 + style.arm_forward).min(MOST_HANGING);
+    let hanging = arm(flexion, style.arm_spread, style.arm_twist, 0.8 * style.elbow);
     Key { secs: 0.5, airborne: false, body: UPRIGHT, arms: [hanging; 2], feet: [FLAT; 2], swings: [None; 2] }
 }
 
