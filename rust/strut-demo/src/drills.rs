@@ -16,9 +16,13 @@ const FLAT: Foot = foot(0.0, 0.0, 0.0);
 /// Share of the trunk's bend that the pelvis has.
 const PELVIS_SHARE: f32 = 0.45;
 
+/// Flexion in degrees at which an arm still hangs, however high the style swings it in walking.
+const MOST_HANGING: f32 = 9.0;
+
 /// Standing at ease: the arms hang as the style carries them.
 fn standing(style: &Style) -> Key {
-    let hanging = arm(5.0 + style.arm_forward, style.arm_spread, style.arm_twist, 0.8 * style.elbow);
+    let flexion = (5.0 + style.arm_forward).min(MOST_HANGING);
+    let hanging = arm(flexion, style.arm_spread, style.arm_twist, 0.8 * style.elbow);
     Key { secs: 0.5, airborne: false, body: UPRIGHT, arms: [hanging; 2], feet: [FLAT; 2], swings: [None; 2] }
 }
 
@@ -53,20 +57,20 @@ fn jump_keys(style: &Style, size: f32) -> Vec<Key> {
             secs: 0.28,
             airborne: true,
             body: Body { drop: -0.03 * (4.0 * form.rise).min(1.0), ahead: 0.06, ..bent(0.4 * form.air_bend) },
-            arms: both(between(form.wind_up, form.aloft, 0.86)),
+            arms: form.aloft.map(|aloft| between(form.wind_up, aloft, 0.86)),
             feet: rolled(-56.0),
             ..standing
         },
         Key {
             airborne: true,
             body: Body { ahead: 0.03, ..bent(form.air_bend) },
-            arms: both(form.aloft),
+            arms: form.aloft,
             swings: form.legs.map(Some),
             ..standing
         },
         Key {
             body: bent(0.3 * form.air_bend + 0.3 * form.landing_bend),
-            arms: both(between(form.aloft, form.catch, 0.5)),
+            arms: form.aloft.map(|aloft| between(aloft, form.catch, 0.5)),
             feet: rolled(-28.0),
             ..standing
         },
@@ -134,7 +138,7 @@ fn cross_keys(style: &Style, size: f32) -> Vec<Key> {
     };
     vec![
         Key {
-            secs: 0.17,
+            secs: 0.17 * form.wind_up_time,
             body: Body {
                 ahead: -0.25 * form.shift,
                 yaw: -12.0 - 0.25 * turn,
@@ -170,7 +174,7 @@ fn jab_keys(style: &Style, size: f32) -> Vec<Key> {
     };
     vec![
         Key {
-            secs: 0.16,
+            secs: 0.16 * form.wind_up_time,
             body: Body { ahead: -0.01, yaw: -4.0, chest_yaw: 0.2 * turn, ..bent(-0.2 * form.lean) },
             arms: [form.wind_up, form.guard],
             ..guard
@@ -215,7 +219,7 @@ fn kick_keys(style: &Style, size: f32) -> Vec<Key> {
     let form = &style.kick;
     let standing = standing(style);
     let hanging = standing.arms[0];
-    let on_one_leg = |ahead: f32, lean: f32| Body { aside: 0.085, ahead, drop: 0.014, ..bent(lean) };
+    let on_one_leg = |ahead: f32, lean: f32| Body { aside: 0.085, ahead, drop: form.sink, ..bent(lean) };
     let raised = |t: f32| form.arms.map(|raised| between(hanging, raised, t));
     let strike = Key {
         secs: 0.18,

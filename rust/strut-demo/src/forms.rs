@@ -47,8 +47,8 @@ pub struct Jump {
     pub landing_bend: f32,
     /// The arms before the push.
     pub wind_up: Arm,
-    /// The arms at the top.
-    pub aloft: Arm,
+    /// The left and the right arm at the top.
+    pub aloft: [Arm; 2],
     /// The arms as the landing is caught.
     pub catch: Arm,
     /// The left and the right leg at the top.
@@ -78,9 +78,11 @@ pub struct Punch {
     pub shift: f32,
     /// Time at full reach.
     pub hold: f32,
+    /// Time of the wind-up as a multiple of a neutral one's: an arm that is thrown overhead needs more.
+    pub wind_up_time: f32,
 }
 
-/// How a style kicks. Angles in degrees, times in seconds.
+/// How a style kicks. Lengths in metres, angles in degrees, times in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kick {
     /// Speed, 1 for neutral.
@@ -93,6 +95,8 @@ pub struct Kick {
     pub lean: f32,
     /// Time at full reach.
     pub hold: f32,
+    /// How far the standing leg gives in to the weight: it bends the knee.
+    pub sink: f32,
     /// The arm of the standing side and that of the kicking side at full reach.
     pub arms: [Arm; 2],
 }
@@ -103,6 +107,11 @@ pub(crate) const fn arm(flexion: f32, spread: f32, twist: f32, elbow: f32) -> Ar
 
 pub(crate) const fn swing(hip: f32, knee: f32, ankle: f32) -> Swing {
     Swing { hip, out: 0.0, knee, ankle }
+}
+
+/// Both arms alike.
+pub(crate) const fn arms(flexion: f32, spread: f32, twist: f32, elbow: f32) -> [Arm; 2] {
+    [arm(flexion, spread, twist, elbow); 2]
 }
 
 /// Both legs alike.

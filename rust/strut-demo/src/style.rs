@@ -79,15 +79,19 @@ pub struct Style {
     pub arm_swing: f32,
     /// Distance of the upper arm from the body.
     pub arm_spread: f32,
-    /// Spread added at the ends of the swing: arms that swing round the body.
+    /// Spread added at both ends of the swing: arms that swing round the body.
     pub arm_round: f32,
+    /// Spread added to the arm ahead and taken from the one behind: arms that come out in turn.
+    pub arm_out: f32,
+    /// Inward twist added to the arm ahead and taken from the one behind: arms that cross in front of the body.
+    pub arm_cross: f32,
     /// Inward twist of the upper arm.
     pub arm_twist: f32,
     /// Delay of the arms behind the legs, half-life in seconds of the following spring: heaviness.
     pub arm_drag: f32,
     /// Mean flexion of the elbow.
     pub elbow: f32,
-    /// Elbow flexion; half range.
+    /// Elbow flexion; half range. Negative bends the arm behind and straightens the one ahead.
     pub elbow_swing: f32,
     /// Turn of the palm to the back.
     pub pronation: f32,

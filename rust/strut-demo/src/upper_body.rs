@@ -229,9 +229,10 @@ impl<'a> Gait<'a> {
         ArmTarget {
             flexion: s.arm_forward + swing,
             elbow: s.elbow + elbow,
-            spread: s.arm_spread + s.arm_round * forward_share * forward_share + wobble(spread_channel, 1.5),
-            // Arms that swing round the body cross in front of it.
-            twist: s.arm_twist + s.arm_round * forward_share,
+            spread: s.arm_spread
+                + (s.arm_round * forward_share + s.arm_out) * forward_share
+                + wobble(spread_channel, 1.5),
+            twist: s.arm_twist + s.arm_cross * forward_share,
             protraction: s.shoulder_forward + 0.15 * swing,
             raise: s.shoulder_raise + 0.8 * breath,
             firm: 0.0,
