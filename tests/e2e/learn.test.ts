@@ -77,7 +77,7 @@ describe("a lesson", () => {
     await begin.focus();
     await page.keyboard.press("Enter");
     await soon(async () => (await state()).task).toBe("B");
-    await soon(async () => (await state()).figures).toContain("style=proud");
+    await soon(async () => (await state()).figures).toContain("style=sexy");
     const playhead = page.locator('strut-figure[data-name="curve"]').getByRole("slider");
     await playhead.focus();
     await soon(() => playhead.getAttribute("aria-valuenow")).toBe("0");
@@ -112,7 +112,7 @@ describe("a lesson", () => {
     await style.selectOption("childlike");
     await soon(() => verdict("A")).toMatch(/^✗ You compared different moments of the step\./);
     await style.selectOption("proud");
-    await soon(() => verdict("A")).toMatch(/^≈ Close: proud/);
+    await soon(() => verdict("A")).toMatch(/^✗ proud has 5\.94 cm on average\. There is less\.$/);
     const card = page.locator('[data-exercise="A"]');
     await card.getByRole("button", { name: "Hint 1" }).click();
     await soon(() => card.locator(".hints li:not([hidden])").count()).toBe(1);

@@ -13,12 +13,11 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(PAIR_FIELDS);
 
-/** Exercise B: so many times the difference by content. */
+/** Exercise B: its style, and so many times the difference by content. */
+const SLOWER = "sexy";
 const TIMES = 4;
 /** Half of it is close. */
 const TIMES_NEAR = 2;
-/** Exercise A: this share above the least is close. */
-const NEAR_STYLE = 1.1;
 /** Exercise C: this share of the greatest is close. */
 const NEAR_JOINT = 0.7;
 
@@ -71,10 +70,7 @@ export const style: Lesson = lesson<PairState>({
       figure: "curve",
       start: { ...PRESET },
       pass: ({ motion, style, nearest }) => motion === PRESET.motion && style === nearest,
-      near: ({ motion, style, meanContent, least }) => {
-        if (motion !== PRESET.motion || style === "neutral") return "other";
-        return Number(meanContent) <= NEAR_STYLE * Number(least) ? "close" : undefined;
-      },
+      near: ({ motion, style }) => (motion !== PRESET.motion || style === "neutral" ? "other" : undefined),
       refuse: ({ style, nearestBySecond, motion }) => motion === PRESET.motion && style === nearestBySecond,
       solve: async (engine) => ({
         style: nearestStyle(await styleMeans(engine, PRESET.motion, "content")) as PairState["style"],
@@ -83,16 +79,16 @@ export const style: Lesson = lesson<PairState>({
     {
       id: "B",
       figure: "curve",
-      start: { ...PRESET, style: "proud", at: 0 },
-      pass: (measure) => isMeanOf(measure, "proud") && ratio(measure) >= TIMES,
+      start: { ...PRESET, style: SLOWER, at: 0 },
+      pass: (measure) => isMeanOf(measure, SLOWER) && ratio(measure) >= TIMES,
       near: (measure) => {
-        if (!isMeanOf(measure, "proud")) return "other";
+        if (!isMeanOf(measure, SLOWER)) return "other";
         if (ratio(measure) < TIMES_NEAR) return undefined;
         return Number(measure.ratioAfter) >= Number(measure.ratioBefore) ? "later" : "earlier";
       },
-      refuse: (measure) => isMeanOf(measure, "proud") && Number(measure.second) <= Number(measure.content),
+      refuse: (measure) => isMeanOf(measure, SLOWER) && Number(measure.second) <= Number(measure.content),
       solve: async (engine) => {
-        const { difference } = await pairOfStyle(engine, "proud");
+        const { difference } = await pairOfStyle(engine, SLOWER);
         const at = difference.content.findIndex((content, f) => difference.second[f]! >= TIMES * content);
         return { at };
       },

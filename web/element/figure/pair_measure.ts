@@ -70,7 +70,6 @@ export async function measurePair(engine: LearnEngine, state: PairState, pair: P
     ratioAfter: ratioAt(pair, at + AROUND),
     nearest,
     nearestBySecond: nearestStyle(await styleMeans(engine, motion, "second")),
-    least: means.get(nearest)!,
     farthest: ROLES[farthestJoint(joints)]!,
     jointMean: joint === "" ? Number.NaN : joints[JOINT[joint]]!,
     jointMeanSecond: joint === "" ? Number.NaN : meanOf(jointCurve(pair, "second", JOINT[joint])),

@@ -33,7 +33,6 @@ export const style: LessonText = {
       pass: ({ style, meanContent }) => `Ja: ${style}, im Mittel ${meanContent} cm.`,
       near: {
         other: () => "Wähle einen anderen Stil als neutral, für das neutrale Gehen.",
-        close: ({ style, meanContent }) => `Knapp: ${style} hat ${meanContent} cm. Ein Stil hat etwas weniger.`,
       },
       refuse: ({ style, meanContent, meanSecond }) =>
         `Du hast verschiedene Augenblicke des Schritts verglichen. Nach der Uhr hat ${style} am wenigsten, ${meanSecond} cm; in gleichen Augenblicken sind es ${meanContent} cm.`,
@@ -44,10 +43,10 @@ export const style: LessonText = {
       ],
     },
     B: {
-      task: "Finde im stolzen Gang einen Augenblick, in dem der Unterschied in der gleichen Sekunde mindestens viermal so groß ist wie bei gleichem Inhalt.",
+      task: "Finde im sexy Gang einen Augenblick, in dem der Unterschied in der gleichen Sekunde mindestens viermal so groß ist wie bei gleichem Inhalt.",
       pass: ({ secs, second, content }) => `Ja: Bei ${secs} s sind es ${second} cm gegen ${content} cm.`,
       near: {
-        other: () => "Zeig den Stil „stolz“ für das neutrale Gehen, und das Mittel aller Gelenke.",
+        other: () => "Zeig den Stil „sexy“ für das neutrale Gehen, und das Mittel aller Gelenke.",
         later: ({ second, content }) => `Knapp: ${second} cm gegen ${content} cm. Geh etwas später.`,
         earlier: ({ second, content }) => `Knapp: ${second} cm gegen ${content} cm. Geh etwas früher.`,
       },
@@ -56,7 +55,7 @@ export const style: LessonText = {
       no: ({ secs, second, content }) =>
         `Bei ${secs} s sind es ${second} cm gegen ${content} cm. Such einen größeren Abstand.`,
       hints: [
-        "Der stolze Gang ist langsamer und bleibt zurück. Ist er einen Schritt zurück, steht er auf dem anderen Fuß; bei zwei Schritten gehen beide wieder im Gleichschritt.",
+        "Der sexy Gang ist langsamer und bleibt zurück. Ist er einen Schritt zurück, steht er auf dem anderen Fuß; bei zwei Schritten gehen beide wieder im Gleichschritt.",
         "Achte auf die Beine: Wo die eine Figur den linken Fuß vorn hat und die andere den rechten, ist der Abstand am größten.",
       ],
     },

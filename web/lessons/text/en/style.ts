@@ -33,7 +33,6 @@ export const style: LessonText = {
       pass: ({ style, meanContent }) => `Yes: ${style}, with ${meanContent} cm on average.`,
       near: {
         other: () => "Choose one of the styles other than neutral, on the neutral walk.",
-        close: ({ style, meanContent }) => `Close: ${style} has ${meanContent} cm. One style has a little less.`,
       },
       refuse: ({ style, meanContent, meanSecond }) =>
         `You compared different moments of the step. By the clock ${style} has least, ${meanSecond} cm; at equal instants it has ${meanContent} cm.`,
@@ -44,17 +43,17 @@ export const style: LessonText = {
       ],
     },
     B: {
-      task: "Find an instant of the proud walk at which the difference in the same second is at least four times that at the same content.",
+      task: "Find an instant of the sexy walk at which the difference in the same second is at least four times that at the same content.",
       pass: ({ secs, second, content }) => `Yes: at ${secs} s it is ${second} cm against ${content} cm.`,
       near: {
-        other: () => "Show the style “proud” on the neutral walk, and the mean of all joints.",
+        other: () => "Show the style “sexy” on the neutral walk, and the mean of all joints.",
         later: ({ second, content }) => `Close: ${second} cm against ${content} cm. Go a little later.`,
         earlier: ({ second, content }) => `Close: ${second} cm against ${content} cm. Go a little earlier.`,
       },
       refuse: () => "Here the two are in step: the same second is the same content. Look where they are out of step.",
       no: ({ secs, second, content }) => `At ${secs} s it is ${second} cm against ${content} cm. Look for a wider gap.`,
       hints: [
-        "The proud walker is slower and falls behind. One step late, it stands on the other foot; two steps late, the two are in step again.",
+        "The sexy walker is slower and falls behind. One step late, it stands on the other foot; two steps late, the two are in step again.",
         "Watch the legs: where one walker has the left foot in front and the other the right, the gap is widest.",
       ],
     },
