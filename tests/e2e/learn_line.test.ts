@@ -64,17 +64,15 @@ it("shows the sweep once exercise A is solved, and its handle turns the ridge", 
   await visit(page, "view=learn&lesson=line&beat=4&theme=light");
   await page.locator('[data-exercise="A"]').getByRole("button", { name: "Begin" }).press("Enter");
   await tabTo("Ridge λ");
-  await page.keyboard.type("0.02");
+  await page.keyboard.type("0.009");
   await page.keyboard.press("Enter");
-  await eventually(() => verdict("A")).toMatch(/^✓ ?Yes: λ 0\.0200 gives 1\.43°/);
+  await eventually(() => verdict("A")).toMatch(/^✓ ?Yes: λ 0\.0090 gives 1\.50°/);
   const handle = sweep.getByRole("slider", { name: "Ridge λ" });
-  await eventually(() => handle.getAttribute("aria-valuetext")).toMatch(
-    /^At λ 0\.0200 .* 1\.43°; the least is 1\.4\d°/,
-  );
+  await eventually(() => handle.getAttribute("aria-valuetext")).toMatch(/^At λ 0\.0090 .* 1\.50°; the least is 1\.50°/);
   await handle.focus();
   await page.keyboard.press("End");
   await eventually(() => page.evaluate(() => window.strut.state.figures)).toContain("ridge=10");
-  await eventually(() => handle.getAttribute("aria-valuetext")).toMatch(/^At λ 10\.0000 .* 1\.47°/);
+  await eventually(() => handle.getAttribute("aria-valuetext")).toMatch(/^At λ 10\.0000 .* 1\.64°/);
   expect(await faults()).toEqual([]);
   await screenshot(page, "learn-line-sweep");
 });

@@ -37,10 +37,11 @@ export const line: LessonText = {
   why: "Warum darf die Engine eine Gerade anpassen, obwohl sich ein Knie nicht auf einer Geraden bewegt?",
   exercises: {
     A: {
-      task: "Zwölf Punkte, alle mit gleichem Gewicht, mit 4° Rauschen. Sag den ganzen Gang vorher und vergleiche ihn mit dem aufgenommenen alten Gang: Finde ein λ, dessen Fehler höchstens 1 % über dem kleinsten liegt.",
+      task: "Zwölf Punkte, alle mit gleichem Gewicht, mit 4° Rauschen. Sag den ganzen Gang vorher und vergleiche ihn mit dem aufgenommenen wütenden Gang: Finde ein λ, dessen Fehler höchstens 1 % über dem kleinsten liegt.",
       pass: ({ error, lambda }) => `Ja: λ ${lambda} ergibt ${error}°, und kein λ ist um mehr als 1 % besser.`,
       near: {
-        other: () => "Bleib beim Knie des alten Gangs, bei K 12, ν 4 und gleichen Gewichten: Nur λ soll sich ändern.",
+        other: () =>
+          "Bleib beim Knie des wütenden Gangs, bei K 12, ν 4 und gleichen Gewichten: Nur λ soll sich ändern.",
         more: ({ error, leastError }) => `Knapp: ${error}°, am wenigsten sind ${leastError}°. Etwas mehr λ.`,
         less: ({ error, leastError }) => `Knapp: ${error}°, am wenigsten sind ${leastError}°. Etwas weniger λ.`,
       },

@@ -33,11 +33,11 @@ export const line: LessonText = {
   why: "Why may the engine fit a straight line although a knee does not move in a straight line?",
   exercises: {
     A: {
-      task: "Twelve dots, all of equal weight, with 4° of noise. Predict the whole walk, and compare it with the performed old walk: find a λ whose error is within 1 % of the least.",
+      task: "Twelve dots, all of equal weight, with 4° of noise. Predict the whole walk, and compare it with the performed angry walk: find a λ whose error is within 1 % of the least.",
       pass: ({ error, lambda }) => `Yes: λ ${lambda} gives ${error}°, and no λ is better by more than 1 %.`,
       near: {
         other: () =>
-          "Keep the knee of the old walk, K at 12, ν at 4, and all dots of equal weight: only λ should change.",
+          "Keep the knee of the angry walk, K at 12, ν at 4, and all dots of equal weight: only λ should change.",
         more: ({ error, leastError }) => `Close: ${error}°, the least is ${leastError}°. A little more λ.`,
         less: ({ error, leastError }) => `Close: ${error}°, the least is ${leastError}°. A little less λ.`,
       },
