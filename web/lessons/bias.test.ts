@@ -30,8 +30,8 @@ const said = async (language: "en" | "de", id: string, patch: Partial<BiasState>
 test("the bet: without ρ next to nothing of the raise survives", async () => {
   const { answer, measure } = await bias.bet.reveal(engine);
   expect(answer).toBe("little");
-  expect(Number(measure.share)).toBeGreaterThan(0);
-  expect(Number(measure.usual)).toBeGreaterThan(0.45);
+  expect(Math.abs(Number(measure.share))).toBeLessThan(0.05);
+  expect(Number(measure.usual)).toBeGreaterThan(0.3);
 });
 
 test("x is the angle of the raised arm from its mean, and Δx is what of it is outside μ ± κσ", async () => {
@@ -100,13 +100,14 @@ test("the share that survives is that of poses which are styled frame by frame",
   );
 });
 
-test("A is passed by a narrow stretch of ρ, below the engine's own, and one half is refused", async () => {
-  for (const keep of [0.65, 0.68]) expect(await result("A", { keep })).toEqual({ result: "pass" });
+test("A is passed by a narrow stretch of ρ, above the engine's own, and one half is refused", async () => {
+  for (const keep of [0.84, 0.87]) expect(await result("A", { keep })).toEqual({ result: "pass" });
   expect(await result("A", { keep: 0.5 })).toEqual({ result: "refuse" });
-  expect(await result("A", { keep: 0.63 })).toEqual({ result: "near", way: "more" });
-  expect(await result("A", { keep: DEFAULT_OPTIONS.rho })).toEqual({ result: "near", way: "less" });
+  expect(await result("A", { keep: 0.82 })).toEqual({ result: "near", way: "more" });
+  expect(await result("A", { keep: 0.9 })).toEqual({ result: "near", way: "less" });
+  expect(await result("A", { keep: DEFAULT_OPTIONS.rho })).toEqual({ result: "no" });
   for (const patch of [{ raise: 30 }, { reach: 4 }, { style: "old" }, { motion: "neutral run" }] as const)
-    expect(await result("A", { keep: 0.66, ...patch })).toEqual({ result: "near", way: "other" });
+    expect(await result("A", { keep: 0.86, ...patch })).toEqual({ result: "near", way: "other" });
   expect(await result("A", { keep: 1 })).toEqual({ result: "no" });
   const text = { en: await TEXTS.en.lessons.bias!(), de: await TEXTS.de.lessons.bias!() };
   expect(text.en.exercises.A!.refuse(await said("en", "A", { keep: 0.5 }))).toMatch(

@@ -66,7 +66,7 @@ export const bias: Lesson = lesson<BiasState>({
       refuse: (measure) => isPreset(measure) && Math.abs(Number(measure.keep) - NAIVE) <= OFF,
       solve: async (engine) => {
         // Between these the share is nearly linear in ρ; each costs the engine a second.
-        const [low, high] = [0.6, 0.8];
+        const [low, high] = [0.8, 1];
         const [less, more] = [
           await survives(engine, { ...PRESET, keep: low }),
           await survives(engine, { ...PRESET, keep: high }),

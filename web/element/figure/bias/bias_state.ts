@@ -35,7 +35,7 @@ export const BIAS_RANGES = {
 /** How the state is written into a link. Those of the bias are the engine's. */
 export const BIAS_FIELDS: Fields<BiasState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
-  style: choice("style", "proud", STYLES, true),
+  style: choice("style", "depressed", STYLES, true),
   at: number("i", 160, { min: 2, max: 5000, digits: 0 }, true),
   raise: number("raise", 60, BIAS_RANGES.raise, true),
   reach: number("reach", DEFAULT_OPTIONS.kappa, BIAS_RANGES.reach, true),
