@@ -15,7 +15,7 @@ const DEGREES_NEAR = 4;
 /** Exercise B: its joint, the share of the jerk that is left, deviations from the means, and what is close to either. */
 const TOES = "left_toes";
 const JERK = 0.5;
-const DEVIATIONS = 2;
+const DEVIATIONS = 2.2;
 const CLOSE = 1.2;
 /** Exercise C: steps a minute, how far from it passes, and how far is close. */
 const CADENCE = 100;

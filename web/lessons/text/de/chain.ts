@@ -47,7 +47,7 @@ export const chain: LessonText = {
       ],
     },
     B: {
-      task: "Die Zehen rucken. Bring den Ruck auf höchstens das 0,5-Fache, wobei die Kurve höchstens 2 σ von den Mitteln entfernt bleibt (mit dem σ des Modells).",
+      task: "Die Zehen rucken. Bring den Ruck auf höchstens das 0,5-Fache, wobei die Kurve höchstens 2,2 σ von den Mitteln entfernt bleibt (mit dem σ des Modells).",
       pass: ({ jerkShare, deviations }) => `Ja: das ${jerkShare}-Fache des Rucks, bei ${deviations} σ.`,
       near: {
         other: () => "Sieh auf die linken Zehen des neutralen Gangs: k 0.",

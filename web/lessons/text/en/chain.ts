@@ -46,7 +46,7 @@ export const chain: LessonText = {
       ],
     },
     B: {
-      task: "The toes jerk. Bring the jerk down to 0.5 times or less, while the curve stays within 2 σ of the means (with the model’s own σ).",
+      task: "The toes jerk. Bring the jerk down to 0.5 times or less, while the curve stays within 2.2 σ of the means (with the model’s own σ).",
       pass: ({ jerkShare, deviations }) => `Yes: ${jerkShare} times the jerk, at ${deviations} σ.`,
       near: {
         other: () => "Look at the left toes of the neutral walk: k 0.",
