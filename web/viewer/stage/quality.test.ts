@@ -16,9 +16,11 @@ describe("pixel ratio", () => {
     expect(pixelRatio(cheap, 1_600_000, 1, false)).toBeCloseTo(0.5, 5);
   });
 
-  it("never exceeds the screen's own, but for a still picture", () => {
+  it("never exceeds the screen's own, of which a still picture has twice", () => {
     expect(pixelRatio(QUALITY_LEVELS[0]!, 1e6, 1, false)).toBe(1);
     expect(pixelRatio(QUALITY_LEVELS[0]!, 1e6, 1, true)).toBe(2);
+    expect(pixelRatio(QUALITY_LEVELS[0]!, 1e6, 0.5, true)).toBe(1);
+    expect(pixelRatio(QUALITY_LEVELS[0]!, 1e6, 3, true)).toBe(2);
   });
 });
 

@@ -30,6 +30,8 @@ export const QUALITY_LEVELS: readonly QualityLevel[] = [
 
 /** Highest pixel ratio; more cannot be seen. */
 const MAX_RATIO = 2;
+/** Samples per pixel of the screen, along a side, of a picture that stands still. */
+const STILL_SAMPLES = 2;
 /** Factor on the pixels of a picture that stands still. */
 const STILL_FACTOR = 4;
 /** Frames a second that allow a better level to be tried. */
@@ -60,7 +62,7 @@ function level(
 /** Pixel ratio of a picture of `area` CSS pixels on a screen of ratio `screen`; a still picture may take its time. */
 export function pixelRatio({ pixels }: QualityLevel, area: number, screen: number, still: boolean): number {
   const affordable = Math.sqrt((pixels * (still ? STILL_FACTOR : 1)) / Math.max(1, area));
-  return Math.min(still ? MAX_RATIO : Math.min(screen, MAX_RATIO), affordable);
+  return Math.min(still ? STILL_SAMPLES * screen : screen, MAX_RATIO, affordable);
 }
 
 /** Counts frames, reports their rate, and decides about the level of quality. */
