@@ -44,7 +44,7 @@ await main(async () => {
   });
   if (values.db && values.frames) throw new Sentence("--db and --frames exclude each other.");
   if (values.db && !existsSync(path(values.db))) throw new Sentence(`${values.db}: there is no such file.`);
-  await buildWasm({ mode: "full", bench: true });
+  await buildWasm({ mode: "full", bench: "full" });
   const { module: bench } = await runnerImport(join(root, "bench", "node.ts"));
   const frames = Number(values.frames ?? bench.PAPER_FRAMES);
   if (!Number.isInteger(frames) || frames < LEAST_FRAMES)

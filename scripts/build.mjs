@@ -3,5 +3,5 @@ import { buildSite } from "./site.mjs";
 import { main } from "./steps.mjs";
 
 await main(async () => {
-  await buildSite({ mode: "full", bench: true });
+  await buildSite({ mode: "full", bench: "full" });
 });

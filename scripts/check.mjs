@@ -24,7 +24,7 @@ async function setupLints(env) {
 
 await main(async () => {
   await step("Architecture", checkArchitecture);
-  const { rust: env } = await buildSite({ mode: "full", bench: true });
+  const { rust: env } = await buildSite({ mode: "full", bench: "quick" });
   await setupLints(env);
   const rust = { env, cwd: join(root, "rust") };
   await step("Rust formatting", () => run("cargo", ["fmt", "--all", "--check"], rust));

@@ -4,7 +4,7 @@ import { buildWasm } from "./site.mjs";
 import { main, step } from "./steps.mjs";
 
 await main(async () => {
-  await buildWasm({ mode: "full", bench: false });
+  await buildWasm({ mode: "full" });
   await step("Writing the package", async () => {
     await writePackage();
     return checkPackageSize();

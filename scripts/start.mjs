@@ -8,7 +8,7 @@ await main(async () => {
   const port = Number(values.port);
   if (!Number.isInteger(port) || port < 1 || port > 65535)
     throw new Sentence(`The port is '${values.port}'; a number from 1 to 65535 was expected.`);
-  await buildSite({ mode: "quick", bench: false });
+  await buildSite({ mode: "quick" });
   console.log(`\nStrut is at http://localhost:${port}  (Ctrl+C stops it)\n`);
   process.on("SIGINT", () => {});
   await run(process.execPath, [vite, "preview", "--port", String(port), "--strictPort", "--logLevel", "warn"]);

@@ -5,7 +5,7 @@ import { buildSite } from "./site.mjs";
 import { main, root, run, step } from "./steps.mjs";
 
 await main(async () => {
-  const { rust, wasm } = await buildSite({ mode: "quick", bench: true });
+  const { rust, wasm } = await buildSite({ mode: "quick", bench: "quick" });
   const browser = await setupBrowser();
   const cargo = (...args) => run(rust.CARGO ?? "cargo", args, { env: rust, cwd: join(root, "rust") });
   await step("Rust tests", () => cargo("tests", "--quiet"));

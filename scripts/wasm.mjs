@@ -124,18 +124,20 @@ const WASM_OPT_FLAGS = [
 const MIN_WASM_OPT = 120;
 
 /**
- * Builds what the page loads, and with `bench` what benchmarks and parity tests load; what is up to date stays.
+ * Builds what the page loads, and what benchmarks and parity tests load; what is up to date stays.
  * @param env environment in which cargo builds for WebAssembly
- * @param mode `full` or `quick`
+ * @param mode `full` or `quick`, of what the page loads
+ * @param bench the same of what benchmarks and parity tests load; without it that is not built
  */
 export async function buildPackages(env, { mode, bench }) {
-  const names = bench ? [...PAGE, ...BENCH] : PAGE;
   const stamp = await sourcesHash(env);
-  const outdated = names.filter((name) => !isCurrent(PACKAGES[name], mode, stamp));
-  if (outdated.length > 0)
-    await step(`Building the engine for WebAssembly${mode === "full" ? ", fully optimised" : ""}`, () =>
-      mode === "full" ? buildFull(env, outdated, stamp) : buildQuick(env, outdated, stamp),
-    );
+  const outdated = (names, mode) => names.filter((name) => !isCurrent(PACKAGES[name], mode, stamp));
+  const wanted = (built) => [...(mode === built ? PAGE : []), ...(bench === built ? BENCH : [])];
+  const full = outdated(wanted("full"), "full");
+  if (full.length > 0)
+    await step("Building the engine for WebAssembly, fully optimised", () => buildFull(env, full, stamp));
+  const quick = outdated(wanted("quick"), "quick");
+  if (quick.length > 0) await step("Building the engine for WebAssembly", () => buildQuick(env, quick, stamp));
   if (read(MOTIONS_STAMP) !== stamp)
     await step("Performing the built-in motions", async () => {
       const sizes = await writeMotions();
