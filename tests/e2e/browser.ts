@@ -14,8 +14,15 @@ const ROOT = resolve(import.meta.dirname, "../..");
 /** Where screenshots go; git ignores it. */
 const OUTPUT = resolve(ROOT, "tests/output");
 
-/** What Chromium need not do in a test. */
-const FLAGS = ["--no-sandbox", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+/** What Chromium need not do in a test: speak to its vendor, draw a window's frame, paint text in WebGL's software. */
+const FLAGS = [
+  "--no-sandbox",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--disable-gpu-rasterization",
+  "--disable-features=PreloadTopChromeWebUI,WebUIReloadButton,InitialWebUI,WebUIToolbar",
+];
 
 /** Software rendering on a busy machine takes its time; what fails does not wait for this. */
 const SLOW_MS = 240_000;
@@ -58,6 +65,8 @@ export interface PageOptions {
   hash?: string;
   size?: { width: number; height: number };
   theme?: "dark" | "light";
+  /** Pixels of the screen per CSS pixel, along a side: half unless told, as software draws every one. */
+  screenPixels?: number;
   /** Whether notes stay for minutes: a slow machine may take longer to show the page than a note stays. */
   notesStay?: boolean;
 }
@@ -66,6 +75,7 @@ export interface PageOptions {
 export async function openPage(browser: Browser, url: string, options: PageOptions = {}): Promise<Page> {
   const context = await browser.newContext({
     viewport: options.size ?? { width: 960, height: 640 },
+    deviceScaleFactor: options.screenPixels ?? 0.5,
     colorScheme: options.theme ?? "dark",
     acceptDownloads: true,
     permissions: ["clipboard-read", "clipboard-write"],

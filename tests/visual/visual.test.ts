@@ -193,7 +193,7 @@ let clip: Buffer;
 
 beforeAll(async () => {
   [browser, site] = await Promise.all([launchBrowser(SWIFTSHADER), serveSite()]);
-  page = await openPage(browser, site.url, { size: WIDE });
+  page = await openPage(browser, site.url, { size: WIDE, screenPixels: 1 });
   clip = (await saved(page, "BVH")).bytes;
   await page.addInitScript(steady);
 });
