@@ -1,4 +1,4 @@
-/** What the page says over the stage: errors stay until dismissed, notes go by themselves. */
+/** What the page says over the stage: errors and offers stay until dismissed, notes go by themselves. */
 import { button } from "../../ui/controls/buttons";
 import { html } from "../../ui/dom";
 
@@ -26,6 +26,12 @@ export class Toasts {
   note(text: string): void {
     const toast = this.#add(this.#notes, text, "note");
     setTimeout(() => toast.remove(), NOTE_MS);
+  }
+
+  /** Shows a message with a button that does something about it. */
+  offer(text: string, label: string, act: () => void): void {
+    const toast = this.#add(this.#notes, text, "note");
+    toast.lastElementChild?.before(button(label, act, { label: true, class: "outlined" }));
   }
 
   /** Takes all errors away, after what they were about has worked. */
