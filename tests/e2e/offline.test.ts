@@ -157,9 +157,9 @@ describe("a newer version", () => {
     await eventually(() => isNewer(page).catch(() => false)).toBe(true);
     await shown(page);
     expect(await page.evaluate(() => window.strut.state.view)).toBe("compare");
-    await expectWorks(page, "walk");
+    await expectWorks(page, "data");
 
-    await expectWorks(other, "key-style");
+    await expectWorks(other, "data");
     expect(await isNewer(other)).toBe(false);
     await updateOf(other).click();
     await eventually(() => isNewer(other).catch(() => false)).toBe(true);

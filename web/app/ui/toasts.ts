@@ -18,7 +18,7 @@ export class Toasts {
 
   /** Something failed: a sentence that says what, and what to do. */
   error(text: string): void {
-    if ([...this.#alerts.children].some((child) => child.firstElementChild?.textContent === text)) return;
+    if (says(this.#alerts, text)) return;
     this.#add(this.#alerts, text, "error");
   }
 
@@ -30,6 +30,7 @@ export class Toasts {
 
   /** Shows a message with a button that does something about it. */
   offer(text: string, label: string, act: () => void): void {
+    if (says(this.#notes, text)) return;
     const toast = this.#add(this.#notes, text, "note");
     toast.lastElementChild?.before(button(label, act, { label: true, class: "outlined" }));
   }
@@ -46,4 +47,9 @@ export class Toasts {
     while (region.children.length > MOST) region.firstElementChild?.remove();
     return toast;
   }
+}
+
+/** Whether a region has a toast with this text. */
+function says(region: HTMLElement, text: string): boolean {
+  return [...region.children].some((toast) => toast.firstElementChild?.textContent === text);
 }
