@@ -3,6 +3,7 @@ import { resolve } from "node:path";
 import { defineConfig } from "vite";
 import { evaluationPlugin } from "./scripts/evaluation_plugin.mjs";
 import { katexPlugin } from "./scripts/katex_plugin.mjs";
+import { offlinePlugin } from "./scripts/offline_plugin.mjs";
 
 /** The benchmark is left out where the packages that it measures are not built: `npm start` does not wait for them. */
 const pages = existsSync(resolve(import.meta.dirname, "bench/pkg/scalar/stamp")) ? ["index", "bench"] : ["index"];
@@ -12,10 +13,10 @@ export default defineConfig({
   root: "web/app",
   base: "./",
   publicDir: "../../public",
-  plugins: [evaluationPlugin(), katexPlugin()],
+  plugins: [evaluationPlugin(), katexPlugin(), offlinePlugin()],
   build: {
     outDir: "../../dist",
-    // scripts/size.mjs reads what is loaded with what.
+    // scripts/site_files.mjs reads what is loaded with what.
     manifest: true,
     emptyOutDir: true,
     target: "es2022",

@@ -36,7 +36,8 @@ function observe() {
 }
 
 async function open(browser, url, viewport = { width: 1440, height: 900 }) {
-  const context = await browser.newContext({ viewport, acceptDownloads: true });
+  // What the page keeps for visits without a network is fetched when it is idle, and would be measured too.
+  const context = await browser.newContext({ viewport, acceptDownloads: true, serviceWorkers: "block" });
   const page = await context.newPage();
   await page.addInitScript(observe);
   await page.goto(url);

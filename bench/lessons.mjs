@@ -51,7 +51,8 @@ async function openings(browser, url, lessons) {
 }
 
 async function opening(browser, url, lesson, byTab) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  // What the page keeps for visits without a network is fetched when it is idle, and would be measured too.
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, serviceWorkers: "block" });
   const page = await context.newPage();
   await page.goto(`${url}#lesson=${lesson}&beat=0&play=0`);
   await page.waitForFunction(() => window.strut?.analysed);

@@ -2,6 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { basename, extname, join } from "node:path";
 import { gzipSync } from "node:zlib";
+import { siteFiles } from "./site_files.mjs";
 import { root, Sentence } from "./steps.mjs";
 
 /** Most kilobytes after gzip, by the ending of files. */
@@ -34,10 +35,9 @@ const LATER_MODULES = [
 /** Checks dist/; a sentence for people is returned, or thrown where the budget is exceeded. */
 export function checkSize() {
   const dist = join(root, "dist");
-  const manifest = join(dist, ".vite", "manifest.json");
-  if (!existsSync(manifest)) throw new Sentence("dist/ is missing; run 'npm run build' first.");
-  const chunks = JSON.parse(readFileSync(manifest, "utf8"));
-  const initial = initialFiles(dist, chunks);
+  if (!existsSync(join(dist, ".vite", "manifest.json")))
+    throw new Sentence("dist/ is missing; run 'npm run build' first.");
+  const { manifest, first: initial } = siteFiles(dist);
   const sizes = Object.entries(BUDGET_KB).map(([ending, budget]) => {
     const files = initial.filter((file) => extname(file) === ending);
     const bytes = files.reduce((sum, file) => sum + gzipSync(readFileSync(join(dist, file))).length, 0);
@@ -46,7 +46,7 @@ export function checkSize() {
   const report = sizes.map(({ ending, kb, budget }) => `${ending} ${kb.toFixed(0)} of ${budget} kB gzip`).join(", ");
   if (sizes.some(({ kb, budget }) => kb === 0 || kb > budget))
     throw new Sentence(`The size budget is exceeded: ${report}.`);
-  const later = [...laterSizes(dist, chunks, initial), ...moduleSizes(dist)];
+  const later = [...laterSizes(dist, manifest, initial), ...moduleSizes(dist)];
   const all = [report, ...later.map(({ name, kb, budget }) => `${name} ${kb.toFixed(1)} of ${budget} kB`)].join(", ");
   if (later.some(({ kb, budget }) => kb === 0 || kb > budget))
     throw new Sentence(`The size budget is exceeded: ${all}.`);
@@ -81,34 +81,4 @@ function laterSizes(dist, manifest, initial) {
     for (const file of keys.flatMap((one) => filesWith(one))) had.add(file);
     return { name, kb, budget };
   });
-}
-
-/**
- * What the page loads without being asked: its entry with all that it imports statically, and the workers, modules and
- * data that these name. Chunks that are imported when a person asks for them are not among it.
- */
-function initialFiles(dist, manifest) {
-  const chunks = new Set();
-  const follow = (key) => {
-    if (chunks.has(key)) return;
-    chunks.add(key);
-    (manifest[key].imports ?? []).forEach(follow);
-  };
-  follow("index.html");
-  const later = new Set(
-    Object.keys(manifest)
-      .filter((key) => !chunks.has(key))
-      .map((key) => manifest[key].file)
-      // The manifest lists some data too; whether they are loaded is for those to say who name them.
-      .filter((file) => [".js", ".css"].includes(extname(file))),
-  );
-  const files = new Set([...chunks].map((key) => manifest[key].file));
-  const assets = readdirSync(join(dist, "assets")).map((name) => `assets/${name}`);
-  // A set grows while it is walked: workers name files in turn.
-  for (const file of files) {
-    if (extname(file) !== ".js") continue;
-    const text = readFileSync(join(dist, file), "utf8");
-    for (const asset of assets) if (!later.has(asset) && text.includes(basename(asset))) files.add(asset);
-  }
-  return [...files];
 }

@@ -47,7 +47,7 @@ export async function serveSite(folder = "/"): Promise<{ url: string; close: () 
   return { url: server.resolvedUrls!.local[0]!, close: () => server.close() };
 }
 
-/** Chromium: CHROME_PATH, or where Debian puts it. */
+/** Chromium: CHROME_PATH, or where Debian puts it. Pages have no service worker unless they are opened with one. */
 export async function launchBrowser(graphics: Graphics = softwareGraphics()): Promise<Browser> {
   const browser = await chromium.launch({
     executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
@@ -55,6 +55,8 @@ export async function launchBrowser(graphics: Graphics = softwareGraphics()): Pr
     env: { ...process.env, ...graphics.env },
   });
   browser.on("context", (context) => context.setDefaultTimeout(SLOW_MS));
+  const newContext = browser.newContext.bind(browser);
+  browser.newContext = (options) => newContext({ serviceWorkers: "block", ...options });
   slowDown(browser, Number(process.env.STRUT_SLOW ?? 1));
   return browser;
 }
@@ -67,6 +69,8 @@ export interface PageOptions {
   theme?: "dark" | "light";
   /** Pixels of the screen per CSS pixel, along a side: half unless told, as software draws every one. */
   screenPixels?: number;
+  /** Whether the page has its service worker, which keeps the site while a test runs. */
+  serviceWorker?: boolean;
   /** Whether notes stay for minutes: a slow machine may take longer to show the page than a note stays. */
   notesStay?: boolean;
 }
@@ -78,6 +82,7 @@ export async function openPage(browser: Browser, url: string, options: PageOptio
     deviceScaleFactor: options.screenPixels ?? 0.5,
     colorScheme: options.theme ?? "dark",
     acceptDownloads: true,
+    serviceWorkers: options.serviceWorker ? "allow" : "block",
     permissions: ["clipboard-read", "clipboard-write"],
   });
   const page = await context.newPage();

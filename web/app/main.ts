@@ -7,10 +7,16 @@ import "./ui/wordmark.css";
 import "../ui/polygon/polygon.css";
 import "./shell/narrow.css";
 import { startStrutClient } from "../client/client";
+import { keepSite } from "./offline/keep_site";
+import { onLaunchedFiles } from "./offline/launched_files";
+import { SHARED_QUERY, takeShared } from "./offline/shared_files";
 import { App } from "./shell/app";
 import { isSupported } from "./shell/baseline";
 import { strings } from "./strings/strings";
 import { errorText } from "./ui/words";
+
+/** Longest wait for a page that is not idle, milliseconds. */
+const IDLE_MS = 3000;
 
 /** Shows a sentence in place of the app. */
 function refuse(root: HTMLElement, sentence: string): void {
@@ -24,6 +30,27 @@ function refuse(root: HTMLElement, sentence: string): void {
 /** Yields so that the browser can start the worker. */
 function otherTasks(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve));
+}
+
+/** Opens the files that the page was opened with. */
+async function openGivenFiles(app: App): Promise<void> {
+  onLaunchedFiles((files) => app.open(files));
+  if (location.search !== SHARED_QUERY) return;
+  // They are opened once, however often the page is loaded.
+  history.replaceState(history.state, "", location.pathname + location.hash);
+  app.open(await takeShared(new URL("./", location.href).href));
+}
+
+/** Calls back when the page has drawn and is idle, or after a while: Safari does not tell. */
+function whenIdle(call: () => void): void {
+  if ("requestIdleCallback" in globalThis) requestIdleCallback(call, { timeout: IDLE_MS });
+  else setTimeout(call, IDLE_MS);
+}
+
+/** Has the built site kept; a browser that refuses shows it all the same. */
+function keepBuiltSite(app: App): void {
+  if (import.meta.env.PROD && "serviceWorker" in navigator)
+    whenIdle(() => keepSite((update) => app.offerUpdate(update)).catch(() => {}));
 }
 
 async function start(root: HTMLElement): Promise<void> {
@@ -52,6 +79,8 @@ async function start(root: HTMLElement): Promise<void> {
   } catch (error) {
     app.fail(errorText(error));
   }
+  await openGivenFiles(app);
+  keepBuiltSite(app);
 }
 
 void start(document.getElementById("app")!);

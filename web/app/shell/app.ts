@@ -121,6 +121,17 @@ export class App {
     return this.#workspace.start(this.#hash);
   }
 
+  /** Opens files that came from outside the page as if they had been dropped. */
+  open(files: Iterable<File>): void {
+    this.#drop.take(files);
+  }
+
+  /** Offers a newer version of the page, which `update` shows in place of this one. */
+  offerUpdate(update: () => void): void {
+    const { ready, action } = strings.page.update;
+    this.#toasts.offer(ready, action, update);
+  }
+
   /** Says why there is no engine; the page stays as it is. */
   fail(sentence: string): void {
     this.#toasts.error(sentence);

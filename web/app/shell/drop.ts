@@ -100,7 +100,10 @@ export class DropZone {
     "aria-label": strings.page.drop.file,
   });
 
+  readonly #listeners: FileListeners;
+
   constructor(listeners: FileListeners, signal: AbortSignal) {
+    this.#listeners = listeners;
     this.element.append(this.#target, this.#picker);
     // Moving between two elements fires dragenter before dragleave: only the outermost dragleave leaves the page.
     let depth = 0;
@@ -153,7 +156,7 @@ export class DropZone {
       { signal },
     );
     this.#picker.addEventListener("change", () => {
-      void take(filesOfDialog(this.#picker.files ?? []), false, listeners);
+      this.take(this.#picker.files ?? []);
       this.#picker.value = "";
     });
   }
@@ -166,6 +169,11 @@ export class DropZone {
     const [left, width] = [box.left + INSET, box.width - 2 * INSET];
     for (const [name, value] of Object.entries({ left, top, width, height }))
       this.#target.style.setProperty(name, `${value}px`);
+  }
+
+  /** Takes files that came in another way, as if they had been dropped. */
+  take(files: Iterable<File>): void {
+    void take(filesOfDialog(files), false, this.#listeners);
   }
 
   /** Opens the browser's file dialog. */

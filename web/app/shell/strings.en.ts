@@ -96,6 +96,7 @@ export const page = {
       "The author of this character does not allow to hand it on with another motion. Export the motion alone instead: VRMA or BVH.",
   },
 
+  update: { ready: "A newer version of Strut is ready.", action: "Update" },
   progress: { cancel: "Cancel", done: "Done.", stopped: "Stopped." },
   engine: {
     restarted: (why: string) => `The engine stopped and was started again. Your settings are kept. ${why}`,

@@ -1,4 +1,4 @@
-/** What the page says over the stage: errors stay until dismissed, notes go by themselves. */
+/** What the page says over the stage: errors and offers stay until dismissed, notes go by themselves. */
 import { button } from "../../ui/controls/buttons";
 import { html } from "../../ui/dom";
 
@@ -18,7 +18,7 @@ export class Toasts {
 
   /** Something failed: a sentence that says what, and what to do. */
   error(text: string): void {
-    if ([...this.#alerts.children].some((child) => child.firstElementChild?.textContent === text)) return;
+    if (says(this.#alerts, text)) return;
     this.#add(this.#alerts, text, "error");
   }
 
@@ -26,6 +26,13 @@ export class Toasts {
   note(text: string): void {
     const toast = this.#add(this.#notes, text, "note");
     setTimeout(() => toast.remove(), NOTE_MS);
+  }
+
+  /** Shows a message with a button that does something about it. */
+  offer(text: string, label: string, act: () => void): void {
+    if (says(this.#notes, text)) return;
+    const toast = this.#add(this.#notes, text, "note");
+    toast.lastElementChild?.before(button(label, act, { label: true, class: "outlined" }));
   }
 
   /** Takes all errors away, after what they were about has worked. */
@@ -40,4 +47,9 @@ export class Toasts {
     while (region.children.length > MOST) region.firstElementChild?.remove();
     return toast;
   }
+}
+
+/** Whether a region has a toast with this text. */
+function says(region: HTMLElement, text: string): boolean {
+  return [...region.children].some((toast) => toast.firstElementChild?.textContent === text);
 }

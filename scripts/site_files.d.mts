@@ -1,0 +1,2 @@
+import type { Manifest } from "vite";
+export function siteFiles(dist: string): { manifest: Manifest; first: string[]; rest: string[] };
