@@ -3,6 +3,7 @@ import { resolve } from "node:path";
 import { defineConfig } from "vite";
 import { evaluationPlugin } from "./scripts/evaluation_plugin.mjs";
 import { katexPlugin } from "./scripts/katex_plugin.mjs";
+import { preloadPlugin } from "./scripts/preload_plugin.mjs";
 
 /** The benchmark is left out where the packages that it measures are not built: `npm start` does not wait for them. */
 const pages = existsSync(resolve(import.meta.dirname, "bench/pkg/scalar/stamp")) ? ["index", "bench"] : ["index"];
@@ -12,7 +13,14 @@ export default defineConfig({
   root: "web/app",
   base: "./",
   publicDir: "../../public",
-  plugins: [evaluationPlugin(), katexPlugin()],
+  plugins: [
+    evaluationPlugin(),
+    katexPlugin(),
+    preloadPlugin("/index.html", {
+      modules: ["web/viewer/viewer.ts", "web/app/shell/app.ts"],
+      font: "inter-latin-wght-normal.woff2",
+    }),
+  ],
   build: {
     outDir: "../../dist",
     // scripts/size.mjs reads what is loaded with what.

@@ -23,6 +23,9 @@ function withTexts(keys) {
   return texts.map((text) => [text, ...keys.filter((key) => !texts.includes(key) && basename(key) === basename(text))]);
 }
 
+/** The page, and the module that its first script always imports, dynamically so that it runs in a task of its own. */
+const PAGE = ["index.html", "shell/app.ts"];
+
 /** Modules that are loaded with some of it: most kilobytes after gzip. */
 const LATER_MODULES = [
   { name: "the lessons' engine", asset: /^strut_learn_bg.*\.wasm$/, budget: 450 },
@@ -84,7 +87,7 @@ function laterSizes(dist, manifest, initial) {
 }
 
 /**
- * What the page loads without being asked: its entry with all that it imports statically, and the workers, modules and
+ * What the page loads without being asked: {@link PAGE} with all that it imports statically, and the workers, modules and
  * data that these name. Chunks that are imported when a person asks for them are not among it.
  */
 function initialFiles(dist, manifest) {
@@ -94,7 +97,7 @@ function initialFiles(dist, manifest) {
     chunks.add(key);
     (manifest[key].imports ?? []).forEach(follow);
   };
-  follow("index.html");
+  PAGE.forEach(follow);
   const later = new Set(
     Object.keys(manifest)
       .filter((key) => !chunks.has(key))
