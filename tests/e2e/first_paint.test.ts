@@ -29,7 +29,9 @@ async function withoutScripts(hash: string, size = { width: 1440, height: 900 })
   let held: Route[] | undefined = [];
   await page.route("**/*.js", (route) => (held ? void held.push(route) : route.continue()));
   await page.goto(`${site.url}#${hash}`, { waitUntil: "commit" });
-  await page.locator(".fallback.late").waitFor({ state: "attached" });
+  // Painting waits for the sheets, but not for the font.
+  await page.waitForFunction(() => performance.getEntriesByName("first-contentful-paint").length > 0);
+  await page.evaluate(() => document.fonts.ready.then(() => {}));
   const release = async () => {
     const routes = held ?? [];
     held = undefined;
@@ -38,13 +40,13 @@ async function withoutScripts(hash: string, size = { width: 1440, height: 900 })
   return { page, release, close: () => context.close() };
 }
 
-/** Where parts of the page are. */
+/** Where parts of the page are; of the title, whose words change when the character comes, where it begins. */
 const boxes = (page: Page, selectors: readonly string[]) =>
   page.evaluate(
     (selectors) =>
       selectors.map((selector) => {
         const { x, y, width, height } = document.querySelector(selector)!.getBoundingClientRect();
-        return { selector, x, y, width, height };
+        return { selector, x, y, width: selector === ".stage-title" ? 1 : width, height };
       }),
     selectors,
   );
