@@ -19,7 +19,8 @@ export function preloadPlugin(page, { modules, font }) {
         );
         return [
           ...fonts.map(({ fileName }) => link(fileName, { rel: "preload", as: "font", type: "font/woff2" })),
-          ...scripts.map((name) => link(name, { rel: "modulepreload" })),
+          // What is painted first needs none of them.
+          ...scripts.map((name) => link(name, { rel: "modulepreload", fetchpriority: "low" })),
         ];
       },
     },
