@@ -4,6 +4,7 @@ import { defineConfig } from "vite";
 import { evaluationPlugin } from "./scripts/evaluation_plugin.mjs";
 import { katexPlugin } from "./scripts/katex_plugin.mjs";
 import { offlinePlugin } from "./scripts/offline_plugin.mjs";
+import { preloadPlugin } from "./scripts/preload_plugin.mjs";
 
 /** The benchmark is left out where the packages that it measures are not built: `npm start` does not wait for them. */
 const pages = existsSync(resolve(import.meta.dirname, "bench/pkg/scalar/stamp")) ? ["index", "bench"] : ["index"];
@@ -13,7 +14,15 @@ export default defineConfig({
   root: "web/app",
   base: "./",
   publicDir: "../../public",
-  plugins: [evaluationPlugin(), katexPlugin(), offlinePlugin()],
+  plugins: [
+    evaluationPlugin(),
+    katexPlugin(),
+    preloadPlugin("/index.html", {
+      modules: ["web/viewer/viewer.ts", "web/app/shell/app.ts"],
+      font: "inter-latin-wght-normal.woff2",
+    }),
+    offlinePlugin(),
+  ],
   build: {
     outDir: "../../dist",
     // scripts/site_files.mjs reads what is loaded with what.

@@ -1,5 +1,5 @@
-// npm run budget [-- --minutes N --json FILE]: the page's budgets (DESIGN §8), measured in Chromium on the built site:
-// size, the time to the first moving character, the longest task on the main thread while a long clip is styled, and the
+// npm run budget [-- --first-load] [--minutes N] [--json FILE]: the page's budgets (DESIGN §8), measured in Chromium on the
+// built site: the first load as Lighthouse sees it (with --first-load, this alone), size, the time to the first moving character, the longest task on the main thread while a long clip is styled, and the
 // growth of memory while the styles change. Figures depend on the machine; it says which it was.
 //
 // Memory is what is reachable after garbage collection. Code is counted apart: for minutes the browser compiles anew, and
@@ -11,6 +11,7 @@ import { parseArgs } from "node:util";
 import { checkSize } from "../scripts/size.mjs";
 import { main, Sentence } from "../scripts/steps.mjs";
 import { onBuiltSite } from "./built_site.mjs";
+import { checkFirstLoad, linesOf, measureFirstLoad } from "./first_load.mjs";
 
 /** Visits that the first character is timed in. */
 const VISITS = 5;
@@ -125,30 +126,43 @@ async function growth(browser, url, minutes) {
   return { data: percent("data"), code: percent("code") };
 }
 
-await main(async () => {
-  const { values } = parseArgs({
-    options: { minutes: { type: "string", default: "1" }, json: { type: "string" } },
-  });
-  const minutes = Number(values.minutes);
-  if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
-  const figures = await onBuiltSite(async (browser, url) => ({
-    machine: `${cpus().length} × ${cpus()[0].model}`,
-    size: checkSize(),
+/** Everything but the first load. */
+async function measureUse(minutes) {
+  return onBuiltSite(async (browser, url) => ({
     first_character_ms: Math.round(await firstCharacter(browser, url)),
     longest_task_ms: Math.round(await longestTask(browser, url)),
     heap_growth_percent: await growth(browser, url, minutes),
     minutes,
   }));
-  console.log(`machine          ${figures.machine}`);
-  console.log(`size             ${figures.size}`);
-  console.log(
-    `first character  ${figures.first_character_ms} of ${BUDGET.firstCharacterMs} ms (median of ${VISITS} visits)`,
-  );
-  console.log(
-    `longest task     ${figures.longest_task_ms} of ${BUDGET.longestTaskMs} ms while ${LONG_CLIP} frames are styled`,
-  );
-  console.log(
-    `heap growth      ${figures.heap_growth_percent.data} of ${BUDGET.growthPercent} % in ${minutes} min of changing styles; of code ${figures.heap_growth_percent.code} %`,
-  );
-  if (values.json) writeFileSync(values.json, `${JSON.stringify(figures, undefined, 2)}\n`);
+}
+
+/** The lines that show what {@link measureUse} returned. */
+function linesOfUse({ first_character_ms, longest_task_ms, heap_growth_percent: { data, code }, minutes }) {
+  return [
+    `first character  ${first_character_ms} of ${BUDGET.firstCharacterMs} ms (median of ${VISITS} visits)`,
+    `longest task     ${longest_task_ms} of ${BUDGET.longestTaskMs} ms while ${LONG_CLIP} frames are styled`,
+    `heap growth      ${data} of ${BUDGET.growthPercent} % in ${minutes} min of changing styles; of code ${code} %`,
+  ];
+}
+
+await main(async () => {
+  const { values } = parseArgs({
+    options: {
+      minutes: { type: "string", default: "1" },
+      json: { type: "string" },
+      "first-load": { type: "boolean", default: false },
+    },
+  });
+  const minutes = Number(values.minutes);
+  if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
+  const machine = `${cpus().length} × ${cpus()[0].model}`;
+  const size = checkSize();
+  console.log(`machine          ${machine}\nsize             ${size}`);
+  const load = await measureFirstLoad();
+  console.log(["first load", ...linesOf(load)].join("\n"));
+  const use = values["first-load"] ? {} : await measureUse(minutes);
+  if (!values["first-load"]) console.log(linesOfUse(use).join("\n"));
+  if (values.json)
+    writeFileSync(values.json, `${JSON.stringify({ machine, size, first_load: load, ...use }, undefined, 2)}\n`);
+  checkFirstLoad(load);
 });

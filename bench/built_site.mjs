@@ -1,5 +1,6 @@
 // The built site in Chromium, which draws in software: what measurements of the page begin with.
 import { existsSync } from "node:fs";
+import { createServer } from "node:net";
 import { resolve } from "node:path";
 import { chromium } from "playwright-core";
 import { preview } from "vite";
@@ -12,9 +13,32 @@ const FLAGS = [
   "--disable-background-networking",
 ];
 
+/** Starts Chromium, with `flags` beside those that every measurement needs. */
+export function launchChromium(flags = []) {
+  return chromium.launch({
+    executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
+    args: [...FLAGS, ...flags],
+  });
+}
+
+/** A port that nothing listens on. */
+export function freePort() {
+  return new Promise((resolve) => {
+    const server = createServer().listen(0, "localhost", () => {
+      const { port } = server.address();
+      server.close(() => resolve(port));
+    });
+  });
+}
+
+/** Says so where `dist/` is not built. */
+export function requireBuiltSite() {
+  if (!existsSync(resolve(root, "dist/index.html"))) throw new Sentence("dist/ is missing; run 'npm run build' first.");
+}
+
 /** Serves `dist/` and opens a browser for as long as `use(browser, url)` takes. */
 export async function onBuiltSite(use) {
-  if (!existsSync(resolve(root, "dist/index.html"))) throw new Sentence("dist/ is missing; run 'npm run build' first.");
+  requireBuiltSite();
   const server = await preview({
     root: resolve(root, "web/app"),
     configFile: resolve(root, "vite.config.ts"),
@@ -22,10 +46,7 @@ export async function onBuiltSite(use) {
     logLevel: "error",
   });
   try {
-    const browser = await chromium.launch({
-      executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
-      args: FLAGS,
-    });
+    const browser = await launchChromium();
     try {
       return await use(browser, server.resolvedUrls.local[0]);
     } finally {

@@ -2,10 +2,13 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { basename, extname, join } from "node:path";
 
+/** The page, and the module that its first script always imports, dynamically so that it runs in a task of its own. */
+const PAGE = ["index.html", "shell/app.ts"];
+
 /**
  * The files of the playground in dist/.
- * @returns the manifest of its chunks; `first`: what the page loads without being asked, which is its entry with all that it
- * imports statically, the style sheets, and the workers, modules, fonts and data that these name; `rest`: what it loads when
+ * @returns the manifest of its chunks; `first`: what the page loads without being asked, which is {@link PAGE} with all that
+ * it imports statically, the style sheets, and the workers, modules, fonts and data that these name; `rest`: what it loads when
  * a person asks for it
  */
 export function siteFiles(dist) {
@@ -17,7 +20,7 @@ export function siteFiles(dist) {
 
 /** The files that the page loads, if its chunks load those that `follow` gives. */
 function filesWith(dist, manifest, follow) {
-  const chunks = new Set(["index.html"]);
+  const chunks = new Set(PAGE);
   // A set grows while it is walked.
   for (const key of chunks) for (const other of follow(manifest[key])) chunks.add(other);
   const filesOf = (key) => [manifest[key].file, ...(manifest[key].css ?? [])];

@@ -1,4 +1,7 @@
-/** Starts the page. */
+/**
+ * Starts the page. Its sheets are all here: index.html shows the page before there is a script, and must not change when it
+ * comes.
+ */
 import "../ui/tokens.css";
 import "./ui/type.css";
 import "./shell/layout.css";
@@ -6,13 +9,19 @@ import "../ui/controls.css";
 import "./ui/wordmark.css";
 import "../ui/polygon/polygon.css";
 import "./shell/narrow.css";
+import "./views/play/play_view.css";
+import "./views/play/viewport_panel.css";
+import "./views/play/transport.css";
+import "./views/play/timeline/timeline.css";
 import { startStrutClient } from "../client/client";
 import { keepSite } from "./offline/keep_site";
 import { onLaunchedFiles } from "./offline/launched_files";
 import { SHARED_QUERY, takeShared } from "./offline/shared_files";
-import { App } from "./shell/app";
+import type { App } from "./shell/app";
 import { isSupported } from "./shell/baseline";
+import { startGraphics } from "./shell/start_graphics";
 import { strings } from "./strings/strings";
+import { otherTasks } from "./ui/tasks";
 import { errorText } from "./ui/words";
 
 /** Longest wait for a page that is not idle, milliseconds. */
@@ -27,9 +36,18 @@ function refuse(root: HTMLElement, sentence: string): void {
   root.replaceChildren(text);
 }
 
-/** Yields so that the browser can start the worker. */
-function otherTasks(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve));
+/** Loads the code of the page and what it draws with, in tasks of their own: each keeps the page waiting for a moment only. */
+async function loadApp(): Promise<typeof App> {
+  const [{ graphics, prepareMannequin }] = await Promise.all([import("../viewer"), startGraphics()]);
+  await otherTasks();
+  if (graphics() !== "none") {
+    await otherTasks();
+    prepareMannequin();
+  }
+  await otherTasks();
+  const { App } = await import("./shell/app");
+  await otherTasks();
+  return App;
 }
 
 /** Opens the files that the page was opened with. */
@@ -58,12 +76,12 @@ async function start(root: HTMLElement): Promise<void> {
     refuse(root, strings.page.oldBrowser);
     return;
   }
-  // The engine loads while the page is built.
+  // The engine loads while the page is loaded and built.
   const client = startStrutClient();
-  await otherTasks();
   let app: App;
   try {
-    app = new App(root, client);
+    const Loaded = await loadApp();
+    app = new Loaded(root, client);
   } catch (error) {
     client.dispose();
     refuse(root, strings.page.notBuilt(errorText(error)));

@@ -38,7 +38,10 @@ export function readAsset(url: URL, what: string): Promise<Uint8Array<ArrayBuffe
 export async function download(url: URL, what: string): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(url).catch((refused) => fetchElsewhere?.(url) ?? Promise.reject(refused));
+    // These files are larger than all of a page, which must not wait for them.
+    response = await fetch(url, { priority: "low" }).catch(
+      (refused) => fetchElsewhere?.(url) ?? Promise.reject(refused),
+    );
   } catch {
     throw unloadable(
       what,

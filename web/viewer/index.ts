@@ -2,6 +2,7 @@
 
 export type { GhostBody } from "./ghost_bodies";
 export type { Performer } from "./performer";
+export { prepareMannequin } from "./prepare";
 export { graphics } from "./stage/graphics";
 export type { CameraView } from "./stage/orbit_camera";
 export { Screen } from "./stage/screen";

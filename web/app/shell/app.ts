@@ -13,6 +13,7 @@ import type { AppState } from "../state/state";
 import { Store } from "../state/store";
 import { strings } from "../strings/strings";
 import { announce } from "../ui/announce";
+import { otherTasks } from "../ui/tasks";
 import { Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
 import type { View, ViewHost } from "../view";
@@ -81,9 +82,14 @@ export class App {
       },
       signal,
     );
-    root.replaceChildren(this.#topBar.element, this.#toasts.element, this.#drop.element, this.#help.element);
+    // The boxes of index.html stay until there is a view.
+    const shell = root.querySelectorAll(".shell");
+    root.replaceChildren(this.#topBar.element, ...shell, this.#toasts.element, this.#drop.element, this.#help.element);
     this.#views = new Views(
-      (element) => this.#topBar.element.after(element),
+      (element) => {
+        for (const box of shell) box.remove();
+        this.#topBar.element.after(element);
+      },
       {
         host: (life) => this.#hostOf(life),
         onShow: (name, view, first) => this.#onView(name, view, first),
@@ -113,12 +119,12 @@ export class App {
       },
       signal,
     );
-    this.#showView();
+    this.#showTopBar();
   }
 
-  /** Opens what the link asks for, and begins to play. */
-  start(): Promise<void> {
-    return this.#workspace.start(this.#hash);
+  /** Shows the view that the link asks for, opens what it asks for, and begins to play. */
+  async start(): Promise<void> {
+    await Promise.all([this.#workspace.start(this.#hash), this.#showFirstView()]);
   }
 
   /** Opens files that came from outside the page as if they had been dropped. */
@@ -204,6 +210,16 @@ export class App {
     if (changed.has("view")) this.#showView();
     else this.#showTopBar();
     this.#address.write();
+  }
+
+  /** Makes the picture and the view in a task each: together they would hold up the page. */
+  async #showFirstView(): Promise<void> {
+    await otherTasks();
+    if (this.#store.state.view === "play" && graphics() !== "none") {
+      this.#viewer.make();
+      await otherTasks();
+    }
+    this.#showView();
   }
 
   #showView(): void {

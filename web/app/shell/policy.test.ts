@@ -1,3 +1,4 @@
+import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, test } from "vitest";
@@ -13,7 +14,17 @@ test("the page may fetch from its own host and those of the catalogue, and from 
   expect(allowed!.split(" ").sort()).toEqual([...hosts].sort());
 });
 
-test("the benchmark has the policy of the page, but fetches from its own host alone", () => {
-  const policy = policyOf("../index.html").replace(/connect-src 'self' [^;]*;/, "connect-src 'self';");
+test("the page runs the one script that stands in it", () => {
+  const scripts = [...read("../index.html").matchAll(/<script>(.*?)<\/script>/gs)].map(([, text]) => text!);
+  const hashes = scripts.map((text) => `sha256-${createHash("sha256").update(text).digest("base64")}`);
+  const allowed = [...policyOf("../index.html").matchAll(/'(sha256-[^']*)'/g)].map(([, hash]) => hash);
+  expect(allowed).toEqual(hashes);
+  expect(hashes).toHaveLength(1);
+});
+
+test("the benchmark has the policy of the page, but fetches from its own host alone and has no script in it", () => {
+  const policy = policyOf("../index.html")
+    .replace(/connect-src 'self' [^;]*;/, "connect-src 'self';")
+    .replace(/ 'sha256-[^']*'/, "");
   expect(policyOf("../bench.html")).toBe(policy);
 });

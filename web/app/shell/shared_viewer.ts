@@ -36,6 +36,11 @@ export class SharedViewer {
     this.#invalidate();
   }
 
+  /** Makes the viewer before a view wants it. */
+  make(): void {
+    void this.#viewer;
+  }
+
   get #viewer(): Viewer {
     this.#made ??= new Viewer(this.#container, { theme: this.#theme, labels: { styled: "", input: "" } });
     return this.#made;

@@ -16,6 +16,11 @@ import { pixelRatio, QUALITY_LEVELS, QualityGovernor } from "./quality";
 /** Quality that a renderer without a graphics processor starts with. */
 const SOFTWARE_LEVEL = 2;
 
+/** Level of quality that a screen begins with unless it is told. */
+export function firstLevel(): number {
+  return graphics() === "software" ? SOFTWARE_LEVEL : 0;
+}
+
 /** Frames that may be queued: more would only add latency. */
 const MAX_FRAMES = 2;
 
@@ -76,7 +81,7 @@ export class Screen {
   constructor({ antialias, keepsMemory, size, level, isShared = false }: ScreenOptions) {
     this.#isShared = isShared;
     this.keepsMemory = keepsMemory;
-    this.governor = new QualityGovernor(level ?? (graphics() === "software" ? SOFTWARE_LEVEL : 0));
+    this.governor = new QualityGovernor(level ?? firstLevel());
     const canvas = Object.assign(this.canvas, size);
     this.renderer = new WebGLRenderer({ canvas, antialias, stencil: true, powerPreference: "high-performance" });
     const { renderer } = this;

@@ -74,7 +74,8 @@ export class Stage implements Drawn {
     this.#level = this.#screen.governor.level;
     this.canvas = this.#owns ? this.#screen.canvas : document.createElement("canvas");
     if (!this.#owns) this.#copy = this.canvas.getContext("2d")!;
-    this.canvas.style.cssText = "display:block;position:absolute;left:0;bottom:0;touch-action:pan-y";
+    // Hidden until it has the size of the picture: what is seen must not move.
+    this.canvas.style.cssText = "display:block;position:absolute;left:0;bottom:0;touch-action:pan-y;visibility:hidden";
     // It takes the arrow keys, which no picture does; its label says what is seen.
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-keyshortcuts", "ArrowLeft ArrowRight ArrowUp ArrowDown + -");
@@ -342,6 +343,7 @@ export class Stage implements Drawn {
       canvas.style.height = `${(canvas.height * height) / pixels.height}px`;
     }
     if (this.#copy) this.#fitCopy(width, height, pixels);
+    this.canvas.style.removeProperty("visibility");
     this.#screen.renderer.setScissorTest(true);
   }
 

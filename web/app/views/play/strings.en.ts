@@ -1,5 +1,10 @@
 /** What the Play view says: stage, panels, timeline, help. */
 export const play = {
+  /** Over the picture until there is a character; index.html says the same. */
+  before: {
+    title: "Change the style of human motion while it plays",
+    caption: "Drag a point, drop a BVH, export the result.",
+  },
   camera: { name: "Camera", orbit: "Orbit", front: "Front", side: "Side", top: "Top" },
   follow: "Follow",
   ghost: {

@@ -35,8 +35,8 @@ export class ViewportPanel {
   readonly element: HTMLElement;
   /** Container for the viewer. */
   readonly picture = html("div");
-  readonly #title = html("h1", { class: "stage-title" });
-  readonly #caption = html("p", { class: "caption" });
+  readonly #title = html("h1", { class: "stage-title" }, strings.play.before.title);
+  readonly #caption = html("p", { class: "caption" }, strings.play.before.caption);
   readonly #camera: Segment<CameraPreset>;
   readonly #follow: HTMLButtonElement;
   readonly #ghost: HTMLButtonElement;

@@ -1,0 +1,62 @@
+// The first load of the page as Lighthouse's mobile profile sees it: a phone of the middle class on slow 4G, simulated.
+import { join } from "node:path";
+import lighthouse from "lighthouse";
+import { root, Sentence } from "../scripts/steps.mjs";
+import { freePort, launchChromium, requireBuiltSite } from "./built_site.mjs";
+import { serveCompressed } from "./hosted_site.mjs";
+
+/** The audits whose figures are shown: the unit of each, and the goal where there is one. */
+const AUDITS = {
+  "first-contentful-paint": { name: "first contentful paint", unit: "ms", most: 1800 },
+  "largest-contentful-paint": { name: "largest contentful paint", unit: "ms" },
+  "cumulative-layout-shift": { name: "layout shift", unit: "", most: 0.05, digits: 3 },
+  "total-blocking-time": { name: "blocking time", unit: "ms", most: 200 },
+  "speed-index": { name: "speed index", unit: "ms" },
+  "total-byte-weight": { name: "bytes", unit: "bytes" },
+};
+/** Least score, of 100. */
+const LEAST_SCORE = 90;
+
+/** What no visitor of the page loads: the package, the page for frames, the benchmark. */
+const OTHER_PAGES = /^(package|embed)\/|bench/;
+
+/** A phone has a graphics processor. Without one the page's text must not wait for the picture, which software draws. */
+const WITHOUT_GRAPHICS = ["--disable-gpu-rasterization"];
+
+/**
+ * Loads the page once.
+ * @returns the score and the figures by audit, each a number
+ */
+export async function measureFirstLoad() {
+  requireBuiltSite();
+  const site = await serveCompressed(join(root, "dist"), (path) => !OTHER_PAGES.test(path));
+  const port = await freePort();
+  const browser = await launchChromium([...WITHOUT_GRAPHICS, `--remote-debugging-port=${port}`]);
+  try {
+    const { lhr } = await lighthouse(site.url, { port, onlyCategories: ["performance"], logLevel: "error" });
+    if (lhr.runtimeError) throw new Sentence(`Lighthouse could not load the page: ${lhr.runtimeError.message}`);
+    const figures = Object.keys(AUDITS).map((audit) => [audit, lhr.audits[audit].numericValue]);
+    return { score: Math.round(100 * lhr.categories.performance.score), ...Object.fromEntries(figures) };
+  } finally {
+    await browser.close();
+    await site.close();
+  }
+}
+
+/** The lines that show what {@link measureFirstLoad} returned. */
+export function linesOf(load) {
+  const figures = Object.entries(AUDITS).map(([audit, { name, unit, most, digits = 0 }]) => {
+    const goal = most === undefined ? "" : ` of ${most}`;
+    return `  ${name.padEnd(24)} ${load[audit].toFixed(digits)}${goal} ${unit}`.trimEnd();
+  });
+  return [`  ${"Lighthouse, mobile".padEnd(24)} ${load.score} of at least ${LEAST_SCORE}`, ...figures];
+}
+
+/** Throws a sentence that names the goals which are missed. */
+export function checkFirstLoad(load) {
+  const missed = Object.entries(AUDITS)
+    .filter(([audit, { most }]) => most !== undefined && load[audit] > most)
+    .map(([, { name }]) => name);
+  if (load.score < LEAST_SCORE) missed.unshift("score");
+  if (missed.length > 0) throw new Sentence(`The first load misses its goals: ${missed.join(", ")}.`);
+}

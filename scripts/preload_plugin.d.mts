@@ -1,0 +1,3 @@
+import type { Plugin } from "vite";
+
+export declare function preloadPlugin(page: string, what: { modules: readonly string[]; font: string }): Plugin;

@@ -1,0 +1,40 @@
+// A plugin of vite: the page preloads what it surely needs and names late. Its first script imports parts of it dynamically, so
+// that each runs in a task of its own; its style sheet names the font.
+
+/** Has `page` preload the chunks of `modules`, with all that they import, and the font; each is told by the end of its path. */
+export function preloadPlugin(page, { modules, font }) {
+  return {
+    name: "preload",
+    transformIndexHtml: {
+      order: "post",
+      handler(html, { bundle, filename }) {
+        if (!bundle || !filename.endsWith(page)) return [];
+        const chunks = Object.values(bundle).filter((file) => file.type === "chunk");
+        const parts = chunks.filter(({ moduleIds }) =>
+          modules.some((module) => moduleIds.some((id) => id.endsWith(module))),
+        );
+        const scripts = [...withImports(bundle, parts)].filter((name) => !html.includes(name));
+        const fonts = Object.values(bundle).filter(({ originalFileNames }) =>
+          originalFileNames?.some((path) => path.endsWith(font)),
+        );
+        return [
+          ...fonts.map(({ fileName }) => link(fileName, { rel: "preload", as: "font", type: "font/woff2" })),
+          // What is painted first needs none of them.
+          ...scripts.map((name) => link(name, { rel: "modulepreload", fetchpriority: "low" })),
+        ];
+      },
+    },
+  };
+}
+
+function link(name, attributes) {
+  return { tag: "link", attrs: { ...attributes, crossorigin: true, href: `./${name}` }, injectTo: "head" };
+}
+
+/** The names of chunks and of all that they import statically. */
+function withImports(bundle, chunks) {
+  const names = new Set(chunks.map(({ fileName }) => fileName));
+  // A set grows while it is walked.
+  for (const name of names) for (const imported of bundle[name]?.imports ?? []) names.add(imported);
+  return names;
+}

@@ -1,0 +1,91 @@
+/** What stands in index.html: the page before its script, which must look like the page with it. */
+import type { Browser, Page, Route } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/app/shell/hook";
+import { launchBrowser, serveSite, shown } from "./browser";
+
+declare const window: { strut?: StrutHook; shift: number };
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serveSite>>;
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+
+/** A page whose scripts do not come before `release` is called; `window.shift` is the layout shift so far. */
+async function withoutScripts(hash: string, size = { width: 1440, height: 900 }) {
+  const context = await browser.newContext({ viewport: size, deviceScaleFactor: 0.5, colorScheme: "dark" });
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    window.shift = 0;
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) window.shift += (entry as unknown as { value: number }).value;
+    }).observe({ type: "layout-shift", buffered: true });
+  });
+  let held: Route[] | undefined = [];
+  await page.route("**/*.js", (route) => (held ? void held.push(route) : route.continue()));
+  await page.goto(`${site.url}#${hash}`, { waitUntil: "commit" });
+  // Painting waits for the sheets, but not for the font.
+  await page.waitForFunction(() => performance.getEntriesByName("first-contentful-paint").length > 0);
+  await page.evaluate(() => document.fonts.ready.then(() => {}));
+  const release = async () => {
+    const routes = held ?? [];
+    held = undefined;
+    await Promise.all(routes.map((route) => route.continue()));
+  };
+  return { page, release, close: () => context.close() };
+}
+
+/** Where parts of the page are; of the title, whose words change when the character comes, where it begins. */
+const boxes = (page: Page, selectors: readonly string[]) =>
+  page.evaluate(
+    (selectors) =>
+      selectors.map((selector) => {
+        const { x, y, width, height } = document.querySelector(selector)!.getBoundingClientRect();
+        return { selector, x, y, width: selector === ".stage-title" ? 1 : width, height };
+      }),
+    selectors,
+  );
+
+describe("before the script", () => {
+  for (const { size, parts } of [
+    {
+      size: { width: 1440, height: 900 },
+      parts: [".bar", ".wordmark", ".stage", ".stage-title", ".panels", ".transport", ".transport-controls"],
+    },
+    {
+      size: { width: 390, height: 844 },
+      parts: [".bar", ".wordmark", ".stage", ".transport-controls", ".tabs", ".panels"],
+    },
+  ])
+    it(`every part of Play has the place that it has later (${size.width} px)`, async () => {
+      const { page, release, close } = await withoutScripts("play=0", size);
+      const before = await boxes(page, parts);
+      expect(before.every(({ width, height }) => width > 0 && height > 0)).toBe(true);
+      await release();
+      await page.locator(".bar nav").waitFor({ state: "attached" });
+      expect(await boxes(page, parts)).toEqual(before);
+      await shown(page);
+      await page.waitForFunction(() => window.strut!.analysed);
+      expect(await page.evaluate(() => window.shift)).toBeLessThan(0.05);
+      await close();
+    });
+
+  it("a link to another view has the bar alone, as the view has other parts", async () => {
+    const { page, close } = await withoutScripts("view=learn");
+    expect(await page.locator(".wordmark").isVisible()).toBe(true);
+    expect(await page.locator(".stage").isVisible()).toBe(false);
+    await close();
+  });
+
+  it("the page has the theme of the link", async () => {
+    const { page, close } = await withoutScripts("theme=light");
+    const scheme = await page.evaluate(() => getComputedStyle(document.documentElement).colorScheme);
+    expect(scheme).toBe("light");
+    await close();
+  });
+});
