@@ -145,7 +145,7 @@ describe("a browser that cannot", () => {
       HTMLCanvasElement.prototype.getContext = () => null;
     });
     await poor.goto(site.url);
-    expect(await poor.getByRole("alert").textContent()).toMatch(/WebGL 2/);
+    await eventually(() => poor.getByRole("alert").textContent()).toMatch(/WebGL 2/);
     await context.close();
   });
 
