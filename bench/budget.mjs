@@ -1,6 +1,7 @@
 // npm run budget [-- --first-load] [--minutes N] [--json FILE]: the page's budgets (DESIGN §8), measured in Chromium on the
-// built site: the first load as Lighthouse sees it (with --first-load, this alone), size, the time to the first moving character, the longest task on the main thread while a long clip is styled, and the
-// growth of memory while the styles change. Figures depend on the machine; it says which it was.
+// built site: size, the first load as Lighthouse sees it (with --first-load nothing more), the time to the first moving
+// character, the longest task on the main thread while a long clip is styled, and the growth of memory while the styles
+// change. Figures depend on the machine; it says which it was.
 //
 // Memory is what is reachable after garbage collection. Code is counted apart: for minutes the browser compiles anew, and
 // better, what runs often, which is most of what the heap gains and nothing that the page keeps.

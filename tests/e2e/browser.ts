@@ -107,19 +107,21 @@ export async function shown(page: Page): Promise<void> {
   });
 }
 
-/**
- * The browser, the site below a folder of its host and a page of it, for all tests of a file. `close` ends them, and fails
- * if a script of the page threw.
- */
-export async function openSite({ folder = "/", ...options }: PageOptions & { folder?: string } = {}) {
+/** The browser, and the site below a folder of its host, for all tests of a file. `close` ends them. */
+export async function launchSite(folder = "/") {
   const [browser, site] = await Promise.all([launchBrowser(), serveSite(folder)]);
+  const close = async () => {
+    await browser.close();
+    await site.close();
+  };
+  return { browser, site, close };
+}
+
+/** {@link launchSite}, and a page of it. `close` fails if a script of the page threw. */
+export async function openSite({ folder = "/", ...options }: PageOptions & { folder?: string } = {}) {
+  const { browser, site, close } = await launchSite(folder);
   const page = await openPage(browser, site.url, options);
-  const close = () =>
-    closePage(page).finally(async () => {
-      await browser.close();
-      await site.close();
-    });
-  return { browser, site, page, close };
+  return { browser, site, page, close: () => closePage(page).finally(close) };
 }
 
 let visits = 0;

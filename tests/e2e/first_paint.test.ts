@@ -1,19 +1,17 @@
 /** What stands in index.html: the page before its script, which must look like the page with it. */
 import type { Browser, Page, Route } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
-import { launchBrowser, serveSite, shown } from "./browser";
+import { launchSite, shown } from "./browser";
 
 declare const window: { strut?: StrutHook; shift: number };
 
 let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
+let site: Awaited<ReturnType<typeof launchSite>>["site"];
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
+  const launched = await launchSite();
+  ({ browser, site } = launched);
+  return launched.close;
 });
 
 /** A page whose scripts do not come before `release` is called; `window.shift` is the layout shift so far. */

@@ -1,6 +1,6 @@
 /** The page around the views: links, history, focus, keys, and what happens where a browser cannot or may not. */
 import type { Browser, BrowserContext, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { pack } from "../../web/link/linked_file";
 import { everyNth, walksIn } from "../clips";
@@ -8,9 +8,8 @@ import {
   closePage,
   eventually,
   inputName,
-  launchBrowser,
+  launchSite,
   openPage,
-  serveSite,
   settledPose,
   shown,
   turnBetween,
@@ -21,13 +20,11 @@ import { expectNoViolation, recordViolations } from "./policy";
 declare const window: { strut?: StrutHook; announced: string[] };
 
 let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
+let site: Awaited<ReturnType<typeof launchSite>>["site"];
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
+  const launched = await launchSite();
+  ({ browser, site } = launched);
+  return launched.close;
 });
 
 const toasts = (page: Page) => page.locator(".toasts").textContent();

@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { recordings } from "../recordings";
 import {
@@ -11,10 +11,9 @@ import {
   dropFile,
   eventually,
   inputName,
-  launchBrowser,
+  launchSite,
   middleOf,
   openPage,
-  serveSite,
   settledPose,
   turnBetween,
 } from "./browser";
@@ -22,13 +21,11 @@ import {
 declare const window: { strut: StrutHook };
 
 let browser: Browser;
-let site: Awaited<ReturnType<typeof serveSite>>;
+let site: Awaited<ReturnType<typeof launchSite>>["site"];
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
+  const launched = await launchSite();
+  ({ browser, site } = launched);
+  return launched.close;
 });
 
 const MINUTE = 60_000;
