@@ -35,8 +35,38 @@ async function answerOf(folder, path) {
   return { headers, body };
 }
 
-/** Serves the files of a folder that `serves` accepts, on a free port. Returns the address and a function that ends it. */
-export async function serveCompressed(folder, serves = () => true) {
+/** Parts in which a slow line carries an answer, bytes. */
+const PART = 4096;
+
+/**
+ * A line that carries `bytesPerSec` in all, each answer `latencyMs` after it was asked for. The browser's own emulation does not
+ * reach what workers load.
+ */
+function slowLine({ bytesPerSec, latencyMs }) {
+  let free = 0;
+  const sleepUntil = (time) => new Promise((resolve) => setTimeout(resolve, time - performance.now()));
+  return async (response, body) => {
+    await sleepUntil(performance.now() + latencyMs);
+    for (let at = 0; at < body.length && !response.destroyed; at += PART) {
+      const part = body.subarray(at, at + PART);
+      free = Math.max(free, performance.now()) + (1000 * part.length) / bytesPerSec;
+      await sleepUntil(free);
+      response.write(part);
+    }
+    response.end();
+  };
+}
+
+const atOnce = (response, body) => response.end(body);
+
+/**
+ * Serves the files of a folder that `serves` accepts, on a free port.
+ * @param line `bytesPerSec` and `latencyMs` of a slow line; none where it is left out
+ * @returns the address, what was sent (path, bytes and time of each answer), and a function that ends it
+ */
+export async function serveCompressed(folder, serves = () => true, line = null) {
+  const carry = line ? slowLine(line) : atOnce;
+  const sent = [];
   const paths = readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
     .map((entry) => relative(folder, join(entry.parentPath ?? entry.path, entry.name)).replaceAll(sep, "/"))
@@ -45,8 +75,13 @@ export async function serveCompressed(folder, serves = () => true) {
   const server = createServer(({ url }, response) => {
     const { pathname } = new URL(url, "http://localhost");
     const answer = answers.get(pathname === "/" ? "index.html" : pathname.slice(1));
-    if (!answer) response.writeHead(404).end();
-    else response.writeHead(200, answer.headers).end(answer.body);
+    if (!answer) {
+      response.writeHead(404).end();
+      return;
+    }
+    response.writeHead(200, answer.headers);
+    response.on("finish", () => sent.push({ path: pathname, bytes: answer.body.length, time: Date.now() }));
+    void carry(response, answer.body);
   });
   await new Promise((resolve) => server.listen(0, "localhost", resolve));
   const close = () =>
@@ -54,5 +89,5 @@ export async function serveCompressed(folder, serves = () => true) {
       server.close(resolve);
       server.closeAllConnections();
     });
-  return { url: `http://localhost:${server.address().port}/`, close };
+  return { url: `http://localhost:${server.address().port}/`, sent, close };
 }

@@ -8,6 +8,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, wri
 import { join, relative } from "node:path";
 import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
+import { packFirstSteps } from "./first_steps.mjs";
 import { findProgram, output, root, run, step } from "./steps.mjs";
 
 const TARGET = "wasm32-unknown-unknown";
@@ -251,11 +252,12 @@ async function walkModelOf(motions) {
 async function writeMotions() {
   const glue = await glueOf(PACKAGES.compare);
   mkdirSync(MOTIONS, { recursive: true });
-  const motions = glue.builtInMotions();
+  const [walks, others] = glue.builtInMotions();
   const sets = {
-    "built_in.bin": motions,
-    "walk.bin": glue.builtInWalk(),
-    "built_in.strutwalk": await walkModelOf(motions),
+    "walk.bin": walks,
+    "built_in.bin": others,
+    "first_steps.bin": firstSteps(glue, walks),
+    "built_in.strutwalk": await walkModelOf(Buffer.concat([walks, others])),
   };
   const sizes = Object.entries(sets).map(([name, motions]) => {
     // Of all sizes of zlib's memory this one packs the motions best: its blocks are short, and the columns differ.
@@ -264,6 +266,13 @@ async function writeMotions() {
     return `${name} ${Math.round(bytes.length / 1000)} kB`;
   });
   return sizes.join(", ");
+}
+
+/** The input of a set of motions as the page shows it until its engine is there. */
+function firstSteps(glue, motions) {
+  const database = glue.Database.fromPacked(motions);
+  const input = glue.Input.fromPacked(database, motions, glue.packedInputs(motions)[0]);
+  return packFirstSteps(input.poses(), database.rateHz());
 }
 
 const stampFile = ({ folder }) => join(root, folder, "stamp");

@@ -14,11 +14,13 @@ import "./views/play/viewport_panel.css";
 import "./views/play/transport.css";
 import "./views/play/timeline/timeline.css";
 import { startStrutClient } from "../client/client";
+import { FirstSteps } from "../player/first_steps";
 import { keepSite } from "./offline/keep_site";
 import { onLaunchedFiles } from "./offline/launched_files";
 import { SHARED_QUERY, takeShared } from "./offline/shared_files";
 import type { App } from "./shell/app";
 import { isSupported } from "./shell/baseline";
+import { firstSet, isPlain } from "./shell/first_set";
 import { startGraphics } from "./shell/start_graphics";
 import { strings } from "./strings/strings";
 import { otherTasks } from "./ui/tasks";
@@ -77,11 +79,13 @@ async function start(root: HTMLElement): Promise<void> {
     return;
   }
   // The engine loads while the page is loaded and built.
-  const client = startStrutClient();
+  const client = startStrutClient(firstSet(location.hash));
+  const firstSteps = isPlain(location.hash) ? FirstSteps.load() : undefined;
+  firstSteps?.catch(() => {});
   let app: App;
   try {
     const Loaded = await loadApp();
-    app = new Loaded(root, client);
+    app = new Loaded(root, client, firstSteps);
   } catch (error) {
     client.dispose();
     refuse(root, strings.page.notBuilt(errorText(error)));

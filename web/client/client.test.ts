@@ -1,4 +1,4 @@
-import { afterEach, describe, expect, test } from "vitest";
+import { afterEach, describe, expect, test, vi } from "vitest";
 import { InlineWorker } from "../../tests/inline_worker";
 import { DEFAULT_OPTIONS } from "../engine/types";
 import { POSE_FLOATS } from "../humanoid";
@@ -21,11 +21,12 @@ interface Start {
 }
 
 async function connect({ spawn = () => new InlineWorker(), patience = {} }: Start = {}): Promise<StrutClient> {
-  client = await createStrutClient(() => {
+  const counted = () => {
     const worker = spawn(workers.length);
     workers.push(worker);
     return worker;
-  }, patience);
+  };
+  client = await createStrutClient({ spawn: counted, patience });
   return client;
 }
 
@@ -177,7 +178,65 @@ describe("refusals", () => {
   });
 
   test("a worker that cannot start is an error, not a wait", async () => {
-    await expect(createStrutClient(broken)).rejects.toMatchObject({ code: "load" });
+    await expect(createStrutClient({ spawn: broken })).rejects.toMatchObject({ code: "load" });
+  });
+});
+
+describe("an exchange of the database", () => {
+  const WALKS = { kind: "demo", set: "walk" } as const;
+
+  async function playingWalks() {
+    const client = await connect();
+    const walks = await client.openDatabase(WALKS);
+    await client.openInput({ kind: "built-in", name: "neutral walk", set: "walk" });
+    await client.configure({ ...DEFAULT_OPTIONS, styles: { proud: 1 } });
+    return { client, walks };
+  }
+
+  test("goes on from the shown frame, where it is shown and as it looks", async () => {
+    const { client, walks } = await playingWalks();
+    let before = await client.step(0);
+    // The walker is elsewhere than the input by now.
+    for (let i = 0; i < 180; i++) before = await client.step(1 / 60);
+    const first = worker();
+    const exchanging = client.exchangeDatabase({ kind: "demo" });
+    before = await client.step(1 / 60);
+    const whole = await exchanging;
+    expect(whole.frames).toBeGreaterThan(2 * walks.frames);
+    expect(whole.styles).toEqual(walks.styles);
+    expect(await client.builtInInputs()).toContain("neutral run");
+    const after = await client.step(1 / 60);
+    expect(after.inputFrame - before.inputFrame).toBeGreaterThan(0.5);
+    expect(after.inputFrame - before.inputFrame).toBeLessThan(1.5);
+    expect(after.timeOut).toBeCloseTo(before.timeOut + 1 / 60, 6);
+    // A walk at 1.5 m/s goes 0.025 m in a frame; where the root was moved, it would be by decimetres.
+    expect(Math.hypot(after.pose[0]! - before.pose[0]!, after.pose[2]! - before.pose[2]!)).toBeLessThan(0.04);
+    const turns = after.pose.map((v, i) => Math.abs(v - before.pose[i]!));
+    expect(Math.max(...turns.slice(3))).toBeLessThan(0.1);
+    expect(worker()).not.toBe(first);
+    await vi.waitFor(() => expect(first.terminated).toBe(true));
+  });
+
+  test("answers what was asked before it", async () => {
+    const { client } = await playingWalks();
+    const exchanging = client.exchangeDatabase({ kind: "demo" });
+    const analysing = client.analyse();
+    await exchanging;
+    expect((await analysing).timeOut.length).toBeGreaterThan(100);
+  });
+
+  test("that is cancelled or fails leaves what is open", async () => {
+    const { client } = await playingWalks();
+    const first = worker();
+    const abort = new AbortController();
+    const exchanging = client.exchangeDatabase({ kind: "demo" }, { signal: abort.signal });
+    abort.abort();
+    await expect(exchanging).rejects.toMatchObject({ code: "cancelled" });
+    const broken = { kind: "strutdb", name: "broken", file: new Blob(["no database"]) } as const;
+    await expect(client.exchangeDatabase(broken)).rejects.toMatchObject({ code: "bad-file" });
+    expect(workers.slice(1).every((port) => (port as InlineWorker).terminated)).toBe(true);
+    expect(first.terminated).toBe(false);
+    expect((await client.step(0.1)).timeOut).toBeCloseTo(0.1, 6);
   });
 });
 

@@ -1,7 +1,8 @@
 /** {@link StrutClient}: one database, one input and one session of an {@link EngineClient}. */
-import { disposed, StrutError } from "../engine/errors";
-import type { Patience, WorkerPort } from "./connection";
-import { EngineClient, type EngineRestart } from "./engine_client";
+import type { BuiltInSet } from "../engine/built_in";
+import { cancelled, disposed, StrutError } from "../engine/errors";
+import type { WorkerPort } from "./connection";
+import { EngineClient, type EngineClientSetup, type EngineRestart } from "./engine_client";
 import type { ClientDatabase, ClientMotion, ClientSession } from "./handles";
 import { optionsKnownTo } from "./options";
 import {
@@ -19,6 +20,7 @@ import {
   type Performed,
   type Restarted,
   type SearchFigures,
+  type ShownFrame,
   type StrutClient,
   type StyledClip,
   type StylizeOptions,
@@ -28,26 +30,27 @@ export type { WorkerPort };
 
 /**
  * Starts a worker and waits until its engine is loaded.
- * @param spawn starts the worker; the default is `worker.ts` in a module worker
  * @throws StrutError if the engine cannot be loaded
  */
-export async function createStrutClient(
-  spawn?: () => WorkerPort,
-  patience: Partial<Patience> = {},
-): Promise<StrutClient> {
-  const engine = new EngineClient({ ...(spawn && { spawn }), patience });
+export async function createStrutClient(setup?: EngineClientSetup): Promise<StrutClient> {
+  const start = (preload?: BuiltInSet) => new EngineClient({ ...setup, ...(preload && { preload }) });
+  const engine = start();
   try {
     await engine.ready();
   } catch (thrown) {
     engine.dispose();
     throw thrown;
   }
-  return new SingleSessionClient(engine);
+  return new SingleSessionClient(engine, start);
 }
 
-/** Starts a worker that takes calls at once and answers them when its engine is loaded; what cannot be loaded rejects them. */
-export function startStrutClient(): StrutClient {
-  return new SingleSessionClient(new EngineClient());
+/**
+ * Starts a worker that takes calls at once and answers them when its engine is loaded; what cannot be loaded rejects them.
+ * @param preload the set of built-in motions that is opened first
+ */
+export function startStrutClient(preload: BuiltInSet): StrutClient {
+  const start = (set?: BuiltInSet) => new EngineClient(set && { preload: set });
+  return new SingleSessionClient(start(preload), start);
 }
 
 /** What is open. */
@@ -64,10 +67,18 @@ class SingleSessionClient implements StrutClient {
   private loop: [loop: boolean, range: FrameRange | undefined] = [true, undefined];
   /** Requests to open run one after another, so that the last one wins. */
   private opening: Promise<unknown> = Promise.resolve();
+  /** The last frame that was shown of the open input. */
+  private shown: ShownFrame | undefined;
+  /** The frame that was asked for last. */
+  private showing: Promise<unknown> = Promise.resolve();
   private disposed = false;
 
-  constructor(private readonly engine: EngineClient) {
-    engine.onRestart = (restart) => this.restarted(restart);
+  /** @param start starts another engine, with the set of built-in motions that it loads at once */
+  constructor(
+    private engine: EngineClient,
+    private readonly start: (preload?: BuiltInSet) => EngineClient,
+  ) {
+    this.listenTo(engine);
   }
 
   openDatabase(source: DatabaseSource, call?: CallOptions): Promise<DatabaseInfo> {
@@ -87,8 +98,21 @@ class SingleSessionClient implements StrutClient {
     });
   }
 
+  async exchangeDatabase(source: DatabaseSource, call?: CallOptions): Promise<DatabaseInfo> {
+    const engine = this.start(source.kind === "demo" ? (source.set ?? "built-in") : undefined);
+    try {
+      const database = await engine.openDatabase(source, call);
+      await this.inTurn(() => this.moveTo(engine, database, call));
+      return database.info;
+    } catch (thrown) {
+      engine.dispose();
+      throw thrown;
+    }
+  }
+
   builtInInputs(): Promise<string[]> {
-    return this.engine.builtInMotions();
+    const source = this.opened?.database.source;
+    return this.engine.builtInMotions(source?.kind === "demo" ? source.set : undefined);
   }
 
   openInput(source: InputSource, call?: CallOptions): Promise<InputInfo> {
@@ -100,6 +124,7 @@ class SingleSessionClient implements StrutClient {
         const session = await this.createSession(database, motion, call?.signal);
         const before = this.opened?.playing;
         this.opened = { database, playing: { motion, session } };
+        this.shown = undefined;
         before?.motion.dispose();
         return info;
       } catch (thrown) {
@@ -125,12 +150,16 @@ class SingleSessionClient implements StrutClient {
     await this.opened?.playing?.session.setLoop(loop, range);
   }
 
-  async step(dtSecs: number): Promise<LiveFrame> {
-    return this.openedInput().session.step(dtSecs);
+  step(dtSecs: number): Promise<LiveFrame> {
+    return this.show((session) => session.step(dtSecs));
   }
 
-  async seek(inputFrame: number): Promise<LiveFrame> {
-    return this.openedInput().session.seek(inputFrame);
+  seek(inputFrame: number): Promise<LiveFrame> {
+    return this.show((session) => session.seek(inputFrame));
+  }
+
+  continueFrom(shown: ShownFrame): Promise<LiveFrame> {
+    return this.show((session) => session.continueFrom(shown));
   }
 
   async analyse(call?: CallOptions): Promise<Analysis> {
@@ -164,15 +193,59 @@ class SingleSessionClient implements StrutClient {
     this.engine.dispose();
   }
 
+  /** Has what is open played on by another engine, which has a database of its own open. */
+  private async moveTo(engine: EngineClient, database: ClientDatabase, call: CallOptions | undefined): Promise<void> {
+    const played = this.opened?.playing?.motion.source;
+    let playing: Opened["playing"];
+    if (played) {
+      // Another database may have another set.
+      const source = played.kind === "built-in" ? { kind: played.kind, name: played.name } : played;
+      const motion = await engine.openMotion(source, call);
+      playing = { motion, session: await this.createSession(database, motion, call?.signal, engine) };
+      // Its first frames are slow: another time they would be missed.
+      await playing.session.seek(this.shown?.inputFrame ?? 0);
+    }
+    // The frame that is being made is shown, and gone on from.
+    await this.showing.catch(() => {});
+    if (this.disposed) throw disposed("client");
+    if (call?.signal?.aborted) throw cancelled(call.signal.reason);
+    const before = this.engine;
+    before.onRestart = undefined;
+    this.listenTo(engine);
+    this.engine = engine;
+    this.opened = { database, playing };
+    if (playing) {
+      // What was asked of the session before meanwhile.
+      playing.session.configure(optionsKnownTo(database.info, this.options)).catch(() => {});
+      playing.session.setLoop(...this.loop).catch(() => {});
+      if (this.shown) playing.session.continueFrom(this.shown).catch(() => {});
+    }
+    void before.retire();
+  }
+
+  private listenTo(engine: EngineClient): void {
+    engine.onRestart = (restart) => this.restarted(restart);
+  }
+
+  private async show(ask: (session: ClientSession) => Promise<LiveFrame>): Promise<LiveFrame> {
+    const { session } = this.openedInput();
+    const showing = ask(session);
+    this.showing = showing;
+    const frame = await showing;
+    if (session === this.opened?.playing?.session) this.shown = frame;
+    return frame;
+  }
+
   /** A session with the present options, without the styles that only another database had. */
   private async createSession(
     database: ClientDatabase,
     motion: ClientMotion,
     signal: AbortSignal | undefined,
+    engine = this.engine,
   ): Promise<ClientSession> {
     const asked = this.options;
     const options = optionsKnownTo(database.info, asked);
-    const session = await this.engine.createSession(database, motion, options, signal && { signal });
+    const session = await engine.createSession(database, motion, options, signal && { signal });
     // What is asked next is answered after these.
     if (this.options === asked) this.options = options;
     else session.configure(optionsKnownTo(database.info, this.options)).catch(() => {});

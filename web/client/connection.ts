@@ -92,6 +92,7 @@ export class Connection {
   private running: Promise<void> | undefined;
   private disposed = false;
   private readonly pending = new Map<number, Pending>();
+  private whenIdle: (() => void)[] = [];
   private lastCall = 0;
   private lastId = 0;
   /** In the order of opening, so that everything follows what it was made of. */
@@ -159,6 +160,11 @@ export class Connection {
     });
     signal?.addEventListener("abort", cancel, { once: true });
     return answer.finally(() => signal?.removeEventListener("abort", cancel)) as Promise<Result<M>>;
+  }
+
+  /** Resolves when no call is under way. */
+  idle(): Promise<void> {
+    return this.pending.size === 0 ? Promise.resolve() : new Promise((resolve) => this.whenIdle.push(resolve));
   }
 
   /** Ends the worker and answers every call with an error. */
@@ -280,11 +286,16 @@ export class Connection {
       this.proven ||= STYLING.has(call.method);
       if (call.abandoned && call.opens !== undefined) void this.call("close", [call.opens]).catch(() => {});
       call.resolve(reply.value);
-      return;
+    } else {
+      const error = new StrutError(reply.error);
+      call.reject(error);
+      if (error.code === "fault") this.replace(error);
     }
-    const error = new StrutError(reply.error);
-    call.reject(error);
-    if (error.code === "fault") this.replace(error);
+    this.tellIdle();
+  }
+
+  private tellIdle(): void {
+    if (this.pending.size === 0) for (const resolve of this.whenIdle.splice(0)) resolve();
   }
 
   /** Ends the worker; all that it had not answered is rejected. */
@@ -295,6 +306,7 @@ export class Connection {
     this.failStart(error);
     for (const call of this.pending.values()) call.reject(error);
     this.pending.clear();
+    this.tellIdle();
   }
 
   /** Starts another worker in the place of one that failed. */

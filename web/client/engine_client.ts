@@ -2,6 +2,7 @@
  * The engine for callers on another thread: any number of databases, motions, sessions and live stylizers in one worker, and
  * the models of walks and key styles, which run on the calling thread.
  */
+import type { BuiltInSet } from "../engine/built_in";
 import { disposed } from "../engine/errors";
 import { DEFAULT_OPTIONS } from "../engine/types";
 import type { BuildWorkerPort } from "./build/client";
@@ -23,6 +24,8 @@ import {
 /** How the workers are started and watched; tests replace it. */
 export interface EngineClientSetup {
   spawn?: () => WorkerPort;
+  /** A set of built-in motions that begins to load with the engine. */
+  preload?: BuiltInSet;
   spawnBuild?: () => BuildWorkerPort;
   patience?: Partial<Patience>;
 }
@@ -50,8 +53,11 @@ export class EngineClient {
   private readonly spawnBuild: (() => BuildWorkerPort) | undefined;
 
   /** The worker starts at once; calls wait until its engine is loaded. */
-  constructor({ spawn = spawnWorker, spawnBuild, patience }: EngineClientSetup = {}) {
-    this.connection = new Connection(spawn, { ...DEFAULT_PATIENCE, ...patience });
+  constructor({ spawn = spawnWorker, preload, spawnBuild, patience }: EngineClientSetup = {}) {
+    this.connection = new Connection(preload ? () => preloading(spawn(), preload) : spawn, {
+      ...DEFAULT_PATIENCE,
+      ...patience,
+    });
     this.connection.onRestart = (restart) => this.onRestart?.(restart);
     this.spawnBuild = spawnBuild;
     // Calls are rejected with the same error.
@@ -73,9 +79,9 @@ export class EngineClient {
     return new ClientDatabase(connection, id, info, source);
   }
 
-  /** Names of the built-in motions, the default first. */
-  builtInMotions(): Promise<string[]> {
-    return this.connection.call("builtInInputs", []);
+  /** Names of the motions of a built-in set, the default first. */
+  builtInMotions(set: BuiltInSet = "built-in"): Promise<string[]> {
+    return this.connection.call("builtInInputs", [set]);
   }
 
   /** A motion, which is read when it is first used with a database. */
@@ -151,6 +157,12 @@ export class EngineClient {
     return { ...(await this.connection.call("memory", [])), open: this.connection.memory() };
   }
 
+  /** Disposes of everything once all calls under way are answered. */
+  async retire(): Promise<void> {
+    await this.connection.idle();
+    this.dispose();
+  }
+
   /** Closes everything, models and builds too, and ends the workers. */
   dispose(): void {
     this.disposed = true;
@@ -173,6 +185,11 @@ export class EngineClient {
 function openId(handle: Reopenable): number {
   if (handle.closed) throw handle.closed;
   return handle.id;
+}
+
+function preloading(worker: WorkerPort, set: BuiltInSet): WorkerPort {
+  worker.postMessage({ kind: "preload", set });
+  return worker;
 }
 
 function spawnWorker(): WorkerPort {

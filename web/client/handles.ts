@@ -19,6 +19,7 @@ import type {
   OpenMemory,
   Performed,
   SearchFigures,
+  ShownFrame,
   StyledClip,
   StyleWeights,
   StylizeOptions,
@@ -238,6 +239,11 @@ export class ClientSession extends ClientHandle {
   /** Jumps to an input frame; the engine is warmed up on the frames before it. */
   async seek(inputFrame: number): Promise<LiveFrame> {
     return this.stand(await this.call("seek", [this.id, inputFrame]));
+  }
+
+  /** Goes on from a frame as something else showed it: from the same place and at the same time. */
+  async continueFrom(shown: ShownFrame): Promise<LiveFrame> {
+    return this.stand(await this.call("continueFrom", [this.id, shown]));
   }
 
   /** The whole motion in the present options. */

@@ -1,4 +1,5 @@
 /** The wire format between `connection.ts` and `server/`; callers see only `protocol.ts` and the handles. */
+import type { BuiltInSet } from "../engine/built_in";
 import type { ErrorParts } from "../engine/errors";
 import type { Styled, WasmMemory } from "../engine/types";
 import type {
@@ -15,6 +16,7 @@ import type {
   Performed,
   Progress,
   SearchFigures,
+  ShownFrame,
   StyledClip,
   StylizeOptions,
 } from "./protocol";
@@ -36,8 +38,8 @@ export interface SessionSetup {
 /** What the worker answers. The first argument of a call that opens something is the number that it gets. */
 export interface WorkerCalls {
   openDatabase(database: Id, source: DatabaseSource): DatabaseInfo;
-  /** Names of the built-in motions, the default first. */
-  builtInInputs(): string[];
+  /** Names of the motions of a built-in set, the default first. */
+  builtInInputs(set: BuiltInSet): string[];
   /** The motion is read when it is first used with a database. */
   openMotion(motion: Id, source: InputSource): undefined;
   /** What a motion's file says. */
@@ -52,6 +54,7 @@ export interface WorkerCalls {
   setLoop(session: Id, loop: boolean, range: FrameRange | undefined): undefined;
   step(session: Id, dtSecs: number): LiveFrame;
   seek(session: Id, inputFrame: number): LiveFrame;
+  continueFrom(session: Id, shown: ShownFrame): LiveFrame;
   analyse(session: Id): Analysis;
   examples(session: Id, subject: CurveSubject): Examples;
   exportBvh(session: Id): string;
@@ -72,8 +75,11 @@ export type Result<M extends Method> = ReturnType<WorkerCalls[M]>;
 /** A call under way; the client numbers its calls. */
 export type Call = { [M in Method]: { kind: "call"; id: number; method: M; args: Arguments<M> } }[Method];
 
-/** Page → worker. A cancellation that comes too late has no effect; a `ping` is answered by a `pong` at once. */
-export type Request = Call | { kind: "cancel"; id: number } | { kind: "ping" };
+/**
+ * Page → worker. A cancellation that comes too late has no effect; a `ping` is answered by a `pong` at once; a `preload`, of a
+ * set of built-in motions that will be needed, is not answered.
+ */
+export type Request = Call | { kind: "cancel"; id: number } | { kind: "ping" } | { kind: "preload"; set: BuiltInSet };
 
 /** Worker → page. Every call is answered by one `result` or `failure`, after any number of `progress`. */
 export type Reply =

@@ -89,6 +89,9 @@ export type InputSource =
   | { kind: "built-in"; name: string; set?: BuiltInSet }
   | { kind: "bvh"; name: string; bytes: ArrayBuffer };
 
+/** A shown frame, as far as another session must know it to go on from there. */
+export type ShownFrame = Pick<LiveFrame, "inputFrame" | "timeOut" | "pose">;
+
 /** Event after a failed worker was replaced. */
 export interface Restarted {
   /** The fault, a sentence. */
@@ -107,7 +110,12 @@ export interface Restarted {
  */
 export interface StrutClient {
   openDatabase(source: DatabaseSource, options?: CallOptions): Promise<DatabaseInfo>;
-  /** Names of the built-in inputs, the default first. */
+  /**
+   * Opens a database in a worker of its own, while the open one plays on, and then puts it in the place of that one: the input
+   * is played on from the shown frame, where it is shown. Fails as {@link StrutClient.openDatabase} does.
+   */
+  exchangeDatabase(source: DatabaseSource, options?: CallOptions): Promise<DatabaseInfo>;
+  /** Names of the built-in inputs, the default first; those of the set that is open, if one is. */
   builtInInputs(): Promise<string[]>;
   openInput(source: InputSource, options?: CallOptions): Promise<InputInfo>;
   /** Takes effect with the next frame. */
@@ -118,6 +126,8 @@ export interface StrutClient {
   step(dtSecs: number): Promise<LiveFrame>;
   /** Jumps to an input frame; the engine is warmed up on the frames before it. */
   seek(inputFrame: number): Promise<LiveFrame>;
+  /** Goes on from a frame as something else showed it: from the same place and at the same time. */
+  continueFrom(shown: ShownFrame): Promise<LiveFrame>;
   /** The whole input in the present options. */
   analyse(options?: CallOptions): Promise<Analysis>;
   /** The examples behind what {@link analyse} gives. */

@@ -1,4 +1,4 @@
 /** The worker's entry on the page: one engine behind its port. */
 import { type ServerPort, serve } from "./server/serve";
 
-void serve(self as unknown as ServerPort, { preload: "built-in" });
+void serve(self as unknown as ServerPort);

@@ -11,6 +11,7 @@ export type AssetName =
   | "strut_learn_bg.wasm"
   | "built_in.bin"
   | "walk.bin"
+  | "first_steps.bin"
   | "built_in.strutwalk";
 
 /** Where a file lies, or its bytes. */

@@ -10,15 +10,23 @@ export type BuiltInSet = "built-in" | "walk";
 /** Packed motions, as `rust/strut-formats/src/strutdb/packed.rs` says. */
 export type PackedMotions = Uint8Array<ArrayBuffer>;
 
-/** Where each set lies. */
-const ASSETS: Record<BuiltInSet, () => Asset> = {
-  "built-in": () => assetOf("built_in.bin", () => new URL("./motions/built_in.bin", import.meta.url)),
-  // The playground has all motions and no use for these; whoever serves them says where they lie.
-  walk: () =>
-    assetOf("walk.bin", () => {
-      throw incomplete(WHAT, "walk.bin has no place on this site");
-    }),
+/** A file of motions; `share` is its share of the bytes of all. */
+interface MotionFile {
+  asset: () => Asset;
+  share: number;
+}
+
+const WALK: MotionFile = {
+  asset: () => assetOf("walk.bin", () => new URL("./motions/walk.bin", import.meta.url)),
+  share: 0.22,
 };
+const OTHERS: MotionFile = {
+  asset: () => assetOf("built_in.bin", () => new URL("./motions/built_in.bin", import.meta.url)),
+  share: 0.78,
+};
+
+/** The files of each set, one read after the other: the later one does not have again what is in the first. */
+const FILES: Record<BuiltInSet, readonly MotionFile[]> = { "built-in": [WALK, OTHERS], walk: [WALK] };
 
 /**
  * Loads a set of built-in motions.
@@ -29,7 +37,29 @@ export async function loadBuiltIn(
   onProgress?: (fraction: number) => void,
   set: BuiltInSet = "built-in",
 ): Promise<PackedMotions> {
-  return inflatedAsset(ASSETS[set](), WHAT, onProgress);
+  const files = FILES[set];
+  const all = files.reduce((sum, { share }) => sum + share, 0);
+  const received = files.map(() => 0);
+  const parts = await Promise.all(
+    files.map(({ asset, share }, i) =>
+      inflatedAsset(asset(), WHAT, (fraction) => {
+        received[i] = (fraction * share) / all;
+        onProgress?.(received.reduce((sum, part) => sum + part, 0));
+      }),
+    ),
+  );
+  return joined(parts);
+}
+
+function joined(parts: readonly PackedMotions[]): PackedMotions {
+  if (parts.length === 1) return parts[0]!;
+  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
 }
 
 /**

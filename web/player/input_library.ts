@@ -1,8 +1,11 @@
 /** The inputs that can be chosen: the engine's built-in ones and the files that were dropped on this page. */
 import type { InputSource } from "../client/protocol";
+import type { BuiltInSet } from "../engine/built_in";
 
 export class InputLibrary {
   builtIn: readonly string[] = [];
+  /** The set that {@link builtIn} is of; all built-in motions where there is none. */
+  builtInSet: BuiltInSet | undefined;
   readonly #dropped = new Map<string, ArrayBuffer>();
 
   get dropped(): string[] {
@@ -43,7 +46,9 @@ export class InputLibrary {
   source(name: string): InputSource | undefined {
     const bytes = this.#dropped.get(name);
     if (bytes) return { kind: "bvh", name, bytes };
-    return this.builtIn.includes(name) ? { kind: "built-in", name } : undefined;
+    if (!this.builtIn.includes(name)) return undefined;
+    const set = this.builtInSet;
+    return { kind: "built-in", name, ...(set && { set }) };
   }
 }
 

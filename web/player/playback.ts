@@ -3,10 +3,14 @@
  * the next, one request at a time. A change of style therefore acts with the next frame, also while paused.
  */
 
-import type { LiveFrame, StylizeOptions } from "../client/protocol";
+import type { LiveFrame, ShownFrame, StylizeOptions } from "../client/protocol";
 import { isCancellation } from "../client/protocol";
 import { stepSecs } from "./clock";
+import type { Prelude } from "./prelude";
 import { approach, type Weights } from "./smoothing";
+
+/** Marks on the browser's time line: the first frame that was shown, and the first of the engine. */
+export const MARKS = { shown: "strut: first frame", styled: "strut: first styled frame" } as const;
 
 /** Failures in a row after which playing stops. */
 const MAX_FAILURES = 3;
@@ -16,6 +20,15 @@ export interface PlaybackEngine {
   step(dtSecs: number): Promise<LiveFrame>;
   seek(inputFrame: number): Promise<LiveFrame>;
   configure(options: StylizeOptions): Promise<void>;
+}
+
+/** How the loop begins before the engine has an input. */
+export interface Opening {
+  prelude: Prelude;
+  /** A new frame of the prelude. */
+  onFrame(shown: ShownFrame): void;
+  /** Has the engine go on from a frame, in the same place and at the same time. */
+  continueFrom(shown: ShownFrame): Promise<unknown>;
 }
 
 export interface PlaybackListeners {
@@ -43,6 +56,13 @@ export class Playback {
   #held = 0;
   #failures = 0;
   #request = 0;
+  /** What is shown until the engine's first frame. */
+  #opening: Opening | undefined;
+  /** Whether the engine was told to go on from it. */
+  #handedOver = false;
+  readonly #marked = new Set<string>();
+  /** Time of the last repaint, milliseconds. */
+  #ticked = 0;
 
   constructor(client: PlaybackEngine, listeners: PlaybackListeners) {
     this.#client = client;
@@ -50,12 +70,15 @@ export class Playback {
   }
 
   start(): void {
+    if (this.#request !== 0) return;
     this.#last = performance.now();
+    this.#ticked = this.#last;
     this.#request = requestAnimationFrame(this.#tick);
   }
 
   dispose(): void {
     cancelAnimationFrame(this.#request);
+    this.#request = 0;
   }
 
   /** Whether the engine has the latest options; false while styles are eased to them. */
@@ -90,6 +113,12 @@ export class Playback {
     this.#weights = undefined;
   }
 
+  /** Shows something until the engine has an input, which it goes on with from there, in the same place; starts the loop. */
+  startWith(opening: Opening): void {
+    this.#opening = opening;
+    this.start();
+  }
+
   /** Sends no requests while `task` runs, such as opening another database. */
   async hold<T>(task: () => Promise<T>): Promise<T> {
     this.#held += 1;
@@ -112,9 +141,15 @@ export class Playback {
   readonly #tick = (now: number): void => {
     this.#request = requestAnimationFrame(this.#tick);
     this.#listeners.onTick(now);
+    if (this.#opening) this.#showPrelude(this.#opening, now);
     if (this.#busy || this.#held > 0 || !this.#target) return;
+    if (this.#opening && !this.#handedOver) {
+      this.#handOver(this.#opening, this.#target, now);
+      return;
+    }
     const elapsed = Math.max(0, (now - this.#last) / 1000);
-    const dt = stepSecs(this.#last, now);
+    // However long the engine takes to begin: the prelude goes on meanwhile.
+    const dt = this.#opening ? elapsed : stepSecs(this.#last, now);
     this.#last = now;
     const restyled = this.#configure(this.#target, elapsed);
     const seek = this.#seek;
@@ -125,6 +160,9 @@ export class Playback {
     answer
       .then((frame) => {
         this.#failures = 0;
+        this.#opening = undefined;
+        this.#mark(MARKS.shown);
+        this.#mark(MARKS.styled);
         this.#listeners.onFrame(frame, seek !== undefined);
       })
       .catch((error: unknown) => this.#fail(error))
@@ -132,6 +170,36 @@ export class Playback {
         this.#busy = false;
       });
   };
+
+  #mark(name: string): void {
+    if (this.#marked.has(name)) return;
+    this.#marked.add(name);
+    performance.mark(name);
+  }
+
+  #showPrelude({ prelude, onFrame }: Opening, now: number): void {
+    const dt = stepSecs(this.#ticked, now);
+    this.#ticked = now;
+    // The engine's first frame is of the moment at which it was asked for.
+    if (!this.playing || (this.#handedOver && this.#busy)) return;
+    prelude.advance(dt * this.speed);
+    this.#mark(MARKS.shown);
+    onFrame(prelude.shown);
+  }
+
+  /** Has the engine go on from the prelude, in its styles at first; the prelude is shown until the next frame is there. */
+  #handOver({ prelude, continueFrom }: Opening, target: StylizeOptions, now: number): void {
+    this.#weights = prelude.styles;
+    this.#configure(target, 0);
+    this.#last = now;
+    this.#busy = true;
+    continueFrom(prelude.shown)
+      .catch((error: unknown) => this.#fail(error))
+      .finally(() => {
+        this.#busy = false;
+        this.#handedOver = true;
+      });
+  }
 
   /** Tells the engine of changed options; whether there were any. The step that follows is answered after it. */
   #configure(target: StylizeOptions, dt: number): boolean {

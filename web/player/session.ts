@@ -14,12 +14,16 @@ import type {
   InputInfo,
   LiveFrame,
   Restarted,
+  ShownFrame,
   StrutClient,
   StylizeOptions,
 } from "../client/protocol";
 import { isCancellation, isFault } from "../client/protocol";
+import type { FirstSteps } from "./first_steps";
 import { InputLibrary } from "./input_library";
 import { Playback } from "./playback";
+import { Prelude } from "./prelude";
+import type { Weights } from "./smoothing";
 
 /** An edit has settled when nothing has changed for so long. */
 const SETTLE_MS = 150;
@@ -33,6 +37,8 @@ export interface SessionListeners {
   onExamples: (examples: Examples | undefined) => void;
   /** A new frame; `sought` where it does not follow the one before. */
   onFrame: (frame: LiveFrame, sought: boolean) => void;
+  /** A new frame of what is shown until the engine has an input. */
+  onPrelude: (shown: ShownFrame) => void;
   /** Before every repaint of the browser; `now` in milliseconds. */
   onTick: (now: number) => void;
   /** Something failed. */
@@ -125,6 +131,16 @@ export class Session {
     signal?.addEventListener("abort", () => this.#listeners.delete(listeners), { once: true });
   }
 
+  /** Begins to play with a clip of the first input in `styles`, until the engine has that input; it then goes on from there. */
+  startWith(clip: FirstSteps, styles: Weights): void {
+    if (this.input) return;
+    this.playback.startWith({
+      prelude: new Prelude(clip, styles),
+      onFrame: (shown) => this.#tell("onPrelude", shown),
+      continueFrom: (shown) => this.#client.continueFrom(shown),
+    });
+  }
+
   /** Opens a database and then the input `inputName` on it. */
   openDatabase(source: DatabaseSource, inputName: string): Promise<Outcome> {
     return this.#attempt(() =>
@@ -133,14 +149,19 @@ export class Session {
         const database = await this.#progress.run("database", subject, (options) =>
           this.#client.openDatabase(source, options),
         );
-        this.library.builtIn = await this.#client.builtInInputs();
-        this.database = database;
-        this.databaseSource = source;
         this.playback.forgetStyle();
-        this.#tell("onDatabase", database);
+        await this.#takeDatabase(source, database);
         await this.#open(this.library.has(inputName) ? inputName : this.library.first);
       }),
     );
+  }
+
+  /** Opens a database beside the open one, whose place it then takes: what plays goes on without a jump. */
+  exchangeDatabase(source: DatabaseSource, signal: AbortSignal): Promise<Outcome> {
+    return this.#attempt(async () => {
+      await this.#takeDatabase(source, await this.#client.exchangeDatabase(source, { signal }));
+      this.analyseSoon();
+    });
   }
 
   /** Opens an input of the library. */
@@ -205,6 +226,14 @@ export class Session {
     this.#listeners.clear();
     this.playback.dispose();
     this.#client.dispose();
+  }
+
+  async #takeDatabase(source: DatabaseSource, database: DatabaseInfo): Promise<void> {
+    this.library.builtIn = await this.#client.builtInInputs();
+    this.library.builtInSet = source.kind === "demo" ? source.set : undefined;
+    this.database = database;
+    this.databaseSource = source;
+    this.#tell("onDatabase", database);
   }
 
   async #open(name: string): Promise<void> {

@@ -96,13 +96,21 @@ pub fn database_without(takes: &[String]) -> Result<Database, BuildError> {
     build(&clips, RATE_HZ)
 }
 
-/// The smallest database of use: the first walking take in every style of [`STYLES`].
+/// The smallest database of use: the first walking take in every style of [`STYLES`]. Its clips and their rows are those of
+/// `whole`, which is [`database`].
 ///
 /// # Errors
 /// As for [`database`].
-pub fn walk_database() -> Result<Database, BuildError> {
+pub fn walk_database(whole: &Database) -> Result<Database, BuildError> {
     let clips: Vec<SourceClip> = STYLES.iter().map(|style| gait_clip(style, 1, &WALK_TAKES[0])).collect();
-    build(&clips, RATE_HZ)
+    let mut parts = (*build(&clips, RATE_HZ)?).clone();
+    parts.chart = whole.chart;
+    for clip in &parts.clips {
+        if let Some(same) = whole.clips.iter().find(|c| (&c.name, c.frames) == (&clip.name, clip.frames)) {
+            parts.pose[clip.rows()].copy_from_slice(&whole.pose[same.rows()]);
+        }
+    }
+    Ok(Database::new(parts)?)
 }
 
 /// The input that goes with [`walk_database`]: the first of [`input_clips`].

@@ -16,7 +16,8 @@ const MAX_LOSS: f32 = 1.15;
 
 #[test]
 fn it_has_one_walk_a_style() {
-    let file = packed::write(&walk_database().unwrap(), &[], "test");
+    let whole = database().unwrap();
+    let file = packed::write(&walk_database(&whole).unwrap(), &[], "test");
     let db = packed::read_database(&file).unwrap();
     assert_eq!(db.actions, ["walk"]);
     assert_eq!(db.styles.len(), 8);
@@ -26,13 +27,26 @@ fn it_has_one_walk_a_style() {
 }
 
 #[test]
+fn the_full_database_stores_no_walk_again() {
+    let whole = database().unwrap();
+    let alone = packed::write(&whole, &[], "test");
+    let walks = packed::write(&walk_database(&whole).unwrap(), &[], "test");
+    let mut both = walks.clone();
+    packed::append(&mut both, &whole, &[], "test").unwrap();
+    assert_eq!(*packed::read_database(&both).unwrap(), *packed::read_database(&alone).unwrap());
+    // A walk has seven columns more than its pose.
+    assert!(both.len() < alone.len() + walks.len() / 4, "{} of {} and {}", both.len(), alone.len(), walks.len());
+}
+
+#[test]
 fn it_styles_a_neutral_walk_as_the_full_database_does() {
     let NamedMotion { name, motion } = walk_input();
     assert_eq!(name, "neutral walk");
     assert_eq!(motion, input_clips().swap_remove(0).motion);
     let performed = counterpart(name, "proud").unwrap().poses;
-    let full = proud(database().unwrap(), &motion.poses);
-    let small = proud(walk_database().unwrap(), &motion.poses);
+    let whole = database().unwrap();
+    let small = proud(walk_database(&whole).unwrap(), &motion.poses);
+    let full = proud(whole, &motion.poses);
     let apart = mean_angle(&small, &full);
     let [small_error, full_error] = [&small, &full].map(|poses| mean_angle(poses, &performed));
     let unstyled = mean_angle(&motion.poses, &performed);

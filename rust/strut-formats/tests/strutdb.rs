@@ -271,6 +271,50 @@ mod packed {
         }
     }
 
+    /// The database of one clip of [`built`] and one input, then all of it.
+    fn sets() -> (Vec<u8>, Vec<u8>) {
+        let db = built();
+        let others: Vec<usize> = (1..db.clips.len()).collect();
+        let first = packed::write(&db.without_clips(&others).unwrap(), &[input("“b”", 3)], "test 1");
+        let mut both = first.clone();
+        packed::append(&mut both, &db, &[input("a", 40), input("“b”", 3)], "test 1").unwrap();
+        (first, both)
+    }
+
+    #[test]
+    fn a_set_takes_from_the_one_before_what_it_has() {
+        let (first, both) = sets();
+        assert_eq!(packed::input_names(&first).unwrap(), ["“b”"]);
+        assert_eq!(packed::input_names(&both).unwrap(), ["a", "“b”"]);
+        assert_eq!(packed::read_database(&first).unwrap().clips.len(), 1);
+        let (stored, whole) = (packed::read_database(&both).unwrap(), packed::read_database(&file()).unwrap());
+        assert_eq!(*stored, *whole);
+        for name in ["a", "“b”"] {
+            assert_eq!(packed::read_input(&both, name).unwrap(), packed::read_input(&file(), name).unwrap());
+        }
+        let poses = |file: &[u8]| file.len() - packed::write(&built(), &[], "test 1").len();
+        assert!(poses(&both) < poses(&file()) + first.len(), "the second set stores the first again");
+    }
+
+    #[test]
+    fn a_set_with_another_clip_of_the_same_name_is_refused() {
+        let (mut first, db) = (sets().0, built());
+        let mut parts = (*db).clone();
+        parts.chart.means[1] = Quat::from_rotation_y(0.5);
+        let turned = Database::new(parts).unwrap();
+        assert_eq!(packed::append(&mut first, &turned, &[], "test"), Err(StrutdbError::Layout("joints")));
+        // A second set that takes a clip more often than the first one has it.
+        let (first, both) = sets();
+        let names: Vec<_> = db.clips.iter().map(|clip| format!("\"name\":\"{}\"", clip.name)).collect();
+        let mut second = both[first.len()..].to_vec();
+        let length = u32::from_le_bytes(second[8..12].try_into().unwrap()) as usize;
+        let mut header = String::from_utf8(second[12..12 + length].to_vec()).unwrap();
+        names.iter().for_each(|name| header = header.replace(name, &names[0]));
+        second.splice(8..12 + length, (header.len() as u32).to_le_bytes().into_iter().chain(header.bytes()));
+        let hostile = [first, second].concat();
+        assert_eq!(packed::read_database(&hostile).unwrap_err(), StrutdbError::Layout("clips"));
+    }
+
     #[test]
     fn another_file_is_refused_with_a_sentence() {
         assert_eq!(packed::read_database(&super::file_of(&built())).unwrap_err(), StrutdbError::NotPacked);
@@ -304,16 +348,20 @@ mod packed {
 
         #[test]
         fn damage_never_panics(at: prop::sample::Index, change in 1_u8..) {
-            let mut file = file();
-            let at = at.index(file.len());
-            file[at] ^= change;
-            let _ = (packed::read_database(&file), packed::read_input(&file, "a"));
+            for mut file in [file(), sets().1] {
+                let at = at.index(file.len());
+                file[at] ^= change;
+                let _ = (packed::read_database(&file), packed::read_input(&file, "a"));
+            }
         }
 
         #[test]
         fn every_cut_is_noticed(length: prop::sample::Index) {
             let file = file();
             prop_assert!(packed::read_database(&file[..length.index(file.len())]).is_err());
+            let (first, both) = sets();
+            let length = length.index(both.len());
+            prop_assert!(length == first.len() || packed::read_database(&both[..length]).is_err());
         }
     }
 }

@@ -1,29 +1,25 @@
 //! The built-in motions: as the file that the page loads, and a built-in input as another style performs it.
 
+use js_sys::Uint8Array;
 use strut_formats::strutdb::packed::{self, NamedMotion};
 use strut_wasm_common::EngineError;
 use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The built-in database and inputs in the packed format, not yet deflated: the build writes them to
-/// `web/engine/motions/built_in.bin`.
+/// The built-in motions as two sets in the packed format, not yet deflated: walks in every style and one input, then all
+/// others. The build writes them to `web/engine/motions/walk.bin` and `built_in.bin`; the second is read after the first.
 ///
 /// # Errors
 /// None for the motions that are built in.
 #[wasm_bindgen(js_name = builtInMotions)]
-pub fn built_in_motions() -> Result<Vec<u8>, EngineError> {
+pub fn built_in_motions() -> Result<Vec<Uint8Array>, EngineError> {
     let database = strut_demo::database().map_err(EngineError::bad_input)?;
-    Ok(packed::write(&database, &named(strut_demo::input_clips()), "strut"))
-}
-
-/// Walks in every style and one input, likewise: `web/engine/motions/walk.bin`.
-///
-/// # Errors
-/// None for the motions that are built in.
-#[wasm_bindgen(js_name = builtInWalk)]
-pub fn built_in_walk() -> Result<Vec<u8>, EngineError> {
-    let database = strut_demo::walk_database().map_err(EngineError::bad_input)?;
-    Ok(packed::write(&database, &named(vec![strut_demo::walk_input()]), "strut"))
+    let walks = strut_demo::walk_database(&database).map_err(EngineError::bad_input)?;
+    let mut file = packed::write(&walks, &named(vec![strut_demo::walk_input()]), "strut");
+    let first = file.len();
+    packed::append(&mut file, &database, &named(strut_demo::input_clips()), "strut").map_err(EngineError::bad_input)?;
+    let (walks, others) = file.split_at(first);
+    Ok([walks, others].map(Uint8Array::from).to_vec())
 }
 
 fn named(clips: Vec<strut_demo::NamedMotion>) -> Vec<NamedMotion> {

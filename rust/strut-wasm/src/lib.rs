@@ -22,7 +22,7 @@ mod stylizer;
 pub use bench::{Naive, Workload, joint_weights, leg_joints, positions_of, rows_of, stage_names};
 pub use clip_job::ClipJob;
 #[cfg(feature = "compare")]
-pub use counterpart::{Counterpart, built_in_motions, built_in_walk};
+pub use counterpart::{Counterpart, built_in_motions};
 pub use database::Database;
 pub use input::{Input, packed_inputs};
 #[cfg(feature = "learn")]

@@ -2,6 +2,7 @@
 import type { DroppedFile } from "../../client/build/protocol";
 import type { DatabaseSource, StrutClient } from "../../client/protocol";
 import type { ViewName } from "../../link/page";
+import type { FirstSteps } from "../../player/first_steps";
 import { applyTheme, isDark, onSystemTheme, opposite } from "../../ui/theme";
 import { graphics } from "../../viewer";
 import { Characters } from "../character/characters";
@@ -49,7 +50,11 @@ export class App {
   readonly #characters: Characters;
   readonly #views: Views;
 
-  constructor(root: HTMLElement, client: StrutClient) {
+  readonly #firstSteps: Promise<FirstSteps> | undefined;
+
+  /** @param firstSteps what is shown until the engine is there, where the page begins with it */
+  constructor(root: HTMLElement, client: StrutClient, firstSteps: Promise<FirstSteps> | undefined) {
+    this.#firstSteps = firstSteps;
     const store = this.#store;
     const { signal } = this.#listening;
     applyTheme(store.state.theme);
@@ -124,7 +129,7 @@ export class App {
 
   /** Shows the view that the link asks for, opens what it asks for, and begins to play. */
   async start(): Promise<void> {
-    await Promise.all([this.#workspace.start(this.#hash), this.#showFirstView()]);
+    await Promise.all([this.#workspace.start(this.#hash, this.#firstSteps), this.#showFirstView()]);
   }
 
   /** Opens files that came from outside the page as if they had been dropped. */
@@ -160,7 +165,7 @@ export class App {
         return workspace.upToDate;
       },
       get analysed() {
-        return session.analysed;
+        return workspace.opened && session.analysed;
       },
       jointScreenPosition: (role) => viewer.jointPosition(role),
     };

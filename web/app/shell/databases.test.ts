@@ -16,10 +16,18 @@ class FakeSession {
   constructor(readonly broken: readonly string[]) {}
 
   async openDatabase(source: DatabaseSource): Promise<Outcome> {
-    const name = source.kind === "demo" ? "built in" : source.name;
+    const name = source.kind === "demo" ? `built in${source.set ? `: ${source.set}` : ""}` : source.name;
     if (this.broken.includes(name)) return "failed";
     this.opened.push(name);
     this.database = { styles: ["old"], frames: 9 } as unknown as DatabaseInfo;
+    this.databaseSource = source;
+    return "done";
+  }
+
+  async exchangeDatabase(source: DatabaseSource, signal: AbortSignal): Promise<Outcome> {
+    await new Promise((resolve) => setTimeout(resolve, 5));
+    if (signal.aborted) return "cancelled";
+    this.opened.push("built in beside it");
     this.databaseSource = source;
     return "done";
   }
@@ -35,6 +43,25 @@ function made(database: string, { broken = [] as string[], kept = ["mine", "bad"
   );
   return { store, session, databases, said };
 }
+
+describe("the start with walks", () => {
+  it("opens all motions beside the walks, which then count as the built-in database", async () => {
+    const { store, session, databases } = made("");
+    await databases.startWithWalks();
+    expect(session.opened).toEqual(["built in: walk"]);
+    expect(await databases.complete).toBe("done");
+    expect(session.opened).toEqual(["built in: walk", "built in beside it"]);
+    expect([databases.moving, databases.file.name, store.state.database]).toEqual([false, "", ""]);
+  });
+
+  it("does not come to all motions where another database is opened meanwhile", async () => {
+    const { session, databases } = made("");
+    await databases.startWithWalks();
+    await databases.open({ kind: "strutdb", name: "mine", file: new Blob() }, "mine");
+    expect(await databases.complete).toBe("cancelled");
+    expect(session.opened).toEqual(["built in: walk", "mine"]);
+  });
+});
 
 describe("a database that is replaced on this device", () => {
   it("is opened again where it is the open one", async () => {

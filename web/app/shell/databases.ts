@@ -15,6 +15,8 @@ import { errorText } from "../ui/words";
 export type ReadSaved = (name: string) => Promise<Blob | undefined>;
 
 const BUILT_IN: DatabaseSource = { kind: "demo" };
+/** The part of the built-in database that is shown while all of it loads. */
+const WALKS: DatabaseSource = { kind: "demo", set: "walk" };
 
 export class Databases {
   readonly #store: Store;
@@ -29,6 +31,10 @@ export class Databases {
   #requests = 0;
   /** Name of the database that is being opened because the state asks for it; undefined where none is. */
   #followed: string | undefined;
+  /** Ends the exchange of the walks for the whole built-in database. */
+  #completion = new AbortController();
+  /** Settles when the database that is open is all there. */
+  complete: Promise<unknown> = Promise.resolve();
 
   constructor(store: Store, toasts: Toasts, session: Session, readSaved: ReadSaved = readSavedDatabase) {
     this.#store = store;
@@ -95,6 +101,14 @@ export class Databases {
     this.#store.adopt({ database: this.#name });
   }
 
+  /** Opens the walks of the built-in database and their input, which are a quarter of it, and then all of it beside them. */
+  async startWithWalks(): Promise<void> {
+    const request = this.#begin();
+    if (!(await this.#load(WALKS, "", "", request))) return;
+    this.#unnamed = BUILT_IN;
+    this.complete = this.#session.exchangeDatabase(BUILT_IN, this.#completion.signal);
+  }
+
   /** Makes a clip a style of the database that is open, by the name that the person gives it, and shows it. */
   async addStyle(clip: File, progress: ProgressLine): Promise<void> {
     const known = this.#session.database;
@@ -131,6 +145,8 @@ export class Databases {
 
   /** Begins a request, which takes the place of the one before. */
   #begin(): number {
+    this.#completion.abort();
+    this.#completion = new AbortController();
     this.#followed = undefined;
     return ++this.#requests;
   }

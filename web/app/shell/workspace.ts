@@ -3,6 +3,7 @@ import type { DatabaseInfo, StrutClient } from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";
 import { linkedFile } from "../../link/linked_file";
 import { ENGINE_FIELDS } from "../../link/play";
+import type { FirstSteps } from "../../player/first_steps";
 import { Session, UnknownInput } from "../../player/session";
 import { firstSelection } from "../../ui/polygon/selection";
 import { Playhead } from "../state/playhead";
@@ -13,6 +14,7 @@ import { strings } from "../strings/strings";
 import type { Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
 import { Databases } from "./databases";
+import { isPlain } from "./first_set";
 import type { SessionProgressLines } from "./session_progress";
 
 type Changed = ReadonlySet<keyof AppState>;
@@ -55,12 +57,21 @@ export class Workspace {
     store.subscribe((_, changed) => this.#onChange(changed));
   }
 
-  /** Opens what the state asks for, and the file that the link carries, and begins to play. */
-  async start(hash: string): Promise<void> {
+  /**
+   * Opens what the state asks for, and the file that the link carries, and begins to play. Without a link it begins with the
+   * walks, which are there first.
+   */
+  async start(hash: string, firstSteps: Promise<FirstSteps> | undefined): Promise<void> {
     const { session } = this;
+    // Without them the stage is empty for longer.
+    firstSteps?.then((steps) => session.startWith(steps, { neutral: 1 })).catch(() => {});
     const carried = await this.#carriedInput(hash);
     if (carried !== undefined) this.#store.adopt({ input: carried });
-    await this.databases.follow(this.#store.state.input);
+    if (isPlain(hash)) {
+      await this.databases.startWithWalks();
+      void this.#counted(this.databases.complete);
+    }
+    if (!session.database) await this.databases.follow(this.#store.state.input);
     if (carried !== undefined && session.inputName !== carried) session.library.remove(carried);
     if (session.database && !session.input) await session.openInput(session.library.first);
     this.#settleInput();
@@ -71,9 +82,14 @@ export class Workspace {
     session.playback.start();
   }
 
+  /** Whether all that the state asks for is open. */
+  get opened(): boolean {
+    return this.#pending === 0;
+  }
+
   /** Whether the pose on screen is of the input, the frame and the styles of the state. */
   get upToDate(): boolean {
-    return this.#pending === 0 && this.session.playback.upToDate;
+    return this.opened && this.session.playback.upToDate;
   }
 
   /** Goes to the state of a link, or to what of it is given; the link may carry a file. */
@@ -132,7 +148,7 @@ export class Workspace {
     else if (session.input && changed.has("input")) this.#opening = this.#counted(this.#followInput(input));
   }
 
-  async #counted(work: Promise<void>): Promise<void> {
+  async #counted(work: Promise<unknown>): Promise<void> {
     this.#pending += 1;
     try {
       await work;
@@ -169,6 +185,7 @@ export class Workspace {
     if (name === session.inputName && this.#openingInputs === 0) return;
     this.#openingInputs += 1;
     try {
+      if (!session.library.has(name)) await this.databases.complete;
       if (session.library.has(name)) await session.openInput(name);
     } finally {
       this.#openingInputs -= 1;

@@ -9,5 +9,5 @@ const SILENCE_MS = 300_000;
 export function createCompareClient(): Promise<StrutClient> {
   const spawn = () =>
     new Worker(new URL("./compare_worker.ts", import.meta.url), { type: "module", name: "strut compare" });
-  return createStrutClient(spawn, { silenceMs: SILENCE_MS });
+  return createStrutClient({ spawn, preload: "built-in", patience: { silenceMs: SILENCE_MS } });
 }

@@ -6,5 +6,4 @@ serveComparePackage();
 void serve(self as unknown as ServerPort, {
   counterparts: counterpartOf,
   searches: (...setup) => new SearchComparison(...setup),
-  preload: "built-in",
 });

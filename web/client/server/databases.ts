@@ -1,4 +1,5 @@
 /** Calls about databases. */
+import type { BuiltInSet } from "../../engine/built_in";
 import type { Database } from "../../engine/database";
 import type { DatabaseInfo, DatabaseSource } from "../protocol";
 import type { Host } from "./host";
@@ -38,6 +39,6 @@ export async function openDatabase(
   return { ...database.info, proportions: database.info.proportions.slice() };
 }
 
-export async function builtInInputs({ engine, builtIn }: Host, caller: Caller): Promise<string[]> {
-  return engine.inputsOf(await builtIn.load(caller));
+export async function builtInInputs({ engine, builtIn }: Host, caller: Caller, set: BuiltInSet): Promise<string[]> {
+  return engine.inputsOf(await builtIn.load(caller, set));
 }

@@ -1,5 +1,4 @@
 /** The worker's side of the wire: one engine, and any number of databases, motions, sessions and stylizers by number. */
-import type { BuiltInSet } from "../../engine/built_in";
 import { Engine } from "../../engine/engine";
 import { toStrutError } from "../../engine/errors";
 import type { Arguments, Call, Method, Reply, Request, Result } from "../messages";
@@ -37,6 +36,7 @@ const HANDLERS: Handlers = {
   setLoop: sessions.setLoop,
   step: sessions.step,
   seek: sessions.seek,
+  continueFrom: sessions.continueFrom,
   analyse: sessions.analyse,
   examples: sessions.examples,
   exportBvh: sessions.exportBvh,
@@ -54,19 +54,16 @@ const HANDLERS: Handlers = {
 export interface ServerSetup {
   counterparts?: Counterparts;
   searches?: Searches;
-  /** A set of built-in motions that begins to load with the engine. */
-  preload?: BuiltInSet;
 }
 
 /** Loads the engine and answers the calls that arrive at `port`. */
 export async function serve(
   port: ServerPort,
-  { counterparts = () => undefined, searches = () => undefined, preload }: ServerSetup = {},
+  { counterparts = () => undefined, searches = () => undefined }: ServerSetup = {},
 ): Promise<void> {
   /** Calls under way, and which of them were cancelled. */
   const cancelled = new Map<number, boolean>();
   const builtIn = new BuiltInMotions();
-  if (preload) builtIn.preload(preload);
   const open = new Registry();
   const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, searches, open }));
 
@@ -90,6 +87,7 @@ export async function serve(
     if (data.kind === "cancel") {
       if (cancelled.has(data.id)) cancelled.set(data.id, true);
     } else if (data.kind === "ping") port.postMessage({ kind: "pong" }, []);
+    else if (data.kind === "preload") builtIn.preload(data.set);
     else void answer(data);
   };
   await loading.then(

@@ -3,7 +3,7 @@
 import type { Stylizer } from "../../engine/stylizer";
 import type { Styled } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
-import type { FrameRange, InputInfo, LiveFrame, Reading, StylizeOptions } from "../protocol";
+import type { FrameRange, InputInfo, LiveFrame, Reading, ShownFrame, StylizeOptions } from "../protocol";
 import { EasedStyles, type StyledStream } from "./eased_styles";
 import { median } from "./time_slices";
 
@@ -74,8 +74,7 @@ export class LiveSession {
   step(dtSecs: number): LiveFrame {
     if (!this.current) this.begin(this.firstFrame());
     if (!(dtSecs > 0)) {
-      if (this.stale) this.restyle();
-      return this.show(false);
+      return this.stale ? this.restyle() : this.show(false);
     }
     this.stale = false;
     this.clockSecs += Math.min(dtSecs, MAX_STEP_SECS);
@@ -104,17 +103,21 @@ export class LiveSession {
     return this.show(false);
   }
 
-  /** Makes the shown frame again with the present options, in the same place and at the same time. */
-  private restyle(): void {
-    const timeSecs = this.clockSecs;
-    const before = this.shownPose();
-    this.jump(this.inputFrame());
-    const after = this.shownPose();
-    this.moveBy(before[0]! - after[0]!, before[2]! - after[2]!);
-    const shift = timeSecs - this.clockSecs;
+  /** See `StrutClient.continueFrom`. */
+  continueFrom({ inputFrame, timeOut, pose }: ShownFrame): LiveFrame {
+    this.jump(inputFrame);
+    const now = this.shownPose();
+    this.moveBy(pose[0]! - now[0]!, pose[2]! - now[2]!);
+    const shift = timeOut - this.clockSecs;
     // Both moments may be one object, before the first frame has a successor.
     for (const moment of new Set([this.previous!, this.current!])) moment.timeSecs += shift;
-    this.clockSecs = timeSecs;
+    this.clockSecs = timeOut;
+    return this.show(false);
+  }
+
+  /** Makes the shown frame again with the present options. */
+  private restyle(): LiveFrame {
+    return this.continueFrom({ inputFrame: this.inputFrame(), timeOut: this.clockSecs, pose: this.shownPose() });
   }
 
   /** Warms the engine up on the frames before `inputFrame` and shows it; time 0 is at its integer part. */

@@ -2,7 +2,7 @@
 import type { ClipJob } from "../../engine/clip_job";
 import type { Stylizer } from "../../engine/stylizer";
 import type { SessionSetup } from "../messages";
-import type { Analysis, CurveSubject, Examples, FrameRange, LiveFrame, StylizeOptions } from "../protocol";
+import type { Analysis, CurveSubject, Examples, FrameRange, LiveFrame, ShownFrame, StylizeOptions } from "../protocol";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import { CarriedMotion, carriedMotion, styleClip } from "./motions";
@@ -72,6 +72,10 @@ export function step({ open }: Host, _: Caller, id: number, dtSecs: number): Liv
 
 export function seek({ open }: Host, _: Caller, id: number, inputFrame: number): LiveFrame {
   return open.get(OpenSession, id).live.seek(inputFrame);
+}
+
+export function continueFrom({ open }: Host, _: Caller, id: number, shown: ShownFrame): LiveFrame {
+  return open.get(OpenSession, id).live.continueFrom(shown);
 }
 
 export async function analyse(host: Host, caller: Caller, id: number): Promise<Analysis> {

@@ -13,6 +13,10 @@
 //! | | `canonical_time`, [`TIME_STEP`]; `time_step`, [`DURATION_STEP`]; `contact` by columns, 1 |
 //! | | `counterpart` by columns (style, then slot), [`ROW_STEP`]; −1 where there is none |
 //!
+//! A file may have several such sets, one after the other; its content is that of the last. Clips and inputs that were in
+//! the set before are told by their names, and their poses are not stored again: so the page shows the first set while the
+//! next one loads.
+//!
 //! A column of integers x is stored as xₜ − 2 xₜ₋₁ + xₜ₋₂, with zeros before the first, each in zigzag LEB128.
 //!
 //! Rotations are off by at most 5e-5 rad (half a step an axis): no joint of the built-in database is off by more than
@@ -22,13 +26,13 @@ use super::metadata::Metadata;
 use super::{KIND, StrutdbError, read};
 use crate::container::ContainerError;
 use serde::{Deserialize, Serialize};
-use strut_core::database::{Database, DatabaseParts, MAX_COUNTERPARTS, MAX_FRAMES};
+use strut_core::database::{Clip, Database, DatabaseParts, MAX_COUNTERPARTS, MAX_FRAMES};
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions};
 use strut_core::math::{Quat, Vec3, exp_map};
 use strut_core::pose_vector::{DOFS, Placement, PoseChart, PoseRow, ROW, point_cloud};
 
 /// First bytes of packed motions.
-pub const MAGIC: [u8; 8] = *b"strutpk1";
+pub const MAGIC: [u8; 8] = *b"strutpk2";
 /// Step of rotations, radians, of lengths, metres, and of their rates a second.
 pub const STEP: f32 = 1.0 / 16_384.0;
 /// Step of canonical time, canonical frames.
@@ -51,9 +55,11 @@ struct Header {
     counterparts_per_style: usize,
     /// Motions on the database's humanoid and at its rate, in order.
     inputs: Vec<InputInfo>,
+    /// Length of the columns after the header, bytes.
+    bytes: usize,
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize)]
 struct InputInfo {
     name: String,
     frames: usize,
@@ -73,29 +79,54 @@ pub struct NamedMotion {
 /// # Panics
 /// Never for a [`Database`], whose shapes were checked when it was made.
 pub fn write(db: &Database, inputs: &[NamedMotion], generator: &str) -> Vec<u8> {
+    let mut file = Vec::new();
+    write_set(&mut file, db, inputs, generator, &Known::default());
+    file
+}
+
+/// Appends a set to packed motions, whose poses of the clips and inputs with the same names are those of the last set.
+///
+/// # Errors
+/// [`StrutdbError`] if `file` is anything but packed motions, or if a clip of the same name has another length or chart.
+pub fn append(file: &mut Vec<u8>, db: &Database, inputs: &[NamedMotion], generator: &str) -> Result<(), StrutdbError> {
+    let known = known_at_end(&sets(file)?)?;
+    known.check(&db.clips, &db.chart)?;
+    write_set(file, db, inputs, generator, &known);
+    Ok(())
+}
+
+fn write_set(file: &mut Vec<u8>, db: &Database, inputs: &[NamedMotion], generator: &str, known: &Known) {
+    let columns = columns_of(db, inputs, known);
     let header = Header {
         database: Metadata::of(db, generator),
         chart: db.chart.means.iter().map(|q| q.to_array().map(f64::from)).collect(),
         counterparts_per_style: db.counterparts_per_style,
         inputs: inputs.iter().map(|i| InputInfo { name: i.name.clone(), frames: i.motion.poses.len() }).collect(),
+        bytes: columns.len(),
     };
     let header = serde_json::to_vec(&header).expect("strings and numbers are JSON");
-    let mut file = MAGIC.to_vec();
+    file.extend(MAGIC);
     file.extend((header.len() as u32).to_le_bytes());
     file.extend(header);
-    for input in inputs {
+    file.extend(columns);
+}
+
+fn columns_of(db: &Database, inputs: &[NamedMotion], known: &Known) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    for input in inputs.iter().filter(|input| !known.has_input(&input.name)) {
         let rows: Vec<[f32; INPUT_COLUMNS]> = input.motion.poses.iter().map(row_of).collect();
-        (0..INPUT_COLUMNS).for_each(|c| write_column(&mut file, STEP, rows.iter().map(|row| row[c])));
+        (0..INPUT_COLUMNS).for_each(|c| write_column(&mut bytes, STEP, rows.iter().map(|row| row[c])));
     }
-    (0..DOFS).for_each(|d| write_column(&mut file, STEP, db.pose.iter().map(|row| row[d])));
-    write_column(&mut file, TIME_STEP, db.canonical_time.iter().copied());
-    write_column(&mut file, DURATION_STEP, db.time_step.iter().copied());
-    (0..2).for_each(|foot| write_column(&mut file, 1.0, db.contact.iter().map(|c| f32::from(c[foot]))));
+    let own = || db.clips.iter().filter(|clip| known.clip(&clip.name).is_none()).flat_map(|clip| &db.pose[clip.rows()]);
+    (0..DOFS).for_each(|d| write_column(&mut bytes, STEP, own().map(|row| row[d])));
+    write_column(&mut bytes, TIME_STEP, db.canonical_time.iter().copied());
+    write_column(&mut bytes, DURATION_STEP, db.time_step.iter().copied());
+    (0..2).for_each(|foot| write_column(&mut bytes, 1.0, db.contact.iter().map(|c| f32::from(c[foot]))));
     let columns = db.styles.len() * db.counterparts_per_style;
     for c in 0..columns {
-        write_column(&mut file, ROW_STEP, db.counterpart.iter().skip(c).step_by(columns).copied());
+        write_column(&mut bytes, ROW_STEP, db.counterpart.iter().skip(c).step_by(columns).copied());
     }
-    file
+    bytes
 }
 
 /// Names of the motions beside the database.
@@ -103,8 +134,8 @@ pub fn write(db: &Database, inputs: &[NamedMotion], generator: &str) -> Vec<u8> 
 /// # Errors
 /// [`StrutdbError`] for anything but packed motions.
 pub fn input_names(bytes: &[u8]) -> Result<Vec<String>, StrutdbError> {
-    let (header, _) = open(bytes)?;
-    Ok(header.inputs.into_iter().map(|i| i.name).collect())
+    let last = sets(bytes)?.pop();
+    Ok(last.into_iter().flat_map(|set| set.header.inputs).map(|i| i.name).collect())
 }
 
 /// The motion of this name; `None` if there is none.
@@ -112,16 +143,18 @@ pub fn input_names(bytes: &[u8]) -> Result<Vec<String>, StrutdbError> {
 /// # Errors
 /// [`StrutdbError`] for anything but packed motions.
 pub fn read_input(bytes: &[u8], name: &str) -> Result<Option<HumanoidMotion>, StrutdbError> {
-    let (header, mut columns) = open(bytes)?;
-    let proportions = proportions(&header)?;
-    for input in &header.inputs {
-        if input.name != name {
-            columns.skip(input.frames, INPUT_COLUMNS)?;
-            continue;
+    let mut known = Known::default();
+    for Set { header, mut columns } in sets(bytes)? {
+        for input in header.inputs.iter().filter(|input| !known.has_input(&input.name)) {
+            if input.name != name {
+                columns.skip(input.frames, INPUT_COLUMNS)?;
+                continue;
+            }
+            let rows = columns.rows::<INPUT_COLUMNS>(input.frames, INPUT_COLUMNS, STEP)?;
+            let (proportions, rate_hz) = (proportions(&header)?, header.database.rate_hz);
+            return Ok(Some(HumanoidMotion { proportions, rate_hz, poses: rows.iter().map(pose_of).collect() }));
         }
-        let rows = columns.rows::<INPUT_COLUMNS>(input.frames, INPUT_COLUMNS, STEP)?;
-        let poses = rows.iter().map(pose_of).collect();
-        return Ok(Some(HumanoidMotion { proportions, rate_hz: header.database.rate_hz, poses }));
+        known.inputs = header.inputs;
     }
     Ok(None)
 }
@@ -131,20 +164,16 @@ pub fn read_input(bytes: &[u8], name: &str) -> Result<Option<HumanoidMotion>, St
 /// # Errors
 /// [`StrutdbError`] for anything but packed motions.
 pub fn read_database(bytes: &[u8]) -> Result<Database, StrutdbError> {
-    let (header, mut columns) = open(bytes)?;
-    let proportions = proportions(&header)?;
-    for input in &header.inputs {
-        columns.skip(input.frames, INPUT_COLUMNS)?;
+    let mut sets = sets(bytes)?;
+    let last = sets.pop().ok_or(StrutdbError::NotPacked)?;
+    let Set { header, mut columns } = last;
+    let (proportions, chart) = (proportions(&header)?, chart(&header)?);
+    let Known { clips, pose, .. } = known_at_end(&sets)?.after(&header, &mut columns)?;
+    let Header { database: metadata, counterparts_per_style, .. } = header;
+    if counterparts_per_style > MAX_COUNTERPARTS {
+        return Err(StrutdbError::Layout("counterparts"));
     }
-    let Header { database: metadata, chart, counterparts_per_style, .. } = header;
-    let chart: Vec<f32> = chart.into_iter().flatten().map(|v| v as f32).collect();
-    if chart.len() != 4 * JOINTS || counterparts_per_style > MAX_COUNTERPARTS {
-        return Err(StrutdbError::Layout("joints or counterparts"));
-    }
-    let chart = read::unit_chart(&chart)?;
-    let clips = read::clips(&metadata)?;
-    let n = read::frames_of(&clips)?;
-    let pose: Vec<PoseRow> = columns.rows::<ROW>(n, DOFS, STEP)?;
+    let n = pose.len();
     let canonical_time = columns.column(n, TIME_STEP)?.collect();
     let time_step = columns.column(n, DURATION_STEP)?.collect();
     let contact = columns.rows::<2>(n, 2, 1.0)?.into_iter().map(|c| c.map(|planted| planted as u8)).collect();
@@ -174,8 +203,26 @@ pub fn read_database(bytes: &[u8]) -> Result<Database, StrutdbError> {
     Ok(Database::new(parts)?)
 }
 
-/// The header and the columns after it.
-fn open(bytes: &[u8]) -> Result<(Header, Columns<'_>), StrutdbError> {
+/// A set: its header, and the columns after it.
+struct Set<'a> {
+    header: Header,
+    columns: Columns<'a>,
+}
+
+/// All sets of a file, at least one.
+fn sets(bytes: &[u8]) -> Result<Vec<Set<'_>>, StrutdbError> {
+    let mut sets = Vec::new();
+    let mut rest = bytes;
+    while sets.is_empty() || !rest.is_empty() {
+        let (set, after) = open(rest)?;
+        sets.push(set);
+        rest = after;
+    }
+    Ok(sets)
+}
+
+/// The first set of these bytes, and the bytes after it.
+fn open(bytes: &[u8]) -> Result<(Set<'_>, &[u8]), StrutdbError> {
     let rest = bytes.strip_prefix(&MAGIC).ok_or(StrutdbError::NotPacked)?;
     let (length, rest) = rest.split_first_chunk::<4>().ok_or(ContainerError::Length)?;
     let (json, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize).ok_or(ContainerError::Length)?;
@@ -185,7 +232,78 @@ fn open(bytes: &[u8]) -> Result<(Header, Columns<'_>), StrutdbError> {
         let found = header.database.version.chars().take(20).collect();
         return Err(ContainerError::Version { kind: KIND, found }.into());
     }
-    Ok((header, Columns { rest }))
+    let (columns, after) = rest.split_at_checked(header.bytes).ok_or(ContainerError::Length)?;
+    Ok((Set { header, columns: Columns { rest: columns } }, after))
+}
+
+/// What the next set need not store.
+#[derive(Default)]
+struct Known {
+    inputs: Vec<InputInfo>,
+    clips: Vec<Clip>,
+    /// Centres of the exponential maps of `pose`; `None` before the first set.
+    chart: Option<PoseChart>,
+    pose: Vec<PoseRow>,
+}
+
+impl Known {
+    fn has_input(&self, name: &str) -> bool {
+        self.inputs.iter().any(|input| input.name == name)
+    }
+
+    fn clip(&self, name: &str) -> Option<&Clip> {
+        self.clips.iter().find(|clip| clip.name == name)
+    }
+
+    /// Refuses clips that are not what they are here.
+    fn check(&self, clips: &[Clip], chart: &PoseChart) -> Result<(), StrutdbError> {
+        if self.chart.is_some_and(|known| known != *chart) {
+            return Err(StrutdbError::Layout("joints"));
+        }
+        let differs = |clip: &Clip| self.clip(&clip.name).is_some_and(|known| known.frames != clip.frames);
+        if clips.iter().any(differs) { Err(StrutdbError::Layout("clips")) } else { Ok(()) }
+    }
+
+    /// Reads the poses of the next set; `columns` are left at those after them.
+    fn after(self, header: &Header, columns: &mut Columns<'_>) -> Result<Self, StrutdbError> {
+        let chart = chart(header)?;
+        let clips = read::clips(&header.database)?;
+        self.check(&clips, &chart)?;
+        let n = read::frames_of(&clips)?;
+        for input in header.inputs.iter().filter(|input| !self.has_input(&input.name)) {
+            columns.skip(input.frames, INPUT_COLUMNS)?;
+        }
+        let taken: usize = clips.iter().filter(|c| self.clip(&c.name).is_some()).map(|c| c.frames).sum();
+        if taken > self.pose.len() {
+            return Err(StrutdbError::Layout("clips"));
+        }
+        let mut own = columns.rows::<ROW>(n - taken, DOFS, STEP)?.into_iter();
+        let mut pose = Vec::with_capacity(n);
+        for clip in &clips {
+            if clip.first_frame != pose.len() {
+                return Err(StrutdbError::Layout("clips"));
+            }
+            match self.clip(&clip.name) {
+                Some(known) => pose.extend_from_slice(&self.pose[known.rows()]),
+                None => pose.extend(own.by_ref().take(clip.frames)),
+            }
+        }
+        Ok(Self { inputs: header.inputs.clone(), clips, chart: Some(chart), pose })
+    }
+}
+
+/// What is known after these sets.
+fn known_at_end(sets: &[Set<'_>]) -> Result<Known, StrutdbError> {
+    let next = |known: Known, set: &Set<'_>| known.after(&set.header, &mut Columns { rest: set.columns.rest });
+    sets.iter().try_fold(Known::default(), next)
+}
+
+fn chart(header: &Header) -> Result<PoseChart, StrutdbError> {
+    let chart: Vec<f32> = header.chart.iter().flatten().map(|&v| v as f32).collect();
+    if chart.len() != 4 * JOINTS {
+        return Err(StrutdbError::Layout("joints"));
+    }
+    read::unit_chart(&chart)
 }
 
 fn proportions(header: &Header) -> Result<Proportions, StrutdbError> {

@@ -104,6 +104,7 @@ class PlayView implements View {
         onInput: (input) => this.#onInput(input),
         onAnalysis: (analysis) => this.#onAnalysis(analysis),
         onExamples: (examples) => this.#onExamples(examples),
+        onPrelude: (shown) => this.#viewport.drawPrelude(shown),
         onFrame: (frame, sought) => this.#onFrame(frame, sought),
       },
       signal,
@@ -193,6 +194,8 @@ class PlayView implements View {
     this.#model.database = database;
     this.#timeline.classes = database.classes;
     this.#viewport.proportions = database.proportions;
+    const { library, input, inputName } = this.#host.session;
+    if (input) this.#input.list(library, inputName);
   }
 
   #onInput(input: InputInfo): void {

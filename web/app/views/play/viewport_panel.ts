@@ -1,7 +1,7 @@
 /** The viewport: the 3-D viewer with title, camera buttons and read-outs. */
 
 import "./viewport_panel.css";
-import type { LiveFrame } from "../../../client/protocol";
+import type { LiveFrame, ShownFrame } from "../../../client/protocol";
 import { ROLES, type Role } from "../../../humanoid";
 import type { CameraPreset } from "../../../link/play";
 import { button, Segment } from "../../../ui/controls/buttons";
@@ -28,6 +28,9 @@ export interface StageListeners {
   onJoint: (joint: Role) => void;
 }
 
+/** Before the engine there is nothing to tell apart. */
+const NO_LABELS = { styled: "", input: "" };
+
 /** Largest movement of a click, pixels; a drag turns the camera. */
 const CLICK_PX = 4;
 
@@ -51,6 +54,8 @@ export class ViewportPanel {
   readonly #listeners: StageListeners;
   #lease: ViewerLease | undefined;
   #readOutAt = 0;
+  /** The last frame of the prelude; undefined where none is shown. */
+  #preludeFrame: number | undefined;
 
   constructor(listeners: StageListeners) {
     this.#listeners = listeners;
@@ -182,10 +187,23 @@ export class ViewportPanel {
     this.#lease?.viewer.resetTrail();
   }
 
+  /** Shows a frame of what comes before the engine: nothing is styled in it. */
+  drawPrelude({ pose, inputFrame }: ShownFrame): void {
+    if (!this.#lease) return;
+    const { viewer } = this.#lease;
+    if (this.#preludeFrame === undefined) viewer.labels = NO_LABELS;
+    else if (inputFrame < this.#preludeFrame) viewer.resetTrail();
+    this.#preludeFrame = inputFrame;
+    viewer.setStyled(pose);
+    this.#lease.invalidate();
+  }
+
   /** Shows a frame of the engine. */
   draw(frame: LiveFrame): void {
     if (!this.#lease) return;
     const { viewer } = this.#lease;
+    if (this.#preludeFrame !== undefined) viewer.labels = VIEWER_DEFAULTS.labels;
+    this.#preludeFrame = undefined;
     if (frame.looped) viewer.resetTrail();
     viewer.setStyled(frame.pose);
     viewer.setInput(frame.inputPose);
