@@ -1,9 +1,10 @@
 // npm run budget [-- --first-load] [--film FOLDER] [--minutes N] [--json FILE]: the page's budgets (DESIGN §8), measured in
 // Chromium on the built site: size, the first load as Lighthouse sees it, the first seconds on slow 4G, whose film goes to a
-// folder (with --first-load nothing more), the time to the first moving character, the longest task on the main thread while a long clip is styled, and the growth of memory while the styles
-// change. Figures depend on the machine; it says which it was.
+// folder (with --first-load nothing more), the time to the first styled frame, the longest task on the main thread while a
+// long clip is styled, the growth of memory while the styles change, and what the page takes with four views. Figures depend
+// on the machine; it says which it was.
 //
-// Memory is what is reachable after garbage collection. Code is counted apart: for minutes the browser compiles anew, and
+// Memory that grows is what is reachable after garbage collection. Code is counted apart: for minutes the browser compiles anew, and
 // better, what runs often, which is most of what the heap gains and nothing that the page keeps.
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, tmpdir } from "node:os";
@@ -14,6 +15,7 @@ import { main, Sentence } from "../scripts/steps.mjs";
 import { onBuiltSite } from "./built_site.mjs";
 import { checkFirstLoad, linesOf, measureFirstLoad } from "./first_load.mjs";
 import { checkFirstSeconds, linesOfSeconds, measureFirstSeconds } from "./first_seconds.mjs";
+import { lineOfMemory, measurePageMemory } from "./page_memory.mjs";
 
 /** Visits that the first character is timed in. */
 const VISITS = 5;
@@ -128,22 +130,32 @@ async function growth(browser, url, minutes) {
   return { data: percent("data"), code: percent("code") };
 }
 
+async function memory(browser, url) {
+  const page = await open(browser, url);
+  await page.waitForFunction(() => window.strut.analysed);
+  const measured = await measurePageMemory(browser, page);
+  await page.context().close();
+  return measured;
+}
+
 /** Everything but the first load. */
 async function measureUse(minutes) {
   return onBuiltSite(async (browser, url) => ({
     first_character_ms: Math.round(await firstCharacter(browser, url)),
     longest_task_ms: Math.round(await longestTask(browser, url)),
     heap_growth_percent: await growth(browser, url, minutes),
+    memory: await memory(browser, url),
     minutes,
   }));
 }
 
 /** The lines that show what {@link measureUse} returned. */
-function linesOfUse({ first_character_ms, longest_task_ms, heap_growth_percent: { data, code }, minutes }) {
+function linesOfUse({ first_character_ms, longest_task_ms, heap_growth_percent: { data, code }, minutes, memory }) {
   return [
     `first character  ${first_character_ms} of ${BUDGET.firstCharacterMs} ms (median of ${VISITS} visits)`,
     `longest task     ${longest_task_ms} of ${BUDGET.longestTaskMs} ms while ${LONG_CLIP} frames are styled`,
     `heap growth      ${data} of ${BUDGET.growthPercent} % in ${minutes} min of changing styles; of code ${code} %`,
+    lineOfMemory(memory),
   ];
 }
 
