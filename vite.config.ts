@@ -40,6 +40,10 @@ export default defineConfig({
       // Other pages load figures by this name, so it must last.
       output: {
         entryFileNames: ({ name }) => (name === "strut-figure" ? "[name].js" : "assets/[name]-[hash].js"),
+        // What every page and view has: as files of their own they would each cost a request on the way to the first picture.
+        codeSplitting: {
+          groups: [{ name: "page", test: /web\/(ui|humanoid|link|app\/ui)\/.*\.ts$/, minShareCount: 3 }],
+        },
       },
     },
   },

@@ -19,8 +19,8 @@ export function preloadPlugin(page, { modules, font }) {
         );
         return [
           ...fonts.map(({ fileName }) => link(fileName, { rel: "preload", as: "font", type: "font/woff2" })),
-          // What is painted first needs none of them.
-          ...scripts.map((name) => link(name, { rel: "modulepreload", fetchpriority: "low" })),
+          // They come before the engine, which a worker asks for: a walker is shown without it.
+          ...scripts.map((name) => link(name, { rel: "modulepreload" })),
         ];
       },
     },
