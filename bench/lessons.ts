@@ -23,7 +23,7 @@ const FILES: readonly (readonly [AssetName, string])[] = [
   ["strut_wasm_walk_bg.wasm", "walk/pkg/strut_wasm_walk_bg.wasm"],
   ["strut_wasm_key_style_bg.wasm", "key_style/pkg/strut_wasm_key_style_bg.wasm"],
   ["strut_wasm_build_bg.wasm", "build/pkg/strut_wasm_build_bg.wasm"],
-  ["walk.bin", "motions/walk.bin"],
+  ["first.bin", "motions/first.bin"],
   ["built_in.bin", "motions/built_in.bin"],
   ["built_in.strutwalk", "motions/built_in.strutwalk"],
 ];

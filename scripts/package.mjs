@@ -19,7 +19,8 @@ const ASSETS = {
   "strut_wasm_key_style_bg.wasm": join(ENGINE, "key_style", "pkg", "strut_wasm_key_style_bg.wasm"),
   "strut_wasm_character_bg.wasm": join(ENGINE, "character", "pkg", "strut_wasm_character_bg.wasm"),
   "walk.bin": join(ENGINE, "motions", "walk.bin"),
-  "built_in.bin": join(ENGINE, "motions", "built_in.bin"),
+  // The package begins with all walks.
+  "built_in.bin": join(ENGINE, "motions", "besides_walk.bin"),
 };
 
 /** Most kilobytes after gzip (`shared/spec/embedding.md` section 2). */

@@ -252,12 +252,15 @@ async function walkModelOf(motions) {
 async function writeMotions() {
   const glue = await glueOf(PACKAGES.compare);
   mkdirSync(MOTIONS, { recursive: true });
-  const [walks, others] = glue.builtInMotions();
+  const [first, others] = glue.builtInMotions(true);
+  const [walks, besides] = glue.builtInMotions(false);
   const sets = {
-    "walk.bin": walks,
+    "first.bin": first,
     "built_in.bin": others,
-    "first_steps.bin": firstSteps(glue, walks),
-    "built_in.strutwalk": await walkModelOf(Buffer.concat([walks, others])),
+    "walk.bin": walks,
+    "besides_walk.bin": besides,
+    "first_steps.bin": firstSteps(glue, first),
+    "built_in.strutwalk": await walkModelOf(Buffer.concat([walks, besides])),
   };
   const sizes = Object.entries(sets).map(([name, motions]) => {
     // Of all sizes of zlib's memory this one packs the motions best: its blocks are short, and the columns differ.

@@ -183,18 +183,18 @@ describe("refusals", () => {
 });
 
 describe("an exchange of the database", () => {
-  const WALKS = { kind: "demo", set: "walk" } as const;
+  const FIRST = { kind: "demo", set: "first" } as const;
 
-  async function playingWalks() {
+  async function playingFirst() {
     const client = await connect();
-    const walks = await client.openDatabase(WALKS);
-    await client.openInput({ kind: "built-in", name: "neutral walk", set: "walk" });
+    const first = await client.openDatabase(FIRST);
+    await client.openInput({ kind: "built-in", name: "neutral walk", set: "first" });
     await client.configure({ ...DEFAULT_OPTIONS, styles: { proud: 1 } });
-    return { client, walks };
+    return { client, database: first };
   }
 
   test("goes on from the shown frame, where it is shown and as it looks", async () => {
-    const { client, walks } = await playingWalks();
+    const { client, database } = await playingFirst();
     let before = await client.step(0);
     // The walker is elsewhere than the input by now.
     for (let i = 0; i < 180; i++) before = await client.step(1 / 60);
@@ -202,8 +202,8 @@ describe("an exchange of the database", () => {
     const exchanging = client.exchangeDatabase({ kind: "demo" });
     before = await client.step(1 / 60);
     const whole = await exchanging;
-    expect(whole.frames).toBeGreaterThan(2 * walks.frames);
-    expect(whole.styles).toEqual(walks.styles);
+    expect(whole.frames).toBeGreaterThan(2 * database.frames);
+    expect(whole.styles).toEqual(database.styles);
     expect(await client.builtInInputs()).toContain("neutral run");
     const after = await client.step(1 / 60);
     expect(after.inputFrame - before.inputFrame).toBeGreaterThan(0.5);
@@ -218,7 +218,7 @@ describe("an exchange of the database", () => {
   });
 
   test("answers what was asked before it", async () => {
-    const { client } = await playingWalks();
+    const { client } = await playingFirst();
     const exchanging = client.exchangeDatabase({ kind: "demo" });
     const analysing = client.analyse();
     await exchanging;
@@ -226,7 +226,7 @@ describe("an exchange of the database", () => {
   });
 
   test("that is cancelled or fails leaves what is open", async () => {
-    const { client } = await playingWalks();
+    const { client } = await playingFirst();
     const first = worker();
     const abort = new AbortController();
     const exchanging = client.exchangeDatabase({ kind: "demo" }, { signal: abort.signal });

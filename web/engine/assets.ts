@@ -9,6 +9,7 @@ export type AssetName =
   | "strut_wasm_character_bg.wasm"
   | "strut_compare_bg.wasm"
   | "strut_learn_bg.wasm"
+  | "first.bin"
   | "built_in.bin"
   | "walk.bin"
   | "first_steps.bin"

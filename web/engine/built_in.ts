@@ -4,8 +4,11 @@ import { download, incomplete, readAsset } from "./download";
 
 const WHAT = "built-in motions";
 
-/** `built-in` is all of them, as the playground has them; `walk` is walks in eight styles and one input. */
-export type BuiltInSet = "built-in" | "walk";
+/**
+ * `built-in` is all of them, as the playground has them; `walk` is walks in eight styles and one input, for whoever serves
+ * them; `first` is the first strides of these and the same input, with which the playground begins.
+ */
+export type BuiltInSet = "built-in" | "walk" | "first";
 
 /** Packed motions, as `rust/strut-formats/src/strutdb/packed.rs` says. */
 export type PackedMotions = Uint8Array<ArrayBuffer>;
@@ -16,17 +19,28 @@ interface MotionFile {
   share: number;
 }
 
-const WALK: MotionFile = {
-  asset: () => assetOf("walk.bin", () => new URL("./motions/walk.bin", import.meta.url)),
-  share: 0.22,
+const FIRST: MotionFile = {
+  asset: () => assetOf("first.bin", () => new URL("./motions/first.bin", import.meta.url)),
+  share: 0.1,
 };
 const OTHERS: MotionFile = {
   asset: () => assetOf("built_in.bin", () => new URL("./motions/built_in.bin", import.meta.url)),
-  share: 0.78,
+  share: 0.9,
+};
+const WALK: MotionFile = {
+  asset: () =>
+    assetOf("walk.bin", () => {
+      throw incomplete(WHAT, "walk.bin has no place on this site");
+    }),
+  share: 1,
 };
 
 /** The files of each set, one read after the other: the later one does not have again what is in the first. */
-const FILES: Record<BuiltInSet, readonly MotionFile[]> = { "built-in": [WALK, OTHERS], walk: [WALK] };
+const FILES: Record<BuiltInSet, readonly MotionFile[]> = {
+  "built-in": [FIRST, OTHERS],
+  walk: [WALK],
+  first: [FIRST],
+};
 
 /**
  * Loads a set of built-in motions.

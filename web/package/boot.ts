@@ -22,7 +22,9 @@ export function placeBooted({ assets, files }: Boot): void {
     name,
     typeof asset === "string" ? new URL(asset) : asset,
   ]);
-  placeAssets(Object.fromEntries(placed));
+  // The page begins with a few steps, the package with all walks.
+  const { "walk.bin": walk } = Object.fromEntries(placed);
+  placeAssets({ ...Object.fromEntries(placed), ...(walk && { "first.bin": walk }) });
   if (files) setFetchElsewhere(async ({ href }) => new Response(await ask(files, href)));
 }
 

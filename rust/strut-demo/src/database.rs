@@ -18,6 +18,9 @@ use strut_core::registration;
 /// Rate of the built-in motions, frames per second.
 pub const RATE_HZ: f32 = 60.0;
 
+/// Length of the clips of [`first_walk_database`], seconds of the neutral walker.
+const FIRST_SECS: f32 = 5.0;
+
 /// A motion with a display name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedMotion {
@@ -102,12 +105,35 @@ pub fn database_without(takes: &[String]) -> Result<Database, BuildError> {
 /// # Errors
 /// As for [`database`].
 pub fn walk_database(whole: &Database) -> Result<Database, BuildError> {
-    let clips: Vec<SourceClip> = STYLES.iter().map(|style| gait_clip(style, 1, &WALK_TAKES[0])).collect();
+    walks(whole, f32::INFINITY)
+}
+
+/// The beginnings of the clips of [`walk_database`], with which a page can begin: the strides of medium length, and one that
+/// is longer.
+///
+/// # Errors
+/// As for [`database`].
+pub fn first_walk_database(whole: &Database) -> Result<Database, BuildError> {
+    walks(whole, FIRST_SECS)
+}
+
+/// The first walking take in every style, as long as the neutral walker takes `secs` seconds for it.
+fn walks(whole: &Database, secs: f32) -> Result<Database, BuildError> {
+    let clip = |style| {
+        let mut clip = gait_clip(style, 1, &WALK_TAKES[0]);
+        if let Some(script) = &mut clip.script {
+            let frames = script.time.partition_point(|&time| time <= secs);
+            script.time.truncate(frames);
+            clip.motion.poses.truncate(frames);
+        }
+        clip
+    };
+    let clips: Vec<SourceClip> = STYLES.iter().map(clip).collect();
     let mut parts = (*build(&clips, RATE_HZ)?).clone();
     parts.chart = whole.chart;
     for clip in &parts.clips {
-        if let Some(same) = whole.clips.iter().find(|c| (&c.name, c.frames) == (&clip.name, clip.frames)) {
-            parts.pose[clip.rows()].copy_from_slice(&whole.pose[same.rows()]);
+        if let Some(same) = whole.clips.iter().find(|c| c.name == clip.name) {
+            parts.pose[clip.rows()].copy_from_slice(&whole.pose[same.rows()][..clip.frames]);
         }
     }
     Ok(Database::new(parts)?)

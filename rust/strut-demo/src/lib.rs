@@ -35,8 +35,8 @@ mod upper_body;
 
 pub use action::Action;
 pub use database::{
-    Counterpart, NamedMotion, RATE_HZ, clips, counterpart, database, database_without, input_clips, walk_database,
-    walk_input,
+    Counterpart, NamedMotion, RATE_HZ, clips, counterpart, database, database_without, first_walk_database,
+    input_clips, walk_database, walk_input,
 };
 pub use drill::{Drill, Move, keys_of, perform_drill};
 pub use drills::{JUMPS, KICKS, PUNCHES};

@@ -44,22 +44,22 @@ function made(database: string, { broken = [] as string[], kept = ["mine", "bad"
   return { store, session, databases, said };
 }
 
-describe("the start with walks", () => {
-  it("opens all motions beside the walks, which then count as the built-in database", async () => {
+describe("the start with a few strides", () => {
+  it("opens all motions beside them, which then count as the built-in database", async () => {
     const { store, session, databases } = made("");
-    await databases.startWithWalks();
-    expect(session.opened).toEqual(["built in: walk"]);
+    await databases.startWithFirst();
+    expect(session.opened).toEqual(["built in: first"]);
     expect(await databases.complete).toBe("done");
-    expect(session.opened).toEqual(["built in: walk", "built in beside it"]);
+    expect(session.opened).toEqual(["built in: first", "built in beside it"]);
     expect([databases.moving, databases.file.name, store.state.database]).toEqual([false, "", ""]);
   });
 
   it("does not come to all motions where another database is opened meanwhile", async () => {
     const { session, databases } = made("");
-    await databases.startWithWalks();
+    await databases.startWithFirst();
     await databases.open({ kind: "strutdb", name: "mine", file: new Blob() }, "mine");
     expect(await databases.complete).toBe("cancelled");
-    expect(session.opened).toEqual(["built in: walk", "mine"]);
+    expect(session.opened).toEqual(["built in: first", "mine"]);
   });
 });
 

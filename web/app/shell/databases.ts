@@ -16,7 +16,7 @@ export type ReadSaved = (name: string) => Promise<Blob | undefined>;
 
 const BUILT_IN: DatabaseSource = { kind: "demo" };
 /** The part of the built-in database that is shown while all of it loads. */
-const WALKS: DatabaseSource = { kind: "demo", set: "walk" };
+const FIRST: DatabaseSource = { kind: "demo", set: "first" };
 
 export class Databases {
   readonly #store: Store;
@@ -31,7 +31,7 @@ export class Databases {
   #requests = 0;
   /** Name of the database that is being opened because the state asks for it; undefined where none is. */
   #followed: string | undefined;
-  /** Ends the exchange of the walks for the whole built-in database. */
+  /** Ends the exchange of the first part for the whole built-in database. */
   #completion = new AbortController();
   /** Settles when the database that is open is all there. */
   complete: Promise<unknown> = Promise.resolve();
@@ -101,10 +101,10 @@ export class Databases {
     this.#store.adopt({ database: this.#name });
   }
 
-  /** Opens the walks of the built-in database and their input, which are a quarter of it, and then all of it beside them. */
-  async startWithWalks(): Promise<void> {
+  /** Opens a few strides in every style and their input, a tenth of the built-in database, and then all of it beside them. */
+  async startWithFirst(): Promise<void> {
     const request = this.#begin();
-    if (!(await this.#load(WALKS, "", "", request))) return;
+    if (!(await this.#load(FIRST, "", "", request))) return;
     this.#unnamed = BUILT_IN;
     this.complete = this.#session.exchangeDatabase(BUILT_IN, this.#completion.signal);
   }

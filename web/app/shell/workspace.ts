@@ -58,8 +58,8 @@ export class Workspace {
   }
 
   /**
-   * Opens what the state asks for, and the file that the link carries, and begins to play. Without a link it begins with the
-   * walks, which are there first.
+   * Opens what the state asks for, and the file that the link carries, and begins to play. Without a link it begins with a
+   * few strides, which are there first.
    */
   async start(hash: string, firstSteps: Promise<FirstSteps> | undefined): Promise<void> {
     const { session } = this;
@@ -68,7 +68,7 @@ export class Workspace {
     const carried = await this.#carriedInput(hash);
     if (carried !== undefined) this.#store.adopt({ input: carried });
     if (isPlain(hash)) {
-      await this.databases.startWithWalks();
+      await this.databases.startWithFirst();
       void this.#counted(this.databases.complete);
     }
     if (!session.database) await this.databases.follow(this.#store.state.input);

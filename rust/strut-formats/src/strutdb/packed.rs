@@ -13,9 +13,9 @@
 //! | | `canonical_time`, [`TIME_STEP`]; `time_step`, [`DURATION_STEP`]; `contact` by columns, 1 |
 //! | | `counterpart` by columns (style, then slot), [`ROW_STEP`]; −1 where there is none |
 //!
-//! A file may have several such sets, one after the other; its content is that of the last. Clips and inputs that were in
-//! the set before are told by their names, and their poses are not stored again: so the page shows the first set while the
-//! next one loads.
+//! A file may have several such sets, one after the other; its content is that of the last. Inputs and the beginnings of clips
+//! that were in the set before are told by their names, and their poses are not stored again: so the page shows the first set
+//! while the next one loads.
 //!
 //! A column of integers x is stored as xₜ − 2 xₜ₋₁ + xₜ₋₂, with zeros before the first, each in zigzag LEB128.
 //!
@@ -84,10 +84,11 @@ pub fn write(db: &Database, inputs: &[NamedMotion], generator: &str) -> Vec<u8> 
     file
 }
 
-/// Appends a set to packed motions, whose poses of the clips and inputs with the same names are those of the last set.
+/// Appends a set to packed motions: inputs of the same names are those of the last set, and clips begin with what it has of
+/// them.
 ///
 /// # Errors
-/// [`StrutdbError`] if `file` is anything but packed motions, or if a clip of the same name has another length or chart.
+/// [`StrutdbError`] if `file` is anything but packed motions, or if a clip of the same name is shorter or has another chart.
 pub fn append(file: &mut Vec<u8>, db: &Database, inputs: &[NamedMotion], generator: &str) -> Result<(), StrutdbError> {
     let known = known_at_end(&sets(file)?)?;
     known.check(&db.clips, &db.chart)?;
@@ -117,7 +118,7 @@ fn columns_of(db: &Database, inputs: &[NamedMotion], known: &Known) -> Vec<u8> {
         let rows: Vec<[f32; INPUT_COLUMNS]> = input.motion.poses.iter().map(row_of).collect();
         (0..INPUT_COLUMNS).for_each(|c| write_column(&mut bytes, STEP, rows.iter().map(|row| row[c])));
     }
-    let own = || db.clips.iter().filter(|clip| known.clip(&clip.name).is_none()).flat_map(|clip| &db.pose[clip.rows()]);
+    let own = || db.clips.iter().flat_map(|clip| &db.pose[clip.rows()][known.frames_of(&clip.name)..]);
     (0..DOFS).for_each(|d| write_column(&mut bytes, STEP, own().map(|row| row[d])));
     write_column(&mut bytes, TIME_STEP, db.canonical_time.iter().copied());
     write_column(&mut bytes, DURATION_STEP, db.time_step.iter().copied());
@@ -255,13 +256,21 @@ impl Known {
         self.clips.iter().find(|clip| clip.name == name)
     }
 
+    /// Frames at the beginning of a clip.
+    fn frames_of(&self, name: &str) -> usize {
+        self.clip(name).map_or(0, |clip| clip.frames)
+    }
+
     /// Refuses clips that are not what they are here.
     fn check(&self, clips: &[Clip], chart: &PoseChart) -> Result<(), StrutdbError> {
         if self.chart.is_some_and(|known| known != *chart) {
             return Err(StrutdbError::Layout("joints"));
         }
-        let differs = |clip: &Clip| self.clip(&clip.name).is_some_and(|known| known.frames != clip.frames);
-        if clips.iter().any(differs) { Err(StrutdbError::Layout("clips")) } else { Ok(()) }
+        if clips.iter().any(|clip| self.frames_of(&clip.name) > clip.frames) {
+            Err(StrutdbError::Layout("clips"))
+        } else {
+            Ok(())
+        }
     }
 
     /// Reads the poses of the next set; `columns` are left at those after them.
@@ -273,7 +282,7 @@ impl Known {
         for input in header.inputs.iter().filter(|input| !self.has_input(&input.name)) {
             columns.skip(input.frames, INPUT_COLUMNS)?;
         }
-        let taken: usize = clips.iter().filter(|c| self.clip(&c.name).is_some()).map(|c| c.frames).sum();
+        let taken: usize = clips.iter().map(|clip| self.frames_of(&clip.name)).sum();
         if taken > self.pose.len() {
             return Err(StrutdbError::Layout("clips"));
         }
@@ -283,10 +292,9 @@ impl Known {
             if clip.first_frame != pose.len() {
                 return Err(StrutdbError::Layout("clips"));
             }
-            match self.clip(&clip.name) {
-                Some(known) => pose.extend_from_slice(&self.pose[known.rows()]),
-                None => pose.extend(own.by_ref().take(clip.frames)),
-            }
+            let known = self.clip(&clip.name).map_or(0..0, Clip::rows);
+            pose.extend_from_slice(&self.pose[known.clone()]);
+            pose.extend(own.by_ref().take(clip.frames - known.len()));
         }
         Ok(Self { inputs: header.inputs.clone(), clips, chart: Some(chart), pose })
     }
