@@ -1,4 +1,4 @@
-/** What plays before all is there: a clip without a style, then the walks, then all built-in motions. */
+/** What plays before all is there: a clip without a style, then a few strides in every style, then all built-in motions. */
 import type { Browser, Page, Route } from "playwright-core";
 import { afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
 import { MARKS } from "../../web/player/playback";
@@ -40,7 +40,7 @@ const marked = (mark: string) =>
 const inputs = () => page.locator(".input optgroup option").allTextContents();
 
 describe("the first seconds", () => {
-  it("show a walk without the engine, styles with the walks, and all motions in the end", async () => {
+  it("show a walk without the engine, styles with a few strides, and all motions in the end", async () => {
     const releaseEngine = await held("**/strut_wasm_bg-*.wasm");
     const releaseOthers = await held("**/built_in-*.bin");
     await page.goto(site.url);
@@ -77,7 +77,7 @@ describe("the first seconds", () => {
     await page.waitForFunction(() => window.strut!.upToDate || window.strut!.analysed);
   });
 
-  it("stay those of the walks, with a sentence, where the others cannot be had", async () => {
+  it("stay as they are, with a sentence, where the others cannot be had", async () => {
     await page.route("**/built_in-*.bin", (route) => route.abort());
     await page.goto(site.url);
     await marked(MARKS.styled);
