@@ -2,21 +2,29 @@
 import { readFile } from "node:fs/promises";
 import { cpus, platform } from "node:os";
 import { benchmark } from "./benchmark";
+import { type ClipRow, timeClips } from "./clips";
 import { loadInstances } from "./engines";
 import type { Report } from "./report";
 import type { Source } from "./workload";
 
 export { PAPER_FRAMES } from "./benchmark";
+export { clipLines } from "./clips";
 export { document } from "./document";
 export { text } from "./table";
+
+/** Times whole clips with everything in this process. */
+export async function clipsInNode(source: Source): Promise<ClipRow[]> {
+  return timeClips((await instances()).simd, source);
+}
 
 /** Runs it with everything in this process, telling `onProgress` what is being done. */
 export async function benchmarkInNode(
   source: Source,
   onProgress: (what: string, done: number) => void,
 ): Promise<Report> {
-  const instances = await loadInstances(async (url) => WebAssembly.compile(new Uint8Array(await readFile(url))));
   const [cpu] = cpus();
   const machine = `${cpu?.model.trim() ?? process.arch}, ${cpus().length} threads, ${platform()}, Node ${process.versions.node}`;
-  return benchmark(instances, source, { machine, onProgress });
+  return benchmark(await instances(), source, { machine, onProgress });
 }
+
+const instances = () => loadInstances(async (url) => WebAssembly.compile(new Uint8Array(await readFile(url))));

@@ -1,6 +1,6 @@
-// npm run bench -- [--frames N | --db DB] [--json FILE] [--write]: builds what is measured and measures it in Node.
+// npm run bench -- [--frames N | --db DB] [--json FILE] [--write | --clips]: builds what is measured and measures it in Node.
 // With --write it also measures natively at several sizes, on both sources if --db is given, and writes
-// docs/performance.md.
+// docs/performance.md. With --clips it measures instead how long a whole clip of a minute takes.
 import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join, resolve } from "node:path";
@@ -40,6 +40,7 @@ await main(async () => {
       db: { type: "string" },
       json: { type: "string" },
       write: { type: "boolean", default: false },
+      clips: { type: "boolean", default: false },
     },
   });
   if (values.db && values.frames) throw new Sentence("--db and --frames exclude each other.");
@@ -49,6 +50,13 @@ await main(async () => {
   const frames = Number(values.frames ?? bench.PAPER_FRAMES);
   if (!Number.isInteger(frames) || frames < LEAST_FRAMES)
     throw new Sentence(`--frames is '${values.frames}'; a whole number of at least ${LEAST_FRAMES} was expected.`);
+
+  if (values.clips) {
+    const rows = await bench.clipsInNode(values.db ? { database: readFileSync(path(values.db)) } : { frames });
+    console.log(bench.clipLines(rows));
+    if (values.json) writeFileSync(path(values.json), `${JSON.stringify(rows, null, 2)}\n`);
+    return;
+  }
 
   let last = "";
   const onProgress = (what) => {

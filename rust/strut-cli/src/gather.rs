@@ -27,6 +27,22 @@ enum Content {
 }
 
 impl Source {
+    /// A file of any name.
+    pub(crate) fn file(path: &Path) -> Self {
+        Self { path: shown(path), content: Content::OnDisk(path.to_owned()) }
+    }
+
+    /// The last part of its path.
+    pub(crate) fn file_name(&self) -> &str {
+        self.path.rsplit('/').next().unwrap_or_default()
+    }
+
+    /// Whether this is the file at a path, by whatever name.
+    pub(crate) fn is_at(&self, path: &Path) -> bool {
+        let Content::OnDisk(own) = &self.content else { return false };
+        matches!((own.canonicalize(), path.canonicalize()), (Ok(a), Ok(b)) if a == b)
+    }
+
     /// The file's bytes, or why they cannot be read.
     pub(crate) fn bytes(&self) -> Result<std::borrow::Cow<'_, [u8]>, String> {
         match &self.content {
@@ -47,6 +63,11 @@ impl Source {
         };
         corpus::LICENCE_NAMES.iter().find_map(title).unwrap_or_default()
     }
+}
+
+/// Whether an input is a folder or an archive and not a file to read.
+pub(crate) fn holds_several(input: &Path) -> bool {
+    input.is_dir() || has_extension(input, "zip")
 }
 
 /// All BVH files of the inputs, sorted by path, each once.

@@ -14,6 +14,11 @@ impl Bar {
         Self(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
     }
 
+    /// A bar that is nowhere shown.
+    pub(crate) fn hidden() -> Self {
+        Self(ProgressBar::hidden())
+    }
+
     /// One step more is done.
     pub(crate) fn step(&self) {
         self.0.inc(1);

@@ -1,45 +1,47 @@
-//! `strut stylize`: a BVH file in another style.
+//! `strut stylize`: BVH files in another style.
 
-use crate::clip::{read_clip, read_model};
+mod frames;
+mod styling;
+mod summary;
+
+use crate::clip::read_model;
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print};
+use crate::files::{self, Outputs, print};
+use crate::gather::{self, Source, gather};
 use crate::progress::Bar;
 use crate::search::Search;
 use crate::suggestion::unknown;
-use crate::trace::{StageTimer, TraceLog, class_names};
 use crate::weights::{PartWeights, StyleWeights};
 use clap::ValueEnum;
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
+use std::fs;
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use strut_core::catalogue::Catalogue;
-use strut_core::database::build::MIN_CLIP_FRAMES;
-use strut_core::humanoid::HumanoidMotion;
-use strut_core::retarget::to_humanoid;
-use strut_core::transfer::{ClipJob, Method, Model, Options, StyledMotion, Stylizer};
-use strut_formats::bvh;
-use strut_formats::corpus::Clip;
+use strut_core::transfer::{Method, Model, Options, Stylizer};
+use styling::{Spread, Styled, Styling};
 
 /// Names that [`Method::from_name`] knows.
 const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"];
 
-/// Give a BVH file another style
+/// Give BVH files another style
 ///
-/// The output keeps the input's skeleton, names, units, channel order and frame rate. Without --action and
+/// An output keeps its input's skeleton, names, units, channel order and frame rate. Without --action and
 /// --input-style the input may be of any action and style: the engine finds the most similar classes.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// The database
     #[arg(long, value_name = "DB")]
     db: PathBuf,
-    /// The .bvh file to style
-    #[arg(long, value_name = "IN.bvh")]
-    input: PathBuf,
+    /// The .bvh file to style; or several, or folders and .zip archives of them
+    #[arg(long, value_name = "IN.bvh", required = true, num_args = 1..)]
+    input: Vec<PathBuf>,
     /// Styles with their weights; a name alone has weight 1, the remainder to 1 is neutral, weights below 0 or above 1
     /// extrapolate
     #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
     style: StyleWeights,
-    /// The .bvh file to write
+    /// The .bvh file to write; for several inputs, the folder for files of the same names
     #[arg(short, long, value_name = "OUT.bvh")]
     output: PathBuf,
     /// The input's action, if known
@@ -86,9 +88,12 @@ pub(crate) struct Args {
     /// How neighbours are found: exact, or kdtree:M, among M candidates of a kd-tree in each class
     #[arg(long, value_name = "SEARCH", default_value = "exact")]
     search: Search,
-    /// Write how every frame was computed, as JSON lines
+    /// Write how every frame of a single input was computed, as JSON lines
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
+    /// Threads that work; one a processor unless given. The outputs do not depend on it
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZero<usize>>,
 }
 
 /// On or off.
@@ -100,41 +105,85 @@ pub(crate) enum Switch {
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    Outputs::check([Some(args.output.as_path()), args.trace.as_deref()].into_iter().flatten())?;
     numeric_options(args).validate().map_err(Failure::usage)?;
-    let clip = read_clip(&args.input)?;
-    let model = Arc::new(read_model(&args.db, args.search)?);
-    let db = model.catalogue();
-    let stylizer = stylizer(args, &model)?;
-    let input = input_of(&clip, db).map_err(|reason| Failure::in_file(&args.input, reason))?;
-
-    let classes = class_names(db);
-    let mut summary = Summary::new(classes.len());
-    let mut log = args.trace.is_some().then(|| TraceLog::new(db, &classes));
-    let styled = {
-        let bar = Bar::new("styling", input.poses.len());
-        let mut job = ClipJob::new(stylizer);
-        let mut timer = StageTimer::default();
-        for pose in &input.poses {
-            let trace = job.push(pose, &mut timer);
-            summary.add(trace.class_weights);
-            if let Some(log) = &mut log {
-                log.push(&trace, timer.take());
-            }
-            bar.step();
-        }
-        job.finish()
-    };
-
-    let output = output_of(&clip, db, &styled).map_err(Failure::new)?;
-    let mut outputs = Outputs::default();
-    outputs.stage(&args.output, bvh::write(&output).as_bytes())?;
-    if let (Some(log), Some(target)) = (log, &args.trace) {
-        outputs.stage(target, &log.into_json_lines(&styled.frames).map_err(Failure::new)?)?;
+    use_threads(args.threads)?;
+    match &args.input[..] {
+        [input] if !gather::holds_several(input) => style_one(args, input),
+        _ => style_several(args),
     }
+}
+
+/// Sets the number of threads for the rest of the process.
+fn use_threads(threads: Option<NonZero<usize>>) -> Outcome {
+    let Some(threads) = threads else { return Ok(()) };
+    rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global().map_err(Failure::new)
+}
+
+fn style_one(args: &Args, input: &Path) -> Outcome {
+    Outputs::check([Some(args.output.as_path()), args.trace.as_deref()].into_iter().flatten())?;
+    let source = Source::file(input);
+    let clip = styling::read(&source)?;
+    let model = Arc::new(read_model(&args.db, args.search)?);
+    let styling = Styling::new(stylizer(args, &model)?);
+    let style = |bar| styling.style(&source, &clip, &args.output, args.trace.as_deref(), &Spread::Frames(bar));
+    let Styled { outputs, text } = style(Bar::new("styling", 0))?;
     outputs.commit()?;
-    print(&summary.text(&args.output, &clip, &output, &styled, &classes));
+    print(&text);
     Ok(())
+}
+
+/// Styles all inputs, or none if one cannot be styled.
+fn style_several(args: &Args) -> Outcome {
+    if args.trace.is_some() {
+        return Err(Failure::usage("--trace is for a single input"));
+    }
+    let folder = &args.output;
+    let sources = gather(&args.input)?;
+    let is_new = !folder.exists();
+    if is_new {
+        fs::create_dir(folder).map_err(|e| Failure::in_file(folder, files::reason(&e)))?;
+    }
+    let texts = style_into(args, &sources, folder);
+    if texts.is_err() && is_new {
+        // The failure is what there is to report.
+        let _ = fs::remove_dir(folder);
+    }
+    print(&texts?.concat());
+    Ok(())
+}
+
+/// Styles all sources into an existing folder; what there is to say of each.
+fn style_into(args: &Args, sources: &[Source], folder: &Path) -> Outcome<Vec<String>> {
+    if !folder.is_dir() {
+        return Err(Failure::in_file(folder, "a folder for the outputs of several inputs was expected"));
+    }
+    let targets: Vec<PathBuf> = sources.iter().map(|s| folder.join(s.file_name())).collect();
+    Outputs::check(targets.iter().map(PathBuf::as_path))?;
+    if let Some(target) = sources.iter().zip(&targets).find_map(|(s, target)| s.is_at(target).then_some(target)) {
+        return Err(Failure::in_file(target, "this is an input; another folder was expected"));
+    }
+    let model = Arc::new(read_model(&args.db, args.search)?);
+    let styling = Styling::new(stylizer(args, &model)?);
+    let bar = Bar::new("styling", sources.len());
+    // Whole clips keep all threads busy where there are as many; frames do where there are fewer.
+    let few = sources.len() < rayon::current_num_threads();
+    let spread = if few { Spread::Frames(Bar::hidden()) } else { Spread::Clips };
+    let style = |(source, target): &(&Source, &PathBuf)| {
+        let styled = styling::read(source).and_then(|clip| styling.style(source, &clip, target, None, &spread));
+        bar.step();
+        styled
+    };
+    // One by one: clips differ in length.
+    let pairs: Vec<(&Source, &PathBuf)> = sources.iter().zip(&targets).collect();
+    let styled: Vec<Outcome<Styled>> = pairs.par_iter().with_max_len(1).map(style).collect();
+    // The first failure in the order of the inputs, whichever came first.
+    let styled = styled.into_iter().collect::<Outcome<Vec<Styled>>>()?;
+    let mut texts = Vec::with_capacity(styled.len());
+    for Styled { outputs, text } in styled {
+        outputs.commit()?;
+        texts.push(text);
+    }
+    Ok(texts)
 }
 
 /// Options that do not depend on the database.
@@ -181,63 +230,4 @@ fn stylizer(args: &Args, model: &Arc<Model>) -> Outcome<Stylizer> {
         stylizer.set_part_styles(part, Some(&weights)).map_err(Failure::new)?;
     }
     Ok(stylizer)
-}
-
-/// The clip on the database's body and at its rate, or why it cannot be styled.
-fn input_of(clip: &Clip, db: &Catalogue) -> Result<HumanoidMotion, String> {
-    let input =
-        to_humanoid(&clip.motion, &clip.binding, &db.proportions).resampled(db.rate_hz).map_err(|e| e.to_string())?;
-    if input.poses.len() < MIN_CLIP_FRAMES {
-        let frames = if clip.file.frames == 1 { "1 frame".into() } else { format!("{} frames", clip.file.frames) };
-        return Err(format!(
-            "the motion has {frames} ({:.2} s); at least {:.2} s are needed",
-            clip.motion.duration_secs(),
-            MIN_CLIP_FRAMES as f32 / db.rate_hz
-        ));
-    }
-    Ok(input)
-}
-
-/// The styled clip on the input's skeleton and at its rate.
-fn output_of(clip: &Clip, db: &Catalogue, styled: &StyledMotion) -> Result<bvh::Bvh, bvh::BvhError> {
-    clip.file.with_motion(&styled.on_skeleton(db.rate_hz, &clip.motion, &clip.binding))
-}
-
-/// Summary that is printed at the end.
-struct Summary {
-    weights: Vec<f64>,
-    frames: usize,
-}
-
-impl Summary {
-    fn new(classes: usize) -> Self {
-        Self { weights: vec![0.0; classes], frames: 0 }
-    }
-
-    fn add(&mut self, class_weights: &[f32]) {
-        self.frames += 1;
-        for (sum, w) in self.weights.iter_mut().zip(class_weights) {
-            *sum += f64::from(*w);
-        }
-    }
-
-    fn text(&self, path: &Path, clip: &Clip, output: &bvh::Bvh, styled: &StyledMotion, classes: &[String]) -> String {
-        let seconds = |file: &bvh::Bvh| file.frames as f64 * file.frame_time_secs;
-        let (out, before) = (seconds(output), seconds(&clip.file));
-        let mut ranked: Vec<(&String, f64)> =
-            classes.iter().zip(self.weights.iter().map(|w| w / self.frames.max(1) as f64)).collect();
-        ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let reads_as: Vec<String> = ranked.iter().take(3).map(|(name, w)| format!("{name} {w:.2}")).collect();
-        let repaired = match styled.frames.last().map_or(0, |f| f.repaired_total) {
-            0 => String::new(),
-            n => format!("note: {n} input frames were unusable and were replaced\n"),
-        };
-        format!(
-            "{}: {} frames, {out:.2} s ({:.2} of the input's); the input reads as {}\n{repaired}",
-            path.display(),
-            output.frames,
-            out / before,
-            reads_as.join(", ")
-        )
-    }
 }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{assert_refused, demo_database, demo_walk, names, strut_ok};
+use common::{assert_refused, demo_database, demo_walk, names, strut, strut_ok};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -137,6 +137,82 @@ fn the_same_command_gives_the_same_bytes() {
     let folder = folder();
     let first = stylize(folder.path(), "old", &[]);
     assert_eq!(first, stylize(folder.path(), "old", &[]));
+}
+
+#[test]
+fn threads_change_nothing_about_a_clip() {
+    let folder = folder();
+    let at = folder.path();
+    // Long enough for several portions a thread, and of several classes.
+    let motions = ["run", "kick", "jump"].map(|action| {
+        let clips = strut_demo::clips();
+        clips.into_iter().find(|clip| clip.action == action && clip.style == "proud").unwrap().motion
+    });
+    let mut motion = motions[0].clone();
+    motion.poses.extend(motions[1..].iter().flat_map(|m| m.poses.iter().copied()));
+    assert!(motion.poses.len() > 1000);
+    fs::write(at.join("in.bvh"), bvh::write(&bvh::Bvh::from_humanoid(&motion).unwrap())).unwrap();
+    for more in [&[][..], &["--action", "run"], &["--method", "knn", "--part", "arms:childlike"]] {
+        let styled = |threads| {
+            stylize(at, "old=0.8,angry=0.4", &[more, &["--threads", threads]].concat());
+            fs::read(at.join("out.bvh")).unwrap()
+        };
+        let serial = styled("1");
+        for threads in ["2", "5"] {
+            assert!(styled(threads) == serial, "{threads} threads, {more:?}");
+        }
+    }
+    // With a trace every frame is searched and timed in its turn.
+    let serial = stylize(at, "old", &["--threads", "2"]);
+    assert!(stylize(at, "old", &["--threads", "2", "--trace", "t.jsonl"]) == serial);
+}
+
+#[test]
+fn many_clips_are_styled_as_one_by_one() {
+    let folder = folder();
+    let at = folder.path();
+    fs::create_dir_all(at.join("clips/below")).unwrap();
+    for (i, name) in ["a", "b", "c", "below/d"].iter().enumerate() {
+        let mut motion = strut_demo::input_clips().remove(0).motion;
+        motion.poses.drain(..10 * i);
+        motion.poses.truncate(60 + 40 * i);
+        let text = bvh::write(&bvh::Bvh::from_humanoid(&motion).unwrap());
+        fs::write(at.join(format!("clips/{name}.bvh")), text).unwrap();
+    }
+    let db = ["stylize", "--db", "demo.strutdb", "--style", "old"];
+    let many = |inputs: &[&str], output: &str, threads: &str| {
+        strut_ok(at, &[&db[..], &["--threads", threads, "-o", output, "--input"], inputs].concat())
+    };
+    let said = many(&["clips"], "serial", "1");
+    assert_eq!(names(&at.join("serial")), ["a.bvh", "b.bvh", "c.bvh", "d.bvh"]);
+    assert_eq!(said.lines().count(), 4);
+    // Fewer clips than threads, and more.
+    for threads in ["2", "8"] {
+        let output = format!("with_{threads}");
+        assert_eq!(many(&["clips"], &output, threads).replace(&output, "serial"), said);
+        for name in names(&at.join("serial")) {
+            let [a, b] = ["serial", &output].map(|folder| fs::read(at.join(folder).join(&name)).unwrap());
+            assert!(a == b, "{name} with {threads} threads");
+        }
+    }
+    strut_ok(at, &[&db[..], &["--input", "clips/c.bvh", "-o", "c.bvh"]].concat());
+    assert!(fs::read(at.join("c.bvh")).unwrap() == fs::read(at.join("serial/c.bvh")).unwrap());
+    many(&["clips/a.bvh", "clips/b.bvh"], "two", "2");
+    assert_eq!(names(&at.join("two")), ["a.bvh", "b.bvh"]);
+
+    fs::write(at.join("clips/b.bvh"), "no motion").unwrap();
+    let refused = |output: &str, expected: &str| {
+        assert_refused(at, &[&db[..], &["--input", "clips", "-o", output]].concat(), expected);
+    };
+    refused("new", "clips/b.bvh: line 1, column 1 has 'no'");
+    refused("two", "clips/b.bvh: line 1, column 1 has 'no'");
+    assert_eq!(names(&at.join("two")), ["a.bvh", "b.bvh"]);
+    refused("in.bvh", "in.bvh: a folder for the outputs of several inputs was expected");
+    refused("nowhere/new", "nowhere/new: there is no such file or folder");
+    refused("clips", "clips/a.bvh: this is an input; another folder was expected");
+    fs::write(at.join("clips/below/a.bvh"), "").unwrap();
+    refused("new", "a.bvh: two outputs have this name");
+    assert_eq!(strut(at, &[&db[..], &["--input", "clips", "-o", "x", "--trace", "t"]].concat()).status.code(), Some(2));
 }
 
 #[test]

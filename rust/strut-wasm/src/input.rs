@@ -102,7 +102,7 @@ impl Input {
     }
 
     /// Poses that came from no file.
-    #[cfg(feature = "learn")]
+    #[cfg(any(feature = "bench", feature = "learn"))]
     pub(crate) fn of_poses(
         proportions: strut_core::humanoid::Proportions,
         rate_hz: f32,

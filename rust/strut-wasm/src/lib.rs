@@ -19,7 +19,7 @@ mod search_comparison;
 mod stylizer;
 
 #[cfg(feature = "bench")]
-pub use bench::{Naive, Workload, joint_weights, leg_joints, positions_of, rows_of, stage_names};
+pub use bench::{Naive, Workload, input_of, joint_weights, leg_joints, positions_of, rows_of, stage_names};
 pub use clip_job::ClipJob;
 #[cfg(feature = "compare")]
 pub use counterpart::{Counterpart, built_in_motions};

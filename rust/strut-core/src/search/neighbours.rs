@@ -37,6 +37,12 @@ impl Neighbours {
         self.capacity = k;
     }
 
+    /// Takes a list in place of its own: nearest first, and no room for more.
+    pub(crate) fn assign(&mut self, nearest: &[Neighbour]) {
+        self.begin(nearest.len());
+        self.entries.extend_from_slice(nearest);
+    }
+
     /// Greatest D that can still enter the list.
     #[inline]
     pub fn threshold(&self) -> f32 {

@@ -2,8 +2,9 @@
 
 use super::blend::StyleError;
 use super::clip_footplant::plant_feet;
+use super::clip_search::FoundFrame;
 use super::contact_likelihood::{smoothed, stands};
-use super::frame::{StageClock, StyledFrame, Trace};
+use super::frame::{NoClock, StageClock, StyledFrame, Trace};
 use super::stylizer::Stylizer;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions};
 use crate::motion::Motion;
@@ -53,7 +54,16 @@ impl ClipJob {
 
     /// Styles the next frame of the clip, which is at the database's rate.
     pub fn push(&mut self, pose: &Pose, clock: &mut impl StageClock) -> Trace<'_> {
-        self.frames.push(*self.stylizer.predict_frame(pose, clock));
+        self.push_searched(pose, None, clock)
+    }
+
+    /// [`ClipJob::push`] without the search of the frame: it takes what was `found` before for the same stylizer.
+    pub fn push_found(&mut self, pose: &Pose, found: &FoundFrame<'_>) -> Trace<'_> {
+        self.push_searched(pose, Some(found), &mut NoClock)
+    }
+
+    fn push_searched(&mut self, pose: &Pose, found: Option<&FoundFrame<'_>>, clock: &mut impl StageClock) -> Trace<'_> {
+        self.frames.push(*self.stylizer.predict_frame(pose, found, clock));
         if let [.., before, _] = self.frames.as_mut_slice() {
             let contact = self.stylizer.contact_before();
             // Half of the output's likelihood is the input's.

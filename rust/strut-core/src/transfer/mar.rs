@@ -1,6 +1,7 @@
 //! The mixture of autoregressive models of one frame: neighbours → classes → styles (Eq. 2–7).
 
 use super::bias::Bias;
+use super::clip_search::FoundFrame;
 use super::coherence::{ComplementaryFilter, half_life_secs, taper};
 use super::input::Input;
 use super::mixture::{class_weights, greatest_distance, known};
@@ -23,6 +24,17 @@ struct Component {
     neighbours: Neighbours,
     /// Weight of each neighbour in regressions and durations.
     neighbour_weights: Vec<f32>,
+}
+
+impl Component {
+    fn weigh_neighbours(&mut self, coherent: bool) {
+        if coherent {
+            taper(self.neighbours.as_slice(), &mut self.neighbour_weights);
+        } else {
+            self.neighbour_weights.clear();
+            self.neighbour_weights.resize(self.neighbours.as_slice().len(), 1.0);
+        }
+    }
 }
 
 /// Prediction of one target style.
@@ -170,13 +182,26 @@ impl Mixture {
             index.nearest(&query, &c.classes, c.k, &mut self.scratch, out);
             *d = out.mean_distance();
             least = least.min(*d);
-            if is_coherent(options) {
-                taper(out.as_slice(), &mut c.neighbour_weights);
-            } else {
-                c.neighbour_weights.clear();
-                c.neighbour_weights.resize(out.as_slice().len(), 1.0);
+            c.weigh_neighbours(is_coherent(options));
+        }
+    }
+
+    /// Takes what was found for a frame with these options, in place of [`Mixture::search`].
+    pub(super) fn adopt(&mut self, options: &Options, found: &FoundFrame<'_>) {
+        self.distances.fill(f32::INFINITY);
+        for (i, neighbours) in found.components() {
+            if let (Some(c), Some(d)) = (self.components.get_mut(i), self.distances.get_mut(i)) {
+                c.neighbours.assign(neighbours);
+                *d = c.neighbours.mean_distance();
+                c.weigh_neighbours(is_coherent(options));
             }
         }
+    }
+
+    /// The neighbours in each component that has a weight, with its number.
+    pub(super) fn weighted_neighbours(&self) -> impl Iterator<Item = (usize, &[Neighbour])> {
+        let weighted = (0..self.weights.len()).filter(|&i| self.weights[i] > 0.0);
+        weighted.map(|i| (i, self.components[i].neighbours.as_slice()))
     }
 
     /// Weighs the classes by their distances.

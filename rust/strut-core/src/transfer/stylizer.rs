@@ -2,22 +2,24 @@
 
 use super::blend::{StyleBlend, StyleError, blended};
 use super::body_part::BodyPart;
-use super::contact_likelihood::{CausalSmoother, RecentFeet, VOTERS, Votes, vote};
+use super::clip_search::FoundFrame;
+#[cfg(feature = "baselines")]
+use super::contact_likelihood::RecentFeet;
+use super::contact_likelihood::{CausalSmoother, VOTERS, Votes, vote};
 use super::footplant::Footplant;
 use super::frame::{NoClock, Stage, StageClock, StyledFrame, Trace};
 use super::input::Input;
-use super::input_guard::{Admitted, InputGuard};
+use super::input_stream::{InputFrame, InputStream};
 use super::joint_limits::JointLimits;
 use super::mar::{Mixture, StylePrediction};
 use super::model::Model;
 use super::options::{Options, OptionsError};
 use crate::humanoid::Pose;
-use crate::kinematics::world_from_local;
 use crate::math::float_funcs::wrap_angle;
-use crate::pose_vector::{HeadingFilter, Placement, PoseRow, ROW, VELOCITY_X, heading_free_positions};
+use crate::pose_vector::{Placement, PoseRow, ROW};
+use crate::search::Neighbours;
 #[cfg(feature = "baselines")]
-use crate::search::Neighbour;
-use crate::search::{Neighbours, QueryWindow};
+use crate::search::{Neighbour, QueryWindow};
 use std::sync::Arc;
 
 /// Shortest and longest output frame, as multiples of the input's.
@@ -37,12 +39,7 @@ pub struct Stylizer {
     contacts: Neighbours,
     votes: Votes,
 
-    guard: InputGuard,
-    heading: HeadingFilter,
-    window: QueryWindow,
-    feet: RecentFeet,
-    /// Row and place of the last input frame.
-    last_input: Option<(PoseRow, Placement)>,
+    input: InputStream,
     /// Where the output begins; the input's place if `None`.
     start: Option<Placement>,
     /// Place of the last output frame before the footplant.
@@ -72,11 +69,7 @@ impl Stylizer {
             styles: Vec::with_capacity(db.styles.len()),
             contacts: Neighbours::default(),
             votes: Votes::default(),
-            guard: InputGuard::default(),
-            heading: HeadingFilter::default(),
-            window: QueryWindow::new(model.index().window_length()),
-            feet: RecentFeet::default(),
-            last_input: None,
+            input: InputStream::new(model.index().window_length()),
             start: None,
             place: None,
             smoothers: Default::default(),
@@ -133,8 +126,8 @@ impl Stylizer {
 
     /// Starts anew, as after a seek: the output begins at `placement`, or where the next input frame is.
     pub fn reset(&mut self, placement: Option<Placement>) {
+        self.input.reset();
         self.forget_input();
-        self.guard = InputGuard::default();
         self.start = placement;
         self.place = None;
         self.smoothers = Default::default();
@@ -151,7 +144,7 @@ impl Stylizer {
 
     /// [`Stylizer::push`]; calls a clock when each stage ends.
     pub fn push_timed(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
-        self.predict_frame(pose, clock);
+        self.predict_frame(pose, None, clock);
         self.frame.contact = self.smoothers[0].push(self.frame.contact);
         self.frame.contact_out = self.smoothers[1].push(self.frame.contact_out);
         if self.options.footplant {
@@ -202,6 +195,10 @@ impl Stylizer {
         &self.model
     }
 
+    pub(super) fn mixture(&self) -> &Mixture {
+        &self.mixture
+    }
+
     fn frame_secs(&self) -> f32 {
         1.0 / self.model.catalogue().rate_hz
     }
@@ -211,40 +208,49 @@ impl Stylizer {
     pub(super) fn inside(&self) -> Inside<'_> {
         Inside {
             mixture: &self.mixture,
-            window: &self.window,
+            window: self.input.window(),
             voters: self.contacts.as_slice(),
-            feet: &self.feet,
-            input: self.last_input.as_ref().map(|(row, _)| row),
+            feet: self.input.feet(),
+            input: self.input.last_row(),
             blend: &self.blend,
         }
     }
 
-    /// Everything but contact smoothing and footplant; its contacts are not smoothed yet.
-    pub(super) fn predict_frame(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
+    /// Everything but contact smoothing and footplant; its contacts are not smoothed yet. What was `found` before for this
+    /// frame and these options is taken in place of a search.
+    pub(super) fn predict_frame(
+        &mut self,
+        pose: &Pose,
+        found: Option<&FoundFrame<'_>>,
+        clock: &mut impl StageClock,
+    ) -> &StyledFrame {
         clock.start();
         let model = Arc::clone(&self.model);
-        let (row, at) = self.take_input(pose);
-        let previous_at = self.last_input.map_or(at, |(_, p)| p);
-        let previous = self.last_input.map_or(row, |(r, _)| r);
+        let input = self.take_input(pose);
         clock.end(Stage::Features);
 
-        self.mixture.search(&model, &self.options, &self.window);
+        match found {
+            Some(found) => self.mixture.adopt(&self.options, found),
+            None => self.mixture.search(&model, &self.options, self.input.window()),
+        }
         self.mixture.weigh(&model, &self.options);
         clock.end(Stage::Search);
 
-        let input = Input { current: &row, previous: &previous };
-        self.mixture.predict(&model, &self.options, input, &mut self.styles);
+        let of_input = Input { current: &input.row, previous: &input.previous };
+        self.mixture.predict(&model, &self.options, of_input, &mut self.styles);
         clock.end(Stage::Regression);
-        self.mixture.predict_durations_and_contacts(&model, &self.options, input, &mut self.styles);
+        self.mixture.predict_durations_and_contacts(&model, &self.options, of_input, &mut self.styles);
         clock.end(Stage::Timing);
 
-        let step_secs = self.blend_styles(&row);
-        self.place_output(&row, at, previous_at, step_secs);
-        self.last_input = Some((row, at));
+        let step_secs = self.blend_styles(&input.row);
+        self.place_output(&input, step_secs);
         clock.end(Stage::Blend);
 
-        self.mixture.search_contacts(&model, &self.window, VOTERS, &mut self.contacts);
-        self.votes = vote(model.catalogue(), self.contacts.as_slice(), &self.feet);
+        match found {
+            Some(found) => self.contacts.assign(found.voters()),
+            None => self.mixture.search_contacts(&model, self.input.window(), VOTERS, &mut self.contacts),
+        }
+        self.votes = vote(model.catalogue(), self.contacts.as_slice(), self.input.feet());
         self.frame.contact = self.votes.now;
         self.frame.contact_out = self.output_contact(self.frame.contact);
         clock.end(Stage::Contact);
@@ -256,36 +262,15 @@ impl Stylizer {
         self.votes.before
     }
 
-    /// Checks the input frame and turns it into degrees of freedom, a place and a window.
-    fn take_input(&mut self, pose: &Pose) -> (PoseRow, Placement) {
-        let dt = self.frame_secs();
-        self.frame.repaired = false;
-        let pose = match self.guard.admit(pose, dt) {
-            Admitted::Good(pose) => pose,
-            Admitted::Repaired(pose) => {
-                self.frame.repaired = true;
-                self.frame.repaired_total += 1;
-                pose
-            }
-            Admitted::Cut(pose) => {
-                self.forget_input();
-                pose
-            }
-        };
-        let db = self.model.catalogue();
-        let world = world_from_local(&db.proportions, &pose);
-        self.feet.push(&world);
-        let heading = self.heading.update(&world, dt);
-        let at = Placement { x: pose.root.x, z: pose.root.z, heading };
-        let row = db.chart.encode(&pose, heading, self.last_input.map(|(_, p)| p), dt);
-        if self.window.frames() == 1 {
-            // The first frame had no velocity; that of the second is a better estimate than zero.
-            if let Some((first, _)) = &mut self.last_input {
-                first[VELOCITY_X..].copy_from_slice(&row[VELOCITY_X..]);
-            }
+    /// Takes the input frame; one that is a cut begins the stream anew.
+    fn take_input(&mut self, pose: &Pose) -> InputFrame {
+        let input = self.input.push(self.model.catalogue(), pose);
+        if input.cut {
+            self.forget_input();
         }
-        self.window.push(&heading_free_positions(&world, heading), at);
-        (row, at)
+        self.frame.repaired = input.repaired;
+        self.frame.repaired_total += u32::from(input.repaired);
+        input
     }
 
     /// Blends the styles' rows into `frame`'s pose at the origin and gives the blended duration.
@@ -308,11 +293,12 @@ impl Stylizer {
 
     /// Puts the blended row at the next place of the output: the heading turns as the input's does, the
     /// root travels at the predicted velocity for the predicted duration.
-    fn place_output(&mut self, input: &PoseRow, at: Placement, previous_at: Placement, step_secs: f32) {
+    fn place_output(&mut self, input: &InputFrame, step_secs: f32) {
+        let InputFrame { row: input, at, previous_at, .. } = input;
         let rows = self.styles.iter().map(|s| (s.style, &s.current));
         let row = blended(&self.blend, &self.parts, &self.limits, input, rows);
         let place = match self.place {
-            None => self.start.unwrap_or(at),
+            None => self.start.unwrap_or(*at),
             Some(p) => p.advanced(&row, step_secs, wrap_angle(at.heading - previous_at.heading)),
         };
         let first = self.place.is_none();
@@ -344,12 +330,8 @@ impl Stylizer {
         std::array::from_fn(|side| 0.5 * (of_input[side] + of_targets[side].clamp(0.0, 1.0)))
     }
 
-    /// Resets everything but the place of the output.
+    /// Forgets what was predicted from the input so far, but not the place of the output.
     fn forget_input(&mut self) {
-        self.heading = HeadingFilter::default();
-        self.window.clear();
-        self.feet = RecentFeet::default();
-        self.last_input = None;
         self.mixture.forget_input();
         self.styles.iter_mut().for_each(|s| s.started = false);
     }

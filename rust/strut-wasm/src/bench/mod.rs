@@ -8,6 +8,7 @@ pub use naive::Naive;
 pub use workload::Workload;
 
 use crate::database::Database;
+use crate::input::Input;
 use crate::stylizer::Stylizer;
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
@@ -64,6 +65,16 @@ pub fn joint_weights() -> Vec<f32> {
 #[wasm_bindgen(js_name = legJoints)]
 pub fn leg_joints() -> Vec<usize> {
     JOINT_WEIGHTS[..8].iter().map(|(role, _)| role.index()).collect()
+}
+
+/// Poses on a database's humanoid and at its rate as an input.
+///
+/// # Errors
+/// If the array is not a whole number of poses.
+#[wasm_bindgen(js_name = inputOf)]
+pub fn input_of(database: &Database, poses: &[f32]) -> Result<Input, EngineError> {
+    let db = database.model().catalogue();
+    Ok(Input::of_poses(db.proportions, db.rate_hz, poses_of(poses)?.collect()))
 }
 
 /// The poses as a database's degrees of freedom, a row after the other, and …

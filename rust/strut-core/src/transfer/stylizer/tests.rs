@@ -3,6 +3,7 @@
 use super::*;
 use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ, Walk, database, walk};
 use crate::humanoid::Role;
+use crate::kinematics::world_from_local;
 use crate::math::Vec3;
 use crate::transfer::{Method, ground_clearance};
 

@@ -1,0 +1,274 @@
+//! The search of a clip's frames on its own: it depends on the poses, the classes and K, and neither on styles nor on what
+//! is made of the frames before. So any portion of a clip can be searched at any time, or many at once.
+//!
+//! What a frame takes part with does not depend on the history either, though the search of a stream uses it to be faster:
+//! the last frame's distances order the classes, and a class that had no weight is left out where its distance certainly
+//! exceeds [`greatest_distance`](super::mixture::greatest_distance) of the least so far. That grows with the least, so
+//! that the class has no weight by its true distance either; nor can it be the nearest, from which the others are weighed.
+
+use super::contact_likelihood::VOTERS;
+use super::input_stream::InputStream;
+use super::mar::Mixture;
+use super::model::Model;
+use super::options::Options;
+use super::stylizer::Stylizer;
+use crate::humanoid::Pose;
+use crate::search::{Neighbour, Neighbours};
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Frames of a portion. The first of each is searched without a frame before it, which takes about twice as long.
+const PORTION: usize = 64;
+
+/// A clip whose portions can be searched independently. It is for [`ClipJob`](super::ClipJob)s of the same stylizer.
+#[derive(Clone, Debug)]
+pub struct ClipSearch<'a> {
+    model: Arc<Model>,
+    options: Options,
+    poses: &'a [Pose],
+    /// Frames of a portion; the last may have fewer.
+    length: usize,
+    /// The input before each portion.
+    inputs: Vec<InputStream>,
+    mixture: Mixture,
+}
+
+impl<'a> ClipSearch<'a> {
+    /// Of a clip at the database's rate, with a stylizer's options.
+    pub fn new(stylizer: &Stylizer, poses: &'a [Pose]) -> Self {
+        Self::in_portions(stylizer, poses, PORTION)
+    }
+
+    /// [`ClipSearch::new`] with portions of so many frames, at least 1.
+    fn in_portions(stylizer: &Stylizer, poses: &'a [Pose], length: usize) -> Self {
+        let model = Arc::clone(stylizer.model());
+        let mut input = InputStream::new(model.index().window_length());
+        let inputs = poses.chunks(length).map(|portion| {
+            let before = input.clone();
+            for pose in portion {
+                input.push(model.catalogue(), pose);
+            }
+            before
+        });
+        let inputs = inputs.collect();
+        Self { options: *stylizer.options(), mixture: stylizer.mixture().clone(), model, poses, length, inputs }
+    }
+
+    /// Number of portions, one after the other.
+    pub fn portions(&self) -> usize {
+        self.inputs.len()
+    }
+
+    /// The poses of a portion.
+    ///
+    /// # Panics
+    /// If there is no such portion.
+    pub fn poses(&self, portion: usize) -> &'a [Pose] {
+        let first = portion * self.length;
+        &self.poses[first..self.poses.len().min(first + self.length)]
+    }
+
+    /// Searches a portion.
+    ///
+    /// # Panics
+    /// If there is no such portion.
+    pub fn find(&self, portion: usize) -> Found {
+        let Self { model, options, .. } = self;
+        let (mut input, mut mixture) = (self.inputs[portion].clone(), self.mixture.clone());
+        let (mut found, mut voters) = (Found::default(), Neighbours::with_capacity(VOTERS));
+        for pose in self.poses(portion) {
+            input.push(model.catalogue(), pose);
+            mixture.search(model, options, input.window());
+            mixture.weigh(model, options);
+            mixture.search_contacts(model, input.window(), VOTERS, &mut voters);
+            found.add(mixture.weighted_neighbours(), voters.as_slice());
+        }
+        found
+    }
+}
+
+/// What the search found for successive frames.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Found {
+    /// All lists, one after the other.
+    neighbours: Vec<Neighbour>,
+    /// Number of a component of the mixture, and its list.
+    components: Vec<(usize, Range<usize>)>,
+    /// Of each frame: its components, and the list of those that vote for its contacts.
+    frames: Vec<(Range<usize>, Range<usize>)>,
+}
+
+impl Found {
+    /// The frames in their order.
+    pub fn frames(&self) -> impl Iterator<Item = FoundFrame<'_>> {
+        self.frames.iter().map(|(components, voters)| FoundFrame {
+            neighbours: &self.neighbours,
+            components: &self.components[components.clone()],
+            voters: voters.clone(),
+        })
+    }
+
+    fn add<'a>(&mut self, components: impl Iterator<Item = (usize, &'a [Neighbour])>, voters: &[Neighbour]) {
+        let first = self.components.len();
+        for (component, neighbours) in components {
+            let list = self.keep(neighbours);
+            self.components.push((component, list));
+        }
+        let voters = self.keep(voters);
+        self.frames.push((first..self.components.len(), voters));
+    }
+
+    fn keep(&mut self, list: &[Neighbour]) -> Range<usize> {
+        let first = self.neighbours.len();
+        self.neighbours.extend_from_slice(list);
+        first..self.neighbours.len()
+    }
+}
+
+/// What the search found for a frame: the neighbours in all components of the mixture that have a weight, and those that
+/// vote for its contacts.
+#[derive(Clone, Debug)]
+pub struct FoundFrame<'a> {
+    neighbours: &'a [Neighbour],
+    components: &'a [(usize, Range<usize>)],
+    voters: Range<usize>,
+}
+
+impl<'a> FoundFrame<'a> {
+    /// Number of each component that has a weight, and its neighbours, nearest first.
+    pub(super) fn components(&self) -> impl Iterator<Item = (usize, &'a [Neighbour])> {
+        self.components.iter().map(|(component, list)| (*component, &self.neighbours[list.clone()]))
+    }
+
+    /// The nearest windows by the lower-body metric in the classes that have a weight.
+    pub(super) fn voters(&self) -> &'a [Neighbour] {
+        &self.neighbours[self.voters.clone()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixtures::{BENT, Gait, NEUTRAL, database, walk};
+    use crate::transfer::{ClipJob, Method, NoClock, StyledMotion};
+    use proptest::prelude::*;
+    use std::sync::OnceLock;
+
+    fn stylizer(options: Options) -> Stylizer {
+        static MODEL: OnceLock<Arc<Model>> = OnceLock::new();
+        let model = MODEL.get_or_init(|| Arc::new(Model::new(database())));
+        let mut stylizer = Stylizer::new(Arc::clone(model), options).unwrap();
+        stylizer.set_styles(&[0.2, 0.8]).unwrap();
+        stylizer
+    }
+
+    /// A neutral walk that becomes a bent one, with what inputs have: frames that are no poses, and a cut.
+    fn poses(period: f32) -> Vec<Pose> {
+        let parts = [Gait { period, ..NEUTRAL }, BENT, Gait { arms: 0.7, turn: 0.4, ..NEUTRAL }];
+        let mut poses: Vec<Pose> = parts.iter().flat_map(|gait| walk(gait, 30, 0.3).poses).collect();
+        poses[17].root.y = f32::NAN;
+        poses[62].rotations[5].x = f32::INFINITY;
+        poses[70..].iter_mut().for_each(|pose| pose.root.x += 100.0);
+        poses
+    }
+
+    /// What a job gives, with everything that it shows of each frame.
+    fn styled(mut job: ClipJob, mut push: impl FnMut(&mut ClipJob, &mut Vec<String>)) -> (StyledMotion, Vec<String>) {
+        let mut traces = Vec::new();
+        push(&mut job, &mut traces);
+        (job.finish(), traces)
+    }
+
+    fn in_one(options: Options, poses: &[Pose]) -> (StyledMotion, Vec<String>) {
+        styled(ClipJob::new(stylizer(options)), |job, traces| {
+            traces.extend(poses.iter().map(|pose| shown(&job.push(pose, &mut NoClock))));
+        })
+    }
+
+    /// The portions searched last one first.
+    fn in_portions(options: Options, poses: &[Pose], length: usize) -> (StyledMotion, Vec<String>) {
+        let stylizer = stylizer(options);
+        let search = ClipSearch::in_portions(&stylizer, poses, length);
+        let mut found: Vec<Found> = (0..search.portions()).rev().map(|portion| search.find(portion)).collect();
+        found.reverse();
+        styled(ClipJob::new(stylizer), |job, traces| {
+            for (portion, found) in found.iter().enumerate() {
+                let frames = search.poses(portion).iter().zip(found.frames());
+                traces.extend(frames.map(|(pose, found)| shown(&job.push_found(pose, &found))));
+            }
+        })
+    }
+
+    fn shown(trace: &crate::transfer::Trace<'_>) -> String {
+        let bits = |values: &[f32]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+        let weights = [bits(trace.class_weights), bits(trace.neighbour_weights)];
+        format!("{weights:?} {:?} {}", trace.neighbours, trace.bias.to_bits())
+    }
+
+    /// To the bit; `assert_eq!` would take 0 and −0 for the same.
+    fn bits(motion: &StyledMotion) -> Vec<u64> {
+        let floats = |f: &crate::transfer::StyledFrame| {
+            let pose = f.pose.rotations.iter().flat_map(|r| r.to_array()).chain(f.pose.root.to_array());
+            let rest = [f.dt_secs].into_iter().chain(f.contact).chain(f.contact_out);
+            let bits: Vec<u64> = pose.chain(rest).map(|v| v.to_bits().into()).collect();
+            bits.into_iter().chain([f.time_out_secs.to_bits(), f.repaired_total.into()])
+        };
+        motion.frames.iter().flat_map(floats).collect()
+    }
+
+    fn assert_same(options: Options, poses: &[Pose], length: usize) {
+        let (serial, portions) = (in_one(options, poses), in_portions(options, poses, length));
+        assert_eq!(serial.0, portions.0, "{options:?} in portions of {length}");
+        assert!(bits(&serial.0) == bits(&portions.0), "{options:?} in portions of {length}");
+        assert!(serial.1 == portions.1, "{options:?} in portions of {length}: the traces differ");
+    }
+
+    #[test]
+    fn frames_found_in_portions_are_styled_as_in_one_by_every_method() {
+        let poses = poses(60.0);
+        for name in ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"] {
+            // Without `baselines` only some are there.
+            let Some(method) = Method::from_name(name) else { continue };
+            assert_same(Options { method, ..Options::DEFAULT }, &poses, 16);
+        }
+    }
+
+    #[test]
+    fn labels_and_the_settings_of_the_mixture_change_nothing_about_it() {
+        let poses = poses(66.0);
+        let labelled = Options { action: Some(0), input_style: Some(1), ..Options::DEFAULT };
+        for options in [
+            labelled,
+            Options { input_style: None, ..labelled },
+            Options { k: 3, coherence: false, ..Options::DEFAULT },
+            Options { least_weight: 0.0, ..Options::DEFAULT },
+            Options { delta: 3.0, timing: false, footplant: false, ..Options::DEFAULT },
+        ] {
+            assert_same(options, &poses, 25);
+        }
+        assert_same(Options::DEFAULT, &[], 7);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        #[test]
+        fn neither_does_the_length_of_portions(period in 50.0f32..90.0, delta in 0.05f32..2.0, length in 1usize..100) {
+            let options = Options { delta, ..Options::DEFAULT };
+            assert_same(options, &poses(period), length);
+        }
+    }
+
+    #[test]
+    fn what_was_found_for_other_frames_is_not_ignored() {
+        let poses = poses(60.0);
+        let stylizer = stylizer(Options::DEFAULT);
+        let found = ClipSearch::in_portions(&stylizer, &poses, 90).find(0);
+        let mut job = ClipJob::new(stylizer);
+        for (pose, found) in poses.iter().zip(found.frames().skip(1)) {
+            job.push_found(pose, &found);
+        }
+        assert!(
+            job.frames()[..89].iter().zip(&in_one(Options::DEFAULT, &poses).0.frames).any(|(a, b)| a.pose != b.pose)
+        );
+    }
+}
