@@ -9,6 +9,7 @@
 use super::block::{
     BLOCK, Block, ERROR, PER_METRE, Point, Probe, QUADS, QUANTISATION, SquaredDistances, complex_product, quantise,
 };
+use super::lanes::FloatLane;
 use super::metric::CentredWindow;
 use super::subspace::{COORDINATES, REAL, Subspace};
 use std::ops::Range;
@@ -74,6 +75,13 @@ impl Margins {
     /// Distance in integers beyond which no window has a computed D of at most `threshold`.
     fn limit(self, threshold: f32) -> f32 {
         (threshold + self.rounding).sqrt() * PER_METRE + self.slack
+    }
+
+    /// The squared distances beyond which [`Block::squared_distances`] rules windows out that have no computed D of at most
+    /// `threshold`.
+    pub(super) fn squared_limits(self, threshold: f32) -> [FloatLane; QUADS] {
+        let limit = self.limit(threshold);
+        [[limit * limit + ERROR; 4]; QUADS]
     }
 
     /// A lower bound of the computed D of windows at this distance in integers or farther away.
@@ -202,8 +210,7 @@ impl Leaves {
     /// t, each with its distance from the one below, that is a lower bound of the sum of their D.
     pub(super) fn mean_exceeds(&self, class: usize, probe: &Probe, margins: Margins, k: usize, mean: f32) -> bool {
         let nearest = k.min(self.classes[class].windows) as f32;
-        let limits = LEVELS.map(|level| margins.limit(level * mean));
-        let squares = limits.map(|limit| [[limit * limit + ERROR; 4]; QUADS]);
+        let squares = LEVELS.map(|level| margins.squared_limits(level * mean));
         let mut counts = [0; LEVELS.len()];
         let exceeds = |counts: &[u32; LEVELS.len()]| {
             let (mut sum, mut below) = (0.0, 0.0);
@@ -213,7 +220,7 @@ impl Leaves {
             }
             sum > nearest
         };
-        for (first, _, mut bits) in self.leaves_within(class, probe, limits[LEVELS.len() - 1]) {
+        for (first, _, mut bits) in self.leaves_within(class, probe, margins.limit(LEVELS[LEVELS.len() - 1] * mean)) {
             while bits != 0 {
                 let leaf = first + bits.trailing_zeros() as usize;
                 bits &= bits - 1;
@@ -229,11 +236,10 @@ impl Leaves {
         exceeds(&counts)
     }
 
-    /// Which windows of a leaf may have a computed D of at most `threshold`, as bits.
+    /// Which windows of a leaf may have a computed D of at most the threshold of these limits, as bits.
     #[inline]
-    pub(super) fn windows_within(&self, leaf: usize, probe: &Probe, margins: Margins, threshold: f32) -> u32 {
-        let limit = margins.limit(threshold);
-        self.blocks[leaf].squared_distances(probe).within(&[[limit * limit + ERROR; 4]; QUADS])
+    pub(super) fn windows_within(&self, leaf: usize, probe: &Probe, limits: &[FloatLane; QUADS]) -> u32 {
+        self.blocks[leaf].squared_distances(probe).within(limits)
     }
 }
 

@@ -169,8 +169,8 @@ impl Index {
         let (subspace, norms) = (self.leaves[metric as usize].subspace(), &self.norms[metric as usize]);
         let scale = self.windows.scale(metric);
         let has_length = |(row, point): (&u32, &Point)| {
-            let (heights, _) = self.windows.points::<LENGTH>(*row as usize);
-            let (expected, error) = subspace.squared_length(metric, heights, scale, norms[*row as usize]);
+            let frames = self.windows.points::<LENGTH>(*row as usize);
+            let (expected, error) = subspace.squared_length(metric, frames, scale, norms[*row as usize]);
             has_squared_length(point, expected, error)
         };
         points.len() == rows.len()
