@@ -10,6 +10,12 @@ use crate::pose_vector::{PoseRow, ROW};
 pub(crate) trait Rows {
     /// The numbers 4 `l` … of a row.
     fn lane(&self, row: usize, l: usize) -> Lane;
+
+    /// The same of the row before and of the row, by `l`.
+    #[inline]
+    fn pair(&self, row: usize) -> impl Fn(usize) -> [Lane; 2] {
+        move |l| [self.lane(row - 1, l), self.lane(row, l)]
+    }
 }
 
 impl Rows for [PoseRow] {
@@ -66,6 +72,11 @@ impl QuantisedRows {
         std::array::from_fn(|d| self.middle[d] + self.step[d] * f32::from(steps[d]))
     }
 
+    #[inline]
+    fn dequantised(&self, steps: &[i16; ROW], l: usize) -> Lane {
+        Lane::of(&self.middle, l) + Lane::of(&self.step, l) * Lane::of_integers(steps, l)
+    }
+
     /// All rows.
     #[cfg(feature = "baselines")]
     pub(crate) fn to_vec(&self) -> Vec<PoseRow> {
@@ -76,7 +87,14 @@ impl QuantisedRows {
 impl Rows for QuantisedRows {
     #[inline]
     fn lane(&self, row: usize, l: usize) -> Lane {
-        Lane::of(&self.middle, l) + Lane::of(&self.step, l) * Lane::of_integers(&self.rows[row], l)
+        self.dequantised(&self.rows[row], l)
+    }
+
+    #[inline]
+    fn pair(&self, row: usize) -> impl Fn(usize) -> [Lane; 2] {
+        // Whether the rows exist is checked once for all lanes.
+        let [before, at] = [row - 1, row].map(|row| &self.rows[row]);
+        move |l| [before, at].map(|steps| self.dequantised(steps, l))
     }
 }
 

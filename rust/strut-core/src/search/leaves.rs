@@ -12,6 +12,7 @@ use super::block::{
 use super::lanes::FloatLane;
 use super::metric::CentredWindow;
 use super::subspace::{COORDINATES, REAL, Subspace};
+use crate::math::order::positive;
 use std::ops::Range;
 
 /// Bound on the rounding error of a computed D = |q|² + |p|² − 2 (h + t): a share of (length of the query) × (length of
@@ -86,7 +87,7 @@ impl Margins {
 
     /// A lower bound of the computed D of windows at this distance in integers or farther away.
     fn lower_bound(self, distance: f32) -> f32 {
-        let metres = (distance - self.slack).max(0.0) / PER_METRE;
+        let metres = positive(distance - self.slack) / PER_METRE;
         metres * metres - self.rounding
     }
 }
@@ -170,7 +171,7 @@ impl Leaves {
             while bits != 0 {
                 let i = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let distance = (squared_distances.0[i / 4][i % 4] - ERROR).max(0.0).sqrt() - self.radii[first + i];
+                let distance = positive(squared_distances.0[i / 4][i % 4] - ERROR).sqrt() - self.radii[first + i];
                 out.push((margins.lower_bound(distance), first + i));
             }
         }
@@ -215,7 +216,7 @@ impl Leaves {
         let exceeds = |counts: &[u32; LEVELS.len()]| {
             let (mut sum, mut below) = (0.0, 0.0);
             for (level, count) in LEVELS.iter().zip(counts) {
-                sum += (level - below) * (nearest - *count as f32).max(0.0);
+                sum += (level - below) * positive(nearest - *count as f32);
                 below = *level;
             }
             sum > nearest

@@ -17,6 +17,7 @@ use super::points::{
 use crate::humanoid::{JOINTS, Pose, Proportions};
 use crate::kinematics::world_from_local;
 use crate::math::Vec3;
+use crate::math::order::positive;
 use crate::pose_vector::{HeadingFilter, Placement, heading_free_positions};
 
 /// Frames of a window unless asked otherwise (s; at 60 Hz they span 67 ms). The figures are flat
@@ -153,9 +154,7 @@ impl CentredWindow {
             Metric::LowerBody => products::<_, _, _, LEG_LANES, LANES>(height, ground, frames),
         };
         let turned = (real * real + imaginary * imaginary).sqrt();
-        let distance = (self.norm + norm) - 2.0 * (heights + turned);
-        // `f32::max` would be a function call in WebAssembly.
-        if distance > 0.0 { distance } else { 0.0 }
+        positive((self.norm + norm) - 2.0 * (heights + turned))
     }
 }
 
