@@ -35,7 +35,7 @@ pub(crate) use points::{FEET_ROLES, Feet};
 pub use profile::Profile;
 #[cfg(feature = "baselines")]
 pub use recall::{ClassSearch, Recall};
-pub(crate) use windows::Windows;
+pub(crate) use windows::{Windows, places};
 
 #[cfg(test)]
 mod tests;

@@ -3,7 +3,9 @@
 use super::leaves::Bounds;
 use super::metric::{CentredWindow, FrameSums, LENGTH, MAX_WINDOW, Metric, frames_of, window_norm};
 use super::points::{Feet, FramePoints, PointRow};
-use crate::database::{Clip, Database};
+use crate::database::{Class, Clip, Database};
+use crate::humanoid::JOINTS;
+use crate::math::Vec3;
 use crate::pose_vector::{HEADING_RATE, Placement};
 use std::ops::Range;
 
@@ -24,16 +26,28 @@ pub(crate) struct Windows {
 impl Windows {
     /// The windows of `length` frames, 1 to [`MAX_WINDOW`].
     pub(crate) fn new(db: &Database, length: usize) -> Self {
+        Self::of_clouds(&db.clips, db.classes(), &db.point_cloud, &places(db), length)
+    }
+
+    /// The same, of each row's point cloud and place: the rows themselves need not be kept until then.
+    pub(crate) fn of_clouds(
+        clips: &[Clip],
+        classes: &[Class],
+        clouds: &[[Vec3; JOINTS]],
+        places: &[Placement],
+        length: usize,
+    ) -> Self {
         let mut windows = Self {
             length,
-            points: Vec::with_capacity(db.frames()),
+            points: Vec::with_capacity(clouds.len()),
             greatest_norms: Vec::new(),
-            clips: db.clips.iter().map(Clip::rows).collect(),
-            classes: db.classes().iter().map(|c| c.clips.clone()).collect(),
+            clips: clips.iter().map(Clip::rows).collect(),
+            classes: classes.iter().map(|c| c.clips.clone()).collect(),
         };
-        for class in db.classes() {
+        for class in classes {
             let mut greatest = 0.0_f32;
-            for points in db.clips[class.clips.clone()].iter().flat_map(|clip| clip_points(db, clip.rows())) {
+            for row in clips[class.clips.clone()].iter().flat_map(Clip::rows) {
+                let points = FramePoints::new(&clouds[row], places[row]);
                 greatest = greatest.max(points.norm());
                 windows.points.push(points.0);
             }
@@ -113,22 +127,22 @@ impl Windows {
     }
 }
 
-/// The points of a clip in a frame of reference with the middle of the path at the origin: small numbers
-/// leave more digits to the differences.
-fn clip_points(db: &Database, rows: Range<usize>) -> impl Iterator<Item = FramePoints> + '_ {
+/// Where every row is in its clip's frame of reference, which has the middle of the path at the origin: small numbers leave
+/// more digits to the differences.
+pub(crate) fn places(db: &Database) -> Vec<Placement> {
     let dt = 1.0 / db.rate_hz;
-    let mut at = Placement::default();
-    let places: Vec<Placement> = rows
-        .clone()
-        .map(|row| {
-            if row > rows.start {
-                at = at.advanced(&db.pose[row], dt, db.pose[row][HEADING_RATE] * dt);
-            }
-            at
-        })
-        .collect();
-    let middle = places.get(places.len() / 2).copied().unwrap_or_default();
-    rows.zip(places).map(move |(row, p)| {
-        FramePoints::new(&db.point_cloud[row], Placement { x: p.x - middle.x, z: p.z - middle.z, heading: p.heading })
-    })
+    let mut places = vec![Placement::default(); db.frames()];
+    for rows in db.clips.iter().map(Clip::rows) {
+        let mut at = Placement::default();
+        for row in rows.clone().skip(1) {
+            at = at.advanced(&db.pose[row], dt, db.pose[row][HEADING_RATE] * dt);
+            places[row] = at;
+        }
+        let of_clip = &mut places[rows];
+        let middle = of_clip.get(of_clip.len() / 2).copied().unwrap_or_default();
+        for place in of_clip {
+            (place.x, place.z) = (place.x - middle.x, place.z - middle.z);
+        }
+    }
+    places
 }

@@ -31,16 +31,32 @@ impl Gathered {
     pub(super) fn fill(&mut self, rows: &(impl Rows + ?Sized), neighbours: &[Neighbour], weights: &[f32]) {
         self.count = neighbours.len();
         self.pairs.resize(LANES * self.count, Default::default());
+        self.means.fill(Default::default());
+        let of = |n: &Neighbour| rows.pair(n.row as usize);
+        let (fours, last) = neighbours.as_chunks::<4>();
+        for (i, four) in fours.iter().enumerate() {
+            self.add(4 * i, four.each_ref().map(of), weights);
+        }
+        for (i, n) in last.iter().enumerate() {
+            self.add(4 * fours.len() + i, [of(n)], weights);
+        }
         let total = Lane::splat(weights.iter().sum::<f32>().max(f32::MIN_POSITIVE));
-        for (l, mean) in self.means.iter_mut().enumerate() {
-            let pairs = &mut self.pairs[l * self.count..][..self.count];
-            let [mut before, mut at] = [Lane::default(); 2];
-            for ((pair, n), &w) in pairs.iter_mut().zip(neighbours).zip(weights) {
-                *pair = rows.pair(n.row as usize)(l);
-                before += Lane::splat(w) * pair[0];
-                at += Lane::splat(w) * pair[1];
+        for mean in self.means.as_flattened_mut() {
+            *mean = *mean / total;
+        }
+    }
+
+    /// Takes the rows of the neighbours `first` …, and adds them to the sums in place of the means. Several neighbours share
+    /// what is read for each.
+    #[inline]
+    fn add<const N: usize>(&mut self, first: usize, rows: [impl Fn(usize) -> [Lane; 2]; N], weights: &[f32]) {
+        for (l, [before, at]) in self.means.iter_mut().enumerate() {
+            let pairs = &mut self.pairs[l * self.count + first..][..N];
+            for ((pair, row), w) in pairs.iter_mut().zip(&rows).zip(&weights[first..]) {
+                *pair = row(l);
+                *before += Lane::splat(*w) * pair[0];
+                *at += Lane::splat(*w) * pair[1];
             }
-            *mean = [before / total, at / total];
         }
     }
 
