@@ -10,6 +10,12 @@ use crate::pose_vector::{PoseRow, ROW};
 pub(crate) trait Rows {
     /// The numbers 4 `l` … of a row.
     fn lane(&self, row: usize, l: usize) -> Lane;
+
+    /// The same of the row before and of the row, by `l`.
+    #[inline]
+    fn pair(&self, row: usize) -> impl Fn(usize) -> [Lane; 2] {
+        move |l| [self.lane(row - 1, l), self.lane(row, l)]
+    }
 }
 
 impl Rows for [PoseRow] {
@@ -24,8 +30,12 @@ impl Rows for [PoseRow] {
 pub struct QuantisedRows {
     middle: PoseRow,
     step: PoseRow,
-    rows: Vec<[i16; ROW]>,
+    /// In parts of [`PART`] rows, the last of which may hold fewer.
+    parts: Vec<Vec<[i16; ROW]>>,
 }
+
+/// Rows of a part: small enough that parts find room where larger data have been freed.
+const PART: usize = 4096;
 
 impl QuantisedRows {
     /// Rows between the least and the greatest values of `range`.
@@ -42,19 +52,27 @@ impl QuantisedRows {
         Self {
             middle: std::array::from_fn(|d| 0.5 * (least[d] + greatest[d])),
             step: std::array::from_fn(|d| (greatest[d] - least[d]) / (2.0 * f32::from(i16::MAX))),
-            rows: Vec::with_capacity(capacity),
+            parts: Vec::with_capacity(capacity.div_ceil(PART)),
         }
     }
 
     #[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
     pub(super) fn push(&mut self, row: &PoseRow) {
-        self.rows.push(std::array::from_fn(|d| {
+        let steps = std::array::from_fn(|d| {
             let steps = if self.step[d] > 0.0 { (row[d] - self.middle[d]) / self.step[d] } else { 0.0 };
             // Where the range is narrow and far from zero, the rounding error of its middle may be a step.
             let steps = steps.clamp(-f32::from(i16::MAX), f32::from(i16::MAX));
             // Rounded to the nearest by truncating a positive number.
             ((steps + 65_536.5) as i32 - 65_536) as i16
-        }));
+        });
+        match self.parts.last_mut() {
+            Some(part) if part.len() < PART => part.push(steps),
+            _ => {
+                let mut part = Vec::with_capacity(PART);
+                part.push(steps);
+                self.parts.push(part);
+            }
+        }
     }
 
     /// A row.
@@ -62,21 +80,38 @@ impl QuantisedRows {
     /// # Panics
     /// If there is no such row.
     pub fn get(&self, row: usize) -> PoseRow {
-        let steps = &self.rows[row];
+        let steps = self.steps(row);
         std::array::from_fn(|d| self.middle[d] + self.step[d] * f32::from(steps[d]))
+    }
+
+    #[inline]
+    fn steps(&self, row: usize) -> &[i16; ROW] {
+        &self.parts[row / PART][row % PART]
+    }
+
+    #[inline]
+    fn dequantised(&self, steps: &[i16; ROW], l: usize) -> Lane {
+        Lane::of(&self.middle, l) + Lane::of(&self.step, l) * Lane::of_integers(steps, l)
     }
 
     /// All rows.
     #[cfg(feature = "baselines")]
     pub(crate) fn to_vec(&self) -> Vec<PoseRow> {
-        (0..self.rows.len()).map(|row| self.get(row)).collect()
+        self.parts.iter().flatten().enumerate().map(|(row, _)| self.get(row)).collect()
     }
 }
 
 impl Rows for QuantisedRows {
     #[inline]
     fn lane(&self, row: usize, l: usize) -> Lane {
-        Lane::of(&self.middle, l) + Lane::of(&self.step, l) * Lane::of_integers(&self.rows[row], l)
+        self.dequantised(self.steps(row), l)
+    }
+
+    #[inline]
+    fn pair(&self, row: usize) -> impl Fn(usize) -> [Lane; 2] {
+        // Whether the rows exist is checked once for all lanes.
+        let [before, at] = [row - 1, row].map(|row| self.steps(row));
+        move |l| [before, at].map(|steps| self.dequantised(steps, l))
     }
 }
 

@@ -4,8 +4,10 @@ use super::gait_phase::GaitPhase;
 use super::header::Header;
 use super::quantised::QuantisedRows;
 use crate::database::{Database, DatabaseParts};
+use crate::humanoid::JOINTS;
+use crate::math::Vec3;
 use crate::pose_vector::{DOFS, PoseRow, ROW};
-use crate::search::{Index, Plan, WINDOW, Windows};
+use crate::search::{Index, Plan, WINDOW, Windows, places};
 use std::ops::Deref;
 
 /// A database made ready to style with: quantised rows, the data from which targets are computed, and the search index.
@@ -34,17 +36,21 @@ impl Catalogue {
     /// The catalogue of a database with the search index of a plan. Without a plan, or with that of another database, the
     /// index is built, which takes longer.
     pub fn with_plan(db: Database, plan: Option<Plan>) -> Self {
-        let windows = Windows::new(&db, WINDOW);
-        Self::assemble(db, || Index::of_windows(windows, plan))
+        let places = places(&db);
+        Self::assemble(db, |header, point_cloud| {
+            let windows = Windows::of_clouds(&header.clips, header.classes(), &point_cloud, &places, WINDOW);
+            drop((point_cloud, places));
+            Index::of_windows(windows, plan)
+        })
     }
 
     /// The catalogue of a database and its index.
     pub fn with_index(db: Database, index: Index) -> Self {
-        Self::assemble(db, || index)
+        Self::assemble(db, |_, _| index)
     }
 
-    /// Makes the index after the database's rows and point clouds have been freed.
-    fn assemble(db: Database, index: impl FnOnce() -> Index) -> Self {
+    /// Makes the index, of the point clouds, after the database's rows have been freed: a package's memory never shrinks.
+    fn assemble(db: Database, index: impl FnOnce(&Header, Vec<[Vec3; JOINTS]>) -> Index) -> Self {
         let (sigma, step_sigma) = (*db.sigma(), step_deviation(&db));
         let observed_range = Box::new(*db.observed_range());
         let rows = QuantisedRows::new(&db.pose, &observed_range);
@@ -52,7 +58,8 @@ impl Catalogue {
         let (mut parts, classes) = db.into_parts();
         let header = Header::take(&mut parts, classes);
         let DatabaseParts { pose, point_cloud, time_step, contact, counterparts_per_style, counterpart, .. } = parts;
-        drop((pose, point_cloud));
+        drop(pose);
+        let index = index(&header, point_cloud);
         Self {
             header,
             rows,
@@ -64,7 +71,7 @@ impl Catalogue {
             sigma,
             step_sigma,
             observed_range,
-            index: index(),
+            index,
         }
     }
 

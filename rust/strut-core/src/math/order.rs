@@ -1,4 +1,4 @@
-//! Sorting by a number.
+//! Sorting by a number, and comparing with zero.
 
 /// Puts items into ascending order of a number; items of equal numbers keep their order.
 ///
@@ -9,6 +9,12 @@ pub fn sort_by_number<T>(items: &mut Vec<T>, number: impl Fn(&T) -> f32) {
     sort_pairs(&mut order);
     let mut unsorted: Vec<Option<T>> = items.drain(..).map(Some).collect();
     items.extend(order.into_iter().filter_map(|(_, i)| unsorted[i].take()));
+}
+
+/// The number, or 0 where it is negative or not a number. In WebAssembly `f32::max` is a function call, too slow for a loop.
+#[inline]
+pub(crate) fn positive(number: f32) -> f32 {
+    if number > 0.0 { number } else { 0.0 }
 }
 
 /// Sorts by the number, then by the index.

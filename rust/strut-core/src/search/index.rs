@@ -4,8 +4,9 @@ use super::block::{BLOCK, Probe};
 #[cfg(feature = "baselines")]
 use super::kd_trees::KdTrees;
 use super::leaves::Leaves;
-use super::metric::{CentredWindow, Feet, LENGTH, MAX_WINDOW, Metric, QueryWindow, WINDOW};
+use super::metric::{CentredWindow, LENGTH, MAX_WINDOW, Metric, QueryWindow, WINDOW};
 use super::neighbours::{Neighbour, Neighbours};
+use super::points::Feet;
 use super::windows::Windows;
 use crate::database::Database;
 use crate::math::order::sort_pairs;
@@ -172,18 +173,23 @@ impl Index {
         for &class in classes {
             let margins = leaves.margins(class, query.window, query.error);
             candidates.clear();
-            leaves.candidates(class, &query.probe, margins, found.threshold(), candidates);
+            let mut threshold = found.threshold();
+            leaves.candidates(class, &query.probe, margins, threshold, candidates);
             sort_pairs(candidates);
+            let mut limits = margins.squared_limits(threshold);
             for &(least, leaf) in &*candidates {
-                if least > found.threshold() {
-                    break;
+                if least > threshold {
+                    continue;
                 }
-                let within = leaves.windows_within(leaf, &query.probe, margins, found.threshold());
-                let mut windows = within & !u32::from(done[leaf]);
+                let mut windows = leaves.windows_within(leaf, &query.probe, &limits) & !u32::from(done[leaf]);
                 while windows != 0 {
                     let i = windows.trailing_zeros() as usize;
                     windows &= windows - 1;
                     self.look_at::<S>(query, self.rows[leaf][i], found);
+                }
+                if found.threshold() < threshold {
+                    threshold = found.threshold();
+                    limits = margins.squared_limits(threshold);
                 }
             }
         }
@@ -224,7 +230,7 @@ impl Index {
     /// D between the query and the window that ends at row `last`.
     #[inline]
     pub(super) fn distance<const S: usize>(&self, query: &Query<'_>, last: usize) -> f32 {
-        let (heights, ground) = self.windows.points::<S>(last);
-        query.window.distance::<S>(query.metric, heights, ground, self.norms[query.metric as usize][last])
+        let norm = self.norms[query.metric as usize][last];
+        query.window.distance::<S>(query.metric, self.windows.points::<S>(last), norm)
     }
 }

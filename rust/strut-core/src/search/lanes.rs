@@ -42,22 +42,36 @@ pub(super) fn inner_product<const N: usize, const USED: usize, const SUMS: usize
     total(sums.into_iter().fold(Floats::splat(0.0), Floats::plus))
 }
 
-/// [`inner_product`] of two windows with a third, whose numbers are read once.
+/// ⟨y, y'⟩ and the real and the imaginary part of ⟨z, z'⟩ of a query, whose heights y are apart from x and z of the ground
+/// plane, and of a stored window of equally many frames, in which four heights, four x and four z alternate; by the first
+/// `USED` lanes of heights, with `SUMS` running sums each as in [`inner_product`].
 #[allow(clippy::inline_always)] // see `inner_product`
 #[inline(always)]
-pub(super) fn inner_products<const N: usize, const USED: usize, const SUMS: usize>(
-    a: [&[[FloatLane; N]]; 2],
-    b: &[[FloatLane; N]],
-) -> [f32; 2] {
-    let mut sums = [[Floats::splat(0.0); SUMS]; 2];
-    for ((a0, a1), b) in a[0].iter().zip(a[1]).zip(b) {
+pub(super) fn products<const H: usize, const G: usize, const N: usize, const USED: usize, const SUMS: usize>(
+    height: &[[FloatLane; H]],
+    ground: &[[FloatLane; G]],
+    stored: &[[FloatLane; N]],
+) -> [f32; 3] {
+    let mut heights = [Floats::splat(0.0); SUMS];
+    for (own, stored) in height.iter().zip(stored) {
         for l in 0..USED {
-            let b = Floats::of(&b[l]);
-            sums[0][l % SUMS] = sums[0][l % SUMS].plus(Floats::of(&a0[l]).times(b));
-            sums[1][l % SUMS] = sums[1][l % SUMS].plus(Floats::of(&a1[l]).times(b));
+            heights[l % SUMS] = heights[l % SUMS].plus(Floats::of(&own[l]).times(Floats::of(&stored[3 * l])));
         }
     }
-    sums.map(|sums| total(sums.into_iter().fold(Floats::splat(0.0), Floats::plus)))
+    // A second pass, so that all sums find room in registers.
+    let (mut real, mut imaginary) = ([Floats::splat(0.0); SUMS], [Floats::splat(0.0); SUMS]);
+    for (own, stored) in ground.iter().zip(stored) {
+        for l in 0..USED {
+            let [x, z] = [&own[2 * l], &own[2 * l + 1]].map(Floats::of);
+            let [stored_x, stored_z] = [&stored[3 * l + 1], &stored[3 * l + 2]].map(Floats::of);
+            let (first, second) = (2 * l % SUMS, (2 * l + 1) % SUMS);
+            real[first] = real[first].plus(x.times(stored_x));
+            real[second] = real[second].plus(z.times(stored_z));
+            imaginary[first] = imaginary[first].minus(z.times(stored_x));
+            imaginary[second] = imaginary[second].plus(x.times(stored_z));
+        }
+    }
+    [heights, real, imaginary].map(|sums| total(sums.into_iter().fold(Floats::splat(0.0), Floats::plus)))
 }
 
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]

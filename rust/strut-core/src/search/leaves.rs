@@ -9,8 +9,10 @@
 use super::block::{
     BLOCK, Block, ERROR, PER_METRE, Point, Probe, QUADS, QUANTISATION, SquaredDistances, complex_product, quantise,
 };
+use super::lanes::FloatLane;
 use super::metric::CentredWindow;
 use super::subspace::{COORDINATES, REAL, Subspace};
+use crate::math::order::positive;
 use std::ops::Range;
 
 /// Bound on the rounding error of a computed D = |q|² + |p|² − 2 (h + t): a share of (length of the query) × (length of
@@ -76,9 +78,16 @@ impl Margins {
         (threshold + self.rounding).sqrt() * PER_METRE + self.slack
     }
 
+    /// The squared distances beyond which [`Block::squared_distances`] rules windows out that have no computed D of at most
+    /// `threshold`.
+    pub(super) fn squared_limits(self, threshold: f32) -> [FloatLane; QUADS] {
+        let limit = self.limit(threshold);
+        [[limit * limit + ERROR; 4]; QUADS]
+    }
+
     /// A lower bound of the computed D of windows at this distance in integers or farther away.
     fn lower_bound(self, distance: f32) -> f32 {
-        let metres = (distance - self.slack).max(0.0) / PER_METRE;
+        let metres = positive(distance - self.slack) / PER_METRE;
         metres * metres - self.rounding
     }
 }
@@ -162,7 +171,7 @@ impl Leaves {
             while bits != 0 {
                 let i = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let distance = (squared_distances.0[i / 4][i % 4] - ERROR).max(0.0).sqrt() - self.radii[first + i];
+                let distance = positive(squared_distances.0[i / 4][i % 4] - ERROR).sqrt() - self.radii[first + i];
                 out.push((margins.lower_bound(distance), first + i));
             }
         }
@@ -202,18 +211,17 @@ impl Leaves {
     /// t, each with its distance from the one below, that is a lower bound of the sum of their D.
     pub(super) fn mean_exceeds(&self, class: usize, probe: &Probe, margins: Margins, k: usize, mean: f32) -> bool {
         let nearest = k.min(self.classes[class].windows) as f32;
-        let limits = LEVELS.map(|level| margins.limit(level * mean));
-        let squares = limits.map(|limit| [[limit * limit + ERROR; 4]; QUADS]);
+        let squares = LEVELS.map(|level| margins.squared_limits(level * mean));
         let mut counts = [0; LEVELS.len()];
         let exceeds = |counts: &[u32; LEVELS.len()]| {
             let (mut sum, mut below) = (0.0, 0.0);
             for (level, count) in LEVELS.iter().zip(counts) {
-                sum += (level - below) * (nearest - *count as f32).max(0.0);
+                sum += (level - below) * positive(nearest - *count as f32);
                 below = *level;
             }
             sum > nearest
         };
-        for (first, _, mut bits) in self.leaves_within(class, probe, limits[LEVELS.len() - 1]) {
+        for (first, _, mut bits) in self.leaves_within(class, probe, margins.limit(LEVELS[LEVELS.len() - 1] * mean)) {
             while bits != 0 {
                 let leaf = first + bits.trailing_zeros() as usize;
                 bits &= bits - 1;
@@ -229,11 +237,10 @@ impl Leaves {
         exceeds(&counts)
     }
 
-    /// Which windows of a leaf may have a computed D of at most `threshold`, as bits.
+    /// Which windows of a leaf may have a computed D of at most the threshold of these limits, as bits.
     #[inline]
-    pub(super) fn windows_within(&self, leaf: usize, probe: &Probe, margins: Margins, threshold: f32) -> u32 {
-        let limit = margins.limit(threshold);
-        self.blocks[leaf].squared_distances(probe).within(&[[limit * limit + ERROR; 4]; QUADS])
+    pub(super) fn windows_within(&self, leaf: usize, probe: &Probe, limits: &[FloatLane; QUADS]) -> u32 {
+        self.blocks[leaf].squared_distances(probe).within(limits)
     }
 }
 

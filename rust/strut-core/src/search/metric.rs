@@ -10,13 +10,15 @@
 //! and the ground plane as a complex one z = x + i·z:  D = |y − y'|² + |z|² + |z'|² − 2 |⟨z, z'⟩|.
 //! As the weights sum to 1, D is a mean squared distance in m².
 
-use super::lanes::{FloatLane, inner_product, inner_products};
-use crate::humanoid::{JOINTS, Pose, Proportions, Role};
+use super::lanes::products;
+use super::points::{
+    FramePoints, GroundRow, HeightRow, LANES, LEG_LANES, LEG_POINTS, POINTS, PointRow, point_roots, point_weights,
+};
+use crate::humanoid::{JOINTS, Pose, Proportions};
 use crate::kinematics::world_from_local;
 use crate::math::Vec3;
-use crate::math::float_funcs::sin_cos;
+use crate::math::order::positive;
 use crate::pose_vector::{HeadingFilter, Placement, heading_free_positions};
-use std::sync::LazyLock;
 
 /// Frames of a window unless asked otherwise (s; at 60 Hz they span 67 ms). The figures are flat
 /// from 1 to 15.
@@ -36,54 +38,6 @@ pub(super) const LENGTH: usize = if MAX_WINDOW == WINDOW { WINDOW } else { ANY }
 
 /// A length known at run time only.
 pub(super) const ANY: usize = 0;
-
-/// Joints of the metric.
-pub(super) const POINTS: usize = JOINT_WEIGHTS.len();
-/// Joints of the lower-body metric: the first of [`POINTS`].
-const LEG_POINTS: usize = 4 * LEG_LANES;
-/// 4-float lanes of a frame's heights (and of x, and of z).
-pub(super) const LANES: usize = POINTS / 4;
-/// The same of the lower-body metric.
-pub(super) const LEG_LANES: usize = 2;
-
-/// Relative weight of each joint: by size and visibility. The spine joint follows from hips and chest
-/// and is left out, which makes five whole lanes. Legs come first.
-pub const JOINT_WEIGHTS: [(Role, f32); 20] = [
-    (Role::LeftUpperLeg, 1.0),
-    (Role::RightUpperLeg, 1.0),
-    (Role::LeftLowerLeg, 1.5),
-    (Role::RightLowerLeg, 1.5),
-    (Role::LeftFoot, 1.5),
-    (Role::RightFoot, 1.5),
-    (Role::LeftToes, 0.5),
-    (Role::RightToes, 0.5),
-    (Role::Hips, 1.0),
-    (Role::Chest, 1.5),
-    (Role::Neck, 0.5),
-    (Role::Head, 1.5),
-    (Role::LeftShoulder, 0.25),
-    (Role::RightShoulder, 0.25),
-    (Role::LeftUpperArm, 1.0),
-    (Role::RightUpperArm, 1.0),
-    (Role::LeftLowerArm, 1.0),
-    (Role::RightLowerArm, 1.0),
-    (Role::LeftHand, 1.0),
-    (Role::RightHand, 1.0),
-];
-
-/// The lane that holds the feet.
-const FEET: usize = 1;
-/// The joints in it.
-pub(crate) const FEET_ROLES: [Role; 4] = [Role::LeftFoot, Role::RightFoot, Role::LeftToes, Role::RightToes];
-/// x, y and z of [`FEET_ROLES`], metres.
-pub(crate) type Feet = [FloatLane; 3];
-
-/// Where the feet are in a frame of these points.
-pub(super) fn feet(height: &HeightRow, ground: &GroundRow) -> Feet {
-    let roots = &point_roots()[4 * FEET..][..4];
-    let metres = |lane: &FloatLane| std::array::from_fn(|i| lane[i] / roots[i]);
-    [&ground[2 * FEET], &height[FEET], &ground[2 * FEET + 1]].map(metres)
-}
 
 /// Which joints are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,72 +63,6 @@ impl Metric {
             Self::FullBody => 1.0,
             Self::LowerBody => point_weights()[..LEG_POINTS].iter().sum(),
         }
-    }
-}
-
-/// Weights of the points of one frame; they sum to 1 over the whole body.
-fn point_weights() -> [f32; POINTS] {
-    let sum: f32 = JOINT_WEIGHTS.iter().map(|(_, w)| w).sum();
-    JOINT_WEIGHTS.map(|(_, w)| w / sum)
-}
-
-/// Square roots of [`point_weights`].
-fn point_roots() -> &'static [f32; POINTS] {
-    static ROOTS: LazyLock<[f32; POINTS]> = LazyLock::new(|| point_weights().map(f32::sqrt));
-    &ROOTS
-}
-
-/// The points of one frame, √w folded in.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct FramePoints {
-    pub(super) height: HeightRow,
-    pub(super) ground: GroundRow,
-}
-
-/// Heights of one frame's points.
-pub(super) type HeightRow = [FloatLane; LANES];
-/// x and z of one frame's points: four x, four z, and so on.
-pub(super) type GroundRow = [FloatLane; 2 * LANES];
-
-impl FramePoints {
-    /// Of a heading-free point cloud (hips above the origin) put at a placement on the ground.
-    pub(super) fn new(cloud: &[Vec3; JOINTS], at: Placement) -> Self {
-        let (sin, cos) = sin_cos(at.heading);
-        let mut points = Self::default();
-        for (i, (w, (role, _))) in point_roots().iter().zip(&JOINT_WEIGHTS).enumerate() {
-            let p = cloud[role.index()];
-            points.set(i, w * p.y, w * (at.x + cos * p.x + sin * p.z), w * (at.z - sin * p.x + cos * p.z));
-        }
-        points
-    }
-
-    /// Squared length of all.
-    pub(super) fn norm(&self) -> f32 {
-        let heights = inner_product::<LANES, LANES, LANES>(&[self.height], &[self.height]);
-        heights + inner_product::<{ 2 * LANES }, { 2 * LANES }, LANES>(&[self.ground], &[self.ground])
-    }
-
-    fn get(&self, point: usize) -> [f32; 3] {
-        let (lane, i) = (point / 4, point % 4);
-        [self.height[lane][i], self.ground[2 * lane][i], self.ground[2 * lane + 1][i]]
-    }
-
-    fn set(&mut self, point: usize, height: f32, x: f32, z: f32) {
-        let (lane, i) = (point / 4, point % 4);
-        self.height[lane][i] = height;
-        self.ground[2 * lane][i] = x;
-        self.ground[2 * lane + 1][i] = z;
-    }
-
-    /// The points `steps` frames before these, which move to `next` in one.
-    fn extrapolated_back(&self, next: &Self, steps: f32) -> Self {
-        let mut out = Self::default();
-        for i in 0..POINTS {
-            let (a, b) = (self.get(i), next.get(i));
-            let [y, x, z]: [f32; 3] = std::array::from_fn(|c| a[c] - (b[c] - a[c]) * steps);
-            out.set(i, y, x, z);
-        }
-        out
     }
 }
 
@@ -219,10 +107,7 @@ pub(super) struct CentredWindow {
     /// Weight of a frame, by which the vector is too large.
     pub(super) scale: f32,
     pub(super) height: [HeightRow; MAX_WINDOW],
-    /// z, for the real part of ⟨z, z'⟩ …
     pub(super) ground: [GroundRow; MAX_WINDOW],
-    /// … and −i·z, for its imaginary part.
-    pub(super) turned: [GroundRow; MAX_WINDOW],
     /// |y|² + |z|².
     pub(super) norm: f32,
 }
@@ -244,49 +129,32 @@ impl CentredWindow {
         let mut window = Self { frames: frames.len(), scale: scale as f32, ..Self::default() };
         let mut norm = 0.0_f64;
         for (f, frame) in frames.iter().enumerate() {
-            let (mut straight, mut turned) = (FramePoints::default(), FramePoints::default());
             for (i, root) in roots.iter().enumerate().take(points) {
                 let [y, x, z] = frame.get(i).map(f64::from);
                 let (x, z) = (x - root * cx, z - root * cz);
                 norm += scale * (y * y + x * x + z * z);
-                let [y, x, z] = [y, x, z].map(|v| (scale * v) as f32);
-                straight.set(i, y, x, z);
-                turned.set(i, 0.0, -z, x);
+                let (lane, i) = (i / 4, i % 4);
+                window.height[f][lane][i] = (scale * y) as f32;
+                window.ground[f][2 * lane][i] = (scale * x) as f32;
+                window.ground[f][2 * lane + 1][i] = (scale * z) as f32;
             }
-            window.height[f] = straight.height;
-            window.ground[f] = straight.ground;
-            window.turned[f] = turned.ground;
         }
         window.norm = norm as f32;
         window
     }
 
-    /// D by the window's metric to the stored window of these points and norm.
-    #[allow(clippy::inline_always)] // see `inner_product`
+    /// D by the window's metric to the stored window of these frames and norm; 0 if that is not a number.
+    #[allow(clippy::inline_always)] // see `products`
     #[inline(always)]
-    pub(super) fn distance<const S: usize>(
-        &self,
-        metric: Metric,
-        height: &[HeightRow],
-        ground: &[GroundRow],
-        norm: f32,
-    ) -> f32 {
-        const ALL: usize = 2 * LANES;
-        const OF_LEGS: usize = 2 * LEG_LANES;
-        let frames = frames_of::<S>(self.frames);
-        let (own_height, own_ground) = (&self.height[..frames], [&self.ground[..frames], &self.turned[..frames]]);
-        let (heights, [real, imaginary]) = match metric {
-            Metric::FullBody => (
-                inner_product::<LANES, LANES, LANES>(own_height, height),
-                inner_products::<ALL, ALL, LANES>(own_ground, ground),
-            ),
-            Metric::LowerBody => (
-                inner_product::<LANES, LEG_LANES, LANES>(own_height, height),
-                inner_products::<ALL, OF_LEGS, LANES>(own_ground, ground),
-            ),
+    pub(super) fn distance<const S: usize>(&self, metric: Metric, frames: &[PointRow], norm: f32) -> f32 {
+        let length = frames_of::<S>(self.frames);
+        let (height, ground) = (&self.height[..length], &self.ground[..length]);
+        let [heights, real, imaginary] = match metric {
+            Metric::FullBody => products::<_, _, _, LANES, LANES>(height, ground, frames),
+            Metric::LowerBody => products::<_, _, _, LEG_LANES, LANES>(height, ground, frames),
         };
         let turned = (real * real + imaginary * imaginary).sqrt();
-        ((self.norm + norm) - 2.0 * (heights + turned)).max(0.0)
+        positive((self.norm + norm) - 2.0 * (heights + turned))
     }
 }
 
@@ -379,7 +247,8 @@ impl QueryWindow {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::float_funcs::double;
+    use crate::math::float_funcs::{double, sin_cos};
+    use crate::search::points::JOINT_WEIGHTS;
     use proptest::prelude::*;
     use std::f32::consts::PI;
 
@@ -398,8 +267,11 @@ mod tests {
             window.push(cloud, *at);
         }
         let points: [FramePoints; WINDOW] = std::array::from_fn(|i| FramePoints::new(&stored[i].0, stored[i].1));
-        let (height, ground) = (points.map(|p| p.height), points.map(|p| p.ground));
-        window.centred(metric).distance::<WINDOW>(metric, &height, &ground, CentredWindow::new(&points, metric).norm)
+        window.centred(metric).distance::<WINDOW>(
+            metric,
+            &points.map(|p| p.0),
+            CentredWindow::new(&points, metric).norm,
+        )
     }
 
     fn moved(frames: &Frames, by: Placement) -> Frames {
@@ -468,21 +340,5 @@ mod tests {
             (0..WINDOW).map(|i| (cloud, Placement { x: 0.0, z: 0.02 * i as f32, heading: 0.3 })).collect();
         assert!(distance(Metric::FullBody, &walk, &walk) < 1e-6);
         assert!(distance(Metric::FullBody, &walk[3..].to_vec(), &walk) < 1e-6);
-    }
-
-    #[test]
-    fn feet_come_back_from_the_points_of_a_frame() {
-        let cloud = std::array::from_fn(|j| Vec3::new(0.1 * j as f32, 1.0 - 0.05 * j as f32, 0.02 * j as f32));
-        let points = FramePoints::new(&cloud, Placement { x: 2.0, z: -1.0, heading: 0.0 });
-        let [x, y, z] = feet(&points.height, &points.ground);
-        for (i, role) in FEET_ROLES.iter().enumerate() {
-            let expected = cloud[role.index()] + Vec3::new(2.0, 0.0, -1.0);
-            assert!((Vec3::new(x[i], y[i], z[i]) - expected).length() < 1e-5);
-        }
-    }
-
-    #[test]
-    fn weights_sum_to_one() {
-        assert!((point_weights().iter().sum::<f32>() - 1.0).abs() < 1e-6);
     }
 }

@@ -16,6 +16,7 @@ mod metric;
 mod neighbours;
 mod order;
 mod plan;
+mod points;
 mod principal;
 #[cfg(feature = "baselines")]
 mod profile;
@@ -25,15 +26,16 @@ mod subspace;
 mod windows;
 
 pub use index::{Index, Query, Scratch};
-pub(crate) use metric::{FEET_ROLES, Feet};
-pub use metric::{JOINT_WEIGHTS, MAX_WINDOW, Metric, QueryWindow, WINDOW};
+pub use metric::{MAX_WINDOW, Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};
 pub use plan::{Plan, PlanError};
+pub use points::JOINT_WEIGHTS;
+pub(crate) use points::{FEET_ROLES, Feet};
 #[cfg(feature = "baselines")]
 pub use profile::Profile;
 #[cfg(feature = "baselines")]
 pub use recall::{ClassSearch, Recall};
-pub(crate) use windows::Windows;
+pub(crate) use windows::{Windows, places};
 
 #[cfg(test)]
 mod tests;

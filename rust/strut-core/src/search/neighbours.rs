@@ -62,14 +62,18 @@ impl Neighbours {
     }
 
     fn insert(&mut self, candidate: Neighbour) {
-        let at = self.entries.partition_point(|n| n.comes_before(candidate));
-        if at >= self.capacity {
+        if self.entries.len() < self.capacity {
+            self.entries.push(candidate);
+        } else if self.entries.last().is_none_or(|last| last.comes_before(candidate)) {
             return;
         }
-        if self.entries.len() == self.capacity {
-            self.entries.pop();
+        // From behind: windows are mostly offered in about this order.
+        let mut at = self.entries.len() - 1;
+        while at > 0 && candidate.comes_before(self.entries[at - 1]) {
+            self.entries[at] = self.entries[at - 1];
+            at -= 1;
         }
-        self.entries.insert(at, candidate);
+        self.entries[at] = candidate;
     }
 
     /// The neighbours, nearest first.

@@ -129,9 +129,15 @@ impl Index {
         for class in 0..self.classes() {
             let here = begin..begin + self.windows_in_class(class);
             begin = here.end;
-            self.add_rows(&order[here.clone()]);
-            for (metric, points) in METRICS.into_iter().zip(&points) {
-                self.add_points(class, metric, &points[here.clone()]);
+            self.add_rows(&order[here]);
+        }
+        // The points of one metric after the other, so that they can be freed.
+        for (metric, points) in METRICS.into_iter().zip(points) {
+            let mut rest = &points[..];
+            for class in 0..self.classes() {
+                let (here, others) = rest.split_at(self.windows_in_class(class));
+                rest = others;
+                self.add_points(class, metric, here);
             }
         }
         Ok(self)
@@ -169,8 +175,8 @@ impl Index {
         let (subspace, norms) = (self.leaves[metric as usize].subspace(), &self.norms[metric as usize]);
         let scale = self.windows.scale(metric);
         let has_length = |(row, point): (&u32, &Point)| {
-            let (heights, _) = self.windows.points::<LENGTH>(*row as usize);
-            let (expected, error) = subspace.squared_length(metric, heights, scale, norms[*row as usize]);
+            let frames = self.windows.points::<LENGTH>(*row as usize);
+            let (expected, error) = subspace.squared_length(metric, frames, scale, norms[*row as usize]);
             has_squared_length(point, expected, error)
         };
         points.len() == rows.len()

@@ -31,8 +31,8 @@ impl Profile {
     pub fn distances<'a>(&'a self, query: &'a QueryWindow, class: usize) -> impl Iterator<Item = Neighbour> + 'a {
         let window = query.centred(Metric::FullBody);
         self.windows.of_class(class).map(move |last| {
-            let (heights, ground) = self.windows.points::<LENGTH>(last);
-            let distance = window.distance::<LENGTH>(Metric::FullBody, heights, ground, self.norms[last]);
+            let frames = self.windows.points::<LENGTH>(last);
+            let distance = window.distance::<LENGTH>(Metric::FullBody, frames, self.norms[last]);
             Neighbour { distance, row: last as u32 }
         })
     }

@@ -10,7 +10,8 @@
 //! too. The bound is tightest where the basis holds the directions of greatest variance.
 
 use super::lanes::{FloatLane, Floats, inner_product, total};
-use super::metric::{CentredWindow, GroundRow, HeightRow, LANES, LEG_LANES, Metric, POINTS};
+use super::metric::{CentredWindow, MAX_WINDOW, Metric};
+use super::points::{FramePoints, GroundRow, HeightRow, LANES, LEG_LANES, POINTS, PointRow};
 use super::principal::{Complex, inner, principal_directions};
 
 /// Dimensions of the basis for heights …
@@ -170,12 +171,15 @@ impl Subspace {
         ROUNDING * (norm.sqrt() + mean.sqrt()) + INPUT_ROUNDING * norm.sqrt()
     }
 
-    /// Squared length of the [projection](Subspace::project) of a stored window of a metric, metres², by its heights
+    /// Squared length of the [projection](Subspace::project) of a stored window of a metric, metres², by its points
     /// as they are stored, its [`CentredWindow::scale`] and its [`CentredWindow::norm`]; and a bound on its error.
     ///
     /// A projection keeps the length of the part outside the basis, so that the squared length of the whole is
     /// |y − mean|² + |z|² = |y|² + |z|² − 2 ⟨y, mean⟩ + |mean|².
-    pub(super) fn squared_length(&self, metric: Metric, heights: &[HeightRow], scale: f32, norm: f32) -> (f32, f32) {
+    pub(super) fn squared_length(&self, metric: Metric, frames: &[PointRow], scale: f32, norm: f32) -> (f32, f32) {
+        let mut heights = [HeightRow::default(); MAX_WINDOW];
+        heights.iter_mut().zip(frames).for_each(|(height, row)| *height = FramePoints(*row).heights());
+        let heights = &heights[..frames.len()];
         let product = match metric {
             Metric::FullBody => inner_product::<LANES, LANES, LANES>(heights, &self.mean),
             Metric::LowerBody => inner_product::<LANES, LEG_LANES, LANES>(heights, &self.mean),
@@ -200,7 +204,7 @@ impl Subspace {
         let frames = self.mean.len();
         let (mut height, mut ground) = (window.height, window.ground);
         let (height, ground) = (&mut height[..frames], &mut ground[..frames]);
-        add_multiple::<H>(height, &self.mean, -1.0);
+        subtract_multiples::<H>(height, &self.mean, &[1.0]);
         let mut coordinates = [0.0; COORDINATES];
         let (real, complex) = coordinates.split_at_mut(REAL);
         let (of_height, outside) = real.split_at_mut(HEIGHT_DIMENSIONS);
@@ -211,12 +215,8 @@ impl Subspace {
         for (c, direction) in complex.chunks_exact_mut(2).zip(self.ground.chunks_exact(frames)) {
             c.copy_from_slice(&complex_product::<G>(ground, direction));
         }
-        for (c, direction) in of_height.iter().zip(self.height.chunks_exact(frames)) {
-            add_multiple::<H>(height, direction, -c);
-        }
-        for (c, direction) in complex.chunks_exact(2).zip(self.ground.chunks_exact(frames)) {
-            add_complex_multiple::<G>(ground, direction, [-c[0], -c[1]]);
-        }
+        subtract_multiples::<H>(height, &self.height, of_height);
+        subtract_complex_multiples::<G>(ground, &self.ground, complex);
         outside[0] = inner_product::<LANES, H, LANES>(height, height).sqrt();
         outside[1] = inner_product::<{ 2 * LANES }, G, LANES>(ground, ground).sqrt();
         // Window vectors carry a factor √scale too much.
@@ -227,24 +227,33 @@ impl Subspace {
     }
 }
 
-/// Adds `factor` · `other` in the first `H` lanes.
-fn add_multiple<const H: usize>(rows: &mut [HeightRow], other: &[HeightRow], factor: f32) {
-    let factor = Floats::splat(factor);
-    for (row, other) in rows.iter_mut().zip(other) {
-        for l in 0..H {
-            row[l] = Floats::of(&row[l]).plus(factor.times(Floats::of(&other[l]))).array();
+/// Subtracts multiples of directions, each of as many rows, in the first `H` lanes: one after the other from each lane.
+fn subtract_multiples<const H: usize>(rows: &mut [HeightRow], directions: &[HeightRow], factors: &[f32]) {
+    let frames = rows.len();
+    for (f, row) in rows.iter_mut().enumerate() {
+        for (l, lane) in row[..H].iter_mut().enumerate() {
+            let mut rest = Floats::of(lane);
+            for (direction, factor) in directions[f..].iter().step_by(frames).zip(factors) {
+                rest = rest.minus(Floats::splat(*factor).times(Floats::of(&direction[l])));
+            }
+            *lane = rest.array();
         }
     }
 }
 
-/// The same, where x and z of the rows are real and imaginary parts.
-fn add_complex_multiple<const G: usize>(rows: &mut [GroundRow], other: &[GroundRow], factor: [f32; 2]) {
-    let [re, im] = factor.map(Floats::splat);
-    for (row, other) in rows.iter_mut().zip(other) {
-        for (z, b) in row[..G].chunks_exact_mut(2).zip(other.chunks_exact(2)) {
-            let [b_re, b_im] = [&b[0], &b[1]].map(Floats::of);
-            z[0] = Floats::of(&z[0]).plus(re.times(b_re).minus(im.times(b_im))).array();
-            z[1] = Floats::of(&z[1]).plus(re.times(b_im).plus(im.times(b_re))).array();
+/// The same, where x and z of the rows are real and imaginary parts, and so are two successive factors.
+fn subtract_complex_multiples<const G: usize>(rows: &mut [GroundRow], directions: &[GroundRow], factors: &[f32]) {
+    let frames = rows.len();
+    for (f, row) in rows.iter_mut().enumerate() {
+        for (l, z) in row[..G].chunks_exact_mut(2).enumerate() {
+            let [mut rest_re, mut rest_im] = [&z[0], &z[1]].map(Floats::of);
+            for (direction, factor) in directions[f..].iter().step_by(frames).zip(factors.chunks_exact(2)) {
+                let [re, im] = [factor[0], factor[1]].map(Floats::splat);
+                let [b_re, b_im] = [&direction[2 * l], &direction[2 * l + 1]].map(Floats::of);
+                rest_re = rest_re.minus(re.times(b_re).minus(im.times(b_im)));
+                rest_im = rest_im.minus(re.times(b_im).plus(im.times(b_re)));
+            }
+            (z[0], z[1]) = (rest_re.array(), rest_im.array());
         }
     }
 }

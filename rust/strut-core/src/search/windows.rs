@@ -1,11 +1,11 @@
 //! The stored windows.
 
 use super::leaves::Bounds;
-use super::metric::{
-    CentredWindow, Feet, FramePoints, FrameSums, GroundRow, HeightRow, LENGTH, MAX_WINDOW, Metric, feet, frames_of,
-    window_norm,
-};
-use crate::database::{Clip, Database};
+use super::metric::{CentredWindow, FrameSums, LENGTH, MAX_WINDOW, Metric, frames_of, window_norm};
+use super::points::{Feet, FramePoints, PointRow};
+use crate::database::{Class, Clip, Database};
+use crate::humanoid::JOINTS;
+use crate::math::Vec3;
 use crate::pose_vector::{HEADING_RATE, Placement};
 use std::ops::Range;
 
@@ -14,8 +14,7 @@ use std::ops::Range;
 pub(crate) struct Windows {
     /// Frames of a window.
     pub(super) length: usize,
-    heights: Vec<HeightRow>,
-    ground: Vec<GroundRow>,
+    points: Vec<PointRow>,
     /// Greatest squared length of a frame's points in each class, metres².
     greatest_norms: Vec<f32>,
     /// Rows of each clip.
@@ -27,20 +26,30 @@ pub(crate) struct Windows {
 impl Windows {
     /// The windows of `length` frames, 1 to [`MAX_WINDOW`].
     pub(crate) fn new(db: &Database, length: usize) -> Self {
+        Self::of_clouds(&db.clips, db.classes(), &db.point_cloud, &places(db), length)
+    }
+
+    /// The same, of each row's point cloud and place: the rows themselves need not be kept until then.
+    pub(crate) fn of_clouds(
+        clips: &[Clip],
+        classes: &[Class],
+        clouds: &[[Vec3; JOINTS]],
+        places: &[Placement],
+        length: usize,
+    ) -> Self {
         let mut windows = Self {
             length,
-            heights: Vec::with_capacity(db.frames()),
-            ground: Vec::with_capacity(db.frames()),
+            points: Vec::with_capacity(clouds.len()),
             greatest_norms: Vec::new(),
-            clips: db.clips.iter().map(Clip::rows).collect(),
-            classes: db.classes().iter().map(|c| c.clips.clone()).collect(),
+            clips: clips.iter().map(Clip::rows).collect(),
+            classes: classes.iter().map(|c| c.clips.clone()).collect(),
         };
-        for class in db.classes() {
+        for class in classes {
             let mut greatest = 0.0_f32;
-            for points in db.clips[class.clips.clone()].iter().flat_map(|clip| clip_points(db, clip.rows())) {
+            for row in clips[class.clips.clone()].iter().flat_map(Clip::rows) {
+                let points = FramePoints::new(&clouds[row], places[row]);
                 greatest = greatest.max(points.norm());
-                windows.heights.push(points.height);
-                windows.ground.push(points.ground);
+                windows.points.push(points.0);
             }
             windows.greatest_norms.push(greatest);
         }
@@ -55,7 +64,7 @@ impl Windows {
 
     /// Number of rows.
     pub(super) fn rows(&self) -> usize {
-        self.heights.len()
+        self.points.len()
     }
 
     /// Rows at which the windows of a class end, ascending.
@@ -70,16 +79,15 @@ impl Windows {
 
     /// Positions of the feet at a row, in the clip's frame of reference.
     pub(super) fn feet(&self, row: usize) -> Feet {
-        feet(&self.heights[row], &self.ground[row])
+        FramePoints(self.points[row]).feet()
     }
 
     /// |y|² + |z|² of the window that ends at each row; 0 where none does.
     pub(super) fn norms(&self, metric: Metric) -> Vec<f32> {
         let mut norms = vec![0.0; self.rows()];
         for clip in &self.clips {
-            let rows = self.heights[clip.clone()].iter().zip(&self.ground[clip.clone()]);
-            let frame = |(&height, &ground)| FrameSums::new(&FramePoints { height, ground }, metric);
-            let sums: Vec<FrameSums> = rows.map(frame).collect();
+            let frame = |row: &PointRow| FrameSums::new(&FramePoints(*row), metric);
+            let sums: Vec<FrameSums> = self.points[clip.clone()].iter().map(frame).collect();
             for end in self.of_clip(clip) {
                 let last = end - clip.start;
                 norms[end] = window_norm(&sums[last + 1 - frames_of::<LENGTH>(self.length)..=last], metric);
@@ -90,10 +98,9 @@ impl Windows {
 
     /// The points of the window that ends at row `last`.
     #[inline]
-    pub(super) fn points<const S: usize>(&self, last: usize) -> (&[HeightRow], &[GroundRow]) {
+    pub(super) fn points<const S: usize>(&self, last: usize) -> &[PointRow] {
         let frames = frames_of::<S>(self.length);
-        let first = last + 1 - frames;
-        (&self.heights[first..][..frames], &self.ground[first..][..frames])
+        &self.points[last + 1 - frames..][..frames]
     }
 
     /// [`CentredWindow::scale`] of all windows.
@@ -112,31 +119,30 @@ impl Windows {
 
     /// The vector of the window that ends at row `last`.
     pub(super) fn centred(&self, last: usize, metric: Metric) -> CentredWindow {
-        let (heights, ground) = self.points::<LENGTH>(last);
         let mut frames = [FramePoints::default(); MAX_WINDOW];
-        for (frame, (height, ground)) in frames.iter_mut().zip(heights.iter().zip(ground)) {
-            *frame = FramePoints { height: *height, ground: *ground };
+        for (frame, row) in frames.iter_mut().zip(self.points::<LENGTH>(last)) {
+            *frame = FramePoints(*row);
         }
         CentredWindow::new(&frames[..self.length], metric)
     }
 }
 
-/// The points of a clip in a frame of reference with the middle of the path at the origin: small numbers
-/// leave more digits to the differences.
-fn clip_points(db: &Database, rows: Range<usize>) -> impl Iterator<Item = FramePoints> + '_ {
+/// Where every row is in its clip's frame of reference, which has the middle of the path at the origin: small numbers leave
+/// more digits to the differences.
+pub(crate) fn places(db: &Database) -> Vec<Placement> {
     let dt = 1.0 / db.rate_hz;
-    let mut at = Placement::default();
-    let places: Vec<Placement> = rows
-        .clone()
-        .map(|row| {
-            if row > rows.start {
-                at = at.advanced(&db.pose[row], dt, db.pose[row][HEADING_RATE] * dt);
-            }
-            at
-        })
-        .collect();
-    let middle = places.get(places.len() / 2).copied().unwrap_or_default();
-    rows.zip(places).map(move |(row, p)| {
-        FramePoints::new(&db.point_cloud[row], Placement { x: p.x - middle.x, z: p.z - middle.z, heading: p.heading })
-    })
+    let mut places = vec![Placement::default(); db.frames()];
+    for rows in db.clips.iter().map(Clip::rows) {
+        let mut at = Placement::default();
+        for row in rows.clone().skip(1) {
+            at = at.advanced(&db.pose[row], dt, db.pose[row][HEADING_RATE] * dt);
+            places[row] = at;
+        }
+        let of_clip = &mut places[rows];
+        let middle = of_clip.get(of_clip.len() / 2).copied().unwrap_or_default();
+        for place in of_clip {
+            (place.x, place.z) = (place.x - middle.x, place.z - middle.z);
+        }
+    }
+    places
 }

@@ -102,18 +102,25 @@ pub(super) fn blended<'a>(
     parts: &[BodyPart; ROW],
     limits: &JointLimits,
     input: &PoseRow,
-    styles: impl Iterator<Item = (usize, &'a PoseRow)>,
+    styles: impl Iterator<Item = (usize, &'a PoseRow)> + Clone,
 ) -> PoseRow {
     let mut sum = [0.0; ROW];
-    let (mut least, mut greatest) = (*input, *input);
     let mut extrapolates = [false; PARTS];
-    for (style, row) in styles {
+    for (style, row) in styles.clone() {
         let weights: [f32; PARTS] = std::array::from_fn(|p| blend.weight(BodyPart::ALL[p], style));
         for (e, w) in extrapolates.iter_mut().zip(&weights) {
             *e |= !(0.0..=1.0 + MIN_WEIGHT).contains(w);
         }
         for d in 0..DOFS {
             sum[d] += weights[parts[d] as usize] * row[d];
+        }
+    }
+    if extrapolates == [false; PARTS] {
+        return sum;
+    }
+    let (mut least, mut greatest) = (*input, *input);
+    for (_, row) in styles {
+        for d in 0..DOFS {
             least[d] = least[d].min(row[d]);
             greatest[d] = greatest[d].max(row[d]);
         }

@@ -249,7 +249,7 @@ impl Mixture {
             let ridge = options.lambda * weights.iter().sum::<f32>();
             let regresses = matches!(options.method, Method::Mar | Method::LocalAr);
             let moments = regresses.then(|| {
-                self.inputs.fill(model.rows(), neighbours);
+                self.inputs.fill(model.rows(), neighbours, weights);
                 InputMoments::new(&self.inputs, weights)
             });
             let bias = match (&moments, options.method) {
@@ -272,7 +272,7 @@ impl Mixture {
                     } else {
                         bias.put_on(interpolate(|row| targets.get(row - 1), neighbours))
                     };
-                    self.targets.fill(targets, neighbours);
+                    self.targets.fill(targets, neighbours, weights);
                     let samples = Samples { inputs: &self.inputs, targets: &self.targets, weights };
                     let u =
                         Regressors { previous_input: input.previous, input: input.current, previous_output: &start };

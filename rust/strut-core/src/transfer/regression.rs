@@ -16,23 +16,46 @@ use crate::search::Neighbour;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Gathered {
     pairs: Vec<[Lane; 2]>,
+    /// Of each lane, weighted; zero without neighbours.
+    means: [[Lane; 2]; LANES],
     count: usize,
 }
 
 impl Gathered {
     /// Room for the rows of `k` neighbours.
     pub(super) fn with_capacity(k: usize) -> Self {
-        Self { pairs: Vec::with_capacity(LANES * k), count: 0 }
+        Self { pairs: Vec::with_capacity(LANES * k), ..Self::default() }
     }
 
     /// Takes these rows in place of those before. The neighbours' rows are never the first of a clip.
-    pub(super) fn fill(&mut self, rows: &(impl Rows + ?Sized), neighbours: &[Neighbour]) {
+    pub(super) fn fill(&mut self, rows: &(impl Rows + ?Sized), neighbours: &[Neighbour], weights: &[f32]) {
         self.count = neighbours.len();
         self.pairs.resize(LANES * self.count, Default::default());
-        for (k, n) in neighbours.iter().enumerate() {
-            let at = n.row as usize;
-            for (l, pair) in self.pairs[k..].iter_mut().step_by(self.count).enumerate() {
-                *pair = [rows.lane(at - 1, l), rows.lane(at, l)];
+        self.means.fill(Default::default());
+        let of = |n: &Neighbour| rows.pair(n.row as usize);
+        let (fours, last) = neighbours.as_chunks::<4>();
+        for (i, four) in fours.iter().enumerate() {
+            self.add(4 * i, four.each_ref().map(of), weights);
+        }
+        for (i, n) in last.iter().enumerate() {
+            self.add(4 * fours.len() + i, [of(n)], weights);
+        }
+        let total = Lane::splat(weights.iter().sum::<f32>().max(f32::MIN_POSITIVE));
+        for mean in self.means.as_flattened_mut() {
+            *mean = *mean / total;
+        }
+    }
+
+    /// Takes the rows of the neighbours `first` …, and adds them to the sums in place of the means. Several neighbours share
+    /// what is read for each.
+    #[inline]
+    fn add<const N: usize>(&mut self, first: usize, rows: [impl Fn(usize) -> [Lane; 2]; N], weights: &[f32]) {
+        for (l, [before, at]) in self.means.iter_mut().enumerate() {
+            let pairs = &mut self.pairs[l * self.count + first..][..N];
+            for ((pair, row), w) in pairs.iter_mut().zip(&rows).zip(&weights[first..]) {
+                *pair = row(l);
+                *before += Lane::splat(*w) * pair[0];
+                *at += Lane::splat(*w) * pair[1];
             }
         }
     }
@@ -40,6 +63,11 @@ impl Gathered {
     /// Four degrees of freedom of every neighbour.
     pub(super) fn lane(&self, l: usize) -> &[[Lane; 2]] {
         &self.pairs[l * self.count..][..self.count]
+    }
+
+    /// Means of four degrees of freedom, with the weights given when the rows were.
+    fn means(&self, l: usize) -> [Lane; 2] {
+        self.means[l]
     }
 }
 
@@ -67,7 +95,7 @@ impl InputMoments {
         };
         let count = Lane::splat(weights.iter().sum::<f32>().max(f32::MIN_POSITIVE));
         for l in 0..LANES {
-            let [mean_previous, mean] = means(inputs.lane(l), weights);
+            let [mean_previous, mean] = inputs.means(l);
             let (mut pp, mut pc, mut cc) = (Lane::default(), Lane::default(), Lane::default());
             for (&[p, c], &w) in inputs.lane(l).iter().zip(weights) {
                 let (p, c, w) = (p - mean_previous, c - mean, Lane::splat(w));
@@ -166,7 +194,7 @@ impl LaneMoments {
         let Samples { inputs, targets, weights } = samples;
         let at = |row: &PoseRow| Lane::of(row, l);
         let (mean_previous, mean_input) = (at(&moments.mean_previous), at(&moments.statistics.mean));
-        let [mean_before, mean_target] = means(targets.lane(l), weights);
+        let [mean_before, mean_target] = targets.means(l);
         // Products with the previous target (`b`) and with the target (`t`).
         let (mut pb, mut cb, mut bb) = (Lane::default(), Lane::default(), Lane::default());
         let (mut pt, mut ct, mut bt) = (Lane::default(), Lane::default(), Lane::default());
@@ -242,19 +270,6 @@ impl Gram {
     }
 }
 
-/// Weighted means over the neighbours; zero if there are none.
-#[inline]
-fn means(pairs: &[[Lane; 2]], weights: &[f32]) -> [Lane; 2] {
-    let (mut before, mut at, mut count) = (Lane::default(), Lane::default(), 0.0);
-    for (&[b, a], &w) in pairs.iter().zip(weights) {
-        before += Lane::splat(w) * b;
-        at += Lane::splat(w) * a;
-        count += w;
-    }
-    let count = Lane::splat(f32::max(count, f32::MIN_POSITIVE));
-    [before / count, at / count]
-}
-
 /// Added to distances before they are inverted, (3 mm)²: neighbours nearer than this have about equal weight.
 const SAME: f32 = 1e-5;
 
@@ -277,9 +292,9 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn gathered(rows: &[PoseRow]) -> Gathered {
+    fn gathered(rows: &[PoseRow], weights: &[f32]) -> Gathered {
         let mut gathered = Gathered::default();
-        gathered.fill(rows, &neighbours(rows.len()));
+        gathered.fill(rows, &neighbours(rows.len()), weights);
         gathered
     }
 
@@ -310,7 +325,7 @@ mod tests {
                 targets.push([a * inputs[t - 1][0] + b * targets[t - 1][0] + c * inputs[t][0] + 0.5; ROW]);
             }
             let weights: Vec<f32> = (1..inputs.len()).map(|row| 1.0 - row as f32 / 60.0).collect();
-            let (inputs, targets) = (gathered(&inputs), gathered(&targets));
+            let (inputs, targets) = (gathered(&inputs, &weights), gathered(&targets, &weights));
             let moments = InputMoments::new(&inputs, &weights);
             let (x0, x1, y0) = ([0.2; ROW], [-0.4; ROW], [0.7; ROW]);
             let u = Regressors { previous_input: &x0, input: &x1, previous_output: &y0 };
@@ -345,7 +360,7 @@ mod tests {
     fn identical_neighbours_give_their_target() {
         let (inputs, targets) = (vec![[0.5; ROW]; 10], vec![[0.8; ROW]; 10]);
         assert!(interpolate(|row| targets[row], &neighbours(10)).iter().all(|v| (v - 0.8).abs() < 1e-6));
-        let (inputs, targets) = (gathered(&inputs), gathered(&targets));
+        let (inputs, targets) = (gathered(&inputs, &[1.0; 9]), gathered(&targets, &[1.0; 9]));
         let moments = InputMoments::new(&inputs, &[1.0; 9]);
         let (x, y0) = ([0.9; ROW], [0.1; ROW]);
         let u = Regressors { previous_input: &x, input: &x, previous_output: &y0 };

@@ -28,17 +28,27 @@ impl Scales {
         Self { pose: inverse(sigma), step: inverse(step_sigma) }
     }
 
-    /// Of pose and step, between a moment and a row.
-    fn squared_distance(&self, now: Moment<'_>, rows: &(impl Rows + ?Sized), row: usize) -> f32 {
-        let (mut poses, mut steps) = (Lane::default(), Lane::default());
+    /// Of pose and step, between a moment and each of these rows. Several rows share what is read for each.
+    #[inline]
+    fn squared_distances_of<const N: usize>(
+        &self,
+        now: Moment<'_>,
+        rows: &(impl Rows + ?Sized),
+        numbers: [usize; N],
+    ) -> [f32; N] {
+        let pairs = numbers.map(|row| rows.pair(row));
+        let (mut poses, mut steps) = ([Lane::default(); N], [Lane::default(); N]);
         for l in 0..LANES {
             let at = |row: &PoseRow| Lane::of(row, l);
-            let pose = at(now.pose) - rows.lane(row, l);
-            let step = pose - (at(now.previous) - rows.lane(row - 1, l));
-            poses += at(&self.pose) * pose * pose;
-            steps += at(&self.step) * step * step;
+            for (i, pair) in pairs.iter().enumerate() {
+                let [before, row] = pair(l);
+                let pose = at(now.pose) - row;
+                let step = pose - (at(now.previous) - before);
+                poses[i] += at(&self.pose) * pose * pose;
+                steps[i] += at(&self.step) * step * step;
+            }
         }
-        poses.sum() + steps.sum()
+        std::array::from_fn(|i| poses[i].sum() + steps[i].sum())
     }
 
     /// Fills `out` with the squared distances between a moment and those of the neighbours among `rows`.
@@ -50,14 +60,21 @@ impl Scales {
         out: &mut Vec<f32>,
     ) {
         out.clear();
-        out.extend(neighbours.iter().map(|n| self.squared_distance(now, rows, n.row as usize)));
+        let (twos, last) = neighbours.as_chunks::<2>();
+        for two in twos {
+            out.extend(self.squared_distances_of(now, rows, two.map(|n| n.row as usize)));
+        }
+        out.extend(last.iter().flat_map(|n| self.squared_distances_of(now, rows, [n.row as usize])));
     }
 }
 
 /// Gaussian kernel over neighbours; the bandwidth is their mean distance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kernel {
+    #[cfg(feature = "baselines")]
     pub(super) bandwidth: f32,
+    /// ½ / bandwidth².
+    scale: f32,
     /// The least squared distance.
     nearest: f32,
 }
@@ -67,14 +84,21 @@ impl Kernel {
     pub(super) fn new(of_inputs: &[f32], of_outputs: &[f32]) -> Self {
         let squares = || of_inputs.iter().zip(of_outputs).map(|(x, y)| x + y);
         let bandwidth = squares().map(f32::sqrt).sum::<f32>() / of_inputs.len().max(1) as f32;
-        Self { bandwidth, nearest: squares().fold(f32::INFINITY, f32::min) }
+        // `f32::min` would be a function call in WebAssembly.
+        let nearest = squares().fold(f32::INFINITY, |least, square| if square < least { square } else { least });
+        let scale = 0.5 / (bandwidth * bandwidth).max(1e-12);
+        Self {
+            #[cfg(feature = "baselines")]
+            bandwidth,
+            scale,
+            nearest,
+        }
     }
 
     /// The weight at a squared distance, relative to that of the nearest, so that far-off input cannot underflow every
     /// weight.
     pub(super) fn weight(self, square: f32) -> f32 {
-        let scale = 0.5 / (self.bandwidth * self.bandwidth).max(1e-12);
-        exp((self.nearest - square) * scale)
+        exp((self.nearest - square) * self.scale)
     }
 }
 

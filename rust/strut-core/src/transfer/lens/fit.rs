@@ -152,8 +152,8 @@ impl Lens {
         let table = &model.target_table(style).pose;
         let targets_with_noise = NoisyRows { rows: table, dof: settings.dof, deviation: settings.noise };
         let (mut inputs, mut targets) = (Gathered::default(), Gathered::default());
-        inputs.fill(model.rows(), &found);
-        targets.fill(&targets_with_noise, &found);
+        inputs.fill(model.rows(), &found, &weights);
+        targets.fill(&targets_with_noise, &found, &weights);
         let moments = InputMoments::new(&inputs, &weights);
         let bias = Bias::new(input, &moments.statistics, model.catalogue().sigma(), kappa, rho);
         let samples = Samples { inputs: &inputs, targets: &targets, weights: &weights };
