@@ -65,7 +65,7 @@ const PACKAGES = {
     folder: "web/engine/compare/pkg",
     crate: "strut-wasm",
     name: "strut_compare",
-    features: ["compare"],
+    features: ["compare", "motions"],
     flags: [INLINE_LESS],
   },
   // … and the lessons: the same with a look inside.

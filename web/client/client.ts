@@ -25,6 +25,7 @@ import {
   type StyledClip,
   type StylizeOptions,
 } from "./protocol";
+import { Transition } from "./transition";
 
 export type { WorkerPort };
 
@@ -69,6 +70,8 @@ class SingleSessionClient implements StrutClient {
   private opening: Promise<unknown> = Promise.resolve();
   /** The last frame that was shown of the open input. */
   private shown: ShownFrame | undefined;
+  /** From what was shown before to what is gone on with, and the output time at which that began. */
+  private fade: { transition: Transition; beginSecs: number } | undefined;
   /** The frame that was asked for last. */
   private showing: Promise<unknown> = Promise.resolve();
   private disposed = false;
@@ -125,6 +128,7 @@ class SingleSessionClient implements StrutClient {
         const before = this.opened?.playing;
         this.opened = { database, playing: { motion, session } };
         this.shown = undefined;
+        this.fade = undefined;
         before?.motion.dispose();
         return info;
       } catch (thrown) {
@@ -151,15 +155,22 @@ class SingleSessionClient implements StrutClient {
   }
 
   step(dtSecs: number): Promise<LiveFrame> {
+    // What stands still is shown as it is.
+    if (!(dtSecs > 0)) this.fade = undefined;
     return this.show((session) => session.step(dtSecs));
   }
 
   seek(inputFrame: number): Promise<LiveFrame> {
+    this.fade = undefined;
     return this.show((session) => session.seek(inputFrame));
   }
 
   continueFrom(shown: ShownFrame): Promise<LiveFrame> {
-    return this.show((session) => session.continueFrom(shown));
+    return this.show(async (session) => {
+      const frame = await session.continueFrom(shown);
+      this.fade = { transition: Transition.between(shown.pose, frame.pose), beginSecs: frame.timeOut };
+      return frame;
+    });
   }
 
   async analyse(call?: CallOptions): Promise<Analysis> {
@@ -218,7 +229,7 @@ class SingleSessionClient implements StrutClient {
       // What was asked of the session before meanwhile.
       playing.session.configure(optionsKnownTo(database.info, this.options)).catch(() => {});
       playing.session.setLoop(...this.loop).catch(() => {});
-      if (this.shown) playing.session.continueFrom(this.shown).catch(() => {});
+      if (this.shown) this.continueFrom(this.shown).catch(() => {});
     }
     void before.retire();
   }
@@ -232,7 +243,11 @@ class SingleSessionClient implements StrutClient {
     const showing = ask(session);
     this.showing = showing;
     const frame = await showing;
-    if (session === this.opened?.playing?.session) this.shown = frame;
+    if (session !== this.opened?.playing?.session) return frame;
+    this.shown = frame;
+    const { fade } = this;
+    const goesOn = fade && !frame.looped && fade.transition.apply(frame.pose, frame.timeOut - fade.beginSecs);
+    if (!goesOn) this.fade = undefined;
     return frame;
   }
 

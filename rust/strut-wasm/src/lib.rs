@@ -11,6 +11,8 @@ mod input;
 #[cfg(feature = "learn")]
 mod learn;
 mod motion_facts;
+#[cfg(feature = "motions")]
+mod motions;
 #[cfg(feature = "parity")]
 mod parity;
 mod poses;
@@ -22,12 +24,14 @@ mod stylizer;
 pub use bench::{Naive, Workload, input_of, joint_weights, leg_joints, positions_of, rows_of, stage_names};
 pub use clip_job::ClipJob;
 #[cfg(feature = "compare")]
-pub use counterpart::{Counterpart, built_in_motions};
+pub use counterpart::Counterpart;
 pub use database::Database;
 pub use input::{Input, packed_inputs};
 #[cfg(feature = "learn")]
 pub use learn::{ComparedCycles, Fit, FrameContacts, FrameTiming, Lens, NearestWindows, Warps};
 pub use motion_facts::MotionFacts;
+#[cfg(feature = "motions")]
+pub use motions::built_in_motions;
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;
 pub use poses::interpolate_poses;

@@ -6,7 +6,6 @@ import { POSE_FLOATS } from "../../humanoid";
 import type { FrameRange, InputInfo, LiveFrame, Reading, ShownFrame, StylizeOptions } from "../protocol";
 import { EasedStyles, type StyledStream } from "./eased_styles";
 import { median } from "./time_slices";
-import { Transition } from "./transition";
 
 /** As much of the engine's stylizer as a session needs. */
 export type OnlineStylizer = Pick<Stylizer, "classes" | "configure" | "reset" | "push"> & StyledStream;
@@ -43,8 +42,6 @@ export class LiveSession {
   private clockSecs = 0;
   /** Added to the horizontal root, so that restyling a resting character leaves it where it stands. */
   private place: [x: number, z: number] = [0, 0];
-  /** The fade from what was shown before this session, and the output time at which it began. */
-  private transition: { fade: Transition; beginSecs: number } | undefined;
   private readonly styles: EasedStyles;
   /** Whether the options changed after the shown frame was styled. */
   private stale = false;
@@ -106,21 +103,8 @@ export class LiveSession {
     return this.show(false);
   }
 
-  /** See `StrutClient.continueFrom`: the pose fades from the shown one. */
-  continueFrom(shown: ShownFrame): LiveFrame {
-    this.standAs(shown);
-    this.transition = { fade: Transition.between(shown.pose, this.shownPose()), beginSecs: shown.timeOut };
-    return this.show(false);
-  }
-
-  /** Makes the shown frame again with the present options. */
-  private restyle(): LiveFrame {
-    this.standAs({ inputFrame: this.inputFrame(), timeOut: this.clockSecs, pose: this.shownPose() });
-    return this.show(false);
-  }
-
   /** Goes to an input frame in the place and at the time of a shown one. */
-  private standAs({ inputFrame, timeOut, pose }: ShownFrame): void {
+  continueFrom({ inputFrame, timeOut, pose }: ShownFrame): LiveFrame {
     this.jump(inputFrame);
     const now = this.shownPose();
     this.moveBy(pose[0]! - now[0]!, pose[2]! - now[2]!);
@@ -128,6 +112,12 @@ export class LiveSession {
     // Both moments may be one object, before the first frame has a successor.
     for (const moment of new Set([this.previous!, this.current!])) moment.timeSecs += shift;
     this.clockSecs = timeOut;
+    return this.show(false);
+  }
+
+  /** Makes the shown frame again with the present options. */
+  private restyle(): LiveFrame {
+    return this.continueFrom({ inputFrame: this.inputFrame(), timeOut: this.clockSecs, pose: this.shownPose() });
   }
 
   /** Warms the engine up on the frames before `inputFrame` and shows it; time 0 is at its integer part. */
@@ -146,7 +136,6 @@ export class LiveSession {
     const first = Math.max(frame - WARM_UP_FRAMES, 0);
     this.stylizer.reset();
     this.place = [0, 0];
-    this.transition = undefined;
     this.clockSecs = 0;
     const styled = this.warmUp(first, frame);
     this.current = { ...lastMoment(styled), inputFrame: frame, timeSecs: 0 };
@@ -233,11 +222,8 @@ export class LiveSession {
 
   private show(looped: boolean): LiveFrame {
     const inputFrame = this.inputFrame();
-    const pose = this.shownPose();
-    if (this.transition && !this.transition.fade.apply(pose, this.clockSecs - this.transition.beginSecs))
-      this.transition = undefined;
     return {
-      pose,
+      pose: this.shownPose(),
       inputPose: this.inputPoseAt(inputFrame),
       inputFrame,
       timeOut: this.clockSecs,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { exp, JOINT, restPose } from "../../humanoid";
+import { exp, JOINT, restPose } from "../humanoid";
 import { Transition } from "./transition";
 
 /** A pose with the root at a height and the left knee bent by an angle. */

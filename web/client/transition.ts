@@ -1,5 +1,5 @@
 /** The fade from a pose that was shown to what takes its place: its difference is added at first, and halves again and again. */
-import { exp, inverse, JOINTS, log, multiply, quaternionAt, type Vector } from "../../humanoid";
+import { exp, inverse, JOINTS, log, multiply, quaternionAt, type Vector } from "../humanoid";
 
 /** Time in which the difference halves, seconds. */
 const HALF_LIFE_SECS = 0.08;
