@@ -14,8 +14,11 @@ export const ENGINE_ASSETS = [
 
 export type EngineAsset = (typeof ENGINE_ASSETS)[number];
 
+/** What the engine asks for: where the page begins with a few strides, the package has all walks. */
+export type PlacedAsset = EngineAsset | "first.bin";
+
 /** Addresses of the engine's files, absolute URLs. */
-export type EnginePlaces = Readonly<Record<EngineAsset, string>>;
+export type EnginePlaces = Readonly<Record<PlacedAsset, string>>;
 
 /**
  * The address of a file where the caller says that the files lie.
@@ -35,5 +38,6 @@ export function baseAddress(): string {
 
 /** The addresses of all engine files by a function that gives one. */
 export function placesBy(place: (file: EngineAsset) => string): EnginePlaces {
-  return Object.fromEntries(ENGINE_ASSETS.map((name) => [name, place(name)])) as Record<EngineAsset, string>;
+  const places = Object.fromEntries(ENGINE_ASSETS.map((name) => [name, place(name)])) as Record<EngineAsset, string>;
+  return { ...places, "first.bin": places["walk.bin"] };
 }

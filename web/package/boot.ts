@@ -1,11 +1,11 @@
 /** How a thread of the package begins: it is told where the engine's files lie. */
 import { type Asset, placeAssets } from "../engine/assets";
 import { setFetchElsewhere } from "../engine/download";
-import type { EngineAsset } from "./assets";
+import type { PlacedAsset } from "./assets";
 
 /** Page → worker, once, before any call. URLs are absolute. */
 export interface Boot {
-  assets: Readonly<Record<EngineAsset, string | Uint8Array<ArrayBuffer>>>;
+  assets: Readonly<Record<PlacedAsset, string | Uint8Array<ArrayBuffer>>>;
   /** Fetches files for a worker that may not, such as one with a policy of its own. */
   files?: MessagePort;
 }
@@ -22,9 +22,7 @@ export function placeBooted({ assets, files }: Boot): void {
     name,
     typeof asset === "string" ? new URL(asset) : asset,
   ]);
-  // The page begins with a few steps, the package with all walks.
-  const { "walk.bin": walk } = Object.fromEntries(placed);
-  placeAssets({ ...Object.fromEntries(placed), ...(walk && { "first.bin": walk }) });
+  placeAssets(Object.fromEntries(placed));
   if (files) setFetchElsewhere(async ({ href }) => new Response(await ask(files, href)));
 }
 

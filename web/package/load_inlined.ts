@@ -21,12 +21,14 @@ export async function loadInlined(
   bytes: Partial<Record<EngineAsset, Uint8Array<ArrayBuffer>>> = {},
 ): Promise<Strut> {
   const places = placesBy((file) => placeIn(folder, file, baseAddress()));
+  const walk = bytes["walk.bin"];
+  const given = { ...bytes, ...(walk && { "first.bin": walk }) };
   const entry = {
     workerUrl: undefined,
     workerText: async () => workerText,
     buildWorkerUrl: placeIn(folder, "build_worker.js", baseAddress()),
     servers: async () => servers,
-    boot: { assets: { ...places, "strut_wasm_bg.wasm": await inflate(engine), ...bytes } },
+    boot: { assets: { ...places, "strut_wasm_bg.wasm": await inflate(engine), ...given } },
   };
   return loadEngine(entry.boot, await startEngine(entry, worker, signal), signal);
 }
