@@ -309,7 +309,9 @@ mod packed {
         let mut second = both[first.len()..].to_vec();
         let length = u32::from_le_bytes(second[8..12].try_into().unwrap()) as usize;
         let mut header = String::from_utf8(second[12..12 + length].to_vec()).unwrap();
-        names.iter().for_each(|name| header = header.replace(name, &names[0]));
+        for name in &names {
+            header = header.replace(name, &names[0]);
+        }
         second.splice(8..12 + length, (header.len() as u32).to_le_bytes().into_iter().chain(header.bytes()));
         let hostile = [first, second].concat();
         assert_eq!(packed::read_database(&hostile).unwrap_err(), StrutdbError::Layout("clips"));
