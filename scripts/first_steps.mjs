@@ -1,4 +1,4 @@
-// The walk that the page shows until its engine is there (web/player/first_steps.ts).
+// The walk that the page shows until its engine is there (web/engine/first_steps.ts).
 
 /** Floats of a pose: root x y z, then a quaternion x y z w a joint. */
 const POSE_FLOATS = 87;

@@ -14,7 +14,7 @@ import "./views/play/viewport_panel.css";
 import "./views/play/transport.css";
 import "./views/play/timeline/timeline.css";
 import { startStrutClient } from "../client/client";
-import { FirstSteps } from "../player/first_steps";
+import { FirstSteps } from "../client/first_steps";
 import { keepSite } from "./offline/keep_site";
 import { onLaunchedFiles } from "./offline/launched_files";
 import { SHARED_QUERY, takeShared } from "./offline/shared_files";

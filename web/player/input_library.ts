@@ -1,6 +1,5 @@
 /** The inputs that can be chosen: the engine's built-in ones and the files that were dropped on this page. */
-import type { InputSource } from "../client/protocol";
-import type { BuiltInSet } from "../engine/built_in";
+import type { BuiltInSet, InputSource } from "../client/protocol";
 
 export class InputLibrary {
   builtIn: readonly string[] = [];

@@ -1,6 +1,7 @@
 /** What is shown until the engine has the first input: that input as it is, on a clock of its own. */
+
+import type { FirstSteps } from "../client/first_steps";
 import type { ShownFrame } from "../client/protocol";
-import type { FirstSteps } from "./first_steps";
 import type { Weights } from "./smoothing";
 
 export class Prelude {

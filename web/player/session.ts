@@ -3,6 +3,7 @@
  * replaces and exports; a failure leaves what was open. Independent of the page, which listens to its events.
  */
 
+import type { FirstSteps } from "../client/first_steps";
 import type {
   Analysis,
   CallOptions,
@@ -19,7 +20,6 @@ import type {
   StylizeOptions,
 } from "../client/protocol";
 import { isCancellation, isFault } from "../client/protocol";
-import type { FirstSteps } from "./first_steps";
 import { InputLibrary } from "./input_library";
 import { Playback } from "./playback";
 import { Prelude } from "./prelude";

@@ -1,8 +1,8 @@
 /** The app: builds the page around the views, and keeps it in step with the state. */
 import type { DroppedFile } from "../../client/build/protocol";
+import type { FirstSteps } from "../../client/first_steps";
 import type { DatabaseSource, StrutClient } from "../../client/protocol";
 import type { ViewName } from "../../link/page";
-import type { FirstSteps } from "../../player/first_steps";
 import { applyTheme, isDark, onSystemTheme, opposite } from "../../ui/theme";
 import { graphics } from "../../viewer";
 import { Characters } from "../character/characters";

@@ -1,5 +1,5 @@
 /** Which built-in motions a page opens first. It is part of the first script, which has the engine load them. */
-import type { BuiltInSet } from "../../engine/built_in";
+import type { BuiltInSet } from "../../client/protocol";
 
 /** Whether a page is opened without a link to a state, whose pose would be another with a few strides alone. */
 export function isPlain(hash: string): boolean {

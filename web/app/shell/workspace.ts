@@ -1,9 +1,10 @@
 /** What is open, in step with the state: database, input, the styles that there are, and the engine's options. */
+
+import type { FirstSteps } from "../../client/first_steps";
 import type { DatabaseInfo, StrutClient } from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";
 import { linkedFile } from "../../link/linked_file";
 import { ENGINE_FIELDS } from "../../link/play";
-import type { FirstSteps } from "../../player/first_steps";
 import { Session, UnknownInput } from "../../player/session";
 import { firstSelection } from "../../ui/polygon/selection";
 import { Playhead } from "../state/playhead";

@@ -2,8 +2,8 @@
 
 use super::blend::StyleError;
 use super::clip_footplant::plant_feet;
-use super::clip_search::FoundFrame;
 use super::contact_likelihood::{smoothed, stands};
+use super::found::FoundFrame;
 use super::frame::{NoClock, StageClock, StyledFrame, Trace};
 use super::stylizer::Stylizer;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions};

@@ -7,14 +7,14 @@
 //! that the class has no weight by its true distance either; nor can it be the nearest, from which the others are weighed.
 
 use super::contact_likelihood::VOTERS;
+use super::found::Found;
 use super::input_stream::InputStream;
 use super::mar::Mixture;
 use super::model::Model;
 use super::options::Options;
 use super::stylizer::Stylizer;
 use crate::humanoid::Pose;
-use crate::search::{Neighbour, Neighbours};
-use std::ops::Range;
+use crate::search::Neighbours;
 use std::sync::Arc;
 
 /// Frames of a portion. The first of each is searched without a frame before it, which takes about twice as long.
@@ -84,65 +84,6 @@ impl<'a> ClipSearch<'a> {
             found.add(mixture.weighted_neighbours(), voters.as_slice());
         }
         found
-    }
-}
-
-/// What the search found for successive frames.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Found {
-    /// All lists, one after the other.
-    neighbours: Vec<Neighbour>,
-    /// Number of a component of the mixture, and its list.
-    components: Vec<(usize, Range<usize>)>,
-    /// Of each frame: its components, and the list of those that vote for its contacts.
-    frames: Vec<(Range<usize>, Range<usize>)>,
-}
-
-impl Found {
-    /// The frames in their order.
-    pub fn frames(&self) -> impl Iterator<Item = FoundFrame<'_>> {
-        self.frames.iter().map(|(components, voters)| FoundFrame {
-            neighbours: &self.neighbours,
-            components: &self.components[components.clone()],
-            voters: voters.clone(),
-        })
-    }
-
-    fn add<'a>(&mut self, components: impl Iterator<Item = (usize, &'a [Neighbour])>, voters: &[Neighbour]) {
-        let first = self.components.len();
-        for (component, neighbours) in components {
-            let list = self.keep(neighbours);
-            self.components.push((component, list));
-        }
-        let voters = self.keep(voters);
-        self.frames.push((first..self.components.len(), voters));
-    }
-
-    fn keep(&mut self, list: &[Neighbour]) -> Range<usize> {
-        let first = self.neighbours.len();
-        self.neighbours.extend_from_slice(list);
-        first..self.neighbours.len()
-    }
-}
-
-/// What the search found for a frame: the neighbours in all components of the mixture that have a weight, and those that
-/// vote for its contacts.
-#[derive(Clone, Debug)]
-pub struct FoundFrame<'a> {
-    neighbours: &'a [Neighbour],
-    components: &'a [(usize, Range<usize>)],
-    voters: Range<usize>,
-}
-
-impl<'a> FoundFrame<'a> {
-    /// Number of each component that has a weight, and its neighbours, nearest first.
-    pub(super) fn components(&self) -> impl Iterator<Item = (usize, &'a [Neighbour])> {
-        self.components.iter().map(|(component, list)| (*component, &self.neighbours[list.clone()]))
-    }
-
-    /// The nearest windows by the lower-body metric in the classes that have a weight.
-    pub(super) fn voters(&self) -> &'a [Neighbour] {
-        &self.neighbours[self.voters.clone()]
     }
 }
 

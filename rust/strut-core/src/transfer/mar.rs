@@ -1,8 +1,8 @@
 //! The mixture of autoregressive models of one frame: neighbours → classes → styles (Eq. 2–7).
 
 use super::bias::Bias;
-use super::clip_search::FoundFrame;
 use super::coherence::{ComplementaryFilter, half_life_secs, taper};
+use super::found::FoundFrame;
 use super::input::Input;
 use super::mixture::{class_weights, greatest_distance, known};
 use super::model::Model;

@@ -2,11 +2,11 @@
 
 use super::blend::{StyleBlend, StyleError, blended};
 use super::body_part::BodyPart;
-use super::clip_search::FoundFrame;
 #[cfg(feature = "baselines")]
 use super::contact_likelihood::RecentFeet;
 use super::contact_likelihood::{CausalSmoother, VOTERS, Votes, vote};
 use super::footplant::Footplant;
+use super::found::FoundFrame;
 use super::frame::{NoClock, Stage, StageClock, StyledFrame, Trace};
 use super::input::Input;
 use super::input_stream::{InputFrame, InputStream};

@@ -2,9 +2,10 @@
  * The walk that is shown until the engine is there: the first built-in input as it is, without a style, in 14 kB. The build
  * makes it (`scripts/first_steps.mjs`).
  */
-import { assetOf } from "../engine/assets";
-import { inflatedAsset } from "../engine/built_in";
+
 import { exp, JOINTS, POSE_FLOATS } from "../humanoid";
+import { assetOf } from "./assets";
+import { inflatedAsset } from "./built_in";
 
 /** Numbers of a frame: the root x y z, metres, and a rotation vector a joint, radians. */
 const COLUMNS = 3 + 3 * JOINTS;
@@ -21,7 +22,7 @@ export class FirstSteps {
 
   /** @throws StrutError if it cannot be had */
   static async load(): Promise<FirstSteps> {
-    const beside = () => new URL("../engine/motions/first_steps.bin", import.meta.url);
+    const beside = () => new URL("./motions/first_steps.bin", import.meta.url);
     return FirstSteps.of(await inflatedAsset(assetOf("first_steps.bin", beside), "first steps"));
   }
 
