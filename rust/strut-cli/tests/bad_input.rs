@@ -59,7 +59,8 @@ fn files_that_are_no_bvh() {
     fs::remove_file(at.join("in.bvh")).unwrap();
     assert_refused(at, &STYLIZE, "in.bvh: there is no such file or folder");
     fs::create_dir(at.join("in.bvh")).unwrap();
-    assert_refused(at, &STYLIZE, "in.bvh: this is a folder; a file was expected");
+    assert_refused(at, &["inspect", "in.bvh"], "in.bvh: this is a folder; a file was expected");
+    assert_refused(at, &STYLIZE, "in.bvh: no .bvh file was found there");
 }
 
 #[test]
