@@ -40,11 +40,11 @@ function refuse(root: HTMLElement, sentence: string): void {
 
 /** Loads the code of the page and what it draws with, in tasks of their own: each keeps the page waiting for a moment only. */
 async function loadApp(): Promise<typeof App> {
-  const [{ graphics, prepareMannequin }] = await Promise.all([import("../viewer"), startGraphics()]);
-  await otherTasks();
-  if (graphics() !== "none") {
+  const [viewer, detected] = await Promise.all([import("../viewer"), startGraphics()]);
+  if (detected) viewer.setGraphics(detected);
+  for (const prepare of [viewer.prepareMannequin, viewer.prepareScreen]) {
     await otherTasks();
-    prepareMannequin();
+    if (viewer.graphics() !== "none") prepare();
   }
   await otherTasks();
   const { App } = await import("./shell/app");

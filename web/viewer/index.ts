@@ -2,8 +2,8 @@
 
 export type { GhostBody } from "./ghost_bodies";
 export type { Performer } from "./performer";
-export { prepareMannequin } from "./prepare";
-export { graphics } from "./stage/graphics";
+export { prepareMannequin, prepareScreen } from "./prepare";
+export { graphics, setGraphics } from "./stage/graphics";
 export type { CameraView } from "./stage/orbit_camera";
 export { Screen } from "./stage/screen";
 export type { ThemeColours, ThemeName } from "./themes";

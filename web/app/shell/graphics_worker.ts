@@ -1,4 +1,4 @@
-/** Draws nothing, once: what draws for the browser is running then. */
-const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
-gl?.getExtension("WEBGL_lose_context")?.loseContext();
-self.postMessage("started");
+import { detectGraphics } from "../../viewer/stage/graphics";
+
+/** What draws for the browser is running once it has answered. */
+self.postMessage(detectGraphics(new OffscreenCanvas(1, 1)));

@@ -12,6 +12,7 @@ import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { GpuQueue } from "./gpu_queue";
 import { graphics } from "./graphics";
 import { pixelRatio, QUALITY_LEVELS, QualityGovernor } from "./quality";
+import { otherTasks } from "./tasks";
 
 /** Quality that a renderer without a graphics processor starts with. */
 const SOFTWARE_LEVEL = 2;
@@ -61,6 +62,8 @@ export interface ScreenOptions {
 
 /** A context that one stage draws on, or several in turn. Browsers have few contexts: pages with many figures share one. */
 export class Screen {
+  /** Made ahead for the first stage with a screen of its own. */
+  static #prepared: Screen | undefined;
   readonly canvas = document.createElement("canvas");
   readonly renderer: WebGLRenderer;
   readonly keepsMemory: boolean;
@@ -106,8 +109,18 @@ export class Screen {
     canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
   }
 
+  /** Makes ahead what {@link own} gives to the first stage: making it takes long. */
+  static prepare(): void {
+    Screen.#prepared = Screen.own(undefined);
+  }
+
   /** A screen for one stage of the page's size. */
   static own(level: number | undefined): Screen {
+    const prepared = Screen.#prepared;
+    if (prepared && level === undefined) {
+      Screen.#prepared = undefined;
+      return prepared;
+    }
     if (graphics() !== "software") return new Screen({ antialias: true, keepsMemory: false, level });
     const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, innerWidth * innerHeight, devicePixelRatio, true);
     const size = { width: Math.ceil(innerWidth * ratio), height: Math.ceil(innerHeight * ratio) };
@@ -217,8 +230,11 @@ export class Screen {
     // WebGL has no fence for linking; validation comes after it in the queue.
     for (const { program } of programs) this.#gl.validateProgram(program as WebGLProgram);
     await this.#queue.idle(timeoutMs);
-    // A program may have been deleted meanwhile.
-    for (const program of programs.filter(({ program }) => current() && program !== undefined)) {
+    for (const program of programs) {
+      await otherTasks();
+      if (!current()) return;
+      // It may have been deleted meanwhile.
+      if (program.program === undefined) continue;
       program.getUniforms();
       program.getAttributes();
       this.#queried.add(program);

@@ -12,6 +12,7 @@ import { type CameraView, OrbitCamera } from "./orbit_camera";
 import { pixelRatio, QUALITY_LEVELS, type QualityLevel } from "./quality";
 import { type Drawn, Screen } from "./screen";
 import { ShadeMap } from "./shade_map";
+import { otherTasks } from "./tasks";
 
 /** Attribute of a canvas on which the finer picture of what stands still is: there is nothing left to draw. */
 const STILL = "data-still";
@@ -210,6 +211,8 @@ export class Stage implements Drawn {
   }
 
   async #compileScene(current: () => boolean): Promise<void> {
+    await otherTasks();
+    if (!current()) return;
     const { renderer } = this.#screen;
     const compiling: Promise<unknown>[] = [this.shade.compile(renderer, this.scene)];
     for (const object of this.scene.children.filter((child) => child !== this.shade.object)) {
@@ -356,11 +359,6 @@ export class Stage implements Drawn {
     canvas.style.width = `${width}px`;
     canvas.style.height = `${height}px`;
   }
-}
-
-/** Lets the page do what it has to do besides. */
-function otherTasks(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve));
 }
 
 const projected = new Vector3();
