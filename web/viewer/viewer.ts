@@ -123,7 +123,7 @@ export class Viewer {
     this.#ghostMode = o.ghost;
     this.#labels = o.labels;
     this.follow = o.follow;
-    this.#stage = new Stage(container, options.quality, options.screen);
+    this.#stage = new Stage(container, { level: options.quality, screen: options.screen });
     const { detail, shading } = this.#stage.quality;
     this.#body = new Mannequin((uniforms) => new BodyLook(uniforms, shading), detail);
     this.#ghost = new Mannequin((uniforms) => new GhostLook(uniforms), detail);

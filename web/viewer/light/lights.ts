@@ -84,6 +84,13 @@ export class Lights {
   }
 }
 
+/** Direction to the key light, where the camera looks from `azimuth`; of length 1. */
+export function keyDirection(azimuth: number, out: Vector3): Vector3 {
+  const around = azimuth + (KEY.azimuth * Math.PI) / 180;
+  const above = (KEY.elevation * Math.PI) / 180;
+  return out.set(Math.cos(above) * Math.sin(around), Math.sin(above), Math.cos(above) * Math.cos(around));
+}
+
 function place(light: DirectionalLight, direction: Direction, point: Vector3, cameraAzimuth: number): void {
   const azimuth = cameraAzimuth + (direction.azimuth * Math.PI) / 180;
   const elevation = (direction.elevation * Math.PI) / 180;

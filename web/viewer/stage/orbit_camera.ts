@@ -18,7 +18,19 @@ const FIELD_OF_VIEW = 24;
 const TARGET_HEIGHT = 0.83;
 /** The first view: from the character's left front. */
 export const HOME: OrbitState = { azimuth: MathUtils.degToRad(33), elevation: MathUtils.degToRad(7.2), distance: 5.4 };
-const LIMITS = { elevation: [0.02, MathUtils.degToRad(89)], distance: [1.6, 16] } as const;
+const ELEVATIONS = [0.02, MathUtils.degToRad(89)] as const;
+/** What a camera shows: one character by default. */
+export interface CameraRange {
+  /** The first view, to whose distance the others keep. */
+  home: OrbitState;
+  /** Least and greatest distance from the target, metres. */
+  distances: readonly [number, number];
+  /** How far the camera sees, metres. */
+  far: number;
+}
+
+const ONE_CHARACTER: CameraRange = { home: HOME, distances: [1.6, 16], far: 60 };
+
 /** Length of a glide between views, seconds. */
 const GLIDE = 0.42;
 /** Time in which the target covers half the distance to what it follows, seconds. */
@@ -45,7 +57,7 @@ export function ease(time: number): number {
 
 /** An orbiting camera over a moving target. */
 export class OrbitCamera {
-  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 60);
+  readonly camera: PerspectiveCamera;
   /** The point on the ground that is looked at; smoothed. */
   readonly target = new Vector3();
   /** Called when the view changes by the hand of the user. */
@@ -54,9 +66,10 @@ export class OrbitCamera {
   halfWidth = 1.15;
   /** Height of what is looked at as a share of the mannequin's: a giant is seen from farther away. */
   scale = 1;
-  readonly #state: OrbitState = { ...HOME };
+  readonly #range: CameraRange;
+  readonly #state: OrbitState;
   /** The user's own orbit, to which "orbit" returns. */
-  #free: OrbitState = { ...HOME };
+  #free: OrbitState;
   #glide: { from: OrbitState; to: OrbitState; elapsed: number } | undefined;
   #view: CameraView = "orbit";
   #zoom = 1;
@@ -65,8 +78,12 @@ export class OrbitCamera {
   readonly #pointers = new Map<number, { x: number; y: number }>();
   readonly #listeners = new AbortController();
 
-  constructor(element: HTMLElement) {
+  constructor(element: HTMLElement, range: CameraRange = ONE_CHARACTER) {
     this.#element = element;
+    this.#range = range;
+    this.#state = { ...range.home };
+    this.#free = { ...range.home };
+    this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, range.far);
     const options = { signal: this.#listeners.signal };
     element.addEventListener("pointerdown", (event) => this.#pointerDown(event), options);
     element.addEventListener("pointermove", (event) => this.#pointerMove(event), options);
@@ -86,16 +103,21 @@ export class OrbitCamera {
     return this.#state.azimuth;
   }
 
+  /** Distance from what is looked at, metres. */
+  get distance(): number {
+    return this.camera.position.distanceTo(this.target);
+  }
+
   /** Goes to a view of something that faces `heading` (radians about +Y). */
   setView(view: CameraView, heading: number, animate: boolean): void {
     this.#view = view;
     const level = MathUtils.degToRad(3);
-    const { distance } = HOME;
+    const { distance } = this.#range.home;
     const to: OrbitState = {
       orbit: this.#free,
       front: { azimuth: heading, elevation: level, distance },
       side: { azimuth: heading + Math.PI / 2, elevation: level, distance },
-      top: { azimuth: heading, elevation: LIMITS.elevation[1], distance: distance * 1.15 },
+      top: { azimuth: heading, elevation: ELEVATIONS[1], distance: distance * 1.15 },
     }[view];
     this.#zoom = 1;
     const azimuth = this.#state.azimuth + wrap(to.azimuth - this.#state.azimuth);
@@ -158,7 +180,7 @@ export class OrbitCamera {
     const { azimuth, elevation } = this.#state;
     // A narrow picture is seen from farther away, never through a wider lens.
     const half = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2));
-    const fit = Math.max(1, this.halfWidth / (half * this.camera.aspect) / HOME.distance);
+    const fit = Math.max(1, this.halfWidth / (half * this.camera.aspect) / this.#range.home.distance);
     const distance = this.#state.distance * fit * this.#zoom * this.scale;
     const height = TARGET_HEIGHT * this.scale;
     const ground = distance * Math.cos(elevation);
@@ -178,13 +200,13 @@ export class OrbitCamera {
   #orbit(azimuth: number, elevation: number): void {
     this.#glide = undefined;
     this.#state.azimuth = wrap(this.#state.azimuth + azimuth);
-    this.#state.elevation = MathUtils.clamp(this.#state.elevation + elevation, ...LIMITS.elevation);
+    this.#state.elevation = MathUtils.clamp(this.#state.elevation + elevation, ...ELEVATIONS);
     this.#takeOver();
   }
 
   #zoomBy(factor: number): void {
     this.#glide = undefined;
-    this.#state.distance = MathUtils.clamp(this.#state.distance * factor, ...LIMITS.distance);
+    this.#state.distance = MathUtils.clamp(this.#state.distance * factor, ...this.#range.distances);
     this.#takeOver();
   }
 

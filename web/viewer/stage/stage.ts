@@ -8,7 +8,7 @@ import { Footprints } from "./footprints";
 import { Ground } from "./ground";
 import { HipsPath } from "./hips_path";
 import { Labels } from "./labels";
-import { type CameraView, OrbitCamera } from "./orbit_camera";
+import { type CameraRange, type CameraView, OrbitCamera } from "./orbit_camera";
 import { pixelRatio, QUALITY_LEVELS, type QualityLevel } from "./quality";
 import { type Drawn, Screen } from "./screen";
 import { ShadeMap } from "./shade_map";
@@ -19,6 +19,18 @@ const STILL = "data-still";
 
 /** Longest waits for the graphics processor to become idle before shaders are queried, milliseconds. */
 const TIMEOUT_MS = { first: 300, later: 2000 };
+
+/** Options of a stage. */
+export interface StageOptions {
+  /** Of {@link QUALITY_LEVELS}, to begin with; by default what the renderer suggests. */
+  level?: number | undefined;
+  /** What is drawn on, shared with others; by default one of its own. */
+  screen?: Screen | undefined;
+  /** What the camera shows; by default one character. */
+  camera?: CameraRange;
+  /** Whether there is no ground, shade, footprint or path: the scene brings its own, and no shadow map is drawn. */
+  bare?: boolean;
+}
 
 /**
  * Scene, camera, light and ground. A stage with a screen of its own shows the screen's canvas. On a screen that it shares it
@@ -43,6 +55,7 @@ export class Stage implements Drawn {
   readonly #root = document.createElement("div");
   readonly #screen: Screen;
   readonly #owns: boolean;
+  readonly #bare: boolean;
   /** The copy of the picture where the screen is shared. */
   readonly #copy: CanvasRenderingContext2D | undefined;
   #alone = false;
@@ -64,11 +77,8 @@ export class Stage implements Drawn {
   /** The same in pixels of the canvas. */
   #pixels = { width: 1, height: 1 };
 
-  /**
-   * @param level of {@link QUALITY_LEVELS} to begin with; by default what the renderer suggests
-   * @param screen what is drawn on, shared with others; by default one of its own
-   */
-  constructor(container: HTMLElement, level?: number, screen?: Screen) {
+  constructor(container: HTMLElement, { level, screen, camera, bare = false }: StageOptions = {}) {
+    this.#bare = bare;
     this.#root.style.cssText = "position:relative;width:100%;height:100%;overflow:hidden";
     this.#owns = screen === undefined;
     this.#screen = screen ?? Screen.own(level);
@@ -84,16 +94,16 @@ export class Stage implements Drawn {
     this.#root.append(this.canvas, this.labels.element);
     container.append(this.#root);
 
-    this.view = new OrbitCamera(this.canvas);
-    this.scene.add(
-      this.#background.object,
-      this.#lights.object,
-      this.#ground.object,
-      this.shade.object,
-      this.footprints.object,
-      this.path.behind.mesh,
-      this.path.ahead.mesh,
-    );
+    this.view = new OrbitCamera(this.canvas, camera);
+    this.scene.add(this.#background.object, this.#lights.object);
+    if (!bare)
+      this.scene.add(
+        this.#ground.object,
+        this.shade.object,
+        this.footprints.object,
+        this.path.behind.mesh,
+        this.path.ahead.mesh,
+      );
     this.#observer = new ResizeObserver(() => {
       this.#measure();
       this.onInvalid?.();
@@ -214,7 +224,7 @@ export class Stage implements Drawn {
     await otherTasks();
     if (!current()) return;
     const { renderer } = this.#screen;
-    const compiling: Promise<unknown>[] = [this.shade.compile(renderer, this.scene)];
+    const compiling: Promise<unknown>[] = this.#bare ? [] : [this.shade.compile(renderer, this.scene)];
     for (const object of this.scene.children.filter((child) => child !== this.shade.object)) {
       await otherTasks();
       if (!current()) return;
@@ -280,10 +290,12 @@ export class Stage implements Drawn {
   /** Draws the scene into a column, the light on `subject`. */
   render(subject: Vector3, column = 0): void {
     this.#lights.follow(subject, this.view.azimuth);
-    // The shade map's pass draws the light's shadow map too; the picture's pass finds it there.
-    this.#screen.renderer.shadowMap.needsUpdate = true;
-    this.shade.render(this.#screen.renderer, this.scene, middle.lerpVectors(subject, this.view.target, 0.5));
-    this.#ground.follow(this.view.target);
+    if (!this.#bare) {
+      // The shade map's pass draws the light's shadow map too; the picture's pass finds it there.
+      this.#screen.renderer.shadowMap.needsUpdate = true;
+      this.shade.render(this.#screen.renderer, this.scene, middle.lerpVectors(subject, this.view.target, 0.5));
+      this.#ground.follow(this.view.target);
+    }
     const width = this.#pixels.width / this.#columns;
     this.#screen.renderer.setViewport(column * width, 0, width, this.#pixels.height);
     this.#screen.renderer.setScissor(column * width, 0, width, this.#pixels.height);

@@ -1,0 +1,305 @@
+/** The 3-D view of a crowd: up to a thousand walkers on a ground that is a map of styles. */
+
+import { Fog, MathUtils, Plane, Raycaster, Vector2, Vector3 } from "three";
+import { DEFAULT_PROPORTIONS } from "../../humanoid";
+import { fitTo } from "../../mannequin/fit";
+import { prismBody } from "../../mannequin/prism_body";
+import { keyDirection } from "../light/lights";
+import type { CameraRange, CameraView } from "../stage/orbit_camera";
+import { Redraw } from "../stage/redraw";
+import { Stage } from "../stage/stage";
+import { THEMES, type ThemeName } from "../themes";
+import { CrowdBodies } from "./crowd_bodies";
+import { FieldGround, type FieldMark } from "./field_ground";
+import { GroundNames } from "./ground_names";
+import { JointTextures, WALKER_FLOATS } from "./joint_textures";
+import { BODY_LIMITS, BodyLevels, type BodyLimits } from "./levels";
+import { CrowdShadows } from "./shadows";
+
+/** A vertex of the field with its name. */
+export interface NamedMark extends FieldMark {
+  name: string;
+}
+
+/** Where somebody is on screen, CSS pixels, and his height there. */
+export interface ScreenPlace {
+  x: number;
+  y: number;
+  height: number;
+}
+
+const RANGE: CameraRange = {
+  home: { azimuth: MathUtils.degToRad(16), elevation: MathUtils.degToRad(17), distance: 19 },
+  distances: [3, 60],
+  far: 160,
+};
+/** Half the width that has to fit into the picture at home, metres. */
+const HALF_WIDTH = 4.6;
+/** Height of somebody, metres. */
+const HEIGHT = 1.7;
+/** Radius of the ring around somebody who is chosen, metres. */
+const RING = 0.55;
+/** Nobody nearer to the pointer than this is meant by it, CSS pixels. */
+const REACH_PX = 26;
+/** Without a graphics card fewer people wear the finer bodies, and fewer have an outline for a shadow. */
+const SOFTWARE_LIMITS: BodyLimits = { near: { height: 220, count: 0 }, middle: { height: 90, count: 8 } };
+const OUTLINED = { hardware: 0.05, software: 0.14 };
+
+/** A viewer in a container, whose size it follows. The page calls {@link render} once an animation frame. */
+export class CrowdViewer {
+  readonly #stage: Stage;
+  readonly #textures = new JointTextures();
+  readonly #bodies: CrowdBodies;
+  readonly #shadows: CrowdShadows;
+  readonly #ground = new FieldGround();
+  readonly #names = new GroundNames();
+  readonly #fog = new Fog("#000000");
+  readonly #redraw = new Redraw();
+  #theme: ThemeName;
+  #marks: readonly NamedMark[] = [];
+  #levels = new BodyLevels(0);
+  #heights = new Float32Array(0);
+  /** Joints of the last tick and of the present one. */
+  #last = new Float32Array(0);
+  #present = new Float32Array(0);
+  #radius = 10;
+  #lastTime: number | undefined;
+  /** Who is chosen. */
+  #chosen: number | undefined;
+  /** Whether the camera follows who is chosen. */
+  follow = false;
+
+  constructor(container: HTMLElement, theme: ThemeName, description: string) {
+    this.#theme = theme;
+    this.#stage = new Stage(container, { camera: RANGE, bare: true });
+    this.#stage.canvas.setAttribute("aria-label", description);
+    this.#stage.view.halfWidth = HALF_WIDTH;
+    const { detail, shading } = this.#stage.quality;
+    const fit = fitTo(DEFAULT_PROPORTIONS);
+    const far = prismBody(fit);
+    this.#bodies = new CrowdBodies(this.#textures, fit, far, detail, shading);
+    this.#shadows = new CrowdShadows(this.#textures, far);
+    const { scene } = this.#stage;
+    scene.add(this.#ground.object, this.#names.object, this.#shadows.object, this.#bodies.object);
+    scene.fog = this.#fog;
+    this.#stage.onQuality = ({ detail, shading }) => this.#bodies.setQuality(detail, shading);
+    this.#stage.onInvalid = () => this.#redraw.request();
+    this.#stage.onIdle = () => this.render(this.#lastTime ?? 0, 1);
+    this.#stage.applyQuality();
+    this.#applyTheme();
+  }
+
+  /** What a screen reader says of the picture. */
+  set description(text: string) {
+    this.#stage.canvas.setAttribute("aria-label", text);
+  }
+
+  /** Light or dark. */
+  set theme(theme: ThemeName) {
+    if (theme === this.#theme) return;
+    this.#theme = theme;
+    this.#applyTheme();
+  }
+
+  /** Called twice a second with the frames drawn per second. */
+  set onFps(callback: ((fps: number) => void) | undefined) {
+    this.#stage.onFps = callback;
+  }
+
+  /** Called when the user's hand turns a preset view into a free one. */
+  set onViewChange(callback: ((view: CameraView) => void) | undefined) {
+    this.#stage.view.onViewChange = callback;
+  }
+
+  /** Triangles and draw calls of the last frame. */
+  get cost(): { triangles: number; calls: number } {
+    return this.#stage.cost;
+  }
+
+  /** Whether nothing is left to draw. */
+  get still(): boolean {
+    return this.#stage.still && !this.#redraw.pending;
+  }
+
+  /** Who is chosen: there is a ring around him. */
+  set chosen(walker: number | undefined) {
+    this.#chosen = walker;
+    this.#redraw.request();
+  }
+
+  /** Takes the bone offsets of everybody: 21 × xyz, metres. */
+  setProportions(proportions: ArrayLike<number>): void {
+    const fit = fitTo(proportions);
+    const far = prismBody(fit);
+    this.#bodies.setBody(fit, far);
+    this.#shadows.setBody(far);
+    this.#redraw.request();
+  }
+
+  /** Takes the field, and the radius in which people walk, metres. */
+  setField(marks: readonly NamedMark[], radius: number): void {
+    this.#marks = marks;
+    this.#radius = radius;
+    this.#applyField();
+  }
+
+  /**
+   * Takes a tick: `WALKER_FLOATS` numbers a walker, and four bytes of tint (sRGB, and its share). `isOther` says that these
+   * walkers are not those of the last tick.
+   */
+  setTick(joints: Float32Array, tints: Uint8Array, isOther: boolean): void {
+    const count = joints.length / WALKER_FLOATS;
+    if (count !== this.#levels.walkers.far.length) {
+      this.#levels = new BodyLevels(count);
+      this.#heights = new Float32Array(count);
+      this.#last = new Float32Array(joints.length);
+      this.#present = new Float32Array(joints.length);
+      isOther = true;
+    }
+    [this.#last, this.#present] = [this.#present, this.#last];
+    this.#present.set(joints);
+    if (isOther) this.#last.set(joints);
+    this.#textures.set(joints, tints, isOther);
+    this.#redraw.request();
+  }
+
+  /** Goes to a view, gliding. */
+  camera(view: CameraView): void {
+    this.#stage.setView(view, 0);
+    this.#redraw.request();
+  }
+
+  /**
+   * Draws a frame `share` of the way from the last tick to the present one, unless those before are still being drawn;
+   * `timeSecs` is any clock. Says whether it was drawn.
+   */
+  render(timeSecs: number, share: number): boolean {
+    const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
+    this.#lastTime = timeSecs;
+    const { uniforms } = this.#textures;
+    if (uniforms.share.value !== share) this.#redraw.request();
+    uniforms.share.value = share;
+    const chosen = this.#chosen;
+    const at = chosen === undefined ? middle.set(0, 0, 0) : this.#hips(chosen, middle);
+    const follows = this.follow && chosen !== undefined;
+    if (this.#stage.view.update(dt, follows ? at : origin, follows)) this.#redraw.request();
+    this.#ground.setRing(chosen === undefined ? undefined : { x: at.x, z: at.z, radius: RING });
+    const still = this.#redraw.settled(timeSecs);
+    if ((still && this.#stage.still) || !this.#stage.begin(dt, still)) return false;
+    this.#redraw.drawn();
+    this.#arrange();
+    this.#stage.render(this.#stage.view.target);
+    this.#stage.end();
+    return true;
+  }
+
+  /** A copy of the picture; only right after {@link render} has drawn it, in the same task. */
+  copy(): HTMLCanvasElement {
+    return this.#stage.copy();
+  }
+
+  /** Asks for the picture to be drawn again, though nothing of it has changed. */
+  invalidate(): void {
+    this.#redraw.request();
+  }
+
+  /** Where a place of the world is in the picture, CSS pixels from its top left. */
+  screenPosition(x: number, y: number, z: number): { x: number; y: number } {
+    return this.#stage.project(point.set(x, y, z));
+  }
+
+  /** The place on the ground under a place of the picture, metres; `undefined` at the sky. */
+  groundAt(x: number, y: number): { x: number; z: number } | undefined {
+    const { width, height } = this.#stage.size;
+    pointer.set((2 * x) / width - 1, 1 - (2 * y) / height);
+    raycaster.setFromCamera(pointer, this.#stage.view.camera);
+    const hit = raycaster.ray.intersectPlane(GROUND, point);
+    return hit ? { x: hit.x, z: hit.z } : undefined;
+  }
+
+  /** Whoever is nearest to the camera of those at a place of the picture; `undefined` where nobody is. */
+  walkerAt(x: number, y: number): number | undefined {
+    let best: { walker: number; height: number } | undefined;
+    for (const [walker, height] of this.#heights.entries()) {
+      if (height === 0 || height < (best?.height ?? 0)) continue;
+      const place = this.screenPlace(walker)!;
+      const [aside, above] = [Math.abs(x - place.x), place.y - y];
+      const reach = Math.max(0.2 * height, REACH_PX / 2);
+      if (aside < reach && above > -0.08 * height && above < 1.06 * height) best = { walker, height };
+    }
+    return best?.walker;
+  }
+
+  /** Where the feet of somebody are in the picture; `undefined` out of sight. */
+  screenPlace(walker: number): ScreenPlace | undefined {
+    const height = this.#heights[walker];
+    if (!height) return undefined;
+    const { x, z } = this.#hips(walker, point);
+    return { ...this.#stage.project(point.set(x, 0, z)), height };
+  }
+
+  /** Frees everything; the viewer cannot be used afterwards. */
+  dispose(): void {
+    for (const part of [this.#bodies, this.#shadows, this.#ground, this.#names, this.#textures]) part.dispose();
+    this.#stage.dispose();
+  }
+
+  /** Where the hips of somebody are between the two ticks. */
+  #hips(walker: number, out: Vector3): Vector3 {
+    const i = WALKER_FLOATS * walker;
+    if (i >= this.#present.length) return out.set(0, 0, 0);
+    return out.fromArray(this.#last, i).lerp(next.fromArray(this.#present, i), this.#textures.uniforms.share.value);
+  }
+
+  /** Chooses everybody's body by his height in the picture. */
+  #arrange(): void {
+    const { camera, azimuth } = this.#stage.view;
+    const { height } = this.#stage.size;
+    const pixels = (camera.projectionMatrix.elements[5]! * height) / 2;
+    for (let walker = 0; walker < this.#heights.length; walker++) {
+      this.#hips(walker, point).applyMatrix4(camera.matrixWorldInverse);
+      const depth = -point.z;
+      point.applyMatrix4(camera.projectionMatrix);
+      const size = (HEIGHT * pixels) / Math.max(depth, camera.near);
+      const room = 1 + (2 * size) / height;
+      const visible = depth > camera.near && Math.abs(point.x) < room && Math.abs(point.y) < room;
+      this.#heights[walker] = visible ? size : 0;
+    }
+    const fast = this.#stage.quality.shading === "physical";
+    this.#levels.choose(this.#heights, fast ? BODY_LIMITS : SOFTWARE_LIMITS);
+    this.#bodies.arrange(this.#levels);
+    const least = fast ? OUTLINED.hardware : OUTLINED.software;
+    this.#shadows.arrange(this.#levels, this.#heights, height, least, keyDirection(azimuth, light));
+    this.#names.turn(azimuth);
+    const { distance } = this.#stage.view;
+    this.#fog.near = distance + 0.5 * this.#radius;
+    this.#fog.far = distance + 3.2 * this.#radius;
+  }
+
+  #applyField(): void {
+    this.#ground.setField(this.#marks);
+    this.#ground.radius = this.#radius;
+    const names = this.#marks.map(({ name, x, z }) => ({ text: name, x, z }));
+    this.#names.set(names, THEMES[this.#theme].ink);
+    this.#redraw.request();
+  }
+
+  #applyTheme(): void {
+    const theme = THEMES[this.#theme];
+    this.#stage.setTheme(theme);
+    this.#bodies.setTheme(theme);
+    this.#shadows.setTheme(theme);
+    this.#ground.setTheme(theme, this.#theme === "dark");
+    this.#fog.color.set(theme.background.outer);
+    this.#applyField();
+  }
+}
+
+const origin = new Vector3();
+const middle = new Vector3();
+const next = new Vector3();
+const point = new Vector3();
+const light = new Vector3();
+const pointer = new Vector2();
+const raycaster = new Raycaster();
+const GROUND = new Plane(new Vector3(0, 1, 0), 0);

@@ -1,0 +1,170 @@
+/** The ground of a crowd: a map of the styles that people walk in where they are, and what marks places on it. */
+
+import { Color, type IUniform, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vector3, Vector4 } from "three";
+import type { Theme } from "../themes";
+
+/** Most vertices that a field has. */
+export const FIELD_VERTICES = 12;
+
+/** One vertex of a field as it is drawn. */
+export interface FieldMark {
+  x: number;
+  z: number;
+  /** Distance in which it is felt, metres. */
+  reach: number;
+  /** A colour of CSS that is not a variable. */
+  colour: string;
+  chosen: boolean;
+}
+
+/** Half the side of the ground, metres. */
+const HALF = 60;
+/** Distance between two lines of the grid, metres. */
+const GRID = 2;
+/** Radius of a vertex's disc, metres. */
+const DISC = 0.26;
+
+const VERTEX = /* glsl */ `
+varying vec3 vWorld;
+void main() {
+  vWorld = position;
+  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+}`;
+
+// The shares are those of strut-core's field: φ = (reach² / (d² + 0.25 m²))², φ / (1 + Σ φ).
+const FRAGMENT = /* glsl */ `
+uniform vec4 marks[${FIELD_VERTICES}];
+uniform vec3 colours[${FIELD_VERTICES}];
+uniform int count;
+uniform vec3 grid;
+uniform vec3 ink;
+uniform vec3 signal;
+uniform float gridOpacity;
+uniform float colourOpacity;
+uniform float radius;
+uniform vec2 centre;
+uniform vec3 walker;
+varying vec3 vWorld;
+float line(float value, float width) {
+  return clamp(0.5 + 0.5 * width - abs(value) / fwidth(value), 0.0, 1.0);
+}
+vec4 over(vec4 above, vec4 below) {
+  float alpha = above.a + below.a * (1.0 - above.a);
+  return vec4(alpha > 0.0 ? (above.rgb * above.a + below.rgb * below.a * (1.0 - above.a)) / alpha : above.rgb, alpha);
+}
+void main() {
+  vec2 p = vWorld.xz;
+  float whole = 1.0;
+  float felt[${FIELD_VERTICES}];
+  for (int i = 0; i < count; i++) {
+    vec2 d = p - marks[i].xy;
+    float ratio = marks[i].z * marks[i].z / (dot(d, d) + 0.25);
+    felt[i] = ratio * ratio;
+    whole += felt[i];
+  }
+  vec3 colour = vec3(0.0);
+  float amount = 0.0;
+  float isoline = 0.0;
+  vec3 isocolour = vec3(0.0);
+  vec4 discs = vec4(0.0);
+  for (int i = 0; i < count; i++) {
+    float share = felt[i] / whole;
+    colour += share * colours[i];
+    amount += share;
+    // Every line's width is a pixel's; the one through a half is the border of the style.
+    float quarter = max(0.4 * max(line(share - 0.25, 1.0), line(share - 0.75, 1.0)), 0.75 * line(share - 0.5, 1.1));
+    if (quarter > isoline) { isoline = quarter; isocolour = colours[i]; }
+    float d = length(p - marks[i].xy) / ${DISC.toFixed(2)};
+    float edge = fwidth(d);
+    float halo = 1.0 - smoothstep(1.75 - edge, 1.75 + edge, d);
+    float ring = 1.0 - smoothstep(1.25 - edge, 1.25 + edge, d);
+    float disc = 1.0 - smoothstep(1.0 - edge, 1.0 + edge, d);
+    if (halo > 0.0) discs = vec4(mix(colours[i], ink, disc), max(ring, (marks[i].w > 0.5 ? 0.5 : 0.26) * halo));
+  }
+  float fade = 1.0 - smoothstep(0.55 * radius, 1.7 * radius, length(p - centre));
+  vec2 pixel = fwidth(p / ${GRID.toFixed(1)});
+  vec2 near = abs(fract(p / ${GRID.toFixed(1)} - 0.5) - 0.5);
+  vec2 lines = clamp(1.05 - near / pixel, 0.0, 1.0) * clamp(0.1 / pixel, 0.0, 1.0);
+  vec4 result = vec4(grid, gridOpacity * max(lines.x, lines.y) * fade);
+  result = over(vec4(colour / max(amount, 1e-4), colourOpacity * amount * fade), result);
+  result = over(vec4(isocolour, isoline * fade), result);
+  result = over(discs, result);
+  if (walker.z > 0.0) {
+    float d = length(p - walker.xy) - walker.z;
+    result = over(vec4(signal, line(d, 3.0)), result);
+  }
+  gl_FragColor = result;
+  #include <colorspace_fragment>
+}`;
+
+/** How strongly the field colours the ground. */
+const COLOUR_OPACITY = { dark: 0.3, light: 0.27 };
+
+export class FieldGround {
+  readonly object: Mesh<PlaneGeometry, ShaderMaterial>;
+  readonly #uniforms = {
+    marks: { value: Array.from({ length: FIELD_VERTICES }, () => new Vector4()) },
+    colours: { value: Array.from({ length: FIELD_VERTICES }, () => new Color()) },
+    count: { value: 0 },
+    grid: { value: new Color() },
+    ink: { value: new Color() },
+    signal: { value: new Color() },
+    gridOpacity: { value: 0 },
+    colourOpacity: { value: 0 },
+    radius: { value: 10 },
+    centre: { value: new Vector2() },
+    /** Place and radius of the ring around somebody; the radius is 0 where there is none. */
+    walker: { value: new Vector3() },
+  } satisfies Record<string, IUniform>;
+
+  constructor() {
+    this.object = new Mesh(
+      new PlaneGeometry(2 * HALF, 2 * HALF).rotateX(-Math.PI / 2),
+      new ShaderMaterial({
+        vertexShader: VERTEX,
+        fragmentShader: FRAGMENT,
+        uniforms: this.#uniforms,
+        transparent: true,
+        depthWrite: false,
+      }),
+    );
+    this.object.renderOrder = -3;
+    this.object.frustumCulled = false;
+  }
+
+  /** Takes the field, at most {@link FIELD_VERTICES} vertices. */
+  setField(field: readonly FieldMark[]): void {
+    const { marks, colours, count } = this.#uniforms;
+    count.value = Math.min(field.length, FIELD_VERTICES);
+    for (const [i, { x, z, reach, colour, chosen }] of field.slice(0, FIELD_VERTICES).entries()) {
+      marks.value[i]!.set(x, z, reach, chosen ? 1 : 0);
+      colours.value[i]!.set(colour);
+    }
+  }
+
+  /** Radius in which people walk, metres: the ground fades beyond it. */
+  set radius(radius: number) {
+    this.#uniforms.radius.value = radius;
+  }
+
+  /** Draws a ring around somebody, or none. */
+  setRing(ring: { x: number; z: number; radius: number } | undefined): void {
+    this.#uniforms.walker.value.set(ring?.x ?? 0, ring?.z ?? 0, ring?.radius ?? 0);
+  }
+
+  /** Takes the theme's colours. */
+  setTheme({ grid, ink, signal }: Theme, isDark: boolean): void {
+    const uniforms = this.#uniforms;
+    uniforms.grid.value.set(grid.colour);
+    uniforms.gridOpacity.value = grid.major;
+    uniforms.ink.value.set(ink);
+    uniforms.signal.value.set(signal);
+    uniforms.colourOpacity.value = isDark ? COLOUR_OPACITY.dark : COLOUR_OPACITY.light;
+  }
+
+  dispose(): void {
+    this.object.removeFromParent();
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}

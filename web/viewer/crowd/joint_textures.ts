@@ -1,0 +1,140 @@
+/** What the shaders know of a crowd: where every joint is in the last tick and in this one, and how everybody is tinted. */
+
+import {
+  DataTexture,
+  FloatType,
+  type IUniform,
+  RGBAFormat,
+  SRGBColorSpace,
+  type Texture,
+  UnsignedByteType,
+  Vector3,
+} from "three";
+import { JOINTS } from "../../humanoid";
+
+/** Numbers of one walker: of every joint x y z 0 (metres) and the quaternion x y z w, in the world. */
+export const WALKER_FLOATS = 8 * JOINTS;
+/** Texels of one walker: two a joint. */
+const WALKER_TEXELS = 2 * JOINTS;
+
+/** Uniforms of all that draws the crowd. */
+export interface CrowdUniforms {
+  [name: string]: IUniform;
+  lastJoints: IUniform<Texture>;
+  presentJoints: IUniform<Texture>;
+  /** How far the picture is from the last tick to the present one, 0–1. */
+  share: IUniform<number>;
+  /** Where the joints are in the T-pose, metres. */
+  restJoints: IUniform<Vector3[]>;
+  /** Tint of every walker, sRGB, and its share of the colour. */
+  tints: IUniform<Texture>;
+}
+
+/**
+ * GLSL: `crowdPoint(p)` and `crowdDirection(n)`, from the T-pose to the world, for the walker of the instance; after
+ * `lookUpTurns()`.
+ */
+export const CROWD_SHADER = /* glsl */ `
+attribute vec2 joints;
+attribute float blend;
+attribute float walker;
+uniform highp sampler2D lastJoints;
+uniform highp sampler2D presentJoints;
+uniform float share;
+uniform vec3 restJoints[${JOINTS}];
+vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+vec4 firstTurn;
+vec4 secondTurn;
+vec3 jointPosition(int joint) {
+  ivec2 at = ivec2(2 * joint, int(walker + 0.5));
+  return mix(texelFetch(lastJoints, at, 0).xyz, texelFetch(presentJoints, at, 0).xyz, share);
+}
+vec4 jointRotation(int joint) {
+  ivec2 at = ivec2(2 * joint + 1, int(walker + 0.5));
+  vec4 last = texelFetch(lastJoints, at, 0);
+  vec4 present = texelFetch(presentJoints, at, 0);
+  return normalize(mix(last, dot(last, present) < 0.0 ? -present : present, share));
+}
+void lookUpTurns() {
+  firstTurn = jointRotation(int(joints.x + 0.5));
+  if (blend > 0.0) secondTurn = jointRotation(int(joints.y + 0.5));
+}
+vec3 byJoint(float number, vec4 turn, vec3 p) {
+  int joint = int(number + 0.5);
+  return jointPosition(joint) + turned(turn, p - restJoints[joint]);
+}
+vec3 crowdPoint(vec3 p) {
+  vec3 point = byJoint(joints.x, firstTurn, p);
+  return blend > 0.0 ? mix(point, byJoint(joints.y, secondTurn, p), blend) : point;
+}
+vec3 crowdDirection(vec3 n) {
+  vec3 direction = turned(firstTurn, n);
+  return blend > 0.0 ? normalize(mix(direction, turned(secondTurn, n), blend)) : direction;
+}`;
+
+/** The textures of one crowd. */
+export class JointTextures {
+  readonly uniforms: CrowdUniforms;
+  #count = 0;
+
+  constructor() {
+    this.uniforms = {
+      lastJoints: { value: jointTexture(1) },
+      presentJoints: { value: jointTexture(1) },
+      share: { value: 1 },
+      restJoints: { value: Array.from({ length: JOINTS }, () => new Vector3()) },
+      tints: { value: tintTexture(1) },
+    };
+  }
+
+  /** Number of walkers. */
+  get count(): number {
+    return this.#count;
+  }
+
+  /** Takes where the joints of the body are in the T-pose, 21 × xyz, metres. */
+  setRest(joints: ArrayLike<number>): void {
+    for (const [joint, point] of this.uniforms.restJoints.value.entries())
+      point.fromArray(joints as number[], 3 * joint);
+  }
+
+  /**
+   * Takes a tick: {@link WALKER_FLOATS} numbers and four bytes of tint a walker. Where their number has changed, or the
+   * walkers are others, nothing is between it and the last one.
+   */
+  set(joints: Float32Array, tints: Uint8Array, isOther: boolean): void {
+    const count = joints.length / WALKER_FLOATS;
+    const { lastJoints, presentJoints } = this.uniforms;
+    if (count !== this.#count) {
+      this.dispose();
+      this.#count = count;
+      lastJoints.value = jointTexture(count);
+      presentJoints.value = jointTexture(count);
+      this.uniforms.tints.value = tintTexture(count);
+      isOther = true;
+    }
+    [lastJoints.value, presentJoints.value] = [presentJoints.value, lastJoints.value];
+    upload(presentJoints.value, joints);
+    if (isOther) upload(lastJoints.value, joints);
+    upload(this.uniforms.tints.value, tints);
+  }
+
+  dispose(): void {
+    for (const name of ["lastJoints", "presentJoints", "tints"] as const) this.uniforms[name].value.dispose();
+  }
+}
+
+function upload(texture: Texture, numbers: Float32Array | Uint8Array): void {
+  (texture.image as { data: Float32Array | Uint8Array }).data.set(numbers);
+  texture.needsUpdate = true;
+}
+
+function jointTexture(count: number): DataTexture {
+  return new DataTexture(new Float32Array(count * WALKER_FLOATS), WALKER_TEXELS, count, RGBAFormat, FloatType);
+}
+
+function tintTexture(count: number): DataTexture {
+  const texture = new DataTexture(new Uint8Array(4 * count), count, 1, RGBAFormat, UnsignedByteType);
+  texture.colorSpace = SRGBColorSpace;
+  return texture;
+}

@@ -1,0 +1,66 @@
+/** Which body each walker of a crowd wears: the nearer, the finer. */
+
+/** Names of the bodies, the finest first. */
+export const BODIES = ["near", "middle", "far"] as const;
+export type Body = (typeof BODIES)[number];
+
+/** Who wears the finer bodies: at least so tall on screen, pixels, and at most so many. */
+export interface BodyLimits {
+  near: { height: number; count: number };
+  middle: { height: number; count: number };
+}
+
+export const BODY_LIMITS: BodyLimits = { near: { height: 220, count: 4 }, middle: { height: 60, count: 48 } };
+
+/** Whoever wears a finer body keeps it until he is smaller by this factor: nobody changes to and fro. */
+const KEEPING = 0.88;
+
+/** The bodies of a crowd of a number of people; nothing is allocated once they are as many as before. */
+export class BodyLevels {
+  /** Numbers of the walkers that wear each body; {@link counts} says how many. */
+  readonly walkers: Record<Body, Uint16Array>;
+  readonly counts: Record<Body, number> = { near: 0, middle: 0, far: 0 };
+  /** Index into {@link BODIES} of everybody's body. */
+  readonly #worn: Uint8Array;
+  /** Those who are visible, the tallest first. */
+  readonly #order: Uint16Array;
+  readonly #ranks: Float32Array;
+
+  constructor(count: number) {
+    const numbers = () => new Uint16Array(count);
+    this.walkers = { near: numbers(), middle: numbers(), far: numbers() };
+    this.#worn = new Uint8Array(count).fill(BODIES.indexOf("far"));
+    this.#order = numbers().map((_, i) => i);
+    this.#ranks = new Float32Array(count);
+  }
+
+  /** Chooses by the heights on screen, pixels; 0 is out of sight. */
+  choose(heights: ArrayLike<number>, limits: BodyLimits): void {
+    const { counts } = this;
+    for (const body of BODIES) counts[body] = 0;
+    this.#sort(heights);
+    for (const walker of this.#order) {
+      if (heights[walker] === 0) break;
+      const rank = this.#ranks[walker]!;
+      const body = BODIES.find(
+        (name) => name === "far" || (counts[name] < limits[name].count && rank >= limits[name].height),
+      )!;
+      this.#worn[walker] = BODIES.indexOf(body);
+      this.walkers[body][counts[body]++] = walker;
+    }
+  }
+
+  /** Sorts everybody, those first who keep a finer body; the order is nearly that of the last picture. */
+  #sort(heights: ArrayLike<number>): void {
+    const order = this.#order;
+    const ranks = this.#ranks;
+    for (let walker = 0; walker < ranks.length; walker++)
+      ranks[walker] = heights[walker]! / KEEPING ** (BODIES.length - 1 - this.#worn[walker]!);
+    for (let i = 1; i < order.length; i++) {
+      const walker = order[i]!;
+      let at = i;
+      for (; at > 0 && ranks[order[at - 1]!]! < ranks[walker]!; at--) order[at] = order[at - 1]!;
+      order[at] = walker;
+    }
+  }
+}

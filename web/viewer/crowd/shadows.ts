@@ -1,0 +1,174 @@
+/** The shadows of a crowd on the ground: the outline of everybody near, in the key light, and a soft spot under everybody. */
+
+import {
+  DoubleSide,
+  EqualStencilFunc,
+  Group,
+  IncrementStencilOp,
+  type InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  type IUniform,
+  Mesh,
+  PlaneGeometry,
+  ShaderMaterial,
+  Vector3,
+} from "three";
+import type { SkinnedBody } from "../../mannequin/skinned_body";
+import type { Theme } from "../themes";
+import { fill, walkerAttribute } from "./crowd_bodies";
+import { CROWD_SHADER, type JointTextures } from "./joint_textures";
+import { BODIES, type BodyLevels } from "./levels";
+
+/** Height above the ground at which a body's shadow has faded out, metres: it is blurred there. */
+const BLURRED = 2.4;
+/** Half the size of a soft spot, metres. */
+const SPOT = 0.42;
+
+const OUTLINE_VERTEX = /* glsl */ `
+${CROWD_SHADER}
+uniform vec3 toLight;
+uniform float least;
+varying float vShade;
+void main() {
+  lookUpTurns();
+  vec3 point = crowdPoint(position);
+  vShade = 1.0 - smoothstep(0.0, ${BLURRED.toFixed(1)}, point.y);
+  point -= toLight * (max(point.y, 0.0) / toLight.y);
+  gl_Position = projectionMatrix * viewMatrix * vec4(point.x, 0.002, point.z, 1.0);
+  // Height of somebody there as a share of the picture's.
+  float size = 0.85 * projectionMatrix[1][1] / gl_Position.w;
+  vShade *= smoothstep(least, 1.6 * least, size);
+}`;
+
+const OUTLINE_FRAGMENT = /* glsl */ `
+uniform float darkness;
+varying float vShade;
+void main() { gl_FragColor = vec4(0.0, 0.0, 0.0, darkness * vShade); }`;
+
+const SPOT_VERTEX = /* glsl */ `
+attribute vec2 joints;
+attribute float blend;
+attribute float walker;
+uniform highp sampler2D lastJoints;
+uniform highp sampler2D presentJoints;
+uniform float share;
+varying vec2 vUv;
+void main() {
+  ivec2 at = ivec2(0, int(walker + 0.5));
+  vec3 hips = mix(texelFetch(lastJoints, at, 0).xyz, texelFetch(presentJoints, at, 0).xyz, share);
+  vUv = position.xz;
+  vec2 place = hips.xz + ${SPOT.toFixed(2)} * position.xz;
+  gl_Position = projectionMatrix * viewMatrix * vec4(place.x, 0.001, place.y, 1.0);
+}`;
+
+const SPOT_FRAGMENT = /* glsl */ `
+uniform float darkness;
+varying vec2 vUv;
+void main() {
+  float near = max(0.0, 1.0 - length(vUv));
+  gl_FragColor = vec4(0.0, 0.0, 0.0, darkness * near * near);
+}`;
+
+export class CrowdShadows {
+  readonly object = new Group();
+  readonly #outlines: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  readonly #spots: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  readonly #outline: { toLight: IUniform<Vector3>; darkness: IUniform<number>; least: IUniform<number> };
+  readonly #spot = { darkness: { value: 0 } };
+
+  constructor(textures: JointTextures, body: SkinnedBody) {
+    this.#outline = { toLight: { value: new Vector3(0, 1, 0) }, darkness: { value: 0 }, least: { value: 0 } };
+    const shared = { transparent: true, depthWrite: false };
+    const { uniforms } = textures;
+    this.#outlines = new Mesh(
+      new InstancedBufferGeometry(),
+      new ShaderMaterial({
+        ...shared,
+        vertexShader: OUTLINE_VERTEX,
+        fragmentShader: OUTLINE_FRAGMENT,
+        uniforms: { ...uniforms, ...this.#outline },
+        // Flat, what was inside may be on top; what is in the shadow of two is as dark as in that of one.
+        side: DoubleSide,
+        stencilWrite: true,
+        stencilFunc: EqualStencilFunc,
+        stencilRef: 0,
+        stencilZPass: IncrementStencilOp,
+      }),
+    );
+    const square = new PlaneGeometry(2, 2).rotateX(-Math.PI / 2);
+    const spots = new InstancedBufferGeometry();
+    spots.setAttribute("position", square.getAttribute("position"));
+    spots.setIndex(square.getIndex());
+    this.#spots = new Mesh(
+      spots,
+      new ShaderMaterial({
+        ...shared,
+        vertexShader: SPOT_VERTEX,
+        fragmentShader: SPOT_FRAGMENT,
+        uniforms: { ...uniforms, ...this.#spot },
+      }),
+    );
+    for (const [order, mesh] of [this.#spots, this.#outlines].entries()) {
+      mesh.frustumCulled = false;
+      mesh.renderOrder = -2 + order;
+      this.object.add(mesh);
+    }
+    this.setBody(body);
+  }
+
+  /** Takes the body whose outline is drawn. */
+  setBody(body: SkinnedBody): void {
+    fill(this.#outlines.geometry, body);
+  }
+
+  /** Takes the theme's darkness. */
+  setTheme({ shadow }: Theme): void {
+    this.#outline.darkness.value = shadow.key * 0.8;
+    this.#spot.darkness.value = shadow.occlusion * 0.55;
+  }
+
+  /**
+   * Takes who is in the picture and the direction to the key light. Outlines are drawn of those whose height is more than
+   * `least`, a share of the picture's; they come gradually.
+   */
+  arrange(
+    levels: BodyLevels,
+    heights: ArrayLike<number>,
+    pictureHeight: number,
+    least: number,
+    toLight: Vector3,
+  ): void {
+    this.#outline.toLight.value.copy(toLight);
+    this.#outline.least.value = least;
+    const { counts, walkers } = levels;
+    const count = walkers.far.length;
+    const [outlined, spotted] = [instances(this.#outlines, count), instances(this.#spots, count)];
+    let [tall, all] = [0, 0];
+    for (const body of BODIES)
+      for (let i = 0; i < counts[body]; i++) {
+        const walker = walkers[body][i]!;
+        spotted[all++] = walker;
+        if (heights[walker]! > least * pictureHeight) outlined[tall++] = walker;
+      }
+    this.#outlines.geometry.instanceCount = tall;
+    this.#spots.geometry.instanceCount = all;
+    for (const mesh of [this.#outlines, this.#spots]) mesh.visible = mesh.geometry.instanceCount > 0;
+  }
+
+  dispose(): void {
+    this.object.removeFromParent();
+    for (const mesh of [this.#outlines, this.#spots]) {
+      mesh.geometry.dispose();
+      mesh.material.dispose();
+    }
+  }
+}
+
+/** The numbers of the walkers that a mesh draws, to be written. */
+function instances({ geometry }: Mesh<InstancedBufferGeometry>, count: number): Uint16Array {
+  if (geometry.getAttribute("walker")?.count !== Math.max(1, count))
+    geometry.setAttribute("walker", walkerAttribute(count));
+  const attribute = geometry.getAttribute("walker") as InstancedBufferAttribute;
+  attribute.needsUpdate = true;
+  return attribute.array as Uint16Array;
+}
