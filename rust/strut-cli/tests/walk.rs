@@ -5,7 +5,7 @@ mod common;
 use common::{assert_refused, mocap_folder, strut, strut_ok};
 use std::path::Path;
 use std::sync::Arc;
-use strut_core::hsmm::evaluation::{GaitStatistics, Reconstruction, recognise};
+use strut_core::hsmm::evaluation::{GaitStatistics, Reconstruction, recognise, recursion_error};
 use strut_core::hsmm::{LabelledClip, Options, RuntimeWalkModel, Track, WalkModel, Walker, train};
 use strut_core::humanoid::{HumanoidMotion, Proportions, Role};
 use strut_core::kinematics::world_from_local;
@@ -49,14 +49,18 @@ fn held_out_walks_are_reconstructed_and_recognised() {
         let model = train(&body, &training, Options { refined }, &Sequential).unwrap();
         let mut all = Reconstruction::default();
         let (mut right, mut count) = (0, 0);
+        let mut walked = 0.0_f64;
         for (style, _, track) in of(1..=2) {
             all.add(&model, *style, track);
+            walked = walked.max(recursion_error(&model, *style, track).unwrap());
             let found = recognise(&model, track);
             right += found.iter().filter(|s| *s == style).count();
             count += found.len();
         }
         let found = [all.degrees(), all.centimetres(), all.amplitude()];
         println!("refined {refined}: {found:.3?} against {expected:?}; {right} of {count} steps recognised");
+        println!("refined {refined}: walked to {walked:.1e} rad");
+        assert!(walked < 2e-5, "{walked} rad");
         for (found, expected) in found.iter().zip(expected) {
             assert!((found / expected - 1.0).abs() < 0.05, "{found} against {expected}");
         }

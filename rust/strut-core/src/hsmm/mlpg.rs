@@ -2,7 +2,8 @@
 //! means (`docs/methods/hsmm.md` §8).
 //!
 //! For each degree of freedom it minimises Σₜ p (cₜ − m)² + p′ (Δcₜ − m′)² + p″ (Δ²cₜ − m″)², with Δcₜ = (cₜ₊₁ − cₜ₋₁) / 2 and
-//! Δ²cₜ = cₜ₊₁ − 2cₜ + cₜ₋₁: a symmetric system with five diagonals.
+//! Δ²cₜ = cₜ₊₁ − 2cₜ + cₜ₋₁: a symmetric system with five diagonals, which [`Banded`] solves for all frames. Where only the next
+//! frame is wanted and the two before it are known, [`CostToGo`] goes back from the last frame to it.
 
 use super::model::Stream;
 use crate::math::lanes::Lane;
@@ -30,10 +31,72 @@ impl Number for Lane {
 
 /// A mean and how much it counts: the inverse of its variance.
 #[derive(Clone, Copy, Debug, Default)]
-
 pub(super) struct Term<T> {
     pub(super) mean: T,
     pub(super) weight: T,
+}
+
+/// What a frame t is drawn by: its pose, and the velocity and acceleration of the frame before, which it takes part in.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct FrameTerms<T> {
+    /// Of cₜ.
+    pub(super) pose: Term<T>,
+    /// Of (cₜ − cₜ₋₂) / 2.
+    pub(super) velocity: Term<T>,
+    /// Of cₜ − 2cₜ₋₁ + cₜ₋₂.
+    pub(super) acceleration: Term<T>,
+}
+
+/// The likeliest value of a frame, whatever the two before it are: cₜ = q (r − α cₜ₋₂ − β cₜ₋₁).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Choice<T> {
+    alpha: T,
+    beta: T,
+    q: T,
+    r: T,
+}
+
+impl<T: Number> Choice<T> {
+    /// The value after cₜ₋₂ and cₜ₋₁.
+    pub(super) fn after(&self, [before, last]: [T; 2]) -> T {
+        self.q * (self.r - self.alpha * before - self.beta * last)
+    }
+}
+
+/// What the frames from t on cost at least, as a function of a = cₜ₋₂ and b = cₜ₋₁:
+/// J(a, b) = A a² + 2B ab + C b² − 2D a − 2E b and a constant. After the last frame it is zero.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct CostToGo<T> {
+    aa: T,
+    ab: T,
+    bb: T,
+    a: T,
+    b: T,
+}
+
+impl<T: Number> CostToGo<T> {
+    /// With the frame before these, and how it is chosen. All of J but the terms of that frame is a function of it and of
+    /// the frame before; what remains after the least over it is of the same form (dynamic programming, as in linear-quadratic
+    /// control).
+    #[inline]
+    pub(super) fn with(&self, frame: &FrameTerms<T>) -> (Self, Choice<T>) {
+        let (p, v, g) = (frame.pose.weight, frame.velocity.weight, frame.acceleration.weight);
+        let (quarter, pull) = (v * T::of(0.25), v * frame.velocity.mean * T::of(0.5));
+        let (twice, bend) = (g + g, g * frame.acceleration.mean);
+        let alpha = g - quarter;
+        let beta = self.ab - twice;
+        let q = T::of(1.0) / (p + quarter + g + self.bb);
+        let r = p * frame.pose.mean + pull + bend + self.b;
+        let (alpha_q, beta_q) = (alpha * q, beta * q);
+        let cost = Self {
+            aa: quarter + g - alpha * alpha_q,
+            ab: T::of(0.0) - twice - alpha * beta_q,
+            bb: twice + twice + self.aa - beta * beta_q,
+            a: bend - pull - alpha_q * r,
+            b: self.a - bend - bend - beta_q * r,
+        };
+        (cost, Choice { alpha, beta, q, r })
+    }
 }
 
 /// A state of one frame: the side's index and the state's.
@@ -48,11 +111,6 @@ pub(super) struct Banded<T> {
 }
 
 impl<T: Number> Banded<T> {
-    /// Room for so many frames.
-    pub(super) fn with_capacity(frames: usize) -> Self {
-        Self { diagonals: [(); 3].map(|()| Vec::with_capacity(frames)), right: Vec::with_capacity(frames) }
-    }
-
     /// Begins anew with so many frames.
     pub(super) fn begin(&mut self, frames: usize) {
         for values in self.diagonals.iter_mut().chain([&mut self.right]) {
@@ -101,6 +159,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// Adds the terms that couple the trajectory to the known values c₋₁ and c₋₂: deltas of frames −1 and 0.
+    #[cfg(any(test, feature = "baselines"))]
     pub(super) fn after(&mut self, [before, last]: [T; 2], velocities: [Term<T>; 2], accelerations: [Term<T>; 2]) {
         // (c₀ − c₋₂) / 2 and (c₁ − c₋₁) / 2.
         for (t, (of, known)) in velocities.iter().zip([before, last]).enumerate() {
@@ -139,11 +198,6 @@ impl<T: Number> Banded<T> {
         let mut right = std::mem::take(&mut self.right);
         self.substitute(&mut right);
         self.right = right;
-        &self.right
-    }
-
-    /// The last solution of [`Banded::solve`].
-    pub(super) fn trajectory(&self) -> &[T] {
         &self.right
     }
 
@@ -202,8 +256,7 @@ mod tests {
         Term { mean, weight }
     }
 
-    fn solve(terms: &Terms) -> Vec<f64> {
-        let mut system = Banded::default();
+    fn begin(system: &mut Banded<f64>, terms: &[[(f64, f64); 3]]) {
         system.begin(terms.len());
         for (t, [pose, velocity, acceleration]) in terms.iter().enumerate() {
             system.pose(t, term(*pose));
@@ -212,7 +265,36 @@ mod tests {
                 system.acceleration(t, term(*acceleration));
             }
         }
+    }
+
+    fn solve(terms: &Terms) -> Vec<f64> {
+        let mut system = Banded::default();
+        begin(&mut system, terms);
         system.solve().to_vec()
+    }
+
+    /// The frames that follow the first, and what they are drawn by.
+    fn frames(terms: &Terms) -> impl DoubleEndedIterator<Item = FrameTerms<f64>> {
+        terms.windows(2).map(|pair| FrameTerms {
+            pose: term(pair[1][0]),
+            velocity: term(pair[0][1]),
+            acceleration: term(pair[0][2]),
+        })
+    }
+
+    /// The trajectory of the frames that follow the first, of which two values are known.
+    fn recursion(terms: &Terms, known: [f64; 2]) -> Vec<f64> {
+        let (mut cost, mut choices) = (CostToGo::default(), Vec::new());
+        for frame in frames(terms).rev() {
+            let (with, choice) = cost.with(&frame);
+            cost = with;
+            choices.push(choice);
+        }
+        let values = choices.iter().rev().scan(known, |known, choice| {
+            *known = [known[1], choice.after(*known)];
+            Some(known[1])
+        });
+        values.collect()
     }
 
     /// The objective.
@@ -246,21 +328,37 @@ mod tests {
         fn it_goes_on_from_frames_that_are_known(terms in terms(40)) {
             let all = solve(&terms);
             // With two frames of the solution known and all that follows, the rest is the solution again.
-            let rest = &terms[12..];
             let mut system = Banded::default();
-            system.begin(rest.len());
-            for (t, [pose, velocity, acceleration]) in rest.iter().enumerate() {
-                system.pose(t, term(*pose));
-                if (1..rest.len() - 1).contains(&t) {
-                    system.velocity(t, term(*velocity));
-                    system.acceleration(t, term(*acceleration));
-                }
-            }
+            begin(&mut system, &terms[12..]);
             let of = |part: usize| [11, 12].map(|t: usize| term(terms[t][part]));
             system.after([all[10], all[11]], of(1), of(2));
             for (a, b) in system.solve().iter().zip(&all[12..]) {
                 prop_assert!((a - b).abs() < 1e-9, "{a} {b}");
             }
+        }
+
+        #[test]
+        fn going_back_from_the_end_finds_what_follows(terms in terms(23), known in prop::array::uniform2(-1.0f64..1.0)) {
+            let found = recursion(&terms, known);
+            let mut system = Banded::default();
+            begin(&mut system, &terms[1..]);
+            let of = |part: usize| [0, 1].map(|t: usize| term(terms[t][part]));
+            system.after(known, of(1), of(2));
+            for (a, b) in system.solve().iter().zip(&found) {
+                prop_assert!((a - b).abs() < 1e-9, "{a} {b}");
+            }
+        }
+
+        #[test]
+        fn single_precision_is_enough_to_go_back(terms in terms(22), known in prop::array::uniform2(-1.0f64..1.0)) {
+            let single: Vec<FrameTerms<Lane>> = frames(&terms).map(|frame| {
+                let lane = |of: Term<f64>| Term { mean: Lane::splat(of.mean as f32), weight: Lane::splat(of.weight as f32) };
+                FrameTerms { pose: lane(frame.pose), velocity: lane(frame.velocity), acceleration: lane(frame.acceleration) }
+            }).collect();
+            let rest = single[1..].iter().rev().fold(CostToGo::default(), |rest, frame| rest.with(frame).0);
+            let (_, choice) = rest.with(&single[0]);
+            let found = choice.after(known.map(|c| Lane::splat(c as f32))).to_array()[0];
+            prop_assert!((f64::from(found) - recursion(&terms, known)[0]).abs() < 2e-5);
         }
 
         #[test]

@@ -16,7 +16,7 @@ pub(super) use runtime_model::least_delta_variance;
 
 use super::RATE_HZ;
 use super::joint_range::limited;
-use super::mlpg::{Banded, Term};
+use super::mlpg::{CostToGo, FrameTerms, Term};
 use super::model::{STATES, Side, Stream};
 use super::root::RootPath;
 use crate::humanoid::Pose;
@@ -24,9 +24,9 @@ use crate::math::float_funcs::wrap_angle;
 use crate::math::lanes::{Lane, WIDTH};
 use crate::math::{Vec3, exp_map};
 use planner::{Planner, Start};
-use runtime_model::{PADDED, Padded};
+use runtime_model::{PADDED, Padded, StateMeans};
 use std::sync::Arc;
-use step_length::{Frame, StepLength};
+use step_length::{StepLength, WalkedFrame};
 
 const LANES: usize = PADDED / WIDTH;
 
@@ -42,6 +42,33 @@ struct Position {
     reckoned: f64,
 }
 
+/// The state that a frame is in: its means, and how much they count.
+#[derive(Clone, Copy, Debug)]
+struct Frame<'a> {
+    means: &'a StateMeans,
+    weights: &'a StateMeans,
+}
+
+impl Frame<'_> {
+    fn term(&self, part: Stream, l: usize) -> Term<Lane> {
+        Term { mean: Lane::of(&self.means[part as usize], l), weight: Lane::of(&self.weights[part as usize], l) }
+    }
+}
+
+/// What a frame is drawn by that follows another.
+fn terms(before: &Frame, frame: &Frame, l: usize) -> FrameTerms<Lane> {
+    FrameTerms {
+        pose: frame.term(Stream::Static, l),
+        velocity: before.term(Stream::Delta, l),
+        acceleration: before.term(Stream::DeltaDelta, l),
+    }
+}
+
+/// The least cost of all frames but the first, which they follow.
+fn cost_to_go(frames: &[Frame], l: usize) -> CostToGo<Lane> {
+    frames.windows(2).rev().fold(CostToGo::default(), |rest, pair| rest.with(&terms(&pair[0], &pair[1], l)).0)
+}
+
 /// The synthesiser of one character's walk.
 #[derive(Clone, Debug)]
 pub struct Walker {
@@ -52,10 +79,9 @@ pub struct Walker {
     heading: f32,
     frame: u64,
     position: Position,
-    /// The last two frames, and the side, state, and means of the last one's velocity and acceleration.
+    /// The last two frames, and the side, the state and the means of the last one.
     emitted: [Padded; 2],
-    last: (usize, usize, [Padded; 2]),
-    systems: Vec<Banded<Lane>>,
+    last: (usize, usize, StateMeans),
     /// Steps and states of the last frame and those within the horizon.
     path: Vec<(u64, usize)>,
     root: RootPath,
@@ -73,8 +99,7 @@ impl Walker {
             frame: 0,
             position: Position::default(),
             emitted: [[0.0; PADDED]; 2],
-            last: (0, 0, [[0.0; PADDED]; 2]),
-            systems: vec![Banded::with_capacity(HORIZON + 1); LANES],
+            last: (0, 0, [[0.0; PADDED]; 3]),
             path: Vec::with_capacity(HORIZON + 1),
             root: RootPath::new(&runtime.proportions),
             pose: Pose::default(),
@@ -127,8 +152,7 @@ impl Walker {
     /// The next frame.
     pub fn advance(&mut self) -> &Pose {
         self.follow_path();
-        self.solve(true);
-        let row = self.row(0);
+        let row = self.next_row();
         self.emitted = [self.emitted[1], row];
         self.remember_means();
         let mut rotations = self.runtime.reference;
@@ -154,7 +178,7 @@ impl Walker {
         // Lengths were measured within the limits.
         let follows = self.runtime.has_step_lengths && self.planner.limits && walking == 1.0;
         let length = follows.then(|| self.planner.step(step).length.max(0.0));
-        if let Some(swing) = self.step_length.advance(Frame { step, length, place: self.pose.root }) {
+        if let Some(swing) = self.step_length.advance(WalkedFrame { step, length, place: self.pose.root }) {
             self.planner.swing = swing;
             self.planner.forget();
         }
@@ -173,8 +197,7 @@ impl Walker {
         self.planner.swing = 1.0;
         self.planner.forget();
         self.follow_path();
-        self.solve(false);
-        self.emitted = [self.row(0), self.row(1)];
+        self.emitted = self.first_rows();
         self.follow_path();
         self.remember_means();
     }
@@ -205,58 +228,113 @@ impl Walker {
         self.frame += 1;
     }
 
-    /// Solves for the likeliest trajectory along the path, going on from the frames before or not.
-    fn solve(&mut self, goes_on: bool) {
-        let (last_side, last_state, last_means) = &self.last;
-        for l in 0..LANES {
-            let system = &mut self.systems[l];
-            system.begin(self.path.len());
-            let term = |side: usize, state: usize, part: Stream, means: &Padded| Term {
-                mean: Lane::of(means, l),
-                weight: Lane::of(&self.runtime.inverse_variances[side][state][part as usize], l),
-            };
-            let at = |t: usize, part: Stream| {
-                let (number, state) = self.path[t];
-                let means = &self.planner.step(number).means[state];
-                term(side_of(number) as usize, state, part, &means[part as usize])
-            };
-            for t in 0..self.path.len() {
-                system.pose(t, at(t, Stream::Static));
-                if t > 0 && t + 1 < self.path.len() {
-                    system.velocity(t, at(t, Stream::Delta));
-                    system.acceleration(t, at(t, Stream::DeltaDelta));
-                }
-            }
-            if goes_on {
-                let terms =
-                    |part: Stream| [term(*last_side, *last_state, part, &last_means[part as usize - 1]), at(0, part)];
-                let known = self.emitted.each_ref().map(|row| Lane::of(row, l));
-                system.after(known, terms(Stream::Delta), terms(Stream::DeltaDelta));
-            }
-            system.solve();
-        }
+    /// The last frame, whose state is kept, and those of the path.
+    fn frames(&self) -> [Frame<'_>; HORIZON + 2] {
+        let (side, state, means) = &self.last;
+        let frame =
+            |side: usize, state: usize, means| Frame { means, weights: &self.runtime.inverse_variances[side][state] };
+        let last = frame(*side, *state, means);
+        std::array::from_fn(|i| {
+            let Some((number, state)) = i.checked_sub(1).map(|t| self.path[t]) else { return last };
+            frame(side_of(number) as usize, state, &self.planner.step(number).means[state])
+        })
     }
 
-    /// A frame of the trajectory.
-    fn row(&self, t: usize) -> Padded {
+    /// The first frame of the likeliest trajectory along the path, which goes on from the frames before.
+    fn next_row(&self) -> Padded {
+        let frames = self.frames();
         let mut row = [0.0; PADDED];
-        self.systems.iter().enumerate().for_each(|(l, system)| system.trajectory()[t].write(&mut row, l));
+        for l in 0..LANES {
+            let (_, choice) = cost_to_go(&frames[1..], l).with(&terms(&frames[0], &frames[1], l));
+            choice.after(self.emitted.each_ref().map(|row| Lane::of(row, l))).write(&mut row, l);
+        }
         row
     }
 
-    /// Keeps this frame's delta means for the next frame's system.
+    /// The first two frames of the likeliest trajectory along the path, which has no past: there are no deltas before its
+    /// third frame.
+    fn first_rows(&self) -> [Padded; 2] {
+        let frames = self.frames();
+        let mut rows = [[0.0; PADDED]; 2];
+        for l in 0..LANES {
+            let pose = |frame: &Frame| FrameTerms { pose: frame.term(Stream::Static, l), ..FrameTerms::default() };
+            let (rest, second) = cost_to_go(&frames[2..], l).with(&pose(&frames[2]));
+            let (_, first) = rest.with(&pose(&frames[1]));
+            let c = first.after([Lane::default(); 2]);
+            c.write(&mut rows[0], l);
+            second.after([Lane::default(), c]).write(&mut rows[1], l);
+        }
+        rows
+    }
+
+    /// Keeps this frame's means for the next frame's system.
     fn remember_means(&mut self) {
         let (number, state) = self.path[0];
-        let [_, velocity, acceleration] = self.planner.step(number).means[state];
-        self.last = (side_of(number) as usize, state, [velocity, acceleration]);
+        self.last = (side_of(number) as usize, state, self.planner.step(number).means[state]);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hsmm::mlpg::Banded;
+    use crate::hsmm::model::SIDES;
     use crate::hsmm::tests::walker;
     use std::f32::consts::PI;
+
+    /// The first two frames along the path by the banded system in double precision, going on from the frames before or not.
+    fn by_banded_system(walker: &Walker, d: usize, goes_on: bool) -> [f64; 2] {
+        let frames = walker.frames();
+        let term = |i: usize, part: Stream| {
+            let number = |of: &StateMeans| f64::from(of[part as usize][d]);
+            Term { mean: number(frames[i].means), weight: number(frames[i].weights) }
+        };
+        let mut system = Banded::default();
+        system.begin(HORIZON + 1);
+        for t in 0..=HORIZON {
+            system.pose(t, term(t + 1, Stream::Static));
+            if t > 0 && t < HORIZON {
+                system.velocity(t, term(t + 1, Stream::Delta));
+                system.acceleration(t, term(t + 1, Stream::DeltaDelta));
+            }
+        }
+        if goes_on {
+            let terms = |part: Stream| [0, 1].map(|i| term(i, part));
+            let known = walker.emitted.each_ref().map(|row| f64::from(row[d]));
+            system.after(known, terms(Stream::Delta), terms(Stream::DeltaDelta));
+        }
+        let trajectory = system.solve();
+        [trajectory[0], trajectory[1]]
+    }
+
+    #[test]
+    fn frames_are_those_of_the_banded_system() {
+        let mut walker = walker(&[1.0, 0.0]);
+        let mut first = walker.clone();
+        (first.frame, first.position) = (0, Position::default());
+        first.follow_path();
+        let rows = first.first_rows();
+        let is_near = |d: usize| {
+            let expected = by_banded_system(&first, d, false);
+            (0..2).all(|t| (f64::from(rows[t][d]) - expected[t]).abs() < 2e-5)
+        };
+        assert!((0..PADDED).all(is_near));
+
+        let mut greatest = 0.0_f64;
+        walker.plan_transition(5, 3, [&[-1.0, 2.0]; SIDES]).unwrap();
+        for frame in 0..300 {
+            if frame == 150 {
+                walker.set_walking(false);
+            }
+            let mut next = walker.clone();
+            next.follow_path();
+            let row = next.next_row();
+            let off = |d: usize| (f64::from(row[d]) - by_banded_system(&next, d, true)[0]).abs();
+            greatest = (0..PADDED).map(off).fold(greatest, f64::max);
+            walker.advance();
+        }
+        assert!(greatest < 2e-5, "{greatest} rad");
+    }
 
     #[test]
     fn the_heading_stays_within_half_a_turn() {

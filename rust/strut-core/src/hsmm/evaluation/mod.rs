@@ -5,6 +5,7 @@ mod extrapolation;
 mod gait_statistics;
 mod horizon;
 mod reconstruction;
+mod recursion;
 mod transition;
 
 pub use context::{ContextTree, Split};
@@ -12,6 +13,7 @@ pub use extrapolation::{Bearing, bearing, strengths};
 pub use gait_statistics::GaitStatistics;
 pub use horizon::horizon_error;
 pub use reconstruction::{Reconstruction, recognise};
+pub use recursion::recursion_error;
 pub use transition::{Peaks, stopping_peaks, transition_peaks};
 
 use super::model::WalkModel;

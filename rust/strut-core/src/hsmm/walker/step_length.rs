@@ -10,7 +10,7 @@ pub(super) const SHARE: [f32; 2] = [0.75, 1.2];
 
 /// A frame of a walk.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(super) struct WalkedFrame {
     /// Number of its step.
     pub(super) step: u64,
     /// How long that step should get, metres; `None` where nothing is asked of it.
@@ -48,7 +48,7 @@ impl Default for StepLength {
 
 impl StepLength {
     /// Takes note of a frame: the share that the swing has from the next one on, if it is another.
-    pub(super) fn advance(&mut self, frame: Frame) -> Option<f32> {
+    pub(super) fn advance(&mut self, frame: WalkedFrame) -> Option<f32> {
         let (last_step, last_length) = (self.step, self.length);
         (self.step, self.length) = (frame.step, frame.length);
         if frame.length.is_none() {
@@ -95,7 +95,7 @@ mod tests {
         let (mut controlled, mut share, mut way) = (StepLength::default(), 1.0, 0.0);
         for frame in 0..steps * FRAMES {
             let place = Vec3::new(0.0, 0.0, way);
-            share = controlled.advance(Frame { step: frame / FRAMES, length, place }).unwrap_or(share);
+            share = controlled.advance(WalkedFrame { step: frame / FRAMES, length, place }).unwrap_or(share);
             way += length_of(share) / FRAMES as f32;
         }
         (way, share)
