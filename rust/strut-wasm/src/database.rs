@@ -30,10 +30,10 @@ impl Database {
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromBytes)]
     pub fn from_bytes(bytes: Uint8Array) -> Result<Self, EngineError> {
-        let contents = strutdb::read(&Bytes(bytes)).map_err(|e| {
+        let catalogue = strutdb::read_catalogue(&Bytes(bytes)).map_err(|e| {
             EngineError::bad_file(e, "Copy the file once more, or build the database again with 'strut build-db'.")
         })?;
-        Ok(Self { model: Arc::new(Model::of(contents.into_catalogue())) })
+        Ok(Self { model: Arc::new(Model::of(catalogue)) })
     }
 
     /// Number of rows.

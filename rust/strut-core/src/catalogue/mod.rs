@@ -1,11 +1,13 @@
 //! The runtime form of a database: compact, indexed and read-only.
 
+mod builder;
 mod gait_phase;
 mod header;
 mod quantised;
 mod runtime;
 mod target_table;
 
+pub use builder::CatalogueBuilder;
 pub use gait_phase::GaitPhase;
 pub use header::Header;
 pub use quantised::QuantisedRows;

@@ -38,15 +38,6 @@ pub struct QuantisedRows {
 const PART: usize = 4096;
 
 impl QuantisedRows {
-    /// Rows between the least and the greatest values of `range`.
-    pub(super) fn new(rows: &[PoseRow], range: &[PoseRow; 2]) -> Self {
-        let mut quantised = Self::with_range(range, rows.len());
-        for row in rows {
-            quantised.push(row);
-        }
-        quantised
-    }
-
     /// Room for `capacity` rows between the least and the greatest values of `range`.
     pub(super) fn with_range([least, greatest]: &[PoseRow; 2], capacity: usize) -> Self {
         Self {

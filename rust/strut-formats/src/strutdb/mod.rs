@@ -39,7 +39,7 @@ mod read;
 mod write;
 
 pub use metadata::{ClipInfo, Metadata, SkeletonInfo};
-pub use read::{Contents, read, read_metadata};
+pub use read::{Contents, read, read_catalogue, read_metadata};
 pub use write::write;
 
 use crate::container::{ContainerError, Kind};
