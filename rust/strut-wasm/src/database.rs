@@ -7,6 +7,10 @@ use strut_formats::strutdb::{self, StrutdbError, packed};
 use strut_wasm_common::{Bytes, EngineError, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+/// Memory that a database and its targets may take, of the 4 GiB that a package can address: the rest is for motions, their
+/// results, and what lies between.
+const MOST_BYTES: u64 = 3_000_000_000;
+
 /// A database with its search index; shared with all that was made from it.
 #[wasm_bindgen]
 pub struct Database {
@@ -30,7 +34,7 @@ impl Database {
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromBytes)]
     pub fn from_bytes(bytes: Uint8Array) -> Result<Self, EngineError> {
-        let catalogue = strutdb::read_catalogue(&Bytes(bytes)).map_err(|e| {
+        let catalogue = strutdb::read_catalogue(&Bytes(bytes), Some(MOST_BYTES)).map_err(|e| {
             EngineError::bad_file(e, "Copy the file once more, or build the database again with 'strut build-db'.")
         })?;
         Ok(Self { model: Arc::new(Model::of(catalogue)) })

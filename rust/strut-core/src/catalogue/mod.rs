@@ -3,6 +3,7 @@
 mod builder;
 mod gait_phase;
 mod header;
+mod memory;
 mod quantised;
 mod runtime;
 mod target_table;
@@ -10,6 +11,7 @@ mod target_table;
 pub use builder::CatalogueBuilder;
 pub use gait_phase::GaitPhase;
 pub use header::Header;
+pub use memory::CatalogueSize;
 pub use quantised::QuantisedRows;
 pub(crate) use quantised::Rows;
 pub use runtime::Catalogue;

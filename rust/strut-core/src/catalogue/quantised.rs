@@ -47,6 +47,12 @@ impl QuantisedRows {
         }
     }
 
+    /// Bytes of so many rows.
+    pub(super) fn bytes(rows: u64) -> u64 {
+        let part = PART as u64;
+        rows.div_ceil(part).saturating_mul(part * size_of::<[i16; ROW]>() as u64)
+    }
+
     #[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
     pub(super) fn push(&mut self, row: &PoseRow) {
         let steps = std::array::from_fn(|d| {

@@ -107,6 +107,12 @@ impl Leaves {
         }
     }
 
+    /// Bytes of so many leaves in so many classes.
+    pub(super) fn bytes(leaves: u64, classes: u64) -> u64 {
+        let blocks = leaves.saturating_add(leaves / BLOCK as u64).saturating_add(classes);
+        blocks.saturating_mul(size_of::<Block>() as u64).saturating_add(leaves.saturating_mul(4))
+    }
+
     pub(super) fn subspace(&self) -> &Subspace {
         &self.subspace
     }

@@ -12,7 +12,7 @@ use std::ops::Range;
 use thiserror::Error;
 
 /// Windows that the directions of a subspace are fitted to, and whose points in a plan are compared in full.
-const SAMPLES: usize = 512;
+pub(super) const SAMPLES: usize = 512;
 
 const METRICS: [Metric; 2] = [Metric::FullBody, Metric::LowerBody];
 

@@ -4,7 +4,7 @@ use super::metadata::{Metadata, pose_columns};
 use super::{KIND, MAX_CLIPS, StrutdbError};
 use crate::container::{self, ContainerError, Source, Tensor, Tensors};
 use safetensors::tensor::Dtype;
-use strut_core::catalogue::{Catalogue, CatalogueBuilder};
+use strut_core::catalogue::{Catalogue, CatalogueBuilder, CatalogueSize};
 use strut_core::database::{Clip, Database, DatabaseError, DatabaseParts, MAX_COUNTERPARTS, MAX_FRAMES, PointCloud};
 use strut_core::humanoid::JOINTS;
 use strut_core::math::Quat;
@@ -44,12 +44,17 @@ pub fn read<S: Source + ?Sized>(file: &S) -> Result<Contents, StrutdbError> {
     Ok(Contents { database: Database::new(parts)?, plan })
 }
 
-/// Reads a file to style with: the same as [`Contents::into_catalogue`], in less memory.
+/// Reads a file to style with: the same as [`Contents::into_catalogue`], in less memory. With `most_bytes` it is made sure
+/// before that it and the targets of [`STYLES`] styles take no more, and that there is room to open it: in WebAssembly,
+/// running out of memory ends the program.
 ///
 /// # Errors
-/// As [`read`].
-pub fn read_catalogue<S: Source + ?Sized>(file: &S) -> Result<Catalogue, StrutdbError> {
+/// As [`read`], and [`StrutdbError::Memory`].
+pub fn read_catalogue<S: Source + ?Sized>(file: &S, most_bytes: Option<u64>) -> Result<Catalogue, StrutdbError> {
     let (metadata, tensors) = open(file)?;
+    if let Some(most_bytes) = most_bytes {
+        check_memory(&metadata, &tensors, most_bytes)?;
+    }
     let (parts, LongTensors { pose, point_cloud, plan }) = parts_of(metadata, &tensors)?;
     let builder = CatalogueBuilder::new(parts, |first, rows| copy_rows(&pose, first, rows))?;
     let copy_clouds = |first: usize, to: &mut [PointCloud]| point_cloud.copy(first * 3 * JOINTS, to);
@@ -63,6 +68,46 @@ pub fn read_catalogue<S: Source + ?Sized>(file: &S) -> Result<Catalogue, Strutdb
         }
         _ => builder.finish(copy_clouds, None)?,
     })
+}
+
+/// Styles whose targets find room beside a database that is opened to style with.
+pub const STYLES: u64 = 3;
+
+/// What is allocated at once to find out whether memory is to be had, bytes: half of what 32 bits allow.
+const TRIAL: u64 = 1 << 30;
+
+/// Whether a database can be opened with `most_bytes`.
+fn check_memory<S: Source + ?Sized>(
+    metadata: &Metadata,
+    tensors: &Tensors<'_, S>,
+    most_bytes: u64,
+) -> Result<(), StrutdbError> {
+    let counterpart = tensors.find("counterpart", Dtype::F32, &[None, None, None])?;
+    let size = CatalogueSize::of_clips(&clips(metadata)?, metadata.styles.len(), counterpart.shape()[2]);
+    let opening = size.bytes(tensors.rows("search_order") > 0);
+    let needed = opening.saturating_add(STYLES.saturating_mul(size.table_bytes()));
+    let refused = |most| StrutdbError::Memory { frames: size.frames, needed, most };
+    if needed > most_bytes {
+        return Err(refused(Some(most_bytes)));
+    }
+    if is_available(opening) { Ok(()) } else { Err(refused(None)) }
+}
+
+/// Whether so many bytes can be allocated now. In WebAssembly they are then the program's.
+fn is_available(bytes: u64) -> bool {
+    let mut trials: Vec<Vec<u8>> = Vec::new();
+    let mut left = bytes;
+    while left > 0 {
+        let mut trial = Vec::new();
+        let part = left.min(TRIAL);
+        if trial.try_reserve_exact(part as usize).is_err() {
+            return false;
+        }
+        left -= part;
+        // Compilers remove allocations that nothing is done with.
+        trials.push(std::hint::black_box(trial));
+    }
+    true
 }
 
 /// Tensors that need not be in memory as a whole.
