@@ -10,7 +10,7 @@ use strut_formats::{bvh, corpus, strutdb};
 /// Greatest depth of nested folders.
 const MAX_DEPTH: usize = 16;
 /// Greatest size of an archive, and of its unpacked files, bytes: that of a database.
-const MAX_ARCHIVE_BYTES: usize = strutdb::KIND.max_bytes;
+const MAX_ARCHIVE_BYTES: usize = 1 << 30;
 /// Greatest size of a licence file, bytes.
 const MAX_LICENCE_BYTES: usize = 1 << 20;
 

@@ -34,8 +34,14 @@ impl Database {
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromBytes)]
     pub fn from_bytes(bytes: Uint8Array) -> Result<Self, EngineError> {
-        let catalogue = strutdb::read_catalogue(&Bytes(bytes), Some(MOST_BYTES)).map_err(|e| {
-            EngineError::bad_file(e, "Copy the file once more, or build the database again with 'strut build-db'.")
+        let catalogue = strutdb::read_catalogue(&Bytes(bytes), Some(MOST_BYTES)).map_err(|error| {
+            let hint = match error {
+                StrutdbError::Memory { .. } => {
+                    "Build it of fewer takes or styles, or at a lower rate, as with 'strut build-db --rate 30'."
+                }
+                _ => "Copy the file once more, or build the database again with 'strut build-db'.",
+            };
+            EngineError::bad_file(error, hint)
         })?;
         Ok(Self { model: Arc::new(Model::of(catalogue)) })
     }

@@ -49,8 +49,14 @@ use thiserror::Error;
 /// Greatest number of clips of a database.
 pub const MAX_CLIPS: usize = 100_000;
 /// The kind of file.
-pub const KIND: Kind =
-    Kind { name: "Strut database", entry: "strut", version: "1.0", checksum_since: 0, max_bytes: 1 << 30 };
+pub const KIND: Kind = Kind {
+    name: "Strut database",
+    entry: "strut",
+    version: "1.0",
+    checksum_since: 0,
+    // As many as packages for JavaScript can count.
+    max_bytes: u32::MAX as usize,
+};
 
 const fn megabytes(bytes: u64) -> u64 {
     bytes / 1_000_000
