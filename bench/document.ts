@@ -41,7 +41,7 @@ function wasmSection(title: string, { command, report }: Measured<Report>): stri
     markdown(ratioTable(report)),
     "The plain loops find the engine's neighbours; a set is *tied* where it differs in windows as far away as the last, but for rounding. The largest differences of a predicted joint angle (radians), of a frame's duration and of the likelihood of a contact follow:",
     markdown(agreementTable(report)),
-    "WASM memory with the database open and with target styles selected:",
+    "WASM memory with the database open and with target styles in use:",
     markdown(memoryTable(report)),
   ];
 }

@@ -1,6 +1,7 @@
 //! How much memory a catalogue takes, before it is made.
 
 use super::quantised::QuantisedRows;
+use super::runtime::Catalogue;
 use crate::database::Clip;
 use crate::search::Index;
 
@@ -38,6 +39,11 @@ impl CatalogueSize {
             classes: by_class.clone().count() as u64,
             frames_of_class: by_class.map(frames).max().unwrap_or_default(),
         }
+    }
+
+    /// Of a catalogue.
+    pub fn of(catalogue: &Catalogue) -> Self {
+        Self::of_clips(&catalogue.clips, catalogue.styles.len(), catalogue.counterparts_per_style)
     }
 
     /// Bytes that a [`CatalogueBuilder`](super::CatalogueBuilder) takes at most, with what it reads and makes; with a plan of

@@ -127,7 +127,8 @@ fn add_step([from, to]: [&PoseRow; 2], sums: &mut [f64; ROW], squares: &mut [f64
 #[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
 fn widen([least, greatest]: &mut [PoseRow; 2], row: &PoseRow) {
     for ((least, greatest), &v) in least.iter_mut().zip(greatest).zip(row) {
-        *least = least.min(v);
-        *greatest = greatest.max(v);
+        // `f32::min` would be a function call in WebAssembly.
+        *least = if v < *least { v } else { *least };
+        *greatest = if v > *greatest { v } else { *greatest };
     }
 }

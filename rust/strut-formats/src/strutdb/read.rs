@@ -70,8 +70,9 @@ pub fn read_catalogue<S: Source + ?Sized>(file: &S, most_bytes: Option<u64>) -> 
     })
 }
 
-/// Styles whose targets find room beside a database that is opened to style with.
-pub const STYLES: u64 = 3;
+/// Styles whose targets find room beside a database that is opened to style with: three, the neutral one, and one that was
+/// in use before.
+pub const STYLES: u64 = 5;
 
 /// What is allocated at once to find out whether memory is to be had, bytes: half of what 32 bits allow.
 const TRIAL: u64 = 1 << 30;
