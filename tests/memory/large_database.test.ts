@@ -1,11 +1,15 @@
 /** What does not fit is refused with a sentence, and where memory runs out all the same, nothing is lost that was open. */
 import { readFileSync } from "node:fs";
 import { afterEach, expect, test } from "vitest";
+import * as bench from "../../bench/pkg/simd/strut_bench.js";
 import { crc32 } from "../../web/client/build/crc32";
 import { createStrutClient } from "../../web/client/client";
 import type { StrutClient } from "../../web/client/protocol";
+import { loadBuiltIn } from "../../web/engine/built_in";
+import { Engine } from "../../web/engine/engine";
 import * as glue from "../../web/engine/pkg/strut_wasm.js";
 import { DEFAULT_OPTIONS } from "../../web/engine/types";
+import { POSE_FLOATS } from "../../web/humanoid";
 import { InlineWorker } from "../inline_worker";
 
 /** All that 32 bits can address. */
@@ -50,6 +54,35 @@ function forged(frames: number): File {
   const sum = crc32(bytesWith(blank)).toString(16).padStart(8, "0");
   return new File([bytesWith(blank.replace("00000000", sum))], "large.strutdb");
 }
+
+test("a file that is read in slices opens as one that is in memory", async () => {
+  bench.initSync({ module: readFileSync(new URL("../../bench/pkg/simd/strut_bench_bg.wasm", import.meta.url)) });
+  const bytes = bench.Workload.procedural(30_000).database();
+  const engine = await Engine.load();
+  let slices = 0;
+  const open = (read: (begin: number, end: number) => Uint8Array) =>
+    engine.openDatabase({ kind: "strutdb", name: "sliced", bytes: { size: bytes.length, read } });
+  const sliced = open((begin, end) => {
+    slices += 1;
+    return bytes.slice(begin, end);
+  });
+  expect(slices).toBeGreaterThan(2);
+  const whole = engine.openDatabase({ kind: "strutdb", name: "sliced", bytes: bytes.buffer as ArrayBuffer });
+  expect(sliced.info).toEqual(whole.info);
+  const input = engine.openInput(whole, { kind: "built-in", name: "neutral walk", motions: await loadBuiltIn() });
+  const [a, b] = [sliced, whole].map((database) => {
+    const stylizer = engine.createStylizer(database);
+    stylizer.setWeights(Float32Array.from(database.info.styles, (_, style) => (style === 1 ? 1 : 0)));
+    return stylizer.push(input.info.poses.subarray(0, 60 * POSE_FLOATS)).poses;
+  });
+  expect(a).toEqual(b);
+  const gone = (begin: number, end: number) => {
+    if (begin > 0) throw new DOMException("gone", "NotReadableError");
+    return bytes.slice(begin, end);
+  };
+  expect(() => open(gone)).toThrow("The file could not be read.");
+  expect(() => open((begin) => bytes.slice(begin, begin + 5))).toThrow("The file could not be read.");
+});
 
 const open = (file: File) => client!.openDatabase({ kind: "strutdb", name: "large", file });
 

@@ -5,7 +5,7 @@ use crate::files;
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
-use strut_formats::{bvh, corpus, strutdb};
+use strut_formats::{bvh, corpus};
 
 /// Greatest depth of nested folders.
 const MAX_DEPTH: usize = 16;

@@ -1,6 +1,6 @@
 /** Calls about databases. */
 import type { BuiltInSet } from "../../engine/built_in";
-import type { Database } from "../../engine/database";
+import type { Database, SlicedFile } from "../../engine/database";
 import { StrutError } from "../../engine/errors";
 import type { DatabaseInfo, DatabaseSource } from "../protocol";
 import type { Host } from "./host";
@@ -40,8 +40,19 @@ export async function openDatabase(
   return { ...database.info, proportions: database.info.proportions.slice() };
 }
 
-/** The bytes of a file. @throws StrutError `bad-file` where it is gone, or there is no room for it */
-async function bytesOf(file: Blob): Promise<ArrayBuffer> {
+/** What workers of browsers have. */
+declare const FileReaderSync: (new () => { readAsArrayBuffer(blob: Blob): ArrayBuffer }) | undefined;
+
+/** Files from this size on are read in slices, which takes longer, so that they need not be in memory as a whole; bytes. */
+const SLICED_BYTES = 256e6;
+
+/** The bytes of a file, or a way to read them. @throws StrutError `bad-file` where it is gone, or there is no room for it */
+async function bytesOf(file: Blob): Promise<ArrayBuffer | SlicedFile> {
+  if (file.size >= SLICED_BYTES && typeof FileReaderSync === "function") {
+    const reader = new FileReaderSync();
+    const read = (begin: number, end: number) => new Uint8Array(reader.readAsArrayBuffer(file.slice(begin, end)));
+    return { size: file.size, read };
+  }
   try {
     return await file.arrayBuffer();
   } catch (cause) {
