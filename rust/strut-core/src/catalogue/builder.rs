@@ -66,7 +66,9 @@ impl CatalogueBuilder {
             let poses = &mut portion[..part.len()];
             read(part.start, poses);
             squares.add(poses);
-            poses.iter().for_each(|row| rows.push(row));
+            for row in poses {
+                rows.push(row);
+            }
         }
         let gait_phase = GaitPhase::new(&parts);
         let mut parts = parts;

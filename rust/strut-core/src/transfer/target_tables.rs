@@ -20,13 +20,12 @@ impl TargetTables {
     /// If there is no such style.
     pub(super) fn of(&self, catalogue: &Catalogue, style: u16) -> Arc<TargetTable> {
         let mut tables = self.tables.lock().unwrap_or_else(PoisonError::into_inner);
-        let table = match tables.iter().position(|table| table.style == style) {
-            Some(at) => tables.remove(at),
-            None => {
-                let most = (IDLE_BYTES / CatalogueSize::of(catalogue).table_bytes().max(1)).max(1) as usize;
-                drop_idle(&mut tables, most);
-                Arc::new(TargetTable::build(catalogue, style))
-            }
+        let table = if let Some(at) = tables.iter().position(|table| table.style == style) {
+            tables.remove(at)
+        } else {
+            let most = (IDLE_BYTES / CatalogueSize::of(catalogue).table_bytes().max(1)).max(1) as usize;
+            drop_idle(&mut tables, most);
+            Arc::new(TargetTable::build(catalogue, style))
         };
         tables.push(Arc::clone(&table));
         table

@@ -230,7 +230,7 @@ fn invalid(message: String) -> StrutdbError {
 }
 
 /// Rows that are copied at once, on the stack.
-const ROWS: usize = 64;
+const ROWS: usize = 32;
 
 /// Copies rows of degrees of freedom from number `first` on. Their padding is left as it is.
 fn copy_rows<S: Source + ?Sized>(tensor: &Tensor<'_, S>, first: usize, to: &mut [PoseRow]) {
