@@ -18,8 +18,10 @@ impl Source for Bytes {
     }
 }
 
-/// Bytes that are in JavaScript's heap at once.
-const SLICE: usize = 16 << 20;
+/// Bytes that are in JavaScript's heap at once: where the last slice ends, …
+const SLICE: usize = 32 << 20;
+/// … and elsewhere, where few may be wanted.
+const FIRST_SLICE: usize = 1 << 20;
 
 /// A file outside of JavaScript's heap, of which a slice at a time is there.
 pub struct Slices {
@@ -42,8 +44,8 @@ impl Slices {
     }
 
     /// The slice from `begin` on, shorter at the end of the file.
-    fn slice_from(&self, begin: usize) -> Option<Uint8Array> {
-        let end = self.bytes.min(begin + SLICE);
+    fn slice_from(&self, begin: usize, length: usize) -> Option<Uint8Array> {
+        let end = self.bytes.min(begin + length);
         if end <= begin {
             return None;
         }
@@ -64,7 +66,8 @@ impl Source for Slices {
             let at = begin + done;
             let within = at.checked_sub(slice.0).filter(|&within| within < slice.1.length() as usize);
             let Some(within) = within else {
-                let Some(next) = self.slice_from(at).filter(|_| !self.failed.get()) else {
+                let length = if at == slice.0 + slice.1.length() as usize { SLICE } else { FIRST_SLICE };
+                let Some(next) = self.slice_from(at, length).filter(|_| !self.failed.get()) else {
                     self.failed.set(true);
                     to[done..].fill(0);
                     return;

@@ -96,7 +96,7 @@ impl Database {
         Self { model: Arc::new(Model::new(database)) }
     }
 
-    fn read(file: &impl Source) -> Result<Self, EngineError> {
+    fn read(file: &dyn Source) -> Result<Self, EngineError> {
         let catalogue = strutdb::read_catalogue(file, Some(MOST_BYTES)).map_err(|error| {
             let hint = match error {
                 StrutdbError::Memory { .. } => {

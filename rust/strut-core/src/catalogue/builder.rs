@@ -5,13 +5,13 @@ use super::header::Header;
 use super::quantised::QuantisedRows;
 use super::runtime::Catalogue;
 use crate::database::{
-    Clip, DatabaseError, DatabaseParts, PointCloud, RowSquares, RowSums, StepSums, validate_point_clouds,
+    Clip, Database, DatabaseError, DatabaseParts, PointCloud, RowSquares, RowSums, StepSums, validate_point_clouds,
     validate_poses, validate_short_tensors, validated_classes,
 };
 use crate::humanoid::JOINTS;
 use crate::math::Vec3;
 use crate::pose_vector::{PoseRow, ROW};
-use crate::search::{Index, Places, PlanSource, WINDOW, Windows};
+use crate::search::{Index, Places, Plan, PlanSource, WINDOW, Windows};
 use std::ops::Range;
 
 /// Rows that are read at once.
@@ -39,7 +39,7 @@ impl CatalogueBuilder {
     ///
     /// # Errors
     /// See [`DatabaseError`].
-    pub fn new(parts: DatabaseParts, read: impl Fn(usize, &mut [PoseRow])) -> Result<Self, DatabaseError> {
+    pub fn new(parts: DatabaseParts, read: &dyn Fn(usize, &mut [PoseRow])) -> Result<Self, DatabaseError> {
         let classes = validated_classes(&parts)?;
         let n = validate_short_tensors(&parts)?;
         let mut portion = vec![[0.0; ROW]; PORTION.min(n)];
@@ -89,6 +89,14 @@ impl CatalogueBuilder {
         })
     }
 
+    /// The rows of a database, and its point clouds.
+    fn of(db: Database) -> (Self, Vec<PointCloud>) {
+        let (mut parts, _) = db.into_parts();
+        let (pose, point_cloud) = (std::mem::take(&mut parts.pose), std::mem::take(&mut parts.point_cloud));
+        let copy = |first: usize, to: &mut [PoseRow]| to.copy_from_slice(&pose[first..][..to.len()]);
+        (Self::new(parts, &copy).expect("the database is valid"), point_cloud)
+    }
+
     /// Reads the point clouds, `read` as in [`CatalogueBuilder::new`], and makes the search index by a plan. Without a plan,
     /// or with that of another database, it is built, which takes longer.
     ///
@@ -96,7 +104,7 @@ impl CatalogueBuilder {
     /// If a position is not a number within 1 km.
     pub fn finish(
         mut self,
-        read: impl Fn(usize, &mut [PointCloud]),
+        read: Box<dyn Fn(usize, &mut [PointCloud]) + '_>,
         plan: Option<PlanSource<'_>>,
     ) -> Result<Catalogue, DatabaseError> {
         let mut windows = Windows::empty(&self.header.clips, self.header.classes(), WINDOW);
@@ -112,7 +120,7 @@ impl CatalogueBuilder {
     }
 
     /// Takes an index of the same rows.
-    pub(super) fn finish_with(self, index: Index) -> Catalogue {
+    fn finish_with(self, index: Index) -> Catalogue {
         Catalogue {
             header: self.header,
             rows: self.rows,
@@ -126,6 +134,37 @@ impl CatalogueBuilder {
             observed_range: self.observed_range,
             index,
         }
+    }
+}
+
+impl Catalogue {
+    /// The catalogue of a database; builds the search index.
+    pub fn new(db: Database) -> Self {
+        Self::with_plan(db, None)
+    }
+
+    /// The catalogue of a database with the search index of a plan. Without a plan, or with that of another database, the
+    /// index is built, which takes longer.
+    ///
+    /// # Panics
+    /// Never: a [`Database`] was validated when it was made.
+    pub fn with_plan(db: Database, plan: Option<Plan>) -> Self {
+        let (builder, point_cloud) = CatalogueBuilder::of(db);
+        let copy = move |first: usize, to: &mut [PointCloud]| to.copy_from_slice(&point_cloud[first..][..to.len()]);
+        let finish =
+            |plan: Option<PlanSource<'_>>| builder.finish(Box::new(copy), plan).expect("the database is valid");
+        match plan {
+            Some(plan) if plan.has_all_points() => plan.with_source(|plan| finish(Some(plan))),
+            _ => finish(None),
+        }
+    }
+
+    /// The catalogue of a database and its index.
+    ///
+    /// # Panics
+    /// As [`Catalogue::with_plan`].
+    pub fn with_index(db: Database, index: Index) -> Self {
+        CatalogueBuilder::of(db).0.finish_with(index)
     }
 }
 

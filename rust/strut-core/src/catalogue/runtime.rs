@@ -1,12 +1,10 @@
 //! The runtime form of a database.
 
-use super::builder::CatalogueBuilder;
 use super::gait_phase::GaitPhase;
 use super::header::Header;
 use super::quantised::QuantisedRows;
-use crate::database::{Database, PointCloud};
 use crate::pose_vector::PoseRow;
-use crate::search::{Index, Plan, PlanSource};
+use crate::search::Index;
 use std::ops::Deref;
 
 /// A database made ready to style with: quantised rows, the data from which targets are computed, and the search index.
@@ -27,44 +25,6 @@ pub struct Catalogue {
 }
 
 impl Catalogue {
-    /// The catalogue of a database; builds the search index.
-    pub fn new(db: Database) -> Self {
-        Self::with_plan(db, None)
-    }
-
-    /// The catalogue of a database with the search index of a plan. Without a plan, or with that of another database, the
-    /// index is built, which takes longer.
-    ///
-    /// # Panics
-    /// Never: a [`Database`] was validated when it was made.
-    pub fn with_plan(db: Database, plan: Option<Plan>) -> Self {
-        let (builder, point_cloud) = Self::begin(db);
-        let finish = |plan: Option<PlanSource<'_>>| {
-            let copy = move |first: usize, to: &mut [PointCloud]| to.copy_from_slice(&point_cloud[first..][..to.len()]);
-            builder.finish(copy, plan).expect("the database is valid")
-        };
-        match plan {
-            Some(plan) if plan.has_all_points() => plan.with_source(|plan| finish(Some(plan))),
-            _ => finish(None),
-        }
-    }
-
-    /// The catalogue of a database and its index.
-    ///
-    /// # Panics
-    /// As [`Catalogue::with_plan`].
-    pub fn with_index(db: Database, index: Index) -> Self {
-        Self::begin(db).0.finish_with(index)
-    }
-
-    /// The rows of a database, and its point clouds.
-    fn begin(db: Database) -> (CatalogueBuilder, Vec<PointCloud>) {
-        let (mut parts, _) = db.into_parts();
-        let (pose, point_cloud) = (std::mem::take(&mut parts.pose), std::mem::take(&mut parts.point_cloud));
-        let copy = |first: usize, to: &mut [PoseRow]| to.copy_from_slice(&pose[first..][..to.len()]);
-        (CatalogueBuilder::new(parts, copy).expect("the database is valid"), point_cloud)
-    }
-
     /// The same with another index of the same rows, such as one that is searched approximately.
     #[must_use]
     pub fn map_index(self, change: impl FnOnce(Index) -> Index) -> Self {

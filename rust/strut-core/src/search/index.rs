@@ -1,13 +1,12 @@
 //! All windows of a database, ready to be searched.
 
-use super::block::{BLOCK, Point, Probe};
+use super::block::{BLOCK, Probe};
 #[cfg(feature = "baselines")]
 use super::kd_trees::KdTrees;
 use super::leaves::Leaves;
 use super::metric::{CentredWindow, LENGTH, MAX_WINDOW, Metric, QueryWindow, WINDOW};
 use super::neighbours::{Neighbour, Neighbours};
-use super::plan::SAMPLES;
-use super::points::{Feet, POINTS, PointRow};
+use super::points::Feet;
 use super::windows::Windows;
 use crate::database::Database;
 use crate::math::order::sort_pairs;
@@ -31,11 +30,6 @@ pub struct Index {
 }
 
 pub(super) const NO_ROW: u32 = u32::MAX;
-
-/// Bytes of a row of the class that is being built: its windows' coordinates, three times, and their order.
-const ROW_TO_BUILD: u64 = 3 * size_of::<Point>() as u64 + 40;
-/// Bytes of the windows that directions are fitted to, and of their numbers in double precision.
-const TO_FIT: u64 = (SAMPLES * (size_of::<CentredWindow>() + 16 * WINDOW * POINTS) + 400_000) as u64;
 
 /// Working memory of a query; keep one per stream of queries.
 #[derive(Clone, Debug, Default)]
@@ -75,21 +69,6 @@ impl Index {
     pub fn with_kd_trees(self, candidates: NonZero<usize>) -> Self {
         let trees = KdTrees::new(&self.windows, self.leaves[Metric::FullBody as usize].subspace(), candidates);
         Self { kd_trees: Some(trees), ..self }
-    }
-
-    /// Bytes of the index of so many rows in so many classes, and at most while it is made: by a plan or, where the largest
-    /// class has so many rows, without one.
-    pub(crate) fn bytes(rows: u64, classes: u64, largest_to_build: Option<u64>) -> u64 {
-        let windows = rows.saturating_mul(size_of::<PointRow>() as u64);
-        let of_row = 2 * size_of::<f32>() + size_of::<u32>();
-        let leaves = (rows / BLOCK as u64).saturating_add(classes);
-        let all = Leaves::bytes(leaves, classes)
-            .saturating_mul(2)
-            .saturating_add(leaves.saturating_mul(size_of::<[u32; BLOCK]>() as u64))
-            .saturating_add(rows.saturating_mul(of_row as u64));
-        let rest =
-            largest_to_build.map_or(all, |rows| all.saturating_add(rows.saturating_mul(ROW_TO_BUILD)).max(TO_FIT));
-        windows.saturating_add(rest)
     }
 
     /// Frames of a window.

@@ -5,6 +5,7 @@ use super::index::{Index, NO_ROW};
 use super::leaves::Leaves;
 use super::metric::{CentredWindow, LENGTH, Metric, WINDOW};
 use super::order::arrange;
+use super::points::{POINTS, PointRow};
 use super::subspace::{COORDINATES, Subspace};
 use super::windows::Windows;
 use crate::database::Database;
@@ -12,7 +13,12 @@ use std::ops::Range;
 use thiserror::Error;
 
 /// Windows that the directions of a subspace are fitted to, and whose points in a plan are compared in full.
-pub(super) const SAMPLES: usize = 512;
+const SAMPLES: usize = 512;
+
+/// Bytes of a row of the class that is being built: its windows' coordinates, three times, and their order.
+const ROW_TO_BUILD: u64 = 3 * size_of::<Point>() as u64 + 40;
+/// Bytes of the windows that directions are fitted to, and of their numbers in double precision.
+const TO_FIT: u64 = (SAMPLES * (size_of::<CentredWindow>() + 16 * WINDOW * POINTS) + 400_000) as u64;
 
 const METRICS: [Metric; 2] = [Metric::FullBody, Metric::LowerBody];
 
@@ -192,6 +198,21 @@ impl Index {
             bases: [0, 1].map(|i| self.leaves[i].subspace().floats()),
             points: [0, 1].map(|m| windows().map(|(leaf, i, _)| self.leaves[m].point_in(leaf, i)).collect()),
         }
+    }
+
+    /// Bytes of the index of so many rows in so many classes, and at most while it is made: by a plan or, where the largest
+    /// class has so many rows, without one.
+    pub(crate) fn bytes(rows: u64, classes: u64, largest_to_build: Option<u64>) -> u64 {
+        let windows = rows.saturating_mul(size_of::<PointRow>() as u64);
+        let of_row = 2 * size_of::<f32>() + size_of::<u32>();
+        let leaves = (rows / BLOCK as u64).saturating_add(classes);
+        let all = Leaves::bytes(leaves, classes)
+            .saturating_mul(2)
+            .saturating_add(leaves.saturating_mul(size_of::<[u32; BLOCK]>() as u64))
+            .saturating_add(rows.saturating_mul(of_row as u64));
+        let rest =
+            largest_to_build.map_or(all, |rows| all.saturating_add(rows.saturating_mul(ROW_TO_BUILD)).max(TO_FIT));
+        windows.saturating_add(rest)
     }
 
     /// An index without leaves, with room for them.

@@ -50,14 +50,14 @@ pub fn read<S: Source + ?Sized>(file: &S) -> Result<Contents, StrutdbError> {
 ///
 /// # Errors
 /// As [`read`], and [`StrutdbError::Memory`].
-pub fn read_catalogue<S: Source + ?Sized>(file: &S, most_bytes: Option<u64>) -> Result<Catalogue, StrutdbError> {
+pub fn read_catalogue(file: &dyn Source, most_bytes: Option<u64>) -> Result<Catalogue, StrutdbError> {
     let (metadata, tensors) = open(file)?;
     if let Some(most_bytes) = most_bytes {
         check_memory(&metadata, &tensors, most_bytes)?;
     }
     let (parts, LongTensors { pose, point_cloud, plan }) = parts_of(metadata, &tensors)?;
-    let builder = CatalogueBuilder::new(parts, |first, rows| copy_rows(&pose, first, rows))?;
-    let copy_clouds = |first: usize, to: &mut [PointCloud]| point_cloud.copy(first * 3 * JOINTS, to);
+    let builder = CatalogueBuilder::new(parts, &|first, rows| copy_rows(&pose, first, rows))?;
+    let copy_clouds = Box::new(|first: usize, to: &mut [PointCloud]| point_cloud.copy(first * 3 * JOINTS, to));
     Ok(match plan {
         Some(PlanTensors { order, bases, points }) if points.shape()[1] == order.len() => {
             let windows = order.len();
@@ -78,9 +78,9 @@ pub const STYLES: u64 = 5;
 const TRIAL: u64 = 1 << 30;
 
 /// Whether a database can be opened with `most_bytes`.
-fn check_memory<S: Source + ?Sized>(
+fn check_memory(
     metadata: &Metadata,
-    tensors: &Tensors<'_, S>,
+    tensors: &Tensors<'_, dyn Source + '_>,
     most_bytes: u64,
 ) -> Result<(), StrutdbError> {
     let counterpart = tensors.find("counterpart", Dtype::F32, &[None, None, None])?;
