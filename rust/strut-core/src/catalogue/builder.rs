@@ -17,6 +17,9 @@ use std::ops::Range;
 /// Rows that are read at once.
 const PORTION: usize = 256;
 
+/// Copies rows from a number on; they exist.
+pub type RowReader<'a, T> = dyn Fn(usize, &mut [T]) + 'a;
+
 /// A [`Catalogue`] without its index. The tensors that take most of a database's bytes are copied in parts from where they
 /// are, so that a package's memory, which never shrinks, need not hold them.
 pub struct CatalogueBuilder {
@@ -39,7 +42,7 @@ impl CatalogueBuilder {
     ///
     /// # Errors
     /// See [`DatabaseError`].
-    pub fn new(parts: DatabaseParts, read: &dyn Fn(usize, &mut [PoseRow])) -> Result<Self, DatabaseError> {
+    pub fn new(parts: DatabaseParts, read: &RowReader<'_, PoseRow>) -> Result<Self, DatabaseError> {
         let classes = validated_classes(&parts)?;
         let n = validate_short_tensors(&parts)?;
         let mut portion = vec![[0.0; ROW]; PORTION.min(n)];
@@ -104,7 +107,7 @@ impl CatalogueBuilder {
     /// If a position is not a number within 1 km.
     pub fn finish(
         mut self,
-        read: Box<dyn Fn(usize, &mut [PointCloud]) + '_>,
+        read: Box<RowReader<'_, PointCloud>>,
         plan: Option<PlanSource<'_>>,
     ) -> Result<Catalogue, DatabaseError> {
         let mut windows = Windows::empty(&self.header.clips, self.header.classes(), WINDOW);

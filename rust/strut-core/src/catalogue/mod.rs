@@ -8,7 +8,7 @@ mod quantised;
 mod runtime;
 mod target_table;
 
-pub use builder::CatalogueBuilder;
+pub use builder::{CatalogueBuilder, RowReader};
 pub use gait_phase::GaitPhase;
 pub use header::Header;
 pub use memory::CatalogueSize;
