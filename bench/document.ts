@@ -1,4 +1,5 @@
 /** docs/performance.md: every figure with the machine and the command that gave it. */
+import type { LargeReport } from "./large";
 import { MODES, type Report, type Row } from "./report";
 import { agreementTable, type Cells, markdown, memoryTable, milliseconds, ratioTable, stageTable } from "./table";
 
@@ -41,8 +42,24 @@ function wasmSection(title: string, { command, report }: Measured<Report>): stri
     markdown(ratioTable(report)),
     "The plain loops find the engine's neighbours; a set is *tied* where it differs in windows as far away as the last, but for rounding. The largest differences of a predicted joint angle (radians), of a frame's duration and of the likelihood of a contact follow:",
     markdown(agreementTable(report)),
-    "WASM memory with the database open and with target styles selected:",
+    "WASM memory with the database open and with target styles in use:",
     markdown(memoryTable(report)),
+  ];
+}
+
+function largeSection({ command, report }: Measured<LargeReport>): string[] {
+  const { frames, file_mb, open_ms, first_open_ms, style_ms, open_mb, one_style_mb, three_styles_mb, frame } = report;
+  return [
+    "## A large database in WebAssembly",
+    `${thousands(frames)} procedural frames, a file of ${file_mb.toFixed(0)} MB; the same machine; \`${command}\`. It opens in ${milliseconds(open_ms)} ms (the first time ${milliseconds(first_open_ms)}), once its bytes are in memory; making the targets of a style takes ${milliseconds(style_ms)} ms.`,
+    markdown([
+      ["memory, MB", "database open", "one style", "three styles"],
+      ["wasm-simd", ...[open_mb, one_style_mb, three_styles_mb].map((mb) => mb.toFixed(0))],
+    ]),
+    markdown([
+      ["frame, milliseconds", "median", "p95"],
+      ...Object.entries(frame).map(([mode, t]) => [mode, milliseconds(t.median_ms), milliseconds(t.p95_ms)]),
+    ]),
   ];
 }
 
@@ -51,6 +68,7 @@ export function document(
   date: string,
   procedural: Measured<Report>,
   recorded: Measured<Report> | undefined,
+  large: Measured<LargeReport>,
   native: Measured<NativeReport>,
 ): string {
   const parts = [
@@ -59,6 +77,7 @@ export function document(
     "*Labelled*: action and style of the input are known, so that one class is searched. *Unlabelled*: every class is searched, and those that cannot matter are left out of the regression. *All*: every class takes part. A *cold search* knows nothing of the frame before; a *first search* has but one frame, which counts as standing still, so that nothing in a database of moving people is near. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/bench/naive.rs`) search, regress, and find durations and contacts, while the engine's frame includes features, blending and feet too: ratios of whole frames are a little understated.",
     ...wasmSection("In WebAssembly", procedural),
     ...(recorded ? wasmSection("In WebAssembly, on recorded motion", recorded) : []),
+    ...largeSection(large),
     "## Natively, by the size of the database",
     `${native.report.machine}; \`${native.command}\`. Medians in milliseconds.`,
     markdown(growthTable(native.report.rows)),

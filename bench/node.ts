@@ -4,17 +4,24 @@ import { cpus, platform } from "node:os";
 import { benchmark } from "./benchmark";
 import { type ClipRow, timeClips } from "./clips";
 import { loadInstances } from "./engines";
+import { type LargeReport, measureLarge } from "./large";
 import type { Report } from "./report";
 import type { Source } from "./workload";
 
 export { PAPER_FRAMES } from "./benchmark";
 export { clipLines } from "./clips";
 export { document } from "./document";
+export { LARGE_FRAMES, largeLines } from "./large";
 export { text } from "./table";
 
 /** Times whole clips with everything in this process. */
 export async function clipsInNode(source: Source): Promise<ClipRow[]> {
   return timeClips((await instances()).simd, source);
+}
+
+/** Measures a large database in this process. */
+export async function largeInNode(file: Uint8Array): Promise<LargeReport> {
+  return measureLarge((await instances()).simd, file);
 }
 
 /** Runs it with everything in this process, telling `onProgress` what is being done. */

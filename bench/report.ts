@@ -37,9 +37,10 @@ export interface Agreement {
   largest_contact_difference: number;
 }
 
-/** Megabytes of WASM memory with the database open. */
+/** Megabytes of WASM memory with the database open, and with so many styles in use. */
 export interface Memory {
   engine: EngineName;
+  open_mb: number;
   one_style_mb: number;
   three_styles_mb: number;
 }

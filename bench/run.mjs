@@ -1,9 +1,11 @@
-// npm run bench -- [--frames N | --db DB] [--json FILE] [--write | --clips]: builds what is measured and measures it in Node.
+// npm run bench -- [--frames N | --db DB] [--json FILE] [--write | --clips | --large]: builds what is measured and measures
+// it in Node.
 // With --write it also measures natively at several sizes, on both sources if --db is given, and writes
-// docs/performance.md. With --clips it measures instead how long a whole clip of a minute takes.
-import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+// docs/performance.md. With --clips it measures instead how long a whole clip of a minute takes, with --large
+// what a database of a million frames takes.
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { basename, join, resolve } from "node:path";
+import { basename, dirname, join, resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { runnerImport } from "vite";
 import { setupRust } from "../scripts/setup.mjs";
@@ -33,6 +35,17 @@ async function measureNatively() {
   return { command: ["strut", ...command].join(" "), report: JSON.parse(readFileSync(json, "utf8")) };
 }
 
+/** A file with the procedural database of so many frames, too large to be made in WebAssembly. */
+async function writeDatabase(frames) {
+  const rust = await setupRust();
+  const file = join(mkdtempSync(join(tmpdir(), "strut-bench-")), "large.strutdb");
+  const example = ["run", "--release", "--quiet", "-p", "strut-demo", "--example", "benchmark_database", "--"];
+  await step(`Writing a database of ${frames} frames`, () =>
+    run(rust.CARGO ?? "cargo", [...example, String(frames), file], { env: rust, cwd: join(root, "rust") }),
+  );
+  return file;
+}
+
 await main(async () => {
   const { values } = parseArgs({
     options: {
@@ -41,13 +54,14 @@ await main(async () => {
       json: { type: "string" },
       write: { type: "boolean", default: false },
       clips: { type: "boolean", default: false },
+      large: { type: "boolean", default: false },
     },
   });
   if (values.db && values.frames) throw new Sentence("--db and --frames exclude each other.");
   if (values.db && !existsSync(path(values.db))) throw new Sentence(`${values.db}: there is no such file.`);
   await buildWasm({ mode: "full", bench: "full" });
   const { module: bench } = await runnerImport(join(root, "bench", "node.ts"));
-  const frames = Number(values.frames ?? bench.PAPER_FRAMES);
+  const frames = Number(values.frames ?? (values.large ? bench.LARGE_FRAMES : bench.PAPER_FRAMES));
   if (!Number.isInteger(frames) || frames < LEAST_FRAMES)
     throw new Sentence(`--frames is '${values.frames}'; a whole number of at least ${LEAST_FRAMES} was expected.`);
 
@@ -55,6 +69,20 @@ await main(async () => {
     const rows = await bench.clipsInNode(values.db ? { database: readFileSync(path(values.db)) } : { frames });
     console.log(bench.clipLines(rows));
     if (values.json) writeFileSync(path(values.json), `${JSON.stringify(rows, null, 2)}\n`);
+    return;
+  }
+
+  const measureLarge = async (frames) => {
+    const file = await writeDatabase(frames);
+    const report = await bench.largeInNode(readFileSync(file));
+    rmSync(dirname(file), { recursive: true });
+    console.log(`\n${bench.largeLines(report)}\n`);
+    return report;
+  };
+  if (values.large) {
+    if (values.db) throw new Sentence("--large makes a database of its own; give --frames.");
+    const report = await measureLarge(frames);
+    if (values.json) writeFileSync(path(values.json), `${JSON.stringify(report, null, 2)}\n`);
     return;
   }
 
@@ -78,7 +106,8 @@ await main(async () => {
   }
   if (values.write) {
     const date = new Date().toISOString().slice(0, 10);
-    const page = bench.document(date, procedural, recorded, await measureNatively());
+    const large = { command: "npm run bench -- --large", report: await measureLarge(bench.LARGE_FRAMES) };
+    const page = bench.document(date, procedural, recorded, large, await measureNatively());
     writeFileSync(join(root, "docs", "performance.md"), page);
     console.log("docs/performance.md is written");
   }

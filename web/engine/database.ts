@@ -5,10 +5,18 @@ import type { Database as RawDatabase } from "./pkg/strut_wasm.js";
 import type { DatabaseInfo } from "./types";
 import { type Glue, guarded } from "./wasm";
 
+/** A file that is read in slices. */
+export interface SlicedFile {
+  /** Number of bytes. */
+  size: number;
+  /** The bytes from a number up to another. What it throws is a file that cannot be read. */
+  read(begin: number, end: number): Uint8Array;
+}
+
 /** Where a database comes from. */
 export type DatabaseSource =
   | { kind: "demo"; motions: PackedMotions }
-  | { kind: "strutdb"; name: string; bytes: ArrayBuffer };
+  | { kind: "strutdb"; name: string; bytes: ArrayBuffer | SlicedFile };
 
 /** A database with its search index. */
 export class Database extends Handle<RawDatabase> {
@@ -21,11 +29,13 @@ export class Database extends Handle<RawDatabase> {
 
   /** @throws StrutError `bad-file` with what is wrong with the bytes */
   static open(glue: Glue, source: DatabaseSource): Database {
-    const raw = guarded(() =>
-      source.kind === "demo"
-        ? glue.Database.fromPacked(source.motions)
-        : glue.Database.fromBytes(new Uint8Array(source.bytes)),
-    );
+    const raw = guarded(() => {
+      if (source.kind === "demo") return glue.Database.fromPacked(source.motions);
+      const { bytes } = source;
+      return bytes instanceof ArrayBuffer
+        ? glue.Database.fromBytes(new Uint8Array(bytes))
+        : glue.Database.fromSlices(bytes.size, bytes.read);
+    });
     return new Database(raw, source.kind === "demo" ? "built-in" : source.name);
   }
 

@@ -5,12 +5,12 @@ use crate::files;
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
-use strut_formats::{bvh, corpus, strutdb};
+use strut_formats::{bvh, corpus};
 
 /// Greatest depth of nested folders.
 const MAX_DEPTH: usize = 16;
 /// Greatest size of an archive, and of its unpacked files, bytes: that of a database.
-const MAX_ARCHIVE_BYTES: usize = strutdb::KIND.max_bytes;
+const MAX_ARCHIVE_BYTES: usize = 1 << 30;
 /// Greatest size of a licence file, bytes.
 const MAX_LICENCE_BYTES: usize = 1 << 20;
 

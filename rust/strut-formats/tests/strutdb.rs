@@ -97,6 +97,83 @@ fn the_metadata_are_those_of_the_contract() {
     assert_eq!((metadata.clips[1].action.as_str(), metadata.clips[1].style.as_str()), ("walk", "proud"));
 }
 
+#[test]
+fn a_file_is_opened_in_parts_as_it_is_read() {
+    let db = longer();
+    let mut plan = Index::build(&db).plan();
+    for damage in [false, true] {
+        if damage {
+            plan.points[1][4][2] += 500;
+        }
+        let file = strutdb::write(&db, &plan, "test");
+        let [opened, expected] = [strutdb::read_catalogue(&file, Some(1 << 30)).unwrap(), read(&file).into_catalogue()];
+        assert!(opened.index().plan() == Index::build(&db).plan());
+        assert!(format!("{opened:?}") == format!("{expected:?}"));
+    }
+}
+
+/// The database whose clips are so long that they are read in several parts.
+fn longer() -> Database {
+    let mut parts = (*small()).clone();
+    let mut rows = 0;
+    for (clip, frames) in parts.clips.iter_mut().zip([700, 3, 300]) {
+        (clip.first_frame, clip.frames) = (rows, frames);
+        rows += frames;
+    }
+    let row = |i: usize, period: usize| i % period;
+    let (pose, cloud) = (parts.pose.clone(), parts.point_cloud.clone());
+    let scaled = |i: usize| 1.0 + 0.3 * sin(i as f32 * 0.05);
+    parts.pose = (0..rows).map(|i| pose[row(i, 9)].map(|v| v * scaled(i))).collect();
+    parts.point_cloud = (0..rows).map(|i| cloud[row(i, 7)].map(|v| v * scaled(i))).collect();
+    parts.canonical_time = (0..rows).map(|i| i as f32 * 0.5).collect();
+    parts.time_step = (0..rows).map(|i| 0.02 + row(i, 9) as f32 * 1e-3).collect();
+    parts.contact = (0..rows).map(|i| [(i % 2) as u8, (i % 3 == 0).into()]).collect();
+    parts.counterpart = (0..rows * 6).map(|i| if i % 3 == 2 { -1.0 } else { (i % 900) as f32 + 0.25 }).collect();
+    Database::new(parts).unwrap()
+}
+
+/// The header says 50 million frames; neither they nor any room for them are there.
+#[test]
+fn a_database_that_does_not_fit_is_refused_before_it_is_read() {
+    let file = checked(|json| json.replacen(r#""frames":4"#, r#""frames":50000000"#, 1));
+    let refusal = strutdb::read_catalogue(&file, Some(3_000_000_000)).expect_err("refused");
+    assert!(
+        matches!(refusal, StrutdbError::Memory { frames: 50_000_005, most: Some(3_000_000_000), .. }),
+        "{refusal:?}"
+    );
+    let sentence = "the database has 50000005 frames: to style with them takes ";
+    assert!(refusal.to_string().starts_with(sentence), "{refusal}");
+    assert!(refusal.to_string().ends_with(" MB of memory, of which 3000 MB can be had"), "{refusal}");
+    let unlimited = strutdb::read_catalogue(&file, None).expect_err("refused");
+    assert_eq!(unlimited.to_string(), "the database is not consistent: more than 4000000 frames");
+    // More than any machine has, and more than numbers hold.
+    let endless = checked(|json| json.replace(r#""frames":"#, r#""frames":1844674407370955161"#));
+    let refusal = strutdb::read_catalogue(&endless, Some(u64::MAX)).expect_err("refused");
+    assert!(matches!(refusal, StrutdbError::Memory { most: None, .. }), "{refusal:?}");
+    assert!(refusal.to_string().ends_with(" MB of memory, of which less can be had"), "{refusal}");
+}
+
+/// The small file with other metadata, and the checksum that these have.
+fn checked(change: impl Fn(&str) -> String) -> Vec<u8> {
+    let file = file_of(&small());
+    let (_, header) = safetensors::SafeTensors::read_metadata(&file).unwrap();
+    let tensors = safetensors::SafeTensors::deserialize(&file).unwrap();
+    with_checksum(&tensors.tensors(), &change(&header.metadata().as_ref().unwrap()["strut"]))
+}
+
+/// A file of these, with a checksum as a reader in another language computes it.
+fn with_checksum(views: &Views<'_>, json: &str) -> Vec<u8> {
+    let mut json = json.to_owned();
+    let at = json.find("\"checksum\":\"").unwrap() + 12;
+    json.replace_range(at..at + 8, "00000000");
+    let serialized = |json: String| {
+        safetensors::serialize(views.clone(), Some(std::iter::once(("strut".to_owned(), json)).collect())).unwrap()
+    };
+    let sum = crc32fast::hash(&serialized(json.clone()));
+    json.replace_range(at..at + 8, &format!("{sum:08x}"));
+    serialized(json)
+}
+
 type Views<'a> = Vec<(String, safetensors::tensor::TensorView<'a>)>;
 
 #[test]
@@ -107,16 +184,7 @@ fn further_tensors_are_ignored_but_missing_ones_named() {
     let with = |change: &dyn Fn(&mut Views)| {
         let mut views = tensors.tensors();
         change(&mut views);
-        let mut json = header.metadata().as_ref().unwrap()["strut"].clone();
-        let at = json.find("\"checksum\":\"").unwrap() + 12;
-        json.replace_range(at..at + 8, "00000000");
-        let serialized = |json: String| {
-            safetensors::serialize(views.clone(), Some(std::iter::once(("strut".to_owned(), json)).collect())).unwrap()
-        };
-        // As a reader in another language computes it.
-        let sum = crc32fast::hash(&serialized(json.clone()));
-        json.replace_range(at..at + 8, &format!("{sum:08x}"));
-        serialized(json)
+        with_checksum(&views, &header.metadata().as_ref().unwrap()["strut"])
     };
     let more = with(&|views| {
         let extra = views[0].1.clone();

@@ -8,6 +8,8 @@ import { filesOfDialog, filesOfDrop } from "../ui/dropped_files";
 
 /** Larger files are refused before they are read into memory. */
 const MAX_BYTES = 512 * 1024 * 1024;
+/** The same of databases, of which the engine knows what they take. */
+const MAX_DATABASE_BYTES = 4096 * 1024 * 1024;
 
 export interface FileListeners {
   /** Which files go to the view that is shown, through {@link FileListeners.onClips}. */
@@ -34,9 +36,11 @@ async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListe
     listeners.onClips(files);
     return;
   }
-  if (file.size > MAX_BYTES) {
+  const isDatabase = /\.strutdb$/i.test(file.name);
+  const most = isDatabase ? MAX_DATABASE_BYTES : MAX_BYTES;
+  if (file.size > most) {
     const megabytes = Math.round(file.size / (1024 * 1024));
-    listeners.onRefused(strings.page.drop.tooLarge(file.name, megabytes, MAX_BYTES / (1024 * 1024)));
+    listeners.onRefused(strings.page.drop.tooLarge(file.name, megabytes, most / (1024 * 1024)));
     return;
   }
   if (/\.(glb|vrm|vrma|fbx)$/i.test(file.name)) {
@@ -47,7 +51,6 @@ async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListe
     listeners.onRefused(strings.page.drop.separate(file.name));
     return;
   }
-  const isDatabase = /\.strutdb$/i.test(file.name);
   if (!isDatabase && !/\.bvh$/i.test(file.name)) {
     listeners.onRefused(strings.page.drop.unknown(file.name));
     return;

@@ -1,6 +1,7 @@
 /** Calls about databases. */
 import type { BuiltInSet } from "../../engine/built_in";
-import type { Database } from "../../engine/database";
+import type { Database, SlicedFile } from "../../engine/database";
+import { StrutError } from "../../engine/errors";
 import type { DatabaseInfo, DatabaseSource } from "../protocol";
 import type { Host } from "./host";
 import type { OpenThing } from "./registry";
@@ -27,7 +28,7 @@ export async function openDatabase(
   const database = engine.openDatabase(
     source.kind === "demo"
       ? { kind: "demo", motions: await builtIn.load(caller, source.set) }
-      : { ...source, bytes: await source.file.arrayBuffer() },
+      : { ...source, bytes: await bytesOf(source.file) },
   );
   try {
     await stage(caller, "Opening the database", 0.9);
@@ -37,6 +38,27 @@ export async function openDatabase(
   }
   open.add(id, new OpenDatabase(database));
   return { ...database.info, proportions: database.info.proportions.slice() };
+}
+
+/** What workers of browsers have. */
+declare const FileReaderSync: (new () => { readAsArrayBuffer(blob: Blob): ArrayBuffer }) | undefined;
+
+/** Files from this size on are read in slices, which takes longer, so that they need not be in memory as a whole; bytes. */
+const SLICED_BYTES = 256e6;
+
+/** The bytes of a file, or a way to read them. @throws StrutError `bad-file` where it is gone, or there is no room for it */
+async function bytesOf(file: Blob): Promise<ArrayBuffer | SlicedFile> {
+  if (file.size >= SLICED_BYTES && typeof FileReaderSync === "function") {
+    const reader = new FileReaderSync();
+    const read = (begin: number, end: number) => new Uint8Array(reader.readAsArrayBuffer(file.slice(begin, end)));
+    return { size: file.size, read };
+  }
+  try {
+    return await file.arrayBuffer();
+  } catch (cause) {
+    const message = `The file, of ${Math.ceil(file.size / 1e6)} MB, could not be read.`;
+    throw new StrutError({ code: "bad-file", message, hint: "Open it again, or build a smaller database." }, cause);
+  }
 }
 
 export async function builtInInputs({ engine, builtIn }: Host, caller: Caller, set: BuiltInSet): Promise<string[]> {

@@ -96,7 +96,8 @@ fn training_error(pairs: &super::Pairs<'_>, predictor: &dyn super::Predictor) ->
 #[test]
 fn training_targets_are_predicted() {
     let model = Model::new(database());
-    let pairs = super::Pairs::new(model.catalogue(), model.target_table(1), &[0]);
+    let table = model.target_table(1);
+    let pairs = super::Pairs::new(model.catalogue(), &table, &[0]);
     // Twice the errors that were measured.
     for (baseline, greatest) in [
         (super::Baseline::GlobalAr, [0.03, 0.03]),
@@ -116,7 +117,8 @@ fn a_predictor_is_trained_once_a_model() {
     let model = Model::new(sparse(60));
     let classes = [0, 1];
     let train = |style: usize| {
-        let pairs = super::Pairs::new(model.catalogue(), model.target_table(style), &classes);
+        let table = model.target_table(style);
+        let pairs = super::Pairs::new(model.catalogue(), &table, &classes);
         let predictor = model.baselines().predictor(super::Baseline::Gp, &pairs, 0.1);
         Arc::as_ptr(&predictor).cast::<()>() as usize
     };
@@ -131,7 +133,8 @@ fn a_predictor_is_trained_once_a_model() {
 #[test]
 fn memory_of_the_start_dies_out() {
     let model = Model::new(database());
-    let pairs = super::Pairs::new(model.catalogue(), model.target_table(1), &[0]);
+    let table = model.target_table(1);
+    let pairs = super::Pairs::new(model.catalogue(), &table, &[0]);
     for baseline in [super::Baseline::Lti, super::Baseline::LtiJoint] {
         let predictor = model.baselines().predictor(baseline, &pairs, 0.1);
         let input = &pairs.inputs[40];

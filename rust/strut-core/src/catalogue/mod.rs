@@ -1,13 +1,17 @@
 //! The runtime form of a database: compact, indexed and read-only.
 
+mod builder;
 mod gait_phase;
 mod header;
+mod memory;
 mod quantised;
 mod runtime;
 mod target_table;
 
+pub use builder::{CatalogueBuilder, RowReader};
 pub use gait_phase::GaitPhase;
 pub use header::Header;
+pub use memory::CatalogueSize;
 pub use quantised::QuantisedRows;
 pub(crate) use quantised::Rows;
 pub use runtime::Catalogue;

@@ -3,7 +3,7 @@
 //! A step is the 65,534th part of a degree of freedom's range in the database: some 1e-5 … 1e-4 rad. In styled clips of
 //! motion capture half the channels change by less than 2e-5° and one in a hundred by 1e-3°.
 
-use crate::math::lanes::Lane;
+use crate::math::lanes::{Lane, WIDTH};
 use crate::pose_vector::{PoseRow, ROW};
 
 /// Rows that can be read four degrees of freedom at a time.
@@ -30,6 +30,8 @@ impl Rows for [PoseRow] {
 pub struct QuantisedRows {
     middle: PoseRow,
     step: PoseRow,
+    /// The step; infinite where it is zero.
+    divisor: PoseRow,
     /// In parts of [`PART`] rows, the last of which may hold fewer.
     parts: Vec<Vec<[i16; ROW]>>,
 }
@@ -38,33 +40,35 @@ pub struct QuantisedRows {
 const PART: usize = 4096;
 
 impl QuantisedRows {
-    /// Rows between the least and the greatest values of `range`.
-    pub(super) fn new(rows: &[PoseRow], range: &[PoseRow; 2]) -> Self {
-        let mut quantised = Self::with_range(range, rows.len());
-        for row in rows {
-            quantised.push(row);
-        }
-        quantised
-    }
-
     /// Room for `capacity` rows between the least and the greatest values of `range`.
     pub(super) fn with_range([least, greatest]: &[PoseRow; 2], capacity: usize) -> Self {
+        let step: PoseRow = std::array::from_fn(|d| (greatest[d] - least[d]) / (2.0 * f32::from(i16::MAX)));
         Self {
             middle: std::array::from_fn(|d| 0.5 * (least[d] + greatest[d])),
-            step: std::array::from_fn(|d| (greatest[d] - least[d]) / (2.0 * f32::from(i16::MAX))),
+            divisor: step.map(|step| if step > 0.0 { step } else { f32::INFINITY }),
+            step,
             parts: Vec::with_capacity(capacity.div_ceil(PART)),
         }
     }
 
+    /// Bytes of so many rows.
+    pub(super) fn bytes(rows: u64) -> u64 {
+        let part = PART as u64;
+        rows.div_ceil(part).saturating_mul(part * size_of::<[i16; ROW]>() as u64)
+    }
+
     #[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
     pub(super) fn push(&mut self, row: &PoseRow) {
-        let steps = std::array::from_fn(|d| {
-            let steps = if self.step[d] > 0.0 { (row[d] - self.middle[d]) / self.step[d] } else { 0.0 };
-            // Where the range is narrow and far from zero, the rounding error of its middle may be a step.
-            let steps = steps.clamp(-f32::from(i16::MAX), f32::from(i16::MAX));
-            // Rounded to the nearest by truncating a positive number.
-            ((steps + 65_536.5) as i32 - 65_536) as i16
-        });
+        let mut steps = [0; ROW];
+        for (l, four) in steps.chunks_exact_mut(WIDTH).enumerate() {
+            let exact = (Lane::of(row, l) - Lane::of(&self.middle, l)) / Lane::of(&self.divisor, l);
+            for (steps, exact) in four.iter_mut().zip(exact.to_array()) {
+                // Where the range is narrow and far from zero, the rounding error of its middle may be a step.
+                let limited = exact.clamp(-f32::from(i16::MAX), f32::from(i16::MAX));
+                // Rounded to the nearest by truncating a positive number.
+                *steps = ((limited + 65_536.5) as i32 - 65_536) as i16;
+            }
+        }
         match self.parts.last_mut() {
             Some(part) if part.len() < PART => part.push(steps),
             _ => {

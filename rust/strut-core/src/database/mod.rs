@@ -9,6 +9,7 @@ mod offline;
 mod parts;
 #[cfg(feature = "baselines")]
 mod residual;
+mod statistics;
 mod validation;
 mod without_clips;
 
@@ -17,7 +18,9 @@ pub use crate::registration::MAX_COUNTERPARTS;
 pub(crate) use manners::statistics_of_takes;
 pub use manners::{TwoManners, two_manners};
 pub use offline::Database;
-pub use parts::{Class, Clip, DatabaseParts};
+pub use parts::{Class, Clip, DatabaseParts, PointCloud};
 #[cfg(feature = "baselines")]
 pub use residual::residuals;
+pub(crate) use statistics::{RowSquares, RowSums, StepSums};
 pub use validation::{DatabaseError, MAX_FRAMES};
+pub(crate) use validation::{validate_point_clouds, validate_poses, validate_short_tensors, validated_classes};

@@ -1,8 +1,9 @@
 //! The offline form of a database.
 
 use super::parts::{Class, DatabaseParts};
+use super::statistics::{RowSquares, RowSums};
 use super::validation::{DatabaseError, validate_tensors, validated_classes};
-use crate::pose_vector::{DOFS, PoseRow, ROW};
+use crate::pose_vector::PoseRow;
 
 /// A database as it is built, stored and edited: validated data. For use it becomes a
 /// [`Catalogue`](crate::catalogue::Catalogue).
@@ -22,8 +23,11 @@ impl Database {
     pub fn new(parts: DatabaseParts) -> Result<Self, DatabaseError> {
         let classes = validated_classes(&parts)?;
         validate_tensors(&parts)?;
-        let sigma = standard_deviation(&parts.pose);
-        let limits = Box::new(observed_range(&parts.pose));
+        let mut sums = RowSums::default();
+        sums.add(&parts.pose);
+        let mut squares = RowSquares::around(sums.mean());
+        squares.add(&parts.pose);
+        let (sigma, limits) = (squares.deviation(), Box::new(sums.range()));
         Ok(Self { parts, classes, sigma, limits })
     }
 
@@ -93,51 +97,5 @@ impl std::ops::Deref for Database {
     type Target = DatabaseParts;
     fn deref(&self) -> &DatabaseParts {
         &self.parts
-    }
-}
-
-fn standard_deviation(rows: &[PoseRow]) -> PoseRow {
-    let n = rows.len().max(1) as f64;
-    let mut mean = [0.0_f64; ROW];
-    for row in rows {
-        add(row, &mut mean);
-    }
-    let mean = mean.map(|sum| sum / n);
-    let mut variance = [0.0_f64; ROW];
-    for row in rows {
-        add_squared_differences(row, &mean, &mut variance);
-    }
-    std::array::from_fn(|d| if d < DOFS { ((variance[d] / n).sqrt() as f32).max(1e-4) } else { 1.0 })
-}
-
-#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
-fn add(row: &PoseRow, sums: &mut [f64; ROW]) {
-    sums.iter_mut().zip(row).for_each(|(sum, &v)| *sum += f64::from(v));
-}
-
-#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
-fn add_squared_differences(row: &PoseRow, mean: &[f64; ROW], sums: &mut [f64; ROW]) {
-    for ((sum, mean), &v) in sums.iter_mut().zip(mean).zip(row) {
-        let difference = f64::from(v) - mean;
-        *sum += difference * difference;
-    }
-}
-
-fn observed_range(rows: &[PoseRow]) -> [PoseRow; 2] {
-    let mut range = [[0.0; ROW]; 2];
-    if let Some(first) = rows.first() {
-        range = [*first; 2];
-    }
-    for row in rows {
-        widen(&mut range, row);
-    }
-    range
-}
-
-#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
-fn widen([least, greatest]: &mut [PoseRow; 2], row: &PoseRow) {
-    for ((least, greatest), &v) in least.iter_mut().zip(greatest).zip(row) {
-        *least = least.min(v);
-        *greatest = greatest.max(v);
     }
 }

@@ -5,6 +5,9 @@ use crate::math::Vec3;
 use crate::pose_vector::{PoseChart, PoseRow};
 use std::ops::Range;
 
+/// The heading-free joint positions of a row, metres.
+pub type PointCloud = [Vec3; JOINTS];
+
 /// One clip of a [`Database`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clip {
@@ -66,7 +69,7 @@ pub struct DatabaseParts {
     /// N rows of degrees of freedom.
     pub pose: Vec<PoseRow>,
     /// N heading-free joint positions, metres.
-    pub point_cloud: Vec<[Vec3; JOINTS]>,
+    pub point_cloud: Vec<PointCloud>,
     /// N times on the canonical timeline of the action (the neutral reference cycle), in canonical frames.
     pub canonical_time: Vec<f32>,
     /// N durations: seconds per canonical frame, positive.

@@ -1,7 +1,9 @@
 //! Checks of the data of a database.
 
-use super::parts::{Class, DatabaseParts};
+use super::parts::{Class, DatabaseParts, PointCloud};
+use crate::pose_vector::PoseRow;
 use crate::registration::MAX_COUNTERPARTS;
+use bytemuck::NoUninit;
 use thiserror::Error;
 
 /// Greatest number of frames of a database.
@@ -41,7 +43,7 @@ pub enum DatabaseError {
 }
 
 /// The classes of valid clips.
-pub(super) fn validated_classes(parts: &DatabaseParts) -> Result<Vec<Class>, DatabaseError> {
+pub(crate) fn validated_classes(parts: &DatabaseParts) -> Result<Vec<Class>, DatabaseError> {
     let invalid = |s: String| Err(DatabaseError::Invalid(s));
     if !(parts.rate_hz.is_finite() && parts.rate_hz >= 1.0 && parts.rate_hz <= 1000.0) {
         return invalid(format!("the rate is {} Hz; 1 to 1000 was expected", parts.rate_hz));
@@ -97,25 +99,21 @@ pub(super) fn validated_classes(parts: &DatabaseParts) -> Result<Vec<Class>, Dat
 
 /// Checks the shape and every value of the tensors.
 pub(super) fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseError> {
-    let n = parts.clips.last().map_or(0, |c| c.first_frame + c.frames);
-    let shape = |tensor, found: usize, expected: usize| {
-        if found == expected { Ok(()) } else { Err(DatabaseError::Shape { tensor, found, expected }) }
-    };
-    shape("pose", parts.pose.len(), n)?;
-    shape("point_cloud", parts.point_cloud.len(), n)?;
-    shape("canonical_time", parts.canonical_time.len(), n)?;
-    shape("time_step", parts.time_step.len(), n)?;
-    shape("contact", parts.contact.len(), n)?;
-    shape("counterpart", parts.counterpart.len(), n * parts.styles.len() * parts.counterparts_per_style)?;
+    let n = validate_short_tensors(parts)?;
+    has_length("pose", parts.pose.len(), n)?;
+    has_length("point_cloud", parts.point_cloud.len(), n)?;
+    validate_poses(0, &parts.pose)?;
+    validate_point_clouds(0, &parts.point_cloud)
+}
 
-    let bad = |tensor, frame, value, expected| Err(DatabaseError::Value { tensor, frame, value, expected });
+/// The same of all but poses and point clouds; gives the number of rows.
+pub(crate) fn validate_short_tensors(parts: &DatabaseParts) -> Result<usize, DatabaseError> {
+    let n = parts.clips.last().map_or(0, |c| c.first_frame + c.frames);
+    has_length("canonical_time", parts.canonical_time.len(), n)?;
+    has_length("time_step", parts.time_step.len(), n)?;
+    has_length("contact", parts.contact.len(), n)?;
+    has_length("counterpart", parts.counterpart.len(), n * parts.styles.len() * parts.counterparts_per_style)?;
     for frame in 0..n {
-        if let Some(v) = first_beyond(&parts.pose[frame], 1e4) {
-            return bad("pose", frame, v, "a number below 10 000");
-        }
-        if let Some(v) = first_beyond(bytemuck::cast_slice(&parts.point_cloud[frame]), 1e3) {
-            return bad("point_cloud", frame, v, "a position within 1 km");
-        }
         let (t, w) = (parts.canonical_time[frame], parts.time_step[frame]);
         if !t.is_finite() {
             return bad("canonical_time", frame, t, "a finite number");
@@ -134,7 +132,38 @@ pub(super) fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseErro
             return bad("counterpart", i / per_frame, c, "a row of the database, or −1");
         }
     }
-    Ok(())
+    Ok(n)
+}
+
+/// Checks the poses of the rows from `first` on.
+pub(crate) fn validate_poses(first: usize, poses: &[PoseRow]) -> Result<(), DatabaseError> {
+    validate_rows("pose", first, poses, 1e4, "a number below 10 000")
+}
+
+/// Checks the point clouds of the rows from `first` on.
+pub(crate) fn validate_point_clouds(first: usize, clouds: &[PointCloud]) -> Result<(), DatabaseError> {
+    validate_rows("point_cloud", first, clouds, 1e3, "a position within 1 km")
+}
+
+fn validate_rows<T: NoUninit>(
+    tensor: &'static str,
+    first: usize,
+    rows: &[T],
+    limit: f32,
+    expected: &'static str,
+) -> Result<(), DatabaseError> {
+    let found = rows.iter().zip(first..).find_map(|(row, frame)| {
+        first_beyond(bytemuck::cast_slice(bytemuck::bytes_of(row)), limit).map(|v| (frame, v))
+    });
+    found.map_or(Ok(()), |(frame, v)| bad(tensor, frame, v, expected))
+}
+
+fn has_length(tensor: &'static str, found: usize, expected: usize) -> Result<(), DatabaseError> {
+    if found == expected { Ok(()) } else { Err(DatabaseError::Shape { tensor, found, expected }) }
+}
+
+fn bad<T>(tensor: &'static str, frame: usize, value: f32, expected: &'static str) -> Result<T, DatabaseError> {
+    Err(DatabaseError::Value { tensor, frame, value, expected })
 }
 
 /// The first value that is no number or whose size is not below `limit`.

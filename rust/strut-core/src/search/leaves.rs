@@ -38,6 +38,8 @@ pub(super) struct Leaves {
     radii: Vec<f32>,
     /// Sixteen leaves' centres each.
     centres: Vec<Block>,
+    /// Centres of the leaves of the class that is being added.
+    middles: Vec<Point>,
     classes: Vec<Class>,
 }
 
@@ -93,15 +95,22 @@ impl Margins {
 }
 
 impl Leaves {
-    /// No leaves, with room for this many.
-    pub(super) fn new(subspace: Subspace, leaves: usize) -> Self {
+    /// No leaves, with room for this many of so many classes.
+    pub(super) fn new(subspace: Subspace, leaves: usize, classes: usize) -> Self {
         Self {
             subspace,
             blocks: Vec::with_capacity(leaves),
             radii: Vec::with_capacity(leaves),
-            centres: Vec::new(),
+            centres: Vec::with_capacity(leaves / BLOCK + classes),
+            middles: Vec::new(),
             classes: Vec::new(),
         }
+    }
+
+    /// Bytes of so many leaves in so many classes.
+    pub(super) fn bytes(leaves: u64, classes: u64) -> u64 {
+        let blocks = leaves.saturating_add(leaves / BLOCK as u64).saturating_add(classes);
+        blocks.saturating_mul(size_of::<Block>() as u64).saturating_add(leaves.saturating_mul(4))
     }
 
     pub(super) fn subspace(&self) -> &Subspace {
@@ -113,22 +122,26 @@ impl Leaves {
         quantise(&self.subspace.project(window))
     }
 
-    /// Adds a class with the integers of its windows in the order of leaves.
-    pub(super) fn add_class(&mut self, points: &[Point], bounds: Bounds) {
-        let (leaves, centres) = (self.blocks.len(), self.centres.len());
-        let mut middles = Vec::with_capacity(points.len().div_ceil(BLOCK));
+    /// Adds leaves to the next class: the integers of its windows, as many at a time as fill leaves but for the last.
+    pub(super) fn add_leaves(&mut self, points: &[Point]) {
         for members in points.chunks(BLOCK) {
             let (centre, block) = (centre(members), Block::new(members));
             let greatest = block.squared_distances(&Probe::new(&centre));
             let greatest = greatest.0.as_flattened()[..members.len()].iter().copied().fold(0.0, f32::max);
             self.radii.push((greatest + ERROR).sqrt());
             self.blocks.push(block);
-            middles.push(centre);
+            self.middles.push(centre);
         }
-        self.centres.extend(middles.chunks(BLOCK).map(Block::new));
+    }
+
+    /// Ends a class of so many windows, all of which have been added.
+    pub(super) fn end_class(&mut self, windows: usize, bounds: Bounds) {
+        let (leaves, centres) = (self.blocks.len() - self.middles.len(), self.centres.len());
+        self.centres.extend(self.middles.chunks(BLOCK).map(Block::new));
+        self.middles.clear();
         let (leaves, centres) = (leaves..self.blocks.len(), centres..self.centres.len());
         let error = self.subspace.greatest_error(bounds.norm, bounds.scale);
-        self.classes.push(Class { leaves, windows: points.len(), centres, error, bounds });
+        self.classes.push(Class { leaves, windows, centres, error, bounds });
     }
 
     /// The integers of a window of a leaf.

@@ -28,14 +28,14 @@ mod windows;
 pub use index::{Index, Query, Scratch};
 pub use metric::{MAX_WINDOW, Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};
-pub use plan::{Plan, PlanError};
+pub use plan::{Plan, PlanError, PlanSource};
 pub use points::JOINT_WEIGHTS;
 pub(crate) use points::{FEET_ROLES, Feet};
 #[cfg(feature = "baselines")]
 pub use profile::Profile;
 #[cfg(feature = "baselines")]
 pub use recall::{ClassSearch, Recall};
-pub(crate) use windows::{Windows, places};
+pub(crate) use windows::{Places, Windows};
 
 #[cfg(test)]
 mod tests;

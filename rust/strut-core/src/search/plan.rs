@@ -5,13 +5,20 @@ use super::index::{Index, NO_ROW};
 use super::leaves::Leaves;
 use super::metric::{CentredWindow, LENGTH, Metric, WINDOW};
 use super::order::arrange;
+use super::points::{POINTS, PointRow};
 use super::subspace::{COORDINATES, Subspace};
 use super::windows::Windows;
 use crate::database::Database;
+use std::ops::Range;
 use thiserror::Error;
 
 /// Windows that the directions of a subspace are fitted to, and whose points in a plan are compared in full.
 const SAMPLES: usize = 512;
+
+/// Bytes of a row of the class that is being built: its windows' coordinates, three times, and their order.
+const ROW_TO_BUILD: u64 = 3 * size_of::<Point>() as u64 + 40;
+/// Bytes of the windows that directions are fitted to, and of their numbers in double precision.
+const TO_FIT: u64 = (SAMPLES * (size_of::<CentredWindow>() + 16 * WINDOW * POINTS) + 400_000) as u64;
 
 const METRICS: [Metric; 2] = [Metric::FullBody, Metric::LowerBody];
 
@@ -31,6 +38,21 @@ pub struct Plan {
     /// For both metrics where the windows lie by these directions, quantised, in this order.
     pub points: [Vec<[i16; Plan::COORDINATES]>; 2],
 }
+
+/// A plan whose points are read in parts: those of a file are never in memory as a whole.
+pub struct PlanSource<'a> {
+    /// [`Plan::order`].
+    pub order: Vec<u32>,
+    /// [`Plan::bases`].
+    pub bases: [Vec<f32>; 2],
+    /// Copies some of [`Plan::points`]: those of a metric from a number on. There are as many as rows in `order`.
+    pub points: &'a PointReader<'a>,
+}
+
+type PointReader<'a> = dyn Fn(usize, usize, &mut [[i16; Plan::COORDINATES]]) + 'a;
+
+/// Points that are read at once, whole leaves of them.
+const PORTION: usize = 64 * BLOCK;
 
 /// Why a plan is not one for a database.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
@@ -53,15 +75,29 @@ impl Plan {
     pub const BASIS_LENGTH: usize = Subspace::float_count(WINDOW);
     /// Numbers of each of [`Plan::points`].
     pub const COORDINATES: usize = COORDINATES;
+
+    /// Whether both metrics have a point for each row of the order.
+    pub(crate) fn has_all_points(&self) -> bool {
+        self.points.iter().all(|points| points.len() == self.order.len())
+    }
+
+    /// Calls `with` with this plan, which has all points, as one that is read in parts.
+    pub(crate) fn with_source<T>(self, with: impl FnOnce(PlanSource<'_>) -> T) -> T {
+        let Self { order, bases, points } = self;
+        let read = |metric: usize, first: usize, to: &mut [Point]| {
+            to.copy_from_slice(&points[metric][first..][..to.len()]);
+        };
+        with(PlanSource { order, bases, points: &read })
+    }
 }
 
 impl Index {
     /// The index of these windows: by a plan if there is one of theirs, else built.
-    pub(crate) fn of_windows(windows: Windows, plan: Option<Plan>) -> Self {
-        match plan.map(|plan| (Self::subspaces_of(&windows, &plan), plan)) {
+    pub(crate) fn of_windows(windows: Windows, plan: Option<PlanSource<'_>>) -> Self {
+        match plan.map(|plan| (Self::subspaces_of(&windows, &plan.order, &plan.bases), plan)) {
             Some((Ok(subspaces), plan)) => {
                 let empty = Self::new(windows, subspaces);
-                empty.planned(plan).unwrap_or_else(|(empty, _)| Self::fitted(empty.windows))
+                empty.planned(&plan).unwrap_or_else(|windows| Self::fitted(*windows))
             }
             _ => Self::fitted(windows),
         }
@@ -84,8 +120,10 @@ impl Index {
             let points: Vec<Point> = items.iter().map(|&i| points[i]).collect();
             let lower: Vec<Point> = rows.iter().map(|&row| index.point(row, Metric::LowerBody)).collect();
             index.add_rows(&rows);
-            index.add_points(class, Metric::FullBody, &points);
-            index.add_points(class, Metric::LowerBody, &lower);
+            for (metric, points) in [(Metric::FullBody, points), (Metric::LowerBody, lower)] {
+                index.leaves[metric as usize].add_leaves(&points);
+                index.end_class(class, metric);
+            }
         }
         index
     }
@@ -96,18 +134,20 @@ impl Index {
     /// [`PlanError`] if the plan is not one for this database.
     pub fn from_plan(db: &Database, plan: Plan) -> Result<Self, PlanError> {
         let windows = Windows::new(db, WINDOW);
-        let subspaces = Self::subspaces_of(&windows, &plan)?;
-        Self::new(windows, subspaces).planned(plan).map_err(|(_, error)| error)
+        let subspaces = Self::subspaces_of(&windows, &plan.order, &plan.bases)?;
+        if !plan.has_all_points() {
+            return Err(PlanError::Points);
+        }
+        plan.with_source(|source| Self::new(windows, subspaces).planned(&source)).map_err(|_| PlanError::Points)
     }
 
     /// The subspaces of a plan whose order is one of these windows.
-    fn subspaces_of(windows: &Windows, plan: &Plan) -> Result<[Subspace; 2], PlanError> {
-        let subspaces =
-            METRICS.map(|metric| Subspace::from_floats(&plan.bases[metric as usize], windows.length, metric));
+    fn subspaces_of(windows: &Windows, order: &[u32], bases: &[Vec<f32>; 2]) -> Result<[Subspace; 2], PlanError> {
+        let subspaces = METRICS.map(|metric| Subspace::from_floats(&bases[metric as usize], windows.length, metric));
         let [Some(full), Some(lower)] = subspaces else {
             return Err(PlanError::Basis);
         };
-        let mut rest = &plan.order[..];
+        let mut rest = order;
         for class in 0..windows.classes.len() {
             let rows: Vec<u32> = windows.of_class(class).map(|row| row as u32).collect();
             let (here, others) = rest.split_at_checked(rows.len()).ok_or(PlanError::Order)?;
@@ -119,25 +159,30 @@ impl Index {
         if rest.is_empty() { Ok([full, lower]) } else { Err(PlanError::Order) }
     }
 
-    /// An index without leaves, with those of a plan; itself if the points are not those of its windows.
-    fn planned(mut self, plan: Plan) -> Result<Self, (Box<Self>, PlanError)> {
-        let Plan { order, points, .. } = plan;
-        if !METRICS.into_iter().zip(&points).all(|(metric, points)| self.are_points_of(metric, &order, points)) {
-            return Err((Box::new(self), PlanError::Points));
-        }
+    /// An index without leaves, with those of a plan; the windows if the points are not theirs.
+    fn planned(mut self, plan: &PlanSource<'_>) -> Result<Self, Box<Windows>> {
         let mut begin = 0;
         for class in 0..self.classes() {
             let here = begin..begin + self.windows_in_class(class);
             begin = here.end;
-            self.add_rows(&order[here]);
+            self.add_rows(&plan.order[here]);
         }
-        // The points of one metric after the other, so that they can be freed.
-        for (metric, points) in METRICS.into_iter().zip(points) {
-            let mut rest = &points[..];
+        let mut points = vec![[0; COORDINATES]; PORTION.min(plan.order.len())];
+        for metric in METRICS {
+            let mut begin = 0;
             for class in 0..self.classes() {
-                let (here, others) = rest.split_at(self.windows_in_class(class));
-                rest = others;
-                self.add_points(class, metric, here);
+                let end = begin + self.windows_in_class(class);
+                for first in (begin..end).step_by(PORTION) {
+                    let here = first..end.min(first + PORTION);
+                    let points = &mut points[..here.len()];
+                    (plan.points)(metric as usize, first, points);
+                    if !self.are_points_of(metric, &plan.order, here, points) {
+                        return Err(Box::new(self.windows));
+                    }
+                    self.leaves[metric as usize].add_leaves(points);
+                }
+                self.end_class(class, metric);
+                begin = end;
             }
         }
         Ok(self)
@@ -155,13 +200,28 @@ impl Index {
         }
     }
 
+    /// Bytes of the index of so many rows in so many classes, and at most while it is made: by a plan or, where the largest
+    /// class has so many rows, without one.
+    pub(crate) fn bytes(rows: u64, classes: u64, largest_to_build: Option<u64>) -> u64 {
+        let windows = rows.saturating_mul(size_of::<PointRow>() as u64);
+        let of_row = 2 * size_of::<f32>() + size_of::<u32>();
+        let leaves = (rows / BLOCK as u64).saturating_add(classes);
+        let all = Leaves::bytes(leaves, classes)
+            .saturating_mul(2)
+            .saturating_add(leaves.saturating_mul(size_of::<[u32; BLOCK]>() as u64))
+            .saturating_add(rows.saturating_mul(of_row as u64));
+        let rest =
+            largest_to_build.map_or(all, |rows| all.saturating_add(rows.saturating_mul(ROW_TO_BUILD)).max(TO_FIT));
+        windows.saturating_add(rest)
+    }
+
     /// An index without leaves, with room for them.
     fn new(windows: Windows, subspaces: [Subspace; 2]) -> Self {
-        let classes = 0..windows.classes.len();
-        let leaves = classes.map(|class| windows.of_class(class).count().div_ceil(BLOCK)).sum();
+        let classes = windows.classes.len();
+        let leaves = (0..classes).map(|class| windows.of_class(class).count().div_ceil(BLOCK)).sum();
         Self {
             norms: METRICS.map(|metric| windows.norms(metric)),
-            leaves: subspaces.map(|s| Leaves::new(s, leaves)),
+            leaves: subspaces.map(|s| Leaves::new(s, leaves, classes)),
             rows: Vec::with_capacity(leaves),
             slots: vec![NO_ROW; windows.rows()],
             windows,
@@ -170,18 +230,19 @@ impl Index {
         }
     }
 
-    /// Whether these are the points of the windows that end at these rows: of some by comparison, of all by length.
-    fn are_points_of(&self, metric: Metric, rows: &[u32], points: &[Point]) -> bool {
+    /// Whether these are the points of the windows `here` of the order: of some by comparison, of all by length.
+    fn are_points_of(&self, metric: Metric, order: &[u32], here: Range<usize>, points: &[Point]) -> bool {
         let (subspace, norms) = (self.leaves[metric as usize].subspace(), &self.norms[metric as usize]);
-        let scale = self.windows.scale(metric);
-        let has_length = |(row, point): (&u32, &Point)| {
-            let frames = self.windows.points::<LENGTH>(*row as usize);
-            let (expected, error) = subspace.squared_length(metric, frames, scale, norms[*row as usize]);
+        let (scale, stride) = (self.windows.scale(metric), stride_of(order.len()));
+        let has_length = |row: u32, point: &Point| {
+            let frames = self.windows.points::<LENGTH>(row as usize);
+            let (expected, error) = subspace.squared_length(metric, frames, scale, norms[row as usize]);
             has_squared_length(point, expected, error)
         };
-        points.len() == rows.len()
-            && sample(rows).zip(sample(points)).all(|(row, point)| *point == self.point(*row, metric))
-            && rows.iter().zip(points).all(has_length)
+        here.zip(points).all(|(i, point)| {
+            let row = order[i];
+            has_length(row, point) && (i % stride != 0 || *point == self.point(row, metric))
+        })
     }
 
     /// The integers of the window that ends at a row.
@@ -189,7 +250,7 @@ impl Index {
         self.leaves[metric as usize].point(&self.windows.centred(row as usize, metric))
     }
 
-    /// Adds the rows of a class, …
+    /// Adds the rows of a class, whose leaves follow for each metric.
     fn add_rows(&mut self, rows: &[u32]) {
         for rows in rows.chunks(BLOCK) {
             let mut leaf = [NO_ROW; BLOCK];
@@ -201,16 +262,22 @@ impl Index {
         }
     }
 
-    /// … and the integers of its windows by a metric, in the same order.
-    fn add_points(&mut self, class: usize, metric: Metric, points: &[Point]) {
+    /// Ends a class whose leaves have been added.
+    fn end_class(&mut self, class: usize, metric: Metric) {
         let bounds = self.windows.bounds(class, metric, &self.norms[metric as usize]);
-        self.leaves[metric as usize].add_class(points, bounds);
+        let windows = self.windows_in_class(class);
+        self.leaves[metric as usize].end_class(windows, bounds);
     }
 }
 
 /// About [`SAMPLES`] of these, evenly spread.
 fn sample<T>(of: &[T]) -> impl Iterator<Item = &T> {
-    of.iter().step_by(of.len().div_ceil(SAMPLES).max(1))
+    of.iter().step_by(stride_of(of.len()))
+}
+
+/// Step between two of about [`SAMPLES`] of so many.
+fn stride_of(count: usize) -> usize {
+    count.div_ceil(SAMPLES).max(1)
 }
 
 /// Whether `order` holds the numbers of the ascending `rows` in any order.

@@ -3,10 +3,8 @@
 use super::leaves::Bounds;
 use super::metric::{CentredWindow, FrameSums, LENGTH, MAX_WINDOW, Metric, frames_of, window_norm};
 use super::points::{Feet, FramePoints, PointRow};
-use crate::database::{Class, Clip, Database};
-use crate::humanoid::JOINTS;
-use crate::math::Vec3;
-use crate::pose_vector::{HEADING_RATE, Placement};
+use crate::database::{Class, Clip, Database, PointCloud};
+use crate::pose_vector::{HEADING_RATE, Placement, PoseRow};
 use std::ops::Range;
 
 /// All windows of a database, row by row.
@@ -26,34 +24,39 @@ pub(crate) struct Windows {
 impl Windows {
     /// The windows of `length` frames, 1 to [`MAX_WINDOW`].
     pub(crate) fn new(db: &Database, length: usize) -> Self {
-        Self::of_clouds(&db.clips, db.classes(), &db.point_cloud, &places(db), length)
+        let mut windows = Self::empty(&db.clips, db.classes(), length);
+        windows.add(&db.point_cloud, &places(db));
+        windows
     }
 
-    /// The same, of each row's point cloud and place: the rows themselves need not be kept until then.
-    pub(crate) fn of_clouds(
-        clips: &[Clip],
-        classes: &[Class],
-        clouds: &[[Vec3; JOINTS]],
-        places: &[Placement],
-        length: usize,
-    ) -> Self {
-        let mut windows = Self {
+    /// The windows of rows that are still to be [added](Self::add).
+    pub(crate) fn empty(clips: &[Clip], classes: &[Class], length: usize) -> Self {
+        Self {
             length,
-            points: Vec::with_capacity(clouds.len()),
-            greatest_norms: Vec::new(),
+            points: Vec::with_capacity(clips.last().map_or(0, |clip| clip.rows().end)),
+            greatest_norms: vec![0.0; classes.len()],
             clips: clips.iter().map(Clip::rows).collect(),
             classes: classes.iter().map(|c| c.clips.clone()).collect(),
-        };
-        for class in classes {
-            let mut greatest = 0.0_f32;
-            for row in clips[class.clips.clone()].iter().flat_map(Clip::rows) {
-                let points = FramePoints::new(&clouds[row], places[row]);
-                greatest = greatest.max(points.norm());
-                windows.points.push(points.0);
-            }
-            windows.greatest_norms.push(greatest);
         }
-        windows
+    }
+
+    /// Adds the next rows: their point clouds and places.
+    pub(crate) fn add(&mut self, clouds: &[PointCloud], places: &[Placement]) {
+        let mut class = self.classes.partition_point(|class| self.rows_of(class).end <= self.points.len());
+        for (cloud, place) in clouds.iter().zip(places) {
+            while self.rows_of(&self.classes[class]).end <= self.points.len() {
+                class += 1;
+            }
+            let points = FramePoints::new(cloud, *place);
+            self.greatest_norms[class] = self.greatest_norms[class].max(points.norm());
+            self.points.push(points.0);
+        }
+    }
+
+    /// Rows of some successive clips.
+    fn rows_of(&self, clips: &Range<usize>) -> Range<usize> {
+        let clips = &self.clips[clips.clone()];
+        clips.first().map_or(0, |clip| clip.start)..clips.last().map_or(0, |clip| clip.end)
     }
 
     /// The windows of another length in the same rows.
@@ -127,22 +130,47 @@ impl Windows {
     }
 }
 
-/// Where every row is in its clip's frame of reference, which has the middle of the path at the origin: small numbers leave
-/// more digits to the differences.
+/// Where every row of a database is in its clip's frame of reference.
 pub(crate) fn places(db: &Database) -> Vec<Placement> {
-    let dt = 1.0 / db.rate_hz;
-    let mut places = vec![Placement::default(); db.frames()];
-    for rows in db.clips.iter().map(Clip::rows) {
-        let mut at = Placement::default();
-        for row in rows.clone().skip(1) {
-            at = at.advanced(&db.pose[row], dt, db.pose[row][HEADING_RATE] * dt);
-            places[row] = at;
+    let mut places = Places::with_capacity(db.frames(), db.rate_hz);
+    for clip in &db.clips {
+        places.add(&db.pose[clip.rows()], true);
+        places.end_clip(clip.frames);
+    }
+    places.all
+}
+
+/// Where rows are in their clip's frame of reference, which has the middle of the path at the origin: small numbers leave
+/// more digits to the differences.
+#[derive(Clone, Debug)]
+pub(crate) struct Places {
+    dt_secs: f32,
+    /// Of all rows so far.
+    pub(crate) all: Vec<Placement>,
+}
+
+impl Places {
+    /// None yet, with room for so many.
+    pub(crate) fn with_capacity(rows: usize, rate_hz: f32) -> Self {
+        Self { dt_secs: 1.0 / rate_hz, all: Vec::with_capacity(rows) }
+    }
+
+    /// Adds the next rows of a clip, whose first is the first of the clip or not.
+    pub(crate) fn add(&mut self, rows: &[PoseRow], begins_clip: bool) {
+        for (i, row) in rows.iter().enumerate() {
+            let before = self.all.last().filter(|_| i > 0 || !begins_clip);
+            let turn = row[HEADING_RATE] * self.dt_secs;
+            self.all.push(before.map_or(Placement::default(), |at| at.advanced(row, self.dt_secs, turn)));
         }
-        let of_clip = &mut places[rows];
+    }
+
+    /// Ends a clip of so many rows, all of which have been added.
+    pub(crate) fn end_clip(&mut self, rows: usize) {
+        let of_clip = self.all.len() - rows;
+        let of_clip = &mut self.all[of_clip..];
         let middle = of_clip.get(of_clip.len() / 2).copied().unwrap_or_default();
         for place in of_clip {
             (place.x, place.z) = (place.x - middle.x, place.z - middle.z);
         }
     }
-    places
 }

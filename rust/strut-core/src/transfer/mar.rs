@@ -11,10 +11,12 @@ use super::phase_lock::{PhaseLock, SeenPhase};
 use super::regression::{Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, predict};
 use super::timing::{Moment, duration};
 use super::trained::Trained;
+use crate::catalogue::TargetTable;
 use crate::math::float_funcs::half_life_share;
 use crate::math::order::sort_pairs;
 use crate::pose_vector::{PoseRow, ROW};
 use crate::search::{Metric, Neighbour, Neighbours, QueryWindow, Scratch};
+use std::sync::Arc;
 
 /// One term of the mixture: a class, or for the baselines all allowed classes pooled.
 #[derive(Clone, Debug)]
@@ -54,6 +56,8 @@ pub(super) struct StylePrediction {
     pub(super) step_secs: f32,
     /// Likelihood that each foot of the registered targets is planted.
     pub(super) contact: [f32; 2],
+    /// The targets of the style.
+    table: Arc<TargetTable>,
     /// The trained predictor; `None` for methods without training.
     trained: Option<Trained>,
 }
@@ -66,8 +70,8 @@ impl StylePrediction {
             return Some(trained.predict(input, &self.previous));
         }
         trained.start(model, neighbours.first().map(|n| n.row as usize));
-        let targets = &model.target_table(self.style).pose;
-        Some(trained.predict(input, &interpolate(|row| targets.get(row - 1), neighbours)))
+        let start = interpolate(|row| self.table.pose.get(row - 1), neighbours);
+        Some(trained.predict(input, &start))
     }
 }
 
@@ -134,7 +138,7 @@ impl Mixture {
         })
     }
 
-    /// A prediction of a style, not started. Methods with training are trained here.
+    /// A prediction of a style, not started. Its targets are made here, and methods with training are trained.
     pub(super) fn prediction_of(&self, model: &Model, options: &Options, style: usize) -> StylePrediction {
         let classes: Vec<usize> = self.components.iter().flat_map(|c| c.classes.iter().copied()).collect();
         StylePrediction {
@@ -145,6 +149,7 @@ impl Mixture {
             filter: ComplementaryFilter::NONE,
             step_secs: 0.0,
             contact: [0.0; 2],
+            table: model.target_table(style),
             trained: Trained::new(model, options, &classes, style),
         }
     }
@@ -262,10 +267,10 @@ impl Mixture {
                 self.bias = bias.largest;
             }
             for s in styles.iter_mut() {
-                let targets = &model.target_table(s.style).pose;
                 let row = if let Some(row) = s.trained_row(model, input, neighbours) {
                     row
                 } else if let Some(moments) = &moments {
+                    let targets = &s.table.pose;
                     // A style that begins has no previous output: the neighbours' mean takes its place.
                     let start = if s.started {
                         s.previous
@@ -281,7 +286,7 @@ impl Mixture {
                     output
                 } else {
                     let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
-                    interpolate(|row| targets.get(row), &neighbours[..nearest])
+                    interpolate(|row| s.table.pose.get(row), &neighbours[..nearest])
                 };
                 s.current.iter_mut().zip(&row).for_each(|(sum, v)| *sum += weight * v);
             }
@@ -321,7 +326,7 @@ impl Mixture {
             seen.add(db.gait_phase(), weight, neighbours, weights);
             model.scales().squared_distances(now, model.rows(), neighbours, of_inputs);
             for s in styles.iter_mut() {
-                let table = model.target_table(s.style);
+                let table = &*s.table;
                 let now = Moment { pose: &s.current, previous: if s.started { &s.previous } else { &s.current } };
                 model.scales().squared_distances(now, &table.pose, neighbours, of_outputs);
                 let secs = duration(of_inputs, of_outputs, neighbours, weights, &table.step_secs);

@@ -29,6 +29,7 @@ mod options;
 mod phase_lock;
 mod regression;
 mod stylizer;
+mod target_tables;
 mod timing;
 mod trained;
 

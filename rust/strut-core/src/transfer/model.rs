@@ -1,17 +1,18 @@
 //! The data that all stylizers of one database share.
 
+use super::target_tables::TargetTables;
 use super::timing::Scales;
 use crate::catalogue::{Catalogue, QuantisedRows, TargetTable};
 use crate::database::Database;
 use crate::search::Index;
-use std::sync::OnceLock;
+use std::sync::Arc;
 
-/// A catalogue with the target tables of the styles used so far. Share it in an [`Arc`](std::sync::Arc) between the
-/// characters of a scene: a table is 12 MB for 80,000 frames.
+/// A catalogue with the target tables of the styles in use. Share it in an [`Arc`] between the characters of a scene: a
+/// table is 12 MB for 80,000 frames.
 #[derive(Debug)]
 pub struct Model {
     catalogue: Catalogue,
-    tables: Box<[OnceLock<TargetTable>]>,
+    tables: TargetTables,
     scales: Scales,
     #[cfg(feature = "baselines")]
     baselines: crate::baselines::Baselines,
@@ -27,7 +28,7 @@ impl Model {
     pub fn of(catalogue: Catalogue) -> Self {
         Self {
             scales: Scales::new(catalogue.sigma(), catalogue.step_sigma()),
-            tables: catalogue.styles.iter().map(|_| OnceLock::new()).collect(),
+            tables: TargetTables::default(),
             #[cfg(feature = "baselines")]
             baselines: crate::baselines::Baselines::default(),
             catalogue,
@@ -49,12 +50,13 @@ impl Model {
         self.catalogue.index()
     }
 
-    /// The target of every row in a style; built when the style is first used.
+    /// The target of every row in a style. It is built when the style is first used, and kept while anybody has it, or
+    /// longer: where tables are small, all are kept.
     ///
     /// # Panics
     /// If there is no such style.
-    pub fn target_table(&self, style: usize) -> &TargetTable {
-        self.tables[style].get_or_init(|| TargetTable::build(&self.catalogue, style as u16))
+    pub fn target_table(&self, style: usize) -> Arc<TargetTable> {
+        self.tables.of(&self.catalogue, style as u16)
     }
 
     /// The trained predictors of those [`super::Method`]s that need training.

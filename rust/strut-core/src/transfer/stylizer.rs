@@ -52,7 +52,8 @@ pub struct Stylizer {
 }
 
 impl Stylizer {
-    /// A stylizer that gives the neutral style until told otherwise.
+    /// A stylizer that gives the neutral style until told otherwise. The targets of that are made for the first frame, if no
+    /// other style takes its place before.
     ///
     /// # Errors
     /// If an option is out of range, or the database has no class of the stated action and input style.
@@ -61,7 +62,7 @@ impl Stylizer {
         let mixture = Mixture::new(&model, &options)
             .ok_or(OptionsError::NoClass { action: options.action, style: options.input_style })?;
         let db = model.catalogue();
-        let mut stylizer = Self {
+        Ok(Self {
             blend: StyleBlend::new(db.styles.len(), db.neutral.into()),
             parts: BodyPart::of_row(),
             limits: JointLimits::new(db.observed_range()),
@@ -78,9 +79,7 @@ impl Stylizer {
             frame: StyledFrame::default(),
             options,
             model,
-        };
-        stylizer.activate_styles();
-        Ok(stylizer)
+        })
     }
 
     /// Sets one weight a style of the database for the whole body; the remainder to a sum of 1 belongs to
@@ -117,10 +116,15 @@ impl Stylizer {
         if !same_search {
             self.mixture = Mixture::new(&self.model, &options)
                 .ok_or(OptionsError::NoClass { action: options.action, style: options.input_style })?;
-            self.styles.clear();
         }
         self.options = options;
-        self.activate_styles();
+        if !same_search {
+            // They hold the targets that the new ones need.
+            let before = std::mem::take(&mut self.styles);
+            if !before.is_empty() {
+                self.activate_styles();
+            }
+        }
         Ok(())
     }
 
@@ -225,6 +229,9 @@ impl Stylizer {
         clock: &mut impl StageClock,
     ) -> &StyledFrame {
         clock.start();
+        if self.styles.is_empty() {
+            self.activate_styles();
+        }
         let model = Arc::clone(&self.model);
         let input = self.take_input(pose);
         clock.end(Stage::Features);
@@ -342,7 +349,6 @@ impl Stylizer {
         self.styles.retain(|s| blend.is_active(s.style));
         for style in 0..self.model.catalogue().styles.len() {
             if blend.is_active(style) && self.styles.iter().all(|s| s.style != style) {
-                self.model.target_table(style);
                 let at = self.styles.partition_point(|s| s.style < style);
                 self.styles.insert(at, self.mixture.prediction_of(&self.model, &self.options, style));
             }

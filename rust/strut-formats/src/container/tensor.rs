@@ -127,9 +127,10 @@ impl<S: Source + ?Sized> Tensor<'_, S> {
         [self.part(0, half), self.part(half, half)]
     }
 
-    /// Copies numbers from index `first` on; the range must exist.
+    /// Copies numbers from number `first` of the tensor on, in groups; the range must exist.
     pub(crate) fn copy<T: Pod>(&self, first: usize, to: &mut [T]) {
-        self.file.copy(self.begin + first * size_of::<T>(), bytemuck::cast_slice_mut(to));
+        let size = self.bytes / self.shape.iter().product::<usize>().max(1);
+        self.file.copy(self.begin + first * size, bytemuck::cast_slice_mut(to));
     }
 
     fn part<T: Pod>(&self, begin: usize, bytes: usize) -> Vec<T> {

@@ -39,7 +39,7 @@ mod read;
 mod write;
 
 pub use metadata::{ClipInfo, Metadata, SkeletonInfo};
-pub use read::{Contents, read, read_metadata};
+pub use read::{Contents, STYLES, read, read_catalogue, read_metadata};
 pub use write::write;
 
 use crate::container::{ContainerError, Kind};
@@ -49,8 +49,18 @@ use thiserror::Error;
 /// Greatest number of clips of a database.
 pub const MAX_CLIPS: usize = 100_000;
 /// The kind of file.
-pub const KIND: Kind =
-    Kind { name: "Strut database", entry: "strut", version: "1.0", checksum_since: 0, max_bytes: 1 << 30 };
+pub const KIND: Kind = Kind {
+    name: "Strut database",
+    entry: "strut",
+    version: "1.0",
+    checksum_since: 0,
+    // As many as packages for JavaScript can count.
+    max_bytes: u32::MAX as usize,
+};
+
+const fn megabytes(bytes: u64) -> u64 {
+    bytes / 1_000_000
+}
 
 /// Why bytes are not a database.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -65,6 +75,12 @@ pub enum StrutdbError {
     /// The skeleton is not the canonical humanoid, or the columns of `pose` are others.
     #[error("the database's {0} differ from those of this Strut")]
     Layout(&'static str),
+    /// To style with it would take more bytes than the caller allows, or than there are.
+    #[error(
+        "the database has {frames} frames: to style with them takes {} MB of memory, of which {} can be had",
+        megabytes(*needed), most.map_or("less".to_owned(), |most| format!("{} MB", megabytes(most)))
+    )]
+    Memory { frames: u64, needed: u64, most: Option<u64> },
     /// The content is not consistent.
     #[error("the database is not consistent: {0}")]
     Content(#[from] DatabaseError),

@@ -4,12 +4,12 @@ use super::metadata::{Metadata, pose_columns};
 use super::{KIND, MAX_CLIPS, StrutdbError};
 use crate::container::{self, ContainerError, Source, Tensor, Tensors};
 use safetensors::tensor::Dtype;
-use strut_core::catalogue::Catalogue;
-use strut_core::database::{Clip, Database, DatabaseError, DatabaseParts, MAX_COUNTERPARTS, MAX_FRAMES};
+use strut_core::catalogue::{Catalogue, CatalogueBuilder, CatalogueSize};
+use strut_core::database::{Clip, Database, DatabaseError, DatabaseParts, MAX_COUNTERPARTS, MAX_FRAMES, PointCloud};
 use strut_core::humanoid::JOINTS;
 use strut_core::math::Quat;
 use strut_core::pose_vector::{DOFS, PoseChart, PoseRow, ROW};
-use strut_core::search::Plan;
+use strut_core::search::{Plan, PlanSource};
 
 /// Contents of a file.
 #[derive(Clone, Debug)]
@@ -34,6 +34,101 @@ impl Contents {
 /// [`StrutdbError`] for anything but an undamaged database of this major version.
 pub fn read<S: Source + ?Sized>(file: &S) -> Result<Contents, StrutdbError> {
     let (metadata, tensors) = open(file)?;
+    let (parts, LongTensors { pose, point_cloud, plan }) = parts_of(metadata, &tensors)?;
+    let mut rows = vec![[0.0; ROW]; pose.shape()[0]];
+    for (i, rows) in rows.chunks_mut(ROWS).enumerate() {
+        copy_rows(&pose, i * ROWS, rows);
+    }
+    let parts = DatabaseParts { pose: rows, point_cloud: point_cloud.numbers(), ..parts };
+    let plan = plan.map(|PlanTensors { order, bases, points }| Plan { order, bases, points: points.halves() });
+    Ok(Contents { database: Database::new(parts)?, plan })
+}
+
+/// Reads a file to style with: the same as [`Contents::into_catalogue`], in less memory. With `most_bytes` it is made sure
+/// before that it and the targets of [`STYLES`] styles take no more, and that there is room to open it: in WebAssembly,
+/// running out of memory ends the program.
+///
+/// # Errors
+/// As [`read`], and [`StrutdbError::Memory`].
+pub fn read_catalogue(file: &dyn Source, most_bytes: Option<u64>) -> Result<Catalogue, StrutdbError> {
+    let (metadata, tensors) = open(file)?;
+    if let Some(most_bytes) = most_bytes {
+        check_memory(&metadata, &tensors, most_bytes)?;
+    }
+    let (parts, LongTensors { pose, point_cloud, plan }) = parts_of(metadata, &tensors)?;
+    let builder = CatalogueBuilder::new(parts, &|first, rows| copy_rows(&pose, first, rows))?;
+    let copy_clouds = Box::new(|first: usize, to: &mut [PointCloud]| point_cloud.copy(first * 3 * JOINTS, to));
+    Ok(match plan {
+        Some(PlanTensors { order, bases, points }) if points.shape()[1] == order.len() => {
+            let windows = order.len();
+            let copy_points = |metric: usize, first: usize, to: &mut [[i16; Plan::COORDINATES]]| {
+                points.copy((metric * windows + first) * Plan::COORDINATES, to);
+            };
+            builder.finish(copy_clouds, Some(PlanSource { order, bases, points: &copy_points }))?
+        }
+        _ => builder.finish(copy_clouds, None)?,
+    })
+}
+
+/// Styles whose targets find room beside a database that is opened to style with: three, the neutral one, and one that was
+/// in use before.
+pub const STYLES: u64 = 5;
+
+/// What is allocated at once to find out whether memory is to be had, bytes: half of what 32 bits allow.
+const TRIAL: u64 = 1 << 30;
+
+/// Whether a database can be opened with `most_bytes`.
+fn check_memory(
+    metadata: &Metadata,
+    tensors: &Tensors<'_, dyn Source + '_>,
+    most_bytes: u64,
+) -> Result<(), StrutdbError> {
+    let counterpart = tensors.find("counterpart", Dtype::F32, &[None, None, None])?;
+    let size = CatalogueSize::of_clips(&clips(metadata)?, metadata.styles.len(), counterpart.shape()[2]);
+    let opening = size.bytes(tensors.rows("search_order") > 0);
+    let needed = opening.saturating_add(STYLES.saturating_mul(size.table_bytes()));
+    let refused = |most| StrutdbError::Memory { frames: size.frames, needed, most };
+    if needed > most_bytes {
+        return Err(refused(Some(most_bytes)));
+    }
+    if is_available(opening) { Ok(()) } else { Err(refused(None)) }
+}
+
+/// Whether so many bytes can be allocated now. In WebAssembly they are then the program's.
+fn is_available(bytes: u64) -> bool {
+    let mut trials: Vec<Vec<u8>> = Vec::new();
+    let mut left = bytes;
+    while left > 0 {
+        let mut trial = Vec::new();
+        let part = left.min(TRIAL);
+        if trial.try_reserve_exact(part as usize).is_err() {
+            return false;
+        }
+        left -= part;
+        // Compilers remove allocations that nothing is done with.
+        trials.push(std::hint::black_box(trial));
+    }
+    true
+}
+
+/// Tensors that need not be in memory as a whole.
+struct LongTensors<'a, S: ?Sized> {
+    pose: Tensor<'a, S>,
+    point_cloud: Tensor<'a, S>,
+    plan: Option<PlanTensors<'a, S>>,
+}
+
+struct PlanTensors<'a, S: ?Sized> {
+    order: Vec<u32>,
+    bases: [Vec<f32>; 2],
+    points: Tensor<'a, S>,
+}
+
+/// A database without its poses and point clouds, and these.
+fn parts_of<'a, S: Source + ?Sized>(
+    metadata: Metadata,
+    tensors: &'a Tensors<'_, S>,
+) -> Result<(DatabaseParts, LongTensors<'a, S>), StrutdbError> {
     let proportions = metadata.skeleton.proportions().ok_or(StrutdbError::Layout("joints"))?;
     if metadata.pose_columns != pose_columns() {
         return Err(StrutdbError::Layout("degrees of freedom"));
@@ -42,8 +137,8 @@ pub fn read<S: Source + ?Sized>(file: &S) -> Result<Contents, StrutdbError> {
     let n = Some(frames_of(&clips)?);
 
     let f32s = |name, shape: &[Option<usize>]| tensors.find(name, Dtype::F32, shape);
-    let pose = padded_rows(&f32s("pose", &[n, Some(DOFS)])?);
-    let point_cloud = f32s("point_cloud", &[n, Some(JOINTS), Some(3)])?.numbers();
+    let pose = f32s("pose", &[n, Some(DOFS)])?;
+    let point_cloud = f32s("point_cloud", &[n, Some(JOINTS), Some(3)])?;
     let canonical_time = f32s("canonical_time", &[n])?.numbers();
     let time_step = f32s("time_step", &[n])?.numbers();
     let contact = tensors.find("contact", Dtype::U8, &[n, Some(2)])?.numbers();
@@ -55,18 +150,10 @@ pub fn read<S: Source + ?Sized>(file: &S) -> Result<Contents, StrutdbError> {
     }
     let counterpart = counterpart.numbers();
     let chart: Vec<f32> = f32s("chart", &[Some(JOINTS), Some(4)])?.numbers();
-    let order = tensors.find("search_order", Dtype::U32, &[None]).map(|tensor| tensor.numbers());
-    let bases = f32s("search_basis", &[Some(2), Some(Plan::BASIS_LENGTH)]).map(|tensor| tensor.halves());
-    let points = tensors.find("search_points", Dtype::I16, &[Some(2), None, Some(Plan::COORDINATES)]);
-    let points = points.map(|tensor| tensor.halves());
-
     if !clips.iter().zip(classes).all(|(clip, class)| [clip.action, clip.style] == class) {
         return Err(invalid("'class_of_clip' and the clips' actions and styles differ".into()));
     }
-    let plan = match (metadata.search_version, order, bases, points) {
-        (Some(Plan::VERSION), Ok(order), Ok(bases), Ok(points)) => Some(Plan { order, bases, points }),
-        _ => None,
-    };
+    let plan = plan_of(&metadata, tensors);
     let parts = DatabaseParts {
         rate_hz: metadata.rate_hz,
         proportions,
@@ -75,15 +162,24 @@ pub fn read<S: Source + ?Sized>(file: &S) -> Result<Contents, StrutdbError> {
         actions: metadata.actions,
         styles: metadata.styles,
         clips,
-        pose,
-        point_cloud,
+        pose: Vec::new(),
+        point_cloud: Vec::new(),
         canonical_time,
         time_step,
         contact,
         counterparts_per_style,
         counterpart,
     };
-    Ok(Contents { database: Database::new(parts)?, plan })
+    Ok((parts, LongTensors { pose, point_cloud, plan }))
+}
+
+/// The plan of the search index, if there is one of this version.
+fn plan_of<'a, S: Source + ?Sized>(metadata: &Metadata, tensors: &'a Tensors<'_, S>) -> Option<PlanTensors<'a, S>> {
+    metadata.search_version.filter(|&version| version == Plan::VERSION)?;
+    let order: Vec<u32> = tensors.find("search_order", Dtype::U32, &[None]).ok()?.numbers();
+    let bases = tensors.find("search_basis", Dtype::F32, &[Some(2), Some(Plan::BASIS_LENGTH)]).ok()?.halves();
+    let points = tensors.find("search_points", Dtype::I16, &[Some(2), None, Some(Plan::COORDINATES)]).ok()?;
+    Some(PlanTensors { order, bases, points })
 }
 
 /// Reads the metadata alone, after checking version and checksum.
@@ -133,21 +229,19 @@ fn invalid(message: String) -> StrutdbError {
     DatabaseError::Invalid(message).into()
 }
 
-/// Rows that are copied at once.
-const ROWS: usize = 256;
+/// Rows that are copied at once, on the stack.
+const ROWS: usize = 32;
 
-/// Rows of degrees of freedom with their padding.
-fn padded_rows<S: Source + ?Sized>(tensor: &Tensor<'_, S>) -> Vec<PoseRow> {
-    let mut padded = vec![[0.0; ROW]; tensor.shape()[0]];
-    let mut rows = vec![[0.0_f32; DOFS]; ROWS];
-    for (i, padded) in padded.chunks_mut(ROWS).enumerate() {
-        let rows = &mut rows[..padded.len()];
-        tensor.copy(i * ROWS * DOFS, rows.as_flattened_mut());
-        for (padded, row) in padded.iter_mut().zip(rows) {
-            padded[..DOFS].copy_from_slice(row);
+/// Copies rows of degrees of freedom from number `first` on. Their padding is left as it is.
+fn copy_rows<S: Source + ?Sized>(tensor: &Tensor<'_, S>, first: usize, to: &mut [PoseRow]) {
+    let mut rows = [[0.0_f32; DOFS]; ROWS];
+    for (i, to) in to.chunks_mut(ROWS).enumerate() {
+        let rows = &mut rows[..to.len()];
+        tensor.copy((first + i * ROWS) * DOFS, rows.as_flattened_mut());
+        for (to, row) in to.iter_mut().zip(rows) {
+            to[..DOFS].copy_from_slice(row);
         }
     }
-    padded
 }
 
 pub(super) fn unit_chart(floats: &[f32]) -> Result<PoseChart, StrutdbError> {

@@ -149,7 +149,8 @@ impl Lens {
         } else {
             weights.resize(found.len(), 1.0);
         }
-        let table = &model.target_table(style).pose;
+        let targets = model.target_table(style);
+        let table = &targets.pose;
         let targets_with_noise = NoisyRows { rows: table, dof: settings.dof, deviation: settings.noise };
         let (mut inputs, mut targets) = (Gathered::default(), Gathered::default());
         inputs.fill(model.rows(), &found, &weights);

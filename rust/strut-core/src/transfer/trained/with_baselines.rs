@@ -23,7 +23,8 @@ impl Trained {
     /// second when the model has not trained it yet.
     pub(in crate::transfer) fn new(model: &Model, options: &Options, classes: &[usize], style: usize) -> Option<Self> {
         let baseline = options.method.baseline()?;
-        let pairs = Pairs::new(model.catalogue(), model.target_table(style), classes);
+        let table = model.target_table(style);
+        let pairs = Pairs::new(model.catalogue(), &table, classes);
         let predictor = model.baselines().predictor(baseline, &pairs, options.lambda);
         Some(Self { memory: vec![0.0; predictor.memory_len()], step_secs: 1.0 / model.catalogue().rate_hz, predictor })
     }
