@@ -9,7 +9,7 @@ import { stepSecs } from "./clock";
 import type { Prelude } from "./prelude";
 import { approach, type Weights } from "./smoothing";
 
-/** Marks on the browser's time line: the first frame that was shown, and the first of the engine. */
+/** Marks on the browser's time line: when the first frame was drawn, and the first of the engine. */
 export const MARKS = { shown: "strut: first frame", styled: "strut: first styled frame" } as const;
 
 /** Failures in a row after which playing stops. */
@@ -60,7 +60,7 @@ export class Playback {
   #opening: Opening | undefined;
   /** Whether the engine was told to go on from it. */
   #handedOver = false;
-  readonly #marked = new Set<string>();
+  readonly #marks = new Map<string, "to be drawn" | "drawn">();
   /** Time of the last repaint, milliseconds. */
   #ticked = 0;
 
@@ -171,10 +171,18 @@ export class Playback {
       });
   };
 
+  /** Notes what the next picture shows for the first time. */
   #mark(name: string): void {
-    if (this.#marked.has(name)) return;
-    this.#marked.add(name);
-    performance.mark(name);
+    if (!this.#marks.has(name)) this.#marks.set(name, "to be drawn");
+  }
+
+  /** The frames that were given are drawn: a first one is when it is seen, not when it was computed. */
+  drawn(): void {
+    for (const [name, state] of this.#marks) {
+      if (state === "drawn") continue;
+      this.#marks.set(name, "drawn");
+      performance.mark(name);
+    }
   }
 
   #showPrelude({ prelude, onFrame }: Opening, now: number): void {

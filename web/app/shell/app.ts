@@ -103,7 +103,9 @@ export class App {
       VIEWS,
     );
     this.#workspace.session.listen({
-      onTick: (now) => this.#viewer.draw(now),
+      onTick: (now) => {
+        if (this.#viewer.draw(now)) this.#workspace.session.playback.drawn();
+      },
       onInput: () => {
         this.#topBar.canExport = true;
         this.#toasts.clearErrors();

@@ -93,10 +93,10 @@ export class SharedViewer {
     this.#drawUntil = performance.now() + AFTERGLOW_MS;
   }
 
-  /** Draws if anything may have changed, and until the viewer has drawn its still picture. */
-  draw(now: number): void {
-    if (!this.#made || this.#frozen || this.rests) return;
-    if (now < this.#drawUntil || !this.#made.still) this.#made.render(now / 1000);
+  /** Draws if anything may have changed, and until the viewer has drawn its still picture; whether it did. */
+  draw(now: number): boolean {
+    if (!this.#made || this.#frozen || this.rests) return false;
+    return (now < this.#drawUntil || !this.#made.still) && this.#made.render(now / 1000);
   }
 
   /** A copy of the picture, drawn now or as soon as the graphics processor is ready for it. */
