@@ -67,15 +67,12 @@ export function fault(what: string): StrutError {
   return new StrutError({ code: "fault", message: `${what}.`, hint });
 }
 
-/** What to do where memory does not suffice. */
-const SMALLER = "Close what else is open, or build a smaller database.";
-
 /** Any thrown value as a {@link StrutError}; what is not one already is a fault. */
 export function toStrutError(thrown: unknown): StrutError {
   if (thrown instanceof StrutError) return thrown;
   // A panic throws its message: what traps without one is an allocation that failed.
   if (thrown instanceof WebAssembly.RuntimeError && /unreachable/.test(thrown.message))
-    return new StrutError({ code: "fault", message: "The engine ran out of memory.", hint: SMALLER }, thrown);
+    return new StrutError({ code: "fault", message: "The engine ran out of memory.", hint: "" }, thrown);
   const message = thrown instanceof Error ? thrown.message : String(thrown);
   return fault(`The engine failed: ${message.replace(/\.$/, "")}`);
 }

@@ -1,9 +1,9 @@
 //! Files in JavaScript's heap, or outside of it.
 
-use js_sys::{Function, Uint8Array};
+use js_sys::Uint8Array;
 use std::cell::{Cell, RefCell};
 use strut_formats::container::Source;
-use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Bytes in the heap of JavaScript, copied part by part: memory that a package takes is never given back.
 pub struct Bytes(pub Uint8Array);
@@ -23,19 +23,35 @@ const SLICE: usize = 32 << 20;
 /// … and elsewhere, where few may be wanted.
 const FIRST_SLICE: usize = 1 << 20;
 
-/// A file outside of JavaScript's heap, of which a slice at a time is there.
+#[wasm_bindgen]
+extern "C" {
+    /// A file outside of JavaScript's heap: `SlicedFile` of `web/engine/database.ts`.
+    pub type SlicedFile;
+
+    /// Number of bytes.
+    #[wasm_bindgen(method, getter)]
+    fn size(this: &SlicedFile) -> f64;
+
+    /// The bytes from a number up to another, or nothing where they cannot be read.
+    #[wasm_bindgen(method)]
+    fn read(this: &SlicedFile, begin: u32, end: u32) -> Option<Uint8Array>;
+}
+
+/// A file of which a slice at a time is in JavaScript's heap.
 pub struct Slices {
+    file: SlicedFile,
     bytes: usize,
-    read: Function,
     /// The slice that was read last, and where it begins.
-    slice: RefCell<(usize, Uint8Array)>,
+    slice: RefCell<Option<(usize, Uint8Array)>>,
     failed: Cell<bool>,
 }
 
 impl Slices {
-    /// Of so many bytes; `read` gives those from a number up to another as a `Uint8Array`, or throws.
-    pub fn new(bytes: usize, read: Function) -> Self {
-        Self { bytes, read, slice: RefCell::new((0, Uint8Array::new_with_length(0))), failed: Cell::new(false) }
+    /// Of a file.
+    pub fn new(file: SlicedFile) -> Self {
+        // The cast saturates: a larger file is refused for its size.
+        let bytes = file.size() as usize;
+        Self { file, bytes, slice: RefCell::new(None), failed: Cell::new(false) }
     }
 
     /// Whether a slice could not be read: zeros then stand for it.
@@ -46,11 +62,8 @@ impl Slices {
     /// The slice from `begin` on, shorter at the end of the file.
     fn slice_from(&self, begin: usize, length: usize) -> Option<Uint8Array> {
         let end = self.bytes.min(begin + length);
-        if end <= begin {
-            return None;
-        }
-        let slice = self.read.call2(&JsValue::NULL, &JsValue::from(begin as u32), &JsValue::from(end as u32)).ok()?;
-        slice.dyn_into::<Uint8Array>().ok().filter(|slice| slice.length() as usize == end - begin)
+        let slice = self.file.read(begin as u32, end as u32)?;
+        (begin < end && slice.length() as usize == end - begin).then_some(slice)
     }
 }
 
@@ -62,22 +75,22 @@ impl Source for Slices {
     fn copy(&self, begin: usize, to: &mut [u8]) {
         let mut slice = self.slice.borrow_mut();
         let mut done = 0;
-        while done < to.len() {
+        while done < to.len() && !self.failed.get() {
             let at = begin + done;
-            let within = at.checked_sub(slice.0).filter(|&within| within < slice.1.length() as usize);
-            let Some(within) = within else {
-                let length = if at == slice.0 + slice.1.length() as usize { SLICE } else { FIRST_SLICE };
-                let Some(next) = self.slice_from(at, length).filter(|_| !self.failed.get()) else {
-                    self.failed.set(true);
-                    to[done..].fill(0);
-                    return;
-                };
-                *slice = (at, next);
-                continue;
-            };
-            let count = (to.len() - done).min(slice.1.length() as usize - within);
-            slice.1.subarray(within as u32, (within + count) as u32).copy_to(&mut to[done..][..count]);
-            done += count;
+            let last = slice.as_ref().map_or(0, |(begin, bytes)| begin + bytes.length() as usize);
+            match &*slice {
+                Some((first, bytes)) if (*first..last).contains(&at) => {
+                    let count = (to.len() - done).min(last - at);
+                    let part = bytes.subarray((at - first) as u32, (at - first + count) as u32);
+                    part.copy_to(&mut to[done..][..count]);
+                    done += count;
+                }
+                _ => {
+                    *slice = self.slice_from(at, if at == last { SLICE } else { FIRST_SLICE }).map(|next| (at, next));
+                    self.failed.set(slice.is_none());
+                }
+            }
         }
+        to[done..].fill(0);
     }
 }

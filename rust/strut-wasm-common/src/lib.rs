@@ -11,7 +11,7 @@ mod error;
 mod panic;
 mod poses;
 
-pub use bytes::{Bytes, Slices};
+pub use bytes::{Bytes, SlicedFile, Slices};
 pub use database::read_database;
 pub use error::{EngineError, sentence};
 pub use poses::{bvh_of, floats_of, offsets_of, poses_of, write_floats};

@@ -1,11 +1,11 @@
 //! Handle of a database.
 
-use js_sys::{Function, Uint8Array};
+use js_sys::Uint8Array;
 use std::sync::Arc;
 use strut_core::transfer::Model;
 use strut_formats::container::Source;
 use strut_formats::strutdb::{self, StrutdbError, packed};
-use strut_wasm_common::{Bytes, EngineError, Slices, offsets_of};
+use strut_wasm_common::{Bytes, EngineError, SlicedFile, Slices, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Memory that a database and its targets may take, of the 4 GiB that a package can address: the rest is for motions, their
@@ -38,17 +38,19 @@ impl Database {
         Self::read(&Bytes(bytes))
     }
 
-    /// The same of a file of so many bytes, of which `read` gives those from a number up to another: they need not be in memory
-    /// as a whole.
+    /// The same of a file that is read in slices: it need not be in memory as a whole.
     ///
     /// # Errors
     /// With what is wrong with the bytes, or if some cannot be read.
     #[wasm_bindgen(js_name = fromSlices)]
-    pub fn from_slices(bytes: usize, read: Function) -> Result<Self, EngineError> {
-        let slices = Slices::new(bytes, read);
+    pub fn from_slices(file: SlicedFile) -> Result<Self, EngineError> {
+        let slices = Slices::new(file);
         let database = Self::read(&slices);
         if slices.failed() {
-            return Err(EngineError::bad_file("the file could not be read", "Open it again."));
+            return Err(EngineError::bad_file(
+                "the file could not be read",
+                "Open it again, or build a smaller database.",
+            ));
         }
         database
     }

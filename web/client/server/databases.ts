@@ -1,7 +1,6 @@
 /** Calls about databases. */
 import type { BuiltInSet } from "../../engine/built_in";
 import type { Database, SlicedFile } from "../../engine/database";
-import { StrutError } from "../../engine/errors";
 import type { DatabaseInfo, DatabaseSource } from "../protocol";
 import type { Host } from "./host";
 import type { OpenThing } from "./registry";
@@ -46,19 +45,20 @@ declare const FileReaderSync: (new () => { readAsArrayBuffer(blob: Blob): ArrayB
 /** Files from this size on are read in slices, which takes longer, so that they need not be in memory as a whole; bytes. */
 const SLICED_BYTES = 256e6;
 
-/** The bytes of a file, or a way to read them. @throws StrutError `bad-file` where it is gone, or there is no room for it */
+/** The bytes of a file, or a way to read them; of one that is gone, or for which there is no room, a way that fails. */
 async function bytesOf(file: Blob): Promise<ArrayBuffer | SlicedFile> {
-  if (file.size >= SLICED_BYTES && typeof FileReaderSync === "function") {
-    const reader = new FileReaderSync();
-    const read = (begin: number, end: number) => new Uint8Array(reader.readAsArrayBuffer(file.slice(begin, end)));
-    return { size: file.size, read };
-  }
-  try {
-    return await file.arrayBuffer();
-  } catch (cause) {
-    const message = `The file, of ${Math.ceil(file.size / 1e6)} MB, could not be read.`;
-    throw new StrutError({ code: "bad-file", message, hint: "Open it again, or build a smaller database." }, cause);
-  }
+  const { size } = file;
+  if (size < SLICED_BYTES || typeof FileReaderSync !== "function")
+    return file.arrayBuffer().catch(() => ({ size, read: () => undefined }));
+  const reader = new FileReaderSync();
+  const read = (begin: number, end: number) => {
+    try {
+      return new Uint8Array(reader.readAsArrayBuffer(file.slice(begin, end)));
+    } catch {
+      return undefined;
+    }
+  };
+  return { size, read };
 }
 
 export async function builtInInputs({ engine, builtIn }: Host, caller: Caller, set: BuiltInSet): Promise<string[]> {
