@@ -1,12 +1,10 @@
 //! Handle of an input motion.
 
 use crate::database::{Database, unpackable};
+#[cfg(feature = "files")]
+use crate::input_file::InputFile;
 use strut_core::contact;
 use strut_core::humanoid::{HumanoidMotion, TooManyFrames};
-use strut_core::motion::Motion;
-use strut_core::retarget::{Binding, to_humanoid};
-use strut_core::transfer::StyledMotion;
-use strut_formats::bvh::{self, Bvh, BvhError};
 use strut_formats::strutdb::packed;
 use strut_wasm_common::EngineError;
 use strut_wasm_common::floats_of;
@@ -16,16 +14,11 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen]
 #[derive(Clone)]
 pub struct Input {
-    humanoid: HumanoidMotion,
-    file: Option<File>,
-}
-
-/// The parts of a file that an export needs.
-#[derive(Clone)]
-struct File {
-    bvh: Bvh,
-    motion: Motion,
-    binding: Binding,
+    pub(crate) humanoid: HumanoidMotion,
+    /// On the match of the skeletons; empty if there is nothing to say.
+    pub(crate) note: String,
+    #[cfg(feature = "files")]
+    pub(crate) file: Option<InputFile>,
 }
 
 /// Names of the inputs among packed motions, the default first.
@@ -42,28 +35,17 @@ impl Input {
     /// An input among packed motions.
     ///
     /// # Errors
-    /// If there is none of this name, or with what is wrong with the bytes.
+    /// If there is none of this name, or with what is wrong with the bytes; without the feature `files` also on a database of
+    /// another body.
     #[wasm_bindgen(js_name = fromPacked)]
     pub fn from_packed(database: &Database, bytes: &[u8], name: &str) -> Result<Self, EngineError> {
         let motion = packed_motion(bytes, name)?;
         let db = database.model().catalogue();
-        let humanoid = if motion.proportions == db.proportions {
-            motion.resampled(db.rate_hz).map_err(too_long)?
+        if motion.proportions == db.proportions {
+            motion.resampled(db.rate_hz).map(Self::of_motion).map_err(too_long)
         } else {
-            let bvh = Bvh::from_humanoid(&motion).map_err(unreadable)?;
-            Self::from_file(database, bvh)?.humanoid
-        };
-        Ok(Self { humanoid, file: None })
-    }
-
-    /// A BVH file.
-    ///
-    /// # Errors
-    /// With what is wrong with the bytes.
-    #[wasm_bindgen(js_name = fromBvh)]
-    pub fn from_bvh(database: &Database, bytes: &[u8]) -> Result<Self, EngineError> {
-        let bvh = bvh::parse(bytes).map_err(unreadable)?;
-        Self::from_file(database, bvh)
+            Self::on_another_body(database, &motion)
+        }
     }
 
     /// Number of frames.
@@ -73,7 +55,7 @@ impl Input {
 
     /// Notes on the match of the skeletons; empty if there are none.
     pub fn note(&self) -> String {
-        self.file.as_ref().map(|f| f.binding.notes.join(" ")).unwrap_or_default()
+        self.note.clone()
     }
 
     /// The poses.
@@ -88,17 +70,19 @@ impl Input {
 }
 
 impl Input {
-    fn from_file(database: &Database, bvh: Bvh) -> Result<Self, EngineError> {
-        let db = database.model().catalogue();
-        let motion = bvh.to_motion().map_err(unreadable)?;
-        let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
-        let humanoid = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz).map_err(too_long)?;
-        Ok(Self { humanoid, file: Some(File { bvh, motion, binding }) })
+    /// A motion that came from no file.
+    pub(crate) fn of_motion(humanoid: HumanoidMotion) -> Self {
+        Self {
+            humanoid,
+            note: String::new(),
+            #[cfg(feature = "files")]
+            file: None,
+        }
     }
 
-    #[cfg(feature = "parity")]
-    pub(crate) fn poses_mut(&mut self) -> &mut Vec<strut_core::humanoid::Pose> {
-        &mut self.humanoid.poses
+    #[cfg(not(feature = "files"))]
+    fn on_another_body(_: &Database, _: &HumanoidMotion) -> Result<Self, EngineError> {
+        Err(EngineError::bad_input("this package does not carry motions over to another body"))
     }
 
     /// Poses that came from no file.
@@ -108,26 +92,17 @@ impl Input {
         rate_hz: f32,
         poses: Vec<strut_core::humanoid::Pose>,
     ) -> Self {
-        Self { humanoid: HumanoidMotion { proportions, rate_hz, poses }, file: None }
+        Self::of_motion(HumanoidMotion { proportions, rate_hz, poses })
     }
 
+    #[cfg(feature = "parity")]
+    pub(crate) fn poses_mut(&mut self) -> &mut Vec<strut_core::humanoid::Pose> {
+        &mut self.humanoid.poses
+    }
+
+    #[cfg(feature = "files")]
     pub(crate) fn humanoid(&self) -> &HumanoidMotion {
         &self.humanoid
-    }
-
-    /// This input in a style as a BVH file: on the input's own skeleton and at its own rate, or as a
-    /// humanoid of the database's if it came from no file.
-    ///
-    /// # Errors
-    /// If the styled motion is not finite, which the engine prevents.
-    pub(crate) fn export(&self, styled: &StyledMotion) -> Result<String, EngineError> {
-        let bvh = match &self.file {
-            None => Bvh::from_humanoid(&styled.on_body(&self.humanoid.proportions, self.humanoid.rate_hz).motion),
-            Some(File { bvh, motion, binding }) => {
-                bvh.with_motion(&styled.on_skeleton(self.humanoid.rate_hz, motion, binding))
-            }
-        };
-        bvh.map(|bvh| bvh::write(&bvh)).map_err(unreadable)
     }
 }
 
@@ -140,10 +115,6 @@ pub(crate) fn packed_motion(bytes: &[u8], name: &str) -> Result<HumanoidMotion, 
     motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))
 }
 
-fn too_long(error: TooManyFrames) -> EngineError {
+pub(crate) fn too_long(error: TooManyFrames) -> EngineError {
     EngineError::bad_file(error, "Cut the clip into shorter ones, or drop another file.")
-}
-
-pub(crate) fn unreadable(error: BvhError) -> EngineError {
-    EngineError::bad_file(error, "Export the clip again as BVH, or drop another file.")
 }

@@ -1,6 +1,7 @@
 //! What a motion's file says, before it is carried over to a database.
 
-use crate::input::{packed_motion, unreadable};
+use crate::input::packed_motion;
+use crate::input_file::unreadable;
 use strut_core::retarget::Binding;
 use strut_formats::bvh;
 use strut_wasm_common::EngineError;
