@@ -5,20 +5,23 @@ use crate::database::{Database, unpackable};
 use crate::input_file::InputFile;
 use strut_core::contact;
 use strut_core::humanoid::{HumanoidMotion, TooManyFrames};
+#[cfg(feature = "files")]
+use strut_core::transfer::StyledMotion;
 use strut_formats::strutdb::packed;
-use strut_wasm_common::EngineError;
-use strut_wasm_common::floats_of;
+#[cfg(feature = "files")]
+use strut_wasm_common::bvh_of;
+use strut_wasm_common::{EngineError, floats_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A motion on a database's humanoid and at its rate, with the file that it came from.
 #[wasm_bindgen]
 #[derive(Clone)]
 pub struct Input {
-    pub(crate) humanoid: HumanoidMotion,
+    humanoid: HumanoidMotion,
     /// On the match of the skeletons; empty if there is nothing to say.
-    pub(crate) note: String,
+    note: String,
     #[cfg(feature = "files")]
-    pub(crate) file: Option<InputFile>,
+    file: Option<InputFile>,
 }
 
 /// Names of the inputs among packed motions, the default first.
@@ -69,15 +72,63 @@ impl Input {
     }
 }
 
+#[cfg(feature = "files")]
+#[wasm_bindgen]
+impl Input {
+    /// A BVH file.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes.
+    #[wasm_bindgen(js_name = fromBvh)]
+    pub fn from_bvh(database: &Database, bytes: &[u8]) -> Result<Self, EngineError> {
+        Self::from_file(database, InputFile::read(bytes)?)
+    }
+}
+
+#[cfg(feature = "files")]
+impl Input {
+    fn from_file(database: &Database, file: InputFile) -> Result<Self, EngineError> {
+        let db = database.model().catalogue();
+        let humanoid = file.on_body(&db.proportions).resampled(db.rate_hz).map_err(too_long)?;
+        Ok(Self { humanoid, note: file.note(), file: Some(file) })
+    }
+
+    pub(crate) fn humanoid(&self) -> &HumanoidMotion {
+        &self.humanoid
+    }
+
+    /// This input in a style as a BVH file: on the input's own skeleton and at its own rate, or as a
+    /// humanoid of the database's if it came from no file.
+    ///
+    /// # Errors
+    /// If the styled motion is not finite, which the engine prevents.
+    pub(crate) fn export(&self, styled: &StyledMotion) -> Result<String, EngineError> {
+        let HumanoidMotion { proportions, rate_hz, .. } = &self.humanoid;
+        match &self.file {
+            None => bvh_of(&styled.on_body(proportions, *rate_hz).motion),
+            Some(file) => file.export(styled, *rate_hz),
+        }
+    }
+}
+
 impl Input {
     /// A motion that came from no file.
-    pub(crate) fn of_motion(humanoid: HumanoidMotion) -> Self {
+    fn of_motion(humanoid: HumanoidMotion) -> Self {
         Self {
             humanoid,
             note: String::new(),
             #[cfg(feature = "files")]
             file: None,
         }
+    }
+
+    /// A motion that came from no file, on the body of a database.
+    ///
+    /// # Errors
+    /// If it is too long at the database's rate.
+    #[cfg(feature = "files")]
+    fn on_another_body(database: &Database, motion: &HumanoidMotion) -> Result<Self, EngineError> {
+        Ok(Self::of_motion(Self::from_file(database, InputFile::of_motion(motion)?)?.humanoid))
     }
 
     #[cfg(not(feature = "files"))]
@@ -99,11 +150,6 @@ impl Input {
     pub(crate) fn poses_mut(&mut self) -> &mut Vec<strut_core::humanoid::Pose> {
         &mut self.humanoid.poses
     }
-
-    #[cfg(feature = "files")]
-    pub(crate) fn humanoid(&self) -> &HumanoidMotion {
-        &self.humanoid
-    }
 }
 
 /// A motion among packed ones.
@@ -115,6 +161,6 @@ pub(crate) fn packed_motion(bytes: &[u8], name: &str) -> Result<HumanoidMotion, 
     motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))
 }
 
-pub(crate) fn too_long(error: TooManyFrames) -> EngineError {
+fn too_long(error: TooManyFrames) -> EngineError {
     EngineError::bad_file(error, "Cut the clip into shorter ones, or drop another file.")
 }

@@ -1,14 +1,11 @@
-//! Inputs from BVH files, and back.
+//! BVH files of inputs.
 
-use crate::database::Database;
-use crate::input::{Input, too_long};
-use strut_core::humanoid::HumanoidMotion;
+use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::motion::Motion;
 use strut_core::retarget::{Binding, to_humanoid};
 use strut_core::transfer::StyledMotion;
 use strut_formats::bvh::{self, Bvh, BvhError};
 use strut_wasm_common::EngineError;
-use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The parts of a file that an export needs.
 #[derive(Clone)]
@@ -18,53 +15,60 @@ pub(crate) struct InputFile {
     binding: Binding,
 }
 
-#[wasm_bindgen]
-impl Input {
-    /// A BVH file.
+impl InputFile {
+    /// Reads a BVH file.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
-    #[wasm_bindgen(js_name = fromBvh)]
-    pub fn from_bvh(database: &Database, bytes: &[u8]) -> Result<Self, EngineError> {
-        Self::from_file(database, bvh::parse(bytes).map_err(unreadable)?)
+    /// With what is wrong with the bytes, or with the skeleton.
+    pub(crate) fn read(bytes: &[u8]) -> Result<Self, EngineError> {
+        Self::of(bvh::parse(bytes).map_err(unreadable)?)
     }
-}
 
-impl Input {
-    fn from_file(database: &Database, bvh: Bvh) -> Result<Self, EngineError> {
-        let db = database.model().catalogue();
+    /// The file that a motion would be.
+    ///
+    /// # Errors
+    /// If there is no pose, or a number is beyond all that files hold.
+    pub(crate) fn of_motion(motion: &HumanoidMotion) -> Result<Self, EngineError> {
+        Self::of(Bvh::from_humanoid(motion).map_err(unreadable)?)
+    }
+
+    fn of(bvh: Bvh) -> Result<Self, EngineError> {
         let motion = bvh.to_motion().map_err(unreadable)?;
         let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
-        let humanoid = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz).map_err(too_long)?;
-        let note = binding.notes.join(" ");
-        Ok(Self { humanoid, note, file: Some(InputFile { bvh, motion, binding }) })
+        Ok(Self { bvh, motion, binding })
     }
 
-    /// A motion that came from no file, on the body of a database.
-    ///
-    /// # Errors
-    /// If its skeleton cannot be carried over.
-    pub(crate) fn on_another_body(database: &Database, motion: &HumanoidMotion) -> Result<Self, EngineError> {
-        let bvh = Bvh::from_humanoid(motion).map_err(unreadable)?;
-        Ok(Self::of_motion(Self::from_file(database, bvh)?.humanoid))
+    /// Its motion on a body, at its own rate.
+    pub(crate) fn on_body(&self, proportions: &Proportions) -> HumanoidMotion {
+        to_humanoid(&self.motion, &self.binding, proportions)
     }
 
-    /// This input in a style as a BVH file: on the input's own skeleton and at its own rate, or as a
-    /// humanoid of the database's if it came from no file.
+    /// Frames of the file.
+    pub(crate) fn frames(&self) -> usize {
+        self.motion.frames()
+    }
+
+    /// Frames per second of the file.
+    pub(crate) fn rate_hz(&self) -> f64 {
+        self.motion.frame_time_secs.recip()
+    }
+
+    /// Notes on the match of the skeletons; empty if there are none.
+    pub(crate) fn note(&self) -> String {
+        self.binding.notes.join(" ")
+    }
+
+    /// A styled motion of `rate_hz` on its skeleton and at its own rate.
     ///
     /// # Errors
     /// If the styled motion is not finite, which the engine prevents.
-    pub(crate) fn export(&self, styled: &StyledMotion) -> Result<String, EngineError> {
-        let bvh = match &self.file {
-            None => Bvh::from_humanoid(&styled.on_body(&self.humanoid.proportions, self.humanoid.rate_hz).motion),
-            Some(InputFile { bvh, motion, binding }) => {
-                bvh.with_motion(&styled.on_skeleton(self.humanoid.rate_hz, motion, binding))
-            }
-        };
-        bvh.map(|bvh| bvh::write(&bvh)).map_err(unreadable)
+    pub(crate) fn export(&self, styled: &StyledMotion, rate_hz: f32) -> Result<String, EngineError> {
+        let Self { bvh, motion, binding } = self;
+        let styled = bvh.with_motion(&styled.on_skeleton(rate_hz, motion, binding));
+        styled.map(|bvh| bvh::write(&bvh)).map_err(unreadable)
     }
 }
 
-pub(crate) fn unreadable(error: BvhError) -> EngineError {
+fn unreadable(error: BvhError) -> EngineError {
     EngineError::bad_file(error, "Export the clip again as BVH, or drop another file.")
 }

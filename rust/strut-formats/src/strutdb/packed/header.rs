@@ -18,7 +18,6 @@
 use super::super::metadata::MAX_OFFSET_CM;
 use super::super::read::{frames_of, unit_chart};
 use super::super::{MAX_CLIPS, StrutdbError};
-use super::NamedMotion;
 use super::numbers::{Reader, write_number};
 use crate::container::ContainerError;
 use strut_core::database::{Clip, Database, MAX_COUNTERPARTS};
@@ -49,14 +48,16 @@ pub(super) struct InputInfo {
 }
 
 /// The header of a database and motions whose columns take `bytes`.
-pub(super) fn write(db: &Database, inputs: &[NamedMotion], bytes: usize) -> Vec<u8> {
+pub(super) fn write(db: &Database, inputs: &[InputInfo], bytes: usize) -> Vec<u8> {
     let mut header = Vec::new();
     write_floats(&mut header, [db.rate_hz]);
     write_floats(&mut header, db.proportions.offsets.iter().flat_map(Vec3::to_array));
     write_floats(&mut header, db.chart.means.iter().copied().flat_map(Quat::to_array));
     for names in [&db.actions, &db.styles] {
         write_number(&mut header, names.len() as u32);
-        names.iter().for_each(|name| write_text(&mut header, name));
+        for name in names {
+            write_text(&mut header, name);
+        }
     }
     write_number(&mut header, db.neutral.into());
     write_number(&mut header, db.clips.len() as u32);
@@ -72,7 +73,7 @@ pub(super) fn write(db: &Database, inputs: &[NamedMotion], bytes: usize) -> Vec<
     write_number(&mut header, inputs.len() as u32);
     for input in inputs {
         write_text(&mut header, &input.name);
-        write_number(&mut header, input.motion.poses.len() as u32);
+        write_number(&mut header, input.frames as u32);
     }
     write_number(&mut header, bytes as u32);
     header
@@ -134,7 +135,7 @@ fn proportions(from: &mut Reader<'_>) -> Result<Proportions, StrutdbError> {
     let mut proportions = Proportions::default();
     for offset in &mut proportions.offsets {
         *offset = Vec3::new(float(from)?, float(from)?, float(from)?);
-        if !(offset.abs().max_element() <= MAX_OFFSET_CM as f32 / 100.0) {
+        if !offset.to_array().iter().all(|v| v.abs() <= MAX_OFFSET_CM as f32 / 100.0) {
             return Err(StrutdbError::Layout("joints"));
         }
     }

@@ -79,8 +79,10 @@ pub fn append(file: &mut Vec<u8>, db: &Database, inputs: &[NamedMotion]) -> Resu
 
 fn write_set(file: &mut Vec<u8>, db: &Database, inputs: &[NamedMotion], known: &Known) {
     let columns = columns_of(db, inputs, known);
+    let info = |input: &NamedMotion| InputInfo { name: input.name.clone(), frames: input.motion.poses.len() };
+    let infos: Vec<_> = inputs.iter().map(info).collect();
     file.extend(MAGIC);
-    file.extend(header::write(db, inputs, columns.len()));
+    file.extend(header::write(db, &infos, columns.len()));
     file.extend(columns);
 }
 
