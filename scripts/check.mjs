@@ -28,13 +28,12 @@ await main(async () => {
   await setupLints(env);
   const rust = { env, cwd: join(root, "rust") };
   await step("Rust formatting", () => run("cargo", ["fmt", "--all", "--check"], rust));
-  await step("Rust lints", () =>
-    run(
-      "cargo",
-      ["clippy", "--workspace", "--all-targets", "--features", FEATURES, "--quiet", "--", "-D", "warnings"],
-      rust,
-    ),
-  );
+  await step("Rust lints", async () => {
+    const lints = ["--quiet", "--", "-D", "warnings"];
+    await run("cargo", ["clippy", "--workspace", "--all-targets", "--features", FEATURES, ...lints], rust);
+    // What a page starts with.
+    await run("cargo", ["clippy", "--package", "strut-wasm", "--no-default-features", ...lints], rust);
+  });
   await step("TypeScript types", async () => {
     await run(bin("tsc"), ["-p", "."]);
     // A service worker knows other globals than a page.

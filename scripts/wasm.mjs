@@ -38,10 +38,12 @@ const FAST_YARDSTICKS = ["--config", "profile.web.package.strut-wasm.opt-level=3
 
 /**
  * Each package: where it goes, its crate, the beginning of its files' names, features of the crate, and in full mode
- * further flags of the compiler and settings of cargo.
+ * whether it leaves out the crate's default features, further flags of the compiler and settings of cargo.
  */
 const PACKAGES = {
-  // What the page loads …
+  // What styles the first seconds of a page: the engine without what these do not need, as small as can be …
+  start: { folder: "web/engine/start/pkg", crate: "strut-wasm", name: "strut_start", reduced: true, ...SMALL },
+  // … the engine, which takes its place …
   engine: { folder: "web/engine/pkg", crate: "strut-wasm", name: "strut_wasm", flags: [INLINE_LESS] },
   // … for those who build a database of their own clips …
   build: { folder: "web/engine/build/pkg", crate: "strut-wasm-build", name: "strut_wasm_build", config: FAST_BUILDING },
@@ -98,7 +100,7 @@ const PACKAGES = {
 };
 
 /** What the page loads, and what benchmarks and parity tests need besides. */
-const PAGE = ["engine", "build", "walk", "keyStyle", "character", "compare", "learn"];
+const PAGE = ["start", "engine", "build", "walk", "keyStyle", "character", "compare", "learn"];
 const BENCH = ["bench", "benchScalar"];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */
@@ -171,8 +173,9 @@ async function buildFull(env, names, stamp) {
   let optimising = Promise.resolve();
   for (const name of names) {
     const p = PACKAGES[name];
-    const { crate, features = [], flags = [], config = [], simd = true } = p;
-    await compile(env, { crates: [crate], features, profile: "web", simd, flags, config });
+    const { crate, features = [], reduced = false, flags = [], config = [], simd = true } = p;
+    const options = [...config, ...(reduced ? ["--no-default-features"] : [])];
+    await compile(env, { crates: [crate], features, profile: "web", simd, flags, options });
     await bind(xtask, p, "web");
     await optimising;
     optimising = optimise(tool, p).then(() => writeStamp(p, "full", stamp));
@@ -184,12 +187,12 @@ async function buildFull(env, names, stamp) {
 const targetDir = (env) => env.CARGO_TARGET_DIR ?? process.env.CARGO_TARGET_DIR ?? join(RUST, "target");
 
 /** Runs cargo for WebAssembly. */
-async function compile(env, { crates, features, profile, simd, flags = [], config = [] }) {
+async function compile(env, { crates, features, profile, simd, flags = [], options = [] }) {
   const source = env.STRUT_BUILD_STD === "1" ? ["-Zbuild-std=std,panic_abort"] : [];
   const selected = crates.flatMap((crate) => ["--package", crate]);
   const chosen = features.length > 0 ? ["--features", features.join()] : [];
-  const options = ["--profile", profile, "--lib", "--target", TARGET, ...selected, ...chosen, ...config, ...source];
-  await run(env.CARGO ?? "cargo", ["build", "--quiet", ...options], {
+  const all = ["--profile", profile, "--lib", "--target", TARGET, ...selected, ...chosen, ...options, ...source];
+  await run(env.CARGO ?? "cargo", ["build", "--quiet", ...all], {
     cwd: RUST,
     env: {
       ...env,

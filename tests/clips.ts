@@ -1,4 +1,5 @@
 /** Clips for tests that need several styles: the built-in walk, styled by the engine and written as BVH. */
+import "../web/engine/whole";
 import { loadBuiltIn } from "../web/engine/built_in";
 import { Engine } from "../web/engine/engine";
 import { DEFAULT_OPTIONS } from "../web/engine/types";

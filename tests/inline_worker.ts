@@ -1,4 +1,5 @@
 /** The engine's worker on this thread, with the real engine; messages are copied and arrive later, as with a real one. */
+import "../web/engine/whole";
 import type { WorkerPort } from "../web/client/client";
 import type { Call, Reply, Request } from "../web/client/messages";
 import { type ServerPort, serve } from "../web/client/server/serve";

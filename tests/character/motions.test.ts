@@ -1,4 +1,5 @@
 /** Motions go out into files and come back as the poses that they were made of. */
+import "../../web/engine/whole";
 import type { AnimationClip } from "three";
 import { beforeAll, describe, expect, test } from "vitest";
 import { chunksOf } from "../../web/character/glb_patch";

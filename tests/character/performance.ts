@@ -1,4 +1,5 @@
 /** Motions for characters, and how their feet meet the ground: heights of soles and skating, of the input and of a rig. */
+import "../../web/engine/whole";
 import { type Bone, type Object3D, type SkinnedMesh, Vector3 } from "three";
 import { loadBuiltIn } from "../../web/engine/built_in";
 import { Engine } from "../../web/engine/engine";

@@ -1,8 +1,12 @@
-/** What plays before all is there: a clip without a style, then a few strides in every style, then all built-in motions. */
+/**
+ * What plays before all is there: a clip without a style, then a few strides in every style by an engine that can do no more,
+ * then all built-in motions by the whole engine.
+ */
 import type { Browser, Page, Route } from "playwright-core";
 import { afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
 import { MARKS } from "../../web/player/playback";
-import { launchSite } from "./browser";
+import { walksIn } from "../clips";
+import { dropFile, eventually, inputName, launchSite } from "./browser";
 
 let browser: Browser;
 let site: Awaited<ReturnType<typeof launchSite>>["site"];
@@ -41,7 +45,7 @@ const inputs = () => page.locator(".input optgroup option").allTextContents();
 
 describe("the first seconds", () => {
   it("show a walk without the engine, styles with a few strides, and all motions in the end", async () => {
-    const releaseEngine = await held("**/strut_wasm_bg-*.wasm");
+    const releaseEngine = await held("**/strut_start_bg-*.wasm");
     const releaseOthers = await held("**/built_in-*.bin");
     await page.goto(site.url);
     await marked(MARKS.shown);
@@ -85,5 +89,34 @@ describe("the first seconds", () => {
     const { timeOut } = (await page.evaluate(() => window.strut!.frame))!;
     await page.waitForFunction((before) => window.strut!.frame!.timeOut > before, timeOut);
     expect(await inputs()).toHaveLength(1);
+  });
+
+  it("open a file that is dropped meanwhile when the whole engine is there", async () => {
+    const { neutral } = await walksIn(["neutral"]);
+    const release = await held("**/strut_wasm_bg-*.wasm");
+    await page.goto(site.url);
+    await marked(MARKS.styled);
+    await dropFile(page, "mine.bvh", neutral);
+    await page.locator(".progress", { hasText: "mine" }).first().waitFor();
+    const { timeOut } = (await page.evaluate(() => window.strut!.frame))!;
+    await page.waitForFunction((before) => window.strut!.frame!.timeOut !== before, timeOut);
+    await release();
+    await eventually(() => inputName(page)).toBe("mine");
+    await page.waitForFunction(() => window.strut!.analysed);
+  });
+
+  it("go on without the whole engine, and open a file when it can be had again", async () => {
+    const { neutral } = await walksIn(["neutral"]);
+    await page.route("**/strut_wasm_bg-*.wasm", (route) => route.abort());
+    await page.goto(site.url);
+    await marked(MARKS.styled);
+    const sentence = page.locator(".toast", { hasText: "engine could not be loaded" }).first();
+    await sentence.waitFor();
+    const { timeOut } = (await page.evaluate(() => window.strut!.frame))!;
+    await page.waitForFunction((before) => window.strut!.frame!.timeOut > before, timeOut);
+    await page.unroute("**/strut_wasm_bg-*.wasm");
+    await dropFile(page, "mine.bvh", neutral);
+    await eventually(() => inputName(page)).toBe("mine");
+    await page.waitForFunction(() => window.strut!.analysed);
   });
 });

@@ -1,4 +1,5 @@
 /** The engine's worker as a thread of Node. */
+import "../../web/engine/whole";
 import { parentPort } from "node:worker_threads";
 import type { Request } from "../../web/client/messages";
 import { type ServerPort, serve } from "../../web/client/server/serve";

@@ -47,12 +47,30 @@ export async function createStrutClient(setup?: EngineClientSetup): Promise<Stru
 
 /**
  * Starts a worker that takes calls at once and answers them when its engine is loaded; what cannot be loaded rejects them.
- * @param preload the set of built-in motions that is opened first
+ * @param preload the set of built-in motions that is opened first; for `first` an engine is loaded that only plays such sets,
+ * and another takes its place when more is asked for
+ * @param workers how the workers of both are started; tests replace it
  */
-export function startStrutClient(preload: BuiltInSet): StrutClient {
-  const start = (set?: BuiltInSet) => new EngineClient(set && { preload: set });
-  return new SingleSessionClient(start(preload), start);
+export function startStrutClient(
+  preload: BuiltInSet,
+  { spawn, spawnStart = spawnStartWorker }: Spawners = {},
+): StrutClient {
+  const start = (set?: BuiltInSet) => new EngineClient({ ...(spawn && { spawn }), ...(set && { preload: set }) });
+  if (preload !== "first") return new SingleSessionClient(start(preload), start);
+  return new SingleSessionClient(new EngineClient({ spawn: spawnStart, preload }), start, false);
 }
+
+/** How workers are started. */
+interface Spawners {
+  spawn?: () => WorkerPort;
+  spawnStart?: () => WorkerPort;
+}
+
+function spawnStartWorker(): WorkerPort {
+  return new Worker(new URL("./start_worker.ts", import.meta.url), { type: "module", name: "strut start" });
+}
+
+type BuiltInInput = Extract<InputSource, { kind: "built-in" }>;
 
 /** What is open. */
 interface Opened {
@@ -74,18 +92,25 @@ class SingleSessionClient implements StrutClient {
   private fade: { transition: Transition; beginSecs: number } | undefined;
   /** The frame that was asked for last. */
   private showing: Promise<unknown> = Promise.resolve();
+  /** The exchange under way. */
+  private exchanging: Promise<unknown> | undefined;
   private disposed = false;
 
-  /** @param start starts another engine, with the set of built-in motions that it loads at once */
+  /**
+   * @param start starts another engine that can do everything, with the set of built-in motions that it loads at once
+   * @param whole whether `engine` can do everything, too, or only play the first set of motions
+   */
   constructor(
     private engine: EngineClient,
     private readonly start: (preload?: BuiltInSet) => EngineClient,
+    private whole = true,
   ) {
     this.listenTo(engine);
   }
 
   openDatabase(source: DatabaseSource, call?: CallOptions): Promise<DatabaseInfo> {
     return this.inTurn(async () => {
+      if (!this.whole && !isFirst(source)) return this.openBeside(source, call);
       const database = await this.engine.openDatabase(source, call);
       try {
         const motion = this.opened?.playing?.motion;
@@ -102,14 +127,12 @@ class SingleSessionClient implements StrutClient {
   }
 
   async exchangeDatabase(source: DatabaseSource, call?: CallOptions): Promise<DatabaseInfo> {
-    const engine = this.start(source.kind === "demo" ? (source.set ?? "built-in") : undefined);
+    const exchanging = this.openBeside(source, call, (move) => this.inTurn(move));
+    this.exchanging = exchanging;
     try {
-      const database = await engine.openDatabase(source, call);
-      await this.inTurn(() => this.moveTo(engine, database, call));
-      return database.info;
-    } catch (thrown) {
-      engine.dispose();
-      throw thrown;
+      return await exchanging;
+    } finally {
+      if (this.exchanging === exchanging) this.exchanging = undefined;
     }
   }
 
@@ -118,7 +141,8 @@ class SingleSessionClient implements StrutClient {
     return this.engine.builtInMotions(source?.kind === "demo" ? source.set : undefined);
   }
 
-  openInput(source: InputSource, call?: CallOptions): Promise<InputInfo> {
+  async openInput(source: InputSource, call?: CallOptions): Promise<InputInfo> {
+    if (!this.whole && !isFirst(source)) await this.completed(call);
     return this.inTurn(async () => {
       const { database } = this.openedDatabase();
       const motion = await this.engine.openMotion(source, call);
@@ -174,14 +198,17 @@ class SingleSessionClient implements StrutClient {
   }
 
   async analyse(call?: CallOptions): Promise<Analysis> {
+    if (!this.whole) await this.completed(call);
     return this.openedInput().session.analyse(call);
   }
 
   async examples(subject: CurveSubject, call?: CallOptions): Promise<Examples> {
+    if (!this.whole) await this.completed(call);
     return this.openedInput().session.examples(subject, call);
   }
 
   async style(options: StylizeOptions, call?: CallOptions): Promise<StyledClip> {
+    if (!this.whole) await this.completed(call);
     const { motion, session } = this.openedInput();
     return motion.stylize(session.database, options, false, call);
   }
@@ -196,6 +223,7 @@ class SingleSessionClient implements StrutClient {
   }
 
   async exportBvh(call?: CallOptions): Promise<string> {
+    if (!this.whole) await this.completed(call);
     return this.openedInput().session.exportBvh(call);
   }
 
@@ -204,13 +232,48 @@ class SingleSessionClient implements StrutClient {
     this.engine.dispose();
   }
 
+  /**
+   * Resolves when the engine can do everything. Where none that can is on the way, or it does not come, another is started and
+   * goes on with what is open.
+   * @throws StrutError as for {@link exchangeDatabase}
+   */
+  private async completed(call: CallOptions | undefined): Promise<void> {
+    await unlessCancelled(
+      this.exchanging?.catch(() => {}),
+      call?.signal,
+    );
+    // A database that was asked for before may have come with such an engine.
+    const complete = async () => {
+      if (!this.whole) await this.openBeside(this.openedDatabase().database.source, undefined);
+    };
+    await unlessCancelled(this.inTurn(complete), call?.signal);
+  }
+
+  /** Opens a database in another engine, to which `turn` has what is open moved. */
+  private async openBeside(
+    source: DatabaseSource,
+    call: CallOptions | undefined,
+    turn = (move: () => Promise<void>) => move(),
+  ): Promise<DatabaseInfo> {
+    const engine = this.start(source.kind === "demo" ? (source.set ?? "built-in") : undefined);
+    try {
+      const database = await engine.openDatabase(source, call);
+      await turn(() => this.moveTo(engine, database, call));
+      return database.info;
+    } catch (thrown) {
+      engine.dispose();
+      throw thrown;
+    }
+  }
+
   /** Has what is open played on by another engine, which has a database of its own open. */
   private async moveTo(engine: EngineClient, database: ClientDatabase, call: CallOptions | undefined): Promise<void> {
     const played = this.opened?.playing?.motion.source;
     let playing: Opened["playing"];
     if (played) {
       // Another database may have another set.
-      const source = played.kind === "built-in" ? { kind: played.kind, name: played.name } : played;
+      const { source: from } = database;
+      const source = played.kind === "built-in" && from.kind === "demo" ? inSet(played, from.set) : played;
       const motion = await engine.openMotion(source, call);
       playing = { motion, session: await this.createSession(database, motion, call?.signal, engine) };
       // Its first frames are slow: another time they would be missed.
@@ -224,6 +287,7 @@ class SingleSessionClient implements StrutClient {
     before.onRestart = undefined;
     this.listenTo(engine);
     this.engine = engine;
+    this.whole = true;
     this.opened = { database, playing };
     if (playing) {
       // What was asked of the session before meanwhile.
@@ -299,6 +363,28 @@ class SingleSessionClient implements StrutClient {
     this.opening = turn;
     return turn;
   }
+}
+
+/** Whether a database or an input is in the set of motions that a page begins with. */
+function isFirst(source: DatabaseSource | InputSource): boolean {
+  return "set" in source && source.set === "first";
+}
+
+/** A built-in input as it is in a set. */
+function inSet({ kind, name }: BuiltInInput, set: BuiltInSet | undefined): InputSource {
+  return { kind, name, ...(set && { set }) };
+}
+
+/** Settles as `promise` does, or rejects when its caller cancels: others may wait for it, too. */
+function unlessCancelled(promise: Promise<unknown> | undefined, signal: AbortSignal | undefined): Promise<unknown> {
+  return new Promise((resolve, reject) => {
+    const cancel = () => reject(cancelled(signal?.reason));
+    if (signal?.aborted) cancel();
+    signal?.addEventListener("abort", cancel, { once: true });
+    Promise.resolve(promise)
+      .then(resolve, reject)
+      .finally(() => signal?.removeEventListener("abort", cancel));
+  });
 }
 
 function notOpen(what: string): StrutError {

@@ -3,6 +3,7 @@
 /** Names of the files. */
 export type AssetName =
   | "strut_wasm_bg.wasm"
+  | "strut_start_bg.wasm"
   | "strut_wasm_build_bg.wasm"
   | "strut_wasm_walk_bg.wasm"
   | "strut_wasm_key_style_bg.wasm"

@@ -1,3 +1,4 @@
+import "./whole";
 import { describe, expect, it } from "vitest";
 import { JOINTS, POSE_FLOATS } from "../humanoid";
 import { loadBuiltIn } from "./built_in";

@@ -1,3 +1,4 @@
+import "./whole";
 import { expect, test } from "vitest";
 import { loadBuiltIn } from "./built_in";
 import { Engine } from "./engine";

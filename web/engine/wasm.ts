@@ -1,24 +1,25 @@
-/** The WASM package that styles motion, loaded once in each thread. */
+/** The WASM package that styles motion, loaded once in each thread: `whole.ts`, or one that can do more or less. */
 
-import { type Asset, assetOf } from "./assets";
+import type { Asset } from "./assets";
 import { StrutError, toStrutError } from "./errors";
 import { compileModule } from "./module";
-import * as engineGlue from "./pkg/strut_wasm.js";
+import type * as engineGlue from "./pkg/strut_wasm.js";
 import { valueError } from "./value_error";
 
 /** The generated bindings. */
 export type Glue = typeof engineGlue;
 
-let glue = engineGlue;
-let module = () => assetOf("strut_wasm_bg.wasm", () => new URL("./pkg/strut_wasm_bg.wasm", import.meta.url));
+let glue: Glue;
+let module: () => Asset;
 
 let compiled: WebAssembly.Module | undefined;
 let loading: Promise<Glue> | undefined;
 let lost = false;
 
-/** Uses another package with the same bindings on this thread; call it before anything is loaded. */
-export function servePackage(other: Glue, otherModule: () => Asset): void {
-  [glue, module] = [other, otherModule];
+/** Has this thread use a package; call it before anything is loaded. */
+export function servePackage(its: Glue, itsModule: () => Asset): void {
+  glue = its;
+  module = itsModule;
 }
 
 /**

@@ -1,3 +1,4 @@
+import "../engine/whole";
 import { describe, expect, it } from "vitest";
 import { movingAnimation, poseOf, TALL_BODY } from "../../tests/humanoid_animation";
 import { loadBuiltIn } from "../engine/built_in";

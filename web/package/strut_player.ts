@@ -2,6 +2,7 @@
  * `strut-player.js`, the script tag: everything that `<strut-player>` needs but the walks, which lie beside it as `walk.bin`
  * and, for frames that may not fetch, as the script `walk.bin.js`. What few need is in the folder `assets`.
  */
+import "../engine/whole";
 import { serve } from "../client/server/serve";
 import { hostPlayers, StrutPlayer } from "../element";
 import { StrutError } from "../engine/errors";

@@ -1,4 +1,5 @@
 /** The entry of the package's worker: a classic script that imports nothing. */
+import "../engine/whole";
 import { type ServerPort, serve } from "../client/server/serve";
 import { type Boot, placeBooted, STARTED } from "./boot";
 

@@ -88,12 +88,16 @@ export class Session {
   #curve: CurveSubject | undefined;
   /** Whether the engine has the clip in the present options. */
   #analysed = false;
+  /** Whether a database is about to take the place of the open one. */
+  #exchanging = false;
   readonly #client: StrutClient;
   readonly #progress: SessionProgress;
   readonly #listeners = new Set<Partial<SessionListeners>>();
   #settle: ReturnType<typeof setTimeout> | undefined;
   /** What waits until the engine has the present style all the way. */
   #whenSettled: (() => void)[] = [];
+  /** What waits for the engine's first frame. */
+  #whenPlaying: (() => void)[] = [];
 
   constructor(client: StrutClient, progress: SessionProgress) {
     this.#client = client;
@@ -101,6 +105,7 @@ export class Session {
     this.playback = new Playback(client, {
       onFrame: (frame, sought) => {
         this.frame = frame;
+        for (const resume of this.#whenPlaying.splice(0)) resume();
         this.#tell("onFrame", frame, sought);
       },
       onTick: (now) => this.#tell("onTick", now),
@@ -156,12 +161,20 @@ export class Session {
     );
   }
 
-  /** Opens a database beside the open one, whose place it then takes: what plays goes on without a jump. */
-  exchangeDatabase(source: DatabaseSource, signal: AbortSignal): Promise<Outcome> {
-    return this.#attempt(async () => {
+  /**
+   * Opens a database beside the open one, once that is seen to play, and then puts it in its place: what plays goes on without a
+   * jump. Until then nothing is analysed.
+   */
+  async exchangeDatabase(source: DatabaseSource, signal: AbortSignal): Promise<Outcome> {
+    this.#exchanging = true;
+    this.analyseSoon();
+    const outcome = await this.#attempt(async () => {
+      await this.#playing();
       await this.#takeDatabase(source, await this.#client.exchangeDatabase(source, { signal }));
-      this.analyseSoon();
     });
+    this.#exchanging = false;
+    this.analyseSoon();
+    return outcome;
   }
 
   /** Opens an input of the library. */
@@ -191,7 +204,7 @@ export class Session {
     clearTimeout(this.#settle);
     this.#analysed = false;
     this.#progress.cancel("analysis");
-    this.#settle = setTimeout(() => void this.#attempt(() => this.#analyse()), SETTLE_MS);
+    if (!this.#exchanging) this.#settle = setTimeout(() => void this.#attempt(() => this.#analyse()), SETTLE_MS);
   }
 
   /** What the timeline's curve shows; `undefined` where examples of it cannot be compared. */
@@ -274,6 +287,10 @@ export class Session {
     if (this.input !== input || !this.#analysed || subject !== this.#curve) return;
     this.examples = examples;
     this.#tell("onExamples", examples);
+  }
+
+  #playing(): Promise<void> {
+    return this.frame ? Promise.resolve() : new Promise((resolve) => this.#whenPlaying.push(resolve));
   }
 
   #settled(): Promise<void> {

@@ -9,7 +9,7 @@ fn packing_moves_no_joint_by_a_fifth_of_a_millimetre() {
     let db = database().unwrap();
     let inputs: Vec<NamedMotion> =
         input_clips().into_iter().map(|c| NamedMotion { name: c.name.into(), motion: c.motion }).collect();
-    let file = packed::write(&db, &inputs, "test");
+    let file = packed::write(&db, &inputs);
     let back = packed::read_database(&file).unwrap();
     let clouds = db.point_cloud.iter().flatten().zip(back.point_cloud.iter().flatten());
     let mut worst = clouds.map(|(a, b)| (*a - *b).length()).fold(0.0, f32::max);

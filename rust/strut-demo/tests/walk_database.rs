@@ -22,7 +22,7 @@ const MAX_LOSS: f32 = 1.15;
 #[test]
 fn it_has_one_walk_a_style() {
     let whole = database().unwrap();
-    let file = packed::write(&walk_database(&whole).unwrap(), &[], "test");
+    let file = packed::write(&walk_database(&whole).unwrap(), &[]);
     let db = packed::read_database(&file).unwrap();
     assert_eq!(db.actions, ["walk"]);
     assert_eq!(db.styles.len(), 8);
@@ -47,10 +47,10 @@ fn a_page_can_begin_with_the_first_steps() {
 #[test]
 fn the_full_database_stores_no_walk_again() {
     let whole = database().unwrap();
-    let alone = packed::write(&whole, &[], "test");
-    let walks = packed::write(&walk_database(&whole).unwrap(), &[], "test");
+    let alone = packed::write(&whole, &[]);
+    let walks = packed::write(&walk_database(&whole).unwrap(), &[]);
     let mut both = walks.clone();
-    packed::append(&mut both, &whole, &[], "test").unwrap();
+    packed::append(&mut both, &whole, &[]).unwrap();
     assert_eq!(*packed::read_database(&both).unwrap(), *packed::read_database(&alone).unwrap());
     // A walk has seven columns more than its pose.
     assert!(both.len() < alone.len() + walks.len() / 4, "{} of {} and {}", both.len(), alone.len(), walks.len());

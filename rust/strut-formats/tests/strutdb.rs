@@ -272,13 +272,13 @@ proptest! {
 mod packed {
     use super::small;
     use proptest::prelude::*;
-    use strut_core::database::{Database, DatabaseParts};
+    use strut_core::database::{Clip, Database, DatabaseParts};
     use strut_core::humanoid::{HumanoidMotion, Pose, Proportions, Role};
     use strut_core::math::{Quat, Vec3};
     use strut_core::pose_vector::{Placement, point_cloud};
     use strut_formats::container::ContainerError;
+    use strut_formats::strutdb::StrutdbError;
     use strut_formats::strutdb::packed::{self, MAGIC, NamedMotion, ROW_STEP, STEP};
-    use strut_formats::strutdb::{self, StrutdbError};
 
     /// The same with point clouds that follow from the rows, as in every database that was built.
     fn built() -> Database {
@@ -304,7 +304,7 @@ mod packed {
     }
 
     fn file() -> Vec<u8> {
-        packed::write(&built(), &[input("a", 40), input("“b”", 3)], "test 1")
+        packed::write(&built(), &[input("a", 40), input("“b”", 3)])
     }
 
     #[test]
@@ -339,13 +339,21 @@ mod packed {
         }
     }
 
+    /// Where a header says of a clip what it is: the length of its name, the name, action, style, take and frames, a byte each.
+    fn entry_of(clip: &Clip, header: &[u8]) -> usize {
+        let name = clip.name.as_bytes();
+        let [action, style] = [clip.action, clip.style].map(|index| index as u8);
+        let entry = [&[name.len() as u8], name, &[action, style, clip.take as u8, clip.frames as u8]].concat();
+        header.windows(entry.len()).position(|window| window == entry).unwrap()
+    }
+
     /// The database of one clip of [`built`] and one input, then all of it.
     fn sets() -> (Vec<u8>, Vec<u8>) {
         let db = built();
         let others: Vec<usize> = (1..db.clips.len()).collect();
-        let first = packed::write(&db.without_clips(&others).unwrap(), &[input("“b”", 3)], "test 1");
+        let first = packed::write(&db.without_clips(&others).unwrap(), &[input("“b”", 3)]);
         let mut both = first.clone();
-        packed::append(&mut both, &db, &[input("a", 40), input("“b”", 3)], "test 1").unwrap();
+        packed::append(&mut both, &db, &[input("a", 40), input("“b”", 3)]).unwrap();
         (first, both)
     }
 
@@ -360,7 +368,7 @@ mod packed {
         for name in ["a", "“b”"] {
             assert_eq!(packed::read_input(&both, name).unwrap(), packed::read_input(&file(), name).unwrap());
         }
-        let poses = |file: &[u8]| file.len() - packed::write(&built(), &[], "test 1").len();
+        let poses = |file: &[u8]| file.len() - packed::write(&built(), &[]).len();
         assert!(poses(&both) < poses(&file()) + first.len(), "the second set stores the first again");
     }
 
@@ -370,17 +378,14 @@ mod packed {
         let mut parts = (*db).clone();
         parts.chart.means[1] = Quat::from_rotation_y(0.5);
         let turned = Database::new(parts).unwrap();
-        assert_eq!(packed::append(&mut first, &turned, &[], "test"), Err(StrutdbError::Layout("joints")));
+        assert_eq!(packed::append(&mut first, &turned, &[]), Err(StrutdbError::Layout("joints")));
         // A second set that takes a clip more often than the first one has it.
         let (first, both) = sets();
-        let names: Vec<_> = db.clips.iter().map(|clip| format!("\"name\":\"{}\"", clip.name)).collect();
         let mut second = both[first.len()..].to_vec();
-        let length = u32::from_le_bytes(second[8..12].try_into().unwrap()) as usize;
-        let mut header = String::from_utf8(second[12..12 + length].to_vec()).unwrap();
-        for name in &names {
-            header = header.replace(name, &names[0]);
+        for clip in &db.clips {
+            let name = entry_of(clip, &second) + 1;
+            second[name] = db.clips[0].name.as_bytes()[0];
         }
-        second.splice(8..12 + length, (header.len() as u32).to_le_bytes().into_iter().chain(header.bytes()));
         let hostile = [first, second].concat();
         assert_eq!(packed::read_database(&hostile).unwrap_err(), StrutdbError::Layout("clips"));
     }
@@ -389,28 +394,19 @@ mod packed {
     fn another_file_is_refused_with_a_sentence() {
         assert_eq!(packed::read_database(&super::file_of(&built())).unwrap_err(), StrutdbError::NotPacked);
         assert_eq!(packed::input_names(b"").unwrap_err(), StrutdbError::NotPacked);
-        let newer = String::from_utf8_lossy(&file()).into_owned();
-        let at = newer.find("\"version\":\"1").unwrap() + 11;
-        let mut bytes = file();
-        bytes[at] = b'2';
-        assert_eq!(
-            packed::read_database(&bytes).unwrap_err(),
-            StrutdbError::File(ContainerError::Version { kind: strutdb::KIND, found: "2.0".into() })
-        );
+        let mut newer = file();
+        newer[MAGIC.len() - 1] += 1;
+        assert_eq!(packed::read_database(&newer).unwrap_err(), StrutdbError::NotPacked);
     }
 
     /// What says that it is larger than it is makes no room for it.
     #[test]
     fn claimed_frames_need_bytes() {
-        let mut bytes = MAGIC.to_vec();
-        let file = file();
-        let length = u32::from_le_bytes(file[8..12].try_into().unwrap()) as usize;
-        let header = String::from_utf8(file[12..12 + length].to_vec()).unwrap();
-        let header = header.replace("\"frames\":4,", "\"frames\":3999999,").replace("\"frames\":40}", "\"frames\":0}");
-        bytes.extend((header.len() as u32).to_le_bytes());
-        bytes.extend(header.bytes());
-        bytes.extend(&file[12 + length..]);
-        assert!(packed::read_database(&bytes).is_err());
+        let (db, mut bytes) = (built(), file());
+        let frames = entry_of(&db.clips[0], &bytes) + 5;
+        // 3,999,900 in LEB128.
+        bytes.splice(frames..=frames, [0x9C, 0x91, 0xF4, 0x01]);
+        assert_eq!(packed::read_database(&bytes).unwrap_err(), StrutdbError::File(ContainerError::Length));
     }
 
     proptest! {

@@ -1,15 +1,16 @@
 //! Handle of an input motion.
 
 use crate::database::{Database, unpackable};
+#[cfg(feature = "files")]
+use crate::input_file::InputFile;
 use strut_core::contact;
 use strut_core::humanoid::{HumanoidMotion, TooManyFrames};
-use strut_core::motion::Motion;
-use strut_core::retarget::{Binding, to_humanoid};
+#[cfg(feature = "files")]
 use strut_core::transfer::StyledMotion;
-use strut_formats::bvh::{self, Bvh, BvhError};
 use strut_formats::strutdb::packed;
-use strut_wasm_common::EngineError;
-use strut_wasm_common::floats_of;
+#[cfg(feature = "files")]
+use strut_wasm_common::bvh_of;
+use strut_wasm_common::{EngineError, floats_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A motion on a database's humanoid and at its rate, with the file that it came from.
@@ -17,15 +18,10 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[derive(Clone)]
 pub struct Input {
     humanoid: HumanoidMotion,
-    file: Option<File>,
-}
-
-/// The parts of a file that an export needs.
-#[derive(Clone)]
-struct File {
-    bvh: Bvh,
-    motion: Motion,
-    binding: Binding,
+    /// On the match of the skeletons; empty if there is nothing to say.
+    note: String,
+    #[cfg(feature = "files")]
+    file: Option<InputFile>,
 }
 
 /// Names of the inputs among packed motions, the default first.
@@ -42,28 +38,17 @@ impl Input {
     /// An input among packed motions.
     ///
     /// # Errors
-    /// If there is none of this name, or with what is wrong with the bytes.
+    /// If there is none of this name, or with what is wrong with the bytes; without the feature `files` also on a database of
+    /// another body.
     #[wasm_bindgen(js_name = fromPacked)]
     pub fn from_packed(database: &Database, bytes: &[u8], name: &str) -> Result<Self, EngineError> {
         let motion = packed_motion(bytes, name)?;
         let db = database.model().catalogue();
-        let humanoid = if motion.proportions == db.proportions {
-            motion.resampled(db.rate_hz).map_err(too_long)?
+        if motion.proportions == db.proportions {
+            motion.resampled(db.rate_hz).map(Self::of_motion).map_err(too_long)
         } else {
-            let bvh = Bvh::from_humanoid(&motion).map_err(unreadable)?;
-            Self::from_file(database, bvh)?.humanoid
-        };
-        Ok(Self { humanoid, file: None })
-    }
-
-    /// A BVH file.
-    ///
-    /// # Errors
-    /// With what is wrong with the bytes.
-    #[wasm_bindgen(js_name = fromBvh)]
-    pub fn from_bvh(database: &Database, bytes: &[u8]) -> Result<Self, EngineError> {
-        let bvh = bvh::parse(bytes).map_err(unreadable)?;
-        Self::from_file(database, bvh)
+            Self::on_another_body(database, &motion)
+        }
     }
 
     /// Number of frames.
@@ -73,7 +58,7 @@ impl Input {
 
     /// Notes on the match of the skeletons; empty if there are none.
     pub fn note(&self) -> String {
-        self.file.as_ref().map(|f| f.binding.notes.join(" ")).unwrap_or_default()
+        self.note.clone()
     }
 
     /// The poses.
@@ -87,28 +72,25 @@ impl Input {
     }
 }
 
+#[cfg(feature = "files")]
+#[wasm_bindgen]
 impl Input {
-    fn from_file(database: &Database, bvh: Bvh) -> Result<Self, EngineError> {
+    /// A BVH file.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes.
+    #[wasm_bindgen(js_name = fromBvh)]
+    pub fn from_bvh(database: &Database, bytes: &[u8]) -> Result<Self, EngineError> {
+        Self::from_file(database, InputFile::read(bytes)?)
+    }
+}
+
+#[cfg(feature = "files")]
+impl Input {
+    fn from_file(database: &Database, file: InputFile) -> Result<Self, EngineError> {
         let db = database.model().catalogue();
-        let motion = bvh.to_motion().map_err(unreadable)?;
-        let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
-        let humanoid = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz).map_err(too_long)?;
-        Ok(Self { humanoid, file: Some(File { bvh, motion, binding }) })
-    }
-
-    #[cfg(feature = "parity")]
-    pub(crate) fn poses_mut(&mut self) -> &mut Vec<strut_core::humanoid::Pose> {
-        &mut self.humanoid.poses
-    }
-
-    /// Poses that came from no file.
-    #[cfg(any(feature = "bench", feature = "learn"))]
-    pub(crate) fn of_poses(
-        proportions: strut_core::humanoid::Proportions,
-        rate_hz: f32,
-        poses: Vec<strut_core::humanoid::Pose>,
-    ) -> Self {
-        Self { humanoid: HumanoidMotion { proportions, rate_hz, poses }, file: None }
+        let humanoid = file.on_body(&db.proportions).resampled(db.rate_hz).map_err(too_long)?;
+        Ok(Self { humanoid, note: file.note(), file: Some(file) })
     }
 
     pub(crate) fn humanoid(&self) -> &HumanoidMotion {
@@ -121,13 +103,52 @@ impl Input {
     /// # Errors
     /// If the styled motion is not finite, which the engine prevents.
     pub(crate) fn export(&self, styled: &StyledMotion) -> Result<String, EngineError> {
-        let bvh = match &self.file {
-            None => Bvh::from_humanoid(&styled.on_body(&self.humanoid.proportions, self.humanoid.rate_hz).motion),
-            Some(File { bvh, motion, binding }) => {
-                bvh.with_motion(&styled.on_skeleton(self.humanoid.rate_hz, motion, binding))
-            }
-        };
-        bvh.map(|bvh| bvh::write(&bvh)).map_err(unreadable)
+        let HumanoidMotion { proportions, rate_hz, .. } = &self.humanoid;
+        match &self.file {
+            None => bvh_of(&styled.on_body(proportions, *rate_hz).motion),
+            Some(file) => file.export(styled, *rate_hz),
+        }
+    }
+}
+
+impl Input {
+    /// A motion that came from no file.
+    fn of_motion(humanoid: HumanoidMotion) -> Self {
+        Self {
+            humanoid,
+            note: String::new(),
+            #[cfg(feature = "files")]
+            file: None,
+        }
+    }
+
+    /// A motion that came from no file, on the body of a database.
+    ///
+    /// # Errors
+    /// If it is too long at the database's rate.
+    #[cfg(feature = "files")]
+    fn on_another_body(database: &Database, motion: &HumanoidMotion) -> Result<Self, EngineError> {
+        Ok(Self::of_motion(Self::from_file(database, InputFile::of_motion(motion)?)?.humanoid))
+    }
+
+    #[cfg(not(feature = "files"))]
+    fn on_another_body(_: &Database, _: &HumanoidMotion) -> Result<Self, EngineError> {
+        Err(EngineError::bad_input("this package does not carry motions over to another body"))
+    }
+
+    /// Poses that came from no file.
+    #[cfg(any(feature = "bench", feature = "learn"))]
+    pub(crate) fn of_poses(
+        proportions: strut_core::humanoid::Proportions,
+        rate_hz: f32,
+        poses: Vec<strut_core::humanoid::Pose>,
+    ) -> Self {
+        Self::of_motion(HumanoidMotion { proportions, rate_hz, poses })
+    }
+
+    #[cfg(feature = "parity")]
+    pub(crate) fn poses_mut(&mut self) -> &mut Vec<strut_core::humanoid::Pose> {
+        &mut self.humanoid.poses
     }
 }
 
@@ -142,8 +163,4 @@ pub(crate) fn packed_motion(bytes: &[u8], name: &str) -> Result<HumanoidMotion, 
 
 fn too_long(error: TooManyFrames) -> EngineError {
     EngineError::bad_file(error, "Cut the clip into shorter ones, or drop another file.")
-}
-
-pub(crate) fn unreadable(error: BvhError) -> EngineError {
-    EngineError::bad_file(error, "Export the clip again as BVH, or drop another file.")
 }

@@ -3,13 +3,19 @@
 
 #[cfg(feature = "bench")]
 mod bench;
+#[cfg(feature = "files")]
 mod clip_job;
 #[cfg(feature = "compare")]
 mod counterpart;
 mod database;
+#[cfg(feature = "files")]
+mod database_file;
 mod input;
+#[cfg(feature = "files")]
+mod input_file;
 #[cfg(feature = "learn")]
 mod learn;
+#[cfg(feature = "files")]
 mod motion_facts;
 #[cfg(feature = "motions")]
 mod motions;
@@ -22,6 +28,7 @@ mod stylizer;
 
 #[cfg(feature = "bench")]
 pub use bench::{Naive, Workload, input_of, joint_weights, leg_joints, positions_of, rows_of, stage_names};
+#[cfg(feature = "files")]
 pub use clip_job::ClipJob;
 #[cfg(feature = "compare")]
 pub use counterpart::Counterpart;
@@ -29,6 +36,7 @@ pub use database::Database;
 pub use input::{Input, packed_inputs};
 #[cfg(feature = "learn")]
 pub use learn::{ComparedCycles, Fit, FrameContacts, FrameTiming, Lens, NearestWindows, Warps};
+#[cfg(feature = "files")]
 pub use motion_facts::MotionFacts;
 #[cfg(feature = "motions")]
 pub use motions::built_in_motions;

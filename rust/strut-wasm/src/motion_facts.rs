@@ -1,8 +1,7 @@
 //! What a motion's file says, before it is carried over to a database.
 
-use crate::input::{packed_motion, unreadable};
-use strut_core::retarget::Binding;
-use strut_formats::bvh;
+use crate::input::packed_motion;
+use crate::input_file::InputFile;
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -22,9 +21,8 @@ impl MotionFacts {
     /// With what is wrong with the bytes, or with the skeleton.
     #[wasm_bindgen(js_name = ofBvh)]
     pub fn of_bvh(bytes: &[u8]) -> Result<Self, EngineError> {
-        let motion = bvh::parse(bytes).and_then(|bvh| bvh.to_motion()).map_err(unreadable)?;
-        let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
-        Ok(Self { frames: motion.frames(), rate_hz: motion.frame_time_secs.recip(), note: binding.notes.join(" ") })
+        let file = InputFile::read(bytes)?;
+        Ok(Self { frames: file.frames(), rate_hz: file.rate_hz(), note: file.note() })
     }
 
     /// Of an input among packed motions.

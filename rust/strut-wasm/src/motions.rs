@@ -17,9 +17,9 @@ pub fn built_in_motions(short: bool) -> Result<Vec<Uint8Array>, EngineError> {
     let database = strut_demo::database().map_err(EngineError::bad_input)?;
     let walks = if short { strut_demo::first_walk_database } else { strut_demo::walk_database };
     let walks = walks(&database).map_err(EngineError::bad_input)?;
-    let mut file = packed::write(&walks, &named(vec![strut_demo::walk_input()]), "strut");
+    let mut file = packed::write(&walks, &named(vec![strut_demo::walk_input()]));
     let first = file.len();
-    packed::append(&mut file, &database, &named(strut_demo::input_clips()), "strut").map_err(EngineError::bad_input)?;
+    packed::append(&mut file, &database, &named(strut_demo::input_clips())).map_err(EngineError::bad_input)?;
     let (walks, others) = file.split_at(first);
     Ok([walks, others].map(Uint8Array::from).to_vec())
 }

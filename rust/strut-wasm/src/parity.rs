@@ -69,7 +69,7 @@ impl ParityReport {
     pub fn run(&self, nudged_frame: Option<usize>) -> Result<String, EngineError> {
         let mut report = String::new();
         let synthesised = strut_demo::database().map_err(EngineError::bad_input)?;
-        let packed = packed::write(&synthesised, &built_in_inputs(), "parity");
+        let packed = packed::write(&synthesised, &built_in_inputs());
         database_stages(&mut report, "synthesised database", &synthesised);
         let unpacked = packed::read_database(&packed).map_err(EngineError::bad_input)?;
         database_stages(&mut report, "built-in database", &unpacked);

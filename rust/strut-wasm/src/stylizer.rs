@@ -115,6 +115,7 @@ impl Stylizer {
 }
 
 impl Stylizer {
+    #[cfg(feature = "files")]
     pub(crate) fn core(&self) -> &transfer::Stylizer {
         &self.stylizer
     }

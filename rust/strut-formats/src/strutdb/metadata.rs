@@ -100,7 +100,7 @@ impl Metadata {
 }
 
 /// Greatest component of a bone's offset, cm: lengths far beyond it overflow when they are squared.
-const MAX_OFFSET_CM: f64 = 10_000.0;
+pub(super) const MAX_OFFSET_CM: f64 = 10_000.0;
 
 impl SkeletonInfo {
     pub(crate) fn of(proportions: &Proportions) -> Self {

@@ -195,7 +195,7 @@ fn open<S: Source + ?Sized>(file: &S) -> Result<(Metadata, Tensors<'_, S>), Cont
     container::open(KIND, file)
 }
 
-pub(super) fn clips(metadata: &Metadata) -> Result<Vec<Clip>, StrutdbError> {
+fn clips(metadata: &Metadata) -> Result<Vec<Clip>, StrutdbError> {
     if metadata.clips.len() > MAX_CLIPS {
         return Err(invalid(format!("{} clips; at most {MAX_CLIPS} are supported", metadata.clips.len())));
     }
@@ -220,7 +220,7 @@ pub(super) fn frames_of(clips: &[Clip]) -> Result<usize, StrutdbError> {
     frames.ok_or_else(|| invalid(format!("more than {MAX_FRAMES} frames")))
 }
 
-pub(super) fn index_of(names: &[String], name: &str, what: &str) -> Result<u16, StrutdbError> {
+fn index_of(names: &[String], name: &str, what: &str) -> Result<u16, StrutdbError> {
     let index = names.iter().position(|n| n == name).and_then(|i| u16::try_from(i).ok());
     index.ok_or_else(|| invalid(format!("{what} '{name}' is not in its list")))
 }

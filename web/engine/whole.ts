@@ -1,0 +1,6 @@
+/** The engine's own package: where this is imported, it is the one that the thread uses. */
+import { assetOf } from "./assets";
+import * as glue from "./pkg/strut_wasm.js";
+import { servePackage } from "./wasm";
+
+servePackage(glue, () => assetOf("strut_wasm_bg.wasm", () => new URL("./pkg/strut_wasm_bg.wasm", import.meta.url)));
