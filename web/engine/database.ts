@@ -9,8 +9,8 @@ import { type Glue, guarded } from "./wasm";
 export interface SlicedFile {
   /** Number of bytes. */
   size: number;
-  /** The bytes from a number up to another, or nothing where they cannot be read. It throws nothing. */
-  read(begin: number, end: number): Uint8Array | undefined;
+  /** The bytes from a number up to another; none where they cannot be read. It throws nothing. */
+  read(begin: number, end: number): Uint8Array;
 }
 
 /** Where a database comes from. */
@@ -34,7 +34,7 @@ export class Database extends Handle<RawDatabase> {
       const { bytes } = source;
       return bytes instanceof ArrayBuffer
         ? glue.Database.fromBytes(new Uint8Array(bytes))
-        : glue.Database.fromSlices(bytes);
+        : glue.Database.fromSlices(bytes, bytes.size);
     });
     return new Database(raw, source.kind === "demo" ? "built-in" : source.name);
   }

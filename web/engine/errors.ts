@@ -70,11 +70,10 @@ export function fault(what: string): StrutError {
 /** Any thrown value as a {@link StrutError}; what is not one already is a fault. */
 export function toStrutError(thrown: unknown): StrutError {
   if (thrown instanceof StrutError) return thrown;
-  // A panic throws its message: what traps without one is an allocation that failed.
-  if (thrown instanceof WebAssembly.RuntimeError && /unreachable/.test(thrown.message))
-    return new StrutError({ code: "fault", message: "The engine ran out of memory.", hint: "" }, thrown);
   const message = thrown instanceof Error ? thrown.message : String(thrown);
-  return fault(`The engine failed: ${message.replace(/\.$/, "")}`);
+  // A panic throws its message. What traps without one is an allocation that failed.
+  const memory = /^unreachable/i.test(message);
+  return fault(memory ? "The engine ran out of memory" : `The engine failed: ${message.replace(/\.$/, "")}`);
 }
 
 /** Whether a rejection only says that its call was cancelled. */

@@ -28,13 +28,9 @@ extern "C" {
     /// A file outside of JavaScript's heap: `SlicedFile` of `web/engine/database.ts`.
     pub type SlicedFile;
 
-    /// Number of bytes.
-    #[wasm_bindgen(method, getter)]
-    fn size(this: &SlicedFile) -> f64;
-
-    /// The bytes from a number up to another, or nothing where they cannot be read.
+    /// The bytes from a number up to another; none where they cannot be read.
     #[wasm_bindgen(method)]
-    fn read(this: &SlicedFile, begin: u32, end: u32) -> Option<Uint8Array>;
+    fn read(this: &SlicedFile, begin: u32, end: u32) -> Uint8Array;
 }
 
 /// A file of which a slice at a time is in JavaScript's heap.
@@ -47,10 +43,8 @@ pub struct Slices {
 }
 
 impl Slices {
-    /// Of a file.
-    pub fn new(file: SlicedFile) -> Self {
-        // The cast saturates: a larger file is refused for its size.
-        let bytes = file.size() as usize;
+    /// Of a file of so many bytes.
+    pub fn new(file: SlicedFile, bytes: usize) -> Self {
         Self { file, bytes, slice: RefCell::new(None), failed: Cell::new(false) }
     }
 
@@ -62,7 +56,7 @@ impl Slices {
     /// The slice from `begin` on, shorter at the end of the file.
     fn slice_from(&self, begin: usize, length: usize) -> Option<Uint8Array> {
         let end = self.bytes.min(begin + length);
-        let slice = self.file.read(begin as u32, end as u32)?;
+        let slice = self.file.read(begin as u32, end as u32);
         (begin < end && slice.length() as usize == end - begin).then_some(slice)
     }
 }

@@ -23,13 +23,14 @@ impl Database {
         read(&Bytes(bytes))
     }
 
-    /// The same of a file that is read in slices: it need not be in memory as a whole.
+    /// The same of a file of so many bytes that is read in slices: it need not be in memory as a whole.
     ///
     /// # Errors
     /// With what is wrong with the bytes, or if some cannot be read.
     #[wasm_bindgen(js_name = fromSlices)]
-    pub fn from_slices(file: SlicedFile) -> Result<Self, EngineError> {
-        let slices = Slices::new(file);
+    pub fn from_slices(file: SlicedFile, bytes: f64) -> Result<Self, EngineError> {
+        // The cast saturates: a file of more bytes than can be counted is refused for its length.
+        let slices = Slices::new(file, bytes as usize);
         let database = read(&slices);
         if slices.failed() {
             return Err(EngineError::bad_file(

@@ -45,20 +45,19 @@ declare const FileReaderSync: (new () => { readAsArrayBuffer(blob: Blob): ArrayB
 /** Files from this size on are read in slices, which takes longer, so that they need not be in memory as a whole; bytes. */
 const SLICED_BYTES = 256e6;
 
-/** The bytes of a file, or a way to read them; of one that is gone, or for which there is no room, a way that fails. */
+/** The bytes of a file, or a way to read them, which fails where the file is gone. */
 async function bytesOf(file: Blob): Promise<ArrayBuffer | SlicedFile> {
-  const { size } = file;
-  if (size < SLICED_BYTES || typeof FileReaderSync !== "function")
-    return file.arrayBuffer().catch(() => ({ size, read: () => undefined }));
-  const reader = new FileReaderSync();
   const read = (begin: number, end: number) => {
     try {
-      return new Uint8Array(reader.readAsArrayBuffer(file.slice(begin, end)));
+      return new Uint8Array(new FileReaderSync!().readAsArrayBuffer(file.slice(begin, end)));
     } catch {
-      return undefined;
+      return new Uint8Array();
     }
   };
-  return { size, read };
+  const sliced = { size: file.size, read };
+  const isSmall = file.size < SLICED_BYTES || typeof FileReaderSync !== "function";
+  // A file for which there is no room may still be read in slices.
+  return isSmall ? file.arrayBuffer().catch(() => sliced) : sliced;
 }
 
 export async function builtInInputs({ engine, builtIn }: Host, caller: Caller, set: BuiltInSet): Promise<string[]> {
