@@ -1,9 +1,10 @@
 /** The entry of the Compare view's worker: the engine's server over a package that can do more. */
 import { counterpartOf, SearchComparison, serveComparePackage } from "../../engine/compare/wasm";
+import { compareSearch } from "../server/searches";
 import { type ServerPort, serve } from "../server/serve";
 
 serveComparePackage();
 void serve(self as unknown as ServerPort, {
   counterparts: counterpartOf,
-  searches: (...setup) => new SearchComparison(...setup),
+  compareSearch: (...call) => compareSearch((...setup) => new SearchComparison(...setup), ...call),
 });

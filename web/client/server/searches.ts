@@ -1,30 +1,45 @@
 /** Calls about the search for neighbours. */
+import type { Database } from "../../engine/database";
+import type { Input } from "../../engine/input";
 import type { SearchFigures } from "../protocol";
 import { OpenDatabase } from "./databases";
-import type { Host, SearchJob } from "./host";
+import type { Host } from "./host";
 import { carriedMotion } from "./motions";
 import { type Caller, median, stage } from "./time_slices";
+
+/** Both searches of an input, in portions: as much of `SearchComparison` (`engine/compare/`) as is needed. */
+export interface SearchJob {
+  take(frames: number): number;
+  searchExactly(): void;
+  searchTrees(): void;
+  count(): void;
+  recall(): number;
+  dispose(): void;
+}
+
+/** A search by kd-trees beside the exact one. */
+export type Searches = (database: Database, input: Input, neighbours: number, candidates: number) => SearchJob;
 
 /** Frames that are searched at once: the clocks of browsers are coarse. */
 const PORTION = 8;
 
 /**
- * Searches a whole motion exactly and by kd-trees, in time slices; `undefined` where the package has no kd-trees.
+ * Searches a whole motion exactly and by kd-trees, in time slices.
  * @throws StrutError `cancelled`, also if the motion or the database is closed meanwhile
  */
 export async function compareSearch(
+  searches: Searches,
   host: Host,
   caller: Caller,
   motion: number,
   database: number,
   neighbours: number,
   candidates: number,
-): Promise<SearchFigures | undefined> {
-  const { open, searches } = host;
+): Promise<SearchFigures> {
+  const { open } = host;
   const carried = await carriedMotion(host, caller, motion, database);
   const { input } = carried;
   const job = searches(open.get(OpenDatabase, database).database, input, neighbours, candidates);
-  if (!job) return undefined;
   const isCancelled = () => caller.isCancelled() || !open.has(carried);
   try {
     return await figuresOf(job, input.info.frames, { ...caller, isCancelled });

@@ -4,10 +4,9 @@ import { toStrutError } from "../../engine/errors";
 import type { Arguments, Call, Method, Reply, Request, Result } from "../messages";
 import { BuiltInMotions } from "./built_in_motions";
 import * as databases from "./databases";
-import type { Counterparts, Host, Searches } from "./host";
+import type { Counterparts, Host } from "./host";
 import * as motions from "./motions";
 import { Registry } from "./registry";
-import { compareSearch } from "./searches";
 import * as sessions from "./sessions";
 import * as stylizers from "./stylizers";
 import type { Caller } from "./time_slices";
@@ -22,7 +21,10 @@ type Handlers = {
   [M in Method]: (host: Host, caller: Caller, ...args: Arguments<M>) => Result<M> | Promise<Result<M>>;
 };
 
-const HANDLERS: Handlers = {
+/** What only the package of the Compare view can do. */
+type Comparing = Pick<Handlers, "compareSearch">;
+
+const HANDLERS: Omit<Handlers, keyof Comparing> = {
   openDatabase: databases.openDatabase,
   builtInInputs: databases.builtInInputs,
   openMotion: motions.openMotion,
@@ -30,7 +32,6 @@ const HANDLERS: Handlers = {
   motionOn: motions.motionOn,
   stylize: motions.stylize,
   counterpart: motions.counterpart,
-  compareSearch,
   createSession: sessions.createSession,
   configure: sessions.configure,
   setLoop: sessions.setLoop,
@@ -51,21 +52,21 @@ const HANDLERS: Handlers = {
 };
 
 /** What a server does besides. */
-export interface ServerSetup {
+export interface ServerSetup extends Partial<Comparing> {
   counterparts?: Counterparts;
-  searches?: Searches;
 }
 
 /** Loads the engine and answers the calls that arrive at `port`. */
 export async function serve(
   port: ServerPort,
-  { counterparts = () => undefined, searches = () => undefined }: ServerSetup = {},
+  { counterparts = () => undefined, compareSearch = () => undefined }: ServerSetup = {},
 ): Promise<void> {
   /** Calls under way, and which of them were cancelled. */
   const cancelled = new Map<number, boolean>();
   const builtIn = new BuiltInMotions();
   const open = new Registry();
-  const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, searches, open }));
+  const handlers: Handlers = { ...HANDLERS, compareSearch };
+  const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, open }));
 
   const answer = async (call: Call) => {
     const { id } = call;
@@ -75,7 +76,7 @@ export async function serve(
       report: (progress) => port.postMessage({ kind: "progress", id, progress }, []),
     };
     try {
-      const value = await handle(await loading, caller, call);
+      const value = await handle(handlers, await loading, caller, call);
       port.postMessage({ kind: "result", id, value }, buffersOf(value));
     } catch (thrown) {
       port.postMessage({ kind: "failure", id, error: toStrutError(thrown).parts() }, []);
@@ -96,9 +97,9 @@ export async function serve(
   );
 }
 
-function handle(host: Host, caller: Caller, call: Call): Result<Method> | Promise<Result<Method>> {
+function handle(handlers: Handlers, host: Host, caller: Caller, call: Call): Result<Method> | Promise<Result<Method>> {
   // A call pairs each method with its own arguments; TypeScript does not follow that through the index.
-  const handler = HANDLERS[call.method] as (host: Host, caller: Caller, ...args: unknown[]) => Result<Method>;
+  const handler = handlers[call.method] as (host: Host, caller: Caller, ...args: unknown[]) => Result<Method>;
   return handler(host, caller, ...call.args);
 }
 
