@@ -96,7 +96,7 @@ export class Session {
   #settle: ReturnType<typeof setTimeout> | undefined;
   /** What waits until the engine has the present style all the way. */
   #whenSettled: (() => void)[] = [];
-  /** What waits for the engine's first frame. */
+  /** What waits for the engine's first frame, or for its failure. */
   #whenPlaying: (() => void)[] = [];
 
   constructor(client: StrutClient, progress: SessionProgress) {
@@ -105,11 +105,12 @@ export class Session {
     this.playback = new Playback(client, {
       onFrame: (frame, sought) => {
         this.frame = frame;
-        for (const resume of this.#whenPlaying.splice(0)) resume();
+        this.#plays();
         this.#tell("onFrame", frame, sought);
       },
       onTick: (now) => this.#tell("onTick", now),
       onError: (error, stopped) => {
+        this.#plays();
         if (stopped) this.#tell("onStopped");
         // What is asked again once the engine has been started again has not failed.
         if (stopped || !isFault(error)) this.#tell("onError", error);
@@ -287,6 +288,10 @@ export class Session {
     if (this.input !== input || !this.#analysed || subject !== this.#curve) return;
     this.examples = examples;
     this.#tell("onExamples", examples);
+  }
+
+  #plays(): void {
+    for (const resume of this.#whenPlaying.splice(0)) resume();
   }
 
   #playing(): Promise<void> {

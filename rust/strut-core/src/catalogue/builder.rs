@@ -97,7 +97,7 @@ impl CatalogueBuilder {
         let (mut parts, _) = db.into_parts();
         let (pose, point_cloud) = (std::mem::take(&mut parts.pose), std::mem::take(&mut parts.point_cloud));
         let copy = |first: usize, to: &mut [PoseRow]| to.copy_from_slice(&pose[first..][..to.len()]);
-        (Self::new(parts, &copy).expect("the database is valid"), point_cloud)
+        (valid(Self::new(parts, &copy)), point_cloud)
     }
 
     /// Reads the point clouds, `read` as in [`CatalogueBuilder::new`], and makes the search index by a plan. Without a plan,
@@ -154,8 +154,7 @@ impl Catalogue {
     pub fn with_plan(db: Database, plan: Option<Plan>) -> Self {
         let (builder, point_cloud) = CatalogueBuilder::of(db);
         let copy = move |first: usize, to: &mut [PointCloud]| to.copy_from_slice(&point_cloud[first..][..to.len()]);
-        let finish =
-            |plan: Option<PlanSource<'_>>| builder.finish(Box::new(copy), plan).expect("the database is valid");
+        let finish = |plan: Option<PlanSource<'_>>| valid(builder.finish(Box::new(copy), plan));
         match plan {
             Some(plan) if plan.has_all_points() => plan.with_source(|plan| finish(Some(plan))),
             _ => finish(None),
@@ -169,6 +168,12 @@ impl Catalogue {
     pub fn with_index(db: Database, index: Index) -> Self {
         CatalogueBuilder::of(db).0.finish_with(index)
     }
+}
+
+/// What a [`Database`] gives, which was validated when it was made. Not by `expect`: how that shows an error would be a
+/// twenty-fifth of a small package.
+fn valid<T>(result: Result<T, DatabaseError>) -> T {
+    result.unwrap_or_else(|error| unreachable!("the database is valid, but {error}"))
 }
 
 /// The rows of a clip in parts.
