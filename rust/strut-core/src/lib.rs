@@ -10,6 +10,7 @@ pub mod autoregression;
 mod baselines;
 pub mod catalogue;
 pub mod contact;
+pub mod crowd;
 pub mod database;
 #[cfg(feature = "baselines")]
 pub mod evaluation;

@@ -4,7 +4,7 @@ use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::Soles;
 use crate::kinematics::{WorldPose, world_from_local};
 use crate::math::float_funcs::half_life_share;
-use crate::math::{Quat, Vec3};
+use crate::math::{Quat, Vec2, Vec3};
 
 /// Points of a foot that may touch the ground: heel, ball, and the tip of the toes.
 const POINTS: usize = 3;
@@ -40,6 +40,8 @@ pub(crate) enum Support {
 pub(crate) struct RootPath {
     proportions: Proportions,
     feet: Feet,
+    /// The last pose, its root at the origin.
+    posed: WorldPose,
     /// Place of the root in the last frame, [x, z] in metres: a sum over all frames so far, which in single precision
     /// is 16 cm off after an hour of walking.
     place: [f64; 2],
@@ -92,6 +94,7 @@ impl RootPath {
         Self {
             proportions: *proportions,
             feet,
+            posed: world_from_local(proportions, &Pose::default()),
             place: [0.0; 2],
             height: 0.0,
             last: None,
@@ -126,7 +129,8 @@ impl RootPath {
     ) {
         pose.root = Vec3::ZERO;
         pose.rotations[0] = Quat::from_rotation_y(heading) * pose.rotations[0];
-        let points = self.feet.points(&world_from_local(&self.proportions, pose));
+        self.posed = world_from_local(&self.proportions, pose);
+        let points = self.feet.points(&self.posed);
         let lowest =
             |foot: usize| (0..POINTS).min_by(|a, b| points[foot][*a].y.total_cmp(&points[foot][*b].y)).unwrap_or(0);
         let height = |foot: usize| points[foot][lowest(foot)].y;
@@ -183,6 +187,18 @@ impl RootPath {
 
     fn root(&self) -> Vec3 {
         Vec3::new(self.place[0] as f32, self.height, self.place[1] as f32)
+    }
+
+    /// Moves the body, and what touches the ground with it, over the ground.
+    pub(crate) fn shift(&mut self, by: Vec2) {
+        self.place[0] += f64::from(by.x);
+        self.place[1] += f64::from(by.y);
+    }
+
+    /// The last pose in the world.
+    pub(crate) fn world(&self) -> WorldPose {
+        let (root, posed) = (self.root(), self.posed);
+        WorldPose { positions: posed.positions.map(|position| position + root), ..posed }
     }
 
     /// Feet that stand in the last pose, left and right.

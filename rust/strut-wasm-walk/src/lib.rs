@@ -2,9 +2,11 @@
 //!
 //! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
 
+mod crowd;
 mod model;
 mod walk;
 
+pub use crowd::Crowd;
 pub use model::WalkModel;
 pub use strut_wasm_common::EngineError;
 pub use walk::{FRAME, Walk};

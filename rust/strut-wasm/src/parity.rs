@@ -10,6 +10,7 @@ use crate::stylizer::Stylizer;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use strut_core::crowd::{self, Crowd, Vertex};
 use strut_core::database::build::{BuildOptions, SourceClip, build};
 use strut_core::hsmm::{
     JointPath, LabelledClip, Options as WalkOptions, PathOptions, RuntimeWalkModel, StyleMeans, Track, Walker,
@@ -34,6 +35,10 @@ const REGISTERED_STYLES: [&str; 2] = ["neutral", "proud"];
 
 /// Frames of the walk that is compared.
 const WALK_FRAMES: usize = 600;
+
+/// Walkers of the crowd that is compared, and its ticks.
+const CROWD: usize = 50;
+const CROWD_TICKS: usize = 300;
 
 /// Frames of an input that are styled after one that was nudged: enough to show what follows from it.
 const FRAMES_AFTER_NUDGE: usize = 60;
@@ -188,6 +193,25 @@ fn walk_stages(report: &mut String, db: &strut_core::database::Database) -> Resu
         hashes.push(float_hash(&path.points.iter().map(|p| p.angle).collect::<Vec<_>>()));
     }
     line(report, "built-in walks", "paths", hashes);
+    crowd_stage(report, runtime)
+}
+
+/// A crowd in a field of styles and on a route, one hash a tick.
+fn crowd_stage(report: &mut String, runtime: RuntimeWalkModel) -> Result<(), EngineError> {
+    let options = crowd::Options { count: CROWD, seed: 3 };
+    let mut crowd = Crowd::new(Arc::new(runtime), options).map_err(EngineError::bad_input)?;
+    let vertex = |style: usize, x: f32, intensity: f32| Vertex { style, x, z: 1.0, reach: 4.0, intensity };
+    crowd.set_field(&[vertex(0, 3.0, 1.5), vertex(1, -4.0, -0.5)]).map_err(EngineError::bad_input)?;
+    let mut hashes = Vec::new();
+    for tick in 0..CROWD_TICKS {
+        if tick == CROWD_TICKS / 2 {
+            crowd.set_route(&[[-5.0, -3.0], [0.0, 4.0], [5.0, -3.0]]).map_err(EngineError::bad_input)?;
+        }
+        crowd.tick();
+        hashes
+            .push(hash(crowd.world().iter().map(|v| v.to_bits()).chain(crowd.weights().iter().map(|w| u32::from(*w)))));
+    }
+    line(report, "built-in walks", "crowd", hashes);
     Ok(())
 }
 

@@ -16,7 +16,7 @@ export type AnswerMessage = { id: number } & ({ value: unknown } | { error: Erro
 
 /** As much of a worker as the client needs. */
 export interface ClientPort {
-  postMessage(message: CallMessage): void;
+  postMessage(message: CallMessage, transfer: Transferable[]): void;
   terminate(): void;
   onmessage: ((event: MessageEvent<AnswerMessage>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
@@ -41,18 +41,25 @@ export class RpcClient {
   readonly #pending = new Map<number, Pending>();
   #disposed = false;
 
-  constructor(spawn: () => ClientPort) {
+  /**
+   * @param spawn starts the worker
+   * @param what noun for messages
+   */
+  constructor(
+    spawn: () => ClientPort,
+    private readonly what = "engine of the lessons",
+  ) {
     this.#spawn = spawn;
   }
 
-  /** Calls a method. @throws StrutError the worker's, `cancelled` or `disposed` */
-  call(method: string, args: unknown[], signal?: AbortSignal): Promise<unknown> {
-    if (this.#disposed) return Promise.reject(disposed("engine of the lessons"));
+  /** Calls a method; the buffers of `transfer` go with it. @throws StrutError the worker's, `cancelled` or `disposed` */
+  call(method: string, args: unknown[], signal?: AbortSignal, transfer: Transferable[] = []): Promise<unknown> {
+    if (this.#disposed) return Promise.reject(disposed(this.what));
     if (signal?.aborted) return Promise.reject(cancelled(signal.reason));
     const id = ++this.#lastId;
     const answer = new Promise<unknown>((resolve, reject) => {
       this.#pending.set(id, { resolve, reject });
-      this.#started().postMessage({ id, method, args });
+      this.#started().postMessage({ id, method, args }, transfer);
     });
     const cancel = () => {
       this.#pending.get(id)?.reject(cancelled(signal?.reason));
@@ -65,7 +72,7 @@ export class RpcClient {
   /** Ends the worker; calls under way are rejected. */
   dispose(): void {
     this.#disposed = true;
-    this.#stop(disposed("engine of the lessons"));
+    this.#stop(disposed(this.what));
   }
 
   #started(): ClientPort {
@@ -77,11 +84,10 @@ export class RpcClient {
       if ("error" in data) pending?.reject(new StrutError(data.error));
       else pending?.resolve(data.value);
       if ("error" in data && data.error.code === "fault" && this.#port === port)
-        this.#stop(fault("The engine of the lessons failed"));
+        this.#stop(fault(`The ${this.what} failed`));
     };
     port.onerror = ({ message }) => {
-      if (this.#port === port)
-        this.#stop(fault(`The engine of the lessons failed: ${message || "its worker stopped"}`));
+      if (this.#port === port) this.#stop(fault(`The ${this.what} failed: ${message || "its worker stopped"}`));
     };
     this.#port = port;
     return port;

@@ -41,4 +41,4 @@ pub use walks::{WALK, walk_of, walking_action, walks_among};
 pub const RATE_HZ: f32 = 30.0;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -34,6 +34,14 @@ fn model_of(gaits: &[(&str, Gait)]) -> WalkModel {
 /// Upright and bent walking.
 static MODEL: LazyLock<WalkModel> = LazyLock::new(|| model_of(&[("upright", NEUTRAL), ("bent", BENT)]));
 
+/// The model of both, and of one alone.
+pub(crate) fn runtime(styles: usize) -> Arc<RuntimeWalkModel> {
+    let mut model = MODEL.clone();
+    model.styles.truncate(styles);
+    model.means.truncate(styles);
+    Arc::new(RuntimeWalkModel::new(&model))
+}
+
 pub(super) fn walker(weights: &[f32]) -> Walker {
     let mut walker = Walker::new(Arc::new(RuntimeWalkModel::new(&MODEL)));
     walker.set_styles(weights).unwrap();

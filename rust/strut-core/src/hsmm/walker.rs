@@ -20,9 +20,10 @@ use super::mlpg::{CostToGo, FrameTerms, Term};
 use super::model::{STATES, Side, Stream};
 use super::root::RootPath;
 use crate::humanoid::Pose;
+use crate::kinematics::WorldPose;
 use crate::math::float_funcs::wrap_angle;
 use crate::math::lanes::{Lane, WIDTH};
-use crate::math::{Vec3, exp_map};
+use crate::math::{Vec2, Vec3, exp_map};
 use planner::{Planner, Start};
 use runtime_model::{PADDED, Padded, StateMeans};
 use std::sync::Arc;
@@ -142,6 +143,21 @@ impl Walker {
     /// Feet that are on the ground in the last frame, left and right.
     pub fn planted(&self) -> [bool; 2] {
         self.root.planted()
+    }
+
+    /// Where the body faces, radians about +Y from +Z: to the left is positive.
+    pub fn heading(&self) -> f32 {
+        self.heading
+    }
+
+    /// Moves the body aside from the next frame on, [x, z] in metres: its foot slides by as much.
+    pub(crate) fn shift(&mut self, by: Vec2) {
+        self.root.shift(by);
+    }
+
+    /// The joints of the last frame in the world.
+    pub fn world(&self) -> WorldPose {
+        self.root.world()
     }
 
     /// The last frame.

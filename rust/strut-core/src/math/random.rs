@@ -20,6 +20,11 @@ impl SplitMix64 {
         z ^ (z >> 31)
     }
 
+    /// A number from 0 to below 1.
+    pub fn share(&mut self) -> f32 {
+        (self.next_u64() >> 40) as f32 / (1 << 24) as f32
+    }
+
     /// A number below `end`, which is positive.
     pub fn below(&mut self, end: usize) -> usize {
         // The high half of a product: a bias of end / 2⁶⁴ does not matter.

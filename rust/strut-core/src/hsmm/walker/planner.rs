@@ -212,6 +212,5 @@ fn slot_of(step: u64) -> usize {
 /// A number of a normal distribution that is always the same for a state of a step: the sum of twelve even ones.
 fn normal(seed: u32, step: u64, state: usize) -> f32 {
     let mut random = SplitMix64::new(u64::from(seed) << 32 ^ (step * STATES as u64 + state as u64));
-    let even = (0..12).map(|_| (random.next_u64() >> 40) as f32 / (1 << 24) as f32);
-    even.sum::<f32>() - 6.0
+    (0..12).map(|_| random.share()).sum::<f32>() - 6.0
 }

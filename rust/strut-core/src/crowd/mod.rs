@@ -1,0 +1,195 @@
+//! A crowd of walkers on open ground: each walks by the model of walk styles ([`crate::hsmm`]), in the styles of the place
+//! where they are, and gives way to others.
+//!
+//! [`Crowd::tick`] goes on by one frame of [`RATE_HZ`](crate::hsmm::RATE_HZ) and allocates nothing. Everybody decides by what
+//! was there before the tick, and draws from a sequence of their own: the same seed and the same calls give the same bits.
+
+mod field;
+mod grid;
+mod limits;
+mod member;
+mod route;
+mod steering;
+
+pub use field::Vertex;
+pub use limits::{CrowdError, FARTHEST, INTENSITY, MAX_COUNT, MAX_ROUTE_POINTS, MAX_VERTICES, REACH};
+
+use crate::hsmm::RuntimeWalkModel;
+use crate::humanoid::{JOINTS, Pose};
+use field::Field;
+use grid::Grid;
+use member::{Ground, Member, ROOM};
+use route::Route;
+use std::f32::consts::PI;
+use std::sync::Arc;
+use steering::Figure;
+
+/// Numbers of a joint: its place x y z in metres and 0, then its rotation x y z w, both in the world.
+pub const JOINT_FLOATS: usize = 8;
+/// Numbers of a walker: those of the joints by role.
+pub const WALKER_FLOATS: usize = JOINTS * JOINT_FLOATS;
+
+/// Least radius of the ground, metres: who turns as much as a foot can walks a circle of four to six metres.
+const LEAST_RADIUS: f32 = 8.0;
+
+/// What a crowd begins with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Walkers: 1 to [`MAX_COUNT`].
+    pub count: usize,
+    /// Of all that is drawn by lot; walker number i depends on it and on i, not on the count.
+    pub seed: u32,
+}
+
+/// A crowd of walkers.
+#[derive(Clone, Debug)]
+pub struct Crowd {
+    model: Arc<RuntimeWalkModel>,
+    seed: u32,
+    field: Field,
+    route: Route,
+    members: Vec<Member>,
+    /// Everybody as they were before the tick.
+    figures: Vec<Figure>,
+    grid: Grid,
+    /// One a walker and style: the weights, and their part from 0 to 1 in 255ths.
+    weights: Vec<f32>,
+    shares: Vec<u8>,
+    world: Vec<f32>,
+}
+
+impl Crowd {
+    /// Walkers in the average of all styles, evenly spread over the ground, each somewhere in their stride.
+    ///
+    /// # Errors
+    /// See [`CrowdError::Count`].
+    pub fn new(model: Arc<RuntimeWalkModel>, options: Options) -> Result<Self, CrowdError> {
+        let mut crowd = Self {
+            model,
+            seed: options.seed,
+            field: Field::default(),
+            route: Route::default(),
+            members: Vec::new(),
+            figures: Vec::new(),
+            grid: Grid::default(),
+            weights: Vec::new(),
+            shares: Vec::new(),
+            world: Vec::new(),
+        };
+        crowd.set_count(options.count)?;
+        Ok(crowd)
+    }
+
+    /// Walkers.
+    pub fn count(&self) -> usize {
+        self.members.len()
+    }
+
+    /// Radius of the ground, metres, about the origin: nobody goes farther than 1.2 times of it. It grows with the count.
+    pub fn radius(&self) -> f32 {
+        radius_of(self.count())
+    }
+
+    /// Everybody's joints after the last tick: [`WALKER_FLOATS`] numbers a walker.
+    pub fn world(&self) -> &[f32] {
+        &self.world
+    }
+
+    /// How much of every style everybody walks in, 0 to 255: one number a walker and style of the model. Weights beyond 0 and
+    /// 1 are taken for these; what is missing to 255 is the average walk.
+    pub fn weights(&self) -> &[u8] {
+        &self.shares
+    }
+
+    /// More walkers, who begin at the edge of the ground, or fewer: the last ones go.
+    ///
+    /// # Errors
+    /// See [`CrowdError::Count`].
+    pub fn set_count(&mut self, count: usize) -> Result<(), CrowdError> {
+        if !(1..=MAX_COUNT).contains(&count) {
+            return Err(CrowdError::Count(count));
+        }
+        let styles = self.model.styles();
+        self.weights.resize(count * styles, 0.0);
+        self.members.truncate(count);
+        for index in self.members.len()..count {
+            let weights = &mut self.weights[index * styles..][..styles];
+            self.members.push(Member::new(&self.model, self.seed, index, &self.field, weights));
+        }
+        self.shares.resize(count * styles, 0);
+        self.world.resize(count * WALKER_FLOATS, 0.0);
+        self.show();
+        Ok(())
+    }
+
+    /// Styles by place, from everybody's next step on; walkers who are still to come begin with them.
+    ///
+    /// # Errors
+    /// If there are too many vertices, or one is none.
+    pub fn set_field(&mut self, vertices: &[Vertex]) -> Result<(), CrowdError> {
+        self.field = Field::new(vertices, self.model.styles())?;
+        Ok(())
+    }
+
+    /// A way through points [x, z] that everybody follows from their next step on: round if its ends meet, else there and
+    /// back. None sets them free.
+    ///
+    /// # Errors
+    /// If there is one point, or too many, or one is none.
+    pub fn set_route(&mut self, points: &[[f32; 2]]) -> Result<(), CrowdError> {
+        self.route = Route::new(points)?;
+        Ok(())
+    }
+
+    /// Goes on by a frame.
+    pub fn tick(&mut self) {
+        let Self { model, field, route, members, figures, grid, weights, .. } = self;
+        let ground = Ground { radius: radius_of(members.len()), count: members.len(), field, route };
+        grid.sort(figures.iter().map(|figure| figure.at));
+        let styles = model.styles();
+        for (index, member) in members.iter_mut().enumerate() {
+            let weights = &mut weights[index * styles..][..styles];
+            let near = grid.near(figures[index].at).filter(|other| *other != index).map(|other| figures[other]);
+            member.tick(&ground, near, weights);
+        }
+        self.show();
+    }
+
+    /// The next frames of a walker as if nobody else were there; none if there is no such walker.
+    pub fn ahead(&self, index: usize, frames: usize) -> Option<Vec<Pose>> {
+        let mut member = self.members.get(index)?.clone();
+        let styles = self.model.styles();
+        let mut weights = self.weights[index * styles..][..styles].to_vec();
+        let ground = Ground { radius: self.radius(), count: self.count(), field: &self.field, route: &self.route };
+        let next = (0..frames).map(|_| {
+            member.tick(&ground, std::iter::empty(), &mut weights);
+            *member.walker.pose()
+        });
+        Some(next.collect())
+    }
+
+    /// Takes down what is seen of everybody.
+    fn show(&mut self) {
+        self.figures.clear();
+        self.figures.extend(self.members.iter().map(Member::figure));
+        for (share, weight) in self.shares.iter_mut().zip(&self.weights) {
+            *share = (255.0 * weight.clamp(0.0, 1.0)).round() as u8;
+        }
+        for (member, floats) in self.members.iter().zip(self.world.chunks_exact_mut(WALKER_FLOATS)) {
+            let world = member.walker.world();
+            let joints = world.positions.iter().zip(&world.rotations);
+            for ((at, rotation), out) in joints.zip(floats.chunks_exact_mut(JOINT_FLOATS)) {
+                out[..3].copy_from_slice(&at.to_array());
+                out[4..].copy_from_slice(&rotation.to_array());
+            }
+        }
+    }
+}
+
+/// Radius of the ground of so many, metres.
+fn radius_of(count: usize) -> f32 {
+    (ROOM * count as f32 / PI).sqrt().max(LEAST_RADIUS)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,247 @@
+//! Where to turn, and when to give way.
+//!
+//! A step is chosen when it begins, as the feet pivot on the ground then: among a few turns and paces the one that is near a wish,
+//! keeps away from where others will be if they go straight on (after van den Berg, Lin, Manocha, "Reciprocal Velocity Obstacles",
+//! 2008), and after which a full circle still fits onto the ground.
+
+use crate::hsmm::MAX_TURN;
+use crate::math::Vec2;
+use crate::math::float_funcs::{atan2, sin_cos};
+
+/// Share of the ground's radius from which one wishes to go back, and that within which full turns are to lead.
+const INWARD: f32 = 0.8;
+const EDGE: f32 = 1.1;
+/// How much wandering counts where there is a target.
+const WANDERING: f32 = 0.3;
+/// Turns that are looked at, either way, beside the wish.
+const TURNS: i16 = 3;
+/// Steps that are looked ahead, and of which so many turn alike.
+const FORESIGHT: usize = 5;
+const TURNING: usize = 2;
+/// Nobody wants others nearer than this, metres. It is found by trial, as the costs are: people walk at 0.86 of the speed they
+/// have alone where everybody has four square metres.
+const COMFORTABLE: f32 = 0.8;
+/// What counts as much as a full turn aside from the wish: another who is met at once, over this; short steps; standing, which
+/// grows with the square of the steps that are stood; a metre beyond the edge; a full turn to the left: people keep right.
+const NEARNESS_COST: f32 = 40.0;
+const SHORT_COST: f32 = 1.0;
+const STANDING_COST: f32 = 12.0;
+const EDGE_COST: f32 = 1000.0;
+const LEFT_COST: f32 = 0.02;
+/// Speed with short steps, as a share.
+const SHORT_SPEED: f32 = 0.7;
+/// Of two who are nearer than this, metres, one goes on.
+const TOUCHING: f32 = 0.5;
+/// Whoever is nearer than this to others, metres, moves aside: by so many metres a frame from where the other is, and less by
+/// distance. Feet slide by it; it is the last resort.
+const OVERLAPPING: f32 = 0.4;
+const ASIDE: f32 = 0.025;
+
+/// Somebody on the ground as others see them.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Figure {
+    /// Place, [x, z] in metres.
+    pub(super) at: Vec2,
+    /// A unit vector.
+    pub(super) facing: Vec2,
+    /// Along it, m/s.
+    pub(super) speed: f32,
+}
+
+/// The unit vector of a heading.
+pub(super) fn facing(heading: f32) -> Vec2 {
+    let (sin, cos) = sin_cos(heading);
+    Vec2::new(sin, cos)
+}
+
+/// What somebody wants who begins a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Intention {
+    /// Turn by which they would wander, radians.
+    pub(super) wander: f32,
+    /// Where they should go, if anywhere.
+    pub(super) target: Option<Vec2>,
+    /// Length of a step, metres.
+    pub(super) length: f32,
+    /// Steps that they have stood.
+    pub(super) stood: f32,
+    /// Radius of the ground, metres.
+    pub(super) radius: f32,
+}
+
+/// How a step is walked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Pace {
+    Walks,
+    /// With short steps.
+    Short,
+    Stands,
+}
+
+/// The step that begins of somebody who walks with a speed that is not 0: its turn, radians to the left, at most [`MAX_TURN`]
+/// either way, and its pace.
+pub(super) fn step(me: &Figure, intention: &Intention, others: impl Iterator<Item = Figure> + Clone) -> (f32, Pace) {
+    let wish = wished(me, intention).clamp(-MAX_TURN, MAX_TURN);
+    let secs = intention.length / me.speed;
+    let risks = |turn: f32, length: f32| {
+        let path = path(me, turn, length);
+        NEARNESS_COST * others.clone().map(|other| risk(&path, &other, secs)).sum::<f32>()
+    };
+    let turns = (-TURNS..=TURNS).map(|i| f32::from(i) / f32::from(TURNS) * MAX_TURN).chain([wish]);
+    let walking = [(Pace::Walks, 1.0, 0.0), (Pace::Short, SHORT_SPEED, SHORT_COST)].into_iter();
+    let steps = walking.flat_map(|(pace, share, cost)| turns.clone().map(move |turn| (turn, pace, share, cost)));
+    let costs = steps.map(|(turn, pace, share, cost)| {
+        let (off, length) = ((turn - wish) / MAX_TURN, share * intention.length);
+        let beyond = beyond_edge(me, turn, length, intention.radius);
+        let cost = cost + off * off + EDGE_COST * beyond + LEFT_COST * turn / MAX_TURN + risks(turn, length);
+        (cost, turn, pace)
+    });
+    let standing = if goes_on(me, others.clone()) {
+        f32::INFINITY
+    } else {
+        STANDING_COST + intention.stood * intention.stood + risks(0.0, 0.0)
+    };
+    let best = costs.chain([(standing, 0.0, Pace::Stands)]).min_by(|a, b| a.0.total_cmp(&b.0));
+    best.map_or((0.0, Pace::Stands), |(_, turn, pace)| (turn, pace))
+}
+
+/// Whether somebody touches another and is more in front of that other than the other of them: who both stood would stay there.
+fn goes_on(me: &Figure, mut others: impl Iterator<Item = Figure>) -> bool {
+    others.any(|other| {
+        let apart = other.at - me.at;
+        apart.length() < TOUCHING && me.facing.dot(apart) < -other.facing.dot(apart)
+    })
+}
+
+/// Where somebody is now and after each of the next steps.
+fn path(me: &Figure, turn: f32, length: f32) -> [Vec2; FORESIGHT + 1] {
+    let mut walking = *me;
+    std::array::from_fn(|step| {
+        if (1..=TURNING).contains(&step) {
+            walking = turned(&walking, turn);
+        }
+        if step > 0 {
+            walking.at += length * walking.facing;
+        }
+        walking.at
+    })
+}
+
+/// How near somebody comes who goes straight on, and how soon: 0 to 3.
+fn risk(path: &[Vec2; FORESIGHT + 1], other: &Figure, secs: f32) -> f32 {
+    let way = other.speed * secs * other.facing;
+    let apart = |step: usize| other.at + step as f32 * way - path[step];
+    let near = (0..FORESIGHT).map(|step| {
+        let near = (1.0 - least_length(apart(step), apart(step + 1)) / COMFORTABLE).max(0.0);
+        near * near * (FORESIGHT - step) as f32
+    });
+    near.sum::<f32>() / FORESIGHT as f32
+}
+
+/// Length of the shortest vector on the way from one to another.
+fn least_length(from: Vec2, to: Vec2) -> f32 {
+    let way = to - from;
+    let share = (-from.dot(way) / way.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+    (from + share * way).length()
+}
+
+/// The angle to where somebody would go alone, radians to the left.
+fn wished(me: &Figure, intention: &Intention) -> f32 {
+    let (sin, cos) = sin_cos(intention.wander);
+    let wandering = cos * me.facing + sin * left_of(me.facing);
+    let distance = me.at.length();
+    let inward = (distance / intention.radius - INWARD).max(0.0) / (1.0 - INWARD);
+    let mut wish = wandering - me.at * (inward / distance.max(1.0));
+    if let Some(target) = intention.target {
+        wish = WANDERING * wish + (target - me.at).normalize_or_zero();
+    }
+    atan2(left_of(me.facing).dot(wish), me.facing.dot(wish))
+}
+
+fn left_of(facing: Vec2) -> Vec2 {
+    Vec2::new(facing.y, -facing.x)
+}
+
+fn turned(me: &Figure, turn: f32) -> Figure {
+    let (sin, cos) = sin_cos(turn);
+    Figure { facing: cos * me.facing + sin * left_of(me.facing), ..*me }
+}
+
+/// How far somebody must go beyond the edge after a step with a turn even if they turn as much as they can from then on, metres.
+fn beyond_edge(me: &Figure, turn: f32, length: f32, ground: f32) -> f32 {
+    let half = turned(me, 0.5 * turn);
+    let (at, facing) = (me.at + length * half.facing, turned(me, turn).facing);
+    // The circle of full turns.
+    let radius = length / MAX_TURN;
+    let [left, right] = [1.0, -1.0].map(|side| (at + side * radius * left_of(facing)).length());
+    (left.min(right) + radius - EDGE * ground).max(0.0)
+}
+
+/// How far somebody moves aside in a frame, [x, z] in metres.
+pub(super) fn aside(me: &Figure, others: impl Iterator<Item = Figure>) -> Vec2 {
+    others.fold(Vec2::ZERO, |aside, other| {
+        let apart = me.at - other.at;
+        let distance = apart.length();
+        // Who stand in the same place part to their own left.
+        let away = if distance > 0.0 { apart / distance } else { left_of(me.facing) };
+        aside + ASIDE * (1.0 - distance / OVERLAPPING).max(0.0) * away
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const INTENTION: Intention = Intention { wander: 0.0, target: None, length: 0.7, stood: 0.0, radius: 20.0 };
+
+    fn figure(x: f32, z: f32, heading: f32) -> Figure {
+        Figure { at: Vec2::new(x, z), facing: facing(heading), speed: 1.2 }
+    }
+
+    #[test]
+    fn who_is_alone_goes_where_they_wish() {
+        let alone = |me: Figure, intention: &Intention| step(&me, intention, std::iter::empty());
+        assert_eq!(alone(figure(0.0, 0.0, 0.3), &INTENTION), (0.0, Pace::Walks));
+        // The left of +Z is +X.
+        let left = Intention { target: Some(Vec2::new(9.0, 0.0)), ..INTENTION };
+        assert_eq!(alone(figure(0.0, 0.0, 0.0), &left), (MAX_TURN, Pace::Walks));
+        let (turn, _) = alone(figure(0.0, 18.0, 0.5), &INTENTION);
+        assert!(turn.abs() > 0.9 * MAX_TURN, "back from the edge: {turn}");
+    }
+
+    #[test]
+    fn two_who_meet_keep_right() {
+        let (me, other) = (figure(0.0, 0.0, 0.0), figure(0.0, 4.0, std::f32::consts::PI));
+        let turns = [(me, other), (other, me)].map(|(me, other)| step(&me, &INTENTION, [other].into_iter()).0);
+        assert!(turns[0] < 0.0 && turns[1] < 0.0, "{turns:?}");
+    }
+
+    #[test]
+    fn of_two_who_touch_one_goes_on() {
+        let (behind, before) = (figure(0.0, 0.0, 0.0), figure(0.1, 0.4, 0.4));
+        assert!(!goes_on(&behind, [before].into_iter()) && goes_on(&before, [behind].into_iter()));
+        assert!(!goes_on(&before, [figure(3.0, 0.0, 0.0)].into_iter()));
+    }
+
+    #[test]
+    fn who_overlap_part() {
+        let (me, other) = (figure(0.1, 0.0, 0.0), figure(0.0, 0.0, 0.0));
+        assert!(aside(&me, [other].into_iter()).x > 0.0 && aside(&other, [me].into_iter()).x < 0.0);
+        assert_eq!(aside(&me, [figure(0.6, 0.0, 0.0)].into_iter()), Vec2::ZERO);
+    }
+
+    proptest! {
+        #[test]
+        fn a_circle_that_fits_still_fits_after_the_step(x in -18.0f32..18.0, z in -18.0f32..18.0, heading in -3.0f32..3.0) {
+            let me = figure(x, z, heading);
+            let radius = INTENTION.length / MAX_TURN;
+            let fits = [1.0, -1.0].iter()
+                .any(|side| (me.at + *side * radius * left_of(me.facing)).length() + radius < EDGE * INTENTION.radius);
+            prop_assume!(fits);
+            let (turn, _) = step(&me, &INTENTION, std::iter::empty());
+            // A step is a chord of the circle.
+            prop_assert!(beyond_edge(&me, turn, INTENTION.length, INTENTION.radius) < 0.02);
+        }
+    }
+}

@@ -1,0 +1,185 @@
+use super::*;
+use crate::hsmm::tests::runtime;
+use crate::hsmm::{RATE_HZ, STEP_FRAMES};
+use crate::math::Vec2;
+
+fn crowd(count: usize, seed: u32) -> Crowd {
+    Crowd::new(runtime(2), Options { count, seed }).unwrap()
+}
+
+fn vertex(style: usize, x: f32, z: f32) -> Vertex {
+    Vertex { style, x, z, reach: 4.0, intensity: 1.0 }
+}
+
+fn places(crowd: &Crowd) -> Vec<Vec2> {
+    crowd.world().chunks_exact(WALKER_FLOATS).map(|walker| Vec2::new(walker[0], walker[2])).collect()
+}
+
+fn bits(crowd: &Crowd) -> Vec<u32> {
+    crowd.world().iter().map(|v| v.to_bits()).chain(crowd.weights().iter().map(|w| u32::from(*w))).collect()
+}
+
+#[test]
+fn nobody_leaves_the_ground() {
+    for count in [1, 12, 60, 300] {
+        let mut crowd = crowd(count, 7);
+        crowd.set_field(&[vertex(0, 3.0, 2.0), Vertex { intensity: 1.5, ..vertex(1, -3.0, 0.0) }]).unwrap();
+        for _ in 0..60 * RATE_HZ as usize {
+            crowd.tick();
+            let farthest = places(&crowd).iter().map(|at| at.length()).fold(0.0, f32::max);
+            assert!(farthest <= 1.2 * crowd.radius(), "{farthest} m of {} m, {count}", crowd.radius());
+        }
+    }
+}
+
+#[test]
+fn nobody_stays_inside_somebody_else() {
+    const COUNT: usize = 300;
+    for seed in [1, 2] {
+        let mut crowd = crowd(COUNT, seed);
+        let mut together = vec![0u16; COUNT * COUNT];
+        let (mut longest, mut overlaps) = (0, 0);
+        for _ in 0..60 * RATE_HZ as usize {
+            crowd.tick();
+            let places = places(&crowd);
+            for (i, a) in places.iter().enumerate() {
+                for (j, b) in places.iter().enumerate().take(i) {
+                    let frames = &mut together[i * COUNT + j];
+                    *frames = if a.distance(*b) < 0.25 { *frames + 1 } else { 0 };
+                    longest = longest.max(*frames);
+                    overlaps += u32::from(*frames > 0);
+                }
+            }
+        }
+        println!("seed {seed}: longest {longest} frames, {overlaps} in all");
+        assert!(f32::from(longest) <= RATE_HZ, "{longest} frames");
+    }
+}
+
+#[test]
+fn the_crowd_walks() {
+    let mut crowd = crowd(100, 3);
+    let mut way = 0.0;
+    for _ in 0..20 * RATE_HZ as usize {
+        let before = places(&crowd);
+        crowd.tick();
+        way += before.iter().zip(places(&crowd)).map(|(a, b)| a.distance(b)).sum::<f32>();
+    }
+    let speed = way / 100.0 / 20.0;
+    assert!(speed > 0.5, "{speed} m/s on average");
+}
+
+#[test]
+fn who_is_reached_by_a_vertex_changes_with_their_next_step() {
+    let mut crowd = crowd(50, 5);
+    crowd.set_field(&[vertex(0, 0.0, 0.0)]).unwrap();
+    (0..60).for_each(|_| crowd.tick());
+    crowd.set_field(&[vertex(1, 0.0, 0.0)]).unwrap();
+    let mut begun = [false; 50];
+    for _ in 0..=STEP_FRAMES[1] as usize {
+        let (weights, steps): (Vec<u8>, Vec<u64>) =
+            (crowd.weights().to_vec(), crowd.members.iter().map(|m| m.walker.step().0).collect());
+        crowd.tick();
+        for (i, begun) in begun.iter_mut().enumerate() {
+            let own = 2 * i..2 * i + 2;
+            let begins = crowd.members[i].walker.step().0 != steps[i];
+            let changes = crowd.weights()[own.clone()] != weights[own.clone()];
+            assert!(begins || !changes, "{i} changes within a step");
+            if begins && !*begun {
+                *begun = true;
+                let [first, second] = crowd.weights()[own] else { panic!() };
+                assert!(first == 0 && second > 10, "{i}: {first} {second}");
+            }
+        }
+    }
+    assert!(begun.iter().all(|begun| *begun));
+}
+
+#[test]
+fn people_gather_on_a_route() {
+    let mut crowd = crowd(40, 2);
+    crowd.set_route(&[[-5.0, 0.0], [5.0, 0.0]]).unwrap();
+    (0..20 * RATE_HZ as usize).for_each(|_| crowd.tick());
+    let mean = |of: fn(&Vec2) -> f32| places(&crowd).iter().map(|at| of(at).abs()).sum::<f32>() / 40.0;
+    let aside = mean(|at| at.y);
+    crowd.set_route(&[]).unwrap();
+    (0..20 * RATE_HZ as usize).for_each(|_| crowd.tick());
+    let free = places(&crowd).iter().map(|at| at.y.abs()).sum::<f32>() / 40.0;
+    assert!(aside < 3.0 && free > aside, "{aside} m, {free} m");
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bits() {
+    let run = |seed: u32| {
+        let mut crowd = crowd(30, seed);
+        crowd.set_field(&[vertex(1, 2.0, 2.0)]).unwrap();
+        (0..200).for_each(|_| crowd.tick());
+        bits(&crowd)
+    };
+    assert_eq!(run(4), run(4));
+    assert_ne!(run(4), run(5));
+}
+
+#[test]
+fn walkers_come_and_go_at_the_end() {
+    let (few, mut crowd) = (crowd(10, 1), crowd(20, 1));
+    assert_eq!(few.world(), &crowd.world()[..few.world().len()], "a walker does not depend on the count");
+    (0..30).for_each(|_| crowd.tick());
+    let before = bits(&crowd);
+    crowd.set_count(1000).unwrap();
+    assert_eq!(
+        crowd.world()[..20 * WALKER_FLOATS].iter().map(|v| v.to_bits()).collect::<Vec<_>>(),
+        before[..20 * WALKER_FLOATS]
+    );
+    assert_eq!((crowd.world().len(), crowd.weights().len()), (1000 * WALKER_FLOATS, 2000));
+    crowd.tick();
+    crowd.set_count(3).unwrap();
+    crowd.tick();
+    assert_eq!(crowd.count(), 3);
+}
+
+#[test]
+fn the_next_frames_are_those_that_come_to_who_is_alone() {
+    let mut crowd = crowd(1, 9);
+    crowd.set_field(&[vertex(1, 1.0, 1.0)]).unwrap();
+    (0..50).for_each(|_| crowd.tick());
+    let ahead = crowd.ahead(0, 90).unwrap();
+    for pose in ahead {
+        crowd.tick();
+        assert_eq!(crowd.members[0].walker.pose(), &pose);
+        assert_eq!(crowd.world()[..3], pose.root.to_array());
+    }
+    assert_eq!(crowd.ahead(1, 1), None);
+}
+
+#[test]
+fn what_is_no_crowd_is_refused() {
+    for count in [0, MAX_COUNT + 1] {
+        let refused = Crowd::new(runtime(2), Options { count, seed: 1 });
+        assert_eq!(refused.unwrap_err(), CrowdError::Count(count));
+    }
+    let (mut crowd, mut other) = (crowd(8, 1), crowd(8, 1));
+    assert_eq!(crowd.set_count(0), Err(CrowdError::Count(0)));
+    assert_eq!(crowd.set_field(&[vertex(2, 0.0, 0.0)]), Err(CrowdError::Style { style: 2, styles: 2 }));
+    assert!(matches!(crowd.set_route(&[[0.0, 0.0], [f32::NAN, 1.0]]), Err(CrowdError::Place(_))));
+    (0..40).for_each(|_| (crowd.tick(), other.tick()).0);
+    assert_eq!(bits(&crowd), bits(&other), "what was refused has changed nothing");
+}
+
+#[test]
+fn one_style_is_enough() {
+    let mut crowd = Crowd::new(runtime(1), Options { count: 5, seed: 1 }).unwrap();
+    crowd.set_field(&[Vertex { intensity: 2.0, ..vertex(0, 0.0, 0.0) }]).unwrap();
+    (0..100).for_each(|_| crowd.tick());
+    assert!(crowd.world().iter().all(|v| v.is_finite()) && crowd.weights().iter().any(|w| *w > 0));
+}
+
+#[test]
+fn nothing_is_allocated_in_a_tick() {
+    let mut crowd = crowd(50, 1);
+    crowd.set_field(&[vertex(0, 3.0, 0.0), vertex(1, -3.0, 0.0)]).unwrap();
+    crowd.set_route(&[[-5.0, 0.0], [5.0, 0.0], [0.0, 5.0]]).unwrap();
+    crowd.tick();
+    let counted = allocation_counter::measure(|| (0..200).for_each(|_| crowd.tick()));
+    assert_eq!(counted.count_total, 0);
+}

@@ -1,0 +1,182 @@
+/**
+ * A crowd in a worker of its own, one tick ahead of the picture. Three buffers travel to and fro: two that are shown, as pictures
+ * between two ticks need both, and the next.
+ */
+import { type StrutError, toStrutError } from "../../engine/errors";
+import type { FieldVertex, Place } from "../../engine/walk/crowd";
+import { type ClientPort, RpcClient, remote } from "../learn/rpc";
+import type { CallOptions } from "../protocol";
+import { type Clock, PAGE_CLOCK } from "./clock";
+import type { CrowdCalls, CrowdFacts, CrowdStart, CrowdTick, Walkers } from "./protocol";
+
+export {
+  CROWD_WALKER_FLOATS,
+  type FieldVertex,
+  JOINT_FLOATS,
+  MAX_CROWD,
+  MAX_ROUTE_POINTS,
+  MAX_VERTICES,
+  type Place,
+} from "../../engine/walk/crowd";
+export type { CrowdFacts, CrowdStart, CrowdTick, Walkers } from "./protocol";
+
+/** How many arguments each call has. */
+const ARITY = { open: 2, tick: 1, setCount: 1, setField: 1, setRoute: 1, exportBvh: 2 } as const;
+
+/** What tests replace. */
+export interface CrowdSurroundings {
+  spawn?: () => ClientPort;
+  clock?: Clock;
+}
+
+function spawnWorker(): ClientPort {
+  return new Worker(new URL("./crowd_worker.ts", import.meta.url), { type: "module", name: "strut crowd" });
+}
+
+/**
+ * Opens a crowd, which walks from then on; the caller disposes of it.
+ * @throws StrutError with what is wrong with the model or the start, or `cancelled`
+ */
+export async function createCrowd(
+  walkers: Walkers,
+  { signal, ...start }: CrowdStart & Pick<CallOptions, "signal">,
+  { spawn = spawnWorker, clock = PAGE_CLOCK }: CrowdSurroundings = {},
+): Promise<Crowd> {
+  const rpc = new RpcClient(spawn, "crowd");
+  try {
+    const facts = (await rpc.call("open", [walkers, start], signal)) as CrowdFacts;
+    return new Crowd(rpc, facts, start.count, clock);
+  } catch (thrown) {
+    rpc.dispose();
+    throw thrown;
+  }
+}
+
+/** A crowd that walks until it is disposed of. */
+export class Crowd implements CrowdFacts {
+  readonly styles: readonly string[];
+  readonly proportions: Float32Array;
+  readonly rateHz: number;
+  /** Everybody, {@link rateHz} times a second. The arrays are the caller's until the tick after the next. */
+  onTick: ((tick: CrowdTick) => void) | undefined;
+  /** The worker is too slow, and has fewer walkers now. */
+  onHalved: ((count: number) => void) | undefined;
+  /** The crowd has stopped for good. */
+  onError: ((error: StrutError) => void) | undefined;
+
+  private readonly calls: CrowdCalls;
+  /** The last tick and the one before. */
+  private shown: CrowdTick[] = [];
+  private next: CrowdTick | undefined;
+  private isPlaying = true;
+  private isOver = false;
+  private due: number;
+  private wait: (() => void) | undefined;
+
+  constructor(
+    private readonly rpc: RpcClient,
+    facts: CrowdFacts,
+    private readonly asked: number,
+    private readonly clock: Clock,
+  ) {
+    ({ styles: this.styles, proportions: this.proportions, rateHz: this.rateHz } = facts);
+    this.calls = remote<CrowdCalls>(rpc, ARITY);
+    this.due = clock.now();
+    this.ask();
+  }
+
+  /** Walkers of the last tick. */
+  get count(): number {
+    return this.shown[0]?.count ?? this.asked;
+  }
+
+  /** Whether time goes on. */
+  get playing(): boolean {
+    return this.isPlaying;
+  }
+
+  set playing(playing: boolean) {
+    if (playing === this.isPlaying || this.isOver) return;
+    this.isPlaying = playing;
+    this.wait?.();
+    this.wait = undefined;
+    this.due = this.clock.now();
+    if (playing) this.schedule();
+  }
+
+  /** More walkers or fewer, from the tick after the next on. @throws StrutError if there are too few or too many */
+  setCount(count: number): Promise<void> {
+    return this.calls.setCount(count);
+  }
+
+  /** Styles by place, from everybody's next step on. @throws StrutError if a vertex is none; nothing changes then */
+  setField(vertices: readonly FieldVertex[]): Promise<void> {
+    return this.calls.setField(vertices);
+  }
+
+  /**
+   * A way that everybody follows: round if its ends meet, else there and back; none sets them free.
+   * @throws StrutError if it is none; nothing changes then
+   */
+  setRoute(points: readonly Place[]): Promise<void> {
+    return this.calls.setRoute(points);
+  }
+
+  /** A BVH file of the next seconds of a walker, as if nobody else were there. @throws StrutError if there is no such walker */
+  exportBvh(walker: number, secs: number): Promise<string> {
+    return this.calls.exportBvh(walker, secs);
+  }
+
+  dispose(): void {
+    this.end();
+    this.rpc.dispose();
+  }
+
+  /** Has the worker write the next tick, into a buffer that nobody needs any more. */
+  private ask(spare?: ArrayBuffer): void {
+    const answer = this.rpc.call("tick", [spare], undefined, spare ? [spare] : []) as Promise<CrowdTick>;
+    answer.then(
+      (tick) => {
+        this.next = tick;
+        this.schedule();
+      },
+      (thrown) => this.fail(toStrutError(thrown)),
+    );
+  }
+
+  /** Shows the next tick when it is due: at once if it is late. */
+  private schedule(): void {
+    if (!this.next || this.wait || !this.isPlaying || this.isOver) return;
+    this.wait = this.clock.after(Math.max(0, this.due - this.clock.now()), () => {
+      this.wait = undefined;
+      this.show();
+    });
+  }
+
+  private show(): void {
+    const tick = this.next;
+    if (!tick || this.isOver) return;
+    const spare = this.shown[1];
+    this.shown = [tick, ...this.shown.slice(0, 1)];
+    this.next = undefined;
+    const [period, now] = [1000 / this.rateHz, this.clock.now()];
+    // What is late by more than a tick is not made up for.
+    this.due = (now - this.due > period ? now : this.due) + period;
+    this.ask(spare?.joints.buffer as ArrayBuffer | undefined);
+    this.onTick?.(tick);
+    if (tick.halves) this.onHalved?.(Math.floor(tick.count / 2));
+  }
+
+  private fail(error: StrutError): void {
+    if (this.isOver) return;
+    this.end();
+    this.rpc.dispose();
+    this.onError?.(error);
+  }
+
+  private end(): void {
+    this.isOver = true;
+    this.wait?.();
+    this.wait = undefined;
+  }
+}

@@ -1,0 +1,96 @@
+/** The crowd of the real package on this thread, by a clock that the tests set. */
+import { expect, test } from "vitest";
+import { createCrowdTable } from "./crowd_table";
+
+const WALKERS = { kind: "walkers" } as const;
+
+/** A crowd whose ticks take so many milliseconds, one after the other and the last for ever. */
+async function crowdOf(count: number, tickMs: number[] = [1]) {
+  let [time, calls] = [0, 0];
+  // Every tick reads the clock twice.
+  const table = createCrowdTable(() => {
+    if (calls % 2 === 1) time += tickMs[Math.min(Math.floor(calls / 2), tickMs.length - 1)]!;
+    calls += 1;
+    return time;
+  });
+  const facts = await table.open(WALKERS, { count, seed: 3 });
+  return { table, facts };
+}
+
+test("everybody has joints in the world and weights", async () => {
+  const { table, facts } = await crowdOf(20);
+  await table.setField([{ style: "old", x: 0, z: 0, reach: 10, intensity: 1 }]);
+  let tick = await table.tick(undefined);
+  for (let i = 0; i < 60; i++) tick = await table.tick(tick.joints.buffer as ArrayBuffer);
+  expect([facts.rateHz, tick.count, tick.radius, tick.tickMs]).toEqual([30, 20, 8, 1]);
+  expect([tick.joints.length, tick.weights.length]).toEqual([20 * 21 * 8, 20 * facts.styles.length]);
+  const old = facts.styles.indexOf("old");
+  for (let walker = 0; walker < 20; walker++) {
+    const hips = tick.joints.subarray(168 * walker, 168 * walker + 8);
+    expect(Math.hypot(hips[0]!, hips[2]!)).toBeLessThan(1.2 * tick.radius);
+    expect(hips[1]).toBeGreaterThan(0.6);
+    expect(hips[3]).toBe(0);
+    expect(Math.hypot(...hips.subarray(4))).toBeCloseTo(1, 4);
+    expect(tick.weights[walker * facts.styles.length + old]).toBeGreaterThan(100);
+  }
+});
+
+test("a buffer is used again while the count stays", async () => {
+  const { table } = await crowdOf(5);
+  const first = await table.tick(undefined);
+  const buffer = first.joints.buffer as ArrayBuffer;
+  expect((await table.tick(buffer)).joints.buffer).toBe(buffer);
+  await table.setCount(6);
+  const { joints, count } = await table.tick(buffer);
+  expect(joints.buffer).not.toBe(buffer);
+  expect(count).toBe(6);
+});
+
+test("three slow ticks in a row halve the count", async () => {
+  const counts = async (tickMs: number[]) => {
+    const { table } = await crowdOf(9, tickMs);
+    const ticks = [];
+    for (let i = 0; i < 8; i++) ticks.push((await table.tick(undefined)).count);
+    return ticks;
+  };
+  expect(await counts([30, 30, 1, 30, 30, 24, 30, 1])).toEqual(Array(8).fill(9));
+  expect(await counts([26])).toEqual([9, 9, 9, 4, 4, 4, 2, 2]);
+});
+
+test("the next seconds of a walker are a BVH file", async () => {
+  const { table } = await crowdOf(3);
+  const bvh = await table.exportBvh(2, 2);
+  expect(bvh).toMatch(/^HIERARCHY/);
+  expect(bvh).toMatch(/Frames: 60\n/);
+  await expect(table.exportBvh(3, 2)).rejects.toMatchObject({ code: "bad-input" });
+  await expect(table.exportBvh(0, 0)).rejects.toMatchObject({ code: "bad-input" });
+});
+
+test("what is no crowd, no field and no route is refused, and nothing changes", async () => {
+  for (const count of [0, 1001])
+    await expect(createCrowdTable().open(WALKERS, { count })).rejects.toMatchObject({ code: "bad-input" });
+  const { table } = await crowdOf(3);
+  const vertex = { style: "old", x: 0, z: 0, reach: 2, intensity: 1 };
+  const fields = [
+    [{ ...vertex, style: "mother" }],
+    [{ ...vertex, x: Number.NaN }],
+    [{ ...vertex, reach: 11 }],
+    [{ ...vertex, intensity: -2 }],
+    Array(13).fill(vertex),
+  ];
+  for (const field of fields) await expect(table.setField(field)).rejects.toMatchObject({ code: "bad-input" });
+  await expect(table.setRoute([[0, 0]])).rejects.toMatchObject({ code: "bad-input" });
+  await expect(table.setCount(0)).rejects.toMatchObject({ code: "bad-input" });
+  expect((await table.tick(undefined)).weights.every((weight) => weight === 0)).toBe(true);
+  await expect(createCrowdTable().tick(undefined)).rejects.toMatchObject({ code: "not-open" });
+});
+
+test("a seed gives the same bits", async () => {
+  const run = async () => {
+    const { table } = await crowdOf(10);
+    let tick = await table.tick(undefined);
+    for (let i = 0; i < 50; i++) tick = await table.tick(tick.joints.buffer as ArrayBuffer);
+    return new Uint8Array(tick.joints.buffer as ArrayBuffer);
+  };
+  expect(await run()).toEqual(await run());
+});

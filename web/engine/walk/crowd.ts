@@ -1,0 +1,115 @@
+/** A crowd of walkers on the calling thread: a tick of a thousand takes milliseconds. */
+import { JOINTS } from "../../humanoid";
+import { StrutError } from "../errors";
+import { Handle } from "../handle";
+import { type WalkGlue, walkPackage } from "./wasm";
+
+/** Most walkers of a crowd. */
+export const MAX_CROWD = 1000;
+/** Most vertices of a field. */
+export const MAX_VERTICES = 12;
+/** Most points of a route. */
+export const MAX_ROUTE_POINTS = 64;
+/** Floats of a joint: position x y z and 0, rotation x y z w, both in the world. */
+export const JOINT_FLOATS = 8;
+/** Floats of a walker. */
+export const CROWD_WALKER_FLOATS = JOINTS * JOINT_FLOATS;
+
+/** What a crowd begins with. */
+export interface CrowdOptions {
+  /** Walkers, 1 to {@link MAX_CROWD}. */
+  count: number;
+  /** Of all that is drawn by lot. */
+  seed: number;
+}
+
+/** A style at a place of the ground: who comes near walks in it, and the average walk fills up what is missing to 1. */
+export interface FieldVertex {
+  /** Name of the style. */
+  style: string;
+  /** Place, metres, −100 to 100. */
+  x: number;
+  z: number;
+  /** Where it counts half, metres, 0.5 to 10. */
+  reach: number;
+  /** −1 (its opposite) to 2. */
+  intensity: number;
+}
+
+/** A place [x, z] on the ground, metres. */
+export type Place = readonly [x: number, z: number];
+
+/** As much of a walk model as a crowd needs. */
+interface Model {
+  readonly raw: InstanceType<WalkGlue["WalkModel"]>;
+  readonly styles: readonly string[];
+}
+
+/** A crowd of walkers by one model. */
+export class Crowd extends Handle<InstanceType<WalkGlue["Crowd"]>> {
+  readonly styles: readonly string[];
+  private walkers: number;
+
+  constructor(model: Model, glue: WalkGlue, { count, seed }: CrowdOptions) {
+    super(
+      walkPackage.guarded(() => new glue.Crowd(model.raw, count, seed)),
+      "crowd",
+    );
+    this.styles = model.styles;
+    this.walkers = count;
+  }
+
+  get count(): number {
+    return this.walkers;
+  }
+
+  /** Radius of the ground about the origin, metres; nobody goes farther than 1.2 times of it. */
+  get radius(): number {
+    return this.raw.radius();
+  }
+
+  /** Goes on by one frame of the model's rate. */
+  tick(): void {
+    walkPackage.guarded(() => this.raw.tick());
+  }
+
+  /** Writes `CROWD_WALKER_FLOATS` floats a walker, and a byte a walker and style: its weight, of 255. */
+  read(joints: Float32Array, weights: Uint8Array): void {
+    walkPackage.guarded(() => this.raw.read(joints, weights));
+  }
+
+  /** @throws StrutError if there are too few or too many */
+  setCount(count: number): void {
+    walkPackage.guarded(() => this.raw.setCount(count));
+    this.walkers = count;
+  }
+
+  /** Styles by place, from everybody's next step on. @throws StrutError if a vertex is none; nothing changes then */
+  setField(vertices: readonly FieldVertex[]): void {
+    const styles = vertices.map(({ style }) => {
+      const number = this.styles.indexOf(style);
+      if (number < 0)
+        throw new StrutError({
+          code: "bad-input",
+          message: `The model has no style ${style}.`,
+          hint: `It has ${this.styles.join(", ")}.`,
+        });
+      return number;
+    });
+    const numbers = vertices.flatMap(({ x, z, reach, intensity }) => [x, z, reach, intensity]);
+    walkPackage.guarded(() => this.raw.setField(Uint32Array.from(styles), Float32Array.from(numbers)));
+  }
+
+  /**
+   * A way that everybody follows: round if its ends meet, else there and back; none sets them free.
+   * @throws StrutError if it is none; nothing changes then
+   */
+  setRoute(points: readonly Place[]): void {
+    walkPackage.guarded(() => this.raw.setRoute(Float32Array.from(points.flat())));
+  }
+
+  /** A BVH file of the next seconds of a walker, as if nobody else were there. */
+  toBvh(walker: number, secs: number): string {
+    return walkPackage.guarded(() => this.raw.toBvh(walker, secs));
+  }
+}
