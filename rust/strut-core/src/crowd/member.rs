@@ -114,25 +114,19 @@ impl Member {
     }
 
     /// Goes on by a frame among others; changes the weights that they walk with.
-    pub(super) fn tick(&mut self, ground: &Ground, others: impl Iterator<Item = Figure> + Clone, weights: &mut [f32]) {
+    pub(super) fn tick(&mut self, ground: &Ground, others: &[Figure], weights: &mut [f32]) {
         self.frames += 1;
         if self.walker.next_step() != self.step {
             // As if nothing held them up: else whoever stands would never see that the way is free.
             let me = Figure { speed: self.cruise, ..self.figure() };
-            self.begin_step(&me, ground, others.clone(), weights);
+            self.begin_step(&me, ground, others, weights);
         }
         self.walker.shift(steering::aside(&self.figure(), others));
         self.walker.advance();
     }
 
     /// Turns, and takes the styles of where the step leads.
-    fn begin_step(
-        &mut self,
-        me: &Figure,
-        ground: &Ground,
-        others: impl Iterator<Item = Figure> + Clone,
-        weights: &mut [f32],
-    ) {
+    fn begin_step(&mut self, me: &Figure, ground: &Ground, others: &[Figure], weights: &mut [f32]) {
         let length = me.at.distance(self.from);
         self.speed = length * RATE_HZ / self.frames as f32;
         if self.pace == Pace::Walks && length > LEAST_STEP_LENGTH {

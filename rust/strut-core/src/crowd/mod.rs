@@ -52,6 +52,8 @@ pub struct Crowd {
     /// Everybody as they were before the tick.
     figures: Vec<Figure>,
     grid: Grid,
+    /// Those near one of them.
+    near: Vec<Figure>,
     /// One a walker and style: the weights, and their part from 0 to 1 in 255ths.
     weights: Vec<f32>,
     shares: Vec<u8>,
@@ -72,6 +74,7 @@ impl Crowd {
             members: Vec::new(),
             figures: Vec::new(),
             grid: Grid::default(),
+            near: Vec::with_capacity(MAX_COUNT),
             weights: Vec::new(),
             shares: Vec::new(),
             world: Vec::new(),
@@ -143,13 +146,14 @@ impl Crowd {
 
     /// Goes on by a frame.
     pub fn tick(&mut self) {
-        let Self { model, field, route, members, figures, grid, weights, .. } = self;
+        let Self { model, field, route, members, figures, grid, near, weights, .. } = self;
         let ground = Ground { radius: radius_of(members.len()), count: members.len(), field, route };
         grid.sort(figures.iter().map(|figure| figure.at));
         let styles = model.styles();
         for (index, member) in members.iter_mut().enumerate() {
             let weights = &mut weights[index * styles..][..styles];
-            let near = grid.near(figures[index].at).filter(|other| *other != index).map(|other| figures[other]);
+            near.clear();
+            near.extend(grid.near(figures[index].at).filter(|other| *other != index).map(|other| figures[other]));
             member.tick(&ground, near, weights);
         }
         self.show();
@@ -162,7 +166,7 @@ impl Crowd {
         let mut weights = self.weights[index * styles..][..styles].to_vec();
         let ground = Ground { radius: self.radius(), count: self.count(), field: &self.field, route: &self.route };
         let next = (0..frames).map(|_| {
-            member.tick(&ground, std::iter::empty(), &mut weights);
+            member.tick(&ground, &[], &mut weights);
             *member.walker.pose()
         });
         Some(next.collect())

@@ -80,12 +80,12 @@ pub(super) enum Pace {
 
 /// The step that begins of somebody who walks with a speed that is not 0: its turn, radians to the left, at most [`MAX_TURN`]
 /// either way, and its pace.
-pub(super) fn step(me: &Figure, intention: &Intention, others: impl Iterator<Item = Figure> + Clone) -> (f32, Pace) {
+pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f32, Pace) {
     let wish = wished(me, intention).clamp(-MAX_TURN, MAX_TURN);
     let secs = intention.length / me.speed;
     let risks = |turn: f32, length: f32| {
         let path = path(me, turn, length);
-        NEARNESS_COST * others.clone().map(|other| risk(&path, &other, secs)).sum::<f32>()
+        NEARNESS_COST * others.iter().map(|other| risk(&path, other, secs)).sum::<f32>()
     };
     let turns = (-TURNS..=TURNS).map(|i| f32::from(i) / f32::from(TURNS) * MAX_TURN).chain([wish]);
     let walking = [(Pace::Walks, 1.0, 0.0), (Pace::Short, SHORT_SPEED, SHORT_COST)].into_iter();
@@ -96,7 +96,7 @@ pub(super) fn step(me: &Figure, intention: &Intention, others: impl Iterator<Ite
         let cost = cost + off * off + EDGE_COST * beyond + LEFT_COST * turn / MAX_TURN + risks(turn, length);
         (cost, turn, pace)
     });
-    let standing = if goes_on(me, others.clone()) {
+    let standing = if goes_on(me, others) {
         f32::INFINITY
     } else {
         STANDING_COST + intention.stood * intention.stood + risks(0.0, 0.0)
@@ -106,8 +106,8 @@ pub(super) fn step(me: &Figure, intention: &Intention, others: impl Iterator<Ite
 }
 
 /// Whether somebody touches another and is more in front of that other than the other of them: who both stood would stay there.
-fn goes_on(me: &Figure, mut others: impl Iterator<Item = Figure>) -> bool {
-    others.any(|other| {
+fn goes_on(me: &Figure, others: &[Figure]) -> bool {
+    others.iter().any(|other| {
         let apart = other.at - me.at;
         apart.length() < TOUCHING && me.facing.dot(apart) < -other.facing.dot(apart)
     })
@@ -178,8 +178,8 @@ fn beyond_edge(me: &Figure, turn: f32, length: f32, ground: f32) -> f32 {
 }
 
 /// How far somebody moves aside in a frame, [x, z] in metres.
-pub(super) fn aside(me: &Figure, others: impl Iterator<Item = Figure>) -> Vec2 {
-    others.fold(Vec2::ZERO, |aside, other| {
+pub(super) fn aside(me: &Figure, others: &[Figure]) -> Vec2 {
+    others.iter().fold(Vec2::ZERO, |aside, other| {
         let apart = me.at - other.at;
         let distance = apart.length();
         // Who stand in the same place part to their own left.
@@ -201,7 +201,7 @@ mod tests {
 
     #[test]
     fn who_is_alone_goes_where_they_wish() {
-        let alone = |me: Figure, intention: &Intention| step(&me, intention, std::iter::empty());
+        let alone = |me: Figure, intention: &Intention| step(&me, intention, &[]);
         assert_eq!(alone(figure(0.0, 0.0, 0.3), &INTENTION), (0.0, Pace::Walks));
         // The left of +Z is +X.
         let left = Intention { target: Some(Vec2::new(9.0, 0.0)), ..INTENTION };
@@ -213,22 +213,22 @@ mod tests {
     #[test]
     fn two_who_meet_keep_right() {
         let (me, other) = (figure(0.0, 0.0, 0.0), figure(0.0, 4.0, std::f32::consts::PI));
-        let turns = [(me, other), (other, me)].map(|(me, other)| step(&me, &INTENTION, [other].into_iter()).0);
+        let turns = [(me, other), (other, me)].map(|(me, other)| step(&me, &INTENTION, &[other]).0);
         assert!(turns[0] < 0.0 && turns[1] < 0.0, "{turns:?}");
     }
 
     #[test]
     fn of_two_who_touch_one_goes_on() {
         let (behind, before) = (figure(0.0, 0.0, 0.0), figure(0.1, 0.4, 0.4));
-        assert!(!goes_on(&behind, [before].into_iter()) && goes_on(&before, [behind].into_iter()));
-        assert!(!goes_on(&before, [figure(3.0, 0.0, 0.0)].into_iter()));
+        assert!(!goes_on(&behind, &[before]) && goes_on(&before, &[behind]));
+        assert!(!goes_on(&before, &[figure(3.0, 0.0, 0.0)]));
     }
 
     #[test]
     fn who_overlap_part() {
         let (me, other) = (figure(0.1, 0.0, 0.0), figure(0.0, 0.0, 0.0));
-        assert!(aside(&me, [other].into_iter()).x > 0.0 && aside(&other, [me].into_iter()).x < 0.0);
-        assert_eq!(aside(&me, [figure(0.6, 0.0, 0.0)].into_iter()), Vec2::ZERO);
+        assert!(aside(&me, &[other]).x > 0.0 && aside(&other, &[me]).x < 0.0);
+        assert_eq!(aside(&me, &[figure(0.6, 0.0, 0.0)]), Vec2::ZERO);
     }
 
     proptest! {
@@ -239,7 +239,7 @@ mod tests {
             let fits = [1.0, -1.0].iter()
                 .any(|side| (me.at + *side * radius * left_of(me.facing)).length() + radius < EDGE * INTENTION.radius);
             prop_assume!(fits);
-            let (turn, _) = step(&me, &INTENTION, std::iter::empty());
+            let (turn, _) = step(&me, &INTENTION, &[]);
             // A step is a chord of the circle.
             prop_assert!(beyond_edge(&me, turn, INTENTION.length, INTENTION.radius) < 0.02);
         }
