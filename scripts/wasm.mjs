@@ -49,6 +49,8 @@ const PACKAGES = {
   build: { folder: "web/engine/build/pkg", crate: "strut-wasm-build", name: "strut_wasm_build", config: FAST_BUILDING },
   // … for those who open the Walk view, the Key-style view …
   walk: { folder: "web/engine/walk/pkg", crate: "strut-wasm-walk", name: "strut_wasm_walk" },
+  // … (crowds are the same with one handle more, for a worker of their own) …
+  crowd: { folder: "web/engine/crowd/pkg", crate: "strut-wasm-walk", name: "strut_crowd", features: ["crowd"] },
   keyStyle: {
     folder: "web/engine/key_style/pkg",
     crate: "strut-wasm-key-style",
@@ -100,7 +102,7 @@ const PACKAGES = {
 };
 
 /** What the page loads, and what benchmarks and parity tests need besides. */
-const PAGE = ["start", "engine", "build", "walk", "keyStyle", "character", "compare", "learn"];
+const PAGE = ["start", "engine", "build", "walk", "crowd", "keyStyle", "character", "compare", "learn"];
 const BENCH = ["bench", "benchScalar"];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */

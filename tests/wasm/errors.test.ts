@@ -41,6 +41,12 @@ const PACKAGES = [
     message: "This is no walk model, or its beginning is damaged; a safetensors header was expected.",
   },
   {
+    folder: "web/engine/crowd/pkg",
+    name: "strut_crowd",
+    file: (glue: Glue) => make(glue, "WalkModel", new Uint8Array(100)),
+    message: "This is no walk model, or its beginning is damaged; a safetensors header was expected.",
+  },
+  {
     folder: "web/engine/key_style/pkg",
     name: "strut_wasm_key_style",
     file: (glue: Glue) => make(glue, "KeyStyleModel", new Uint8Array(100)),

@@ -2,10 +2,12 @@
 //!
 //! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
 
+#[cfg(feature = "crowd")]
 mod crowd;
 mod model;
 mod walk;
 
+#[cfg(feature = "crowd")]
 pub use crowd::Crowd;
 pub use model::WalkModel;
 pub use strut_wasm_common::EngineError;

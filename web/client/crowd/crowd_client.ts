@@ -2,8 +2,9 @@
  * A crowd in a worker of its own, one tick ahead of the picture. Three buffers travel to and fro: two that are shown, as pictures
  * between two ticks need both, and the next.
  */
+
+import type { FieldVertex, Place } from "../../engine/crowd/crowd";
 import { type StrutError, toStrutError } from "../../engine/errors";
-import type { FieldVertex, Place } from "../../engine/walk/crowd";
 import { type ClientPort, RpcClient, remote } from "../learn/rpc";
 import type { CallOptions } from "../protocol";
 import { type Clock, PAGE_CLOCK } from "./clock";
@@ -17,7 +18,7 @@ export {
   MAX_ROUTE_POINTS,
   MAX_VERTICES,
   type Place,
-} from "../../engine/walk/crowd";
+} from "../../engine/crowd/crowd";
 export type { CrowdFacts, CrowdStart, CrowdTick, Walkers } from "./protocol";
 
 /** How many arguments each call has. */

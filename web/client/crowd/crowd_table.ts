@@ -1,7 +1,6 @@
 /** The worker's side: one crowd. */
+import { CROWD_WALKER_FLOATS, Crowd } from "../../engine/crowd/crowd";
 import { StrutError } from "../../engine/errors";
-import { CROWD_WALKER_FLOATS, type Crowd } from "../../engine/walk/crowd";
-import { WalkModel } from "../../engine/walk/walker";
 import type { CrowdCalls } from "./protocol";
 
 /** Ticks that take longer, milliseconds: as many as these in a row halve the count. */
@@ -19,19 +18,16 @@ export function createCrowdTable(now: () => number = () => performance.now()): C
 
   return {
     async open({ model: file }, { count, seed = 1, field = [], route = [] }) {
-      const model = file ? await WalkModel.open(file) : await WalkModel.builtIn();
-      const { styles, proportions, rateHz } = model;
-      const made = model.crowd({ count, seed });
+      const made = await Crowd.open(file, { count, seed });
       try {
         made.setField(field);
         made.setRoute(route);
       } catch (thrown) {
         made.dispose();
         throw thrown;
-      } finally {
-        model.dispose();
       }
       opened = made;
+      const { styles, proportions, rateHz } = made;
       return { styles, proportions, rateHz };
     },
 

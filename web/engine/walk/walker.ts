@@ -5,7 +5,6 @@
 import { POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
 import { loadBuiltInWalkModel } from "./built_in";
-import { Crowd, type CrowdOptions } from "./crowd";
 import { type WalkGlue, walkPackage } from "./wasm";
 
 /** States of a step. */
@@ -122,14 +121,6 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
   /** A new walk in the average of all styles. */
   walker(): Walker {
     return new Walker(this, this.glue);
-  }
-
-  /**
-   * A new crowd.
-   * @throws StrutError if it has too few walkers, or too many
-   */
-  crowd(options: CrowdOptions): Crowd {
-    return new Crowd(this, this.glue, options);
   }
 
   /** Durations of the states of a step, seconds: means and standard deviations. */

@@ -2,7 +2,8 @@
 import { JOINTS } from "../../humanoid";
 import { StrutError } from "../errors";
 import { Handle } from "../handle";
-import { type WalkGlue, walkPackage } from "./wasm";
+import { loadBuiltInWalkModel } from "../walk/built_in";
+import { type CrowdGlue, crowdPackage } from "./wasm";
 
 /** Most walkers of a crowd. */
 export const MAX_CROWD = 1000;
@@ -39,24 +40,35 @@ export interface FieldVertex {
 /** A place [x, z] on the ground, metres. */
 export type Place = readonly [x: number, z: number];
 
-/** As much of a walk model as a crowd needs. */
-interface Model {
-  readonly raw: InstanceType<WalkGlue["WalkModel"]>;
-  readonly styles: readonly string[];
-}
-
 /** A crowd of walkers by one model. */
-export class Crowd extends Handle<InstanceType<WalkGlue["Crowd"]>> {
-  readonly styles: readonly string[];
-  private walkers: number;
+export class Crowd extends Handle<InstanceType<CrowdGlue["Crowd"]>> {
+  private constructor(
+    raw: InstanceType<CrowdGlue["Crowd"]>,
+    private walkers: number,
+    readonly styles: readonly string[],
+    /** Bone offsets, 21 × xyz, metres. */
+    readonly proportions: Float32Array,
+    /** Ticks a second. */
+    readonly rateHz: number,
+  ) {
+    super(raw, "crowd");
+  }
 
-  constructor(model: Model, glue: WalkGlue, { count, seed }: CrowdOptions) {
-    super(
-      walkPackage.guarded(() => new glue.Crowd(model.raw, count, seed)),
-      "crowd",
-    );
-    this.styles = model.styles;
-    this.walkers = count;
+  /**
+   * A crowd by the model of a `.strutwalk` file, or of the built-in walks.
+   * @throws StrutError if the module or the built-in model cannot be had, or with what is wrong with the file or the options
+   */
+  static async open(file: Uint8Array | undefined, { count, seed }: CrowdOptions): Promise<Crowd> {
+    const [glue, bytes] = await Promise.all([crowdPackage.load(), file ?? loadBuiltInWalkModel()]);
+    return crowdPackage.guarded(() => {
+      const model = new glue.WalkModel(bytes);
+      try {
+        const raw = new glue.Crowd(model, count, seed);
+        return new Crowd(raw, count, model.styles(), model.proportions(), model.rateHz());
+      } finally {
+        model.free();
+      }
+    });
   }
 
   get count(): number {
@@ -70,17 +82,17 @@ export class Crowd extends Handle<InstanceType<WalkGlue["Crowd"]>> {
 
   /** Goes on by one frame of the model's rate. */
   tick(): void {
-    walkPackage.guarded(() => this.raw.tick());
+    crowdPackage.guarded(() => this.raw.tick());
   }
 
   /** Writes `CROWD_WALKER_FLOATS` floats a walker, and a byte a walker and style: its weight, of 255. */
   read(joints: Float32Array, weights: Uint8Array): void {
-    walkPackage.guarded(() => this.raw.read(joints, weights));
+    crowdPackage.guarded(() => this.raw.read(joints, weights));
   }
 
   /** @throws StrutError if there are too few or too many */
   setCount(count: number): void {
-    walkPackage.guarded(() => this.raw.setCount(count));
+    crowdPackage.guarded(() => this.raw.setCount(count));
     this.walkers = count;
   }
 
@@ -97,7 +109,7 @@ export class Crowd extends Handle<InstanceType<WalkGlue["Crowd"]>> {
       return number;
     });
     const numbers = vertices.flatMap(({ x, z, reach, intensity }) => [x, z, reach, intensity]);
-    walkPackage.guarded(() => this.raw.setField(Uint32Array.from(styles), Float32Array.from(numbers)));
+    crowdPackage.guarded(() => this.raw.setField(Uint32Array.from(styles), Float32Array.from(numbers)));
   }
 
   /**
@@ -105,11 +117,11 @@ export class Crowd extends Handle<InstanceType<WalkGlue["Crowd"]>> {
    * @throws StrutError if it is none; nothing changes then
    */
   setRoute(points: readonly Place[]): void {
-    walkPackage.guarded(() => this.raw.setRoute(Float32Array.from(points.flat())));
+    crowdPackage.guarded(() => this.raw.setRoute(Float32Array.from(points.flat())));
   }
 
   /** A BVH file of the next seconds of a walker, as if nobody else were there. */
   toBvh(walker: number, secs: number): string {
-    return walkPackage.guarded(() => this.raw.toBvh(walker, secs));
+    return crowdPackage.guarded(() => this.raw.toBvh(walker, secs));
   }
 }

@@ -1,0 +1,11 @@
+/** The WASM package of crowds: that of walk synthesis with a crowd besides, loaded in the crowd's worker alone. */
+import { assetOf } from "../assets";
+import { SidePackage } from "../side_package";
+import * as glue from "./pkg/strut_crowd.js";
+
+/** The generated bindings. */
+export type CrowdGlue = typeof glue;
+
+export const crowdPackage = new SidePackage(glue, () =>
+  assetOf("strut_crowd_bg.wasm", () => new URL("./pkg/strut_crowd_bg.wasm", import.meta.url)),
+);
