@@ -157,9 +157,9 @@ fn large_files_are_answered_quickly() {
         File::create(folder.path().join("in.bvh")).unwrap().set_len(megabytes << 20).unwrap();
         assert_refused(folder.path(), &STYLIZE, expected);
     }
-    File::create(folder.path().join("demo.strutdb")).unwrap().set_len(2 << 30).unwrap();
+    File::create(folder.path().join("demo.strutdb")).unwrap().set_len(5 << 30).unwrap();
     fs::write(folder.path().join("in.bvh"), demo_walk()).unwrap();
-    assert_refused(folder.path(), &STYLIZE, "demo.strutdb: the file is larger than 1024 MiB");
+    assert_refused(folder.path(), &STYLIZE, "demo.strutdb: the file is larger than 4095 MiB");
     assert!(begin.elapsed() < Duration::from_secs(30));
 }
 
