@@ -1,6 +1,7 @@
 /** What the first viewer needs and takes long to make. */
 
 import { acquireGeometry } from "./mannequin/geometry";
+import { setGraphics } from "./stage/graphics";
 import { QUALITY_LEVELS } from "./stage/quality";
 import { firstLevel, Screen } from "./stage/screen";
 
@@ -9,7 +10,11 @@ export function prepareMannequin(): void {
   acquireGeometry(QUALITY_LEVELS[firstLevel()]!.detail);
 }
 
-/** Makes the context and the renderer of the first viewer. */
+/** Makes the context and the renderer of the first viewer. Where the page gets no context, whatever a worker got, nothing draws. */
 export function prepareScreen(): void {
-  Screen.prepare();
+  try {
+    Screen.prepare();
+  } catch {
+    setGraphics("none");
+  }
 }
