@@ -138,6 +138,15 @@ export class Playback {
     return frame;
   }
 
+  /** The frames that were given are drawn: a first one is when it is seen, not when it was computed. */
+  drawn(): void {
+    for (const [name, state] of this.#marks) {
+      if (state === "drawn") continue;
+      this.#marks.set(name, "drawn");
+      performance.mark(name);
+    }
+  }
+
   readonly #tick = (now: number): void => {
     this.#request = requestAnimationFrame(this.#tick);
     this.#listeners.onTick(now);
@@ -174,15 +183,6 @@ export class Playback {
   /** Notes what the next picture shows for the first time. */
   #mark(name: string): void {
     if (!this.#marks.has(name)) this.#marks.set(name, "to be drawn");
-  }
-
-  /** The frames that were given are drawn: a first one is when it is seen, not when it was computed. */
-  drawn(): void {
-    for (const [name, state] of this.#marks) {
-      if (state === "drawn") continue;
-      this.#marks.set(name, "drawn");
-      performance.mark(name);
-    }
   }
 
   #showPrelude({ prelude, onFrame }: Opening, now: number): void {

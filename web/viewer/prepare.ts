@@ -1,7 +1,7 @@
 /** What the first viewer needs and takes long to make. */
 
 import { acquireGeometry } from "./mannequin/geometry";
-import { setGraphics } from "./stage/graphics";
+import { askPage } from "./stage/graphics";
 import { QUALITY_LEVELS } from "./stage/quality";
 import { firstLevel, Screen } from "./stage/screen";
 
@@ -14,7 +14,7 @@ export function prepareMannequin(): void {
 export function prepareScreen(): void {
   try {
     Screen.prepare();
-  } catch {
-    setGraphics("none");
+  } catch (error) {
+    if (askPage() !== "none") throw error;
   }
 }

@@ -1,14 +1,8 @@
 /** The protocol of a crowd without a thread, by a clock that the tests set. */
 import { expect, test } from "vitest";
+import { joinedWorker } from "../../../tests/joined_worker";
 import { StrutError } from "../../engine/errors";
-import {
-  type AnswerMessage,
-  answerCalls,
-  type CallMessage,
-  type ClientPort,
-  type Methods,
-  type ServerPort,
-} from "../learn/rpc";
+import type { Methods } from "../rpc";
 import type { Clock } from "./clock";
 import { createCrowd } from "./crowd_client";
 import type { CrowdCalls, CrowdTick } from "./protocol";
@@ -77,24 +71,10 @@ function worker() {
     setRoute: async (points) => void heard.push(`route ${points.length}`),
     exportBvh: async (walker, secs) => `HIERARCHY ${walker} ${secs}`,
   };
-  const spawn = (): ClientPort => {
-    const server: ServerPort = {
-      onmessage: null,
-      postMessage: (message, transfer) =>
-        client.onmessage?.({ data: structuredClone(message, { transfer }) } as MessageEvent<AnswerMessage>),
-    };
-    const client: ClientPort = {
-      onmessage: null,
-      onerror: null,
-      terminate: () => {
-        state.ended += 1;
-      },
-      postMessage: (message, transfer) =>
-        server.onmessage?.({ data: structuredClone(message, { transfer }) } as MessageEvent<CallMessage>),
-    };
-    answerCalls(server, table as unknown as Methods);
-    return client;
-  };
+  const spawn = () =>
+    joinedWorker(table as unknown as Methods, () => {
+      state.ended += 1;
+    });
   return { spawn, state, heard, release: () => release() };
 }
 

@@ -5,15 +5,13 @@
 
 import type { FieldVertex, Place } from "../../engine/crowd/crowd";
 import { type StrutError, toStrutError } from "../../engine/errors";
-import { type ClientPort, RpcClient, remote } from "../learn/rpc";
 import type { CallOptions } from "../protocol";
+import { type ClientPort, RpcClient, remote } from "../rpc";
 import { type Clock, PAGE_CLOCK } from "./clock";
 import type { CrowdCalls, CrowdFacts, CrowdStart, CrowdTick, Walkers } from "./protocol";
 
 export {
-  CROWD_WALKER_FLOATS,
   type FieldVertex,
-  JOINT_FLOATS,
   MAX_CROWD,
   MAX_ROUTE_POINTS,
   MAX_VERTICES,

@@ -1,6 +1,7 @@
 /** The worker's side: one crowd. */
-import { CROWD_WALKER_FLOATS, Crowd } from "../../engine/crowd/crowd";
+import { Crowd } from "../../engine/crowd/crowd";
 import { StrutError } from "../../engine/errors";
+import { CROWD_WALKER_FLOATS } from "../../humanoid";
 import type { CrowdCalls } from "./protocol";
 
 /** Ticks that take longer, milliseconds: as many as these in a row halve the count. */

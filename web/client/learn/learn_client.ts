@@ -1,7 +1,8 @@
 /** The lessons' own engine in a worker, which starts with the first call. */
+
+import { type ClientPort, RpcClient, remote } from "../rpc";
 import workerAddress from "./learn_worker?worker&url";
 import type { LearnEngine } from "./protocol";
-import { type ClientPort, RpcClient, remote } from "./rpc";
 
 /** How many arguments each call has before its options. */
 const ARITY = {
@@ -47,6 +48,6 @@ function spawnWorker(): ClientPort {
 
 /** Makes an engine. @param spawn starts the worker */
 export function createLearnClient(spawn: () => ClientPort = spawnWorker): LearnClient {
-  const client = new RpcClient(spawn);
+  const client = new RpcClient(spawn, "engine of the lessons");
   return { ...remote<LearnEngine>(client, ARITY), dispose: () => client.dispose() };
 }

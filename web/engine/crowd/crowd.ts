@@ -1,5 +1,4 @@
 /** A crowd of walkers on the calling thread: a tick of a thousand takes milliseconds. */
-import { JOINTS } from "../../humanoid";
 import { StrutError } from "../errors";
 import { Handle } from "../handle";
 import { loadBuiltInWalkModel } from "../walk/built_in";
@@ -11,10 +10,6 @@ export const MAX_CROWD = 1000;
 export const MAX_VERTICES = 12;
 /** Most points of a route. */
 export const MAX_ROUTE_POINTS = 64;
-/** Floats of a joint: position x y z and 0, rotation x y z w, both in the world. */
-export const JOINT_FLOATS = 8;
-/** Floats of a walker. */
-export const CROWD_WALKER_FLOATS = JOINTS * JOINT_FLOATS;
 
 /** What a crowd begins with. */
 export interface CrowdOptions {

@@ -116,10 +116,7 @@ export class CrowdBodies {
   #material(shading: Shading): Material {
     const made = this.#materials.get(shading);
     if (made) return made;
-    const material =
-      shading === "physical"
-        ? new MeshStandardMaterial({ roughness: 0.55 })
-        : new MeshLambertMaterial({ emissive: "#ffffff", emissiveIntensity: 1 });
+    const material = shading === "physical" ? new MeshStandardMaterial({ roughness: 0.55 }) : new MeshLambertMaterial();
     dress(material, this.#textures.uniforms, this.#tones, shading);
     this.#materials.set(shading, material);
     return material;

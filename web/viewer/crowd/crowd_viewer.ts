@@ -1,7 +1,7 @@
 /** The 3-D view of a crowd: up to a thousand walkers on a ground that is a map of styles. */
 
 import { Fog, MathUtils, Plane, Raycaster, Vector2, Vector3 } from "three";
-import { DEFAULT_PROPORTIONS } from "../../humanoid";
+import { CROWD_WALKER_FLOATS, DEFAULT_PROPORTIONS } from "../../humanoid";
 import { fitTo } from "../../mannequin/fit";
 import { prismBody } from "../../mannequin/prism_body";
 import { keyDirection } from "../light/lights";
@@ -12,7 +12,7 @@ import { THEMES, type ThemeName } from "../themes";
 import { CrowdBodies } from "./crowd_bodies";
 import { FieldGround, type FieldMark } from "./field_ground";
 import { GroundNames } from "./ground_names";
-import { JointTextures, WALKER_FLOATS } from "./joint_textures";
+import { JointTextures } from "./joint_textures";
 import { BODY_LIMITS, BodyLevels, type BodyLimits } from "./levels";
 import { CrowdShadows } from "./shadows";
 
@@ -39,8 +39,8 @@ const HALF_WIDTH = 4.6;
 const HEIGHT = 1.7;
 /** Radius of the ring around somebody who is chosen, metres. */
 const RING = 0.55;
-/** Nobody nearer to the pointer than this is meant by it, CSS pixels. */
-const REACH_PX = 26;
+/** Who is nearer to the pointer than this is meant by it, however small he is, CSS pixels. */
+const REACH_PX = 13;
 /** Without a graphics card fewer people wear the finer bodies, and fewer have an outline for a shadow. */
 const SOFTWARE_LIMITS: BodyLimits = { near: { height: 220, count: 0 }, middle: { height: 90, count: 8 } };
 const OUTLINED = { hardware: 0.05, software: 0.14 };
@@ -84,7 +84,7 @@ export class CrowdViewer {
     scene.fog = this.#fog;
     this.#stage.onQuality = ({ detail, shading }) => this.#bodies.setQuality(detail, shading);
     this.#stage.onInvalid = () => this.#redraw.request();
-    this.#stage.onIdle = () => this.render(this.#lastTime ?? 0, 1);
+    this.#stage.onIdle = () => this.render(this.#lastTime ?? 0, this.#textures.uniforms.share.value);
     this.#stage.applyQuality();
     this.#applyTheme();
   }
@@ -144,11 +144,11 @@ export class CrowdViewer {
   }
 
   /**
-   * Takes a tick: `WALKER_FLOATS` numbers a walker, and four bytes of tint (sRGB, and its share). `isOther` says that these
+   * Takes a tick: `CROWD_WALKER_FLOATS` numbers a walker, and four bytes of tint (sRGB, and its share). `isOther` says that these
    * walkers are not those of the last tick.
    */
   setTick(joints: Float32Array, tints: Uint8Array, isOther: boolean): void {
-    const count = joints.length / WALKER_FLOATS;
+    const count = joints.length / CROWD_WALKER_FLOATS;
     if (count !== this.#levels.walkers.far.length) {
       this.#levels = new BodyLevels(count);
       this.#heights = new Float32Array(count);
@@ -224,7 +224,7 @@ export class CrowdViewer {
       if (height === 0 || height < (best?.height ?? 0)) continue;
       const place = this.screenPlace(walker)!;
       const [aside, above] = [Math.abs(x - place.x), place.y - y];
-      const reach = Math.max(0.2 * height, REACH_PX / 2);
+      const reach = Math.max(0.2 * height, REACH_PX);
       if (aside < reach && above > -0.08 * height && above < 1.06 * height) best = { walker, height };
     }
     return best?.walker;
@@ -246,7 +246,7 @@ export class CrowdViewer {
 
   /** Where the hips of somebody are between the two ticks. */
   #hips(walker: number, out: Vector3): Vector3 {
-    const i = WALKER_FLOATS * walker;
+    const i = CROWD_WALKER_FLOATS * walker;
     if (i >= this.#present.length) return out.set(0, 0, 0);
     return out.fromArray(this.#last, i).lerp(next.fromArray(this.#present, i), this.#textures.uniforms.share.value);
   }
@@ -289,7 +289,7 @@ export class CrowdViewer {
     this.#stage.setTheme(theme);
     this.#bodies.setTheme(theme);
     this.#shadows.setTheme(theme);
-    this.#ground.setTheme(theme, this.#theme === "dark");
+    this.#ground.setTheme(theme);
     this.#fog.color.set(theme.background.outer);
     this.#applyField();
   }

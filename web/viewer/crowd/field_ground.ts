@@ -21,6 +21,8 @@ export interface FieldMark {
 const HALF = 60;
 /** Distance between two lines of the grid, metres. */
 const GRID = 2;
+/** How strongly the field colours the ground. */
+const COLOUR_OPACITY = 0.28;
 /** Radius of a vertex's disc, metres. */
 const DISC = 0.26;
 
@@ -40,7 +42,6 @@ uniform vec3 grid;
 uniform vec3 ink;
 uniform vec3 signal;
 uniform float gridOpacity;
-uniform float colourOpacity;
 uniform float radius;
 uniform vec2 centre;
 uniform vec3 walker;
@@ -86,7 +87,7 @@ void main() {
   vec2 near = abs(fract(p / ${GRID.toFixed(1)} - 0.5) - 0.5);
   vec2 lines = clamp(1.05 - near / pixel, 0.0, 1.0) * clamp(0.1 / pixel, 0.0, 1.0);
   vec4 result = vec4(grid, gridOpacity * max(lines.x, lines.y) * fade);
-  result = over(vec4(colour / max(amount, 1e-4), colourOpacity * amount * fade), result);
+  result = over(vec4(colour / max(amount, 1e-4), ${COLOUR_OPACITY} * amount * fade), result);
   result = over(vec4(isocolour, isoline * fade), result);
   result = over(discs, result);
   if (walker.z > 0.0) {
@@ -96,9 +97,6 @@ void main() {
   gl_FragColor = result;
   #include <colorspace_fragment>
 }`;
-
-/** How strongly the field colours the ground. */
-const COLOUR_OPACITY = { dark: 0.3, light: 0.27 };
 
 export class FieldGround {
   readonly object: Mesh<PlaneGeometry, ShaderMaterial>;
@@ -110,7 +108,6 @@ export class FieldGround {
     ink: { value: new Color() },
     signal: { value: new Color() },
     gridOpacity: { value: 0 },
-    colourOpacity: { value: 0 },
     radius: { value: 10 },
     centre: { value: new Vector2() },
     /** Place and radius of the ring around somebody; the radius is 0 where there is none. */
@@ -153,13 +150,12 @@ export class FieldGround {
   }
 
   /** Takes the theme's colours. */
-  setTheme({ grid, ink, signal }: Theme, isDark: boolean): void {
+  setTheme({ grid, ink, signal }: Theme): void {
     const uniforms = this.#uniforms;
     uniforms.grid.value.set(grid.colour);
     uniforms.gridOpacity.value = grid.major;
     uniforms.ink.value.set(ink);
     uniforms.signal.value.set(signal);
-    uniforms.colourOpacity.value = isDark ? COLOUR_OPACITY.dark : COLOUR_OPACITY.light;
   }
 
   dispose(): void {

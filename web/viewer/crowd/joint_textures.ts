@@ -10,10 +10,8 @@ import {
   UnsignedByteType,
   Vector3,
 } from "three";
-import { JOINTS } from "../../humanoid";
+import { CROWD_WALKER_FLOATS, JOINTS } from "../../humanoid";
 
-/** Numbers of one walker: of every joint x y z 0 (metres) and the quaternion x y z w, in the world. */
-export const WALKER_FLOATS = 8 * JOINTS;
 /** Texels of one walker: two a joint. */
 const WALKER_TEXELS = 2 * JOINTS;
 
@@ -30,25 +28,29 @@ export interface CrowdUniforms {
   tints: IUniform<Texture>;
 }
 
+/** GLSL: `jointPosition(joint)`, in the world, of the walker of the instance. */
+export const PLACE_SHADER = /* glsl */ `
+attribute float walker;
+uniform highp sampler2D lastJoints;
+uniform highp sampler2D presentJoints;
+uniform float share;
+vec3 jointPosition(int joint) {
+  ivec2 at = ivec2(2 * joint, int(walker + 0.5));
+  return mix(texelFetch(lastJoints, at, 0).xyz, texelFetch(presentJoints, at, 0).xyz, share);
+}`;
+
 /**
  * GLSL: `crowdPoint(p)` and `crowdDirection(n)`, from the T-pose to the world, for the walker of the instance; after
  * `lookUpTurns()`.
  */
 export const CROWD_SHADER = /* glsl */ `
+${PLACE_SHADER}
 attribute vec2 joints;
 attribute float blend;
-attribute float walker;
-uniform highp sampler2D lastJoints;
-uniform highp sampler2D presentJoints;
-uniform float share;
 uniform vec3 restJoints[${JOINTS}];
-vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 vec4 firstTurn;
 vec4 secondTurn;
-vec3 jointPosition(int joint) {
-  ivec2 at = ivec2(2 * joint, int(walker + 0.5));
-  return mix(texelFetch(lastJoints, at, 0).xyz, texelFetch(presentJoints, at, 0).xyz, share);
-}
+vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 vec4 jointRotation(int joint) {
   ivec2 at = ivec2(2 * joint + 1, int(walker + 0.5));
   vec4 last = texelFetch(lastJoints, at, 0);
@@ -99,11 +101,11 @@ export class JointTextures {
   }
 
   /**
-   * Takes a tick: {@link WALKER_FLOATS} numbers and four bytes of tint a walker. Where their number has changed, or the
+   * Takes a tick: `CROWD_WALKER_FLOATS` numbers and four bytes of tint a walker. Where their number has changed, or the
    * walkers are others, nothing is between it and the last one.
    */
   set(joints: Float32Array, tints: Uint8Array, isOther: boolean): void {
-    const count = joints.length / WALKER_FLOATS;
+    const count = joints.length / CROWD_WALKER_FLOATS;
     const { lastJoints, presentJoints } = this.uniforms;
     if (count !== this.#count) {
       this.dispose();
@@ -130,7 +132,7 @@ function upload(texture: Texture, numbers: Float32Array | Uint8Array): void {
 }
 
 function jointTexture(count: number): DataTexture {
-  return new DataTexture(new Float32Array(count * WALKER_FLOATS), WALKER_TEXELS, count, RGBAFormat, FloatType);
+  return new DataTexture(new Float32Array(count * CROWD_WALKER_FLOATS), WALKER_TEXELS, count, RGBAFormat, FloatType);
 }
 
 function tintTexture(count: number): DataTexture {

@@ -13,10 +13,11 @@ import {
   ShaderMaterial,
   Vector3,
 } from "three";
+import { JOINT } from "../../humanoid";
 import type { SkinnedBody } from "../../mannequin/skinned_body";
 import type { Theme } from "../themes";
 import { fill, walkerAttribute } from "./crowd_bodies";
-import { CROWD_SHADER, type JointTextures } from "./joint_textures";
+import { CROWD_SHADER, type JointTextures, PLACE_SHADER } from "./joint_textures";
 import { BODIES, type BodyLevels } from "./levels";
 
 /** Height above the ground at which a body's shadow has faded out, metres: it is blurred there. */
@@ -46,16 +47,10 @@ varying float vShade;
 void main() { gl_FragColor = vec4(0.0, 0.0, 0.0, darkness * vShade); }`;
 
 const SPOT_VERTEX = /* glsl */ `
-attribute vec2 joints;
-attribute float blend;
-attribute float walker;
-uniform highp sampler2D lastJoints;
-uniform highp sampler2D presentJoints;
-uniform float share;
+${PLACE_SHADER}
 varying vec2 vUv;
 void main() {
-  ivec2 at = ivec2(0, int(walker + 0.5));
-  vec3 hips = mix(texelFetch(lastJoints, at, 0).xyz, texelFetch(presentJoints, at, 0).xyz, share);
+  vec3 hips = jointPosition(${JOINT.hips});
   vUv = position.xz;
   vec2 place = hips.xz + ${SPOT.toFixed(2)} * position.xz;
   gl_Position = projectionMatrix * viewMatrix * vec4(place.x, 0.001, place.y, 1.0);

@@ -10,7 +10,12 @@ let known: Graphics | undefined;
 
 /** Queried once from a temporary context: multisampling must be chosen before the drawing context is made. */
 export function graphics(): Graphics {
-  known ??= detectGraphics(Object.assign(document.createElement("canvas"), { width: 1, height: 1 }));
+  return known ?? askPage();
+}
+
+/** The same, of a context of the page's own, whatever a worker detected. */
+export function askPage(): Graphics {
+  known = detectGraphics(Object.assign(document.createElement("canvas"), { width: 1, height: 1 }));
   return known;
 }
 

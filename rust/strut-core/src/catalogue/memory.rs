@@ -26,6 +26,7 @@ pub struct CatalogueSize {
 const CLIP: u64 = 1200;
 /// Bytes that no size matters to: directions of windows, and working memory.
 const FIXED: u64 = 400_000;
+
 impl CatalogueSize {
     /// Of clips sorted by class; what they claim may be impossible.
     pub fn of_clips(clips: &[Clip], styles: usize, counterparts_per_style: usize) -> Self {

@@ -1,14 +1,7 @@
 import { expect, test } from "vitest";
-import { StrutError } from "../../engine/errors";
-import {
-  type AnswerMessage,
-  answerCalls,
-  type CallMessage,
-  type ClientPort,
-  RpcClient,
-  remote,
-  type ServerPort,
-} from "./rpc";
+import { joinedWorker } from "../../tests/joined_worker";
+import { StrutError } from "../engine/errors";
+import { RpcClient, remote } from "./rpc";
 
 interface Calls {
   add(a: number, b: number, options?: { signal?: AbortSignal }): Promise<number>;
@@ -29,23 +22,11 @@ const TABLE = {
 /** Both ends of a worker, joined without a thread. */
 function joined() {
   let spawned = 0;
-  const spawn = (): ClientPort => {
+  const spawn = () => {
     spawned += 1;
-    const server: ServerPort = {
-      onmessage: null,
-      postMessage: (message, transfer) =>
-        client.onmessage?.({ data: structuredClone(message, { transfer }) } as MessageEvent<AnswerMessage>),
-    };
-    const client: ClientPort = {
-      onmessage: null,
-      onerror: null,
-      terminate: () => {},
-      postMessage: (message) => server.onmessage?.({ data: message } as MessageEvent<CallMessage>),
-    };
-    answerCalls(server, TABLE);
-    return client;
+    return joinedWorker(TABLE);
   };
-  const rpc = new RpcClient(spawn);
+  const rpc = new RpcClient(spawn, "engine of the lessons");
   const calls = remote<Calls>(rpc, { add: 2, samples: 0, refuse: 0, hang: 0 });
   return { rpc, calls, spawned: () => spawned };
 }

@@ -1,5 +1,5 @@
 /** Calls into a worker by name: the client is made from the interface, the server from a table of functions. */
-import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../../engine/errors";
+import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../engine/errors";
 
 /** Methods that answer with promises. */
 export type Methods = Readonly<Record<string, (...args: never[]) => Promise<unknown>>>;
@@ -47,7 +47,7 @@ export class RpcClient {
    */
   constructor(
     spawn: () => ClientPort,
-    private readonly what = "engine of the lessons",
+    private readonly what: string,
   ) {
     this.#spawn = spawn;
   }
@@ -118,7 +118,7 @@ export function answerCalls(port: ServerPort, table: Methods): void {
   port.onmessage = async ({ data: { id, method, args } }) => {
     try {
       const answer = Object.hasOwn(table, method) ? table[method] : undefined;
-      if (!answer) throw fault(`The engine of the lessons has no call "${method}"`);
+      if (!answer) throw fault(`There is no call "${method}"`);
       const value = await answer(...(args as never[]));
       port.postMessage({ id, value }, buffersOf(value));
     } catch (thrown) {
