@@ -27,6 +27,8 @@ import type { Weights } from "./smoothing";
 
 /** An edit has settled when nothing has changed for so long. */
 const SETTLE_MS = 150;
+/** The engine's first frame counts as seen after this time, though no picture was drawn, milliseconds. */
+const UNSEEN_MS = 3000;
 
 /** Events of a session. */
 export interface SessionListeners {
@@ -96,7 +98,9 @@ export class Session {
   #settle: ReturnType<typeof setTimeout> | undefined;
   /** What waits until the engine has the present style all the way. */
   #whenSettled: (() => void)[] = [];
-  /** What waits for the engine's first frame, or for its failure. */
+  /** Whether the engine's first frame was seen, or failed. */
+  #isPlaying = false;
+  /** What waits for that. */
   #whenPlaying: (() => void)[] = [];
 
   constructor(client: StrutClient, progress: SessionProgress) {
@@ -104,8 +108,9 @@ export class Session {
     this.#progress = progress;
     this.playback = new Playback(client, {
       onFrame: (frame, sought) => {
+        // Where nothing is drawn, as in a page out of sight, the others need not wait for it for ever.
+        if (!this.frame) setTimeout(() => this.#plays(), UNSEEN_MS);
         this.frame = frame;
-        this.#plays();
         this.#tell("onFrame", frame, sought);
       },
       onTick: (now) => this.#tell("onTick", now),
@@ -176,6 +181,12 @@ export class Session {
     this.#exchanging = false;
     this.analyseSoon();
     return outcome;
+  }
+
+  /** The frames that were given are drawn. */
+  drawn(): void {
+    this.playback.drawn();
+    if (this.frame && !this.#isPlaying) this.#plays();
   }
 
   /** Opens an input of the library. */
@@ -291,11 +302,12 @@ export class Session {
   }
 
   #plays(): void {
+    this.#isPlaying = true;
     for (const resume of this.#whenPlaying.splice(0)) resume();
   }
 
   #playing(): Promise<void> {
-    return this.frame ? Promise.resolve() : new Promise((resolve) => this.#whenPlaying.push(resolve));
+    return this.#isPlaying ? Promise.resolve() : new Promise((resolve) => this.#whenPlaying.push(resolve));
   }
 
   #settled(): Promise<void> {

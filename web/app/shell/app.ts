@@ -104,7 +104,7 @@ export class App {
     );
     this.#workspace.session.listen({
       onTick: (now) => {
-        if (this.#viewer.draw(now)) this.#workspace.session.playback.drawn();
+        if (this.#viewer.draw(now)) this.#workspace.session.drawn();
       },
       onInput: () => {
         this.#topBar.canExport = true;

@@ -12,7 +12,6 @@ import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { GpuQueue } from "./gpu_queue";
 import { graphics } from "./graphics";
 import { pixelRatio, QUALITY_LEVELS, QualityGovernor } from "./quality";
-import { otherTasks } from "./tasks";
 
 /** Quality that a renderer without a graphics processor starts with. */
 const SOFTWARE_LEVEL = 2;
@@ -230,11 +229,8 @@ export class Screen {
     // WebGL has no fence for linking; validation comes after it in the queue.
     for (const { program } of programs) this.#gl.validateProgram(program as WebGLProgram);
     await this.#queue.idle(timeoutMs);
-    for (const program of programs) {
-      await otherTasks();
-      if (!current()) return;
-      // It may have been deleted meanwhile.
-      if (program.program === undefined) continue;
+    // A program may have been deleted meanwhile. In tasks of their own these queries would wait for each other's drawing.
+    for (const program of programs.filter(({ program }) => current() && program !== undefined)) {
       program.getUniforms();
       program.getAttributes();
       this.#queried.add(program);
