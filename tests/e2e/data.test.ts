@@ -410,8 +410,20 @@ describe("building", () => {
     );
     await choose(written("takes.zip", zipOf(takes)));
     await read();
-    // A fast machine may have built it before a pointer gets there.
-    const cancelled = page.locator(".build .progress").getByRole("button", { name: "Cancel" }).dispatchEvent("click");
+    // A fast machine may have built it before a pointer gets there, and before the 300 ms after which progress shows.
+    const cancelled = page.evaluate(
+      () =>
+        new Promise<void>((resolve) => {
+          const progress = document.querySelector<HTMLElement>(".build .progress")!;
+          const observer = new MutationObserver(() => {
+            if (progress.querySelector("[role=progressbar]")!.getAttribute("aria-valuenow") === "0") return;
+            observer.disconnect();
+            progress.querySelector("button")!.click();
+            resolve();
+          });
+          observer.observe(progress, { subtree: true, attributes: true });
+        }),
+    );
     await buildButton().click();
     await cancelled;
     await eventually(() => buildButton().isEnabled()).toBe(true);

@@ -46,15 +46,17 @@ const single = await timed(() => pushes(500));
 live.reset();
 const whole = await timed(() => live.push(batch));
 
+// As soon as the clip is in hand: a fast machine is done with all of it in a few milliseconds.
 const controller = new AbortController();
-const long = strut.stylize(motion, db, { signal: controller.signal }).then(
+let aborted = Number.NaN;
+const onProgress = () => {
+  aborted = performance.now();
+  controller.abort();
+};
+const code = await strut.stylize(motion, db, { signal: controller.signal, onProgress }).then(
   () => "none",
   ({ code }) => code,
 );
-await new Promise((resolve) => setTimeout(resolve, 20));
-const aborted = performance.now();
-controller.abort();
-const code = await long;
 console.log(
   JSON.stringify({
     before,
