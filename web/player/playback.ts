@@ -12,6 +12,9 @@ import { approach, type Weights } from "./smoothing";
 /** Marks on the browser's time line: when the first frame was drawn, and the first of the engine. */
 export const MARKS = { shown: "strut: first frame", styled: "strut: first styled frame" } as const;
 
+/** A first frame counts as seen after this time, though no picture was drawn, milliseconds. */
+export const UNSEEN_MS = 3000;
+
 /** Failures in a row after which playing stops. */
 const MAX_FAILURES = 3;
 
@@ -61,6 +64,8 @@ export class Playback {
   /** Whether the engine was told to go on from it. */
   #handedOver = false;
   readonly #marks = new Map<string, "to be drawn" | "drawn">();
+  /** When the first frame of the prelude was given, milliseconds. */
+  #firstAt: number | undefined;
   /** Time of the last repaint, milliseconds. */
   #ticked = 0;
 
@@ -156,6 +161,10 @@ export class Playback {
       this.#handOver(this.#opening, this.#target, now);
       return;
     }
+    if (this.#opening && this.#isUnseen(now)) {
+      this.#last = now;
+      return;
+    }
     const elapsed = Math.max(0, (now - this.#last) / 1000);
     // However long the engine takes to begin: the prelude goes on meanwhile.
     const dt = this.#opening ? elapsed : stepSecs(this.#last, now);
@@ -185,12 +194,24 @@ export class Playback {
     if (!this.#marks.has(name)) this.#marks.set(name, "to be drawn");
   }
 
+  /**
+   * Whether the first frame of the prelude is still to be drawn. Nothing goes on before: a clock and a time line that run
+   * would take from the graphics processor the time that the first picture needs.
+   */
+  #isUnseen(now: number): boolean {
+    return (
+      this.#firstAt !== undefined && now - this.#firstAt < UNSEEN_MS && this.#marks.get(MARKS.shown) === "to be drawn"
+    );
+  }
+
   #showPrelude({ prelude, onFrame }: Opening, now: number): void {
     const dt = stepSecs(this.#ticked, now);
     this.#ticked = now;
     // The engine's first frame is of the moment at which it was asked for.
     if (!this.playing || (this.#handedOver && this.#busy)) return;
-    prelude.advance(dt * this.speed);
+    if (this.#isUnseen(now)) return;
+    if (this.#firstAt === undefined) this.#firstAt = now;
+    else prelude.advance(dt * this.speed);
     this.#mark(MARKS.shown);
     onFrame(prelude.shown);
   }

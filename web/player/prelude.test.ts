@@ -98,6 +98,11 @@ describe("the start of playback", () => {
       }
     };
     wait(30);
+    // Nothing can draw yet: the clip waits for its first picture.
+    expect(shown).toEqual([["clip", 0]]);
+    playback.drawn();
+    wait(30);
+    expect(shown.at(-1)![1]).toBeCloseTo(30);
     expect(engine.asked).toEqual([]);
     playback.options = { ...DEFAULT_OPTIONS, styles: { proud: 1 } };
     // The engine takes 12 repaints to begin, longer than a step may be otherwise.

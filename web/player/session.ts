@@ -21,14 +21,12 @@ import type {
 } from "../client/protocol";
 import { isCancellation, isFault } from "../client/protocol";
 import { InputLibrary } from "./input_library";
-import { Playback } from "./playback";
+import { Playback, UNSEEN_MS } from "./playback";
 import { Prelude } from "./prelude";
 import type { Weights } from "./smoothing";
 
 /** An edit has settled when nothing has changed for so long. */
 const SETTLE_MS = 150;
-/** The engine's first frame counts as seen after this time, though no picture was drawn, milliseconds. */
-const UNSEEN_MS = 3000;
 
 /** Events of a session. */
 export interface SessionListeners {

@@ -104,7 +104,8 @@ export class App {
     );
     this.#workspace.session.listen({
       onTick: (now) => {
-        if (this.#viewer.draw(now)) this.#workspace.session.drawn();
+        // Where nothing can draw, nothing waits to be drawn.
+        if (this.#viewer.draw(now) || graphics() === "none") this.#workspace.session.drawn();
       },
       onInput: () => {
         this.#topBar.canExport = true;
