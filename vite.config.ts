@@ -5,6 +5,7 @@ import { evaluationPlugin } from "./scripts/evaluation_plugin.mjs";
 import { katexPlugin } from "./scripts/katex_plugin.mjs";
 import { offlinePlugin } from "./scripts/offline_plugin.mjs";
 import { preloadPlugin } from "./scripts/preload_plugin.mjs";
+import { threePlugin } from "./scripts/three_plugin.mjs";
 
 /** The benchmark is left out where the packages that it measures are not built: `npm start` does not wait for them. */
 const pages = existsSync(resolve(import.meta.dirname, "bench/pkg/scalar/stamp")) ? ["index", "bench"] : ["index"];
@@ -17,6 +18,7 @@ export default defineConfig({
   plugins: [
     evaluationPlugin(),
     katexPlugin(),
+    threePlugin(),
     preloadPlugin("/index.html", {
       modules: ["web/viewer/viewer.ts", "web/app/shell/app.ts"],
       font: "inter-latin-wght-normal.woff2",
