@@ -23,7 +23,7 @@ import { isSupported } from "./shell/baseline";
 import { firstSet, isPlain } from "./shell/first_set";
 import { startGraphics } from "./shell/start_graphics";
 import { strings } from "./strings/strings";
-import { otherTasks } from "./ui/tasks";
+import { inSlices, otherTasks } from "./ui/tasks";
 import { errorText } from "./ui/words";
 
 /** Longest wait for a page that is not idle, milliseconds. */
@@ -42,11 +42,7 @@ function refuse(root: HTMLElement, sentence: string): void {
 async function loadApp(): Promise<typeof App> {
   const [viewer, detected] = await Promise.all([import("../viewer"), startGraphics()]);
   if (detected) viewer.setGraphics(detected);
-  for (const prepare of [viewer.prepareMannequin, viewer.prepareScreen]) {
-    await otherTasks();
-    if (viewer.graphics() !== "none") prepare();
-  }
-  await otherTasks();
+  await inSlices(viewer.preparation());
   const { App } = await import("./shell/app");
   await otherTasks();
   return App;

@@ -1,8 +1,8 @@
 /** All parts merged into one mesh, in plain arrays. */
 
 import { vertexNormals } from "./loft";
-import type { Tone } from "./part";
-import { bodyParts } from "./parts";
+import type { Part, Tone } from "./part";
+import { partGroups } from "./parts";
 import { slotIndex } from "./slots";
 import { waistRestHeight, waistRingOf, waistSlot } from "./waist";
 
@@ -24,17 +24,22 @@ export interface MannequinMesh {
 }
 
 /**
- * Builds the mesh.
+ * Builds the mesh in steps of a few milliseconds, so that a page need not wait for all of them.
  *
  * @param detail - Factor on the number of vertices along and around every part, above 0; 1 is full detail.
  */
-export function buildMesh(detail = 1): MannequinMesh {
+export function* meshSteps(detail: number): Generator<undefined, MannequinMesh> {
   const positions: number[] = [];
   const normals: number[] = [];
   const slots: number[] = [];
   const indices: number[] = [];
-  const parts = bodyParts(detail);
-  const groups = TONES.map((tone) => {
+  const parts: Part[] = [];
+  for (const group of partGroups(detail)) {
+    parts.push(...group);
+    yield;
+  }
+  const groups: MannequinMesh["groups"] = [];
+  for (const tone of TONES) {
     const start = indices.length;
     for (const { slot, surface } of parts.filter((part) => part.tone === tone)) {
       const first = positions.length / 3;
@@ -48,9 +53,10 @@ export function buildMesh(detail = 1): MannequinMesh {
       }
       for (const component of vertexNormals(surface)) normals.push(component);
       for (const index of surface.indices) indices.push(first + index);
+      yield;
     }
-    return { start, count: indices.length - start };
-  });
+    groups.push({ start, count: indices.length - start });
+  }
   return {
     positions: new Float32Array(positions),
     normals: new Float32Array(normals),
@@ -58,4 +64,13 @@ export function buildMesh(detail = 1): MannequinMesh {
     indices: new Uint16Array(indices),
     groups,
   };
+}
+
+/** Builds the mesh at once; see {@link meshSteps}. */
+export function buildMesh(detail = 1): MannequinMesh {
+  const steps = meshSteps(detail);
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return value;
+  }
 }

@@ -136,11 +136,24 @@ function limbParts(detail: number): Part<SideSlot>[] {
   ];
 }
 
-/** Every part of the body at a level of detail (see `LoftOptions.detail`). */
-export function bodyParts(detail: number): Part[] {
-  const sides = [...limbParts(detail), ...extremities(detail)].flatMap(({ slot, tone, surface }): Part[] => [
+/** The parts of both sides, of which those of the left are drawn. */
+function bothSides(parts: readonly Part<SideSlot>[]): Part[] {
+  return parts.flatMap(({ slot, tone, surface }): Part[] => [
     { slot: `left_${slot}`, tone, surface },
     { slot: `right_${slot}`, tone, surface: mirror(surface) },
   ]);
-  return [...midlineParts(detail), ...headParts(detail), ...waistParts(detail), ...sides];
+}
+
+/** Groups of parts of the body at a level of detail (see `LoftOptions.detail`), each made when it is asked for. */
+export function* partGroups(detail: number): Generator<Part[]> {
+  yield midlineParts(detail);
+  yield headParts(detail);
+  yield waistParts(detail);
+  yield bothSides(limbParts(detail));
+  yield bothSides(extremities(detail));
+}
+
+/** Every part of the body at a level of detail. */
+export function bodyParts(detail: number): Part[] {
+  return [...partGroups(detail)].flat();
 }

@@ -2,7 +2,7 @@
 
 export type { GhostBody } from "./ghost_bodies";
 export type { Performer } from "./performer";
-export { prepareMannequin, prepareScreen } from "./prepare";
+export { preparation } from "./prepare";
 export { graphics, setGraphics } from "./stage/graphics";
 export type { CameraView } from "./stage/orbit_camera";
 export { Screen } from "./stage/screen";

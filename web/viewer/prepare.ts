@@ -1,19 +1,20 @@
 /** What the first viewer needs and takes long to make. */
 
-import { acquireGeometry } from "./mannequin/geometry";
-import { askPage } from "./stage/graphics";
+import { prepareGeometry } from "./mannequin/geometry";
+import { askPage, graphics } from "./stage/graphics";
 import { QUALITY_LEVELS } from "./stage/quality";
 import { firstLevel, Screen } from "./stage/screen";
 
-/** Builds the mannequin's geometry at the quality that a viewer begins with, and keeps it for all viewers of the page. */
-export function prepareMannequin(): void {
-  acquireGeometry(QUALITY_LEVELS[firstLevel()]!.detail);
-}
-
-/** Makes the context and the renderer of the first viewer. Where the page gets no context, whatever a worker got, nothing draws. */
-export function prepareScreen(): void {
+/**
+ * Makes in steps what the first viewer needs: the mannequin's geometry at the quality that a viewer begins with, kept for all
+ * viewers of the page, and the context and the renderer. Where the page gets no context, whatever a worker got, nothing draws.
+ */
+export function* preparation(): Generator<undefined> {
+  if (graphics() === "none") return;
+  yield* prepareGeometry(QUALITY_LEVELS[firstLevel()]!.detail);
+  yield;
   try {
-    Screen.prepare();
+    yield* Screen.prepare();
   } catch (error) {
     if (askPage() !== "none") throw error;
   }

@@ -233,7 +233,7 @@ export class App {
   #showView(): void {
     const { view } = this.#store.state;
     if (graphics() === "none" && !viewEntry(view).flat) {
-      this.#toasts.error(strings.page.noWebGl);
+      this.#toasts.error(strings.page.noWebGl, true);
       this.#store.edit({ view: "learn" });
       return;
     }

@@ -43,7 +43,8 @@ function made(holdsWork = false) {
   return { views, walk, signals, show, take };
 }
 
-beforeEach(() => void vi.useFakeTimers());
+// A task of its own is a timer as well, and goes on.
+beforeEach(() => void vi.useFakeTimers({ shouldAdvanceTime: true }));
 afterEach(() => void vi.useRealTimers());
 
 describe("the views", () => {

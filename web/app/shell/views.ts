@@ -1,6 +1,7 @@
 /** Shows one view at a time: each is made when it is shown, and disposed of after a while out of sight. */
 
 import type { ViewName } from "../../link/page";
+import { otherTasks } from "../ui/tasks";
 import type { View, ViewHost } from "../view";
 import type { ViewEntry } from "./view_table";
 
@@ -83,7 +84,10 @@ export class Views {
   async #load(name: ViewName, signal: AbortSignal): Promise<View | undefined> {
     try {
       const entry = this.#table.find((view) => view.name === name)!;
-      return (await entry.load()).createView(this.#listeners.host(signal));
+      const view = (await entry.load()).createView(this.#listeners.host(signal));
+      // To make a view and to place it in the page take long enough for a task each.
+      await otherTasks();
+      return view;
     } catch (error) {
       this.#made.delete(name);
       this.#listeners.onRefused(name, error);

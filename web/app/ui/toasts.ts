@@ -11,15 +11,20 @@ export class Toasts {
   /** Live regions must be in the page before their text comes, or screen readers miss it. */
   readonly #alerts = html("div", { role: "alert" });
   readonly #notes = html("div", { role: "status" });
+  readonly #lasting = new WeakSet<Element>();
 
   constructor() {
     this.element.append(this.#alerts, this.#notes);
   }
 
-  /** Something failed: a sentence that says what, and what to do. */
-  error(text: string): void {
+  /**
+   * Something failed: a sentence that says what, and what to do.
+   * @param lasts whether {@link clearErrors} leaves it, as nothing that works makes it untrue
+   */
+  error(text: string, lasts = false): void {
     if (says(this.#alerts, text)) return;
-    this.#add(this.#alerts, text, "error");
+    const toast = this.#add(this.#alerts, text, "error");
+    if (lasts) this.#lasting.add(toast);
   }
 
   /** Shows a message. */
@@ -35,9 +40,9 @@ export class Toasts {
     toast.lastElementChild?.before(button(label, act, { label: true, class: "outlined" }));
   }
 
-  /** Takes all errors away, after what they were about has worked. */
+  /** Takes errors away, after what they were about has worked. */
   clearErrors(): void {
-    this.#alerts.replaceChildren();
+    for (const toast of [...this.#alerts.children]) if (!this.#lasting.has(toast)) toast.remove();
   }
 
   #add(region: HTMLElement, text: string, kind: "error" | "note"): HTMLElement {

@@ -95,6 +95,8 @@ export class Polygon {
   #moving = false;
   /** Pixels of a unit of the drawing: more than one where the person's text is larger. */
   #unit = 1;
+  /** Width of the drawing, units. Measured when it changes alone: elsewhere the page would be laid out for it. */
+  #width = MIN_WIDTH;
 
   constructor(listeners: PolygonListeners, size: PolygonSize = FULL) {
     this.#listeners = listeners;
@@ -144,6 +146,7 @@ export class Polygon {
     this.#handle.addEventListener("keyup", (event) => {
       if (event.key in ARROWS) this.#listeners.onSettle();
     });
+    this.#resize();
     this.#observer.observe(this.element);
   }
 
@@ -226,12 +229,12 @@ export class Polygon {
       return vertex;
     });
     this.#layers.vertices.replaceChildren(...this.#vertexElements);
-    this.#resize();
   }
 
   /** A unit does not depend on the width of the panel, so that strokes and type keep their size. */
   #resize(): void {
     this.#unit = textZoom();
+    this.#width = (this.element.clientWidth || MIN_WIDTH) / this.#unit;
     const { above, below } = this.#size;
     const [width, height] = [this.#width, above + below];
     setAttributes(this.#root, {
@@ -240,11 +243,6 @@ export class Polygon {
       height: height * this.#unit,
     });
     this.#draw(this.#drawn);
-  }
-
-  /** Width of the drawing, units. */
-  get #width(): number {
-    return (this.element.clientWidth || MIN_WIDTH) / this.#unit;
   }
 
   #glideFrom(from: Point): void {

@@ -1,11 +1,10 @@
 /** The mannequin's mesh for three.js, built once a level of detail and shared by every mannequin on the page. */
 
 import { BufferAttribute, BufferGeometry } from "three";
-import { buildMesh } from "../../mannequin/mesh";
+import { buildMesh, type MannequinMesh, meshSteps } from "../../mannequin/mesh";
 
-/** Builds the geometry of a level of detail: attributes `position`, `normal` and `slot`, and one group a tone. */
-function buildGeometry(detail: number): BufferGeometry {
-  const { positions, normals, slots, indices, groups } = buildMesh(detail);
+/** The geometry of a mesh: attributes `position`, `normal` and `slot`, and one group a tone. */
+function geometryOf({ positions, normals, slots, indices, groups }: MannequinMesh): BufferGeometry {
   const geometry = new BufferGeometry();
   for (const [material, { start, count }] of groups.entries()) geometry.addGroup(start, count, material);
   geometry.setAttribute("position", new BufferAttribute(positions, 3));
@@ -19,7 +18,17 @@ const shared = new Map<number, { geometry: BufferGeometry; users: number }>();
 
 /** The shared geometry of a level of detail; every call is to be matched by one of {@link releaseGeometry}. */
 export function acquireGeometry(detail: number): BufferGeometry {
-  const entry = shared.get(detail) ?? { geometry: buildGeometry(detail), users: 0 };
+  return share(detail, () => buildMesh(detail));
+}
+
+/** Builds the shared geometry of a level of detail in steps of a few milliseconds, and acquires it. */
+export function* prepareGeometry(detail: number): Generator<undefined> {
+  const mesh = yield* meshSteps(detail);
+  share(detail, () => mesh);
+}
+
+function share(detail: number, build: () => MannequinMesh): BufferGeometry {
+  const entry = shared.get(detail) ?? { geometry: geometryOf(build()), users: 0 };
   shared.set(detail, entry);
   entry.users++;
   return entry.geometry;

@@ -59,11 +59,25 @@ export interface ScreenOptions {
   level?: number | undefined;
 }
 
+/**
+ * Makes the context of a canvas, of the size that `options` ask for.
+ * @throws where WebGL 2 is missing
+ */
+function contextOf(canvas: HTMLCanvasElement, { antialias, size }: ScreenOptions): WebGL2RenderingContext {
+  const context = Object.assign(canvas, size).getContext("webgl2", {
+    antialias,
+    stencil: true,
+    powerPreference: "high-performance",
+  });
+  if (!context) throw new Error("WebGL 2 is missing.");
+  return context;
+}
+
 /** A context that one stage draws on, or several in turn. Browsers have few contexts: pages with many figures share one. */
 export class Screen {
   /** Made ahead for the first stage with a screen of its own. */
   static #prepared: Screen | undefined;
-  readonly canvas = document.createElement("canvas");
+  readonly canvas: HTMLCanvasElement;
   readonly renderer: WebGLRenderer;
   readonly keepsMemory: boolean;
   /** Decides about the quality of all that is drawn here, by the mean rate of those that draw. */
@@ -80,12 +94,19 @@ export class Screen {
   #synchronous: "allowed" | "waiting" | "none" = "none";
   #counting = false;
 
-  constructor({ antialias, keepsMemory, size, level, isShared = false }: ScreenOptions) {
+  private constructor(
+    options: ScreenOptions,
+    canvas = document.createElement("canvas"),
+    context = contextOf(canvas, options),
+  ) {
+    const { antialias, keepsMemory, level, isShared = false } = options;
+    this.canvas = canvas;
     this.#isShared = isShared;
     this.keepsMemory = keepsMemory;
     this.governor = new QualityGovernor(level ?? firstLevel());
-    const canvas = Object.assign(this.canvas, size);
-    this.renderer = new WebGLRenderer({ canvas, antialias, stencil: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, context, antialias, stencil: true });
+    // three.js takes a context with alpha, as its own are, for a canvas that the page shows through.
+    this.renderer.setClearAlpha(1);
     const { renderer } = this;
     renderer.toneMapping = NeutralToneMapping;
     renderer.shadowMap.enabled = true;
@@ -97,7 +118,7 @@ export class Screen {
     renderer.debug.checkShaderErrors = false;
     // The first query of an extension is a synchronous call: here nothing is waiting to be drawn.
     renderer.capabilities.getMaxAnisotropy();
-    this.#gl = renderer.getContext() as WebGL2RenderingContext;
+    this.#gl = context;
     this.#queue = new GpuQueue(this.#gl);
     // three.js restores what it made from memory; the room was drawn by the lost context and must be drawn again.
     const restore = () => {
@@ -108,9 +129,13 @@ export class Screen {
     canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
   }
 
-  /** Makes ahead what {@link own} gives to the first stage: making it takes long. */
-  static prepare(): void {
-    Screen.#prepared = Screen.own(undefined);
+  /** Makes ahead what {@link own} gives to the first stage, in steps: making it takes long. */
+  static *prepare(): Generator<undefined> {
+    const options = Screen.#ownOptions(undefined);
+    const canvas = document.createElement("canvas");
+    const context = contextOf(canvas, options);
+    yield;
+    Screen.#prepared = new Screen(options, canvas, context);
   }
 
   /** A screen for one stage of the page's size. */
@@ -120,10 +145,14 @@ export class Screen {
       Screen.#prepared = undefined;
       return prepared;
     }
-    if (graphics() !== "software") return new Screen({ antialias: true, keepsMemory: false, level });
+    return new Screen(Screen.#ownOptions(level));
+  }
+
+  static #ownOptions(level: number | undefined): ScreenOptions {
+    if (graphics() !== "software") return { antialias: true, keepsMemory: false, level };
     const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, innerWidth * innerHeight, devicePixelRatio, true);
     const size = { width: Math.ceil(innerWidth * ratio), height: Math.ceil(innerHeight * ratio) };
-    return new Screen({ antialias: level === 0, keepsMemory: true, size, level });
+    return { antialias: level === 0, keepsMemory: true, size, level };
   }
 
   /** A screen that many stages share, on a page that has more to draw than figures. */

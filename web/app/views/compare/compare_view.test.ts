@@ -100,7 +100,8 @@ async function shownView(): Promise<{ views: Views; view: View }> {
 }
 
 beforeEach(() => {
-  vi.useFakeTimers();
+  // A task of its own is a timer as well, and goes on.
+  vi.useFakeTimers({ shouldAdvanceTime: true });
   held.clear();
   const create = () => new FakeElement();
   vi.stubGlobal("document", { createElement: create, createElementNS: create, body: new FakeElement() });
