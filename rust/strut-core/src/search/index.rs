@@ -3,7 +3,7 @@
 use super::block::{BLOCK, Probe};
 #[cfg(feature = "baselines")]
 use super::kd_trees::KdTrees;
-use super::leaves::Leaves;
+use super::leaves::{Leaves, Margins};
 use super::metric::{CentredWindow, LENGTH, MAX_WINDOW, Metric, QueryWindow, WINDOW};
 use super::neighbours::{Neighbour, Neighbours};
 use super::points::Feet;
@@ -133,8 +133,12 @@ impl Index {
     /// If there is no such class.
     pub fn mean_exceeds(&self, query: &Query<'_>, class: usize, k: usize, mean: f32) -> bool {
         let leaves = &self.leaves[query.metric as usize];
-        let margins = leaves.margins(class, query.window, query.error);
-        mean.is_finite() && leaves.mean_exceeds(class, &query.probe, margins, k, mean)
+        mean.is_finite() && leaves.mean_exceeds(class, &query.probe, self.margins(query, class), k, mean)
+    }
+
+    /// Error bounds for a query in a class.
+    pub(super) fn margins(&self, query: &Query<'_>, class: usize) -> Margins {
+        self.leaves[query.metric as usize].margins(class, query.window, query.error)
     }
 
     /// A rough estimate of the D of the nearest windows of a class, m², that costs little.
@@ -171,7 +175,7 @@ impl Index {
         }
         self.look_at_successors::<S>(query, classes, out.as_slice(), done, found);
         for &class in classes {
-            let margins = leaves.margins(class, query.window, query.error);
+            let margins = self.margins(query, class);
             candidates.clear();
             let mut threshold = found.threshold();
             leaves.candidates(class, &query.probe, margins, threshold, candidates);

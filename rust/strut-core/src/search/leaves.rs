@@ -87,6 +87,11 @@ impl Margins {
         [[limit * limit + ERROR; 4]; QUADS]
     }
 
+    /// Bound on the rounding error of a computed D, m².
+    pub(super) fn rounding(self) -> f32 {
+        self.rounding
+    }
+
     /// A lower bound of the computed D of windows at this distance in integers or farther away.
     fn lower_bound(self, distance: f32) -> f32 {
         let metres = positive(distance - self.slack) / PER_METRE;

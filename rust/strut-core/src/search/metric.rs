@@ -212,9 +212,19 @@ impl QueryWindow {
         places[length - 1] = at;
         self.pushed = self.pushed.saturating_add(1);
 
+        let frames = self.frame_points();
+        self.full = CentredWindow::new(&frames[..length], Metric::FullBody);
+        self.lower = CentredWindow::new(&frames[..length], Metric::LowerBody);
+    }
+
+    /// The frames' points; the missing ones are extrapolated.
+    pub(super) fn frame_points(&self) -> [FramePoints; MAX_WINDOW] {
+        let length = frames_of::<LENGTH>(self.length);
+        let (clouds, places) = (&self.clouds[..length], &self.places[..length]);
         // Positions relative to the newest hips keep the numbers small wherever the figure walks.
+        let at = places[length - 1];
         let mut frames = [FramePoints::default(); MAX_WINDOW];
-        for (points, (cloud, p)) in frames.iter_mut().zip(clouds.iter().zip(&*places)) {
+        for (points, (cloud, p)) in frames.iter_mut().zip(clouds.iter().zip(places)) {
             *points = FramePoints::new(cloud, Placement { x: p.x - at.x, z: p.z - at.z, heading: p.heading });
         }
         let first = length.saturating_sub(self.pushed);
@@ -222,8 +232,7 @@ impl QueryWindow {
         for missing in 0..first {
             frames[missing] = frames[first].extrapolated_back(&frames[next], (first - missing) as f32);
         }
-        self.full = CentredWindow::new(&frames[..length], Metric::FullBody);
-        self.lower = CentredWindow::new(&frames[..length], Metric::LowerBody);
+        frames
     }
 
     /// Adds a pose of this body, and gives its place; `heading` is the state of a stream at `rate_hz` frames per second.

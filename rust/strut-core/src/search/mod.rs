@@ -20,6 +20,7 @@ mod points;
 mod principal;
 #[cfg(feature = "baselines")]
 mod profile;
+mod raw;
 #[cfg(feature = "baselines")]
 mod recall;
 mod subspace;
@@ -33,6 +34,7 @@ pub use points::JOINT_WEIGHTS;
 pub(crate) use points::{FEET_ROLES, Feet};
 #[cfg(feature = "baselines")]
 pub use profile::Profile;
+pub use raw::RawPoints;
 #[cfg(feature = "baselines")]
 pub use recall::{ClassSearch, Recall};
 pub(crate) use windows::{Places, Windows};

@@ -85,6 +85,11 @@ impl Windows {
         FramePoints(self.points[row]).feet()
     }
 
+    /// The points of a row.
+    pub(super) fn points_of_row(&self, row: usize) -> PointRow {
+        self.points[row]
+    }
+
     /// |y|² + |z|² of the window that ends at each row; 0 where none does.
     pub(super) fn norms(&self, metric: Metric) -> Vec<f32> {
         let mut norms = vec![0.0; self.rows()];
