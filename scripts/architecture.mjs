@@ -12,6 +12,7 @@ const CRATES = {
   "strut-core": [],
   "strut-formats": ["strut-core"],
   "strut-demo": ["strut-core"],
+  "strut-gpu": ["strut-core"],
   "strut-wasm-common": ["strut-core", "strut-formats"],
   "strut-wasm": ["strut-wasm-common", "strut-core", "strut-formats", "strut-demo"],
   "strut-wasm-build": ["strut-wasm-common", "strut-core", "strut-formats"],

@@ -1,9 +1,9 @@
 // Everything a machine needs beyond git and Node: packages, Rust, the WASM target, a browser. Each part looks first,
 // installs only what is missing, and says in a sentence what to do where it cannot.
 import { createHash } from "node:crypto";
-import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, realpathSync, writeFileSync } from "node:fs";
 import { homedir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { findProgram, output, root, run, Sentence, step } from "./steps.mjs";
 
 const MIN_RUST = [1, 88];
@@ -160,6 +160,18 @@ export async function setupBrowser() {
   const browser = findBrowser();
   if (!browser) throw new Sentence("The tests need Chrome or Chromium. Install one, or set CHROME_PATH.");
   return { CHROME_PATH: browser };
+}
+
+/**
+ * The software graphics processor that Chromium brings, for what drives one natively.
+ * @returns the environment that names its driver; nothing where a driver is named already, or there is none.
+ */
+export function softwareGraphics(browser) {
+  if (process.env.VK_ICD_FILENAMES) return {};
+  const folders = [dirname(realpathSync(browser)), "/usr/lib/chromium"];
+  const files = ["vk_swiftshader_icd.json", "libvk_swiftshader.so", "libvulkan.so.1"];
+  const folder = folders.find((folder) => files.every((file) => existsSync(join(folder, file))));
+  return folder ? { VK_ICD_FILENAMES: join(folder, files[0]), LD_LIBRARY_PATH: folder } : {};
 }
 
 /** Refuses a Node that is too old, in a sentence. */

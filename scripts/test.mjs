@@ -1,14 +1,18 @@
 // npm test: sets up all it needs and runs every test: Rust, TypeScript, parity, end to end in Chromium.
 import { join } from "node:path";
-import { setupBrowser } from "./setup.mjs";
+import { setupBrowser, softwareGraphics } from "./setup.mjs";
 import { buildSite } from "./site.mjs";
 import { main, root, run, step } from "./steps.mjs";
 
 await main(async () => {
   const { rust, wasm } = await buildSite({ mode: "quick", bench: "quick" });
   const browser = await setupBrowser();
-  const cargo = (...args) => run(rust.CARGO ?? "cargo", args, { env: rust, cwd: join(root, "rust") });
-  await step("Rust tests", () => cargo("tests", "--quiet"));
+  const cargo = (env, ...args) => run(rust.CARGO ?? "cargo", args, { env, cwd: join(root, "rust") });
+  await step("Rust tests", () => cargo(rust, "tests", "--quiet"));
+  // Apart from the others, which need not wait for wgpu.
+  await step("Rust tests of the graphics processor", () =>
+    cargo({ ...rust, ...softwareGraphics(browser.CHROME_PATH) }, "gpu-tests", "--quiet"),
+  );
   await step("TypeScript, parity and browser tests", () =>
     run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run"], {
       env: { ...wasm, ...browser },

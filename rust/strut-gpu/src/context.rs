@@ -1,0 +1,211 @@
+//! The graphics processor: which one it is, what it may be asked, and whether it still works.
+
+use crate::error::GpuError;
+use std::fmt;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// A graphics processor and how it is driven.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Adapter {
+    /// As its maker calls it.
+    pub name: String,
+    /// Driver and its version.
+    pub driver: String,
+    /// Vulkan or Metal.
+    pub backend: String,
+    /// Whether a program on the processor plays its part: it tells whether a kernel is right, not how fast it is.
+    pub is_software: bool,
+}
+
+impl fmt::Display for Adapter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({}, {})", self.name, self.backend, self.driver)?;
+        if self.is_software { f.write_str(", in software") } else { Ok(()) }
+    }
+}
+
+/// An open graphics processor; copies share it.
+#[derive(Clone, Debug)]
+pub struct Context {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    adapter: Adapter,
+    /// What the device reported outside any call; a loss stays.
+    fault: Arc<Mutex<Option<GpuError>>>,
+}
+
+impl Context {
+    /// Opens the fastest graphics processor.
+    ///
+    /// # Errors
+    /// If there is none, or it cannot be opened.
+    pub fn new() -> Result<Self, GpuError> {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..wgpu::RequestAdapterOptions::default()
+        };
+        let adapter = pollster::block_on(instance.request_adapter(&options))
+            .map_err(|error| GpuError::NoAdapter(one_line(&error)))?;
+        let had = adapter.limits();
+        let descriptor = wgpu::DeviceDescriptor {
+            required_limits: wgpu::Limits {
+                max_storage_buffer_binding_size: had.max_storage_buffer_binding_size,
+                max_buffer_size: had.max_buffer_size,
+                ..wgpu::Limits::default()
+            },
+            ..wgpu::DeviceDescriptor::default()
+        };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|error| GpuError::NoDevice(one_line(&error)))?;
+        let fault = Arc::new(Mutex::new(None));
+        let set = |fault: &Mutex<Option<GpuError>>, error| {
+            let mut fault = fault.lock().unwrap_or_else(PoisonError::into_inner);
+            if !matches!(*fault, Some(GpuError::Lost(_))) {
+                *fault = Some(error);
+            }
+        };
+        let lost = Arc::clone(&fault);
+        device.set_device_lost_callback(move |_, message| set(&lost, GpuError::Lost(one_line(&message))));
+        // Without a handler wgpu ends the program.
+        let failed = Arc::clone(&fault);
+        device.on_uncaptured_error(Arc::new(move |error| set(&failed, GpuError::Failed(one_line(&error)))));
+        let info = adapter.get_info();
+        let adapter = Adapter {
+            name: info.name,
+            driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+            backend: info.backend.to_string(),
+            is_software: info.device_type == wgpu::DeviceType::Cpu,
+        };
+        Ok(Self { device, queue, adapter, fault })
+    }
+
+    /// Which graphics processor it is.
+    pub fn adapter(&self) -> &Adapter {
+        &self.adapter
+    }
+
+    /// Has the device stop for good, as a driver does that is reset.
+    pub fn destroy(&self) {
+        self.device.destroy();
+    }
+
+    /// Most bytes of a storage buffer.
+    pub(crate) fn binding_limit(&self) -> u64 {
+        let limits = self.device.limits();
+        limits.max_storage_buffer_binding_size.min(limits.max_buffer_size)
+    }
+
+    /// Most workgroups in a row.
+    pub(crate) fn workgroup_limit(&self) -> u64 {
+        self.device.limits().max_compute_workgroups_per_dimension.into()
+    }
+
+    /// A buffer of at least one word.
+    ///
+    /// # Errors
+    /// If it is too large for a binding.
+    pub(crate) fn buffer(&self, bytes: u64, usage: wgpu::BufferUsages) -> Result<wgpu::Buffer, GpuError> {
+        let limit = self.binding_limit();
+        if bytes > limit {
+            return Err(GpuError::TooLarge { bytes, limit });
+        }
+        let descriptor = wgpu::BufferDescriptor { label: None, size: bytes.max(4), usage, mapped_at_creation: false };
+        Ok(self.device.create_buffer(&descriptor))
+    }
+
+    /// A storage buffer with these contents.
+    ///
+    /// # Errors
+    /// If it is too large for a binding.
+    pub(crate) fn storage(&self, contents: &[u8]) -> Result<wgpu::Buffer, GpuError> {
+        let buffer = self.buffer(contents.len() as u64, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST)?;
+        self.write(&buffer, contents);
+        Ok(buffer)
+    }
+
+    /// Puts bytes at the beginning of a buffer.
+    pub(crate) fn write(&self, buffer: &wgpu::Buffer, contents: &[u8]) {
+        self.queue.write_buffer(buffer, 0, contents);
+    }
+
+    /// The function `main` of a shader.
+    pub(crate) fn kernel(&self, shader: &str) -> wgpu::ComputePipeline {
+        let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: None,
+            source: wgpu::ShaderSource::Wgsl(shader.into()),
+        });
+        self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: None,
+            layout: None,
+            module: &module,
+            entry_point: Some("main"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        })
+    }
+
+    /// Binds whole buffers in the order of their bindings.
+    pub(crate) fn bind(&self, kernel: &wgpu::ComputePipeline, buffers: &[&wgpu::Buffer]) -> wgpu::BindGroup {
+        let entries: Vec<_> = (0..)
+            .zip(buffers)
+            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
+            .collect();
+        let layout = kernel.get_bind_group_layout(0);
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout: &layout, entries: &entries })
+    }
+
+    /// Runs kernels one after the other, each on so many workgroups, and reads the first words of a result through a buffer
+    /// for reading.
+    ///
+    /// # Errors
+    /// If the device is lost or refuses.
+    pub(crate) fn run(
+        &self,
+        passes: &[(&wgpu::ComputePipeline, &wgpu::BindGroup, [u32; 2])],
+        [result, reading]: [&wgpu::Buffer; 2],
+        words: usize,
+    ) -> Result<Vec<u32>, GpuError> {
+        let bytes = 4 * words as u64;
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        for (kernel, bindings, [x, y]) in passes {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            pass.set_pipeline(kernel);
+            pass.set_bind_group(0, *bindings, &[]);
+            pass.dispatch_workgroups(*x, *y, 1);
+        }
+        encoder.copy_buffer_to_buffer(result, 0, reading, 0, bytes);
+        self.queue.submit([encoder.finish()]);
+        let (send, received) = std::sync::mpsc::channel();
+        // Nobody listens any more where the wait below has failed.
+        reading.map_async(wgpu::MapMode::Read, ..bytes, move |result| _ = send.send(result));
+        let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.check()?;
+        waited.map_err(|error| GpuError::Failed(one_line(&error)))?;
+        let mapped = received.recv().map_err(|error| GpuError::Failed(one_line(&error)))?;
+        mapped.map_err(|error| GpuError::Failed(one_line(&error)))?;
+        let view = reading.get_mapped_range(..bytes).map_err(|error| GpuError::Failed(one_line(&error)))?;
+        let out = view.chunks_exact(4).map(|word| u32::from_ne_bytes([word[0], word[1], word[2], word[3]])).collect();
+        drop(view);
+        reading.unmap();
+        Ok(out)
+    }
+
+    /// What the device has reported since the last time.
+    ///
+    /// # Errors
+    /// That.
+    pub(crate) fn check(&self) -> Result<(), GpuError> {
+        let mut fault = self.fault.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = fault.clone();
+        if !matches!(found, Some(GpuError::Lost(_))) {
+            *fault = None;
+        }
+        found.map_or(Ok(()), Err)
+    }
+}
+
+/// A message for one sentence.
+fn one_line(message: &impl ToString) -> String {
+    message.to_string().split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned()
+}

@@ -1,0 +1,6 @@
+//! Shaders, each beside its twin for the processor.
+
+pub(crate) mod distances;
+pub(crate) mod select;
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,181 @@
+//! The kernels on a graphics processor: buffers, dispatches, readback.
+
+use crate::context::{Adapter, Context};
+use crate::error::GpuError;
+use crate::kernels::{distances, select};
+use crate::windows::{Batch, Row, TILE, Table, WINDOW_WORDS, Window};
+use strut_core::search::WINDOW;
+
+/// Most queries of a slice, each of which is one submission: a whole number of tiles. More would keep a graphics processor
+/// from drawing for long.
+const SLICE: usize = 256;
+
+/// The kernels, compiled.
+#[derive(Clone, Debug)]
+pub(super) struct Kernels {
+    pub(super) context: Context,
+    distances: wgpu::ComputePipeline,
+    select: wgpu::ComputePipeline,
+}
+
+impl Kernels {
+    pub(super) fn new(context: Context) -> Result<Self, GpuError> {
+        let [distances, select] = [distances::SHADER, select::SHADER].map(|shader| context.kernel(shader));
+        context.check()?;
+        Ok(Self { context, distances, select })
+    }
+}
+
+/// A table on a graphics processor.
+#[derive(Debug)]
+pub(super) struct Graphics {
+    pub(super) kernels: Kernels,
+    rows: wgpu::Buffer,
+    windows: wgpu::Buffer,
+    /// Made for the slice at hand, and kept for as large ones.
+    slice: Option<Slice>,
+}
+
+/// Buffers of a slice of queries.
+#[derive(Debug)]
+struct Slice {
+    queries: usize,
+    rows: wgpu::Buffer,
+    windows: wgpu::Buffer,
+    margins: wgpu::Buffer,
+    classes: wgpu::Buffer,
+    #[cfg(test)]
+    distances: wgpu::Buffer,
+    found: wgpu::Buffer,
+    reading: wgpu::Buffer,
+    compare: wgpu::BindGroup,
+    choose: wgpu::BindGroup,
+}
+
+impl Graphics {
+    pub(super) fn new(kernels: Kernels, table: &Table) -> Result<Self, GpuError> {
+        let context = &kernels.context;
+        let (windows, limit) = (table.windows.len() as u64, context.workgroup_limit() * TILE as u64);
+        if windows > limit {
+            return Err(GpuError::TooMany { windows, limit });
+        }
+        let rows = context.storage(bytemuck::cast_slice(&table.rows))?;
+        let windows = context.storage(bytemuck::cast_slice(&words(&table.windows)))?;
+        context.check()?;
+        Ok(Self { kernels, rows, windows, slice: None })
+    }
+
+    pub(super) fn adapter(&self) -> &Adapter {
+        self.kernels.context.adapter()
+    }
+
+    /// Candidates of every class for every query, [`select::WORDS`] each.
+    pub(super) fn select(&mut self, table: &Table, batch: &Batch, k: usize) -> Result<Vec<u32>, GpuError> {
+        let classes = table.classes.len();
+        // Without windows there is nothing to bind.
+        if table.windows.is_empty() {
+            return Ok(vec![0; batch.windows.len() * classes * select::WORDS]);
+        }
+        let most = self.slice_of(table);
+        let mut found = Vec::with_capacity(batch.windows.len() * classes * select::WORDS);
+        for first in (0..batch.windows.len()).step_by(most) {
+            let queries = first..batch.windows.len().min(first + most);
+            let windows: Vec<Window> = batch.windows[queries.clone()]
+                .iter()
+                .map(|window| Window { end: window.end - (first * WINDOW) as u32, ..*window })
+                .collect();
+            let rows = &batch.rows[WINDOW * queries.start..WINDOW * queries.end];
+            let margins = &batch.margins[classes * queries.start..classes * queries.end];
+            found.extend(self.select_slice(table, &windows, rows, margins, k)?);
+        }
+        Ok(found)
+    }
+
+    /// Queries whose distances fit a binding, in whole tiles.
+    fn slice_of(&self, table: &Table) -> usize {
+        let of_a_query = 4 * table.windows.len() as u64;
+        let most = (self.kernels.context.binding_limit() / of_a_query) as usize;
+        (most.min(SLICE) / TILE * TILE).max(TILE)
+    }
+
+    fn select_slice(
+        &mut self,
+        table: &Table,
+        windows: &[Window],
+        rows: &[Row],
+        margins: &[f32],
+        k: usize,
+    ) -> Result<Vec<u32>, GpuError> {
+        let padded = windows.len().next_multiple_of(TILE);
+        let slice = match self.slice.take().filter(|slice| slice.queries >= padded) {
+            Some(slice) => slice,
+            None => self.make_slice(table, padded)?,
+        };
+        let slice = self.slice.insert(slice);
+        let context = &self.kernels.context;
+        context.write(&slice.rows, bytemuck::cast_slice(rows));
+        context.write(&slice.windows, bytemuck::cast_slice(&words(windows)));
+        context.write(&slice.margins, bytemuck::cast_slice(margins));
+        let classes: Vec<[u32; 4]> = table.classes.iter().map(|class| select::words(class, k)).collect();
+        context.write(&slice.classes, bytemuck::cast_slice(&classes));
+        let tiles = [table.windows.len() / TILE, padded / TILE].map(|n| n as u32);
+        let groups = [classes.len(), windows.len()].map(|n| n as u32);
+        let passes = [(&self.kernels.distances, &slice.compare, tiles), (&self.kernels.select, &slice.choose, groups)];
+        let found = classes.len() * windows.len() * select::WORDS;
+        context.run(&passes, [&slice.found, &slice.reading], found)
+    }
+
+    /// Every distance, a row of all windows for each query of a batch that was searched last and fits one slice.
+    #[cfg(test)]
+    pub(super) fn distances(&mut self, table: &Table, batch: &Batch) -> Result<Vec<f32>, GpuError> {
+        self.select(table, batch, 1)?;
+        let words = batch.windows.len() * table.windows.len();
+        let reading = self
+            .kernels
+            .context
+            .buffer(4 * words as u64, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST)?;
+        let distances = self.slice.as_ref().map(|slice| &slice.distances);
+        let found = distances
+            .map_or(Ok(Vec::new()), |distances| self.kernels.context.run(&[], [distances, &reading], words))?;
+        Ok(found.into_iter().map(f32::from_bits).collect())
+    }
+
+    /// Buffers for so many queries. What pads the last tile holds what was there before, and nobody reads its distances.
+    fn make_slice(&self, table: &Table, queries: usize) -> Result<Slice, GpuError> {
+        use wgpu::BufferUsages as Usage;
+        let context = &self.kernels.context;
+        let storage = |words: usize| context.buffer(4 * words as u64, Usage::STORAGE | Usage::COPY_DST);
+        let classes = table.classes.len();
+        let rows = storage(queries * WINDOW * size_of::<Row>() / 4)?;
+        // Padding refers to rows that are there.
+        let windows = context.storage(bytemuck::cast_slice(&words(&vec![Window::PADDING; queries])))?;
+        let (margins, class_table) = (storage(queries * classes)?, storage(classes * 4)?);
+        let distance_bytes = 4 * (queries * table.windows.len()) as u64;
+        let distances = context.buffer(distance_bytes, Usage::STORAGE | Usage::COPY_SRC)?;
+        let found_bytes = 4 * (queries * classes * select::WORDS) as u64;
+        let found = context.buffer(found_bytes, Usage::STORAGE | Usage::COPY_SRC)?;
+        let reading = context.buffer(found_bytes, Usage::MAP_READ | Usage::COPY_DST)?;
+        let stride = context.buffer(16, Usage::UNIFORM | Usage::COPY_DST)?;
+        context.write(&stride, bytemuck::cast_slice(&[table.windows.len() as u32, 0, 0, 0]));
+        let compare = context.bind(&self.kernels.distances, &[&self.rows, &self.windows, &rows, &windows, &distances]);
+        let choose = context.bind(&self.kernels.select, &[&distances, &class_table, &margins, &found, &stride]);
+        Ok(Slice {
+            queries,
+            rows,
+            windows,
+            margins,
+            classes: class_table,
+            #[cfg(test)]
+            distances,
+            found,
+            reading,
+            compare,
+            choose,
+        })
+    }
+}
+
+/// Windows as the shaders read them.
+fn words(windows: &[Window]) -> Vec<[u32; WINDOW_WORDS]> {
+    windows.iter().map(Window::words).collect()
+}

@@ -1,0 +1,117 @@
+//! Exhaustive search: distances, selection, exact re-ranking.
+
+mod graphics;
+#[cfg(test)]
+mod tests;
+
+use crate::context::{Adapter, Context};
+use crate::error::GpuError;
+use crate::kernels::{distances, select};
+use crate::windows::{Batch, Table};
+use graphics::{Graphics, Kernels};
+use strut_core::search::{Index, Metric, Neighbour, Neighbours, Query, QueryWindow};
+
+/// Greatest margin, m², for which the candidates of a graphics processor are taken. It is never reached by people; beyond
+/// it numbers come near those that cannot be represented.
+const GREATEST_MARGIN: f32 = 1e6;
+
+/// The exhaustive search of an index: to the bit what [`Index::nearest`] finds.
+#[derive(Debug)]
+pub struct Searcher<'a> {
+    index: &'a Index,
+    table: Table,
+    /// None: the kernels' twins.
+    graphics: Option<Graphics>,
+}
+
+/// What is found for several windows.
+#[derive(Clone, Debug, Default)]
+pub struct Found {
+    /// For each window, of every class: the nearest by the full-body metric.
+    pub neighbours: Vec<Vec<Neighbours>>,
+    /// Windows that were compared again exactly.
+    pub candidates: usize,
+    /// How many times the index searched a class: more windows seemed near than there are places for, or numbers are too
+    /// large.
+    pub searched_by_index: usize,
+}
+
+impl<'a> Searcher<'a> {
+    /// By a graphics processor.
+    ///
+    /// # Errors
+    /// If windows are not [`WINDOW`](strut_core::search::WINDOW) frames long, or do not fit the graphics processor.
+    pub fn new(index: &'a Index, context: Context) -> Result<Self, GpuError> {
+        let table = Table::new(index)?;
+        let graphics = Some(Graphics::new(Kernels::new(context)?, &table)?);
+        Ok(Self { index, table, graphics })
+    }
+
+    /// By the kernels' twins, on the processor.
+    ///
+    /// # Errors
+    /// If windows are not [`WINDOW`](strut_core::search::WINDOW) frames long.
+    pub fn without_graphics(index: &'a Index) -> Result<Self, GpuError> {
+        Ok(Self { index, table: Table::new(index)?, graphics: None })
+    }
+
+    /// The graphics processor that searches.
+    pub fn adapter(&self) -> Option<&Adapter> {
+        self.graphics.as_ref().map(Graphics::adapter)
+    }
+
+    /// The `k` windows of every class that are nearest to each of several, of which none is empty.
+    ///
+    /// # Errors
+    /// If a window is empty or has another length than the index's, or the graphics processor fails. After
+    /// [`GpuError::Lost`] it always does.
+    pub fn nearest(&mut self, windows: &[QueryWindow], k: usize) -> Result<Found, GpuError> {
+        let queries: Vec<Prepared<'_>> =
+            windows.iter().map(|window| (window, self.index.prepare(window, Metric::FullBody))).collect();
+        let batch = self.table.batch(self.index, &queries)?;
+        let selected = self.select(&batch, k)?;
+        Ok(self.rank(&queries, &batch.margins, &selected, k))
+    }
+
+    /// Candidates of every class for every query, [`select::WORDS`] each.
+    fn select(&mut self, batch: &Batch, k: usize) -> Result<Vec<u32>, GpuError> {
+        let Self { table, graphics, .. } = self;
+        if let Some(graphics) = graphics {
+            return graphics.select(table, batch, k);
+        }
+        let classes = table.classes.len().max(1);
+        let one = |(query, margins): (usize, &[f32])| {
+            select::select(table, &distances::distances(table, batch, query), margins, k)
+        };
+        Ok(batch.margins.chunks_exact(classes).enumerate().flat_map(one).collect())
+    }
+
+    /// The nearest of the candidates by the processor's D.
+    fn rank(&self, queries: &[Prepared<'_>], margins: &[f32], selected: &[u32], k: usize) -> Found {
+        let classes = self.table.classes.len();
+        let (mut found, mut scratch) = (Found::default(), self.index.scratch(k));
+        for (q, (_, query)) in queries.iter().enumerate() {
+            let mut of_query = vec![Neighbours::default(); classes];
+            for (class, out) in of_query.iter_mut().enumerate() {
+                let at = q * classes + class;
+                let candidates = select::windows(&selected[at * select::WORDS..][..select::WORDS]);
+                let Some(candidates) = candidates.filter(|_| margins[at] <= GREATEST_MARGIN) else {
+                    self.index.nearest(query, &[class], k, &mut scratch, out);
+                    found.searched_by_index += 1;
+                    continue;
+                };
+                out.begin(k);
+                found.candidates += candidates.len();
+                for &window in candidates {
+                    let row = self.table.windows[window as usize].end;
+                    out.offer(Neighbour { distance: self.index.distance_to(query, row as usize), row });
+                }
+            }
+            found.neighbours.push(of_query);
+        }
+        found
+    }
+}
+
+/// A window and the same made ready for the index.
+type Prepared<'a> = (&'a QueryWindow, Query<'a>);
