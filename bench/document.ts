@@ -1,4 +1,5 @@
 /** docs/performance.md: every figure with the machine and the command that gave it. */
+import { CARDS, type Card } from "./cards";
 import type { LargeReport } from "./large";
 import { MODES, type Report, type Row } from "./report";
 import { agreementTable, type Cells, markdown, memoryTable, milliseconds, ratioTable, stageTable } from "./table";
@@ -63,6 +64,33 @@ function largeSection({ command, report }: Measured<LargeReport>): string[] {
   ];
 }
 
+/** Every window on a graphics card, as the paper searched. */
+function cardsSection(cards: readonly Card[]): string[] {
+  const ratio = (n?: number) => (n === undefined ? "" : `${n.toFixed(1)} ×`);
+  const rows = cards
+    .filter((card) => !card.software)
+    .map((card) => [
+      `${card.adapter} (${card.backend}, ${card.driver}), ${card.date}`,
+      thousands(card.frames),
+      milliseconds(card.all_ms),
+      milliseconds(card.batch_ms),
+      ratio(card.engine_is_faster?.all),
+      ratio(card.engine_is_faster?.batch),
+      `${thousands(card.identical)} of ${thousands(card.sets)}`,
+    ]);
+  return [
+    "## Every window on a graphics card",
+    "The paper compared every window on a graphics card. `strut bench --gpu` does that, one window at a time (*all*) and 256 together (*batch*), beside the engine's search from a cold start on one thread, in the same run; it compares the sets of neighbours to the bit, and names the card and its driver.",
+    rows.length
+      ? markdown([
+          ["card", "frames", "all, ms", "batch, ms a window", "engine faster: all", "batch", "identical sets"],
+          ...rows,
+        ])
+      : "No card has been measured yet. A graphics processor in software tells whether the kernels are right, and not how fast they are; the tests run on Chromium's (`cargo gpu-tests`), and no time of it is told.",
+    "To add a card: run `npm run bench -- --gpu --json card.json` on it, and put `gpu` and the medians of the rows of `gpu-brute` in that file, with the date, into `bench/cards.ts`; `npm run bench -- --write` puts them here.",
+  ];
+}
+
 /** The whole page. */
 export function document(
   date: string,
@@ -81,6 +109,7 @@ export function document(
     "## Natively, by the size of the database",
     `${native.report.machine}; \`${native.command}\`. Medians in milliseconds.`,
     markdown(growthTable(native.report.rows)),
+    ...cardsSection(CARDS),
     "",
   ];
   return parts.join("\n\n").replace(/\n+$/, "\n");

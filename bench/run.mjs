@@ -1,8 +1,9 @@
-// npm run bench -- [--frames N | --db DB] [--json FILE] [--write | --clips | --large]: builds what is measured and measures
-// it in Node.
+// npm run bench -- [--frames N | --db DB] [--json FILE] [--write | --clips | --large | --gpu]: builds what is measured and
+// measures it in Node.
 // With --write it also measures natively at several sizes, on both sources if --db is given, and writes
 // docs/performance.md. With --clips it measures instead how long a whole clip of a minute takes, with --large
-// what a database of a million frames takes.
+// what a database of a million frames takes. With --gpu it measures natively, beside the paper's search on a graphics card:
+// Node has no WebGPU.
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, dirname, join, resolve } from "node:path";
@@ -20,18 +21,35 @@ const SIZES = "20000,79829,400000,1600000";
 /** A path as the person who typed it meant it. */
 const path = (name) => resolve(process.env.INIT_CWD ?? ".", name);
 
-/** Builds the command and measures with it. */
-async function measureNatively() {
+/** Builds the command, with features or without. */
+async function buildCommand(...features) {
   const rust = await setupRust();
   const env = { env: rust, cwd: join(root, "rust") };
-  await step("Building the command", () =>
-    run(rust.CARGO ?? "cargo", ["build", "--release", "--quiet", "-p", "strut-cli"], env),
-  );
+  const build = [
+    "build",
+    "--release",
+    "--quiet",
+    "-p",
+    "strut-cli",
+    ...features.flatMap((name) => ["--features", name]),
+  ];
+  await step("Building the command", () => run(rust.CARGO ?? "cargo", build, env));
+  return join(root, "rust", "target", "release", "strut");
+}
+
+/** Measures with the command, beside the paper's search on the graphics card. */
+async function measureGraphics({ frames, db, json }) {
+  const strut = await buildCommand("gpu");
+  const options = [frames && ["--frames", frames], db && ["--db", path(db)], json && ["--json", path(json)]];
+  await run(strut, ["bench", "--gpu", ...options.filter(Boolean).flat()]);
+}
+
+/** Builds the command and measures with it. */
+async function measureNatively() {
+  const strut = await buildCommand();
   const json = join(mkdtempSync(join(tmpdir(), "strut-bench-")), "native.json");
   const command = ["bench", "--frames", SIZES];
-  await step("Measuring natively", () =>
-    run(join(root, "rust", "target", "release", "strut"), [...command, "--json", json]),
-  );
+  await step("Measuring natively", () => run(strut, [...command, "--json", json]));
   return { command: ["strut", ...command].join(" "), report: JSON.parse(readFileSync(json, "utf8")) };
 }
 
@@ -55,10 +73,12 @@ await main(async () => {
       write: { type: "boolean", default: false },
       clips: { type: "boolean", default: false },
       large: { type: "boolean", default: false },
+      gpu: { type: "boolean", default: false },
     },
   });
   if (values.db && values.frames) throw new Sentence("--db and --frames exclude each other.");
   if (values.db && !existsSync(path(values.db))) throw new Sentence(`${values.db}: there is no such file.`);
+  if (values.gpu) return measureGraphics(values);
   await buildWasm({ mode: "full", bench: "full" });
   const { module: bench } = await runnerImport(join(root, "bench", "node.ts"));
   const frames = Number(values.frames ?? (values.large ? bench.LARGE_FRAMES : bench.PAPER_FRAMES));

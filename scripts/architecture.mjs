@@ -19,7 +19,7 @@ const CRATES = {
   "strut-wasm-walk": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-key-style": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-character": ["strut-wasm-common", "strut-core", "strut-formats"],
-  "strut-cli": ["strut-core", "strut-formats", "strut-demo"],
+  "strut-cli": ["strut-core", "strut-formats", "strut-demo", "strut-gpu"],
   xtask: [],
 };
 

@@ -16,6 +16,17 @@ fn folder() -> tempfile::TempDir {
 
 const STYLIZE: [&str; 9] = ["stylize", "--db", "demo.strutdb", "--input", "in.bvh", "--style", "old", "-o", "out.bvh"];
 
+#[cfg(not(feature = "gpu"))]
+#[test]
+fn a_command_without_the_graphics_processor_says_how_to_build_it() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_refused(
+        folder.path(),
+        &["bench", "--gpu", "--frames", "4800", "--json", "out.json"],
+        "npm run bench -- --gpu",
+    );
+}
+
 /// Every command that reads `in.bvh` refuses it.
 fn assert_bvh_refused(folder: &Path, content: impl AsRef<[u8]>, expected: &str) {
     fs::write(folder.join("in.bvh"), content).unwrap();

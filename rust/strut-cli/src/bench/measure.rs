@@ -45,7 +45,7 @@ impl Mode {
 pub(crate) struct Row {
     pub(crate) stage: &'static str,
     pub(crate) mode: &'static str,
-    engine: &'static str,
+    pub(crate) engine: &'static str,
     frames: usize,
     classes: usize,
     pub(crate) median_ms: f64,
@@ -58,11 +58,23 @@ impl Row {
         mode: &'static str,
         frames: usize,
         classes: usize,
+        samples_ms: Vec<f64>,
+    ) -> Self {
+        Self::of("native", stage, mode, frames, classes, samples_ms)
+    }
+
+    /// Of an engine.
+    pub(crate) fn of(
+        engine: &'static str,
+        stage: &'static str,
+        mode: &'static str,
+        frames: usize,
+        classes: usize,
         mut samples_ms: Vec<f64>,
     ) -> Self {
         samples_ms.sort_by(f64::total_cmp);
         let [median_ms, p95_ms] = [0.5, 0.95].map(|share| percentile(&samples_ms, share));
-        Self { stage, mode, engine: "native", frames, classes, median_ms, p95_ms }
+        Self { stage, mode, engine, frames, classes, median_ms, p95_ms }
     }
 }
 

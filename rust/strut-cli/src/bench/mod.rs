@@ -3,6 +3,7 @@
 mod measure;
 mod recall;
 mod table;
+mod yardstick;
 
 use crate::clip::read_database;
 use crate::failure::{Failure, Outcome};
@@ -20,6 +21,7 @@ use strut_core::search::Index;
 use strut_core::transfer::Model;
 use strut_demo::benchmark::{self, LEAST_FRAMES, PAPER_FRAMES, Query};
 use strut_formats::strutdb::{self, Contents};
+use yardstick::{Comparison, Yardstick};
 
 /// Measure how long a frame takes
 ///
@@ -33,6 +35,9 @@ pub(crate) struct Args {
     /// Frames of the procedural databases to measure on instead, one after the other
     #[arg(long, value_name = "N[,N…]", value_delimiter = ',', default_values_t = [PAPER_FRAMES])]
     frames: Vec<usize>,
+    /// Compare with the paper's search, every window on a graphics processor, too
+    #[arg(long)]
+    gpu: bool,
     /// Write the figures to this file
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -44,6 +49,8 @@ struct Report {
     machine: String,
     rows: Vec<Row>,
     recall: Vec<SearchRow>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    gpu: Vec<Comparison>,
 }
 
 /// Most frames whose database is also written and opened, and whose index is copied: more would not fit beside their own
@@ -56,16 +63,18 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if let Some(n) = wrong {
         return Err(Failure::usage(format!("--frames is {n}; {LEAST_FRAMES} to {MAX_FRAMES} was expected")));
     }
-    let mut report = Report { machine: machine(), rows: Vec::new(), recall: Vec::new() };
+    let mut report = Report { machine: machine(), rows: Vec::new(), recall: Vec::new(), gpu: Vec::new() };
     print(&format!("{}, one thread\n", report.machine));
+    let yardstick = if args.gpu { Yardstick::open()? } else { None };
+    let yardstick = yardstick.as_ref();
     if let Some(path) = &args.db {
         let (database, queries) =
             benchmark::hold_out(&read_database(path)?).map_err(|reason| Failure::in_file(path, reason))?;
-        measure_on(database, &queries, &mut report);
+        measure_on(database, &queries, yardstick, &mut report);
     } else {
         let queries = benchmark::queries();
         for &frames in &args.frames {
-            measure_on(benchmark::database(frames).map_err(Failure::new)?, &queries, &mut report);
+            measure_on(benchmark::database(frames).map_err(Failure::new)?, &queries, yardstick, &mut report);
         }
     }
     let mut outputs = Outputs::default();
@@ -74,7 +83,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 }
 
 /// Measures on a database, prints the tables and adds their rows.
-fn measure_on(database: Database, queries: &[Query], report: &mut Report) {
+fn measure_on(database: Database, queries: &[Query], yardstick: Option<&Yardstick>, report: &mut Report) {
     let rows = &mut report.rows;
     let first = rows.len();
     let write = || strutdb::write(&database, &Index::build(&database).plan(), strut_formats::GENERATOR);
@@ -103,10 +112,15 @@ fn measure_on(database: Database, queries: &[Query], report: &mut Report) {
     }
     drop(bar);
     print(&table::text(&rows[first..], frames, classes));
+    let windows = recall::all_windows(model.catalogue(), queries);
     if frames <= MOST_TO_OPEN {
-        let recall = recall::measure(model.catalogue(), model.index(), queries);
+        let recall = recall::measure(model.catalogue(), model.index(), &windows);
         print(&recall::text(&recall));
         report.recall.extend(recall);
+    }
+    if let Some((rows, comparison)) = yardstick.and_then(|y| y.measure(model.index(), &windows)) {
+        report.rows.extend(rows);
+        report.gpu.push(comparison);
     }
 }
 

@@ -12,7 +12,7 @@ use strut_core::search::{ClassSearch, Index, Neighbours, QueryWindow, Recall};
 use strut_demo::benchmark::Query;
 
 /// Neighbours that are looked for in every class.
-const K: usize = 40;
+pub(super) const K: usize = 40;
 /// Candidates of a kd-tree.
 const CANDIDATES: [usize; 4] = [40, 80, 160, 320];
 /// Frames between two that are searched.
@@ -32,9 +32,8 @@ pub(crate) struct SearchRow {
 }
 
 /// The exact search and kd-trees of several sizes on the same windows.
-pub(super) fn measure(db: &Catalogue, index: &Index, queries: &[Query]) -> Vec<SearchRow> {
-    let windows: Vec<QueryWindow> = queries.iter().flat_map(|query| windows(db, query)).collect();
-    let (nearest, times) = search(index, &windows);
+pub(super) fn measure(db: &Catalogue, index: &Index, windows: &[QueryWindow]) -> Vec<SearchRow> {
+    let (nearest, times) = search(index, windows);
     let row = |search: Search, found: &[Vec<Neighbours>], mut times: Vec<f64>| {
         let mut recall = Recall::default();
         nearest.iter().zip(found).for_each(|(nearest, found)| recall.add(nearest, found));
@@ -46,7 +45,7 @@ pub(super) fn measure(db: &Catalogue, index: &Index, queries: &[Query]) -> Vec<S
     let exact = row(Search::Exact, &nearest, times);
     let trees = CANDIDATES.into_iter().filter_map(NonZero::new).map(|candidates| Search::KdTree { candidates });
     let trees = trees.map(|trees| {
-        let (found, times) = search(&trees.of(index.clone()), &windows);
+        let (found, times) = search(&trees.of(index.clone()), windows);
         row(trees, &found, times)
     });
     std::iter::once(exact).chain(trees).collect()
@@ -69,7 +68,11 @@ pub(super) fn text(rows: &[SearchRow]) -> String {
     out
 }
 
-/// Windows of a motion, here and there.
+/// Windows of motions, here and there.
+pub(super) fn all_windows(db: &Catalogue, queries: &[Query]) -> Vec<QueryWindow> {
+    queries.iter().flat_map(|query| windows(db, query)).collect()
+}
+
 fn windows(db: &Catalogue, query: &Query) -> Vec<QueryWindow> {
     let (mut window, mut filter) = (QueryWindow::default(), HeadingFilter::default());
     let all = query.motion.poses.iter().map(|pose| {
@@ -80,7 +83,7 @@ fn windows(db: &Catalogue, query: &Query) -> Vec<QueryWindow> {
 }
 
 /// What is found in every class for every window, from a cold start, and the milliseconds that each window took.
-fn search(index: &Index, windows: &[QueryWindow]) -> (Vec<Vec<Neighbours>>, Vec<f64>) {
+pub(super) fn search(index: &Index, windows: &[QueryWindow]) -> (Vec<Vec<Neighbours>>, Vec<f64>) {
     let mut search = ClassSearch::default();
     let one = |window| {
         search.forget();
@@ -100,7 +103,8 @@ mod tests {
     #[test]
     fn more_candidates_find_more_of_the_nearest_and_the_exact_search_all() {
         let catalogue = Catalogue::new(benchmark::database(20_000).unwrap());
-        let rows = measure(&catalogue, catalogue.index(), &benchmark::queries()[..1]);
+        let windows = all_windows(&catalogue, &benchmark::queries()[..1]);
+        let rows = measure(&catalogue, catalogue.index(), &windows);
         let recalls: Vec<f64> = rows.iter().map(|row| row.recall).collect();
         assert!((recalls[0] - 1.0).abs() < f64::EPSILON);
         assert!(recalls[1] < 0.98, "{recalls:?}");

@@ -1,0 +1,162 @@
+//! The exhaustive search by wgpu.
+
+use super::super::measure::{Row, ms_since};
+use super::super::recall::{self, K};
+use super::super::table::{PAPER_SEARCH_MS, short};
+use crate::failure::Outcome;
+use crate::files::print;
+use serde::Serialize;
+use std::fmt::Write;
+use std::time::Instant;
+use strut_core::search::{Index, QueryWindow};
+use strut_gpu::{Adapter, Context, GpuError, Searcher};
+
+/// Queries at once in mode `batch`.
+const BATCH: usize = 256;
+/// Queries that are searched one by one in mode `all`; as many are compared where times mean nothing.
+const SINGLE: usize = 64;
+/// Of each kind, what is searched first: drivers finish their compilation late.
+const WARM_UP: usize = 3;
+/// As the reports call it.
+const ENGINE: &str = "gpu-brute";
+
+/// An open graphics processor.
+pub(in crate::bench) struct Yardstick {
+    context: Context,
+}
+
+/// What a graphics processor found, beside the engine.
+#[derive(Serialize)]
+pub(in crate::bench) struct Comparison {
+    adapter: String,
+    driver: String,
+    backend: String,
+    /// Then there are no times.
+    software: bool,
+    frames: usize,
+    classes: usize,
+    /// Sets of neighbours, one for each window and class.
+    sets: usize,
+    /// Those that are the engine's to the bit.
+    identical: usize,
+    candidates_per_neighbour: f64,
+    /// Sets that the engine had to search for.
+    searched_by_engine: usize,
+    /// How many times faster the engine's search from a cold start is than the graphics processor's, in medians.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    engine_is_faster: Option<Ratios>,
+}
+
+/// A ratio for each mode.
+#[derive(Clone, Copy, Serialize)]
+struct Ratios {
+    all: f64,
+    batch: f64,
+}
+
+impl Yardstick {
+    /// Opens the fastest graphics processor; where there is none, says so.
+    #[allow(clippy::unnecessary_wraps)] // Without the feature `gpu` it fails.
+    pub(in crate::bench) fn open() -> Outcome<Option<Self>> {
+        match Context::new() {
+            Ok(context) => {
+                print(&format!("{}\n", context.adapter()));
+                Ok(Some(Self { context }))
+            }
+            Err(reason) => {
+                print(&format!("{}; the processor is measured alone\n", sentence(&reason)));
+                Ok(None)
+            }
+        }
+    }
+
+    /// Searches for the windows' neighbours in every class, prints and gives how that compares. Where the graphics processor
+    /// fails, says so.
+    pub(in crate::bench) fn measure(&self, index: &Index, windows: &[QueryWindow]) -> Option<(Vec<Row>, Comparison)> {
+        let measured = self.try_to_measure(index, windows);
+        measured.map_err(|reason| print(&format!("\n{}; the processor is measured alone\n", sentence(&reason)))).ok()
+    }
+
+    fn try_to_measure(&self, index: &Index, windows: &[QueryWindow]) -> Result<(Vec<Row>, Comparison), GpuError> {
+        let adapter = self.context.adapter();
+        let mut searcher = Searcher::new(index, self.context.clone())?;
+        let compared: Vec<QueryWindow> =
+            if adapter.is_software { spread(windows, SINGLE) } else { spread(windows, windows.len()) };
+        let found = searcher.nearest(&compared, K)?;
+        let (expected, native_ms) = recall::search(index, &compared);
+        let sets = || expected.iter().flatten().zip(found.neighbours.iter().flatten());
+        let identical = sets().filter(|(a, b)| a.as_slice() == b.as_slice()).count();
+        let neighbours: usize = expected.iter().flatten().map(|set| set.as_slice().len()).sum();
+        let mut comparison = Comparison {
+            adapter: adapter.name.clone(),
+            driver: adapter.driver.clone(),
+            backend: adapter.backend.clone(),
+            software: adapter.is_software,
+            frames: index.rows(),
+            classes: index.classes(),
+            sets: sets().count(),
+            identical,
+            candidates_per_neighbour: found.candidates as f64 / neighbours.max(1) as f64,
+            searched_by_engine: found.searched_by_index,
+            engine_is_faster: None,
+        };
+        let row = |mode, engine, samples| Row::of(engine, "search", mode, index.rows(), index.classes(), samples);
+        let mut rows = Vec::new();
+        if !adapter.is_software {
+            let native = row("batch", "native", native_ms);
+            let all = row("all", ENGINE, times(&mut searcher, &spread(windows, SINGLE), 1)?);
+            let batch = row("batch", ENGINE, times(&mut searcher, windows, BATCH)?);
+            let ratio = |row: &Row| row.median_ms / native.median_ms;
+            comparison.engine_is_faster = Some(Ratios { all: ratio(&all), batch: ratio(&batch) });
+            rows = vec![native, all, batch];
+        }
+        print(&text(adapter, &comparison, &rows));
+        Ok((rows, comparison))
+    }
+}
+
+/// At most so many windows, from all over.
+fn spread(windows: &[QueryWindow], most: usize) -> Vec<QueryWindow> {
+    windows.iter().step_by(windows.len().div_ceil(most.max(1)).max(1)).cloned().collect()
+}
+
+/// Milliseconds a window, searched so many at a time, with upload, readback and exact re-ranking.
+fn times(searcher: &mut Searcher<'_>, windows: &[QueryWindow], at_a_time: usize) -> Result<Vec<f64>, GpuError> {
+    let one = |windows: &[QueryWindow]| {
+        let started = Instant::now();
+        searcher.nearest(windows, K)?;
+        Ok(ms_since(started) / windows.len() as f64)
+    };
+    // Whole ones alone, unless there is no other.
+    let portions = || windows.chunks(at_a_time).filter(|w| w.len() == at_a_time.min(windows.len()));
+    let all: Vec<f64> = portions().take(WARM_UP).chain(portions()).map(one).collect::<Result<_, _>>()?;
+    Ok(all[WARM_UP.min(all.len() / 2)..].to_vec())
+}
+
+fn sentence(reason: &GpuError) -> String {
+    let reason = reason.to_string();
+    reason[..1].to_uppercase() + &reason[1..]
+}
+
+/// What was compared, and a line for each time.
+fn text(adapter: &Adapter, comparison: &Comparison, rows: &[Row]) -> String {
+    let Comparison { sets, identical, candidates_per_neighbour, .. } = comparison;
+    let mut out = format!(
+        "\nevery window by {adapter}: {identical} of {sets} neighbour sets are the engine's to the bit, \
+         {candidates_per_neighbour:.2} candidates a neighbour\n"
+    );
+    for row in rows {
+        let (engine, mode, ms) = (row.engine, row.mode, short(row.median_ms));
+        let ratio = rows[0].median_ms / row.median_ms;
+        let paper = PAPER_SEARCH_MS / row.median_ms;
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            out,
+            "{engine:<10}{mode:<6}{ms:>10} ms a window, {ratio:.3} × as fast as native, {paper:.2} × as the paper"
+        );
+    }
+    if comparison.software {
+        out += "a graphics processor in software has no times worth telling\n";
+    }
+    out
+}

@@ -1,0 +1,27 @@
+//! What the command is without the feature `gpu`.
+
+use super::super::measure::Row;
+use crate::failure::{Failure, Outcome};
+use serde::Serialize;
+use strut_core::search::{Index, QueryWindow};
+
+/// There is none.
+pub(in crate::bench) enum Yardstick {}
+
+/// There is none.
+#[derive(Serialize)]
+pub(in crate::bench) enum Comparison {}
+
+impl Yardstick {
+    /// Says how to build the command with it.
+    pub(in crate::bench) fn open() -> Outcome<Option<Self>> {
+        Err(Failure::new(
+            "this strut was built without the graphics processor; \
+             `npm run bench -- --gpu` and `cargo build --release -p strut-cli --features gpu` build it with it",
+        ))
+    }
+
+    pub(in crate::bench) fn measure(&self, _: &Index, _: &[QueryWindow]) -> Option<(Vec<Row>, Comparison)> {
+        match *self {}
+    }
+}
