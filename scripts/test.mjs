@@ -7,12 +7,8 @@ import { main, root, run, step } from "./steps.mjs";
 await main(async () => {
   const { rust, wasm } = await buildSite({ mode: "quick", bench: "quick" });
   const browser = await setupBrowser();
-  const cargo = (env, ...args) => run(rust.CARGO ?? "cargo", args, { env, cwd: join(root, "rust") });
-  await step("Rust tests", () => cargo(rust, "tests", "--quiet"));
-  // Apart from the others, which need not wait for wgpu.
-  await step("Rust tests of the graphics processor", () =>
-    cargo({ ...rust, ...softwareGraphics(browser.CHROME_PATH) }, "gpu-tests", "--quiet"),
-  );
+  const env = { ...rust, ...softwareGraphics(browser.CHROME_PATH) };
+  await step("Rust tests", () => run(rust.CARGO ?? "cargo", ["tests", "--quiet"], { env, cwd: join(root, "rust") }));
   await step("TypeScript, parity and browser tests", () =>
     run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run"], {
       env: { ...wasm, ...browser },
