@@ -69,6 +69,7 @@ function worker() {
     setCount: async (count) => void heard.push(`count ${count}`),
     setField: async (vertices) => void heard.push(`field ${vertices.length}`),
     setRoute: async (points) => void heard.push(`route ${points.length}`),
+    setBones: async (offsets) => void heard.push(`bones ${offsets[0]} before tick ${state.ticks + 1}`),
     exportBvh: async (walker, secs) => `HIERARCHY ${walker} ${secs}`,
   };
   const spawn = () =>
@@ -157,6 +158,14 @@ test("controls reach the worker while it ticks", async () => {
   expect(await crowd.exportBvh(2, 5)).toBe("HIERARCHY 2 5");
   await clock.pass(100);
   expect(heard).toEqual(["count 9", "field 1", "route 0"]);
+});
+
+test("joints lie on the bones that are asked for from the first tick on", async () => {
+  const { spawn, heard } = worker();
+  const bonesOf = ({ length }: Float32Array) => new Float32Array(length).fill(length);
+  const crowd = await createCrowd({ kind: "walkers" }, { count: 4, bonesOf }, { spawn, clock: new TestClock() });
+  expect(heard).toEqual(["bones 63 before tick 1"]);
+  crowd.dispose();
 });
 
 test("a fault ends the crowd with one error, and so does dispose with none", async () => {

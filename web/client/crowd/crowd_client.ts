@@ -20,7 +20,13 @@ export {
 export type { CrowdFacts, CrowdStart, CrowdTick, Walkers } from "./protocol";
 
 /** How many arguments each call has. */
-const ARITY = { open: 2, tick: 1, setCount: 1, setField: 1, setRoute: 1, exportBvh: 2 } as const;
+const ARITY = { open: 2, tick: 1, setCount: 1, setField: 1, setRoute: 1, setBones: 1, exportBvh: 2 } as const;
+
+/** What a crowd is drawn on. */
+export interface CrowdDrawing {
+  /** Bones that joints are to lie on, by those of the model, 21 × xyz in metres; the model's own if missing. */
+  bonesOf?: (proportions: Float32Array) => Float32Array;
+}
 
 /** What tests replace. */
 export interface CrowdSurroundings {
@@ -38,12 +44,13 @@ function spawnWorker(): ClientPort {
  */
 export async function createCrowd(
   walkers: Walkers,
-  { signal, ...start }: CrowdStart & Pick<CallOptions, "signal">,
+  { signal, bonesOf, ...start }: CrowdStart & CrowdDrawing & Pick<CallOptions, "signal">,
   { spawn = spawnWorker, clock = PAGE_CLOCK }: CrowdSurroundings = {},
 ): Promise<Crowd> {
   const rpc = new RpcClient(spawn, "crowd");
   try {
     const facts = (await rpc.call("open", [walkers, start], signal)) as CrowdFacts;
+    if (bonesOf) await rpc.call("setBones", [bonesOf(facts.proportions)], signal);
     return new Crowd(rpc, facts, start.count, clock);
   } catch (thrown) {
     rpc.dispose();

@@ -49,5 +49,7 @@ export interface CrowdCalls {
   setCount(count: number): Promise<void>;
   setField(vertices: readonly FieldVertex[]): Promise<void>;
   setRoute(points: readonly Place[]): Promise<void>;
+  /** Bones that the joints lie on in place of the model's own. */
+  setBones(offsets: Float32Array): Promise<void>;
   exportBvh(walker: number, secs: number): Promise<string>;
 }

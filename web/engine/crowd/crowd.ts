@@ -115,6 +115,14 @@ export class Crowd extends Handle<InstanceType<CrowdGlue["Crowd"]>> {
     crowdPackage.guarded(() => this.raw.setRoute(Float32Array.from(points.flat())));
   }
 
+  /**
+   * Bones that the joints lie on, 21 × xyz in metres, in place of {@link proportions}.
+   * @throws StrutError if they are none; nothing changes then
+   */
+  setBones(offsets: Float32Array): void {
+    crowdPackage.guarded(() => this.raw.setBones(offsets));
+  }
+
   /** A BVH file of the next seconds of a walker, as if nobody else were there. */
   toBvh(walker: number, secs: number): string {
     return crowdPackage.guarded(() => this.raw.toBvh(walker, secs));
