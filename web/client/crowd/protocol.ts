@@ -1,5 +1,5 @@
 /** What the page and the crowd's worker say to each other. */
-import type { FieldVertex, Place } from "../../engine/crowd/crowd";
+import type { FieldVertex, Place } from "../../engine/crowd/limits";
 
 /** Who walks: the model of a `.strutwalk` file, or of the built-in walks. */
 export interface Walkers {

@@ -30,11 +30,18 @@ export interface ScreenPlace {
 
 const RANGE: CameraRange = {
   home: { azimuth: MathUtils.degToRad(16), elevation: MathUtils.degToRad(17), distance: 19 },
-  distances: [3, 60],
-  far: 160,
+  distances: [3, 90],
+  far: 220,
 };
 /** Half the width that has to fit into the picture at home, metres. */
 const HALF_WIDTH = 4.6;
+/** Distance from which the view from above shows most of the ground, in radii of it, and the greatest, metres. */
+const ABOVE = 3.4;
+const HIGHEST = 80;
+/** Time in which the camera covers half the way to whom it follows, or back, seconds. */
+const FOLLOW_HALF_LIFE = 0.16;
+/** Nearer than this it is there, metres. */
+const ARRIVED = 1e-3;
 /** Height of somebody, metres. */
 const HEIGHT = 1.7;
 /** Radius of the ring around somebody who is chosen, metres. */
@@ -44,6 +51,11 @@ const REACH_PX = 13;
 /** Without a graphics card fewer people wear the finer bodies, and fewer have an outline for a shadow. */
 const SOFTWARE_LIMITS: BodyLimits = { near: { height: 220, count: 0 }, middle: { height: 90, count: 8 } };
 const OUTLINED = { hardware: 0.05, software: 0.14 };
+
+/** The bones that everybody is drawn on, by those of the motion: joints have to lie on them. 21 × xyz, metres. */
+export function drawnBones(proportions: ArrayLike<number>): Float32Array {
+  return fitTo(proportions).proportions;
+}
 
 /** A viewer in a container, whose size it follows. The page calls {@link render} once an animation frame. */
 export class CrowdViewer {
@@ -66,6 +78,8 @@ export class CrowdViewer {
   #lastTime: number | undefined;
   /** Who is chosen. */
   #chosen: number | undefined;
+  /** What the camera looks at: the middle, somebody, or on the way between them. */
+  readonly #focus = new Vector3();
   /** Whether the camera follows who is chosen. */
   follow = false;
 
@@ -116,6 +130,16 @@ export class CrowdViewer {
     return this.#stage.cost;
   }
 
+  /** What draws, by the name that the browser gives it. */
+  get drawnBy(): string {
+    return this.#stage.drawnBy;
+  }
+
+  /** Where the camera looks from, radians about +Y from +Z. */
+  get azimuth(): number {
+    return this.#stage.view.azimuth;
+  }
+
   /** Whether nothing is left to draw. */
   get still(): boolean {
     return this.#stage.still && !this.#redraw.pending;
@@ -140,6 +164,7 @@ export class CrowdViewer {
   setField(marks: readonly NamedMark[], radius: number): void {
     this.#marks = marks;
     this.#radius = radius;
+    this.#stage.view.above = Math.min(HIGHEST, ABOVE * radius);
     this.#applyField();
   }
 
@@ -181,8 +206,8 @@ export class CrowdViewer {
     uniforms.share.value = share;
     const chosen = this.#chosen;
     const at = chosen === undefined ? middle.set(0, 0, 0) : this.#hips(chosen, middle);
-    const follows = this.follow && chosen !== undefined;
-    if (this.#stage.view.update(dt, follows ? at : origin, follows)) this.#redraw.request();
+    this.#moveFocus(this.follow && chosen !== undefined ? at : origin, dt);
+    if (this.#stage.view.update(dt, this.#focus, true)) this.#redraw.request();
     this.#ground.setRing(chosen === undefined ? undefined : { x: at.x, z: at.z, radius: RING });
     const still = this.#redraw.settled(timeSecs);
     if ((still && this.#stage.still) || !this.#stage.begin(dt, still)) return false;
@@ -203,9 +228,11 @@ export class CrowdViewer {
     this.#redraw.request();
   }
 
-  /** Where a place of the world is in the picture, CSS pixels from its top left. */
-  screenPosition(x: number, y: number, z: number): { x: number; y: number } {
-    return this.#stage.project(point.set(x, y, z));
+  /** Where a place of the world is in the picture, CSS pixels from its top left; `undefined` behind the camera. */
+  screenPosition(x: number, y: number, z: number): { x: number; y: number } | undefined {
+    const { camera } = this.#stage.view;
+    const isBehind = point.set(x, y, z).applyMatrix4(camera.matrixWorldInverse).z > -camera.near;
+    return isBehind ? undefined : this.#stage.project(point.set(x, y, z));
   }
 
   /** The place on the ground under a place of the picture, metres; `undefined` at the sky. */
@@ -242,6 +269,12 @@ export class CrowdViewer {
   dispose(): void {
     for (const part of [this.#bodies, this.#shadows, this.#ground, this.#names, this.#textures]) part.dispose();
     this.#stage.dispose();
+  }
+
+  /** Goes on towards what the camera is to look at. */
+  #moveFocus(wanted: Vector3, dt: number): void {
+    this.#focus.lerp(wanted, 1 - 0.5 ** (dt / FOLLOW_HALF_LIFE));
+    if (this.#focus.distanceTo(wanted) < ARRIVED) this.#focus.copy(wanted);
   }
 
   /** Where the hips of somebody are between the two ticks. */

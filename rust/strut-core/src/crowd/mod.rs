@@ -16,6 +16,7 @@ pub use limits::{CrowdError, FARTHEST, INTENSITY, LONGEST_BONE, MAX_COUNT, MAX_R
 
 use crate::hsmm::RuntimeWalkModel;
 use crate::humanoid::{JOINTS, PARENTS, Pose, Proportions};
+use crate::math::Vec3;
 use field::Field;
 use grid::Grid;
 use member::{Ground, Member, ROOM};
@@ -153,8 +154,7 @@ impl Crowd {
     /// # Errors
     /// See [`CrowdError::Bone`].
     pub fn set_bones(&mut self, bones: Proportions) -> Result<(), CrowdError> {
-        let bad =
-            bones.offsets.iter().flat_map(|offset| offset.to_array()).find(|v| v.is_nan() || v.abs() > LONGEST_BONE);
+        let bad = bones.offsets.iter().flat_map(Vec3::to_array).find(|v| v.is_nan() || v.abs() > LONGEST_BONE);
         if let Some(bad) = bad {
             return Err(CrowdError::Bone(bad));
         }

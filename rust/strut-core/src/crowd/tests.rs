@@ -122,7 +122,8 @@ fn joints_lie_on_the_bones_of_another_body_and_its_feet_stay_where_they_stand() 
     bones.offsets[Role::Neck.index()] = neck;
     other.set_bones(bones).unwrap();
     for _ in 0..90 {
-        (own.tick(), other.tick());
+        own.tick();
+        other.tick();
         for walker in 0..20 {
             for role in [Role::Hips, Role::LeftFoot, Role::RightToes] {
                 let [was, is] = [&own, &other].map(|crowd| joint(crowd, walker, role));
