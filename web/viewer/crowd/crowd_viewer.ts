@@ -196,9 +196,9 @@ export class CrowdViewer {
 
   /**
    * Draws a frame `share` of the way from the last tick to the present one, unless those before are still being drawn;
-   * `timeSecs` is any clock. Says whether it was drawn.
+   * `timeSecs` is any clock, and `fine` asks for the finer picture of what stands still. Says whether it was drawn.
    */
-  render(timeSecs: number, share: number): boolean {
+  render(timeSecs: number, share: number, fine = false): boolean {
     const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
     this.#lastTime = timeSecs;
     const { uniforms } = this.#textures;
@@ -209,8 +209,8 @@ export class CrowdViewer {
     this.#moveFocus(this.follow && chosen !== undefined ? at : origin, dt);
     if (this.#stage.view.update(dt, this.#focus, true)) this.#redraw.request();
     this.#ground.setRing(chosen === undefined ? undefined : { x: at.x, z: at.z, radius: RING });
-    const still = this.#redraw.settled(timeSecs);
-    if ((still && this.#stage.still) || !this.#stage.begin(dt, still)) return false;
+    const still = fine || this.#redraw.settled(timeSecs);
+    if ((still && this.#stage.still && !fine) || !this.#stage.begin(dt, still)) return false;
     this.#redraw.drawn();
     this.#arrange();
     this.#stage.render(this.#stage.view.target);

@@ -58,6 +58,28 @@ fn nobody_stays_inside_somebody_else() {
 }
 
 #[test]
+fn people_keep_crossing_the_ground() {
+    for count in [60, 100, 200, 300] {
+        let mut crowd = crowd(count, 1);
+        for minute in 1..=3 {
+            let (mut within, mut standing) = (0, 0);
+            for _ in 0..60 {
+                let before = places(&crowd);
+                (0..RATE_HZ as usize).for_each(|_| crowd.tick());
+                let now = places(&crowd);
+                within += now.iter().filter(|at| at.length() < 0.7 * crowd.radius()).count();
+                standing += before.iter().zip(&now).filter(|(a, b)| a.distance(**b) < 0.15).count();
+            }
+            let share = |number: usize| number as f32 / (60 * count) as f32;
+            let (within, standing) = (share(within), share(standing));
+            println!("{count} in minute {minute}: {within:.2} within, {standing:.2} stand");
+            assert!(within > 0.5, "{within} of {count} are within 0.7 radii in minute {minute}");
+            assert!(standing < 0.1, "{standing} of {count} stand in minute {minute}");
+        }
+    }
+}
+
+#[test]
 fn the_crowd_walks() {
     let mut crowd = crowd(100, 3);
     let mut way = 0.0;

@@ -15,7 +15,7 @@ type Output = (picture: CrowdPicture, crowd: Crowd, call: CallOptions) => Promis
 
 const poster: Output = async (picture, _, { signal }) => {
   const { pngOf } = await import("../../outputs/png");
-  const blob = await pngOf(await picture.copyAt(performance.now(), 1, signal));
+  const blob = await pngOf(await picture.copyAt(performance.now(), 1, true, signal));
   return saved(words.posterName, blob);
 };
 
@@ -28,7 +28,7 @@ const video: Output = async (picture, crowd, { signal, onProgress }) => {
     for (let i = 0; i < pictures; i++) {
       if (i % perTick === 0) await crowd.step();
       onProgress?.({ label: words.recording, fraction: i / pictures });
-      yield picture.copyAt(begin + (1000 * i) / VIDEO_RATE, (i % perTick) / perTick, signal);
+      yield picture.copyAt(begin + (1000 * i) / VIDEO_RATE, (i % perTick) / perTick, false, signal);
     }
   }
   return saved(words.videoName, await makeVideo(frames(), "as on screen"), strings.page.outputs.noVideo);

@@ -11,10 +11,9 @@ import { spoken } from "../../ui/words";
 import { rgbOf, type StyleColours } from "./colours";
 import type { Handles } from "./handles";
 import { dense, routeOf } from "./route";
+import { tintsOf } from "./tints";
 
 const VIEWS = { orbit: "orbit", above: "top", along: "front" } as const satisfies Record<CrowdCamera, string>;
-/** Share of the colour of a style on whoever walks in it alone. */
-const TINT = 0.35;
 /** A press that moves farther than this, pixels, turns the camera and chooses nobody. */
 const CLICK_PX = 5;
 /** Height at which the line to the card begins, as a share of that of a person. */
@@ -154,12 +153,15 @@ export class CrowdPicture {
     if (drawn) this.#frameMs = this.#frameMs === undefined ? took : this.#frameMs + 0.1 * (took - this.#frameMs);
   }
 
-  /** A copy of the picture at a time, milliseconds, as soon as the graphics processor is ready for it. */
-  async copyAt(now: number, share: number, signal?: AbortSignal): Promise<HTMLCanvasElement> {
+  /**
+   * A copy of the picture at a time, milliseconds, as soon as the graphics processor is ready for it; `fine` as of what stands
+   * still.
+   */
+  async copyAt(now: number, share: number, fine: boolean, signal?: AbortSignal): Promise<HTMLCanvasElement> {
     for (;;) {
       signal?.throwIfAborted();
       this.#viewer.invalidate();
-      if (this.#viewer.render(now / 1000, share)) return this.#viewer.copy();
+      if (this.#viewer.render(now / 1000, share, fine)) return this.#viewer.copy();
       await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
     }
   }
@@ -230,27 +232,6 @@ export class CrowdPicture {
 
 /** Farthest place of a route along x or z, metres. */
 const FARTHEST = 100;
-
-/** Mixes everybody's colour by weights: red, green, blue and its share, a byte each. */
-export function tintsOf(weights: Uint8Array, colours: readonly (readonly number[])[], into: Uint8Array): void {
-  const styles = colours.length;
-  for (let walker = 0; 4 * walker < into.length; walker++) {
-    let [red, green, blue, sum] = [0, 0, 0, 0];
-    for (let i = 0; i < styles; i++) {
-      const weight = weights[walker * styles + i]!;
-      const [r, g, b] = colours[i]!;
-      red += weight * r!;
-      green += weight * g!;
-      blue += weight * b!;
-      sum += weight;
-    }
-    const share = sum > 0 ? 1 / sum : 0;
-    into[4 * walker] = red * share;
-    into[4 * walker + 1] = green * share;
-    into[4 * walker + 2] = blue * share;
-    into[4 * walker + 3] = Math.min(255, sum) * TINT;
-  }
-}
 
 /** Calls back with the place of a press that does not move. */
 function listenToClicks(element: HTMLElement, onClick: (x: number, y: number) => void, signal: AbortSignal): void {

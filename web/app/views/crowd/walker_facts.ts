@@ -56,7 +56,9 @@ export function sharesOf(
 ): { name: string; share: number }[] {
   const all = weightsOf(tick, walker, styles);
   const rest = Math.max(0, 1 - all.reduce((sum, { weight }) => sum + weight, 0));
-  const inField = all.filter(({ name }) => field.some(({ style }) => style === name));
+  const inField = [...new Set(field.map(({ style }) => style))].flatMap((style) =>
+    all.filter(({ name }) => name === style),
+  );
   return [
     ...inField.map(({ name, weight }) => ({ name: spoken(name), share: weight })),
     { name: strings.crowd.average, share: rest },
