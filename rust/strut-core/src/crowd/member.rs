@@ -26,8 +26,9 @@ const CYCLE: usize = 32;
 /// Share of a wandering turn that remains a step later, and the greatest that is added, radians.
 const WANDER_REMAINS: f32 = 0.8;
 const WANDER: f32 = 0.16;
-/// Goals are so far from the middle, in radii of the ground: those who went to places all over it would meet in the middle.
-const GOALS: [f32; 2] = [0.25, 0.85];
+/// Goals are so far from the middle, in radii of the ground: ways between places all over it would lead through the middle more
+/// often than not.
+const GOALS: [f32; 2] = [0.6, 1.0];
 /// A goal is reached within this, metres, and given up after so many steps: who turns as much as a foot can may walk round it.
 const REACHED: f32 = 2.5;
 const PATIENCE: u32 = 40;

@@ -3,13 +3,15 @@
 import type { Crowd } from "../../../client/crowd/crowd_client";
 import type { CallOptions } from "../../../client/protocol";
 import { saveFile } from "../../../ui/dom";
+import { saveBvh } from "../../outputs/save_motion";
 import { strings } from "../../strings/strings";
 import type { CrowdPicture } from "./picture";
 
 const words = strings.crowd;
 
-/** Length of a video, seconds. */
+/** Length of a video, and of the motion of a walker, seconds. */
 const VIDEO_SECS = 10;
+const BVH_SECS = 10;
 
 type Output = (picture: CrowdPicture, crowd: Crowd, call: CallOptions) => Promise<string>;
 
@@ -33,6 +35,11 @@ const video: Output = async (picture, crowd, { signal, onProgress }) => {
   }
   return saved(words.videoName, await makeVideo(frames(), "as on screen"), strings.page.outputs.noVideo);
 };
+
+/** Saves what comes of a walker as a BVH file; gives its name. */
+export async function saveWalker(crowd: Crowd, walker: number): Promise<string> {
+  return saveBvh(words.bvhName(walker + 1), await crowd.exportBvh(walker, BVH_SECS));
+}
 
 export const outputsOf = { poster, video };
 

@@ -1,38 +1,37 @@
 /** The Crowd view: people on open ground, each in the styles of the place where they walk. */
 import "../synthesis/editor.css";
 import "./crowd.css";
-import { type Crowd, type CrowdTick, createCrowd } from "../../../client/crowd/crowd_client";
+import type { Crowd, CrowdTick } from "../../../client/crowd/crowd_client";
 import type { FieldVertex } from "../../../client/crowd/limits";
-import { type CallOptions, isCancellation } from "../../../client/protocol";
+import { isCancellation } from "../../../client/protocol";
+import { Latest } from "../../../element/figure/latest";
 import { button, Segment } from "../../../ui/controls/buttons";
 import { html, setText } from "../../../ui/dom";
 import { isDark, onSystemTheme } from "../../../ui/theme";
 import { graphics } from "../../../viewer";
-import { drawnBones } from "../../../viewer/crowd/crowd_viewer";
-import { saveBvh } from "../../outputs/save_motion";
 import { CROWD_CAMERAS, type CrowdCamera } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { ProgressLine } from "../../ui/progress";
 import { errorText } from "../../ui/words";
 import type { KeyTable, View, ViewHost } from "../../view";
 import { EmptyPanel } from "../synthesis/empty_panel";
-import { WalkModels, type WalkSource } from "../synthesis/walk_models";
+import type { WalkSource } from "../synthesis/walk_models";
 import { Census, COUNTS_HZ } from "./census";
+import { ChosenWalker } from "./chosen_walker";
 import { StyleColours } from "./colours";
 import { outputsOf } from "./crowd_outputs";
 import { rendererName } from "./drawn_by";
 import { firstField, withoutVertex, withStyle, withVertex } from "./field";
 import { FieldPanel } from "./field_panel";
 import { Footer } from "./footer";
+import { Gathering } from "./gathering";
 import { Handles } from "./handles";
-import { Latest } from "./latest";
+import { Pace } from "./pace";
 import { PeoplePanel } from "./people_panel";
 import { CrowdPicture } from "./picture";
 import { Settings, type Styles } from "./settings";
 import { ShareChart } from "./share_chart";
 import { crowdTitle, pictureOf } from "./titles";
-import { WalkerCard } from "./walker_card";
-import { asWalkBlock, Strides, sharesOf } from "./walker_facts";
 
 export function createView(host: ViewHost): View {
   return new CrowdView(host);
@@ -45,25 +44,22 @@ const BUILT_IN: WalkSource = { name: "", file: undefined, neutral: "neutral" };
 const SOFTWARE_COUNT = 100;
 /** How often figures and the card are shown, a second of the crowd's time. */
 const FIGURES_HZ = 5;
-/** Length of the motion that is saved of a walker, seconds. */
-const BVH_SECS = 10;
 
 class CrowdView implements View {
   readonly element: HTMLElement;
   readonly #host: ViewHost;
-  readonly #models = new WalkModels();
   readonly #progress = new ProgressLine();
   readonly #settings: Settings;
+  readonly #gathering: Gathering;
   readonly #colours = new StyleColours();
   readonly #stage = html("div", { class: "editor-stage" });
   readonly #title = html("h1", { class: "stage-title" });
-  readonly #caption = html("p", { class: "caption" }, words.generated);
   readonly #counted = html("p", { class: "crowd-counted caption" });
   readonly #cameras: Segment<CrowdCamera>;
   readonly #map: HTMLButtonElement;
   readonly #empty = new EmptyPanel();
   readonly #handles: Handles;
-  readonly #card: WalkerCard;
+  readonly #chosen: ChosenWalker;
   readonly #fieldPanel: FieldPanel;
   readonly #peoplePanel: PeoplePanel;
   readonly #chart = new ShareChart(this.#colours);
@@ -71,21 +67,19 @@ class CrowdView implements View {
   readonly #send = new Latest<readonly FieldVertex[]>((field) => this.#trySending(field));
   #picture: CrowdPicture | undefined;
   #crowd: Crowd | undefined;
-  /** What the crowd was opened with, or is being. */
-  #opened: { source: WalkSource; seed: number } | undefined;
-  #opening: AbortController | undefined;
   #styles: Styles | undefined;
   #replaced: WalkSource | undefined;
   /** The count that was asked for, and how many the worker is fast enough for. */
   #asked = 0;
   #slowed: number | undefined;
+  /** What the crowd walks by, as text. */
+  #sent = { count: 0, field: "", route: "" };
   #tick: CrowdTick | undefined;
   #tickAt = 0;
   #ticks = 0;
-  #tickMs: number | undefined;
+  readonly #tickPace = new Pace();
   #fps: number | undefined;
   #census: Census | undefined;
-  readonly #strides = new Strides();
   #drawsRoute = false;
   #films = false;
   #request = 0;
@@ -96,6 +90,12 @@ class CrowdView implements View {
     this.#host = host;
     const { store } = host;
     this.#settings = new Settings(store, (sentence) => host.toasts.error(sentence));
+    this.#gathering = new Gathering(this.#progress, {
+      start: () => this.#start(),
+      fieldOf: (styles, source) => this.#fieldOf(styles, source),
+      onReady: (crowd) => this.#present(crowd),
+      onFailed: (source, why) => this.#refuse(source, why),
+    });
     const gestures = store.gestureListeners;
     this.#handles = new Handles({
       ...gestures,
@@ -104,12 +104,7 @@ class CrowdView implements View {
       onReach: (index, reach) => this.#change(index, { reach }, "crowd reach"),
       onRemove: (index) => this.#remove(index),
     });
-    this.#card = new WalkerCard({
-      onFollow: () => store.edit({ crowdFollow: !store.state.crowdFollow }),
-      onExport: () => void this.#exportBvh(),
-      onOpen: () => this.#openInWalk(),
-      onClose: () => this.#choose(undefined),
-    });
+    this.#chosen = new ChosenWalker(store, (saving) => this.#say(saving));
     this.#fieldPanel = new FieldPanel(this.#colours, {
       ...gestures,
       onChoose: (crowdVertex) => store.edit({ crowdVertex }),
@@ -152,10 +147,10 @@ class CrowdView implements View {
         "div",
         { class: "editor-picture" },
         this.#stage,
-        html("div", { class: "stage-heading" }, this.#title, this.#caption),
+        html("div", { class: "stage-heading" }, this.#title, html("p", { class: "caption" }, words.generated)),
         html("div", { class: "crowd-controls" }, this.#cameras.element, this.#map),
         this.#counted,
-        this.#card.element,
+        this.#chosen.card,
         this.#progress.element,
         this.#empty.element,
       ),
@@ -175,9 +170,9 @@ class CrowdView implements View {
     this.#colours.theme = isDark(store.state.theme) ? "dark" : "light";
     this.#picture = new CrowdPicture(
       this.#stage,
-      { colours: this.#colours, handles: this.#handles, card: this.#card.element },
+      { colours: this.#colours, handles: this.#handles, card: this.#chosen.card },
       {
-        onWalker: (walker) => this.#choose(walker),
+        onWalker: (walker) => this.#chosen.choose(walker),
         onTurn: () => store.edit({ crowdCamera: "orbit" }),
         onFps: (fps) => {
           this.#fps = fps;
@@ -200,13 +195,12 @@ class CrowdView implements View {
   hide(): void {
     this.#shown?.abort();
     this.#shown = undefined;
-    this.#opening?.abort();
-    this.#progress.cancel();
+    this.#gathering.cancel();
     cancelAnimationFrame(this.#request);
     this.#close();
-    this.#opened = undefined;
     this.#picture = undefined;
     this.#tick = undefined;
+    this.#chosen.take(undefined);
     this.#drawsRoute = false;
   }
 
@@ -221,8 +215,8 @@ class CrowdView implements View {
     const { name, file } = this.#host.databaseFile();
     if (this.#replaced?.file !== file) this.#replaced = undefined;
     const source = this.#replaced || !file ? BUILT_IN : { name, file, neutral: database?.neutral ?? "" };
-    if (this.#opened?.source.file === source.file && this.#opened) return;
-    void this.#open(source);
+    const { gathered } = this.#gathering;
+    if (!gathered || gathered.source.file !== source.file) this.#open(source);
   }
 
   dispose(): void {
@@ -231,39 +225,23 @@ class CrowdView implements View {
 
   // --- the crowd ---
 
-  /** Gathers people anew, by the model of a database, which is trained unless it is known. */
-  async #open(source: WalkSource): Promise<void> {
-    this.#opening?.abort();
-    const opening = new AbortController();
-    this.#opening = opening;
+  /** Gathers people anew, by the model of a database. */
+  #open(source: WalkSource): void {
     this.#empty.hide();
-    const { people } = this.#read();
-    this.#opened = { source, seed: people.seed };
-    this.#asked = people.count;
-    try {
-      const label = source.file ? words.training : words.opening;
-      const crowd = await this.#progress.run(label, (call) => this.#gather(source, people.seed, call));
-      if (opening.signal.aborted) crowd.dispose();
-      else this.#present(crowd);
-    } catch (error) {
-      if (!opening.signal.aborted) this.#refuse(source, isCancellation(error) ? "" : errorText(error));
-    }
+    void this.#gathering.open(source);
   }
 
-  async #gather(source: WalkSource, seed: number, call: CallOptions): Promise<Crowd> {
-    const model = source.file ? (await this.#models.of(source, call)).trained.file : undefined;
-    call.signal?.throwIfAborted();
-    const fieldOf = (all: readonly string[]) => {
-      this.#styles = { all, neutral: all.includes(source.neutral) ? source.neutral : "" };
-      if (all.length === 1) this.#host.toasts.note(words.oneStyle);
-      return this.#read().field;
-    };
+  /** What is given to a crowd that is gathered. */
+  #start() {
     const { people, route } = this.#read();
-    const start = { count: this.#fitting(people.count), seed, route, fieldOf, bonesOf: drawnBones };
-    return createCrowd(
-      { kind: "walkers", ...(model && { model }) },
-      { ...start, ...(call.signal && { signal: call.signal }) },
-    );
+    this.#asked = people.count;
+    return { count: this.#fitting(people.count), seed: people.seed, route };
+  }
+
+  #fieldOf(all: readonly string[], { neutral }: WalkSource): readonly FieldVertex[] {
+    this.#styles = { all, neutral: all.includes(neutral) ? neutral : "" };
+    if (all.length === 1) this.#host.toasts.note(words.oneStyle);
+    return this.#read().field;
   }
 
   /** Shows a crowd in place of the one before. */
@@ -271,7 +249,7 @@ class CrowdView implements View {
     this.#close();
     this.#crowd = crowd;
     this.#census = new Census(crowd.styles.length);
-    this.#strides.forget();
+    this.#chosen.take(undefined);
     this.#tick = undefined;
     this.#ticks = 0;
     this.#sent = { count: 0, field: "", route: "" };
@@ -281,7 +259,7 @@ class CrowdView implements View {
     crowd.onHalved = (count) => this.#onHalved(count);
     crowd.onError = (error) => {
       this.#crowd = undefined;
-      this.#refuse(this.#opened!.source, errorText(error));
+      this.#refuse(this.#gathering.gathered?.source ?? BUILT_IN, errorText(error));
     };
     this.#showState();
     // Who came paused is seen all the same.
@@ -299,13 +277,12 @@ class CrowdView implements View {
       if (why !== "") this.#host.toasts.error(why);
       return;
     }
-    this.#opened = undefined;
-    const again = { label: words.startAgain, onChoose: () => void this.#open(source) };
+    const again = { label: words.startAgain, onChoose: () => this.#open(source) };
     const builtIn = {
       label: words.useBuiltIn,
       onChoose: () => {
         this.#replaced = source;
-        void this.#open(BUILT_IN);
+        this.#open(BUILT_IN);
       },
     };
     const message = why === "" ? words.stopped : words.noModel(source.name || words.builtInDatabase, why);
@@ -336,8 +313,9 @@ class CrowdView implements View {
       this.#asked = people.count;
       this.#slowed = undefined;
     }
-    if (this.#opened && people.seed !== this.#opened.seed) {
-      void this.#open(this.#opened.source);
+    const { gathered } = this.#gathering;
+    if (gathered && people.seed !== gathered.seed) {
+      this.#open(gathered.source);
       return;
     }
     const theme = isDark(state.theme) ? "dark" : "light";
@@ -363,12 +341,12 @@ class CrowdView implements View {
     this.#map.setAttribute("aria-pressed", String(state.crowdMap));
     this.#footer.show(state.playing, state.speed, crowd !== undefined && !this.#films);
     setText(this.#title, crowd ? crowdTitle(count, field) : words.opening);
+    this.element.classList.toggle("without-crowd", !crowd);
     setText(this.#counted, `${words.walkers(count)} · ${words.grid}`);
-    this.#showWalker();
+    picture.choose(this.#chosen.number, state.crowdFollow);
+    this.#chosen.show();
     this.#recolour();
   }
-
-  #sent: { count: number; field: string; route: string } = { count: 0, field: "", route: "" };
 
   /** Has the crowd walk by the settings. */
   #apply(
@@ -383,7 +361,7 @@ class CrowdView implements View {
     const [fieldText, routeText] = [JSON.stringify(field), JSON.stringify(route)];
     const fail = (error: unknown) => this.#fail(error);
     if (count !== this.#sent.count) crowd.setCount(count).catch(fail);
-    if (fieldText !== this.#sent.field) this.#send.push(field);
+    if (fieldText !== this.#sent.field) void this.#send.take(field);
     if (routeText !== this.#sent.route) crowd.setRoute(route).catch(fail);
     this.#sent = { count, field: fieldText, route: routeText };
   }
@@ -428,8 +406,9 @@ class CrowdView implements View {
     const radius = this.#tick?.radius;
     this.#tick = tick;
     this.#tickAt = performance.now();
-    this.#tickMs = this.#tickMs === undefined ? tick.tickMs : this.#tickMs + 0.05 * (tick.tickMs - this.#tickMs);
+    this.#tickPace.add(tick.tickMs);
     this.#picture!.setTick(tick, this.#crowd!.styles, other);
+    this.#chosen.take({ crowd: this.#crowd!, tick, field: this.#read().field });
     if (radius !== tick.radius) this.#showState();
     const { rateHz } = this.#crowd!;
     this.#footer.secs = this.#ticks / rateHz;
@@ -437,8 +416,6 @@ class CrowdView implements View {
       this.#census!.add(tick.weights);
       this.#chart.show(this.#census, this.#crowd!.styles);
     }
-    const walker = this.#walker;
-    if (walker !== undefined) this.#strides.add(tick, walker);
     if (this.#ticks % (rateHz / FIGURES_HZ) === 0) this.#showFigures();
     this.#ticks += 1;
   }
@@ -473,41 +450,11 @@ class CrowdView implements View {
     void this.#crowd?.step();
   }
 
-  // --- one of them ---
-
-  get #walker(): number | undefined {
-    const { crowdWalker } = this.#host.store.state;
-    return crowdWalker >= 0 && crowdWalker < (this.#tick?.count ?? 0) ? crowdWalker : undefined;
-  }
-
-  #choose(walker: number | undefined): void {
-    const { store } = this.#host;
-    const same = walker === undefined || walker === store.state.crowdWalker;
-    store.edit({ crowdWalker: walker ?? -1, ...(same && { crowdFollow: false }) });
-  }
-
-  #showWalker(): void {
-    const walker = this.#walker;
-    const { crowdFollow } = this.#host.store.state;
-    this.#picture?.choose(walker, crowdFollow);
-    const tick = this.#tick;
-    const model =
-      walker !== undefined && tick && this.#crowd ? { walker, tick, styles: this.#crowd.styles } : undefined;
-    this.#card.show(
-      model && {
-        walker: model.walker,
-        speed: this.#strides.speed(model.walker, this.#crowd!.rateHz),
-        shares: sharesOf(model.tick, model.walker, model.styles, this.#read().field),
-        follows: crowdFollow,
-      },
-    );
-  }
-
   #showFigures(): void {
-    this.#showWalker();
+    this.#chosen.show();
     this.#peoplePanel.showFigures({
       fps: this.#fps,
-      tickMs: this.#tickMs,
+      tickMs: this.#tickPace.ms,
       frameMs: this.#picture?.frameMs,
       drawnBy: rendererName(this.#picture?.drawnBy ?? ""),
     });
@@ -516,50 +463,18 @@ class CrowdView implements View {
   #onKey(event: KeyboardEvent): void {
     if (event.key !== "Escape" || event.defaultPrevented) return;
     if (this.#drawsRoute) this.#drawRoute(false);
-    else if (this.#walker !== undefined) this.#choose(undefined);
-  }
-
-  /** Goes on to another walker. */
-  #chooseNext(by: number): void {
-    const count = this.#tick?.count ?? 0;
-    if (count === 0) return;
-    const from = this.#walker ?? (by > 0 ? -1 : count);
-    this.#host.store.edit({ crowdWalker: (from + by + count) % count });
+    else if (this.#chosen.number !== undefined) this.#chosen.choose(undefined);
   }
 
   readonly keys: KeyTable = {
     " ": () => this.#togglePlay(),
     ArrowRight: () => this.#step(),
-    n: () => this.#chooseNext(1),
-    p: () => this.#chooseNext(-1),
-    f: () => {
-      const { store } = this.#host;
-      if (this.#walker !== undefined) store.edit({ crowdFollow: !store.state.crowdFollow });
-    },
+    n: () => this.#chosen.chooseNext(1),
+    p: () => this.#chosen.chooseNext(-1),
+    f: () => this.#chosen.toggleFollow(),
   };
 
   // --- what leaves the view ---
-
-  async #exportBvh(): Promise<void> {
-    const walker = this.#walker;
-    if (walker === undefined || !this.#crowd) return;
-    this.#card.exporting = true;
-    try {
-      const text = await this.#crowd.exportBvh(walker, BVH_SECS);
-      this.#host.toasts.note(strings.synthesis.saved(saveBvh(words.bvhName(walker + 1), text)));
-    } catch (error) {
-      this.#fail(error);
-    }
-    this.#card.exporting = false;
-  }
-
-  /** Goes to the Walk view, with a plan of the styles that somebody walks in. */
-  #openInWalk(): void {
-    const walker = this.#walker;
-    if (walker === undefined || !this.#tick || !this.#crowd) return;
-    const block = asWalkBlock(this.#tick, walker, this.#crowd.styles);
-    this.#host.store.edit({ view: "walk", walk: [block], walkBlock: 0, walkWhole: true });
-  }
 
   /** Saves the picture, or the next seconds of it as a video. */
   async #export(what: "poster" | "video"): Promise<void> {
@@ -567,14 +482,18 @@ class CrowdView implements View {
     if (!crowd || !picture || this.#films) return;
     this.#films = true;
     this.#showState();
+    await this.#say(this.#progress.run(words.recording, (call) => outputsOf[what](picture, crowd, call)));
+    this.#films = false;
+    this.#showState();
+  }
+
+  /** Says what was saved, or what failed, unless it was cancelled. */
+  async #say(saving: Promise<string>): Promise<void> {
     try {
-      const name = await this.#progress.run(words.recording, (call) => outputsOf[what](picture, crowd, call));
-      this.#host.toasts.note(strings.page.outputs.saved(name));
+      this.#host.toasts.note(strings.page.outputs.saved(await saving));
     } catch (error) {
       if (!isCancellation(error)) this.#host.toasts.error(errorText(error));
     }
-    this.#films = false;
-    this.#showState();
   }
 }
 

@@ -36,7 +36,7 @@ export class PeoplePanel {
     step: 1,
     "aria-label": words.seed,
   });
-  readonly #limit = html("p", { class: "caption", role: "status" });
+  readonly #limit = html("p", { class: "crowd-people-limit caption", role: "status" });
   readonly #draw: HTMLButtonElement;
   readonly #clear: HTMLButtonElement;
   readonly #route = html("p", { class: "caption" });

@@ -10,6 +10,7 @@ import type { CrowdCamera } from "../../state/crowd";
 import { spoken } from "../../ui/words";
 import { rgbOf, type StyleColours } from "./colours";
 import type { Handles } from "./handles";
+import { Pace } from "./pace";
 import { dense, routeOf } from "./route";
 import { tintsOf } from "./tints";
 
@@ -46,7 +47,7 @@ export class CrowdPicture {
   #tints = new Uint8Array(0);
   #chosen: number | undefined;
   #camera: CrowdCamera = "orbit";
-  #frameMs: number | undefined;
+  readonly #pace = new Pace();
 
   constructor(
     stage: HTMLElement,
@@ -79,7 +80,7 @@ export class CrowdPicture {
 
   /** Time of the page for a picture, milliseconds. */
   get frameMs(): number | undefined {
-    return this.#frameMs;
+    return this.#pace.ms;
   }
 
   set description(text: string) {
@@ -149,8 +150,7 @@ export class CrowdPicture {
     this.#handles.place();
     this.#placeRoute();
     this.#placeLeader();
-    const took = performance.now() - begin;
-    if (drawn) this.#frameMs = this.#frameMs === undefined ? took : this.#frameMs + 0.1 * (took - this.#frameMs);
+    if (drawn) this.#pace.add(performance.now() - begin);
   }
 
   /**

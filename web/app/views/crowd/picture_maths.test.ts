@@ -1,7 +1,6 @@
 import { expect, test } from "vitest";
 import { StyleColours } from "./colours";
 import { alongAxes } from "./handles";
-import { Latest } from "./latest";
 import { dense, routeOf } from "./route";
 import { tintsOf } from "./tints";
 import { crowdTitle } from "./titles";
@@ -46,23 +45,6 @@ test("a drawn line becomes a route of at most 64 points", () => {
 test("a line on the ground has a point every half metre", () => {
   expect(dense([[0, 0], [0, 1]])).toEqual([[0, 0], [0, 0.5], [0, 1]]); // biome-ignore format: places
   expect(dense([])).toEqual([]);
-});
-
-test("of values that come too fast the last one is sent", async () => {
-  const sent: number[] = [];
-  const waits: (() => void)[] = [];
-  const latest = new Latest<number>((value) => {
-    sent.push(value);
-    return new Promise((resolve) => waits.push(resolve));
-  });
-  for (const value of [1, 2, 3]) latest.push(value);
-  waits.shift()!();
-  await new Promise(setImmediate);
-  expect(sent).toEqual([1, 3]);
-  waits.shift()!();
-  await new Promise(setImmediate);
-  latest.push(4);
-  expect(sent).toEqual([1, 3, 4]);
 });
 
 test("titles say how many and how", () => {
