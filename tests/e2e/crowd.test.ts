@@ -85,10 +85,10 @@ describe("the field", () => {
     await eventually(title).toBe("24 people, one style");
     await walking();
     await eventually(() => walkIn("average")).toBe(24);
-    await visit(page, `${FEW}&seen=above&field=proud_6_6_10_1`);
+    await visit(page, `${FEW}&seen=above&field=proud_4_4_10_1`);
     const before = (await field())[0]!;
     const from = await middleOf(handle("proud"));
-    await dragHolding(page, from, { x: from.x - 120, y: from.y - 120 });
+    await dragHolding(page, from, { x: from.x - 120, y: from.y - 100 });
     await eventually(async () => (await field())[0]!.x).toBeLessThan(before.x - 1);
     await eventually(() => walkIn("proud")).toBeGreaterThan(12);
     await page.mouse.up();

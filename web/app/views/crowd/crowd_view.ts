@@ -4,7 +4,6 @@ import "./crowd.css";
 import type { Crowd, CrowdTick } from "../../../client/crowd/crowd_client";
 import type { FieldVertex } from "../../../client/crowd/limits";
 import { isCancellation } from "../../../client/protocol";
-import { Latest } from "../../../element/figure/latest";
 import { button, Segment } from "../../../ui/controls/buttons";
 import { html, setText } from "../../../ui/dom";
 import { isDark, onSystemTheme } from "../../../ui/theme";
@@ -19,6 +18,7 @@ import type { WalkSource } from "../synthesis/walk_models";
 import { Census, COUNTS_HZ } from "./census";
 import { ChosenWalker } from "./chosen_walker";
 import { StyleColours } from "./colours";
+import { Conductor } from "./conductor";
 import { outputsOf } from "./crowd_outputs";
 import { rendererName } from "./drawn_by";
 import { firstField, withoutVertex, withStyle, withVertex } from "./field";
@@ -64,7 +64,7 @@ class CrowdView implements View {
   readonly #peoplePanel: PeoplePanel;
   readonly #chart = new ShareChart(this.#colours);
   readonly #footer: Footer;
-  readonly #send = new Latest<readonly FieldVertex[]>((field) => this.#trySending(field));
+  readonly #conductor: Conductor;
   #picture: CrowdPicture | undefined;
   #crowd: Crowd | undefined;
   #styles: Styles | undefined;
@@ -72,8 +72,6 @@ class CrowdView implements View {
   /** The count that was asked for, and how many the worker is fast enough for. */
   #asked = 0;
   #slowed: number | undefined;
-  /** What the crowd walks by, as text. */
-  #sent = { count: 0, field: "", route: "" };
   #tick: CrowdTick | undefined;
   #tickAt = 0;
   #ticks = 0;
@@ -89,6 +87,7 @@ class CrowdView implements View {
   constructor(host: ViewHost) {
     this.#host = host;
     const { store } = host;
+    this.#conductor = new Conductor((error) => host.toasts.error(errorText(error)));
     this.#settings = new Settings(store, (sentence) => host.toasts.error(sentence));
     this.#gathering = new Gathering(this.#progress, {
       start: () => this.#start(),
@@ -252,13 +251,13 @@ class CrowdView implements View {
     this.#chosen.take(undefined);
     this.#tick = undefined;
     this.#ticks = 0;
-    this.#sent = { count: 0, field: "", route: "" };
+    this.#conductor.crowd = crowd;
     this.#picture!.setProportions(crowd.proportions);
     this.#fieldPanel.setStyles(crowd.styles);
     crowd.onTick = (tick) => this.#onTick(tick);
     crowd.onHalved = (count) => this.#onHalved(count);
     crowd.onError = (error) => {
-      this.#crowd = undefined;
+      this.#close();
       this.#refuse(this.#gathering.gathered?.source ?? BUILT_IN, errorText(error));
     };
     this.#showState();
@@ -267,6 +266,7 @@ class CrowdView implements View {
   }
 
   #close(): void {
+    this.#conductor.crowd = undefined;
     this.#crowd?.dispose();
     this.#crowd = undefined;
   }
@@ -326,7 +326,7 @@ class CrowdView implements View {
     this.#colours.take([...new Set(field.map(({ style }) => style))]);
     const count = this.#fitting(people.count);
     const chosen = Math.min(state.crowdVertex, field.length - 1);
-    if (crowd) this.#apply(crowd, count, field, route);
+    this.#conductor.conduct({ playing: state.playing && !this.#films, speed: state.speed, count, field, route });
     picture.setField(field, chosen, state.crowdMap, this.#radius);
     picture.setRoute(route);
     picture.camera = state.crowdCamera;
@@ -346,33 +346,6 @@ class CrowdView implements View {
     picture.choose(this.#chosen.number, state.crowdFollow);
     this.#chosen.show();
     this.#recolour();
-  }
-
-  /** Has the crowd walk by the settings. */
-  #apply(
-    crowd: Crowd,
-    count: number,
-    field: readonly FieldVertex[],
-    route: readonly (readonly [number, number])[],
-  ): void {
-    const { state } = this.#host.store;
-    crowd.playing = state.playing && !this.#films;
-    crowd.speed = state.speed;
-    const [fieldText, routeText] = [JSON.stringify(field), JSON.stringify(route)];
-    const fail = (error: unknown) => this.#fail(error);
-    if (count !== this.#sent.count) crowd.setCount(count).catch(fail);
-    if (fieldText !== this.#sent.field) void this.#send.take(field);
-    if (routeText !== this.#sent.route) crowd.setRoute(route).catch(fail);
-    this.#sent = { count, field: fieldText, route: routeText };
-  }
-
-  async #trySending(field: readonly FieldVertex[]): Promise<void> {
-    await this.#crowd?.setField(field).catch((error: unknown) => this.#fail(error));
-  }
-
-  /** Says what failed, unless the crowd was left meanwhile. */
-  #fail(error: unknown): void {
-    if (this.#crowd) this.#host.toasts.error(errorText(error));
   }
 
   get #radius(): number {
@@ -422,7 +395,7 @@ class CrowdView implements View {
 
   #onHalved(count: number): void {
     this.#slowed = count;
-    this.#sent.count = count;
+    this.#conductor.count = count;
     this.#host.toasts.note(words.slowed(count));
     this.#showState();
   }
