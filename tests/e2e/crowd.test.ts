@@ -157,7 +157,7 @@ describe("one of them", () => {
   it("is chosen by a click on them", async () => {
     await visit(page, `${FEW}&${FIELD}&seen=above&play=0`);
     await eventually(async () => (await state()).crowdCamera).toBe("above");
-    const picture = (await page.locator(".crowd canvas").first().boundingBox())!;
+    const picture = (await page.locator(".crowd .editor-stage").boundingBox())!;
     const card = page.locator(".crowd-card");
     // People are somewhere: one of these places has somebody.
     for (let i = 0; i < 400 && !(await card.isVisible()); i++) {

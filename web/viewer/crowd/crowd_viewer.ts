@@ -21,11 +21,10 @@ export interface NamedMark extends FieldMark {
   name: string;
 }
 
-/** Where somebody is on screen, CSS pixels, and his height there. */
+/** A place of the picture, CSS pixels from its top left. */
 export interface ScreenPlace {
   x: number;
   y: number;
-  height: number;
 }
 
 const RANGE: CameraRange = {
@@ -229,7 +228,7 @@ export class CrowdViewer {
   }
 
   /** Where a place of the world is in the picture, CSS pixels from its top left; `undefined` behind the camera. */
-  screenPosition(x: number, y: number, z: number): { x: number; y: number } | undefined {
+  screenPosition(x: number, y: number, z: number): ScreenPlace | undefined {
     const { camera } = this.#stage.view;
     const isBehind = point.set(x, y, z).applyMatrix4(camera.matrixWorldInverse).z > -camera.near;
     return isBehind ? undefined : this.#stage.project(point.set(x, y, z));
@@ -249,20 +248,18 @@ export class CrowdViewer {
     let best: { walker: number; height: number } | undefined;
     for (const [walker, height] of this.#heights.entries()) {
       if (height === 0 || height < (best?.height ?? 0)) continue;
-      const place = this.screenPlace(walker)!;
-      const [aside, above] = [Math.abs(x - place.x), place.y - y];
-      const reach = Math.max(0.2 * height, REACH_PX);
-      if (aside < reach && above > -0.08 * height && above < 1.06 * height) best = { walker, height };
+      const [feet, head] = [this.screenPlace(walker, 0)!, this.screenPlace(walker, HEIGHT)!];
+      // From above the feet are under the head.
+      if (distanceToSegment({ x, y }, feet, head) < Math.max(0.2 * height, REACH_PX)) best = { walker, height };
     }
     return best?.walker;
   }
 
-  /** Where the feet of somebody are in the picture; `undefined` out of sight. */
-  screenPlace(walker: number): ScreenPlace | undefined {
-    const height = this.#heights[walker];
-    if (!height) return undefined;
+  /** Where the middle of somebody is in the picture, so many metres above the ground; `undefined` out of sight. */
+  screenPlace(walker: number, up: number): ScreenPlace | undefined {
+    if (!this.#heights[walker]) return undefined;
     const { x, z } = this.#hips(walker, point);
-    return { ...this.#stage.project(point.set(x, 0, z)), height };
+    return this.#stage.project(point.set(x, up, z));
   }
 
   /** Frees everything; the viewer cannot be used afterwards. */
@@ -326,6 +323,14 @@ export class CrowdViewer {
     this.#fog.color.set(theme.background.outer);
     this.#applyField();
   }
+}
+
+/** Distance from a place to the nearest of those between two others. */
+function distanceToSegment(at: ScreenPlace, from: ScreenPlace, to: ScreenPlace): number {
+  const [dx, dy] = [to.x - from.x, to.y - from.y];
+  const along = (at.x - from.x) * dx + (at.y - from.y) * dy;
+  const share = MathUtils.clamp(along / Math.max(1e-6, dx * dx + dy * dy), 0, 1);
+  return Math.hypot(at.x - from.x - share * dx, at.y - from.y - share * dy);
 }
 
 const origin = new Vector3();

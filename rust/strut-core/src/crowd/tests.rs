@@ -59,9 +59,9 @@ fn nobody_stays_inside_somebody_else() {
 
 #[test]
 fn people_keep_crossing_the_ground() {
-    for count in [60, 100, 200, 300] {
+    for count in [60, 200] {
         let mut crowd = crowd(count, 1);
-        for minute in 1..=3 {
+        for minute in 1..=2 {
             let (mut within, mut standing) = (0, 0);
             for _ in 0..60 {
                 let before = places(&crowd);

@@ -3,7 +3,6 @@
 import type { Crowd, CrowdTick } from "../../../client/crowd/crowd_client";
 import type { FieldVertex } from "../../../client/crowd/limits";
 import type { Store } from "../../state/store";
-import { saveWalker } from "./crowd_outputs";
 import { WalkerCard } from "./walker_card";
 import { asWalkBlock, Strides, sharesOf } from "./walker_facts";
 
@@ -85,7 +84,7 @@ export class ChosenWalker {
     const [walking, walker] = [this.#walking, this.number];
     if (!walking || walker === undefined) return;
     this.#card.exporting = true;
-    await save(saveWalker(walking.crowd, walker));
+    await save(import("./crowd_outputs").then(({ saveWalker }) => saveWalker(walking.crowd, walker)));
     this.#card.exporting = false;
   }
 

@@ -1,9 +1,11 @@
-/** Files of the picture: a poster, and a video of the next seconds. */
+/** Files of the picture: a poster, a video of the next seconds, and the motion of a walker. Loaded with the first of them. */
 
 import type { Crowd } from "../../../client/crowd/crowd_client";
 import type { CallOptions } from "../../../client/protocol";
 import { saveFile } from "../../../ui/dom";
+import { pngOf } from "../../outputs/png";
 import { saveBvh } from "../../outputs/save_motion";
+import { makeVideo, VIDEO_RATE } from "../../outputs/video";
 import { strings } from "../../strings/strings";
 import type { CrowdPicture } from "./picture";
 
@@ -16,14 +18,12 @@ const BVH_SECS = 10;
 type Output = (picture: CrowdPicture, crowd: Crowd, call: CallOptions) => Promise<string>;
 
 const poster: Output = async (picture, _, { signal }) => {
-  const { pngOf } = await import("../../outputs/png");
   const blob = await pngOf(await picture.copyAt(performance.now(), 1, true, signal));
   return saved(words.posterName, blob);
 };
 
 /** Goes on tick by tick, however long a picture takes; pictures between two ticks are mixed of both. */
 const video: Output = async (picture, crowd, { signal, onProgress }) => {
-  const { makeVideo, VIDEO_RATE } = await import("../../outputs/video");
   const [begin, perTick] = [performance.now(), VIDEO_RATE / crowd.rateHz];
   const pictures = VIDEO_SECS * VIDEO_RATE;
   async function* frames(): AsyncGenerator<HTMLCanvasElement> {

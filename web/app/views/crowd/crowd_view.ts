@@ -19,7 +19,6 @@ import { Census, COUNTS_HZ } from "./census";
 import { ChosenWalker } from "./chosen_walker";
 import { StyleColours } from "./colours";
 import { Conductor } from "./conductor";
-import { outputsOf } from "./crowd_outputs";
 import { rendererName } from "./drawn_by";
 import { firstField, withoutVertex, withStyle, withVertex } from "./field";
 import { FieldPanel } from "./field_panel";
@@ -455,7 +454,12 @@ class CrowdView implements View {
     if (!crowd || !picture || this.#films) return;
     this.#films = true;
     this.#showState();
-    await this.#say(this.#progress.run(words.recording, (call) => outputsOf[what](picture, crowd, call)));
+    await this.#say(
+      this.#progress.run(words.recording, async (call) => {
+        const { outputsOf } = await import("./crowd_outputs");
+        return outputsOf[what](picture, crowd, call);
+      }),
+    );
     this.#films = false;
     this.#showState();
   }

@@ -7,7 +7,7 @@ import { drawnBones } from "../../../viewer/crowd/crowd_viewer";
 import { strings } from "../../strings/strings";
 import type { ProgressLine } from "../../ui/progress";
 import { errorText } from "../../ui/words";
-import { WalkModels, type WalkSource } from "../synthesis/walk_models";
+import type { WalkModels, WalkSource } from "../synthesis/walk_models";
 
 const words = strings.crowd;
 
@@ -28,7 +28,8 @@ export interface GatheringListeners {
 }
 
 export class Gathering {
-  readonly #models = new WalkModels();
+  /** Models of databases other than the built-in one, whose walks need no training. */
+  #models: WalkModels | undefined;
   readonly #progress: ProgressLine;
   readonly #listeners: GatheringListeners;
   #gathered: Gathered | undefined;
@@ -72,12 +73,18 @@ export class Gathering {
 
   async #create(source: WalkSource, start: CrowdStart, { signal, ...call }: CallOptions): Promise<Crowd> {
     const options = { ...call, ...(signal && { signal }) };
-    const model = source.file ? (await this.#models.of(source, options)).trained.file : undefined;
+    const model = source.file && (await this.#modelOf(source, options));
     signal?.throwIfAborted();
     const fieldOf = (styles: readonly string[]) => this.#listeners.fieldOf(styles, source);
     return createCrowd(
       { kind: "walkers", ...(model && { model }) },
       { ...start, fieldOf, bonesOf: drawnBones, ...(signal && { signal }) },
     );
+  }
+
+  async #modelOf(source: WalkSource, options: CallOptions): Promise<Uint8Array> {
+    const { WalkModels } = await import("../synthesis/walk_models");
+    this.#models ??= new WalkModels();
+    return (await this.#models.of(source, options)).trained.file;
   }
 }

@@ -17,8 +17,8 @@ import { tintsOf } from "./tints";
 const VIEWS = { orbit: "orbit", above: "top", along: "front" } as const satisfies Record<CrowdCamera, string>;
 /** A press that moves farther than this, pixels, turns the camera and chooses nobody. */
 const CLICK_PX = 5;
-/** Height at which the line to the card begins, as a share of that of a person. */
-const WAIST = 0.6;
+/** Height at which the line to the card begins, metres. */
+const WAIST = 1;
 /** A picture that the graphics processor was not ready for is tried again after this time, milliseconds. */
 const RETRY_MS = 4;
 
@@ -179,12 +179,12 @@ export class CrowdPicture {
 
   /** Draws a line from whom the card is about to the card. */
   #placeLeader(): void {
-    const from = this.#chosen === undefined ? undefined : this.#viewer.screenPlace(this.#chosen);
+    const from = this.#chosen === undefined ? undefined : this.#viewer.screenPlace(this.#chosen, WAIST);
     const card = this.#card.getBoundingClientRect();
     const stage = this.#stage.getBoundingClientRect();
     const isApart = card.width > 0 && from && from.x < card.left - stage.left - 12;
     const path = isApart
-      ? `M${from.x.toFixed(1)} ${(from.y - WAIST * from.height).toFixed(1)}L${(card.left - stage.left).toFixed(1)} ${(card.top - stage.top + 20).toFixed(1)}`
+      ? `M${from.x.toFixed(1)} ${from.y.toFixed(1)}L${(card.left - stage.left).toFixed(1)} ${(card.top - stage.top + 20).toFixed(1)}`
       : "";
     this.#leader.setAttribute("d", path);
   }
