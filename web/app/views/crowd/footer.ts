@@ -35,8 +35,8 @@ export class Footer {
     this.#step = button(words.step, listeners.onStep, { icon: "next", keys: "→" });
     this.#speed.append(...SPEEDS.map((speed) => html("option", { value: speed }, `${speed}×`)));
     this.#speed.addEventListener("change", () => listeners.onSpeed(Number(this.#speed.value)));
-    const poster = button(words.poster, listeners.onPoster, { icon: "export", label: true, class: "outlined" });
-    const video = button(words.video, listeners.onVideo, { icon: "export", label: true, class: "outlined" });
+    const poster = button(words.poster, listeners.onPoster, { icon: "picture", label: true, class: "outlined" });
+    const video = button(words.video, listeners.onVideo, { icon: "film", label: true, class: "outlined" });
     for (const output of [poster, video]) output.title = words.videoWhy;
     this.#outputs = [poster, video];
     this.element = html(

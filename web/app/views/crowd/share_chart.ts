@@ -94,7 +94,7 @@ export class ShareChart {
     context.lineWidth = 1;
     context.strokeRect(area.left + 0.5, area.top - 0.5, area.right - area.left - 1, area.bottom - area.top + 1);
     const room = (area.right - area.left) / (REMEMBERED_SECS / MARK_SECS);
-    const every = room < 40 ? 3 : 1;
+    const every = room < 48 ? 2 : 1;
     for (let n = 0; n * MARK_SECS <= REMEMBERED_SECS; n += every) {
       const secs = n * MARK_SECS;
       const x = area.right - (secs / REMEMBERED_SECS) * (area.right - area.left);
