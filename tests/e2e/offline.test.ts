@@ -92,6 +92,7 @@ const LOADED: Record<ViewName, (page: Page) => Promise<unknown>> = {
       .first()
       .waitFor(),
   "key-style": (page) => page.locator('.key-style[aria-busy="false"]').waitFor(),
+  crowd: (page) => page.locator(".crowd-foot .button:enabled").first().waitFor(),
   data: (page) => page.locator(".catalogue").getByRole("button", { name: /^Get / }).first().waitFor(),
 };
 

@@ -160,6 +160,7 @@ describe("a view that is hidden", () => {
   it.for([
     { view: "walk", hash: "view=walk&strip=1&play=0", canvas: ".walk-strip canvas" },
     { view: "key-style", hash: "view=key-style&between=all&play=0", canvas: ".comparison canvas" },
+    { view: "crowd", hash: "view=crowd&crowd=10_1&play=0", canvas: ".crowd .editor-stage canvas" },
   ])("$view: releases its WebGL context and its observers, and shows them again", async ({ hash, canvas }) => {
     await watchResources();
     for (let visits = 0; visits < 2; visits++) {

@@ -34,7 +34,8 @@ export function steady(): void {
       counted = now;
       callback(1000 * frames);
     });
-  const hidden = ".read-out, .compare-table > div:last-child, .model-menu summary, .toasts, .preview-view";
+  const hidden =
+    ".read-out, .compare-table > div:last-child, .model-menu summary, .toasts, .preview-view, .crowd-figures";
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(`${hidden} { visibility: hidden }`);
   document.adoptedStyleSheets = [sheet];

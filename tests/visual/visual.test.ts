@@ -87,6 +87,12 @@ async function learn(page: Page): Promise<void> {
   await page.locator('.key-style[aria-busy="false"] .pad-key').first().waitFor();
 }
 
+/** Waits until people are there. */
+async function gathered(page: Page): Promise<void> {
+  await page.locator(".crowd-foot .button:enabled").first().waitFor();
+  await eventually(() => page.locator(".crowd-chart canvas").getAttribute("aria-label")).toMatch(/average \d/);
+}
+
 /** Waits until every figure of the lesson shows its state, and says what that is. */
 async function figured(page: Page): Promise<void> {
   const figures = page.locator("strut-figure:not([hidden]) :is(.readout, .bars)");
@@ -180,6 +186,15 @@ const CASES: readonly Case[] = [
   { name: "key-style-wide-light", hash: STEP, size: WIDE, theme: "light", act: learn },
   { name: "key-style-three-dark", hash: `${STEP}&between=all`, size: WIDE, theme: "dark", act: learn },
   { name: "key-style-narrow-dark", hash: PUNCH, size: NARROW, theme: "dark", act: learn },
+  { name: "crowd-wide-dark", hash: "play=0&view=crowd&who=13", size: WIDE, theme: "dark", act: gathered },
+  {
+    name: "crowd-above-light",
+    hash: "play=0&view=crowd&seen=above&route=-6_0;0_-6;6_0",
+    size: WIDE,
+    theme: "light",
+    act: gathered,
+  },
+  { name: "crowd-narrow-light", hash: "play=0&view=crowd&who=13", size: NARROW, theme: "light", act: gathered },
   { name: "data-empty-wide-dark", hash: "play=0&view=data", size: WIDE, theme: "dark", flat: true, act: listed },
   { name: "data-wide-light", hash: "play=0&view=data", size: WIDE, theme: "light", flat: true, act: dropClips },
   { name: "data-narrow-dark", hash: "play=0&view=data", size: NARROW, theme: "dark", flat: true, act: dropClips },

@@ -20,7 +20,7 @@ export interface PageState {
   range: FrameRange | undefined;
 }
 
-export const VIEW_NAMES = ["play", "learn", "compare", "walk", "key-style", "data"] as const;
+export const VIEW_NAMES = ["play", "learn", "compare", "walk", "key-style", "crowd", "data"] as const;
 export type ViewName = (typeof VIEW_NAMES)[number];
 export const THEMES = ["auto", "dark", "light"] as const satisfies readonly Theme[];
 /** Playback speeds to choose from. */

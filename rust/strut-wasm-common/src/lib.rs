@@ -14,4 +14,4 @@ mod poses;
 pub use bytes::{Bytes, SlicedFile, Slices};
 pub use database::read_database;
 pub use error::{EngineError, sentence};
-pub use poses::{bvh_of, floats_of, offsets_of, poses_of, write_floats};
+pub use poses::{bvh_of, floats_of, offsets_of, poses_of, proportions_of, write_floats};

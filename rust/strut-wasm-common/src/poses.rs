@@ -2,7 +2,7 @@
 
 use crate::EngineError;
 use js_sys::Float32Array;
-use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose, Proportions};
+use strut_core::humanoid::{HumanoidMotion, JOINTS, POSE_FLOATS, Pose, Proportions};
 use strut_core::math::Vec3;
 use strut_formats::bvh::{self, Bvh};
 
@@ -34,6 +34,17 @@ pub fn floats_of<'a>(poses: impl ExactSizeIterator<Item = &'a Pose>) -> Vec<f32>
 /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
 pub fn offsets_of(proportions: &Proportions) -> Vec<f32> {
     proportions.offsets.iter().flat_map(Vec3::to_array).collect()
+}
+
+/// What [`offsets_of`] wrote.
+///
+/// # Errors
+/// If the array has another length.
+pub fn proportions_of(floats: &[f32]) -> Result<Proportions, EngineError> {
+    let (offsets, rest) = floats.as_chunks::<3>();
+    let offsets: Option<[[f32; 3]; JOINTS]> = offsets.try_into().ok().filter(|_| rest.is_empty());
+    let wrong = || EngineError::bad_input(format!("{} offsets were given; {} were expected", floats.len(), 3 * JOINTS));
+    Ok(Proportions { offsets: offsets.ok_or_else(wrong)?.map(Vec3::from) })
 }
 
 /// The text of a BVH file of a motion.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use strut_core::crowd::{self, Vertex};
 use strut_core::hsmm::RATE_HZ;
 use strut_core::humanoid::{HumanoidMotion, Proportions};
-use strut_wasm_common::{EngineError, bvh_of, write_floats};
+use strut_wasm_common::{EngineError, bvh_of, proportions_of, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Longest motion that is written of a walker, seconds.
@@ -93,6 +93,16 @@ impl Crowd {
             return Err(EngineError::bad_input("two numbers a point were expected"));
         }
         self.crowd.set_route(points).map_err(EngineError::bad_input)
+    }
+
+    /// Bones that the joints lie on, 21 × xyz in metres, in place of the model's own.
+    ///
+    /// # Errors
+    /// If there are not 63 numbers, or one is none; nothing changes then.
+    #[wasm_bindgen(js_name = setBones)]
+    pub fn set_bones(&mut self, offsets: &[f32]) -> Result<(), EngineError> {
+        let bones = proportions_of(offsets)?;
+        self.crowd.set_bones(bones).map_err(EngineError::bad_input)
     }
 
     /// The text of a BVH file of the next seconds of a walker, as if nobody else were there.

@@ -16,7 +16,7 @@ use strut_core::hsmm::{
     JointPath, LabelledClip, Options as WalkOptions, PathOptions, RuntimeWalkModel, StyleMeans, Track, Walker,
     flattened, train, walk_of, walks_among,
 };
-use strut_core::humanoid::{Pose, Role};
+use strut_core::humanoid::{Pose, Proportions, Role};
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
 use strut_core::parallel::Sequential;
@@ -205,6 +205,7 @@ fn crowd_stage(report: &mut String, runtime: RuntimeWalkModel) -> Result<(), Eng
     let mut hashes = Vec::new();
     for tick in 0..CROWD_TICKS {
         if tick == CROWD_TICKS / 2 {
+            crowd.set_bones(Proportions::default()).map_err(EngineError::bad_input)?;
             crowd.set_route(&[[-5.0, -3.0], [0.0, 4.0], [5.0, -3.0]]).map_err(EngineError::bad_input)?;
         }
         crowd.tick();

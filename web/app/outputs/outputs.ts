@@ -12,6 +12,7 @@ import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import { cancelled, exportName } from "../ui/words";
 import type { OutputFormat, VideoSize } from "./formats";
+import { pngOf } from "./png";
 
 /** Media type of GLB files. */
 const GLB = "model/gltf-binary";
@@ -74,7 +75,7 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
     case "jsonl":
       return trace(session, format);
     case "png":
-      return png(await pictures.picture());
+      return pngOf(await pictures.picture());
     case "webm": {
       const blob = await video(size, sources);
       if (!blob) toasts.error(strings.page.outputs.noVideo);
@@ -117,10 +118,6 @@ async function trace(session: Session, format: "csv" | "jsonl"): Promise<Blob | 
   return format === "csv"
     ? new Blob([traceAsCsv(traced)], { type: "text/csv" })
     : new Blob([traceAsJson(traced)], { type: "application/jsonl" });
-}
-
-function png(picture: HTMLCanvasElement): Promise<Blob | undefined> {
-  return new Promise((resolve) => picture.toBlob((blob) => resolve(blob ?? undefined)));
 }
 
 /**

@@ -1,6 +1,14 @@
 /** What is said everywhere: titles, menus, toasts, what went wrong. */
 export const page = {
-  views: { play: "Play", learn: "Learn", compare: "Compare", walk: "Walk", "key-style": "Key-style", data: "Data" },
+  views: {
+    play: "Play",
+    learn: "Learn",
+    compare: "Compare",
+    walk: "Walk",
+    "key-style": "Key-style",
+    crowd: "Crowd",
+    data: "Data",
+  },
   title: (view: string) => `${view} · Strut`,
   viewShown: (view: string) => `${view} view`,
   viewNotLoaded: (why: string) => `This view could not be loaded. Reload the page. ${why}`,

@@ -37,6 +37,7 @@ export const VIEWS: readonly ViewEntry[] = [
     load: () => import("../views/key_style/key_style_view"),
     takes: "motions",
   },
+  { name: "crowd", title: titles.crowd, load: () => import("../views/crowd/crowd_view") },
   { name: "data", title: titles.data, load: () => import("../views/data/data_view"), takes: "all" },
 ];
 

@@ -8,12 +8,20 @@ import { initialOf, namesOf, readHash, writeHash } from "../../link/hash";
 import { PAGE_FIELDS, type PageState } from "../../link/page";
 import { PLAY_FIELDS, type PlayState } from "../../link/play";
 import { COMPARE_FIELDS, type CompareState } from "./compare";
+import { CROWD_FIELDS, type CrowdState } from "./crowd";
 import { KEY_STYLE_FIELDS, type KeyStyleState } from "./key_style";
 import { foreignPairs, LEARN_FIELDS, type LearnState } from "./learn";
 import { WALK_FIELDS, type WalkState } from "./walk";
 
 /** Everything that a link restores. */
-export interface AppState extends PageState, PlayState, CompareState, WalkState, KeyStyleState, LearnState {}
+export interface AppState
+  extends PageState,
+    PlayState,
+    CompareState,
+    WalkState,
+    KeyStyleState,
+    CrowdState,
+    LearnState {}
 
 /** The composed table. */
 export const FIELDS: Fields<AppState> = {
@@ -22,6 +30,7 @@ export const FIELDS: Fields<AppState> = {
   ...COMPARE_FIELDS,
   ...WALK_FIELDS,
   ...KEY_STYLE_FIELDS,
+  ...CROWD_FIELDS,
   ...LEARN_FIELDS,
 };
 

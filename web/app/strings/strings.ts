@@ -6,13 +6,14 @@
 import { embed } from "../embed/strings.en";
 import { page } from "../shell/strings.en";
 import { compare } from "../views/compare/strings.en";
+import { crowd } from "../views/crowd/strings.en";
 import { data } from "../views/data/strings.en";
 import { keyStyle } from "../views/key_style/strings.en";
 import { play } from "../views/play/strings.en";
 import { synthesis } from "../views/synthesis/strings.en";
 import { walk } from "../views/walk/strings.en";
 
-const en = { embed, page, play, compare, data, walk, keyStyle, synthesis };
+const en = { embed, page, play, compare, data, walk, keyStyle, crowd, synthesis };
 
 /** A text where English has one, and a sentence of the same parts where it has a function. */
 type Said<T> = T extends string

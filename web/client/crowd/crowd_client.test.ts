@@ -69,6 +69,7 @@ function worker() {
     setCount: async (count) => void heard.push(`count ${count}`),
     setField: async (vertices) => void heard.push(`field ${vertices.length}`),
     setRoute: async (points) => void heard.push(`route ${points.length}`),
+    setBones: async (offsets) => void heard.push(`bones ${offsets[0]} before tick ${state.ticks + 1}`),
     exportBvh: async (walker, secs) => `HIERARCHY ${walker} ${secs}`,
   };
   const spawn = () =>
@@ -140,6 +141,27 @@ test("a crowd that is paused asks for nothing, and goes on where it was", async 
   expect(ticks.length - length).toBeLessThanOrEqual(4);
 });
 
+test("a crowd that is paused goes on step by step", async () => {
+  const { crowd, clock, numbers } = await opened();
+  crowd.playing = false;
+  await crowd.step();
+  expect(numbers).toEqual([1]);
+  await crowd.step();
+  await crowd.step();
+  await clock.pass(1000);
+  expect(numbers).toEqual([1, 2, 3]);
+  crowd.playing = true;
+  await crowd.step();
+  expect(numbers, "time goes on by itself").toEqual([1, 2, 3]);
+});
+
+test("time goes on as fast as is asked for", async () => {
+  const { crowd, clock, numbers } = await opened();
+  crowd.speed = 0.5;
+  await clock.pass(1001);
+  expect(numbers.length).toBe(16);
+});
+
 test("the crowd says when its count is halved", async () => {
   const { crowd, clock, state } = await opened();
   const counts: number[] = [];
@@ -157,6 +179,22 @@ test("controls reach the worker while it ticks", async () => {
   expect(await crowd.exportBvh(2, 5)).toBe("HIERARCHY 2 5");
   await clock.pass(100);
   expect(heard).toEqual(["count 9", "field 1", "route 0"]);
+});
+
+test("joints lie on the bones that are asked for from the first tick on", async () => {
+  const { spawn, heard } = worker();
+  const bonesOf = ({ length }: Float32Array) => new Float32Array(length).fill(length);
+  const crowd = await createCrowd({ kind: "walkers" }, { count: 4, bonesOf }, { spawn, clock: new TestClock() });
+  expect(heard).toEqual(["bones 63 before tick 1"]);
+  crowd.dispose();
+});
+
+test("the field may be chosen among the styles of the model, before others come", async () => {
+  const { spawn, heard } = worker();
+  const fieldOf = ([style]: readonly string[]) => [{ style: style!, x: 0, z: 0, reach: 1, intensity: 1 }];
+  const crowd = await createCrowd({ kind: "walkers" }, { count: 4, fieldOf }, { spawn, clock: new TestClock() });
+  expect(heard).toEqual(["field 1", "count 4"]);
+  crowd.dispose();
 });
 
 test("a fault ends the crowd with one error, and so does dispose with none", async () => {

@@ -3,24 +3,25 @@
  * between two ticks need both, and the next.
  */
 
-import type { FieldVertex, Place } from "../../engine/crowd/crowd";
+import type { FieldVertex, Place } from "../../engine/crowd/limits";
 import { type StrutError, toStrutError } from "../../engine/errors";
 import type { CallOptions } from "../protocol";
 import { type ClientPort, RpcClient, remote } from "../rpc";
 import { type Clock, PAGE_CLOCK } from "./clock";
 import type { CrowdCalls, CrowdFacts, CrowdStart, CrowdTick, Walkers } from "./protocol";
 
-export {
-  type FieldVertex,
-  MAX_CROWD,
-  MAX_ROUTE_POINTS,
-  MAX_VERTICES,
-  type Place,
-} from "../../engine/crowd/crowd";
 export type { CrowdFacts, CrowdStart, CrowdTick, Walkers } from "./protocol";
 
 /** How many arguments each call has. */
-const ARITY = { open: 2, tick: 1, setCount: 1, setField: 1, setRoute: 1, exportBvh: 2 } as const;
+const ARITY = { open: 2, tick: 1, setCount: 1, setField: 1, setRoute: 1, setBones: 1, exportBvh: 2 } as const;
+
+/** What of a crowd follows from its model. */
+export interface CrowdChoices {
+  /** Styles by place, of the model's; in place of the start's field. */
+  fieldOf?: (styles: readonly string[]) => readonly FieldVertex[];
+  /** Bones that joints are to lie on, by those of the model, 21 × xyz in metres; the model's own if missing. */
+  bonesOf?: (proportions: Float32Array) => Float32Array;
+}
 
 /** What tests replace. */
 export interface CrowdSurroundings {
@@ -38,12 +39,19 @@ function spawnWorker(): ClientPort {
  */
 export async function createCrowd(
   walkers: Walkers,
-  { signal, ...start }: CrowdStart & Pick<CallOptions, "signal">,
+  { signal, bonesOf, fieldOf, ...start }: CrowdStart & CrowdChoices & Pick<CallOptions, "signal">,
   { spawn = spawnWorker, clock = PAGE_CLOCK }: CrowdSurroundings = {},
 ): Promise<Crowd> {
   const rpc = new RpcClient(spawn, "crowd");
   try {
-    const facts = (await rpc.call("open", [walkers, start], signal)) as CrowdFacts;
+    // Walkers who come when there is a field begin in its styles.
+    const first = fieldOf ? { ...start, count: Math.min(1, start.count) } : start;
+    const facts = (await rpc.call("open", [walkers, first], signal)) as CrowdFacts;
+    if (fieldOf) {
+      await rpc.call("setField", [fieldOf(facts.styles)], signal);
+      await rpc.call("setCount", [start.count], signal);
+    }
+    if (bonesOf) await rpc.call("setBones", [bonesOf(facts.proportions)], signal);
     return new Crowd(rpc, facts, start.count, clock);
   } catch (thrown) {
     rpc.dispose();
@@ -63,10 +71,15 @@ export class Crowd implements CrowdFacts {
   /** The crowd has stopped for good. */
   onError: ((error: StrutError) => void) | undefined;
 
+  /** How fast time goes on; 1 is that of the world. */
+  speed = 1;
+
   private readonly calls: CrowdCalls;
   /** The last tick and the one before. */
   private shown: CrowdTick[] = [];
   private next: CrowdTick | undefined;
+  /** Until the next tick is there. */
+  private asking: Promise<void> = Promise.resolve();
   private isPlaying = true;
   private isOver = false;
   private due: number;
@@ -103,6 +116,17 @@ export class Crowd implements CrowdFacts {
     if (playing) this.schedule();
   }
 
+  /** Time between two ticks, milliseconds. */
+  get periodMs(): number {
+    return 1000 / (this.rateHz * this.speed);
+  }
+
+  /** Shows the next tick while time does not go on. */
+  async step(): Promise<void> {
+    await this.asking;
+    if (!this.isPlaying) this.show();
+  }
+
   /** More walkers or fewer, from the tick after the next on. @throws StrutError if there are too few or too many */
   setCount(count: number): Promise<void> {
     return this.calls.setCount(count);
@@ -134,7 +158,7 @@ export class Crowd implements CrowdFacts {
   /** Has the worker write the next tick, into a buffer that nobody needs any more. */
   private ask(spare?: ArrayBuffer): void {
     const answer = this.rpc.call("tick", [spare], undefined, spare ? [spare] : []) as Promise<CrowdTick>;
-    answer.then(
+    this.asking = answer.then(
       (tick) => {
         this.next = tick;
         this.schedule();
@@ -158,7 +182,7 @@ export class Crowd implements CrowdFacts {
     const spare = this.shown[1];
     this.shown = [tick, ...this.shown.slice(0, 1)];
     this.next = undefined;
-    const [period, now] = [1000 / this.rateHz, this.clock.now()];
+    const [period, now] = [this.periodMs, this.clock.now()];
     // What is late by more than a tick is not made up for.
     this.due = (now - this.due > period ? now : this.due) + period;
     this.ask(spare?.joints.buffer as ArrayBuffer | undefined);

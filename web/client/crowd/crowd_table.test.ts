@@ -1,5 +1,6 @@
 /** The crowd of the real package on this thread, by a clock that the tests set. */
 import { expect, test } from "vitest";
+import { CROWD_JOINT_FLOATS, JOINT, type Role } from "../../humanoid";
 import { createCrowdTable } from "./crowd_table";
 
 const WALKERS = { kind: "walkers" } as const;
@@ -64,6 +65,23 @@ test("the next seconds of a walker are a BVH file", async () => {
   expect(bvh).toMatch(/Frames: 60\n/);
   await expect(table.exportBvh(3, 2)).rejects.toMatchObject({ code: "bad-input" });
   await expect(table.exportBvh(0, 0)).rejects.toMatchObject({ code: "bad-input" });
+});
+
+test("joints lie on the bones that are given", async () => {
+  const { table, facts } = await crowdOf(3);
+  const bones = facts.proportions.slice();
+  const neck = 3 * JOINT.neck;
+  bones[neck + 1]! += 0.2;
+  await table.setBones(bones);
+  const { joints } = await table.tick(undefined);
+  const at = (role: Role) => joints.subarray(CROWD_JOINT_FLOATS * JOINT[role]).subarray(0, 3);
+  const [a, b] = [at("neck"), at("chest")];
+  expect(Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!)).toBeCloseTo(
+    Math.hypot(...bones.subarray(neck, neck + 3)),
+    4,
+  );
+  await expect(table.setBones(bones.subarray(3))).rejects.toMatchObject({ code: "bad-input" });
+  await expect(table.setBones(bones.map(() => Number.NaN))).rejects.toMatchObject({ code: "bad-input" });
 });
 
 test("what is no crowd, no field and no route is refused, and nothing changes", async () => {

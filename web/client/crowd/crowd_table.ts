@@ -66,6 +66,10 @@ export function createCrowdTable(now: () => number = () => performance.now()): C
       crowd().setRoute(points);
     },
 
+    async setBones(offsets) {
+      crowd().setBones(offsets);
+    },
+
     async exportBvh(walker, secs) {
       return crowd().toBvh(walker, secs);
     },

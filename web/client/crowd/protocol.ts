@@ -1,5 +1,5 @@
 /** What the page and the crowd's worker say to each other. */
-import type { FieldVertex, Place } from "../../engine/crowd/crowd";
+import type { FieldVertex, Place } from "../../engine/crowd/limits";
 
 /** Who walks: the model of a `.strutwalk` file, or of the built-in walks. */
 export interface Walkers {
@@ -49,5 +49,7 @@ export interface CrowdCalls {
   setCount(count: number): Promise<void>;
   setField(vertices: readonly FieldVertex[]): Promise<void>;
   setRoute(points: readonly Place[]): Promise<void>;
+  /** Bones that the joints lie on in place of the model's own. */
+  setBones(offsets: Float32Array): Promise<void>;
   exportBvh(walker: number, secs: number): Promise<string>;
 }

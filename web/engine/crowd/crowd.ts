@@ -2,38 +2,16 @@
 import { StrutError } from "../errors";
 import { Handle } from "../handle";
 import { loadBuiltInWalkModel } from "../walk/built_in";
+import type { FieldVertex, Place } from "./limits";
 import { type CrowdGlue, crowdPackage } from "./wasm";
-
-/** Most walkers of a crowd. */
-export const MAX_CROWD = 1000;
-/** Most vertices of a field. */
-export const MAX_VERTICES = 12;
-/** Most points of a route. */
-export const MAX_ROUTE_POINTS = 64;
 
 /** What a crowd begins with. */
 export interface CrowdOptions {
-  /** Walkers, 1 to {@link MAX_CROWD}. */
+  /** Walkers, 1 to 1,000. */
   count: number;
   /** Of all that is drawn by lot. */
   seed: number;
 }
-
-/** A style at a place of the ground: who comes near walks in it, and the average walk fills up what is missing to 1. */
-export interface FieldVertex {
-  /** Name of the style. */
-  style: string;
-  /** Place, metres, −100 to 100. */
-  x: number;
-  z: number;
-  /** Where it counts half, metres, 0.5 to 10. */
-  reach: number;
-  /** −1 (its opposite) to 2. */
-  intensity: number;
-}
-
-/** A place [x, z] on the ground, metres. */
-export type Place = readonly [x: number, z: number];
 
 /** A crowd of walkers by one model. */
 export class Crowd extends Handle<InstanceType<CrowdGlue["Crowd"]>> {
@@ -113,6 +91,14 @@ export class Crowd extends Handle<InstanceType<CrowdGlue["Crowd"]>> {
    */
   setRoute(points: readonly Place[]): void {
     crowdPackage.guarded(() => this.raw.setRoute(Float32Array.from(points.flat())));
+  }
+
+  /**
+   * Bones that the joints lie on, 21 × xyz in metres, in place of {@link proportions}.
+   * @throws StrutError if they are none; nothing changes then
+   */
+  setBones(offsets: Float32Array): void {
+    crowdPackage.guarded(() => this.raw.setBones(offsets));
   }
 
   /** A BVH file of the next seconds of a walker, as if nobody else were there. */

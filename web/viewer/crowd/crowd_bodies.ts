@@ -40,7 +40,8 @@ export class CrowdBodies {
   readonly #materials = new Map<Shading, Material>();
   #fit: Fit;
   #nearDetail: number;
-  #capacity = 0;
+  /** Walkers that the meshes have room for; none before they have any. */
+  #capacity = -1;
 
   constructor(textures: JointTextures, fit: Fit, far: SkinnedBody, detail: number, shading: Shading) {
     this.#textures = textures;
@@ -109,7 +110,7 @@ export class CrowdBodies {
 
   #buildNear(): void {
     fill(this.#meshes.near.geometry, skinnedBody(this.#fit, this.#nearDetail));
-    this.#capacity = 0;
+    this.#capacity = -1;
   }
 
   /** The material of a shading; made when first needed, since compiling it is slow. */

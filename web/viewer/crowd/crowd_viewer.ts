@@ -21,20 +21,26 @@ export interface NamedMark extends FieldMark {
   name: string;
 }
 
-/** Where somebody is on screen, CSS pixels, and his height there. */
+/** A place of the picture, CSS pixels from its top left. */
 export interface ScreenPlace {
   x: number;
   y: number;
-  height: number;
 }
 
 const RANGE: CameraRange = {
   home: { azimuth: MathUtils.degToRad(16), elevation: MathUtils.degToRad(17), distance: 19 },
-  distances: [3, 60],
-  far: 160,
+  distances: [3, 90],
+  far: 220,
 };
 /** Half the width that has to fit into the picture at home, metres. */
 const HALF_WIDTH = 4.6;
+/** Distance from which the view from above shows most of the ground, in radii of it, and the greatest, metres. */
+const ABOVE = 3.4;
+const HIGHEST = 80;
+/** Time in which the camera covers half the way to whom it follows, or back, seconds. */
+const FOLLOW_HALF_LIFE = 0.16;
+/** Nearer than this it is there, metres. */
+const ARRIVED = 1e-3;
 /** Height of somebody, metres. */
 const HEIGHT = 1.7;
 /** Radius of the ring around somebody who is chosen, metres. */
@@ -44,6 +50,11 @@ const REACH_PX = 13;
 /** Without a graphics card fewer people wear the finer bodies, and fewer have an outline for a shadow. */
 const SOFTWARE_LIMITS: BodyLimits = { near: { height: 220, count: 0 }, middle: { height: 90, count: 8 } };
 const OUTLINED = { hardware: 0.05, software: 0.14 };
+
+/** The bones that everybody is drawn on, by those of the motion: joints have to lie on them. 21 × xyz, metres. */
+export function drawnBones(proportions: ArrayLike<number>): Float32Array {
+  return fitTo(proportions).proportions;
+}
 
 /** A viewer in a container, whose size it follows. The page calls {@link render} once an animation frame. */
 export class CrowdViewer {
@@ -66,6 +77,8 @@ export class CrowdViewer {
   #lastTime: number | undefined;
   /** Who is chosen. */
   #chosen: number | undefined;
+  /** What the camera looks at: the middle, somebody, or on the way between them. */
+  readonly #focus = new Vector3();
   /** Whether the camera follows who is chosen. */
   follow = false;
 
@@ -116,6 +129,16 @@ export class CrowdViewer {
     return this.#stage.cost;
   }
 
+  /** What draws, by the name that the browser gives it. */
+  get drawnBy(): string {
+    return this.#stage.drawnBy;
+  }
+
+  /** Where the camera looks from, radians about +Y from +Z. */
+  get azimuth(): number {
+    return this.#stage.view.azimuth;
+  }
+
   /** Whether nothing is left to draw. */
   get still(): boolean {
     return this.#stage.still && !this.#redraw.pending;
@@ -140,6 +163,7 @@ export class CrowdViewer {
   setField(marks: readonly NamedMark[], radius: number): void {
     this.#marks = marks;
     this.#radius = radius;
+    this.#stage.view.above = Math.min(HIGHEST, ABOVE * radius);
     this.#applyField();
   }
 
@@ -171,9 +195,9 @@ export class CrowdViewer {
 
   /**
    * Draws a frame `share` of the way from the last tick to the present one, unless those before are still being drawn;
-   * `timeSecs` is any clock. Says whether it was drawn.
+   * `timeSecs` is any clock, and `fine` asks for the finer picture of what stands still. Says whether it was drawn.
    */
-  render(timeSecs: number, share: number): boolean {
+  render(timeSecs: number, share: number, fine = false): boolean {
     const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
     this.#lastTime = timeSecs;
     const { uniforms } = this.#textures;
@@ -181,11 +205,11 @@ export class CrowdViewer {
     uniforms.share.value = share;
     const chosen = this.#chosen;
     const at = chosen === undefined ? middle.set(0, 0, 0) : this.#hips(chosen, middle);
-    const follows = this.follow && chosen !== undefined;
-    if (this.#stage.view.update(dt, follows ? at : origin, follows)) this.#redraw.request();
+    this.#moveFocus(this.follow && chosen !== undefined ? at : origin, dt);
+    if (this.#stage.view.update(dt, this.#focus, true)) this.#redraw.request();
     this.#ground.setRing(chosen === undefined ? undefined : { x: at.x, z: at.z, radius: RING });
-    const still = this.#redraw.settled(timeSecs);
-    if ((still && this.#stage.still) || !this.#stage.begin(dt, still)) return false;
+    const still = fine || this.#redraw.settled(timeSecs);
+    if ((still && this.#stage.still && !fine) || !this.#stage.begin(dt, still)) return false;
     this.#redraw.drawn();
     this.#arrange();
     this.#stage.render(this.#stage.view.target);
@@ -203,9 +227,11 @@ export class CrowdViewer {
     this.#redraw.request();
   }
 
-  /** Where a place of the world is in the picture, CSS pixels from its top left. */
-  screenPosition(x: number, y: number, z: number): { x: number; y: number } {
-    return this.#stage.project(point.set(x, y, z));
+  /** Where a place of the world is in the picture, CSS pixels from its top left; `undefined` behind the camera. */
+  screenPosition(x: number, y: number, z: number): ScreenPlace | undefined {
+    const { camera } = this.#stage.view;
+    const isBehind = point.set(x, y, z).applyMatrix4(camera.matrixWorldInverse).z > -camera.near;
+    return isBehind ? undefined : this.#stage.project(point.set(x, y, z));
   }
 
   /** The place on the ground under a place of the picture, metres; `undefined` at the sky. */
@@ -222,26 +248,30 @@ export class CrowdViewer {
     let best: { walker: number; height: number } | undefined;
     for (const [walker, height] of this.#heights.entries()) {
       if (height === 0 || height < (best?.height ?? 0)) continue;
-      const place = this.screenPlace(walker)!;
-      const [aside, above] = [Math.abs(x - place.x), place.y - y];
-      const reach = Math.max(0.2 * height, REACH_PX);
-      if (aside < reach && above > -0.08 * height && above < 1.06 * height) best = { walker, height };
+      const [feet, head] = [this.screenPlace(walker, 0)!, this.screenPlace(walker, HEIGHT)!];
+      // From above the feet are under the head.
+      if (distanceToSegment({ x, y }, feet, head) < Math.max(0.2 * height, REACH_PX)) best = { walker, height };
     }
     return best?.walker;
   }
 
-  /** Where the feet of somebody are in the picture; `undefined` out of sight. */
-  screenPlace(walker: number): ScreenPlace | undefined {
-    const height = this.#heights[walker];
-    if (!height) return undefined;
+  /** Where the middle of somebody is in the picture, so many metres above the ground; `undefined` out of sight. */
+  screenPlace(walker: number, up: number): ScreenPlace | undefined {
+    if (!this.#heights[walker]) return undefined;
     const { x, z } = this.#hips(walker, point);
-    return { ...this.#stage.project(point.set(x, 0, z)), height };
+    return this.#stage.project(point.set(x, up, z));
   }
 
   /** Frees everything; the viewer cannot be used afterwards. */
   dispose(): void {
     for (const part of [this.#bodies, this.#shadows, this.#ground, this.#names, this.#textures]) part.dispose();
     this.#stage.dispose();
+  }
+
+  /** Goes on towards what the camera is to look at. */
+  #moveFocus(wanted: Vector3, dt: number): void {
+    this.#focus.lerp(wanted, 1 - 0.5 ** (dt / FOLLOW_HALF_LIFE));
+    if (this.#focus.distanceTo(wanted) < ARRIVED) this.#focus.copy(wanted);
   }
 
   /** Where the hips of somebody are between the two ticks. */
@@ -293,6 +323,14 @@ export class CrowdViewer {
     this.#fog.color.set(theme.background.outer);
     this.#applyField();
   }
+}
+
+/** Distance from a place to the nearest of those between two others. */
+function distanceToSegment(at: ScreenPlace, from: ScreenPlace, to: ScreenPlace): number {
+  const [dx, dy] = [to.x - from.x, to.y - from.y];
+  const along = (at.x - from.x) * dx + (at.y - from.y) * dy;
+  const share = MathUtils.clamp(along / Math.max(1e-6, dx * dx + dy * dy), 0, 1);
+  return Math.hypot(at.x - from.x - share * dx, at.y - from.y - share * dy);
 }
 
 const origin = new Vector3();

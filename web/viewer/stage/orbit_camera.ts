@@ -64,6 +64,8 @@ export class OrbitCamera {
   onViewChange: ((view: CameraView) => void) | undefined;
   /** Half the width that has to fit into the picture, metres. */
   halfWidth = 1.15;
+  /** Distance of the view from above, metres. */
+  above: number;
   /** Height of what is looked at as a share of the mannequin's: a giant is seen from farther away. */
   scale = 1;
   readonly #range: CameraRange;
@@ -83,6 +85,7 @@ export class OrbitCamera {
     this.#range = range;
     this.#state = { ...range.home };
     this.#free = { ...range.home };
+    this.above = 1.15 * range.home.distance;
     this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, range.far);
     const options = { signal: this.#listeners.signal };
     element.addEventListener("pointerdown", (event) => this.#pointerDown(event), options);
@@ -117,7 +120,7 @@ export class OrbitCamera {
       orbit: this.#free,
       front: { azimuth: heading, elevation: level, distance },
       side: { azimuth: heading + Math.PI / 2, elevation: level, distance },
-      top: { azimuth: heading, elevation: ELEVATIONS[1], distance: distance * 1.15 },
+      top: { azimuth: heading, elevation: ELEVATIONS[1], distance: this.above },
     }[view];
     this.#zoom = 1;
     const azimuth = this.#state.azimuth + wrap(to.azimuth - this.#state.azimuth);

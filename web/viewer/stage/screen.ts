@@ -129,6 +129,12 @@ export class Screen {
     canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
   }
 
+  /** What draws, by the name that the browser gives it; empty where it tells none. */
+  get drawnBy(): string {
+    const info = this.#gl.getExtension("WEBGL_debug_renderer_info");
+    return String(this.#gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : this.#gl.RENDERER) ?? "");
+  }
+
   /** Makes ahead what {@link own} gives to the first stage, in steps: making it takes long. */
   static *prepare(): Generator<undefined> {
     const options = Screen.#ownOptions(undefined);

@@ -145,6 +145,11 @@ export class Stage implements Drawn {
     this.#screen.governor.onFps = callback;
   }
 
+  /** What draws, by the name that the browser gives it. */
+  get drawnBy(): string {
+    return this.#screen.drawnBy;
+  }
+
   /** Size of the picture in CSS pixels. */
   get size(): Readonly<{ width: number; height: number }> {
     return this.#size;

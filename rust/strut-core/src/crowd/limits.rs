@@ -14,6 +14,8 @@ pub const REACH: [f32; 2] = [0.5, 10.0];
 pub const INTENSITY: [f32; 2] = [-1.0, 2.0];
 /// Farthest place along x or z that a vertex, or a point of a route, can have, metres.
 pub const FARTHEST: f32 = 100.0;
+/// Longest offset of a bone along an axis, metres.
+pub const LONGEST_BONE: f32 = 10.0;
 
 /// Why a crowd is not as asked for; then nothing changes.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -46,6 +48,9 @@ pub enum CrowdError {
     /// Too few points of a route, or too many.
     #[error("a route of {0} points was given; none, or 2 to {MAX_ROUTE_POINTS}, were expected")]
     Route(usize),
+    /// A bone is none.
+    #[error("a bone is offset by {0} m; a number from -{LONGEST_BONE} to {LONGEST_BONE} was expected")]
+    Bone(f32),
 }
 
 /// Whether somebody can be sent to a place [x, z].

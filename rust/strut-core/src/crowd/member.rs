@@ -26,6 +26,12 @@ const CYCLE: usize = 32;
 /// Share of a wandering turn that remains a step later, and the greatest that is added, radians.
 const WANDER_REMAINS: f32 = 0.8;
 const WANDER: f32 = 0.16;
+/// Goals are so far from the middle, in radii of the ground: ways between places all over it would lead through the middle more
+/// often than not.
+const GOALS: [f32; 2] = [0.6, 1.0];
+/// A goal is reached within this, metres, and given up after so many steps: who turns as much as a foot can may walk round it.
+const REACHED: f32 = 2.5;
+const PATIENCE: u32 = 40;
 /// How far ahead the field is looked at for a step, seconds.
 const LOOK_AHEAD_SECS: f32 = 0.3;
 /// Length of a step before one was walked, metres, and the least that is taken for one.
@@ -50,6 +56,9 @@ pub(super) struct Member {
     random: SplitMix64,
     /// Turn of a step by which they wander, radians.
     wander: f32,
+    /// Where they go, in radii of the ground from its middle, and the steps that they have gone there.
+    goal: Vec2,
+    gone: u32,
     /// Where they walk beside a route, 0 to 1.
     lane: f32,
     pace: Pace,
@@ -93,6 +102,8 @@ impl Member {
             step: walker.next_step(),
             walker,
             lane: random.share(),
+            goal: goal(&mut random),
+            gone: 0,
             random,
             wander: 0.0,
             pace: Pace::Walks,
@@ -134,9 +145,14 @@ impl Member {
         }
         (self.step, self.from, self.frames) = (self.walker.next_step(), me.at, 0);
         self.wander = WANDER_REMAINS * self.wander + WANDER * (2.0 * self.random.share() - 1.0);
+        self.gone += 1;
+        if self.gone > PATIENCE || me.at.distance(ground.radius * self.goal) < REACHED {
+            (self.goal, self.gone) = (goal(&mut self.random), 0);
+        }
+        let on_route = ground.route.target(me.at, me.facing, self.lane, ground.count);
         let intention = Intention {
             wander: self.wander,
-            target: ground.route.target(me.at, me.facing, self.lane, ground.count),
+            target: on_route.unwrap_or(ground.radius * self.goal),
             length: self.length,
             stood: self.stood,
             radius: ground.radius,
@@ -158,4 +174,10 @@ impl Member {
             self.pace = pace;
         }
     }
+}
+
+/// A place to go to, evenly distributed over a ring, in radii of the ground from its middle.
+fn goal(random: &mut SplitMix64) -> Vec2 {
+    let [least, greatest] = GOALS.map(|radius| radius * radius);
+    (least + (greatest - least) * random.share()).sqrt() * facing(TAU * random.share())
 }

@@ -12,10 +12,11 @@ mod route;
 mod steering;
 
 pub use field::Vertex;
-pub use limits::{CrowdError, FARTHEST, INTENSITY, MAX_COUNT, MAX_ROUTE_POINTS, MAX_VERTICES, REACH};
+pub use limits::{CrowdError, FARTHEST, INTENSITY, LONGEST_BONE, MAX_COUNT, MAX_ROUTE_POINTS, MAX_VERTICES, REACH};
 
 use crate::hsmm::RuntimeWalkModel;
-use crate::humanoid::{JOINTS, Pose};
+use crate::humanoid::{JOINTS, PARENTS, Pose, Proportions};
+use crate::math::Vec3;
 use field::Field;
 use grid::Grid;
 use member::{Ground, Member, ROOM};
@@ -57,6 +58,8 @@ pub struct Crowd {
     /// One a walker and style: the weights, and their part from 0 to 1 in 255ths.
     weights: Vec<f32>,
     shares: Vec<u8>,
+    /// What the joints of `world` lie on.
+    bones: Proportions,
     world: Vec<f32>,
 }
 
@@ -67,6 +70,7 @@ impl Crowd {
     /// See [`CrowdError::Count`].
     pub fn new(model: Arc<RuntimeWalkModel>, options: Options) -> Result<Self, CrowdError> {
         let mut crowd = Self {
+            bones: *model.proportions(),
             model,
             seed: options.seed,
             field: Field::default(),
@@ -144,6 +148,21 @@ impl Crowd {
         Ok(())
     }
 
+    /// Bones that the joints of [`Crowd::world`] lie on, in place of the model's own: a body that is drawn on others keeps its
+    /// feet where they stand if its bones from the hips down are the model's. Nobody walks otherwise for it.
+    ///
+    /// # Errors
+    /// See [`CrowdError::Bone`].
+    pub fn set_bones(&mut self, bones: Proportions) -> Result<(), CrowdError> {
+        let bad = bones.offsets.iter().flat_map(Vec3::to_array).find(|v| v.is_nan() || v.abs() > LONGEST_BONE);
+        if let Some(bad) = bad {
+            return Err(CrowdError::Bone(bad));
+        }
+        self.bones = bones;
+        self.show();
+        Ok(())
+    }
+
     /// Goes on by a frame.
     pub fn tick(&mut self) {
         let Self { model, field, route, members, figures, grid, near, weights, .. } = self;
@@ -180,7 +199,10 @@ impl Crowd {
             *share = (255.0 * weight.clamp(0.0, 1.0)).round() as u8;
         }
         for (member, floats) in self.members.iter().zip(self.world.chunks_exact_mut(WALKER_FLOATS)) {
-            let world = member.walker.world();
+            let mut world = member.walker.world();
+            for (j, &parent) in PARENTS.iter().enumerate().skip(1) {
+                world.positions[j] = world.positions[parent] + world.rotations[parent] * self.bones.offsets[j];
+            }
             let joints = world.positions.iter().zip(&world.rotations);
             for ((at, rotation), out) in joints.zip(floats.chunks_exact_mut(JOINT_FLOATS)) {
                 out[..3].copy_from_slice(&at.to_array());

@@ -11,7 +11,7 @@ use crate::math::float_funcs::{atan2, sin_cos};
 /// Share of the ground's radius from which one wishes to go back, and that within which full turns are to lead.
 const INWARD: f32 = 0.8;
 const EDGE: f32 = 1.1;
-/// How much wandering counts where there is a target.
+/// How much wandering counts beside the target.
 const WANDERING: f32 = 0.3;
 /// Turns that are looked at, either way, beside the wish.
 const TURNS: i16 = 3;
@@ -59,8 +59,8 @@ pub(super) fn facing(heading: f32) -> Vec2 {
 pub(super) struct Intention {
     /// Turn by which they would wander, radians.
     pub(super) wander: f32,
-    /// Where they should go, if anywhere.
-    pub(super) target: Option<Vec2>,
+    /// Where they should go.
+    pub(super) target: Vec2,
     /// Length of a step, metres.
     pub(super) length: f32,
     /// Steps that they have stood.
@@ -151,10 +151,8 @@ fn wished(me: &Figure, intention: &Intention) -> f32 {
     let wandering = cos * me.facing + sin * left_of(me.facing);
     let distance = me.at.length();
     let inward = (distance / intention.radius - INWARD).max(0.0) / (1.0 - INWARD);
-    let mut wish = wandering - me.at * (inward / distance.max(1.0));
-    if let Some(target) = intention.target {
-        wish = WANDERING * wish + (target - me.at).normalize_or_zero();
-    }
+    let wish = wandering - me.at * (inward / distance.max(1.0));
+    let wish = WANDERING * wish + (intention.target - me.at).normalize_or_zero();
     atan2(left_of(me.facing).dot(wish), me.facing.dot(wish))
 }
 
@@ -193,7 +191,12 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    const INTENTION: Intention = Intention { wander: 0.0, target: None, length: 0.7, stood: 0.0, radius: 20.0 };
+    const INTENTION: Intention = Intention { wander: 0.0, target: Vec2::ZERO, length: 0.7, stood: 0.0, radius: 20.0 };
+
+    /// Straight on.
+    fn ahead(me: &Figure) -> Intention {
+        Intention { target: me.at + 100.0 * me.facing, ..INTENTION }
+    }
 
     fn figure(x: f32, z: f32, heading: f32) -> Figure {
         Figure { at: Vec2::new(x, z), facing: facing(heading), speed: 1.2 }
@@ -202,9 +205,10 @@ mod tests {
     #[test]
     fn who_is_alone_goes_where_they_wish() {
         let alone = |me: Figure, intention: &Intention| step(&me, intention, &[]);
-        assert_eq!(alone(figure(0.0, 0.0, 0.3), &INTENTION), (0.0, Pace::Walks));
+        let me = figure(0.0, 0.0, 0.3);
+        assert_eq!(alone(me, &ahead(&me)), (0.0, Pace::Walks));
         // The left of +Z is +X.
-        let left = Intention { target: Some(Vec2::new(9.0, 0.0)), ..INTENTION };
+        let left = Intention { target: Vec2::new(9.0, 0.0), ..INTENTION };
         assert_eq!(alone(figure(0.0, 0.0, 0.0), &left), (MAX_TURN, Pace::Walks));
         let (turn, _) = alone(figure(0.0, 18.0, 0.5), &INTENTION);
         assert!(turn.abs() > 0.9 * MAX_TURN, "back from the edge: {turn}");
@@ -213,7 +217,7 @@ mod tests {
     #[test]
     fn two_who_meet_keep_right() {
         let (me, other) = (figure(0.0, 0.0, 0.0), figure(0.0, 4.0, std::f32::consts::PI));
-        let turns = [(me, other), (other, me)].map(|(me, other)| step(&me, &INTENTION, &[other]).0);
+        let turns = [(me, other), (other, me)].map(|(me, other)| step(&me, &ahead(&me), &[other]).0);
         assert!(turns[0] < 0.0 && turns[1] < 0.0, "{turns:?}");
     }
 
@@ -239,7 +243,7 @@ mod tests {
             let fits = [1.0, -1.0].iter()
                 .any(|side| (me.at + *side * radius * left_of(me.facing)).length() + radius < EDGE * INTENTION.radius);
             prop_assume!(fits);
-            let (turn, _) = step(&me, &INTENTION, &[]);
+            let (turn, _) = step(&me, &ahead(&me), &[]);
             // A step is a chord of the circle.
             prop_assert!(beyond_edge(&me, turn, INTENTION.length, INTENTION.radius) < 0.02);
         }

@@ -1,7 +1,8 @@
 use super::*;
 use crate::hsmm::tests::runtime;
 use crate::hsmm::{RATE_HZ, STEP_FRAMES};
-use crate::math::Vec2;
+use crate::humanoid::Role;
+use crate::math::{Vec2, Vec3};
 
 fn crowd(count: usize, seed: u32) -> Crowd {
     Crowd::new(runtime(2), Options { count, seed }).unwrap()
@@ -57,6 +58,27 @@ fn nobody_stays_inside_somebody_else() {
 }
 
 #[test]
+fn people_keep_crossing_the_ground() {
+    for count in [60, 200] {
+        let mut crowd = crowd(count, 1);
+        for minute in 1..=2 {
+            let (mut within, mut standing) = (0, 0);
+            for _ in 0..60 {
+                let before = places(&crowd);
+                (0..RATE_HZ as usize).for_each(|_| crowd.tick());
+                let now = places(&crowd);
+                within += now.iter().filter(|at| at.length() < 0.7 * crowd.radius()).count();
+                standing += before.iter().zip(&now).filter(|(a, b)| a.distance(**b) < 0.15).count();
+            }
+            let share = |number: usize| number as f32 / (60 * count) as f32;
+            let (within, standing) = (share(within), share(standing));
+            assert!(within > 0.5, "{within} of {count} are within 0.7 radii in minute {minute}");
+            assert!(standing < 0.15, "{standing} of {count} stand in minute {minute}");
+        }
+    }
+}
+
+#[test]
 fn the_crowd_walks() {
     let mut crowd = crowd(100, 3);
     let mut way = 0.0;
@@ -106,6 +128,39 @@ fn people_gather_on_a_route() {
     (0..20 * RATE_HZ as usize).for_each(|_| crowd.tick());
     let free = places(&crowd).iter().map(|at| at.y.abs()).sum::<f32>() / 40.0;
     assert!(aside < 3.0 && free > aside, "{aside} m, {free} m");
+}
+
+/// The place of a joint of a walker.
+fn joint(crowd: &Crowd, walker: usize, role: Role) -> Vec3 {
+    Vec3::from_slice(&crowd.world()[WALKER_FLOATS * walker + JOINT_FLOATS * role.index()..][..3])
+}
+
+#[test]
+fn joints_lie_on_the_bones_of_another_body_and_its_feet_stay_where_they_stand() {
+    let (mut own, mut other) = (crowd(20, 3), crowd(20, 3));
+    let mut bones = *runtime(2).proportions();
+    let neck = bones.offsets[Role::Neck.index()] + Vec3::new(0.0, 0.1, 0.02);
+    bones.offsets[Role::Neck.index()] = neck;
+    other.set_bones(bones).unwrap();
+    for _ in 0..90 {
+        own.tick();
+        other.tick();
+        for walker in 0..20 {
+            for role in [Role::Hips, Role::LeftFoot, Role::RightToes] {
+                let [was, is] = [&own, &other].map(|crowd| joint(crowd, walker, role));
+                assert!(was.distance(is) < 1e-5, "{role:?} of {walker}: {was} {is}");
+            }
+            let [neck_at, parent] = [Role::Neck, Role::Chest].map(|role| joint(&other, walker, role));
+            assert!((neck_at.distance(parent) - neck.length()).abs() < 1e-5);
+        }
+    }
+    assert_eq!(own.weights(), other.weights());
+    for bad in [f32::NAN, f32::INFINITY, 10.5] {
+        let before = bits(&other);
+        bones.offsets[4].x = bad;
+        assert!(matches!(other.set_bones(bones), Err(CrowdError::Bone(_))));
+        assert_eq!(bits(&other), before);
+    }
 }
 
 #[test]

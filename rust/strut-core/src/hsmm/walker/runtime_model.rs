@@ -104,6 +104,11 @@ impl RuntimeWalkModel {
         }
     }
 
+    /// Bone offsets of who walks.
+    pub fn proportions(&self) -> &Proportions {
+        &self.proportions
+    }
+
     /// Number of styles.
     pub fn styles(&self) -> usize {
         self.styles.len()

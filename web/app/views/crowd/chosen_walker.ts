@@ -1,0 +1,98 @@
+/** The walker who is chosen: whose card is open, and whom the camera may follow. */
+
+import type { Crowd, CrowdTick } from "../../../client/crowd/crowd_client";
+import type { FieldVertex } from "../../../client/crowd/limits";
+import type { Store } from "../../state/store";
+import { WalkerCard } from "./walker_card";
+import { asWalkBlock, Strides, sharesOf } from "./walker_facts";
+
+/** Everybody now. */
+export interface Walking {
+  crowd: Crowd;
+  tick: CrowdTick;
+  field: readonly FieldVertex[];
+}
+
+export class ChosenWalker {
+  readonly #store: Store;
+  readonly #card: WalkerCard;
+  readonly #strides = new Strides();
+  #walking: Walking | undefined;
+
+  /** @param save waits for a file, and says how that went */
+  constructor(store: Store, save: (saving: Promise<string>) => Promise<void>) {
+    this.#store = store;
+    this.#card = new WalkerCard({
+      onFollow: () => this.toggleFollow(),
+      onExport: () => void this.#export(save),
+      onOpen: () => this.#openInWalk(),
+      onClose: () => this.choose(undefined),
+    });
+  }
+
+  get card(): HTMLElement {
+    return this.#card.element;
+  }
+
+  /** Number of who is chosen; `undefined` where nobody is, or there are fewer people. */
+  get number(): number | undefined {
+    const { crowdWalker } = this.#store.state;
+    return crowdWalker >= 0 && crowdWalker < (this.#walking?.tick.count ?? 0) ? crowdWalker : undefined;
+  }
+
+  choose(walker: number | undefined): void {
+    const leaves = walker === undefined || walker !== this.#store.state.crowdWalker;
+    this.#store.edit({ crowdWalker: walker ?? -1, ...(leaves && { crowdFollow: false }) });
+  }
+
+  /** Goes on to the next one, or back. */
+  chooseNext(by: 1 | -1): void {
+    const count = this.#walking?.tick.count ?? 0;
+    if (count === 0) return;
+    const from = this.number ?? (by > 0 ? -1 : count);
+    this.#store.edit({ crowdWalker: (from + by + count) % count });
+  }
+
+  toggleFollow(): void {
+    if (this.number !== undefined) this.#store.edit({ crowdFollow: !this.#store.state.crowdFollow });
+  }
+
+  /** Takes everybody after a tick; nobody where no crowd walks. */
+  take(walking: Walking | undefined): void {
+    this.#walking = walking;
+    const { number } = this;
+    if (walking && number !== undefined) this.#strides.add(walking.tick, number);
+    else this.#strides.forget();
+  }
+
+  /** Shows the card, or none. */
+  show(): void {
+    const [walking, walker] = [this.#walking, this.number];
+    this.#card.show(
+      walking && walker !== undefined
+        ? {
+            walker,
+            speed: this.#strides.speed(walker, walking.crowd.rateHz),
+            shares: sharesOf(walking.tick, walker, walking.crowd.styles, walking.field),
+            follows: this.#store.state.crowdFollow,
+          }
+        : undefined,
+    );
+  }
+
+  async #export(save: (saving: Promise<string>) => Promise<void>): Promise<void> {
+    const [walking, walker] = [this.#walking, this.number];
+    if (!walking || walker === undefined) return;
+    this.#card.exporting = true;
+    await save(import("./crowd_outputs").then(({ saveWalker }) => saveWalker(walking.crowd, walker)));
+    this.#card.exporting = false;
+  }
+
+  /** Goes to the Walk view, with a plan of the styles that they walk in. */
+  #openInWalk(): void {
+    const [walking, walker] = [this.#walking, this.number];
+    if (!walking || walker === undefined) return;
+    const block = asWalkBlock(walking.tick, walker, walking.crowd.styles);
+    this.#store.edit({ view: "walk", walk: [block], walkBlock: 0, walkWhole: true });
+  }
+}

@@ -1,0 +1,68 @@
+/** Has a crowd walk by settings: what has changed is sent to it, and of places that change faster than they are taken the last. */
+
+import type { Crowd } from "../../../client/crowd/crowd_client";
+import type { FieldVertex, Place } from "../../../client/crowd/limits";
+import { Latest } from "../../../element/figure/latest";
+
+/** How a crowd is to walk. */
+export interface Conducted {
+  playing: boolean;
+  speed: number;
+  count: number;
+  field: readonly FieldVertex[];
+  route: readonly Place[];
+}
+
+const NOTHING = { count: 0, field: "", route: "" };
+
+export class Conductor {
+  readonly #onFailed: (error: unknown) => void;
+  readonly #fields = new Latest<readonly FieldVertex[]>((field) => this.#try(this.#crowd?.setField(field)));
+  #crowd: Crowd | undefined;
+  /** What was sent, lists as text. */
+  #sent = NOTHING;
+
+  constructor(onFailed: (error: unknown) => void) {
+    this.#onFailed = onFailed;
+  }
+
+  /** Takes another crowd, which has heard nothing yet. */
+  set crowd(crowd: Crowd | undefined) {
+    this.#crowd = crowd;
+    this.#sent = NOTHING;
+  }
+
+  /** The crowd has made itself smaller. */
+  set count(count: number) {
+    this.#sent = { ...this.#sent, count };
+  }
+
+  conduct({ playing, speed, count, field, route }: Conducted): void {
+    const crowd = this.#crowd;
+    if (!crowd) return;
+    crowd.playing = playing;
+    crowd.speed = speed;
+    const before = this.#sent;
+    this.#sent = { count, field: JSON.stringify(field), route: JSON.stringify(route) };
+    if (count !== before.count) void this.#try(setCount(crowd, count));
+    if (this.#sent.field !== before.field) void this.#fields.take(field);
+    if (this.#sent.route !== before.route) void this.#try(crowd.setRoute(route));
+  }
+
+  /** Says what failed, unless the crowd was left meanwhile. */
+  async #try(work: Promise<void> | undefined): Promise<void> {
+    const crowd = this.#crowd;
+    try {
+      await work;
+    } catch (error) {
+      if (crowd === this.#crowd) this.#onFailed(error);
+    }
+  }
+}
+
+/** Has so many walk; where time stands, they are seen all the same. */
+async function setCount(crowd: Crowd, count: number): Promise<void> {
+  await crowd.setCount(count);
+  // What was on its way has the former count.
+  for (let i = 0; i < 2 && !crowd.playing && crowd.count !== count; i++) await crowd.step();
+}

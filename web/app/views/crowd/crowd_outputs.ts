@@ -1,0 +1,50 @@
+/** Files of the picture: a poster, a video of the next seconds, and the motion of a walker. Loaded with the first of them. */
+
+import type { Crowd } from "../../../client/crowd/crowd_client";
+import type { CallOptions } from "../../../client/protocol";
+import { saveFile } from "../../../ui/dom";
+import { pngOf } from "../../outputs/png";
+import { saveBvh } from "../../outputs/save_motion";
+import { makeVideo, VIDEO_RATE } from "../../outputs/video";
+import { strings } from "../../strings/strings";
+import type { CrowdPicture } from "./picture";
+
+const words = strings.crowd;
+
+/** Length of a video, and of the motion of a walker, seconds. */
+const VIDEO_SECS = 10;
+const BVH_SECS = 10;
+
+type Output = (picture: CrowdPicture, crowd: Crowd, call: CallOptions) => Promise<string>;
+
+const poster: Output = async (picture, _, { signal }) => {
+  const blob = await pngOf(await picture.copyAt(performance.now(), 1, true, signal));
+  return saved(words.posterName, blob);
+};
+
+/** Goes on tick by tick, however long a picture takes; pictures between two ticks are mixed of both. */
+const video: Output = async (picture, crowd, { signal, onProgress }) => {
+  const [begin, perTick] = [performance.now(), VIDEO_RATE / crowd.rateHz];
+  const pictures = VIDEO_SECS * VIDEO_RATE;
+  async function* frames(): AsyncGenerator<HTMLCanvasElement> {
+    for (let i = 0; i < pictures; i++) {
+      if (i % perTick === 0) await crowd.step();
+      onProgress?.({ label: words.recording, fraction: i / pictures });
+      yield picture.copyAt(begin + (1000 * i) / VIDEO_RATE, (i % perTick) / perTick, false, signal);
+    }
+  }
+  return saved(words.videoName, await makeVideo(frames(), "as on screen"), strings.page.outputs.noVideo);
+};
+
+/** Saves what comes of a walker as a BVH file; gives its name. */
+export async function saveWalker(crowd: Crowd, walker: number): Promise<string> {
+  return saveBvh(words.bvhName(walker + 1), await crowd.exportBvh(walker, BVH_SECS));
+}
+
+export const outputsOf = { poster, video };
+
+function saved(name: string, blob: Blob | undefined, otherwise: string = strings.page.engine.silentFailure): string {
+  if (!blob) throw new Error(otherwise);
+  saveFile(name, blob);
+  return name;
+}

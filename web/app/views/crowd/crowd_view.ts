@@ -1,0 +1,478 @@
+/** The Crowd view: people on open ground, each in the styles of the place where they walk. */
+import "../synthesis/editor.css";
+import "./crowd.css";
+import type { Crowd, CrowdTick } from "../../../client/crowd/crowd_client";
+import type { FieldVertex } from "../../../client/crowd/limits";
+import { isCancellation } from "../../../client/protocol";
+import { button, Segment } from "../../../ui/controls/buttons";
+import { html, setText } from "../../../ui/dom";
+import { isDark, onSystemTheme } from "../../../ui/theme";
+import { graphics } from "../../../viewer";
+import { CROWD_CAMERAS, type CrowdCamera } from "../../state/crowd";
+import { strings } from "../../strings/strings";
+import { ProgressLine } from "../../ui/progress";
+import { errorText } from "../../ui/words";
+import type { KeyTable, View, ViewHost } from "../../view";
+import { EmptyPanel } from "../synthesis/empty_panel";
+import type { WalkSource } from "../synthesis/walk_models";
+import { Census, COUNTS_HZ } from "./census";
+import { ChosenWalker } from "./chosen_walker";
+import { StyleColours } from "./colours";
+import { Conductor } from "./conductor";
+import { rendererName } from "./drawn_by";
+import { firstField, withoutVertex, withStyle, withVertex } from "./field";
+import { FieldPanel } from "./field_panel";
+import { Footer } from "./footer";
+import { Gathering } from "./gathering";
+import { Handles } from "./handles";
+import { Pace } from "./pace";
+import { PeoplePanel } from "./people_panel";
+import { CrowdPicture } from "./picture";
+import { Settings, type Styles } from "./settings";
+import { ShareChart } from "./share_chart";
+import { crowdTitle, pictureOf } from "./titles";
+
+export function createView(host: ViewHost): View {
+  return new CrowdView(host);
+}
+
+const words = strings.crowd;
+
+const BUILT_IN: WalkSource = { name: "", file: undefined, neutral: "neutral" };
+/** Most who walk where the processor draws. */
+const SOFTWARE_COUNT = 100;
+/** How often figures and the card are shown, a second of the crowd's time. */
+const FIGURES_HZ = 5;
+
+class CrowdView implements View {
+  readonly element: HTMLElement;
+  readonly #host: ViewHost;
+  readonly #progress = new ProgressLine();
+  readonly #settings: Settings;
+  readonly #gathering: Gathering;
+  readonly #colours = new StyleColours();
+  readonly #stage = html("div", { class: "editor-stage" });
+  readonly #title = html("h1", { class: "stage-title" });
+  readonly #counted = html("p", { class: "crowd-counted caption" });
+  readonly #cameras: Segment<CrowdCamera>;
+  readonly #map: HTMLButtonElement;
+  readonly #empty = new EmptyPanel();
+  readonly #handles: Handles;
+  readonly #chosen: ChosenWalker;
+  readonly #fieldPanel: FieldPanel;
+  readonly #peoplePanel: PeoplePanel;
+  readonly #chart = new ShareChart(this.#colours);
+  readonly #footer: Footer;
+  readonly #conductor: Conductor;
+  #picture: CrowdPicture | undefined;
+  #crowd: Crowd | undefined;
+  #styles: Styles | undefined;
+  #replaced: WalkSource | undefined;
+  /** The count that was asked for, and how many the worker is fast enough for. */
+  #asked = 0;
+  #slowed: number | undefined;
+  #tick: CrowdTick | undefined;
+  #tickAt = 0;
+  #ticks = 0;
+  readonly #tickPace = new Pace();
+  #fps: number | undefined;
+  #census: Census | undefined;
+  #drawsRoute = false;
+  #films = false;
+  #request = 0;
+  /** Ends when the view is hidden, with everything that listens; `undefined` while it is hidden. */
+  #shown: AbortController | undefined;
+
+  constructor(host: ViewHost) {
+    this.#host = host;
+    const { store } = host;
+    this.#conductor = new Conductor((error) => host.toasts.error(errorText(error)));
+    this.#settings = new Settings(store, (sentence) => host.toasts.error(sentence));
+    this.#gathering = new Gathering(this.#progress, {
+      start: () => this.#start(),
+      fieldOf: (styles, source) => this.#fieldOf(styles, source),
+      onReady: (crowd) => this.#present(crowd),
+      onFailed: (source, why) => this.#refuse(source, why),
+    });
+    const gestures = store.gestureListeners;
+    this.#handles = new Handles({
+      ...gestures,
+      onChoose: (crowdVertex) => store.edit({ crowdVertex }),
+      onMove: (index, x, z) => this.#change(index, { x, z }, "crowd place"),
+      onReach: (index, reach) => this.#change(index, { reach }, "crowd reach"),
+      onRemove: (index) => this.#remove(index),
+    });
+    this.#chosen = new ChosenWalker(store, (saving) => this.#say(saving));
+    this.#fieldPanel = new FieldPanel(this.#colours, {
+      ...gestures,
+      onChoose: (crowdVertex) => store.edit({ crowdVertex }),
+      onChange: (index, patch) => this.#change(index, patch, `crowd ${Object.keys(patch).join()}`),
+      onAdd: (style) => this.#add(style),
+      onRemove: (index) => this.#remove(index),
+      onReset: () => {
+        if (this.#styles) store.edit({ field: firstField(this.#styles.all, this.#styles.neutral), crowdVertex: 0 });
+      },
+    });
+    this.#peoplePanel = new PeoplePanel({
+      onSettle: gestures.onSettle,
+      onCount: (count) => store.edit({ crowd: { ...this.#read().people, count } }, "crowd count"),
+      onSeed: (seed) => store.edit({ crowd: { ...this.#read().people, seed } }),
+      onDraw: () => this.#drawRoute(!this.#drawsRoute),
+      onClear: () => store.edit({ route: [] }),
+    });
+    this.#cameras = new Segment(
+      words.cameras,
+      CROWD_CAMERAS.map((value) => ({ value, label: words.camera[value] })),
+      (crowdCamera) => store.edit({ crowdCamera, crowdFollow: false }),
+    );
+    this.#map = button(words.map, () => store.edit({ crowdMap: !store.state.crowdMap }), {
+      icon: "field",
+      label: true,
+      class: "chip",
+    });
+    this.#map.title = words.mapWhy;
+    this.#footer = new Footer(this.#chart, {
+      onPlay: () => this.#togglePlay(),
+      onStep: () => this.#step(),
+      onSpeed: (speed) => store.edit({ speed }),
+      onPoster: () => void this.#export("poster"),
+      onVideo: () => void this.#export("video"),
+    });
+    this.element = html(
+      "main",
+      { class: "view crowd" },
+      html(
+        "div",
+        { class: "editor-picture" },
+        this.#stage,
+        html("div", { class: "stage-heading" }, this.#title, html("p", { class: "caption" }, words.generated)),
+        html("div", { class: "crowd-controls" }, this.#cameras.element, this.#map),
+        this.#counted,
+        this.#chosen.card,
+        this.#progress.element,
+        this.#empty.element,
+      ),
+      this.#footer.element,
+      html("div", { class: "crowd-panel" }, this.#fieldPanel.element, this.#peoplePanel.element),
+    );
+  }
+
+  get history() {
+    return this.#host.store;
+  }
+
+  show(): void {
+    this.#shown = new AbortController();
+    const { signal } = this.#shown;
+    const { store } = this.#host;
+    this.#colours.theme = isDark(store.state.theme) ? "dark" : "light";
+    this.#picture = new CrowdPicture(
+      this.#stage,
+      { colours: this.#colours, handles: this.#handles, card: this.#chosen.card },
+      {
+        onWalker: (walker) => this.#chosen.choose(walker),
+        onTurn: () => store.edit({ crowdCamera: "orbit" }),
+        onFps: (fps) => {
+          this.#fps = fps;
+        },
+        onRoute: (route) => {
+          this.#drawRoute(false);
+          if (route.length > 0) store.edit({ route });
+        },
+      },
+      signal,
+    );
+    store.subscribe(() => this.#showState(), signal);
+    onSystemTheme(() => this.#showState(), signal);
+    document.addEventListener("keydown", (event) => this.#onKey(event), { signal });
+    this.#chart.attach(signal);
+    this.refresh();
+    this.#request = requestAnimationFrame(this.#draw);
+  }
+
+  hide(): void {
+    this.#shown?.abort();
+    this.#shown = undefined;
+    this.#gathering.cancel();
+    cancelAnimationFrame(this.#request);
+    this.#close();
+    this.#picture = undefined;
+    this.#tick = undefined;
+    this.#chosen.take(undefined);
+    this.#drawsRoute = false;
+  }
+
+  /** Shows walkers of the database that is open. */
+  refresh(): void {
+    if (!this.#shown) return;
+    const { state } = this.#host.store;
+    const { database } = this.#host.session;
+    this.#showState();
+    // A database that is kept on this device is opened first; the page asks again once it is.
+    if (state.database !== "" && !database) return;
+    const { name, file } = this.#host.databaseFile();
+    if (this.#replaced?.file !== file) this.#replaced = undefined;
+    const source = this.#replaced || !file ? BUILT_IN : { name, file, neutral: database?.neutral ?? "" };
+    const { gathered } = this.#gathering;
+    if (!gathered || gathered.source.file !== source.file) this.#open(source);
+  }
+
+  dispose(): void {
+    this.hide();
+  }
+
+  // --- the crowd ---
+
+  /** Gathers people anew, by the model of a database. */
+  #open(source: WalkSource): void {
+    this.#empty.hide();
+    void this.#gathering.open(source);
+  }
+
+  /** What is given to a crowd that is gathered. */
+  #start() {
+    const { people, route } = this.#read();
+    this.#asked = people.count;
+    return { count: this.#fitting(people.count), seed: people.seed, route };
+  }
+
+  #fieldOf(all: readonly string[], { neutral }: WalkSource): readonly FieldVertex[] {
+    this.#styles = { all, neutral: all.includes(neutral) ? neutral : "" };
+    if (all.length === 1) this.#host.toasts.note(words.oneStyle);
+    return this.#read().field;
+  }
+
+  /** Shows a crowd in place of the one before. */
+  #present(crowd: Crowd): void {
+    this.#close();
+    this.#crowd = crowd;
+    this.#census = new Census(crowd.styles.length);
+    this.#chosen.take(undefined);
+    this.#tick = undefined;
+    this.#ticks = 0;
+    this.#conductor.crowd = crowd;
+    this.#picture!.setProportions(crowd.proportions);
+    this.#fieldPanel.setStyles(crowd.styles);
+    crowd.onTick = (tick) => this.#onTick(tick);
+    crowd.onHalved = (count) => this.#onHalved(count);
+    crowd.onError = (error) => {
+      this.#close();
+      this.#refuse(this.#gathering.gathered?.source ?? BUILT_IN, errorText(error));
+    };
+    this.#showState();
+    // Who came paused is seen all the same.
+    if (!crowd.playing) void crowd.step();
+  }
+
+  #close(): void {
+    this.#conductor.crowd = undefined;
+    this.#crowd?.dispose();
+    this.#crowd = undefined;
+  }
+
+  /** Says why nobody walks, and what can be done; a crowd that walks goes on. */
+  #refuse(source: WalkSource, why: string): void {
+    if (this.#crowd) {
+      if (why !== "") this.#host.toasts.error(why);
+      return;
+    }
+    const again = { label: words.startAgain, onChoose: () => this.#open(source) };
+    const builtIn = {
+      label: words.useBuiltIn,
+      onChoose: () => {
+        this.#replaced = source;
+        this.#open(BUILT_IN);
+      },
+    };
+    const message = why === "" ? words.stopped : words.noModel(source.name || words.builtInDatabase, why);
+    this.#empty.show(message, source.file ? [builtIn, again] : [again]);
+    this.#showState();
+  }
+
+  #read() {
+    return this.#settings.read(this.#styles);
+  }
+
+  /** How many of those who are asked for can walk here. */
+  #fitting(count: number): number {
+    const most = graphics() === "software" ? SOFTWARE_COUNT : Number.POSITIVE_INFINITY;
+    return Math.min(count, most, this.#slowed ?? count);
+  }
+
+  // --- the state ---
+
+  #showState(): void {
+    const picture = this.#picture;
+    if (!this.#shown || !picture) return;
+    const { store } = this.#host;
+    const { people, field, route } = this.#read();
+    const { state } = store;
+    const crowd = this.#crowd;
+    if (people.count !== this.#asked) {
+      this.#asked = people.count;
+      this.#slowed = undefined;
+    }
+    const { gathered } = this.#gathering;
+    if (gathered && people.seed !== gathered.seed) {
+      this.#open(gathered.source);
+      return;
+    }
+    const theme = isDark(state.theme) ? "dark" : "light";
+    const isOther = theme !== this.#colours.theme;
+    this.#colours.theme = theme;
+    if (isOther) this.#chart.draw();
+    picture.theme = theme;
+    this.#colours.take([...new Set(field.map(({ style }) => style))]);
+    const count = this.#fitting(people.count);
+    const chosen = Math.min(state.crowdVertex, field.length - 1);
+    this.#conductor.conduct({ playing: state.playing && !this.#films, speed: state.speed, count, field, route });
+    picture.setField(field, chosen, state.crowdMap, this.#radius);
+    picture.setRoute(route);
+    picture.camera = state.crowdCamera;
+    picture.description = pictureOf(count, field);
+    this.#fieldPanel.show(field, chosen);
+    const limit =
+      this.#slowed !== undefined ? words.slowed(count) : count < people.count ? words.software(SOFTWARE_COUNT) : "";
+    this.#peoplePanel.showPeople(people, limit);
+    this.#peoplePanel.showRoute(route.length > 0, this.#drawsRoute);
+    picture.drawing = this.#drawsRoute;
+    this.#cameras.value = state.crowdCamera;
+    this.#map.setAttribute("aria-pressed", String(state.crowdMap));
+    this.#footer.show(state.playing, state.speed, crowd !== undefined && !this.#films);
+    setText(this.#title, crowd ? crowdTitle(count, field) : words.opening);
+    this.element.classList.toggle("without-crowd", !crowd);
+    setText(this.#counted, `${words.walkers(count)} · ${words.grid}`);
+    picture.choose(this.#chosen.number, state.crowdFollow);
+    this.#chosen.show();
+    this.#recolour();
+  }
+
+  get #radius(): number {
+    return this.#tick?.radius ?? radiusOf(this.#fitting(this.#asked));
+  }
+
+  #change(index: number, patch: Partial<FieldVertex>, gesture: string): void {
+    const { store } = this.#host;
+    store.edit({ field: withVertex(this.#read().field, index, patch), crowdVertex: index }, gesture);
+  }
+
+  #add(style: string): void {
+    const field = withStyle(this.#read().field, style, this.#radius);
+    this.#host.store.edit({ field, crowdVertex: field.length - 1 });
+  }
+
+  #remove(index: number): void {
+    const field = withoutVertex(this.#read().field, index);
+    this.#host.store.edit({ field, crowdVertex: Math.max(0, index - 1) });
+  }
+
+  #drawRoute(draws: boolean): void {
+    this.#drawsRoute = draws;
+    this.#showState();
+  }
+
+  // --- time ---
+
+  #onTick(tick: CrowdTick): void {
+    const other = tick.count !== this.#tick?.count;
+    const radius = this.#tick?.radius;
+    this.#tick = tick;
+    this.#tickAt = performance.now();
+    this.#tickPace.add(tick.tickMs);
+    this.#picture!.setTick(tick, this.#crowd!.styles, other);
+    this.#chosen.take({ crowd: this.#crowd!, tick, field: this.#read().field });
+    if (radius !== tick.radius) this.#showState();
+    const { rateHz } = this.#crowd!;
+    this.#footer.secs = this.#ticks / rateHz;
+    if (this.#ticks % (rateHz / COUNTS_HZ) === 0) {
+      this.#census!.add(tick.weights);
+      this.#chart.show(this.#census, this.#crowd!.styles);
+    }
+    if (this.#ticks % (rateHz / FIGURES_HZ) === 0) this.#showFigures();
+    this.#ticks += 1;
+  }
+
+  #onHalved(count: number): void {
+    this.#slowed = count;
+    this.#conductor.count = count;
+    this.#host.toasts.note(words.slowed(count));
+    this.#showState();
+  }
+
+  /** The colours of everybody follow those of the styles, though no tick comes. */
+  #recolour(): void {
+    if (this.#crowd && this.#tick && !this.#crowd.playing) this.#picture?.setTick(this.#tick, this.#crowd.styles, true);
+  }
+
+  readonly #draw = (now: number): void => {
+    this.#request = requestAnimationFrame(this.#draw);
+    if (this.#films) return;
+    const crowd = this.#crowd;
+    const share = crowd?.playing ? Math.min(1, Math.max(0, (performance.now() - this.#tickAt) / crowd.periodMs)) : 1;
+    this.#picture!.draw(now, share);
+  };
+
+  #togglePlay(): void {
+    const { store } = this.#host;
+    if (this.#crowd) store.edit({ playing: !store.state.playing });
+  }
+
+  #step(): void {
+    this.#host.store.edit({ playing: false });
+    void this.#crowd?.step();
+  }
+
+  #showFigures(): void {
+    this.#chosen.show();
+    this.#peoplePanel.showFigures({
+      fps: this.#fps,
+      tickMs: this.#tickPace.ms,
+      frameMs: this.#picture?.frameMs,
+      drawnBy: rendererName(this.#picture?.drawnBy ?? ""),
+    });
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    if (event.key !== "Escape" || event.defaultPrevented) return;
+    if (this.#drawsRoute) this.#drawRoute(false);
+    else if (this.#chosen.number !== undefined) this.#chosen.choose(undefined);
+  }
+
+  readonly keys: KeyTable = {
+    " ": () => this.#togglePlay(),
+    ArrowRight: () => this.#step(),
+    n: () => this.#chosen.chooseNext(1),
+    p: () => this.#chosen.chooseNext(-1),
+    f: () => this.#chosen.toggleFollow(),
+  };
+
+  // --- what leaves the view ---
+
+  /** Saves the picture, or the next seconds of it as a video. */
+  async #export(what: "poster" | "video"): Promise<void> {
+    const [crowd, picture] = [this.#crowd, this.#picture];
+    if (!crowd || !picture || this.#films) return;
+    this.#films = true;
+    this.#showState();
+    await this.#say(
+      this.#progress.run(words.recording, async (call) => {
+        const { outputsOf } = await import("./crowd_outputs");
+        return outputsOf[what](picture, crowd, call);
+      }),
+    );
+    this.#films = false;
+    this.#showState();
+  }
+
+  /** Says what was saved, or what failed, unless it was cancelled. */
+  async #say(saving: Promise<string>): Promise<void> {
+    try {
+      this.#host.toasts.note(strings.page.outputs.saved(await saving));
+    } catch (error) {
+      if (!isCancellation(error)) this.#host.toasts.error(errorText(error));
+    }
+  }
+}
+
+/** Radius of the ground of so many until the crowd says it, metres: four square metres for everybody. */
+const radiusOf = (count: number): number => Math.max(8, Math.sqrt((4 * count) / Math.PI));

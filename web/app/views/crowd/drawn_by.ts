@@ -1,0 +1,13 @@
+/** The name of what draws, in as few words as it needs: browsers wrap that of the card in those of their translators. */
+export function rendererName(drawnBy: string): string {
+  if (/swiftshader/i.test(drawnBy)) return "SwiftShader";
+  // ANGLE (vendor, renderer, driver)
+  const [, renderer = drawnBy] = /^ANGLE \([^,]*, (.*), [^,]*\)$/.exec(drawnBy) ?? [];
+  return renderer
+    .replace(/^ANGLE \w+ Renderer: /, "")
+    .replace(/^Vulkan [\d.]+ \((.*)\)$/, "$1")
+    .replace(/ Direct3D.*$/, "")
+    .replace(/ ?\(0x[\da-f]+\)/gi, "")
+    .replace(/\/PCIe\/SSE2$/, "")
+    .trim();
+}

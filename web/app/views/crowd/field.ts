@@ -1,0 +1,69 @@
+/** The styles of places: pure edits of plain data. */
+
+import { type FieldVertex, MAX_VERTICES } from "../../../client/crowd/limits";
+import { firstStyles } from "../../../ui/polygon/selection";
+import { CROWD_RANGES } from "../../state/crowd";
+
+/** Where the first three styles are, metres, and what they reach. */
+const FIRST_PLACES = [
+  { x: -3.4, z: 3.4, reach: 3.2, intensity: 1 },
+  { x: 4, z: 0.8, reach: 3.2, intensity: 1.1 },
+  { x: -1.5, z: -5.2, reach: 4, intensity: 1 },
+] as const;
+/** Where they are for a smaller crowd, whose ground is smaller. */
+const NEW = { reach: 3, intensity: 1 } as const;
+/** Distance between two vertices from which a new one has room, metres. */
+const ROOM = 3;
+/** Turn from one candidate for a new vertex's place to the next, radians, and how far they go out a turn, metres. */
+const GOLDEN_ANGLE = 2.4;
+const CANDIDATES = 60;
+
+/** The field of a first visit: up to three styles that differ clearly. */
+export function firstField(styles: readonly string[], neutral: string): FieldVertex[] {
+  return firstStyles(styles, neutral).map((style, i) => ({ style, ...FIRST_PLACES[i]! }));
+}
+
+/** The vertices with one of them changed, in its ranges and as precisely as links have it. */
+export function withVertex(
+  field: readonly FieldVertex[],
+  index: number,
+  patch: Partial<Omit<FieldVertex, "style">>,
+): FieldVertex[] {
+  return field.map((vertex, i) => (i === index ? rounded({ ...vertex, ...patch }) : vertex));
+}
+
+/** The vertices with one more of a style, where there is room in a circle. */
+export function withStyle(field: readonly FieldVertex[], style: string, radius: number): FieldVertex[] {
+  if (field.length >= MAX_VERTICES) return [...field];
+  const far = (x: number, z: number) => Math.min(...field.map((vertex) => Math.hypot(vertex.x - x, vertex.z - z)));
+  // Around the middle first, along a spiral, where it is seen at once.
+  const places = Array.from({ length: CANDIDATES }, (_, i) => {
+    const out = 0.85 * radius * Math.sqrt(i / CANDIDATES);
+    return { x: out * Math.sin(i * GOLDEN_ANGLE), z: out * Math.cos(i * GOLDEN_ANGLE) };
+  });
+  const place = places.find(({ x, z }) => far(x, z) >= ROOM) ?? places[field.length]!;
+  return [...field, rounded({ style, ...place, ...NEW })];
+}
+
+/** The vertices without one. */
+export function withoutVertex(field: readonly FieldVertex[], index: number): FieldVertex[] {
+  return field.filter((_, i) => i !== index);
+}
+
+/** A style of the field that the model lacks. */
+export function unknownStyle(field: readonly FieldVertex[], styles: readonly string[]): string | undefined {
+  return field.find(({ style }) => !styles.includes(style))?.style;
+}
+
+function rounded({ style, x, z, reach, intensity }: FieldVertex): FieldVertex {
+  const { place, reach: reaches, intensity: intensities } = CROWD_RANGES;
+  const kept = (value: number, { min, max, digits }: { min: number; max: number; digits: number }) =>
+    Number(Math.min(max, Math.max(min, value)).toFixed(digits)) + 0;
+  return {
+    style,
+    x: kept(x, place),
+    z: kept(z, place),
+    reach: kept(reach, reaches),
+    intensity: kept(intensity, intensities),
+  };
+}

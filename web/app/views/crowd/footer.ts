@@ -1,0 +1,67 @@
+/** The footer of the view: transport, clock, who walks how, and what leaves the view. */
+
+import { SPEEDS } from "../../../link/page";
+import { button } from "../../../ui/controls/buttons";
+import { PlayButton } from "../../../ui/controls/play_button";
+import { clock, html, setText } from "../../../ui/dom";
+import { strings } from "../../strings/strings";
+import type { ShareChart } from "./share_chart";
+
+const words = strings.crowd;
+
+export interface FooterListeners {
+  onPlay: () => void;
+  onStep: () => void;
+  onSpeed: (speed: number) => void;
+  onPoster: () => void;
+  onVideo: () => void;
+}
+
+export class Footer {
+  readonly element: HTMLElement;
+  readonly #play: PlayButton;
+  readonly #step: HTMLButtonElement;
+  readonly #speed = html("select", {
+    class: "speed",
+    "aria-label": strings.play.transport.speed,
+    title: strings.play.transport.speed,
+  });
+  readonly #clock = html("span", { class: "clock" });
+  readonly #running = html("span", { class: "caption" });
+  readonly #outputs: readonly HTMLButtonElement[];
+
+  constructor(chart: ShareChart, listeners: FooterListeners) {
+    this.#play = new PlayButton(listeners.onPlay);
+    this.#step = button(words.step, listeners.onStep, { icon: "next", keys: "→" });
+    this.#speed.append(...SPEEDS.map((speed) => html("option", { value: speed }, `${speed}×`)));
+    this.#speed.addEventListener("change", () => listeners.onSpeed(Number(this.#speed.value)));
+    const poster = button(words.poster, listeners.onPoster, { icon: "picture", label: true, class: "outlined" });
+    const video = button(words.video, listeners.onVideo, { icon: "film", label: true, class: "outlined" });
+    for (const output of [poster, video]) output.title = words.videoWhy;
+    this.#outputs = [poster, video];
+    this.element = html(
+      "footer",
+      { class: "crowd-foot" },
+      html(
+        "div",
+        { class: "crowd-transport" },
+        html("div", {}, this.#play.element, this.#step, this.#speed),
+        html("p", {}, this.#clock, this.#running),
+      ),
+      chart.element,
+      html("div", { class: "crowd-outputs" }, poster, video, html("p", { class: "caption" }, words.videoWhy)),
+    );
+  }
+
+  show(playing: boolean, speed: number, ready: boolean): void {
+    this.#play.playing = playing;
+    this.#speed.value = String(SPEEDS.find((one) => one >= speed) ?? SPEEDS.at(-1)!);
+    setText(this.#running, words.clockState[playing ? "running" : "paused"]);
+    for (const element of [this.#play.element, this.#step, ...this.#outputs]) element.disabled = !ready;
+  }
+
+  /** Seconds that the crowd has walked. */
+  set secs(secs: number) {
+    setText(this.#clock, clock(secs));
+  }
+}

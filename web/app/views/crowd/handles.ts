@@ -1,0 +1,161 @@
+/** The handles of a field: they lie on the ground of the picture, and are dragged over it. */
+
+import type { FieldVertex } from "../../../client/crowd/limits";
+import { formatNumber, html, keepCount, setAttributes } from "../../../ui/dom";
+import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
+import { CROWD_RANGES } from "../../state/crowd";
+import { strings } from "../../strings/strings";
+import { spoken } from "../../ui/words";
+
+const words = strings.crowd;
+
+/** What an arrow key moves a handle by, metres. */
+const STEP = 0.25;
+/** What a key changes its reach by, metres, and a pixel of the wheel, as a share of it. */
+const REACH_STEP = 0.2;
+const WHEEL_SHARE = 0.0012;
+
+export interface HandleListeners extends GestureListeners {
+  onChoose: (index: number) => void;
+  onMove: (index: number, x: number, z: number) => void;
+  onReach: (index: number, reach: number) => void;
+  onRemove: (index: number) => void;
+}
+
+/** The picture that the handles lie in. */
+export interface HandleGround {
+  /** The place on the ground under a place of the picture; `undefined` at the sky. */
+  groundAt(x: number, y: number): { x: number; z: number } | undefined;
+  screenPosition(x: number, y: number, z: number): { x: number; y: number } | undefined;
+  /** Where the camera looks from, radians about +Y from +Z. */
+  readonly azimuth: number;
+}
+
+export class Handles {
+  readonly element = html("div", { class: "crowd-handles" });
+  readonly #listeners: HandleListeners;
+  #field: readonly FieldVertex[] = [];
+  #ground: HandleGround | undefined;
+
+  constructor(listeners: HandleListeners) {
+    this.#listeners = listeners;
+  }
+
+  /** Takes the picture that they lie in. */
+  set ground(ground: HandleGround | undefined) {
+    this.#ground = ground;
+  }
+
+  /** Takes the field; nothing is shown where the field is not drawn. */
+  show(field: readonly FieldVertex[], chosen: number): void {
+    this.#field = field;
+    keepCount(this.element, field.length, () => this.#make());
+    for (const [i, { style, x, z, reach }] of field.entries()) {
+      const name = spoken(style);
+      setAttributes(this.element.children[i]!, {
+        "aria-label": words.handle(name),
+        "aria-valuetext": words.place(formatNumber(x, 2), formatNumber(z, 2), formatNumber(reach, 1)),
+        "aria-valuenow": x,
+        "aria-current": String(i === chosen),
+        "data-style": name,
+        title: `${name}: ${words.handleKeys}`,
+      });
+    }
+  }
+
+  /** Puts them where they lie in the picture; called for every picture. */
+  place(): void {
+    for (const [i, { x, z }] of this.#field.entries()) {
+      const handle = this.element.children[i] as HTMLElement;
+      const at = this.#ground?.screenPosition(x, 0, z);
+      handle.hidden = at === undefined;
+      if (at) handle.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
+    }
+  }
+
+  #make(): HTMLElement {
+    const { place } = CROWD_RANGES;
+    const handle = html("div", {
+      class: "crowd-handle",
+      role: "slider",
+      tabindex: 0,
+      "aria-valuemin": place.min,
+      "aria-valuemax": place.max,
+      "aria-valuenow": 0,
+    });
+    const index = () => [...this.element.children].indexOf(handle);
+    listenToDrags(handle, (press) => this.#begin(index(), handle, press));
+    handle.addEventListener("focus", () => this.#listeners.onChoose(index()));
+    handle.addEventListener("blur", () => this.#listeners.onSettle());
+    handle.addEventListener("pointerleave", () => this.#listeners.onSettle());
+    handle.addEventListener("keydown", (event) => this.#onKey(index(), event));
+    handle.addEventListener("wheel", (event) => this.#onWheel(index(), event), { passive: false });
+    return handle;
+  }
+
+  #begin(index: number, handle: HTMLElement, press: PointerEvent): Drag | undefined {
+    const { onMove, onSettle, onCancel } = this.#listeners;
+    const vertex = this.#field[index];
+    const from = this.#groundUnder(press);
+    if (!vertex || !from) return undefined;
+    press.preventDefault();
+    handle.focus({ preventScroll: true });
+    onSettle();
+    handle.classList.add("dragging");
+    // The pointer keeps the place of the handle that it took.
+    const [dx, dz] = [vertex.x - from.x, vertex.z - from.z];
+    return {
+      move: (event) => {
+        const to = this.#groundUnder(event);
+        if (to) onMove(index, to.x + dx, to.z + dz);
+      },
+      cancel: onCancel,
+      end: () => {
+        handle.classList.remove("dragging");
+        onSettle();
+      },
+    };
+  }
+
+  #groundUnder({ clientX, clientY }: PointerEvent): { x: number; z: number } | undefined {
+    const { left, top } = this.element.getBoundingClientRect();
+    return this.#ground?.groundAt(clientX - left, clientY - top);
+  }
+
+  #onKey(index: number, event: KeyboardEvent): void {
+    const vertex = this.#field[index];
+    if (event.ctrlKey || event.metaKey || event.altKey || !vertex) return;
+    const { onMove, onReach, onRemove } = this.#listeners;
+    const { x, z, reach } = vertex;
+    const [right, away] = [
+      { ArrowRight: STEP, ArrowLeft: -STEP }[event.key] ?? 0,
+      { ArrowUp: STEP, ArrowDown: -STEP }[event.key] ?? 0,
+    ];
+    const longer = { "+": REACH_STEP, "=": REACH_STEP, "-": -REACH_STEP }[event.key] ?? 0;
+    if (right !== 0 || away !== 0) {
+      const [dx, dz] = alongAxes(right, away, this.#ground?.azimuth ?? 0);
+      onMove(index, x + dx, z + dz);
+    } else if (longer !== 0) onReach(index, reach + longer);
+    else if (event.key === "Delete" || event.key === "Backspace") onRemove(index);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  #onWheel(index: number, event: WheelEvent): void {
+    const vertex = this.#field[index];
+    if (!vertex) return;
+    event.preventDefault();
+    const by = Math.exp(-Math.max(-120, Math.min(120, event.deltaY)) * WHEEL_SHARE);
+    // A turn of the wheel that is too small to be seen is felt all the same.
+    const change = vertex.reach * (by - 1);
+    this.#listeners.onReach(index, vertex.reach + Math.sign(change) * Math.max(0.1, Math.abs(change)));
+  }
+}
+
+/** A step to the right and away from a camera, along the axis of the ground that is nearest to each. */
+export function alongAxes(right: number, away: number, azimuth: number): [x: number, z: number] {
+  const quarter = (Math.round(azimuth / (Math.PI / 2)) * Math.PI) / 2;
+  const [cos, sin] = [Math.round(Math.cos(quarter)), Math.round(Math.sin(quarter))];
+  return [right * cos - away * sin + 0, -right * sin - away * cos + 0];
+}

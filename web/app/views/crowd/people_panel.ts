@@ -1,0 +1,132 @@
+/** The panels of the people, their route, and what drawing them costs. */
+
+import { button } from "../../../ui/controls/buttons";
+import { Slider } from "../../../ui/controls/slider";
+import { formatNumber, html, setText } from "../../../ui/dom";
+import type { GestureListeners } from "../../../ui/drag";
+import { CROWD_RANGES, type People } from "../../state/crowd";
+import { strings } from "../../strings/strings";
+
+const words = strings.crowd;
+
+export interface PeoplePanelListeners extends Pick<GestureListeners, "onSettle"> {
+  onCount: (count: number) => void;
+  onSeed: (seed: number) => void;
+  /** Draws a route by hand, or ends that. */
+  onDraw: () => void;
+  onClear: () => void;
+}
+
+/** What is measured; `undefined` until it is. */
+export interface Figures {
+  fps: number | undefined;
+  tickMs: number | undefined;
+  frameMs: number | undefined;
+  drawnBy: string;
+}
+
+export class PeoplePanel {
+  readonly element: HTMLElement;
+  readonly #count: Slider;
+  readonly #seed = html("input", {
+    type: "number",
+    class: "text crowd-seed",
+    min: CROWD_RANGES.seed.min,
+    max: CROWD_RANGES.seed.max,
+    step: 1,
+    "aria-label": words.seed,
+  });
+  readonly #limit = html("p", { class: "crowd-people-limit caption", role: "status" });
+  readonly #draw: HTMLButtonElement;
+  readonly #clear: HTMLButtonElement;
+  readonly #route = html("p", { class: "caption" });
+  readonly #figures = { fps: html("dd"), tickMs: html("dd"), frameMs: html("dd"), drawnBy: html("dd") };
+
+  constructor(listeners: PeoplePanelListeners) {
+    const { onSettle } = listeners;
+    this.#count = new Slider(words.count, CROWD_RANGES.count, 200, { onInput: listeners.onCount, onSettle });
+    const { min, max } = CROWD_RANGES.seed;
+    this.#seed.addEventListener("change", () => {
+      const seed = this.#seed.valueAsNumber;
+      if (Number.isInteger(seed) && seed >= min && seed <= max) listeners.onSeed(seed);
+      else this.#seed.value = String(this.#shownSeed);
+    });
+    const shuffle = button(words.shuffle, () => listeners.onSeed(min + Math.floor(Math.random() * (max - min + 1))), {
+      icon: "random",
+      label: true,
+      class: "outlined",
+    });
+    this.#draw = button(words.draw, listeners.onDraw, { icon: "trail", label: true, class: "outlined" });
+    this.#clear = button(words.clear, listeners.onClear, { icon: "remove", label: true, class: "outlined" });
+    const figure = (name: string, value: HTMLElement) =>
+      html("div", { class: "row" }, html("dt", { class: "label" }, name), value);
+    const { fps, tickMs, frameMs, drawnBy } = this.#figures;
+    this.element = html(
+      "div",
+      {},
+      section(
+        "crowd-people-heading",
+        words.peopleHeading,
+        [],
+        this.#count.element,
+        html("div", { class: "row" }, html("span", { class: "label" }, words.seed), this.#seed, shuffle),
+        this.#limit,
+      ),
+      section("crowd-route-heading", words.route, [this.#clear, this.#draw], this.#route),
+      section(
+        "crowd-cost-heading",
+        words.cost,
+        [],
+        html(
+          "dl",
+          { class: "crowd-figures" },
+          figure(words.rate, fps),
+          figure(words.walking, tickMs),
+          figure(words.drawingCost, frameMs),
+          figure(words.drawnBy, drawnBy),
+        ),
+      ),
+    );
+  }
+
+  #shownSeed = 1;
+
+  /** `limit` says why there are fewer than were asked for. */
+  showPeople({ count, seed }: People, limit: string): void {
+    this.#count.value = count;
+    this.#shownSeed = seed;
+    if (document.activeElement !== this.#seed) this.#seed.value = String(seed);
+    setText(this.#limit, limit);
+    this.#limit.hidden = limit === "";
+  }
+
+  showRoute(has: boolean, drawing: boolean): void {
+    setText(this.#route, drawing ? words.drawHint : has ? words.following : words.wandering);
+    this.#draw.setAttribute("aria-pressed", String(drawing));
+    this.#clear.hidden = !has;
+  }
+
+  showFigures({ fps, tickMs, frameMs, drawnBy }: Figures): void {
+    const said = (value: number | undefined, say: (value: number) => string) =>
+      value === undefined ? "–" : say(value);
+    setText(
+      this.#figures.fps,
+      said(fps, (n) => words.fps(Math.round(n))),
+    );
+    setText(
+      this.#figures.tickMs,
+      said(tickMs, (ms) => words.perTick(formatNumber(ms, 1))),
+    );
+    setText(
+      this.#figures.frameMs,
+      said(frameMs, (ms) => words.perFrame(formatNumber(ms, 1))),
+    );
+    setText(this.#figures.drawnBy, drawnBy || "–");
+    this.#figures.drawnBy.title = drawnBy;
+  }
+}
+
+function section(id: string, title: string, actions: readonly HTMLElement[], ...rows: HTMLElement[]): HTMLElement {
+  const heading = html("div", { class: "section-heading" }, html("h2", { id }, title), ...actions);
+  return html("section", { class: "crowd-section", "aria-labelledby": id }, heading, ...rows);
+}

@@ -1,0 +1,156 @@
+/** The chart of who walks how: the last minute, stacked, the present at the right. */
+
+import { formatNumber, html } from "../../../ui/dom";
+import { strings } from "../../strings/strings";
+import { readColours } from "../../ui/colours";
+import { sizeOf } from "../../ui/drawing";
+import { onResize } from "../../ui/resize";
+import { spoken } from "../../ui/words";
+import { type Census, COUNTS_HZ, REMEMBERED_SECS, spread, stacked } from "./census";
+import type { StyleColours } from "./colours";
+
+const words = strings.crowd;
+
+/** Margins, units; narrow pictures have no room for names at the left. */
+const PAD = { top: 16, bottom: 18, left: 76, right: 34 };
+const LABEL_PX = 13;
+/** Seconds between two marks of the axis. */
+const MARK_SECS = 10;
+
+export class ShareChart {
+  readonly element: HTMLElement;
+  readonly #canvas = html("canvas", { role: "img", "aria-label": words.chart });
+  readonly #colours: StyleColours;
+  #census: Census | undefined;
+  #styles: readonly string[] = [];
+
+  constructor(colours: StyleColours) {
+    this.#colours = colours;
+    this.element = html("div", { class: "crowd-chart" }, this.#canvas);
+  }
+
+  /** Follows the size of the page until `signal` aborts. */
+  attach(signal: AbortSignal): void {
+    onResize(this.element, () => this.draw(), signal);
+  }
+
+  /** Takes what is counted, and the names of the styles. */
+  show(census: Census | undefined, styles: readonly string[]): void {
+    this.#census = census;
+    this.#styles = styles;
+    this.draw();
+  }
+
+  draw(): void {
+    const { width, height } = sizeOf(this.element);
+    const context = this.#canvas.getContext("2d");
+    if (width === 0 || height === 0 || !context) return;
+    const ratio = (devicePixelRatio * this.element.clientWidth) / width;
+    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+    if (this.#canvas.width !== w || this.#canvas.height !== h) Object.assign(this.#canvas, { width: w, height: h });
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    const font = getComputedStyle(this.element).fontFamily;
+    context.font = `11px ${font}`;
+    context.textBaseline = "middle";
+    const area = { left: PAD.left, right: width - PAD.right, top: PAD.top, bottom: height - PAD.bottom };
+    const tokens = readColours(this.element);
+    this.#drawAxis(context, area, tokens.ink3, tokens.line);
+    const samples = this.#census?.samples ?? [];
+    if (!this.#census || samples.length === 0) return;
+    const order = this.#census.present;
+    const edges = samples.map((sample) => stacked(sample, order));
+    const x = (i: number) =>
+      area.right - ((samples.length - 1 - i) / (REMEMBERED_SECS * COUNTS_HZ)) * (area.right - area.left);
+    const y = (share: number) => area.bottom - share * (area.bottom - area.top);
+    // The very first count is drawn as wide as a pixel.
+    const columns = samples.length === 1 ? [0, 0] : samples.map((_, i) => i);
+    const xs = samples.length === 1 ? [area.right - 1, area.right] : columns.map(x);
+    for (const [layer, kind] of order.entries()) {
+      const colour = this.#colourOf(kind);
+      context.beginPath();
+      for (const [n, i] of columns.entries()) context.lineTo(xs[n]!, y(edges[i]![layer + 1]!));
+      for (let n = columns.length - 1; n >= 0; n--) context.lineTo(xs[n]!, y(edges[columns[n]!]![layer]!));
+      context.closePath();
+      context.globalAlpha = 0.24;
+      context.fillStyle = colour;
+      context.fill();
+      context.globalAlpha = 1;
+      if (layer === order.length - 1) continue;
+      context.beginPath();
+      for (const [n, i] of columns.entries()) context.lineTo(xs[n]!, y(edges[i]![layer + 1]!));
+      context.strokeStyle = colour;
+      context.lineWidth = 1.5;
+      context.stroke();
+    }
+    this.#drawLabels(context, area, order, edges.at(-1)!, samples.at(-1)!, tokens.ink2, tokens.ink);
+  }
+
+  #drawAxis(context: CanvasRenderingContext2D, area: Area, ink: string, line: string): void {
+    context.fillStyle = ink;
+    context.textAlign = "left";
+    context.fillText(words.chart, area.left, 7);
+    context.strokeStyle = line;
+    context.lineWidth = 1;
+    context.strokeRect(area.left + 0.5, area.top - 0.5, area.right - area.left - 1, area.bottom - area.top + 1);
+    const room = (area.right - area.left) / (REMEMBERED_SECS / MARK_SECS);
+    const every = room < 48 ? 2 : 1;
+    for (let n = 0; n * MARK_SECS <= REMEMBERED_SECS; n += every) {
+      const secs = n * MARK_SECS;
+      const x = area.right - (secs / REMEMBERED_SECS) * (area.right - area.left);
+      context.textAlign = secs === 0 ? "right" : secs === REMEMBERED_SECS ? "left" : "center";
+      context.fillText(secs === 0 ? words.now : words.secsAgo(secs), x, area.bottom + 11);
+    }
+  }
+
+  /** Names at the left and numbers at the right of the layers, the thickest ones where not all have room. */
+  #drawLabels(
+    context: CanvasRenderingContext2D,
+    area: Area,
+    order: readonly number[],
+    edges: readonly number[],
+    counts: ArrayLike<number>,
+    ink2: string,
+    ink: string,
+  ): void {
+    const most = Math.floor((area.bottom - area.top) / LABEL_PX) + 1;
+    const shown = [...order.keys()]
+      .filter((layer) => counts[order[layer]!]! >= 0.5)
+      .sort((a, b) => counts[order[b]!]! - counts[order[a]!]!)
+      .slice(0, most)
+      .sort((a, b) => b - a);
+    const middle = (layer: number) =>
+      area.bottom - ((edges[layer]! + edges[layer + 1]!) / 2) * (area.bottom - area.top);
+    const places = spread(shown.map(middle), LABEL_PX, area.top + 4, area.bottom - 4);
+    const said: string[] = [];
+    for (const [i, layer] of shown.entries()) {
+      const kind = order[layer]!;
+      const [name, count] = [this.#nameOf(kind), formatNumber(counts[kind]!, 0)];
+      context.fillStyle = ink2;
+      context.textAlign = "right";
+      context.fillText(name, area.left - 10, places[i]!, PAD.left - 14);
+      context.fillStyle = ink;
+      context.textAlign = "left";
+      context.fillText(count, area.right + 10, places[i]!);
+      said.push(words.people2(name, Number(count)));
+    }
+    this.#canvas.setAttribute("aria-label", words.chartLabel(said.join(", ")));
+  }
+
+  #nameOf(kind: number): string {
+    const style = this.#styles[kind];
+    return style === undefined ? words.average : spoken(style);
+  }
+
+  #colourOf(kind: number): string {
+    const style = this.#styles[kind];
+    return style === undefined ? this.#colours.average : this.#colours.of(style);
+  }
+}
+
+interface Area {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}

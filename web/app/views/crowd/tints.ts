@@ -1,0 +1,25 @@
+/** Colours of people by the styles that they walk in. */
+
+/** Share of the colour of a style on whoever walks in it alone. */
+const TINT = 0.35;
+
+/** Mixes everybody's colour by weights: red, green, blue and its share, a byte each. */
+export function tintsOf(weights: Uint8Array, colours: readonly (readonly number[])[], into: Uint8Array): void {
+  const styles = colours.length;
+  for (let walker = 0; 4 * walker < into.length; walker++) {
+    let [red, green, blue, sum] = [0, 0, 0, 0];
+    for (let i = 0; i < styles; i++) {
+      const weight = weights[walker * styles + i]!;
+      const [r, g, b] = colours[i]!;
+      red += weight * r!;
+      green += weight * g!;
+      blue += weight * b!;
+      sum += weight;
+    }
+    const share = sum > 0 ? 1 / sum : 0;
+    into[4 * walker] = red * share;
+    into[4 * walker + 1] = green * share;
+    into[4 * walker + 2] = blue * share;
+    into[4 * walker + 3] = Math.min(255, sum) * TINT;
+  }
+}

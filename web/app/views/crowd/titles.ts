@@ -1,0 +1,23 @@
+/** What the stage is called. */
+import type { FieldVertex } from "../../../client/crowd/limits";
+import { strings } from "../../strings/strings";
+import { capitalised, numberWord, spoken } from "../../ui/words";
+
+const words = strings.crowd;
+
+/** “Two hundred people, three ways of walking”. */
+export function crowdTitle(count: number, field: readonly FieldVertex[]): string {
+  const ways = new Set(field.map(({ style }) => style)).size;
+  return words.title(words.people(count, capitalised(countWord(count))), words.ways(ways, numberWord(ways)));
+}
+
+/** The picture for those who do not see it. */
+export function pictureOf(count: number, field: readonly FieldVertex[]): string {
+  return words.picture(count, [...new Set(field.map(({ style }) => spoken(style)))].join(", "));
+}
+
+/** Round numbers in words, others in digits. */
+function countWord(count: number): string {
+  if (count === 1000) return words.thousand;
+  return count >= 100 && count % 100 === 0 ? words.hundreds(numberWord(count / 100)) : numberWord(count);
+}

@@ -1,0 +1,73 @@
+/** The card of a walker: how fast, in which styles, and what can be done. */
+
+import { button } from "../../../ui/controls/buttons";
+import { formatNumber, html, keepCount, setText } from "../../../ui/dom";
+import { strings } from "../../strings/strings";
+
+const words = strings.crowd;
+
+export interface CardListeners {
+  onFollow: () => void;
+  onExport: () => void;
+  onOpen: () => void;
+  onClose: () => void;
+}
+
+/** What the card says. */
+export interface CardModel {
+  walker: number;
+  /** m/s. */
+  speed: number;
+  /** Styles, the average among them, and how much of each, 0 to 1. */
+  shares: readonly { name: string; share: number }[];
+  follows: boolean;
+}
+
+export class WalkerCard {
+  readonly element: HTMLElement;
+  readonly #title = html("h2");
+  readonly #speed = html("span", { class: "caption" });
+  readonly #bars = html("dl", { class: "crowd-bars" });
+  readonly #follow: HTMLButtonElement;
+  readonly #export: HTMLButtonElement;
+
+  constructor(listeners: CardListeners) {
+    this.#follow = button(words.follow, listeners.onFollow, { icon: "follow", label: true, class: "outlined" });
+    this.#export = button(words.exportBvh, listeners.onExport, { icon: "export", label: true, class: "outlined" });
+    const open = button(words.openInWalk, listeners.onOpen, { label: true, class: "crowd-open" });
+    const close = button(words.close, listeners.onClose, { icon: "close" });
+    this.element = html(
+      "section",
+      { class: "crowd-card", hidden: true },
+      html("header", {}, this.#title, this.#speed, close),
+      this.#bars,
+      html("div", { class: "crowd-card-actions" }, this.#follow, this.#export),
+      open,
+    );
+  }
+
+  /** Shows somebody, or nobody. */
+  show(model: CardModel | undefined): void {
+    this.element.hidden = model === undefined;
+    if (!model) return;
+    const { walker, speed, shares, follows } = model;
+    setText(this.#title, words.walker(walker + 1));
+    this.element.setAttribute("aria-label", words.walker(walker + 1));
+    setText(this.#speed, words.speed(formatNumber(speed, 2)));
+    this.#follow.setAttribute("aria-pressed", String(follows));
+    keepCount(this.#bars, shares.length, () =>
+      html("div", {}, html("dt"), html("dd", {}, html("i"), html("span", { class: "value" }))),
+    );
+    for (const [i, { name, share }] of shares.entries()) {
+      const row = this.#bars.children[i]!;
+      setText(row.querySelector("dt")!, name);
+      setText(row.querySelector("span")!, formatNumber(share, 2));
+      row.querySelector("i")!.style.setProperty("--share", share.toFixed(3));
+    }
+  }
+
+  /** Whether a file is being made. */
+  set exporting(exporting: boolean) {
+    this.#export.disabled = exporting;
+  }
+}
