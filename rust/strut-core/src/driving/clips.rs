@@ -107,9 +107,7 @@ impl DrivingClips {
     fn add(&mut self, source: usize, clip: &NeutralClip) {
         let roots = root_path(&self.proportions, &clip.poses, self.rate_hz);
         let motions = root_motions(&roots, self.rate_hz);
-        let mut speeds: Vec<f32> = motions.iter().map(|m| m.velocity.length()).collect();
-        speeds.sort_by(f32::total_cmp);
-        if speeds.get(speeds.len() / 2).is_none_or(|&median| median <= LEAST_SPEED) {
+        if median_speed(&motions) <= LEAST_SPEED {
             return;
         }
         for mirrored in [false, true] {
@@ -136,6 +134,11 @@ impl DrivingClips {
         self.poses.len()
     }
 
+    /// The median speed of a clip's root over the ground, m/s.
+    pub fn median_speed(&self, clip: &DrivingClip) -> f32 {
+        median_speed(&self.motions[clip.rows.clone()])
+    }
+
     /// The pose of a row in the frame of its root.
     pub fn pose(&self, row: usize) -> &Pose {
         &self.poses[row]
@@ -155,6 +158,12 @@ impl DrivingClips {
     pub fn clip_of(&self, row: usize) -> usize {
         self.clips.partition_point(|clip| clip.rows.end <= row)
     }
+}
+
+fn median_speed(motions: &[RootMotion]) -> f32 {
+    let mut speeds: Vec<f32> = motions.iter().map(|motion| motion.velocity.length()).collect();
+    speeds.sort_by(f32::total_cmp);
+    speeds.get(speeds.len() / 2).copied().unwrap_or(0.0)
 }
 
 impl RootMotion {

@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn takes_the_first_of_several() {
-        let of = Matching::new(&[[1.0; FEATURES]; 200], |_| 0.0);
+        let of = Matching::new(&vec![[1.0; FEATURES]; 200], |_| 0.0);
         assert_eq!(of.nearest(&[0.0; FEATURES], |row| row >= 70), Some(Match { row: 70, cost: FEATURES as f32 }));
     }
 

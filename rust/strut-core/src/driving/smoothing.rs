@@ -34,13 +34,13 @@ fn constant_term(moments: [f64; 2 * TERMS - 1], mut right: [[f64; 2]; TERMS], te
     let mut matrix: [[f64; TERMS]; TERMS] = std::array::from_fn(|j| std::array::from_fn(|k| moments[j + k]));
     for pivot in (1..terms).rev() {
         for row in 0..pivot {
-            let factor = matrix[row][pivot] / matrix[pivot][pivot];
-            for column in 0..=pivot {
-                matrix[row][column] -= factor * matrix[pivot][column];
+            let (above, below) = matrix.split_at_mut(pivot);
+            let factor = above[row][pivot] / below[0][pivot];
+            for (value, subtracted) in above[row].iter_mut().zip(&below[0]) {
+                *value -= factor * subtracted;
             }
-            for axis in 0..2 {
-                right[row][axis] -= factor * right[pivot][axis];
-            }
+            let [x, z] = right[pivot].map(|y| factor * y);
+            right[row] = [right[row][0] - x, right[row][1] - z];
         }
     }
     right[0].map(|y| y / matrix[0][0])
