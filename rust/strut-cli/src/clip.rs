@@ -23,7 +23,8 @@ pub(crate) fn read_database(path: &Path) -> Outcome<Database> {
     Ok(read_contents(path)?.database)
 }
 
-fn read_contents(path: &Path) -> Outcome<Contents> {
+/// The database in a file with the plan of its search index.
+pub(crate) fn read_contents(path: &Path) -> Outcome<Contents> {
     strutdb::read(&files::read(path, strutdb::KIND.max_bytes)?).map_err(|reason| Failure::in_file(path, reason))
 }
 

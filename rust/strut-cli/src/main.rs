@@ -12,6 +12,7 @@ mod clip;
 mod corpus;
 mod demo_db;
 mod demo_report;
+mod drive;
 mod evaluate;
 mod evaluate_key_style;
 mod evaluate_walk;
@@ -55,6 +56,7 @@ enum Command {
     Evaluate(Box<evaluate::Args>),
     Bench(bench::Args),
     DemoDb(demo_db::Args),
+    Drive(drive::Args),
     TrainWalk(train_walk::Args),
     Walk(walk::Args),
     EvaluateWalk(evaluate_walk::Args),
@@ -72,6 +74,7 @@ fn run(args: Args) -> Outcome {
         Command::Evaluate(args) => evaluate::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::DemoDb(args) => demo_db::run(&args),
+        Command::Drive(args) => drive::run(&args),
         Command::TrainWalk(args) => train_walk::run(&args),
         Command::Walk(args) => walk::run(&args),
         Command::EvaluateWalk(args) => evaluate_walk::run(&args),

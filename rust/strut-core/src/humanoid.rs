@@ -228,6 +228,16 @@ impl Pose {
         self.root.is_finite() && self.rotations.iter().all(|q| q.is_finite())
     }
 
+    /// The mirror image at the plane x = 0: left and right change places.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let reflected = |q: Quat| Quat::from_xyzw(q.x, -q.y, -q.z, q.w);
+        Self {
+            root: Vec3::new(-self.root.x, self.root.y, self.root.z),
+            rotations: Role::ALL.map(|role| reflected(self.rotations[role.mirrored().index()])),
+        }
+    }
+
     /// Interpolation: the root linearly, rotations spherically; `t` in [0, 1].
     pub fn lerp(&self, to: &Self, t: f32) -> Self {
         let mut out = *self;

@@ -12,6 +12,7 @@ pub mod catalogue;
 pub mod contact;
 pub mod crowd;
 pub mod database;
+pub mod driving;
 #[cfg(feature = "baselines")]
 pub mod evaluation;
 #[cfg(test)]

@@ -1,0 +1,142 @@
+//! What a character is told: the CSV files of `strut drive`.
+
+use crate::failure::{Failure, Outcome};
+use crate::files;
+use std::path::Path;
+use strut_core::driving::Control;
+use strut_core::math::Vec2;
+use strut_core::math::float_funcs::sin_cos;
+
+/// Largest file of orders, bytes.
+const MAX_BYTES: usize = 16 << 20;
+
+/// Where to go.
+pub(super) enum Orders {
+    /// Along points, each with the gait there and the length of the line up to it.
+    Path { points: Vec<Vec2>, gaits: Vec<[f32; 2]> },
+    /// By controls, each from its time on, seconds.
+    Log(Vec<(f32, Control)>),
+}
+
+impl Orders {
+    /// Those of one of two files.
+    ///
+    /// # Errors
+    /// A sentence that names the file, the line and what was expected.
+    pub(super) fn read(path: Option<&Path>, controls: Option<&Path>, gait: f32) -> Outcome<Self> {
+        match (path, controls) {
+            (Some(file), _) => read_path(file, gait),
+            (_, Some(file)) => read_log(file),
+            _ => Err(Failure::usage("--path or --controls was expected")),
+        }
+    }
+
+    /// The line to follow, if there is one.
+    pub(super) fn path(&self) -> Option<&[Vec2]> {
+        match self {
+            Self::Path { points, .. } => Some(points),
+            Self::Log(_) => None,
+        }
+    }
+
+    /// What is asked at a time, for somebody who is so far along the path.
+    pub(super) fn at(&self, secs: f32, progress: Option<[f32; 2]>) -> Control {
+        match self {
+            Self::Path { gaits, .. } => {
+                let [along, _] = progress.unwrap_or_default();
+                let i = gaits.partition_point(|[length, _]| *length <= along).saturating_sub(1);
+                Control { gait: gaits[i][1], ..Control::default() }
+            }
+            Self::Log(log) => log[log.partition_point(|(from, _)| *from <= secs).saturating_sub(1)].1,
+        }
+    }
+
+    /// Whether nothing further is asked.
+    pub(super) fn is_over(&self, secs: f32, progress: Option<[f32; 2]>) -> bool {
+        match self {
+            // The last steps of a stop are not counted: nobody stands on the very last point.
+            Self::Path { .. } => progress.is_none_or(|[along, length]| along >= length - END),
+            Self::Log(log) => log.last().is_none_or(|(from, _)| secs >= *from),
+        }
+    }
+}
+
+/// Who is so near the end of a path, metres, has arrived.
+const END: f32 = 0.35;
+
+fn read_path(file: &Path, gait: f32) -> Outcome<Orders> {
+    let table = Table::read(file, &["x", "z"], &["gait"])?;
+    let points: Vec<Vec2> =
+        table.rows.iter().map(|row| Vec2::new(row[0].unwrap_or(0.0), row[1].unwrap_or(0.0))).collect();
+    if strut_core::driving::Path::new(&points).is_none() {
+        return Err(Failure::in_file(file, "the path has fewer than two distinct points"));
+    }
+    let mut length = 0.0;
+    let mut gaits = Vec::new();
+    for (i, row) in table.rows.iter().enumerate() {
+        length += if i > 0 { points[i].distance(points[i - 1]) } else { 0.0 };
+        gaits.push([length, row[2].unwrap_or(gait)]);
+    }
+    Ok(Orders::Path { points, gaits })
+}
+
+fn read_log(file: &Path) -> Outcome<Orders> {
+    let table = Table::read(file, &["time", "gait", "heading"], &["face"])?;
+    let mut log: Vec<(f32, Control)> = Vec::new();
+    for row in &table.rows {
+        let [time, gait, heading] = [row[0], row[1], row[2]].map(Option::unwrap_or_default);
+        // Heading 0 is +Z, as the positive turn is to the left, +X.
+        let (x, z) = sin_cos(heading.to_radians());
+        let wish = if gait > 0.0 { Vec2::new(x, z) } else { Vec2::ZERO };
+        log.push((time, Control { wish, gait, face: row[3].map(f32::to_radians) }));
+    }
+    if !log.is_sorted_by_key(|(time, _)| *time) {
+        return Err(Failure::in_file(file, "the times do not rise from line to line"));
+    }
+    if log.is_empty() {
+        return Err(Failure::in_file(file, "there are no controls"));
+    }
+    Ok(Orders::Log(log))
+}
+
+/// Numbers by column; optional columns may be absent or empty.
+struct Table {
+    rows: Vec<Vec<Option<f32>>>,
+}
+
+impl Table {
+    fn read(file: &Path, needed: &[&str], optional: &[&str]) -> Outcome<Self> {
+        let bytes = files::read(file, MAX_BYTES)?;
+        let fail = |line: u64, reason: String| Failure::in_file(file, format!("line {line}: {reason}"));
+        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(bytes.as_slice());
+        let headers = reader.headers().map_err(|error| fail(1, error.to_string()))?.clone();
+        let expected = || format!("the columns {}[,{}] were expected", needed.join(","), optional.join(","));
+        let column = |name: &str| headers.iter().position(|header| header == name);
+        if let Some(unknown) = headers.iter().find(|header| !needed.contains(header) && !optional.contains(header)) {
+            return Err(fail(1, format!("there is a column '{unknown}'; {}", expected())));
+        }
+        let columns: Vec<Option<usize>> = needed.iter().chain(optional).map(|name| column(name)).collect();
+        if columns[..needed.len()].contains(&None) {
+            return Err(fail(1, expected()));
+        }
+        let mut rows = Vec::new();
+        for record in reader.records() {
+            let record = record.map_err(|error| {
+                fail(error.position().map_or(1, csv::Position::line), "it has not as many fields as line 1".into())
+            })?;
+            let line = record.position().map_or(0, csv::Position::line);
+            let mut row = Vec::new();
+            for (i, at) in columns.iter().enumerate() {
+                let text = at.and_then(|at| record.get(at)).unwrap_or_default();
+                let number = text.parse().ok().filter(|number: &f32| number.is_finite());
+                if number.is_none() && (i < needed.len() || !text.is_empty()) {
+                    let name = needed.iter().chain(optional).nth(i).unwrap_or(&"");
+                    return Err(fail(line, format!("the {name} is '{text}'; a number was expected")));
+                }
+                row.push(number);
+            }
+            rows.push(row);
+        }
+        Ok(Self { rows })
+    }
+}

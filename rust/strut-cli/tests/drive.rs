@@ -1,0 +1,78 @@
+//! `strut drive` on the built-in motions.
+
+mod common;
+
+use common::{assert_refused, demo_database, strut_ok};
+use std::fmt::Write;
+use std::fs;
+use strut_core::math::float_funcs::sin_cos;
+use strut_formats::bvh;
+use tempfile::TempDir;
+
+fn folder() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("db.strutdb"), demo_database()).unwrap();
+    folder
+}
+
+/// Once round a circle of 2 m radius, from the origin towards +Z.
+fn circle() -> String {
+    let mut csv = String::from("x,z\n");
+    for i in 0..320 {
+        let (sine, cosine) = sin_cos(i as f32 * 0.02);
+        writeln!(csv, "{:.4},{:.4}", 2.0 - 2.0 * cosine, 2.0 * sine).unwrap();
+    }
+    csv
+}
+
+#[test]
+fn the_styled_character_follows_a_path() {
+    let folder = folder();
+    fs::write(folder.path().join("path.csv"), circle()).unwrap();
+    for style in ["neutral", "old", "proud=0.5,childlike=0.5"] {
+        let args = ["drive", "--db", "db.strutdb", "--path", "path.csv", "--style", style, "-o", "out.bvh"];
+        let said = strut_ok(folder.path(), &[&args[..], &["--input-out", "in.bvh", "--json", "drive.json"]].concat());
+        assert!(said.contains("cm off the path"), "{said}");
+        let report: serde_json::Value =
+            serde_json::from_slice(&fs::read(folder.path().join("drive.json")).unwrap()).unwrap();
+        let off = |of: &str| report["path_error_m"][of].as_f64().unwrap();
+        assert!(off("mean") < 0.06 && off("p95") < 0.12, "{style}: {report}");
+        assert!(report["transitions_per_sec"].as_f64().unwrap() < 3.5, "{report}");
+        for file in ["in.bvh", "out.bvh"] {
+            let bytes = fs::read(folder.path().join(file)).unwrap();
+            assert!(bvh::parse(&bytes).unwrap().frames > 600, "{file}");
+        }
+    }
+}
+
+#[test]
+fn the_same_drive_is_the_same_file() {
+    let folder = folder();
+    fs::write(folder.path().join("log.csv"), "time,gait,heading\n0,1,0\n1.5,1,90\n3,2,90\n5,0.5,-45\n").unwrap();
+    for out in ["one.bvh", "two.bvh"] {
+        strut_ok(folder.path(), &["drive", "--db", "db.strutdb", "--controls", "log.csv", "--secs", "6", "-o", out]);
+    }
+    let read = |file: &str| fs::read(folder.path().join(file)).unwrap();
+    assert!(read("one.bvh") == read("two.bvh"));
+}
+
+#[test]
+fn what_cannot_be_followed_gets_a_sentence() {
+    let folder = folder();
+    let refused = |path: &str, expected: &str| {
+        fs::write(folder.path().join("path.csv"), path).unwrap();
+        assert_refused(
+            folder.path(),
+            &["drive", "--db", "db.strutdb", "--path", "path.csv", "-o", "out.bvh"],
+            expected,
+        );
+    };
+    refused("x,z\n0,0\nNaN,1\n", "path.csv: line 3: the x is 'NaN'; a number was expected");
+    refused("x,z\n0,0\n", "the path has fewer than two distinct points");
+    refused("x,y\n0,0\n", "line 1: there is a column 'y'; the columns x,z[,gait] were expected");
+    refused("x\n0\n", "line 1: the columns x,z[,gait] were expected");
+    refused("x,z\n0,0,0\n", "line 2: it has not as many fields as line 1");
+    fs::write(folder.path().join("log.csv"), "time,gait,heading\n2,1,0\n1,1,0\n").unwrap();
+    let args = ["drive", "--db", "db.strutdb", "--controls", "log.csv", "-o", "out.bvh"];
+    assert_refused(folder.path(), &args, "the times do not rise from line to line");
+}

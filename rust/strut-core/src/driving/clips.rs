@@ -1,0 +1,270 @@
+//! Neutral clips and their mirror images, in the frame of their root.
+
+use super::smoothing::smoothed;
+use crate::humanoid::{Pose, Proportions};
+use crate::kinematics::world_from_local;
+use crate::math::float_funcs::{atan2, wrap_angle};
+use crate::math::{Quat, Vec2, Vec3};
+use crate::pose_vector::heading_of;
+use std::ops::Range;
+use thiserror::Error;
+
+/// Half the windows over which the root's place and its heading are smoothed, seconds: 31 and 61 frames at 60 Hz.
+const PLACE_HALF_SECS: f32 = 0.25;
+const HEADING_HALF_SECS: f32 = 0.5;
+/// A clip whose root is slower than this in the median is no locomotion, m/s.
+const LEAST_SPEED: f32 = 0.4;
+/// Driving needs so much locomotion, seconds.
+const LEAST_SECS: f32 = 5.0;
+
+/// A clip to drive with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NeutralClip {
+    /// Its name, for people.
+    pub name: String,
+    /// One pose a frame, in the world.
+    pub poses: Vec<Pose>,
+    /// Which feet are planted in each frame, [left, right].
+    pub contacts: Vec<[bool; 2]>,
+}
+
+/// Why clips are not enough to drive with.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum DrivingError {
+    /// There is too little locomotion among them.
+    #[error("the neutral clips have {secs:.1} s of walking; driving needs {LEAST_SECS} s")]
+    TooShort {
+        /// Seconds of clips in which the root moves.
+        secs: f32,
+    },
+    /// A clip has not as many contacts as poses.
+    #[error("the clip '{name}' has {poses} poses and {contacts} contacts")]
+    Shape {
+        /// Its name.
+        name: String,
+        /// Number of its poses.
+        poses: usize,
+        /// Number of its contacts.
+        contacts: usize,
+    },
+}
+
+/// One of the clips of [`DrivingClips`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrivingClip {
+    /// Index of the clip that it was made of.
+    pub source: usize,
+    /// Whether left and right are swapped.
+    pub mirrored: bool,
+    /// Its rows.
+    pub rows: Range<usize>,
+}
+
+/// How the root moves at a row.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RootMotion {
+    /// Velocity over the ground in the root's frame, (x, z) in m/s.
+    pub velocity: Vec2,
+    /// Turn rate, rad/s about +Y.
+    pub turn_rate: f32,
+}
+
+/// Neutral locomotion in the frame of its root: on the ground under the hips, facing the way that the body faces, both
+/// smoothed.
+#[derive(Clone, Debug)]
+pub struct DrivingClips {
+    /// Bone offsets.
+    pub proportions: Proportions,
+    /// Frames per second.
+    pub rate_hz: f32,
+    clips: Vec<DrivingClip>,
+    poses: Vec<Pose>,
+    motions: Vec<RootMotion>,
+    contacts: Vec<[bool; 2]>,
+}
+
+impl DrivingClips {
+    /// Takes the clips in which somebody gets on, each also mirrored.
+    ///
+    /// # Errors
+    /// [`DrivingError`] where they are too short together, or a clip is inconsistent.
+    pub fn new(proportions: Proportions, rate_hz: f32, clips: &[NeutralClip]) -> Result<Self, DrivingError> {
+        let mut of = Self { proportions, rate_hz, clips: vec![], poses: vec![], motions: vec![], contacts: vec![] };
+        for (source, clip) in clips.iter().enumerate() {
+            let (poses, contacts) = (clip.poses.len(), clip.contacts.len());
+            if poses != contacts {
+                return Err(DrivingError::Shape { name: clip.name.clone(), poses, contacts });
+            }
+            of.add(source, clip);
+        }
+        let secs = of.poses.len() as f32 / (2.0 * rate_hz);
+        if secs < LEAST_SECS {
+            return Err(DrivingError::TooShort { secs });
+        }
+        Ok(of)
+    }
+
+    fn add(&mut self, source: usize, clip: &NeutralClip) {
+        let roots = root_path(&self.proportions, &clip.poses, self.rate_hz);
+        let motions = root_motions(&roots, self.rate_hz);
+        if median_speed(&motions) <= LEAST_SPEED {
+            return;
+        }
+        for mirrored in [false, true] {
+            let first = self.poses.len();
+            for (pose, root) in clip.poses.iter().zip(&roots) {
+                let in_root = root.take(pose);
+                self.poses.push(if mirrored { in_root.mirrored() } else { in_root });
+            }
+            self.motions.extend(motions.iter().map(|motion| if mirrored { motion.mirrored() } else { *motion }));
+            self.contacts.extend(
+                clip.contacts.iter().map(|&[left, right]| if mirrored { [right, left] } else { [left, right] }),
+            );
+            self.clips.push(DrivingClip { source, mirrored, rows: first..self.poses.len() });
+        }
+    }
+
+    /// The clips, in the order of their rows, which follow each other without a gap.
+    pub fn clips(&self) -> &[DrivingClip] {
+        &self.clips
+    }
+
+    /// Rows of all clips.
+    pub fn rows(&self) -> usize {
+        self.poses.len()
+    }
+
+    /// The median speed of a clip's root over the ground, m/s.
+    pub fn median_speed(&self, clip: &DrivingClip) -> f32 {
+        median_speed(&self.motions[clip.rows.clone()])
+    }
+
+    /// The pose of a row in the frame of its root.
+    pub fn pose(&self, row: usize) -> &Pose {
+        &self.poses[row]
+    }
+
+    /// How the root moves at a row.
+    pub fn motion(&self, row: usize) -> RootMotion {
+        self.motions[row]
+    }
+
+    /// Which feet are planted at a row, [left, right].
+    pub fn contact(&self, row: usize) -> [bool; 2] {
+        self.contacts[row]
+    }
+
+    /// The clip of a row, by its index.
+    pub fn clip_of(&self, row: usize) -> usize {
+        self.clips.partition_point(|clip| clip.rows.end <= row)
+    }
+}
+
+fn median_speed(motions: &[RootMotion]) -> f32 {
+    let mut speeds: Vec<f32> = motions.iter().map(|motion| motion.velocity.length()).collect();
+    speeds.sort_by(f32::total_cmp);
+    speeds.get(speeds.len() / 2).copied().unwrap_or(0.0)
+}
+
+impl RootMotion {
+    fn mirrored(self) -> Self {
+        Self { velocity: Vec2::new(-self.velocity.x, self.velocity.y), turn_rate: -self.turn_rate }
+    }
+}
+
+/// Where the root is: a place on the ground and a heading about +Y.
+#[derive(Clone, Copy, Debug)]
+struct Root {
+    place: Vec3,
+    heading: f32,
+}
+
+impl Root {
+    /// A pose of the world in the root's frame.
+    fn take(&self, pose: &Pose) -> Pose {
+        let turn = Quat::from_rotation_y(-self.heading);
+        let mut out = *pose;
+        out.root = turn * (pose.root - self.place);
+        out.rotations[0] = turn * pose.rotations[0];
+        out
+    }
+}
+
+/// The root of every pose.
+fn root_path(proportions: &Proportions, poses: &[Pose], rate_hz: f32) -> Vec<Root> {
+    let places: Vec<[f64; 2]> = poses.iter().map(|pose| [pose.root.x, pose.root.z].map(f64::from)).collect();
+    let mut heading = 0.0;
+    let headings: Vec<[f64; 2]> = poses
+        .iter()
+        .map(|pose| {
+            heading = heading_of(&world_from_local(proportions, pose)).unwrap_or(heading);
+            let forward = Quat::from_rotation_y(heading) * Vec3::Z;
+            [forward.x, forward.z].map(f64::from)
+        })
+        .collect();
+    let half = |secs: f32| (secs * rate_hz).round() as usize;
+    let places = smoothed(&places, half(PLACE_HALF_SECS));
+    let headings = smoothed(&headings, half(HEADING_HALF_SECS));
+    let root = |([x, z], [fx, fz]): (&[f64; 2], &[f64; 2])| Root {
+        place: Vec3::new(*x as f32, 0.0, *z as f32),
+        heading: atan2(*fx as f32, *fz as f32),
+    };
+    places.iter().zip(&headings).map(root).collect()
+}
+
+/// How it moves: central differences, one-sided at the ends.
+fn root_motions(roots: &[Root], rate_hz: f32) -> Vec<RootMotion> {
+    (0..roots.len())
+        .map(|i| {
+            let (a, b) = (i.saturating_sub(1), (i + 1).min(roots.len() - 1));
+            let per_sec = rate_hz / (b - a).max(1) as f32;
+            let travel = (roots[b].place - roots[a].place) * per_sec;
+            let velocity = Quat::from_rotation_y(-roots[i].heading) * travel;
+            let turn_rate = wrap_angle(roots[b].heading - roots[a].heading) * per_sec;
+            RootMotion { velocity: Vec2::new(velocity.x, velocity.z), turn_rate }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::driving::tests::circle;
+
+    #[test]
+    fn are_in_the_frame_of_a_root_that_goes_round_as_the_clip_does() {
+        let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, 1.2, 0.4)]).unwrap();
+        let [clip, mirror] = clips.clips() else { panic!("the clip and its mirror image") };
+        assert_eq!((clip.rows.clone(), mirror.rows.clone()), (0..600, 600..1200));
+        for row in 40..560 {
+            let motion = clips.motion(row);
+            assert!((motion.velocity - Vec2::new(0.0, 1.2)).length() < 0.02, "{motion:?}");
+            assert!((motion.turn_rate - 0.4).abs() < 0.01, "{motion:?}");
+            let hips = clips.pose(row).root;
+            assert!(Vec2::new(hips.x, hips.z).length() < 0.01, "{hips}");
+            assert_eq!(clips.motion(row + 600), motion.mirrored());
+            assert_eq!(clips.contact(row + 600), [clips.contact(row)[1], clips.contact(row)[0]]);
+            assert_eq!(clips.pose(row + 600).mirrored(), *clips.pose(row));
+            assert_eq!((clips.clip_of(row), clips.clip_of(row + 600)), (0, 1));
+        }
+    }
+
+    #[test]
+    fn are_those_in_which_somebody_gets_on() {
+        let standing = NeutralClip { name: "idle".into(), ..circle(600, 0.1, 0.0) };
+        let clips =
+            DrivingClips::new(Proportions::default(), 60.0, &[standing.clone(), circle(600, 1.2, 0.0)]).unwrap();
+        assert!(clips.clips().iter().all(|clip| clip.source == 1));
+        let short = DrivingClips::new(Proportions::default(), 60.0, &[standing, circle(180, 1.2, 0.0)]);
+        let sentence = short.unwrap_err().to_string();
+        assert_eq!(sentence, "the neutral clips have 3.0 s of walking; driving needs 5 s");
+    }
+
+    #[test]
+    fn have_a_contact_a_pose() {
+        let mut clip = circle(600, 1.2, 0.0);
+        clip.contacts.pop();
+        let refused = DrivingClips::new(Proportions::default(), 60.0, &[clip]).unwrap_err();
+        assert_eq!(refused.to_string(), "the clip 'circle' has 600 poses and 599 contacts");
+    }
+}

@@ -1,0 +1,351 @@
+//! The driver: frame after frame of neutral motion that goes where it is asked to.
+
+use super::clips::DrivingClips;
+use super::control::Control;
+use super::features::{FEATURES, Features, HORIZONS_SECS};
+use super::inertia::{HALF_LIFE_SECS, Inertia, Moving};
+use super::matching::Matching;
+use super::path::Path;
+use super::query::{RootState, STOP_BEFORE, Trajectory, by_path, by_stick, in_root};
+use crate::humanoid::Pose;
+use crate::math::float_funcs::{atan2, half_life_share, sin_cos, wrap_angle};
+use crate::math::{Quat, Vec2, Vec3};
+use crate::pose_vector::Placement;
+use std::sync::Arc;
+
+/// Time between searches, seconds: 10 frames at 60 Hz.
+const SEARCH_SECS: f32 = 1.0 / 6.0;
+/// A new wish is searched for at once, but not so soon after the last search, seconds: 3 frames.
+const LEAST_SEARCH_SECS: f32 = 0.05;
+/// What makes a wish a new one: m/s, and radians of its heading.
+const NEW_SPEED: f32 = 0.3;
+const NEW_HEADING: f32 = 15.0 * std::f32::consts::PI / 180.0;
+/// Rows are not entered so near the end of their clip, nor so near the present row and those that were left last, seconds:
+/// 20 frames.
+const NEAR_SECS: f32 = 1.0 / 3.0;
+const LEFT: usize = 3;
+/// How much better another row must be than the present one.
+const BETTER: f32 = 1.0;
+/// Steering adds to the clip's turn rate so much per radian that its heading is off at the first horizon, rad/s, and at most
+/// so much; less where the root is slower than `FULL_STEERING_SPEED`, m/s.
+const STEERING: f32 = 2.0;
+const MOST_STEERING: f32 = 30.0 * std::f32::consts::PI / 180.0;
+const FULL_STEERING_SPEED: f32 = 0.5;
+/// Where the styled character is, and how fast, beside the neutral one: half-lives, seconds, and the range of the latter.
+const STYLED_PLACE_HALF_LIFE_SECS: f32 = 0.15;
+const STYLED_SPEED_HALF_LIFE_SECS: f32 = 0.5;
+const STYLED_SPEEDS: [f32; 2] = [0.3, 2.0];
+/// Clips whose root is faster than this in the median are of running, m/s.
+const RUNNING: f32 = 1.9;
+/// Slower than this, m/s, two speeds say nothing of each other.
+const MOVING: f32 = 0.3;
+
+/// A frame of a [`Driver`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrivenFrame {
+    /// The pose in the world.
+    pub pose: Pose,
+    /// Which feet are planted, [left, right].
+    pub contacts: [bool; 2],
+    /// Where the root is.
+    pub root: Placement,
+    /// Where it is asked to be at every horizon, place (x, z) and heading.
+    pub asked: [(Vec2, f32); HORIZONS_SECS.len()],
+    /// Speed of the root over the ground, m/s.
+    pub speed: f32,
+    /// The row that plays, see [`DrivingClips`].
+    pub row: usize,
+    /// Whether another row than the next one was taken.
+    pub switched: bool,
+}
+
+/// Neutral motion that goes where it is asked to.
+#[derive(Clone, Debug)]
+pub struct Driver {
+    clips: Arc<DrivingClips>,
+    features: Features,
+    matching: Matching,
+    /// Whether a row may be entered.
+    enterable: Vec<bool>,
+    /// Speeds of walking and running, m/s.
+    speeds: [f32; 2],
+    control: Control,
+    path: Option<(Path, f32)>,
+    state: State,
+    frame: DrivenFrame,
+}
+
+/// What changes from frame to frame.
+#[derive(Clone, Copy, Debug)]
+struct State {
+    row: usize,
+    root: Placement,
+    /// Differences of the root's velocity in its frame and of its turn rate from the row's.
+    velocity: Vec2,
+    turn_rate: f32,
+    inertia: Inertia,
+    since_search_secs: f32,
+    /// What the last search was for: velocity and heading in the world.
+    asked: (Vec2, f32),
+    left: [Option<usize>; LEFT],
+    /// From the neutral hips to the styled ones over the ground, and how fast these are to those.
+    styled: Vec2,
+    styled_share: f32,
+    /// Hips of the last frame, neutral and styled.
+    before: Option<[Vec2; 2]>,
+    /// Distance that the hips went in the mean of the last half second, neutral and styled, metres a frame.
+    gone: [f32; 2],
+}
+
+impl Driver {
+    /// A driver that stands at the origin towards +Z.
+    pub fn new(clips: Arc<DrivingClips>) -> Self {
+        let features = Features::new(&clips);
+        let matching = Matching::new(features.rows(), |_| 0.0);
+        let near = near_rows(&clips);
+        let enterable = clips.clips().iter().flat_map(|clip| clip.rows.clone().map(|row| row + near < clip.rows.end));
+        let enterable = enterable.collect();
+        let speeds = speeds_of(&clips);
+        let state = State::at(slowest(&clips), Placement::default());
+        let frame = DrivenFrame {
+            pose: *clips.pose(state.row),
+            contacts: clips.contact(state.row),
+            root: state.root,
+            asked: [(Vec2::ZERO, 0.0); HORIZONS_SECS.len()],
+            speed: 0.0,
+            row: state.row,
+            switched: false,
+        };
+        Self { clips, features, matching, enterable, speeds, control: Control::default(), path: None, state, frame }
+    }
+
+    /// Speeds of walking and of running, m/s: what the gaits 1 and 2 ask for.
+    pub fn speeds(&self) -> [f32; 2] {
+        self.speeds
+    }
+
+    /// Begins anew at a place, and without a path.
+    pub fn reset(&mut self, root: Placement) {
+        self.state = State::at(slowest(&self.clips), root);
+        self.path = None;
+    }
+
+    /// Has the character follow a line through points (x, z), metres, instead of the control's wish, from its beginning to its
+    /// end. Fewer than two distinct points end it.
+    pub fn set_path(&mut self, points: &[Vec2]) {
+        self.path = Path::new(points).map(|path| (path, 0.0));
+    }
+
+    /// How far along its path the character is, metres, and how long the path is.
+    pub fn progress(&self) -> Option<[f32; 2]> {
+        self.path.as_ref().map(|(path, progress)| [*progress, path.length()])
+    }
+
+    /// The next frame, `1 / rate_hz` after the last. A control with a number that is not finite counts as the last good one.
+    /// `styled_hips` is where the hips of the styled character were in the last frame, so that it is *that one* which follows
+    /// a path.
+    pub fn next(&mut self, control: &Control, styled_hips: Option<Vec3>) -> &DrivenFrame {
+        self.control = control.checked().unwrap_or(self.control);
+        let dt = 1.0 / self.clips.rate_hz;
+        self.observe(styled_hips.filter(|hips| hips.is_finite()), dt);
+        let now = self.root_state();
+        let (asked, wanted) = self.asked(&now);
+        let switched = self.choose(&now, &asked, wanted, dt);
+        self.advance(&asked, dt);
+        self.frame.asked = asked;
+        self.frame.switched = switched;
+        &self.frame
+    }
+
+    /// Takes how the styled character is beside the neutral one.
+    fn observe(&mut self, styled_hips: Option<Vec3>, dt: f32) {
+        let state = &mut self.state;
+        let ground = |v: Vec3| Vec2::new(v.x, v.z);
+        let neutral = ground(self.frame.pose.root);
+        let Some(styled) = styled_hips.map(ground) else { return };
+        state.styled += (styled - neutral - state.styled) * half_life_share(dt, STYLED_PLACE_HALF_LIFE_SECS);
+        if let Some([neutral_before, styled_before]) = state.before {
+            let share = half_life_share(dt, STYLED_SPEED_HALF_LIFE_SECS);
+            let gone = [neutral.distance(neutral_before), styled.distance(styled_before)];
+            for (mean, now) in state.gone.iter_mut().zip(gone) {
+                *mean += (now - *mean) * share;
+            }
+            let [neutral, styled] = state.gone;
+            if neutral > MOVING * dt {
+                let [least, most] = STYLED_SPEEDS;
+                state.styled_share = (styled / neutral).clamp(least, most);
+            }
+        }
+        state.before = Some([neutral, styled]);
+    }
+
+    fn root_state(&self) -> RootState {
+        let State { row, root, velocity, turn_rate, .. } = self.state;
+        let motion = self.clips.motion(row);
+        let place = Vec2::new(root.x, root.z);
+        let velocity = in_world(root.heading, motion.velocity + velocity);
+        RootState { place, heading: root.heading, velocity, turn_rate: motion.turn_rate + turn_rate }
+    }
+
+    /// Where the root is asked to be, and the velocity and the heading that this comes from.
+    fn asked(&mut self, now: &RootState) -> (Trajectory, (Vec2, f32)) {
+        let Control { wish, gait, face } = self.control;
+        let speed = speed_of(self.speeds, gait);
+        if let Some((path, progress)) = &mut self.path {
+            let styled = now.place + self.state.styled;
+            *progress = path.nearest(*progress, styled);
+            if *progress < path.length() - STOP_BEFORE {
+                let asked = by_path(now, path, *progress, speed, styled, self.state.styled_share);
+                let direction = path.direction(*progress);
+                return (asked, (direction * speed, atan2(direction.x, direction.y)));
+            }
+            let goal = face.unwrap_or(now.heading);
+            return (by_stick(now, Vec2::ZERO, goal), (Vec2::ZERO, goal));
+        }
+        let wanted = wish * speed;
+        let along = (wanted != Vec2::ZERO).then(|| atan2(wanted.x, wanted.y));
+        let goal = face.or(along).unwrap_or(now.heading);
+        (by_stick(now, wanted, goal), (wanted, goal))
+    }
+
+    /// Goes on with the next row, or with a better one; whether it was another.
+    fn choose(&mut self, now: &RootState, asked: &Trajectory, wanted: (Vec2, f32), dt: f32) -> bool {
+        let state = &mut self.state;
+        let clip = &self.clips.clips()[self.clips.clip_of(state.row)];
+        let ends = state.row + 1 >= clip.rows.end;
+        state.since_search_secs += dt;
+        let is_new =
+            (wanted.0 - state.asked.0).length() > NEW_SPEED || wrap_angle(wanted.1 - state.asked.1).abs() > NEW_HEADING;
+        let is_due = state.since_search_secs >= SEARCH_SECS || (is_new && state.since_search_secs >= LEAST_SEARCH_SECS);
+        if !ends && !is_due {
+            state.row += 1;
+            return false;
+        }
+        state.since_search_secs = 0.0;
+        state.asked = wanted;
+        let query: [f32; FEATURES] = self.features.query(state.row, &in_root(now, asked));
+        let near = near_rows(&self.clips);
+        let (row, left, enterable) = (state.row, state.left, &self.enterable);
+        let is_near = |other: usize, to: usize| other.abs_diff(to) <= near;
+        let allowed = |other: usize| {
+            enterable[other] && !is_near(other, row) && !left.iter().flatten().any(|&to| is_near(other, to))
+        };
+        let best = self.matching.nearest(&query, allowed);
+        let present = self.matching.cost_of(&query, row);
+        let found = match best {
+            Some(found) if ends || found.cost + if is_new { 0.0 } else { BETTER } < present => found.row,
+            // A clip that ends with nowhere to go begins again.
+            None if ends => clip.rows.start,
+            _ => {
+                state.row += 1;
+                return false;
+            }
+        };
+        self.switch(found);
+        true
+    }
+
+    fn switch(&mut self, to: usize) {
+        let state = &mut self.state;
+        let from = state.row;
+        let clip = &self.clips.clips()[self.clips.clip_of(from)];
+        // The frame that would come next.
+        let next = (from + 1).min(clip.rows.end - 1);
+        let moving =
+            |row: usize, then: usize| Moving::between(self.clips.pose(row), self.clips.pose(then), self.clips.rate_hz);
+        let mut last = moving(from, next);
+        last.pose = *self.clips.pose(next);
+        state.inertia.go_on(&last, &moving(to, to + 1));
+        let (was, is) = (self.clips.motion(from), self.clips.motion(to));
+        state.velocity += was.velocity - is.velocity;
+        state.turn_rate += was.turn_rate - is.turn_rate;
+        state.left.rotate_right(1);
+        state.left[0] = Some(from);
+        state.row = to;
+    }
+
+    /// Moves the root and shows the row there.
+    fn advance(&mut self, asked: &Trajectory, dt: f32) {
+        let state = &mut self.state;
+        let motion = self.clips.motion(state.row);
+        let velocity = motion.velocity + state.velocity;
+        let speed = velocity.length();
+        let ahead = wrap_angle(asked[0].1 - state.root.heading) - HORIZONS_SECS[0] * motion.turn_rate;
+        let steering = (STEERING * wrap_angle(ahead)).clamp(-MOST_STEERING, MOST_STEERING);
+        let turn_rate = motion.turn_rate + state.turn_rate + steering * (speed / FULL_STEERING_SPEED).min(1.0);
+        let heading = wrap_angle(state.root.heading + turn_rate * dt);
+        let step = in_world(heading, velocity) * dt;
+        state.root = Placement { x: state.root.x + step.x, z: state.root.z + step.y, heading };
+        state.inertia.advance(dt);
+        let left = 1.0 - half_life_share(dt, HALF_LIFE_SECS);
+        state.velocity *= left;
+        state.turn_rate *= left;
+
+        let mut pose = state.inertia.shown(self.clips.pose(state.row));
+        let turn = Quat::from_rotation_y(heading);
+        pose.root = turn * pose.root + Vec3::new(state.root.x, 0.0, state.root.z);
+        pose.rotations[0] = turn * pose.rotations[0];
+        self.frame.pose = pose;
+        self.frame.contacts = self.clips.contact(state.row);
+        self.frame.root = state.root;
+        self.frame.speed = speed;
+        self.frame.row = state.row;
+    }
+}
+
+impl State {
+    fn at(row: usize, root: Placement) -> Self {
+        Self {
+            row,
+            root,
+            velocity: Vec2::ZERO,
+            turn_rate: 0.0,
+            inertia: Inertia::default(),
+            since_search_secs: SEARCH_SECS,
+            asked: (Vec2::ZERO, root.heading),
+            left: [None; LEFT],
+            styled: Vec2::ZERO,
+            styled_share: 1.0,
+            before: None,
+            gone: [0.0; 2],
+        }
+    }
+}
+
+/// A vector of the root's frame in the world.
+fn in_world(heading: f32, v: Vec2) -> Vec2 {
+    let (sine, cosine) = sin_cos(heading);
+    Vec2::new(cosine * v.x + sine * v.y, cosine * v.y - sine * v.x)
+}
+
+fn near_rows(clips: &DrivingClips) -> usize {
+    (NEAR_SECS * clips.rate_hz).round() as usize
+}
+
+/// The speed that a gait asks for: up to 1 a share of walking, from there to 2 on to running.
+fn speed_of([walk, run]: [f32; 2], gait: f32) -> f32 {
+    if gait <= 1.0 { gait * walk } else { walk + (gait - 1.0) * (run - walk) }
+}
+
+/// Speeds of walking and of running: medians of the clips of each. Where nobody runs, running is walking.
+fn speeds_of(clips: &DrivingClips) -> [f32; 2] {
+    let mut medians: Vec<f32> =
+        clips.clips().iter().filter(|clip| !clip.mirrored).map(|clip| clips.median_speed(clip)).collect();
+    medians.sort_by(f32::total_cmp);
+    let walking: Vec<f32> = medians.iter().copied().filter(|&speed| speed < RUNNING).collect();
+    let running: Vec<f32> = medians.iter().copied().filter(|&speed| speed >= RUNNING).collect();
+    let median = |of: &[f32]| of.get(of.len() / 2).copied();
+    let walk = median(&walking).or(median(&running)).unwrap_or(1.0);
+    [walk, median(&running).unwrap_or(walk).max(walk)]
+}
+
+/// The row at which the root is slowest.
+fn slowest(clips: &DrivingClips) -> usize {
+    let near = near_rows(clips);
+    let rows = clips
+        .clips()
+        .iter()
+        .flat_map(|clip| clip.rows.start..clip.rows.end.saturating_sub(near).max(clip.rows.start + 1));
+    let speed = |row: usize| clips.motion(row).velocity.length();
+    rows.reduce(|best, row| if speed(row) < speed(best) { row } else { best }).unwrap_or(0)
+}

@@ -1,0 +1,216 @@
+//! What rows are compared by: how the body is now, and where its root will be.
+
+use super::clips::DrivingClips;
+use crate::humanoid::Role;
+use crate::kinematics::world_from_local;
+use crate::math::float_funcs::sin_cos;
+use crate::math::{Quat, Vec2, Vec3};
+
+/// Numbers of a row: 27 and a zero, so that they fill whole lanes.
+pub const FEATURES: usize = 28;
+
+/// The times at which the root's place and heading are compared, seconds from now: 20, 40 and 60 frames at 60 Hz.
+pub const HORIZONS_SECS: [f32; 3] = [1.0 / 3.0, 2.0 / 3.0, 1.0];
+
+/// Where the numbers of a row are.
+pub mod feature {
+    use std::ops::Range;
+
+    /// Places of the left and the right toes in the root's frame, (x, y, z) each.
+    pub const TOES: usize = 0;
+    /// Velocities of both toes, likewise.
+    pub const TOES_VELOCITY: usize = 6;
+    /// Velocity of the hips.
+    pub const HIPS_VELOCITY: usize = 12;
+    /// For every horizon place (x, z) and heading (sine, cosine) of the root in the frame of the root now.
+    pub const TRAJECTORY: usize = 15;
+
+    /// What the pose and its velocities are compared by.
+    pub const POSE: Range<usize> = TOES..TRAJECTORY;
+    /// The place of a horizon, and its heading.
+    pub const fn place(horizon: usize) -> usize {
+        TRAJECTORY + 4 * horizon
+    }
+    /// The heading of a horizon: sine, then cosine.
+    pub const fn heading(horizon: usize) -> usize {
+        place(horizon) + 2
+    }
+}
+
+/// What differences are measured in: metres of the toes, m/s of the toes and of the hips, metres of the root, and sine and
+/// cosine of its heading.
+const TOES: f32 = 0.16;
+const TOES_VELOCITY: f32 = 0.9;
+const HIPS_VELOCITY: f32 = 0.8;
+const PLACE: f32 = 0.30;
+const HEADING: f32 = 0.10;
+
+/// What is beyond the end of a clip goes on as the mean of its last seconds: 20 frames at 60 Hz.
+const TAIL_SECS: f32 = 1.0 / 3.0;
+
+/// The features of all rows of some clips, in units in which differences count alike.
+#[derive(Clone, Debug)]
+pub struct Features {
+    rows: Vec<[f32; FEATURES]>,
+}
+
+impl Features {
+    /// Of every row.
+    pub fn new(clips: &DrivingClips) -> Self {
+        let mut rows = Vec::with_capacity(clips.rows());
+        for clip in clips.clips() {
+            let bodies: Vec<Body> = clip.rows.clone().map(|row| Body::of(clips, row)).collect();
+            for row in clip.rows.clone() {
+                let mut features = [0.0; FEATURES];
+                write_pose(&mut features, clips, &bodies, row - clip.rows.start, row);
+                for (horizon, &secs) in HORIZONS_SECS.iter().enumerate() {
+                    let frames = (secs * clips.rate_hz).round() as usize;
+                    let (place, heading) = ahead(clips, row, clip.rows.end, frames);
+                    write_trajectory(&mut features, horizon, place, heading);
+                }
+                rows.push(features);
+            }
+        }
+        Self { rows }
+    }
+
+    /// Those of a row.
+    pub fn row(&self, row: usize) -> &[f32; FEATURES] {
+        &self.rows[row]
+    }
+
+    /// Those of all rows.
+    pub fn rows(&self) -> &[[f32; FEATURES]] {
+        &self.rows
+    }
+
+    /// A query: the body of a row, and where its root is asked to be at every horizon: place (x, z) in metres and heading in
+    /// radians, in the frame of the root now.
+    pub fn query(&self, row: usize, asked: &[(Vec2, f32); HORIZONS_SECS.len()]) -> [f32; FEATURES] {
+        let mut query = self.rows[row];
+        for (horizon, &(place, heading)) in asked.iter().enumerate() {
+            write_trajectory(&mut query, horizon, place, heading);
+        }
+        query
+    }
+}
+
+/// Where toes and hips of a row are in the frame of its root.
+struct Body {
+    points: [Vec3; 3],
+}
+
+impl Body {
+    fn of(clips: &DrivingClips, row: usize) -> Self {
+        let world = world_from_local(&clips.proportions, clips.pose(row));
+        Self { points: [Role::LeftToes, Role::RightToes, Role::Hips].map(|role| world.positions[role.index()]) }
+    }
+}
+
+/// Places and velocities of a row's body. Velocities are those over the ground, in the root's frame.
+fn write_pose(features: &mut [f32; FEATURES], clips: &DrivingClips, bodies: &[Body], i: usize, row: usize) {
+    let (a, b) = (i.saturating_sub(1), (i + 1).min(bodies.len() - 1));
+    let per_sec = clips.rate_hz / (b - a).max(1) as f32;
+    let motion = clips.motion(row);
+    for point in 0..3 {
+        let place = bodies[i].points[point];
+        let within = (bodies[b].points[point] - bodies[a].points[point]) * per_sec;
+        // The frame moves and turns meanwhile.
+        let carried = Vec3::new(motion.velocity.x, 0.0, motion.velocity.y) + Vec3::Y.cross(place) * motion.turn_rate;
+        let velocity = within + carried;
+        if point < 2 {
+            write(features, feature::TOES + 3 * point, place / TOES);
+            write(features, feature::TOES_VELOCITY + 3 * point, velocity / TOES_VELOCITY);
+        } else {
+            write(features, feature::HIPS_VELOCITY, velocity / HIPS_VELOCITY);
+        }
+    }
+}
+
+fn write(features: &mut [f32; FEATURES], at: usize, v: Vec3) {
+    features[at..at + 3].copy_from_slice(&v.to_array());
+}
+
+fn write_trajectory(features: &mut [f32; FEATURES], horizon: usize, place: Vec2, heading: f32) {
+    let (sine, cosine) = sin_cos(heading);
+    let (at, facing) = (feature::place(horizon), feature::heading(horizon));
+    features[at..at + 2].copy_from_slice(&(place / PLACE).to_array());
+    features[facing..facing + 2].copy_from_slice(&[sine / HEADING, cosine / HEADING]);
+}
+
+/// Where the root is `frames` after a row, in the frame of the row's root: place and heading. Beyond `end` it goes on as it
+/// did in the mean before.
+fn ahead(clips: &DrivingClips, row: usize, end: usize, frames: usize) -> (Vec2, f32) {
+    let dt = 1.0 / clips.rate_hz;
+    let tail = ((TAIL_SECS * clips.rate_hz).round() as usize).max(1);
+    let (mut place, mut heading) = (Vec3::ZERO, 0.0);
+    for step in row..row + frames {
+        let (velocity, turn_rate) = if step < end {
+            moved(clips, step..step + 1)
+        } else {
+            moved(clips, end.saturating_sub(tail).max(row)..end)
+        };
+        place += Quat::from_rotation_y(heading) * Vec3::new(velocity.x, 0.0, velocity.y) * dt;
+        heading += turn_rate * dt;
+    }
+    (Vec2::new(place.x, place.z), heading)
+}
+
+/// Mean velocity and turn rate of rows.
+fn moved(clips: &DrivingClips, rows: std::ops::Range<usize>) -> (Vec2, f32) {
+    let n = rows.len() as f32;
+    let (velocity, turn_rate) = rows
+        .map(|row| clips.motion(row))
+        .fold((Vec2::ZERO, 0.0), |(v, w), motion| (v + motion.velocity, w + motion.turn_rate));
+    (velocity / n, turn_rate / n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::driving::tests::circle;
+    use crate::humanoid::Proportions;
+
+    fn of_circle(speed: f32, turn_rate: f32) -> (DrivingClips, Features) {
+        let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, speed, turn_rate)]).unwrap();
+        let features = Features::new(&clips);
+        (clips, features)
+    }
+
+    #[test]
+    fn say_where_the_root_will_be() {
+        let (speed, turn) = (1.2, 0.5);
+        let (_, features) = of_circle(speed, turn);
+        for row in [100, 300, 590] {
+            for (horizon, secs) in HORIZONS_SECS.into_iter().enumerate() {
+                let row = features.row(row);
+                // On a circle of radius speed / turn, walked towards +Z.
+                let (sine, cosine) = sin_cos(turn * secs);
+                let asked = [(1.0 - cosine) * speed / turn, sine * speed / turn];
+                let place = [row[feature::place(horizon)] * PLACE, row[feature::place(horizon) + 1] * PLACE];
+                let facing = [row[feature::heading(horizon)] * HEADING, row[feature::heading(horizon) + 1] * HEADING];
+                assert!((0..2).all(|i| (place[i] - asked[i]).abs() < 0.03), "{place:?} {asked:?}");
+                assert!((facing[0] - sine).abs() < 0.02 && (facing[1] - cosine).abs() < 0.02, "{facing:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn of_a_mirror_image_are_mirrored() {
+        let (_, features) = of_circle(1.2, 0.5);
+        for row in 0..600 {
+            let (one, other) = (features.row(row), features.row(row + 600));
+            let place = feature::place(1);
+            assert!((one[place] + other[place]).abs() < 1e-5 && (one[place + 1] - other[place + 1]).abs() < 1e-5);
+            assert!((one[feature::TOES] + other[feature::TOES + 3]).abs() < 1e-5);
+        }
+    }
+
+    #[test]
+    fn of_a_query_are_the_row_s_own_where_it_asks_for_what_comes() {
+        let (clips, features) = of_circle(1.0, 0.3);
+        let end = clips.clips()[0].rows.end;
+        let asked = HORIZONS_SECS.map(|secs| ahead(&clips, 200, end, (60.0 * secs).round() as usize));
+        assert_eq!(features.query(200, &asked), *features.row(200));
+    }
+}

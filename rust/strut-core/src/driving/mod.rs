@@ -1,0 +1,126 @@
+//! Driving: neutral motion that goes where a user steers, by motion matching over the neutral clips of a database
+//! (`../shared/spec/live-driving.md`, part A). The stylizer takes its frames as input.
+//!
+//! [`DrivingClips`] are the clips in the frame of their root, [`Features`] what is compared, [`Matching`] the exact search
+//! for the row that goes on best, and [`Driver`] plays them.
+
+mod clips;
+mod control;
+mod driver;
+mod features;
+mod inertia;
+mod matching;
+mod path;
+mod query;
+mod smoothing;
+
+pub use clips::{DrivingClip, DrivingClips, DrivingError, NeutralClip, RootMotion};
+pub use control::Control;
+pub use driver::{DrivenFrame, Driver};
+pub use features::{FEATURES, Features, HORIZONS_SECS, feature};
+pub use matching::{Match, Matching};
+pub use path::{MAX_POINTS, Path};
+
+#[cfg(test)]
+mod tests {
+    use super::{Control, Driver, DrivingClips, NeutralClip};
+    use crate::humanoid::{Pose, Proportions};
+    use crate::math::{Quat, Vec2, Vec3};
+    use crate::pose_vector::Placement;
+    use std::sync::Arc;
+
+    /// Somebody who glides round a circle, 60 frames a second, from the origin towards +Z: `speed` m/s, `turn_rate` rad/s.
+    pub(super) fn circle(frames: usize, speed: f32, turn_rate: f32) -> NeutralClip {
+        let mut at = Proportions::default().offsets[0];
+        let mut heading = 0.0_f32;
+        let mut poses = Vec::new();
+        for _ in 0..frames {
+            let mut pose = Pose { root: at, ..Pose::default() };
+            pose.rotations[0] = Quat::from_rotation_y(heading);
+            poses.push(pose);
+            heading += turn_rate / 120.0;
+            at += Quat::from_rotation_y(heading) * Vec3::Z * (speed / 60.0);
+            heading += turn_rate / 120.0;
+        }
+        let contacts = (0..frames).map(|frame| [frame % 60 < 35, frame % 60 > 25]).collect();
+        NeutralClip { name: "circle".into(), poses, contacts }
+    }
+
+    /// A driver over straight and curved ways, slow and fast.
+    fn driver() -> Driver {
+        let ways = [
+            (1.2, 0.0),
+            (1.2, 0.3),
+            (1.1, 0.7),
+            (0.8, 0.0),
+            (0.8, 1.0),
+            (1.7, 0.0),
+            (2.1, 0.0),
+            (2.6, 0.0),
+            (2.5, 0.5),
+        ];
+        let clips: Vec<NeutralClip> = ways.iter().map(|&(speed, turn)| circle(400, speed, turn)).collect();
+        Driver::new(Arc::new(DrivingClips::new(Proportions::default(), 60.0, &clips).unwrap()))
+    }
+
+    /// Places of the root over a drive.
+    fn driven(driver: &mut Driver, frames: usize, control: &Control) -> Vec<Vec2> {
+        let place = |frame: &Placement| Vec2::new(frame.x, frame.z);
+        (0..frames).map(|_| place(&driver.next(control, None).root)).collect()
+    }
+
+    #[test]
+    fn a_drawn_circle_is_followed_in_either_direction() {
+        for side in [1.0, -1.0] {
+            let mut driver = driver();
+            let circle: Vec<Vec2> =
+                (0..500).map(|i| (Vec2::X - Vec2::from_angle(i as f32 * 0.02)) * 2.0 * Vec2::new(side, -1.0)).collect();
+            driver.set_path(&circle);
+            let places = driven(&mut driver, 600, &Control { gait: 1.0, ..Control::default() });
+            let off: Vec<f32> =
+                places[120..].iter().map(|p| (p.distance(Vec2::X * (2.0 * side)) - 2.0).abs()).collect();
+            let mean = off.iter().sum::<f32>() / off.len() as f32;
+            assert!(mean < 0.05, "{mean} m off");
+        }
+    }
+
+    #[test]
+    fn a_stick_turns_the_character_and_a_gait_makes_it_run() {
+        let mut driver = driver();
+        let east = Control { wish: Vec2::X, gait: 1.0, face: None };
+        driven(&mut driver, 120, &east);
+        let walked = driven(&mut driver, 120, &east);
+        let way = walked[119] - walked[0];
+        assert!(way.normalize().x > 0.95 && (way.length() / 119.0 * 60.0 - driver.speeds()[0]).abs() < 0.2, "{way}");
+        driven(&mut driver, 120, &Control { gait: 2.0, ..east });
+        let run = driven(&mut driver, 60, &Control { gait: 2.0, ..east });
+        let ran = (run[59] - run[0]).length() / 59.0 * 60.0;
+        assert!(ran > driver.speeds()[0] + 0.4, "{ran} m/s");
+    }
+
+    #[test]
+    fn what_is_not_a_number_counts_as_the_last_good_control() {
+        let (mut one, mut other) = (driver(), driver());
+        let good = Control { wish: Vec2::new(0.6, 0.8), gait: 1.0, face: None };
+        let bad = Control { wish: Vec2::new(f32::NAN, 0.0), ..good };
+        one.next(&good, None);
+        other.next(&good, None);
+        let nowhere = Some(Vec3::splat(f32::NAN));
+        for _ in 0..200 {
+            assert_eq!(one.next(&good, None), other.next(&bad, nowhere));
+        }
+    }
+
+    #[test]
+    fn frames_follow_each_other_without_a_leap() {
+        let mut driver = driver();
+        let mut last = None;
+        for frame in 0..900 {
+            let wish = Vec2::from_angle(frame as f32 * 0.011);
+            let pose = driver.next(&Control { wish, gait: 1.0 + (frame / 300) as f32 * 0.5, face: None }, None).pose;
+            if let Some(before) = last.replace(pose.root) {
+                assert!(pose.root.distance(before) < 3.5 / 60.0, "{frame}: {before} {}", pose.root);
+            }
+        }
+    }
+}

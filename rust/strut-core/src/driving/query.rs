@@ -1,0 +1,120 @@
+//! Where the root is asked to be: what follows from a stick, or from a path.
+
+use super::features::HORIZONS_SECS;
+use super::path::Path;
+use crate::math::Vec2;
+use crate::math::float_funcs::{atan2, exp, exp2, sin_cos, wrap_angle};
+use std::f32::consts::LN_2;
+
+/// Half-life with which velocity and heading follow a stick, seconds.
+const STICK_HALF_LIFE_SECS: f32 = 0.27;
+/// Half-life with which a character comes back to its path, seconds.
+const PATH_HALF_LIFE_SECS: f32 = 0.3;
+/// A path ends so far before its last point, metres: a stop takes its way.
+pub(super) const STOP_BEFORE: f32 = 0.3;
+/// Slower than this nobody faces where they go, m/s.
+const STILL: f32 = 1e-3;
+
+/// Place (x, z) and heading at every horizon, in the world.
+pub(super) type Trajectory = [(Vec2, f32); HORIZONS_SECS.len()];
+
+/// How the root is now, in the world.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RootState {
+    pub(super) place: Vec2,
+    pub(super) heading: f32,
+    pub(super) velocity: Vec2,
+    pub(super) turn_rate: f32,
+}
+
+/// The way of a root that takes the velocity `wanted` and the heading `goal`: critically damped springs.
+pub(super) fn by_stick(now: &RootState, wanted: Vec2, goal: f32) -> Trajectory {
+    let y = 2.0 * LN_2 / STICK_HALF_LIFE_SECS;
+    let j0 = now.velocity - wanted;
+    let j1 = j0 * y;
+    let d = wrap_angle(now.heading - goal);
+    HORIZONS_SECS.map(|t| {
+        let left = exp(-y * t);
+        let travelled = (-j1 / (y * y) - (j0 + j1 * t) / y) * left + j1 / (y * y) + j0 / y + wanted * t;
+        (now.place + travelled, wrap_angle(goal + left * (d + (now.turn_rate + d * y) * t)))
+    })
+}
+
+/// The way of a root along a path from `progress` on, `speed` m/s fast. What is drawn is the styled character, at `styled`,
+/// `share` times as fast as the root; the root is asked for what brings that one onto the path.
+pub(super) fn by_path(now: &RootState, path: &Path, progress: f32, speed: f32, styled: Vec2, share: f32) -> Trajectory {
+    let off = styled - path.at(progress);
+    let end = (path.length() - STOP_BEFORE).max(progress);
+    HORIZONS_SECS.map(|t| {
+        let left = exp2(-t / PATH_HALF_LIFE_SECS);
+        let along = (progress + share * speed * t).min(end);
+        let place = now.place + (path.at(along) + off * left - styled) / share;
+        let way = path.direction(along) * (share * speed) - off * (left * LN_2 / PATH_HALF_LIFE_SECS);
+        (place, if way.length() > STILL { atan2(way.x, way.y) } else { now.heading })
+    })
+}
+
+/// A trajectory in the frame of the root.
+pub(super) fn in_root(now: &RootState, of: &Trajectory) -> Trajectory {
+    let (sine, cosine) = sin_cos(now.heading);
+    of.map(|(place, heading)| {
+        let p = place - now.place;
+        // About +Y, as the heading is: +Z towards +X.
+        (Vec2::new(cosine * p.x - sine * p.y, sine * p.x + cosine * p.y), wrap_angle(heading - now.heading))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn standing() -> RootState {
+        RootState { place: Vec2::new(1.0, 2.0), heading: 0.5, velocity: Vec2::ZERO, turn_rate: 0.0 }
+    }
+
+    #[test]
+    fn a_root_that_has_what_is_wanted_goes_straight_on() {
+        let wanted = Vec2::new(0.3, 1.0);
+        let now = RootState { velocity: wanted, ..standing() };
+        for ((place, heading), t) in by_stick(&now, wanted, 0.5).into_iter().zip(HORIZONS_SECS) {
+            assert!(place.distance(now.place + wanted * t) < 1e-5 && (heading - 0.5).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn a_spring_is_the_one_that_its_equation_says() {
+        // v″ = −2 y v′ − y² (v − wanted), by small steps.
+        let (wanted, goal, y) = (Vec2::new(1.2, -0.4), 2.0, 2.0 * LN_2 / STICK_HALF_LIFE_SECS);
+        let now = RootState { velocity: Vec2::new(-0.5, 0.8), turn_rate: -0.7, ..standing() };
+        let (mut v, mut a, mut p) = (now.velocity, Vec2::ZERO, now.place);
+        let (mut h, mut w) = (now.heading, now.turn_rate);
+        let dt = 1e-5;
+        for _ in 0..100_000 {
+            a += (a * (-2.0 * y) - (v - wanted) * (y * y)) * dt;
+            v += a * dt;
+            p += v * dt;
+            w += (-2.0 * y * w - y * y * (h - goal)) * dt;
+            h += w * dt;
+        }
+        let (place, heading) = by_stick(&now, wanted, goal)[2];
+        assert!(place.distance(p) < 0.01 && (heading - h).abs() < 0.01, "{place} {p} {heading} {h}");
+    }
+
+    #[test]
+    fn a_root_beside_its_path_comes_back_to_it() {
+        let path = Path::new(&[Vec2::ZERO, Vec2::new(0.0, 10.0)]).unwrap();
+        let now = RootState { place: Vec2::new(0.4, 2.0), heading: 0.0, velocity: Vec2::Y, turn_rate: 0.0 };
+        let asked = by_path(&now, &path, 2.0, 1.0, now.place, 1.0);
+        assert!(asked.windows(2).all(|pair| pair[1].0.x < pair[0].0.x));
+        assert!((asked[2].0.y - 3.0).abs() < 1e-5 && asked[0].1 < 0.0, "{asked:?}");
+    }
+
+    #[test]
+    fn the_frame_of_the_root_is_that_of_its_heading() {
+        let now = standing();
+        let (sine, cosine) = sin_cos(0.5);
+        let ahead = now.place + Vec2::new(sine, cosine) * 2.0;
+        let [(place, heading), ..] = in_root(&now, &[(ahead, 0.7); 3]);
+        assert!(place.distance(Vec2::new(0.0, 2.0)) < 1e-5 && (heading - 0.2).abs() < 1e-6);
+    }
+}
