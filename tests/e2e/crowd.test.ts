@@ -279,5 +279,9 @@ describe("a view that is left", () => {
 });
 
 describe("a narrow screen", () => {
-  it("has everything as well", () => expectFitsNarrow(page, ".crowd .crowd-foot button"));
+  it("has everything as well, by its name", async () => {
+    await expectFitsNarrow(page, ".crowd .crowd-foot button");
+    for (const name of ["Poster, PNG", "Video, 10 s"])
+      expect(await page.getByRole("button", { name }).isVisible(), name).toBe(true);
+  });
 });

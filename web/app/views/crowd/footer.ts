@@ -37,7 +37,12 @@ export class Footer {
     this.#speed.addEventListener("change", () => listeners.onSpeed(Number(this.#speed.value)));
     const poster = button(words.poster, listeners.onPoster, { icon: "picture", label: true, class: "outlined" });
     const video = button(words.video, listeners.onVideo, { icon: "film", label: true, class: "outlined" });
-    for (const output of [poster, video]) output.title = words.videoWhy;
+    // On a narrow screen there is no room for their words.
+    for (const [output, name] of [
+      [poster, words.poster],
+      [video, words.video],
+    ] as const)
+      output.setAttribute("aria-label", name);
     this.#outputs = [poster, video];
     this.element = html(
       "footer",
