@@ -173,7 +173,7 @@ fn drive(driver: &mut Driver, stylizer: Stylizer, orders: &Orders, secs: Option<
         driven.transitions += usize::from(frame.switched);
         driven.neutral.push(frame.pose);
         driven.styled.push(&frame.pose, &mut NoClock);
-        over |= orders.is_over(now_secs, driver.progress());
+        over |= orders.is_over(now_secs, driver);
         driven.arrived += usize::from(!over);
     }
     driven

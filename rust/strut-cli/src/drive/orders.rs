@@ -3,7 +3,7 @@
 use crate::failure::{Failure, Outcome};
 use crate::files;
 use std::path::Path;
-use strut_core::driving::Control;
+use strut_core::driving::{Control, Driver};
 use strut_core::math::Vec2;
 use strut_core::math::float_funcs::sin_cos;
 
@@ -40,10 +40,10 @@ impl Orders {
     }
 
     /// What is asked at a time, for somebody who is so far along the path.
-    pub(super) fn at(&self, secs: f32, progress: Option<[f32; 2]>) -> Control {
+    pub(super) fn at(&self, secs: f32, progress: Option<f32>) -> Control {
         match self {
             Self::Path { gaits, .. } => {
-                let [along, _] = progress.unwrap_or_default();
+                let along = progress.unwrap_or_default();
                 let i = gaits.partition_point(|[length, _]| *length <= along).saturating_sub(1);
                 Control { gait: gaits[i][1], ..Control::default() }
             }
@@ -52,17 +52,13 @@ impl Orders {
     }
 
     /// Whether nothing further is asked.
-    pub(super) fn is_over(&self, secs: f32, progress: Option<[f32; 2]>) -> bool {
+    pub(super) fn is_over(&self, secs: f32, driver: &Driver) -> bool {
         match self {
-            // The last steps of a stop are not counted: nobody stands on the very last point.
-            Self::Path { .. } => progress.is_none_or(|[along, length]| along >= length - END),
+            Self::Path { .. } => driver.has_arrived(),
             Self::Log(log) => log.last().is_none_or(|(from, _)| secs >= *from),
         }
     }
 }
-
-/// Who is so near the end of a path, metres, has arrived.
-const END: f32 = 0.35;
 
 fn read_path(file: &Path, gait: f32) -> Outcome<Orders> {
     let table = Table::read(file, &["x", "z"], &["gait"])?;

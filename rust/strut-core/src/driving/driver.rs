@@ -2,13 +2,13 @@
 
 use super::clips::DrivingClips;
 use super::control::Control;
-use super::features::{FEATURES, Features, HORIZONS_SECS};
+use super::features::{HORIZONS_SECS, Trajectory, features_of, query_of};
 use super::inertia::{HALF_LIFE_SECS, Inertia, Moving};
 use super::matching::Matching;
 use super::path::Path;
-use super::query::{RootState, STOP_BEFORE, Trajectory, by_path, by_stick, in_root};
+use super::query::{RootState, STOP_BEFORE, by_path, by_stick, in_root, in_world};
 use crate::humanoid::Pose;
-use crate::math::float_funcs::{atan2, half_life_share, sin_cos, wrap_angle};
+use crate::math::float_funcs::{atan2, half_life_share, wrap_angle};
 use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::Placement;
 use std::sync::Arc;
@@ -49,8 +49,8 @@ pub struct DrivenFrame {
     pub contacts: [bool; 2],
     /// Where the root is.
     pub root: Placement,
-    /// Where it is asked to be at every horizon, place (x, z) and heading.
-    pub asked: [(Vec2, f32); HORIZONS_SECS.len()],
+    /// Where it is asked to be.
+    pub asked: Trajectory,
     /// Speed of the root over the ground, m/s.
     pub speed: f32,
     /// The row that plays, see [`DrivingClips`].
@@ -63,7 +63,6 @@ pub struct DrivenFrame {
 #[derive(Clone, Debug)]
 pub struct Driver {
     clips: Arc<DrivingClips>,
-    features: Features,
     matching: Matching,
     /// Whether a row may be entered.
     enterable: Vec<bool>,
@@ -100,8 +99,7 @@ struct State {
 impl Driver {
     /// A driver that stands at the origin towards +Z.
     pub fn new(clips: Arc<DrivingClips>) -> Self {
-        let features = Features::new(&clips);
-        let matching = Matching::new(features.rows(), |_| 0.0);
+        let matching = Matching::new(features_of(&clips));
         let near = near_rows(&clips);
         let enterable = clips.clips().iter().flat_map(|clip| clip.rows.clone().map(|row| row + near < clip.rows.end));
         let enterable = enterable.collect();
@@ -116,7 +114,7 @@ impl Driver {
             row: state.row,
             switched: false,
         };
-        Self { clips, features, matching, enterable, speeds, control: Control::default(), path: None, state, frame }
+        Self { clips, matching, enterable, speeds, control: Control::default(), path: None, state, frame }
     }
 
     /// Speeds of walking and of running, m/s: what the gaits 1 and 2 ask for.
@@ -136,9 +134,14 @@ impl Driver {
         self.path = Path::new(points).map(|path| (path, 0.0));
     }
 
-    /// How far along its path the character is, metres, and how long the path is.
-    pub fn progress(&self) -> Option<[f32; 2]> {
-        self.path.as_ref().map(|(path, progress)| [*progress, path.length()])
+    /// How far along its path the character is, metres; `None` where it has no path.
+    pub fn progress(&self) -> Option<f32> {
+        self.path.as_ref().map(|(_, progress)| *progress)
+    }
+
+    /// Whether it has come to where its path ends; also where it has no path.
+    pub fn has_arrived(&self) -> bool {
+        self.path.as_ref().is_none_or(|(path, progress)| *progress >= path.length() - STOP_BEFORE)
     }
 
     /// The next frame, `1 / rate_hz` after the last. A control with a number that is not finite counts as the last good one.
@@ -223,7 +226,7 @@ impl Driver {
         }
         state.since_search_secs = 0.0;
         state.asked = wanted;
-        let query: [f32; FEATURES] = self.features.query(state.row, &in_root(now, asked));
+        let query = query_of(self.matching.row(state.row), &in_root(now, asked));
         let near = near_rows(&self.clips);
         let (row, left, enterable) = (state.row, state.left, &self.enterable);
         let is_near = |other: usize, to: usize| other.abs_diff(to) <= near;
@@ -310,12 +313,6 @@ impl State {
             gone: [0.0; 2],
         }
     }
-}
-
-/// A vector of the root's frame in the world.
-fn in_world(heading: f32, v: Vec2) -> Vec2 {
-    let (sine, cosine) = sin_cos(heading);
-    Vec2::new(cosine * v.x + sine * v.y, cosine * v.y - sine * v.x)
 }
 
 fn near_rows(clips: &DrivingClips) -> usize {

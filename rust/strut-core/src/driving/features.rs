@@ -7,34 +7,24 @@ use crate::math::float_funcs::sin_cos;
 use crate::math::{Quat, Vec2, Vec3};
 
 /// Numbers of a row: 27 and a zero, so that they fill whole lanes.
-pub const FEATURES: usize = 28;
+pub(super) const FEATURES: usize = 28;
 
 /// The times at which the root's place and heading are compared, seconds from now: 20, 40 and 60 frames at 60 Hz.
-pub const HORIZONS_SECS: [f32; 3] = [1.0 / 3.0, 2.0 / 3.0, 1.0];
+pub(super) const HORIZONS_SECS: [f32; 3] = [1.0 / 3.0, 2.0 / 3.0, 1.0];
 
-/// Where the numbers of a row are.
-pub mod feature {
-    use std::ops::Range;
+/// Where a root is at every horizon: place (x, z) in metres and heading in radians.
+pub type Trajectory = [(Vec2, f32); HORIZONS_SECS.len()];
 
-    /// Places of the left and the right toes in the root's frame, (x, y, z) each.
-    pub const TOES: usize = 0;
-    /// Velocities of both toes, likewise.
-    pub const TOES_VELOCITY: usize = 6;
-    /// Velocity of the hips.
-    pub const HIPS_VELOCITY: usize = 12;
-    /// For every horizon place (x, z) and heading (sine, cosine) of the root in the frame of the root now.
-    pub const TRAJECTORY: usize = 15;
+/// Where the numbers of a row are: places of the left and the right toes in the root's frame, (x, y, z) each; their velocities;
+/// the hips' velocity; for every horizon place (x, z) and heading (sine, cosine) of the root in the frame of the root now.
+const TOES_AT: usize = 0;
+const TOES_VELOCITY_AT: usize = 6;
+const HIPS_VELOCITY_AT: usize = 12;
+const TRAJECTORY_AT: usize = 15;
 
-    /// What the pose and its velocities are compared by.
-    pub const POSE: Range<usize> = TOES..TRAJECTORY;
-    /// The place of a horizon, and its heading.
-    pub const fn place(horizon: usize) -> usize {
-        TRAJECTORY + 4 * horizon
-    }
-    /// The heading of a horizon: sine, then cosine.
-    pub const fn heading(horizon: usize) -> usize {
-        place(horizon) + 2
-    }
+/// Where the place of a horizon is; two numbers on, its heading.
+const fn place_at(horizon: usize) -> usize {
+    TRAJECTORY_AT + 4 * horizon
 }
 
 /// What differences are measured in: metres of the toes, m/s of the toes and of the hips, metres of the root, and sine and
@@ -48,51 +38,35 @@ const HEADING: f32 = 0.10;
 /// What is beyond the end of a clip goes on as the mean of its last seconds: 20 frames at 60 Hz.
 const TAIL_SECS: f32 = 1.0 / 3.0;
 
-/// The features of all rows of some clips, in units in which differences count alike.
-#[derive(Clone, Debug)]
-pub struct Features {
-    rows: Vec<[f32; FEATURES]>,
+/// The numbers of a row, in units in which differences count alike.
+pub(super) type Features = [f32; FEATURES];
+
+/// The features of every row of some clips.
+pub(super) fn features_of(clips: &DrivingClips) -> Vec<Features> {
+    let mut rows = Vec::with_capacity(clips.rows());
+    for clip in clips.clips() {
+        let bodies: Vec<Body> = clip.rows.clone().map(|row| Body::of(clips, row)).collect();
+        for row in clip.rows.clone() {
+            let mut features = [0.0; FEATURES];
+            write_pose(&mut features, clips, &bodies, row - clip.rows.start, row);
+            for (horizon, &secs) in HORIZONS_SECS.iter().enumerate() {
+                let frames = (secs * clips.rate_hz).round() as usize;
+                let (place, heading) = ahead(clips, row, clip.rows.end, frames);
+                write_trajectory(&mut features, horizon, place, heading);
+            }
+            rows.push(features);
+        }
+    }
+    rows
 }
 
-impl Features {
-    /// Of every row.
-    pub fn new(clips: &DrivingClips) -> Self {
-        let mut rows = Vec::with_capacity(clips.rows());
-        for clip in clips.clips() {
-            let bodies: Vec<Body> = clip.rows.clone().map(|row| Body::of(clips, row)).collect();
-            for row in clip.rows.clone() {
-                let mut features = [0.0; FEATURES];
-                write_pose(&mut features, clips, &bodies, row - clip.rows.start, row);
-                for (horizon, &secs) in HORIZONS_SECS.iter().enumerate() {
-                    let frames = (secs * clips.rate_hz).round() as usize;
-                    let (place, heading) = ahead(clips, row, clip.rows.end, frames);
-                    write_trajectory(&mut features, horizon, place, heading);
-                }
-                rows.push(features);
-            }
-        }
-        Self { rows }
+/// A query: the body of a row, and where its root is asked to be, in the frame of the root now.
+pub(super) fn query_of(row: &Features, asked: &Trajectory) -> Features {
+    let mut query = *row;
+    for (horizon, &(place, heading)) in asked.iter().enumerate() {
+        write_trajectory(&mut query, horizon, place, heading);
     }
-
-    /// Those of a row.
-    pub fn row(&self, row: usize) -> &[f32; FEATURES] {
-        &self.rows[row]
-    }
-
-    /// Those of all rows.
-    pub fn rows(&self) -> &[[f32; FEATURES]] {
-        &self.rows
-    }
-
-    /// A query: the body of a row, and where its root is asked to be at every horizon: place (x, z) in metres and heading in
-    /// radians, in the frame of the root now.
-    pub fn query(&self, row: usize, asked: &[(Vec2, f32); HORIZONS_SECS.len()]) -> [f32; FEATURES] {
-        let mut query = self.rows[row];
-        for (horizon, &(place, heading)) in asked.iter().enumerate() {
-            write_trajectory(&mut query, horizon, place, heading);
-        }
-        query
-    }
+    query
 }
 
 /// Where toes and hips of a row are in the frame of its root.
@@ -108,7 +82,7 @@ impl Body {
 }
 
 /// Places and velocities of a row's body. Velocities are those over the ground, in the root's frame.
-fn write_pose(features: &mut [f32; FEATURES], clips: &DrivingClips, bodies: &[Body], i: usize, row: usize) {
+fn write_pose(features: &mut Features, clips: &DrivingClips, bodies: &[Body], i: usize, row: usize) {
     let (a, b) = (i.saturating_sub(1), (i + 1).min(bodies.len() - 1));
     let per_sec = clips.rate_hz / (b - a).max(1) as f32;
     let motion = clips.motion(row);
@@ -119,21 +93,21 @@ fn write_pose(features: &mut [f32; FEATURES], clips: &DrivingClips, bodies: &[Bo
         let carried = Vec3::new(motion.velocity.x, 0.0, motion.velocity.y) + Vec3::Y.cross(place) * motion.turn_rate;
         let velocity = within + carried;
         if point < 2 {
-            write(features, feature::TOES + 3 * point, place / TOES);
-            write(features, feature::TOES_VELOCITY + 3 * point, velocity / TOES_VELOCITY);
+            write(features, TOES_AT + 3 * point, place / TOES);
+            write(features, TOES_VELOCITY_AT + 3 * point, velocity / TOES_VELOCITY);
         } else {
-            write(features, feature::HIPS_VELOCITY, velocity / HIPS_VELOCITY);
+            write(features, HIPS_VELOCITY_AT, velocity / HIPS_VELOCITY);
         }
     }
 }
 
-fn write(features: &mut [f32; FEATURES], at: usize, v: Vec3) {
+fn write(features: &mut Features, at: usize, v: Vec3) {
     features[at..at + 3].copy_from_slice(&v.to_array());
 }
 
-fn write_trajectory(features: &mut [f32; FEATURES], horizon: usize, place: Vec2, heading: f32) {
+fn write_trajectory(features: &mut Features, horizon: usize, place: Vec2, heading: f32) {
     let (sine, cosine) = sin_cos(heading);
-    let (at, facing) = (feature::place(horizon), feature::heading(horizon));
+    let (at, facing) = (place_at(horizon), place_at(horizon) + 2);
     features[at..at + 2].copy_from_slice(&(place / PLACE).to_array());
     features[facing..facing + 2].copy_from_slice(&[sine / HEADING, cosine / HEADING]);
 }
@@ -171,9 +145,9 @@ mod tests {
     use crate::driving::tests::circle;
     use crate::humanoid::Proportions;
 
-    fn of_circle(speed: f32, turn_rate: f32) -> (DrivingClips, Features) {
+    fn of_circle(speed: f32, turn_rate: f32) -> (DrivingClips, Vec<Features>) {
         let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, speed, turn_rate)]).unwrap();
-        let features = Features::new(&clips);
+        let features = features_of(&clips);
         (clips, features)
     }
 
@@ -183,12 +157,12 @@ mod tests {
         let (_, features) = of_circle(speed, turn);
         for row in [100, 300, 590] {
             for (horizon, secs) in HORIZONS_SECS.into_iter().enumerate() {
-                let row = features.row(row);
+                let row = features[row];
                 // On a circle of radius speed / turn, walked towards +Z.
                 let (sine, cosine) = sin_cos(turn * secs);
                 let asked = [(1.0 - cosine) * speed / turn, sine * speed / turn];
-                let place = [row[feature::place(horizon)] * PLACE, row[feature::place(horizon) + 1] * PLACE];
-                let facing = [row[feature::heading(horizon)] * HEADING, row[feature::heading(horizon) + 1] * HEADING];
+                let place = [row[place_at(horizon)] * PLACE, row[place_at(horizon) + 1] * PLACE];
+                let facing = [row[place_at(horizon) + 2] * HEADING, row[place_at(horizon) + 3] * HEADING];
                 assert!((0..2).all(|i| (place[i] - asked[i]).abs() < 0.03), "{place:?} {asked:?}");
                 assert!((facing[0] - sine).abs() < 0.02 && (facing[1] - cosine).abs() < 0.02, "{facing:?}");
             }
@@ -199,10 +173,10 @@ mod tests {
     fn of_a_mirror_image_are_mirrored() {
         let (_, features) = of_circle(1.2, 0.5);
         for row in 0..600 {
-            let (one, other) = (features.row(row), features.row(row + 600));
-            let place = feature::place(1);
+            let (one, other) = (features[row], features[row + 600]);
+            let place = place_at(1);
             assert!((one[place] + other[place]).abs() < 1e-5 && (one[place + 1] - other[place + 1]).abs() < 1e-5);
-            assert!((one[feature::TOES] + other[feature::TOES + 3]).abs() < 1e-5);
+            assert!((one[TOES_AT] + other[TOES_AT + 3]).abs() < 1e-5);
         }
     }
 
@@ -211,6 +185,6 @@ mod tests {
         let (clips, features) = of_circle(1.0, 0.3);
         let end = clips.clips()[0].rows.end;
         let asked = HORIZONS_SECS.map(|secs| ahead(&clips, 200, end, (60.0 * secs).round() as usize));
-        assert_eq!(features.query(200, &asked), *features.row(200));
+        assert_eq!(query_of(&features[200], &asked), features[200]);
     }
 }

@@ -1,6 +1,6 @@
 //! The row whose features are nearest to a query, exactly: boxes around successive rows say that most need no look.
 
-use super::features::FEATURES;
+use super::features::{FEATURES, Features};
 
 /// Rows of a small and of a large box: successive rows are near each other.
 const SMALL: usize = 16;
@@ -10,43 +10,42 @@ const SUMS: usize = 4;
 
 /// What a search found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Match {
+pub(super) struct Match {
     /// The row.
-    pub row: usize,
-    /// Squared distance of its features, with the row's own cost.
-    pub cost: f32,
+    pub(super) row: usize,
+    /// Squared distance of its features.
+    pub(super) cost: f32,
 }
 
-/// The least and greatest features of some rows, and the least cost of one.
+/// The least and greatest features of some rows.
 #[derive(Clone, Debug)]
 struct Bounds {
-    low: [f32; FEATURES],
-    high: [f32; FEATURES],
-    cost: f32,
+    low: Features,
+    high: Features,
 }
 
 /// Rows to search.
 #[derive(Clone, Debug)]
-pub struct Matching {
-    rows: Vec<[f32; FEATURES]>,
-    /// What every row costs besides its distance, at least 0.
-    costs: Vec<f32>,
+pub(super) struct Matching {
+    rows: Vec<Features>,
     small: Vec<Bounds>,
     large: Vec<Bounds>,
 }
 
 impl Matching {
-    /// Rows with what each costs besides its distance: at least 0; others count as 0.
-    pub fn new(rows: &[[f32; FEATURES]], cost: impl Fn(usize) -> f32) -> Self {
-        let costs: Vec<f32> = (0..rows.len()).map(|row| cost(row).max(0.0)).collect();
-        let boxes = |size: usize| {
-            rows.chunks(size).zip(costs.chunks(size)).map(|(rows, costs)| Bounds::of(rows, costs)).collect()
-        };
-        Self { rows: rows.to_vec(), small: boxes(SMALL), large: boxes(LARGE), costs }
+    /// Ready to search these.
+    pub(super) fn new(rows: Vec<Features>) -> Self {
+        let boxes = |size: usize| rows.chunks(size).map(Bounds::of).collect();
+        Self { small: boxes(SMALL), large: boxes(LARGE), rows }
+    }
+
+    /// The features of a row.
+    pub(super) fn row(&self, row: usize) -> &Features {
+        &self.rows[row]
     }
 
     /// The row of the least cost of those that are `allowed`; of several the first. `None` where none is.
-    pub fn nearest(&self, query: &[f32; FEATURES], allowed: impl Fn(usize) -> bool) -> Option<Match> {
+    pub(super) fn nearest(&self, query: &Features, allowed: impl Fn(usize) -> bool) -> Option<Match> {
         let mut best: Option<Match> = None;
         for (l, large) in self.large.iter().enumerate() {
             if !large.may_beat(best, query) {
@@ -69,26 +68,22 @@ impl Matching {
     }
 
     /// What a row costs for a query.
-    pub fn cost_of(&self, query: &[f32; FEATURES], row: usize) -> f32 {
+    pub(super) fn cost_of(&self, query: &Features, row: usize) -> f32 {
         let features = &self.rows[row];
-        squared(|i| query[i] - features[i]) + self.costs[row]
+        squared(|i| query[i] - features[i])
     }
 }
 
 impl Bounds {
-    fn of(rows: &[[f32; FEATURES]], costs: &[f32]) -> Self {
+    fn of(rows: &[Features]) -> Self {
         let least = |i: usize| rows.iter().map(|row| row[i]).fold(f32::INFINITY, f32::min);
         let greatest = |i: usize| rows.iter().map(|row| row[i]).fold(f32::NEG_INFINITY, f32::max);
-        Self {
-            low: std::array::from_fn(least),
-            high: std::array::from_fn(greatest),
-            cost: costs.iter().copied().fold(f32::INFINITY, f32::min),
-        }
+        Self { low: std::array::from_fn(least), high: std::array::from_fn(greatest) }
     }
 
     /// Whether a row of the box may cost less than what was found. Differences, squares and sums are rounded monotonically
     /// and in the same order as a row's, so that the bound holds for the bits.
-    fn may_beat(&self, best: Option<Match>, query: &[f32; FEATURES]) -> bool {
+    fn may_beat(&self, best: Option<Match>, query: &Features) -> bool {
         let Some(best) = best else { return true };
         let outside = squared(|i| {
             let (below, above) = (self.low[i] - query[i], query[i] - self.high[i]);
@@ -96,7 +91,7 @@ impl Bounds {
             let gap = if below > above { below } else { above };
             if gap > 0.0 { gap } else { 0.0 }
         });
-        outside + self.cost < best.cost
+        outside < best.cost
     }
 }
 
@@ -119,7 +114,7 @@ mod tests {
     use proptest::prelude::*;
 
     /// Rows as of motion: each is near the one before.
-    fn wander(n: usize, seed: u64) -> Vec<[f32; FEATURES]> {
+    fn wander(n: usize, seed: u64) -> Vec<Features> {
         let mut state = seed;
         let mut next = move || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -134,7 +129,7 @@ mod tests {
             .collect()
     }
 
-    fn by_brute_force(of: &Matching, query: &[f32; FEATURES], allowed: impl Fn(usize) -> bool) -> Option<Match> {
+    fn by_brute_force(of: &Matching, query: &Features, allowed: impl Fn(usize) -> bool) -> Option<Match> {
         let all = (0..of.rows.len()).filter(|&row| allowed(row)).map(|row| Match { row, cost: of.cost_of(query, row) });
         all.reduce(|best, other| if other.cost < best.cost { other } else { best })
     }
@@ -142,10 +137,10 @@ mod tests {
     proptest! {
         #[test]
         fn finds_what_a_look_at_every_row_finds(
-            n in 1_usize..700, seed: u64, at in 0_usize..700, skipped in 0_usize..80, every in 1_usize..9, price in 0.0_f32..4.0,
+            n in 1_usize..700, seed: u64, at in 0_usize..700, skipped in 0_usize..80,
         ) {
             let rows = wander(n, seed);
-            let of = Matching::new(&rows, |row| if row % every == 0 { price } else { 0.0 });
+            let of = Matching::new(rows.clone());
             let query = rows[at % n].map(|v| v + 0.01);
             let allowed = |row: usize| row.abs_diff(at % n) >= skipped;
             prop_assert_eq!(of.nearest(&query, allowed), by_brute_force(&of, &query, allowed));
@@ -154,13 +149,13 @@ mod tests {
 
     #[test]
     fn takes_the_first_of_several() {
-        let of = Matching::new(&vec![[1.0; FEATURES]; 200], |_| 0.0);
+        let of = Matching::new(vec![[1.0; FEATURES]; 200]);
         assert_eq!(of.nearest(&[0.0; FEATURES], |row| row >= 70), Some(Match { row: 70, cost: FEATURES as f32 }));
     }
 
     #[test]
     fn finds_nothing_where_nothing_is_allowed() {
-        let of = Matching::new(&wander(100, 1), |_| 0.0);
+        let of = Matching::new(wander(100, 1));
         assert_eq!(of.nearest(&[0.0; FEATURES], |_| false), None);
     }
 }

@@ -1,8 +1,8 @@
 //! Driving: neutral motion that goes where a user steers, by motion matching over the neutral clips of a database
 //! (`../shared/spec/live-driving.md`, part A). The stylizer takes its frames as input.
 //!
-//! [`DrivingClips`] are the clips in the frame of their root, [`Features`] what is compared, [`Matching`] the exact search
-//! for the row that goes on best, and [`Driver`] plays them.
+//! [`DrivingClips`] are the clips in the frame of their root; a [`Driver`] searches their rows, exactly, for the one that goes on
+//! best, and plays them.
 
 mod clips;
 mod control;
@@ -17,9 +17,8 @@ mod smoothing;
 pub use clips::{DrivingClip, DrivingClips, DrivingError, NeutralClip, RootMotion};
 pub use control::Control;
 pub use driver::{DrivenFrame, Driver};
-pub use features::{FEATURES, Features, HORIZONS_SECS, feature};
-pub use matching::{Match, Matching};
-pub use path::{MAX_POINTS, Path};
+pub use features::Trajectory;
+pub use path::Path;
 
 #[cfg(test)]
 mod tests {

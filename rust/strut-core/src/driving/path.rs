@@ -3,7 +3,7 @@
 use crate::math::Vec2;
 
 /// More points than this are thinned.
-pub const MAX_POINTS: usize = 512;
+const MAX_POINTS: usize = 512;
 /// How far ahead on the path the nearest point is looked for, metres: a path may cross itself.
 const REACH: f32 = 0.6;
 /// Points nearer to each other than this are one, metres.

@@ -1,6 +1,6 @@
 //! Where the root is asked to be: what follows from a stick, or from a path.
 
-use super::features::HORIZONS_SECS;
+use super::features::{HORIZONS_SECS, Trajectory};
 use super::path::Path;
 use crate::math::Vec2;
 use crate::math::float_funcs::{atan2, exp, exp2, sin_cos, wrap_angle};
@@ -14,9 +14,6 @@ const PATH_HALF_LIFE_SECS: f32 = 0.3;
 pub(super) const STOP_BEFORE: f32 = 0.3;
 /// Slower than this nobody faces where they go, m/s.
 const STILL: f32 = 1e-3;
-
-/// Place (x, z) and heading at every horizon, in the world.
-pub(super) type Trajectory = [(Vec2, f32); HORIZONS_SECS.len()];
 
 /// How the root is now, in the world.
 #[derive(Clone, Copy, Debug)]
@@ -54,14 +51,15 @@ pub(super) fn by_path(now: &RootState, path: &Path, progress: f32, speed: f32, s
     })
 }
 
+/// A vector of the frame of a root with this heading in the world.
+pub(super) fn in_world(heading: f32, v: Vec2) -> Vec2 {
+    let (sine, cosine) = sin_cos(heading);
+    Vec2::new(cosine * v.x + sine * v.y, cosine * v.y - sine * v.x)
+}
+
 /// A trajectory in the frame of the root.
 pub(super) fn in_root(now: &RootState, of: &Trajectory) -> Trajectory {
-    let (sine, cosine) = sin_cos(now.heading);
-    of.map(|(place, heading)| {
-        let p = place - now.place;
-        // About +Y, as the heading is: +Z towards +X.
-        (Vec2::new(cosine * p.x - sine * p.y, sine * p.x + cosine * p.y), wrap_angle(heading - now.heading))
-    })
+    of.map(|(place, heading)| (in_world(-now.heading, place - now.place), wrap_angle(heading - now.heading)))
 }
 
 #[cfg(test)]
