@@ -1,5 +1,7 @@
 //! Registration of real motion capture: contacts, gait cycles, label errors, pace and the moments of an action are found.
 
+#[path = "mocap/labelled.rs"]
+mod labelled;
 mod mocap;
 
 use std::ops::ControlFlow;
@@ -7,13 +9,11 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use strut_core::catalogue::{Catalogue, TargetTable};
 use strut_core::database::Database;
-use strut_core::database::build::{BuildOptions, BuildReport, Refusal, SourceClip, build};
-use strut_core::humanoid::{Proportions, Role};
+use strut_core::database::build::{BuildOptions, BuildReport, Refusal, build};
+use strut_core::humanoid::Role;
 use strut_core::math::Vec3;
 use strut_core::parallel::ParallelMap;
 use strut_core::registration::{self, Method};
-use strut_core::retarget::{Binding, to_humanoid};
-use strut_formats::bvh;
 
 /// Two threads that take the next piece when they are done with one.
 struct TwoThreads;
@@ -32,27 +32,6 @@ impl ParallelMap for TwoThreads {
     }
 }
 
-/// A clip named `{set}_{action}_{style}_{take}.bvh` or `{style}_{action}_{take}.bvh`.
-fn load(path: &PathBuf) -> SourceClip {
-    let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-    let mut labels: Vec<&str> = name.split('_').collect();
-    if labels.len() == 3 {
-        labels = vec!["", labels[1], labels[0], labels[2]];
-    }
-    let motion = bvh::parse(&std::fs::read(path).unwrap()).unwrap().to_motion().unwrap();
-    let binding = Binding::detect(&motion).unwrap();
-    SourceClip {
-        action: labels[1].into(),
-        style: labels[2].into(),
-        take: labels[3].parse().unwrap(),
-        motion: to_humanoid(&motion, &binding, &Proportions::default()),
-        source: String::new(),
-        licence: String::new(),
-        script: None,
-        name,
-    }
-}
-
 /// A database of the clips whose paths contain one of these.
 fn database(wanted: &[&str]) -> Option<(Database, BuildReport)> {
     let is_wanted = |p: &PathBuf| wanted.iter().any(|w| p.to_string_lossy().contains(w));
@@ -61,7 +40,7 @@ fn database(wanted: &[&str]) -> Option<(Database, BuildReport)> {
         mocap::skip(&format!("no clips named {wanted:?}"));
         return None;
     }
-    let clips = TwoThreads.map(paths.len(), &|i| load(&paths[i]));
+    let clips = TwoThreads.map(paths.len(), &|i| labelled::load(&paths[i]));
     Some(build(&clips, &BuildOptions::default(), &TwoThreads, &mut |_| ControlFlow::Continue(())).unwrap())
 }
 

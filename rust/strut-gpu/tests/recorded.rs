@@ -1,42 +1,22 @@
 //! The exhaustive search on real motion capture that the database does not hold, where it is present (`STRUT_MOCAP`): by the
 //! kernels' twins, and by a graphics processor where there is one.
 
+#[path = "../../strut-formats/tests/mocap/labelled.rs"]
+mod labelled;
 #[path = "../../strut-formats/tests/mocap/mod.rs"]
 mod mocap;
 
 use std::ops::ControlFlow;
-use std::path::PathBuf;
 use strut_core::database::build::{BuildOptions, SourceClip, build};
-use strut_core::humanoid::Proportions;
 use strut_core::parallel::Sequential;
 use strut_core::pose_vector::HeadingFilter;
-use strut_core::retarget::{Binding, to_humanoid};
 use strut_core::search::{ClassSearch, Index, QueryWindow};
 use strut_demo::benchmark::{Query, hold_out};
-use strut_formats::bvh;
 use strut_gpu::{Context, Searcher};
 
 const K: usize = 40;
 /// Frames between two that are searched.
 const STRIDE: usize = 40;
-
-/// A clip named `{set}_{action}_{style}_{take}.bvh`.
-fn load(path: &PathBuf) -> SourceClip {
-    let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-    let labels: Vec<&str> = name.split('_').collect();
-    let motion = bvh::parse(&std::fs::read(path).unwrap()).unwrap().to_motion().unwrap();
-    let binding = Binding::detect(&motion).unwrap();
-    SourceClip {
-        action: labels[1].into(),
-        style: labels[2].into(),
-        take: labels[3].parse().unwrap(),
-        motion: to_humanoid(&motion, &binding, &Proportions::default()),
-        source: String::new(),
-        licence: String::new(),
-        script: None,
-        name,
-    }
-}
 
 #[test]
 fn neighbours_of_recorded_motion_are_those_of_the_index() {
@@ -49,7 +29,7 @@ fn neighbours_of_recorded_motion_are_those_of_the_index() {
         mocap::skip("no clips of bandai-namco-2");
         return;
     }
-    let clips: Vec<SourceClip> = paths.iter().map(load).collect();
+    let clips: Vec<SourceClip> = paths.iter().map(labelled::load).collect();
     let (recorded, _) =
         build(&clips, &BuildOptions::default(), &Sequential, &mut |_| ControlFlow::Continue(())).unwrap();
     let (database, queries) = hold_out(&recorded).unwrap();
