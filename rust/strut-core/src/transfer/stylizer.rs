@@ -32,6 +32,8 @@ pub struct Stylizer {
     model: Arc<Model>,
     options: Options,
     blend: StyleBlend,
+    /// How far the output goes from the input to the styles, 0 to 1.
+    share: f32,
     parts: [BodyPart; ROW],
     limits: JointLimits,
     mixture: Mixture,
@@ -64,6 +66,7 @@ impl Stylizer {
         let db = model.catalogue();
         Ok(Self {
             blend: StyleBlend::new(db.styles.len(), db.neutral.into()),
+            share: 1.0,
             parts: BodyPart::of_row(),
             limits: JointLimits::new(db.observed_range()),
             mixture,
@@ -101,6 +104,12 @@ impl Stylizer {
         self.blend.set_part(part, weights)?;
         self.activate_styles();
         Ok(())
+    }
+
+    /// Sets how far pose, duration and contacts go from the input's to the styles', from 0 to 1: for input that the database
+    /// does not know, such as somebody who stands where it only has walks. A share that is not a number counts as 1.
+    pub fn set_style_share(&mut self, share: f32) {
+        self.share = if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) };
     }
 
     /// Replaces the options; the stream goes on. Changing the method or the labels starts the
@@ -295,7 +304,7 @@ impl Stylizer {
             s.started = true;
         }
         let [least, greatest] = DURATION_RANGE.map(|r| r * frame_secs);
-        step_secs.clamp(least, greatest)
+        self.shared(frame_secs, step_secs.clamp(least, greatest))
     }
 
     /// Puts the blended row at the next place of the output: the heading turns as the input's does, the
@@ -303,7 +312,10 @@ impl Stylizer {
     fn place_output(&mut self, input: &InputFrame, step_secs: f32) {
         let InputFrame { row: input, at, previous_at, .. } = input;
         let rows = self.styles.iter().map(|s| (s.style, &s.current));
-        let row = blended(&self.blend, &self.parts, &self.limits, input, rows);
+        let mut row = blended(&self.blend, &self.parts, &self.limits, input, rows);
+        for (styled, &of_input) in row.iter_mut().zip(input) {
+            *styled = self.shared(of_input, *styled);
+        }
         let place = match self.place {
             None => self.start.unwrap_or(*at),
             Some(p) => p.advanced(&row, step_secs, wrap_angle(at.heading - previous_at.heading)),
@@ -334,7 +346,14 @@ impl Stylizer {
             let weight = self.blend.weight(BodyPart::Legs, s.style);
             of_targets.iter_mut().zip(s.contact).for_each(|(sum, c)| *sum += weight * c);
         }
-        std::array::from_fn(|side| 0.5 * (of_input[side] + of_targets[side].clamp(0.0, 1.0)))
+        std::array::from_fn(|side| {
+            self.shared(of_input[side], 0.5 * (of_input[side] + of_targets[side].clamp(0.0, 1.0)))
+        })
+    }
+
+    /// What lies between the input's and the styles' value. The whole share changes no bit.
+    fn shared(&self, of_input: f32, styled: f32) -> f32 {
+        if self.share < 1.0 { of_input + self.share * (styled - of_input) } else { styled }
     }
 
     /// Forgets what was predicted from the input so far, but not the place of the output.

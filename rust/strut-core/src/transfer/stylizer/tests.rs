@@ -431,3 +431,25 @@ fn durations_and_contacts_that_are_not_finite_are_replaced() {
         assert_eq!(s.styles[1].contact, [0.0; 2]);
     }
 }
+
+#[test]
+fn a_share_of_nothing_is_the_input_and_half_is_half_way() {
+    let model = model();
+    let input = unseen_walk().poses;
+    let with_share = |share| {
+        let mut s = stylizer(&model, 1.0);
+        s.set_options(Options { footplant: false, ..Options::DEFAULT }).unwrap();
+        s.set_style_share(share);
+        run(&mut s, &input)
+    };
+    let [none, half, whole] = [0.0, 0.5, 1.0].map(with_share);
+    for (frame, pose) in none.iter().zip(&input) {
+        let turned = frame.pose.rotations.iter().zip(&pose.rotations).map(|(a, b)| a.inv_mul(*b).angle());
+        assert!(turned.fold(0.0, f32::max) < 0.1_f32.to_radians());
+        assert!(frame.pose.root.distance(pose.root) < 5e-4, "{} {}", frame.pose.root, pose.root);
+    }
+    let secs = [&none, &half, &whole].map(|frames| frames.last().unwrap().time_out_secs);
+    assert!((secs[1] - 0.5 * (secs[0] + secs[2])).abs() < 1e-3, "{secs:?}");
+    let leans = [&none, &half, &whole].map(|frames| chest_lean(&frames[120]));
+    assert!((leans[1] - 0.5 * (leans[0] + leans[2])).abs() < 0.01, "{leans:?}");
+}
