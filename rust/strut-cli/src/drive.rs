@@ -1,26 +1,25 @@
 //! `strut drive`: neutral motion of a database that goes where it is told to, in a style, into a BVH file.
 
+mod figures;
 mod orders;
 
 use crate::clip::read_contents;
 use crate::failure::{Failure, Outcome};
 use crate::files::{Outputs, print};
 use crate::weights::StyleWeights;
+use figures::{Log, report};
 use orders::Orders;
-use serde::Serialize;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Instant;
 use strut_core::database::Database;
 use strut_core::driving::{Driver, DrivingClips, NeutralClip};
-use strut_core::humanoid::{HumanoidMotion, Pose};
-use strut_core::math::Vec2;
+use strut_core::humanoid::HumanoidMotion;
 use strut_core::transfer::{ClipJob, Model, NoClock, Options, Stylizer};
 use strut_formats::bvh::{self, Bvh};
 
 /// Longest drive, seconds.
 const MAX_SECS: f32 = 600.0;
-/// Distances from a path count from here on, seconds: the beginning is no part of it.
-const UNDER_WAY_SECS: f32 = 2.0;
 
 /// Drive a character along a path or by a log of controls, in a style
 ///
@@ -34,7 +33,8 @@ pub(crate) struct Args {
     /// A path to follow: a CSV file with the columns x,z[,gait], metres
     #[arg(long, value_name = "CSV")]
     path: Option<PathBuf>,
-    /// What is asked and when: a CSV file with the columns time,gait,heading[,face], seconds and degrees
+    /// What is asked and when: a CSV file with the columns time,gait,heading[,face][,action], seconds and degrees;
+    /// actions are jump, punch and kick
     #[arg(long, value_name = "CSV")]
     controls: Option<PathBuf>,
     /// Styles with their weights, as in stylize; neutral if left out
@@ -57,60 +57,26 @@ pub(crate) struct Args {
     json: Option<PathBuf>,
 }
 
-/// Figures of a drive.
-#[derive(Serialize)]
-struct Report {
-    frames: usize,
-    secs: f32,
-    /// Rows and clips to choose from, mirror images included.
-    rows: usize,
-    clips: usize,
-    /// Switches to another row than the next one, a second.
-    transitions_per_sec: f32,
-    /// Distance of the styled hips from the path, from two seconds on and up to its end, metres.
-    path_error_m: Option<PathError>,
-}
-
-#[derive(Serialize)]
-struct PathError {
-    mean: f32,
-    p95: f32,
-}
-
 pub(crate) fn run(args: &Args) -> Outcome {
     check(args)?;
     let contents = read_contents(&args.db)?;
     let in_db = |reason: String| Failure::in_file(&args.db, reason);
-    let clips = neutral_clips(&contents.database);
-    let clips = DrivingClips::new(contents.database.proportions, contents.database.rate_hz, &clips)
-        .map_err(|reason| in_db(reason.to_string()))?;
+    let clips = Arc::new(driving_clips(&contents.database).map_err(in_db)?);
     let orders = Orders::read(args.path.as_deref(), args.controls.as_deref(), args.gait)?;
-    let (rows, number) = (clips.rows(), clips.clips().len());
-    let mut driver = Driver::new(Arc::new(clips));
+    let mut driver = Driver::new(Arc::clone(&clips));
     let model = Arc::new(Model::of(contents.into_catalogue()));
     let mut stylizer = Stylizer::new(Arc::clone(&model), Options::default()).map_err(Failure::new)?;
     if let Some(style) = &args.style {
         stylizer.set_styles(&style.of(model.catalogue()).map_err(in_db)?).map_err(Failure::new)?;
     }
     let rate_hz = model.catalogue().rate_hz;
-    let Driven { neutral, styled, transitions, arrived } = drive(&mut driver, stylizer, &orders, args.secs, rate_hz);
+    let Driven { log, styled, arrived } = drive(&mut driver, stylizer, &orders, args.secs, rate_hz);
 
     let proportions = model.catalogue().proportions;
-    let frames = neutral.len();
-    let hips: Vec<Vec2> = styled.frames().iter().map(|frame| Vec2::new(frame.pose.root.x, frame.pose.root.z)).collect();
-    let under_way = &hips[((UNDER_WAY_SECS * rate_hz) as usize).min(arrived)..arrived];
-    let secs = frames as f32 / rate_hz;
-    let report = Report {
-        frames,
-        secs,
-        rows,
-        clips: number,
-        transitions_per_sec: transitions as f32 / secs,
-        path_error_m: orders.path().filter(|_| !under_way.is_empty()).map(|path| path_error(path, under_way)),
-    };
+    let report = report(&clips, driver.speeds(), &log, styled.frames(), &orders, arrived);
     let mut outputs = Outputs::default();
     let styled = styled.finish().on_body(&proportions, rate_hz).motion;
-    let neutral = HumanoidMotion { proportions, rate_hz, poses: neutral };
+    let neutral = HumanoidMotion { proportions, rate_hz, poses: log.poses };
     for (target, motion) in [(Some(&args.output), &styled), (args.input_out.as_ref(), &neutral)] {
         let Some(target) = target else { continue };
         outputs.stage(target, bvh::write(&Bvh::from_humanoid(motion).map_err(Failure::new)?).as_bytes())?;
@@ -119,8 +85,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
     outputs.commit()?;
     let off = report.path_error_m.map_or(String::new(), |e| format!(", {:.1} cm off the path", 100.0 * e.mean));
     print(&format!(
-        "{}: {frames} frames, {secs:.1} s, {:.1} transitions a second{off}\n",
+        "{}: {} frames, {:.1} s, {:.1} transitions a second{off}\n",
         args.output.display(),
+        report.frames,
+        report.secs,
         report.transitions_per_sec
     ));
     Ok(())
@@ -138,59 +106,40 @@ fn check(args: &Args) -> Outcome {
     Ok(())
 }
 
-/// The neutral clips of a database, in the world.
-fn neutral_clips(db: &Database) -> Vec<NeutralClip> {
-    let neutral = (0..db.clips.len()).filter(|&clip| db.clips[clip].style == db.neutral);
-    neutral
-        .map(|clip| NeutralClip {
-            name: db.clips[clip].name.clone(),
-            poses: db.motion_of_clip(clip).poses,
-            contacts: db.contact[db.clips[clip].rows()].iter().map(|c| c.map(|planted| planted != 0)).collect(),
-        })
-        .collect()
+/// The clips to drive with: neutral ones of a database, and the built-in takes that it may lack.
+fn driving_clips(db: &Database) -> Result<DrivingClips, String> {
+    let (body, rate_hz) = (db.proportions, db.rate_hz);
+    let takes = strut_demo::driving_database().map_err(|reason| reason.to_string())?;
+    let takes = NeutralClip::all_carried(&takes, &body, rate_hz).map_err(|reason| reason.to_string())?;
+    DrivingClips::new(body, rate_hz, &NeutralClip::all_of(db), &takes).map_err(|reason| reason.to_string())
 }
 
 struct Driven {
-    neutral: Vec<Pose>,
+    log: Log,
     styled: ClipJob,
-    transitions: usize,
     /// Frames until nothing further was asked.
     arrived: usize,
 }
 
 fn drive(driver: &mut Driver, stylizer: Stylizer, orders: &Orders, secs: Option<f32>, rate_hz: f32) -> Driven {
-    let mut driven = Driven { neutral: Vec::new(), styled: ClipJob::new(stylizer), transitions: 0, arrived: 0 };
+    let mut driven = Driven { log: Log::default(), styled: ClipJob::new(stylizer), arrived: 0 };
     if let Some(path) = orders.path() {
         driver.set_path(path);
     }
     let most = (secs.unwrap_or(MAX_SECS) * rate_hz) as usize;
     let mut over = false;
-    while driven.neutral.len() < most && (secs.is_some() || !over) {
-        let now_secs = driven.neutral.len() as f32 / rate_hz;
+    while driven.log.poses.len() < most && (secs.is_some() || !over) {
+        let now_secs = driven.log.poses.len() as f32 / rate_hz;
         let control = orders.at(now_secs, driver.progress());
         let styled_hips = driven.styled.frames().last().map(|frame| frame.pose.root);
+        let began = Instant::now();
         let frame = driver.next(&control, styled_hips);
-        driven.transitions += usize::from(frame.switched);
-        driven.neutral.push(frame.pose);
+        driven.log.driver_us.push(began.elapsed().as_secs_f32() * 1e6);
+        driven.log.push(frame);
+        driven.styled.set_style_share(frame.style_share);
         driven.styled.push(&frame.pose, &mut NoClock);
         over |= orders.is_over(now_secs, driver);
         driven.arrived += usize::from(!over);
     }
     driven
-}
-
-/// Mean and 95th percentile of the distances of places from a line.
-fn path_error(path: &[Vec2], places: &[Vec2]) -> PathError {
-    let distance = |place: Vec2| {
-        let to = |piece: &[Vec2]| {
-            let (along, off) = (piece[1] - piece[0], place - piece[0]);
-            let t = (off.dot(along) / along.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
-            off.distance(along * t)
-        };
-        path.windows(2).map(to).fold(f32::INFINITY, f32::min)
-    };
-    let mut distances: Vec<f32> = places.iter().map(|&place| distance(place)).collect();
-    distances.sort_by(f32::total_cmp);
-    let mean = distances.iter().sum::<f32>() / distances.len() as f32;
-    PathError { mean, p95: distances[(0.95 * (distances.len() - 1) as f32) as usize] }
 }

@@ -163,7 +163,8 @@ impl Stance {
 
     /// Where the ankle's print is for a foot of a side.
     fn print(&self, side: Side, foot: &Foot, above: f32) -> Vec3 {
-        Vec3::new(side.sign() * (self.half_width + foot.out), above, foot.ahead - ANKLE_BEHIND)
+        let ahead = Vec3::new(side.sign() * (self.half_width + foot.out), above, foot.ahead - ANKLE_BEHIND);
+        Quat::from_rotation_y(foot.turn.to_radians()) * ahead
     }
 
     /// The foot of a leg that is swung.
@@ -175,9 +176,9 @@ impl Stance {
         let pitch = swing.hip - swing.knee + swing.ankle;
         let turned = Quat::from_rotation_y(side.sign() * style.toe_out.to_radians());
         let rolled = self.geometry.ankle_on_ground(pitch.to_radians(), pitch.to_radians());
-        let at_rest = Foot { out: 0.0, ahead: 0.0, lift: 0.0, pitch };
+        let at_rest = Foot { out: 0.0, ahead: 0.0, lift: 0.0, pitch, turn: 0.0 };
         let moved = ankle - turned * rolled - self.print(side, &at_rest, 0.0);
-        Foot { out: side.sign() * moved.x, ahead: moved.z, lift: moved.y, pitch }
+        Foot { out: side.sign() * moved.x, ahead: moved.z, lift: moved.y, pitch, turn: 0.0 }
     }
 }
 
@@ -233,8 +234,9 @@ impl<'a> Stage<'a> {
             pitch: turn.pitch + bend.to_radians() + wobble(Channel::TrunkPitch, 1.2) - 0.5_f32.to_radians() * breath,
             roll: wobble(Channel::TrunkRoll, 1.0),
         };
+        let faced = 0.5 * (key.feet[0].turn + key.feet[1].turn).to_radians();
         let head = Turn {
-            yaw: 0.15 * chest.yaw + wobble(Channel::HeadYaw, 3.0),
+            yaw: faced + 0.15 * (chest.yaw - faced) + wobble(Channel::HeadYaw, 3.0),
             pitch: (s.gaze_pitch + (0.25 + 0.3 * s.head_follow) * (b.bend + b.pitch)).to_radians()
                 + wobble(Channel::HeadPitch, 2.0),
             roll: 0.0,
@@ -262,7 +264,7 @@ impl<'a> Stage<'a> {
 
     fn foot(&self, side: Side, foot: &Foot, flight: Option<Flight>, planted: bool) -> FootPose {
         let s = self.style;
-        let heading = side.sign() * s.toe_out.to_radians();
+        let heading = side.sign() * s.toe_out.to_radians() + foot.turn.to_radians();
         let above = (foot.lift + flight.map_or(0.0, |f| hanging_height(&f))).max(0.0);
         let foot_pitch = foot.pitch.to_radians();
         let toe_pitch = foot_pitch * smooth_step(0.0, TOES_FREE_ABOVE, above);

@@ -8,11 +8,12 @@ use crate::pelvis::GRAVITY;
 use crate::style::Style;
 
 const fn foot(ahead: f32, lift: f32, pitch: f32) -> Foot {
-    Foot { out: 0.0, ahead, lift, pitch }
+    Foot { out: 0.0, ahead, lift, pitch, turn: 0.0 }
 }
 
-const UPRIGHT: Body = Body { aside: 0.0, ahead: 0.0, drop: 0.0, yaw: 0.0, pitch: 0.0, chest_yaw: 0.0, bend: 0.0 };
-const FLAT: Foot = foot(0.0, 0.0, 0.0);
+pub(crate) const UPRIGHT: Body =
+    Body { aside: 0.0, ahead: 0.0, drop: 0.0, yaw: 0.0, pitch: 0.0, chest_yaw: 0.0, bend: 0.0 };
+pub(crate) const FLAT: Foot = foot(0.0, 0.0, 0.0);
 /// Share of the trunk's bend that the pelvis has.
 const PELVIS_SHARE: f32 = 0.45;
 
@@ -20,7 +21,7 @@ const PELVIS_SHARE: f32 = 0.45;
 const MOST_HANGING: f32 = 9.0;
 
 /// Standing at ease: the arms hang as the style carries them.
-fn standing(style: &Style) -> Key {
+pub(crate) fn standing(style: &Style) -> Key {
     let flexion = (5.0 + style.arm_forward).min(MOST_HANGING);
     let hanging = arm(flexion, style.arm_spread, style.arm_twist, 0.8 * style.elbow);
     Key { secs: 0.5, airborne: false, body: UPRIGHT, arms: [hanging; 2], feet: [FLAT; 2], swings: [None; 2] }

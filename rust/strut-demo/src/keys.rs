@@ -39,6 +39,8 @@ pub(crate) struct Foot {
     pub(crate) lift: f32,
     /// Toes up, degrees.
     pub(crate) pitch: f32,
+    /// How far it has gone round the middle of the stance, degrees to the left.
+    pub(crate) turn: f32,
 }
 
 /// A pose of the whole body.
@@ -58,9 +60,11 @@ pub(crate) struct Key {
 }
 
 /// Quantities of a key.
-pub(crate) const CHANNELS: usize = 23;
+pub(crate) const CHANNELS: usize = 25;
 const AHEAD: usize = 1;
 const DROP: usize = 2;
+/// First quantities of the feet.
+const FEET: [usize; 2] = [15, 20];
 
 impl Key {
     /// All quantities in a row.
@@ -71,8 +75,8 @@ impl Key {
         for (to, a) in out[7..15].chunks_exact_mut(4).zip(&self.arms) {
             to.copy_from_slice(&[a.flexion, a.spread, a.twist, a.elbow]);
         }
-        for (to, f) in out[15..].chunks_exact_mut(4).zip(&self.feet) {
-            to.copy_from_slice(&[f.out, f.ahead, f.lift, f.pitch]);
+        for (at, f) in FEET.into_iter().zip(&self.feet) {
+            out[at..at + 5].copy_from_slice(&[f.out, f.ahead, f.lift, f.pitch, f.turn]);
         }
         out
     }
@@ -80,12 +84,12 @@ impl Key {
     /// The key with these quantities.
     pub(crate) fn with_channels(self, v: &[f32; CHANNELS]) -> Self {
         let arm = |i: usize| Arm { flexion: v[i], spread: v[i + 1], twist: v[i + 2], elbow: v[i + 3] };
-        let foot = |i: usize| Foot { out: v[i], ahead: v[i + 1], lift: v[i + 2], pitch: v[i + 3] };
+        let foot = |i: usize| Foot { out: v[i], ahead: v[i + 1], lift: v[i + 2], pitch: v[i + 3], turn: v[i + 4] };
         let [aside, ahead, drop, yaw, pitch, chest_yaw, bend, ..] = *v;
         Self {
             body: Body { aside, ahead, drop, yaw, pitch, chest_yaw, bend },
             arms: [arm(7), arm(11)],
-            feet: [foot(15), foot(19)],
+            feet: FEET.map(foot),
             ..self
         }
     }
@@ -93,10 +97,11 @@ impl Key {
     /// The key of which this is the mirror image.
     pub(crate) fn mirrored(self) -> Self {
         let Body { aside, yaw, chest_yaw, .. } = self.body;
+        let [left, right] = self.feet.map(|foot| Foot { turn: -foot.turn, ..foot });
         Self {
             body: Body { aside: -aside, yaw: -yaw, chest_yaw: -chest_yaw, ..self.body },
             arms: [self.arms[1], self.arms[0]],
-            feet: [self.feet[1], self.feet[0]],
+            feet: [right, left],
             swings: [self.swings[1], self.swings[0]],
             ..self
         }
@@ -217,9 +222,14 @@ impl Timeline {
             values[AHEAD] = line(AHEAD);
             values[DROP] = line(DROP) - flight.height();
         }
-        let stands = [15, 19].map(|foot| {
+        let stands = FEET.map(|foot| {
             let still = |c: usize| a.values[c] == b.values[c];
-            flight.is_none() && still(foot) && still(foot + 1) && a.values[foot + 2] == 0.0 && b.values[foot + 2] == 0.0
+            flight.is_none()
+                && still(foot)
+                && still(foot + 1)
+                && still(foot + 4)
+                && a.values[foot + 2] == 0.0
+                && b.values[foot + 2] == 0.0
         });
         (self.keys[i].with_channels(&values), i as f32 + t, flight, stands)
     }

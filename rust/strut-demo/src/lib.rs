@@ -13,6 +13,7 @@ pub mod benchmark;
 mod database;
 mod drill;
 mod drills;
+mod drive;
 mod feet;
 pub mod forms;
 mod full;
@@ -40,6 +41,7 @@ pub use database::{
 };
 pub use drill::{Drill, Move, keys_of, perform_drill};
 pub use drills::{JUMPS, KICKS, PUNCHES};
+pub use drive::driving_database;
 pub use full::{FULL_RATE_HZ, PlannedClip, TABLE_1, full_clips, full_database};
 pub use interlude::{Interlude, perform_interlude};
 pub use normative::{Band, WALKING_BANDS};

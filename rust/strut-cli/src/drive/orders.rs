@@ -3,7 +3,7 @@
 use crate::failure::{Failure, Outcome};
 use crate::files;
 use std::path::Path;
-use strut_core::driving::{Control, Driver};
+use strut_core::driving::{Control, Driver, Move};
 use strut_core::math::Vec2;
 use strut_core::math::float_funcs::sin_cos;
 
@@ -51,6 +51,14 @@ impl Orders {
         }
     }
 
+    /// The controls of a log, each with the time from which on it is asked, seconds; none for a path.
+    pub(super) fn log(&self) -> &[(f32, Control)] {
+        match self {
+            Self::Path { .. } => &[],
+            Self::Log(log) => log,
+        }
+    }
+
     /// Whether nothing further is asked.
     pub(super) fn is_over(&self, secs: f32, driver: &Driver) -> bool {
         match self {
@@ -61,15 +69,15 @@ impl Orders {
 }
 
 fn read_path(file: &Path, gait: f32) -> Outcome<Orders> {
-    let table = Table::read(file, &["x", "z"], &["gait"])?;
+    let table = Table::read(file, &["x", "z"], &["gait"], None)?;
     let points: Vec<Vec2> =
-        table.rows.iter().map(|row| Vec2::new(row[0].unwrap_or(0.0), row[1].unwrap_or(0.0))).collect();
+        table.rows.iter().map(|(row, _)| Vec2::new(row[0].unwrap_or(0.0), row[1].unwrap_or(0.0))).collect();
     if strut_core::driving::Path::new(&points).is_none() {
         return Err(Failure::in_file(file, "the path has fewer than two distinct points"));
     }
     let mut length = 0.0;
     let mut gaits = Vec::new();
-    for (i, row) in table.rows.iter().enumerate() {
+    for (i, (row, _)) in table.rows.iter().enumerate() {
         length += if i > 0 { points[i].distance(points[i - 1]) } else { 0.0 };
         gaits.push([length, row[2].unwrap_or(gait)]);
     }
@@ -77,14 +85,21 @@ fn read_path(file: &Path, gait: f32) -> Outcome<Orders> {
 }
 
 fn read_log(file: &Path) -> Outcome<Orders> {
-    let table = Table::read(file, &["time", "gait", "heading"], &["face"])?;
+    let table = Table::read(file, &["time", "gait", "heading"], &["face"], Some("action"))?;
     let mut log: Vec<(f32, Control)> = Vec::new();
-    for row in &table.rows {
+    for (i, (row, action)) in table.rows.iter().enumerate() {
+        let action = if action.is_empty() {
+            None
+        } else {
+            let names = Move::ALL.map(Move::name).join(", ");
+            let unknown = || format!("line {}: the action is '{action}'; one of {names} was expected", i + 2);
+            Some(Move::named(action).ok_or_else(|| Failure::in_file(file, unknown()))?)
+        };
         let [time, gait, heading] = [row[0], row[1], row[2]].map(Option::unwrap_or_default);
         // Heading 0 is +Z, as the positive turn is to the left, +X.
         let (x, z) = sin_cos(heading.to_radians());
         let wish = if gait > 0.0 { Vec2::new(x, z) } else { Vec2::ZERO };
-        log.push((time, Control { wish, gait, face: row[3].map(f32::to_radians) }));
+        log.push((time, Control { wish, gait, face: row[3].map(f32::to_radians), action }));
     }
     if !log.is_sorted_by_key(|(time, _)| *time) {
         return Err(Failure::in_file(file, "the times do not rise from line to line"));
@@ -95,20 +110,21 @@ fn read_log(file: &Path) -> Outcome<Orders> {
     Ok(Orders::Log(log))
 }
 
-/// Numbers by column; optional columns may be absent or empty.
+/// Numbers by column, where optional columns may be absent or empty, and the text of a further column.
 struct Table {
-    rows: Vec<Vec<Option<f32>>>,
+    rows: Vec<(Vec<Option<f32>>, String)>,
 }
 
 impl Table {
-    fn read(file: &Path, needed: &[&str], optional: &[&str]) -> Outcome<Self> {
+    fn read(file: &Path, needed: &[&str], optional: &[&str], text: Option<&str>) -> Outcome<Self> {
         let bytes = files::read(file, MAX_BYTES)?;
         let fail = |line: u64, reason: String| Failure::in_file(file, format!("line {line}: {reason}"));
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(bytes.as_slice());
         let headers = reader.headers().map_err(|error| fail(1, error.to_string()))?.clone();
-        let expected = || format!("the columns {}[,{}] were expected", needed.join(","), optional.join(","));
+        let may_be: Vec<&str> = optional.iter().chain(&text).copied().collect();
+        let expected = || format!("the columns {}[,{}] were expected", needed.join(","), may_be.join("][,"));
         let column = |name: &str| headers.iter().position(|header| header == name);
-        if let Some(unknown) = headers.iter().find(|header| !needed.contains(header) && !optional.contains(header)) {
+        if let Some(unknown) = headers.iter().find(|header| !needed.contains(header) && !may_be.contains(header)) {
             return Err(fail(1, format!("there is a column '{unknown}'; {}", expected())));
         }
         let columns: Vec<Option<usize>> = needed.iter().chain(optional).map(|name| column(name)).collect();
@@ -121,9 +137,10 @@ impl Table {
                 fail(error.position().map_or(1, csv::Position::line), "it has not as many fields as line 1".into())
             })?;
             let line = record.position().map_or(0, csv::Position::line);
+            let field = |at: Option<usize>| at.and_then(|at| record.get(at)).unwrap_or_default();
             let mut row = Vec::new();
             for (i, at) in columns.iter().enumerate() {
-                let text = at.and_then(|at| record.get(at)).unwrap_or_default();
+                let text = field(*at);
                 let number = text.parse().ok().filter(|number: &f32| number.is_finite());
                 if number.is_none() && (i < needed.len() || !text.is_empty()) {
                     let name = needed.iter().chain(optional).nth(i).unwrap_or(&"");
@@ -131,7 +148,7 @@ impl Table {
                 }
                 row.push(number);
             }
-            rows.push(row);
+            rows.push((row, field(text.and_then(column)).to_owned()));
         }
         Ok(Self { rows })
     }

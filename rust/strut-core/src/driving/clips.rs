@@ -1,11 +1,14 @@
 //! Neutral clips and their mirror images, in the frame of their root.
 
+use super::moves::{Move, MoveRows, moves_in};
 use super::smoothing::smoothed;
-use crate::humanoid::{Pose, Proportions};
+use crate::database::Database;
+use crate::humanoid::{HumanoidMotion, Pose, Proportions, TooManyFrames};
 use crate::kinematics::world_from_local;
 use crate::math::float_funcs::{atan2, wrap_angle};
 use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::heading_of;
+use crate::retarget::between_bodies;
 use std::ops::Range;
 use thiserror::Error;
 
@@ -16,12 +19,22 @@ const HEADING_HALF_SECS: f32 = 0.5;
 const LEAST_SPEED: f32 = 0.4;
 /// Driving needs so much locomotion, seconds.
 const LEAST_SECS: f32 = 5.0;
+/// Rows so near, seconds, to one whose root is slower than this, m/s, are of standing: 15 frames at 60 Hz.
+const STANDING_SECS: f32 = 0.25;
+const STANDING_SPEED: f32 = 0.3;
+/// A clip on the spot that turns by more than this, radians, is a turn.
+const LEAST_TURN: f32 = 0.5;
+/// Clips know standing that have so many seconds of it, with a root slower than this, m/s.
+const KNOWN_STANDING_SECS: f32 = 0.5;
+const KNOWN_STANDING_SPEED: f32 = 0.1;
 
 /// A clip to drive with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NeutralClip {
     /// Its name, for people.
     pub name: String,
+    /// The action that it is of, such as "walk".
+    pub action: String,
     /// One pose a frame, in the world.
     pub poses: Vec<Pose>,
     /// Which feet are planted in each frame, [left, right].
@@ -49,13 +62,63 @@ pub enum DrivingError {
     },
 }
 
+impl NeutralClip {
+    /// The neutral clips of a database.
+    pub fn all_of(db: &Database) -> Vec<Self> {
+        let neutral = (0..db.clips.len()).filter(|&clip| db.clips[clip].style == db.neutral);
+        neutral.map(|clip| Self::of(db, clip, db.motion_of_clip(clip).poses)).collect()
+    }
+
+    /// The neutral clips of a database of takes, on another body and at another rate.
+    ///
+    /// # Errors
+    /// [`TooManyFrames`] at a rate at which a clip has too many frames.
+    pub fn all_carried(takes: &Database, body: &Proportions, rate_hz: f32) -> Result<Vec<Self>, TooManyFrames> {
+        let neutral = (0..takes.clips.len()).filter(|&clip| takes.clips[clip].style == takes.neutral);
+        let carried = |clip| {
+            let motion: HumanoidMotion = between_bodies(&takes.motion_of_clip(clip), body).resampled(rate_hz)?;
+            let mut of = Self::of(takes, clip, motion.poses);
+            let last = of.contacts.len().saturating_sub(1);
+            let at = |i: usize| ((i as f32 * takes.rate_hz / rate_hz).round() as usize).min(last);
+            of.contacts = (0..of.poses.len()).map(|i| of.contacts[at(i)]).collect();
+            Ok(of)
+        };
+        neutral.map(carried).collect()
+    }
+
+    fn of(db: &Database, clip: usize, poses: Vec<Pose>) -> Self {
+        let of = &db.clips[clip];
+        Self {
+            name: of.name.clone(),
+            action: db.actions[usize::from(of.action)].clone(),
+            poses,
+            contacts: db.contact[of.rows()].iter().map(|feet| feet.map(|planted| planted != 0)).collect(),
+        }
+    }
+}
+
+/// What a clip of [`DrivingClips`] is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ClipKind {
+    /// Somebody gets on; of the database that is driven with.
+    Locomotion,
+    /// A take that the database lacks: standing, a turn on the spot, a halt, a change of gait.
+    Take,
+    /// Its moves are played when they are asked for.
+    Moves,
+}
+
 /// One of the clips of [`DrivingClips`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrivingClip {
-    /// Index of the clip that it was made of.
+    /// Index of the clip that it was made of; takes count on from the database's clips.
     pub source: usize,
+    /// What it is for.
+    pub kind: ClipKind,
     /// Whether left and right are swapped.
     pub mirrored: bool,
+    /// Whether it turns on the spot.
+    pub(super) turns: bool,
     /// Its rows.
     pub rows: Range<usize>,
 }
@@ -69,47 +132,91 @@ pub struct RootMotion {
     pub turn_rate: f32,
 }
 
-/// Neutral locomotion in the frame of its root: on the ground under the hips, facing the way that the body faces, both
-/// smoothed.
+/// Neutral motion in the frame of its root: on the ground under the hips, facing the way that the body faces, both smoothed.
 #[derive(Clone, Debug)]
 pub struct DrivingClips {
     /// Bone offsets.
     pub proportions: Proportions,
     /// Frames per second.
     pub rate_hz: f32,
+    names: Vec<String>,
     clips: Vec<DrivingClip>,
     poses: Vec<Pose>,
     motions: Vec<RootMotion>,
     contacts: Vec<[bool; 2]>,
+    standing: Vec<bool>,
+    moves: Vec<MoveRows>,
+    knows_standing: bool,
 }
 
 impl DrivingClips {
-    /// Takes the clips in which somebody gets on, each also mirrored.
+    /// Takes of the database's clips, `own`, those in which somebody gets on and those of moves, and all `takes` that it
+    /// lacks; each also mirrored.
     ///
     /// # Errors
-    /// [`DrivingError`] where they are too short together, or a clip is inconsistent.
-    pub fn new(proportions: Proportions, rate_hz: f32, clips: &[NeutralClip]) -> Result<Self, DrivingError> {
-        let mut of = Self { proportions, rate_hz, clips: vec![], poses: vec![], motions: vec![], contacts: vec![] };
-        for (source, clip) in clips.iter().enumerate() {
+    /// [`DrivingError`] where the database's own locomotion is too short, or a clip is inconsistent.
+    pub fn new(
+        proportions: Proportions,
+        rate_hz: f32,
+        own: &[NeutralClip],
+        takes: &[NeutralClip],
+    ) -> Result<Self, DrivingError> {
+        let mut of = Self {
+            proportions,
+            rate_hz,
+            names: own.iter().chain(takes).map(|clip| clip.name.clone()).collect(),
+            clips: vec![],
+            poses: vec![],
+            motions: vec![],
+            contacts: vec![],
+            standing: vec![],
+            moves: vec![],
+            knows_standing: false,
+        };
+        for clip in own.iter().chain(takes) {
             let (poses, contacts) = (clip.poses.len(), clip.contacts.len());
             if poses != contacts {
                 return Err(DrivingError::Shape { name: clip.name.clone(), poses, contacts });
             }
-            of.add(source, clip);
         }
-        let secs = of.poses.len() as f32 / (2.0 * rate_hz);
+        let mut stood = 0;
+        for (source, clip) in own.iter().enumerate() {
+            let motions = of.root_motions(clip);
+            stood += motions.iter().filter(|motion| motion.velocity.length() < KNOWN_STANDING_SPEED).count();
+            if Move::of_action(&clip.action).is_some() {
+                of.add(source, ClipKind::Moves, clip);
+            } else if median_speed(&motions) > LEAST_SPEED {
+                of.add(source, ClipKind::Locomotion, clip);
+            }
+        }
+        of.knows_standing = stood as f32 >= KNOWN_STANDING_SECS * rate_hz;
+        let walked = of.clips.iter().filter(|clip| clip.kind == ClipKind::Locomotion).map(|clip| clip.rows.len());
+        let secs = walked.sum::<usize>() as f32 / (2.0 * rate_hz);
         if secs < LEAST_SECS {
             return Err(DrivingError::TooShort { secs });
+        }
+        for (i, clip) in takes.iter().enumerate() {
+            of.add(own.len() + i, ClipKind::Take, clip);
         }
         Ok(of)
     }
 
-    fn add(&mut self, source: usize, clip: &NeutralClip) {
+    fn root_motions(&self, clip: &NeutralClip) -> Vec<RootMotion> {
+        root_motions(&root_path(&self.proportions, &clip.poses, self.rate_hz), self.rate_hz)
+    }
+
+    fn add(&mut self, source: usize, kind: ClipKind, clip: &NeutralClip) {
         let roots = root_path(&self.proportions, &clip.poses, self.rate_hz);
         let motions = root_motions(&roots, self.rate_hz);
-        if median_speed(&motions) <= LEAST_SPEED {
-            return;
-        }
+        let on_the_spot = median_speed(&motions) <= LEAST_SPEED;
+        let turned = motions.iter().map(|motion| motion.turn_rate).sum::<f32>() / self.rate_hz;
+        let turns = kind == ClipKind::Take && on_the_spot && turned.abs() > LEAST_TURN;
+        let standing =
+            if kind == ClipKind::Take { standing_rows(&motions, self.rate_hz) } else { vec![false; motions.len()] };
+        let moves = match Move::of_action(&clip.action).filter(|_| kind == ClipKind::Moves) {
+            Some(action) => moves_in(action, &self.proportions, &clip.poses, self.rate_hz),
+            None => vec![],
+        };
         for mirrored in [false, true] {
             let first = self.poses.len();
             for (pose, root) in clip.poses.iter().zip(&roots) {
@@ -120,8 +227,35 @@ impl DrivingClips {
             self.contacts.extend(
                 clip.contacts.iter().map(|&[left, right]| if mirrored { [right, left] } else { [left, right] }),
             );
-            self.clips.push(DrivingClip { source, mirrored, rows: first..self.poses.len() });
+            self.standing.extend(&standing);
+            self.moves.extend(moves.iter().map(|found| found.after(first)));
+            self.clips.push(DrivingClip { source, kind, mirrored, turns, rows: first..self.poses.len() });
         }
+    }
+
+    /// The name of the clip that a clip was made of.
+    pub fn name(&self, clip: &DrivingClip) -> &str {
+        &self.names[clip.source]
+    }
+
+    /// The moves that can be asked for.
+    pub fn moves(&self) -> impl Iterator<Item = Move> {
+        Move::ALL.into_iter().filter(|action| self.moves.iter().any(|of| of.action == *action))
+    }
+
+    /// The rows of all moves.
+    pub(super) fn move_rows(&self) -> &[MoveRows] {
+        &self.moves
+    }
+
+    /// Whether somebody stands at a row.
+    pub(super) fn is_standing(&self, row: usize) -> bool {
+        self.standing[row]
+    }
+
+    /// Whether the database's own clips have standing in them: what they lack cannot be styled fully.
+    pub(super) fn knows_standing(&self) -> bool {
+        self.knows_standing
     }
 
     /// The clips, in the order of their rows, which follow each other without a gap.
@@ -158,6 +292,15 @@ impl DrivingClips {
     pub fn clip_of(&self, row: usize) -> usize {
         self.clips.partition_point(|clip| clip.rows.end <= row)
     }
+}
+
+/// Rows of somebody who stands, or is about to, or did a moment ago.
+fn standing_rows(motions: &[RootMotion], rate_hz: f32) -> Vec<bool> {
+    let near = (STANDING_SECS * rate_hz).round() as usize;
+    let is_slow = |motion: &RootMotion| motion.velocity.length() < STANDING_SPEED;
+    (0..motions.len())
+        .map(|i| motions[i.saturating_sub(near)..(i + near + 1).min(motions.len())].iter().any(is_slow))
+        .collect()
 }
 
 fn median_speed(motions: &[RootMotion]) -> f32 {
@@ -233,7 +376,7 @@ mod tests {
 
     #[test]
     fn are_in_the_frame_of_a_root_that_goes_round_as_the_clip_does() {
-        let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, 1.2, 0.4)]).unwrap();
+        let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, 1.2, 0.4)], &[]).unwrap();
         let [clip, mirror] = clips.clips() else { panic!("the clip and its mirror image") };
         assert_eq!((clip.rows.clone(), mirror.rows.clone()), (0..600, 600..1200));
         for row in 40..560 {
@@ -253,9 +396,9 @@ mod tests {
     fn are_those_in_which_somebody_gets_on() {
         let standing = NeutralClip { name: "idle".into(), ..circle(600, 0.1, 0.0) };
         let clips =
-            DrivingClips::new(Proportions::default(), 60.0, &[standing.clone(), circle(600, 1.2, 0.0)]).unwrap();
+            DrivingClips::new(Proportions::default(), 60.0, &[standing.clone(), circle(600, 1.2, 0.0)], &[]).unwrap();
         assert!(clips.clips().iter().all(|clip| clip.source == 1));
-        let short = DrivingClips::new(Proportions::default(), 60.0, &[standing, circle(180, 1.2, 0.0)]);
+        let short = DrivingClips::new(Proportions::default(), 60.0, &[standing, circle(180, 1.2, 0.0)], &[]);
         let sentence = short.unwrap_err().to_string();
         assert_eq!(sentence, "the neutral clips have 3.0 s of walking; driving needs 5 s");
     }
@@ -264,7 +407,7 @@ mod tests {
     fn have_a_contact_a_pose() {
         let mut clip = circle(600, 1.2, 0.0);
         clip.contacts.pop();
-        let refused = DrivingClips::new(Proportions::default(), 60.0, &[clip]).unwrap_err();
+        let refused = DrivingClips::new(Proportions::default(), 60.0, &[clip], &[]).unwrap_err();
         assert_eq!(refused.to_string(), "the clip 'circle' has 600 poses and 599 contacts");
     }
 }

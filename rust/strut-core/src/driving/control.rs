@@ -1,5 +1,6 @@
 //! What a user asks of a driven character.
 
+use super::moves::Move;
 use crate::math::Vec2;
 
 /// What is asked now.
@@ -11,6 +12,8 @@ pub struct Control {
     pub gait: f32,
     /// Heading to face, radians about +Y; the direction of the wish where it is left out.
     pub face: Option<f32>,
+    /// A move; it begins when it is asked for anew.
+    pub action: Option<Move>,
 }
 
 impl Control {

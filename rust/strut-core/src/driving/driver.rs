@@ -1,10 +1,11 @@
 //! The driver: frame after frame of neutral motion that goes where it is asked to.
 
-use super::clips::DrivingClips;
+use super::clips::{ClipKind, DrivingClip, DrivingClips};
 use super::control::Control;
 use super::features::{HORIZONS_SECS, Trajectory, features_of, query_of};
 use super::inertia::{HALF_LIFE_SECS, Inertia, Moving};
 use super::matching::Matching;
+use super::moves::Move;
 use super::path::Path;
 use super::query::{RootState, STOP_BEFORE, by_path, by_stick, in_root, in_world};
 use crate::humanoid::Pose;
@@ -26,6 +27,20 @@ const NEAR_SECS: f32 = 1.0 / 3.0;
 const LEFT: usize = 3;
 /// How much better another row must be than the present one.
 const BETTER: f32 = 1.0;
+/// What a row of a take costs more than one of the database's own clips.
+const TAKE: f32 = 3.0;
+/// Turns on the spot are for those who ask for less than this gait, or for a turn of more than this at the last horizon,
+/// radians; elsewhere they skate.
+const STANDING_GAIT: f32 = 0.1;
+const SHARP_TURN: f32 = 60.0 * std::f32::consts::PI / 180.0;
+/// A move begins as soon as the root is slower than this, m/s, or after so many seconds, in one of its first ones.
+const MOVE_SPEED: f32 = 0.5;
+const MOST_BRAKING_SECS: f32 = 1.0;
+const MOVE_BEGINS_SECS: f32 = 1.0 / 6.0;
+/// How much of a style somebody takes who stands, where the database knows only people who walk, and the half-life with which
+/// it comes and goes, seconds.
+const STANDING_STYLE: f32 = 0.3;
+const STYLE_HALF_LIFE_SECS: f32 = 0.1;
 /// Steering adds to the clip's turn rate so much per radian that its heading is off at the first horizon, rad/s, and at most
 /// so much; less where the root is slower than `FULL_STEERING_SPEED`, m/s.
 const STEERING: f32 = 2.0;
@@ -57,6 +72,30 @@ pub struct DrivenFrame {
     pub row: usize,
     /// Whether another row than the next one was taken.
     pub switched: bool,
+    /// The move that plays.
+    pub action: Option<Move>,
+    /// How far the pose may be styled, 0 to 1, for [`Stylizer::set_style_share`](crate::transfer::Stylizer::set_style_share).
+    pub style_share: f32,
+}
+
+/// What is known of a row before any query.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    /// Whether it may be entered by a search.
+    is_open: bool,
+    /// Whether it turns on the spot.
+    turns: bool,
+    /// What it costs besides the distance of its features.
+    extra: f32,
+}
+
+/// How far a move is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Acting {
+    /// Slows down for one, since so many seconds.
+    Braking { action: Move, secs: f32 },
+    /// Plays it up to this row.
+    Playing { action: Move, end: usize },
 }
 
 /// Neutral motion that goes where it is asked to.
@@ -64,8 +103,8 @@ pub struct DrivenFrame {
 pub struct Driver {
     clips: Arc<DrivingClips>,
     matching: Matching,
-    /// Whether a row may be entered.
-    enterable: Vec<bool>,
+    /// One a row.
+    entries: Vec<Entry>,
     /// Speeds of walking and running, m/s.
     speeds: [f32; 2],
     control: Control,
@@ -84,6 +123,7 @@ struct State {
     turn_rate: f32,
     inertia: Inertia,
     since_search_secs: f32,
+    acting: Option<Acting>,
     /// What the last search was for: velocity and heading in the world.
     asked: (Vec2, f32),
     left: [Option<usize>; LEFT],
@@ -101,8 +141,13 @@ impl Driver {
     pub fn new(clips: Arc<DrivingClips>) -> Self {
         let matching = Matching::new(features_of(&clips));
         let near = near_rows(&clips);
-        let enterable = clips.clips().iter().flat_map(|clip| clip.rows.clone().map(|row| row + near < clip.rows.end));
-        let enterable = enterable.collect();
+        let entry = |clip: &DrivingClip, row: usize| Entry {
+            is_open: row + near < clip.rows.end && clip.kind != ClipKind::Moves,
+            turns: clip.turns,
+            extra: if clip.kind == ClipKind::Take { TAKE } else { 0.0 },
+        };
+        let entries = clips.clips().iter().flat_map(|clip| clip.rows.clone().map(move |row| entry(clip, row)));
+        let entries = entries.collect();
         let speeds = speeds_of(&clips);
         let state = State::at(slowest(&clips), Placement::default());
         let frame = DrivenFrame {
@@ -113,13 +158,20 @@ impl Driver {
             speed: 0.0,
             row: state.row,
             switched: false,
+            action: None,
+            style_share: 1.0,
         };
-        Self { clips, matching, enterable, speeds, control: Control::default(), path: None, state, frame }
+        Self { clips, matching, entries, speeds, control: Control::default(), path: None, state, frame }
     }
 
     /// Speeds of walking and of running, m/s: what the gaits 1 and 2 ask for.
     pub fn speeds(&self) -> [f32; 2] {
         self.speeds
+    }
+
+    /// The moves that can be asked for.
+    pub fn moves(&self) -> impl Iterator<Item = Move> {
+        self.clips.moves()
     }
 
     /// Begins anew at a place, and without a path.
@@ -148,7 +200,12 @@ impl Driver {
     /// `styled_hips` is where the hips of the styled character were in the last frame, so that it is *that one* which follows
     /// a path.
     pub fn next(&mut self, control: &Control, styled_hips: Option<Vec3>) -> &DrivenFrame {
+        let held = self.control.action;
         self.control = control.checked().unwrap_or(self.control);
+        if self.control.action != held && self.state.acting.is_none() {
+            let known = self.control.action.filter(|action| self.clips.moves().any(|of| of == *action));
+            self.state.acting = known.map(|action| Acting::Braking { action, secs: 0.0 });
+        }
         let dt = 1.0 / self.clips.rate_hz;
         self.observe(styled_hips.filter(|hips| hips.is_finite()), dt);
         let now = self.root_state();
@@ -192,7 +249,10 @@ impl Driver {
 
     /// Where the root is asked to be, and the velocity and the heading that this comes from.
     fn asked(&mut self, now: &RootState) -> (Trajectory, (Vec2, f32)) {
-        let Control { wish, gait, face } = self.control;
+        let Control { wish, gait, face, .. } = self.control;
+        if self.state.acting.is_some() {
+            return (by_stick(now, Vec2::ZERO, now.heading), (Vec2::ZERO, now.heading));
+        }
         let speed = speed_of(self.speeds, gait);
         if let Some((path, progress)) = &mut self.path {
             let styled = now.place + self.state.styled;
@@ -215,8 +275,27 @@ impl Driver {
     fn choose(&mut self, now: &RootState, asked: &Trajectory, wanted: (Vec2, f32), dt: f32) -> bool {
         let state = &mut self.state;
         let clip = &self.clips.clips()[self.clips.clip_of(state.row)];
-        let ends = state.row + 1 >= clip.rows.end;
+        let mut ends = state.row + 1 >= clip.rows.end;
         state.since_search_secs += dt;
+        match &mut state.acting {
+            Some(Acting::Playing { end, .. }) if state.row + 1 < *end => {
+                state.row += 1;
+                return false;
+            }
+            Some(Acting::Playing { .. }) => {
+                state.acting = None;
+                ends = true;
+            }
+            Some(Acting::Braking { action, secs }) => {
+                *secs += dt;
+                if now.velocity.length() < MOVE_SPEED || *secs >= MOST_BRAKING_SECS {
+                    let action = *action;
+                    self.begin(action);
+                    return true;
+                }
+            }
+            None => {}
+        }
         let is_new =
             (wanted.0 - state.asked.0).length() > NEW_SPEED || wrap_angle(wanted.1 - state.asked.1).abs() > NEW_HEADING;
         let is_due = state.since_search_secs >= SEARCH_SECS || (is_new && state.since_search_secs >= LEAST_SEARCH_SECS);
@@ -227,25 +306,55 @@ impl Driver {
         state.since_search_secs = 0.0;
         state.asked = wanted;
         let query = query_of(self.matching.row(state.row), &in_root(now, asked));
+        let may_turn = self.may_turn(now, asked, wanted.0);
         let near = near_rows(&self.clips);
-        let (row, left, enterable) = (state.row, state.left, &self.enterable);
+        let State { row, left, .. } = self.state;
         let is_near = |other: usize, to: usize| other.abs_diff(to) <= near;
-        let allowed = |other: usize| {
-            enterable[other] && !is_near(other, row) && !left.iter().flatten().any(|&to| is_near(other, to))
+        let extra = |other: usize| {
+            let Entry { is_open, turns, extra } = self.entries[other];
+            let is_left = is_near(other, row) || left.iter().flatten().any(|&to| is_near(other, to));
+            (is_open && (may_turn || !turns) && !is_left).then_some(extra)
         };
-        let best = self.matching.nearest(&query, allowed);
-        let present = self.matching.cost_of(&query, row);
+        let best = self.matching.nearest(&query, extra);
+        let present = self.matching.cost_of(&query, row) + self.entries[row].extra;
         let found = match best {
             Some(found) if ends || found.cost + if is_new { 0.0 } else { BETTER } < present => found.row,
             // A clip that ends with nowhere to go begins again.
             None if ends => clip.rows.start,
             _ => {
-                state.row += 1;
+                self.state.row += 1;
                 return false;
             }
         };
         self.switch(found);
         true
+    }
+
+    /// Whether turns on the spot may be entered.
+    fn may_turn(&self, now: &RootState, asked: &Trajectory, wanted: Vec2) -> bool {
+        if wanted.length() < STANDING_GAIT * self.speeds[0] {
+            return true;
+        }
+        let turn = wrap_angle(asked[asked.len() - 1].1 - now.heading).abs();
+        self.path.is_none() && self.clips.knows_standing() && turn > SHARP_TURN
+    }
+
+    /// Begins a move, where the body is most like the present one.
+    fn begin(&mut self, action: Move) {
+        let first = (MOVE_BEGINS_SECS * self.clips.rate_hz).round() as usize;
+        let row = self.state.row;
+        let mut best: Option<(f32, Acting, usize)> = None;
+        for of in self.clips.move_rows().iter().filter(|of| of.action == action) {
+            for to in of.rows.clone().take(first) {
+                let cost = self.matching.body_distance(row, to);
+                if best.is_none_or(|(least, ..)| cost < least) {
+                    best = Some((cost, Acting::Playing { action, end: of.rows.end }, to));
+                }
+            }
+        }
+        let Some((_, acting, to)) = best else { return };
+        self.state.acting = Some(acting);
+        self.switch(to);
     }
 
     fn switch(&mut self, to: usize) {
@@ -275,7 +384,9 @@ impl Driver {
         let speed = velocity.length();
         let ahead = wrap_angle(asked[0].1 - state.root.heading) - HORIZONS_SECS[0] * motion.turn_rate;
         let steering = (STEERING * wrap_angle(ahead)).clamp(-MOST_STEERING, MOST_STEERING);
-        let turn_rate = motion.turn_rate + state.turn_rate + steering * (speed / FULL_STEERING_SPEED).min(1.0);
+        let is_acting = matches!(state.acting, Some(Acting::Playing { .. }));
+        let steered = if is_acting { 0.0 } else { steering * (speed / FULL_STEERING_SPEED).min(1.0) };
+        let turn_rate = motion.turn_rate + state.turn_rate + steered;
         let heading = wrap_angle(state.root.heading + turn_rate * dt);
         let step = in_world(heading, velocity) * dt;
         state.root = Placement { x: state.root.x + step.x, z: state.root.z + step.y, heading };
@@ -293,6 +404,13 @@ impl Driver {
         self.frame.root = state.root;
         self.frame.speed = speed;
         self.frame.row = state.row;
+        self.frame.action = match state.acting {
+            Some(Acting::Playing { action, .. }) => Some(action),
+            _ => None,
+        };
+        let is_unknown = !self.clips.knows_standing() && self.clips.is_standing(state.row);
+        let share = if is_unknown { STANDING_STYLE } else { 1.0 };
+        self.frame.style_share += (share - self.frame.style_share) * half_life_share(dt, STYLE_HALF_LIFE_SECS);
     }
 }
 
@@ -305,6 +423,7 @@ impl State {
             turn_rate: 0.0,
             inertia: Inertia::default(),
             since_search_secs: SEARCH_SECS,
+            acting: None,
             asked: (Vec2::ZERO, root.heading),
             left: [None; LEFT],
             styled: Vec2::ZERO,
@@ -326,8 +445,8 @@ fn speed_of([walk, run]: [f32; 2], gait: f32) -> f32 {
 
 /// Speeds of walking and of running: medians of the clips of each. Where nobody runs, running is walking.
 fn speeds_of(clips: &DrivingClips) -> [f32; 2] {
-    let mut medians: Vec<f32> =
-        clips.clips().iter().filter(|clip| !clip.mirrored).map(|clip| clips.median_speed(clip)).collect();
+    let own = clips.clips().iter().filter(|clip| clip.kind == ClipKind::Locomotion);
+    let mut medians: Vec<f32> = own.filter(|clip| !clip.mirrored).map(|clip| clips.median_speed(clip)).collect();
     medians.sort_by(f32::total_cmp);
     let walking: Vec<f32> = medians.iter().copied().filter(|&speed| speed < RUNNING).collect();
     let running: Vec<f32> = medians.iter().copied().filter(|&speed| speed >= RUNNING).collect();
@@ -336,13 +455,11 @@ fn speeds_of(clips: &DrivingClips) -> [f32; 2] {
     [walk, median(&running).unwrap_or(walk).max(walk)]
 }
 
-/// The row at which the root is slowest.
+/// The row at which the root is slowest, but for turns and moves.
 fn slowest(clips: &DrivingClips) -> usize {
     let near = near_rows(clips);
-    let rows = clips
-        .clips()
-        .iter()
-        .flat_map(|clip| clip.rows.start..clip.rows.end.saturating_sub(near).max(clip.rows.start + 1));
+    let goes = clips.clips().iter().filter(|clip| clip.kind != ClipKind::Moves && !clip.turns);
+    let rows = goes.flat_map(|clip| clip.rows.start..clip.rows.end.saturating_sub(near).max(clip.rows.start + 1));
     let speed = |row: usize| clips.motion(row).velocity.length();
     rows.reduce(|best, row| if speed(row) < speed(best) { row } else { best }).unwrap_or(0)
 }

@@ -20,7 +20,7 @@ pub type Trajectory = [(Vec2, f32); HORIZONS_SECS.len()];
 const TOES_AT: usize = 0;
 const TOES_VELOCITY_AT: usize = 6;
 const HIPS_VELOCITY_AT: usize = 12;
-const TRAJECTORY_AT: usize = 15;
+pub(super) const TRAJECTORY_AT: usize = 15;
 
 /// Where the place of a horizon is; two numbers on, its heading.
 const fn place_at(horizon: usize) -> usize {
@@ -146,7 +146,7 @@ mod tests {
     use crate::humanoid::Proportions;
 
     fn of_circle(speed: f32, turn_rate: f32) -> (DrivingClips, Vec<Features>) {
-        let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, speed, turn_rate)]).unwrap();
+        let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, speed, turn_rate)], &[]).unwrap();
         let features = features_of(&clips);
         (clips, features)
     }

@@ -1,6 +1,6 @@
 //! The row whose features are nearest to a query, exactly: boxes around successive rows say that most need no look.
 
-use super::features::{FEATURES, Features};
+use super::features::{FEATURES, Features, TRAJECTORY_AT};
 
 /// Rows of a small and of a large box: successive rows are near each other.
 const SMALL: usize = 16;
@@ -44,8 +44,9 @@ impl Matching {
         &self.rows[row]
     }
 
-    /// The row of the least cost of those that are `allowed`; of several the first. `None` where none is.
-    pub(super) fn nearest(&self, query: &Features, allowed: impl Fn(usize) -> bool) -> Option<Match> {
+    /// The row of the least cost, `extra` of the row included, which is at least 0, or `None` where a row is not allowed; of
+    /// several the first. `None` where no row is allowed.
+    pub(super) fn nearest(&self, query: &Features, extra: impl Fn(usize) -> Option<f32>) -> Option<Match> {
         let mut best: Option<Match> = None;
         for (l, large) in self.large.iter().enumerate() {
             if !large.may_beat(best, query) {
@@ -58,7 +59,11 @@ impl Matching {
                 }
                 for row in SMALL * s..(SMALL * (s + 1)).min(self.rows.len()) {
                     let cost = self.cost_of(query, row);
-                    if best.is_none_or(|best| cost < best.cost) && allowed(row) {
+                    if best.is_some_and(|best| cost >= best.cost) {
+                        continue;
+                    }
+                    let Some(cost) = extra(row).map(|extra| cost + extra) else { continue };
+                    if best.is_none_or(|best| cost < best.cost) {
                         best = Some(Match { row, cost });
                     }
                 }
@@ -71,6 +76,12 @@ impl Matching {
     pub(super) fn cost_of(&self, query: &Features, row: usize) -> f32 {
         let features = &self.rows[row];
         squared(|i| query[i] - features[i])
+    }
+
+    /// Squared distance of the bodies of two rows, wherever they go.
+    pub(super) fn body_distance(&self, row: usize, other: usize) -> f32 {
+        let (a, b) = (&self.rows[row][..TRAJECTORY_AT], &self.rows[other][..TRAJECTORY_AT]);
+        a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum()
     }
 }
 
@@ -129,8 +140,9 @@ mod tests {
             .collect()
     }
 
-    fn by_brute_force(of: &Matching, query: &Features, allowed: impl Fn(usize) -> bool) -> Option<Match> {
-        let all = (0..of.rows.len()).filter(|&row| allowed(row)).map(|row| Match { row, cost: of.cost_of(query, row) });
+    fn by_brute_force(of: &Matching, query: &Features, extra: impl Fn(usize) -> Option<f32>) -> Option<Match> {
+        let costs = |row: usize| Some(Match { row, cost: of.cost_of(query, row) + extra(row)? });
+        let all = (0..of.rows.len()).filter_map(costs);
         all.reduce(|best, other| if other.cost < best.cost { other } else { best })
     }
 
@@ -142,20 +154,23 @@ mod tests {
             let rows = wander(n, seed);
             let of = Matching::new(rows.clone());
             let query = rows[at % n].map(|v| v + 0.01);
-            let allowed = |row: usize| row.abs_diff(at % n) >= skipped;
-            prop_assert_eq!(of.nearest(&query, allowed), by_brute_force(&of, &query, allowed));
+            let extra = |row: usize| (row.abs_diff(at % n) >= skipped).then(|| if row % 90 < 40 { 0.7 } else { 0.0 });
+            prop_assert_eq!(of.nearest(&query, extra), by_brute_force(&of, &query, extra));
         }
     }
 
     #[test]
     fn takes_the_first_of_several() {
         let of = Matching::new(vec![[1.0; FEATURES]; 200]);
-        assert_eq!(of.nearest(&[0.0; FEATURES], |row| row >= 70), Some(Match { row: 70, cost: FEATURES as f32 }));
+        assert_eq!(
+            of.nearest(&[0.0; FEATURES], |row| (row >= 70).then_some(0.0)),
+            Some(Match { row: 70, cost: FEATURES as f32 })
+        );
     }
 
     #[test]
     fn finds_nothing_where_nothing_is_allowed() {
         let of = Matching::new(wander(100, 1));
-        assert_eq!(of.nearest(&[0.0; FEATURES], |_| false), None);
+        assert_eq!(of.nearest(&[0.0; FEATURES], |_| None), None);
     }
 }

@@ -10,14 +10,16 @@ mod driver;
 mod features;
 mod inertia;
 mod matching;
+mod moves;
 mod path;
 mod query;
 mod smoothing;
 
-pub use clips::{DrivingClip, DrivingClips, DrivingError, NeutralClip, RootMotion};
+pub use clips::{ClipKind, DrivingClip, DrivingClips, DrivingError, NeutralClip, RootMotion};
 pub use control::Control;
 pub use driver::{DrivenFrame, Driver};
 pub use features::Trajectory;
+pub use moves::Move;
 pub use path::Path;
 
 #[cfg(test)]
@@ -42,7 +44,7 @@ mod tests {
             heading += turn_rate / 120.0;
         }
         let contacts = (0..frames).map(|frame| [frame % 60 < 35, frame % 60 > 25]).collect();
-        NeutralClip { name: "circle".into(), poses, contacts }
+        NeutralClip { name: "circle".into(), action: "walk".into(), poses, contacts }
     }
 
     /// A driver over straight and curved ways, slow and fast.
@@ -59,7 +61,7 @@ mod tests {
             (2.5, 0.5),
         ];
         let clips: Vec<NeutralClip> = ways.iter().map(|&(speed, turn)| circle(400, speed, turn)).collect();
-        Driver::new(Arc::new(DrivingClips::new(Proportions::default(), 60.0, &clips).unwrap()))
+        Driver::new(Arc::new(DrivingClips::new(Proportions::default(), 60.0, &clips, &[]).unwrap()))
     }
 
     /// Places of the root over a drive.
@@ -86,7 +88,7 @@ mod tests {
     #[test]
     fn a_stick_turns_the_character_and_a_gait_makes_it_run() {
         let mut driver = driver();
-        let east = Control { wish: Vec2::X, gait: 1.0, face: None };
+        let east = Control { wish: Vec2::X, gait: 1.0, ..Control::default() };
         driven(&mut driver, 120, &east);
         let walked = driven(&mut driver, 120, &east);
         let way = walked[119] - walked[0];
@@ -100,7 +102,7 @@ mod tests {
     #[test]
     fn what_is_not_a_number_counts_as_the_last_good_control() {
         let (mut one, mut other) = (driver(), driver());
-        let good = Control { wish: Vec2::new(0.6, 0.8), gait: 1.0, face: None };
+        let good = Control { wish: Vec2::new(0.6, 0.8), gait: 1.0, ..Control::default() };
         let bad = Control { wish: Vec2::new(f32::NAN, 0.0), ..good };
         one.next(&good, None);
         other.next(&good, None);
@@ -116,7 +118,8 @@ mod tests {
         let mut last = None;
         for frame in 0..900 {
             let wish = Vec2::from_angle(frame as f32 * 0.011);
-            let pose = driver.next(&Control { wish, gait: 1.0 + (frame / 300) as f32 * 0.5, face: None }, None).pose;
+            let pose =
+                driver.next(&Control { wish, gait: 1.0 + (frame / 300) as f32 * 0.5, ..Control::default() }, None).pose;
             if let Some(before) = last.replace(pose.root) {
                 assert!(pose.root.distance(before) < 3.5 / 60.0, "{frame}: {before} {}", pose.root);
             }

@@ -1,0 +1,275 @@
+//! Figures of a drive: how near it kept to its path, how soon it did what was asked, and how well it moved meanwhile.
+
+use super::orders::Orders;
+use serde::Serialize;
+use strut_core::driving::{Control, DrivenFrame, DrivingClips};
+use strut_core::humanoid::{HumanoidMotion, JOINTS, Pose};
+use strut_core::kinematics::world_from_local;
+use strut_core::math::float_funcs::{atan2, wrap_angle};
+use strut_core::math::{Vec2, Vec3};
+use strut_core::metrics::foot_skate;
+use strut_core::pose_vector::Placement;
+use strut_core::transfer::{Footplant, StyledFrame};
+
+/// Distances from a path count from here on, seconds: the beginning is no part of it.
+const UNDER_WAY_SECS: f32 = 2.0;
+/// Frames after a transition belong to it for so long, seconds.
+const TRANSITION_SECS: f32 = 0.15;
+/// Somebody stands who is slower than this, m/s.
+const STILL: f32 = 0.1;
+/// A heading is reached within so many degrees, by somebody who walks and by one who stands.
+const WALKING_DEGREES: f32 = 15.0;
+const STANDING_DEGREES: f32 = 10.0;
+
+/// What was driven, one entry a frame.
+#[derive(Default)]
+pub(super) struct Log {
+    pub(super) poses: Vec<Pose>,
+    pub(super) contacts: Vec<[bool; 2]>,
+    pub(super) roots: Vec<Placement>,
+    /// Speeds of the root, m/s.
+    pub(super) speeds: Vec<f32>,
+    /// Whether another row was taken.
+    pub(super) switched: Vec<bool>,
+    /// Whether a move played.
+    pub(super) acted: Vec<bool>,
+    /// What the driver took, microseconds.
+    pub(super) driver_us: Vec<f32>,
+}
+
+impl Log {
+    pub(super) fn push(&mut self, frame: &DrivenFrame) {
+        self.poses.push(frame.pose);
+        self.contacts.push(frame.contacts);
+        self.roots.push(frame.root);
+        self.speeds.push(frame.speed);
+        self.switched.push(frame.switched);
+        self.acted.push(frame.action.is_some());
+    }
+}
+
+/// Figures of a drive.
+#[derive(Serialize)]
+pub(super) struct Report {
+    pub(super) frames: usize,
+    pub(super) secs: f32,
+    /// Rows and clips to choose from, takes and mirror images included.
+    rows: usize,
+    clips: usize,
+    /// Switches to another row than the next one, a second.
+    pub(super) transitions_per_sec: f32,
+    /// Distance of the styled hips from the path, from two seconds on and up to its end, metres.
+    pub(super) path_error_m: Option<PathError>,
+    /// Sliding of planted feet, m/s.
+    skate: Skate,
+    /// 99th percentile of the joints' acceleration just after transitions, and in the clips, m/s².
+    transition_acceleration: f32,
+    clip_acceleration: f32,
+    /// Microseconds a frame of the driver.
+    driver_us: Cost,
+    /// What came of each control of a log.
+    orders: Vec<Response>,
+}
+
+#[derive(Serialize)]
+pub(super) struct PathError {
+    pub(super) mean: f32,
+    p95: f32,
+}
+
+/// As the driver gives it, after the feet were planted, and styled.
+#[derive(Serialize)]
+struct Skate {
+    driven: f32,
+    planted: f32,
+    styled: f32,
+}
+
+#[derive(Serialize)]
+struct Cost {
+    median: f32,
+    p95: f32,
+}
+
+/// What came of a control until the next one.
+#[derive(Serialize)]
+struct Response {
+    time: f32,
+    gait: f32,
+    /// Asked turn, degrees.
+    turn: Option<f32>,
+    /// Seconds until the heading was reached, within 15 degrees walking and 10 on the spot.
+    heading_secs: Option<f32>,
+    /// Seconds until 50 and 90 % of the change of speed.
+    half_speed_secs: Option<f32>,
+    speed_secs: Option<f32>,
+    /// Seconds and metres until it stood, where that was asked.
+    stop_secs: Option<f32>,
+    stop_m: Option<f32>,
+    /// Distance of the last place from the first, metres.
+    moved_m: f32,
+    /// Seconds until a move began, and how long it played.
+    action_secs: Option<f32>,
+    acted_secs: f32,
+}
+
+/// The figures.
+pub(super) fn report(
+    clips: &DrivingClips,
+    speeds: [f32; 2],
+    log: &Log,
+    styled: &[StyledFrame],
+    orders: &Orders,
+    arrived: usize,
+) -> Report {
+    let rate_hz = clips.rate_hz;
+    let frames = log.poses.len();
+    let secs = frames as f32 / rate_hz;
+    let hips: Vec<Vec2> = styled.iter().map(|frame| Vec2::new(frame.pose.root.x, frame.pose.root.z)).collect();
+    let under_way = &hips[((UNDER_WAY_SECS * rate_hz) as usize).min(arrived)..arrived];
+    let transitions = log.switched.iter().filter(|switched| **switched).count();
+    Report {
+        frames,
+        secs,
+        rows: clips.rows(),
+        clips: clips.clips().len(),
+        transitions_per_sec: transitions as f32 / secs,
+        path_error_m: orders.path().filter(|_| !under_way.is_empty()).map(|path| path_error(path, under_way)),
+        skate: skate(clips, log, styled),
+        transition_acceleration: percentile(
+            &mut accelerations(clips, &log.poses, |i| is_of_transition(log, rate_hz, i)),
+            0.99,
+        ),
+        clip_acceleration: clip_acceleration(clips),
+        driver_us: Cost {
+            median: percentile(&mut log.driver_us.clone(), 0.5),
+            p95: percentile(&mut log.driver_us.clone(), 0.95),
+        },
+        orders: responses(log, orders.log(), speeds, rate_hz),
+    }
+}
+
+/// Mean and 95th percentile of the distances of places from a line.
+fn path_error(path: &[Vec2], places: &[Vec2]) -> PathError {
+    let distance = |place: Vec2| {
+        let to = |piece: &[Vec2]| {
+            let (along, off) = (piece[1] - piece[0], place - piece[0]);
+            let t = (off.dot(along) / along.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+            off.distance(along * t)
+        };
+        path.windows(2).map(to).fold(f32::INFINITY, f32::min)
+    };
+    let mut distances: Vec<f32> = places.iter().map(|&place| distance(place)).collect();
+    let mean = distances.iter().sum::<f32>() / distances.len() as f32;
+    PathError { mean, p95: percentile(&mut distances, 0.95) }
+}
+
+fn percentile(values: &mut [f32], share: f32) -> f32 {
+    values.sort_by(f32::total_cmp);
+    let last = values.len().saturating_sub(1);
+    values.get((share * last as f32) as usize).copied().unwrap_or_default()
+}
+
+fn skate(clips: &DrivingClips, log: &Log, styled: &[StyledFrame]) -> Skate {
+    let motion = |poses: Vec<Pose>| HumanoidMotion { proportions: clips.proportions, rate_hz: clips.rate_hz, poses };
+    let mut footplant = Footplant::new(clips.proportions);
+    let mut planted = log.poses.clone();
+    for (pose, feet) in planted.iter_mut().zip(&log.contacts) {
+        footplant.apply(pose, feet.map(f32::from), 1.0 / clips.rate_hz);
+    }
+    let of_styled: Vec<[bool; 2]> = styled.iter().map(|frame| frame.planted).collect();
+    Skate {
+        driven: foot_skate(&motion(log.poses.clone()), &log.contacts),
+        planted: foot_skate(&motion(planted), &log.contacts),
+        styled: foot_skate(&motion(styled.iter().map(|frame| frame.pose).collect()), &of_styled),
+    }
+}
+
+fn is_of_transition(log: &Log, rate_hz: f32, frame: usize) -> bool {
+    let before = (TRANSITION_SECS * rate_hz).round() as usize;
+    log.switched[frame.saturating_sub(before)..=frame].contains(&true)
+}
+
+/// Acceleration of every joint in the chosen frames, m/s².
+fn accelerations(clips: &DrivingClips, poses: &[Pose], chosen: impl Fn(usize) -> bool) -> Vec<f32> {
+    let joints: Vec<[Vec3; JOINTS]> =
+        poses.iter().map(|pose| world_from_local(&clips.proportions, pose).positions).collect();
+    let per_sec2 = clips.rate_hz * clips.rate_hz;
+    let of = |i: usize| {
+        let [a, b, c] = [&joints[i - 1], &joints[i], &joints[i + 1]];
+        let each: [f32; JOINTS] = std::array::from_fn(|j| (a[j] - 2.0 * b[j] + c[j]).length() * per_sec2);
+        each
+    };
+    (1..joints.len().saturating_sub(1)).filter(|&i| chosen(i)).flat_map(of).collect()
+}
+
+/// The 99th percentile of the clips that are driven with, as they go through the world.
+fn clip_acceleration(clips: &DrivingClips) -> f32 {
+    let mut all = Vec::new();
+    for clip in clips.clips().iter().filter(|clip| !clip.mirrored) {
+        let (mut place, mut heading) = (Vec3::ZERO, 0.0);
+        let poses: Vec<Pose> = clip
+            .rows
+            .clone()
+            .map(|row| {
+                let motion = clips.motion(row);
+                heading += motion.turn_rate / clips.rate_hz;
+                let turn = strut_core::math::Quat::from_rotation_y(heading);
+                place += turn * Vec3::new(motion.velocity.x, 0.0, motion.velocity.y) / clips.rate_hz;
+                let mut pose = *clips.pose(row);
+                pose.root = turn * pose.root + place;
+                pose.rotations[0] = turn * pose.rotations[0];
+                pose
+            })
+            .collect();
+        all.extend(accelerations(clips, &poses, |_| true));
+    }
+    percentile(&mut all, 0.99)
+}
+
+fn responses(log: &Log, controls: &[(f32, Control)], speeds: [f32; 2], rate_hz: f32) -> Vec<Response> {
+    let frame_at = |secs: f32| ((secs * rate_hz).ceil() as usize).min(log.poses.len());
+    let ends = controls.iter().skip(1).map(|(time, _)| frame_at(*time)).chain([log.poses.len()]);
+    let each = controls.iter().zip(ends).filter(|((time, _), end)| frame_at(*time) < *end);
+    each.map(|((time, control), end)| response(log, frame_at(*time)..end, *time, control, speeds, rate_hz)).collect()
+}
+
+fn response(
+    log: &Log,
+    frames: std::ops::Range<usize>,
+    time: f32,
+    control: &Control,
+    [walk, run]: [f32; 2],
+    rate_hz: f32,
+) -> Response {
+    let gait = control.gait * control.wish.length();
+    let asked = if gait <= 1.0 { gait * walk } else { walk + (gait - 1.0) * (run - walk) };
+    let along = (gait > 0.0).then(|| atan2(control.wish.x, control.wish.y));
+    let goal = control.face.or(along);
+    let (begin, end) = (frames.start, frames.end);
+    let place = |i: usize| Vec2::new(log.roots[i].x, log.roots[i].z);
+    let first =
+        |is_so: &dyn Fn(usize) -> bool| (begin..end).find(|&i| is_so(i)).map(|i| (i - begin + 1) as f32 / rate_hz);
+    let enough = if gait > 0.0 { WALKING_DEGREES } else { STANDING_DEGREES }.to_radians();
+    let from = log.speeds[begin];
+    let changed = |share: f32| {
+        let reached = from + share * (asked - from);
+        first(&|i| if asked > from { log.speeds[i] >= reached } else { log.speeds[i] <= reached })
+    };
+    let changes = gait > 0.0 && (asked - from).abs() > 0.2;
+    let stop_secs = (gait == 0.0 && from > STILL).then(|| first(&|i| log.speeds[i] < STILL)).flatten();
+    let stopped = stop_secs.map(|secs| begin + (secs * rate_hz) as usize);
+    Response {
+        time,
+        gait,
+        turn: goal.map(|goal| wrap_angle(goal - log.roots[begin].heading).to_degrees()),
+        heading_secs: goal.and_then(|goal| first(&|i| wrap_angle(log.roots[i].heading - goal).abs() < enough)),
+        half_speed_secs: changes.then(|| changed(0.5)).flatten(),
+        speed_secs: changes.then(|| changed(0.9)).flatten(),
+        stop_secs,
+        stop_m: stopped.map(|i| place(i.min(end - 1)).distance(place(begin))),
+        moved_m: place(end - 1).distance(place(begin)),
+        action_secs: first(&|i| log.acted[i]),
+        acted_secs: log.acted[begin..end].iter().filter(|acted| **acted).count() as f32 / rate_hz,
+    }
+}

@@ -1,0 +1,166 @@
+//! Moves that a driver plays when they are asked for: what a clip does between two rests.
+
+use crate::humanoid::{Pose, Proportions, Role};
+use crate::kinematics::world_from_local;
+use crate::math::Vec3;
+use std::ops::Range;
+
+/// Points whose speeds tell a move from a rest.
+const POINTS: [Role; 6] = [Role::Hips, Role::Head, Role::LeftHand, Role::RightHand, Role::LeftFoot, Role::RightFoot];
+/// At rest the fastest of them is slower than this, m/s, in the mean of so many frames …
+const REST_SPEED: f32 = 0.45;
+const MEAN_HALF_SECS: f32 = 1.0 / 30.0;
+/// … for so long, seconds.
+const REST_SECS: f32 = 0.1;
+/// A move takes at least so long, seconds, and is once faster than this, m/s.
+const LEAST_SECS: f32 = 1.0 / 3.0;
+const LEAST_PEAK: f32 = 1.0;
+
+/// What can be asked of somebody besides going.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Move {
+    /// Jumps.
+    Jump,
+    /// Strikes with a fist.
+    Punch,
+    /// Kicks.
+    Kick,
+}
+
+impl Move {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Jump, Self::Punch, Self::Kick];
+
+    /// Its name, which the names of its actions begin with, as in "jump" and "jumping".
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Jump => "jump",
+            Self::Punch => "punch",
+            Self::Kick => "kick",
+        }
+    }
+
+    /// The move of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|of| of.name() == name)
+    }
+
+    /// The move that clips of an action have.
+    pub(super) fn of_action(action: &str) -> Option<Self> {
+        let action = action.to_ascii_lowercase();
+        Self::ALL.into_iter().find(|of| action.starts_with(of.name()))
+    }
+}
+
+/// The rows of a move, from rest to rest.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct MoveRows {
+    pub(super) action: Move,
+    pub(super) rows: Range<usize>,
+}
+
+impl MoveRows {
+    /// The same where the clip begins at a row.
+    pub(super) fn after(&self, first: usize) -> Self {
+        Self { action: self.action, rows: first + self.rows.start..first + self.rows.end }
+    }
+}
+
+/// The moves of a clip, by its frames.
+pub(super) fn moves_in(action: Move, proportions: &Proportions, poses: &[Pose], rate_hz: f32) -> Vec<MoveRows> {
+    let speeds = fastest(proportions, poses, rate_hz);
+    let mut rests = rests_of(&speeds, (REST_SECS * rate_hz).round() as usize).into_iter();
+    let mut found = Vec::new();
+    let Some(mut before) = rests.next() else { return found };
+    for rest in rests {
+        // From the middle of a rest to that of the next one, as nobody stands still at once.
+        let rows = middle(&before)..middle(&rest);
+        let peak = speeds[rows.clone()].iter().copied().fold(0.0, f32::max);
+        if rows.len() as f32 >= LEAST_SECS * rate_hz && peak > LEAST_PEAK {
+            found.push(MoveRows { action, rows });
+        }
+        before = rest;
+    }
+    found
+}
+
+fn middle(of: &Range<usize>) -> usize {
+    of.start + of.len() / 2
+}
+
+/// Speed of the fastest point in every frame, m/s, in the mean of the frames around it.
+fn fastest(proportions: &Proportions, poses: &[Pose], rate_hz: f32) -> Vec<f32> {
+    let points: Vec<[Vec3; POINTS.len()]> = poses
+        .iter()
+        .map(|pose| {
+            let world = world_from_local(proportions, pose);
+            POINTS.map(|role| world.positions[role.index()])
+        })
+        .collect();
+    let speeds: Vec<f32> = (0..points.len())
+        .map(|i| {
+            let (a, b) = (i.saturating_sub(1), (i + 1).min(points.len() - 1));
+            let per_sec = rate_hz / (b - a).max(1) as f32;
+            let each = points[a].iter().zip(&points[b]).map(|(a, b)| a.distance(*b) * per_sec);
+            each.fold(0.0, f32::max)
+        })
+        .collect();
+    let half = (MEAN_HALF_SECS * rate_hz).round() as usize;
+    (0..speeds.len())
+        .map(|i| {
+            let around = &speeds[i.saturating_sub(half)..(i + half + 1).min(speeds.len())];
+            around.iter().sum::<f32>() / around.len() as f32
+        })
+        .collect()
+}
+
+/// Successive frames at rest that are at least so many.
+fn rests_of(speeds: &[f32], least: usize) -> Vec<Range<usize>> {
+    let mut rests = Vec::new();
+    let mut begin = 0;
+    for i in 0..=speeds.len() {
+        if speeds.get(i).is_none_or(|&speed| speed >= REST_SPEED) {
+            if i - begin >= least.max(1) {
+                rests.push(begin..i);
+            }
+            begin = i + 1;
+        }
+    }
+    rests
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Quat;
+    use crate::math::float_funcs::sin;
+
+    #[test]
+    fn lie_between_rests() {
+        // An arm that is raised and lowered twice, with a second of rest before, between and after.
+        let raised = |frame: usize| {
+            let within = frame % 120;
+            if within < 60 { 0.0 } else { 1.5 * sin((within - 60) as f32 / 60.0 * std::f32::consts::PI).powi(2) }
+        };
+        let poses: Vec<Pose> = (0..300)
+            .map(|frame| {
+                let mut pose = Pose { root: Vec3::Y, ..Pose::default() };
+                pose.rotations[Role::RightUpperArm.index()] = Quat::from_rotation_z(raised(frame));
+                pose
+            })
+            .collect();
+        let moves = moves_in(Move::Punch, &Proportions::default(), &poses, 60.0);
+        assert_eq!(moves.len(), 2, "{moves:?}");
+        for (number, of) in moves.iter().enumerate() {
+            let begin = 60 + 120 * number;
+            assert!(of.rows.start < begin && of.rows.end > begin + 50, "{of:?}");
+        }
+    }
+
+    #[test]
+    fn are_told_by_the_names_of_actions() {
+        assert_eq!(Move::of_action("Jumping"), Some(Move::Jump));
+        assert_eq!(Move::of_action("walk"), None);
+        assert_eq!(Move::named("kick"), Some(Move::Kick));
+    }
+}
