@@ -265,6 +265,7 @@ async function writeMotions() {
     "walk.bin": walks,
     "besides_walk.bin": besides,
     "first_steps.bin": firstSteps(glue, first),
+    "drive.bin": glue.drivingMotions(),
     "built_in.strutwalk": await walkModelOf(Buffer.concat([walks, besides])),
   };
   const sizes = Object.entries(sets).map(([name, motions]) => {

@@ -27,3 +27,13 @@ pub fn built_in_motions(short: bool) -> Result<Vec<Uint8Array>, EngineError> {
 fn named(clips: Vec<strut_demo::NamedMotion>) -> Vec<NamedMotion> {
     clips.into_iter().map(|clip| NamedMotion { name: clip.name.into(), motion: clip.motion }).collect()
 }
+
+/// Neutral takes to drive with in the packed format, not yet deflated: standing, turns on the spot, halts, changes of gait.
+///
+/// # Errors
+/// None for the motions that are built in.
+#[wasm_bindgen(js_name = drivingMotions)]
+pub fn driving_motions() -> Result<Uint8Array, EngineError> {
+    let takes = strut_demo::driving_database().map_err(EngineError::bad_input)?;
+    Ok(Uint8Array::from(packed::write(&takes, &[]).as_slice()))
+}

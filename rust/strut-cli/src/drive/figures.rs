@@ -2,7 +2,7 @@
 
 use super::orders::Orders;
 use serde::Serialize;
-use strut_core::driving::{Control, DrivenFrame, DrivingClips};
+use strut_core::driving::{ClipKind, Control, DrivenFrame, DrivingClips};
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Pose};
 use strut_core::kinematics::world_from_local;
 use strut_core::math::float_funcs::{atan2, wrap_angle};
@@ -203,10 +203,11 @@ fn accelerations(clips: &DrivingClips, poses: &[Pose], chosen: impl Fn(usize) ->
     (1..joints.len().saturating_sub(1)).filter(|&i| chosen(i)).flat_map(of).collect()
 }
 
-/// The 99th percentile of the clips that are driven with, as they go through the world.
+/// The 99th percentile of the database's own locomotion, as they go through the world.
 fn clip_acceleration(clips: &DrivingClips) -> f32 {
     let mut all = Vec::new();
-    for clip in clips.clips().iter().filter(|clip| !clip.mirrored) {
+    let own = clips.clips().iter().filter(|clip| clip.kind == ClipKind::Locomotion && !clip.mirrored);
+    for clip in own {
         let (mut place, mut heading) = (Vec3::ZERO, 0.0);
         let poses: Vec<Pose> = clip
             .rows

@@ -27,8 +27,9 @@ const NEAR_SECS: f32 = 1.0 / 3.0;
 const LEFT: usize = 3;
 /// How much better another row must be than the present one.
 const BETTER: f32 = 1.0;
-/// What a row of a take costs more than one of the database's own clips.
-const TAKE: f32 = 3.0;
+/// What a row of a take costs more than one of the database's own clips: without it takes would walk, with twice as much
+/// somebody who walks on would not stop.
+const TAKE: f32 = 1.5;
 /// Turns on the spot are for those who ask for less than this gait, or for a turn of more than this at the last horizon,
 /// radians; elsewhere they skate.
 const STANDING_GAIT: f32 = 0.1;

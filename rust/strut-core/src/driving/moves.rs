@@ -2,16 +2,17 @@
 
 use crate::humanoid::{Pose, Proportions, Role};
 use crate::kinematics::world_from_local;
-use crate::math::Vec3;
+use crate::math::{Vec2, Vec3};
 use std::ops::Range;
 
 /// Points whose speeds tell a move from a rest.
 const POINTS: [Role; 6] = [Role::Hips, Role::Head, Role::LeftHand, Role::RightHand, Role::LeftFoot, Role::RightFoot];
-/// At rest the fastest of them is slower than this, m/s, in the mean of so many frames …
-const REST_SPEED: f32 = 0.45;
+/// At rest the fastest of them is slower than this, m/s, in the mean of the frames so near, seconds …
+const REST_SPEED: f32 = 0.75;
 const MEAN_HALF_SECS: f32 = 1.0 / 30.0;
-/// … for so long, seconds.
-const REST_SECS: f32 = 0.1;
+/// … and none is farther from where it is at the beginning of the clip, metres: a fist or a foot that is held out does not
+/// rest.
+const REST_DISTANCE: f32 = 0.2;
 /// A move takes at least so long, seconds, and is once faster than this, m/s.
 const LEAST_SECS: f32 = 1.0 / 3.0;
 const LEAST_PEAK: f32 = 1.0;
@@ -68,13 +69,20 @@ impl MoveRows {
 
 /// The moves of a clip, by its frames.
 pub(super) fn moves_in(action: Move, proportions: &Proportions, poses: &[Pose], rate_hz: f32) -> Vec<MoveRows> {
-    let speeds = fastest(proportions, poses, rate_hz);
-    let mut rests = rests_of(&speeds, (REST_SECS * rate_hz).round() as usize).into_iter();
+    let points: Vec<[Vec3; POINTS.len()]> = poses
+        .iter()
+        .map(|pose| {
+            let world = world_from_local(proportions, pose);
+            POINTS.map(|role| world.positions[role.index()])
+        })
+        .collect();
+    let speeds = fastest(&points, rate_hz);
+    let is_rest = |frame: usize| speeds[frame] < REST_SPEED && distance(&points[0], &points[frame]) < REST_DISTANCE;
+    let mut rests = runs_of(points.len(), is_rest).into_iter();
     let mut found = Vec::new();
     let Some(mut before) = rests.next() else { return found };
     for rest in rests {
-        // From the middle of a rest to that of the next one, as nobody stands still at once.
-        let rows = middle(&before)..middle(&rest);
+        let rows = before.end - 1..rest.start + 1;
         let peak = speeds[rows.clone()].iter().copied().fold(0.0, f32::max);
         if rows.len() as f32 >= LEAST_SECS * rate_hz && peak > LEAST_PEAK {
             found.push(MoveRows { action, rows });
@@ -84,19 +92,15 @@ pub(super) fn moves_in(action: Move, proportions: &Proportions, poses: &[Pose], 
     found
 }
 
-fn middle(of: &Range<usize>) -> usize {
-    of.start + of.len() / 2
+/// Greatest distance of corresponding points, by height and by how far they are from the hips: wherever the body is and
+/// faces.
+fn distance(a: &[Vec3; POINTS.len()], b: &[Vec3; POINTS.len()]) -> f32 {
+    let place = |of: &[Vec3; POINTS.len()], i: usize| Vec2::new((of[i] - of[0]).with_y(0.0).length(), of[i].y);
+    (0..POINTS.len()).map(|i| place(a, i).distance(place(b, i))).fold(0.0, f32::max)
 }
 
 /// Speed of the fastest point in every frame, m/s, in the mean of the frames around it.
-fn fastest(proportions: &Proportions, poses: &[Pose], rate_hz: f32) -> Vec<f32> {
-    let points: Vec<[Vec3; POINTS.len()]> = poses
-        .iter()
-        .map(|pose| {
-            let world = world_from_local(proportions, pose);
-            POINTS.map(|role| world.positions[role.index()])
-        })
-        .collect();
+fn fastest(points: &[[Vec3; POINTS.len()]], rate_hz: f32) -> Vec<f32> {
     let speeds: Vec<f32> = (0..points.len())
         .map(|i| {
             let (a, b) = (i.saturating_sub(1), (i + 1).min(points.len() - 1));
@@ -114,19 +118,19 @@ fn fastest(proportions: &Proportions, poses: &[Pose], rate_hz: f32) -> Vec<f32> 
         .collect()
 }
 
-/// Successive frames at rest that are at least so many.
-fn rests_of(speeds: &[f32], least: usize) -> Vec<Range<usize>> {
-    let mut rests = Vec::new();
+/// Successive frames that are so.
+fn runs_of(frames: usize, is_so: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
+    let mut runs = Vec::new();
     let mut begin = 0;
-    for i in 0..=speeds.len() {
-        if speeds.get(i).is_none_or(|&speed| speed >= REST_SPEED) {
-            if i - begin >= least.max(1) {
-                rests.push(begin..i);
+    for i in 0..=frames {
+        if i == frames || !is_so(i) {
+            if i > begin {
+                runs.push(begin..i);
             }
             begin = i + 1;
         }
     }
-    rests
+    runs
 }
 
 #[cfg(test)]
@@ -153,7 +157,7 @@ mod tests {
         assert_eq!(moves.len(), 2, "{moves:?}");
         for (number, of) in moves.iter().enumerate() {
             let begin = 60 + 120 * number;
-            assert!(of.rows.start < begin && of.rows.end > begin + 50, "{of:?}");
+            assert!(of.rows.start < begin + 10 && of.rows.end > begin + 50, "{of:?}");
         }
     }
 
