@@ -1,4 +1,5 @@
-// npm run evaluate [-- ID …] [--fresh]: runs the experiments and writes docs/evaluation.md with its figures.
+// npm run evaluate [-- ID …] [--fresh]: runs the experiments and writes docs/evaluation.md with its figures. The ID drive is
+// what docs/driving.md reports.
 //
 // Results are kept in evaluation/results; an experiment that is there already is not run again unless it is named or
 // --fresh is given, one that was stopped goes on where it was. Figures of real motion are never committed: curves come from the built-in motions.
@@ -9,6 +10,7 @@ import { cpus } from "node:os";
 import { join } from "node:path";
 import { setupRust } from "../scripts/setup.mjs";
 import { main, root, run, Sentence, step } from "../scripts/steps.mjs";
+import { evaluateDriving } from "./drive.mjs";
 import { experiments } from "./experiments.mjs";
 import { errorBars, jointCurve, timeWarp } from "./figures.mjs";
 
@@ -16,6 +18,9 @@ const results = join(root, "evaluation", "results");
 const pictures = join(root, "docs", "evaluation");
 const demo = join(results, "demo-motions");
 const file = (id, kind) => join(results, `${id}.${kind}`);
+
+/** The experiments on driving. */
+const DRIVE = "drive";
 
 /** Folder of real motion capture. */
 function mocap() {
@@ -85,9 +90,9 @@ await main(async () => {
   const args = process.argv.slice(2);
   const fresh = args.includes("--fresh");
   const wanted = args.filter((a) => a !== "--fresh");
-  const unknown = wanted.find((id) => experiments.every((e) => e.id !== id));
-  if (unknown)
-    throw new Sentence(`there is no experiment '${unknown}'; ${experiments.map((e) => e.id).join(", ")} are`);
+  const ids = [...experiments.map((e) => e.id), DRIVE];
+  const unknown = wanted.find((id) => !ids.includes(id));
+  if (unknown) throw new Sentence(`there is no experiment '${unknown}'; ${ids.join(", ")} are`);
   const places = { MOCAP: mocap(), DEMO: demo };
   const rust = await setupRust();
   await step("Building the command", () =>
@@ -100,6 +105,9 @@ await main(async () => {
   await mkdir(results, { recursive: true });
   await mkdir(pictures, { recursive: true });
   await run(strut, ["demo-db", "--page", "-o", file("demo-motions", "strutdb"), "--bvh", demo]);
+  const driving = wanted.includes(DRIVE) || (wanted.length === 0 && fresh);
+  if (driving)
+    await step("Driving and docs/driving.md", () => evaluateDriving(strut, places.MOCAP, results, join(root, "docs")));
   for (const experiment of experiments) {
     const asked = wanted.includes(experiment.id) || (wanted.length === 0 && fresh);
     if (asked || (wanted.length === 0 && !(await isDone(experiment, places))))

@@ -15,7 +15,7 @@ use std::time::Instant;
 use strut_core::database::Database;
 use strut_core::driving::{Driver, DrivingClips, NeutralClip};
 use strut_core::humanoid::HumanoidMotion;
-use strut_core::transfer::{ClipJob, Model, NoClock, Options, Stylizer};
+use strut_core::transfer::{Model, Options, StyledFrame, StyledMotion, Stylizer};
 use strut_formats::bvh::{self, Bvh};
 
 /// Longest drive, seconds.
@@ -73,11 +73,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let Driven { log, styled, arrived } = drive(&mut driver, stylizer, &orders, args.secs, rate_hz);
 
     let proportions = model.catalogue().proportions;
-    let report = report(&clips, driver.speeds(), &log, styled.frames(), &orders, arrived);
+    let styled = StyledMotion { proportions, frames: styled };
+    let finished = styled.resampled(rate_hz).motion;
+    let report = report(&clips, driver.speeds(), &log, (&styled.frames, &finished), &orders, arrived);
     let mut outputs = Outputs::default();
-    let styled = styled.finish().on_body(&proportions, rate_hz).motion;
     let neutral = HumanoidMotion { proportions, rate_hz, poses: log.poses };
-    for (target, motion) in [(Some(&args.output), &styled), (args.input_out.as_ref(), &neutral)] {
+    for (target, motion) in [(Some(&args.output), &finished), (args.input_out.as_ref(), &neutral)] {
         let Some(target) = target else { continue };
         outputs.stage(target, bvh::write(&Bvh::from_humanoid(motion).map_err(Failure::new)?).as_bytes())?;
     }
@@ -116,13 +117,14 @@ fn driving_clips(db: &Database) -> Result<DrivingClips, String> {
 
 struct Driven {
     log: Log,
-    styled: ClipJob,
+    /// As they are shown: feet are planted without knowledge of later frames.
+    styled: Vec<StyledFrame>,
     /// Frames until nothing further was asked.
     arrived: usize,
 }
 
-fn drive(driver: &mut Driver, stylizer: Stylizer, orders: &Orders, secs: Option<f32>, rate_hz: f32) -> Driven {
-    let mut driven = Driven { log: Log::default(), styled: ClipJob::new(stylizer), arrived: 0 };
+fn drive(driver: &mut Driver, mut stylizer: Stylizer, orders: &Orders, secs: Option<f32>, rate_hz: f32) -> Driven {
+    let mut driven = Driven { log: Log::default(), styled: Vec::new(), arrived: 0 };
     if let Some(path) = orders.path() {
         driver.set_path(path);
     }
@@ -131,13 +133,13 @@ fn drive(driver: &mut Driver, stylizer: Stylizer, orders: &Orders, secs: Option<
     while driven.log.poses.len() < most && (secs.is_some() || !over) {
         let now_secs = driven.log.poses.len() as f32 / rate_hz;
         let control = orders.at(now_secs, driver.progress());
-        let styled_hips = driven.styled.frames().last().map(|frame| frame.pose.root);
+        let styled_hips = driven.styled.last().map(|frame| frame.pose.root);
         let began = Instant::now();
         let frame = driver.next(&control, styled_hips);
         driven.log.driver_us.push(began.elapsed().as_secs_f32() * 1e6);
         driven.log.push(frame);
-        driven.styled.set_style_share(frame.style_share);
-        driven.styled.push(&frame.pose, &mut NoClock);
+        stylizer.set_style_share(frame.style_share);
+        driven.styled.push(*stylizer.push(&frame.pose));
         over |= orders.is_over(now_secs, driver);
         driven.arrived += usize::from(!over);
     }

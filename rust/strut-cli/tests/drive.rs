@@ -46,6 +46,30 @@ fn the_styled_character_follows_a_path() {
 }
 
 #[test]
+fn somebody_stops_turns_on_the_spot_and_jumps_when_asked_to() {
+    let folder = folder();
+    let log = "time,gait,heading,face,action\n0,1,0,,\n4,0,0,,\n8,0,0,90,\n11,0,0,-90,\n14,0,0,-90,jump\n18,1,-90,,\n\
+               20,1,-90,,kick\n24,0,-90,,\n36,0,-90,,\n";
+    fs::write(folder.path().join("log.csv"), log).unwrap();
+    let args = ["drive", "--db", "db.strutdb", "--controls", "log.csv", "-o", "out.bvh", "--json", "drive.json"];
+    strut_ok(folder.path(), &args);
+    let report: serde_json::Value =
+        serde_json::from_slice(&fs::read(folder.path().join("drive.json")).unwrap()).unwrap();
+    let order = |i: usize, of: &str| report["orders"][i][of].as_f64();
+    assert!(order(1, "stop_secs").unwrap() < 1.6 && order(1, "stop_m").unwrap() < 1.0, "{report}");
+    for turn in [2, 3] {
+        assert!(order(turn, "heading_secs").unwrap() < 1.6, "{report}");
+        assert!(order(turn, "moved_m").unwrap() < 0.25, "{report}");
+        assert!(order(turn, "first_degree_frames").unwrap() < 12.0, "{report}");
+    }
+    assert!(order(4, "action_secs").unwrap() < 0.1 && order(4, "acted_secs").unwrap() > 1.0, "{report}");
+    assert!(order(6, "action_secs").unwrap() < 1.1, "{report}");
+    assert!(order(7, "moved_m").unwrap() < 1.5, "{report}");
+    let skate = |of: &str| report["skate"][of].as_f64().unwrap();
+    assert!(skate("planted") < 0.01 && skate("styled") < 0.02, "{report}");
+}
+
+#[test]
 fn the_same_drive_is_the_same_file() {
     let folder = folder();
     fs::write(folder.path().join("log.csv"), "time,gait,heading\n0,1,0\n1.5,1,90\n3,2,90\n5,0.5,-45\n").unwrap();
@@ -75,4 +99,6 @@ fn what_cannot_be_followed_gets_a_sentence() {
     fs::write(folder.path().join("log.csv"), "time,gait,heading\n2,1,0\n1,1,0\n").unwrap();
     let args = ["drive", "--db", "db.strutdb", "--controls", "log.csv", "-o", "out.bvh"];
     assert_refused(folder.path(), &args, "the times do not rise from line to line");
+    fs::write(folder.path().join("log.csv"), "time,gait,heading,action\n0,1,0,\n2,1,0,dance\n").unwrap();
+    assert_refused(folder.path(), &args, "line 3: the action is 'dance'; one of jump, punch, kick was expected");
 }

@@ -2,6 +2,7 @@
 
 use super::orders::Orders;
 use serde::Serialize;
+use strut_core::contact::label;
 use strut_core::driving::{ClipKind, Control, DrivenFrame, DrivingClips};
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Pose};
 use strut_core::kinematics::world_from_local;
@@ -77,7 +78,7 @@ pub(super) struct PathError {
     p95: f32,
 }
 
-/// As the driver gives it, after the feet were planted, and styled.
+/// As the driver gives it and after the feet were planted, by the clips' contacts; of the finished motion, by its own.
 #[derive(Serialize)]
 struct Skate {
     driven: f32,
@@ -98,6 +99,9 @@ struct Response {
     gait: f32,
     /// Asked turn, degrees.
     turn: Option<f32>,
+    /// Frames until the root had turned by a degree towards it, and until the styled hips had.
+    first_degree_frames: Option<usize>,
+    first_styled_degree_frames: Option<usize>,
     /// Seconds until the heading was reached, within 15 degrees walking and 10 on the spot.
     heading_secs: Option<f32>,
     /// Seconds until 50 and 90 % of the change of speed.
@@ -113,15 +117,16 @@ struct Response {
     acted_secs: f32,
 }
 
-/// The figures.
+/// The figures of a drive whose styled frames are `styled`, and the motion that became of them.
 pub(super) fn report(
     clips: &DrivingClips,
     speeds: [f32; 2],
     log: &Log,
-    styled: &[StyledFrame],
+    styled: (&[StyledFrame], &HumanoidMotion),
     orders: &Orders,
     arrived: usize,
 ) -> Report {
+    let (styled, finished) = styled;
     let rate_hz = clips.rate_hz;
     let frames = log.poses.len();
     let secs = frames as f32 / rate_hz;
@@ -135,7 +140,7 @@ pub(super) fn report(
         clips: clips.clips().len(),
         transitions_per_sec: transitions as f32 / secs,
         path_error_m: orders.path().filter(|_| !under_way.is_empty()).map(|path| path_error(path, under_way)),
-        skate: skate(clips, log, styled),
+        skate: skate(clips, log, finished),
         transition_acceleration: percentile(
             &mut accelerations(clips, &log.poses, |i| is_of_transition(log, rate_hz, i)),
             0.99,
@@ -145,7 +150,7 @@ pub(super) fn report(
             median: percentile(&mut log.driver_us.clone(), 0.5),
             p95: percentile(&mut log.driver_us.clone(), 0.95),
         },
-        orders: responses(log, orders.log(), speeds, rate_hz),
+        orders: responses(log, styled, orders.log(), speeds, rate_hz),
     }
 }
 
@@ -170,18 +175,17 @@ fn percentile(values: &mut [f32], share: f32) -> f32 {
     values.get((share * last as f32) as usize).copied().unwrap_or_default()
 }
 
-fn skate(clips: &DrivingClips, log: &Log, styled: &[StyledFrame]) -> Skate {
+fn skate(clips: &DrivingClips, log: &Log, finished: &HumanoidMotion) -> Skate {
     let motion = |poses: Vec<Pose>| HumanoidMotion { proportions: clips.proportions, rate_hz: clips.rate_hz, poses };
     let mut footplant = Footplant::new(clips.proportions);
     let mut planted = log.poses.clone();
     for (pose, feet) in planted.iter_mut().zip(&log.contacts) {
         footplant.apply(pose, feet.map(f32::from), 1.0 / clips.rate_hz);
     }
-    let of_styled: Vec<[bool; 2]> = styled.iter().map(|frame| frame.planted).collect();
     Skate {
         driven: foot_skate(&motion(log.poses.clone()), &log.contacts),
         planted: foot_skate(&motion(planted), &log.contacts),
-        styled: foot_skate(&motion(styled.iter().map(|frame| frame.pose).collect()), &of_styled),
+        styled: foot_skate(finished, &label(finished)),
     }
 }
 
@@ -228,15 +232,23 @@ fn clip_acceleration(clips: &DrivingClips) -> f32 {
     percentile(&mut all, 0.99)
 }
 
-fn responses(log: &Log, controls: &[(f32, Control)], speeds: [f32; 2], rate_hz: f32) -> Vec<Response> {
+fn responses(
+    log: &Log,
+    styled: &[StyledFrame],
+    controls: &[(f32, Control)],
+    speeds: [f32; 2],
+    rate_hz: f32,
+) -> Vec<Response> {
     let frame_at = |secs: f32| ((secs * rate_hz).ceil() as usize).min(log.poses.len());
     let ends = controls.iter().skip(1).map(|(time, _)| frame_at(*time)).chain([log.poses.len()]);
     let each = controls.iter().zip(ends).filter(|((time, _), end)| frame_at(*time) < *end);
-    each.map(|((time, control), end)| response(log, frame_at(*time)..end, *time, control, speeds, rate_hz)).collect()
+    each.map(|((time, control), end)| response(log, styled, frame_at(*time)..end, *time, control, speeds, rate_hz))
+        .collect()
 }
 
 fn response(
     log: &Log,
+    styled: &[StyledFrame],
     frames: std::ops::Range<usize>,
     time: f32,
     control: &Control,
@@ -257,6 +269,17 @@ fn response(
         let reached = from + share * (asked - from);
         first(&|i| if asked > from { log.speeds[i] >= reached } else { log.speeds[i] <= reached })
     };
+    let before = begin.saturating_sub(1);
+    let turned = |heading: &dyn Fn(usize) -> f32| {
+        let way = wrap_angle(goal? - heading(before));
+        let is_turn = way.abs() > enough;
+        let by = |i: usize| wrap_angle(heading(i) - heading(before)) * way.signum();
+        is_turn.then(|| (begin..end).find(|&i| by(i) > 1.0_f32.to_radians())).flatten().map(|i| i - begin + 1)
+    };
+    let hips = |i: usize| {
+        let ahead = styled[i].pose.rotations[0] * Vec3::Z;
+        atan2(ahead.x, ahead.z)
+    };
     let changes = gait > 0.0 && (asked - from).abs() > 0.2;
     let stop_secs = (gait == 0.0 && from > STILL).then(|| first(&|i| log.speeds[i] < STILL)).flatten();
     let stopped = stop_secs.map(|secs| begin + (secs * rate_hz) as usize);
@@ -264,6 +287,8 @@ fn response(
         time,
         gait,
         turn: goal.map(|goal| wrap_angle(goal - log.roots[begin].heading).to_degrees()),
+        first_degree_frames: turned(&|i| log.roots[i].heading),
+        first_styled_degree_frames: turned(&hips),
         heading_secs: goal.and_then(|goal| first(&|i| wrap_angle(log.roots[i].heading - goal).abs() < enough)),
         half_speed_secs: changes.then(|| changed(0.5)).flatten(),
         speed_secs: changes.then(|| changed(0.9)).flatten(),

@@ -10,7 +10,7 @@ use std::f32::consts::LN_2;
 const STICK_HALF_LIFE_SECS: f32 = 0.27;
 /// Half-life with which a character comes back to its path, seconds.
 const PATH_HALF_LIFE_SECS: f32 = 0.3;
-/// A path ends so far before its last point, metres: a stop takes its way.
+/// Somebody who is so near to the end of their path is asked to stop, metres: a stop takes its way.
 pub(super) const STOP_BEFORE: f32 = 0.3;
 /// Slower than this nobody faces where they go, m/s.
 const STILL: f32 = 1e-3;
@@ -41,10 +41,9 @@ pub(super) fn by_stick(now: &RootState, wanted: Vec2, goal: f32) -> Trajectory {
 /// `share` times as fast as the root; the root is asked for what brings that one onto the path.
 pub(super) fn by_path(now: &RootState, path: &Path, progress: f32, speed: f32, styled: Vec2, share: f32) -> Trajectory {
     let off = styled - path.at(progress);
-    let end = (path.length() - STOP_BEFORE).max(progress);
     HORIZONS_SECS.map(|t| {
         let left = exp2(-t / PATH_HALF_LIFE_SECS);
-        let along = (progress + share * speed * t).min(end);
+        let along = (progress + share * speed * t).min(path.length());
         let place = now.place + (path.at(along) + off * left - styled) / share;
         let way = path.direction(along) * (share * speed) - off * (left * LN_2 / PATH_HALF_LIFE_SECS);
         (place, if way.length() > STILL { atan2(way.x, way.y) } else { now.heading })

@@ -52,11 +52,6 @@ impl ClipJob {
         self.stylizer.set_styles(weights)
     }
 
-    /// See [`Stylizer::set_style_share`].
-    pub fn set_style_share(&mut self, share: f32) {
-        self.stylizer.set_style_share(share);
-    }
-
     /// Styles the next frame of the clip, which is at the database's rate.
     pub fn push(&mut self, pose: &Pose, clock: &mut impl StageClock) -> Trace<'_> {
         self.push_searched(pose, None, clock)

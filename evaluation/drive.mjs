@@ -1,0 +1,226 @@
+// The experiments on driving, `npm run evaluate -- drive`: paths and logs of controls on the built-in motions and on recorded
+// ones, by `strut drive`; their figures are docs/driving.md.
+import { spawnSync } from "node:child_process";
+import { existsSync } from "node:fs";
+import { mkdir, readFile, writeFile } from "node:fs/promises";
+import { join } from "node:path";
+import { Sentence } from "../scripts/steps.mjs";
+
+/** Points of a path, metres, by a parameter from 0 to 1; the first is the origin and leads towards +Z. */
+const path = (points, of) => Array.from({ length: points }, (_, i) => of(i / (points - 1)));
+const circle = (r, rounds) =>
+  path(200 * rounds, (t) => [r - r * Math.cos(2 * Math.PI * rounds * t), r * Math.sin(2 * Math.PI * rounds * t)]);
+const eight = path(400, (t) => {
+  const angle = 4 * Math.PI * t;
+  const side = t < 0.5 ? 1 : -1;
+  return [side * 2 * (1 - Math.cos(angle)), 2 * Math.sin(angle)];
+});
+/** As a pointer draws them: a meander, a square with round corners, a spiral that opens. */
+const meander = path(300, (t) => [1.2 * Math.sin(2 * Math.PI * 2 * t) * Math.min(1, 4 * t), 16 * t]);
+const square = path(400, (t) => {
+  const side = 4;
+  const corner = 1;
+  const straight = side - 2 * corner;
+  const arc = (Math.PI / 2) * corner;
+  let [x, z, heading, left] = [0, 0, 0, t * 4 * (straight + arc)];
+  while (left > 1e-9) {
+    const ahead = Math.min(left, straight);
+    [x, z, left] = [x + ahead * Math.sin(heading), z + ahead * Math.cos(heading), left - ahead];
+    const turned = Math.min(left, arc) / corner;
+    const [cx, cz] = [x + corner * Math.cos(heading), z - corner * Math.sin(heading)];
+    [x, z] = [cx - corner * Math.cos(heading + turned), cz + corner * Math.sin(heading + turned)];
+    [heading, left] = [heading + turned, left - turned * corner];
+  }
+  return [x, z];
+});
+const spiral = path(400, (t) => {
+  const [angle, r] = [4 * Math.PI * t, 1.2 + 1.8 * t];
+  return [1.2 - r * Math.cos(angle), r * Math.sin(angle)];
+});
+
+/** What is driven along: name, points, gait, and most of the mean error, centimetres, by the specification. */
+const PATHS = [
+  { name: "circle, r = 2", points: circle(2, 2), gait: 1 },
+  { name: "eight, r = 2", points: eight, gait: 1 },
+  { name: "meander", points: meander, gait: 1 },
+  { name: "square", points: square, gait: 1 },
+  { name: "spiral", points: spiral, gait: 1 },
+  { name: "circle, r = 1", points: circle(1, 3), gait: 1 },
+  { name: "run, circle, r = 5", points: circle(5, 2), gait: 2 },
+];
+
+/** Controls: time, gait, heading, face; degrees. Stops, starts, turns and changes of gait at all moments of the stride. */
+const LOG = (() => {
+  const rows = [];
+  let time = 0;
+  const ask = (secs, gait, heading, face = "") => {
+    rows.push([time.toFixed(2), gait, heading, face].join(","));
+    time += secs;
+  };
+  // The headings of a walk, so that stops and turns are asked for at different phases.
+  for (let i = 0; i < 8; i++) {
+    const heading = 40 * i;
+    ask(4 + 0.13 * i, 1, heading);
+    ask(4, 0, heading);
+  }
+  let from = 320;
+  for (const turn of [90, -90, 90, 180, -180, 180, -90]) {
+    from += turn;
+    ask(3.07, 1, from);
+  }
+  ask(4, 0, from);
+  for (const face of [90, 180, 45, -90, -90, 90, -90, 90]) ask(3, 0, from, from + face);
+  for (let i = 0; i < 5; i++) {
+    ask(4 + 0.17 * i, 1, from + 90);
+    ask(4 + 0.11 * i, 2, from + 90);
+  }
+  ask(4, 1, from + 90);
+  ask(12, 0, from + 90);
+  ask(0, 0, from + 90);
+  return `time,gait,heading,face\n${rows.join("\n")}\n`;
+})();
+
+/** Runs the experiments with a command and writes the report. */
+export async function evaluateDriving(strut, mocap, results, docs) {
+  const folder = join(results, "drive");
+  await mkdir(folder, { recursive: true });
+  const recorded = join(folder, "bandai-namco-2.strutdb");
+  const run = (...args) => {
+    const { status, stderr } = spawnSync(strut, args, { encoding: "utf8" });
+    if (status !== 0) throw new Sentence(`strut ${args.join(" ")}: ${stderr.trim()}`);
+  };
+  const clips = join(mocap, "bandai-namco-2");
+  const pattern = ["--pattern", "dataset-2_{action}_{style}_{take}.bvh"];
+  if (!existsSync(recorded)) run("build-db", clips, "-o", recorded, ...pattern);
+  const builtIn = join(results, "demo-motions.strutdb");
+  const drive = async (db, style, ...way) => {
+    const json = join(folder, "drive.json");
+    run("drive", "--db", db, "--style", style, ...way, "-o", join(folder, "drive.bvh"), "--json", json);
+    return JSON.parse(await readFile(json, "utf8"));
+  };
+  await writeFile(join(folder, "log.csv"), LOG);
+  for (const { name, points } of PATHS) {
+    const lines = points.map(([x, z]) => `${x.toFixed(4)},${z.toFixed(4)}`);
+    await writeFile(join(folder, `${name}.csv`), `x,z\n${lines.join("\n")}\n`);
+  }
+  const along = ({ name, gait }) => ["--path", join(folder, `${name}.csv`), "--gait", String(gait)];
+  const sets = [
+    { name: "built-in", db: builtIn, neutral: "neutral" },
+    { name: "bandai-namco-2", db: recorded, neutral: "normal" },
+  ];
+  const neutral = [];
+  for (const way of PATHS)
+    for (const set of sets)
+      neutral.push({ way: way.name, set: set.name, ...(await drive(set.db, set.neutral, ...along(way))) });
+  const styled = [];
+  const styles = ["angry", "childlike", "depressed", "old", "proud", "sexy", "strutting"];
+  const others = ["active", "elderly", "exhausted", "feminine", "masculine", "youthful"];
+  for (const [set, names] of [
+    [sets[0], styles],
+    [sets[1], others],
+  ])
+    for (const style of names)
+      for (const way of PATHS.slice(0, 2))
+        styled.push({ way: way.name, set: set.name, style, ...(await drive(set.db, style, ...along(way))) });
+  const logs = [];
+  for (const set of sets)
+    logs.push({ set: set.name, ...(await drive(set.db, set.neutral, "--controls", join(folder, "log.csv"))) });
+  await writeFile(join(docs, "driving.md"), report(neutral, styled, logs));
+}
+
+const cm = (m) => (100 * m).toFixed(1);
+const table = (head, rows) => [head, head.map(() => "---"), ...rows].map((row) => `| ${row.join(" | ")} |`).join("\n");
+
+function report(neutral, styled, logs) {
+  const paths = table(
+    ["path", "motions", "off, mean / p95, cm", "transitions/s", "skate: driven, planted, styled, cm/s"],
+    neutral.map((d) => [
+      d.way,
+      d.set,
+      `${cm(d.path_error_m.mean)} / ${cm(d.path_error_m.p95)}`,
+      d.transitions_per_sec.toFixed(1),
+      [d.skate.driven, d.skate.planted, d.skate.styled].map(cm).join(", "),
+    ]),
+  );
+  const closed = table(
+    ["motions", "style", ...PATHS.slice(0, 2).map(({ name }) => `${name}: off, mean / p95, cm`), "skate styled, cm/s"],
+    [...new Set(styled.map((d) => `${d.set} ${d.style}`))].map((key) => {
+      const rows = styled.filter((d) => `${d.set} ${d.style}` === key);
+      const { set, style } = rows[0];
+      const off = rows.map((d) => `${cm(d.path_error_m.mean)} / ${cm(d.path_error_m.p95)}`);
+      return [set, style, ...off, rows.map((d) => cm(d.skate.styled)).join(", ")];
+    }),
+  );
+  const responses = table(["", ...logs.map(({ set }) => set)], rowsOf(logs));
+  return `# Driving
+
+A character that goes where a user steers: neutral clips by motion matching, the stylizer on top (\`strut drive\`, **Drive it
+yourself** in Play). Written by \`npm run evaluate -- drive\`; the paths and the log of controls are in \`evaluation/drive.mjs\`.
+
+## Along paths
+
+Distance of the styled hips from the path, from two seconds on. Neutral style; built-in motions and the neutral clips of
+bandai-namco-2, both with the built-in takes (standing, turns on the spot, halts, changes of gait).
+
+${paths}
+
+Every style, closed loop: the styled character is the one that follows.
+
+${closed}
+
+## What comes of controls
+
+Stops, turns and changes of gait asked for at different moments of the stride; median and worst. A stop counts until the root
+is slower than 0.1 m/s, a heading as reached within 15° (10° on the spot), a speed at 90 % of the change.
+
+${responses}
+`;
+}
+
+function rowsOf(logs) {
+  const spread = (values, digits = 2) => {
+    const known = values.filter((v) => v !== null).sort((a, b) => a - b);
+    if (known.length === 0) return "–";
+    const missing = values.length - known.length;
+    const never = missing > 0 ? `, ${missing} of ${values.length} not` : "";
+    return `${known[known.length >> 1].toFixed(digits)} (${known.at(-1).toFixed(digits)}${never})`;
+  };
+  const rows = (label, values) => [label, ...logs.map(values)];
+  const orders = ({ orders }, is) =>
+    orders.map((o, i) => ({ ...o, from: orders[i - 1] })).filter((o) => o.from && is(o));
+  const stops = (log) => orders(log, (o) => o.gait === 0 && o.from.gait === 1);
+  const starts = (log) => orders(log, (o) => o.gait === 1 && o.from.gait === 0);
+  const runs = (log) => orders(log, (o) => o.gait === 2);
+  const slows = (log) => orders(log, (o) => o.gait === 1 && o.from.gait === 2);
+  const turns = (log, about, gait) =>
+    orders(log, (o) => o.gait === gait && o.from.gait === gait && Math.abs(Math.abs(o.turn ?? 0) - about) < 25);
+  const allTurns = (log) => orders(log, (o) => Math.abs(o.turn ?? 0) > 20);
+  const of = (list, key) => list.map((o) => o[key]);
+  return [
+    rows("stop from walking, s", (l) => spread(of(stops(l), "stop_secs"))),
+    rows("… m", (l) => spread(of(stops(l), "stop_m"))),
+    rows("start, 50 % of speed, s", (l) => spread(of(starts(l), "half_speed_secs"))),
+    rows("… 90 %, s", (l) => spread(of(starts(l), "speed_secs"))),
+    rows("turn by 90° walking, s", (l) => spread(of(turns(l, 90, 1), "heading_secs"))),
+    rows("turn by 180° walking, s", (l) => spread(of(turns(l, 180, 1), "heading_secs"))),
+    rows("turn by 90° on the spot, s", (l) => spread(of(turns(l, 90, 0), "heading_secs"))),
+    rows("turn by 180° on the spot, s", (l) => spread(of(turns(l, 180, 0), "heading_secs"))),
+    rows("drift in a turn on the spot, m", (l) => spread(of([...turns(l, 90, 0), ...turns(l, 180, 0)], "moved_m"))),
+    rows("walk to run, s", (l) => spread(of(runs(l), "speed_secs"))),
+    rows("run to walk, s", (l) => spread(of(slows(l), "speed_secs"))),
+    rows("first degree of a turn, frames", (l) => spread(of(allTurns(l), "first_degree_frames"), 0)),
+    rows("… of the styled hips", (l) => spread(of(allTurns(l), "first_styled_degree_frames"), 0)),
+    rows("transitions/s", (l) => l.transitions_per_sec.toFixed(1)),
+    rows(
+      "p99 acceleration after transitions (clips), m/s²",
+      (l) => `${l.transition_acceleration.toFixed(0)} (${l.clip_acceleration.toFixed(0)})`,
+    ),
+    rows("skate: driven, planted, styled, cm/s", (l) =>
+      [l.skate.driven, l.skate.planted, l.skate.styled].map(cm).join(", "),
+    ),
+    rows(
+      "the driver, natively, µs a frame: median, p95",
+      (l) => `${l.driver_us.median.toFixed(1)}, ${l.driver_us.p95.toFixed(0)}`,
+    ),
+  ];
+}
