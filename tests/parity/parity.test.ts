@@ -47,19 +47,20 @@ describe("native and WASM", () => {
   /** The frame that is changed. */
   const NUDGED = 100;
   let native: string;
-  let reports: Record<"simd" | "scalar", { same: string; nudged: string }>;
+  let reports: Record<"simd" | "scalar", string>;
+  let nudged: string;
   beforeAll(async () => {
     buildPrograms();
     // Each takes one core for a while.
-    const [ofNative, simd, scalar, nudgedSimd, nudgedScalar] = await Promise.all([
+    const [ofNative, simd, scalar, ofNudged] = await Promise.all([
       printed(REPORT, clips),
       wasmReport("simd"),
       wasmReport("scalar"),
       wasmReport("simd", NUDGED),
-      wasmReport("scalar", NUDGED),
     ]);
     native = ofNative;
-    reports = { simd: { same: simd, nudged: nudgedSimd }, scalar: { same: scalar, nudged: nudgedScalar } };
+    reports = { simd, scalar };
+    nudged = ofNudged;
   }, 900_000);
 
   test("the report covers every stage of every input", () => {
@@ -67,23 +68,20 @@ describe("native and WASM", () => {
     expect(stages.length).toBeGreaterThanOrEqual(9 * (2 + clips.length) + 6 * (clips.length ? 4 : 3) + 2);
   });
 
-  describe.each(["simd", "scalar"] as const)("%s", (build) => {
-    test("gives the same bits at every stage of every frame", () => {
-      expect(firstDifference(native, reports[build].same)).toBeUndefined();
-    });
+  test.each(["simd", "scalar"] as const)("%s gives the same bits at every stage of every frame", (build) => {
+    expect(firstDifference(native, reports[build])).toBeUndefined();
+  });
 
-    test("does not hide a change of one bit in one frame of any input", () => {
-      const { nudged } = reports[build];
-      expect(firstDifference(native, nudged)).toEqual({ stage: "neutral-walk/retargeted", frame: NUDGED });
-      // Height is a degree of freedom, so its last bit must arrive; a distance may round it away.
-      const [before, after] = [rowHashes(native), rowHashes(nudged)];
-      expect(before.size).toBeGreaterThan(clips.length);
-      for (const [input, rows] of before) {
-        const changed = after.get(input)!;
-        expect(changed.slice(0, NUDGED), `${input}: earlier frames do not depend on it`).toEqual(rows.slice(0, NUDGED));
-        if (rows.length > NUDGED) expect(changed[NUDGED], input).not.toBe(rows[NUDGED]);
-      }
-    });
+  test("a change of one bit in one frame is not hidden, whatever the input", () => {
+    expect(firstDifference(native, nudged)).toEqual({ stage: "neutral-walk/retargeted", frame: NUDGED });
+    // Height is a degree of freedom, so its last bit must arrive; a distance may round it away.
+    const [before, after] = [rowHashes(native), rowHashes(nudged)];
+    expect(before.size).toBeGreaterThan(clips.length);
+    for (const [input, rows] of before) {
+      const changed = after.get(input)!;
+      expect(changed.slice(0, NUDGED), `${input}: earlier frames do not depend on it`).toEqual(rows.slice(0, NUDGED));
+      if (rows.length > NUDGED) expect(changed[NUDGED], input).not.toBe(rows[NUDGED]);
+    }
   });
 });
 
