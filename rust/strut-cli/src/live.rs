@@ -33,6 +33,8 @@ const PERFORMER_PORT: u16 = 39_539;
 const AVATAR_PORT: u16 = 39_540;
 /// Longest calibration, seconds.
 const MAX_CALIBRATION_SECS: f64 = 60.0;
+/// Packets that are taken without a look at the time: a flood of them does not keep frames from being sent.
+const MOST_AT_ONCE: usize = 1024;
 /// Behind by more than this, frames are left out, seconds.
 const MOST_BEHIND_SECS: f64 = 0.25;
 
@@ -170,8 +172,10 @@ fn stream(session: &mut Session, receiver: &Receiver, output: &mut Output, secs:
         if stopped() || secs.is_some_and(|secs| due_secs > secs) {
             break;
         }
-        let wait = Duration::from_secs_f64((due_secs - receiver.now_secs()).max(0.0));
-        if let Some(packet) = receiver.next(wait)? {
+        // All that has arrived is heard before the tick, as the rest of a frame may be among it.
+        for _ in 0..MOST_AT_ONCE {
+            let wait = Duration::from_secs_f64((due_secs - receiver.now_secs()).max(0.0));
+            let Some(packet) = receiver.next(wait)? else { break };
             session.receive(&packet.bytes, packet.from, packet.arrived_secs);
         }
         let now_secs = receiver.now_secs();

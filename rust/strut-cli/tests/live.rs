@@ -16,6 +16,7 @@ use std::time::{Duration, Instant};
 use strut_core::humanoid::{HumanoidMotion, Pose};
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
+use strut_core::math::float_funcs::ln;
 use strut_core::stream::{Delay, JitterBuffer};
 use strut_formats::bvh;
 use strut_formats::vmc::{self, Frame, Message, Performer};
@@ -327,7 +328,8 @@ impl Network {
         let mut arrivals = Vec::new();
         for i in 0..frames {
             let secs = i as f64 / self.rate_hz;
-            let (lost, jitter) = (random.next() < self.lost, -(1.0 - random.next()).ln() * self.jitter_secs);
+            let (lost, jitter) =
+                (random.next() < self.lost, -f64::from(ln(1.0 - random.next() as f32)) * self.jitter_secs);
             if random.next() < 1.0 / self.rate_hz {
                 blocked_until = secs + self.blocked_secs * random.next();
             }

@@ -20,6 +20,8 @@ pub(super) struct Figures {
     pub(super) late_percent: f64,
     /// Share of the frames that never came whole.
     pub(super) lost_percent: f64,
+    /// Frames of the present performer that were dropped because a part of them was lost.
+    pub(super) frames_partial: u64,
     /// Times that the performer was lost.
     pub(super) losses: u64,
     /// Packets that were not Open Sound Control or beyond its limits, messages with wrong arguments, and packets of others

@@ -137,7 +137,7 @@ impl Session {
         self.end_in_silence(arrived_secs);
         for message in messages.drain(..) {
             let frame = self.source.as_mut().and_then(|source| source.reader.push(&message, arrived_secs));
-            self.take(frame);
+            self.take(frame.as_ref());
             match message {
                 Message::Style(name, weight) => self.set_style(&name, weight),
                 Message::Other(_) if self.passed.len() < MOST_PASSED => self.passed.push(message),
@@ -191,6 +191,7 @@ impl Session {
             frames_out: self.frames_out,
             late_percent: percent(stats.late, stats.taken),
             lost_percent: percent(stats.missing, stats.taken + stats.missing),
+            frames_partial: self.source.as_ref().map_or(0, |source| source.reader.partial()),
             losses: stats.losses,
             packets_refused: self.packets_refused,
             messages_dropped: self.messages_dropped,
@@ -207,22 +208,22 @@ impl Session {
 
     fn end_in_silence(&mut self, now_secs: f64) {
         let frame = self.source.as_mut().and_then(|source| source.reader.silence(now_secs));
-        self.take(frame);
+        self.take(frame.as_ref());
     }
 
     /// Puts a frame into the buffer, on the database's body.
-    fn take(&mut self, frame: Option<Frame>) {
+    fn take(&mut self, frame: Option<&Frame>) {
         let (Some(frame), Some(source)) = (frame, &mut self.source) else { return };
         source.sends_times |= frame.sent_secs.is_some();
         if source.sends_times && frame.sent_secs.is_none() {
             return;
         }
-        let Some(body) = source.body_of(&frame, self.settings.calibrate_secs, &self.model.catalogue().proportions)
+        let Some(body) = source.body_of(frame, self.settings.calibrate_secs, &self.model.catalogue().proportions)
         else {
             return;
         };
-        let pose = body.there.pose(&body.performer.pose(&frame));
-        body.last = frame;
+        let pose = body.there.pose(&body.performer.pose(frame));
+        body.last = *frame;
         self.buffer.push(frame.sent_secs.unwrap_or(frame.arrived_secs), frame.arrived_secs, &pose);
     }
 
@@ -284,6 +285,7 @@ mod tests {
     use strut_formats::vmc::RootPlace;
 
     const PERIOD_SECS: f64 = 1.0 / 60.0;
+    const LATEST_SECS: f64 = 0.008;
 
     fn model() -> Arc<Model> {
         static MODEL: OnceLock<Arc<Model>> = OnceLock::new();
@@ -291,12 +293,17 @@ mod tests {
         Arc::clone(MODEL.get_or_init(|| Arc::new(Model::new(walks()))))
     }
 
+    /// How late frames are: never, but every third.
+    fn lateness_secs(i: usize) -> f64 {
+        [0.0, 0.0, LATEST_SECS][i % 3]
+    }
+
     fn session(options: Options, share: f32, records: bool) -> Session {
         let model = model();
         let mut live = LiveStylizer::new(Stylizer::new(Arc::clone(&model), options).unwrap(), Place::Follow).unwrap();
         live.set_style_share(share);
         let weights = vec![0.0; model.catalogue().styles.len()];
-        let settings = Settings { delay: Delay::Fixed(PERIOD_SECS), calibrate_secs: None, records };
+        let settings = Settings { delay: Delay::Fixed(PERIOD_SECS + LATEST_SECS), calibrate_secs: None, records };
         Session::new(model, live, weights, settings)
     }
 
@@ -342,9 +349,9 @@ mod tests {
         for (i, pose) in motion.poses.iter().take(600).enumerate() {
             let secs = i as f64 * PERIOD_SECS;
             for packet in packets(&performer, pose, &like, secs) {
-                session.receive(&packet, address(1), secs);
+                session.receive(&packet, address(1), secs + lateness_secs(i));
             }
-            let Some(frame) = frame_of(&session.tick(secs)) else { continue };
+            let Some(frame) = frame_of(&session.tick(secs + LATEST_SECS)) else { continue };
             let (out, expected) = (performer.pose(&frame), motion.poses[i - 1]);
             metres = metres.max(out.root.distance(expected.root));
             let turns = out.rotations.iter().zip(&expected.rotations).map(|(a, b)| a.inv_mul(*b).angle().to_degrees());

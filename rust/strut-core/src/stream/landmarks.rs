@@ -1,6 +1,6 @@
 //! Landmarks of a body in a camera's picture → pose.
 //!
-//! The 33 points are those of common body trackers (BlazePose; Bazarevsky et al. 2020): metres about the middle of the hips,
+//! The 33 points are those of common body trackers (`BlazePose`; Bazarevsky et al. 2020): metres about the middle of the hips,
 //! x to the right of the picture, y down, z away from the camera, so that p = (x, −y, −z) faces +Z towards it. Bones take the
 //! directions of the points; knees and elbows bend in the planes of their limbs; the supporting foot carries the body.
 
@@ -128,7 +128,7 @@ impl LandmarkFit {
         }
     }
 
-    /// Neck and head share the turn of the ears and the nose.
+    /// Neck and head share the turn of the ears and the nose, whose line is level in the T-pose.
     fn fit_head(&self, world: &[Quat; JOINTS], local: &mut [Quat; JOINTS]) {
         let [left, right] = EARS.map(|i| self.points[i]);
         let forward = self.points[NOSE] - 0.5 * (left + right);
@@ -234,7 +234,7 @@ mod tests {
             let mut fit = LandmarkFit::new(&Proportions::default());
             let seen = landmarks(pose);
             let fitted = fit.next(&seen, DT);
-            // Head and toes are shorter than the rest of the body is exact; hands and trunk bend a little.
+            // The trunk bends in one place, and shoulders not at all.
             assert!(off(&fitted, pose) < 0.02, "{} m", off(&fitted, pose));
         }
     }

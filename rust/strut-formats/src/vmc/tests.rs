@@ -131,7 +131,10 @@ fn packets() -> Vec<Vec<u8>> {
     messages.extend([Message::Loaded(true), Message::Time(1.5), Message::Style("old".into(), 0.5)]);
     messages.push(Message::Other(OscMessage {
         addr: "/x".into(),
-        args: vec![OscType::Array([OscType::Blob(vec![1, 2, 3]), OscType::Nil].into_iter().collect()), OscType::Double(1.0)],
+        args: vec![
+            OscType::Array([OscType::Blob(vec![1, 2, 3]), OscType::Nil].into_iter().collect()),
+            OscType::Double(1.0),
+        ],
     }));
     encode(&messages)
 }
@@ -197,12 +200,12 @@ fn what_nests_deeply_or_holds_too_much_is_dropped_before_it_is_read() {
     for padding in [&b"/a\0\0"[..], b"/\0x\0", b"/\0\0\0"] {
         let mut arrays = padding.to_vec();
         arrays.push(b',');
-        arrays.extend([b'['; 60_000]);
-        arrays.extend([b']'; 4_000]);
+        arrays.resize(arrays.len() + 60_000, b'[');
+        arrays.resize(arrays.len() + 4_000, b']');
         arrays.extend([0; 3]);
         assert_eq!(decode(&arrays, &mut Vec::new()), Err(PacketError::TooDeep));
     }
-    assert_eq!(decode(&[0; MAX_PACKET_BYTES + 1], &mut Vec::new()), Err(PacketError::TooLarge));
+    assert_eq!(decode(&vec![0; MAX_PACKET_BYTES + 1], &mut Vec::new()), Err(PacketError::TooLarge));
     assert_eq!(decode(b"hello", &mut Vec::new()), Err(PacketError::NotOsc));
 }
 
