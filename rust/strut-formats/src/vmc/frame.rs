@@ -2,41 +2,11 @@
 
 use super::bone::{BONES, Bone};
 use super::message::Message;
-use strut_core::math::{Quat, Vec3};
+use super::place::{Place, RootPlace};
+use strut_core::humanoid::Role;
 
 /// A frame ends when nothing more of it has come for so long, seconds.
 const SILENCE_SECS: f64 = 0.004;
-
-/// Position, metres, and rotation, relative to the parent.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[allow(missing_docs)]
-pub struct Place {
-    pub position: Vec3,
-    pub rotation: Quat,
-}
-
-impl Place {
-    /// A place that is relative to this one, relative to what this one is.
-    pub fn then(&self, place: &Self) -> Self {
-        let position = self.position + self.rotation * place.position;
-        Self { position, rotation: (self.rotation * place.rotation).normalized() }
-    }
-
-    /// The inverse of [`Place::then`].
-    pub fn relative(&self, place: &Self) -> Self {
-        let position = self.rotation.inv_mul_vec3(place.position - self.position);
-        Self { position, rotation: self.rotation.inv_mul(place.rotation).normalized() }
-    }
-}
-
-/// Where the model stands.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RootPlace {
-    /// In the world.
-    pub place: Place,
-    /// Scale and offset for mixed reality as they came, if they did; Strut does not use them.
-    pub scale_and_offset: Option<[f32; 6]>,
-}
 
 /// A frame of a performer.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -90,7 +60,7 @@ impl FrameReader {
     pub fn push(&mut self, message: &Message, arrived_secs: f64) -> Option<Frame> {
         match message {
             Message::Bone(bone, place) => {
-                let is_next = *bone == Bone::Of(strut_core::humanoid::Role::Hips) && self.has & bit(*bone) != 0;
+                let is_next = *bone == Bone::Of(Role::Hips) && self.has & bit(*bone) != 0;
                 let ended = if is_next { self.end() } else { None };
                 self.frame.bones[bone.index()] = Some(*place);
                 self.has |= bit(*bone);
@@ -140,8 +110,7 @@ impl FrameReader {
         if self.paused {
             return None;
         }
-        let is_whole =
-            had.is_some_and(|had| had & !has == 0) && has & bit(Bone::Of(strut_core::humanoid::Role::Hips)) != 0;
+        let is_whole = had.is_some_and(|had| had & !has == 0) && has & bit(Bone::Of(Role::Hips)) != 0;
         if !is_whole {
             // Of the first frame nobody knows whether it is.
             self.partial += u64::from(had.is_some());

@@ -1,7 +1,7 @@
 //! One message: a bone, the root, the time, a style, or something to pass on.
 
 use super::bone::Bone;
-use super::frame::{Place, RootPlace};
+use super::place::{Place, RootPlace};
 use rosc::{OscMessage, OscType};
 use strut_core::math::{Quat, Vec3};
 use strut_core::transfer::MAX_WEIGHT;

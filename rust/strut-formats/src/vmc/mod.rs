@@ -10,12 +10,14 @@ mod frame;
 mod message;
 mod packet;
 mod performer;
+mod place;
 
 pub use bone::{BONES, Bone};
-pub use frame::{Frame, FrameReader, Place, RootPlace};
+pub use frame::{Frame, FrameReader};
 pub use message::Message;
 pub use packet::{MAX_MESSAGES, MAX_NESTING, MAX_PACKET_BYTES, PACKET_BYTES, PacketError, decode, encode};
 pub use performer::{Calibration, Performer};
+pub use place::{Place, RootPlace};
 /// A message of Open Sound Control as it is.
 pub use rosc::OscMessage;
 

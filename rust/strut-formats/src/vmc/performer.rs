@@ -1,7 +1,8 @@
 //! The body of a performer: bones ↔ poses of a canonical humanoid.
 
 use super::bone::{BONES, Bone};
-use super::frame::{Frame, Place};
+use super::frame::Frame;
+use super::place::Place;
 use strut_core::humanoid::{JOINTS, Pose, Proportions, Role};
 use strut_core::kinematics::{WorldPose, world_from_local};
 use strut_core::math::{Quat, Vec3};
