@@ -21,6 +21,7 @@ mod files;
 mod gather;
 mod inspect;
 mod key_style;
+mod live;
 mod manners;
 mod progress;
 mod recordings;
@@ -57,6 +58,7 @@ enum Command {
     Bench(bench::Args),
     DemoDb(demo_db::Args),
     Drive(drive::Args),
+    Live(Box<live::Args>),
     TrainWalk(train_walk::Args),
     Walk(walk::Args),
     EvaluateWalk(evaluate_walk::Args),
@@ -75,6 +77,7 @@ fn run(args: Args) -> Outcome {
         Command::Bench(args) => bench::run(&args),
         Command::DemoDb(args) => demo_db::run(&args),
         Command::Drive(args) => drive::run(&args),
+        Command::Live(args) => live::run(&args),
         Command::TrainWalk(args) => train_walk::run(&args),
         Command::Walk(args) => walk::run(&args),
         Command::EvaluateWalk(args) => evaluate_walk::run(&args),

@@ -34,4 +34,5 @@ mod rotation_row;
 pub mod search;
 pub mod skeleton;
 pub mod somn;
+pub mod stream;
 pub mod transfer;

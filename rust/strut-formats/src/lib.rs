@@ -7,6 +7,8 @@ pub mod corpus;
 pub mod key_style_model;
 pub mod strutdb;
 pub mod style_keys;
+#[cfg(feature = "vmc")]
+pub mod vmc;
 pub mod walk_model;
 
 /// Program and version, as files that Strut writes record it.

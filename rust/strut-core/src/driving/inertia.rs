@@ -7,11 +7,11 @@ use crate::math::{Quat, Vec3};
 use std::f32::consts::LN_2;
 
 /// Half-life of a difference, seconds.
-pub(super) const HALF_LIFE_SECS: f32 = 0.1;
+pub(crate) const HALF_LIFE_SECS: f32 = 0.1;
 
 /// The difference between what is shown and what plays, in the frame of the root.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Inertia {
+pub(crate) struct Inertia {
     hips: Decay,
     /// Rotation vectors.
     rotations: [Decay; JOINTS],
@@ -19,16 +19,16 @@ pub(super) struct Inertia {
 
 /// A pose and how it changes, in a second.
 #[derive(Clone, Copy)]
-pub(super) struct Moving {
-    pub(super) pose: Pose,
-    pub(super) hips: Vec3,
+pub(crate) struct Moving {
+    pub(crate) pose: Pose,
+    pub(crate) hips: Vec3,
     /// Rotation vectors.
-    pub(super) rotations: [Vec3; JOINTS],
+    pub(crate) rotations: [Vec3; JOINTS],
 }
 
 impl Moving {
     /// A pose that is followed by another `1 / rate_hz` later.
-    pub(super) fn between(pose: &Pose, next: &Pose, rate_hz: f32) -> Self {
+    pub(crate) fn between(pose: &Pose, next: &Pose, rate_hz: f32) -> Self {
         let turned = |j: usize| log(next.rotations[j] * pose.rotations[j].inverse()) * rate_hz;
         Self { pose: *pose, hips: (next.root - pose.root) * rate_hz, rotations: std::array::from_fn(turned) }
     }
@@ -59,7 +59,7 @@ impl Default for Inertia {
 
 impl Inertia {
     /// Lets the difference die away for a while.
-    pub(super) fn advance(&mut self, dt_secs: f32) {
+    pub(crate) fn advance(&mut self, dt_secs: f32) {
         self.hips.advance(dt_secs);
         for rotation in &mut self.rotations {
             rotation.advance(dt_secs);
@@ -67,7 +67,7 @@ impl Inertia {
     }
 
     /// What is shown while `pose` plays.
-    pub(super) fn shown(&self, pose: &Pose) -> Pose {
+    pub(crate) fn shown(&self, pose: &Pose) -> Pose {
         let mut out = *pose;
         out.root += self.hips.x;
         for (q, offset) in out.rotations.iter_mut().zip(&self.rotations) {
@@ -77,7 +77,7 @@ impl Inertia {
     }
 
     /// Goes on with another pose where `from` was shown.
-    pub(super) fn go_on(&mut self, from: &Moving, to: &Moving) {
+    pub(crate) fn go_on(&mut self, from: &Moving, to: &Moving) {
         let shown = self.shown(&from.pose);
         self.hips = Decay { x: shown.root - to.pose.root, v: from.hips + self.hips.v - to.hips };
         for (j, offset) in self.rotations.iter_mut().enumerate() {

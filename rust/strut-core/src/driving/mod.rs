@@ -19,6 +19,7 @@ pub use clips::{ClipKind, DrivingClip, DrivingClips, DrivingError, NeutralClip, 
 pub use control::Control;
 pub use driver::{DrivenFrame, Driver};
 pub use features::Trajectory;
+pub(crate) use inertia::{Inertia, Moving};
 pub use moves::Move;
 pub use path::Path;
 

@@ -1,30 +1,44 @@
 //! From one canonical body to another.
 
 use super::scale::BodyScale;
-use crate::humanoid::{HumanoidMotion, Proportions};
+use crate::humanoid::{HumanoidMotion, Pose, Proportions};
 use crate::kinematics::world_from_local;
+
+/// Takes poses from one canonical body to another, one at a time and without allocation.
+#[derive(Clone, Copy, Debug)]
+pub struct BetweenBodies {
+    from: Proportions,
+    to: Proportions,
+    scale: BodyScale,
+}
+
+impl BetweenBodies {
+    /// From a body of these proportions to one of those.
+    pub fn new(from: &Proportions, to: &Proportions) -> Self {
+        Self { from: *from, to: *to, scale: BodyScale::between(from, to) }
+    }
+
+    /// The pose on the other body: the same directions, the travel scaled by the legs, feet and hands in their places.
+    pub fn pose(&self, pose: &Pose) -> Pose {
+        let world = world_from_local(&self.from, pose);
+        let mut pose = *pose;
+        self.scale.place(&self.to, &mut pose, |role| world.positions[role.index()]);
+        pose
+    }
+}
 
 /// The clip on another canonical body: as [`super::from_humanoid`] followed by [`super::to_humanoid`], but
 /// without a skeleton in between.
 pub fn between_bodies(motion: &HumanoidMotion, body: &Proportions) -> HumanoidMotion {
-    let scale = BodyScale::between(&motion.proportions, body);
-    let poses = motion
-        .poses
-        .iter()
-        .map(|pose| {
-            let world = world_from_local(&motion.proportions, pose);
-            let mut pose = *pose;
-            scale.place(body, &mut pose, |role| world.positions[role.index()]);
-            pose
-        })
-        .collect();
+    let retarget = BetweenBodies::new(&motion.proportions, body);
+    let poses = motion.poses.iter().map(|pose| retarget.pose(pose)).collect();
     HumanoidMotion { proportions: *body, rate_hz: motion.rate_hz, poses }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::humanoid::{Pose, Role};
+    use crate::humanoid::Role;
     use crate::math::{Quat, Vec3};
 
     #[test]

@@ -16,7 +16,7 @@ mod scale;
 mod stance;
 mod to_humanoid;
 
-pub use between_bodies::between_bodies;
+pub use between_bodies::{BetweenBodies, between_bodies};
 pub use binding::{BindError, Binding, CharacterFacts};
 pub use from_humanoid::{FromHumanoid, from_humanoid};
 pub use stance::SolePoint;

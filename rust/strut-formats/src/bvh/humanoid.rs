@@ -9,7 +9,7 @@ use strut_core::motion::Motion;
 const UNITS_PER_METRE: f32 = 100.0;
 
 /// Joint names by role, those of Unity's and VRM's humanoids.
-const NAMES: [&str; Role::ALL.len()] = [
+pub(crate) const NAMES: [&str; Role::ALL.len()] = [
     "Hips",
     "Spine",
     "Chest",

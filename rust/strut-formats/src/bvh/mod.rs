@@ -22,6 +22,8 @@ mod parse;
 mod write;
 
 pub use error::BvhError;
+#[cfg(feature = "vmc")]
+pub(crate) use humanoid::NAMES as HUMANOID_NAMES;
 pub use parse::parse;
 pub use write::write;
 

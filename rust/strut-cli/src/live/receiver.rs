@@ -1,0 +1,77 @@
+//! Packets as they arrive: a thread waits for them, so that the time of arrival is exact whatever else is done.
+
+use super::address::Address;
+use crate::failure::{Failure, Outcome};
+use std::io::ErrorKind;
+use std::net::{SocketAddr, UdpSocket};
+use std::sync::mpsc::{self, RecvTimeoutError, TrySendError};
+use std::thread;
+use std::time::{Duration, Instant};
+use strut_formats::vmc::MAX_PACKET_BYTES;
+
+/// Packets that may wait; more are dropped, as the network drops them.
+const MOST_WAITING: usize = 1024;
+
+/// A packet with its time of arrival on the receiver's clock.
+pub(super) struct Packet {
+    pub(super) bytes: Vec<u8>,
+    pub(super) from: SocketAddr,
+    pub(super) arrived_secs: f64,
+}
+
+/// Listens to an address.
+pub(super) struct Receiver {
+    packets: mpsc::Receiver<Packet>,
+    address: SocketAddr,
+    start: Instant,
+}
+
+impl Receiver {
+    /// Begins to listen; port 0 is any free one.
+    pub(super) fn listen(address: &Address) -> Outcome<Self> {
+        let fail = |error: std::io::Error| match error.kind() {
+            ErrorKind::AddrInUse => {
+                Failure::new(format_args!("another program listens on {address}; --in names another port"))
+            }
+            ErrorKind::AddrNotAvailable => Failure::new(format_args!("this computer has no address {address}")),
+            _ => Failure::new(format_args!("{address}: {error}")),
+        };
+        let socket = UdpSocket::bind(address.0).map_err(fail)?;
+        let address = socket.local_addr().map_err(fail)?;
+        let (sender, packets) = mpsc::sync_channel(MOST_WAITING);
+        let start = Instant::now();
+        // It ends with the process, or with the first packet after the receiver has gone.
+        thread::spawn(move || {
+            let mut bytes = vec![0; MAX_PACKET_BYTES + 1];
+            loop {
+                // An answer that nobody listens to what we sent is no end.
+                let Ok((length, from)) = socket.recv_from(&mut bytes) else { continue };
+                let arrived_secs = start.elapsed().as_secs_f64();
+                let packet = Packet { bytes: bytes[..length].to_vec(), from, arrived_secs };
+                if let Err(TrySendError::Disconnected(_)) = sender.try_send(packet) {
+                    break;
+                }
+            }
+        });
+        Ok(Self { packets, address, start })
+    }
+
+    /// Where it listens.
+    pub(super) fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// The time on the clock of arrivals, seconds.
+    pub(super) fn now_secs(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+
+    /// The next packet, if one comes within a time.
+    pub(super) fn next(&self, within: Duration) -> Outcome<Option<Packet>> {
+        match self.packets.recv_timeout(within) {
+            Ok(packet) => Ok(Some(packet)),
+            Err(RecvTimeoutError::Timeout) => Ok(None),
+            Err(RecvTimeoutError::Disconnected) => Err(Failure::new("the thread that listens has ended")),
+        }
+    }
+}

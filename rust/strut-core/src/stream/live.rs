@@ -1,0 +1,194 @@
+//! Styling a stream: the stylizer, the seam after a loss, the place beside the performer, and the feet on the ground.
+
+use super::place::{Follower, Place};
+use crate::driving::{Inertia, Moving};
+use crate::humanoid::Pose;
+use crate::kinematics::world_from_local;
+use crate::math::Vec2;
+use crate::pose_vector::{Placement, heading_of};
+use crate::transfer::{Footplant, Options, OptionsError, StyleError, Stylizer};
+
+/// Styles the frames of a [`super::JitterBuffer`] at the database's rate. What is shown goes on without a leap when the
+/// stream begins anew.
+#[derive(Clone, Debug)]
+pub struct LiveStylizer {
+    /// Without footplant, which comes after the place.
+    stylizer: Stylizer,
+    place: Place,
+    follower: Follower,
+    footplant: Option<Footplant>,
+    planted: [bool; 2],
+    /// What the footplant moved the root by.
+    root_shift: Vec2,
+    seam: Inertia,
+    /// The last two poses that were shown.
+    shown: Option<[Pose; 2]>,
+}
+
+impl LiveStylizer {
+    /// With the model, styles and options of a stylizer, but for its timing: output frames last as long as the input's, as
+    /// both are now.
+    ///
+    /// # Errors
+    /// As [`Stylizer::set_options`].
+    pub fn new(mut stylizer: Stylizer, place: Place) -> Result<Self, OptionsError> {
+        let options = *stylizer.options();
+        stylizer.set_options(Options { timing: false, footplant: false, ..options })?;
+        stylizer.reset(None);
+        let footplant = options.footplant.then(|| Footplant::new(stylizer.model().catalogue().proportions));
+        Ok(Self {
+            stylizer,
+            place,
+            follower: Follower::default(),
+            footplant,
+            planted: [false; 2],
+            root_shift: Vec2::ZERO,
+            seam: Inertia::default(),
+            shown: None,
+        })
+    }
+
+    /// Sets the styles of the whole body.
+    ///
+    /// # Errors
+    /// As [`Stylizer::set_styles`].
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), StyleError> {
+        self.stylizer.set_styles(weights)
+    }
+
+    /// How far the output goes from the input to the styles: see [`Stylizer::set_style_share`].
+    pub fn set_style_share(&mut self, share: f32) {
+        self.stylizer.set_style_share(share);
+    }
+
+    /// Which feet are held in place.
+    pub fn planted(&self) -> [bool; 2] {
+        self.planted
+    }
+
+    /// Styles the performer's next pose, on the database's proportions and one frame of its rate after the last. One that
+    /// `begins` a stream is not continuous with those before: the figure goes on from where it is.
+    pub fn push(&mut self, pose: &Pose, begins: bool) -> Pose {
+        let rate_hz = self.stylizer.model().catalogue().rate_hz;
+        let dt_secs = 1.0 / rate_hz;
+        let before = self.shown.filter(|_| begins);
+        if let Some([_, last]) = &before {
+            self.go_on_from(last);
+        }
+        let frame = self.stylizer.push(pose);
+        let (styled, contact) = (frame.pose, frame.contact_out);
+        match before {
+            Some([earlier, last]) => {
+                let from = Moving { pose: last, ..Moving::between(&earlier, &last, rate_hz) };
+                self.seam.go_on(&from, &Moving::between(&styled, &styled, rate_hz));
+            }
+            None => self.seam.advance(dt_secs),
+        }
+        let mut shown = self.seam.shown(&styled);
+        if self.place == Place::Follow {
+            let [steps, performer] = [&shown, pose].map(|pose| Vec2::new(pose.root.x, pose.root.z));
+            let seen = steps + self.follower.shift() + self.root_shift;
+            let swings = !(self.planted[0] && self.planted[1]);
+            let shift = self.follower.next(steps, seen, performer, swings, dt_secs);
+            shown.root.x += shift.x;
+            shown.root.z += shift.y;
+        }
+        if let Some(footplant) = &mut self.footplant {
+            let unplanted = shown.root;
+            self.planted = footplant.apply(&mut shown, contact, dt_secs);
+            self.root_shift = Vec2::new(shown.root.x - unplanted.x, shown.root.z - unplanted.z);
+        }
+        self.shown = Some([self.shown.map_or(shown, |[_, last]| last), shown]);
+        shown
+    }
+
+    /// Begins anew at the place of a pose that was shown.
+    fn go_on_from(&mut self, last: &Pose) {
+        let proportions = &self.stylizer.model().catalogue().proportions;
+        let heading = heading_of(&world_from_local(proportions, last)).unwrap_or(0.0);
+        self.stylizer.reset(Some(Placement { x: last.root.x, z: last.root.z, heading }));
+        self.follower = Follower::default();
+        if let Some(footplant) = &mut self.footplant {
+            footplant.reset();
+        }
+        self.planted = [false; 2];
+        self.root_shift = Vec2::ZERO;
+        self.seam = Inertia::default();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ, database, walk};
+    use crate::math::Vec3;
+    use crate::metrics::foot_skate;
+    use crate::transfer::Model;
+    use std::sync::Arc;
+
+    fn live(options: Options, weights: [f32; 2], place: Place) -> LiveStylizer {
+        let mut stylizer = Stylizer::new(Arc::new(Model::new(database())), options).unwrap();
+        stylizer.set_styles(&weights).unwrap();
+        LiveStylizer::new(stylizer, place).unwrap()
+    }
+
+    /// Largest difference of two poses: metres, and degrees of any joint.
+    fn difference(a: &Pose, b: &Pose) -> (f32, f32) {
+        let turns = a.rotations.iter().zip(&b.rotations).map(|(a, b)| a.inv_mul(*b).angle().to_degrees());
+        (a.root.distance(b.root), turns.fold(0.0, f32::max))
+    }
+
+    #[test]
+    fn with_no_share_of_the_style_the_output_is_the_input() {
+        let mut live = live(Options { footplant: false, ..Options::DEFAULT }, [1.0, 0.0], Place::Follow);
+        live.set_style_share(0.0);
+        let gait = Gait { turn: 0.3, ..NEUTRAL };
+        let (mut metres, mut degrees) = (0.0_f32, 0.0_f32);
+        for pose in &walk(&gait, 1200, 0.0).poses {
+            let (m, d) = difference(&live.push(pose, false), pose);
+            metres = metres.max(m);
+            degrees = degrees.max(d);
+        }
+        assert!(metres < 5e-4 && degrees < 0.1, "{metres} m, {degrees}°");
+    }
+
+    #[test]
+    fn a_style_with_shorter_strides_stays_with_the_performer() {
+        let poses = walk(&NEUTRAL, 900, 0.0).poses;
+        let run = |place| {
+            let mut live = live(Options::DEFAULT, [0.0, 1.0], place);
+            let mut out: Vec<Pose> = poses.iter().map(|pose| live.push(pose, false)).collect();
+            (out.pop().unwrap().root.distance(poses[899].root), out)
+        };
+        let ((followed, poses_out), (free, _)) = (run(Place::Follow), run(Place::Free));
+        assert!(followed < 0.75 * free, "{followed} {free} m");
+        let motion =
+            crate::humanoid::HumanoidMotion { proportions: database().proportions, rate_hz: RATE_HZ, poses: poses_out };
+        let skate = foot_skate(&motion, &crate::contact::label(&motion));
+        assert!(skate < 0.02, "{skate} m/s");
+    }
+
+    #[test]
+    fn the_figure_goes_on_where_it_was_when_the_performer_is_back_elsewhere() {
+        let mut live = live(Options::DEFAULT, [0.0, 1.0], Place::Follow);
+        let fastest = |a: &Pose, b: &Pose| {
+            let (metres, degrees) = difference(a, b);
+            (metres * RATE_HZ, degrees * RATE_HZ)
+        };
+        let mut last: Option<Pose> = None;
+        let mut unbroken = (0.0_f32, 0.0_f32);
+        for pose in &walk(&NEUTRAL, 200, 0.0).poses {
+            let shown = live.push(pose, false);
+            if let Some(before) = last.replace(shown) {
+                let (m, d) = fastest(&before, &shown);
+                unbroken = (unbroken.0.max(m), unbroken.1.max(d));
+            }
+        }
+        for (i, pose) in walk(&BENT, 120, 0.4).poses.iter().enumerate() {
+            let elsewhere = Pose { root: pose.root + Vec3::new(2.0, 0.0, -1.0), ..*pose };
+            let shown = live.push(&elsewhere, i == 0);
+            let (m, d) = fastest(&last.replace(shown).unwrap(), &shown);
+            assert!(m < unbroken.0 + 0.5 && d < 2.0 * unbroken.1, "frame {i}: {m} m/s, {d}°/s; before {unbroken:?}");
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Messages ↔ frames: which messages belong together.
+
+use super::bone::{BONES, Bone};
+use super::message::Message;
+use super::place::{Place, RootPlace};
+use strut_core::humanoid::Role;
+
+/// A frame ends when nothing more of it has come for so long, seconds.
+const SILENCE_SECS: f64 = 0.004;
+
+/// A frame of a performer.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Where the model stands.
+    pub root: RootPlace,
+    /// Each bone relative to its parent by [`Bone::index`]; `None` if it is not sent.
+    pub bones: [Option<Place>; BONES],
+    /// The sender's time, seconds, if it is sent.
+    pub sent_secs: Option<f64>,
+    /// When its last message arrived, seconds.
+    pub arrived_secs: f64,
+}
+
+impl Frame {
+    /// Each bone in the world; a bone that is not sent is where its parent is.
+    pub fn world(&self) -> [Place; BONES] {
+        let mut world = [self.root.place; BONES];
+        for bone in Bone::all() {
+            let parent = bone.parent().map_or(self.root.place, |parent| world[parent.index()]);
+            world[bone.index()] = self.bones[bone.index()].map_or(parent, |place| parent.then(&place));
+        }
+        world
+    }
+
+    /// The messages of the frame, without its time.
+    pub fn messages(&self) -> impl Iterator<Item = Message> {
+        let bones = Bone::all().filter_map(|bone| Some(Message::Bone(bone, self.bones[bone.index()]?)));
+        std::iter::once(Message::Root(self.root)).chain(bones)
+    }
+}
+
+/// Puts messages together to frames. A time ends a frame, as do the hips of the next one and a moment of silence.
+///
+/// A frame that lacks a bone which the frame before had is dropped: a packet of it was lost, or it is the first of which
+/// only the end was heard.
+#[derive(Clone, Debug, Default)]
+pub struct FrameReader {
+    frame: Frame,
+    /// Bones of the frame that goes on, and of the one before.
+    has: u32,
+    had: Option<u32>,
+    /// A time that came before the bones of its frame, or after it had ended.
+    time: Option<f64>,
+    paused: bool,
+    partial: u64,
+}
+
+impl FrameReader {
+    /// Takes a message; gives the frame that ends with it.
+    pub fn push(&mut self, message: &Message, arrived_secs: f64) -> Option<Frame> {
+        match message {
+            Message::Bone(bone, place) => {
+                let is_next = *bone == Bone::Of(Role::Hips) && self.has & bit(*bone) != 0;
+                let ended = if is_next { self.end() } else { None };
+                self.frame.bones[bone.index()] = Some(*place);
+                self.has |= bit(*bone);
+                self.frame.arrived_secs = arrived_secs;
+                ended
+            }
+            Message::Root(root) => {
+                self.frame.root = *root;
+                None
+            }
+            Message::Time(secs) => {
+                self.time = Some(f64::from(*secs));
+                if self.has == 0 { None } else { self.end() }
+            }
+            Message::Loaded(loaded) => {
+                self.paused = !loaded;
+                None
+            }
+            Message::Style(..) | Message::Other(_) => None,
+        }
+    }
+
+    /// When the frame that goes on ends if nothing more comes, seconds.
+    pub fn ends_secs(&self) -> Option<f64> {
+        (self.has != 0).then_some(self.frame.arrived_secs + SILENCE_SECS)
+    }
+
+    /// The frame that has ended by now in silence.
+    pub fn silence(&mut self, now_secs: f64) -> Option<Frame> {
+        if self.ends_secs().is_some_and(|end| now_secs >= end) { self.end() } else { None }
+    }
+
+    /// Where the model stands, as it came last.
+    pub fn root(&self) -> RootPlace {
+        self.frame.root
+    }
+
+    /// Frames dropped because they were not whole.
+    pub fn partial(&self) -> u64 {
+        self.partial
+    }
+
+    fn end(&mut self) -> Option<Frame> {
+        let has = std::mem::take(&mut self.has);
+        let had = self.had.replace(has);
+        let sent_secs = self.time.take();
+        if self.paused {
+            return None;
+        }
+        let is_whole = had.is_some_and(|had| had & !has == 0) && has & bit(Bone::Of(Role::Hips)) != 0;
+        if !is_whole {
+            // Of the first frame nobody knows whether it is.
+            self.partial += u64::from(had.is_some());
+            return None;
+        }
+        Some(Frame { sent_secs, ..self.frame })
+    }
+}
+
+fn bit(bone: Bone) -> u32 {
+    1 << bone.index()
+}

@@ -1,0 +1,122 @@
+//! One message: a bone, the root, the time, a style, or something to pass on.
+
+use super::bone::Bone;
+use super::place::{Place, RootPlace};
+use rosc::{OscMessage, OscType};
+use strut_core::math::{Quat, Vec3};
+use strut_core::transfer::MAX_WEIGHT;
+
+const BONE: &str = "/VMC/Ext/Bone/Pos";
+const ROOT: &str = "/VMC/Ext/Root/Pos";
+const TIME: &str = "/VMC/Ext/T";
+const OK: &str = "/VMC/Ext/OK";
+const STYLE: &str = "/strut/style";
+/// Beyond this from the origin nothing is a place, metres.
+const MAX_COORDINATE: f32 = 1e4;
+/// Squares of the lengths of what counts as a unit quaternion.
+const SQUARED_LENGTH: std::ops::RangeInclusive<f32> = 0.25..=4.0;
+
+/// A message that is understood, or one that is passed on. Lengths in metres, in the axes of [`strut_core`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Message {
+    /// A bone relative to its parent.
+    Bone(Bone, Place),
+    /// Where the model stands.
+    Root(RootPlace),
+    /// The sender's time, seconds; it ends a frame.
+    Time(f32),
+    /// Whether the sender's model is there.
+    Loaded(bool),
+    /// Weight of a style.
+    Style(String, f32),
+    /// Expressions, fingers, eyes and whatever else.
+    Other(OscMessage),
+}
+
+impl Message {
+    /// What a message says; `None` if its arguments are too few, of other types, or no numbers. More arguments than known
+    /// ones are ignored.
+    pub(super) fn read(message: OscMessage) -> Option<Self> {
+        let args = message.args.as_slice();
+        match message.addr.as_str() {
+            BONE => match (Bone::from_name(text(args)?), place(args.get(1..)?)) {
+                (Some(bone), place) => Some(Self::Bone(bone, place?)),
+                (None, _) => Some(Self::Other(message)),
+            },
+            ROOT => {
+                text(args)?;
+                let place = place(args.get(1..)?)?;
+                Some(Self::Root(RootPlace { place, scale_and_offset: floats(args.get(8..).unwrap_or_default()) }))
+            }
+            TIME => {
+                let [secs] = floats(args)?;
+                Some(Self::Time(secs))
+            }
+            OK => match args.first()? {
+                OscType::Int(loaded) => Some(Self::Loaded(*loaded != 0)),
+                _ => None,
+            },
+            STYLE => {
+                let [weight] = floats(args.get(1..)?)?;
+                (weight.abs() <= MAX_WEIGHT).then_some(Self::Style(text(args)?.to_owned(), weight))
+            }
+            _ => Some(Self::Other(message)),
+        }
+    }
+
+    /// The message as it is sent.
+    pub(super) fn write(&self) -> OscMessage {
+        let message = |addr: &str, args: Vec<OscType>| OscMessage { addr: addr.to_owned(), args };
+        match self {
+            Self::Bone(bone, place) => message(BONE, place_args(bone.name(), place)),
+            Self::Root(root) => {
+                let mut args = place_args("root", &root.place);
+                args.extend(root.scale_and_offset.into_iter().flatten().map(OscType::Float));
+                message(ROOT, args)
+            }
+            Self::Time(secs) => message(TIME, vec![OscType::Float(*secs)]),
+            Self::Loaded(loaded) => message(OK, vec![OscType::Int(i32::from(*loaded))]),
+            Self::Style(name, weight) => message(STYLE, vec![OscType::String(name.clone()), OscType::Float(*weight)]),
+            Self::Other(other) => other.clone(),
+        }
+    }
+}
+
+fn text(args: &[OscType]) -> Option<&str> {
+    match args.first()? {
+        OscType::String(text) => Some(text),
+        _ => None,
+    }
+}
+
+/// The first numbers, all finite.
+fn floats<const N: usize>(args: &[OscType]) -> Option<[f32; N]> {
+    let mut numbers = [0.0; N];
+    for (number, arg) in numbers.iter_mut().zip(args.get(..N)?) {
+        *number = match arg {
+            OscType::Float(value) if value.is_finite() => *value,
+            _ => return None,
+        };
+    }
+    Some(numbers)
+}
+
+/// Position and rotation of seven numbers in Unity's axes.
+fn place(args: &[OscType]) -> Option<Place> {
+    let [x, y, z, i, j, k, w] = floats(args)?;
+    let rotation = mirrored(Quat::from_xyzw(i, j, k, w));
+    let position = Vec3::new(-x, y, z);
+    let is_place = position.abs().max_element() < MAX_COORDINATE && SQUARED_LENGTH.contains(&rotation.dot(rotation));
+    is_place.then(|| Place { position, rotation: rotation.normalized() })
+}
+
+fn place_args(name: &str, place: &Place) -> Vec<OscType> {
+    let (Vec3 { x, y, z }, q) = (place.position, mirrored(place.rotation));
+    let numbers = [-x, y, z, q.x, q.y, q.z, q.w].map(OscType::Float);
+    std::iter::once(OscType::String(name.to_owned())).chain(numbers).collect()
+}
+
+/// The rotation in the mirror at x = 0.
+fn mirrored(q: Quat) -> Quat {
+    Quat::from_xyzw(q.x, -q.y, -q.z, q.w)
+}

@@ -1,0 +1,25 @@
+//! Virtual Motion Capture: the messages by which motion capture programs and avatars send a body's bones to each other, as
+//! Open Sound Control 1.0 over UDP (`../shared/spec/live-driving.md` §8).
+//!
+//! Bytes ↔ [`Message`]s ([`decode`], [`encode`]) ↔ [`Frame`]s ([`FrameReader`], [`Frame::messages`]) ↔ poses of a canonical
+//! humanoid ([`Performer`]). Unity's axes are left-handed with +Y up, facing +Z with the right along +X; here the left is
+//! along +X, so that points and rotations are mirrored at x = 0 on their way in and out.
+
+mod bone;
+mod frame;
+mod message;
+mod packet;
+mod performer;
+mod place;
+
+pub use bone::{BONES, Bone};
+pub use frame::{Frame, FrameReader};
+pub use message::Message;
+pub use packet::{MAX_MESSAGES, MAX_NESTING, MAX_PACKET_BYTES, PACKET_BYTES, PacketError, decode, encode};
+pub use performer::{Calibration, Performer};
+pub use place::{Place, RootPlace};
+/// A message of Open Sound Control as it is.
+pub use rosc::OscMessage;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,365 @@
+use super::*;
+use proptest::prelude::*;
+use rosc::{OscBundle, OscPacket, OscTime, OscType};
+use strut_core::humanoid::{JOINTS, Pose, Proportions, Role};
+use strut_core::kinematics::world_from_local;
+use strut_core::math::exp_map::exp;
+use strut_core::math::{Quat, Vec3};
+use strut_core::retarget::BetweenBodies;
+
+fn rotation() -> impl Strategy<Value = Quat> {
+    prop::array::uniform3(-1.7f32..1.7).prop_map(|v| exp(Vec3::from_array(v)))
+}
+
+fn place() -> impl Strategy<Value = Place> {
+    (prop::array::uniform3(-5.0f32..5.0), rotation())
+        .prop_map(|(position, rotation)| Place { position: Vec3::from_array(position), rotation })
+}
+
+fn pose() -> impl Strategy<Value = Pose> {
+    (prop::array::uniform3(-3.0f32..3.0), prop::collection::vec(rotation(), JOINTS)).prop_map(|(root, rotations)| {
+        let mut pose = Pose { root: Vec3::from_array(root), ..Pose::default() };
+        pose.rotations.copy_from_slice(&rotations);
+        pose
+    })
+}
+
+fn message() -> impl Strategy<Value = Message> {
+    let other = || OscMessage { addr: "/VMC/Ext/Blend/Val".into(), args: vec!["Joy".into(), 0.5_f32.into()] };
+    prop_oneof![
+        (0..BONES, place()).prop_map(|(i, place)| Message::Bone(Bone::all().nth(i).unwrap(), place)),
+        (place(), prop::option::of(prop::array::uniform6(-2.0f32..2.0)))
+            .prop_map(|(place, scale_and_offset)| Message::Root(RootPlace { place, scale_and_offset })),
+        (0.0f32..1e5).prop_map(Message::Time),
+        any::<bool>().prop_map(Message::Loaded),
+        (-10.0f32..10.0).prop_map(|weight| Message::Style("proud".into(), weight)),
+        Just(()).prop_map(move |()| Message::Other(other())),
+    ]
+}
+
+fn assert_near(a: &Message, b: &Message) {
+    match (a, b) {
+        (Message::Bone(x, a), Message::Bone(y, b)) => {
+            assert_eq!(x, y);
+            assert!(a.position == b.position && a.rotation.inv_mul(b.rotation).angle() < 1e-3);
+        }
+        (Message::Root(a), Message::Root(b)) => {
+            assert!(a.scale_and_offset == b.scale_and_offset && a.place.position == b.place.position);
+        }
+        _ => assert_eq!(a, b),
+    }
+}
+
+proptest! {
+    #[test]
+    fn messages_round_trip_in_small_packets(messages in prop::collection::vec(message(), 0..60)) {
+        let mut back = Vec::new();
+        for packet in encode(&messages) {
+            prop_assert!(packet.len() <= PACKET_BYTES);
+            prop_assert_eq!(decode(&packet, &mut back), Ok(0));
+        }
+        prop_assert_eq!(back.len(), messages.len());
+        messages.iter().zip(&back).for_each(|(a, b)| assert_near(a, b));
+    }
+
+    #[test]
+    fn poses_round_trip_through_the_bones_of_any_rest_pose(
+        poses in prop::collection::vec(pose(), 3),
+        rest in prop::collection::vec(rotation(), BONES),
+        root in place(),
+        has_upper_chest in any::<bool>(),
+        facing in -3.0f32..3.0,
+    ) {
+        // A sender whose bones are turned somehow in the T-pose.
+        let mut theirs = Performer::of_body(&Proportions::default());
+        theirs.rest.copy_from_slice(&rest);
+        if has_upper_chest {
+            theirs.has[Bone::UpperChest.index()] = true;
+        }
+        let like = Frame { root: RootPlace { place: root, scale_and_offset: None }, bones: offsets_in(&theirs), ..Frame::default() };
+        let mut t_pose = Pose::default();
+        t_pose.rotations[0] = Quat::from_rotation_y(facing);
+        let mut calibration = Calibration::default();
+        (0..10).for_each(|_| calibration.push(&theirs.frame(&t_pose, &like)));
+        let performer = Performer::new(&theirs.frame(&t_pose, &like), Some(&calibration));
+        for (ours, default) in performer.proportions().offsets.iter().zip(&Proportions::default().offsets) {
+            prop_assert!(ours.distance(*default) < 2e-3, "{ours} {default}");
+        }
+        for pose in &poses {
+            let frame = theirs.frame(pose, &like);
+            let back = performer.pose(&frame);
+            prop_assert!(back.root.distance(pose.root) < 1e-4);
+            for (a, b) in back.rotations.iter().zip(&pose.rotations) {
+                prop_assert!(a.inv_mul(*b).angle() < 3e-3, "{a:?} {b:?}");
+            }
+            let again = performer.frame(&back, &frame);
+            for (a, b) in again.bones.iter().zip(&frame.bones) {
+                let (Some(a), Some(b)) = (a, b) else { prop_assert_eq!(a.is_some(), b.is_some()); continue };
+                prop_assert!(a.position.distance(b.position) < 1e-3 && a.rotation.inv_mul(b.rotation).angle() < 5e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn random_bytes_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+        let mut messages = Vec::new();
+        let _ = decode(&bytes, &mut messages);
+    }
+}
+
+/// The bones of a body as they hang on each other in the T-pose, with a rest rotation each.
+fn offsets_in(performer: &Performer) -> [Option<Place>; BONES] {
+    let mut bones = [None; BONES];
+    for bone in Bone::all().filter(|bone| performer.has[bone.index()]) {
+        let parent =
+            bone.parent().filter(|parent| performer.has[parent.index()]).or(bone.parent().and_then(Bone::parent));
+        let turned = parent.map_or(Quat::IDENTITY, |parent| performer.rest[parent.index()]);
+        let offset = match bone {
+            // It is where the chest is: the neck's offset counts from it.
+            Bone::UpperChest => Vec3::ZERO,
+            Bone::Of(role) => performer.proportions().offsets[role.index()],
+        };
+        bones[bone.index()] = Some(Place { position: turned.inv_mul_vec3(offset), rotation: Quat::IDENTITY });
+    }
+    bones
+}
+
+/// A walk's frame in the packets of a sender.
+fn packets() -> Vec<Vec<u8>> {
+    let body = Performer::of_body(&Proportions::default());
+    let mut messages: Vec<Message> = body.frame(&Pose::default(), &Frame::default()).messages().collect();
+    messages.extend([Message::Loaded(true), Message::Time(1.5), Message::Style("old".into(), 0.5)]);
+    messages.push(Message::Other(OscMessage {
+        addr: "/x".into(),
+        args: vec![
+            OscType::Array([OscType::Blob(vec![1, 2, 3]), OscType::Nil].into_iter().collect()),
+            OscType::Double(1.0),
+        ],
+    }));
+    encode(&messages)
+}
+
+/// Changes bytes, lengths and order of packets. More cases: `STRUT_MUTATIONS=1000000`.
+#[test]
+fn mutated_packets_never_panic() {
+    let cases = std::env::var("STRUT_MUTATIONS").ok().and_then(|cases| cases.parse().ok()).unwrap_or(20_000);
+    let originals = packets();
+    let mut state = 1_u64;
+    let mut random = move |below: usize| {
+        // xorshift64
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state % below.max(1) as u64) as usize
+    };
+    let mut messages = Vec::new();
+    let mut frames = FrameReader::default();
+    let mut secs = 0.0;
+    for case in 0..cases {
+        let mut packet = originals[case % originals.len()].clone();
+        for _ in 0..=random(6) {
+            let length = packet.len();
+            let at = random(length);
+            match random(5) {
+                0 => packet.truncate(at),
+                1 => packet[at..].rotate_left(4.min(length - at)),
+                2 => packet.splice(at..at, [0, 0, 0, random(256) as u8]).for_each(drop),
+                _ => packet.get_mut(at).into_iter().for_each(|byte| *byte = random(256) as u8),
+            }
+        }
+        messages.clear();
+        let _ = decode(&packet, &mut messages);
+        secs += 0.001;
+        for message in &messages {
+            if let Some(frame) = frames.push(message, secs) {
+                let performer = Performer::new(&frame, None);
+                assert!(performer.pose(&frame).is_finite() && performer.proportions().is_valid());
+            }
+        }
+    }
+}
+
+#[test]
+fn what_nests_deeply_or_holds_too_much_is_dropped_before_it_is_read() {
+    let bundle = |content: Vec<OscPacket>| {
+        OscPacket::Bundle(OscBundle { timetag: OscTime { seconds: 0, fractional: 1 }, content })
+    };
+    let message = || OscPacket::Message(OscMessage { addr: "/VMC/Ext/T".into(), args: vec![OscType::Float(1.0)] });
+    let read = |packet: &OscPacket| decode(&rosc::encoder::encode(packet).unwrap(), &mut Vec::new());
+    let nested = |depth: usize| (0..depth).fold(message(), |inside, _| bundle(vec![inside]));
+    assert_eq!(read(&nested(MAX_NESTING)), Ok(0));
+    assert_eq!(read(&nested(MAX_NESTING + 1)), Err(PacketError::TooDeep));
+    assert_eq!(read(&bundle((0..=MAX_MESSAGES).map(|_| message()).collect())), Err(PacketError::TooMany));
+    // Bundles to the last byte, and arrays: the decoder alone would call itself thousands of times.
+    let mut deep = Vec::new();
+    for left in (0..3_000_u32).rev() {
+        deep.extend(b"#bundle\0\0\0\0\0\0\0\0\x01");
+        deep.extend((left * 20).to_be_bytes());
+    }
+    assert_eq!(decode(&deep, &mut Vec::new()), Err(PacketError::TooDeep));
+    for padding in [&b"/a\0\0"[..], b"/\0x\0", b"/\0\0\0"] {
+        let mut arrays = padding.to_vec();
+        arrays.push(b',');
+        arrays.resize(arrays.len() + 60_000, b'[');
+        arrays.resize(arrays.len() + 4_000, b']');
+        arrays.extend([0; 3]);
+        assert_eq!(decode(&arrays, &mut Vec::new()), Err(PacketError::TooDeep));
+    }
+    assert_eq!(decode(&vec![0; MAX_PACKET_BYTES + 1], &mut Vec::new()), Err(PacketError::TooLarge));
+    assert_eq!(decode(b"hello", &mut Vec::new()), Err(PacketError::NotOsc));
+}
+
+#[test]
+fn messages_with_other_arguments_are_dropped_and_unknown_ones_passed_on() {
+    let read = |addr: &str, args: Vec<OscType>| {
+        let packet = rosc::encoder::encode(&OscPacket::Message(OscMessage { addr: addr.into(), args })).unwrap();
+        let mut messages = Vec::new();
+        let dropped = decode(&packet, &mut messages).unwrap();
+        (dropped, messages.pop())
+    };
+    let bone = |name: &str, numbers: &[f32]| {
+        let args = std::iter::once(name.into()).chain(numbers.iter().map(|&n| n.into())).collect();
+        read("/VMC/Ext/Bone/Pos", args)
+    };
+    let unit = [0.1, 0.2, 0.3, 0.0, 0.0, 0.0, 1.0];
+    // Unity's left-handed axes: x changes its sign.
+    let expected = Place { position: Vec3::new(-0.1, 0.2, 0.3), rotation: Quat::IDENTITY };
+    assert_eq!(bone("LeftUpperArm", &unit), (0, Some(Message::Bone(Bone::Of(Role::LeftUpperArm), expected))));
+    let turned = bone("Head", &[0.0, 0.0, 0.0, 0.0, 0.6, 0.0, 0.8]).1;
+    let Some(Message::Bone(_, place)) = turned else { panic!("{turned:?}") };
+    assert!((place.rotation * Vec3::Z).x < -0.9, "a turn to +X, the right, is one to −X here");
+    let more = [&unit[..], &[5.0]].concat();
+    assert!(matches!(bone("UpperChest", &more), (0, Some(Message::Bone(Bone::UpperChest, _)))));
+    assert!(matches!(bone("LeftThumbProximal", &unit), (0, Some(Message::Other(_)))));
+    let broken: [&[f32]; 5] = [
+        &unit[..6],
+        &[f32::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+        &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.4],
+        &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.1],
+        &[1e9, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+    ];
+    for numbers in broken {
+        assert_eq!(bone("Hips", numbers), (1, None), "{numbers:?}");
+    }
+    assert_eq!(read("/VMC/Ext/T", vec![OscType::Int(1)]), (1, None));
+    assert_eq!(read("/VMC/Ext/OK", vec![OscType::Int(1), OscType::Int(3)]), (0, Some(Message::Loaded(true))));
+    assert_eq!(read("/strut/style", vec!["old".into(), 11.0_f32.into()]), (1, None));
+    assert!(matches!(read("/VMC/Ext/Blend/Apply", vec![]), (0, Some(Message::Other(_)))));
+}
+
+/// What becomes of messages that arrive so.
+fn frames(arrivals: &[(f64, Message)]) -> Vec<Frame> {
+    let mut reader = FrameReader::default();
+    let mut frames = Vec::new();
+    for (secs, message) in arrivals {
+        frames.extend(reader.silence(*secs));
+        frames.extend(reader.push(message, *secs));
+    }
+    frames.extend(reader.silence(1e9));
+    frames
+}
+
+fn bone_at(role: Role, x: f32) -> Message {
+    Message::Bone(Bone::Of(role), Place { position: Vec3::X * x, rotation: Quat::IDENTITY })
+}
+
+#[test]
+fn a_time_the_next_hips_or_silence_end_a_frame() {
+    let (hips, spine) = (|x| bone_at(Role::Hips, x), bone_at(Role::Spine, 0.0));
+    let timed: Vec<(f64, Message)> = (0..4)
+        .flat_map(|i| [hips(i as f32), spine.clone(), Message::Time(i as f32)].map(|m| (f64::from(i) * 0.001, m)))
+        .collect();
+    let found = frames(&timed);
+    // Nobody knows whether the first frame is whole.
+    assert_eq!(found.iter().map(|f| f.sent_secs).collect::<Vec<_>>(), [1.0, 2.0, 3.0].map(Some));
+    let untimed: Vec<(f64, Message)> = timed.into_iter().filter(|(_, m)| !matches!(m, Message::Time(_))).collect();
+    assert_eq!(frames(&untimed).len(), 3);
+    let apart: Vec<(f64, Message)> =
+        untimed.into_iter().enumerate().map(|(i, (_, m))| ((i / 2) as f64 * 0.005, m)).collect();
+    let found = frames(&apart);
+    assert_eq!(found.iter().map(|f| f.bones[0].unwrap().position.x).collect::<Vec<_>>(), [1.0, 2.0, 3.0]);
+    assert!(found.iter().all(|f| f.sent_secs.is_none()));
+}
+
+#[test]
+fn a_frame_without_one_of_its_packets_is_dropped() {
+    let frame = |i: u8, with_spine: bool| {
+        let mut messages = vec![bone_at(Role::Hips, f32::from(i))];
+        if with_spine {
+            messages.push(bone_at(Role::Spine, 0.0));
+        }
+        messages.push(Message::Time(f32::from(i)));
+        messages.into_iter().map(move |message| (f64::from(i) * 0.01, message))
+    };
+    let times = |lacking: &[u8]| {
+        let arrivals: Vec<_> = (0..6).flat_map(|i| frame(i, !lacking.contains(&i))).collect();
+        frames(&arrivals).iter().map(|f| f.sent_secs.unwrap()).collect::<Vec<_>>()
+    };
+    assert_eq!(times(&[3]), [1.0, 2.0, 4.0, 5.0]);
+    assert_eq!(times(&[0]), [1.0, 2.0, 3.0, 4.0, 5.0]);
+    // A bone that stays away is not sent any more.
+    assert_eq!(times(&[3, 4, 5]), [1.0, 2.0, 4.0, 5.0]);
+}
+
+#[test]
+fn a_sender_without_a_model_is_not_heard() {
+    let arrivals = (0..8_u8).flat_map(|i| {
+        [Message::Loaded(i < 4), bone_at(Role::Hips, 0.0), Message::Time(f32::from(i))].map(|m| (f64::from(i), m))
+    });
+    assert_eq!(frames(&arrivals.collect::<Vec<_>>()).len(), 3);
+}
+
+#[test]
+fn bodies_come_from_offsets_or_the_height_of_the_hips() {
+    let mut body = Proportions::default();
+    body.offsets.iter_mut().for_each(|offset| *offset *= 0.8);
+    let sender = Performer::of_body(&body);
+    let frame = sender.frame(&Pose { root: body.offsets[0], ..Pose::default() }, &Frame::default());
+    let found = Performer::new(&frame, None);
+    for (a, b) in found.proportions().offsets.iter().zip(&body.offsets) {
+        assert!(a.distance(*b) < 2e-3, "{a} {b}");
+    }
+    let mut without = frame;
+    for (i, bone) in without.bones.iter_mut().enumerate().skip(1) {
+        *bone = (i < Role::ALL.len()).then_some(Place::default());
+    }
+    let found = Performer::new(&without, None);
+    assert!((found.proportions().leg_length() / body.leg_length() - 1.0).abs() < 1e-3);
+    without.bones[0] = Some(Place { position: Vec3::Y * -5.0, rotation: Quat::IDENTITY });
+    assert_eq!(Performer::new(&without, None).proportions(), &Proportions::default());
+}
+
+#[test]
+fn hips_are_relative_to_where_the_model_stands() {
+    let performer = Performer::of_body(&Proportions::default());
+    let mut pose = Pose { root: Vec3::new(2.0, 0.9, 1.0), ..Pose::default() };
+    pose.rotations[0] = Quat::from_rotation_y(0.5);
+    let stands = Place { position: Vec3::new(1.0, 0.0, -1.0), rotation: Quat::from_rotation_y(1.2) };
+    let like = Frame { root: RootPlace { place: stands, scale_and_offset: None }, ..Frame::default() };
+    let frame = performer.frame(&pose, &like);
+    assert_eq!(frame.root.place, stands);
+    let back = performer.pose(&frame);
+    assert!(back.root.distance(pose.root) < 1e-5);
+    assert!(back.rotations[0].inv_mul(pose.rotations[0]).angle() < 1e-3);
+    let (there, here) = (frame.world(), world_from_local(performer.proportions(), &pose));
+    for role in Role::ALL {
+        assert!(there[role.index()].position.distance(here.positions[role.index()]) < 1e-5, "{role:?}");
+    }
+}
+
+#[test]
+fn a_body_of_another_size_is_led_there_and_back() {
+    let mut other = Proportions::default();
+    other.offsets.iter_mut().for_each(|offset| *offset *= 1.15);
+    let (there, back) =
+        (BetweenBodies::new(&Proportions::default(), &other), BetweenBodies::new(&other, &Proportions::default()));
+    let mut pose = Pose { root: Vec3::new(0.3, 0.9, 0.1), ..Pose::default() };
+    for (role, angle) in [(Role::LeftUpperLeg, -0.5), (Role::LeftLowerLeg, 0.8), (Role::RightLowerLeg, 0.2)] {
+        pose.rotations[role.index()] = Quat::from_rotation_x(angle);
+    }
+    let again = back.pose(&there.pose(&pose));
+    assert!(again.root.distance(pose.root) < 1e-4);
+    for (a, b) in again.rotations.iter().zip(&pose.rotations) {
+        assert!(a.inv_mul(*b).angle() < 2e-3, "{a:?} {b:?}");
+    }
+}
