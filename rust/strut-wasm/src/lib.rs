@@ -19,6 +19,8 @@ mod learn;
 mod motion_facts;
 #[cfg(feature = "motions")]
 mod motions;
+#[cfg(feature = "files")]
+mod neutral_clips;
 #[cfg(feature = "parity")]
 mod parity;
 mod poses;
