@@ -3,7 +3,14 @@
  * replaces and exports; a failure leaves what was open. Independent of the page, which listens to its events.
  */
 
-import { type DriveControl, type DriveFrame, type DriveInfo, type Driven, type Root, STILL } from "../client/drive/protocol";
+import {
+  type DriveControl,
+  type DriveFrame,
+  type DriveInfo,
+  type Driven,
+  type Root,
+  STILL,
+} from "../client/drive/protocol";
 import type { FirstSteps } from "../client/first_steps";
 import type {
   Analysis,
@@ -39,8 +46,8 @@ export interface SessionListeners {
   onAnalysis: (analysis: Analysis) => void;
   /** The examples behind the last analysis, as far as the curve shows them. */
   onExamples: (examples: Examples | undefined) => void;
-  /** A new frame; `sought` where it does not follow the one before. */
-  onFrame: (frame: LiveFrame, sought: boolean) => void;
+  /** A new frame, of a steered character a `DriveFrame`; `sought` where it does not follow the one before. */
+  onFrame: (frame: LiveFrame | DriveFrame, sought: boolean) => void;
   /** A new frame of what is shown until the engine has an input. */
   onPrelude: (shown: ShownFrame) => void;
   /** Before every repaint of the browser; `now` in milliseconds. */

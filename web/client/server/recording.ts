@@ -41,7 +41,12 @@ export class Recording {
       if (this.blocks.length > BLOCKS + 1) {
         this.blocks.shift();
         this.first += BLOCK;
-        this.keys = this.keys.slice(Math.max(0, this.keys.findLastIndex(({ frame }) => frame <= this.first)));
+        this.keys = this.keys.slice(
+          Math.max(
+            0,
+            this.keys.findLastIndex(({ frame }) => frame <= this.first),
+          ),
+        );
       }
     }
     this.blocks.at(-1)!.set(pose, at * POSE_FLOATS);
