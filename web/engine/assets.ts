@@ -15,6 +15,7 @@ export type AssetName =
   | "first.bin"
   | "built_in.bin"
   | "walk.bin"
+  | "drive.bin"
   | "first_steps.bin"
   | "built_in.strutwalk";
 

@@ -3,7 +3,7 @@
 use crate::clips::Clips;
 use js_sys::Float32Array;
 use std::sync::Arc;
-use strut_core::driving::{self, Control, DrivenFrame, DrivingClips};
+use strut_core::driving::{self, Control, DrivenFrame, DrivingClips, Move};
 use strut_core::humanoid::POSE_FLOATS;
 use strut_core::math::float_funcs::wrap_angle;
 use strut_core::math::{Quat, Vec2, Vec3};
@@ -16,9 +16,9 @@ const AHEAD: usize = 3;
 const AHEAD_SECS: f32 = 1.0 / 3.0;
 
 /// Numbers of a frame: the pose; the root's x, z and heading; the same of where it is asked to be after 1/3, 2/3 and 1 s; the
-/// same of where the clip that plays would take it; speed over the ground, row, clip, contacts (left, right), and whether
-/// another row than the next one was taken.
-pub const FRAME: usize = POSE_FLOATS + 3 + 6 * AHEAD + 6;
+/// same of where the clip that plays would take it; speed over the ground, row, clip, contacts (left, right), whether another
+/// row than the next one was taken, the move that plays (its number from 1 on, or 0), and how far the pose may be styled.
+pub const FRAME: usize = POSE_FLOATS + 3 + 6 * AHEAD + 8;
 
 /// Neutral motion that goes where it is asked to. For every frame of the clips' rate [`Driver::next`], then [`Driver::read`].
 #[wasm_bindgen]
@@ -51,9 +51,19 @@ impl Driver {
         self.clips.rows()
     }
 
-    /// For each clip to choose from the number of the clip that it was made of, and 1 where that is mirrored.
-    pub fn sources(&self) -> Vec<u32> {
-        self.clips.clips().iter().flat_map(|clip| [clip.source as u32, u32::from(clip.mirrored)]).collect()
+    /// For each clip to choose from the name of the clip that it was made of.
+    pub fn names(&self) -> Vec<String> {
+        self.clips.clips().iter().map(|clip| self.clips.name(clip).into()).collect()
+    }
+
+    /// For each clip to choose from 1 where left and right are swapped.
+    pub fn mirrored(&self) -> Vec<u8> {
+        self.clips.clips().iter().map(|clip| u8::from(clip.mirrored)).collect()
+    }
+
+    /// Names of the moves that can be asked for.
+    pub fn moves(&self) -> Vec<String> {
+        self.driver.moves().map(|of| of.name().into()).collect()
     }
 
     /// Begins anew at a place, without a path.
@@ -82,18 +92,21 @@ impl Driver {
         self.driver.has_arrived()
     }
 
-    /// Goes on by a frame: the wish over the ground, the gait (0 stands, 1 walks, 2 runs), the heading to face, and where the
-    /// hips of the styled character were in the last frame. What is not finite is ignored.
+    /// Goes on by a frame: the wish over the ground, the gait (0 stands, 1 walks, 2 runs), the heading to face, the number of a
+    /// move, and where the hips of the styled character were in the last frame. What is not finite is ignored.
+    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to spell out.
     pub fn next(
         &mut self,
         wish_x: f32,
         wish_z: f32,
         gait: f32,
         face: Option<f32>,
+        action: Option<u8>,
         styled_x: Option<f32>,
         styled_z: Option<f32>,
     ) {
-        let control = Control { wish: Vec2::new(wish_x, wish_z), gait, face };
+        let action = action.and_then(|number| Move::ALL.get(usize::from(number)).copied());
+        let control = Control { wish: Vec2::new(wish_x, wish_z), gait, face, action };
         let styled = styled_x.zip(styled_z).map(|(x, z)| Vec3::new(x, 0.0, z));
         write(&self.clips, self.driver.next(&control, styled), &mut self.frame);
     }
@@ -124,12 +137,15 @@ fn write(clips: &DrivingClips, frame: &DrivenFrame, out: &mut [f32; FRAME]) {
     let clip = clips.clip_of(frame.row);
     let [left, right] = frame.contacts.map(|planted| f32::from(u8::from(planted)));
     let last = [frame.speed, frame.row as f32, clip as f32, left, right, f32::from(u8::from(frame.switched))];
+    let action =
+        Move::ALL.iter().zip(1_u8..).find(|(of, _)| Some(**of) == frame.action).map_or(0, |(_, number)| number);
     let ahead = ahead(clips, frame);
     let numbers = [x, z, heading]
         .into_iter()
         .chain(frame.asked.iter().flat_map(place))
         .chain(ahead.iter().flat_map(place))
-        .chain(last);
+        .chain(last)
+        .chain([f32::from(action), frame.style_share]);
     for (out, number) in rest.iter_mut().zip(numbers) {
         *out = number;
     }

@@ -20,6 +20,14 @@ impl Database {
         self.model().catalogue().clips.get(clip).map(|clip| clip.name.clone()).unwrap_or_default()
     }
 
+    /// The name of its action, likewise.
+    #[wasm_bindgen(js_name = clipAction)]
+    pub fn clip_action(&self, clip: usize) -> String {
+        let catalogue = self.model().catalogue();
+        let action = catalogue.clips.get(clip).map(|clip| usize::from(clip.action));
+        action.and_then(|action| catalogue.actions.get(action).cloned()).unwrap_or_default()
+    }
+
     /// The poses of a clip in the world, beginning above the origin towards +Z; none if there is no such clip.
     #[wasm_bindgen(js_name = clipPoses)]
     pub fn clip_poses(&self, clip: usize) -> Vec<f32> {

@@ -1,10 +1,10 @@
 /** What a page says to a driven character, and what comes back. */
+import type { MoveName } from "../../engine/drive/driver";
 import type { StyleKey } from "../../engine/types";
 import type { LiveFrame } from "../protocol";
 
-/** Moves that a character may be asked for. */
-export const MOVES = ["jump", "punch", "kick"] as const;
-export type Move = (typeof MOVES)[number];
+/** A move that a character may be asked for. */
+export type Move = MoveName;
 
 /** What is asked of the character. */
 export interface DriveControl {

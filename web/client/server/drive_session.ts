@@ -1,7 +1,8 @@
 /** Driving: neutral frames that a driver makes as they are needed, each styled at once. */
 import type { Driver, DriverFrame } from "../../engine/drive/driver";
+import type { Stylizer } from "../../engine/stylizer";
 import type { Styled } from "../../engine/types";
-import { type DriveControl, type DriveFrame, isControl, type Root, STILL } from "../drive/protocol";
+import { type DriveControl, type DriveFrame, isControl, type Move, type Root, STILL } from "../drive/protocol";
 import type { Reading, StylizeOptions } from "../protocol";
 import { EasedStyles } from "./eased_styles";
 import { FrameCost } from "./frame_cost";
@@ -23,6 +24,7 @@ interface DrivenMoment extends Moment {
   speed: number;
   clip: number;
   row: number;
+  move: Move | undefined;
 }
 
 /** As much of the engine's driver as a session needs. */
@@ -33,6 +35,8 @@ export class DriveSession {
   private readonly clock: OutputClock<DrivenMoment>;
   private readonly cost: FrameCost;
   private control = STILL;
+  /** A move that was asked for since the last frame. */
+  private action: Move | undefined;
   /** Frames that were driven. */
   private frames = 0;
   /** Those in which another row than the next one was taken, of the last second. */
@@ -50,7 +54,7 @@ export class DriveSession {
    * @param nowMs a clock for the cost of a frame
    */
   constructor(
-    private readonly stylizer: OnlineStylizer,
+    private readonly stylizer: OnlineStylizer & Pick<Stylizer, "setStyleShare">,
     private readonly driver: NeutralDriver,
     private readonly names: readonly string[],
     private readonly rateHz: number,
@@ -111,12 +115,16 @@ export class DriveSession {
     const { path } = control;
     const isLine = path && path.length !== 2 && path.length <= MAX_PATH_FLOATS && path.every(Number.isFinite);
     if (isLine) this.driver.path = path;
+    this.action = control.action ?? this.action;
     if (isControl(control)) this.control = control;
   }
 
   /** Drives and styles one more frame; its time is how long it lasts. */
   private advanced(styledHips: readonly [x: number, z: number] | undefined): DrivenMoment {
-    const driven = this.driver.next(this.control, styledHips);
+    const { move, gait, face } = this.control;
+    const driven = this.driver.next({ move, gait, face, action: this.action }, styledHips);
+    this.action = undefined;
+    this.stylizer.setStyleShare(driven.styleShare);
     this.styles.ease(this.frames, 1 / this.rateHz);
     this.recording.add(driven.pose, this.styles.whole);
     if (driven.switched) this.switches.push(this.frames);
@@ -163,12 +171,13 @@ export class DriveSession {
       speed: driven.speed,
       clip: driven.clip,
       row: driven.row,
+      move: driven.move,
     };
   }
 
   private shown(): DriveFrame {
     const { clock } = this;
-    const { root, asked, ahead, speed, clip, row } = clock.last;
+    const { root, asked, ahead, speed, clip, row, move } = clock.last;
     return {
       pose: clock.pose,
       inputPose: clock.between(({ neutral }) => neutral),
@@ -188,7 +197,7 @@ export class DriveSession {
       row,
       transitions: this.switches.length,
       progress: this.driver.progress,
-      move: undefined,
+      move,
     };
   }
 }

@@ -51,7 +51,7 @@ export async function openDrive(
     stylizer.dispose();
     throw thrown;
   }
-  return { speeds: driver.speeds, moves: [], clips: driver.clips.length, frames: driver.rows };
+  return { speeds: driver.speeds, moves: driver.moves, clips: driver.clips.length, frames: driver.rows };
 }
 
 export function drive({ open }: Host, _: Caller, id: number, dtSecs: number, control: DriveControl): DriveFrame {

@@ -1,5 +1,7 @@
 /** Neutral motion that goes where it is steered, on the calling thread: a frame takes microseconds. */
 import { POSE_FLOATS } from "../../humanoid";
+import { assetOf } from "../assets";
+import { inflatedAsset } from "../built_in";
 import type { Database } from "../database";
 import { Handle } from "../handle";
 import { guarded } from "../wasm";
@@ -16,14 +18,24 @@ export interface Steering {
   gait: number;
   /** Heading to face, radians about +Y; the direction of `move` where it is missing. */
   face?: number | undefined;
+  /** A move to begin. */
+  action?: MoveName | undefined;
 }
+
+/** Moves, in the engine's order (`rust/strut-core/src/driving/moves.rs`). */
+export const MOVES = ["jump", "punch", "kick"] as const;
+export type MoveName = (typeof MOVES)[number];
+
+/** Takes that a database may lack: standing, turns on the spot, halts. */
+const TAKES = () => assetOf("drive.bin", () => new URL("../motions/drive.bin", import.meta.url));
 
 // Where the numbers of a frame are: `rust/strut-wasm-drive/src/driver.rs`.
 const ROOT = POSE_FLOATS;
 const ASKED = ROOT + 3;
 const CLIP_AHEAD = ASKED + 3 * AHEAD;
 const SPEED = CLIP_AHEAD + 3 * AHEAD;
-const [ROW, CLIP, SWITCHED, FRAME] = [SPEED + 1, SPEED + 2, SPEED + 5, SPEED + 6];
+const [ROW, CLIP, SWITCHED, ACTION, SHARE, FRAME] = [1, 2, 5, 6, 7, 8].map((after) => SPEED + after) as Six;
+type Six = [number, number, number, number, number, number];
 
 /** A frame of a driver, as a view of numbers that the next frame overwrites. */
 export class DriverFrame {
@@ -55,6 +67,16 @@ export class DriverFrame {
   get switched(): boolean {
     return this.numbers[SWITCHED] === 1;
   }
+
+  /** The move that plays. */
+  get move(): MoveName | undefined {
+    return MOVES[this.numbers[ACTION]! - 1];
+  }
+
+  /** How far the pose may be styled, 0 to 1. */
+  get styleShare(): number {
+    return this.numbers[SHARE]!;
+  }
 }
 
 /** A driver over the neutral clips of a database. */
@@ -69,25 +91,27 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
     readonly rows: number,
     /** Speeds of walking and running, m/s. */
     readonly speeds: readonly [walk: number, run: number],
+    /** Moves that can be asked for. */
+    readonly moves: readonly MoveName[],
   ) {
     super(raw, "driver");
   }
 
   /** @throws StrutError if the module cannot be had, or `bad-input` where the neutral clips have too little walking */
   static async open(database: Database): Promise<Driver> {
-    const glue = await drivePackage.load();
+    const [glue, takes] = await Promise.all([drivePackage.load(), inflatedAsset(TAKES(), "driving")]);
     const { rateHz, proportions } = database.info;
     return drivePackage.guarded(() => {
       const clips = new glue.Clips(proportions, rateHz);
       try {
-        const names = addNeutral(database, clips);
+        addNeutral(database, clips);
+        clips.addTakes(takes);
         const raw = new glue.Driver(clips);
-        const sources = raw.sources();
-        const chosen = Array.from({ length: sources.length / 2 }, (_, i) =>
-          sources[2 * i + 1] ? `${names[sources[2 * i]!]}, mirrored` : names[sources[2 * i]!]!,
-        );
+        const mirrored = raw.mirrored();
+        const names = raw.names().map((name, i) => (mirrored[i] ? `${name}, mirrored` : name));
         const [walk, run] = raw.speeds();
-        return new Driver(raw, chosen, raw.rows(), [walk!, run!]);
+        const moves = MOVES.filter((move) => raw.moves().includes(move));
+        return new Driver(raw, names, raw.rows(), [walk!, run!], moves);
       } finally {
         clips.free();
       }
@@ -95,9 +119,10 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
   }
 
   /** The next frame, `1 / rateHz` after the last; `styled` is where the styled character's hips were in it. */
-  next({ move, gait, face }: Steering, styled: readonly [x: number, z: number] | undefined): DriverFrame {
+  next({ move, gait, face, action }: Steering, styled: readonly [x: number, z: number] | undefined): DriverFrame {
     drivePackage.guarded(() => {
-      this.raw.next(move[0], move[1], gait, face, styled?.[0], styled?.[1]);
+      const asked = action && MOVES.indexOf(action);
+      this.raw.next(move[0], move[1], gait, face, asked, styled?.[0], styled?.[1]);
       this.raw.read(this.frame.numbers);
     });
     return this.frame;
@@ -119,16 +144,16 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
   }
 }
 
-/** Adds the neutral clips of a database; their names. */
-function addNeutral(database: Database, clips: InstanceType<DriveGlue["Clips"]>): string[] {
-  return guarded(() => [...database.raw.neutralClips()]).map((clip) => {
+/** Adds the neutral clips of a database. */
+function addNeutral(database: Database, clips: InstanceType<DriveGlue["Clips"]>): void {
+  for (const clip of guarded(() => database.raw.neutralClips())) {
     const { raw } = database;
     const name = guarded(() => raw.clipName(clip));
     const poses = guarded(() => raw.clipPoses(clip));
     const contacts = guarded(() => raw.clipContacts(clip));
-    clips.add(name, poses, contacts);
-    return name;
-  });
+    const action = guarded(() => raw.clipAction(clip));
+    clips.add(name, action, poses, contacts);
+  }
 }
 
 /** The text of a BVH file of poses on the body of a database. */
