@@ -50,7 +50,7 @@ function script(styles: number): Asked[] {
       weights: Array.from({ length: styles }, (_, i) => Math.fround(0.4 * Math.max(0, Math.sin(secs / 2 + i)))),
     };
     if (stands) asked.face = Math.fround(way + 1.5);
-    if (frame % 400 === 390) asked.action = (frame / 400) % 3 | 0;
+    if (frame % 400 === 390) asked.action = ((frame / 400) % 3) | 0;
     if (frame === 2000) {
       const round = Array.from({ length: 120 }, (_, i) => [2 * Math.sin(i / 10), 2 - 2 * Math.cos(i / 10)]);
       asked.path = round.flat().map(Math.fround);

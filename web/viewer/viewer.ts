@@ -350,6 +350,11 @@ export class Viewer {
     this.#stage.setView(view, headingOf(this.#world, 0) + (fromRight ? Math.PI : 0));
   }
 
+  /** Goes behind the character, gliding, from where the ground ahead is seen. */
+  cameraBehind(): void {
+    this.#stage.setBehind(headingOf(this.#world, 0));
+  }
+
   /** Place of a joint of the styled character in the picture, CSS pixels from the canvas's top left. */
   jointScreenPosition(role: Role): { x: number; y: number } {
     return this.#stage.project(point.fromArray(this.#world.positions, 3 * JOINT[role]));

@@ -248,6 +248,14 @@ export class Stage implements Drawn {
     this.view.setView(view, heading, !matchMedia("(prefers-reduced-motion: reduce)").matches);
   }
 
+  /** Goes behind something that faces `heading`, and looks down on the ground ahead of it. */
+  setBehind(heading: number): void {
+    this.view.orbitAt(
+      { azimuth: heading + Math.PI, ...BEHIND },
+      !matchMedia("(prefers-reduced-motion: reduce)").matches,
+    );
+  }
+
   /** Whether the picture on screen is the finer one of what stands still. */
   get still(): boolean {
     return this.#still;
@@ -392,6 +400,8 @@ export class Stage implements Drawn {
   }
 }
 
+/** The view from behind: radians above the ground, metres away. */
+const BEHIND = { elevation: 0.3, distance: 6.4 };
 const GROUND = new Plane(new Vector3(0, 1, 0));
 const raycaster = new Raycaster();
 const pointer = new Vector2();

@@ -116,7 +116,7 @@ class PlayView implements View {
       signal,
     );
     store.subscribe((state, changed) => this.#onChange(state, changed), signal);
-    onSystemTheme(() => this.#timeline.recolour(), signal);
+    onSystemTheme(() => this.#recolour(), signal);
     this.#show(store.state);
     this.#catchUp();
   }
@@ -278,7 +278,7 @@ class PlayView implements View {
   // --- from the state ---
 
   #onChange(state: Readonly<AppState>, changed: Changed): void {
-    if (changed.has("theme")) this.#timeline.recolour();
+    if (changed.has("theme")) this.#recolour();
     this.#show(state, changed);
   }
 
@@ -301,6 +301,11 @@ class PlayView implements View {
     this.element.dataset.tab = state.tab;
     this.element.classList.toggle("bare", !state.panels);
     this.#play();
+  }
+
+  #recolour(): void {
+    this.#timeline.recolour();
+    this.#driving?.recolour();
   }
 
   #showTrack(state: Readonly<AppState>): void {

@@ -1,6 +1,7 @@
 /** Speed over the last half minute: asked for, and driven. */
 import type { DriveControl, DriveFrame, DriveInfo } from "../../../../client/drive/protocol";
 import { formatNumber, html, setAttributes } from "../../../../ui/dom";
+import { type Colours, readColours } from "../../../ui/colours";
 import { driveWords } from "./strings.en";
 
 /** Length of what is shown, seconds, and of what a point stands for. */
@@ -15,6 +16,7 @@ export class DriveChart {
   readonly #speeds: DriveInfo["speeds"];
   readonly #points: { asked: number; driven: number }[] = [];
   #secs = 0;
+  #colours: Colours | undefined;
   #ticks = 0;
 
   constructor({ speeds }: DriveInfo) {
@@ -34,6 +36,12 @@ export class DriveChart {
     this.draw();
   }
 
+  /** Takes the colours of another theme. */
+  recolour(): void {
+    this.#colours = undefined;
+    this.draw();
+  }
+
   draw(): void {
     const { element: canvas } = this;
     const { clientWidth: width, clientHeight: height } = canvas;
@@ -42,8 +50,8 @@ export class DriveChart {
     if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
     if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
     const pen = canvas.getContext("2d")!;
-    const style = getComputedStyle(canvas);
-    const colour = (name: string) => style.getPropertyValue(name);
+    this.#colours ??= readColours(document.body);
+    const { line, ink3, input, signal } = this.#colours;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, width, height);
     const rem = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
@@ -51,12 +59,12 @@ export class DriveChart {
     const most = Math.max(this.#speeds[1], 1.25 * this.#speeds[0]);
     const xOf = (point: number) => left + ((POINTS - this.#points.length + point) / (POINTS - 1)) * (width - left);
     const yOf = (speed: number) => bottom - (Math.min(speed, 1.1 * most) / (1.1 * most)) * (bottom - top);
-    pen.font = `${0.6875 * rem}px ${style.fontFamily}`;
+    pen.font = `${0.6875 * rem}px ${getComputedStyle(canvas).fontFamily}`;
     pen.textBaseline = "middle";
     pen.lineWidth = 1;
     // What is at a tick moves with the curve.
     const shift = (this.#ticks * POINT_SECS) % TICK_SECS;
-    pen.strokeStyle = colour("--line");
+    pen.strokeStyle = line;
     pen.beginPath();
     for (let secs = shift; secs <= SPAN_SECS; secs += TICK_SECS) {
       const x = Math.round(width - (secs / SPAN_SECS) * (width - left)) - 0.5;
@@ -69,14 +77,14 @@ export class DriveChart {
       pen.lineTo(width, y);
     }
     pen.stroke();
-    pen.fillStyle = colour("--ink3");
+    pen.fillStyle = ink3;
     pen.textAlign = "right";
     for (const speed of new Set(this.#speeds)) pen.fillText(formatNumber(speed, 1), left - 0.5 * rem, yOf(speed));
     pen.fillText("0", left - 0.5 * rem, yOf(0));
     pen.textAlign = "left";
     pen.fillText(driveWords.speedAxis, 0, 0.5 * rem);
-    this.#curve(pen, colour("--input"), 1.25, (i) => [xOf(i), yOf(this.#points[i]!.asked)]);
-    this.#curve(pen, colour("--signal"), 1.75, (i) => [xOf(i), yOf(this.#points[i]!.driven)]);
+    this.#curve(pen, input, 1.25, (i) => [xOf(i), yOf(this.#points[i]!.asked)]);
+    this.#curve(pen, signal, 1.75, (i) => [xOf(i), yOf(this.#points[i]!.driven)]);
     setAttributes(canvas, { "aria-label": driveWords.chart(formatNumber(this.#points.at(-1)?.driven ?? 0, 1)) });
   }
 

@@ -4,7 +4,7 @@ import "./drive.css";
 import type { DriveControl, DriveFrame, DriveInfo, Move } from "../../../../client/drive/protocol";
 import { button } from "../../../../ui/controls/buttons";
 import { clock, html, setAttributes, setText } from "../../../../ui/dom";
-import type { Viewer } from "../../../../viewer";
+import { VIEWER_DEFAULTS, type Viewer } from "../../../../viewer";
 import { Course } from "../../../../viewer/drive/course";
 import { announce } from "../../../ui/announce";
 import type { ViewerLease, ViewHost } from "../../../view";
@@ -71,6 +71,7 @@ export class Driving {
   #isNew = false;
   #move: Move | undefined;
   #used = false;
+  #isViewed = false;
   #asked: DriveControl = { move: [0, 0], gait: 1 };
 
   constructor(host: ViewHost, info: DriveInfo, places: DrivePlaces, actions: DriveActions) {
@@ -96,7 +97,7 @@ export class Driving {
     );
     this.#path = new PathTool(places.picture, this.#ground(), signal);
     this.#help = new HelpLine(info.moves, matchMedia("(pointer: coarse)").matches ? "touch" : "keyboard");
-    this.#panel = new DrivePanel(info, (on) => {
+    this.#panel = new DrivePanel(info, host.session.database?.neutral ?? "", (on) => {
       this.#keyboard.latches = on;
     });
     this.#chart = new DriveChart(info);
@@ -133,12 +134,22 @@ export class Driving {
     if (viewer) {
       void viewer.setProp(undefined);
       viewer.ghostByCamera = false;
+      viewer.labels = VIEWER_DEFAULTS.labels;
     }
     this.#lease = lease;
     this.#keyboard.stop();
     if (!lease) return;
     lease.viewer.ghostByCamera = true;
+    lease.viewer.labels = { ...VIEWER_DEFAULTS.labels, input: driveWords.neutral };
+    this.#view(lease.viewer);
     void lease.viewer.setProp(this.#course).then(lease.invalidate);
+  }
+
+  /** Goes behind the character once, from where the ground ahead is seen, unless another view was chosen. */
+  #view(viewer: Viewer): void {
+    if (this.#isViewed || this.#host.store.state.camera !== "orbit") return;
+    this.#isViewed = true;
+    viewer.cameraBehind();
   }
 
   /** Shows a frame of the engine. */
@@ -161,6 +172,11 @@ export class Driving {
   /** Makes what was driven an input, with the styles it was shown in. */
   async keep(): Promise<boolean> {
     return keep(this.#host);
+  }
+
+  /** Takes the colours of another theme. */
+  recolour(): void {
+    this.#chart.recolour();
   }
 
   dispose(): void {

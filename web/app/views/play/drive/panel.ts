@@ -1,7 +1,7 @@
 /** What the driven character does, in numbers. */
 import type { DriveFrame, DriveInfo } from "../../../../client/drive/protocol";
 import { Toggle } from "../../../../ui/controls/buttons";
-import { formatNumber, html, setText } from "../../../../ui/dom";
+import { formatNumber, html, setAttributes, setText } from "../../../../ui/dom";
 import { grouped } from "../../../strings/numerals";
 import { spoken } from "../../../ui/words";
 import { driveWords } from "./strings.en";
@@ -14,13 +14,15 @@ export class DrivePanel {
   readonly element: HTMLElement;
   readonly #speed = html("b");
   readonly #clip = html("b");
-  readonly #row = html("span");
   readonly #transitions = html("b");
   readonly #offCourse = html("b");
   readonly #unit = html("span");
+  readonly #neutral: string;
   #shownAt = 0;
 
-  constructor({ speeds, clips, frames }: DriveInfo, onKeepGoing: (on: boolean) => void) {
+  /** @param neutral name of the neutral style */
+  constructor({ speeds, clips, frames }: DriveInfo, neutral: string, onKeepGoing: (on: boolean) => void) {
+    this.#neutral = neutral;
     const keepGoing = new Toggle(words.keepGoing, (on) => {
       keepGoing.on = on;
       onKeepGoing(on);
@@ -42,7 +44,7 @@ export class DrivePanel {
         "dl",
         {},
         row(words.speed, this.#speed, of),
-        row(words.clip, this.#clip, this.#row),
+        row(words.clip, this.#clip),
         row(words.transitions, this.#transitions, html("span", {}, words.perSecond)),
         row(words.offCourse, this.#offCourse, this.#unit),
       ),
@@ -63,12 +65,19 @@ export class DrivePanel {
     if (now - this.#shownAt < READ_OUT_MS) return;
     this.#shownAt = now;
     setText(this.#speed, formatNumber(speed, 2));
-    setText(this.#clip, spoken(clip));
-    this.#clip.title = clip;
-    setText(this.#row, words.clipAt(String(row)));
+    setText(this.#clip, clipWords(clip, this.#neutral));
+    setAttributes(this.#clip, { title: words.clipWhy(clip, String(row)) });
     setText(this.#transitions, String(transitions));
     const off = offCourse();
     setText(this.#offCourse, off === undefined ? "" : formatNumber(100 * off, 1));
     setText(this.#unit, off === undefined ? words.noPath : words.centimetres);
   }
+}
+
+/** What a clip is of, in words: its name without style and take, and without what is said twice. */
+export function clipWords(name: string, neutral: string): string {
+  const [file, isMirrored] = [name.replace(/, mirrored$/, ""), name.endsWith(", mirrored")];
+  const parts = file.split("_").filter((part) => part !== neutral && !/^\d+$/.test(part));
+  const said = spoken(parts.join(" ")).replace(/^(\S+) \1\b/, "$1");
+  return isMirrored ? words.mirrored(said) : said;
 }

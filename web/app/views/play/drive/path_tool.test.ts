@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
 import { distanceTo, pathOf } from "./path_tool";
 
-const spots = (path: Float32Array) => Array.from({ length: path.length / 2 }, (_, i) => [path[2 * i]!, path[2 * i + 1]!]);
+const spots = (path: Float32Array) =>
+  Array.from({ length: path.length / 2 }, (_, i) => [path[2 * i]!, path[2 * i + 1]!]);
 
 test("a click is a straight way to a place", () => {
   const path = spots(pathOf({ x: 0, z: 0 }, [{ x: 0, z: 1 }]));

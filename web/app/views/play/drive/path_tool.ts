@@ -8,8 +8,8 @@ export interface Spot {
 
 /** Distance between points of a path, metres. */
 const SPACING = 0.1;
-/** A hand trembles: every point becomes the mean of those so near along the stroke, metres on either side. */
-const TREMBLE = 0.2;
+/** A hand trembles, and nobody turns in a point: every point becomes the mean of those so near, metres on either side. */
+const NEARBY = 0.3;
 /** A stroke that begins farther from the character is walked to first, metres. */
 const NEAR = 0.3;
 /** Places beyond this are near the horizon: a pixel there is metres. */
@@ -22,9 +22,8 @@ export function pathOf(from: Spot, stroke: readonly Spot[]): Float32Array<ArrayB
   const [first] = stroke;
   if (!first) return new Float32Array();
   const leads = Math.hypot(first.x - from.x, first.z - from.z) > NEAR || stroke.length === 1;
-  const line = smoothed(evenly(stroke));
-  const all = leads ? [...evenly([from, line[0]!]).slice(0, -1), ...line] : line;
-  return Float32Array.from(all.flatMap(({ x, z }) => [x, z]));
+  const line = smoothed(evenly(leads ? [from, ...stroke] : stroke));
+  return Float32Array.from(line.flatMap(({ x, z }) => [x, z]));
 }
 
 /** The same line with points so far apart. */
@@ -49,9 +48,9 @@ function evenly(stroke: readonly Spot[]): Spot[] {
   return line;
 }
 
-/** The same line without its tremble; its ends stay. */
+/** The same line without its tremble and sharp corners; its ends stay. */
 function smoothed(line: readonly Spot[]): Spot[] {
-  const half = Math.round(TREMBLE / SPACING);
+  const half = Math.round(NEARBY / SPACING);
   return line.map((_, i) => {
     const reach = Math.min(half, i, line.length - 1 - i);
     const near = line.slice(i - reach, i + reach + 1);

@@ -24,6 +24,7 @@ export const driveWords = {
     },
     keep: "keep",
   },
+  neutral: "neutral",
   drawPath: "Draw path",
   drawPathWhy: "Draw a line on the ground, and the character follows it (B)",
   panel: {
@@ -31,7 +32,8 @@ export const driveWords = {
     speed: "Speed",
     of: (speed: string) => `of ${speed} m/s`,
     clip: "Clip",
-    clipAt: (row: string) => `row ${row}`,
+    clipWhy: (name: string, row: string) => `${name}, row ${row}`,
+    mirrored: (name: string) => `${name}, mirrored`,
     transitions: "Transitions",
     perSecond: "per second",
     offCourse: "Off course",
