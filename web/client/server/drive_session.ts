@@ -2,6 +2,7 @@
 import type { Driver, DriverFrame } from "../../engine/drive/driver";
 import type { Stylizer } from "../../engine/stylizer";
 import type { Styled } from "../../engine/types";
+import { POSE_FLOATS } from "../../humanoid";
 import { type DriveControl, type DriveFrame, isControl, type Move, type Root, STILL } from "../drive/protocol";
 import type { Reading, StylizeOptions } from "../protocol";
 import { EasedStyles } from "./eased_styles";
@@ -137,16 +138,13 @@ export class DriveSession {
   /** Makes the shown frame again with the present options: the engine is warmed up on the frames before it. */
   private restyle(): void {
     this.stale = false;
-    const { last, pose } = this.clock;
+    const { pose } = this.clock;
     this.stylizer.reset();
     this.styles.arrive(this.frames);
-    const styled = this.push(this.recording.last(WARM_UP_FRAMES));
-    const { pose: again, planted } = lastMoment(styled);
+    this.clock.repose(this.push(this.recording.last(WARM_UP_FRAMES)).poses, POSE_FLOATS);
+    const again = this.clock.pose;
     this.place = [pose[0]! - again[0]!, pose[2]! - again[2]!];
-    again[0] = pose[0]!;
-    again[2] = pose[2]!;
-    const { secs } = this.clock;
-    this.clock.begin({ ...last, pose: again, planted, timeSecs: secs });
+    this.clock.moveBy(...this.place);
   }
 
   private push(poses: Float32Array): Styled {

@@ -56,6 +56,13 @@ export class OutputClock<M extends Moment = Moment> {
     return this.moments![0];
   }
 
+  /** Gives both moments other poses: the last ones of some frames. */
+  repose(poses: Float32Array, floats: number): void {
+    const [previous, last] = this.moments!;
+    if (previous !== last) previous.pose = poses.slice(-2 * floats, -floats);
+    last.pose = poses.slice(-floats);
+  }
+
   /** Shows both moments, and the time, so much later. */
   delay(secs: number): void {
     this.secs += secs;
