@@ -45,7 +45,7 @@ afterAll(async () => {
 
 /** Waits until a page drives. */
 async function driving(of: Page): Promise<void> {
-  await of.locator(".drive-panel").waitFor();
+  await of.locator(".drive-bar").waitFor();
   await of.waitForFunction(() => window.strut.frame?.root !== undefined);
 }
 
@@ -288,7 +288,9 @@ describe("a line on the ground", () => {
     const foot = await page.evaluate(() => window.strut.jointScreenPosition("left_toes"));
     const [x, y] = [(foot.x - box.x) / box.width, (foot.y - box.y) / box.height];
     await draw(Array.from({ length: 13 }, (_, i) => [x + 0.25 * Math.sin(i / 5), y - 0.02 * i] as const));
-    await eventually(async () => (await frame()).progress ?? 0).toBeGreaterThan(0.8);
+    // The first two seconds are no part of it.
+    const begin = (await frame()).inputFrame;
+    await eventually(async () => (await frame()).inputFrame - begin).toBeGreaterThan(120);
     const off: number[] = [];
     const panel = page.locator(".drive-row").filter({ hasText: "Off course" }).locator("b");
     while ((await frame()).progress !== undefined) {

@@ -48,8 +48,14 @@ describe("styles", () => {
       if (frame < 110 || (frame > 160 && frame < 290) || frame > 310)
         expect(out[0], `frame ${frame}`).toBeCloseTo(weight(frame), 2);
     }
+    expect(track.at(-1)!.styles).toEqual({});
     expect(track.every(({ frame }, i) => i === 0 || frame > track[i - 1]!.frame)).toBe(true);
     expect(track.length).toBeLessThan(16);
+  });
+
+  test("that are eased end where they come to", () => {
+    const eased = (frame: number) => (frame < 100 ? Math.fround(1 - 0.9 ** frame) : 1);
+    expect(recorded(200, eased).track(200).at(-1)!.styles).toEqual({ old: 1 });
   });
 
   test("of the last frames begin with what they were then", () => {

@@ -24,6 +24,8 @@ export class Recording {
   private first = 0;
   private blocks: Float32Array[] = [];
   private keys: Key[] = [];
+  /** Weights of the last frame. */
+  private before: Float32Array | undefined;
 
   /** @param styles names of the styles */
   constructor(private readonly styles: readonly string[]) {}
@@ -78,7 +80,11 @@ export class Recording {
 
   private addKey(weights: Float32Array): void {
     const last = this.keys.at(-1);
-    if (last && (this.count - last.frame < KEY_FRAMES || !hasMoved(last.weights, weights))) return;
+    const rests = this.before !== undefined && !hasMoved(this.before, weights, 0);
+    this.before ??= weights.slice();
+    this.before.set(weights);
+    // What they come to is a key, however near the last one is.
+    if (last && (this.count - last.frame < KEY_FRAMES || !hasMoved(last.weights, weights, rests ? 0 : MOVED))) return;
     // Between keys weights change in proportion: what they stayed at is a key, too.
     if (last && this.count - last.frame > KEY_FRAMES)
       this.keys.push({ frame: this.count - KEY_FRAMES, weights: last.weights });
@@ -91,6 +97,6 @@ export class Recording {
   }
 }
 
-function hasMoved(from: Float32Array, to: Float32Array): boolean {
-  return from.some((weight, i) => Math.abs(weight - to[i]!) > MOVED);
+function hasMoved(from: Float32Array, to: Float32Array, least: number): boolean {
+  return from.some((weight, i) => Math.abs(weight - to[i]!) > least);
 }
