@@ -266,7 +266,6 @@ async function writeMotions() {
     "built_in.bin": others,
     "walk.bin": walks,
     "besides_walk.bin": besides,
-    "drive.bin": glue.drivingTakes(),
     "first_steps.bin": firstSteps(glue, first),
     "drive.bin": glue.drivingMotions(),
     "built_in.strutwalk": await walkModelOf(Buffer.concat([walks, besides])),

@@ -41,7 +41,7 @@ pub use learn::{ComparedCycles, Fit, FrameContacts, FrameTiming, Lens, NearestWi
 #[cfg(feature = "files")]
 pub use motion_facts::MotionFacts;
 #[cfg(feature = "motions")]
-pub use motions::{built_in_motions, driving_takes};
+pub use motions::{built_in_motions, driving_motions};
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;
 pub use poses::interpolate_poses;

@@ -24,16 +24,6 @@ pub fn built_in_motions(short: bool) -> Result<Vec<Uint8Array>, EngineError> {
     Ok([walks, others].map(Uint8Array::from).to_vec())
 }
 
-/// The takes to drive with, in the packed format, not yet deflated.
-///
-/// # Errors
-/// None for the takes that are built in.
-#[wasm_bindgen(js_name = drivingTakes)]
-pub fn driving_takes() -> Result<Vec<u8>, EngineError> {
-    let takes = strut_demo::driving_database().map_err(EngineError::bad_input)?;
-    Ok(packed::write(&takes, &[]))
-}
-
 fn named(clips: Vec<strut_demo::NamedMotion>) -> Vec<NamedMotion> {
     clips.into_iter().map(|clip| NamedMotion { name: clip.name.into(), motion: clip.motion }).collect()
 }
