@@ -257,7 +257,7 @@ describe("a thumb", () => {
     const from = await hips(narrow);
     await touch("touchStart", [at]);
     await touch("touchMove", [{ x: at.x, y: at.y - 54 }]);
-    await eventually(() => narrow.locator(".drive-stick.runs").isVisible()).toBe(true);
+    await eventually(() => narrow.locator(".drive-stick.runs:not([hidden])").count()).toBe(1);
     await eventually(async () => from.y - (await hips(narrow)).y).toBeGreaterThan(10);
     await eventually(() => speed(narrow)).toBeGreaterThan(1.5);
     await touch("touchEnd", []);
@@ -287,7 +287,7 @@ describe("a line on the ground", () => {
     const box = (await page.locator(".stage-view").boundingBox())!;
     const foot = await page.evaluate(() => window.strut.jointScreenPosition("left_toes"));
     const [x, y] = [(foot.x - box.x) / box.width, (foot.y - box.y) / box.height];
-    await draw(Array.from({ length: 13 }, (_, i) => [x + 0.25 * Math.sin(i / 5), y - 0.02 * i] as const));
+    await draw(Array.from({ length: 31 }, (_, i) => [x + 0.1 * Math.sin(i / 12), y - 0.009 * i] as const));
     // The first two seconds are no part of it.
     const begin = (await frame()).inputFrame;
     await eventually(async () => (await frame()).inputFrame - begin).toBeGreaterThan(120);
