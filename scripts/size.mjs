@@ -20,6 +20,7 @@ const AFTERWARDS = /^assets\/(worker-|strut_wasm_bg-|built_in-|inter-greek-)/;
 const LATER = [
   { name: "Learn", key: /views\/learn\/learn_view\.ts$/, budget: 60 },
   { name: "Crowd", key: /views\/crowd\/crowd_view\.ts$/, budget: 25 },
+  { name: "Drive", key: /views\/play\/drive\/driving\.ts$/, budget: 15 },
   { name: "figures", key: /element\/figure\/\w+\/\w+_figure\.ts$/, budget: 30 },
   { name: "a lesson", key: /lessons\/(text\/\w+\/)?\w+\.ts$/, budget: 12, sets: withTexts },
 ];
@@ -37,6 +38,7 @@ const LATER_ASSETS = [
   { name: "the lessons' engine", asset: /^strut_learn_bg.*\.wasm$/, budget: 450 },
   { name: "walking", asset: /^strut_wasm_walk_bg.*\.wasm$/, budget: 125 },
   { name: "crowds", asset: /^strut_crowd_bg.*\.wasm$/, budget: 136 },
+  { name: "driving", asset: /^strut_drive_bg.*\.wasm$/, budget: 60 },
   // 150 are specified (`shared/spec/lessons.md` section 3); kiddo and learning by updates are in it.
   { name: "key-styling", asset: /^strut_wasm_key_style_bg.*\.wasm$/, budget: 165 },
 ];

@@ -51,6 +51,8 @@ const PACKAGES = {
   walk: { folder: "web/engine/walk/pkg", crate: "strut-wasm-walk", name: "strut_wasm_walk" },
   // … (crowds are the same with one handle more, for a worker of their own) …
   crowd: { folder: "web/engine/crowd/pkg", crate: "strut-wasm-walk", name: "strut_crowd", features: ["crowd"] },
+  // … for those who steer …
+  drive: { folder: "web/engine/drive/pkg", crate: "strut-wasm-drive", name: "strut_drive" },
   keyStyle: {
     folder: "web/engine/key_style/pkg",
     crate: "strut-wasm-key-style",
@@ -102,7 +104,7 @@ const PACKAGES = {
 };
 
 /** What the page loads, and what benchmarks and parity tests need besides. */
-const PAGE = ["start", "engine", "build", "walk", "crowd", "keyStyle", "character", "compare", "learn"];
+const PAGE = ["start", "engine", "build", "walk", "crowd", "drive", "keyStyle", "character", "compare", "learn"];
 const BENCH = ["bench", "benchScalar"];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */

@@ -10,6 +10,9 @@ export const COMMAND = join(rust, "target", "debug", "strut");
 /** The report of `rust/strut-wasm/src/parity.rs`, likewise. */
 export const REPORT = join(rust, "target", "debug", "examples", "parity");
 
+/** A drive by a script, `rust/strut-wasm-drive/examples/scripted_drive.rs`, likewise. */
+export const DRIVE = join(rust, "target", "debug", "examples", "scripted_drive");
+
 /** Brings the programs up to date: after `cargo tests` there is nothing to do. */
 export function buildPrograms(): void {
   execFileSync(process.env.CARGO ?? "cargo", ["tests", "--no-run", "--quiet"], { cwd: rust, stdio: "pipe" });

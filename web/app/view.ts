@@ -32,6 +32,8 @@ export interface ViewHost {
   databaseFile(): { name: string; file: Blob | undefined };
   /** Moves the 3-D viewer into a container of the view's, until another view borrows it. */
   borrowViewer(container: HTMLElement): ViewerLease;
+  /** Whether letters and digits act as keys. */
+  singleKeys(): boolean;
   /** Says that {@link View.history} has other things to undo or redo. */
   historyChanged(): void;
   /** The character that performs; undefined where the mannequin does. */
@@ -101,6 +103,8 @@ export interface View {
   /** Another database or input is open, or another body performs. */
   refresh?(): void;
   hide(): void;
+  /** Makes an input of what cannot be exported as it is shown; false where that cannot be done. */
+  keep?(): Promise<boolean>;
   /** Takes files that were dropped while the view is shown, or that the view takes by its kind. */
   takeFiles?(files: DroppedFile[]): void;
   dispose(): void;

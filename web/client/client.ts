@@ -2,6 +2,8 @@
 import type { BuiltInSet } from "../engine/built_in";
 import { cancelled, disposed, StrutError } from "../engine/errors";
 import type { WorkerPort } from "./connection";
+import type { ClientDrive } from "./drive/drive_client";
+import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
 import { EngineClient, type EngineClientSetup, type EngineRestart } from "./engine_client";
 import type { ClientDatabase, ClientMotion, ClientSession } from "./handles";
 import { optionsKnownTo } from "./options";
@@ -82,6 +84,8 @@ interface Opened {
 class SingleSessionClient implements StrutClient {
   onRestart: ((restarted: Restarted) => void) | undefined;
   private opened: Opened | undefined;
+  /** The character that is steered over the open database. */
+  private steered: ClientDrive | undefined;
   private options: StylizeOptions = DEFAULT_OPTIONS;
   private loop: [loop: boolean, range: FrameRange | undefined] = [true, undefined];
   /** Requests to open run one after another, so that the last one wins. */
@@ -117,6 +121,7 @@ class SingleSessionClient implements StrutClient {
         const session = motion && (await this.createSession(database, motion, call?.signal));
         const before = this.opened;
         this.opened = { database, playing: motion && session && { motion, session } };
+        this.closeDrive();
         before?.database.dispose();
       } catch (thrown) {
         database.dispose();
@@ -153,6 +158,7 @@ class SingleSessionClient implements StrutClient {
         this.opened = { database, playing: { motion, session } };
         this.shown = undefined;
         this.fade = undefined;
+        this.closeDrive();
         before?.motion.dispose();
         return info;
       } catch (thrown) {
@@ -166,7 +172,7 @@ class SingleSessionClient implements StrutClient {
     const before = this.options;
     this.options = options;
     try {
-      await this.opened?.playing?.session.configure(options);
+      await Promise.all([this.opened?.playing?.session.configure(options), this.steered?.configure(options)]);
     } catch (thrown) {
       if (this.options === options) this.options = before;
       throw thrown;
@@ -225,6 +231,39 @@ class SingleSessionClient implements StrutClient {
   async exportBvh(call?: CallOptions): Promise<string> {
     if (!this.whole) await this.completed(call);
     return this.openedInput().session.exportBvh(call);
+  }
+
+  async openDrive(root: Root, call?: CallOptions): Promise<DriveInfo> {
+    if (!this.whole) await this.completed(call);
+    const { ClientDrive } = await import("./drive/drive_client");
+    return this.inTurn(async () => {
+      const { database } = this.openedDatabase();
+      const { options: asked } = this;
+      const options = optionsKnownTo(database.info, asked);
+      const drive = await this.engine.openBy((to) => ClientDrive.open(to, database, options, root, call));
+      this.closeDrive();
+      this.steered = drive;
+      // What is asked next is answered after these.
+      if (this.options !== asked) drive.configure(optionsKnownTo(database.info, this.options)).catch(() => {});
+      return drive.info;
+    });
+  }
+
+  async drive(dtSecs: number, control: DriveControl): Promise<DriveFrame> {
+    return this.openedDrive().drive(dtSecs, control);
+  }
+
+  async driven(): Promise<Driven> {
+    return this.openedDrive().driven();
+  }
+
+  async resetDrive(root: Root): Promise<void> {
+    return this.openedDrive().reset(root);
+  }
+
+  closeDrive(): void {
+    this.steered?.dispose();
+    this.steered = undefined;
   }
 
   dispose(): void {
@@ -343,6 +382,7 @@ class SingleSessionClient implements StrutClient {
       this.opened = undefined;
       kinds.unshift("database");
     }
+    if (this.steered?.closed) this.steered = undefined;
     this.onRestart?.({ why: message, lost: kinds, reason: kinds.length > 0 ? lost[0]!.reason : "" });
   }
 
@@ -350,6 +390,11 @@ class SingleSessionClient implements StrutClient {
     if (this.disposed) throw disposed("client");
     if (!this.opened) throw notOpen("database");
     return this.opened;
+  }
+
+  private openedDrive(): ClientDrive {
+    if (!this.steered) throw notOpen("drive");
+    return this.steered;
   }
 
   private openedInput(): { motion: ClientMotion; session: ClientSession } {

@@ -60,7 +60,13 @@ const SILENT: ReadonlySet<Method> = new Set([
   "exportBvh",
 ]);
 /** Calls that open something under the number that is their first argument. */
-const OPENING: ReadonlySet<Method> = new Set(["openDatabase", "openMotion", "createSession", "createStylizer"]);
+const OPENING: ReadonlySet<Method> = new Set([
+  "openDatabase",
+  "openMotion",
+  "createSession",
+  "createStylizer",
+  "openDrive",
+]);
 /** Calls whose results show that the engine works with what is open. */
 const STYLING: ReadonlySet<Method> = new Set([
   "step",
@@ -72,6 +78,7 @@ const STYLING: ReadonlySet<Method> = new Set([
   "counterpart",
   "compareSearch",
   "push",
+  "drive",
 ]);
 
 interface Pending {

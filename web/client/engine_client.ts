@@ -123,6 +123,11 @@ export class EngineClient {
     return new ClientStylizer(connection, id, database, all, STYLE_HALF_LIFE_SECS);
   }
 
+  /** Opens something of a kind that is not loaded with the engine. */
+  openBy<T>(open: (connection: Connection) => Promise<T>): Promise<T> {
+    return open(this.connection);
+  }
+
   /** A walk model, trained first where a database is given. */
   async openWalk(source: WalkModelSource, options?: CallOptions): Promise<WalkModel> {
     const { openWalk } = await import("./models/walk");

@@ -2,6 +2,7 @@
 import type { BuiltInSet } from "../engine/built_in";
 import type { ErrorParts } from "../engine/errors";
 import type { Styled, WasmMemory } from "../engine/types";
+import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
 import type {
   Analysis,
   CurveSubject,
@@ -62,6 +63,12 @@ export interface WorkerCalls {
   restyle(stylizer: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
   push(stylizer: Id, poses: Float32Array): Styled;
   reset(stylizer: Id): undefined;
+  /** Opens a driven character at a place. */
+  openDrive(drive: Id, database: Id, options: StylizeOptions, root: Root): DriveInfo;
+  drive(drive: Id, dtSecs: number, control: DriveControl): DriveFrame;
+  restyleDrive(drive: Id, options: StylizeOptions): undefined;
+  resetDrive(drive: Id, root: Root): undefined;
+  driven(drive: Id): Driven;
   memory(): WasmMemory;
   /** Closes something and all that was made of it; nothing happens where it is not open. */
   close(id: Id): undefined;

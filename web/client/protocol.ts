@@ -19,6 +19,7 @@ import type {
   StylizeOptions,
   WasmMemory,
 } from "../engine/types";
+import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
 
 export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
 export * from "../engine/types";
@@ -146,6 +147,19 @@ export interface StrutClient {
   compareSearch(neighbours: number, candidates: number, options?: CallOptions): Promise<SearchFigures | undefined>;
   /** The styled input as BVH text, on the input's own skeleton. */
   exportBvh(options?: CallOptions): Promise<string>;
+  /**
+   * Has a character be steered over the neutral clips of the database, from a place on, until another input or database is
+   * opened or {@link StrutClient.closeDrive}; the open input stays open beside it.
+   * @throws StrutError `bad-input` where the database has too little neutral walking; nothing changes then
+   */
+  openDrive(root: Root, options?: CallOptions): Promise<DriveInfo>;
+  /** Advances the driven character by `dtSecs`; 0 repeats the present instant in the present style. */
+  drive(dtSecs: number, control: DriveControl): Promise<DriveFrame>;
+  /** What was driven. */
+  driven(): Promise<Driven>;
+  /** Begins anew at a place, and forgets what was driven. */
+  resetDrive(root: Root): Promise<void>;
+  closeDrive(): void;
   onRestart: ((restarted: Restarted) => void) | undefined;
   dispose(): void;
 }

@@ -1,5 +1,6 @@
 /** The worker's entry on the page: one engine behind its port. */
 import "../engine/whole";
+import { DRIVING_CALLS } from "./server/driving_calls";
 import { type ServerPort, serve } from "./server/serve";
 
-void serve(self as unknown as ServerPort);
+void serve(self as unknown as ServerPort, { driving: DRIVING_CALLS });

@@ -7,6 +7,7 @@ export type AssetName =
   | "strut_wasm_build_bg.wasm"
   | "strut_wasm_walk_bg.wasm"
   | "strut_crowd_bg.wasm"
+  | "strut_drive_bg.wasm"
   | "strut_wasm_key_style_bg.wasm"
   | "strut_wasm_character_bg.wasm"
   | "strut_compare_bg.wasm"
@@ -14,6 +15,7 @@ export type AssetName =
   | "first.bin"
   | "built_in.bin"
   | "walk.bin"
+  | "drive.bin"
   | "first_steps.bin"
   | "built_in.strutwalk";
 

@@ -70,6 +70,11 @@ export class Stylizer extends Handle<RawStylizer> {
     guarded(() => this.raw.setPartStyles(BODY_PARTS.indexOf(part), weights ?? new Float32Array(0)));
   }
 
+  /** How far the next frames go from the input to the styles, 0 to 1: for input that the database does not know. */
+  setStyleShare(share: number): void {
+    guarded(() => this.raw.setStyleShare(share));
+  }
+
   /** Restarts at the next input frame, as after a cut. */
   reset(): void {
     guarded(() => this.raw.reset());

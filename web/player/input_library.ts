@@ -1,6 +1,9 @@
 /** The inputs that can be chosen: the engine's built-in ones and the files that were dropped on this page. */
 import type { BuiltInSet, InputSource } from "../client/protocol";
 
+/** Name of the input that is steered instead of played. */
+export const DRIVE = "drive";
+
 export class InputLibrary {
   builtIn: readonly string[] = [];
   /** The set that {@link builtIn} is of; all built-in motions where there is none. */
@@ -17,7 +20,7 @@ export class InputLibrary {
   }
 
   has(name: string): boolean {
-    return this.builtIn.includes(name) || this.#dropped.has(name);
+    return name === DRIVE || this.builtIn.includes(name) || this.#dropped.has(name);
   }
 
   isDropped(name: string): boolean {

@@ -3,6 +3,14 @@
  * replaces and exports; a failure leaves what was open. Independent of the page, which listens to its events.
  */
 
+import {
+  type DriveControl,
+  type DriveFrame,
+  type DriveInfo,
+  type Driven,
+  type Root,
+  STILL,
+} from "../client/drive/protocol";
 import type { FirstSteps } from "../client/first_steps";
 import type {
   Analysis,
@@ -20,8 +28,9 @@ import type {
   StylizeOptions,
 } from "../client/protocol";
 import { isCancellation, isFault } from "../client/protocol";
-import { InputLibrary } from "./input_library";
-import { Playback, UNSEEN_MS } from "./playback";
+import { createWorldPose, headingOf, worldFromLocal } from "../humanoid";
+import { DRIVE, InputLibrary } from "./input_library";
+import { Playback, type PlaybackEngine, UNSEEN_MS } from "./playback";
 import { Prelude } from "./prelude";
 import type { Weights } from "./smoothing";
 
@@ -32,11 +41,13 @@ const SETTLE_MS = 150;
 export interface SessionListeners {
   onDatabase: (database: DatabaseInfo) => void;
   onInput: (input: InputInfo) => void;
+  /** A character is steered in place of the input that is open; `undefined`: that input is played again, or another one. */
+  onDrive: (drive: DriveInfo | undefined) => void;
   onAnalysis: (analysis: Analysis) => void;
   /** The examples behind the last analysis, as far as the curve shows them. */
   onExamples: (examples: Examples | undefined) => void;
-  /** A new frame; `sought` where it does not follow the one before. */
-  onFrame: (frame: LiveFrame, sought: boolean) => void;
+  /** A new frame, of a steered character a `DriveFrame`; `sought` where it does not follow the one before. */
+  onFrame: (frame: LiveFrame | DriveFrame, sought: boolean) => void;
   /** A new frame of what is shown until the engine has an input. */
   onPrelude: (shown: ShownFrame) => void;
   /** Before every repaint of the browser; `now` in milliseconds. */
@@ -78,12 +89,16 @@ export class Session {
   input: InputInfo | undefined;
   /** Name, in the library, of the input that is open. */
   inputName = "";
+  /** What is driven with, while a character is steered; {@link input} stays open beside it. */
+  drive: DriveInfo | undefined;
+  /** What is asked of the steered character now. */
+  steer: () => DriveControl = () => STILL;
   /** The last analysis of the input that is open; {@link analysed} says whether it is in the present style. */
   analysis: Analysis | undefined;
   /** The examples behind {@link analysis}, as far as the curve shows them. */
   examples: Examples | undefined;
   /** The newest frame of the engine. */
-  frame: LiveFrame | undefined;
+  frame: LiveFrame | DriveFrame | undefined;
   /** What the timeline's curve shows, where examples of it can be shown beside it. */
   #curve: CurveSubject | undefined;
   /** Whether the engine has the clip in the present options. */
@@ -104,7 +119,12 @@ export class Session {
   constructor(client: StrutClient, progress: SessionProgress) {
     this.#client = client;
     this.#progress = progress;
-    this.playback = new Playback(client, {
+    const engine: PlaybackEngine = {
+      step: (dtSecs) => (this.drive ? client.drive(dtSecs, this.steer()) : client.step(dtSecs)),
+      seek: (frame) => (this.drive ? client.drive(0, STILL) : client.seek(frame)),
+      configure: (options) => client.configure(options),
+    };
+    this.playback = new Playback(engine, {
       onFrame: (frame, sought) => {
         // Where nothing is drawn, as in a page out of sight, the others need not wait for it for ever.
         if (!this.frame) setTimeout(() => this.#plays(), UNSEEN_MS);
@@ -131,6 +151,11 @@ export class Session {
       this.playback.refresh();
       this.analyseSoon();
     };
+  }
+
+  /** Name, in the library, of what is shown: {@link DRIVE} while a character is steered. */
+  get chosen(): string {
+    return this.drive ? DRIVE : this.inputName;
   }
 
   /** Tells `listeners` what happens, in the order in which they came, until `signal` aborts. */
@@ -160,7 +185,11 @@ export class Session {
         );
         this.playback.forgetStyle();
         await this.#takeDatabase(source, database);
-        await this.#open(this.library.has(inputName) ? inputName : this.library.first);
+        this.#leaveDrive();
+        const name = this.library.has(inputName) ? inputName : this.library.first;
+        // Where nobody can be steered, something is shown all the same.
+        if (name === DRIVE) await this.#open(this.library.first);
+        await this.#open(name);
       }),
     );
   }
@@ -239,6 +268,21 @@ export class Session {
     return this.#make("export", (options) => this.#client.exportBvh(options));
   }
 
+  /** What was driven; `undefined` where that failed. */
+  async driven(): Promise<Driven | undefined> {
+    let driven: Driven | undefined;
+    await this.#attempt(async () => {
+      driven = await this.#client.driven();
+    });
+    return driven;
+  }
+
+  /** Brings the steered character back to the middle of the ground, and forgets what it did. */
+  async resetDrive(): Promise<void> {
+    await this.#attempt(() => this.#client.resetDrive([0, 0, 0]));
+    this.playback.refresh();
+  }
+
   /** Resolves when the last request is on screen. */
   async shown(): Promise<void> {
     while (!this.playback.upToDate) await new Promise(requestAnimationFrame);
@@ -260,9 +304,14 @@ export class Session {
   }
 
   async #open(name: string): Promise<void> {
+    if (name === DRIVE) {
+      await this.#openDrive();
+      return;
+    }
     const source = this.library.source(name);
     if (!source) throw new UnknownInput(name);
     const input = await this.#progress.run("input", name, (options) => this.#client.openInput(source, options));
+    this.#leaveDrive();
     this.input = input;
     this.inputName = name;
     this.analysis = undefined;
@@ -272,11 +321,36 @@ export class Session {
     this.analyseSoon();
   }
 
+  /** Has a character be steered from where the one on screen is. */
+  async #openDrive(): Promise<void> {
+    const from = this.#root();
+    this.drive = await this.#progress.run("input", DRIVE, (options) => this.#client.openDrive(from, options));
+    this.playback.refresh();
+    this.#progress.cancel("analysis");
+    this.#tell("onDrive", this.drive);
+  }
+
+  #leaveDrive(): void {
+    if (!this.drive) return;
+    this.drive = undefined;
+    this.steer = () => STILL;
+    this.#tell("onDrive", undefined);
+  }
+
+  /** Where the character on screen is. */
+  #root(): Root {
+    const pose = this.frame?.pose;
+    if (!pose || !this.database) return [0, 0, 0];
+    const world = createWorldPose();
+    worldFromLocal(this.database.proportions, pose, world);
+    return [pose[0]!, pose[2]!, headingOf(world, 0)];
+  }
+
   async #analyse(): Promise<void> {
     const asked = this.#settle;
     await this.#settled();
     const { input } = this;
-    if (!input || asked !== this.#settle) return;
+    if (!input || this.drive || asked !== this.#settle) return;
     try {
       const analysis = await this.#progress.run("analysis", "", (options) => this.#client.analyse(options));
       if (this.input !== input) return;

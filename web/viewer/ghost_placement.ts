@@ -22,6 +22,8 @@ export class GhostPlacement {
   readonly pose = restPose();
   /** Size of the bodies, as a share of the mannequin's: distances grow with it. */
   scale = 1;
+  /** Heading whose right is the side that the ghost is on; the character's own where it is missing. */
+  facing: number | undefined;
   readonly #world = createWorldPose();
   #turn = 0;
   #x = 0;
@@ -40,7 +42,7 @@ export class GhostPlacement {
       return false;
     }
     placePose(input, this.#turn, this.#x, this.#z, this.pose);
-    const heading = headingOf(body, 0);
+    const heading = this.facing ?? headingOf(body, 0);
     const [dx, dz] = [this.pose[0]! - body.positions[0]!, this.pose[2]! - body.positions[2]!];
     const along = dx * Math.sin(heading) + dz * Math.cos(heading);
     const right = dz * Math.sin(heading) - dx * Math.cos(heading);
@@ -64,7 +66,8 @@ export class GhostPlacement {
     const heading = headingOf(body, 0);
     this.#turn = heading - headingOf(this.#world, heading);
     placePose(input, this.#turn, 0, 0, this.pose);
-    const [s, c] = [Math.sin(heading), Math.cos(heading)];
+    const aside = this.facing ?? heading;
+    const [s, c] = [Math.sin(aside), Math.cos(aside)];
     this.#x = body.positions[0]! - right * c + ahead * s - this.pose[0]!;
     this.#z = body.positions[2]! + right * s + ahead * c - this.pose[2]!;
     placePose(input, this.#turn, this.#x, this.#z, this.pose);

@@ -1,6 +1,6 @@
 /** The 3-D view: a styled character, its input as a ghost, and the ground they walk on. */
 
-import { MathUtils, Quaternion, Vector3 } from "three";
+import { MathUtils, type Object3D, Quaternion, Vector3 } from "three";
 import {
   DEFAULT_PROPORTIONS,
   headingOf,
@@ -30,6 +30,12 @@ export type GhostMode = "beside" | "overlay" | "off";
 
 /** What is drawn of the moments before and after: nothing, lines of hands, feet and head, or whole bodies as well. */
 export type MotionTrailMode = "off" | "lines" | "onion";
+
+/** Something more on the stage, which stays its owner's. */
+export interface Prop {
+  readonly object: Object3D;
+  setTheme(theme: Theme): void;
+}
 
 /** Options of a viewer. */
 export interface ViewerOptions {
@@ -112,6 +118,9 @@ export class Viewer {
   #others: GhostBodies | undefined;
   #motionTrail: MotionTrailMode = "off";
   #ghostFade = 1;
+  #prop: Prop | undefined;
+  /** Whether the ghost is at the right of the picture instead of at the character's. */
+  ghostByCamera = false;
   /** Whether the camera follows the character. */
   follow: boolean;
   /** Called when a picture was drawn. */
@@ -296,6 +305,19 @@ export class Viewer {
     this.#others.set(others);
   }
 
+  /** Puts something more on the stage once it can be drawn, in the place of what was put there before. */
+  async setProp(prop: Prop | undefined): Promise<void> {
+    if (this.#prop) this.#stage.scene.remove(this.#prop.object);
+    this.#prop = prop;
+    this.#redraw.request();
+    if (!prop) return;
+    prop.setTheme(this.#themeNow);
+    await this.#stage.compileObject(prop.object);
+    if (prop !== this.#prop) return;
+    this.#stage.scene.add(prop.object);
+    this.#redraw.request();
+  }
+
   /** Takes which feet of the styled character are planted; a planted foot leaves a footprint. */
   setPlanted(planted: readonly [left: boolean, right: boolean]): void {
     if (planted[0] !== this.#planted[0] || planted[1] !== this.#planted[1]) this.#redraw.request();
@@ -328,6 +350,11 @@ export class Viewer {
     this.#stage.setView(view, headingOf(this.#world, 0) + (fromRight ? Math.PI : 0));
   }
 
+  /** Goes behind the character, gliding, from where the ground ahead is seen. */
+  cameraBehind(): void {
+    this.#stage.setBehind(headingOf(this.#world, 0));
+  }
+
   /** Place of a joint of the styled character in the picture, CSS pixels from the canvas's top left. */
   jointScreenPosition(role: Role): { x: number; y: number } {
     return this.#stage.project(point.fromArray(this.#world.positions, 3 * JOINT[role]));
@@ -347,6 +374,11 @@ export class Viewer {
   /** Where a place of the world is in the picture, CSS pixels from the canvas's top left. */
   screenPosition(x: number, y: number, z: number): { x: number; y: number } {
     return this.#stage.project(point.set(x, y, z));
+  }
+
+  /** The place on the ground under a place of the picture, metres; `undefined` at the sky. */
+  groundAt(x: number, y: number): { x: number; z: number } | undefined {
+    return this.#stage.groundAt(x, y);
   }
 
   /** The joint of the styled character whose bone is at a place of the picture, CSS pixels; `undefined` beside it. */
@@ -505,6 +537,7 @@ export class Viewer {
     this.#trail.setTheme(theme);
     this.#onion?.setTheme(theme);
     this.#others?.setTheme(theme);
+    this.#prop?.setTheme(theme);
     this.#applyLabels();
   }
 
@@ -568,6 +601,7 @@ export class Viewer {
   #placeGhost(dtSecs: number): void {
     const visible = this.#ghost.object.visible;
     if (visible) {
+      this.#placement.facing = this.ghostByCamera ? this.#stage.view.azimuth + Math.PI : undefined;
       const again = this.#placement.place(
         this.#inputOnBody(),
         this.#ghost.fit.proportions,

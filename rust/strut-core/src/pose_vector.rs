@@ -148,6 +148,17 @@ impl PoseChart {
         pose.rotations[0] = Quat::from_rotation_y(at.heading) * pose.rotations[0];
         pose
     }
+
+    /// The poses of successive rows, `dt_secs` apart, beginning above the origin towards +Z.
+    pub fn decode_clip(&self, rows: impl Iterator<Item = PoseRow>, dt_secs: f32) -> Vec<Pose> {
+        let mut at: Option<Placement> = None;
+        rows.map(|row| {
+            let place = at.map_or(Placement::default(), |at| at.advanced(&row, dt_secs, row[HEADING_RATE] * dt_secs));
+            at = Some(place);
+            self.decode(&row, place)
+        })
+        .collect()
+    }
 }
 
 fn heading_free(pose: &Pose, heading: f32) -> Quat {

@@ -19,6 +19,8 @@ mod learn;
 mod motion_facts;
 #[cfg(feature = "motions")]
 mod motions;
+#[cfg(feature = "files")]
+mod neutral_clips;
 #[cfg(feature = "parity")]
 mod parity;
 mod poses;
@@ -39,7 +41,7 @@ pub use learn::{ComparedCycles, Fit, FrameContacts, FrameTiming, Lens, NearestWi
 #[cfg(feature = "files")]
 pub use motion_facts::MotionFacts;
 #[cfg(feature = "motions")]
-pub use motions::built_in_motions;
+pub use motions::{built_in_motions, driving_motions};
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;
 pub use poses::interpolate_poses;

@@ -80,6 +80,13 @@ impl Stylizer {
         self.stylizer.set_part_styles(*part, weights).map_err(EngineError::bad_input)
     }
 
+    /// How far the next frames go from the input to the styles, 0 to 1.
+    #[cfg(feature = "files")]
+    #[wasm_bindgen(js_name = setStyleShare)]
+    pub fn set_style_share(&mut self, share: f32) {
+        self.stylizer.set_style_share(share);
+    }
+
     /// Starts anew where the next input frame is.
     pub fn reset(&mut self) {
         self.stylizer.reset(None);

@@ -201,6 +201,7 @@ export class App {
       leaveCharacter: () => this.#characters.leave(),
       checkJoints: () => void this.#characters.checkJoints(),
       borrowViewer: (container) => this.#viewer.borrow(container),
+      singleKeys: () => this.#singleKeys.on,
       historyChanged: () => this.#showTopBar(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
       chooseFile: () => this.#drop.choose(),
@@ -332,6 +333,8 @@ export class App {
 
   async #export(format: OutputFormat, size: VideoSize): Promise<void> {
     const { session, playhead } = this.#workspace;
+    const keep = this.#views.shown?.keep?.bind(this.#views.shown);
+    if (format !== "png" && keep && !(await keep())) return;
     this.#topBar.canExport = false;
     await launchOutput(format, size, {
       session,

@@ -64,7 +64,7 @@ export class Databases {
    * is not kept here. Whether it is open now; otherwise what was open still is.
    */
   async open(source: DatabaseSource, kept: string, styles?: Selection): Promise<boolean> {
-    const opening = this.#load(source, kept, this.#session.inputName);
+    const opening = this.#load(source, kept, this.#session.chosen);
     this.#store.edit({ view: "play" });
     if (!(await opening)) return false;
     this.#store.edit({ database: kept, ...(styles && { styles }) });
@@ -75,7 +75,7 @@ export class Databases {
   /** Opens a database again that was replaced on this device, where it is the open one: nothing old is shown of it. */
   async replaced(name: string, file: Blob): Promise<void> {
     if (name !== "" && name === this.#name)
-      await this.#load({ kind: "strutdb", name, file }, name, this.#session.inputName);
+      await this.#load({ kind: "strutdb", name, file }, name, this.#session.chosen);
   }
 
   /**

@@ -54,7 +54,7 @@ export function actionOf(pressed: Pressed, focused: Element | null, keys: PageKe
   }
   if (key === " ") return takesSpace(focused) ? undefined : own(keys.view(), key);
   if (wantsKeys(focused) || (key.length === 1 && !keys.singleKeys())) return undefined;
-  return key === "?" ? keys.help : own(keys.view(), key);
+  return own(keys.view(), key) ?? (key === "?" ? keys.help : undefined);
 }
 
 /** Looks up an own member only: inherited ones such as `constructor` are not actions. */

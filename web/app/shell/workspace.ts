@@ -183,7 +183,7 @@ export class Workspace {
     const { session } = this;
     const name = wanted || session.library.first;
     // An input that is being opened instead must not come after it.
-    if (name === session.inputName && this.#openingInputs === 0) return;
+    if (name === session.chosen && this.#openingInputs === 0) return;
     this.#openingInputs += 1;
     try {
       if (!session.library.has(name)) await this.databases.complete;
@@ -197,7 +197,7 @@ export class Workspace {
   /** Writes the open input to the state, and reports a missing file if the state named another one. */
   #settleInput(): void {
     const { input: wanted, frame } = this.#store.state;
-    if (!this.session.input || wanted === this.#openInput || wanted === this.session.inputName) return;
+    if (!this.session.input || wanted === this.#openInput || wanted === this.session.chosen) return;
     if (!this.session.library.has(wanted)) {
       this.#awaited = { input: wanted, frame };
       this.#toasts.note(strings.page.links.fileMissing(wanted));
@@ -207,8 +207,8 @@ export class Workspace {
 
   /** The input that is open, as the state names it. */
   get #openInput(): string {
-    const { library, inputName } = this.session;
-    return inputName === library.first ? "" : inputName;
+    const { library, chosen } = this.session;
+    return chosen === library.first ? "" : chosen;
   }
 
   /** Puts the file that a link carries into the library; its name there. */

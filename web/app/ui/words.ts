@@ -1,6 +1,6 @@
 /** Sentences and names that the page makes from state: titles, captions, file names. Pure. */
 
-import type { InputLibrary } from "../../player/input_library";
+import { DRIVE, type InputLibrary } from "../../player/input_library";
 import type { Selection } from "../../ui/polygon/selection";
 import { strings } from "../strings/strings";
 
@@ -56,7 +56,7 @@ export function stageCaption(
 ): string {
   const { caption } = strings.page;
   return [
-    caption.input(input),
+    input === DRIVE ? caption.steered : caption.input(input),
     caption.styles(styles),
     ...(parts > 0 ? [caption.parts(parts)] : []),
     ...(keys > 1 ? [caption.keys(keys)] : []),

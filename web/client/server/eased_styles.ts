@@ -51,6 +51,11 @@ export class EasedStyles {
     }
   }
 
+  /** The present weights of the whole body; not to be kept. */
+  get whole(): Float32Array {
+    return this.weights[0]!.now;
+  }
+
   /** Jumps to the styles of an input frame. */
   arrive(frame: number): void {
     this.move(frame, 1);

@@ -4,6 +4,7 @@ import { toStrutError } from "../../engine/errors";
 import type { Arguments, Call, Method, Reply, Request, Result } from "../messages";
 import { BuiltInMotions } from "./built_in_motions";
 import * as databases from "./databases";
+import type { DrivingCalls, DrivingMethod } from "./driving_calls";
 import type { Counterparts, Host } from "./host";
 import * as motions from "./motions";
 import { Registry } from "./registry";
@@ -24,7 +25,8 @@ type Handlers = {
 /** What only the package of the Compare view can do. */
 type Comparing = Pick<Handlers, "compareSearch">;
 
-const HANDLERS: Omit<Handlers, keyof Comparing> = {
+/** What all servers do. */
+const HANDLERS: Omit<Handlers, keyof Comparing | DrivingMethod> = {
   openDatabase: databases.openDatabase,
   builtInInputs: databases.builtInInputs,
   openMotion: motions.openMotion,
@@ -54,18 +56,19 @@ const HANDLERS: Omit<Handlers, keyof Comparing> = {
 /** What a server does besides. */
 export interface ServerSetup extends Partial<Comparing> {
   counterparts?: Counterparts;
+  driving?: DrivingCalls;
 }
 
 /** Loads the engine and answers the calls that arrive at `port`. */
 export async function serve(
   port: ServerPort,
-  { counterparts = () => undefined, compareSearch = () => undefined }: ServerSetup = {},
+  { counterparts = () => undefined, compareSearch = () => undefined, driving }: ServerSetup = {},
 ): Promise<void> {
   /** Calls under way, and which of them were cancelled. */
   const cancelled = new Map<number, boolean>();
   const builtIn = new BuiltInMotions();
   const open = new Registry();
-  const handlers: Handlers = { ...HANDLERS, compareSearch };
+  const handlers: Partial<Handlers> = { ...HANDLERS, compareSearch, ...driving };
   const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, open }));
 
   const answer = async (call: Call) => {
@@ -97,7 +100,12 @@ export async function serve(
   );
 }
 
-function handle(handlers: Handlers, host: Host, caller: Caller, call: Call): Result<Method> | Promise<Result<Method>> {
+function handle(
+  handlers: Partial<Handlers>,
+  host: Host,
+  caller: Caller,
+  call: Call,
+): Result<Method> | Promise<Result<Method>> {
   // A call pairs each method with its own arguments; TypeScript does not follow that through the index.
   const handler = handlers[call.method] as (host: Host, caller: Caller, ...args: unknown[]) => Result<Method>;
   return handler(host, caller, ...call.args);

@@ -3,7 +3,8 @@ import type { Styled } from "../../engine/types";
 import { DEFAULT_OPTIONS } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 import type { BodyPart, StyleWeights, StylizeOptions } from "../protocol";
-import { heaviest, LiveSession, MAX_STEP_SECS, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
+import { MAX_STEP_SECS } from "./output_clock";
+import { heaviest, LiveSession, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
 
 const RATE_HZ = 60;
 const FRAMES = 120;

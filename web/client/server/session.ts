@@ -5,27 +5,16 @@ import type { Styled } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 import type { FrameRange, InputInfo, LiveFrame, Reading, ShownFrame, StylizeOptions } from "../protocol";
 import { EasedStyles, type StyledStream } from "./eased_styles";
-import { median } from "./time_slices";
+import { FrameCost } from "./frame_cost";
+import { type Interpolate, type Moment, OutputClock } from "./output_clock";
 
 /** As much of the engine's stylizer as a session needs. */
 export type OnlineStylizer = Pick<Stylizer, "classes" | "configure" | "reset" | "push"> & StyledStream;
 
 /** Frames styled before the one that a seek shows: about a second, after which the start has no effect. */
 export const WARM_UP_FRAMES = 60;
-/** Longest step of the clock: after a sleep playback continues where it was. */
-export const MAX_STEP_SECS = 1;
 /** Classes that {@link LiveFrame.reads} names. */
 const READS = 3;
-/** Frames over which the cost of a frame is measured. */
-const COST_FRAMES = 61;
-
-/** One styled frame on the output's clock. */
-interface Moment {
-  inputFrame: number;
-  timeSecs: number;
-  pose: Float32Array;
-  planted: [boolean, boolean];
-}
 
 /**
  * One input playing in one database. The input's frame i becomes the styled frame i, which lasts as long as the engine
@@ -37,16 +26,14 @@ export class LiveSession {
   /** The input frames that are played; all of them if there is none. */
   range: FrameRange | undefined;
 
-  private previous: Moment | undefined;
-  private current: Moment | undefined;
-  private clockSecs = 0;
+  private readonly clock: OutputClock;
   /** Added to the horizontal root, so that restyling a resting character leaves it where it stands. */
   private place: [x: number, z: number] = [0, 0];
   private readonly styles: EasedStyles;
   /** Whether the options changed after the shown frame was styled. */
   private stale = false;
   private reads: Reading[] = [];
-  private readonly costsMs: number[] = [];
+  private readonly cost: FrameCost;
 
   /**
    * @param interpolate pose between two poses, `t` from 0 to 1
@@ -56,11 +43,13 @@ export class LiveSession {
     private readonly stylizer: OnlineStylizer,
     private readonly input: Pick<InputInfo, "frames" | "rateHz" | "poses">,
     options: StylizeOptions,
-    private readonly interpolate: (a: Float32Array, b: Float32Array, t: number) => Float32Array,
-    private readonly nowMs: () => number = () => performance.now(),
+    private readonly interpolate: Interpolate,
+    nowMs?: () => number,
   ) {
     stylizer.configure(options);
     this.styles = new EasedStyles(stylizer, options);
+    this.clock = new OutputClock(interpolate);
+    this.cost = new FrameCost(nowMs);
   }
 
   /** Takes effect with the next frame; a change of the styles fades in. */
@@ -72,23 +61,24 @@ export class LiveSession {
 
   /** See `StrutClient.step`. */
   step(dtSecs: number): LiveFrame {
-    if (!this.current) this.begin(this.firstFrame());
+    const { clock } = this;
+    if (!clock.hasBegun) this.begin(this.firstFrame());
     if (!(dtSecs > 0)) {
       return this.stale ? this.restyle() : this.show(false);
     }
     this.stale = false;
-    this.clockSecs += Math.min(dtSecs, MAX_STEP_SECS);
+    clock.advance(dtSecs);
     let looped = false;
-    while (this.clockSecs >= this.last().timeSecs) {
+    while (clock.isAhead) {
       if (this.advance()) continue;
-      const overshoot = this.clockSecs - this.last().timeSecs;
+      const overshoot = clock.secs - clock.last.timeSecs;
       // A clip of one frame has no duration to wrap the clock by.
       if (!this.loop || this.lastFrame() <= this.firstFrame()) {
-        this.clockSecs = this.last().timeSecs;
+        clock.secs = clock.last.timeSecs;
         break;
       }
       this.begin(this.firstFrame());
-      this.clockSecs = overshoot;
+      clock.secs = overshoot;
       looped = true;
     }
     return this.show(looped);
@@ -97,8 +87,8 @@ export class LiveSession {
   /** See `StrutClient.seek`: the character stands where the input does. */
   seek(inputFrame: number): LiveFrame {
     this.jump(inputFrame);
-    const shown = this.shownPose();
-    const input = this.inputPoseAt(this.inputFrame());
+    const shown = this.clock.pose;
+    const input = this.inputPoseAt(this.clock.inputFrame);
     this.moveBy(input[0]! - shown[0]!, input[2]! - shown[2]!);
     return this.show(false);
   }
@@ -106,18 +96,16 @@ export class LiveSession {
   /** Goes to an input frame in the place and at the time of a shown one. */
   continueFrom({ inputFrame, timeOut, pose }: ShownFrame): LiveFrame {
     this.jump(inputFrame);
-    const now = this.shownPose();
+    const now = this.clock.pose;
     this.moveBy(pose[0]! - now[0]!, pose[2]! - now[2]!);
-    const shift = timeOut - this.clockSecs;
-    // Both moments may be one object, before the first frame has a successor.
-    for (const moment of new Set([this.previous!, this.current!])) moment.timeSecs += shift;
-    this.clockSecs = timeOut;
+    this.clock.delay(timeOut - this.clock.secs);
     return this.show(false);
   }
 
   /** Makes the shown frame again with the present options. */
   private restyle(): LiveFrame {
-    return this.continueFrom({ inputFrame: this.inputFrame(), timeOut: this.clockSecs, pose: this.shownPose() });
+    const { inputFrame, secs: timeOut, pose } = this.clock;
+    return this.continueFrom({ inputFrame, timeOut, pose });
   }
 
   /** Warms the engine up on the frames before `inputFrame` and shows it; time 0 is at its integer part. */
@@ -128,7 +116,7 @@ export class LiveSession {
     this.styles.arrive(whole);
     this.stale = false;
     this.begin(whole);
-    if (frame > whole && this.advance(last)) this.clockSecs = (frame - whole) * this.last().timeSecs;
+    if (frame > whole && this.advance(last)) this.clock.secs = (frame - whole) * this.clock.last.timeSecs;
   }
 
   /** Resets the engine so that `frame` is shown at time 0. */
@@ -136,10 +124,8 @@ export class LiveSession {
     const first = Math.max(frame - WARM_UP_FRAMES, 0);
     this.stylizer.reset();
     this.place = [0, 0];
-    this.clockSecs = 0;
     const styled = this.warmUp(first, frame);
-    this.current = { ...lastMoment(styled), inputFrame: frame, timeSecs: 0 };
-    this.previous = this.current;
+    this.clock.begin({ ...lastMoment(styled), inputFrame: frame, timeSecs: 0 });
   }
 
   /** Styles the frames before the one that is shown; with a style track each in its own styles. */
@@ -155,7 +141,7 @@ export class LiveSession {
 
   /** Styles one more input frame; false where the last one is reached. */
   private advance(last = this.lastFrame()): boolean {
-    const before = this.last();
+    const before = this.clock.last;
     const frame = before.inputFrame + 1;
     if (frame > last) return false;
     this.styles.ease(frame, 1 / this.input.rateHz);
@@ -163,16 +149,13 @@ export class LiveSession {
     const moment = lastMoment(styled);
     moment.pose[0]! += this.place[0];
     moment.pose[2]! += this.place[1];
-    this.previous = before;
-    this.current = { ...moment, inputFrame: frame, timeSecs: before.timeSecs + styled.durations.at(-1)! };
+    this.clock.push({ ...moment, inputFrame: frame, timeSecs: before.timeSecs + styled.durations.at(-1)! });
     return true;
   }
 
   private push(first: number, count: number): Styled {
-    const started = this.nowMs();
-    const styled = this.stylizer.push(this.input.poses.subarray(first * POSE_FLOATS, (first + count) * POSE_FLOATS));
-    this.costsMs.push((this.nowMs() - started) / count);
-    if (this.costsMs.length > COST_FRAMES) this.costsMs.shift();
+    const poses = this.input.poses.subarray(first * POSE_FLOATS, (first + count) * POSE_FLOATS);
+    const styled = this.cost.measure(count, () => this.stylizer.push(poses));
     this.reads = heaviest(this.stylizer.classes, styled.classWeights);
     return styled;
   }
@@ -187,30 +170,7 @@ export class LiveSession {
 
   private moveBy(x: number, z: number): void {
     this.place = [this.place[0] + x, this.place[1] + z];
-    for (const moment of new Set([this.previous!, this.current!])) {
-      moment.pose[0]! += x;
-      moment.pose[2]! += z;
-    }
-  }
-
-  private last(): Moment {
-    return this.current!;
-  }
-
-  /** Position of the clock between the last two moments, 0–1. */
-  private share(): number {
-    const [a, b] = [this.previous!, this.current!];
-    const span = b.timeSecs - a.timeSecs;
-    return span > 0 ? Math.min(Math.max((this.clockSecs - a.timeSecs) / span, 0), 1) : 1;
-  }
-
-  private inputFrame(): number {
-    const a = this.previous!.inputFrame;
-    return a + (this.last().inputFrame - a) * this.share();
-  }
-
-  private shownPose(): Float32Array {
-    return this.interpolate(this.previous!.pose, this.last().pose, this.share());
+    this.clock.moveBy(x, z);
   }
 
   private inputPoseAt(frame: number): Float32Array {
@@ -221,15 +181,15 @@ export class LiveSession {
   }
 
   private show(looped: boolean): LiveFrame {
-    const inputFrame = this.inputFrame();
+    const { inputFrame } = this.clock;
     return {
-      pose: this.shownPose(),
+      pose: this.clock.pose,
       inputPose: this.inputPoseAt(inputFrame),
       inputFrame,
-      timeOut: this.clockSecs,
-      planted: (this.share() < 0.5 ? this.previous! : this.last()).planted,
+      timeOut: this.clock.secs,
+      planted: this.clock.nearest.planted,
       reads: this.reads,
-      frameMs: median(this.costsMs),
+      frameMs: this.cost.ms,
       looped,
       ended: !this.loop && inputFrame >= this.lastFrame(),
     };
@@ -237,7 +197,7 @@ export class LiveSession {
 }
 
 /** The last frame of a batch. */
-function lastMoment(styled: Styled): Pick<Moment, "pose" | "planted"> {
+export function lastMoment(styled: Styled): Pick<Moment, "pose" | "planted"> {
   const last = styled.durations.length - 1;
   return {
     pose: styled.poses.slice(last * POSE_FLOATS),

@@ -58,13 +58,15 @@ const PATHS = {
   add: ["M8 3.2v9.6M3.2 8h9.6"],
   embed: ["M5.4 4.6L2 8l3.4 3.4M10.6 4.6L14 8l-3.4 3.4"],
   fullscreen: ["M2.6 6V2.6H6M10 2.6h3.4V6M13.4 10v3.4H10M6 13.4H2.6V10"],
+  path: ["M2.8 12.8c4.6 0 1.6-5 5.4-5s1-4.6 4.6-4.6", "M11 1.4l2.2 1.8L11.4 5.2"],
+  record: ["M8 4a4 4 0 1 0 0 8 4 4 0 1 0 0-8z"],
   chevron: ["M4.5 6.4L8 9.9l3.5-3.5"],
 } as const;
 
 /** Name of an icon. */
 export type IconName = keyof typeof PATHS;
 
-const FILLED: readonly IconName[] = ["play", "pause"];
+const FILLED: readonly IconName[] = ["play", "pause", "record"];
 
 /** Pixels as they are where text has its usual size. */
 const inRem = (px: number): string => `${px / 16}rem`;

@@ -353,14 +353,20 @@ export class Polygon {
     };
   }
 
-  #onHandleKey(event: KeyboardEvent): void {
-    const arrow = ARROWS[event.key];
-    if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    const step = (event.shiftKey ? FINE_KEY_STEP : KEY_STEP) * this.#size.radius;
+  /** Moves the handle as an arrow key does. */
+  press(key: string, share = KEY_STEP): void {
+    const arrow = ARROWS[key];
+    if (!arrow) return;
+    const step = share * this.#size.radius;
     const at = this.#modelPoint();
     this.#moveTo({ x: at.x + arrow.x * step, y: at.y + arrow.y * step }, false);
+  }
+
+  #onHandleKey(event: KeyboardEvent): void {
+    if (!ARROWS[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.press(event.key, event.shiftKey ? FINE_KEY_STEP : KEY_STEP);
   }
 
   #onVertexKey(event: KeyboardEvent, name: string): void {

@@ -1,6 +1,6 @@
 /** The 3-D view of a crowd: up to a thousand walkers on a ground that is a map of styles. */
 
-import { Fog, MathUtils, Plane, Raycaster, Vector2, Vector3 } from "three";
+import { Fog, MathUtils, Vector3 } from "three";
 import { CROWD_WALKER_FLOATS, DEFAULT_PROPORTIONS } from "../../humanoid";
 import { fitTo } from "../../mannequin/fit";
 import { prismBody } from "../../mannequin/prism_body";
@@ -236,11 +236,7 @@ export class CrowdViewer {
 
   /** The place on the ground under a place of the picture, metres; `undefined` at the sky. */
   groundAt(x: number, y: number): { x: number; z: number } | undefined {
-    const { width, height } = this.#stage.size;
-    pointer.set((2 * x) / width - 1, 1 - (2 * y) / height);
-    raycaster.setFromCamera(pointer, this.#stage.view.camera);
-    const hit = raycaster.ray.intersectPlane(GROUND, point);
-    return hit ? { x: hit.x, z: hit.z } : undefined;
+    return this.#stage.groundAt(x, y);
   }
 
   /** Whoever is nearest to the camera of those at a place of the picture; `undefined` where nobody is. */
@@ -338,6 +334,3 @@ const middle = new Vector3();
 const next = new Vector3();
 const point = new Vector3();
 const light = new Vector3();
-const pointer = new Vector2();
-const raycaster = new Raycaster();
-const GROUND = new Plane(new Vector3(0, 1, 0), 0);

@@ -13,7 +13,7 @@ const AHEAD = 2.6;
 /** Half width of the line, metres. */
 const HALF_WIDTH = 0.006;
 /** Length of a dash and of a gap, metres. */
-const DASH = 0.06;
+export const DASH = 0.06;
 const OPACITY = 0.42;
 
 const VERTEX = /* glsl */ `
@@ -34,18 +34,21 @@ void main() {
 }`;
 
 /** A ribbon on the ground through points that change every frame. */
-class Ribbon {
+export class Ribbon {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  readonly #positions = new BufferAttribute(new Float32Array(6 * POINTS), 3).setUsage(DynamicDrawUsage);
+  readonly #positions: BufferAttribute;
   /** Opacity and distance along. */
-  readonly #strokes = new BufferAttribute(new Float32Array(4 * POINTS), 2).setUsage(DynamicDrawUsage);
+  readonly #strokes: BufferAttribute;
 
-  constructor(dash: number) {
+  /** @param points most that it goes through */
+  constructor(dash: number, points = POINTS) {
+    this.#positions = new BufferAttribute(new Float32Array(6 * points), 3).setUsage(DynamicDrawUsage);
+    this.#strokes = new BufferAttribute(new Float32Array(4 * points), 2).setUsage(DynamicDrawUsage);
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", this.#positions);
     geometry.setAttribute("stroke", this.#strokes);
     const indices: number[] = [];
-    for (let i = 0; i < POINTS - 1; i++) indices.push(2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 1, 2 * i + 3, 2 * i + 2);
+    for (let i = 0; i < points - 1; i++) indices.push(2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 1, 2 * i + 3, 2 * i + 2);
     geometry.setIndex(indices);
     this.mesh = new Mesh(
       geometry,
@@ -61,6 +64,10 @@ class Ribbon {
     this.mesh.position.y = 0.0015;
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = -2;
+  }
+
+  setColour(colour: string): void {
+    (this.mesh.material.uniforms.colour as { value: Color }).value.set(colour);
   }
 
   /** Takes `count` points as x, z, opacity, distance along. */
@@ -102,8 +109,7 @@ export class HipsPath {
 
   /** Takes the theme's colours. */
   setTheme({ mark }: Theme): void {
-    for (const ribbon of [this.behind, this.ahead])
-      (ribbon.mesh.material.uniforms.colour as { value: Color }).value.set(mark);
+    for (const ribbon of [this.behind, this.ahead]) ribbon.setColour(mark);
   }
 
   /** Takes the poses of the whole clip, of which the part ahead is drawn; `null` draws none. */

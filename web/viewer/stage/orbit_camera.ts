@@ -131,6 +131,12 @@ export class OrbitCamera {
     }
   }
 
+  /** Makes another orbit the free one, and goes there. */
+  orbitAt(orbit: OrbitState, animate: boolean): void {
+    this.#free = orbit;
+    this.setView("orbit", 0, animate);
+  }
+
   /** Goes to what is followed at once with the next update, as when the character jumps. */
   settle(): void {
     this.#settled = false;

@@ -1,6 +1,6 @@
 /** Everything in the scene but the characters, and where its picture goes. */
 
-import { type Object3D, Scene, Vector3 } from "three";
+import { type Object3D, Plane, Raycaster, Scene, Vector2, Vector3 } from "three";
 import { Lights } from "../light/lights";
 import type { Theme } from "../themes";
 import { Background } from "./background";
@@ -205,6 +205,11 @@ export class Stage implements Drawn {
   async prepare(object: Object3D): Promise<void> {
     this.#hasOthers = true;
     this.scene.environment = this.#screen.environment;
+    await this.compileObject(object);
+  }
+
+  /** Compiles what draws an object with materials of its own light, before it is put into the scene. */
+  async compileObject(object: Object3D): Promise<void> {
     await this.#screen.renderer.compileAsync(object, this.view.camera, this.scene);
   }
 
@@ -241,6 +246,14 @@ export class Stage implements Drawn {
   /** Goes to a view of something that faces `heading`, gliding unless the user asked for less motion. */
   setView(view: CameraView, heading: number): void {
     this.view.setView(view, heading, !matchMedia("(prefers-reduced-motion: reduce)").matches);
+  }
+
+  /** Goes behind something that faces `heading`, and looks down on the ground ahead of it. */
+  setBehind(heading: number): void {
+    this.view.orbitAt(
+      { azimuth: heading + Math.PI, ...BEHIND },
+      !matchMedia("(prefers-reduced-motion: reduce)").matches,
+    );
   }
 
   /** Whether the picture on screen is the finer one of what stands still. */
@@ -313,6 +326,15 @@ export class Stage implements Drawn {
     return { x: ((p.x + 1) / 2) * this.#size.width, y: ((1 - p.y) / 2) * this.#size.height };
   }
 
+  /** The place on the ground under a place of the picture, CSS pixels from its top left; `undefined` at the sky. */
+  groundAt(x: number, y: number): { x: number; z: number } | undefined {
+    const { width, height } = this.#size;
+    pointer.set((2 * x) / width - 1, 1 - (2 * y) / height);
+    raycaster.setFromCamera(pointer, this.view.camera);
+    const hit = raycaster.ray.intersectPlane(GROUND, projected);
+    return hit ? { x: hit.x, z: hit.z } : undefined;
+  }
+
   dispose(): void {
     this.#screen.remove(this);
     this.#observer.disconnect();
@@ -378,5 +400,10 @@ export class Stage implements Drawn {
   }
 }
 
+/** The view from behind: radians above the ground, metres away. */
+const BEHIND = { elevation: 0.3, distance: 6.4 };
+const GROUND = new Plane(new Vector3(0, 1, 0));
+const raycaster = new Raycaster();
+const pointer = new Vector2();
 const projected = new Vector3();
 const middle = new Vector3();

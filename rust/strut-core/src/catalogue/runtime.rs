@@ -3,6 +3,7 @@
 use super::gait_phase::GaitPhase;
 use super::header::Header;
 use super::quantised::QuantisedRows;
+use crate::humanoid::Pose;
 use crate::pose_vector::PoseRow;
 use crate::search::Index;
 use std::ops::Deref;
@@ -34,6 +35,15 @@ impl Catalogue {
     /// The rows.
     pub fn rows(&self) -> &QuantisedRows {
         &self.rows
+    }
+
+    /// The poses of a clip, beginning above the origin towards +Z.
+    ///
+    /// # Panics
+    /// If there is no such clip.
+    pub fn poses_of_clip(&self, clip: usize) -> Vec<Pose> {
+        let rows = self.clips[clip].rows().map(|row| self.rows.get(row));
+        self.chart.decode_clip(rows, 1.0 / self.rate_hz)
     }
 
     /// The search index.

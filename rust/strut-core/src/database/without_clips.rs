@@ -4,7 +4,6 @@ use super::offline::Database;
 use super::parts::{Clip, DatabaseParts};
 use super::validation::DatabaseError;
 use crate::humanoid::HumanoidMotion;
-use crate::pose_vector::{HEADING_RATE, Placement};
 
 impl Database {
     /// The database without the clips of these indices; counterparts in them are lost.
@@ -55,13 +54,8 @@ impl Database {
     /// # Panics
     /// If there is no such clip.
     pub fn motion_of_clip(&self, clip: usize) -> HumanoidMotion {
-        let dt = 1.0 / self.rate_hz;
-        let mut at: Option<Placement> = None;
-        let poses = self.pose[self.clips[clip].rows()].iter().map(|row| {
-            let place = at.map_or(Placement::default(), |at| at.advanced(row, dt, row[HEADING_RATE] * dt));
-            at = Some(place);
-            self.chart.decode(row, place)
-        });
-        HumanoidMotion { proportions: self.proportions, rate_hz: self.rate_hz, poses: poses.collect() }
+        let rows = self.pose[self.clips[clip].rows()].iter().copied();
+        let poses = self.chart.decode_clip(rows, 1.0 / self.rate_hz);
+        HumanoidMotion { proportions: self.proportions, rate_hz: self.rate_hz, poses }
     }
 }

@@ -4,6 +4,7 @@ import type { Session } from "../../../player/session";
 import type { Playhead } from "../../state/playhead";
 import type { Store } from "../../state/store";
 import { ownParts, stylesAt } from "../../state/style_settings";
+import { strings } from "../../strings/strings";
 import { inputTitle, stageCaption, stageTitle } from "../../ui/words";
 import { ReadAction } from "./read_action";
 import type { ViewportPanel } from "./viewport_panel";
@@ -38,16 +39,17 @@ export class Heading {
     this.#shownAt = performance.now();
     if (!session.database) return;
     const { intensity, track } = this.#store.state;
-    const styles = stylesAt(this.#store.state, this.#playhead.at);
+    const { state } = this.#store;
+    const styles = session.drive ? state.styles : stylesAt(state, this.#playhead.at);
     const { neutral, rateHz } = session.database;
     this.#viewport.heading = {
-      title: stageTitle(this.#action.name, styles, intensity, neutral),
+      title: stageTitle(session.drive ? strings.play.driving : this.#action.name, styles, intensity, neutral),
       caption: stageCaption(
-        inputTitle(session.library, session.inputName),
+        inputTitle(session.library, session.chosen),
         {
           styles: styles.filter((s) => s.weight !== 0).length,
           parts: ownParts(this.#store.state).length,
-          keys: track.length,
+          keys: session.drive ? 0 : track.length,
         },
         rateHz,
       ),

@@ -1,6 +1,6 @@
 /** The Input panel: the input motion, and the class that the engine recognises in it. */
 import type { InputInfo, Reading } from "../../../client/protocol";
-import type { InputLibrary } from "../../../player/input_library";
+import { DRIVE, type InputLibrary } from "../../../player/input_library";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
@@ -59,6 +59,7 @@ export class InputPanel {
     const group = (label: string, names: readonly string[]) =>
       names.length > 0 ? [html("optgroup", { label }, ...names.map(option))] : [];
     this.#select.replaceChildren(
+      html("option", { value: DRIVE }, strings.play.input.drive),
       ...group(strings.play.input.builtIn, library.builtIn),
       ...group(strings.play.input.dropped, library.dropped),
     );

@@ -14,6 +14,15 @@ const after = <T>(mode: T, modes: readonly T[]): T => modes[(modes.indexOf(mode)
 /** Digits that select one style, clockwise from the top. */
 const DIGITS = [1, 2, 3, 4, 5, 6, 7, 8, 9];
 
+/** Keys that have no use while a character is steered, where there is no time line. */
+const OF_TIME = [" ", "ArrowLeft", "ArrowRight", "Home", "End", "l", "k", "i", "o", "u"];
+
+/** The keys that Play has while a character is steered. */
+export function keysWhileDriving(keys: KeyTable, toggleHelp: () => void): KeyTable {
+  const left = Object.entries(keys).filter(([key]) => !OF_TIME.includes(key));
+  return { ...Object.fromEntries(left), "?": toggleHelp };
+}
+
 export function keysOf(store: Store, session: Session, playhead: Playhead, style: StylePanel) {
   /** Sets the begin or end of the range to the playhead. */
   const cutRange = (edge: "first" | "last"): void => {

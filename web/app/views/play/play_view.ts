@@ -1,6 +1,7 @@
 /** The Play view: the styled character, with panels for style, input and model, transport and timeline. */
 
 import "./play_view.css";
+import type { DriveFrame, DriveInfo } from "../../../client/drive/protocol";
 import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame } from "../../../client/protocol";
 import { html } from "../../../ui/dom";
 import { onSystemTheme } from "../../../ui/theme";
@@ -9,9 +10,10 @@ import { chooseKey, chosenKey, moveKey, partOf, removeKey } from "../../state/st
 import { strings } from "../../strings/strings";
 import { manner } from "../../ui/words";
 import type { View, ViewHost } from "../../view";
+import type { Driving } from "./drive/driving";
 import { Heading } from "./heading";
 import { InputPanel } from "./input_panel";
-import { keysOf } from "./keys";
+import { keysOf, keysWhileDriving } from "./keys";
 import { ModelPanel } from "./model_panel";
 import { StylePanel } from "./style_panel";
 import { Tabs } from "./tabs";
@@ -33,7 +35,7 @@ const any = (changed: Changed, ...names: (keyof AppState)[]): boolean => names.s
 
 class PlayView implements View {
   readonly element: HTMLElement;
-  readonly keys: ReturnType<typeof keysOf>;
+  readonly #keys: ReturnType<typeof keysOf>;
   readonly #host: ViewHost;
   readonly #viewport: ViewportPanel;
   readonly #heading: Heading;
@@ -45,6 +47,9 @@ class PlayView implements View {
   readonly #timeline: Timeline;
   readonly #trackKeys: TrackKeys;
   #shown = false;
+  /** While a character is steered, and its code is loaded. */
+  #driving: Driving | undefined;
+  readonly #transportElement = html("section", { class: "transport", "aria-label": strings.play.transport.name });
   /** The database that the panels show. */
   #database: DatabaseInfo | undefined;
 
@@ -52,12 +57,12 @@ class PlayView implements View {
     this.#host = host;
     const { store, session, playhead, progress, signal } = host;
     this.#style = new StylePanel(store, progress.database.element);
-    this.keys = keysOf(store, session, playhead, this.#style);
+    this.#keys = keysOf(store, session, playhead, this.#style);
     this.#viewport = new ViewportPanel({
       onCamera: (camera) => store.edit({ camera }),
-      onFollow: () => this.keys.f(),
-      onGhost: () => this.keys.g(),
-      onTrace: () => this.keys.t(),
+      onFollow: () => this.#keys.f(),
+      onGhost: () => this.#keys.g(),
+      onTrace: () => this.#keys.t(),
       onLeave: () => host.leaveCharacter(),
       onCheck: () => host.checkJoints(),
       onJoint: (role) => store.edit({ part: partOf(role), tab: "style" }),
@@ -73,7 +78,7 @@ class PlayView implements View {
     this.#transport = new Transport(store, {
       onPlay: () => playhead.togglePlay(),
       onFrame: (by) => playhead.step(by),
-      onKey: () => this.keys.k(),
+      onKey: () => this.#keys.k(),
       ...scrub,
     });
     this.#trackKeys = new TrackKeys({
@@ -102,6 +107,7 @@ class PlayView implements View {
       {
         onDatabase: () => this.#show(store.state),
         onInput: (input) => this.#onInput(input),
+        onDrive: (drive) => void this.#onDrive(drive),
         onAnalysis: (analysis) => this.#onAnalysis(analysis),
         onExamples: (examples) => this.#onExamples(examples),
         onPrelude: (shown) => this.#viewport.drawPrelude(shown),
@@ -110,13 +116,18 @@ class PlayView implements View {
       signal,
     );
     store.subscribe((state, changed) => this.#onChange(state, changed), signal);
-    onSystemTheme(() => this.#timeline.recolour(), signal);
+    onSystemTheme(() => this.#recolour(), signal);
     this.#show(store.state);
     this.#catchUp();
   }
 
   get history() {
     return this.#host.store;
+  }
+
+  get keys() {
+    const driving = this.#driving;
+    return driving ? keysWhileDriving(this.#keys, () => driving.toggleHelp()) : this.#keys;
   }
 
   get styleTarget(): Element | undefined {
@@ -129,8 +140,9 @@ class PlayView implements View {
     this.#viewport.take(this.#host.borrowViewer(this.#viewport.picture));
     if (this.#database) this.#viewport.proportions = this.#database.proportions;
     this.#viewport.performing = this.#host.performing();
-    this.#viewport.path = session.analysis?.poses;
+    this.#viewport.path = session.drive ? undefined : session.analysis?.poses;
     this.#viewport.show(store.state);
+    if (this.#driving) this.#driving.lease = this.#viewport.lease;
     if (session.frame) this.#viewport.draw(session.frame);
     this.#play();
   }
@@ -141,18 +153,25 @@ class PlayView implements View {
 
   hide(): void {
     this.#shown = false;
+    if (this.#driving) this.#driving.lease = undefined;
     this.#viewport.give();
     this.#play();
   }
 
   dispose(): void {
     if (this.#shown) this.hide();
+    this.#driving?.dispose();
     this.#host.playhead.onScrub = undefined;
     this.#timeline.dispose();
     this.#style.polygon.dispose();
   }
 
   #compose(): HTMLElement {
+    this.#transportElement.append(
+      this.#host.progress.analysis.element,
+      this.#transport.element,
+      this.#timeline.element,
+    );
     return html(
       "div",
       { class: "play-view" },
@@ -165,22 +184,17 @@ class PlayView implements View {
         this.#input.element,
         this.#model.element,
       ),
-      html(
-        "section",
-        { class: "transport", "aria-label": strings.play.transport.name },
-        this.#host.progress.analysis.element,
-        this.#transport.element,
-        this.#timeline.element,
-      ),
+      this.#transportElement,
     );
   }
 
   /** Takes the state of the session from before the view was created. */
   #catchUp(): void {
-    const { input, analysis, examples, frame } = this.#host.session;
+    const { input, drive, analysis, examples, frame } = this.#host.session;
     if (input) this.#onInput(input);
     if (analysis) this.#onAnalysis(analysis);
     if (examples) this.#onExamples(examples);
+    if (drive) void this.#onDrive(drive);
     if (frame) this.#onFrame(frame, true);
   }
 
@@ -194,20 +208,48 @@ class PlayView implements View {
     this.#model.database = database;
     this.#timeline.classes = database.classes;
     this.#viewport.proportions = database.proportions;
-    const { library, input, inputName } = this.#host.session;
-    if (input) this.#input.list(library, inputName);
+    const { library, input, chosen } = this.#host.session;
+    if (input) this.#input.list(library, chosen);
   }
 
   #onInput(input: InputInfo): void {
-    const { library, inputName } = this.#host.session;
+    const { library, chosen } = this.#host.session;
     this.#viewport.path = undefined;
     this.#viewport.forgetTrail();
-    this.#input.list(library, inputName);
+    this.#input.list(library, chosen);
     this.#input.input = input;
     this.#transport.input = input;
     this.#timeline.input = input;
     this.#trackKeys.input = input;
     this.#heading.show();
+  }
+
+  /** Makes room for driving, or takes it away. */
+  async #onDrive(drive: DriveInfo | undefined): Promise<void> {
+    const { session } = this.#host;
+    this.#driving?.dispose();
+    this.#driving = undefined;
+    this.element.classList.toggle("driving", drive !== undefined);
+    this.#viewport.path = drive ? undefined : session.analysis?.poses;
+    this.#viewport.forgetTrail();
+    this.#input.list(session.library, session.chosen);
+    this.#heading.show();
+    if (!drive) return;
+    const { Driving } = await import("./drive/driving");
+    if (session.drive !== drive || this.#host.signal.aborted) return;
+    const { element: stage, picture, controls } = this.#viewport;
+    const places = { stage, picture, controls, input: this.#input.element, transport: this.#transportElement };
+    this.#driving = new Driving(this.#host, drive, places, {
+      pause: () => this.#host.playhead.togglePlay(),
+      corner: (by) => this.#style.corner(by),
+      movePoint: (key) => this.#style.movePoint(key),
+    });
+    if (this.#shown) this.#driving.lease = this.#viewport.lease;
+  }
+
+  /** See {@link View.keep}. */
+  async keep(): Promise<boolean> {
+    return this.#driving ? this.#driving.keep() : true;
   }
 
   #onAnalysis(analysis: Analysis): void {
@@ -220,10 +262,11 @@ class PlayView implements View {
     this.#timeline.examples = examples;
   }
 
-  #onFrame(frame: LiveFrame, sought: boolean): void {
+  #onFrame(frame: LiveFrame | DriveFrame, sought: boolean): void {
     const { playhead } = this.#host;
     if (sought) this.#viewport.forgetTrail();
     this.#viewport.draw(frame);
+    if (this.#host.session.drive && "root" in frame) this.#driving?.show(frame);
     this.#input.read(frame.reads);
     if (!playhead.previewing) {
       this.#transport.frame = frame.inputFrame;
@@ -235,7 +278,7 @@ class PlayView implements View {
   // --- from the state ---
 
   #onChange(state: Readonly<AppState>, changed: Changed): void {
-    if (changed.has("theme")) this.#timeline.recolour();
+    if (changed.has("theme")) this.#recolour();
     this.#show(state, changed);
   }
 
@@ -260,6 +303,11 @@ class PlayView implements View {
     this.#play();
   }
 
+  #recolour(): void {
+    this.#timeline.recolour();
+    this.#driving?.recolour();
+  }
+
   #showTrack(state: Readonly<AppState>): void {
     const neutral = this.#database?.neutral ?? "";
     this.#trackKeys.show(state.track, chosenKey(state), (key) => manner(key.styles, state.intensity, neutral));
@@ -280,6 +328,6 @@ class PlayView implements View {
 
   async #choose(name: string): Promise<void> {
     const { session } = this.#host;
-    if (!(await this.#host.chooseInput(name))) this.#input.list(session.library, session.inputName);
+    if (!(await this.#host.chooseInput(name))) this.#input.list(session.library, session.chosen);
   }
 }

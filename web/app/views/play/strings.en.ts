@@ -63,9 +63,13 @@ export const play = {
     dropWhy: "Drop a BVH anywhere on the page, or choose one here",
     readsAs: "Reads as",
     readsAsWhy: "What the engine takes the input for, and how sure it is",
+    drive: "Drive it yourself",
     builtIn: "Built in",
     dropped: "Dropped here",
   },
+
+  /** What a character does that is steered, as the title has it. */
+  driving: "driving",
 
   model: {
     heading: "Model",

@@ -35,6 +35,7 @@ export class StylePanel {
   readonly #caption = html("p", { class: "caption polygon-caption" });
   #database: DatabaseInfo | undefined;
   #vertices: readonly string[] = [];
+  #selection: Selection = [];
   readonly #hints = new Hints();
 
   constructor(store: Store, top: HTMLElement) {
@@ -112,6 +113,19 @@ export class StylePanel {
     return this.#vertices;
   }
 
+  /** Takes all of the style after the heaviest one, clockwise, or of the one before it. */
+  corner(by: -1 | 1): void {
+    const { length } = this.#vertices;
+    const heaviest = this.#selection.reduce((a, b) => (b.weight > a.weight ? b : a), { name: "", weight: -1 });
+    const at = this.#vertices.indexOf(heaviest.name);
+    if (length > 0) this.polygon.takeAllOf(this.#vertices[(at + by + length) % length]!);
+  }
+
+  /** Moves the polygon's point as an arrow key does. */
+  movePoint(key: string): void {
+    this.polygon.press(key);
+  }
+
   /** Takes the styles of another database. */
   set database(database: DatabaseInfo) {
     this.#database = database;
@@ -128,6 +142,7 @@ export class StylePanel {
   show(state: Readonly<AppState>, glide: boolean): void {
     const { wholePolygon: whole, intensity, side } = state;
     const selection = shownStyles(state);
+    this.#selection = selection;
     const beyond = isBeyondData(selection, intensity);
     this.polygon.show({ vertices: this.#vertices, selection, whole, beyond }, glide);
     this.#mode.value = whole ? "whole" : "triangle";

@@ -51,6 +51,8 @@ export class ViewportPanel {
   readonly #credit = html("a", { class: "caption", target: "_blank", rel: "noreferrer" });
   readonly #fps = html("span");
   readonly #cost = html("span");
+  /** The buttons over the picture. */
+  readonly controls: HTMLElement;
   readonly #listeners: StageListeners;
   #lease: ViewerLease | undefined;
   #readOutAt = 0;
@@ -90,13 +92,21 @@ export class ViewportPanel {
     const back = button(strings.page.characters.back, listeners.onLeave, { icon: "close" });
     this.#check = button(strings.page.characters.check, listeners.onCheck, { label: true });
     this.#cast = html("div", { class: "cast", hidden: true }, this.#name, this.#credit, this.#check, back);
+    this.controls = html(
+      "div",
+      { class: "stage-controls" },
+      this.#camera.element,
+      this.#follow,
+      this.#ghost,
+      this.#trace,
+    );
     this.element = html(
       "main",
       { class: "stage" },
       this.picture,
       html("div", { class: "stage-heading" }, this.#title, this.#caption),
       this.#cast,
-      html("div", { class: "stage-controls" }, this.#camera.element, this.#follow, this.#ghost, this.#trace),
+      this.controls,
       html("p", { class: "read-out caption" }, this.#fps, this.#cost, html("span", {}, strings.play.grid)),
     );
     this.#listenToClicks(listeners.onJoint);
@@ -128,6 +138,11 @@ export class ViewportPanel {
     lease.viewer.labels = VIEWER_DEFAULTS.labels;
     lease.viewer.onViewChange = this.#listeners.onCamera;
     lease.viewer.onFps = (fps) => setText(this.#fps, strings.play.fps(Math.round(fps)));
+  }
+
+  /** The viewer, while it is attached. */
+  get lease(): ViewerLease | undefined {
+    return this.#lease;
   }
 
   /** Detaches the viewer. */

@@ -1,0 +1,45 @@
+//! The neutral clips of a database, which another package drives with.
+
+use crate::database::Database;
+use strut_wasm_common::floats_of;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen]
+impl Database {
+    /// Numbers of the clips in the neutral style.
+    #[wasm_bindgen(js_name = neutralClips)]
+    pub fn neutral_clips(&self) -> Vec<u32> {
+        let catalogue = self.model().catalogue();
+        let numbers = (0..).zip(&catalogue.clips);
+        numbers.filter(|(_, clip)| clip.style == catalogue.neutral).map(|(number, _)| number).collect()
+    }
+
+    /// The name of a clip; empty if there is no such clip.
+    #[wasm_bindgen(js_name = clipName)]
+    pub fn clip_name(&self, clip: usize) -> String {
+        self.model().catalogue().clips.get(clip).map(|clip| clip.name.clone()).unwrap_or_default()
+    }
+
+    /// The name of its action, likewise.
+    #[wasm_bindgen(js_name = clipAction)]
+    pub fn clip_action(&self, clip: usize) -> String {
+        let catalogue = self.model().catalogue();
+        let action = catalogue.clips.get(clip).map(|clip| usize::from(clip.action));
+        action.and_then(|action| catalogue.actions.get(action).cloned()).unwrap_or_default()
+    }
+
+    /// The poses of a clip in the world, beginning above the origin towards +Z; none if there is no such clip.
+    #[wasm_bindgen(js_name = clipPoses)]
+    pub fn clip_poses(&self, clip: usize) -> Vec<f32> {
+        let catalogue = self.model().catalogue();
+        if clip < catalogue.clips.len() { floats_of(catalogue.poses_of_clip(clip).iter()) } else { Vec::new() }
+    }
+
+    /// The feet that are planted in each of its frames, left and right interleaved.
+    #[wasm_bindgen(js_name = clipContacts)]
+    pub fn clip_contacts(&self, clip: usize) -> Vec<u8> {
+        let catalogue = self.model().catalogue();
+        let rows = catalogue.clips.get(clip).map(|clip| clip.rows()).unwrap_or_default();
+        rows.flat_map(|row| catalogue.contact(row)).collect()
+    }
+}

@@ -1,0 +1,334 @@
+/** Driving in Play: what the devices ask for goes to the engine, and what comes of it to the stage and the panels. */
+
+import "./drive.css";
+import type { DriveControl, DriveFrame, DriveInfo, Move } from "../../../../client/drive/protocol";
+import { button } from "../../../../ui/controls/buttons";
+import { clock, html, setAttributes, setText } from "../../../../ui/dom";
+import { VIEWER_DEFAULTS, type Viewer } from "../../../../viewer";
+import { Course } from "../../../../viewer/drive/course";
+import { announce } from "../../../ui/announce";
+import type { ViewerLease, ViewHost } from "../../../view";
+import { DriveChart } from "./chart";
+import { GamepadInput, type PadAction } from "./gamepad";
+import { type Device, HelpLine } from "./help_line";
+import { keep } from "./keep";
+import { Keyboard } from "./keyboard";
+import { DrivePanel } from "./panel";
+import { distanceTo, PathTool } from "./path_tool";
+import { driveWords } from "./strings.en";
+import { TouchStick } from "./touch_stick";
+import { headingOf, overGround, type Wish } from "./wish";
+
+/** A press of Q or E turns by this, radians. */
+const TURN = Math.PI / 4;
+const NO_PATH = new Float32Array();
+
+/** Where Play has room for what belongs to driving. */
+export interface DrivePlaces {
+  /** Over the picture. */
+  readonly stage: HTMLElement;
+  /** What is touched of it. */
+  readonly picture: HTMLElement;
+  /** Its buttons. */
+  readonly controls: HTMLElement;
+  /** The panel of the input, which driving comes after. */
+  readonly input: HTMLElement;
+  /** The transport. */
+  readonly transport: HTMLElement;
+}
+
+/** What Play does that driving has keys for. */
+export interface DriveActions {
+  pause(): void;
+  /** Takes all of the next style, or of the one before. */
+  corner(by: -1 | 1): void;
+  /** Moves the point of the polygon. */
+  movePoint(key: "ArrowUp" | "ArrowDown" | "ArrowLeft" | "ArrowRight"): void;
+}
+
+export class Driving {
+  readonly #host: ViewHost;
+  readonly #info: DriveInfo;
+  readonly #actions: DriveActions;
+  readonly #listening = new AbortController();
+  readonly #keyboard: Keyboard;
+  readonly #pad: GamepadInput;
+  readonly #stick: TouchStick;
+  readonly #path: PathTool;
+  readonly #help: HelpLine;
+  readonly #panel: DrivePanel;
+  readonly #chart: DriveChart;
+  readonly #course = new Course();
+  readonly #draw: HTMLButtonElement;
+  readonly #time = html("span", { class: "clock" });
+  readonly #elements: HTMLElement[];
+  #lease: ViewerLease | undefined;
+  #frame: DriveFrame | undefined;
+  /** Heading that is kept while the character stands. */
+  #face: number | undefined;
+  /** The line that is followed, and whether the engine has it. */
+  #line = NO_PATH;
+  #isNew = false;
+  #move: Move | undefined;
+  #used = false;
+  #isViewed = false;
+  #asked: DriveControl = { move: [0, 0], gait: 1 };
+
+  constructor(host: ViewHost, info: DriveInfo, places: DrivePlaces, actions: DriveActions) {
+    this.#host = host;
+    this.#info = info;
+    this.#actions = actions;
+    const { signal } = this.#listening;
+    this.#keyboard = new Keyboard(
+      () => this.#presses(),
+      host.singleKeys,
+      () => this.#use("keyboard"),
+      signal,
+    );
+    this.#pad = new GamepadInput(
+      (action) => this.#act(action),
+      (glyphs) => this.#use(glyphs),
+    );
+    this.#stick = new TouchStick(
+      places.picture,
+      () => !this.#path.draws && !this.#path.isDrawing,
+      () => this.#use("touch"),
+      signal,
+    );
+    this.#path = new PathTool(places.picture, this.#ground(), signal);
+    this.#help = new HelpLine(info.moves, matchMedia("(pointer: coarse)").matches ? "touch" : "keyboard");
+    this.#panel = new DrivePanel(info, host.session.database?.neutral ?? "", (on) => {
+      this.#keyboard.latches = on;
+    });
+    this.#chart = new DriveChart(info);
+    this.#draw = button(driveWords.drawPath, () => this.#toggleDrawing(), { icon: "path", label: true, class: "chip" });
+    setAttributes(this.#draw, { title: driveWords.drawPathWhy, "aria-pressed": "false" });
+    const moves = html("div", { class: "drive-moves" }, ...info.moves.map((move) => this.#moveButton(move)));
+    const kept = button(driveWords.keep, () => void this.keep(), { icon: "record", label: true, class: "outlined" });
+    kept.append(html("kbd", {}, "M"));
+    const bar = html(
+      "div",
+      { class: "drive-bar" },
+      kept,
+      html("p", { class: "time" }, this.#time, html("span", { class: "caption" }, driveWords.driven)),
+    );
+    places.stage.append(this.#help.element, this.#stick.element, moves);
+    places.controls.append(this.#draw);
+    places.input.after(this.#panel.element);
+    places.transport.append(bar, this.#chart.element);
+    this.#elements = [
+      this.#help.element,
+      this.#stick.element,
+      moves,
+      this.#draw,
+      this.#panel.element,
+      bar,
+      this.#chart.element,
+    ];
+    host.session.steer = () => this.#steer();
+  }
+
+  /** Takes the 3-D viewer; `undefined` gives it back. */
+  set lease(lease: ViewerLease | undefined) {
+    const viewer = this.#lease?.viewer;
+    if (viewer) {
+      void viewer.setProp(undefined);
+      viewer.ghostByCamera = false;
+      viewer.labels = VIEWER_DEFAULTS.labels;
+    }
+    this.#lease = lease;
+    this.#keyboard.stop();
+    if (!lease) return;
+    lease.viewer.ghostByCamera = true;
+    lease.viewer.labels = { ...VIEWER_DEFAULTS.labels, input: driveWords.neutral };
+    this.#view(lease.viewer);
+    void lease.viewer.setProp(this.#course).then(lease.invalidate);
+  }
+
+  /** Goes behind the character once, from where the ground ahead is seen, unless another view was chosen. */
+  #view(viewer: Viewer): void {
+    if (this.#isViewed || this.#host.store.state.camera !== "orbit") return;
+    this.#isViewed = true;
+    viewer.cameraBehind();
+  }
+
+  /** Shows a frame of the engine. */
+  show(frame: DriveFrame): void {
+    const before = this.#frame;
+    this.#frame = frame;
+    if (frame.move && frame.move !== before?.move) announce(driveWords.help.moves[frame.move]);
+    this.#chart.take(this.#asked, frame);
+    this.#panel.show(frame, () => (this.#line.length > 0 ? distanceTo(this.#line, this.#place()) : undefined));
+    setText(this.#time, clock(frame.inputFrame / (this.#host.session.database?.rateHz ?? 60)));
+    if (this.#line.length > 0 && !this.#isNew) {
+      if (frame.progress === undefined && before?.progress !== undefined) {
+        announce(driveWords.arrived);
+        this.#setLine(NO_PATH);
+      } else this.#course.progress = frame.progress ?? 0;
+    }
+    this.#mark(frame);
+  }
+
+  /** Makes what was driven an input, with the styles it was shown in. */
+  async keep(): Promise<boolean> {
+    return keep(this.#host);
+  }
+
+  /** Takes the colours of another theme. */
+  recolour(): void {
+    this.#chart.recolour();
+  }
+
+  dispose(): void {
+    this.#listening.abort();
+    this.lease = undefined;
+    this.#course.dispose();
+    for (const element of this.#elements) element.remove();
+  }
+
+  // --- what is asked ---
+
+  #steer(): DriveControl {
+    this.#asked = this.#ask();
+    return this.#asked;
+  }
+
+  #ask(): DriveControl {
+    const pad = this.#pad.read();
+    const wish = this.#keyboard.wish ?? this.#stick.wish ?? pad;
+    const action = this.#move;
+    this.#move = undefined;
+    const path = this.#isNew ? { path: this.#line } : wish && this.#line.length > 0 ? { path: NO_PATH } : {};
+    this.#isNew = false;
+    if ("path" in path && path.path.length === 0) this.#setLine(NO_PATH);
+    const control = wish ? this.#going(wish) : { move: [0, 0] as const, gait: 1, ...this.#facing() };
+    return { ...control, ...path, ...(action && { action }) };
+  }
+
+  /** Over the ground where the devices say. */
+  #going(wish: Wish): DriveControl {
+    const [x, z] = overGround(wish, this.#lease?.viewer.lineOfSight ?? [0, 0, 1]);
+    this.#face = wish.turns ? headingOf(x, z) : undefined;
+    return wish.turns ? { move: [0, 0], gait: 1, ...this.#facing() } : { move: [x, z], gait: wish.gait };
+  }
+
+  #facing(): { face?: number } {
+    return this.#face === undefined ? {} : { face: this.#face };
+  }
+
+  #turn(by: number): void {
+    this.#face = (this.#face ?? this.#frame?.root[2] ?? 0) + by;
+  }
+
+  #presses(): Record<string, () => void> {
+    const ofMove = (code: string, move: Move) =>
+      this.#info.moves.includes(move) ? { [code]: () => this.#begin(move) } : {};
+    return {
+      KeyQ: () => this.#turn(TURN),
+      KeyE: () => this.#turn(-TURN),
+      KeyP: () => this.#actions.pause(),
+      KeyM: () => void this.keep(),
+      KeyB: () => this.#toggleDrawing(),
+      ...ofMove("Space", "jump"),
+      ...ofMove("KeyC", "punch"),
+      ...ofMove("KeyV", "kick"),
+    };
+  }
+
+  #act(action: PadAction): void {
+    const act: Record<PadAction, () => void> = {
+      jump: () => this.#begin("jump"),
+      punch: () => this.#begin("punch"),
+      kick: () => this.#begin("kick"),
+      previousCorner: () => this.#actions.corner(-1),
+      nextCorner: () => this.#actions.corner(1),
+      keep: () => void this.keep(),
+      pause: () => this.#actions.pause(),
+      pointUp: () => this.#actions.movePoint("ArrowUp"),
+      pointDown: () => this.#actions.movePoint("ArrowDown"),
+      pointLeft: () => this.#actions.movePoint("ArrowLeft"),
+      pointRight: () => this.#actions.movePoint("ArrowRight"),
+    };
+    act[action]();
+  }
+
+  #begin(move: Move): void {
+    if (this.#info.moves.includes(move)) this.#move = move;
+  }
+
+  #use(device: Device): void {
+    this.#help.device = device;
+    if (this.#used) return;
+    this.#used = true;
+    this.#help.isShown = false;
+  }
+
+  /** Shows the line that says how to drive, or hides it. */
+  toggleHelp(): void {
+    this.#help.isShown = !this.#help.isShown;
+  }
+
+  // --- the path ---
+
+  #ground() {
+    return {
+      groundAt: (clientX: number, clientY: number) =>
+        this.#onPicture(clientX, clientY, (viewer, x, y) => viewer.groundAt(x, y)),
+      isBody: (clientX: number, clientY: number) =>
+        this.#onPicture(clientX, clientY, (viewer, x, y) => viewer.jointAt(x, y)) !== undefined,
+      place: () => this.#place(),
+      sketch: (points: Float32Array<ArrayBuffer>) => {
+        this.#course.line = points;
+        this.#lease?.invalidate();
+      },
+      onPath: (points: Float32Array<ArrayBuffer>) => this.#follow(points),
+    };
+  }
+
+  #onPicture<T>(clientX: number, clientY: number, of: (viewer: Viewer, x: number, y: number) => T): T | undefined {
+    if (!this.#lease) return undefined;
+    const { left, top } = this.#lease.element.getBoundingClientRect();
+    return of(this.#lease.viewer, clientX - left, clientY - top);
+  }
+
+  /** Where the styled character is. */
+  #place() {
+    const pose = this.#frame?.pose;
+    return { x: pose?.[0] ?? 0, z: pose?.[2] ?? 0 };
+  }
+
+  #follow(points: Float32Array<ArrayBuffer>): void {
+    this.#setLine(points);
+    this.#isNew = points.length > 0;
+    this.#face = undefined;
+    this.#keyboard.stop();
+    if (this.#path.draws) this.#toggleDrawing();
+    announce(driveWords.follows);
+    this.#used = true;
+    this.#help.isShown = false;
+  }
+
+  #setLine(points: Float32Array<ArrayBuffer>): void {
+    this.#line = points;
+    this.#course.line = points;
+    this.#lease?.invalidate();
+  }
+
+  #toggleDrawing(): void {
+    this.#path.draws = !this.#path.draws;
+    setAttributes(this.#draw, { "aria-pressed": String(this.#path.draws) });
+    this.#lease?.element.classList.toggle("draws", this.#path.draws);
+  }
+
+  /** Marks the next second about the styled character, who is not where the neutral one is. */
+  #mark({ root, asked, ahead }: DriveFrame): void {
+    const { x, z } = this.#place();
+    const [dx, dz] = [x - root[0], z - root[1]];
+    const moved = (places: Float32Array) => places.map((value, i) => value + [dx, dz, 0][i % 3]!);
+    this.#course.show(moved(asked), moved(ahead), x, z);
+  }
+
+  #moveButton(move: Move): HTMLButtonElement {
+    return button(driveWords.help.moves[move], () => this.#begin(move), { label: true, class: "drive-move" });
+  }
+}

@@ -1,0 +1,148 @@
+/** Lines drawn on the ground: a stroke is a path to follow, a click a place to walk to. */
+
+/** A place on the ground, metres. */
+export interface Spot {
+  readonly x: number;
+  readonly z: number;
+}
+
+/** Distance between points of a path, metres. */
+const SPACING = 0.1;
+/** A hand trembles, and nobody turns in a point: every point becomes the mean of those so near, metres on either side. */
+const NEARBY = 0.3;
+/** A stroke that begins farther from the character is walked to first, metres. */
+const NEAR = 0.3;
+/** Places beyond this are near the horizon: a pixel there is metres. */
+const FAR = 40;
+/** Longest movement of a click, pixels. */
+const CLICK_PX = 4;
+
+/** Points of a path, x and z each, from where the character is through the places of a stroke. Pure. */
+export function pathOf(from: Spot, stroke: readonly Spot[]): Float32Array<ArrayBuffer> {
+  const [first] = stroke;
+  if (!first) return new Float32Array();
+  const leads = Math.hypot(first.x - from.x, first.z - from.z) > NEAR || stroke.length === 1;
+  const line = smoothed(evenly(leads ? [from, ...stroke] : stroke));
+  return Float32Array.from(line.flatMap(({ x, z }) => [x, z]));
+}
+
+/** The same line with points so far apart. */
+function evenly(stroke: readonly Spot[]): Spot[] {
+  const line = [stroke[0]!];
+  let left = SPACING;
+  for (let i = 1; i < stroke.length; i++) {
+    let from = stroke[i - 1]!;
+    const to = stroke[i]!;
+    let length = Math.hypot(to.x - from.x, to.z - from.z);
+    while (length >= left) {
+      const share = left / length;
+      from = { x: from.x + (to.x - from.x) * share, z: from.z + (to.z - from.z) * share };
+      line.push(from);
+      length -= left;
+      left = SPACING;
+    }
+    left -= length;
+  }
+  const last = stroke.at(-1)!;
+  if (line.at(-1) !== last) line.push(last);
+  return line;
+}
+
+/** The same line without its tremble and sharp corners; its ends stay. */
+function smoothed(line: readonly Spot[]): Spot[] {
+  const half = Math.round(NEARBY / SPACING);
+  return line.map((_, i) => {
+    const reach = Math.min(half, i, line.length - 1 - i);
+    const near = line.slice(i - reach, i + reach + 1);
+    const mean = (of: (spot: Spot) => number) => near.reduce((sum, spot) => sum + of(spot), 0) / near.length;
+    return { x: mean(({ x }) => x), z: mean(({ z }) => z) };
+  });
+}
+
+/** Distance of a place from a path, metres. Pure. */
+export function distanceTo(path: Float32Array, { x, z }: Spot): number {
+  let least = Number.POSITIVE_INFINITY;
+  for (let i = 2; i < path.length; i += 2) {
+    const [ax, az] = [path[i - 2]!, path[i - 1]!];
+    const [bx, bz] = [path[i]! - ax, path[i + 1]! - az];
+    const along = ((x - ax) * bx + (z - az) * bz) / (bx * bx + bz * bz || 1);
+    const t = Math.min(1, Math.max(0, along));
+    least = Math.min(least, Math.hypot(x - ax - t * bx, z - az - t * bz));
+  }
+  return least;
+}
+
+/** What the tool needs of the page. */
+export interface PathGround {
+  /** The place on the ground under a place of the page. */
+  groundAt(clientX: number, clientY: number): Spot | undefined;
+  /** Whether the character's body is there: a click on it chooses a part of it. */
+  isBody(clientX: number, clientY: number): boolean;
+  /** Where the character is. */
+  place(): Spot;
+  /** Shows the line as it is drawn. */
+  sketch(points: Float32Array<ArrayBuffer>): void;
+  /** A path to follow is there. */
+  onPath(points: Float32Array<ArrayBuffer>): void;
+}
+
+export class PathTool {
+  /** Whether a stroke draws; otherwise it turns the camera, and only a click says where to go. */
+  draws = false;
+  #pointer: number | undefined;
+  #stroke: Spot[] = [];
+  #pressed: { x: number; y: number } | undefined;
+
+  constructor(picture: HTMLElement, ground: PathGround, signal: AbortSignal) {
+    const options = { signal, capture: true };
+    const spotAt = ({ clientX, clientY }: MouseEvent): Spot | undefined => {
+      const spot = ground.groundAt(clientX, clientY);
+      const { x, z } = ground.place();
+      return spot && Math.hypot(spot.x - x, spot.z - z) < FAR ? spot : undefined;
+    };
+    picture.addEventListener(
+      "pointerdown",
+      (event) => {
+        if (event.button !== 0 || this.#pointer !== undefined) return;
+        this.#pressed = { x: event.clientX, y: event.clientY };
+        const spot = this.draws && spotAt(event);
+        if (!spot) return;
+        event.stopPropagation();
+        picture.setPointerCapture(event.pointerId);
+        this.#pointer = event.pointerId;
+        this.#stroke = [spot];
+      },
+      options,
+    );
+    picture.addEventListener(
+      "pointermove",
+      (event) => {
+        if (event.pointerId !== this.#pointer) return;
+        event.stopPropagation();
+        const spot = spotAt(event);
+        if (spot) this.#stroke.push(spot);
+        ground.sketch(pathOf(this.#stroke[0]!, this.#stroke));
+      },
+      options,
+    );
+    const onEnd = (event: PointerEvent): void => {
+      if (event.pointerId !== this.#pointer) return;
+      this.#pointer = undefined;
+      if (this.#stroke.length > 1) ground.onPath(pathOf(ground.place(), this.#stroke));
+    };
+    for (const type of ["pointerup", "pointercancel"] as const) picture.addEventListener(type, onEnd, options);
+    const onClick = (event: MouseEvent): void => {
+      const moved = this.#pressed ? Math.hypot(event.clientX - this.#pressed.x, event.clientY - this.#pressed.y) : 0;
+      const isClick = moved <= CLICK_PX && this.#stroke.length < 2 && !ground.isBody(event.clientX, event.clientY);
+      this.#stroke = [];
+      const spot = isClick ? spotAt(event) : undefined;
+      if (spot) ground.onPath(pathOf(ground.place(), [spot]));
+    };
+    picture.addEventListener("click", onClick, { signal });
+  }
+
+  /** Whether a stroke is being drawn. */
+  get isDrawing(): boolean {
+    return this.#pointer !== undefined;
+  }
+}

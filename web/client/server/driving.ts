@@ -1,0 +1,74 @@
+/** Calls about driving, loaded with the first one. */
+import { bvhOfPoses, Driver } from "../../engine/drive/driver";
+import type { Stylizer } from "../../engine/stylizer";
+import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "../drive/protocol";
+import type { StylizeOptions } from "../protocol";
+import { OpenDatabase } from "./databases";
+import { DriveSession } from "./drive_session";
+import type { Host } from "./host";
+import type { OpenThing } from "./registry";
+import { type Caller, stage } from "./time_slices";
+
+/** A driven character. */
+class OpenDrive implements OpenThing {
+  static readonly noun = "drive";
+  readonly uses: readonly number[];
+
+  constructor(
+    readonly database: number,
+    private readonly stylizer: Stylizer,
+    private readonly driver: Driver,
+    readonly session: DriveSession,
+  ) {
+    this.uses = [database];
+  }
+
+  dispose(): void {
+    this.driver.dispose();
+    this.stylizer.dispose();
+  }
+}
+
+export async function openDrive(
+  { engine, open }: Host,
+  caller: Caller,
+  id: number,
+  databaseId: number,
+  options: StylizeOptions,
+  root: Root,
+): Promise<DriveInfo> {
+  await stage(caller, "Making ready to drive", 0);
+  const { database } = open.get(OpenDatabase, databaseId);
+  const driver = await Driver.open(database);
+  const stylizer = engine.createStylizer(database, options);
+  try {
+    const { styles, rateHz } = database.info;
+    const interpolate = engine.interpolate.bind(engine);
+    const session = new DriveSession(stylizer, driver, styles, rateHz, options, interpolate, root);
+    open.add(id, new OpenDrive(databaseId, stylizer, driver, session));
+  } catch (thrown) {
+    driver.dispose();
+    stylizer.dispose();
+    throw thrown;
+  }
+  return { speeds: driver.speeds, moves: driver.moves, clips: driver.clips.length, frames: driver.rows };
+}
+
+export function drive({ open }: Host, _: Caller, id: number, dtSecs: number, control: DriveControl): DriveFrame {
+  return open.get(OpenDrive, id).session.drive(dtSecs, control);
+}
+
+export function restyleDrive({ open }: Host, _: Caller, id: number, options: StylizeOptions): undefined {
+  open.get(OpenDrive, id).session.configure(options);
+}
+
+export function resetDrive({ open }: Host, _: Caller, id: number, root: Root): undefined {
+  open.get(OpenDrive, id).session.reset(root);
+}
+
+export async function driven({ open }: Host, _: Caller, id: number): Promise<Driven> {
+  const { database, session } = open.get(OpenDrive, id);
+  const { poses, frames, track } = session.driven();
+  const bvh = frames > 0 ? await bvhOfPoses(open.get(OpenDatabase, database).database, poses) : "";
+  return { bvh, frames, track };
+}

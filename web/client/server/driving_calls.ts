@@ -1,0 +1,18 @@
+/** The calls about driving for a server that has them: their code is loaded with the first. */
+import type { Arguments, Result } from "../messages";
+import type { Host } from "./host";
+import type { Caller } from "./time_slices";
+
+const NAMES = ["openDrive", "drive", "restyleDrive", "resetDrive", "driven"] as const;
+export type DrivingMethod = (typeof NAMES)[number];
+
+/** A handler each. */
+export type DrivingCalls = {
+  [M in DrivingMethod]: (host: Host, caller: Caller, ...args: Arguments<M>) => Result<M> | Promise<Result<M>>;
+};
+
+type Handler = (...args: unknown[]) => unknown;
+
+export const DRIVING_CALLS = Object.fromEntries(
+  NAMES.map((name) => [name, async (...args: unknown[]) => ((await import("./driving"))[name] as Handler)(...args)]),
+) as unknown as DrivingCalls;

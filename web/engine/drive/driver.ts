@@ -1,0 +1,164 @@
+/** Neutral motion that goes where it is steered, on the calling thread: a frame takes microseconds. */
+import { POSE_FLOATS } from "../../humanoid";
+import { assetOf } from "../assets";
+import { inflatedAsset } from "../built_in";
+import type { Database } from "../database";
+import { Handle } from "../handle";
+import { guarded } from "../wasm";
+import { type DriveGlue, drivePackage } from "./wasm";
+
+/** Instants ahead that a frame names: 1/3, 2/3 and 1 s. */
+export const AHEAD = 3;
+
+/** What is asked of a driver for a frame. */
+export interface Steering {
+  /** Over the ground in the world, of length 0 (stand) to 1. */
+  move: readonly [x: number, z: number];
+  /** 0 stands, 1 walks, 2 runs. */
+  gait: number;
+  /** Heading to face, radians about +Y; the direction of `move` where it is missing. */
+  face?: number | undefined;
+  /** A move to begin. */
+  action?: MoveName | undefined;
+}
+
+/** Moves, in the engine's order (`rust/strut-core/src/driving/moves.rs`). */
+export const MOVES = ["jump", "punch", "kick"] as const;
+export type MoveName = (typeof MOVES)[number];
+
+/** Takes that a database may lack: standing, turns on the spot, halts. */
+const TAKES = () => assetOf("drive.bin", () => new URL("../motions/drive.bin", import.meta.url));
+
+// Where the numbers of a frame are: `rust/strut-wasm-drive/src/driver.rs`.
+const ROOT = POSE_FLOATS;
+const ASKED = ROOT + 3;
+const CLIP_AHEAD = ASKED + 3 * AHEAD;
+const SPEED = CLIP_AHEAD + 3 * AHEAD;
+const [ROW, CLIP, SWITCHED, ACTION, SHARE, FRAME] = [1, 2, 5, 6, 7, 8].map((after) => SPEED + after) as Six;
+type Six = [number, number, number, number, number, number];
+
+/** A frame of a driver, as a view of numbers that the next frame overwrites. */
+export class DriverFrame {
+  readonly numbers = new Float32Array(FRAME);
+  /** In the world. */
+  readonly pose = this.numbers.subarray(0, POSE_FLOATS);
+  /** x, z in metres and heading in radians. */
+  readonly root = this.numbers.subarray(ROOT, ASKED);
+  /** Where the root is asked to be, three times the same. */
+  readonly asked = this.numbers.subarray(ASKED, CLIP_AHEAD);
+  /** Where the clip that plays would take it. */
+  readonly ahead = this.numbers.subarray(CLIP_AHEAD, SPEED);
+
+  /** Over the ground, m/s. */
+  get speed(): number {
+    return this.numbers[SPEED]!;
+  }
+
+  get row(): number {
+    return this.numbers[ROW]!;
+  }
+
+  /** Number among {@link Driver.clips}. */
+  get clip(): number {
+    return this.numbers[CLIP]!;
+  }
+
+  /** Whether another row than the next one was taken. */
+  get switched(): boolean {
+    return this.numbers[SWITCHED] === 1;
+  }
+
+  /** The move that plays. */
+  get move(): MoveName | undefined {
+    return MOVES[this.numbers[ACTION]! - 1];
+  }
+
+  /** How far the pose may be styled, 0 to 1. */
+  get styleShare(): number {
+    return this.numbers[SHARE]!;
+  }
+}
+
+/** A driver over the neutral clips of a database. */
+export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
+  readonly frame = new DriverFrame();
+
+  private constructor(
+    raw: InstanceType<DriveGlue["Driver"]>,
+    /** Names of the clips to choose from; those that are mirrored say so. */
+    readonly clips: readonly string[],
+    /** Rows to choose from. */
+    readonly rows: number,
+    /** Speeds of walking and running, m/s. */
+    readonly speeds: readonly [walk: number, run: number],
+    /** Moves that can be asked for. */
+    readonly moves: readonly MoveName[],
+  ) {
+    super(raw, "driver");
+  }
+
+  /** @throws StrutError if the module cannot be had, or `bad-input` where the neutral clips have too little walking */
+  static async open(database: Database): Promise<Driver> {
+    const [glue, takes] = await Promise.all([drivePackage.load(), inflatedAsset(TAKES(), "driving")]);
+    const { rateHz, proportions } = database.info;
+    return drivePackage.guarded(() => {
+      const clips = new glue.Clips(proportions, rateHz);
+      try {
+        addNeutral(database, clips);
+        clips.addTakes(takes);
+        const raw = new glue.Driver(clips);
+        const mirrored = raw.mirrored();
+        const names = raw.names().map((name, i) => (mirrored[i] ? `${name}, mirrored` : name));
+        const [walk, run] = raw.speeds();
+        const moves = MOVES.filter((move) => raw.moves().includes(move));
+        return new Driver(raw, names, raw.rows(), [walk!, run!], moves);
+      } finally {
+        clips.free();
+      }
+    });
+  }
+
+  /** The next frame, `1 / rateHz` after the last; `styled` is where the styled character's hips were in it. */
+  next({ move, gait, face, action }: Steering, styled: readonly [x: number, z: number] | undefined): DriverFrame {
+    drivePackage.guarded(() => {
+      const asked = action && MOVES.indexOf(action);
+      this.raw.next(move[0], move[1], gait, face, asked, styled?.[0], styled?.[1]);
+      this.raw.read(this.frame.numbers);
+    });
+    return this.frame;
+  }
+
+  /** A line to follow, x and z of its points; fewer than two distinct ones end it. */
+  set path(points: Float32Array) {
+    drivePackage.guarded(() => this.raw.setPath(points));
+  }
+
+  /** How far along the path the character is, metres; `undefined` where it has none, or has come to its end. */
+  get progress(): number | undefined {
+    return drivePackage.guarded(() => (this.raw.hasArrived() ? undefined : this.raw.progress()));
+  }
+
+  /** Begins anew at a place, without a path. */
+  reset(x: number, z: number, heading: number): void {
+    drivePackage.guarded(() => this.raw.reset(x, z, heading));
+  }
+}
+
+/** Adds the neutral clips of a database. */
+function addNeutral(database: Database, clips: InstanceType<DriveGlue["Clips"]>): void {
+  for (const clip of guarded(() => database.raw.neutralClips())) {
+    const { raw } = database;
+    const name = guarded(() => raw.clipName(clip));
+    const poses = guarded(() => raw.clipPoses(clip));
+    const contacts = guarded(() => raw.clipContacts(clip));
+    const action = guarded(() => raw.clipAction(clip));
+    clips.add(name, action, poses, contacts);
+  }
+}
+
+/** The text of a BVH file of poses on the body of a database. */
+export async function bvhOfPoses(database: Database, poses: Float32Array): Promise<string> {
+  const glue = await drivePackage.load();
+  const { proportions, rateHz } = database.info;
+  return drivePackage.guarded(() => glue.bvhOfPoses(proportions, rateHz, poses));
+}

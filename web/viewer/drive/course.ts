@@ -1,0 +1,139 @@
+/** Where a driven character is asked to go: the line drawn for it, and the next second as asked and as its clip has it. */
+
+import { CircleGeometry, Group, Mesh, MeshBasicMaterial, Shape, ShapeGeometry } from "three";
+import { Ribbon } from "../stage/hips_path";
+import type { Theme } from "../themes";
+
+/** Points of a line that are drawn: what is longer is drawn with fewer. */
+const POINTS = 512;
+/** Length of a dash and of a gap of the line, metres. */
+const DASH = 0.09;
+const OPACITY = { line: 0.75, done: 0.18 };
+/** A second's way that is shorter is not marked, metres: under the feet nothing would be seen. */
+const SHORT = 0.25;
+/** Instants that are marked: 1/3, 2/3 and 1 s. */
+const INSTANTS = 3;
+/** Above the ground, metres: what is asked over what the clip has, and both over the line. */
+const HEIGHTS = { line: 0.002, clip: 0.003, asked: 0.004 };
+
+/** A place on the ground and its heading, where they are marked. */
+class Marker {
+  readonly object = new Group();
+
+  constructor(material: MeshBasicMaterial, size: number, height: number) {
+    const dot = new Mesh(new CircleGeometry(size, 24), material);
+    const head = new Shape();
+    head.moveTo(-0.55 * size, 1.35 * size).lineTo(0.55 * size, 1.35 * size);
+    head.lineTo(0, 3.1 * size).closePath();
+    const arrow = new Mesh(new ShapeGeometry(head), material);
+    // Shapes lie in the plane of x and y; a heading of 0 is along +Z.
+    for (const mesh of [dot, arrow]) {
+      mesh.rotation.x = Math.PI / 2;
+      mesh.renderOrder = -1;
+      this.object.add(mesh);
+    }
+    this.object.position.y = height;
+    this.object.visible = false;
+  }
+
+  dispose(): void {
+    for (const mesh of this.object.children) (mesh as Mesh).geometry.dispose();
+  }
+}
+
+/** As many markers as there are instants, in one colour. */
+class Markers {
+  readonly object = new Group();
+  readonly #material = new MeshBasicMaterial({ transparent: true, depthWrite: false, side: 2, toneMapped: false });
+  readonly #markers: Marker[];
+
+  constructor(size: number, height: number) {
+    this.#markers = Array.from({ length: INSTANTS }, () => new Marker(this.#material, size, height));
+    this.object.add(...this.#markers.map(({ object }) => object));
+  }
+
+  set colour(colour: string) {
+    this.#material.color.set(colour);
+  }
+
+  /** Marks places, x, z and heading each, of a character at (x, z). */
+  show(places: ArrayLike<number>, x: number, z: number): void {
+    const last = 3 * (INSTANTS - 1);
+    const isWay = Math.hypot(places[last]! - x, places[last + 1]! - z) > SHORT;
+    for (const [i, { object }] of this.#markers.entries()) {
+      object.visible = isWay;
+      object.position.x = places[3 * i]!;
+      object.position.z = places[3 * i + 1]!;
+      object.rotation.y = places[3 * i + 2]!;
+    }
+  }
+
+  hide(): void {
+    for (const { object } of this.#markers) object.visible = false;
+  }
+
+  dispose(): void {
+    for (const marker of this.#markers) marker.dispose();
+    this.#material.dispose();
+  }
+}
+
+export class Course {
+  readonly object = new Group();
+  readonly #line = new Ribbon(DASH, POINTS);
+  readonly #asked = new Markers(0.045, HEIGHTS.asked);
+  readonly #clip = new Markers(0.032, HEIGHTS.clip);
+  readonly #points = new Float32Array(4 * POINTS);
+  #count = 0;
+
+  constructor() {
+    this.#line.mesh.position.y = HEIGHTS.line;
+    this.object.add(this.#line.mesh, this.#clip.object, this.#asked.object);
+  }
+
+  setTheme({ signal, input, ink }: Theme): void {
+    this.#line.setColour(ink);
+    this.#asked.colour = signal;
+    this.#clip.colour = input;
+  }
+
+  /** Takes the line to follow, x and z of its points; none draws none. */
+  set line(points: ArrayLike<number>) {
+    const all = points.length / 2;
+    this.#count = Math.min(all, POINTS);
+    let along = 0;
+    for (let i = 0; i < this.#count; i++) {
+      const from = Math.round((i * (all - 1)) / Math.max(1, this.#count - 1));
+      const [x, z] = [points[2 * from]!, points[2 * from + 1]!];
+      if (i > 0) along += Math.hypot(x - this.#points[4 * i - 4]!, z - this.#points[4 * i - 3]!);
+      this.#points.set([x, z, OPACITY.line, along], 4 * i);
+    }
+    this.#line.set(this.#points, this.#count);
+  }
+
+  /** How much of the line is done, metres: it is fainter there. */
+  set progress(done: number) {
+    for (let i = 0; i < this.#count; i++)
+      this.#points[4 * i + 2] = this.#points[4 * i + 3]! < done ? OPACITY.done : OPACITY.line;
+    this.#line.set(this.#points, this.#count);
+  }
+
+  /** Marks the next second of a character whose root is at (x, z): as asked, and as the clip has it. */
+  show(asked: ArrayLike<number>, clip: ArrayLike<number>, x: number, z: number): void {
+    this.#asked.show(asked, x, z);
+    this.#clip.show(clip, x, z);
+  }
+
+  /** Marks nothing. */
+  hide(): void {
+    this.#asked.hide();
+    this.#clip.hide();
+  }
+
+  dispose(): void {
+    this.object.removeFromParent();
+    this.#line.dispose();
+    this.#asked.dispose();
+    this.#clip.dispose();
+  }
+}
