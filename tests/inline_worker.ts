@@ -2,6 +2,7 @@
 import "../web/engine/whole";
 import type { WorkerPort } from "../web/client/client";
 import type { Call, Reply, Request } from "../web/client/messages";
+import { ATLAS_HANDLERS } from "../web/client/server/atlas";
 import { type ServerPort, serve } from "../web/client/server/serve";
 import type { ErrorParts } from "../web/engine/errors";
 
@@ -33,7 +34,7 @@ export class InlineWorker implements WorkerPort {
         setTimeout(() => this.deliver(data), 0);
       },
     };
-    void serve(this.server);
+    void serve(this.server, { atlas: ATLAS_HANDLERS });
   }
 
   postMessage(message: Request): void {

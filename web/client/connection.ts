@@ -60,7 +60,13 @@ const SILENT: ReadonlySet<Method> = new Set([
   "exportBvh",
 ]);
 /** Calls that open something under the number that is their first argument. */
-const OPENING: ReadonlySet<Method> = new Set(["openDatabase", "openMotion", "createSession", "createStylizer"]);
+const OPENING: ReadonlySet<Method> = new Set([
+  "openDatabase",
+  "openMotion",
+  "createSession",
+  "createStylizer",
+  "openAtlas",
+]);
 /** Calls whose results show that the engine works with what is open. */
 const STYLING: ReadonlySet<Method> = new Set([
   "step",

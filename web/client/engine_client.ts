@@ -5,6 +5,7 @@
 import type { BuiltInSet } from "../engine/built_in";
 import { disposed } from "../engine/errors";
 import { DEFAULT_OPTIONS } from "../engine/types";
+import type { ClientAtlas } from "./atlas/client_atlas";
 import type { BuildWorkerPort } from "./build/client";
 import type { BuildClient } from "./build/protocol";
 import { Connection, DEFAULT_PATIENCE, type Patience, type Reopenable, type WorkerPort } from "./connection";
@@ -121,6 +122,17 @@ export class EngineClient {
     const all = changedOptions(database.info, DEFAULT_OPTIONS, options);
     await connection.call("createStylizer", [id, openId(database), all, STYLE_HALF_LIFE_SECS], call);
     return new ClientStylizer(connection, id, database, all, STYLE_HALF_LIFE_SECS);
+  }
+
+  /** A motion on a database as a picture of every distance, with so many columns at most; see `atlas/`. */
+  async openAtlas(
+    database: ClientDatabase,
+    motion: ClientMotion,
+    columns: number,
+    options?: CallOptions,
+  ): Promise<ClientAtlas> {
+    const { ClientAtlas } = await import("./atlas/client_atlas");
+    return ClientAtlas.open(this.connection, database, motion, columns, options);
   }
 
   /** A walk model, trained first where a database is given. */

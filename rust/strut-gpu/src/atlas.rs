@@ -6,10 +6,12 @@ use crate::context::{Adapter, Context};
 use crate::error::GpuError;
 use crate::kernels::atlas::{EMPTY, SHADER};
 use std::ops::Range;
-use strut_core::search::{PACKED_ROW, PACKED_TILE, PACKED_WINDOW, WINDOW};
+use strut_core::search::{PACKED_ROW, PACKED_TILE, PACKED_WINDOW, TRAVEL, WINDOW};
 
 /// Words of a query's rows.
 const QUERY_ROWS: usize = WINDOW * PACKED_ROW;
+/// The word of a window that has its last row.
+const END: usize = TRAVEL + 1;
 /// The line of windows that are on none.
 const NO_LINE: u32 = u32::MAX;
 
@@ -50,7 +52,7 @@ impl Painter {
     pub fn new(context: Context, rows: &[f32], windows: &[u32]) -> Result<Self, GpuError> {
         let count = windows.len() / PACKED_WINDOW;
         let frames = rows.len() / PACKED_ROW;
-        let has_row = |window: &[u32]| (WINDOW - 1..frames).contains(&(window[PACKED_WINDOW - 3] as usize));
+        let has_row = |window: &[u32]| (WINDOW - 1..frames).contains(&(window[END] as usize));
         let fits = rows.len().is_multiple_of(PACKED_ROW) && windows.len().is_multiple_of(PACKED_TILE * PACKED_WINDOW);
         if !fits || count == 0 || !windows.chunks_exact(PACKED_WINDOW).all(has_row) {
             return Err(GpuError::Malformed("windows and their rows"));
@@ -103,16 +105,13 @@ impl Painter {
     }
 
     /// Bits of the least D of each line, a column after the other: of queries' rows ([`WINDOW`] times [`PACKED_ROW`] numbers
-    /// each) and windows ([`PACKED_WINDOW`] words each, whose last rows are among these). They are one submission.
+    /// each) and windows ([`PACKED_WINDOW`] words each). They are one submission.
     ///
     /// # Errors
     /// If arrays are not of that form, or the graphics processor fails. After [`GpuError::Lost`] it always does.
     pub async fn draw(&mut self, rows: &[f32], windows: &[u32]) -> Result<Vec<u32>, GpuError> {
         let columns = windows.len() / PACKED_WINDOW;
-        let frames = rows.len() / PACKED_ROW;
-        let has_row = |window: &[u32]| (WINDOW - 1..frames).contains(&(window[PACKED_WINDOW - 3] as usize));
-        let fits = rows.len() == columns * QUERY_ROWS && windows.len().is_multiple_of(PACKED_WINDOW);
-        if !fits || !windows.chunks_exact(PACKED_WINDOW).all(has_row) {
+        if rows.len() != columns * QUERY_ROWS || !windows.len().is_multiple_of(PACKED_WINDOW) {
             return Err(GpuError::Malformed("queries and their rows"));
         }
         if self.tiles.is_empty() || columns == 0 {
@@ -125,7 +124,11 @@ impl Painter {
         };
         let context = &self.context;
         context.write(&slice.rows, bytemuck::cast_slice(rows));
-        context.write(&slice.windows, bytemuck::cast_slice(windows));
+        let mut windows = windows.to_vec();
+        for (column, window) in windows.chunks_exact_mut(PACKED_WINDOW).enumerate() {
+            window[END] = (column * WINDOW + WINDOW - 1) as u32;
+        }
+        context.write(&slice.windows, bytemuck::cast_slice(&windows));
         context.write(&slice.picture, bytemuck::cast_slice(&vec![EMPTY; padded * self.height]));
         let view = [self.tiles.start as u32, self.height as u32, 0, 0];
         context.write(&slice.view, bytemuck::cast_slice(&view));

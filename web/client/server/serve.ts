@@ -24,7 +24,13 @@ type Handlers = {
 /** What only the package of the Compare view can do. */
 type Comparing = Pick<Handlers, "compareSearch">;
 
-const HANDLERS: Omit<Handlers, keyof Comparing> = {
+/** What only the page's own package can do. */
+type Mapping = Pick<
+  Handlers,
+  "openAtlas" | "drawAtlas" | "nearestInAtlas" | "atlasPose" | "packAtlas" | "packAtlasColumns" | "atlasLines"
+>;
+
+const HANDLERS: Omit<Handlers, keyof Comparing | keyof Mapping> = {
   openDatabase: databases.openDatabase,
   builtInInputs: databases.builtInInputs,
   openMotion: motions.openMotion,
@@ -54,18 +60,19 @@ const HANDLERS: Omit<Handlers, keyof Comparing> = {
 /** What a server does besides. */
 export interface ServerSetup extends Partial<Comparing> {
   counterparts?: Counterparts;
+  atlas?: Mapping;
 }
 
 /** Loads the engine and answers the calls that arrive at `port`. */
 export async function serve(
   port: ServerPort,
-  { counterparts = () => undefined, compareSearch = () => undefined }: ServerSetup = {},
+  { counterparts = () => undefined, compareSearch = () => undefined, atlas }: ServerSetup = {},
 ): Promise<void> {
   /** Calls under way, and which of them were cancelled. */
   const cancelled = new Map<number, boolean>();
   const builtIn = new BuiltInMotions();
   const open = new Registry();
-  const handlers: Handlers = { ...HANDLERS, compareSearch };
+  const handlers = { ...HANDLERS, compareSearch, ...atlas } as Handlers;
   const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, open }));
 
   const answer = async (call: Call) => {

@@ -7,8 +7,16 @@
 use super::index::{Index, NO_ROW, Query};
 use super::metric::{LENGTH, Metric, QueryWindow, WINDOW};
 use super::packed::{BodyPart, PACKED_TILE, PackedQuery, PackedWindows};
+use super::points::JOINT_WEIGHTS;
+use super::raw::RawPoints;
+use crate::humanoid::{Pose, Proportions};
+use crate::kinematics::world_from_local;
+use crate::math::float_funcs::double;
+use crate::pose_vector::Placement;
 use std::ops::Range;
 
+/// The hips among the joints that are compared.
+const HIPS: usize = 8;
 /// The line of windows that are on none.
 const NO_LINE: u32 = u32::MAX;
 
@@ -84,6 +92,11 @@ impl Atlas {
     /// Number of columns.
     pub fn columns(&self) -> usize {
         self.columns.len()
+    }
+
+    /// The window of a column.
+    pub fn column(&self, column: usize) -> Option<&QueryWindow> {
+        self.columns.get(column)
     }
 
     /// Number of the first window of each class, and of all windows.
@@ -205,6 +218,56 @@ fn packed_by<'a>(
 fn packed_number(packed: &PackedWindows, firsts: &[usize], window: usize) -> usize {
     let class = firsts.partition_point(|first| *first <= window) - 1;
     packed.classes[class].first + window - firsts[class]
+}
+
+/// Where a database's pose is to stand so that its window is as near to another as turns and shifts over the ground bring it,
+/// relative to the newest hips of that one. `row` is where the window ends, and `pose` the pose of that row, above the origin
+/// and heading along +Z; `body` its body.
+///
+/// # Panics
+/// If no window ends there.
+pub fn nearest_placement(
+    index: &Index,
+    window: &QueryWindow,
+    row: usize,
+    pose: &Pose,
+    body: &Proportions,
+) -> Placement {
+    let weights = Index::joint_weights();
+    // On the ground, as x + i z; of the whole body, whatever part is compared.
+    let centred = |frames: &[RawPoints]| {
+        let all: Vec<(f64, [f64; 2])> =
+            frames.iter().flat_map(|frame| weights.iter().zip(frame).map(|(w, p)| (*w, [p[1], p[2]]))).collect();
+        let total: f64 = all.iter().map(|(w, _)| w).sum();
+        let centre = [0, 1].map(|axis| all.iter().map(|(w, p)| w * p[axis]).sum::<f64>() / total);
+        (centre, all.into_iter().map(move |(w, p)| (w, [p[0] - centre[0], p[1] - centre[1]])).collect::<Vec<_>>())
+    };
+    // The angle by which the second are turned to be nearest to the first.
+    let turn = |to: &[(f64, [f64; 2])], from: &[(f64, [f64; 2])]| {
+        let (mut re, mut im) = (0.0, 0.0);
+        for ((w, a), (_, b)) in to.iter().zip(from) {
+            re += w * (a[0] * b[0] + a[1] * b[1]);
+            im += w * (a[1] * b[0] - a[0] * b[1]);
+        }
+        double::atan2(im, re)
+    };
+    let query: Vec<RawPoints> = window.positions().collect();
+    let stored: Vec<RawPoints> = (row + 1 - WINDOW..=row).map(|row| index.positions(row)).collect();
+    let ((to, of_query), (from, of_stored)) = (centred(&query), centred(&stored));
+    let turned = turn(&of_query, &of_stored);
+    let newest = stored[WINDOW - 1];
+    let world = world_from_local(body, pose);
+    let at_origin =
+        JOINT_WEIGHTS.map(|(role, _)| world.positions[role.index()]).map(|p| [p.y, p.x, p.z].map(f64::from));
+    let heading = turn(&centred(&[newest]).1, &centred(&[at_origin]).1);
+    let (sin, cos) = double::sin_cos(turned);
+    let hips = [newest[HIPS][1] - from[0], newest[HIPS][2] - from[1]];
+    Placement {
+        x: (to[0] + cos * hips[0] - sin * hips[1]) as f32,
+        z: (to[1] + sin * hips[0] + cos * hips[1]) as f32,
+        // A heading turns x + i z the other way.
+        heading: -(turned + heading) as f32,
+    }
 }
 
 /// The metric that the index compares these joints by, if it does.

@@ -28,7 +28,7 @@ mod recall;
 mod subspace;
 mod windows;
 
-pub use atlas::{Atlas, AtlasView, NearestOfLine};
+pub use atlas::{Atlas, AtlasView, NearestOfLine, nearest_placement};
 pub use index::{Index, Query, Scratch};
 pub use metric::{MAX_WINDOW, Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};

@@ -9,6 +9,8 @@ import { chooseKey, chosenKey, moveKey, partOf, removeKey } from "../../state/st
 import { strings } from "../../strings/strings";
 import { manner } from "../../ui/words";
 import type { View, ViewHost } from "../../view";
+import type { AtlasPane } from "./atlas/atlas_pane";
+import { AtlasGhosts } from "./atlas_ghosts";
 import { Heading } from "./heading";
 import { InputPanel } from "./input_panel";
 import { keysOf } from "./keys";
@@ -44,6 +46,11 @@ class PlayView implements View {
   readonly #transport: Transport;
   readonly #timeline: Timeline;
   readonly #trackKeys: TrackKeys;
+  readonly #transportElement = html("section", { class: "transport", "aria-label": strings.play.transport.name });
+  readonly #ghosts: AtlasGhosts;
+  /** The atlas, once it was asked for. */
+  #atlas: Promise<AtlasPane> | undefined;
+  #atlasPane: AtlasPane | undefined;
   #shown = false;
   /** The database that the panels show. */
   #database: DatabaseInfo | undefined;
@@ -94,7 +101,11 @@ class PlayView implements View {
       },
       this.#trackKeys.element,
     );
-    this.#timeline.onLayout = () => this.#trackKeys.layOut();
+    this.#ghosts = new AtlasGhosts(store, playhead, this.#viewport);
+    this.#timeline.onLayout = () => {
+      this.#trackKeys.layOut();
+      if (this.#atlasPane) this.#atlasPane.frame = playhead.at;
+    };
     this.#trackKeys.places = this.#timeline;
     this.element = this.#compose();
     playhead.onScrub = (frame) => this.#onScrub(frame);
@@ -110,7 +121,7 @@ class PlayView implements View {
       signal,
     );
     store.subscribe((state, changed) => this.#onChange(state, changed), signal);
-    onSystemTheme(() => this.#timeline.recolour(), signal);
+    onSystemTheme(() => this.#recolour(), signal);
     this.#show(store.state);
     this.#catchUp();
   }
@@ -149,10 +160,16 @@ class PlayView implements View {
     if (this.#shown) this.hide();
     this.#host.playhead.onScrub = undefined;
     this.#timeline.dispose();
+    this.#atlasPane?.dispose();
     this.#style.polygon.dispose();
   }
 
   #compose(): HTMLElement {
+    this.#transportElement.append(
+      this.#host.progress.analysis.element,
+      this.#transport.element,
+      this.#timeline.element,
+    );
     return html(
       "div",
       { class: "play-view" },
@@ -165,13 +182,7 @@ class PlayView implements View {
         this.#input.element,
         this.#model.element,
       ),
-      html(
-        "section",
-        { class: "transport", "aria-label": strings.play.transport.name },
-        this.#host.progress.analysis.element,
-        this.#transport.element,
-        this.#timeline.element,
-      ),
+      this.#transportElement,
     );
   }
 
@@ -227,15 +238,16 @@ class PlayView implements View {
     this.#input.read(frame.reads);
     if (!playhead.previewing) {
       this.#transport.frame = frame.inputFrame;
-      if (!playhead.scrubbing) this.#timeline.frame = frame.inputFrame;
+      if (!playhead.scrubbing) this.#moveTo(frame.inputFrame);
     }
+    this.#ghosts.follow(frame);
     this.#heading.take(frame.reads);
   }
 
   // --- from the state ---
 
   #onChange(state: Readonly<AppState>, changed: Changed): void {
-    if (changed.has("theme")) this.#timeline.recolour();
+    if (changed.has("theme")) this.#recolour();
     this.#show(state, changed);
   }
 
@@ -254,10 +266,55 @@ class PlayView implements View {
     }
     this.#model.show(state);
     this.#transport.show(state);
+    if (!changed || changed.has("atlas")) this.#showAtlas(state.atlas);
     this.#tabs.show(state.tab);
     this.element.dataset.tab = state.tab;
     this.element.classList.toggle("bare", !state.panels);
     this.#play();
+  }
+
+  #recolour(): void {
+    this.#timeline.recolour();
+    this.#atlasPane?.recolour();
+  }
+
+  #moveTo(frame: number): void {
+    this.#timeline.frame = frame;
+    if (this.#atlasPane) this.#atlasPane.frame = frame;
+  }
+
+  /** Opens the atlas by a part of the body, or closes it. */
+  #showAtlas(part: AppState["atlas"]): void {
+    this.element.classList.toggle("with-atlas", part !== "");
+    if (part === "") {
+      this.#atlasPane?.hide();
+      return;
+    }
+    this.#atlas ??= this.#loadAtlas();
+    this.#atlas.then(
+      (pane) => {
+        const { atlas } = this.#host.store.state;
+        if (atlas !== "") pane.show(atlas);
+      },
+      (error: Error) => this.#host.toasts.error(error.message),
+    );
+  }
+
+  async #loadAtlas(): Promise<AtlasPane> {
+    const { AtlasPane } = await import("./atlas/atlas_pane");
+    const { session, store, toasts, playhead } = this.#host;
+    const pane = new AtlasPane({
+      session,
+      places: this.#timeline,
+      onPart: (atlas) => store.edit({ atlas }),
+      onClose: () => store.edit({ atlas: "" }),
+      onGhost: (ghost) => this.#ghosts.show(ghost),
+      onError: (error) => toasts.error((error as Error).message),
+    });
+    this.#atlasPane = pane;
+    this.#transportElement.append(pane.element);
+    pane.frame = playhead.at;
+    return pane;
   }
 
   #showTrack(state: Readonly<AppState>): void {
@@ -274,7 +331,7 @@ class PlayView implements View {
   // --- from the person ---
 
   #onScrub(frame: number | undefined): void {
-    if (frame !== undefined) this.#timeline.frame = frame;
+    if (frame !== undefined) this.#moveTo(frame);
     else this.#show(this.#host.store.state, new Set());
   }
 

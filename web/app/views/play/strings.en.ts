@@ -145,6 +145,23 @@ export const play = {
     keyWhy: (manner: string, secs: string) => `${manner}, ${secs} s. Drag to move, double-click to remove.`,
   },
 
+  atlas: {
+    name: "Atlas",
+    why: "Every frame of the input beside every window of the database: the brighter, the more alike",
+    open: "Atlas of all distances",
+    close: "Close the atlas",
+    closer: "Closer",
+    farther: "Farther away",
+    part: "Joints that are compared",
+    parts: { whole: "whole body", legs: "legs", arms: "arms", torso: "torso", head: "head" },
+    hint: "Point to read a window, click to see it as a ghost, scroll to come closer.",
+    reading: (clip: string, frame: number, centimetres: string) => `${clip}, frame ${frame}: ${centimetres} cm`,
+    byGraphics: (name: string, time: string) => `Drawn by ${name || "the graphics processor"} in ${time}.`,
+    byProcessor: (time: string) =>
+      `Drawn by the processor in ${time}. A browser with WebGPU redraws it while you drag.`,
+    lost: "The graphics processor stopped; the processor draws on.",
+  },
+
   help: {
     heading: "Keys",
     close: "Close",
@@ -158,6 +175,7 @@ export const play = {
       ["G", "ghost of the input: beside, in the same place, off"],
       ["T", "motion trail: lines, the body before and after, off"],
       ["F", "follow the character"],
+      ["A", "atlas: every frame beside every window of the database"],
       ["H", "hide or show the panels"],
       ["X", "the other of two settings, A or B"],
       ["R", "three styles by chance"],

@@ -116,3 +116,22 @@ fn there_is_no_nearest_window_off_the_picture() {
     assert_eq!(lines.len(), atlas.packed(index()).windows.len());
     assert_eq!(lines.iter().filter(|line| **line == 0).count(), *atlas.firsts().last().unwrap());
 }
+
+#[test]
+fn a_window_of_the_database_stands_where_its_own_figure_does() {
+    let db = fixtures::database();
+    let places = crate::search::windows::places(&db);
+    for (row, by) in [(30, 0.7), (200, -2.4), (333, 3.0)] {
+        let mut window = QueryWindow::default();
+        let (sin, cos) = crate::math::float_funcs::sin_cos(by);
+        for row in row + 1 - WINDOW..=row {
+            let at = places[row];
+            let (x, z) = (3.0 + cos * at.x + sin * at.z, -2.0 - sin * at.x + cos * at.z);
+            window.push(&db.point_cloud[row], Placement { x, z, heading: at.heading + by });
+        }
+        let pose = db.chart.decode(&db.pose[row], Placement::default());
+        let found = nearest_placement(index(), &window, row, &pose, &db.proportions);
+        let turned = crate::math::float_funcs::wrap_angle(found.heading - places[row].heading - by);
+        assert!(found.x.abs() < 1e-3 && found.z.abs() < 1e-3 && turned.abs() < 1e-2, "{found:?} {turned}");
+    }
+}
