@@ -98,14 +98,12 @@ class PlayView implements View {
         onHover: (frame) => playhead.preview(frame),
         onRange: (range) => store.edit({ range }),
         onCurve: (curve) => store.edit({ curve }),
+        onAtlas: () => this.keys.a(),
       },
       this.#trackKeys.element,
     );
     this.#ghosts = new AtlasGhosts(store, playhead, this.#viewport);
-    this.#timeline.onLayout = () => {
-      this.#trackKeys.layOut();
-      if (this.#atlasPane) this.#atlasPane.frame = playhead.at;
-    };
+    this.#timeline.onLayout = () => this.#trackKeys.layOut();
     this.#trackKeys.places = this.#timeline;
     this.element = this.#compose();
     playhead.onScrub = (frame) => this.#onScrub(frame);
@@ -286,6 +284,7 @@ class PlayView implements View {
   /** Opens the atlas by a part of the body, or closes it. */
   #showAtlas(part: AppState["atlas"]): void {
     this.element.classList.toggle("with-atlas", part !== "");
+    this.#timeline.atlas = part !== "";
     if (part === "") {
       this.#atlasPane?.hide();
       return;
@@ -305,7 +304,6 @@ class PlayView implements View {
     const { session, store, toasts, playhead } = this.#host;
     const pane = new AtlasPane({
       session,
-      places: this.#timeline,
       onPart: (atlas) => store.edit({ atlas }),
       onClose: () => store.edit({ atlas: "" }),
       onGhost: (ghost) => this.#ghosts.show(ghost),

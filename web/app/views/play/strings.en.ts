@@ -128,6 +128,7 @@ export const play = {
     curveGroups: { angles: "Angles", freedoms: "Degrees of freedom" },
     /** A curve by its name in the URL. */
     curveName: (name: string) => name,
+    atlas: "atlas",
     contacts: "contacts",
     contactsWhy: "When each foot of the styled motion is planted",
     left: "L",

@@ -11,7 +11,6 @@ import { formatNumber, html, setText } from "../../../../ui/dom";
 import { strings } from "../../../strings/strings";
 import { readColours } from "../../../ui/colours";
 import { spoken } from "../../../ui/words";
-import type { FramePlaces } from "../timeline/track_keys";
 import { AtlasCanvas } from "./atlas_canvas";
 import { bandsOf, type Rgb, ramp, Shades, type Span, shifted, zoomed } from "./shades";
 
@@ -23,13 +22,14 @@ const LEAST_SPAN = 60;
 const LABEL_PX = 13;
 /** How much of the length shown a notch of the wheel takes away, and a press of a key or a button. */
 const [NOTCH, PRESS] = [0.82, 0.5];
+/** Space left and right of the axis, as the timeline has it. */
+const INSET = 6;
 /** A press that moves less than this, in pixels, is a click. */
 const CLICK_PX = 4;
 
 /** What the pane needs of the page. */
 export interface AtlasHost {
   session: Session;
-  places: FramePlaces;
   onPart: (part: AtlasPart) => void;
   onClose: () => void;
   /** A window was chosen as a ghost, at a frame of the input; `undefined` takes it away. */
@@ -140,7 +140,7 @@ export class AtlasPane {
   /** Moves the playhead to an input frame. */
   set frame(frame: number) {
     this.#frame = frame;
-    if (this.#shown) this.#head.style.transform = `translateX(${this.#host.places.x(frame).toFixed(1)}px)`;
+    if (this.#shown) this.#head.style.transform = `translateX(${this.#x(frame).toFixed(1)}px)`;
   }
 
   /** Reads the colours again after the theme changed. */
@@ -200,9 +200,8 @@ export class AtlasPane {
   #draw(): void {
     const open = this.#open;
     if (!open || !this.#shown || this.#span.last === 0) return;
-    const { columns } = { columns: open.atlas.frames.length };
     const [view, isWhole, part] = [this.#view, this.#isWhole, this.#part];
-    const shades = new Shades(columns, view.height, this.#leasts.get(part));
+    const shades = new Shades(open.atlas.frames.length, view.height, this.#leasts.get(part));
     this.#shades = shades;
     this.#leasts.set(part, shades.least);
     this.#canvas.begin(shades, this.#span);
@@ -367,6 +366,22 @@ export class AtlasPane {
     act();
   }
 
+  /** Length of the axis, and its last frame. */
+  get #axis(): { length: number; last: number } {
+    const { input } = this.#host.session;
+    return { length: Math.max(1, this.#stage.clientWidth - 2 * INSET), last: Math.max(1, (input?.frames ?? 2) - 1) };
+  }
+
+  #x(frame: number): number {
+    const { length, last } = this.#axis;
+    return INSET + (frame / last) * length;
+  }
+
+  #frameAt(clientX: number): number {
+    const { length, last } = this.#axis;
+    return ((clientX - this.#stage.getBoundingClientRect().left - INSET) / length) * last;
+  }
+
   /** The column whose frame is nearest to a frame. */
   #columnOf(frame: number): number {
     const frames = this.#open?.atlas.frames ?? [];
@@ -381,7 +396,7 @@ export class AtlasPane {
     const { top, height } = this.#stage.getBoundingClientRect();
     const line = Math.floor(((clientY - top) / height) * this.#shades.height);
     return {
-      column: this.#columnOf(this.#host.places.frameAt(clientX)),
+      column: this.#columnOf(this.#frameAt(clientX)),
       line: Math.min(this.#shades.height - 1, Math.max(0, line)),
     };
   }
@@ -395,7 +410,7 @@ export class AtlasPane {
       return;
     }
     const y = ((at.line + 0.5) / this.#shades.height) * this.#stage.clientHeight;
-    const x = this.#host.places.x(this.#open?.atlas.frames[at.column] ?? 0);
+    const x = this.#x(this.#open?.atlas.frames[at.column] ?? 0);
     this.#cross.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     void this.#read();
   }

@@ -7,8 +7,8 @@ describe("shades", () => {
     expect(shadeOf(0.32, 0.1)).toBe(0);
     expect(shadeOf(0.21, 0.1)).toBe(128);
     expect(shadeOf(9, 0.1)).toBe(0);
-    // A window of the database itself.
-    expect(shadeOf(0, 0)).toBe(SHADES - 1);
+    // An input that is in the database.
+    expect([0, 0.04, 0.084, 0.128].map((distance) => shadeOf(distance, 0))).toEqual([255, 255, 128, 0]);
     expect(shadeOf(Number.POSITIVE_INFINITY, 0.1)).toBe(0);
   });
 
@@ -62,12 +62,12 @@ describe("what is shown", () => {
       { action: "walk", style: "neutral" },
     ];
     const firsts = [0, 100, 110, 200];
-    expect(bandsOf(classes, firsts, { first: 0, last: 200 }, 20)).toEqual([
+    expect(bandsOf(classes, firsts, { first: 0, last: 200 }, 60)).toEqual([
       { label: "run", first: 0, last: 110 },
-      { label: "walk", first: 110, last: 200 },
+      { label: "walk neutral", first: 110, last: 200 },
     ]);
     expect(bandsOf(classes, firsts, { first: 50, last: 110 }, 5)).toEqual([
-      { label: "neutral", first: 50, last: 100 },
+      { label: "run neutral", first: 50, last: 100 },
       { label: "proud", first: 100, last: 110 },
     ]);
   });

@@ -1,5 +1,11 @@
 /** From distances to shades: each column from its least distance, the brightest, to 3.2 times it. Pure. */
 
+/**
+ * Least distance that shades begin at, metres: windows of one take of a walk are no farther apart. Beside itself, an input that
+ * is in the database would leave all else black.
+ */
+const NEAREST = 0.04;
+
 /** Where shades end, in multiples of the least distance of a column. */
 const FARTHEST = 3.2;
 /** Shades that are told apart. */
@@ -56,8 +62,8 @@ export class Shades {
 
 /** Shade of a distance: the last at the least one, 0 from 3.2 times that on. */
 export function shadeOf(distance: number, least: number): number {
-  const share = (distance / Math.max(least, Number.MIN_VALUE) - 1) / (FARTHEST - 1);
-  return Number.isNaN(share) ? 0 : Math.round((SHADES - 1) * (1 - Math.min(1, Math.max(0, share))));
+  const share = (distance / Math.max(least, NEAREST) - 1) / (FARTHEST - 1);
+  return Math.round((SHADES - 1) * (1 - Math.min(1, Math.max(0, share))));
 }
 
 /** A colour, 0 to 255 each. */
@@ -104,7 +110,7 @@ export interface Band extends Span {
 }
 
 /**
- * The bands of a span: classes, if the least of them is as high as a line of text, else actions.
+ * The bands of a span: the classes of an action where they are as high as a line of text on average, else the action.
  * @param firsts number of the first window of each class, and of all windows
  * @param windowsOfText windows that a line of text is as high as
  */
@@ -118,13 +124,18 @@ export function bandsOf(
     const [from, to] = [Math.max(first, firsts[i]!), Math.min(last, firsts[i + 1]!)];
     return from < to ? [{ action, style, first: from, last: to }] : [];
   });
-  const isRoomy = shown.every((band) => band.last - band.first >= windowsOfText) || shown.length === 1;
-  const bands: (Band & { action: string })[] = [];
-  for (const { action, style, ...span } of shown) {
-    const before = bands.at(-1);
-    if (isRoomy) bands.push({ action, label: style, ...span });
-    else if (before?.action === action) before.last = span.last;
-    else bands.push({ action, label: action, ...span });
+  const bands: Band[] = [];
+  for (let i = 0; i < shown.length; ) {
+    const { action } = shown[i]!;
+    const end = shown.findIndex((band, j) => j > i && band.action !== action);
+    const ofAction = shown.slice(i, end < 0 ? shown.length : end);
+    const span = { first: ofAction[0]!.first, last: ofAction.at(-1)!.last };
+    const isRoomy = span.last - span.first >= windowsOfText * ofAction.length;
+    // The first says the action for those after it.
+    const label = (i: number) => (i === 0 ? `${action} ${ofAction[0]!.style}` : ofAction[i]!.style);
+    if (isRoomy) bands.push(...ofAction.map(({ first, last }, i) => ({ label: label(i), first, last })));
+    else bands.push({ label: action, ...span });
+    i += ofAction.length;
   }
-  return bands.map(({ label, first, last }) => ({ label, first, last }));
+  return bands;
 }
