@@ -45,16 +45,11 @@ impl Painter {
     pub async fn draw(&mut self, rows: Vec<f32>, windows: Vec<u32>) -> Result<Vec<u32>, EngineError> {
         self.painter.draw(&rows, &windows).await.map_err(graphics)
     }
-
-    /// Has the graphics processor stop for good, as a driver does that is reset.
-    pub fn destroy(&self) {
-        self.painter.destroy();
-    }
 }
 
 fn graphics(error: GpuError) -> EngineError {
     match error {
-        GpuError::Malformed(_) => EngineError::bad_input(error),
+        GpuError::Malformed(_) | GpuError::TooLarge { .. } | GpuError::TooMany { .. } => EngineError::bad_input(error),
         _ => EngineError::without_graphics(error),
     }
 }

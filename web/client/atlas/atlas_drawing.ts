@@ -26,51 +26,75 @@ export interface Drawn {
   by: string | undefined;
   /** Time that it took, milliseconds. */
   ms: number;
-  /** Whether a graphics processor began and stopped. */
-  lost: boolean;
+  /** Why the processor drew: there is no graphics processor, it stopped, or the database is too large for it. */
+  without?: "absent" | "lost" | "refused";
 }
 
-/** Losses of the graphics processor during the visit, by the page's clock. */
-const losses: number[] = [];
-const isGivenUp = () => losses.length > 1 && losses.at(-1)! - losses.at(-2)! < SOON_MS;
+/** Losses of the graphics processor during a visit. */
+export class Losses {
+  private last = Number.NEGATIVE_INFINITY;
+  private gaveUp = false;
+
+  constructor(private readonly now: () => number = () => performance.now()) {}
+
+  /** Whether there were two so soon after each other that it is not asked again. */
+  get isGivenUp(): boolean {
+    return this.gaveUp;
+  }
+
+  add(): void {
+    const now = this.now();
+    this.gaveUp ||= now - this.last < SOON_MS;
+    this.last = now;
+  }
+}
+
+/** Of the page. */
+const VISIT = new Losses();
+
+/** What tests replace. */
+export interface DrawingSurroundings {
+  openGraphics?: typeof Graphics.open;
+  losses?: Losses;
+}
 
 /** Draws pictures of one atlas, one at a time. */
 export class AtlasDrawing {
   /** Of one part of the body. */
   private graphics: { part: AtlasPart; made: Graphics; columns: PackedWindows } | undefined;
+  private readonly openGraphics: typeof Graphics.open;
+  private readonly losses: Losses;
 
   /** @param found the graphics processor, if there is one */
   constructor(
     private readonly atlas: OpenedAtlas,
     private readonly found: GraphicsFound | undefined,
-  ) {}
+    { openGraphics = (...open) => Graphics.open(...open), losses = VISIT }: DrawingSurroundings = {},
+  ) {
+    this.openGraphics = openGraphics;
+    this.losses = losses;
+  }
 
   /** @throws StrutError `cancelled`, or what is wrong with the view */
   async draw(view: AtlasView, onColumns: (columns: Columns) => void, signal: AbortSignal): Promise<Drawn> {
     const began = performance.now();
-    let lost = isGivenUp();
-    if (this.found && !lost) {
-      // A graphics processor that stopped is asked once for another device.
-      for (let attempt = 0; attempt < 2 && !isGivenUp(); attempt++) {
-        try {
-          const ms = await this.drawByGraphics(view, onColumns, signal);
-          return { by: this.found.name, ms, lost: false };
-        } catch (thrown) {
-          if (isCancellation(thrown)) throw thrown;
-          this.stop();
-          if ((thrown as StrutError).code === "gpu-lost") losses.push(performance.now());
-          else break;
+    let without: Drawn["without"] = this.found ? "lost" : "absent";
+    // A graphics processor that stopped is asked once for another device.
+    for (let attempt = 0; this.found && attempt < 2 && !this.losses.isGivenUp; attempt++) {
+      try {
+        return { by: this.found.name, ms: await this.drawByGraphics(view, onColumns, signal) };
+      } catch (thrown) {
+        if (isCancellation(thrown)) throw thrown;
+        this.stop();
+        if ((thrown as StrutError).code !== "bad-input") this.losses.add();
+        else {
+          without = "refused";
+          break;
         }
       }
-      lost = true;
     }
     await this.drawByProcessor(view, onColumns, signal);
-    return { by: undefined, ms: performance.now() - began, lost };
-  }
-
-  /** Has the graphics processor stop, as a driver does that is reset; for tests. */
-  async loseGraphics(): Promise<void> {
-    await this.graphics?.made.destroy();
+    return { by: undefined, ms: performance.now() - began, without };
   }
 
   dispose(): void {
@@ -89,7 +113,7 @@ export class AtlasDrawing {
   ): Promise<number> {
     if (this.graphics?.part !== view.part) {
       this.stop();
-      const made = await Graphics.open(await this.atlas.packed(view, { signal }), signal);
+      const made = await this.openGraphics(await this.atlas.packed(view, { signal }), signal);
       this.graphics = { part: view.part, made, columns: await this.atlas.packedColumns(view, { signal }) };
     }
     const { made, columns } = this.graphics;

@@ -4,7 +4,7 @@ import { type ClientPort, RpcClient, remote } from "../rpc";
 import type { GraphicsCalls } from "./graphics_protocol";
 
 /** How many arguments each call has. */
-const ARITY = { open: 1, setLines: 2, draw: 1, destroy: 0 } as const satisfies Record<keyof GraphicsCalls, number>;
+const ARITY = { open: 1, setLines: 2, draw: 1 } as const satisfies Record<keyof GraphicsCalls, number>;
 /** Columns of the first slice, and the most and the least: each slice is one submission, between which the browser draws. */
 const SLICE = { first: 64, least: 32, most: 1024 };
 /** How long a slice may take, milliseconds. */
@@ -88,11 +88,6 @@ export class Graphics {
       onColumns(first, new Float32Array(bits.buffer));
       first = end;
     }
-  }
-
-  /** Has the graphics processor stop, as a driver does that is reset; for tests. */
-  destroy(): Promise<void> {
-    return this.calls.destroy();
   }
 
   dispose(): void {

@@ -9,6 +9,4 @@ export interface GraphicsCalls {
   setLines(lines: Uint32Array, height: number): Promise<void>;
   /** Bits of the least D of each line, a column after the other. */
   draw(columns: PackedWindows): Promise<Uint32Array>;
-  /** Has the graphics processor stop, as a driver does that is reset. */
-  destroy(): Promise<void>;
 }

@@ -27,8 +27,6 @@ const TABLE: GraphicsCalls = {
     }),
   setLines: (lines, height) => inTurn(() => painter().setLines(lines, height)),
   draw: (columns) => inTurn(() => painter().draw(columns)),
-  // Amid a drawing, too.
-  destroy: async () => painter().destroy(),
 };
 
 answerCalls(self as unknown as ServerPort, TABLE as unknown as Methods);

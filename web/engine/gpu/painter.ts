@@ -33,9 +33,4 @@ export class Painter extends Handle<RawPainter> {
   draw({ rows, windows }: PackedWindows): Promise<Uint32Array> {
     return gpuPackage.awaited(() => this.raw.draw(rows, windows));
   }
-
-  /** Has the graphics processor stop for good, as a driver does that is reset. */
-  destroy(): void {
-    this.raw.destroy();
-  }
 }

@@ -155,11 +155,11 @@ export const play = {
     farther: "Farther away",
     part: "Joints that are compared",
     parts: { whole: "whole body", legs: "legs", arms: "arms", torso: "torso", head: "head" },
-    hint: "Point to read a window, click to see it as a ghost, scroll to come closer.",
+    hint: "Point to read a window; click to see it as a ghost.",
     reading: (clip: string, frame: number, centimetres: string) => `${clip}, frame ${frame}: ${centimetres} cm`,
     byGraphics: (name: string, time: string) => `Drawn by ${name || "the graphics processor"} in ${time}.`,
-    byProcessor: (time: string) =>
-      `Drawn by the processor in ${time}. A browser with WebGPU redraws it while you drag.`,
+    byProcessor: (time: string) => `Drawn by the processor in ${time}.`,
+    offer: "A browser with WebGPU redraws it while you drag.",
     lost: "The graphics processor stopped; the processor draws on.",
   },
 

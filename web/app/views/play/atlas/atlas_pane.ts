@@ -234,10 +234,12 @@ export class AtlasPane {
     }
   }
 
-  #say({ by, ms, lost }: Drawn): void {
+  #say({ by, ms, without }: Drawn): void {
     const say = strings.play.atlas;
     const time = ms < 100 ? `${Math.round(ms)} ms` : `${formatNumber(ms / 1000, 1)} s`;
-    setText(this.#drawnBy, by !== undefined ? say.byGraphics(by, time) : lost ? say.lost : say.byProcessor(time));
+    const byProcessor = without === "lost" ? say.lost : say.byProcessor(time);
+    const offer = without === "absent" ? ` ${say.offer}` : "";
+    setText(this.#drawnBy, by === undefined ? byProcessor + offer : say.byGraphics(by, time));
   }
 
   #resize(): void {
@@ -443,11 +445,6 @@ export class AtlasPane {
     } catch (thrown) {
       if (this.#open === open) this.#host.onError(thrown);
     }
-  }
-
-  /** Has the graphics processor stop, as a driver does that is reset; for tests. */
-  loseGraphics(): Promise<void> {
-    return this.#open?.drawing.loseGraphics() ?? Promise.resolve();
   }
 }
 

@@ -131,8 +131,9 @@ export function bandsOf(
     const ofAction = shown.slice(i, end < 0 ? shown.length : end);
     const span = { first: ofAction[0]!.first, last: ofAction.at(-1)!.last };
     const isRoomy = span.last - span.first >= windowsOfText * ofAction.length;
-    // The first says the action for those after it.
-    const label = (i: number) => (i === 0 ? `${action} ${ofAction[0]!.style}` : ofAction[i]!.style);
+    // The first that has room for words says the action for those after it.
+    const named = ofAction.findIndex(({ first, last }) => last - first >= windowsOfText);
+    const label = (i: number) => (i === named ? `${action} ${ofAction[i]!.style}` : ofAction[i]!.style);
     if (isRoomy) bands.push(...ofAction.map(({ first, last }, i) => ({ label: label(i), first, last })));
     else bands.push({ label: action, ...span });
     i += ofAction.length;
