@@ -193,6 +193,18 @@ export const play = {
       ["Arrow keys", "move the point; with Shift in small steps"],
       ["Tab, Enter, Delete", "visit, select and drop corners"],
     ] as readonly (readonly [keys: string, does: string])[],
+    atlasHeading: "The atlas",
+    atlas: [
+      ["Scroll, + −", "closer or farther; a double click shows all"],
+      ["Drag, ↑ ↓", "other windows"],
+      ["Click, Enter", "a window as a ghost; Enter takes the nearest"],
+    ] as readonly (readonly [keys: string, does: string])[],
+    crowdHeading: "Crowd",
+    crowd: [
+      ["N P", "next or previous person"],
+      ["F", "follow the person"],
+      ["→", "one moment on, while it rests"],
+    ] as readonly (readonly [keys: string, does: string])[],
     drop: "Drop a BVH anywhere to style it, or a character (GLB, VRM, FBX) to have it perform. Knobs turn by dragging up and down; type a number for an exact value.",
   },
 };
