@@ -33,6 +33,9 @@ const FAST_BUILDING = ["--config", "profile.web.package.strut-formats.opt-level=
 /** A frame of a character takes microseconds as it is. */
 const SMALL_CORE = ["--config", 'profile.web.package.strut-core.opt-level="s"'];
 
+/** All that takes time is done by the graphics processor. */
+const SMALL_GRAPHICS = ["--config", 'profile.web.package."*".opt-level="z"', "--config", 'profile.web.opt-level="z"'];
+
 /** The yardsticks in `strut-wasm` are optimised as the core is. */
 const FAST_YARDSTICKS = ["--config", "profile.web.package.strut-wasm.opt-level=3"];
 
@@ -44,7 +47,13 @@ const PACKAGES = {
   // What styles the first seconds of a page: the engine without what these do not need, as small as can be …
   start: { folder: "web/engine/start/pkg", crate: "strut-wasm", name: "strut_start", reduced: true, ...SMALL },
   // … the engine, which takes its place …
-  engine: { folder: "web/engine/pkg", crate: "strut-wasm", name: "strut_wasm", flags: [INLINE_LESS] },
+  engine: {
+    folder: "web/engine/pkg",
+    crate: "strut-wasm",
+    name: "strut_wasm",
+    features: ["atlas"],
+    flags: [INLINE_LESS],
+  },
   // … for those who build a database of their own clips …
   build: { folder: "web/engine/build/pkg", crate: "strut-wasm-build", name: "strut_wasm_build", config: FAST_BUILDING },
   // … for those who open the Walk view, the Key-style view …
@@ -65,6 +74,14 @@ const PACKAGES = {
     crate: "strut-wasm-character",
     name: "strut_wasm_character",
     config: SMALL_CORE,
+  },
+  // … for those who open the atlas and have a graphics processor …
+  gpu: {
+    folder: "web/engine/gpu/pkg",
+    crate: "strut-wasm-gpu",
+    name: "strut_wasm_gpu",
+    flags: ["-Cllvm-args=-inline-threshold=5"],
+    config: SMALL_GRAPHICS,
   },
   // … the Compare view: the engine with what it is compared with …
   compare: {
@@ -104,7 +121,7 @@ const PACKAGES = {
 };
 
 /** What the page loads, and what benchmarks and parity tests need besides. */
-const PAGE = ["start", "engine", "build", "walk", "crowd", "drive", "keyStyle", "character", "compare", "learn"];
+const PAGE = ["start", "engine", "build", "walk", "crowd", "drive", "keyStyle", "character", "gpu", "compare", "learn"];
 const BENCH = ["bench", "benchScalar"];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */

@@ -2,6 +2,7 @@
 import "../web/engine/whole";
 import type { WorkerPort } from "../web/client/client";
 import type { Call, Reply, Request } from "../web/client/messages";
+import { ATLAS_HANDLERS } from "../web/client/server/atlas";
 import { DRIVING_CALLS } from "../web/client/server/driving_calls";
 import { type ServerPort, serve } from "../web/client/server/serve";
 import type { ErrorParts } from "../web/engine/errors";
@@ -34,7 +35,7 @@ export class InlineWorker implements WorkerPort {
         setTimeout(() => this.deliver(data), 0);
       },
     };
-    void serve(this.server, { driving: DRIVING_CALLS });
+    void serve(this.server, { driving: DRIVING_CALLS, atlas: ATLAS_HANDLERS });
   }
 
   postMessage(message: Request): void {

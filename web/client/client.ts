@@ -1,6 +1,7 @@
 /** {@link StrutClient}: one database, one input and one session of an {@link EngineClient}. */
 import type { BuiltInSet } from "../engine/built_in";
 import { cancelled, disposed, StrutError } from "../engine/errors";
+import type { OpenedAtlas } from "./atlas/opened_atlas";
 import type { WorkerPort } from "./connection";
 import type { ClientDrive } from "./drive/drive_client";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
@@ -206,6 +207,12 @@ class SingleSessionClient implements StrutClient {
   async analyse(call?: CallOptions): Promise<Analysis> {
     if (!this.whole) await this.completed(call);
     return this.openedInput().session.analyse(call);
+  }
+
+  async openAtlas(columns: number, call?: CallOptions): Promise<OpenedAtlas> {
+    if (!this.whole) await this.completed(call);
+    const { database } = this.openedDatabase();
+    return this.engine.openAtlas(database, this.openedInput().motion, columns, call);
   }
 
   async examples(subject: CurveSubject, call?: CallOptions): Promise<Examples> {

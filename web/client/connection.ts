@@ -66,6 +66,7 @@ const OPENING: ReadonlySet<Method> = new Set([
   "createSession",
   "createStylizer",
   "openDrive",
+  "openAtlas",
 ]);
 /** Calls whose results show that the engine works with what is open. */
 const STYLING: ReadonlySet<Method> = new Set([

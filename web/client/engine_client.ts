@@ -5,6 +5,7 @@
 import type { BuiltInSet } from "../engine/built_in";
 import { disposed } from "../engine/errors";
 import { DEFAULT_OPTIONS } from "../engine/types";
+import type { ClientAtlas } from "./atlas/client_atlas";
 import type { BuildWorkerPort } from "./build/client";
 import type { BuildClient } from "./build/protocol";
 import { Connection, DEFAULT_PATIENCE, type Patience, type Reopenable, type WorkerPort } from "./connection";
@@ -126,6 +127,17 @@ export class EngineClient {
   /** Opens something of a kind that is not loaded with the engine. */
   openBy<T>(open: (connection: Connection) => Promise<T>): Promise<T> {
     return open(this.connection);
+  }
+
+  /** A motion on a database as a picture of every distance, with so many columns at most; see `atlas/`. */
+  async openAtlas(
+    database: ClientDatabase,
+    motion: ClientMotion,
+    columns: number,
+    options?: CallOptions,
+  ): Promise<ClientAtlas> {
+    const { ClientAtlas } = await import("./atlas/client_atlas");
+    return ClientAtlas.open(this.connection, database, motion, columns, options);
   }
 
   /** A walk model, trained first where a database is given. */

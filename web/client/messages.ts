@@ -1,4 +1,5 @@
 /** The wire format between `connection.ts` and `server/`; callers see only `protocol.ts` and the handles. */
+import type { AtlasFacts, AtlasView, NearestInAtlas, PackedWindows } from "../engine/atlas";
 import type { BuiltInSet } from "../engine/built_in";
 import type { ErrorParts } from "../engine/errors";
 import type { Styled, WasmMemory } from "../engine/types";
@@ -59,6 +60,14 @@ export interface WorkerCalls {
   analyse(session: Id): Analysis;
   examples(session: Id, subject: CurveSubject): Examples;
   exportBvh(session: Id): string;
+  /** The motion on a database as a picture of so many columns at most. */
+  openAtlas(atlas: Id, motion: Id, database: Id, columns: number): AtlasFacts;
+  drawAtlas(atlas: Id, view: AtlasView, columns: Uint32Array): { distances: Float32Array };
+  nearestInAtlas(atlas: Id, view: AtlasView, column: number, line: number): NearestInAtlas;
+  atlasPose(atlas: Id, column: number, clip: number, frame: number): { pose: Float32Array };
+  packAtlas(atlas: Id, view: AtlasView): PackedWindows;
+  packAtlasColumns(atlas: Id, view: AtlasView): PackedWindows;
+  atlasLines(atlas: Id, view: AtlasView): { lines: Uint32Array };
   createStylizer(stylizer: Id, database: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
   restyle(stylizer: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
   push(stylizer: Id, poses: Float32Array): Styled;

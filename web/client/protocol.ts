@@ -19,6 +19,7 @@ import type {
   StylizeOptions,
   WasmMemory,
 } from "../engine/types";
+import type { OpenedAtlas } from "./atlas/opened_atlas";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
 
 export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
@@ -69,7 +70,7 @@ export const MAX_PUSH_FRAMES = 4096;
 
 /** Something open, and what it takes. */
 export interface OpenMemory {
-  kind: "database" | "motion" | "session" | "stylizer";
+  kind: "database" | "motion" | "session" | "stylizer" | "atlas";
   /**
    * An estimate of its share of {@link MemoryInfo.wasmBytes}, with the bytes of a motion's file: what things of this kind
    * were measured to take a frame, times its frames.
@@ -145,6 +146,8 @@ export interface StrutClient {
    * whole input; `undefined` from a package without kd-trees (`compare/` has them).
    */
   compareSearch(neighbours: number, candidates: number, options?: CallOptions): Promise<SearchFigures | undefined>;
+  /** The input on the database as a picture of every distance, with so many columns at most; the caller disposes of it. */
+  openAtlas(columns: number, options?: CallOptions): Promise<OpenedAtlas>;
   /** The styled input as BVH text, on the input's own skeleton. */
   exportBvh(options?: CallOptions): Promise<string>;
   /**

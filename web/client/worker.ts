@@ -1,6 +1,7 @@
 /** The worker's entry on the page: one engine behind its port. */
 import "../engine/whole";
+import { ATLAS_HANDLERS } from "./server/atlas";
 import { DRIVING_CALLS } from "./server/driving_calls";
 import { type ServerPort, serve } from "./server/serve";
 
-void serve(self as unknown as ServerPort, { driving: DRIVING_CALLS });
+void serve(self as unknown as ServerPort, { driving: DRIVING_CALLS, atlas: ATLAS_HANDLERS });

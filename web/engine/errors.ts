@@ -10,6 +10,7 @@
  * - `load`: a part of Strut could not be loaded;
  * - `unsupported`: the browser lacks something that Strut needs;
  * - `licence`: the author of a model does not allow it;
+ * - `gpu-lost`: the graphics processor gives no result; the processor can;
  * - `fault`: a bug in the engine; its instance was lost.
  */
 export type StrutErrorCode =
@@ -21,6 +22,7 @@ export type StrutErrorCode =
   | "load"
   | "unsupported"
   | "licence"
+  | "gpu-lost"
   | "fault";
 
 /** What a {@link StrutError} is made of: travels between threads. */

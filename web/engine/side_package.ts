@@ -40,6 +40,15 @@ export class SidePackage<Glue extends Bindings> {
     }
   }
 
+  /** The same of a call that is answered later. */
+  async awaited<T>(call: () => Promise<T>): Promise<T> {
+    try {
+      return await call();
+    } catch (thrown) {
+      throw valueError(this.glue, thrown) ?? toStrutError(thrown);
+    }
+  }
+
   async #instantiate(): Promise<Glue> {
     this.glue.initSync({ module: await compileModule(this.module()) });
     return this.glue;

@@ -59,12 +59,16 @@ export interface PlayState {
   trace: TraceMode;
   /** Name of the curve in the timeline: a joint or degree of freedom. */
   curve: string;
+  /** The part of the body by which the atlas compares; empty while it is closed. */
+  atlas: AtlasPart | "";
   /** Whether panels and transport are shown. */
   panels: boolean;
   /** The panel that is open on a narrow screen. */
   tab: Tab;
 }
 
+export const ATLAS_PARTS = ["whole", "legs", "arms", "torso", "head"] as const;
+export type AtlasPart = (typeof ATLAS_PARTS)[number];
 export const CAMERA_PRESETS = ["orbit", "front", "side", "top"] as const;
 export type CameraPreset = (typeof CAMERA_PRESETS)[number];
 export const GHOST_MODES = ["beside", "overlay", "off"] as const;
@@ -142,6 +146,7 @@ export const PLAY_FIELDS: Fields<PlayState> = {
   ghost: choice("ghost", "beside", GHOST_MODES),
   trace: choice("trail", "off", TRACE_MODES),
   curve: text("curve", "knee L", false),
+  atlas: choice("atlas", "", ["", ...ATLAS_PARTS]),
   panels: flag("panels", true, false),
   tab: choice("tab", "style", TABS),
 };

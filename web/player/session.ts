@@ -3,6 +3,7 @@
  * replaces and exports; a failure leaves what was open. Independent of the page, which listens to its events.
  */
 
+import type { OpenedAtlas } from "../client/atlas/opened_atlas";
 import {
   type DriveControl,
   type DriveFrame,
@@ -261,6 +262,11 @@ export class Session {
   /** The whole input in the present style, once the engine has it; `undefined` where that failed or was cancelled. */
   styled(): Promise<Analysis | undefined> {
     return this.#make("styling", (options) => this.#client.analyse(options));
+  }
+
+  /** The input on the database as a picture of every distance; see `StrutClient.openAtlas`. */
+  openAtlas(columns: number, call: CallOptions): Promise<OpenedAtlas> {
+    return this.#client.openAtlas(columns, call);
   }
 
   /** The styled input as BVH text; `undefined` where that failed or was cancelled. */

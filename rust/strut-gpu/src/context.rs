@@ -1,6 +1,7 @@
 //! The graphics processor: which one it is, what it may be asked, and whether it still works.
 
 use crate::error::GpuError;
+use crate::readback::Readback;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -35,18 +36,27 @@ pub struct Context {
 }
 
 impl Context {
+    /// Opens the fastest graphics processor, and waits for it.
+    ///
+    /// # Errors
+    /// If there is none, or it cannot be opened.
+    #[cfg(not(target_family = "wasm"))]
+    pub fn new() -> Result<Self, GpuError> {
+        pollster::block_on(Self::open())
+    }
+
     /// Opens the fastest graphics processor.
     ///
     /// # Errors
     /// If there is none, or it cannot be opened.
-    pub fn new() -> Result<Self, GpuError> {
+    pub async fn open() -> Result<Self, GpuError> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
         let options = wgpu::RequestAdapterOptions {
             power_preference: wgpu::PowerPreference::HighPerformance,
             ..wgpu::RequestAdapterOptions::default()
         };
-        let adapter = pollster::block_on(instance.request_adapter(&options))
-            .map_err(|error| GpuError::NoAdapter(one_line(&error)))?;
+        let adapter =
+            instance.request_adapter(&options).await.map_err(|error| GpuError::NoAdapter(one_line(&error)))?;
         let had = adapter.limits();
         let descriptor = wgpu::DeviceDescriptor {
             required_limits: wgpu::Limits {
@@ -56,8 +66,8 @@ impl Context {
             },
             ..wgpu::DeviceDescriptor::default()
         };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
-            .map_err(|error| GpuError::NoDevice(one_line(&error)))?;
+        let (device, queue) =
+            adapter.request_device(&descriptor).await.map_err(|error| GpuError::NoDevice(one_line(&error)))?;
         let fault = Arc::new(Mutex::new(None));
         let set = |fault: &Mutex<Option<GpuError>>, error| {
             let mut fault = fault.lock().unwrap_or_else(PoisonError::into_inner);
@@ -160,7 +170,7 @@ impl Context {
     ///
     /// # Errors
     /// If the device is lost or refuses.
-    pub(crate) fn run(
+    pub(crate) async fn run(
         &self,
         passes: &[(&wgpu::ComputePipeline, &wgpu::BindGroup, [u32; 2])],
         [result, reading]: [&wgpu::Buffer; 2],
@@ -176,13 +186,13 @@ impl Context {
         }
         encoder.copy_buffer_to_buffer(result, 0, reading, 0, bytes);
         self.queue.submit([encoder.finish()]);
-        let (send, received) = std::sync::mpsc::channel();
-        // Nobody listens any more where the wait below has failed.
-        reading.map_async(wgpu::MapMode::Read, ..bytes, move |result| _ = send.send(result));
+        let mapping = Readback::of(reading, bytes);
+        // In a browser this does nothing: the mapping resolves by itself.
         let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
         self.check()?;
         waited.map_err(|error| GpuError::Failed(one_line(&error)))?;
-        let mapped = received.recv().map_err(|error| GpuError::Failed(one_line(&error)))?;
+        let mapped = mapping.await;
+        self.check()?;
         mapped.map_err(|error| GpuError::Failed(one_line(&error)))?;
         let view = reading.get_mapped_range(..bytes).map_err(|error| GpuError::Failed(one_line(&error)))?;
         let out = view.chunks_exact(4).map(|word| u32::from_ne_bytes([word[0], word[1], word[2], word[3]])).collect();

@@ -28,6 +28,9 @@ pub enum GpuError {
     /// Windows have a length other than [`WINDOW`](strut_core::search::WINDOW).
     #[error("windows are {0} frames long; {expected} were expected", expected = strut_core::search::WINDOW)]
     WindowLength(usize),
+    /// Arrays do not fit each other.
+    #[error("the arrays of {0} do not fit each other")]
+    Malformed(&'static str),
     /// The device stopped working and remains so.
     #[error("the graphics processor stopped: {0}")]
     Lost(String),

@@ -14,7 +14,7 @@ pub struct EngineError {
 
 #[wasm_bindgen]
 impl EngineError {
-    /// `bad-file` or `bad-input`.
+    /// `bad-file`, `bad-input` or `gpu-lost`.
     #[wasm_bindgen(getter)]
     pub fn code(&self) -> String {
         self.code.into()
@@ -47,6 +47,11 @@ impl EngineError {
     /// An argument is outside its range.
     pub fn bad_input(error: impl Display) -> Self {
         Self { code: "bad-input", message: sentence(error), hint: String::new() }
+    }
+
+    /// A graphics processor gives no result.
+    pub fn without_graphics(error: impl Display) -> Self {
+        Self { code: "gpu-lost", message: sentence(error), hint: String::new() }
     }
 }
 

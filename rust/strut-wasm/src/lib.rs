@@ -1,6 +1,8 @@
 //! The core behind handles and typed arrays, for JavaScript; no algorithm.
 //! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
 
+#[cfg(feature = "atlas")]
+mod atlas;
 #[cfg(feature = "bench")]
 mod bench;
 #[cfg(feature = "files")]
@@ -28,6 +30,8 @@ mod poses;
 mod search_comparison;
 mod stylizer;
 
+#[cfg(feature = "atlas")]
+pub use atlas::Atlas;
 #[cfg(feature = "bench")]
 pub use bench::{Naive, Workload, input_of, joint_weights, leg_joints, positions_of, rows_of, stage_names};
 #[cfg(feature = "files")]

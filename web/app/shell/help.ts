@@ -26,6 +26,10 @@ export class Help {
       letters.element,
       html("h3", {}, strings.play.help.polygonHeading),
       list(strings.play.help.polygon),
+      html("h3", {}, strings.play.help.atlasHeading),
+      list(strings.play.help.atlas),
+      html("h3", {}, strings.play.help.crowdHeading),
+      list(strings.play.help.crowd),
       html("p", { class: "caption" }, strings.play.help.drop),
     );
   }

@@ -9,6 +9,7 @@ const TOKENS = [
   "track",
   "signal",
   "weight",
+  "weight-edge",
   "input",
   "panel",
   "raised",

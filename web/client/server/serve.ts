@@ -25,8 +25,14 @@ type Handlers = {
 /** What only the package of the Compare view can do. */
 type Comparing = Pick<Handlers, "compareSearch">;
 
+/** What only the page's own package can do. */
+type Mapping = Pick<
+  Handlers,
+  "openAtlas" | "drawAtlas" | "nearestInAtlas" | "atlasPose" | "packAtlas" | "packAtlasColumns" | "atlasLines"
+>;
+
 /** What all servers do. */
-const HANDLERS: Omit<Handlers, keyof Comparing | DrivingMethod> = {
+const HANDLERS: Omit<Handlers, keyof Comparing | keyof Mapping | DrivingMethod> = {
   openDatabase: databases.openDatabase,
   builtInInputs: databases.builtInInputs,
   openMotion: motions.openMotion,
@@ -57,18 +63,19 @@ const HANDLERS: Omit<Handlers, keyof Comparing | DrivingMethod> = {
 export interface ServerSetup extends Partial<Comparing> {
   counterparts?: Counterparts;
   driving?: DrivingCalls;
+  atlas?: Mapping;
 }
 
 /** Loads the engine and answers the calls that arrive at `port`. */
 export async function serve(
   port: ServerPort,
-  { counterparts = () => undefined, compareSearch = () => undefined, driving }: ServerSetup = {},
+  { counterparts = () => undefined, compareSearch = () => undefined, driving, atlas }: ServerSetup = {},
 ): Promise<void> {
   /** Calls under way, and which of them were cancelled. */
   const cancelled = new Map<number, boolean>();
   const builtIn = new BuiltInMotions();
   const open = new Registry();
-  const handlers: Partial<Handlers> = { ...HANDLERS, compareSearch, ...driving };
+  const handlers: Partial<Handlers> = { ...HANDLERS, compareSearch, ...driving, ...atlas };
   const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, open }));
 
   const answer = async (call: Call) => {

@@ -1,6 +1,6 @@
 //! All windows of a database, ready to be searched.
 
-use super::block::{BLOCK, Probe};
+use super::block::{BLOCK, Probe, SquaredDistances};
 #[cfg(feature = "baselines")]
 use super::kd_trees::KdTrees;
 use super::leaves::{Leaves, Margins};
@@ -12,6 +12,7 @@ use crate::database::Database;
 use crate::math::order::sort_pairs;
 #[cfg(feature = "baselines")]
 use std::num::NonZero;
+use std::ops::Range;
 
 /// All windows of a database, ready to be searched.
 #[derive(Clone, Debug)]
@@ -139,6 +140,17 @@ impl Index {
     /// Error bounds for a query in a class.
     pub(super) fn margins(&self, query: &Query<'_>, class: usize) -> Margins {
         self.leaves[query.metric as usize].margins(class, query.window, query.error)
+    }
+
+    /// Leaves of a class by the query's metric.
+    pub(super) fn leaves_of(&self, query: &Query<'_>, class: usize) -> Range<usize> {
+        self.leaves[query.metric as usize].of_class(class)
+    }
+
+    /// Squared distances between the query and the windows of a leaf, in integers.
+    #[inline]
+    pub(super) fn squared_distances(&self, query: &Query<'_>, leaf: usize) -> SquaredDistances {
+        self.leaves[query.metric as usize].squared_distances(leaf, &query.probe)
     }
 
     /// A rough estimate of the D of the nearest windows of a class, m², that costs little.

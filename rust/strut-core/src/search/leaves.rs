@@ -83,8 +83,13 @@ impl Margins {
     /// The squared distances beyond which [`Block::squared_distances`] rules windows out that have no computed D of at most
     /// `threshold`.
     pub(super) fn squared_limits(self, threshold: f32) -> [FloatLane; QUADS] {
+        [[self.squared_limit(threshold); 4]; QUADS]
+    }
+
+    /// One of them.
+    pub(super) fn squared_limit(self, threshold: f32) -> f32 {
         let limit = self.limit(threshold);
-        [[limit * limit + ERROR; 4]; QUADS]
+        limit * limit + ERROR
     }
 
     /// Bound on the rounding error of a computed D, m².
@@ -253,6 +258,12 @@ impl Leaves {
             }
         }
         exceeds(&counts)
+    }
+
+    /// Squared distances of the windows of a leaf, in integers.
+    #[inline]
+    pub(super) fn squared_distances(&self, leaf: usize, probe: &Probe) -> SquaredDistances {
+        self.blocks[leaf].squared_distances(probe)
     }
 
     /// Which windows of a leaf may have a computed D of at most the threshold of these limits, as bits.

@@ -4,6 +4,7 @@
 //! rows of a clip end no window. Rows are kept once, in a frame of reference of their clip that is rebuilt by
 //! integrating the rows' velocities and heading rates, so that overlapping windows share them.
 
+mod atlas;
 mod block;
 #[cfg(any(test, feature = "baselines"))]
 mod brute_force;
@@ -15,6 +16,7 @@ mod leaves;
 mod metric;
 mod neighbours;
 mod order;
+mod packed;
 mod plan;
 mod points;
 mod principal;
@@ -26,9 +28,14 @@ mod recall;
 mod subspace;
 mod windows;
 
+pub use atlas::{Atlas, AtlasView, NearestOfLine, nearest_placement};
 pub use index::{Index, Query, Scratch};
 pub use metric::{MAX_WINDOW, Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};
+pub use packed::{
+    BodyPart, FAR, PACKED_JOINTS, PACKED_ROW, PACKED_TILE, PACKED_WINDOW, PackedClass, PackedQuery, PackedRow,
+    PackedWindow, PackedWindows, TRAVEL,
+};
 pub use plan::{Plan, PlanError, PlanSource};
 pub use points::JOINT_WEIGHTS;
 pub(crate) use points::{FEET_ROLES, Feet};

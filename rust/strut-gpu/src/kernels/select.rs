@@ -1,6 +1,6 @@
 //! Of each class: the windows that are no farther than the k-th nearest and a margin; twin of `select.wgsl`.
 
-use crate::windows::{Class, Table};
+use strut_core::search::{PackedClass, PackedWindows};
 
 pub(crate) const SHADER: &str = include_str!("select.wgsl");
 
@@ -10,12 +10,12 @@ pub(crate) const PLACES: usize = 128;
 pub(crate) const WORDS: usize = PLACES + 1;
 
 /// The shader's `struct Class`.
-pub(crate) fn words(class: &Class, k: usize) -> [u32; 4] {
+pub(crate) fn words(class: &PackedClass, k: usize) -> [u32; 4] {
     [class.first as u32, class.count as u32, k.min(class.count) as u32, 0]
 }
 
 /// What is found in every class, [`WORDS`] each, for a query with these distances and margins.
-pub(crate) fn select(table: &Table, distances: &[f32], margins: &[f32], k: usize) -> Vec<u32> {
+pub(crate) fn select(table: &PackedWindows, distances: &[f32], margins: &[f32], k: usize) -> Vec<u32> {
     let mut found = Vec::with_capacity(WORDS * table.classes.len());
     for (class, margin) in table.classes.iter().zip(margins) {
         let of_class = &distances[class.windows()];

@@ -3,9 +3,12 @@
 use super::{distances, select};
 use crate::rounding;
 use crate::test_data;
-use crate::windows::{Batch, Class, JOINTS, Row, Table};
+use crate::windows::{Batch, table};
 use proptest::prelude::*;
-use strut_core::search::{Index, Metric, QueryWindow, RawPoints, WINDOW};
+use strut_core::search::{
+    Index, Metric, PACKED_JOINTS as JOINTS, PackedClass as Class, PackedRow as Row, PackedWindows, QueryWindow,
+    RawPoints, WINDOW,
+};
 
 /// D of two windows in double precision, straight from the positions: both centred, Σ|y − y'|² + |z|² + |z'|² − 2|⟨z, z'⟩|.
 fn definition(a: &[RawPoints], b: &[RawPoints]) -> f64 {
@@ -27,13 +30,13 @@ fn definition(a: &[RawPoints], b: &[RawPoints]) -> f64 {
 }
 
 /// The greatest error of the twin's distances from a batch of windows to an index's, as a share of its bound.
-fn greatest_error(index: &Index, table: &Table, windows: &[QueryWindow], batch: &Batch) -> f64 {
+fn greatest_error(index: &Index, table: &PackedWindows, windows: &[QueryWindow], batch: &Batch) -> f64 {
     let mut greatest: f64 = 0.0;
     for (q, window) in windows.iter().enumerate() {
         let positions: Vec<RawPoints> = window.positions().collect();
-        let found = distances::distances(table, batch, q);
+        let found = distances::distances(table, &batch.queries[q]);
         for class in &table.classes {
-            let bound = f64::from(rounding::bound(batch.windows[q].norm, class.greatest));
+            let bound = f64::from(rounding::bound(batch.queries[q].window.norm, class.greatest));
             for (w, d) in class.windows().zip(&found[class.windows()]) {
                 let end = table.windows[w].end as usize;
                 let stored: Vec<RawPoints> = (end + 1 - WINDOW..=end).map(|row| index.positions(row)).collect();
@@ -45,9 +48,9 @@ fn greatest_error(index: &Index, table: &Table, windows: &[QueryWindow], batch: 
 }
 
 /// Takes back the centring of rows.
-fn without_centring(rows: &mut [Row], positions: impl Iterator<Item = RawPoints>) {
+fn without_centring<'a>(rows: impl Iterator<Item = &'a mut Row>, positions: impl Iterator<Item = RawPoints>) {
     let weights = Index::joint_weights();
-    for (row, positions) in rows.iter_mut().zip(positions) {
+    for (row, positions) in rows.zip(positions) {
         for axis in [1, 2] {
             let mean: f64 = weights.iter().zip(&positions).map(|(w, p)| w * p[axis]).sum();
             for (v, w) in row[axis * JOINTS..][..JOINTS].iter_mut().zip(weights) {
@@ -62,14 +65,14 @@ proptest! {
     #[test]
     fn distances_are_those_of_the_definition(db in test_data::random_database(), windows in test_data::random_windows()) {
         let index = Index::build(&db);
-        let mut table = Table::new(&index).unwrap();
+        let mut table = table(&index).unwrap();
         let queries: Vec<_> = windows.iter().map(|window| (window, index.prepare(window, Metric::FullBody))).collect();
-        let mut batch = table.batch(&index, &queries).unwrap();
+        let mut batch = Batch::new(&table, &index, &queries).unwrap();
         let error = greatest_error(&index, &table, &windows, &batch);
         prop_assert!(error <= 1.0, "{} times the bound", error);
 
-        without_centring(&mut table.rows, (0..index.rows()).map(|row| index.positions(row)));
-        without_centring(&mut batch.rows, windows.iter().flat_map(QueryWindow::positions));
+        without_centring(table.rows.iter_mut(), (0..index.rows()).map(|row| index.positions(row)));
+        without_centring(batch.queries.iter_mut().flat_map(|query| &mut query.rows), windows.iter().flat_map(QueryWindow::positions));
         prop_assert!(greatest_error(&index, &table, &windows, &batch) > 1.0);
     }
 
@@ -78,7 +81,7 @@ proptest! {
         mut all in prop::collection::vec((0u16..300).prop_map(|d| f32::from(d) / 256.0), 0..300), k in 0usize..50,
         margin in 0.0f32..0.2,
     ) {
-        let mut table = Table::new(test_data::index()).unwrap();
+        let mut table = table(test_data::index()).unwrap();
         let count = all.len();
         table.classes = vec![Class { first: 0, count, greatest: 1.0 }];
         let found = select::select(&table, &all, &[margin], k);

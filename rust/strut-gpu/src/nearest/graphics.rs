@@ -3,8 +3,8 @@
 use crate::context::{Adapter, Context};
 use crate::error::GpuError;
 use crate::kernels::{distances, select};
-use crate::windows::{Batch, Row, TILE, Table, WINDOW_WORDS, Window};
-use strut_core::search::WINDOW;
+use crate::windows::{Batch, query_words, words};
+use strut_core::search::{PACKED_TILE as TILE, PackedQuery, PackedRow, PackedWindow, PackedWindows, WINDOW};
 
 /// Most queries of a slice, each of which is one submission: a whole number of tiles. More would keep a graphics processor
 /// from drawing for long.
@@ -53,14 +53,14 @@ struct Slice {
 }
 
 impl Graphics {
-    pub(super) fn new(kernels: Kernels, table: &Table) -> Result<Self, GpuError> {
+    pub(super) fn new(kernels: Kernels, table: &PackedWindows) -> Result<Self, GpuError> {
         let context = &kernels.context;
         let (windows, limit) = (table.windows.len() as u64, context.workgroup_limit() * TILE as u64);
         if windows > limit {
             return Err(GpuError::TooMany { windows, limit });
         }
         let rows = context.storage(bytemuck::cast_slice(&table.rows))?;
-        let windows = context.storage(bytemuck::cast_slice(&words(&table.windows)))?;
+        let windows = context.storage(bytemuck::cast_slice(&words(table.windows.iter().copied())))?;
         context.check()?;
         Ok(Self { kernels, rows, windows, slice: None })
     }
@@ -70,29 +70,24 @@ impl Graphics {
     }
 
     /// Candidates of every class for every query, [`select::WORDS`] each.
-    pub(super) fn select(&mut self, table: &Table, batch: &Batch, k: usize) -> Result<Vec<u32>, GpuError> {
+    pub(super) fn select(&mut self, table: &PackedWindows, batch: &Batch, k: usize) -> Result<Vec<u32>, GpuError> {
         let classes = table.classes.len();
         // Without windows there is nothing to bind.
         if table.windows.is_empty() {
-            return Ok(vec![0; batch.windows.len() * classes * select::WORDS]);
+            return Ok(vec![0; batch.queries.len() * classes * select::WORDS]);
         }
         let most = self.slice_of(table);
-        let mut found = Vec::with_capacity(batch.windows.len() * classes * select::WORDS);
-        for first in (0..batch.windows.len()).step_by(most) {
-            let queries = first..batch.windows.len().min(first + most);
-            let windows: Vec<Window> = batch.windows[queries.clone()]
-                .iter()
-                .map(|window| Window { end: window.end - (first * WINDOW) as u32, ..*window })
-                .collect();
-            let rows = &batch.rows[WINDOW * queries.start..WINDOW * queries.end];
+        let mut found = Vec::with_capacity(batch.queries.len() * classes * select::WORDS);
+        for first in (0..batch.queries.len()).step_by(most) {
+            let queries = first..batch.queries.len().min(first + most);
             let margins = &batch.margins[classes * queries.start..classes * queries.end];
-            found.extend(self.select_slice(table, &windows, rows, margins, k)?);
+            found.extend(self.select_slice(table, &batch.queries[queries], margins, k)?);
         }
         Ok(found)
     }
 
     /// Queries whose distances fit a binding, in whole tiles.
-    fn slice_of(&self, table: &Table) -> usize {
+    fn slice_of(&self, table: &PackedWindows) -> usize {
         let of_a_query = 4 * table.windows.len() as u64;
         let most = (self.kernels.context.binding_limit() / of_a_query) as usize;
         (most.min(SLICE) / TILE * TILE).max(TILE)
@@ -100,55 +95,56 @@ impl Graphics {
 
     fn select_slice(
         &mut self,
-        table: &Table,
-        windows: &[Window],
-        rows: &[Row],
+        table: &PackedWindows,
+        queries: &[PackedQuery],
         margins: &[f32],
         k: usize,
     ) -> Result<Vec<u32>, GpuError> {
-        let padded = windows.len().next_multiple_of(TILE);
+        let padded = queries.len().next_multiple_of(TILE);
         let slice = match self.slice.take().filter(|slice| slice.queries >= padded) {
             Some(slice) => slice,
             None => self.make_slice(table, padded)?,
         };
         let slice = self.slice.insert(slice);
         let context = &self.kernels.context;
-        context.write(&slice.rows, bytemuck::cast_slice(rows));
-        context.write(&slice.windows, bytemuck::cast_slice(&words(windows)));
+        let (rows, windows) = query_words(queries);
+        context.write(&slice.rows, bytemuck::cast_slice(&rows));
+        context.write(&slice.windows, bytemuck::cast_slice(&windows));
         context.write(&slice.margins, bytemuck::cast_slice(margins));
         let classes: Vec<[u32; 4]> = table.classes.iter().map(|class| select::words(class, k)).collect();
         context.write(&slice.classes, bytemuck::cast_slice(&classes));
         let tiles = [table.windows.len() / TILE, padded / TILE].map(|n| n as u32);
-        let groups = [classes.len(), windows.len()].map(|n| n as u32);
+        let groups = [classes.len(), queries.len()].map(|n| n as u32);
         let passes = [(&self.kernels.distances, &slice.compare, tiles), (&self.kernels.select, &slice.choose, groups)];
-        let found = classes.len() * windows.len() * select::WORDS;
-        context.run(&passes, [&slice.found, &slice.reading], found)
+        let found = classes.len() * queries.len() * select::WORDS;
+        pollster::block_on(context.run(&passes, [&slice.found, &slice.reading], found))
     }
 
     /// Every distance, a row of all windows for each query of a batch that was searched last and fits one slice.
     #[cfg(test)]
-    pub(super) fn distances(&mut self, table: &Table, batch: &Batch) -> Result<Vec<f32>, GpuError> {
+    pub(super) fn distances(&mut self, table: &PackedWindows, batch: &Batch) -> Result<Vec<f32>, GpuError> {
         self.select(table, batch, 1)?;
-        let words = batch.windows.len() * table.windows.len();
+        let words = batch.queries.len() * table.windows.len();
         let reading = self
             .kernels
             .context
             .buffer(4 * words as u64, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST)?;
         let distances = self.slice.as_ref().map(|slice| &slice.distances);
-        let found = distances
-            .map_or(Ok(Vec::new()), |distances| self.kernels.context.run(&[], [distances, &reading], words))?;
+        let found = distances.map_or(Ok(Vec::new()), |distances| {
+            pollster::block_on(self.kernels.context.run(&[], [distances, &reading], words))
+        })?;
         Ok(found.into_iter().map(f32::from_bits).collect())
     }
 
     /// Buffers for so many queries. What pads the last tile holds what was there before, and nobody reads its distances.
-    fn make_slice(&self, table: &Table, queries: usize) -> Result<Slice, GpuError> {
+    fn make_slice(&self, table: &PackedWindows, queries: usize) -> Result<Slice, GpuError> {
         use wgpu::BufferUsages as Usage;
         let context = &self.kernels.context;
         let storage = |words: usize| context.buffer(4 * words as u64, Usage::STORAGE | Usage::COPY_DST);
         let classes = table.classes.len();
-        let rows = storage(queries * WINDOW * size_of::<Row>() / 4)?;
+        let rows = storage(queries * WINDOW * size_of::<PackedRow>() / 4)?;
         // Padding refers to rows that are there.
-        let windows = context.storage(bytemuck::cast_slice(&words(&vec![Window::PADDING; queries])))?;
+        let windows = context.storage(bytemuck::cast_slice(&words(vec![PackedWindow::PADDING; queries])))?;
         let (margins, class_table) = (storage(queries * classes)?, storage(classes * 4)?);
         let distance_bytes = 4 * (queries * table.windows.len()) as u64;
         let distances = context.buffer(distance_bytes, Usage::STORAGE | Usage::COPY_SRC)?;
@@ -173,9 +169,4 @@ impl Graphics {
             choose,
         })
     }
-}
-
-/// Windows as the shaders read them.
-fn words(windows: &[Window]) -> Vec<[u32; WINDOW_WORDS]> {
-    windows.iter().map(Window::words).collect()
 }

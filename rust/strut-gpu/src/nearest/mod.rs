@@ -7,9 +7,9 @@ mod tests;
 use crate::context::{Adapter, Context};
 use crate::error::GpuError;
 use crate::kernels::{distances, select};
-use crate::windows::{Batch, Table};
+use crate::windows::{Batch, table};
 use graphics::{Graphics, Kernels};
-use strut_core::search::{Index, Metric, Neighbour, Neighbours, Query, QueryWindow};
+use strut_core::search::{Index, Metric, Neighbour, Neighbours, PackedWindows, Query, QueryWindow};
 
 /// Greatest margin, m², for which the candidates of a graphics processor are taken. It is never reached by people; beyond
 /// it numbers come near those that cannot be represented.
@@ -19,7 +19,7 @@ const GREATEST_MARGIN: f32 = 1e6;
 #[derive(Debug)]
 pub struct Searcher<'a> {
     index: &'a Index,
-    table: Table,
+    table: PackedWindows,
     /// None: the kernels' twins.
     graphics: Option<Graphics>,
 }
@@ -42,7 +42,7 @@ impl<'a> Searcher<'a> {
     /// # Errors
     /// If windows are not [`WINDOW`](strut_core::search::WINDOW) frames long, or do not fit the graphics processor.
     pub fn new(index: &'a Index, context: Context) -> Result<Self, GpuError> {
-        let table = Table::new(index)?;
+        let table = table(index)?;
         let graphics = Some(Graphics::new(Kernels::new(context)?, &table)?);
         Ok(Self { index, table, graphics })
     }
@@ -52,7 +52,7 @@ impl<'a> Searcher<'a> {
     /// # Errors
     /// If windows are not [`WINDOW`](strut_core::search::WINDOW) frames long.
     pub fn without_graphics(index: &'a Index) -> Result<Self, GpuError> {
-        Ok(Self { index, table: Table::new(index)?, graphics: None })
+        Ok(Self { index, table: table(index)?, graphics: None })
     }
 
     /// The graphics processor that searches.
@@ -68,7 +68,7 @@ impl<'a> Searcher<'a> {
     pub fn nearest(&mut self, windows: &[QueryWindow], k: usize) -> Result<Found, GpuError> {
         let queries: Vec<Prepared<'_>> =
             windows.iter().map(|window| (window, self.index.prepare(window, Metric::FullBody))).collect();
-        let batch = self.table.batch(self.index, &queries)?;
+        let batch = Batch::new(&self.table, self.index, &queries)?;
         let selected = self.select(&batch, k)?;
         Ok(self.rank(&queries, &batch.margins, &selected, k))
     }
@@ -80,10 +80,9 @@ impl<'a> Searcher<'a> {
             return graphics.select(table, batch, k);
         }
         let classes = table.classes.len().max(1);
-        let one = |(query, margins): (usize, &[f32])| {
-            select::select(table, &distances::distances(table, batch, query), margins, k)
-        };
-        Ok(batch.margins.chunks_exact(classes).enumerate().flat_map(one).collect())
+        let queries = batch.queries.iter().zip(batch.margins.chunks_exact(classes));
+        let one = |(query, margins)| select::select(table, &distances::distances(table, query), margins, k);
+        Ok(queries.flat_map(one).collect())
     }
 
     /// The nearest of the candidates by the processor's D.

@@ -5,10 +5,10 @@ use crate::error::GpuError;
 use crate::kernels::{distances, select};
 use crate::rounding;
 use crate::test_data;
-use crate::windows::{Batch, Table};
+use crate::windows::{Batch, table};
 use proptest::prelude::*;
 use std::sync::OnceLock;
-use strut_core::search::{Index, Metric, Neighbours, QueryWindow};
+use strut_core::search::{Index, Metric, Neighbours, PackedWindows, QueryWindow};
 
 const K: usize = 40;
 
@@ -43,7 +43,7 @@ fn differing(index: &Index, windows: &[QueryWindow], found: &Found) -> usize {
 /// What a searcher finds if the graphics processor's order is believed.
 fn without_margin(searcher: &mut Searcher<'_>, windows: &[QueryWindow]) -> Found {
     let queries = prepared(searcher.index, windows);
-    let mut batch = searcher.table.batch(searcher.index, &queries).unwrap();
+    let mut batch = Batch::new(&searcher.table, searcher.index, &queries).unwrap();
     batch.margins.fill(0.0);
     let selected = searcher.select(&batch, K).unwrap();
     searcher.rank(&queries, &batch.margins, &selected, K)
@@ -119,13 +119,13 @@ fn the_index_searches_where_more_seem_near_than_there_are_places_for() {
 }
 
 /// Distances of a graphics processor beside the twin's; the greatest difference as a share of the bound.
-fn greatest_difference(graphics: &mut Graphics, table: &Table, batch: &Batch) -> f32 {
+fn greatest_difference(graphics: &mut Graphics, table: &PackedWindows, batch: &Batch) -> f32 {
     let found = graphics.distances(table, batch).unwrap();
     let mut greatest: f32 = 0.0;
     for (q, found) in found.chunks_exact(table.windows.len()).enumerate() {
-        let twin = distances::distances(table, batch, q);
+        let twin = distances::distances(table, &batch.queries[q]);
         for class in &table.classes {
-            let bound = rounding::bound(batch.windows[q].norm, class.greatest);
+            let bound = rounding::bound(batch.queries[q].window.norm, class.greatest);
             for (found, twin) in found[class.windows()].iter().zip(&twin[class.windows()]) {
                 greatest = greatest.max((found - twin).abs() / bound);
             }
@@ -141,8 +141,8 @@ fn kernels_compute_what_their_twins_compute() {
     runner
         .run(&(test_data::random_database(), test_data::random_windows(), 1usize..60), |(db, windows, k)| {
             let index = Index::build(&db);
-            let table = Table::new(&index).unwrap();
-            let batch = table.batch(&index, &prepared(&index, &windows)).unwrap();
+            let table = table(&index).unwrap();
+            let batch = Batch::new(&table, &index, &prepared(&index, &windows)).unwrap();
             let mut graphics = Graphics::new(kernels.clone(), &table).unwrap();
             let difference = greatest_difference(&mut graphics, &table, &batch);
             prop_assert!(difference <= 1.0, "{} times the bound", difference);

@@ -41,6 +41,7 @@ export function keysOf(store: Store, session: Session, playhead: Playhead, style
     g: () => store.edit({ ghost: after(store.state.ghost, GHOST_MODES) }),
     t: () => store.edit({ trace: after(store.state.trace, TRACE_MODES) }),
     f: () => store.edit({ follow: !store.state.follow }),
+    a: () => store.edit({ atlas: store.state.atlas === "" ? "whole" : "" }),
     h: () => store.edit({ panels: !store.state.panels }),
     x: () => store.edit(otherSide(store.state)),
     r: () => style.mixByChance(),

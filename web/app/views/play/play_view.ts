@@ -10,6 +10,8 @@ import { chooseKey, chosenKey, moveKey, partOf, removeKey } from "../../state/st
 import { strings } from "../../strings/strings";
 import { manner } from "../../ui/words";
 import type { View, ViewHost } from "../../view";
+import type { AtlasPane } from "./atlas/atlas_pane";
+import { AtlasGhosts } from "./atlas_ghosts";
 import type { Driving } from "./drive/driving";
 import { Heading } from "./heading";
 import { InputPanel } from "./input_panel";
@@ -46,10 +48,14 @@ class PlayView implements View {
   readonly #transport: Transport;
   readonly #timeline: Timeline;
   readonly #trackKeys: TrackKeys;
+  readonly #transportElement = html("section", { class: "transport", "aria-label": strings.play.transport.name });
+  readonly #ghosts: AtlasGhosts;
+  /** The atlas, once it was asked for. */
+  #atlas: Promise<AtlasPane> | undefined;
+  #atlasPane: AtlasPane | undefined;
   #shown = false;
   /** While a character is steered, and its code is loaded. */
   #driving: Driving | undefined;
-  readonly #transportElement = html("section", { class: "transport", "aria-label": strings.play.transport.name });
   /** The database that the panels show. */
   #database: DatabaseInfo | undefined;
 
@@ -96,9 +102,11 @@ class PlayView implements View {
         onHover: (frame) => playhead.preview(frame),
         onRange: (range) => store.edit({ range }),
         onCurve: (curve) => store.edit({ curve }),
+        onAtlas: () => this.keys.a(),
       },
       this.#trackKeys.element,
     );
+    this.#ghosts = new AtlasGhosts(store, playhead, this.#viewport);
     this.#timeline.onLayout = () => this.#trackKeys.layOut();
     this.#trackKeys.places = this.#timeline;
     this.element = this.#compose();
@@ -163,6 +171,7 @@ class PlayView implements View {
     this.#driving?.dispose();
     this.#host.playhead.onScrub = undefined;
     this.#timeline.dispose();
+    this.#atlasPane?.dispose();
     this.#style.polygon.dispose();
   }
 
@@ -270,8 +279,9 @@ class PlayView implements View {
     this.#input.read(frame.reads);
     if (!playhead.previewing) {
       this.#transport.frame = frame.inputFrame;
-      if (!playhead.scrubbing) this.#timeline.frame = frame.inputFrame;
+      if (!playhead.scrubbing) this.#moveTo(frame.inputFrame);
     }
+    this.#ghosts.follow(frame);
     this.#heading.take(frame.reads);
   }
 
@@ -297,6 +307,7 @@ class PlayView implements View {
     }
     this.#model.show(state);
     this.#transport.show(state);
+    if (!changed || changed.has("atlas")) this.#showAtlas(state.atlas);
     this.#tabs.show(state.tab);
     this.element.dataset.tab = state.tab;
     this.element.classList.toggle("bare", !state.panels);
@@ -306,6 +317,46 @@ class PlayView implements View {
   #recolour(): void {
     this.#timeline.recolour();
     this.#driving?.recolour();
+    this.#atlasPane?.recolour();
+  }
+
+  #moveTo(frame: number): void {
+    this.#timeline.frame = frame;
+    if (this.#atlasPane) this.#atlasPane.frame = frame;
+  }
+
+  /** Opens the atlas by a part of the body, or closes it. */
+  #showAtlas(part: AppState["atlas"]): void {
+    this.element.classList.toggle("with-atlas", part !== "");
+    this.#timeline.atlas = part !== "";
+    if (part === "") {
+      this.#atlasPane?.hide();
+      return;
+    }
+    this.#atlas ??= this.#loadAtlas();
+    this.#atlas.then(
+      (pane) => {
+        const { atlas } = this.#host.store.state;
+        if (atlas !== "") pane.show(atlas);
+      },
+      (error: Error) => this.#host.toasts.error(error.message),
+    );
+  }
+
+  async #loadAtlas(): Promise<AtlasPane> {
+    const { AtlasPane } = await import("./atlas/atlas_pane");
+    const { session, store, toasts, playhead } = this.#host;
+    const pane = new AtlasPane({
+      session,
+      onPart: (atlas) => store.edit({ atlas }),
+      onClose: () => store.edit({ atlas: "" }),
+      onGhost: (ghost) => this.#ghosts.show(ghost),
+      onError: (error) => toasts.error((error as Error).message),
+    });
+    this.#atlasPane = pane;
+    this.#transportElement.append(pane.element);
+    pane.frame = playhead.at;
+    return pane;
   }
 
   #showTrack(state: Readonly<AppState>): void {
@@ -322,7 +373,7 @@ class PlayView implements View {
   // --- from the person ---
 
   #onScrub(frame: number | undefined): void {
-    if (frame !== undefined) this.#timeline.frame = frame;
+    if (frame !== undefined) this.#moveTo(frame);
     else this.#show(this.#host.store.state, new Set());
   }
 

@@ -132,6 +132,7 @@ export const play = {
     curveGroups: { angles: "Angles", freedoms: "Degrees of freedom" },
     /** A curve by its name in the URL. */
     curveName: (name: string) => name,
+    atlas: "atlas",
     contacts: "contacts",
     contactsWhy: "When each foot of the styled motion is planted",
     left: "L",
@@ -149,6 +150,23 @@ export const play = {
     keyWhy: (manner: string, secs: string) => `${manner}, ${secs} s. Drag to move, double-click to remove.`,
   },
 
+  atlas: {
+    name: "Atlas",
+    why: "Every frame of the input beside every window of the database: the brighter, the more alike",
+    open: "Atlas of all distances",
+    close: "Close the atlas",
+    closer: "Closer",
+    farther: "Farther away",
+    part: "Joints that are compared",
+    parts: { whole: "whole body", legs: "legs", arms: "arms", torso: "torso", head: "head" },
+    hint: "Point to read a window; click to see it as a ghost.",
+    reading: (clip: string, frame: number, centimetres: string) => `${clip}, frame ${frame}: ${centimetres} cm`,
+    byGraphics: (name: string, time: string) => `Drawn by ${name || "the graphics processor"} in ${time}.`,
+    byProcessor: (time: string) => `Drawn by the processor in ${time}.`,
+    offer: "A browser with WebGPU redraws it while you drag.",
+    lost: "The graphics processor stopped; the processor draws on.",
+  },
+
   help: {
     heading: "Keys",
     close: "Close",
@@ -162,6 +180,7 @@ export const play = {
       ["G", "ghost of the input: beside, in the same place, off"],
       ["T", "motion trail: lines, the body before and after, off"],
       ["F", "follow the character"],
+      ["A", "atlas: every frame beside every window of the database"],
       ["H", "hide or show the panels"],
       ["X", "the other of two settings, A or B"],
       ["R", "three styles by chance"],
@@ -177,6 +196,18 @@ export const play = {
       ["Double-click a corner", "all of it"],
       ["Arrow keys", "move the point; with Shift in small steps"],
       ["Tab, Enter, Delete", "visit, select and drop corners"],
+    ] as readonly (readonly [keys: string, does: string])[],
+    atlasHeading: "The atlas",
+    atlas: [
+      ["Scroll, + −", "closer or farther; a double click shows all"],
+      ["Drag, ↑ ↓", "other windows"],
+      ["Click, Enter", "a window as a ghost; Enter takes the nearest"],
+    ] as readonly (readonly [keys: string, does: string])[],
+    crowdHeading: "Crowd",
+    crowd: [
+      ["N P", "next or previous person"],
+      ["F", "follow the person"],
+      ["→", "one moment on, while it rests"],
     ] as readonly (readonly [keys: string, does: string])[],
     drop: "Drop a BVH anywhere to style it, or a character (GLB, VRM, FBX) to have it perform. Knobs turn by dragging up and down; type a number for an exact value.",
   },

@@ -191,6 +191,12 @@ export class ViewportPanel {
     this.#lease?.viewer.setProportions(proportions);
   }
 
+  /** A body that stands translucent where its pose has it, or none. */
+  set other(pose: Float32Array | undefined) {
+    this.#lease?.viewer.setOthers(pose ? [{ pose, share: 1 }] : []);
+    this.#lease?.invalidate();
+  }
+
   /** Styled poses of the whole input, whose path is drawn. */
   set path(poses: Float32Array | undefined) {
     this.#lease?.viewer.setPath(poses ?? null);

@@ -44,6 +44,8 @@ export interface TimelineListeners {
   onHover: (frame: number | undefined) => void;
   onRange: (range: FrameRange | undefined) => void;
   onCurve: (name: string) => void;
+  /** The atlas under the rows is to open or close. */
+  onAtlas: () => void;
 }
 
 export class Timeline {
@@ -55,6 +57,7 @@ export class Timeline {
   readonly #listening = new AbortController();
   readonly #observer = new ResizeObserver(() => this.#repaint());
   readonly #menu: HTMLSelectElement;
+  readonly #atlas: HTMLButtonElement;
   #input: InputInfo | undefined;
   #analysis: Analysis | undefined;
   #examples: Examples | undefined;
@@ -83,6 +86,12 @@ export class Timeline {
         ),
       );
     this.#menu.addEventListener("change", () => listeners.onCurve(this.#menu.value));
+    this.#atlas = html(
+      "button",
+      { type: "button", class: "timeline-atlas", title: `${strings.play.atlas.open} (A)` },
+      strings.play.timeline.atlas,
+    );
+    this.#atlas.addEventListener("click", listeners.onAtlas);
     this.#rows = html(
       "div",
       {
@@ -101,6 +110,7 @@ export class Timeline {
       html(
         "div",
         { class: "timeline-labels" },
+        this.#atlas,
         html(
           "span",
           { class: "timeline-contacts", title: strings.play.timeline.contactsWhy },
@@ -163,6 +173,11 @@ export class Timeline {
     this.#menu.value = this.#curve;
     if (this.#examples?.subject !== this.subject) this.#examples = undefined;
     this.#rebuild();
+  }
+
+  /** Whether the atlas is open under the rows. */
+  set atlas(open: boolean) {
+    this.#atlas.setAttribute("aria-expanded", String(open));
   }
 
   /** The classes that the input is read as. */

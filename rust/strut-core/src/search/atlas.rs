@@ -1,0 +1,311 @@
+//! Every distance between some windows and those of a database, as a picture.
+//!
+//! A picture has a column for each window that is compared, and a line for each stretch of the database's windows, which
+//! are in the order of their classes and clips. A pixel is the least D between its column's window and the windows of its
+//! line.
+
+use super::index::{Index, NO_ROW, Query};
+use super::metric::{LENGTH, Metric, QueryWindow, WINDOW};
+use super::packed::{BodyPart, PACKED_TILE, PackedQuery, PackedWindows};
+use super::points::JOINT_WEIGHTS;
+use super::raw::RawPoints;
+use crate::humanoid::{Pose, Proportions};
+use crate::kinematics::world_from_local;
+use crate::math::float_funcs::double;
+use crate::pose_vector::Placement;
+use std::ops::Range;
+
+/// The hips among the joints that are compared.
+const HIPS: usize = 8;
+/// The line of windows that are on none.
+const NO_LINE: u32 = u32::MAX;
+
+/// What of the database a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AtlasView {
+    /// Joints that are compared.
+    pub part: BodyPart,
+    /// Number of the first window, by class and clip, and of the one after the last.
+    pub windows: [usize; 2],
+    /// Lines, at least one and at most as many as windows: the windows are shared out evenly.
+    pub height: usize,
+}
+
+impl AtlasView {
+    /// The windows of a line.
+    fn windows_of(&self, line: usize) -> Range<usize> {
+        let [first, last] = self.windows;
+        let begin = |line: usize| first + (line * (last - first)).div_ceil(self.height);
+        begin(line)..begin(line + 1)
+    }
+}
+
+/// The nearest window of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearestOfLine {
+    /// Its number, by class and clip.
+    pub window: usize,
+    /// The row at which it ends.
+    pub row: usize,
+    /// D, m².
+    pub distance: f32,
+}
+
+/// Windows to be compared with all of an index, whose windows are [`WINDOW`] frames long.
+#[derive(Clone, Debug)]
+pub struct Atlas {
+    /// One of each column, none of them empty.
+    columns: Vec<QueryWindow>,
+    /// Rows at which the windows end, by class and clip.
+    ends: Vec<u32>,
+    /// Number of the first window of each class, and of all windows.
+    firsts: Vec<usize>,
+    view: AtlasView,
+    /// Line of the window that ends at each row.
+    lines: Vec<u32>,
+    /// Windows by the joints of the view; made when they are needed.
+    packed: Option<(BodyPart, PackedWindows)>,
+    /// Room for a number a line.
+    limits: Vec<f32>,
+}
+
+impl Atlas {
+    /// A picture of one line, with these windows as columns; empty windows are left out.
+    ///
+    /// # Panics
+    /// If the windows of the index have another length than [`WINDOW`].
+    pub fn new(index: &Index, columns: Vec<QueryWindow>) -> Self {
+        assert_eq!(index.window_length(), WINDOW);
+        let (mut ends, mut firsts) = (Vec::new(), vec![0]);
+        for class in 0..index.classes() {
+            ends.extend(index.window_ends(class).map(|row| row as u32));
+            firsts.push(ends.len());
+        }
+        let columns = columns.into_iter().filter(|window| window.frames() > 0).collect();
+        let view = AtlasView { part: BodyPart::Whole, windows: [0, ends.len()], height: 1 };
+        let mut atlas = Self { columns, ends, firsts, view, lines: Vec::new(), packed: None, limits: Vec::new() };
+        atlas.lines = vec![NO_LINE; index.rows()];
+        atlas.number_lines();
+        atlas
+    }
+
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.columns.len()
+    }
+
+    /// The window of a column.
+    pub fn column(&self, column: usize) -> Option<&QueryWindow> {
+        self.columns.get(column)
+    }
+
+    /// Number of the first window of each class, and of all windows.
+    pub fn firsts(&self) -> &[usize] {
+        &self.firsts
+    }
+
+    /// Takes another view, with its limits put where there are windows.
+    pub fn set_view(&mut self, view: AtlasView) {
+        let all = self.ends.len();
+        let first = view.windows[0].min(all.saturating_sub(1));
+        let last = view.windows[1].clamp((first + 1).min(all), all);
+        let height = view.height.clamp(1, (last - first).max(1));
+        let view = AtlasView { part: view.part, windows: [first, last], height };
+        if view != self.view {
+            self.view = view;
+            self.number_lines();
+        }
+    }
+
+    /// The view.
+    pub fn view(&self) -> AtlasView {
+        self.view
+    }
+
+    fn number_lines(&mut self) {
+        self.lines.fill(NO_LINE);
+        for line in 0..self.view.height {
+            for window in self.view.windows_of(line) {
+                self.lines[self.ends[window] as usize] = line as u32;
+            }
+        }
+    }
+
+    /// Line of each window of [`packed`](Self::packed), what fills classes up included; the largest number for none.
+    pub fn packed_lines(&self) -> Vec<u32> {
+        let mut lines = Vec::new();
+        for class in self.firsts.windows(2) {
+            lines.extend(self.ends[class[0]..class[1]].iter().map(|&row| self.lines[row as usize]));
+            lines.resize(lines.len().next_multiple_of(PACKED_TILE), NO_LINE);
+        }
+        lines
+    }
+
+    /// The index's windows by the joints of the view.
+    pub fn packed(&mut self, index: &Index) -> &PackedWindows {
+        packed_by(&mut self.packed, index, self.view.part)
+    }
+
+    /// The columns by the joints of the view.
+    pub fn packed_columns(&mut self, index: &Index) -> Vec<PackedQuery> {
+        let packed = packed_by(&mut self.packed, index, self.view.part);
+        self.columns.iter().filter_map(|window| packed.query(window)).collect()
+    }
+
+    /// Least D of each line in a column, m²; infinite where it has no window.
+    ///
+    /// # Panics
+    /// If there is no such column, or not one number a line.
+    pub fn draw(&mut self, index: &Index, column: usize, out: &mut [f32]) {
+        assert_eq!(out.len(), self.view.height);
+        out.fill(f32::INFINITY);
+        let Some(metric) = metric_of(self.view.part) else {
+            self.draw_packed(index, column, out);
+            return;
+        };
+        let query = index.prepare(&self.columns[column], metric);
+        self.limits.clear();
+        self.limits.resize(out.len(), f32::INFINITY);
+        let [first, last] = self.view.windows;
+        for (class, windows) in self.firsts.windows(2).enumerate() {
+            if windows[0] < last && windows[1] > first {
+                index.least_of_lines(&query, class, &self.lines, &mut self.limits, out);
+            }
+        }
+    }
+
+    fn draw_packed(&mut self, index: &Index, column: usize, out: &mut [f32]) {
+        let packed = packed_by(&mut self.packed, index, self.view.part);
+        let Some(query) = packed.query(&self.columns[column]) else { return };
+        for class in &packed.classes {
+            for window in &packed.windows[class.windows()] {
+                if let Some(least) = out.get_mut(self.lines[window.end as usize] as usize) {
+                    *least = least.min(packed.distance(&query, window));
+                }
+            }
+        }
+    }
+
+    /// The nearest window of a line in a column; none if there is no such line or column.
+    pub fn nearest(&mut self, index: &Index, column: usize, line: usize) -> Option<NearestOfLine> {
+        let query = self.columns.get(column).filter(|_| line < self.view.height)?;
+        let windows = self.view.windows_of(line);
+        let distances: Vec<f32> = if let Some(metric) = metric_of(self.view.part) {
+            let query = index.prepare(query, metric);
+            self.ends[windows.clone()].iter().map(|&row| index.distance_to(&query, row as usize)).collect()
+        } else {
+            let packed = packed_by(&mut self.packed, index, self.view.part);
+            let query = packed.query(query)?;
+            let of = |window| packed.distance(&query, &packed.windows[packed_number(packed, &self.firsts, window)]);
+            windows.clone().map(of).collect()
+        };
+        let of = |(window, distance)| NearestOfLine { window, row: self.ends[window] as usize, distance };
+        windows.zip(distances).map(of).min_by(|a, b| a.distance.total_cmp(&b.distance))
+    }
+}
+
+/// Windows by these joints: the ones that there are, or others in their place.
+fn packed_by<'a>(
+    packed: &'a mut Option<(BodyPart, PackedWindows)>,
+    index: &Index,
+    part: BodyPart,
+) -> &'a PackedWindows {
+    let same = packed.take().filter(|(of, _)| *of == part);
+    &packed.insert(same.unwrap_or_else(|| (part, PackedWindows::new(index, part)))).1
+}
+
+/// Where a window is among packed ones; `firsts` are the numbers of the classes' first windows.
+fn packed_number(packed: &PackedWindows, firsts: &[usize], window: usize) -> usize {
+    let class = firsts.partition_point(|first| *first <= window) - 1;
+    packed.classes[class].first + window - firsts[class]
+}
+
+/// Where a database's pose is to stand so that its window is as near to another as turns and shifts over the ground bring it,
+/// relative to the newest hips of that one. `row` is where the window ends, and `pose` the pose of that row, above the origin
+/// and heading along +Z; `body` its body.
+///
+/// # Panics
+/// If no window ends there.
+pub fn nearest_placement(
+    index: &Index,
+    window: &QueryWindow,
+    row: usize,
+    pose: &Pose,
+    body: &Proportions,
+) -> Placement {
+    let weights = Index::joint_weights();
+    // On the ground, as x + i z; of the whole body, whatever part is compared.
+    let centred = |frames: &[RawPoints]| {
+        let all: Vec<(f64, [f64; 2])> =
+            frames.iter().flat_map(|frame| weights.iter().zip(frame).map(|(w, p)| (*w, [p[1], p[2]]))).collect();
+        let total: f64 = all.iter().map(|(w, _)| w).sum();
+        let centre = [0, 1].map(|axis| all.iter().map(|(w, p)| w * p[axis]).sum::<f64>() / total);
+        (centre, all.into_iter().map(move |(w, p)| (w, [p[0] - centre[0], p[1] - centre[1]])).collect::<Vec<_>>())
+    };
+    // The angle by which the second are turned to be nearest to the first.
+    let turn = |to: &[(f64, [f64; 2])], from: &[(f64, [f64; 2])]| {
+        let (mut re, mut im) = (0.0, 0.0);
+        for ((w, a), (_, b)) in to.iter().zip(from) {
+            re += w * (a[0] * b[0] + a[1] * b[1]);
+            im += w * (a[1] * b[0] - a[0] * b[1]);
+        }
+        double::atan2(im, re)
+    };
+    let query: Vec<RawPoints> = window.positions().collect();
+    let stored: Vec<RawPoints> = (row + 1 - WINDOW..=row).map(|row| index.positions(row)).collect();
+    let ((to, of_query), (from, of_stored)) = (centred(&query), centred(&stored));
+    let turned = turn(&of_query, &of_stored);
+    let newest = stored[WINDOW - 1];
+    let world = world_from_local(body, pose);
+    let at_origin =
+        JOINT_WEIGHTS.map(|(role, _)| world.positions[role.index()]).map(|p| [p.y, p.x, p.z].map(f64::from));
+    let heading = turn(&centred(&[newest]).1, &centred(&[at_origin]).1);
+    let (sin, cos) = double::sin_cos(turned);
+    let hips = [newest[HIPS][1] - from[0], newest[HIPS][2] - from[1]];
+    Placement {
+        x: (to[0] + cos * hips[0] - sin * hips[1]) as f32,
+        z: (to[1] + sin * hips[0] + cos * hips[1]) as f32,
+        // A heading turns x + i z the other way.
+        heading: -(turned + heading) as f32,
+    }
+}
+
+/// The metric that the index compares these joints by, if it does.
+fn metric_of(part: BodyPart) -> Option<Metric> {
+    match part {
+        BodyPart::Whole => Some(Metric::FullBody),
+        BodyPart::Legs => Some(Metric::LowerBody),
+        BodyPart::Arms | BodyPart::Torso | BodyPart::Head => None,
+    }
+}
+
+impl Index {
+    /// Lowers the numbers of lines to the D of a class's windows, whose lines are given by the rows at which they end.
+    /// `limits` has room for a number a line.
+    fn least_of_lines(&self, query: &Query<'_>, class: usize, lines: &[u32], limits: &mut [f32], out: &mut [f32]) {
+        let margins = self.margins(query, class);
+        for (limit, least) in limits.iter_mut().zip(&*out) {
+            *limit = margins.squared_limit(*least);
+        }
+        for leaf in self.leaves_of(query, class) {
+            let distances = self.squared_distances(query, leaf);
+            for (row, distance) in self.rows[leaf].iter().zip(distances.0.as_flattened()) {
+                if *row == NO_ROW {
+                    continue;
+                }
+                let line = lines[*row as usize] as usize;
+                // What is not a number rules nothing out.
+                if limits.get(line).is_none_or(|limit| distance > limit) {
+                    continue;
+                }
+                let d = self.distance::<LENGTH>(query, *row as usize);
+                if d < out[line] {
+                    (out[line], limits[line]) = (d, margins.squared_limit(d));
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,79 @@
+/** The picture of an atlas on a canvas: a pixel for each pixel of the picture, stretched by the page. */
+import { html } from "../../../../ui/dom";
+import type { Shades, Span } from "./shades";
+
+export class AtlasCanvas {
+  readonly element = html("canvas", { class: "atlas-picture", "aria-hidden": "true" });
+  readonly #context: CanvasRenderingContext2D;
+  #shades: Shades | undefined;
+  #span: Span = { first: 0, last: 1 };
+  #ramp: Uint8Array = new Uint8Array(0);
+  #stale = false;
+
+  constructor() {
+    // Read by the page's tests; and a canvas of the graphics processor's waits for the 3-D picture to be drawn.
+    this.#context = this.element.getContext("2d", { willReadFrequently: true })!;
+  }
+
+  /** Colours of shades, three bytes each. */
+  set ramp(ramp: Uint8Array) {
+    this.#ramp = ramp;
+    this.#invalidate();
+  }
+
+  /** Begins another picture: until it comes, what was shown of the same windows is stretched to where it belongs. */
+  begin(shades: Shades, span: Span): void {
+    const { columns, height } = shades;
+    const before = this.#shades;
+    if (before?.columns === columns) this.#foresee(shades, span, before);
+    this.#shades = shades;
+    this.#span = span;
+    if (this.element.width !== columns || this.element.height !== height) {
+      this.element.width = columns;
+      this.element.height = height;
+    }
+    this.#invalidate();
+  }
+
+  /** Shows what came of the picture. */
+  update(): void {
+    this.#invalidate();
+  }
+
+  #foresee(shades: Shades, { first, last }: Span, before: Shades): void {
+    const length = this.#span.last - this.#span.first;
+    for (let line = 0; line < shades.height; line++) {
+      const window = first + ((line + 0.5) / shades.height) * (last - first);
+      const from = Math.floor(((window - this.#span.first) / length) * before.height);
+      if (from < 0 || from >= before.height) continue;
+      const { columns } = shades;
+      shades.levels.set(before.levels.subarray(from * columns, (from + 1) * columns), line * columns);
+    }
+  }
+
+  /** Paints once before the next frame of the page. */
+  #invalidate(): void {
+    if (this.#stale) return;
+    this.#stale = true;
+    requestAnimationFrame(() => {
+      this.#stale = false;
+      this.#paint();
+    });
+  }
+
+  #paint(): void {
+    const shades = this.#shades;
+    if (!shades || this.#ramp.length === 0) return;
+    const image = this.#context.createImageData(shades.columns, shades.height);
+    const { data } = image;
+    const { levels } = shades;
+    for (let i = 0; i < levels.length; i++) {
+      const at = 3 * levels[i]!;
+      data[4 * i] = this.#ramp[at]!;
+      data[4 * i + 1] = this.#ramp[at + 1]!;
+      data[4 * i + 2] = this.#ramp[at + 2]!;
+      data[4 * i + 3] = 255;
+    }
+    this.#context.putImageData(image, 0, 0);
+  }
+}

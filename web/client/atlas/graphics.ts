@@ -1,0 +1,96 @@
+/** The graphics processor that draws atlases, in a worker of its own; nothing of it is loaded where there is none. */
+import type { PackedWindows } from "../../engine/atlas";
+import { type ClientPort, RpcClient, remote } from "../rpc";
+import type { GraphicsCalls } from "./graphics_protocol";
+
+/** How many arguments each call has. */
+const ARITY = { open: 1, setLines: 2, draw: 1 } as const satisfies Record<keyof GraphicsCalls, number>;
+/** Columns of the first slice, and the most and the least: each slice is one submission, between which the browser draws. */
+const SLICE = { first: 64, least: 32, most: 1024 };
+/** How long a slice may take, milliseconds. */
+const SLICE_MS = 30;
+/** Numbers of a column's rows, and words of its window. */
+const [ROWS, WINDOW] = [300, 12];
+
+/** A graphics processor that is worth asking. */
+export interface GraphicsFound {
+  /** Its name, as far as the browser tells. */
+  name: string;
+}
+
+/**
+ * The graphics processor of the visitor; `undefined` where there is none, or a program plays its part.
+ * @param software whether a program is taken, too, as in tests
+ */
+export async function findGraphics(software: boolean): Promise<GraphicsFound | undefined> {
+  const gpu: GPU | undefined = navigator.gpu;
+  const adapter = await gpu?.requestAdapter({ powerPreference: "high-performance" }).catch(() => null);
+  if (!adapter || (adapter.info.isFallbackAdapter && !software)) return undefined;
+  const { vendor, architecture, description } = adapter.info;
+  return { name: description || [vendor, architecture].filter((word) => word !== "").join(" ") };
+}
+
+function spawnWorker(): ClientPort {
+  return new Worker(new URL("./graphics_worker.ts", import.meta.url), { type: "module", name: "strut graphics" });
+}
+
+/** Draws the windows of one database by one part of the body. */
+export class Graphics {
+  private readonly rpc: RpcClient;
+  private readonly calls: GraphicsCalls;
+  private columns = SLICE.first;
+
+  private constructor(spawn: () => ClientPort) {
+    this.rpc = new RpcClient(spawn, "graphics processor");
+    this.calls = remote<GraphicsCalls>(this.rpc, ARITY);
+  }
+
+  /** @throws StrutError `gpu-lost` if it cannot be used */
+  static async open(packed: PackedWindows, signal?: AbortSignal, spawn = spawnWorker): Promise<Graphics> {
+    const graphics = new Graphics(spawn);
+    try {
+      const transfer = [packed.rows.buffer, packed.windows.buffer] as ArrayBuffer[];
+      await graphics.rpc.call("open", [packed], signal, transfer);
+      return graphics;
+    } catch (thrown) {
+      graphics.dispose();
+      throw thrown;
+    }
+  }
+
+  /** Takes the line of each window, below `height`. @throws StrutError `gpu-lost` */
+  setLines(lines: Uint32Array, height: number): Promise<void> {
+    return this.calls.setLines(lines, height);
+  }
+
+  /**
+   * Draws all columns in slices.
+   * @param onColumns gets the number of the first of some columns, and their D
+   * @throws StrutError `gpu-lost`, or `cancelled`
+   */
+  async draw(
+    { rows, windows }: PackedWindows,
+    onColumns: (first: number, distances: Float32Array) => void,
+    signal?: AbortSignal,
+  ): Promise<void> {
+    const count = windows.length / WINDOW;
+    for (let first = 0; first < count; ) {
+      const end = Math.min(count, first + this.columns);
+      const slice = {
+        rows: rows.slice(first * ROWS, end * ROWS),
+        windows: windows.slice(first * WINDOW, end * WINDOW),
+      };
+      const began = performance.now();
+      const bits = (await this.rpc.call("draw", [slice], signal)) as Uint32Array;
+      const share = SLICE_MS / Math.max(1, performance.now() - began);
+      const wished = Math.round(((end - first) * Math.min(2, share)) / SLICE.least) * SLICE.least;
+      this.columns = Math.min(SLICE.most, Math.max(SLICE.least, wished));
+      onColumns(first, new Float32Array(bits.buffer));
+      first = end;
+    }
+  }
+
+  dispose(): void {
+    this.rpc.dispose();
+  }
+}

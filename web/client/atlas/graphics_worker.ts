@@ -1,0 +1,32 @@
+/** The entry of the worker of the graphics processor. */
+import { StrutError } from "../../engine/errors";
+import { Painter } from "../../engine/gpu/painter";
+import { answerCalls, type Methods, type ServerPort } from "../rpc";
+import type { GraphicsCalls } from "./graphics_protocol";
+
+let opened: Painter | undefined;
+/** The call under way: one that its caller has left may still be. */
+let last: Promise<unknown> = Promise.resolve();
+
+function inTurn<T>(answer: () => T | Promise<T>): Promise<T> {
+  const turn = last.then(answer, answer);
+  last = turn;
+  return turn;
+}
+
+function painter(): Painter {
+  if (opened) return opened;
+  throw new StrutError({ code: "not-open", message: "No graphics processor is open.", hint: "" });
+}
+
+const TABLE: GraphicsCalls = {
+  open: (packed) =>
+    inTurn(async () => {
+      opened = await Painter.open(packed);
+      return opened.adapter;
+    }),
+  setLines: (lines, height) => inTurn(() => painter().setLines(lines, height)),
+  draw: (columns) => inTurn(() => painter().draw(columns)),
+};
+
+answerCalls(self as unknown as ServerPort, TABLE as unknown as Methods);

@@ -1,0 +1,98 @@
+/** Every distance between an input and a database as a picture, by the engine's own package. */
+import type { Database } from "./database";
+import { Handle } from "./handle";
+import type { Input } from "./input";
+import * as glue from "./pkg/strut_wasm.js";
+import { guarded } from "./wasm";
+
+/** Joints that an atlas compares. */
+export const ATLAS_PARTS = ["whole", "legs", "arms", "torso", "head"] as const;
+export type AtlasPart = (typeof ATLAS_PARTS)[number];
+
+/** What of a database a picture shows. */
+export interface AtlasView {
+  part: AtlasPart;
+  /** Number of the first window, by class and clip, and of the one after the last. */
+  first: number;
+  last: number;
+  /** Lines, at most as many as windows. */
+  height: number;
+}
+
+/** What does not change. */
+export interface AtlasFacts {
+  /** The input's frame of each column. */
+  frames: Uint32Array;
+  /** Number of the first window of each class, and of all windows. */
+  firsts: Uint32Array;
+}
+
+/** Windows and their rows as a graphics processor reads them (`strut-core/src/search/packed.rs`). */
+export interface PackedWindows {
+  rows: Float32Array;
+  windows: Uint32Array;
+}
+
+/** The nearest window of a line in a column. */
+export interface NearestInAtlas {
+  /** Its number, by class and clip. */
+  window: number;
+  /** Number and name of its clip, and its last frame in that. */
+  clip: number;
+  name: string;
+  frame: number;
+  /** √D, metres. */
+  distance: number;
+}
+
+/** The picture of an input in a database. */
+export class Atlas extends Handle<glue.Atlas> {
+  readonly facts: AtlasFacts;
+
+  /** With so many columns at most: frames of the input at even distances. */
+  constructor(database: Database, input: Input, columns: number) {
+    const raw = guarded(() => new glue.Atlas(database.raw as glue.Database, input.raw as glue.Input, columns));
+    super(raw, "atlas");
+    this.facts = guarded(() => ({ frames: raw.frames(), firsts: raw.firsts() }));
+  }
+
+  /** Least D of each line in some columns, m², a column after the other. @throws StrutError `bad-input` */
+  draw(view: AtlasView, columns: Uint32Array): Float32Array {
+    return this.viewed(view, (raw) => raw.draw(columns));
+  }
+
+  /** @throws StrutError `bad-input` if there is no such column or line */
+  nearest(view: AtlasView, column: number, line: number): NearestInAtlas {
+    return this.viewed(view, (raw) => {
+      const [window, clip, frame, distance] = raw.nearest(column, line) as unknown as [number, number, number, number];
+      return { window, clip, name: raw.clipName(clip), frame, distance };
+    });
+  }
+
+  /** The pose at a frame of a clip as the metric has it nearest to a column of the input. @throws StrutError `bad-input` */
+  pose(column: number, clip: number, frame: number): Float32Array {
+    return guarded(() => this.raw.pose(column, clip, frame));
+  }
+
+  /** The database's windows by the joints of a view. */
+  packed(view: AtlasView): PackedWindows {
+    return this.viewed(view, (raw) => ({ rows: raw.packedRows(), windows: raw.packedWindows() }));
+  }
+
+  /** The columns, in the same way. */
+  packedColumns(view: AtlasView): PackedWindows {
+    return this.viewed(view, (raw) => ({ rows: raw.packedColumnRows(), windows: raw.packedColumns() }));
+  }
+
+  /** Line of each of the packed windows; the largest number for none. */
+  packedLines(view: AtlasView): Uint32Array {
+    return this.viewed(view, (raw) => raw.packedLines());
+  }
+
+  private viewed<T>({ part, first, last, height }: AtlasView, use: (raw: glue.Atlas) => T): T {
+    return guarded(() => {
+      this.raw.setView(ATLAS_PARTS.indexOf(part), first, last, height);
+      return use(this.raw);
+    });
+  }
+}

@@ -1,0 +1,8 @@
+/** The WASM package of graphics processors, loaded in a worker of its own, and only where there is one. */
+import { assetOf } from "../assets";
+import { SidePackage } from "../side_package";
+import * as glue from "./pkg/strut_wasm_gpu.js";
+
+export const gpuPackage = new SidePackage(glue, () =>
+  assetOf("strut_wasm_gpu_bg.wasm", () => new URL("./pkg/strut_wasm_gpu_bg.wasm", import.meta.url)),
+);
