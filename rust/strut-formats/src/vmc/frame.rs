@@ -5,7 +5,7 @@ use super::message::Message;
 use super::place::{Place, RootPlace};
 use strut_core::humanoid::Role;
 
-/// A frame ends when nothing more of it has come for so long, seconds.
+/// A frame without a time ends when nothing more of it has come for so long, seconds.
 const SILENCE_SECS: f64 = 0.004;
 
 /// A frame of a performer.
@@ -39,7 +39,8 @@ impl Frame {
     }
 }
 
-/// Puts messages together to frames. A time ends a frame, as do the hips of the next one and a moment of silence.
+/// Puts messages together to frames. A time ends a frame, as do the hips of the next one and, where the frame before did not
+/// end with its time, a moment of silence.
 ///
 /// A frame that lacks a bone which the frame before had is dropped: a packet of it was lost, or it is the first of which
 /// only the end was heard.
@@ -51,6 +52,8 @@ pub struct FrameReader {
     had: Option<u32>,
     /// A time that came before the bones of its frame, or after it had ended.
     time: Option<f64>,
+    /// Whether the last frame ended with its time.
+    ended_with_time: bool,
     paused: bool,
     partial: u64,
 }
@@ -61,7 +64,7 @@ impl FrameReader {
         match message {
             Message::Bone(bone, place) => {
                 let is_next = *bone == Bone::Of(Role::Hips) && self.has & bit(*bone) != 0;
-                let ended = if is_next { self.end() } else { None };
+                let ended = if is_next { self.end(false) } else { None };
                 self.frame.bones[bone.index()] = Some(*place);
                 self.has |= bit(*bone);
                 self.frame.arrived_secs = arrived_secs;
@@ -73,7 +76,7 @@ impl FrameReader {
             }
             Message::Time(secs) => {
                 self.time = Some(f64::from(*secs));
-                if self.has == 0 { None } else { self.end() }
+                if self.has == 0 { None } else { self.end(true) }
             }
             Message::Loaded(loaded) => {
                 self.paused = !loaded;
@@ -84,18 +87,13 @@ impl FrameReader {
     }
 
     /// When the frame that goes on ends if nothing more comes, seconds.
-    pub fn ends_secs(&self) -> Option<f64> {
-        (self.has != 0).then_some(self.frame.arrived_secs + SILENCE_SECS)
+    fn ends_secs(&self) -> Option<f64> {
+        (self.has != 0 && !self.ended_with_time).then_some(self.frame.arrived_secs + SILENCE_SECS)
     }
 
     /// The frame that has ended by now in silence.
     pub fn silence(&mut self, now_secs: f64) -> Option<Frame> {
-        if self.ends_secs().is_some_and(|end| now_secs >= end) { self.end() } else { None }
-    }
-
-    /// Where the model stands, as it came last.
-    pub fn root(&self) -> RootPlace {
-        self.frame.root
+        if self.ends_secs().is_some_and(|end| now_secs >= end) { self.end(false) } else { None }
     }
 
     /// Frames dropped because they were not whole.
@@ -103,7 +101,8 @@ impl FrameReader {
         self.partial
     }
 
-    fn end(&mut self) -> Option<Frame> {
+    fn end(&mut self, with_time: bool) -> Option<Frame> {
+        self.ended_with_time = with_time;
         let has = std::mem::take(&mut self.has);
         let had = self.had.replace(has);
         let sent_secs = self.time.take();

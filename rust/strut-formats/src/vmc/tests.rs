@@ -282,6 +282,18 @@ fn a_time_the_next_hips_or_silence_end_a_frame() {
 }
 
 #[test]
+fn silence_does_not_cut_the_frames_of_those_who_send_times() {
+    let frame = |i: u8| {
+        let messages = [bone_at(Role::Hips, 0.0), bone_at(Role::Spine, 0.0), Message::Time(f32::from(i))];
+        // The sender is held up in the middle of the later ones.
+        let step = if i < 2 { 0.0 } else { 0.01 };
+        messages.into_iter().enumerate().map(move |(n, message)| (f64::from(i) + n as f64 * step, message))
+    };
+    let arrivals: Vec<_> = (0..6).flat_map(frame).collect();
+    assert_eq!(frames(&arrivals).iter().map(|f| f.sent_secs).collect::<Vec<_>>(), [1.0, 2.0, 3.0, 4.0, 5.0].map(Some));
+}
+
+#[test]
 fn a_frame_without_one_of_its_packets_is_dropped() {
     let frame = |i: u8, with_spine: bool| {
         let mut messages = vec![bone_at(Role::Hips, f32::from(i))];
