@@ -174,12 +174,12 @@ impl JitterBuffer {
             self.stats.dropped += 1;
             return Arrival::Dropped;
         }
+        self.measure(arrived_secs, transit);
         self.count_missing(at, sent_secs);
         self.frames.insert(at, Frame { sent_secs, pose: *pose });
         if self.frames.len() > MOST_FRAMES {
             self.frames.pop_front();
         }
-        self.measure(arrived_secs, transit);
         self.stats.taken += 1;
         let is_late = self.head_secs.is_some_and(|head| sent_secs <= head);
         self.stats.late += u64::from(is_late);

@@ -26,7 +26,9 @@ const TOES: [usize; 2] = [31, 32];
 
 /// A limb with a point less visible than this keeps its pose.
 const LEAST_VISIBILITY: f32 = 0.5;
-const FILTER: OneEuroSettings = OneEuroSettings { least_cutoff_hz: 1.0, beta: 0.3 };
+/// With β = 0.3 a wrist that swings as in walking lags by 9 cm in the mean, with 10 by 1.6; at rest either leaves less than a
+/// fifth of the trembling.
+const FILTER: OneEuroSettings = OneEuroSettings { least_cutoff_hz: 1.0, beta: 10.0 };
 /// How much the hinge that a limb had without bending about its own axis counts, against the sine of its bend.
 const REST_HINGE: f32 = 0.1;
 
@@ -240,12 +242,24 @@ mod tests {
     }
 
     #[test]
-    fn somebody_who_walks_gets_ahead_as_far() {
-        let poses = walk(&NEUTRAL, 600, 0.0).poses;
+    fn somebody_who_walks_goes_where_the_feet_lead() {
+        let gait = Gait { turn: 0.2, ..NEUTRAL };
+        let poses = walk(&gait, 600, 0.0).poses;
         let mut fit = LandmarkFit::new(&Proportions::default());
-        let fitted: Vec<Pose> = poses.iter().map(|pose| fit.next(&landmarks(pose), DT)).collect();
-        let way = |poses: &[Pose]| poses[599].root.distance(poses[120].root);
-        assert!((way(&fitted) / way(&poses) - 1.0).abs() < 0.25, "{} of {} m", way(&fitted), way(&poses));
+        let mut path = RootPath::new(&Proportions::default());
+        let mut off_sum = 0.0;
+        let (mut way, mut apart) = (0.0, 0.0_f32);
+        let mut last = None;
+        for pose in &poses {
+            let fitted = fit.next(&landmarks(pose), DT);
+            let mut expected = *pose;
+            path.place(&mut expected, Support::Auto, 0.0, DT);
+            way += last.replace(expected.root).map_or(0.0, |last| expected.root.distance(last));
+            apart = apart.max(fitted.root.distance(expected.root));
+            off_sum += off(&fitted, pose);
+        }
+        assert!(way > 2.0 && apart < 0.1 * way, "{apart} m apart on a way of {way} m");
+        assert!(off_sum / 600.0 < 0.04, "the worst joint is {} m off", off_sum / 600.0);
     }
 
     #[test]
@@ -274,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn noise_of_a_centimetre_is_halved() {
+    fn the_trembling_of_somebody_at_rest_is_halved() {
         let poses = walk(&NEUTRAL, 1, 0.0).poses;
         let mut fit = LandmarkFit::new(&Proportions::default());
         let mut noise = noise(5).map(|n| n as f32 * 0.01);
