@@ -85,6 +85,19 @@ pub(crate) struct Args {
     send: Option<PathBuf>,
 }
 
+impl Args {
+    /// Where to listen.
+    fn source(&self) -> Address {
+        self.input.unwrap_or(Address::on_this_computer(PERFORMER_PORT))
+    }
+
+    /// Where to send to.
+    fn targets(&self) -> Vec<Address> {
+        let port = if self.send.is_some() { PERFORMER_PORT } else { AVATAR_PORT };
+        if self.outputs.is_empty() { vec![Address::on_this_computer(port)] } else { self.outputs.clone() }
+    }
+}
+
 #[derive(Clone, Copy, ValueEnum)]
 enum PlaceName {
     /// It is drawn to it while it walks
@@ -105,11 +118,7 @@ fn parse_delay(text: &str) -> Result<Delay, String> {
 pub(crate) fn run(args: &Args) -> Outcome {
     check(args)?;
     match (&args.send, &args.db) {
-        (Some(file), _) => {
-            let target = [Address::on_this_computer(PERFORMER_PORT)];
-            let targets = if args.outputs.is_empty() { &target[..] } else { &args.outputs };
-            sender::send(file, &mut Output::open(targets)?, args.secs)
-        }
+        (Some(file), _) => sender::send(file, &mut Output::open(&args.targets())?, args.secs),
         (None, Some(db)) => style(args, db),
         (None, None) => Err(Failure::usage("--db or --send was expected")),
     }
@@ -118,10 +127,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
 fn check(args: &Args) -> Outcome {
     let targets = [&args.record, &args.record_input, &args.json];
     Outputs::check(targets.into_iter().flatten().map(PathBuf::as_path))?;
-    for address in args.input.iter().chain(&args.outputs) {
+    let (source, targets) = (args.source(), args.targets());
+    for address in targets.iter().chain([&source]) {
         address.check(args.allow_network)?;
     }
-    if let Some(same) = args.outputs.iter().find(|&out| Some(out) == args.input.as_ref()) {
+    if let Some(same) = targets.iter().find(|target| args.send.is_none() && source.hears(target)) {
         return Err(Failure::usage(format_args!("--in and --out are both {same}; it would hear itself")));
     }
     if let Some(secs) = args.secs.filter(|secs| !(*secs > 0.0 && secs.is_finite())) {
@@ -152,10 +162,8 @@ fn style(args: &Args, db: &Path) -> Outcome {
     let settings = Settings { delay: args.buffer, calibrate_secs: args.calibrate, records };
     let mut session = Session::new(model, live, weights, settings);
 
-    let target = [Address::on_this_computer(AVATAR_PORT)];
-    let targets = if args.outputs.is_empty() { &target[..] } else { &args.outputs };
-    let mut output = Output::open(targets)?;
-    let receiver = Receiver::listen(&args.input.unwrap_or(Address::on_this_computer(PERFORMER_PORT)))?;
+    let mut output = Output::open(&args.targets())?;
+    let receiver = Receiver::listen(&args.source())?;
     print(&format!("listening on {}, sending to {output}\n", receiver.address()));
     stream(&mut session, &receiver, &mut output, args.secs)?;
     finish(args, &session)

@@ -279,6 +279,7 @@ fn what_cannot_be_gets_a_sentence() {
     misused(&["--in", "0.0.0.0:5000"], "0.0.0.0:5000 is not this computer alone; with --allow-network it may be used");
     misused(&["--out", "192.168.0.7:39540"], "with --allow-network");
     misused(&["--in", "4000", "--out", "127.0.0.1:4000"], "--in and --out are both 127.0.0.1:4000");
+    misused(&["--out", "39539"], "--in and --out are both 127.0.0.1:39539");
     misused(&["--in", "nobody"], "an address such as 127.0.0.1:39539, or a port, was expected");
     misused(&["--buffer", "900"], "auto or a number from 0 to 200 was expected");
     misused(&["--calibrate", "0"], "--calibrate is 0; more than 0 to 60 seconds were expected");

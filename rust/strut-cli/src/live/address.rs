@@ -15,6 +15,12 @@ impl Address {
         Self(SocketAddr::new(IpAddr::V4(Ipv4Addr::LOCALHOST), port))
     }
 
+    /// Whether who listens here hears what is sent there.
+    pub(super) fn hears(&self, target: &Self) -> bool {
+        let is_all = self.0.ip().is_unspecified() && target.0.ip().is_loopback();
+        self.0.port() == target.0.port() && (is_all || self.0.ip() == target.0.ip())
+    }
+
     /// Refuses other computers unless they are allowed.
     pub(super) fn check(&self, allow_network: bool) -> Outcome {
         if allow_network || self.0.ip().is_loopback() {
@@ -53,6 +59,13 @@ mod tests {
         for text in ["", "host:1", "127.0.0.1", "127.0.0.1:70000", ":1"] {
             assert!(text.parse::<Address>().is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn one_who_listens_to_all_hears_this_computer() {
+        let hears = |a: &str, b: &str| a.parse::<Address>().unwrap().hears(&b.parse().unwrap());
+        assert!(hears("5000", "127.0.0.1:5000") && hears("0.0.0.0:5000", "127.0.0.1:5000"));
+        assert!(!hears("5000", "5001") && !hears("0.0.0.0:5000", "192.168.0.2:5000"));
     }
 
     #[test]
