@@ -141,6 +141,6 @@ test("a scripted minute of driving has the same bits", { timeout: 600_000 }, asy
   expect(new Set(column(speed + 6))).toEqual(new Set([0, 1, 2, 3]));
 
   // A number that is another one in one frame does not go unnoticed.
-  const changed = asked.map((of, frame) => (frame === 1234 ? { ...of, gait: of.gait + 0.25 } : of));
-  expect(firstDifference(page, natively(changed))).toBeGreaterThanOrEqual(1234);
+  const changed = asked.map((of, frame) => (frame === 1380 ? { ...of, gait: of.gait + 0.25 } : of));
+  expect(firstDifference(page, natively(changed))).toBe(1380);
 });
