@@ -47,6 +47,13 @@ const PACKAGES = [
     message: "This is no walk model, or its beginning is damaged; a safetensors header was expected.",
   },
   {
+    folder: "web/engine/drive/pkg",
+    name: "strut_drive",
+    file: (glue: Glue) => call(make(glue, "Clips", new Float32Array(63), 60) as object, "addTakes", new Uint8Array(9)),
+    message: "MESSAGE",
+    argument: (glue: Glue) => make(glue, "Clips", new Float32Array(3), 60),
+  },
+  {
     folder: "web/engine/key_style/pkg",
     name: "strut_wasm_key_style",
     file: (glue: Glue) => make(glue, "KeyStyleModel", new Uint8Array(100)),

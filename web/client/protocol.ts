@@ -14,39 +14,17 @@ import type {
   Examples,
   InputInfo,
   Performed,
-  Reading,
   SearchFigures,
   StylizeOptions,
   WasmMemory,
 } from "../engine/types";
 import type { OpenedAtlas } from "./atlas/opened_atlas";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
+import type { LiveFrame } from "./live_frame";
 
 export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
 export * from "../engine/types";
-export type { BuiltInSet };
-
-/** What is on screen at one instant of live playback. */
-export interface LiveFrame {
-  /** Styled pose. */
-  pose: Float32Array;
-  /** Input pose at the same content. */
-  inputPose: Float32Array;
-  /** Fractional input frame. */
-  inputFrame: number;
-  /** Seconds of output since the last seek or loop. */
-  timeOut: number;
-  /** Feet planted by the engine. */
-  planted: [left: boolean, right: boolean];
-  /** The heaviest classes, heaviest first, at most three. */
-  reads: Reading[];
-  /** Median cost of a styled frame in the engine, milliseconds. */
-  frameMs: number;
-  /** Whether the clip looped since the last frame. */
-  looped: boolean;
-  /** Whether the end was reached and looping is off. */
-  ended: boolean;
-}
+export type { BuiltInSet, LiveFrame };
 
 /** The input frames from `first` to `last`, both of them included. */
 export interface FrameRange {

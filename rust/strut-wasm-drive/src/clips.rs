@@ -11,7 +11,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub struct Clips {
     proportions: Proportions,
     rate_hz: f32,
-    clips: Vec<NeutralClip>,
+    own: Vec<NeutralClip>,
     takes: Vec<NeutralClip>,
 }
 
@@ -23,7 +23,7 @@ impl Clips {
     /// If the offsets are not 63 numbers.
     #[wasm_bindgen(constructor)]
     pub fn new(proportions: &[f32], rate_hz: f32) -> Result<Self, EngineError> {
-        Ok(Self { proportions: proportions_of(proportions)?, rate_hz, clips: Vec::new(), takes: Vec::new() })
+        Ok(Self { proportions: proportions_of(proportions)?, rate_hz, own: Vec::new(), takes: Vec::new() })
     }
 
     /// Adds a clip of an action: its poses in the world, and which feet are planted in each, left and right interleaved.
@@ -33,7 +33,7 @@ impl Clips {
     pub fn add(&mut self, name: String, action: String, poses: &[f32], contacts: &[u8]) -> Result<(), EngineError> {
         let poses = poses_of(poses)?.collect();
         let contacts = contacts.as_chunks::<2>().0.iter().map(|feet| feet.map(|planted| planted != 0)).collect();
-        self.clips.push(NeutralClip { name, action, poses, contacts });
+        self.own.push(NeutralClip { name, action, poses, contacts });
         Ok(())
     }
 
@@ -57,7 +57,7 @@ impl Clips {
     /// # Errors
     /// If there is too little locomotion among them.
     pub(crate) fn driving(&self) -> Result<DrivingClips, EngineError> {
-        DrivingClips::new(self.proportions, self.rate_hz, &self.clips, &self.takes).map_err(EngineError::bad_input)
+        DrivingClips::new(self.proportions, self.rate_hz, &self.own, &self.takes).map_err(EngineError::bad_input)
     }
 }
 

@@ -24,7 +24,7 @@ pub const FRAME: usize = POSE_FLOATS + 3 + 6 * AHEAD + 8;
 #[wasm_bindgen]
 pub struct Driver {
     clips: Arc<DrivingClips>,
-    driver: driving::Driver,
+    inner: driving::Driver,
     frame: Box<[f32; FRAME]>,
 }
 
@@ -37,13 +37,13 @@ impl Driver {
     #[wasm_bindgen(constructor)]
     pub fn new(clips: &Clips) -> Result<Self, EngineError> {
         let clips = Arc::new(clips.driving()?);
-        let driver = driving::Driver::new(Arc::clone(&clips));
-        Ok(Self { clips, driver, frame: Box::new([0.0; FRAME]) })
+        let inner = driving::Driver::new(Arc::clone(&clips));
+        Ok(Self { clips, inner, frame: Box::new([0.0; FRAME]) })
     }
 
     /// Speeds of walking and of running, m/s.
     pub fn speeds(&self) -> Vec<f32> {
-        self.driver.speeds().to_vec()
+        self.inner.speeds().to_vec()
     }
 
     /// Rows to choose from, mirror images included.
@@ -63,12 +63,12 @@ impl Driver {
 
     /// Names of the moves that can be asked for.
     pub fn moves(&self) -> Vec<String> {
-        self.driver.moves().map(|of| of.name().into()).collect()
+        self.inner.moves().map(|of| of.name().into()).collect()
     }
 
     /// Begins anew at a place, without a path.
     pub fn reset(&mut self, x: f32, z: f32, heading: f32) {
-        self.driver.reset(Placement { x, z, heading });
+        self.inner.reset(Placement { x, z, heading });
     }
 
     /// Has the character follow a line through points, x and z each; fewer than two distinct ones end it. Points of which a
@@ -77,19 +77,19 @@ impl Driver {
     pub fn set_path(&mut self, points: &[f32]) {
         if points.iter().all(|number| number.is_finite()) {
             let points: Vec<Vec2> = points.as_chunks::<2>().0.iter().map(|&[x, z]| Vec2::new(x, z)).collect();
-            self.driver.set_path(&points);
+            self.inner.set_path(&points);
         }
     }
 
     /// How far along its path the character is, metres; none where it has no path.
     pub fn progress(&self) -> Option<f32> {
-        self.driver.progress()
+        self.inner.progress()
     }
 
     /// Whether the path's end is reached; also where there is none.
     #[wasm_bindgen(js_name = hasArrived)]
     pub fn has_arrived(&self) -> bool {
-        self.driver.has_arrived()
+        self.inner.has_arrived()
     }
 
     /// Goes on by a frame: the wish over the ground, the gait (0 stands, 1 walks, 2 runs), the heading to face, the number of a
@@ -108,7 +108,7 @@ impl Driver {
         let action = action.and_then(|number| Move::ALL.get(usize::from(number)).copied());
         let control = Control { wish: Vec2::new(wish_x, wish_z), gait, face, action };
         let styled = styled_x.zip(styled_z).map(|(x, z)| Vec3::new(x, 0.0, z));
-        write(&self.clips, self.driver.next(&control, styled), &mut self.frame);
+        write(&self.clips, self.inner.next(&control, styled), &mut self.frame);
     }
 
     /// Writes the [`FRAME`] numbers of the present frame.
@@ -128,10 +128,8 @@ impl Driver {
 }
 
 fn write(clips: &DrivingClips, frame: &DrivenFrame, out: &mut [f32; FRAME]) {
-    let (pose, rest) = out.split_at_mut(POSE_FLOATS);
-    if let Some(pose) = pose.as_mut_array() {
-        frame.pose.write_to(pose);
-    }
+    let Some((pose, rest)) = out.split_first_chunk_mut::<POSE_FLOATS>() else { return };
+    frame.pose.write_to(pose);
     let place = |&(place, heading): &(Vec2, f32)| [place.x, place.y, heading];
     let Placement { x, z, heading } = frame.root;
     let clip = clips.clip_of(frame.row);

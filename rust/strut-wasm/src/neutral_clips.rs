@@ -1,6 +1,7 @@
 //! The neutral clips of a database, which another package drives with.
 
 use crate::database::Database;
+use strut_core::database::Clip;
 use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -39,7 +40,7 @@ impl Database {
     #[wasm_bindgen(js_name = clipContacts)]
     pub fn clip_contacts(&self, clip: usize) -> Vec<u8> {
         let catalogue = self.model().catalogue();
-        let rows = catalogue.clips.get(clip).map(|clip| clip.rows()).unwrap_or_default();
+        let rows = catalogue.clips.get(clip).map(Clip::rows).unwrap_or_default();
         rows.flat_map(|row| catalogue.contact(row)).collect()
     }
 }

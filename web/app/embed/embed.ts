@@ -1,5 +1,5 @@
 /** Opens the Embed dialog for what is shown. */
-import type { InputLibrary } from "../../player/input_library";
+import { DRIVE, type InputLibrary } from "../../player/input_library";
 import { linkTo } from "../shell/links";
 import { type AppState, initialState } from "../state/state";
 import { strings } from "../strings/strings";
@@ -52,7 +52,8 @@ export async function embed({
   onClose,
 }: EmbedSubject): Promise<void> {
   const shown = Object.fromEntries(SHOWN.map((name) => [name, state[name]]));
-  const isFirst = state.input === library.first;
+  // A figure on another page is not steered.
+  const isFirst = state.input === library.first || state.input === DRIVE;
   const reduced: AppState = { ...initialState(), ...shown, input: isFirst ? "" : state.input };
   const site = new URL(".", location.href).href;
   const [{ href, carried }, { openEmbedDialog }] = await Promise.all([

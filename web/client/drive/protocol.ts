@@ -1,7 +1,7 @@
 /** What a page says to a driven character, and what comes back. */
 import type { MoveName } from "../../engine/drive/driver";
 import type { StyleKey } from "../../engine/types";
-import type { LiveFrame } from "../protocol";
+import type { LiveFrame } from "../live_frame";
 
 /** A move that a character may be asked for. */
 export type Move = MoveName;

@@ -1,6 +1,6 @@
 /** The worker's side of the wire: one engine, and any number of databases, motions, sessions and stylizers by number. */
 import { Engine } from "../../engine/engine";
-import { toStrutError } from "../../engine/errors";
+import { StrutError, toStrutError } from "../../engine/errors";
 import type { Arguments, Call, Method, Reply, Request, Result } from "../messages";
 import { BuiltInMotions } from "./built_in_motions";
 import * as databases from "./databases";
@@ -114,7 +114,10 @@ function handle(
   call: Call,
 ): Result<Method> | Promise<Result<Method>> {
   // A call pairs each method with its own arguments; TypeScript does not follow that through the index.
-  const handler = handlers[call.method] as (host: Host, caller: Caller, ...args: unknown[]) => Result<Method>;
+  const handler = handlers[call.method] as
+    | ((host: Host, caller: Caller, ...args: unknown[]) => Result<Method>)
+    | undefined;
+  if (!handler) throw new StrutError({ code: "unsupported", message: "This engine does not drive.", hint: "" });
   return handler(host, caller, ...call.args);
 }
 

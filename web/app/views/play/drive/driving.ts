@@ -71,6 +71,8 @@ export class Driving {
   #isNew = false;
   #move: Move | undefined;
   #used = false;
+  /** Whether another window has the focus: its pad is not ours. */
+  #away = false;
   #isViewed = false;
   #asked: DriveControl = { move: [0, 0], gait: 1 };
 
@@ -96,6 +98,8 @@ export class Driving {
       signal,
     );
     this.#path = new PathTool(places.picture, this.#ground(), signal);
+    addEventListener("blur", () => this.#leave(), { signal });
+    for (const type of ["focus", "keydown", "pointerdown"]) addEventListener(type, () => this.#return(), { signal });
     this.#help = new HelpLine(info.moves, matchMedia("(pointer: coarse)").matches ? "touch" : "keyboard");
     this.#panel = new DrivePanel(info, host.session.database?.neutral ?? "", (on) => {
       this.#keyboard.latches = on;
@@ -194,7 +198,7 @@ export class Driving {
   }
 
   #ask(): DriveControl {
-    const pad = this.#pad.read();
+    const pad = this.#away ? undefined : this.#pad.read();
     const wish = this.#keyboard.wish ?? this.#stick.wish ?? pad;
     const action = this.#move;
     this.#move = undefined;
@@ -250,6 +254,15 @@ export class Driving {
       pointRight: () => this.#actions.movePoint("ArrowRight"),
     };
     act[action]();
+  }
+
+  #leave(): void {
+    this.#away = true;
+    this.#stick.stop();
+  }
+
+  #return(): void {
+    this.#away = false;
   }
 
   #begin(move: Move): void {

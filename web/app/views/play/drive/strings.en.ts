@@ -1,5 +1,4 @@
 /** What is said while a character is driven. */
-import type { Move } from "../../../../client/drive/protocol";
 
 export const driveWords = {
   help: {
@@ -14,7 +13,7 @@ export const driveWords = {
     path: "Draw path",
     pathWhy: "then draw on the ground",
     pad: "or a gamepad",
-    moves: { jump: "jump", punch: "punch", kick: "kick" } satisfies Record<Move, string>,
+    moves: { jump: "jump", punch: "punch", kick: "kick" },
     padStick: "Left stick",
     padRun: { shapes: "R2", letters: "RT", numbers: "8" },
     padButtons: {

@@ -1,0 +1,24 @@
+/** A frame as it is shown. */
+import type { Reading } from "../engine/types";
+
+/** What is on screen at one instant of live playback. */
+export interface LiveFrame {
+  /** Styled pose. */
+  pose: Float32Array;
+  /** Input pose at the same content. */
+  inputPose: Float32Array;
+  /** Fractional input frame. */
+  inputFrame: number;
+  /** Seconds of output since the last seek or loop. */
+  timeOut: number;
+  /** Feet planted by the engine. */
+  planted: [left: boolean, right: boolean];
+  /** The heaviest classes, heaviest first, at most three. */
+  reads: Reading[];
+  /** Median cost of a styled frame in the engine, milliseconds. */
+  frameMs: number;
+  /** Whether the clip looped since the last frame. */
+  looped: boolean;
+  /** Whether the end was reached and looping is off. */
+  ended: boolean;
+}
