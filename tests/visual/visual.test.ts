@@ -49,6 +49,13 @@ async function walkOn(page: Page): Promise<void> {
   await page.mouse.move(1, 1);
 }
 
+/** Waits until the atlas is drawn. */
+async function mapped(page: Page): Promise<void> {
+  // It says how long that took.
+  await page.locator(".atlas[data-drawn]").waitFor();
+  await page.locator(".atlas-by").evaluate((by: HTMLElement) => by.style.setProperty("visibility", "hidden"));
+}
+
 /** Holds the handle of the polygon half way to a corner. */
 async function dragHandle(page: Page): Promise<void> {
   const from = await middleOf(page.getByRole("slider", { name: "Style", exact: true }));
@@ -116,6 +123,8 @@ const CASES: readonly Case[] = [
     size: WIDE,
     theme: "light",
   },
+  { name: "play-atlas-light", hash: `${SECOND}&atlas=whole`, size: WIDE, theme: "light", act: mapped },
+  { name: "play-atlas-narrow-dark", hash: `${SECOND}&tab=curves&atlas=legs`, size: NARROW, theme: "dark", act: mapped },
   { name: "play-beyond", hash: `${SECOND}&intensity=1.9&part=legs&parts=legs~angry:1`, size: WIDE, theme: "dark" },
   { name: "learn-style-light", hash: "play=0&view=learn&beat=4", size: WIDE, theme: "light", act: figured },
   {

@@ -14,7 +14,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen]
 pub struct Atlas {
     model: Arc<Model>,
-    atlas: search::Atlas,
+    picture: search::Atlas,
     /// The input's frames of the columns.
     frames: Vec<usize>,
     /// The input's poses of these.
@@ -40,7 +40,7 @@ impl Atlas {
             }
         }
         let poses = frames.iter().map(|&frame| poses[frame]).collect();
-        Self { atlas: search::Atlas::new(model.index(), windows), model, frames, poses }
+        Self { picture: search::Atlas::new(model.index(), windows), model, frames, poses }
     }
 
     /// The input's frame of each column.
@@ -50,7 +50,7 @@ impl Atlas {
 
     /// Number of the first window of each class, and of all windows.
     pub fn firsts(&self) -> Vec<u32> {
-        self.atlas.firsts().iter().map(|&first| first as u32).collect()
+        self.picture.firsts().iter().map(|&first| first as u32).collect()
     }
 
     /// Takes another view: a part of the body by its number, the first window and the one after the last, and lines. Gives the
@@ -62,8 +62,8 @@ impl Atlas {
     pub fn set_view(&mut self, part: usize, first: usize, last: usize, height: usize) -> Result<Vec<u32>, EngineError> {
         let part =
             BodyPart::ALL.get(part).ok_or_else(|| EngineError::bad_input("there is no such part of the body"))?;
-        self.atlas.set_view(AtlasView { part: *part, windows: [first, last], height });
-        let AtlasView { windows: [first, last], height, .. } = self.atlas.view();
+        self.picture.set_view(AtlasView { part: *part, windows: [first, last], height });
+        let AtlasView { windows: [first, last], height, .. } = self.picture.view();
         Ok([first, last, height].map(|v| v as u32).into())
     }
 
@@ -72,11 +72,11 @@ impl Atlas {
     /// # Errors
     /// If there is no such column.
     pub fn draw(&mut self, columns: &[u32]) -> Result<Vec<f32>, EngineError> {
-        let height = self.atlas.view().height;
+        let height = self.picture.view().height;
         let mut all = vec![0.0; columns.len() * height];
         for (column, out) in columns.iter().zip(all.chunks_exact_mut(height)) {
             self.column(*column as usize)?;
-            self.atlas.draw(self.model.index(), *column as usize, out);
+            self.picture.draw(self.model.index(), *column as usize, out);
         }
         Ok(all)
     }
@@ -86,7 +86,7 @@ impl Atlas {
     /// # Errors
     /// If there is no such column or line.
     pub fn nearest(&mut self, column: usize, line: usize) -> Result<Vec<f64>, EngineError> {
-        let found = self.atlas.nearest(self.model.index(), column, line);
+        let found = self.picture.nearest(self.model.index(), column, line);
         let found = found.ok_or_else(|| EngineError::bad_input("there is no such column or line"))?;
         let clips = &self.model.catalogue().clips;
         let clip = clips.partition_point(|clip| clip.first_frame <= found.row) - 1;
@@ -124,36 +124,36 @@ impl Atlas {
     /// The database's rows for a graphics processor, by the joints of the view.
     #[wasm_bindgen(js_name = packedRows)]
     pub fn packed_rows(&mut self) -> Vec<f32> {
-        self.atlas.packed(self.model.index()).rows.as_flattened().to_vec()
+        self.picture.packed(self.model.index()).rows.as_flattened().to_vec()
     }
 
     /// The windows of these, in whole tiles.
     #[wasm_bindgen(js_name = packedWindows)]
     pub fn packed_windows(&mut self) -> Vec<u32> {
-        self.atlas.packed(self.model.index()).windows.iter().flat_map(PackedWindow::words).collect()
+        self.picture.packed(self.model.index()).windows.iter().flat_map(PackedWindow::words).collect()
     }
 
     /// Line of each of these windows; the largest number for none.
     #[wasm_bindgen(js_name = packedLines)]
     pub fn packed_lines(&self) -> Vec<u32> {
-        self.atlas.packed_lines()
+        self.picture.packed_lines()
     }
 
     /// The columns' rows, by the joints of the view.
     #[wasm_bindgen(js_name = packedColumnRows)]
     pub fn packed_column_rows(&mut self) -> Vec<f32> {
-        self.atlas.packed_columns(self.model.index()).iter().flat_map(|query| query.rows).flatten().collect()
+        self.picture.packed_columns(self.model.index()).iter().flat_map(|query| query.rows).flatten().collect()
     }
 
     /// The windows of these.
     #[wasm_bindgen(js_name = packedColumns)]
     pub fn packed_columns(&mut self) -> Vec<u32> {
-        self.atlas.packed_columns(self.model.index()).iter().flat_map(|query| query.window.words()).collect()
+        self.picture.packed_columns(self.model.index()).iter().flat_map(|query| query.window.words()).collect()
     }
 }
 
 impl Atlas {
     fn column(&self, column: usize) -> Result<&QueryWindow, EngineError> {
-        self.atlas.column(column).ok_or_else(|| EngineError::bad_input("there is no such column"))
+        self.picture.column(column).ok_or_else(|| EngineError::bad_input("there is no such column"))
     }
 }

@@ -4,7 +4,7 @@
 //! are in the order of their classes and clips. A pixel is the least D between its column's window and the windows of its
 //! line.
 
-use super::index::{Index, NO_ROW, Query};
+use super::index::{Index, Query};
 use super::metric::{LENGTH, Metric, QueryWindow, WINDOW};
 use super::packed::{BodyPart, PACKED_TILE, PackedQuery, PackedWindows};
 use super::points::JOINT_WEIGHTS;
@@ -65,8 +65,10 @@ pub struct Atlas {
     lines: Vec<u32>,
     /// Windows by the joints of the view; made when they are needed.
     packed: Option<(BodyPart, PackedWindows)>,
-    /// Room for a number a line.
-    limits: Vec<f32>,
+    /// The column that was drawn last by the index's own metric, and its nearest window of each line, by the row at which it
+    /// ends: what follows that is likely to be near in another column.
+    last: (usize, Vec<u32>),
+    scratch: Scratch,
 }
 
 impl Atlas {
@@ -83,8 +85,9 @@ impl Atlas {
         }
         let columns = columns.into_iter().filter(|window| window.frames() > 0).collect();
         let view = AtlasView { part: BodyPart::Whole, windows: [0, ends.len()], height: 1 };
-        let mut atlas = Self { columns, ends, firsts, view, lines: Vec::new(), packed: None, limits: Vec::new() };
-        atlas.lines = vec![NO_LINE; index.rows()];
+        let lines = vec![NO_LINE; index.rows()];
+        let (last, scratch) = ((0, Vec::new()), Scratch::default());
+        let mut atlas = Self { columns, ends, firsts, view, lines, packed: None, last, scratch };
         atlas.number_lines();
         atlas
     }
@@ -123,6 +126,7 @@ impl Atlas {
     }
 
     fn number_lines(&mut self) {
+        self.last.1.clear();
         self.lines.fill(NO_LINE);
         for line in 0..self.view.height {
             for window in self.view.windows_of(line) {
@@ -159,17 +163,33 @@ impl Atlas {
     pub fn draw(&mut self, index: &Index, column: usize, out: &mut [f32]) {
         assert_eq!(out.len(), self.view.height);
         out.fill(f32::INFINITY);
+        if self.ends.is_empty() {
+            return;
+        }
         let Some(metric) = metric_of(self.view.part) else {
             self.draw_packed(index, column, out);
             return;
         };
-        let query = index.prepare(&self.columns[column], metric);
-        self.limits.clear();
-        self.limits.resize(out.len(), f32::INFINITY);
-        let [first, last] = self.view.windows;
-        for (class, windows) in self.firsts.windows(2).enumerate() {
-            if windows[0] < last && windows[1] > first {
-                index.least_of_lines(&query, class, &self.lines, &mut self.limits, out);
+        let Self { columns, ends, firsts, view, lines, last: (last, nearest), scratch, .. } = self;
+        let query = index.prepare(&columns[column], metric);
+        if nearest.len() != view.height {
+            nearest.clear();
+            nearest.extend((0..view.height).map(|line| ends[view.windows_of(line).start]));
+        }
+        // A window of each line to begin with: what follows the nearest of the last column, or any.
+        for (line, (row, least)) in (0..).zip(nearest.iter_mut().zip(&mut *out)) {
+            let next = (*row as usize + column).saturating_sub(*last);
+            if lines.get(next) == Some(&line) {
+                *row = next as u32;
+            }
+            *least = index.distance_to(&query, *row as usize);
+        }
+        *last = column;
+        for (class, windows) in firsts.windows(2).enumerate() {
+            let (first, last) = (windows[0].max(view.windows[0]), windows[1].min(view.windows[1]));
+            if first < last {
+                let of_class = lines[ends[first] as usize] as usize..lines[ends[last - 1] as usize] as usize + 1;
+                index.least_of_lines(&query, class, lines, of_class, scratch, nearest, out);
             }
         }
     }
@@ -279,28 +299,57 @@ fn metric_of(part: BodyPart) -> Option<Metric> {
     }
 }
 
+/// Working memory of a column.
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    /// What of a line rules windows out.
+    limits: Vec<f32>,
+    /// Leaves that may hold nearer windows, each with a lower bound of their D.
+    leaves: Vec<(f32, usize)>,
+}
+
+/// Leaves between two looks at which line is farthest.
+const LEAVES: usize = 16;
+
 impl Index {
-    /// Lowers the numbers of lines to the D of a class's windows, whose lines are given by the rows at which they end.
-    /// `limits` has room for a number a line.
-    fn least_of_lines(&self, query: &Query<'_>, class: usize, lines: &[u32], limits: &mut [f32], out: &mut [f32]) {
+    /// Lowers the numbers of lines to the D of a class's windows, which are on the lines `of_class`: `lines` has them by the rows
+    /// at which windows end. `nearest` gets the rows of the nearest.
+    #[allow(clippy::too_many_arguments)] // Parts of one atlas.
+    fn least_of_lines(
+        &self,
+        query: &Query<'_>,
+        class: usize,
+        lines: &[u32],
+        of_class: Range<usize>,
+        scratch: &mut Scratch,
+        nearest: &mut [u32],
+        out: &mut [f32],
+    ) {
         let margins = self.margins(query, class);
-        for (limit, least) in limits.iter_mut().zip(&*out) {
-            *limit = margins.squared_limit(*least);
-        }
-        for leaf in self.leaves_of(query, class) {
-            let distances = self.squared_distances(query, leaf);
-            for (row, distance) in self.rows[leaf].iter().zip(distances.0.as_flattened()) {
-                if *row == NO_ROW {
-                    continue;
-                }
-                let line = lines[*row as usize] as usize;
-                // What is not a number rules nothing out.
-                if limits.get(line).is_none_or(|limit| distance > limit) {
-                    continue;
-                }
-                let d = self.distance::<LENGTH>(query, *row as usize);
-                if d < out[line] {
-                    (out[line], limits[line]) = (d, margins.squared_limit(d));
+        let Scratch { limits, leaves } = scratch;
+        limits.clear();
+        limits.extend(out.iter().map(|least| margins.squared_limit(*least)));
+        let farthest = |out: &[f32]| out[of_class.clone()].iter().copied().fold(0.0, f32::max);
+        leaves.clear();
+        self.leaves_within(query, class, farthest(out), leaves);
+        for leaves in leaves.chunks(LEAVES) {
+            let of_all = margins.squared_limits(farthest(out));
+            for &(_, leaf) in leaves {
+                let distances = self.squared_distances(query, leaf);
+                let mut windows = distances.within(&of_all);
+                while windows != 0 {
+                    let i = windows.trailing_zeros() as usize;
+                    windows &= windows - 1;
+                    let row = self.rows[leaf][i];
+                    let line = lines.get(row as usize).map_or(usize::MAX, |line| *line as usize);
+                    // What is not a number rules nothing out.
+                    if limits.get(line).is_none_or(|limit| distances.0[i / 4][i % 4] > *limit) {
+                        continue;
+                    }
+                    let d = self.distance::<LENGTH>(query, row as usize);
+                    if d < out[line] {
+                        (out[line], limits[line], nearest[line]) = (d, margins.squared_limit(d), row);
+                    }
                 }
             }
         }

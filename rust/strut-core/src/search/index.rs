@@ -12,7 +12,6 @@ use crate::database::Database;
 use crate::math::order::sort_pairs;
 #[cfg(feature = "baselines")]
 use std::num::NonZero;
-use std::ops::Range;
 
 /// All windows of a database, ready to be searched.
 #[derive(Clone, Debug)]
@@ -142,9 +141,10 @@ impl Index {
         self.leaves[query.metric as usize].margins(class, query.window, query.error)
     }
 
-    /// Leaves of a class by the query's metric.
-    pub(super) fn leaves_of(&self, query: &Query<'_>, class: usize) -> Range<usize> {
-        self.leaves[query.metric as usize].of_class(class)
+    /// The leaves of a class that may hold a window with a D of at most `threshold`, each with a lower bound of its windows'.
+    pub(super) fn leaves_within(&self, query: &Query<'_>, class: usize, threshold: f32, out: &mut Vec<(f32, usize)>) {
+        let leaves = &self.leaves[query.metric as usize];
+        leaves.candidates(class, &query.probe, self.margins(query, class), threshold, out);
     }
 
     /// Squared distances between the query and the windows of a leaf, in integers.
