@@ -154,7 +154,8 @@ mod tests {
             let rows = wander(n, seed);
             let of = Matching::new(rows.clone());
             let query = rows[at % n].map(|v| v + 0.01);
-            let extra = |row: usize| (row.abs_diff(at % n) >= skipped).then(|| if row % 90 < 40 { 0.7 } else { 0.0 });
+            let dearer = |row: usize| if row % 90 < 40 { 0.7 } else { 0.0 };
+            let extra = |row: usize| (row.abs_diff(at % n) >= skipped).then(|| dearer(row));
             prop_assert_eq!(of.nearest(&query, extra), by_brute_force(&of, &query, extra));
         }
     }

@@ -144,7 +144,9 @@ mod tests {
         // An arm that is raised and lowered twice, with a second of rest before, between and after.
         let raised = |frame: usize| {
             let within = frame % 120;
-            if within < 60 { 0.0 } else { 1.5 * sin((within - 60) as f32 / 60.0 * std::f32::consts::PI).powi(2) }
+            let share = (within as f32 / 60.0 - 1.0).max(0.0);
+            let half_wave = sin(share * std::f32::consts::PI);
+            1.5 * half_wave * half_wave
         };
         let poses: Vec<Pose> = (0..300)
             .map(|frame| {
