@@ -17,7 +17,7 @@ const CRATES = {
   "strut-wasm": ["strut-wasm-common", "strut-core", "strut-formats", "strut-demo"],
   "strut-wasm-build": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-walk": ["strut-wasm-common", "strut-core", "strut-formats"],
-  "strut-wasm-drive": ["strut-wasm-common", "strut-core", "strut-formats"],
+  "strut-wasm-drive": ["strut-wasm-common", "strut-core"],
   "strut-wasm-key-style": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-character": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-gpu": ["strut-wasm-common", "strut-gpu"],

@@ -287,7 +287,7 @@ describe("a line on the ground", () => {
     const box = (await page.locator(".stage-view").boundingBox())!;
     const foot = await page.evaluate(() => window.strut.jointScreenPosition("left_toes"));
     const [x, y] = [(foot.x - box.x) / box.width, (foot.y - box.y) / box.height];
-    await draw(Array.from({ length: 31 }, (_, i) => [x + 0.1 * Math.sin(i / 12), y - 0.009 * i] as const));
+    await draw(Array.from({ length: 31 }, (_, i) => [x + 0.08 * Math.sin(i / 12), y - 0.017 * i] as const));
     // The first two seconds are no part of it.
     const begin = (await frame()).inputFrame;
     await eventually(async () => (await frame()).inputFrame - begin).toBeGreaterThan(120);
@@ -295,7 +295,7 @@ describe("a line on the ground", () => {
     const panel = page.locator(".drive-row").filter({ hasText: "Off course" }).locator("b");
     while ((await frame()).progress !== undefined) {
       off.push(Number(await panel.textContent()));
-      await page.waitForTimeout(150);
+      await page.waitForTimeout(60);
     }
     expect(off.length).toBeGreaterThan(5);
     expect(off.reduce((sum, cm) => sum + cm, 0) / off.length).toBeLessThan(10);

@@ -95,7 +95,16 @@ async function byPackages(asked: (styles: number) => readonly Asked[]): Promise<
       database.clipPoses(clip),
       database.clipContacts(clip),
     );
-  clips.addTakes(takes());
+  const others = engine.Database.fromPacked(takes());
+  for (const clip of others.neutralClips())
+    clips.addTake(
+      others.clipName(clip),
+      others.clipAction(clip),
+      others.clipPoses(clip),
+      others.clipContacts(clip),
+      others.proportions(),
+      others.rateHz(),
+    );
   const driver = new driving.Driver(clips);
   const stylizer = new engine.Stylizer(database);
   const frames = asked(database.styles().length);

@@ -47,13 +47,6 @@ const PACKAGES = [
     message: "This is no walk model, or its beginning is damaged; a safetensors header was expected.",
   },
   {
-    folder: "web/engine/drive/pkg",
-    name: "strut_drive",
-    file: (glue: Glue) => call(make(glue, "Clips", new Float32Array(63), 60) as object, "addTakes", new Uint8Array(9)),
-    message: "MESSAGE",
-    argument: (glue: Glue) => make(glue, "Clips", new Float32Array(3), 60),
-  },
-  {
     folder: "web/engine/key_style/pkg",
     name: "strut_wasm_key_style",
     file: (glue: Glue) => make(glue, "KeyStyleModel", new Uint8Array(100)),
@@ -90,6 +83,27 @@ function thrownBy(call: () => unknown): unknown {
   }
   throw new Error("nothing was thrown");
 }
+
+test("strut_drive, which reads no files", async () => {
+  const glue = await load("web/engine/drive/pkg", "strut_drive");
+  for (const wrong of [
+    () => make(glue, "Clips", new Float32Array(3), 60),
+    () => make(glue, "Driver", make(glue, "Clips", new Float32Array(63), 60)),
+    () =>
+      call(
+        make(glue, "Clips", new Float32Array(63), 60) as object,
+        "add",
+        "a",
+        "b",
+        new Float32Array(3),
+        new Uint8Array(2),
+      ),
+  ]) {
+    const error = thrownBy(wrong);
+    expect(error).toBeInstanceOf(glue.EngineError);
+    expect((error as EngineError).code).toBe("bad-input");
+  }
+});
 
 test.each(PACKAGES)("$name", async ({ folder, name, file, message, argument }) => {
   const glue = await load(folder, name);

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::Arc;
 use strut_core::humanoid::POSE_FLOATS;
 use strut_core::transfer::{Model, Options, Stylizer};
-use strut_formats::strutdb;
+use strut_formats::strutdb::{self, packed};
 use strut_wasm_drive::{Clips, Driver};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("scripted_drive DB.strutdb TAKES SCRIPT OUT".into());
     };
     let model = Arc::new(Model::of(strutdb::read_catalogue(&std::fs::read(db)?, None)?));
-    let mut driver = driver_over(&model, &std::fs::read(takes)?)?;
+    let mut driver = driver_over(&model, &Model::new(packed::read_database(&std::fs::read(takes)?)?))?;
     let mut stylizer = Stylizer::new(Arc::clone(&model), Options::DEFAULT)?;
     let mut bytes = Vec::new();
     let mut hips: Option<[f32; 2]> = None;
@@ -48,18 +48,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn driver_over(model: &Model, takes: &[u8]) -> Result<Driver, Box<dyn Error>> {
-    let catalogue = model.catalogue();
-    let offsets = strut_wasm_common::offsets_of(&catalogue.proportions);
+fn driver_over(model: &Model, takes: &Model) -> Result<Driver, Box<dyn Error>> {
+    let offsets = |of: &Model| strut_wasm_common::offsets_of(&of.catalogue().proportions);
     let said = |error: strut_wasm_drive::EngineError| error.message();
-    let mut clips = Clips::new(&offsets, catalogue.rate_hz).map_err(said)?;
-    for (number, clip) in catalogue.clips.iter().enumerate().filter(|(_, clip)| clip.style == catalogue.neutral) {
-        let poses = strut_wasm_common::floats_of(catalogue.poses_of_clip(number).iter());
-        let contacts: Vec<u8> = clip.rows().flat_map(|row| catalogue.contact(row)).collect();
-        let action = catalogue.actions[usize::from(clip.action)].clone();
-        clips.add(clip.name.clone(), action, &poses, &contacts).map_err(said)?;
+    let mut clips = Clips::new(&offsets(model), model.catalogue().rate_hz).map_err(said)?;
+    for of in [model, takes] {
+        let catalogue = of.catalogue();
+        for (number, clip) in catalogue.clips.iter().enumerate().filter(|(_, clip)| clip.style == catalogue.neutral) {
+            let poses = strut_wasm_common::floats_of(catalogue.poses_of_clip(number).iter());
+            let contacts: Vec<u8> = clip.rows().flat_map(|row| catalogue.contact(row)).collect();
+            let (name, action) = (clip.name.clone(), catalogue.actions[usize::from(clip.action)].clone());
+            if std::ptr::eq(of, model) {
+                clips.add(name, action, &poses, &contacts).map_err(said)?;
+            } else {
+                clips.add_take(name, action, &poses, &contacts, &offsets(of), catalogue.rate_hz).map_err(said)?;
+            }
+        }
     }
-    clips.add_takes(takes).map_err(said)?;
     Ok(Driver::new(&clips).map_err(said)?)
 }
 

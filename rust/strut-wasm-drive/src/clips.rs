@@ -1,9 +1,8 @@
 //! Handle of the clips that are driven with.
 
 use strut_core::driving::{DrivingClips, NeutralClip};
-use strut_core::humanoid::{HumanoidMotion, Proportions};
-use strut_formats::strutdb::packed;
-use strut_wasm_common::{EngineError, bvh_of, poses_of, proportions_of};
+use strut_core::humanoid::Proportions;
+use strut_wasm_common::{EngineError, poses_of, proportions_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Neutral clips, as they are collected for a driver.
@@ -31,22 +30,27 @@ impl Clips {
     /// # Errors
     /// If the array is not a whole number of poses.
     pub fn add(&mut self, name: String, action: String, poses: &[f32], contacts: &[u8]) -> Result<(), EngineError> {
-        let poses = poses_of(poses)?.collect();
-        let contacts = contacts.as_chunks::<2>().0.iter().map(|feet| feet.map(|planted| planted != 0)).collect();
-        self.own.push(NeutralClip { name, action, poses, contacts });
+        self.own.push(clip_of(name, action, poses, contacts)?);
         Ok(())
     }
 
-    /// Adds takes that the clips may lack, packed motions: they are carried over to the body.
+    /// Adds a take that the clips may lack, of another body and rate: it is carried over.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
-    #[wasm_bindgen(js_name = addTakes)]
-    pub fn add_takes(&mut self, bytes: &[u8]) -> Result<(), EngineError> {
-        let hint = "Reload the page; if that does not help, the site was not deployed completely.";
-        let takes = packed::read_database(bytes).map_err(|error| EngineError::bad_file(error, hint))?;
-        let takes = NeutralClip::all_carried(&takes, &self.proportions, self.rate_hz);
-        self.takes.extend(takes.map_err(EngineError::bad_input)?);
+    /// If an array has another length than it should, or there are too many frames at this rate.
+    #[wasm_bindgen(js_name = addTake)]
+    pub fn add_take(
+        &mut self,
+        name: String,
+        action: String,
+        poses: &[f32],
+        contacts: &[u8],
+        proportions: &[f32],
+        rate_hz: f32,
+    ) -> Result<(), EngineError> {
+        let clip = clip_of(name, action, poses, contacts)?;
+        let carried = clip.carried(proportions_of(proportions)?, rate_hz, &self.proportions, self.rate_hz);
+        self.takes.push(carried.map_err(EngineError::bad_input)?);
         Ok(())
     }
 }
@@ -61,12 +65,8 @@ impl Clips {
     }
 }
 
-/// The text of a BVH file of poses on a body (21 × xyz, metres) and at a rate.
-///
-/// # Errors
-/// If an array has another length, or a number is beyond all that files hold.
-#[wasm_bindgen(js_name = bvhOfPoses)]
-pub fn bvh_of_poses(proportions: &[f32], rate_hz: f32, poses: &[f32]) -> Result<String, EngineError> {
+fn clip_of(name: String, action: String, poses: &[f32], contacts: &[u8]) -> Result<NeutralClip, EngineError> {
     let poses = poses_of(poses)?.collect();
-    bvh_of(&HumanoidMotion { proportions: proportions_of(proportions)?, rate_hz, poses })
+    let contacts = contacts.as_chunks::<2>().0.iter().map(|feet| feet.map(|planted| planted != 0)).collect();
+    Ok(NeutralClip { name, action, poses, contacts })
 }

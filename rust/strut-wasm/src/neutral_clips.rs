@@ -2,7 +2,8 @@
 
 use crate::database::Database;
 use strut_core::database::Clip;
-use strut_wasm_common::floats_of;
+use strut_core::humanoid::HumanoidMotion;
+use strut_wasm_common::{EngineError, bvh_of, floats_of, poses_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
@@ -34,6 +35,17 @@ impl Database {
     pub fn clip_poses(&self, clip: usize) -> Vec<f32> {
         let catalogue = self.model().catalogue();
         if clip < catalogue.clips.len() { floats_of(catalogue.poses_of_clip(clip).iter()) } else { Vec::new() }
+    }
+
+    /// The text of a BVH file of poses on this body and at this rate.
+    ///
+    /// # Errors
+    /// If the array is not a whole number of poses, or a number is beyond all that files hold.
+    #[wasm_bindgen(js_name = bvhOfPoses)]
+    pub fn bvh_of_poses(&self, poses: &[f32]) -> Result<String, EngineError> {
+        let header = self.model().catalogue();
+        let poses = poses_of(poses)?.collect();
+        bvh_of(&HumanoidMotion { proportions: header.proportions, rate_hz: header.rate_hz, poses })
     }
 
     /// The feet that are planted in each of its frames, left and right interleaved.

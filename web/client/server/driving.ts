@@ -1,5 +1,8 @@
 /** Calls about driving, loaded with the first one. */
-import { bvhOfPoses, Driver } from "../../engine/drive/driver";
+
+import type { Database } from "../../engine/database";
+import { bvhOfPoses, Driver, loadTakes } from "../../engine/drive/driver";
+import type { Engine } from "../../engine/engine";
 import type { Stylizer } from "../../engine/stylizer";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "../drive/protocol";
 import type { StylizeOptions } from "../protocol";
@@ -39,7 +42,7 @@ export async function openDrive(
 ): Promise<DriveInfo> {
   await stage(caller, "Making ready to drive", 0);
   const { database } = open.get(OpenDatabase, databaseId);
-  const driver = await Driver.open(database);
+  const driver = await openDriver(engine, database);
   const stylizer = engine.createStylizer(database, options);
   try {
     const { styles, rateHz } = database.info;
@@ -54,6 +57,15 @@ export async function openDrive(
   return { speeds: driver.speeds, moves: driver.moves, clips: driver.clips.length, frames: driver.rows };
 }
 
+async function openDriver(engine: Engine, database: Database): Promise<Driver> {
+  const takes = engine.openDatabase({ kind: "demo", motions: await loadTakes() });
+  try {
+    return await Driver.open(database, takes);
+  } finally {
+    takes.dispose();
+  }
+}
+
 export function drive({ open }: Host, _: Caller, id: number, dtSecs: number, control: DriveControl): DriveFrame {
   return open.get(OpenDrive, id).session.drive(dtSecs, control);
 }
@@ -66,9 +78,9 @@ export function resetDrive({ open }: Host, _: Caller, id: number, root: Root): u
   open.get(OpenDrive, id).session.reset(root);
 }
 
-export async function driven({ open }: Host, _: Caller, id: number): Promise<Driven> {
+export function driven({ open }: Host, _: Caller, id: number): Driven {
   const { database, session } = open.get(OpenDrive, id);
   const { poses, frames, track } = session.driven();
-  const bvh = frames > 0 ? await bvhOfPoses(open.get(OpenDatabase, database).database, poses) : "";
+  const bvh = frames > 0 ? bvhOfPoses(open.get(OpenDatabase, database).database, poses) : "";
   return { bvh, frames, track };
 }

@@ -1,7 +1,7 @@
 /** Neutral motion that goes where it is steered, on the calling thread: a frame takes microseconds. */
 import { POSE_FLOATS } from "../../humanoid";
 import { assetOf } from "../assets";
-import { inflatedAsset } from "../built_in";
+import { inflatedAsset, type PackedMotions } from "../built_in";
 import type { Database } from "../database";
 import { Handle } from "../handle";
 import { guarded } from "../wasm";
@@ -26,7 +26,6 @@ export interface Steering {
 export const MOVES = ["jump", "punch", "kick"] as const;
 export type MoveName = (typeof MOVES)[number];
 
-/** Takes that a database may lack: standing, turns on the spot, halts. */
 const TAKES = () => assetOf("drive.bin", () => new URL("../motions/drive.bin", import.meta.url));
 
 // Where the numbers of a frame are: `rust/strut-wasm-drive/src/driver.rs`.
@@ -97,15 +96,18 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
     super(raw, "driver");
   }
 
-  /** @throws StrutError if the module cannot be had, or `bad-input` where the neutral clips have too little walking */
-  static async open(database: Database): Promise<Driver> {
-    const [glue, takes] = await Promise.all([drivePackage.load(), inflatedAsset(TAKES(), "driving")]);
+  /**
+   * @param takes see {@link loadTakes}
+   * @throws StrutError if the module cannot be had, or `bad-input` where the neutral clips have too little walking
+   */
+  static async open(database: Database, takes: Database): Promise<Driver> {
+    const glue = await drivePackage.load();
     const { rateHz, proportions } = database.info;
     return drivePackage.guarded(() => {
       const clips = new glue.Clips(proportions, rateHz);
       try {
-        addNeutral(database, clips);
-        clips.addTakes(takes);
+        for (const [name, action, poses, contacts] of neutralClips(database)) clips.add(name, action, poses, contacts);
+        for (const take of neutralClips(takes)) clips.addTake(...take, takes.info.proportions, takes.info.rateHz);
         const raw = new glue.Driver(clips);
         const mirrored = raw.mirrored();
         const names = raw.names().map((name, i) => (mirrored[i] ? `${name}, mirrored` : name));
@@ -144,21 +146,20 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
   }
 }
 
-/** Adds the neutral clips of a database. */
-function addNeutral(database: Database, clips: InstanceType<DriveGlue["Clips"]>): void {
-  for (const clip of guarded(() => database.raw.neutralClips())) {
-    const { raw } = database;
-    const name = guarded(() => raw.clipName(clip));
-    const poses = guarded(() => raw.clipPoses(clip));
-    const contacts = guarded(() => raw.clipContacts(clip));
-    const action = guarded(() => raw.clipAction(clip));
-    clips.add(name, action, poses, contacts);
+/** Takes that a database may lack, as packed motions: standing, turns on the spot, halts, changes of gait. */
+export function loadTakes(): Promise<PackedMotions> {
+  return inflatedAsset(TAKES(), "driving");
+}
+
+/** The neutral clips of a database: name, action, poses, contacts. */
+function* neutralClips({ raw }: Database): Generator<[string, string, Float32Array, Uint8Array]> {
+  for (const clip of guarded(() => raw.neutralClips())) {
+    const [name, action] = [guarded(() => raw.clipName(clip)), guarded(() => raw.clipAction(clip))];
+    yield [name, action, guarded(() => raw.clipPoses(clip)), guarded(() => raw.clipContacts(clip))];
   }
 }
 
 /** The text of a BVH file of poses on the body of a database. */
-export async function bvhOfPoses(database: Database, poses: Float32Array): Promise<string> {
-  const glue = await drivePackage.load();
-  const { proportions, rateHz } = database.info;
-  return drivePackage.guarded(() => glue.bvhOfPoses(proportions, rateHz, poses));
+export function bvhOfPoses({ raw }: Database, poses: Float32Array): string {
+  return guarded(() => raw.bvhOfPoses(poses));
 }

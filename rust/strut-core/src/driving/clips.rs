@@ -76,14 +76,29 @@ impl NeutralClip {
     pub fn all_carried(takes: &Database, body: &Proportions, rate_hz: f32) -> Result<Vec<Self>, TooManyFrames> {
         let neutral = (0..takes.clips.len()).filter(|&clip| takes.clips[clip].style == takes.neutral);
         let carried = |clip| {
-            let motion: HumanoidMotion = between_bodies(&takes.motion_of_clip(clip), body).resampled(rate_hz)?;
-            let mut of = Self::of(takes, clip, motion.poses);
-            let last = of.contacts.len().saturating_sub(1);
-            let at = |i: usize| ((i as f32 * takes.rate_hz / rate_hz).round() as usize).min(last);
-            of.contacts = (0..of.poses.len()).map(|i| of.contacts[at(i)]).collect();
-            Ok(of)
+            let of = Self::of(takes, clip, takes.motion_of_clip(clip).poses);
+            of.carried(takes.proportions, takes.rate_hz, body, rate_hz)
         };
         neutral.map(carried).collect()
+    }
+
+    /// The same, of a body and at a rate, on another body and at another rate.
+    ///
+    /// # Errors
+    /// [`TooManyFrames`] at a rate at which it has too many frames.
+    pub fn carried(
+        self,
+        from: Proportions,
+        from_hz: f32,
+        body: &Proportions,
+        rate_hz: f32,
+    ) -> Result<Self, TooManyFrames> {
+        let motion = HumanoidMotion { proportions: from, rate_hz: from_hz, poses: self.poses };
+        let poses = between_bodies(&motion, body).resampled(rate_hz)?.poses;
+        let last = self.contacts.len().saturating_sub(1);
+        let at = |i: usize| ((i as f32 * from_hz / rate_hz).round() as usize).min(last);
+        let contacts = (0..poses.len()).map(|i| self.contacts.get(at(i)).copied().unwrap_or_default()).collect();
+        Ok(Self { poses, contacts, ..self })
     }
 
     fn of(db: &Database, clip: usize, poses: Vec<Pose>) -> Self {
