@@ -13,7 +13,7 @@ const ENTRIES = ["index", "three", "element", "node", "inline"];
 
 /** Files that the entries load at run time. */
 const ASSETS = {
-  "strut_wasm_bg.wasm": join(ENGINE, "pkg", "strut_wasm_bg.wasm"),
+  "strut_wasm_bg.wasm": join(ENGINE, "embed", "pkg", "strut_wasm_bg.wasm"),
   "strut_wasm_build_bg.wasm": join(ENGINE, "build", "pkg", "strut_wasm_build_bg.wasm"),
   "strut_wasm_walk_bg.wasm": join(ENGINE, "walk", "pkg", "strut_wasm_walk_bg.wasm"),
   "strut_wasm_key_style_bg.wasm": join(ENGINE, "key_style", "pkg", "strut_wasm_key_style_bg.wasm"),
@@ -36,6 +36,13 @@ const BUDGET_KB = {
 /** What users have themselves where they need it, and the versions that fit. */
 const PEERS = { three: ">=0.180 <0.188", "@pixiv/three-vrm": ">=3" };
 
+/** What wasm-bindgen writes for browsers older than those with WASM SIMD, and for syntax that nothing here uses. */
+const NEEDLESS_GLUE = [
+  /^if \(Symbol\.dispose\) .*$/gm,
+  /\(typeof FinalizationRegistry === 'undefined'\)\s*\? .*\s*: (?=new FinalizationRegistry)/g,
+  /^if \(!\('encodeInto' in cachedTextEncoder\)\) \{[\s\S]*?^\}$/gm,
+];
+
 /**
  * Bundlers of the package's users look for `new URL(…, import.meta.url)`. Only the entries may have it: everything else is
  * told where files lie (`web/engine/assets.ts`), and the addresses that it would use otherwise lead nowhere.
@@ -44,12 +51,20 @@ const OWN_ADDRESSES_ONLY = {
   name: "own addresses only",
   setup({ onLoad }) {
     onLoad({ filter: /web\/(engine|client)\/.*\.(ts|js)$/ }, ({ path }) => ({
-      contents: readFileSync(path, "utf8")
+      contents: NEEDLESS_GLUE.reduce((source, needless) => source.replace(needless, ""), readFileSync(path, "utf8"))
         .replaceAll("import.meta.url", '"strut:nowhere"')
         // What wasm-bindgen would load a module with; `web/engine/module.ts` does that.
         .replace("export { initSync, __wbg_init as default };", "export { initSync };"),
       loader: path.endsWith(".ts") ? "ts" : "js",
     }));
+  },
+};
+
+/** The engine without what only the playground shows. */
+const EMBEDDED_ENGINE = {
+  name: "embedded engine",
+  setup({ onResolve }) {
+    onResolve({ filter: /^\.\/pkg\/strut_wasm\.js$/ }, () => ({ path: join(ENGINE, "embed", "pkg", "strut_wasm.js") }));
   },
 };
 
@@ -140,9 +155,12 @@ const COMMON = {
 
 const IN_BROWSERS = {
   platform: "browser",
-  plugins: [readsWith(undefined), OWN_ADDRESSES_ONLY, INLINED, ELEMENT],
+  plugins: [readsWith(undefined), EMBEDDED_ENGINE, OWN_ADDRESSES_ONLY, INLINED, ELEMENT],
 };
-const IN_NODE = { platform: "node", plugins: [readsWith("node:fs/promises"), OWN_ADDRESSES_ONLY, INLINED] };
+const IN_NODE = {
+  platform: "node",
+  plugins: [readsWith("node:fs/promises"), EMBEDDED_ENGINE, OWN_ADDRESSES_ONLY, INLINED],
+};
 
 /** Writes dist/package/ from the WASM packages as they are built. */
 export async function writePackage() {

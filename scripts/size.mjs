@@ -10,8 +10,11 @@ const BUDGET_KB = { ".js": 300, ".wasm": 115, ".bin": 175 };
 /** Most kilobytes after gzip of all that is loaded before the first styled figure. */
 const BUDGET_ALL_KB = 600;
 
-/** What the page loads once it plays, the whole engine in a worker of its own and the other motions; Greek where it is read. */
-const AFTERWARDS = /^assets\/(worker-|strut_wasm_bg-|built_in-|inter-greek-)/;
+/**
+ * What the page loads once it plays, the whole engine in a worker of its own and the other motions; what that worker loads to
+ * drive a character; Greek where it is read.
+ */
+const AFTERWARDS = /^assets\/(worker-|strut_wasm_bg-|built_in-|driving-|strut_drive_bg-|drive-|inter-greek-)/;
 
 /**
  * What is loaded when it is asked for: most kilobytes after gzip of a chunk with the scripts and style sheets that come with it
@@ -20,7 +23,7 @@ const AFTERWARDS = /^assets\/(worker-|strut_wasm_bg-|built_in-|inter-greek-)/;
 const LATER = [
   { name: "Learn", key: /views\/learn\/learn_view\.ts$/, budget: 60 },
   { name: "Crowd", key: /views\/crowd\/crowd_view\.ts$/, budget: 25 },
-  { name: "Drive", key: /views\/play\/drive\/driving\.ts$/, budget: 15 },
+  { name: "Drive", key: /views\/play\/drive\/driving\.ts$/, budget: 16 },
   { name: "figures", key: /element\/figure\/\w+\/\w+_figure\.ts$/, budget: 30 },
   { name: "a lesson", key: /lessons\/(text\/\w+\/)?\w+\.ts$/, budget: 12, sets: withTexts },
 ];

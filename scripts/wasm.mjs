@@ -51,9 +51,11 @@ const PACKAGES = {
     folder: "web/engine/pkg",
     crate: "strut-wasm",
     name: "strut_wasm",
-    features: ["atlas"],
+    features: ["atlas", "drive"],
     flags: [INLINE_LESS],
   },
+  // … the same for other pages, without what only this one shows …
+  embed: { folder: "web/engine/embed/pkg", crate: "strut-wasm", name: "strut_wasm", flags: [INLINE_LESS] },
   // … for those who build a database of their own clips …
   build: { folder: "web/engine/build/pkg", crate: "strut-wasm-build", name: "strut_wasm_build", config: FAST_BUILDING },
   // … for those who open the Walk view, the Key-style view …
@@ -121,7 +123,20 @@ const PACKAGES = {
 };
 
 /** What the page loads, and what benchmarks and parity tests need besides. */
-const PAGE = ["start", "engine", "build", "walk", "crowd", "drive", "keyStyle", "character", "gpu", "compare", "learn"];
+const PAGE = [
+  "start",
+  "engine",
+  "embed",
+  "build",
+  "walk",
+  "crowd",
+  "drive",
+  "keyStyle",
+  "character",
+  "gpu",
+  "compare",
+  "learn",
+];
 const BENCH = ["bench", "benchScalar"];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */

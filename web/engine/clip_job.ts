@@ -12,7 +12,7 @@ export class ClipJob extends Handle<RawClipJob> {
   /** Frames done. */
   done = 0;
   readonly frames: number;
-  private readonly track: WeightKey[];
+  readonly #track: WeightKey[];
 
   /**
    * @param stylizer gives its styles and options; it is free for other uses afterwards
@@ -29,21 +29,21 @@ export class ClipJob extends Handle<RawClipJob> {
       "clip job",
     );
     this.frames = input.info.frames;
-    this.track = track.map(({ frame, styles }) => ({ frame, weights: stylizer.weightsOf(styles) }));
+    this.#track = track.map(({ frame, styles }) => ({ frame, weights: stylizer.weightsOf(styles) }));
   }
 
   /** Styles up to `frames` more frames; true once all are done. */
   run(frames: number): boolean {
-    this.done = guarded(() => (this.track.length > 0 ? this.runTrack(frames) : this.raw.run(frames)));
+    this.done = guarded(() => (this.#track.length > 0 ? this.#runTrack(frames) : this.raw.run(frames)));
     return this.done >= this.frames;
   }
 
-  private runTrack(frames: number): number {
-    const weights = this.track[0]!.weights.slice();
+  #runTrack(frames: number): number {
+    const weights = this.#track[0]!.weights.slice();
     const end = Math.min(this.done + frames, this.frames);
     let { done } = this;
     while (done < end) {
-      weightsAt(this.track, done, weights);
+      weightsAt(this.#track, done, weights);
       this.raw.setStyles(weights);
       done = this.raw.run(1);
     }

@@ -3,14 +3,14 @@ import { disposed } from "./errors";
 
 /** Owner of one object of the WASM package; `dispose()` frees it, and a second time does nothing. */
 export abstract class Handle<T extends { free(): void }> {
-  private owned: T | undefined;
+  #owned: T | undefined;
 
   /** @param what noun for messages */
   protected constructor(
     owned: T,
     private readonly what: string,
   ) {
-    this.owned = owned;
+    this.#owned = owned;
   }
 
   /**
@@ -18,13 +18,13 @@ export abstract class Handle<T extends { free(): void }> {
    * @throws StrutError after `dispose()`
    */
   get raw(): T {
-    if (!this.owned) throw disposed(this.what);
-    return this.owned;
+    if (!this.#owned) throw disposed(this.what);
+    return this.#owned;
   }
 
   dispose(): void {
-    const owned = this.owned;
-    this.owned = undefined;
+    const owned = this.#owned;
+    this.#owned = undefined;
     try {
       owned?.free();
     } catch {

@@ -21,7 +21,7 @@ mod learn;
 mod motion_facts;
 #[cfg(feature = "motions")]
 mod motions;
-#[cfg(feature = "files")]
+#[cfg(feature = "drive")]
 mod neutral_clips;
 #[cfg(feature = "parity")]
 mod parity;

@@ -81,7 +81,7 @@ impl Stylizer {
     }
 
     /// How far the next frames go from the input to the styles, 0 to 1.
-    #[cfg(feature = "files")]
+    #[cfg(feature = "drive")]
     #[wasm_bindgen(js_name = setStyleShare)]
     pub fn set_style_share(&mut self, share: f32) {
         self.stylizer.set_style_share(share);

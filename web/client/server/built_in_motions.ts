@@ -7,59 +7,59 @@ const DOWNLOAD_SHARE = 0.8;
 
 /** The sets of built-in motions, each loaded once. A load that failed is tried again when the set is needed. */
 export class BuiltInMotions {
-  private readonly sets = new Map<BuiltInSet, LoadingSet>();
+  readonly #sets = new Map<BuiltInSet, LoadingSet>();
 
   /** Begins to load a set that will be needed. */
   preload(set: BuiltInSet): void {
-    void this.setOf(set)
+    void this.#setOf(set)
       .start()
       .catch(() => {});
   }
 
   load(caller: Caller, set: BuiltInSet = "built-in"): Promise<PackedMotions> {
-    return this.setOf(set).load(caller);
+    return this.#setOf(set).load(caller);
   }
 
-  private setOf(name: BuiltInSet): LoadingSet {
-    const known = this.sets.get(name);
+  #setOf(name: BuiltInSet): LoadingSet {
+    const known = this.#sets.get(name);
     if (known) return known;
     const set = new LoadingSet(name);
-    this.sets.set(name, set);
+    this.#sets.set(name, set);
     return set;
   }
 }
 
 class LoadingSet {
-  private fraction = 0;
-  private loading: Promise<PackedMotions> | undefined;
-  private readonly waiting = new Set<Caller>();
+  #fraction = 0;
+  #loading: Promise<PackedMotions> | undefined;
+  readonly #waiting = new Set<Caller>();
 
   constructor(private readonly name: BuiltInSet) {}
 
   async load(caller: Caller): Promise<PackedMotions> {
-    this.waiting.add(caller);
+    this.#waiting.add(caller);
     try {
-      this.report(caller);
+      this.#report(caller);
       return await this.start();
     } finally {
-      this.waiting.delete(caller);
+      this.#waiting.delete(caller);
     }
   }
 
   start(): Promise<PackedMotions> {
     const received = (fraction: number) => {
-      this.fraction = fraction;
-      for (const caller of this.waiting) this.report(caller);
+      this.#fraction = fraction;
+      for (const caller of this.#waiting) this.#report(caller);
     };
-    this.loading ??= loadBuiltIn(received, this.name).catch((thrown) => {
-      this.loading = undefined;
+    this.#loading ??= loadBuiltIn(received, this.name).catch((thrown) => {
+      this.#loading = undefined;
       throw thrown;
     });
-    return this.loading;
+    return this.#loading;
   }
 
-  private report(caller: Caller): void {
-    if (this.fraction < 1)
-      caller.report({ label: "Loading the built-in motions", fraction: this.fraction * DOWNLOAD_SHARE });
+  #report(caller: Caller): void {
+    if (this.#fraction < 1)
+      caller.report({ label: "Loading the built-in motions", fraction: this.#fraction * DOWNLOAD_SHARE });
   }
 }

@@ -20,8 +20,8 @@ interface Weights {
 /** Nothing is allocated while weights are eased. */
 export class EasedStyles {
   /** Whole body, then each of {@link BODY_PARTS}. */
-  private readonly weights: Weights[];
-  private track: WeightKey[] = [];
+  readonly #weights: Weights[];
+  #track: WeightKey[] = [];
   /** Half-life of a change of style; 0 takes it up at once. */
   halfLifeSecs = STYLE_HALF_LIFE_SECS;
 
@@ -30,7 +30,7 @@ export class EasedStyles {
     options: StylizeOptions,
   ) {
     const whole = stream.weightsOf(options.styles);
-    this.weights = [undefined, ...BODY_PARTS].map(() => ({ now: whole.slice(), target: undefined, sent: false }));
+    this.#weights = [undefined, ...BODY_PARTS].map(() => ({ now: whole.slice(), target: undefined, sent: false }));
     this.setTargets(options);
     this.arrive(0);
   }
@@ -41,51 +41,51 @@ export class EasedStyles {
     const whole = stream.weightsOf(styles);
     const own = BODY_PARTS.map((part) => parts[part] && stream.weightsOf(parts[part]));
     const keys = track.map((key) => ({ frame: key.frame, weights: stream.weightsOf(key.styles) }));
-    this.track = keys;
-    this.weights[0]!.target = whole;
+    this.#track = keys;
+    this.#weights[0]!.target = whole;
     for (const [i, weights] of own.entries()) {
-      const part = this.weights[1 + i]!;
+      const part = this.#weights[1 + i]!;
       // A part that begins to have its own starts from what it has in common with the whole.
-      if (weights && !part.target) part.now.set(this.weights[0]!.now);
+      if (weights && !part.target) part.now.set(this.#weights[0]!.now);
       part.target = weights;
     }
   }
 
   /** The present weights of the whole body; not to be kept. */
   get whole(): Float32Array {
-    return this.weights[0]!.now;
+    return this.#weights[0]!.now;
   }
 
   /** Jumps to the styles of an input frame. */
   arrive(frame: number): void {
-    this.move(frame, 1);
+    this.#move(frame, 1);
   }
 
   /** Advances by one input frame, which lasts `frameSecs`, to `frame`. */
   ease(frame: number, frameSecs: number): void {
-    this.move(frame, this.halfLifeSecs > 0 ? 1 - 0.5 ** (frameSecs / this.halfLifeSecs) : 1);
+    this.#move(frame, this.halfLifeSecs > 0 ? 1 - 0.5 ** (frameSecs / this.halfLifeSecs) : 1);
   }
 
   /** Whether the engine has the target weights and the frame does not matter, so that {@link ease} would change nothing. */
   get settled(): boolean {
-    return !this.changesOverTime && this.weights.every(isSettled);
+    return !this.changesOverTime && this.#weights.every(isSettled);
   }
 
   /** Whether the styles depend on the frame. */
   get changesOverTime(): boolean {
-    return this.track.length > 0;
+    return this.#track.length > 0;
   }
 
-  private move(frame: number, share: number): void {
-    const whole = this.weights[0]!;
+  #move(frame: number, share: number): void {
+    const whole = this.#weights[0]!;
     if (this.changesOverTime) {
-      weightsAt(this.track, frame, whole.now);
+      weightsAt(this.#track, frame, whole.now);
       whole.sent = false;
     } else if (approach(whole.now, whole.target!, share)) whole.sent = false;
     if (!whole.sent) this.stream.setWeights(whole.now);
     whole.sent = true;
     for (const [i, name] of BODY_PARTS.entries()) {
-      const part = this.weights[1 + i]!;
+      const part = this.#weights[1 + i]!;
       if (part.target) {
         if (approach(part.now, part.target, share)) part.sent = false;
         if (!part.sent) this.stream.setPartWeights(name, part.now);

@@ -5,7 +5,7 @@ import { median } from "./time_slices";
 const FRAMES = 61;
 
 export class FrameCost {
-  private readonly costsMs: number[] = [];
+  readonly #costsMs: number[] = [];
 
   /** @param nowMs a clock */
   constructor(private readonly nowMs: () => number = () => performance.now()) {}
@@ -14,12 +14,12 @@ export class FrameCost {
   measure<T>(frames: number, work: () => T): T {
     const started = this.nowMs();
     const done = work();
-    this.costsMs.push((this.nowMs() - started) / frames);
-    if (this.costsMs.length > FRAMES) this.costsMs.shift();
+    this.#costsMs.push((this.nowMs() - started) / frames);
+    if (this.#costsMs.length > FRAMES) this.#costsMs.shift();
     return done;
   }
 
   get ms(): number {
-    return median(this.costsMs);
+    return median(this.#costsMs);
   }
 }

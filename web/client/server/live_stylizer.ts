@@ -7,9 +7,9 @@ import { EasedStyles } from "./eased_styles";
 import type { OnlineStylizer } from "./session";
 
 export class LiveStylizer {
-  private readonly styles: EasedStyles;
+  readonly #styles: EasedStyles;
   /** Frames since the last reset. */
-  private frames = 0;
+  #frames = 0;
 
   /** @param halfLifeSecs half-life with which a change of style is taken up, 0 for at once */
   constructor(
@@ -19,22 +19,22 @@ export class LiveStylizer {
     halfLifeSecs: number,
   ) {
     stylizer.configure(options);
-    this.styles = new EasedStyles(stylizer, options);
-    this.styles.halfLifeSecs = halfLifeSecs;
+    this.#styles = new EasedStyles(stylizer, options);
+    this.#styles.halfLifeSecs = halfLifeSecs;
   }
 
   /** Holds from the next frame on. What is refused changes nothing. */
   configure(options: StylizeOptions, halfLifeSecs: number): void {
     this.stylizer.configure(options);
-    this.styles.setTargets(options);
-    this.styles.halfLifeSecs = halfLifeSecs;
+    this.#styles.setTargets(options);
+    this.#styles.halfLifeSecs = halfLifeSecs;
   }
 
   /** Restarts at the next pose, as after a cut, without a transition of the styles. */
   reset(): void {
     this.stylizer.reset();
-    this.styles.arrive(0);
-    this.frames = 0;
+    this.#styles.arrive(0);
+    this.#frames = 0;
   }
 
   /**
@@ -46,17 +46,17 @@ export class LiveStylizer {
     if (!Number.isInteger(count) || count < 1 || count > MAX_PUSH_FRAMES) throw badLength(poses.length);
     let done = 0;
     const parts: Styled[] = [];
-    while (done < count && !this.styles.settled) {
-      this.styles.ease(this.frames, 1 / this.rateHz);
-      parts.push(this.pushFrames(poses, done, 1));
+    while (done < count && !this.#styles.settled) {
+      this.#styles.ease(this.#frames, 1 / this.rateHz);
+      parts.push(this.#pushFrames(poses, done, 1));
       done += 1;
     }
-    if (done < count) parts.push(this.pushFrames(poses, done, count - done));
+    if (done < count) parts.push(this.#pushFrames(poses, done, count - done));
     return parts.length === 1 ? parts[0]! : joined(parts);
   }
 
-  private pushFrames(poses: Float32Array, first: number, count: number): Styled {
-    this.frames += count;
+  #pushFrames(poses: Float32Array, first: number, count: number): Styled {
+    this.#frames += count;
     return this.stylizer.push(poses.subarray(first * POSE_FLOATS, (first + count) * POSE_FLOATS));
   }
 }

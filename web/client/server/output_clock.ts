@@ -18,24 +18,24 @@ export type Interpolate = (a: Float32Array, b: Float32Array, t: number) => Float
 export class OutputClock<M extends Moment = Moment> {
   /** Seconds of output since {@link begin}. */
   secs = 0;
-  private moments: [M, M] | undefined;
+  #moments: [M, M] | undefined;
 
   constructor(private readonly interpolate: Interpolate) {}
 
   /** Whether there is anything to show. */
   get hasBegun(): boolean {
-    return this.moments !== undefined;
+    return this.#moments !== undefined;
   }
 
   /** Starts anew at a moment. */
   begin(moment: M): void {
     this.secs = moment.timeSecs;
-    this.moments = [moment, moment];
+    this.#moments = [moment, moment];
   }
 
   /** Takes the moment that comes after the last one. */
   push(moment: M): void {
-    this.moments = [this.last, moment];
+    this.#moments = [this.last, moment];
   }
 
   /** Goes on by a time; a step that is too long is shortened. */
@@ -49,16 +49,16 @@ export class OutputClock<M extends Moment = Moment> {
   }
 
   get last(): M {
-    return this.moments![1];
+    return this.#moments![1];
   }
 
-  private get previous(): M {
-    return this.moments![0];
+  get #previous(): M {
+    return this.#moments![0];
   }
 
   /** Gives both moments other poses: the last ones of some frames. */
   repose(poses: Float32Array, floats: number): void {
-    const [previous, last] = this.moments!;
+    const [previous, last] = this.#moments!;
     if (previous !== last) previous.pose = poses.slice(-2 * floats, -floats);
     last.pose = poses.slice(-floats);
   }
@@ -66,12 +66,12 @@ export class OutputClock<M extends Moment = Moment> {
   /** Shows both moments, and the time, so much later. */
   delay(secs: number): void {
     this.secs += secs;
-    for (const moment of this.shown) moment.timeSecs += secs;
+    for (const moment of this.#shown) moment.timeSecs += secs;
   }
 
   /** Moves both moments over the ground. */
   moveBy(x: number, z: number): void {
-    for (const moment of this.shown) {
+    for (const moment of this.#shown) {
       moment.pose[0]! += x;
       moment.pose[2]! += z;
     }
@@ -79,13 +79,13 @@ export class OutputClock<M extends Moment = Moment> {
 
   /** Position of the clock between the two moments, 0–1. */
   get share(): number {
-    const [a, b] = [this.previous, this.last];
+    const [a, b] = [this.#previous, this.last];
     const span = b.timeSecs - a.timeSecs;
     return span > 0 ? Math.min(Math.max((this.secs - a.timeSecs) / span, 0), 1) : 1;
   }
 
   get inputFrame(): number {
-    const a = this.previous.inputFrame;
+    const a = this.#previous.inputFrame;
     return a + (this.last.inputFrame - a) * this.share;
   }
 
@@ -95,16 +95,16 @@ export class OutputClock<M extends Moment = Moment> {
 
   /** Something of the moments, between them. */
   between(of: (moment: M) => Float32Array): Float32Array {
-    return this.interpolate(of(this.previous), of(this.last), this.share);
+    return this.interpolate(of(this.#previous), of(this.last), this.share);
   }
 
   /** The moment that is nearer. */
   get nearest(): M {
-    return this.share < 0.5 ? this.previous : this.last;
+    return this.share < 0.5 ? this.#previous : this.last;
   }
 
   /** Both moments, which may be one object before the first one has a successor. */
-  private get shown(): Set<M> {
-    return new Set(this.moments);
+  get #shown(): Set<M> {
+    return new Set(this.#moments);
   }
 }

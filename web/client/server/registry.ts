@@ -18,20 +18,20 @@ interface Kind<T extends OpenThing> {
 }
 
 export class Registry {
-  private readonly things = new Map<Key, OpenThing>();
+  readonly #things = new Map<Key, OpenThing>();
 
   /**
    * Takes over something that was opened.
    * @throws StrutError `cancelled` if what it uses was closed meanwhile, `bad-input` if its key is taken; it is then disposed of
    */
   add<T extends OpenThing>(key: Key, thing: T): T {
-    if (this.things.has(key) || !thing.uses.every((used) => this.things.has(used))) {
+    if (this.#things.has(key) || !thing.uses.every((used) => this.#things.has(used))) {
       thing.dispose();
-      throw this.things.has(key)
+      throw this.#things.has(key)
         ? new StrutError({ code: "bad-input", message: `Number ${key} is already open.`, hint: "" })
         : cancelled();
     }
-    this.things.set(key, thing);
+    this.#things.set(key, thing);
     return thing;
   }
 
@@ -44,21 +44,21 @@ export class Registry {
   }
 
   find<T extends OpenThing>(kind: Kind<T>, key: Key): T | undefined {
-    const thing = this.things.get(key);
+    const thing = this.#things.get(key);
     return thing instanceof kind ? thing : undefined;
   }
 
   /** Whether something is still open. */
   has(thing: OpenThing): boolean {
-    return [...this.things.values()].includes(thing);
+    return [...this.#things.values()].includes(thing);
   }
 
   /** Closes something, after all that uses it. */
   close(key: Key): void {
-    const thing = this.things.get(key);
+    const thing = this.#things.get(key);
     if (!thing) return;
-    this.things.delete(key);
-    for (const [user, { uses }] of [...this.things]) if (uses.includes(key)) this.close(user);
+    this.#things.delete(key);
+    for (const [user, { uses }] of [...this.#things]) if (uses.includes(key)) this.close(user);
     thing.dispose();
   }
 }

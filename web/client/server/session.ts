@@ -26,14 +26,14 @@ export class LiveSession {
   /** The input frames that are played; all of them if there is none. */
   range: FrameRange | undefined;
 
-  private readonly clock: OutputClock;
+  readonly #clock: OutputClock;
   /** Added to the horizontal root, so that restyling a resting character leaves it where it stands. */
-  private place: [x: number, z: number] = [0, 0];
-  private readonly styles: EasedStyles;
+  #place: [x: number, z: number] = [0, 0];
+  readonly #styles: EasedStyles;
   /** Whether the options changed after the shown frame was styled. */
-  private stale = false;
-  private reads: Reading[] = [];
-  private readonly cost: FrameCost;
+  #stale = false;
+  #reads: Reading[] = [];
+  readonly #cost: FrameCost;
 
   /**
    * @param interpolate pose between two poses, `t` from 0 to 1
@@ -47,151 +47,151 @@ export class LiveSession {
     nowMs?: () => number,
   ) {
     stylizer.configure(options);
-    this.styles = new EasedStyles(stylizer, options);
-    this.clock = new OutputClock(interpolate);
-    this.cost = new FrameCost(nowMs);
+    this.#styles = new EasedStyles(stylizer, options);
+    this.#clock = new OutputClock(interpolate);
+    this.#cost = new FrameCost(nowMs);
   }
 
   /** Takes effect with the next frame; a change of the styles fades in. */
   configure(options: StylizeOptions): void {
-    this.styles.setTargets(options);
+    this.#styles.setTargets(options);
     this.stylizer.configure(options);
-    this.stale = true;
+    this.#stale = true;
   }
 
   /** See `StrutClient.step`. */
   step(dtSecs: number): LiveFrame {
-    const { clock } = this;
-    if (!clock.hasBegun) this.begin(this.firstFrame());
+    const clock = this.#clock;
+    if (!clock.hasBegun) this.#begin(this.#firstFrame());
     if (!(dtSecs > 0)) {
-      return this.stale ? this.restyle() : this.show(false);
+      return this.#stale ? this.#restyle() : this.#show(false);
     }
-    this.stale = false;
+    this.#stale = false;
     clock.advance(dtSecs);
     let looped = false;
     while (clock.isAhead) {
-      if (this.advance()) continue;
+      if (this.#advance()) continue;
       const overshoot = clock.secs - clock.last.timeSecs;
       // A clip of one frame has no duration to wrap the clock by.
-      if (!this.loop || this.lastFrame() <= this.firstFrame()) {
+      if (!this.loop || this.#lastFrame() <= this.#firstFrame()) {
         clock.secs = clock.last.timeSecs;
         break;
       }
-      this.begin(this.firstFrame());
+      this.#begin(this.#firstFrame());
       clock.secs = overshoot;
       looped = true;
     }
-    return this.show(looped);
+    return this.#show(looped);
   }
 
   /** See `StrutClient.seek`: the character stands where the input does. */
   seek(inputFrame: number): LiveFrame {
-    this.jump(inputFrame);
-    const shown = this.clock.pose;
-    const input = this.inputPoseAt(this.clock.inputFrame);
-    this.moveBy(input[0]! - shown[0]!, input[2]! - shown[2]!);
-    return this.show(false);
+    this.#jump(inputFrame);
+    const shown = this.#clock.pose;
+    const input = this.#inputPoseAt(this.#clock.inputFrame);
+    this.#moveBy(input[0]! - shown[0]!, input[2]! - shown[2]!);
+    return this.#show(false);
   }
 
   /** Goes to an input frame in the place and at the time of a shown one. */
   continueFrom({ inputFrame, timeOut, pose }: ShownFrame): LiveFrame {
-    this.jump(inputFrame);
-    const now = this.clock.pose;
-    this.moveBy(pose[0]! - now[0]!, pose[2]! - now[2]!);
-    this.clock.delay(timeOut - this.clock.secs);
-    return this.show(false);
+    this.#jump(inputFrame);
+    const now = this.#clock.pose;
+    this.#moveBy(pose[0]! - now[0]!, pose[2]! - now[2]!);
+    this.#clock.delay(timeOut - this.#clock.secs);
+    return this.#show(false);
   }
 
   /** Makes the shown frame again with the present options. */
-  private restyle(): LiveFrame {
-    const { inputFrame, secs: timeOut, pose } = this.clock;
+  #restyle(): LiveFrame {
+    const { inputFrame, secs: timeOut, pose } = this.#clock;
     return this.continueFrom({ inputFrame, timeOut, pose });
   }
 
   /** Warms the engine up on the frames before `inputFrame` and shows it; time 0 is at its integer part. */
-  private jump(inputFrame: number): void {
+  #jump(inputFrame: number): void {
     const last = this.input.frames - 1;
     const frame = Math.min(Math.max(Number.isFinite(inputFrame) ? inputFrame : 0, 0), last);
     const whole = Math.floor(frame);
-    this.styles.arrive(whole);
-    this.stale = false;
-    this.begin(whole);
-    if (frame > whole && this.advance(last)) this.clock.secs = (frame - whole) * this.clock.last.timeSecs;
+    this.#styles.arrive(whole);
+    this.#stale = false;
+    this.#begin(whole);
+    if (frame > whole && this.#advance(last)) this.#clock.secs = (frame - whole) * this.#clock.last.timeSecs;
   }
 
   /** Resets the engine so that `frame` is shown at time 0. */
-  private begin(frame: number): void {
+  #begin(frame: number): void {
     const first = Math.max(frame - WARM_UP_FRAMES, 0);
     this.stylizer.reset();
-    this.place = [0, 0];
-    const styled = this.warmUp(first, frame);
-    this.clock.begin({ ...lastMoment(styled), inputFrame: frame, timeSecs: 0 });
+    this.#place = [0, 0];
+    const styled = this.#warmUp(first, frame);
+    this.#clock.begin({ ...lastMoment(styled), inputFrame: frame, timeSecs: 0 });
   }
 
   /** Styles the frames before the one that is shown; with a style track each in its own styles. */
-  private warmUp(first: number, frame: number): Styled {
-    if (!this.styles.changesOverTime) return this.push(first, frame - first + 1);
+  #warmUp(first: number, frame: number): Styled {
+    if (!this.#styles.changesOverTime) return this.#push(first, frame - first + 1);
     for (let i = first; i < frame; i++) {
-      this.styles.arrive(i);
-      this.push(i, 1);
+      this.#styles.arrive(i);
+      this.#push(i, 1);
     }
-    this.styles.arrive(frame);
-    return this.push(frame, 1);
+    this.#styles.arrive(frame);
+    return this.#push(frame, 1);
   }
 
   /** Styles one more input frame; false where the last one is reached. */
-  private advance(last = this.lastFrame()): boolean {
-    const before = this.clock.last;
+  #advance(last = this.#lastFrame()): boolean {
+    const before = this.#clock.last;
     const frame = before.inputFrame + 1;
     if (frame > last) return false;
-    this.styles.ease(frame, 1 / this.input.rateHz);
-    const styled = this.push(frame, 1);
+    this.#styles.ease(frame, 1 / this.input.rateHz);
+    const styled = this.#push(frame, 1);
     const moment = lastMoment(styled);
-    moment.pose[0]! += this.place[0];
-    moment.pose[2]! += this.place[1];
-    this.clock.push({ ...moment, inputFrame: frame, timeSecs: before.timeSecs + styled.durations.at(-1)! });
+    moment.pose[0]! += this.#place[0];
+    moment.pose[2]! += this.#place[1];
+    this.#clock.push({ ...moment, inputFrame: frame, timeSecs: before.timeSecs + styled.durations.at(-1)! });
     return true;
   }
 
-  private push(first: number, count: number): Styled {
+  #push(first: number, count: number): Styled {
     const poses = this.input.poses.subarray(first * POSE_FLOATS, (first + count) * POSE_FLOATS);
-    const styled = this.cost.measure(count, () => this.stylizer.push(poses));
-    this.reads = heaviest(this.stylizer.classes, styled.classWeights);
+    const styled = this.#cost.measure(count, () => this.stylizer.push(poses));
+    this.#reads = heaviest(this.stylizer.classes, styled.classWeights);
     return styled;
   }
 
-  private firstFrame(): number {
+  #firstFrame(): number {
     return Math.min(Math.max(this.range?.first ?? 0, 0), this.input.frames - 1);
   }
 
-  private lastFrame(): number {
+  #lastFrame(): number {
     return Math.min(this.range?.last ?? this.input.frames - 1, this.input.frames - 1);
   }
 
-  private moveBy(x: number, z: number): void {
-    this.place = [this.place[0] + x, this.place[1] + z];
-    this.clock.moveBy(x, z);
+  #moveBy(x: number, z: number): void {
+    this.#place = [this.#place[0] + x, this.#place[1] + z];
+    this.#clock.moveBy(x, z);
   }
 
-  private inputPoseAt(frame: number): Float32Array {
+  #inputPoseAt(frame: number): Float32Array {
     const i = Math.floor(frame);
     const j = Math.min(i + 1, this.input.frames - 1);
     const pose = (f: number) => this.input.poses.subarray(f * POSE_FLOATS, (f + 1) * POSE_FLOATS);
     return this.interpolate(pose(i), pose(j), frame - i);
   }
 
-  private show(looped: boolean): LiveFrame {
-    const { inputFrame } = this.clock;
+  #show(looped: boolean): LiveFrame {
+    const { inputFrame } = this.#clock;
     return {
-      pose: this.clock.pose,
-      inputPose: this.inputPoseAt(inputFrame),
+      pose: this.#clock.pose,
+      inputPose: this.#inputPoseAt(inputFrame),
       inputFrame,
-      timeOut: this.clock.secs,
-      planted: this.clock.nearest.planted,
-      reads: this.reads,
-      frameMs: this.cost.ms,
+      timeOut: this.#clock.secs,
+      planted: this.#clock.nearest.planted,
+      reads: this.#reads,
+      frameMs: this.#cost.ms,
       looped,
-      ended: !this.loop && inputFrame >= this.lastFrame(),
+      ended: !this.loop && inputFrame >= this.#lastFrame(),
     };
   }
 }
