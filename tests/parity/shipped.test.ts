@@ -25,6 +25,7 @@ interface Glue {
 
 const PACKAGES = {
   engine: { folder: "web/engine/pkg", name: "strut_wasm", methods: ["mar", "lar", "nn", "knn"] },
+  embed: { folder: "web/engine/embed/pkg", name: "strut_wasm", methods: ["mar", "lar", "nn", "knn"] },
   compare: { folder: "web/engine/compare/pkg", name: "strut_compare", methods: ["mar", "gar", "lti", "gp"] },
   learn: { folder: "web/engine/learn/pkg", name: "strut_learn", methods: ["mar", "knn"] },
 };
