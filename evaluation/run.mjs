@@ -108,6 +108,7 @@ await main(async () => {
   const driving = wanted.includes(DRIVE) || (wanted.length === 0 && fresh);
   if (driving)
     await step("Driving and docs/driving.md", () => evaluateDriving(strut, places.MOCAP, results, join(root, "docs")));
+  if (wanted.length > 0 && wanted.every((id) => id === DRIVE)) return;
   for (const experiment of experiments) {
     const asked = wanted.includes(experiment.id) || (wanted.length === 0 && fresh);
     if (asked || (wanted.length === 0 && !(await isDone(experiment, places))))

@@ -117,7 +117,7 @@ function handle(
   const handler = handlers[call.method] as
     | ((host: Host, caller: Caller, ...args: unknown[]) => Result<Method>)
     | undefined;
-  if (!handler) throw new StrutError({ code: "unsupported", message: "This engine does not drive.", hint: "" });
+  if (!handler) throw new StrutError({ code: "unsupported", message: "This engine cannot do it.", hint: "" });
   return handler(host, caller, ...call.args);
 }
 

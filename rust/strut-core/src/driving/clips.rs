@@ -196,12 +196,13 @@ impl DrivingClips {
         }
         let mut stood = 0;
         for (source, clip) in own.iter().enumerate() {
-            let motions = of.root_motions(clip);
+            let way = of.way_of(clip);
+            let motions = &way.motions;
             stood += motions.iter().filter(|motion| motion.velocity.length() < KNOWN_STANDING_SPEED).count();
             if Move::of_action(&clip.action).is_some() {
-                of.add(source, ClipKind::Moves, clip);
-            } else if median_speed(&motions) > LEAST_SPEED {
-                of.add(source, ClipKind::Locomotion, clip);
+                of.add(source, ClipKind::Moves, clip, &way);
+            } else if median_speed(motions) > LEAST_SPEED {
+                of.add(source, ClipKind::Locomotion, clip, &way);
             }
         }
         of.knows_standing = stood as f32 >= KNOWN_STANDING_SECS * rate_hz;
@@ -211,30 +212,31 @@ impl DrivingClips {
             return Err(DrivingError::TooShort { secs });
         }
         for (i, clip) in takes.iter().enumerate() {
-            of.add(own.len() + i, ClipKind::Take, clip);
+            let way = of.way_of(clip);
+            of.add(own.len() + i, ClipKind::Take, clip, &way);
         }
         Ok(of)
     }
 
-    fn root_motions(&self, clip: &NeutralClip) -> Vec<RootMotion> {
-        root_motions(&root_path(&self.proportions, &clip.poses, self.rate_hz), self.rate_hz)
-    }
-
-    fn add(&mut self, source: usize, kind: ClipKind, clip: &NeutralClip) {
+    fn way_of(&self, clip: &NeutralClip) -> Way {
         let roots = root_path(&self.proportions, &clip.poses, self.rate_hz);
         let motions = root_motions(&roots, self.rate_hz);
-        let on_the_spot = median_speed(&motions) <= LEAST_SPEED;
+        Way { roots, motions }
+    }
+
+    fn add(&mut self, source: usize, kind: ClipKind, clip: &NeutralClip, Way { roots, motions }: &Way) {
+        let on_the_spot = median_speed(motions) <= LEAST_SPEED;
         let turned = motions.iter().map(|motion| motion.turn_rate).sum::<f32>() / self.rate_hz;
         let turns = kind == ClipKind::Take && on_the_spot && turned.abs() > LEAST_TURN;
         let standing =
-            if kind == ClipKind::Take { standing_rows(&motions, self.rate_hz) } else { vec![false; motions.len()] };
+            if kind == ClipKind::Take { standing_rows(motions, self.rate_hz) } else { vec![false; motions.len()] };
         let moves = match Move::of_action(&clip.action).filter(|_| kind == ClipKind::Moves) {
             Some(action) => moves_in(action, &self.proportions, &clip.poses, self.rate_hz),
             None => vec![],
         };
         for mirrored in [false, true] {
             let first = self.poses.len();
-            for (pose, root) in clip.poses.iter().zip(&roots) {
+            for (pose, root) in clip.poses.iter().zip(roots) {
                 let in_root = root.take(pose);
                 self.poses.push(if mirrored { in_root.mirrored() } else { in_root });
             }
@@ -335,6 +337,12 @@ impl RootMotion {
 struct Root {
     place: Vec3,
     heading: f32,
+}
+
+/// The root of a clip, frame by frame.
+struct Way {
+    roots: Vec<Root>,
+    motions: Vec<RootMotion>,
 }
 
 impl Root {

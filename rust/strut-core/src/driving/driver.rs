@@ -179,6 +179,7 @@ impl Driver {
     pub fn reset(&mut self, root: Placement) {
         self.state = State::at(slowest(&self.clips), root);
         self.path = None;
+        self.frame.style_share = 1.0;
     }
 
     /// Has the character follow a line through points (x, z), metres, instead of the control's wish, from its beginning to its
