@@ -11,7 +11,8 @@ import { gzipSync } from "node:zlib";
 import { packFirstSteps } from "./first_steps.mjs";
 import { findProgram, output, root, run, step } from "./steps.mjs";
 
-const TARGET = "wasm32-unknown-unknown";
+/** What rustc calls WebAssembly without a system below it. */
+export const TARGET = "wasm32-unknown-unknown";
 const RUST = join(root, "rust");
 
 /**
@@ -122,22 +123,18 @@ const PACKAGES = {
   },
 };
 
-/** What the page loads, and what benchmarks and parity tests need besides. */
-const PAGE = [
-  "start",
-  "engine",
-  "embed",
-  "build",
-  "walk",
-  "crowd",
-  "drive",
-  "keyStyle",
-  "character",
-  "gpu",
-  "compare",
-  "learn",
+/** The order in which packages are built in full mode, on two cores: each of these takes about as long as the other. */
+const LINES = [
+  ["engine", "embed", "compare", "gpu", "bench", "benchScalar"],
+  ["start", "learn", "keyStyle", "walk", "crowd", "drive", "build", "character"],
 ];
+
+/** What the page loads, and what benchmarks and parity tests need besides. */
 const BENCH = ["bench", "benchScalar"];
+const PAGE = LINES.flat().filter((name) => !BENCH.includes(name));
+
+/** The crates that what the page loads is made of. */
+export const WASM_CRATES = [...new Set(PAGE.map((name) => PACKAGES[name].crate))];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */
 const MOTIONS = join(root, "web", "engine", "motions");
@@ -197,22 +194,32 @@ async function buildQuick(env, names, stamp) {
     const crates = [...new Set(group.map((p) => p.crate))];
     await compile(env, { crates, features: [...new Set(features)], profile: "quick", simd });
     const xtask = await binding;
-    await Promise.all(group.map((p) => bind(xtask, p, "quick")));
+    await Promise.all(group.map((p) => bind(xtask, p, join(targetDir(env), TARGET, "quick"))));
     for (const p of group) writeStamp(p, "quick", stamp);
   }
 }
 
-/** A compilation a package; while the next one is compiled the last one is optimised. */
+/**
+ * A compilation a package. Most of one is done on a single core: two lines of packages are built side by side, each in a
+ * folder of its own, as cargo locks the one it builds in. Packages with the same flags share a line and what both depend on.
+ */
 async function buildFull(env, names, stamp) {
   const xtask = await buildXtask(env);
   const tool = await findWasmOpt();
+  const lines = LINES.map((line) => line.filter((name) => names.includes(name)));
+  await Promise.all(lines.map((line, i) => buildLine(env, line, { xtask, tool, stamp, folder: `full-${i}` })));
+}
+
+/** Builds packages one after the other; while the next one is compiled the last one is optimised. */
+async function buildLine(env, names, { xtask, tool, stamp, folder }) {
+  const modules = join(targetDir(env), folder);
   let optimising = Promise.resolve();
   for (const name of names) {
     const p = PACKAGES[name];
     const { crate, features = [], reduced = false, flags = [], config = [], simd = true } = p;
-    const options = [...config, ...(reduced ? ["--no-default-features"] : [])];
+    const options = [...config, ...(reduced ? ["--no-default-features"] : []), "--target-dir", modules];
     await compile(env, { crates: [crate], features, profile: "web", simd, flags, options });
-    await bind(xtask, p, "web");
+    await bind(xtask, p, join(modules, TARGET, "web"));
     await optimising;
     optimising = optimise(tool, p).then(() => writeStamp(p, "full", stamp));
     optimising.catch(() => {});
@@ -238,17 +245,17 @@ async function compile(env, { crates, features, profile, simd, flags = [], optio
   });
 }
 
-/** Builds the tool that binds modules to JavaScript; gives what {@link bind} needs. */
+/** Builds the tool that binds modules to JavaScript; gives the path of it. */
 async function buildXtask(env) {
   await run(env.CARGO ?? "cargo", ["build", "--quiet", "--profile", "tool", "--package", "xtask"], { cwd: RUST, env });
-  return { program: join(targetDir(env), "tool", "xtask"), modules: join(targetDir(env), TARGET) };
+  return join(targetDir(env), "tool", "xtask");
 }
 
-/** Writes a package's JavaScript, its types and its module. */
-async function bind({ program, modules }, { folder, crate, name }, profile) {
-  const module = join(modules, profile, `${crate.replaceAll("-", "_")}.wasm`);
+/** Writes a package's JavaScript, its types and its module, which cargo left in the folder `modules`. */
+async function bind(xtask, { folder, crate, name }, modules) {
+  const module = join(modules, `${crate.replaceAll("-", "_")}.wasm`);
   rmSync(join(root, folder), { recursive: true, force: true });
-  await run(program, ["bind", module, join(root, folder), name]);
+  await run(xtask, ["bind", module, join(root, folder), name]);
 }
 
 /** Runs wasm-opt on a package's module in place. */
@@ -348,7 +355,7 @@ function* rustSources(folder) {
   for (const entry of entries) {
     const path = join(folder, entry.name);
     if (entry.isDirectory()) {
-      if (!["target", "tests", "benches", "strut-cli"].includes(entry.name)) yield* rustSources(path);
+      if (!["target", "tests", "benches", "strut-cli", "fuzz"].includes(entry.name)) yield* rustSources(path);
     } else if (/\.(rs|toml|lock)$/.test(entry.name) && entry.name !== "tests.rs") yield path;
   }
 }
