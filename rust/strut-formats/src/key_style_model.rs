@@ -18,8 +18,10 @@
 //! (name or expression, and unit), `variance`, `least_support`, `travels`, and `clips` with their names and frames.
 
 use crate::container::{self, ContainerError, Kind, floats, rounded};
+use crate::quotation::quotation;
 use crate::strutdb::SkeletonInfo;
 use serde::{Deserialize, Serialize};
+use std::ops::RangeInclusive;
 use strut_core::humanoid::JOINTS;
 use strut_core::math::Quat;
 use strut_core::somn::{
@@ -30,6 +32,17 @@ use thiserror::Error;
 /// The kind of file.
 pub const KIND: Kind =
     Kind { name: "key-style model", entry: "strut-keys", version: "1.1", checksum_since: 1, max_bytes: 256 << 20 };
+
+/// Greatest magnitude of a pose's number and of its change with a standard deviation of an axis, radians or metres. Far beyond it
+/// poses overflow in single precision.
+const MODERATE: f32 = 1e3;
+const MODERATE_EXPECTED: &str = "a number within ±1000";
+/// Greatest magnitude of a style, in its unit or in standard deviations.
+const STYLE: f32 = 1e6;
+const STYLE_EXPECTED: &str = "a number within ±1000000";
+/// Standard deviations of an axis, and variances of poses; training gives at least 1e-5.
+const DEVIATIONS: RangeInclusive<f32> = 1e-6..=STYLE;
+const VARIANCES: RangeInclusive<f64> = 1e-9..=1e6;
 
 /// Why bytes are not a key-style model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -131,10 +144,8 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
     let axes = metadata.axes.len();
     within("axes", axes, 1, MAX_AXES)?;
     let measures = metadata.axes.iter().map(|axis| {
-        Measure::parse(&axis.measure).map_err(|e| KeyStyleModelError::Axis {
-            axis: axis.measure.chars().take(80).collect(),
-            reason: e.to_string(),
-        })
+        Measure::parse(&axis.measure)
+            .map_err(|e| KeyStyleModelError::Axis { axis: quotation(&axis.measure, 80), reason: e.to_string() })
     });
     let measures = measures.collect::<Result<Vec<_>, _>>()?;
 
@@ -146,13 +157,15 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
         return Err(KeyStyleModelError::Layout("clips and frames"));
     }
     let reference = tensors.rotations("reference")?;
-    let style_mean = tensors.finite("style_mean", &[axes])?;
-    let style_deviation = tensors.positive("style_deviation", &[axes])?;
-    let slopes = tensors.finite("slopes", &[count, axes, DIMS])?;
-    let means = tensors.finite("means", &[count, DIMS])?;
+    let (moderate, of_style) = (-MODERATE..=MODERATE, -STYLE..=STYLE);
+    let style_mean = tensors.within("style_mean", &[axes], &of_style, STYLE_EXPECTED)?;
+    let style_deviation = tensors.within("style_deviation", &[axes], &DEVIATIONS, "a number of 0.000001 to 1000000")?;
+    let slopes = tensors.within("slopes", &[count, axes, DIMS], &moderate, MODERATE_EXPECTED)?;
+    let means = tensors.within("means", &[count, DIMS], &moderate, MODERATE_EXPECTED)?;
     let weights = tensors.positive("weights", &[count])?;
-    let centres = tensors.finite("centres", &[count, axes])?;
-    let spreads = tensors.finite("spreads", &[count, axes, axes])?;
+    let centres = tensors.within("centres", &[count, axes], &of_style, STYLE_EXPECTED)?;
+    let spreads = tensors.within("spreads", &[count, axes, axes], &of_style, STYLE_EXPECTED)?;
+    let styles = tensors.within("styles", &[frames, axes], &of_style, STYLE_EXPECTED)?;
     let components = (0..count).map(|i| Component {
         slopes: std::array::from_fn(|j| {
             std::array::from_fn(|d| if j < axes { slopes[(i * axes + j) * DIMS + d].into() } else { 0.0 })
@@ -173,8 +186,9 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
         let found = format!("that of component {}", i + 1);
         return Err(ContainerError::value("spreads", found, "a positive definite covariance").into());
     }
-    if !(metadata.variance > 0.0 && metadata.variance.is_finite()) {
-        return Err(ContainerError::value("variance", metadata.variance.to_string(), "a positive number").into());
+    if !VARIANCES.contains(&metadata.variance) {
+        let found = metadata.variance.to_string();
+        return Err(ContainerError::value("variance", found, "a number of 0.000000001 to 1000000").into());
     }
     let mut deviation = style(&style_deviation);
     deviation[axes..].fill(1.0);
@@ -188,8 +202,8 @@ pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
         least_support: metadata.least_support,
         travels: metadata.travels,
         clips,
-        styles: tensors.finite("styles", &[frames, axes])?.chunks_exact(axes).map(style).collect(),
-        rows: tensors.finite("poses", &[frames, DIMS])?.as_chunks().0.to_vec(),
+        styles: styles.chunks_exact(axes).map(style).collect(),
+        rows: tensors.within("poses", &[frames, DIMS], &moderate, MODERATE_EXPECTED)?.as_chunks().0.to_vec(),
     })
 }
 
@@ -269,13 +283,21 @@ mod tests {
             change(&mut other);
             refused(&write(&other, "test"))
         };
-        assert!(changed(&|m| m.style_deviation[1] = 0.0).contains("'style_deviation' holds 0; a positive number"));
-        assert!(changed(&|m| m.components[1].slopes[0][7] = f64::NAN).contains("'slopes' holds NaN; a finite number"));
+        assert!(
+            changed(&|m| m.style_deviation[1] = 0.0).contains("'style_deviation' holds 0; a number of 0.000001 to")
+        );
+        assert!(
+            changed(&|m| m.components[1].slopes[0][7] = f64::NAN).contains("'slopes' holds NaN; a number within ±1000")
+        );
+        assert!(
+            changed(&|m| m.rows[1][3] = 1e30)
+                .contains("'poses' holds 1000000000000000000000000000000; a number within")
+        );
         assert!(changed(&|m| m.components[0].spread[0][0] = -1.0).contains("component 1; a positive definite"));
         assert!(changed(&|m| m.clips[0].frames = usize::MAX).contains("clips and frames differ"));
         assert!(changed(&|m| m.components.clear()).contains("has 0 components; 1 to 64 were expected"));
         assert!(changed(&|m| m.axes.clear()).contains("has 0 axes; 1 to 3 were expected"));
-        assert!(changed(&|m| m.variance = -1.0).contains("'variance' holds -1; a positive number"));
+        assert!(changed(&|m| m.variance = -1.0).contains("'variance' holds -1; a number of 0.000000001 to 1000000"));
         let mut unknown = version_1_0(KIND, &bytes);
         let name = unknown.windows(11).position(|w| w == b"hips_height").unwrap();
         unknown[name + 10] = b'd';

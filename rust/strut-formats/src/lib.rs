@@ -5,6 +5,7 @@ pub mod bvh;
 pub mod container;
 pub mod corpus;
 pub mod key_style_model;
+mod quotation;
 pub mod strutdb;
 pub mod style_keys;
 #[cfg(feature = "vmc")]

@@ -1,6 +1,7 @@
 //! Styles over time from a table: CSV with the columns `time` (seconds) and one for every axis of a key-style model, in the
 //! axes' own units and in any order.
 
+use crate::quotation::quotation;
 use strut_core::somn::{Key, MAX_AXES, Measure};
 use thiserror::Error;
 
@@ -68,7 +69,7 @@ pub fn parse(bytes: &[u8], axes: &[Measure]) -> Result<Vec<Key>, StyleKeysError>
     let (Some(time), Some(columns), true) = (column(TIME), found, header.len() == axes.len() + 1) else {
         let quoted = |axis: &Measure| if axis.text().contains(',') { format!("\"{axis}\"") } else { axis.to_string() };
         let expected = [TIME.to_owned()].into_iter().chain(axes.iter().map(quoted)).collect::<Vec<_>>().join(",");
-        return Err(StyleKeysError::Header { found: header.join(",").chars().take(200).collect(), expected });
+        return Err(StyleKeysError::Header { found: quotation(&header.join(","), 200), expected });
     };
     let mut keys: Vec<Key> = Vec::new();
     for record in reader.records() {
@@ -82,7 +83,7 @@ pub fn parse(bytes: &[u8], axes: &[Measure]) -> Result<Vec<Key>, StyleKeysError>
             cell.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| StyleKeysError::Number {
                 line,
                 column: header[column].clone(),
-                found: cell.chars().take(40).collect(),
+                found: quotation(cell, 40),
             })
         };
         let secs = number(time)?;
@@ -121,6 +122,7 @@ mod tests {
         for (text, expected) in [
             ("", "line 1 is ''; 'time,hips_height' was expected"),
             ("time,hips\n0,1\n", "line 1 is 'time,hips'; 'time,hips_height' was expected"),
+            ("\"a\nb\",hips\n0,1\n", "line 1 is 'a\u{FFFD}b,hips'; 'time"),
             ("time,hips_height,time\n0,1,2\n", "line 1 is"),
             ("time,hips_height\n", "there is no key below the header"),
             ("time,hips_height\n0,90\n1\n", "line 3 has 1 columns; 2 were expected"),

@@ -5,6 +5,7 @@ use super::{
     Bvh, BvhError, Channel, FRAME_TIME_SECS, Joint, MAX_ABS_VALUE, MAX_BYTES, MAX_CHANNELS_PER_JOINT, MAX_FRAMES,
     MAX_JOINTS, MAX_NAME_BYTES,
 };
+use crate::quotation::quotation;
 
 /// Reads a file. See the [module documentation](super) for what is accepted.
 ///
@@ -315,7 +316,7 @@ impl<'a> Cursor<'a> {
             return if self.peek().is_none() { "the end of the file" } else { "a blank" }.to_owned();
         }
         let text = String::from_utf8_lossy(&token[..token.len().min(4 * MOST)]);
-        let shown: String = text.chars().take(MOST).map(|c| if c.is_control() { '\u{FFFD}' } else { c }).collect();
+        let shown = quotation(&text, MOST);
         if shown.len() < token.len() && text.chars().count() > MOST {
             format!("'{shown}…'")
         } else {

@@ -2,6 +2,7 @@
 
 use super::tensor::Tensors;
 use super::{ContainerError, Kind, Source, checksum};
+use crate::quotation::quotation;
 use safetensors::tensor::Metadata as Header;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -35,14 +36,14 @@ pub(crate) fn open<M: DeserializeOwned, S: Source + ?Sized>(
     let unreadable = |e: serde_json::Error| ContainerError::Metadata { kind, reason: e.to_string() };
     let Common { version, checksum } = serde_json::from_str(json).map_err(unreadable)?;
     let Some(minor) = minor_version(kind, &version) else {
-        return Err(ContainerError::Version { kind, found: version.chars().take(SHOWN).collect() });
+        return Err(ContainerError::Version { kind, found: quotation(&version, SHOWN) });
     };
     if checksum.is_some() || minor >= kind.checksum_since {
         let none = || ContainerError::Metadata { kind, reason: "they have no checksum".to_owned() };
         let found = checksum.ok_or_else(none)?;
         let computed = checksum::compute(&beginning, file).ok_or_else(none)?;
         if found != computed {
-            return Err(ContainerError::Checksum { kind, found: found.chars().take(SHOWN).collect(), computed });
+            return Err(ContainerError::Checksum { kind, found: quotation(&found, SHOWN), computed });
         }
     }
     let metadata = serde_json::from_str(json).map_err(unreadable)?;

@@ -1,5 +1,6 @@
 //! Labels from file names: `{set}_{action}_{style}_{take}.bvh`.
 
+use crate::quotation::quotation;
 use std::fmt::{self, Display};
 use std::str::FromStr;
 use thiserror::Error;
@@ -86,7 +87,7 @@ impl FromStr for Pattern {
             if let Some(field) = rest.strip_prefix('{') {
                 let (name, after) = field.split_once('}').ok_or(PatternError::Unclosed)?;
                 if matches!(parts.last(), Some(Part::Field(_))) {
-                    return Err(PatternError::Adjacent(name.to_owned()));
+                    return Err(PatternError::Adjacent(quotation(name, 40)));
                 }
                 parts.push(Part::Field(match name {
                     "action" => Field::Action,
@@ -151,7 +152,7 @@ impl Pattern {
 
 /// The number of a take.
 pub(super) fn parse_take(text: &str) -> Result<u32, LabelError> {
-    text.parse().map_err(|_| LabelError::Take(text.to_owned()))
+    text.parse().map_err(|_| LabelError::Take(quotation(text, 40)))
 }
 
 /// The end of a path from the last but `slashes` folder on.

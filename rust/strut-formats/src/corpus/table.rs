@@ -1,6 +1,7 @@
 //! Labels from a table: CSV with the columns `file,action,style[,take]`.
 
 use super::pattern::{LabelError, Labels, Pattern, parse_take};
+use crate::quotation::quotation;
 use std::collections::HashMap;
 use thiserror::Error;
 
@@ -80,7 +81,7 @@ impl Table {
         let headers = reader.headers().map_err(|e| csv_error(&e))?;
         let header: Vec<&str> = headers.iter().collect();
         if header.len() < 3 || !HEADER.starts_with(&header) {
-            return Err(TableError::Header(header.join(",")));
+            return Err(TableError::Header(quotation(&header.join(","), 200)));
         }
         let mut rows = Vec::new();
         for record in reader.records() {
@@ -114,7 +115,7 @@ pub fn assign(
 ) -> Result<Vec<Result<Labels, LabelError>>, TableError> {
     let mut listed: HashMap<usize, Labels> = HashMap::new();
     for Row { line, file, labels } in table.iter().flat_map(|table| &table.rows) {
-        let fault = |fault| TableError::File { line: *line, file: file.clone(), fault };
+        let fault = |fault| TableError::File { line: *line, file: quotation(file, 200), fault };
         let mut named = paths.iter().enumerate().filter(|(_, path)| ends_with_path(path, file));
         let (index, _) = named.next().ok_or_else(|| fault("which is not among the inputs"))?;
         if named.next().is_some() {
@@ -174,6 +175,7 @@ mod tests {
     fn a_bad_table_is_refused_with_the_line() {
         for (text, expected) in [
             ("name,style\n", "line 1 is 'name,style'; 'file,action,style' or 'file,action,style,take' was expected"),
+            ("\"a\nb\"\n", "line 1 is 'a\u{FFFD}b'; 'file,action,style' or 'file,action,style,take' was expected"),
             ("file,action,style\na,b\n", "line 2 has 2 columns; 3 were expected"),
             ("file,action,style\na,,c\n", "line 2 has no action; a name was expected"),
             ("file,action,style,take\na,b,c,x\n", "line 2: its take is 'x'; a number was expected"),
