@@ -29,6 +29,8 @@ export default defineConfig({
     outDir: "../../dist",
     // scripts/site_files.mjs reads what is loaded with what.
     manifest: true,
+    // scripts/notices.mjs makes the site's notices of it.
+    license: { fileName: ".vite/licenses.json" },
     emptyOutDir: true,
     target: "es2022",
     // The browsers of the README: they know `light-dark()` themselves, also where a figure stands on another page.

@@ -1,6 +1,7 @@
 // From sources to the static site in dist/.
 import { join } from "node:path";
 import { writeEmbedPage } from "./embed_page.mjs";
+import { writeNotices } from "./notices.mjs";
 import { writePackage } from "./package.mjs";
 import { checkNode, setupPackages, setupRust, setupWasm } from "./setup.mjs";
 import { root, run, step } from "./steps.mjs";
@@ -35,5 +36,6 @@ export async function buildSite(options) {
     await writePackage();
     await writeEmbedPage();
   });
+  await step("Listing what is of others", () => writeNotices(environments.rust));
   return environments;
 }

@@ -31,6 +31,7 @@ export class Help {
       html("h3", {}, strings.play.help.crowdHeading),
       list(strings.play.help.crowd),
       html("p", { class: "caption" }, strings.play.help.drop),
+      html("p", { class: "caption" }, html("a", { href: "notices.txt" }, strings.play.help.notices)),
     );
   }
 

@@ -1,0 +1,144 @@
+// dist/notices.txt and dist/sbom.cdx.json: what of others the site and the package contain, under which licences. Vite tells
+// which npm packages are in the page's modules (build.license), cargo which crates are in those of WebAssembly.
+import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { output, root, Sentence } from "./steps.mjs";
+import { TARGET, WASM_CRATES } from "./wasm.mjs";
+
+const DIST = join(root, "dist");
+/** Where Vite is told to list its packages; it is not part of the site. */
+export const NPM_LICENCES = ".vite/licenses.json";
+
+/** Licences under which something may be in what is shipped. */
+const ALLOWED = new Set([
+  "0BSD",
+  "Apache-2.0",
+  "BSD-2-Clause",
+  "BSD-3-Clause",
+  "BSL-1.0",
+  "CC0-1.0",
+  "ISC",
+  "MIT",
+  // Of its files, unchanged as they are; the notices say where their source is.
+  "MPL-2.0",
+  "OFL-1.1",
+  "Unicode-3.0",
+  "Unlicense",
+  "Zlib",
+]);
+
+/** Packages that reach the site by other ways than the page's modules: fonts by style sheets, the service worker by esbuild. */
+const BESIDE_MODULES = [
+  "@fontsource-variable/inter",
+  "@fontsource-variable/source-serif-4",
+  "workbox-core",
+  "workbox-precaching",
+  "workbox-routing",
+  "workbox-strategies",
+];
+
+/** Whether an SPDX expression lets us: one of its alternatives, or one of each of the groups in brackets that hold together. */
+export function isAllowed(expression) {
+  const one = (licences) => licences.split(" OR ").some((licence) => ALLOWED.has(licence));
+  if (expression.includes("(")) return expression.split(" AND ").every((group) => one(group.replace(/^\(|\)$/g, "")));
+  return expression.split(" OR ").some((licences) => licences.split(" AND ").every((licence) => ALLOWED.has(licence)));
+}
+
+/** Writes both files from the site and the packages as they are built; says how many parts there are. */
+export async function writeNotices(env) {
+  const parts = [...npmPackages(), ...(await crates(env))];
+  const refused = parts.filter(({ licence }) => !isAllowed(licence));
+  if (refused.length > 0) {
+    const list = refused.map(({ name, licence }) => `${name} (${licence || "no licence"})`).join(", ");
+    throw new Sentence(`These may not be shipped under their licences: ${list}.`);
+  }
+  const version = JSON.parse(readFileSync(join(root, "package.json"), "utf8")).version;
+  const notices = noticesOf(parts);
+  for (const folder of [DIST, join(DIST, "package")]) {
+    writeFileSync(join(folder, "notices.txt"), notices);
+    writeFileSync(join(folder, "sbom.cdx.json"), `${JSON.stringify(sbomOf(version, parts), null, 1)}\n`);
+  }
+  return `${parts.length} parts of others`;
+}
+
+/** npm's packages in the site. */
+function npmPackages() {
+  const list = join(DIST, NPM_LICENCES);
+  const inModules = JSON.parse(readFileSync(list, "utf8")).map(({ name }) => name);
+  rmSync(list);
+  return [...new Set([...inModules, ...BESIDE_MODULES])].sort().map((name) => {
+    const folder = join(root, "node_modules", name);
+    const { version, license, homepage } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+    const purl = `pkg:npm/${name.replace("@", "%40")}@${version}`;
+    return { name, version, licence: license ?? "", source: homepage ?? "", text: licenceText(folder), purl };
+  });
+}
+
+/** The crates that the WASM packages are made of. */
+async function crates(env) {
+  const cargo = (args) => output(env.CARGO ?? "cargo", args, { env, cwd: join(root, "rust") });
+  const selected = WASM_CRATES.flatMap((crate) => ["--package", crate]);
+  // Macros leave nothing of themselves in what is built.
+  const edges = ["--edges", "normal,no-proc-macro", "--target", TARGET, "--all-features"];
+  const tree = await cargo(["tree", ...selected, ...edges, "--prefix", "none", "--format", "{p}"]);
+  const metadata = await cargo(["metadata", "--format-version", "1", "--all-features", "--filter-platform", TARGET]);
+  if (tree === undefined || metadata === undefined) throw new Sentence("cargo does not say what is built.");
+  const used = new Set(tree.split("\n").map((line) => line.split(" ").slice(0, 2).join(" ")));
+  return JSON.parse(metadata)
+    .packages.filter(({ source, name, version }) => source && used.has(`${name} v${version}`))
+    .map(({ name, version, license, repository, manifest_path }) => ({
+      name,
+      version,
+      licence: (license ?? "").replaceAll("/", " OR "),
+      source: repository ?? "",
+      text: licenceText(dirname(manifest_path)),
+      purl: `pkg:cargo/${name}@${version}`,
+    }))
+    .sort((a, b) => (a.purl < b.purl ? -1 : 1));
+}
+
+/** The texts of the licence files in a folder. */
+function licenceText(folder) {
+  if (!existsSync(folder)) return "";
+  const names = readdirSync(folder, { withFileTypes: true })
+    .filter((entry) => entry.isFile() && /^(un)?licen[cs]e|^copying|^notice/i.test(entry.name))
+    .map(({ name }) => name)
+    .sort();
+  return names.map((name) => readFileSync(join(folder, name), "utf8").trim()).join("\n\n");
+}
+
+/** Equal texts are printed once, below all whose licence they are. */
+function noticesOf(parts) {
+  const byText = new Map();
+  for (const part of parts) {
+    const text = part.text.replaceAll("\r", "").trim();
+    byText.set(text, [...(byText.get(text) ?? []), part]);
+  }
+  const heading = "Strut contains the work of others. This is what it is, and under which licences it may be used.";
+  const sections = Array.from(byText, ([text, users]) =>
+    [...users.map(({ name, version, licence, source }) => `${name} ${version} (${licence}) ${source}`.trim()), "", text]
+      .join("\n")
+      .trim(),
+  );
+  return `${[heading, ...sections].join(`\n\n${"-".repeat(80)}\n\n`)}\n`;
+}
+
+/** A software bill of materials as CycloneDX 1.6 has it; it has neither time nor number, so that builds can be compared. */
+function sbomOf(version, parts) {
+  const component = ({ name, version, licence, purl }) => ({
+    type: "library",
+    "bom-ref": purl,
+    name,
+    version,
+    licenses: [{ expression: licence }],
+    purl,
+  });
+  return {
+    $schema: "http://cyclonedx.org/schema/bom-1.6.schema.json",
+    bomFormat: "CycloneDX",
+    specVersion: "1.6",
+    version: 1,
+    metadata: { component: { type: "application", "bom-ref": "strut-motion", name: "strut-motion", version } },
+    components: parts.map(component),
+  };
+}
