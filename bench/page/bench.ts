@@ -1,4 +1,5 @@
 /** The page: starts the benchmark, shows how far it is, and prints what it found. */
+import "../../web/app/shell/trusted_types";
 import "../../web/ui/tokens.css";
 import "../../web/app/ui/type.css";
 import "../../web/ui/controls.css";

@@ -93,6 +93,15 @@ export async function openPage(browser: Browser, url: string, options: PageOptio
     });
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
+  // What was against the page's content security policy counts as well, whatever was tested.
+  await page.addInitScript(() =>
+    document.addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sourceFile, lineNumber }) =>
+      console.error(`[policy] ${violatedDirective} ${blockedURI} ${sourceFile}:${lineNumber}`),
+    ),
+  );
+  page.on("console", (message) => {
+    if (message.text().startsWith("[policy]")) errors.push(message.text());
+  });
   faults.set(page, errors);
   await page.goto(`${url}${options.hash ? `#${options.hash}` : ""}`);
   await shown(page);

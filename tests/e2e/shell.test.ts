@@ -54,7 +54,7 @@ describe("the content security policy", () => {
       const page = await context.newPage();
       await page.goto(site.url);
       await shown(page);
-      for (const name of ["Compare", "Walk", "Key-style", "Crowd", "Data", "Play"]) {
+      for (const name of ["Compare", "Walk", "Key-style", "Crowd", "Data", "Learn", "Play"]) {
         await tab(page, name).click();
         await eventually(() => page.title()).toContain(name);
       }

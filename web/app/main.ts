@@ -2,6 +2,7 @@
  * Starts the page. Its sheets are all here: index.html shows the page before there is a script, and must not change when it
  * comes.
  */
+import "./shell/trusted_types";
 import "../ui/tokens.css";
 import "./ui/type.css";
 import "./shell/layout.css";
