@@ -22,6 +22,7 @@ const CRATES = {
   "strut-wasm-character": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-gpu": ["strut-wasm-common", "strut-gpu"],
   "strut-cli": ["strut-core", "strut-formats", "strut-demo", "strut-gpu"],
+  fuzz: ["strut-core", "strut-formats", "strut-demo"],
   xtask: [],
 };
 

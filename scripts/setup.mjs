@@ -71,6 +71,14 @@ export async function setupRust() {
   return debianRust();
 }
 
+/** Finds or installs a C++ compiler, which libFuzzer is compiled with. */
+export async function setupCxx() {
+  const found = () => ["c++", "g++", "clang++"].some((name) => findProgram(name));
+  if (found()) return;
+  await step("Installing a C++ compiler (Debian's g++)", () => installDebian(["g++"]));
+  if (!found()) throw new Sentence("libFuzzer needs a C++ compiler. Install g++ or clang, then run this again.");
+}
+
 /** Debian's rustc-web and cargo-web: a recent compiler that comes with the sources of its standard library. */
 async function debianRust() {
   if (!isRecent(await rustVersion("/usr/bin/rustc")) || !existsSync("/usr/bin/cargo")) {

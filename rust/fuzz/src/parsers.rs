@@ -1,0 +1,271 @@
+//! Parsers: whatever the bytes are, they give a value that keeps its own rules or an error with a sentence, and take no more
+//! memory than the bytes have a right to.
+
+use crate::memory::bounded;
+use crate::{bases, edits};
+use arbitrary::Unstructured;
+use std::fmt::Display;
+use std::str::FromStr;
+use strut_core::database::Database;
+use strut_core::humanoid::Pose;
+use strut_core::search::Index;
+use strut_core::somn::Measure;
+use strut_formats::bvh;
+use strut_formats::container::Kind;
+use strut_formats::corpus::{Clip, Pattern, Table, guess_pattern};
+use strut_formats::strutdb::{self, packed};
+use strut_formats::vmc::{FrameReader, Message, Performer, decode, encode};
+use strut_formats::{key_style_model, style_keys, walk_model};
+
+/// Words of BVH files.
+pub(crate) const BVH_WORDS: [&str; 14] = [
+    "HIERARCHY",
+    "ROOT",
+    "JOINT",
+    "End",
+    "Site",
+    "{",
+    "}",
+    "OFFSET",
+    "CHANNELS",
+    "MOTION",
+    "Frames:",
+    "Frame",
+    "Time:",
+    "Xrotation",
+];
+
+/// A text number of two bytes becomes one of eight, and then the rotation of a joint and its place.
+const BVH_TIMES: u64 = 64;
+/// A row of a database becomes a row, its points and those of its window.
+const DATABASE_TIMES: u64 = 32;
+/// A byte of packed motions is a number at least.
+const PACKED_TIMES: u64 = 64;
+
+/// An error is a sentence for people: it says something, on one line, and not at length.
+pub(crate) fn says_something(error: &impl Display) {
+    let text = error.to_string();
+    let length = text.chars().count();
+    assert!((10..=2000).contains(&length), "an error of {length} characters: {text}");
+    assert!(!text.contains('\n'), "an error of several lines: {text}");
+}
+
+/// Runs a target on the file that the bytes describe.
+pub(crate) fn with_edited(
+    data: &[u8],
+    edit: impl FnOnce(&mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>>,
+    run: impl FnOnce(&[u8], &mut Unstructured<'_>),
+) {
+    let mut u = Unstructured::new(data);
+    if let Ok(file) = edit(&mut u) {
+        run(&file, &mut u);
+    }
+}
+
+/// BVH as it comes.
+pub(crate) fn bvh(data: &[u8]) {
+    match bounded(data, BVH_TIMES, bvh::parse) {
+        Err(e) => says_something(&e),
+        Ok(file) => {
+            assert!(file.values.iter().all(|v| v.abs() <= bvh::MAX_ABS_VALUE));
+            assert_eq!(file.values.len(), file.frames * file.channels());
+            // What was read is written, and read again it is the same.
+            let text = bvh::write(&file);
+            assert_eq!(bvh::parse(text.as_bytes()).as_ref(), Ok(&file));
+            if let Err(e) = bounded(data, BVH_TIMES, Clip::parse) {
+                says_something(&e);
+            }
+        }
+    }
+}
+
+/// BVH files with a few changes.
+pub(crate) fn bvh_edited(data: &[u8]) {
+    with_edited(data, edited_bvh, |file, _| bvh(file));
+}
+
+/// A changed BVH file.
+pub(crate) fn edited_bvh(u: &mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>> {
+    let base = u.choose(&*bases::BVH)?;
+    edits::text(u, base, &BVH_WORDS)
+}
+
+/// Databases as they come.
+pub(crate) fn strutdb(data: &[u8]) {
+    match bounded(data, DATABASE_TIMES, strutdb::read) {
+        Err(e) => says_something(&e),
+        Ok(contents) => {
+            let database = &contents.database;
+            assert_finite(database);
+            if let Some(plan) = contents.plan {
+                // A plan for other rows is refused; the index is built then.
+                let _ = Index::from_plan(database, plan);
+            }
+        }
+    }
+}
+
+fn assert_finite(database: &Database) {
+    assert!(database.pose.iter().flatten().all(|v| v.is_finite()));
+    assert!(database.canonical_time.iter().chain(&database.time_step).all(|v| v.is_finite()));
+}
+
+/// Databases with a few changes and the right checksum.
+pub(crate) fn strutdb_edited(data: &[u8]) {
+    with_edited(data, edited_database, |file, _| strutdb(file));
+}
+
+/// A changed database.
+pub(crate) fn edited_database(u: &mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>> {
+    edited(u, &bases::STRUTDB, strutdb::KIND)
+}
+
+/// A changed file of a kind, or one whose bytes were changed but whose checksum is right.
+fn edited(u: &mut Unstructured<'_>, base: &[u8], kind: Kind) -> arbitrary::Result<Vec<u8>> {
+    if u.ratio(1, 8)? {
+        let mut file = edits::bytes(u, base)?;
+        edits::enter_checksum(&mut file);
+        return Ok(file);
+    }
+    edits::container(u, base, kind.entry)
+}
+
+/// Packed motions with a few changes.
+pub(crate) fn packed_edited(data: &[u8]) {
+    with_edited(
+        data,
+        |u| edits::bytes(u, &bases::PACKED),
+        |file, _| {
+            match bounded(file, PACKED_TIMES, packed::read_database) {
+                Err(e) => says_something(&e),
+                Ok(database) => assert_finite(&database),
+            }
+            for name in packed::input_names(file).unwrap_or_default() {
+                match bounded(file, PACKED_TIMES, |bytes| packed::read_input(bytes, &name)) {
+                    Err(e) => says_something(&e),
+                    Ok(motion) => {
+                        assert!(motion.iter().flat_map(|m| &m.poses).all(Pose::is_finite));
+                    }
+                }
+            }
+        },
+    );
+}
+
+/// A changed model of walks.
+pub(crate) fn edited_walk_model(u: &mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>> {
+    edited(u, &bases::WALK_MODEL, walk_model::KIND)
+}
+
+/// Models of walks with a few changes.
+pub(crate) fn walk_model_edited(data: &[u8]) {
+    with_edited(data, edited_walk_model, |file, _| {
+        if let Err(e) = bounded(file, DATABASE_TIMES, walk_model::read) {
+            says_something(&e);
+        }
+    });
+}
+
+/// A changed key-style model.
+pub(crate) fn edited_key_style_model(u: &mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>> {
+    edited(u, &bases::KEY_STYLE_MODEL, key_style_model::KIND)
+}
+
+/// Key-style models with a few changes.
+pub(crate) fn key_style_model_edited(data: &[u8]) {
+    with_edited(data, edited_key_style_model, |file, _| {
+        if let Err(e) = bounded(file, DATABASE_TIMES, key_style_model::read) {
+            says_something(&e);
+        }
+    });
+}
+
+/// Tables of key styles.
+pub(crate) fn style_keys(data: &[u8]) {
+    let axes = Measure::parse_list(bases::AXES).expect("these are measures");
+    let header = format!("time,\"{}\"\n", bases::AXES.split(", ").collect::<Vec<_>>().join("\",\""));
+    let with_header = [header.as_bytes(), data].concat();
+    for file in [data, &with_header] {
+        match bounded(file, BVH_TIMES, |bytes| style_keys::parse(bytes, &axes)) {
+            Err(e) => says_something(&e),
+            Ok(keys) => {
+                assert!(!keys.is_empty());
+                assert!(keys.iter().all(|key| key.secs.is_finite() && key.style.iter().all(|v| v.is_finite())));
+                assert!(keys.windows(2).all(|pair| pair[0].secs < pair[1].secs));
+            }
+        }
+    }
+}
+
+/// Tables of labels.
+pub(crate) fn corpus_table(data: &[u8]) {
+    let with_header = [b"file,action,style,take\n", data].concat();
+    for file in [data, &with_header] {
+        if let Err(e) = bounded(file, BVH_TIMES, Table::parse) {
+            says_something(&e);
+        }
+    }
+}
+
+/// Patterns, and the labels that they find in names; the names' own pattern.
+pub(crate) fn labels(data: &[u8]) {
+    let Ok(text) = std::str::from_utf8(data) else { return };
+    let mut lines = text.lines();
+    let pattern = lines.next().unwrap_or_default();
+    let names: Vec<&str> = lines.collect();
+    match Pattern::from_str(pattern) {
+        Err(e) => says_something(&e),
+        Ok(pattern) => {
+            assert_eq!(Pattern::from_str(&pattern.to_string()).as_ref(), Ok(&pattern));
+            for name in &names {
+                match pattern.labels(name) {
+                    Err(e) => says_something(&e),
+                    Ok(labels) => assert!(!labels.action.is_empty() && !labels.style.is_empty()),
+                }
+            }
+        }
+    }
+    let _ = guess_pattern(&names);
+}
+
+/// Style variables.
+pub(crate) fn expression(data: &[u8]) {
+    let Ok(text) = std::str::from_utf8(data) else { return };
+    match bounded(data, BVH_TIMES, |_| Measure::parse_list(text)) {
+        Err(e) => says_something(&e),
+        Ok(measures) => {
+            for measure in measures {
+                let again = Measure::parse(measure.text()).expect("a measure's own text");
+                assert_eq!(again.unit(), measure.unit());
+            }
+        }
+    }
+}
+
+/// Packets of motion capture programs, several in a row; each begins with its length.
+pub(crate) fn vmc(data: &[u8]) {
+    let mut reader = FrameReader::default();
+    let mut performer: Option<Performer> = None;
+    let (mut rest, mut secs) = (data, 0.0);
+    while let [low, high, packets @ ..] = rest {
+        let length = usize::from(u16::from_le_bytes([*low, *high])).min(packets.len());
+        let (packet, after) = packets.split_at(length);
+        rest = after;
+        secs += 0.01;
+        let mut messages: Vec<Message> = Vec::new();
+        if let Err(e) = decode(packet, &mut messages) {
+            says_something(&e);
+            continue;
+        }
+        // What is understood is sent on, and understood again.
+        let mut again = Vec::new();
+        for packet in encode(&messages) {
+            decode(&packet, &mut again).expect("our own packet");
+        }
+        for frame in messages.iter().filter_map(|message| reader.push(message, secs)) {
+            let performer = performer.get_or_insert_with(|| Performer::new(&frame, None));
+            let pose = performer.pose(&frame);
+            assert!(pose.is_finite(), "a frame gives {pose:?}");
+        }
+    }
+}

@@ -1,0 +1,150 @@
+// npm run fuzz -- [--minutes N] [--keep] [TARGET …]: the targets of rust/fuzz under libFuzzer, in all N minutes (2), as many at
+// once as there are cores; then what the page itself reads (tests/fuzz). --keep makes rust/fuzz/corpus anew of what reaches most
+// code. An input that fails is written there too: it fails in `npm test` until it is mended.
+import { spawn } from "node:child_process";
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync } from "node:fs";
+import { availableParallelism } from "node:os";
+import { join } from "node:path";
+import { parseArgs } from "node:util";
+import { checkNode, setupCxx, setupPackages, setupRust } from "./setup.mjs";
+import { main, output, root, run, Sentence, step } from "./steps.mjs";
+
+const RUST = join(root, "rust");
+const CORPUS = join(RUST, "fuzz", "corpus");
+
+/** What libFuzzer steers by: counters of edges, and what numbers are compared with. */
+const COVERAGE = [
+  "-Cpasses=sancov-module",
+  "-Cllvm-args=-sanitizer-coverage-level=4",
+  "-Cllvm-args=-sanitizer-coverage-inline-8bit-counters",
+  "-Cllvm-args=-sanitizer-coverage-pc-table",
+  "-Cllvm-args=-sanitizer-coverage-trace-compares",
+];
+
+const DEFAULT_MINUTES = 2;
+/** An input that takes longer than this hangs. */
+const TIMEOUT_SECS = 20;
+const MAX_MEMORY_MB = 2048;
+/** Inputs of a target that the repository keeps beside those that once failed. */
+const KEPT = 24;
+/** Names of inputs that once failed, and of those that others begin with. */
+const LASTING = /^(crash|oom|timeout|leak|slow-unit|seed)-/;
+/** Inputs a minute of each test of what the page reads. */
+const PAGE_RUNS = 300;
+
+/** Builds the targets; gives the path of the program and that of the folder for what a run finds. */
+async function build(env) {
+  const host = /^host: (.+)$/m.exec((await output(env.RUSTC ?? "rustc", ["-vV"], { env })) ?? "")?.[1];
+  if (!host) throw new Sentence("rustc does not say for which machine it compiles.");
+  const folder = join(env.CARGO_TARGET_DIR ?? process.env.CARGO_TARGET_DIR ?? join(RUST, "target"), "fuzz");
+  const chosen = ["--profile", "fuzz", "--package", "strut-fuzz", "--features", "libfuzzer"];
+  // As the machine is named, the flags are not those of build scripts as well.
+  await run(env.CARGO ?? "cargo", ["build", "--quiet", ...chosen, "--target", host, "--target-dir", folder], {
+    cwd: RUST,
+    env: { ...env, CARGO_ENCODED_RUSTFLAGS: COVERAGE.join("\x1f") },
+  });
+  return { program: join(folder, host, "fuzz", "strut-fuzz"), found: join(folder, "corpus") };
+}
+
+/** The targets' names with the longest useful input of each, as the sources list them. */
+function targets() {
+  const source = readFileSync(join(RUST, "fuzz", "src", "lib.rs"), "utf8");
+  const listed = source.matchAll(/Target \{ name: "(\w+)", max_len: (\d+)/g);
+  return new Map(Array.from(listed, ([, name, bytes]) => [name, Number(bytes)]));
+}
+
+/** Runs a target; gives what libFuzzer says at its end. */
+function fuzz({ program, found }, name, maxLen, secs) {
+  const [own, kept] = [join(found, name), join(CORPUS, name)];
+  for (const folder of [own, kept]) mkdirSync(folder, { recursive: true });
+  const limits = [`-max_total_time=${secs}`, `-timeout=${TIMEOUT_SECS}`, `-rss_limit_mb=${MAX_MEMORY_MB}`];
+  const options = [...limits, `-max_len=${maxLen}`, "-print_final_stats=1", `-artifact_prefix=${kept}/`];
+  return new Promise((resolve, reject) => {
+    const env = { ...process.env, STRUT_FUZZ_TARGET: name };
+    const child = spawn(program, [...options, own, kept], { env, stdio: ["ignore", "ignore", "pipe"] });
+    let text = "";
+    child.stderr.on("data", (chunk) => {
+      text += chunk;
+    });
+    child.on("error", reject);
+    child.on("close", (code) => {
+      const number = (pattern) => Number(text.match(pattern)?.at(-1)?.match(/\d+/)?.[0] ?? 0);
+      resolve({
+        name,
+        failed: code !== 0,
+        text,
+        runs: number(/number_of_executed_units: +\d+/g),
+        edges: number(/cov: \d+/g),
+        inputs: readdirSync(own).length,
+      });
+    });
+  });
+}
+
+/** Makes the corpus of a target anew: short and long ones of the inputs that together reach all that was reached. */
+async function keep({ program, found }, name) {
+  const [own, kept, merged] = [join(found, name), join(CORPUS, name), join(found, `${name}.merged`)];
+  rmSync(merged, { recursive: true, force: true });
+  mkdirSync(merged, { recursive: true });
+  if ((await output(program, ["-merge=1", merged, own, kept], { env: { STRUT_FUZZ_TARGET: name } })) === undefined)
+    throw new Sentence(`The inputs of ${name} could not be merged.`);
+  for (const file of readdirSync(kept)) if (!LASTING.test(file)) rmSync(join(kept, file));
+  const bytes = (file) => statSync(join(merged, file)).size;
+  const bySize = readdirSync(merged).sort((a, b) => bytes(a) - bytes(b) || (a < b ? -1 : 1));
+  for (let i = 0; i < KEPT; i++) {
+    const file = bySize[Math.round((i * (bySize.length - 1)) / (KEPT - 1))];
+    copyFileSync(join(merged, file), join(kept, file));
+  }
+}
+
+await main(async () => {
+  const { values, positionals } = parseArgs({
+    options: { minutes: { type: "string" }, keep: { type: "boolean" } },
+    allowPositionals: true,
+  });
+  const minutes = Number(values.minutes ?? DEFAULT_MINUTES);
+  if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
+  const known = targets();
+  const unknown = positionals.find((name) => !known.has(name));
+  if (unknown) throw new Sentence(`There is no target '${unknown}'; there are ${[...known.keys()].join(", ")}.`);
+  checkNode();
+  const rust = await setupRust();
+  await setupCxx();
+  let built;
+  await step("Building the fuzz targets", async () => {
+    built = await build(rust);
+  });
+  const chosen = positionals.length > 0 ? positionals : [...known.keys()];
+  const cores = Math.min(availableParallelism(), chosen.length);
+  const secs = Math.max(1, Math.round((minutes * 60 * cores) / chosen.length));
+  const results = [];
+  await step(`Fuzzing ${chosen.length} targets for ${secs} s each`, async () => {
+    const waiting = [...chosen];
+    const work = async () => {
+      for (let name = waiting.shift(); name; name = waiting.shift()) {
+        const result = await fuzz(built, name, known.get(name), secs);
+        results.push(result);
+        const { failed, runs, edges, inputs } = result;
+        const outcome = failed ? "FAILED" : "no finding";
+        console.log(`  ${name}: ${runs} runs, ${edges} edges, ${inputs} inputs kept, ${outcome}`);
+      }
+    };
+    await Promise.all(Array.from({ length: cores }, work));
+    return `${results.reduce((sum, { runs }) => sum + runs, 0)} runs`;
+  });
+  const failed = results.filter((result) => result.failed);
+  for (const { name, text } of failed) console.error(`── ${name}\n${text.slice(-4000)}`);
+  if (failed.length > 0)
+    throw new Sentence(`${failed.map(({ name }) => name).join(", ")} failed; the inputs are in rust/fuzz/corpus.`);
+  if (values.keep)
+    await step("Keeping what reaches most code", async () => {
+      for (const name of chosen) await keep(built, name);
+    });
+  if (positionals.length > 0) return;
+  await setupPackages();
+  await step("Fuzzing what the page reads", () =>
+    run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run", "tests/fuzz"], {
+      env: { STRUT_FUZZ_RUNS: String(Math.round(PAGE_RUNS * minutes)) },
+    }),
+  );
+});
