@@ -349,6 +349,6 @@ function* rustSources(folder) {
     const path = join(folder, entry.name);
     if (entry.isDirectory()) {
       if (!["target", "tests", "benches", "strut-cli"].includes(entry.name)) yield* rustSources(path);
-    } else if (/\.(rs|toml|lock)$/.test(entry.name) && entry.name !== "tests.rs") yield path;
+    } else if (/\.(rs|wgsl|toml|lock)$/.test(entry.name) && entry.name !== "tests.rs") yield path;
   }
 }
