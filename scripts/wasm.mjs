@@ -110,7 +110,15 @@ const PACKAGES = {
     flags: [INLINE_LESS],
     config: FAST_YARDSTICKS,
   },
-  // … and without SIMD, whose bits must be the same.
+  // … the paper's search on a graphics card with the engine's beside it …
+  benchGpu: {
+    folder: "bench/pkg/gpu",
+    crate: "strut-wasm-gpu",
+    name: "strut_bench_gpu",
+    features: ["bench"],
+    flags: [INLINE_LESS],
+  },
+  // … and the first of these without SIMD, whose bits must be the same.
   benchScalar: {
     folder: "bench/pkg/scalar",
     crate: "strut-wasm",
@@ -137,7 +145,7 @@ const PAGE = [
   "compare",
   "learn",
 ];
-const BENCH = ["bench", "benchScalar"];
+const BENCH = ["bench", "benchGpu", "benchScalar"];
 
 /** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */
 const MOTIONS = join(root, "web", "engine", "motions");
