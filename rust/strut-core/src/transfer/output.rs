@@ -1,4 +1,4 @@
-//! From what is predicted to what is seen: styles blended, placed on their way, feet planted (`docs/methods/mar.md` §10–§12).
+//! From what is predicted to what is seen: styles blended, placed on their way, feet planted (`docs/methods/mar.md` §10 and §11).
 
 use super::blend::{StyleBlend, blended};
 use super::body_part::BodyPart;
