@@ -8,7 +8,8 @@ import { preloadPlugin } from "./scripts/preload_plugin.mjs";
 import { threePlugin } from "./scripts/three_plugin.mjs";
 
 /** The benchmark is left out where the packages that it measures are not built: `npm start` does not wait for them. */
-const pages = existsSync(resolve(import.meta.dirname, "bench/pkg/scalar/stamp")) ? ["index", "bench"] : ["index"];
+const measured = ["gpu", "scalar"].map((name) => resolve(import.meta.dirname, `bench/pkg/${name}/stamp`));
+const pages = measured.every((stamp) => existsSync(stamp)) ? ["index", "bench"] : ["index"];
 
 // Relative base: the built site works from any folder of any host.
 export default defineConfig({

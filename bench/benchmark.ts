@@ -4,7 +4,7 @@ import type { Instances } from "./engines";
 import { NaiveTransfer } from "./naive";
 import { ENGINES, type EngineName, MODES, type Report } from "./report";
 import { readStrutdb } from "./strutdb";
-import { makeWorkload, type Source } from "./workload";
+import type { Workload } from "./workload";
 import { YardstickBench } from "./yardstick_bench";
 
 /** Frames of the database that the paper's Table 2 was measured on. */
@@ -18,9 +18,7 @@ export interface Options {
 }
 
 /** Runs it: minutes. Who wants to stop it ends its thread. */
-export function benchmark(instances: Instances, source: Source, { machine, onProgress }: Options): Report {
-  onProgress?.("Making a database", 0);
-  const workload = makeWorkload(instances.simd.glue, source);
+export function benchmark(instances: Instances, workload: Workload, { machine, onProgress }: Options): Report {
   const report: Report = { machine, rows: [], agreement: [], memory: [] };
   const { glue } = instances.simd;
   const engines = {

@@ -80,14 +80,14 @@ function cardsSection(cards: readonly Card[]): string[] {
     ]);
   return [
     "## Every window on a graphics card",
-    "The paper compared every window on a graphics card. `strut bench --gpu` does that, one window at a time (*all*) and 256 together (*batch*), beside the engine's search from a cold start on one thread, in the same run; it compares the sets of neighbours to the bit, and names the card and its driver.",
+    "The paper compared every window on a graphics card. `strut bench --gpu` does that, one window at a time (*all*) and 256 together (*batch*), beside the engine's search from a cold start on one thread, in the same run; it compares the sets of neighbours to the bit, and names the card and its driver. In a browser, the box *Graphics card* of `bench.html` does the same after the other engines, with WebGPU.",
     rows.length
       ? markdown([
           ["card", "frames", "all, ms", "batch, ms a window", "engine faster: all", "batch", "identical sets"],
           ...rows,
         ])
       : "No card has been measured yet. A graphics processor in software tells whether the kernels are right, and not how fast they are; the tests run on Chromium's (`cargo test -p strut-gpu`), and no time of it is told.",
-    "To add a card: run `npm run bench -- --gpu --json card.json` on it, and put `gpu` and the medians of the rows of `gpu-brute` in that file, with the date, into `bench/cards.ts`; `npm run bench -- --write` puts them here.",
+    "To add a card: run `npm run bench -- --gpu --json card.json` on it, and put `gpu` and the medians of the rows of `gpu-brute` in that file, with the date, into `bench/cards.ts`; `npm run bench -- --write` puts them here. Or open `bench.html` there, measure 79,829 frames, and send what *Copy as JSON* gives in an issue, with the driver, which browsers do not tell, and the date.",
   ];
 }
 

@@ -6,7 +6,7 @@ import { type ClipRow, timeClips } from "./clips";
 import { loadInstances } from "./engines";
 import { type LargeReport, measureLarge } from "./large";
 import type { Report } from "./report";
-import type { Source } from "./workload";
+import { makeWorkload, type Source } from "./workload";
 
 export { PAPER_FRAMES } from "./benchmark";
 export { clipLines } from "./clips";
@@ -31,7 +31,9 @@ export async function benchmarkInNode(
 ): Promise<Report> {
   const [cpu] = cpus();
   const machine = `${cpu?.model.trim() ?? process.arch}, ${cpus().length} threads, ${platform()}, Node ${process.versions.node}`;
-  return benchmark(await instances(), source, { machine, onProgress });
+  const engines = await instances();
+  onProgress("Making a database", 0);
+  return benchmark(engines, makeWorkload(engines.simd.glue, source), { machine, onProgress });
 }
 
 const instances = () => loadInstances(async (url) => WebAssembly.compile(new Uint8Array(await readFile(url))));

@@ -11,8 +11,9 @@ export type EngineName = (typeof ENGINES)[number];
 /** A stage's times over all frames. */
 export interface Row {
   stage: string;
-  mode: Mode;
-  engine: EngineName | "native";
+  /** `batch`: of {@link GraphicsComparison}, many windows together; the engine searches for them one by one. */
+  mode: Mode | "batch";
+  engine: EngineName | "native" | "gpu-brute";
   frames: number;
   classes: number;
   median_ms: number;
@@ -45,12 +46,31 @@ export interface Memory {
   three_styles_mb: number;
 }
 
+/** The exhaustive search by a graphics processor beside the engine's, as `strut bench --gpu` writes it, too. */
+export interface GraphicsComparison {
+  adapter: string;
+  driver: string;
+  backend: string;
+  /** Whether a program plays the graphics processor: then there are no times. */
+  software: boolean;
+  frames: number;
+  classes: number;
+  /** Sets of neighbours, one a window and class, and how many are the engine's to the bit. */
+  sets: number;
+  identical: number;
+  candidates_per_neighbour: number;
+  /** How many times faster the engine's search from a cold start is, in medians. */
+  engine_is_faster?: { all: number; batch: number };
+}
+
 /** Everything. */
 export interface Report {
   machine: string;
   rows: Row[];
   agreement: Agreement[];
   memory: Memory[];
+  /** Where a graphics processor was measured. */
+  gpu?: GraphicsComparison;
 }
 
 /** Median and 95th percentile of samples, NaN of none. */
@@ -61,7 +81,7 @@ export function summarise(samples: readonly number[]): Pick<Row, "median_ms" | "
 }
 
 /** The median of a stage; undefined where it was not measured. */
-export function medianOf(report: Report, engine: Row["engine"], mode: Mode, stage: string): number | undefined {
+export function medianOf(report: Report, engine: Row["engine"], mode: Row["mode"], stage: string): number | undefined {
   return report.rows.find((r) => r.engine === engine && r.mode === mode && r.stage === stage)?.median_ms;
 }
 

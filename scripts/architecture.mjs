@@ -20,7 +20,7 @@ const CRATES = {
   "strut-wasm-drive": ["strut-wasm-common", "strut-core"],
   "strut-wasm-key-style": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-character": ["strut-wasm-common", "strut-core", "strut-formats"],
-  "strut-wasm-gpu": ["strut-wasm-common", "strut-gpu"],
+  "strut-wasm-gpu": ["strut-wasm-common", "strut-gpu", "strut-core", "strut-formats"],
   "strut-cli": ["strut-core", "strut-formats", "strut-demo", "strut-gpu"],
   fuzz: ["strut-core", "strut-formats", "strut-demo"],
   xtask: [],

@@ -111,7 +111,15 @@ const PACKAGES = {
     flags: [INLINE_LESS],
     config: FAST_YARDSTICKS,
   },
-  // … and without SIMD, whose bits must be the same.
+  // … the paper's search on a graphics card with the engine's beside it …
+  benchGpu: {
+    folder: "bench/pkg/gpu",
+    crate: "strut-wasm-gpu",
+    name: "strut_bench_gpu",
+    features: ["bench"],
+    flags: [INLINE_LESS],
+  },
+  // … and the first of these without SIMD, whose bits must be the same.
   benchScalar: {
     folder: "bench/pkg/scalar",
     crate: "strut-wasm",
@@ -125,12 +133,12 @@ const PACKAGES = {
 
 /** The order in which packages are built in full mode, on two cores: each of these takes about as long as the other. */
 const LINES = [
-  ["engine", "embed", "compare", "gpu", "bench", "benchScalar"],
+  ["engine", "embed", "compare", "gpu", "bench", "benchGpu", "benchScalar"],
   ["start", "learn", "keyStyle", "walk", "crowd", "drive", "build", "character"],
 ];
 
 /** What the page loads, and what benchmarks and parity tests need besides. */
-const BENCH = ["bench", "benchScalar"];
+const BENCH = ["bench", "benchGpu", "benchScalar"];
 const PAGE = LINES.flat().filter((name) => !BENCH.includes(name));
 
 /** The crates that what the page loads is made of. */
@@ -356,6 +364,6 @@ function* rustSources(folder) {
     const path = join(folder, entry.name);
     if (entry.isDirectory()) {
       if (!["target", "tests", "benches", "strut-cli", "fuzz"].includes(entry.name)) yield* rustSources(path);
-    } else if (/\.(rs|toml|lock)$/.test(entry.name) && entry.name !== "tests.rs") yield path;
+    } else if (/\.(rs|wgsl|toml|lock)$/.test(entry.name) && entry.name !== "tests.rs") yield path;
   }
 }

@@ -9,6 +9,7 @@ import { html } from "../../web/ui/dom";
 import { PAPER_FRAMES } from "../benchmark";
 import { medianOf, type Report, speedUp } from "../report";
 import type { Job, Message } from "./bench_worker";
+import { cardBox } from "./card_box";
 import { tables } from "./tables";
 
 const SIZES: readonly [frames: number, name: string][] = [
@@ -28,6 +29,7 @@ const doing = html("p", { role: "status" });
 const progress = html("div", { class: "progress", hidden: true }, bar, doing);
 const error = html("p", { class: "error", role: "alert" });
 const results = html("div", { class: "results" });
+const box = cardBox(new URLSearchParams(location.search).get("gpu") === "any");
 
 document
   .getElementById("bench")!
@@ -42,6 +44,7 @@ document
     progress,
     error,
     results,
+    box.element,
   );
 
 let worker: Worker | undefined;
@@ -85,6 +88,7 @@ function denyCopy(): void {
 start.onclick = () => {
   error.textContent = "";
   results.replaceChildren();
+  box.clear();
   copy.hidden = true;
   progress.hidden = cancel.hidden = false;
   start.disabled = size.disabled = true;
@@ -98,14 +102,18 @@ start.onclick = () => {
       return;
     }
     stop();
-    if (data.kind === "report") show(data.report);
-    else error.textContent = data.reason;
+    if (data.kind === "report") {
+      show(data.report);
+      box.show(data.report, data.cardFault);
+    } else error.textContent = data.reason;
   };
   worker.onerror = ({ message }) => {
     stop();
     error.textContent = message || "The benchmark could not be started. Reload the page.";
   };
   const machine = `${navigator.userAgent}, ${navigator.hardwareConcurrency} threads`;
-  worker.postMessage({ frames: Number(size.value), machine } satisfies Job);
+  const started = worker;
+  const frames = Number(size.value);
+  void box.ready.then((card) => started.postMessage({ frames, machine, ...(card && { card }) } satisfies Job));
 };
 cancel.onclick = stop;

@@ -1,28 +1,51 @@
 /** Runs the benchmark in a worker. */
 import { benchmark } from "../benchmark";
 import { loadInstances } from "../engines";
+import { benchmarkGraphics, type Card } from "../graphics_bench";
 import type { Report } from "../report";
+import { makeWorkload } from "../workload";
 
 /** Message from the page. */
 export interface Job {
   frames: number;
   machine: string;
+  /** The graphics processor that is measured, too. */
+  card?: Card;
 }
 
 /** Messages to the page. */
 export type Message =
   | { kind: "progress"; what: string; done: number }
-  | { kind: "report"; report: Report }
+  /** @property cardFault why the graphics processor could not be measured */
+  | { kind: "report"; report: Report; cardFault?: string }
   | { kind: "failure"; reason: string };
 
 const post = (message: Message) => self.postMessage(message);
 
-self.onmessage = async ({ data: { frames, machine } }: MessageEvent<Job>) => {
+/** Share of the work that a graphics processor's is, where there is one. */
+const CARD_SHARE = 0.1;
+
+self.onmessage = async ({ data: { frames, machine, card } }: MessageEvent<Job>) => {
   try {
     const instances = await loadInstances(async (url) => WebAssembly.compile(await (await fetch(url)).arrayBuffer()));
-    const onProgress = (what: string, done: number) => post({ kind: "progress", what, done });
-    post({ kind: "report", report: benchmark(instances, { frames }, { machine, onProgress }) });
+    const share = card ? 1 - CARD_SHARE : 1;
+    const onProgress = (what: string, done: number) => post({ kind: "progress", what, done: share * done });
+    onProgress("Making a database", 0);
+    const workload = makeWorkload(instances.simd.glue, { frames });
+    const report = benchmark(instances, workload, { machine, onProgress });
+    if (!card) return post({ kind: "report", report });
+    const onCard = (done: number) =>
+      post({ kind: "progress", what: `every window: ${card.name}`, done: share + CARD_SHARE * done });
+    onCard(0);
+    const cardFault = await benchmarkGraphics(report, workload, card, onCard).then(() => undefined, stopped);
+    post({ kind: "report", report, ...(cardFault && { cardFault }) });
   } catch (thrown) {
     post({ kind: "failure", reason: thrown instanceof Error ? thrown.message : String(thrown) });
   }
 };
+
+/** The sentence of a graphics processor that cannot go on; whatever else went wrong is thrown again. */
+function stopped(thrown: unknown): string {
+  if (thrown instanceof Error || !(thrown as { message?: string }).message) throw thrown;
+  return `The graphics processor stopped: ${(thrown as { message: string }).message}`;
+}

@@ -17,7 +17,8 @@ const stageName = (stage: string) => STAGE_NAMES[stage] ?? `${stage[0]!.toUpperC
 
 type Cell = Node | string;
 
-function table(caption: string, heading: string[], lines: Cell[][], total?: string): HTMLElement[] {
+/** A table under a heading. @param total first cell of the line that is set off */
+export function table(caption: string, heading: string[], lines: Cell[][], total?: string): HTMLElement[] {
   const row = (cells: Cell[]) =>
     html(
       "tr",

@@ -112,6 +112,22 @@ describe("without a graphics processor", () => {
     await screenshot(page, "atlas-ghost");
   });
 
+  it("shows the windows of the link, and keeps those that are shown in it", async () => {
+    await visit(page, `${INPUT}&atlas=whole&windows=1000_1080`);
+    // A line a window.
+    await eventually(async () => (await pixels(page)).height).toBe(80);
+    await page.locator(".atlas-stage").focus();
+    await page.keyboard.press("-");
+    await eventually(() => page.url()).toContain("windows=960_1120");
+    await eventually(async () => (await pixels(page)).height).toBeGreaterThan(80);
+    await page.locator(".atlas-stage").dblclick();
+    await eventually(() => page.url()).not.toContain("windows=");
+    // A database has fewer.
+    await visit(page, `${INPUT}&atlas=whole&windows=1000_999999999`);
+    await page.keyboard.press("+");
+    await eventually(() => page.url()).toMatch(/windows=\d+_\d+/);
+  });
+
   it("is chosen from by the keyboard", async () => {
     await page.locator(".atlas-stage").focus();
     await page.keyboard.press("Enter");

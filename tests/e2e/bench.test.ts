@@ -1,8 +1,9 @@
-/** bench.html in Chromium: the benchmark runs, can be cancelled, and gives its report. */
+/** bench.html in Chromium: the benchmark runs, can be cancelled, and gives its report, of a graphics processor as well. */
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { ENGINES, MODES, type Report } from "../../bench/report";
 import { eventually, launchBrowser, screenshot, serveSite } from "./browser";
+import { SWIFTSHADER } from "./graphics";
 import { expectNoViolation, recordViolations } from "./policy";
 
 let browser: Browser;
@@ -11,7 +12,9 @@ let page: Page;
 const faults: string[] = [];
 
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser(), serveSite()]);
+  // Chromium's program plays the graphics processor.
+  const args = [...SWIFTSHADER.args, "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
+  [browser, site] = await Promise.all([launchBrowser({ ...SWIFTSHADER, args }), serveSite()]);
   const context = await browser.newContext({
     viewport: { width: 1440, height: 900 },
     colorScheme: "dark",
@@ -20,13 +23,15 @@ beforeAll(async () => {
   await recordViolations(context);
   page = await context.newPage();
   page.on("pageerror", (error) => faults.push(error.message));
-  await page.goto(`${site.url}bench.html`);
+  await page.goto(`${site.url}bench.html?gpu=any`);
 });
 afterAll(async () => {
   await browser.close();
   await site.close();
 });
 
+/** What the box says of the graphics card. */
+const box = (of: Page) => of.getByRole("region", { name: "Graphics card" });
 const measure = () => page.getByRole("button", { name: "Measure" });
 
 test("it is cancelled at once", async () => {
@@ -65,6 +70,15 @@ test("it measures every engine in every mode, and the yardsticks agree with Stru
     expect(identical + tied).toBe(neighbour_sets);
     expect(tied).toBeLessThan(0.02 * neighbour_sets);
   }
+
+  // Times of a program tell nothing: it only finds the same neighbours.
+  expect(report.gpu).toMatchObject({ software: true, backend: "WebGPU", frames: 4800, classes: 48, sets: 64 * 48 });
+  expect(report.gpu!.identical).toBe(report.gpu!.sets);
+  expect(report.gpu!.candidates_per_neighbour).toBeLessThan(1.2);
+  expect(report.gpu!.adapter).toMatch(/swiftshader/i);
+  expect(report.rows.filter(({ engine, mode }) => engine === "gpu-brute" || mode === "batch")).toEqual([]);
+  await eventually(() => box(page).textContent()).toContain("3,072 of 3,072 sets of neighbours are Strut's to the bit");
+
   const overflow = () => page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
   await screenshot(page, "bench");
   await eventually(overflow).toBe(false);
@@ -73,4 +87,20 @@ test("it measures every engine in every mode, and the yardsticks agree with Stru
   await eventually(overflow).toBe(false);
   expect(faults).toEqual([]);
   await expectNoViolation(page);
+});
+
+test("where a page has no graphics processor, or a program plays it, a sentence says so before anything is measured", async () => {
+  const says = async (of: Page, sentence: RegExp) => {
+    const loaded: string[] = [];
+    of.on("request", (request) => loaded.push(request.url()));
+    await of.goto(`${site.url}bench.html`);
+    await eventually(() => box(of).textContent()).toMatch(sentence);
+    expect(await box(of).textContent()).toContain("press “Copy as JSON”");
+    expect(loaded.filter((url) => url.includes("gpu"))).toEqual([]);
+    await of.context().close();
+  };
+  await says(await (await browser.newContext()).newPage(), /a program plays the graphics processor/);
+  const without = await (await browser.newContext()).newPage();
+  await without.addInitScript(() => Object.defineProperty(navigator, "gpu", { value: undefined }));
+  await says(without, /gives pages no graphics processor: the processor is measured alone/);
 });

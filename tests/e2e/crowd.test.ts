@@ -4,8 +4,10 @@ import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import type { FieldVertex } from "../../web/client/crowd/limits";
+import { walksIn } from "../clips";
+import { databaseOf } from "../database_of";
 import { axeFaults } from "./axe";
-import { drag, dragHolding, eventually, middleOf, openSite, screenshot, visit } from "./browser";
+import { drag, dragHolding, dropFile, eventually, middleOf, openSite, screenshot, visit } from "./browser";
 import { expectFitsNarrow } from "./narrow";
 import { showTheme } from "./rest";
 
@@ -193,6 +195,30 @@ describe("the people", () => {
     await eventually(() => page.url()).toContain("crowd=25_7");
   });
 
+  it("are half as many after three slow ticks in a row, which the view says, until others are asked for", async () => {
+    await visit(page, FEW);
+    await walking();
+    const worker = page.workers().find((worker) => worker.url().includes("crowd_worker"))!;
+    // A tick reads the clock at its beginning and at its end: three of them seem to take 30 ms longer.
+    await worker.evaluate(() => {
+      const now = performance.now.bind(performance);
+      let readings = 0;
+      performance.now = () => {
+        readings = Math.min(6, readings + 1);
+        return now() + 30 * readings;
+      };
+    });
+    await eventually(title).toMatch(/^Twelve people/);
+    await eventually(() => page.locator(".crowd-people-limit").textContent()).toBe(
+      "This device was too slow: 12 walk now.",
+    );
+    await eventually(() => page.getByRole("status").filter({ hasText: "12 walk now." }).count()).toBe(2);
+    await walking();
+    await page.getByRole("slider", { name: "Count" }).focus();
+    await page.keyboard.press("ArrowRight");
+    await eventually(title).toMatch(/^25 people/);
+  });
+
   it("follow a route that is drawn, and stop and step", async () => {
     await visit(page, `${FEW}&seen=above&map=0`);
     await walking();
@@ -275,6 +301,26 @@ describe("a view that is left", () => {
     await page.getByRole("link", { name: "Crowd", exact: true }).click();
     await eventually(title).toMatch(/^24 people/);
     await walking();
+  });
+});
+
+describe("a model of one style", () => {
+  it("has everybody walk alike, which the view says", async () => {
+    const { neutral } = await walksIn(["neutral"]);
+    const file = await databaseOf({ "walk_neutral_1.bvh": neutral });
+    await visit(page, "view=play");
+    await dropFile(page, "one.strutdb", file);
+    const styles = page.locator(".panels .vertex");
+    await eventually(() => styles.evaluateAll((all) => all.map((one) => one.getAttribute("data-style")))).toEqual([
+      "neutral",
+    ]);
+    await visit(page, FEW);
+    await page.getByText("This model has one style, so everybody walks alike.").waitFor();
+    await walking();
+    expect(await page.getByLabel("Style to add").locator("option").allTextContents()).toEqual(["Add style", "neutral"]);
+    const [, styled, average] = /neutral (\d+), average (\d+)/.exec((await chart())!)!;
+    expect(Number(styled) + Number(average)).toBe(24);
+    expect(await alerts()).toBe("");
   });
 });
 

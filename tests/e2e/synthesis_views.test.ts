@@ -5,9 +5,8 @@
 import type { Page } from "playwright-core";
 import { beforeAll, describe, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
-import { createBuildClient } from "../../web/client/build/client";
 import { walksIn } from "../clips";
-import { InlineBuildWorker } from "../inline_build_worker";
+import { databaseOf } from "../database_of";
 import { dropFile, eventually, openSite, visit } from "./browser";
 
 declare const window: {
@@ -28,23 +27,6 @@ beforeAll(async () => {
   [page, walks] = [opened.page, made];
   return opened.close;
 });
-
-/** A `.strutdb` file of clips, by their names. */
-async function databaseOf(clips: Readonly<Record<string, string>>): Promise<Uint8Array> {
-  const client = createBuildClient(() => new InlineBuildWorker());
-  try {
-    const paths = Object.keys(clips);
-    await client.open(paths.map((path) => ({ path, file: new File([clips[path]!], path) })));
-    const labels = await client.label("{action}_{style}_{take}.bvh", undefined);
-    const files = labels.map((label, index) => {
-      if ("reason" in label) throw new Error(label.reason);
-      return { index, path: paths[index]!, ...label, source: "", licence: "", roles: undefined };
-    });
-    return new Uint8Array(await (await client.build(files, "neutral")).file.arrayBuffer());
-  } finally {
-    client.dispose();
-  }
-}
 
 const vertices = (root: string) =>
   page.locator(`${root} .vertex`).evaluateAll((all) => all.map((one) => one.getAttribute("data-style")).sort());

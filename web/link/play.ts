@@ -2,7 +2,18 @@
 import { BODY_PARTS, type BodyPart, METHODS, type Method } from "../client/protocol";
 import type { Range } from "../ui/controls/range";
 import type { Selection } from "../ui/polygon/selection";
-import { choice, decodeEntries, encodeEntries, type Fields, flag, listed, number, selection, text } from "./fields";
+import {
+  choice,
+  decodeEntries,
+  encodeEntries,
+  type Fields,
+  flag,
+  listed,
+  number,
+  optional,
+  selection,
+  text,
+} from "./fields";
 
 /** Styles of the parts of the body that have their own. */
 export type Parts = Readonly<Partial<Record<BodyPart, Selection>>>;
@@ -61,6 +72,8 @@ export interface PlayState {
   curve: string;
   /** The part of the body by which the atlas compares; empty while it is closed. */
   atlas: AtlasPart | "";
+  /** The windows of the database that the atlas shows; all if there are none. */
+  atlasWindows: AtlasWindows | undefined;
   /** Whether panels and transport are shown. */
   panels: boolean;
   /** The panel that is open on a narrow screen. */
@@ -69,6 +82,11 @@ export interface PlayState {
 
 export const ATLAS_PARTS = ["whole", "legs", "arms", "torso", "head"] as const;
 export type AtlasPart = (typeof ATLAS_PARTS)[number];
+/** Numbers of windows: the first, and the one after the last. */
+export interface AtlasWindows {
+  first: number;
+  last: number;
+}
 export const CAMERA_PRESETS = ["orbit", "front", "side", "top"] as const;
 export type CameraPreset = (typeof CAMERA_PRESETS)[number];
 export const GHOST_MODES = ["beside", "overlay", "off"] as const;
@@ -119,6 +137,12 @@ function decodeTrack(text: string): TrackKey[] | undefined {
   return inOrder ? keys : undefined;
 }
 
+/** `first_last` as windows; `undefined` where they are none. */
+function decodeWindows(text: string): AtlasWindows | undefined {
+  const [first, last] = /^(\d{1,9})_(\d{1,9})$/.exec(text)?.slice(1).map(Number) ?? [];
+  return first !== undefined && last !== undefined && first < last ? { first, last } : undefined;
+}
+
 export const PLAY_FIELDS: Fields<PlayState> = {
   styles: selection("styles"),
   parts: listed("parts", {}, encodeParts, decodeParts),
@@ -147,6 +171,7 @@ export const PLAY_FIELDS: Fields<PlayState> = {
   trace: choice("trail", "off", TRACE_MODES),
   curve: text("curve", "knee L", false),
   atlas: choice("atlas", "", ["", ...ATLAS_PARTS]),
+  atlasWindows: optional("windows", ({ first, last }) => `${first}_${last}`, decodeWindows),
   panels: flag("panels", true, false),
   tab: choice("tab", "style", TABS),
 };

@@ -10,18 +10,14 @@ mod atlas;
 mod context;
 mod error;
 mod kernels;
-#[cfg(not(target_family = "wasm"))]
 mod nearest;
 mod readback;
-#[cfg(not(target_family = "wasm"))]
 mod rounding;
 #[cfg(test)]
 mod test_data;
-#[cfg(not(target_family = "wasm"))]
 mod windows;
 
 pub use atlas::Painter;
 pub use context::{Adapter, Context};
 pub use error::GpuError;
-#[cfg(not(target_family = "wasm"))]
 pub use nearest::{Found, Searcher};

@@ -1,11 +1,16 @@
 //! Every distance at once for JavaScript; no algorithm. A package of its own: visitors load it who have a graphics processor.
 //!
 //! Objects, arrays, errors and panics are as in [`strut_wasm_common`]. There is no database: all arrays are what the engine's
-//! own package gives, as plain numbers.
+//! own package gives, as plain numbers. Only the benchmark's build has one, to compare searches.
+
+#[cfg(feature = "bench")]
+mod yardstick;
 
 use strut_gpu::{Context, GpuError};
 pub use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
+#[cfg(feature = "bench")]
+pub use yardstick::Yardstick;
 
 /// Draws pictures of a database by the fastest graphics processor.
 #[wasm_bindgen]

@@ -44,6 +44,10 @@ describe("state ↔ URL", () => {
         fc.tuple(fc.nat(500), fc.integer({ min: 1, max: 500 })).map(([first, n]) => ({ first, last: first + n })),
         { nil: undefined },
       ),
+      atlasWindows: fc.option(
+        fc.tuple(fc.nat(99_999), fc.integer({ min: 1, max: 99_999 })).map(([first, n]) => ({ first, last: first + n })),
+        { nil: undefined },
+      ),
       walk: fc.array(
         fc.record({
           styles,

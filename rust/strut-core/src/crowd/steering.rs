@@ -36,6 +36,8 @@ const TOUCHING: f32 = 0.5;
 /// distance. Feet slide by it; it is the last resort.
 const OVERLAPPING: f32 = 0.4;
 const ASIDE: f32 = 0.025;
+/// Room for rounding where somebody is left out whose distance cannot count.
+const ROUNDING: f32 = 1.001;
 
 /// Somebody on the ground as others see them.
 #[derive(Clone, Copy, Debug, Default)]
@@ -85,7 +87,8 @@ pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f3
     let secs = intention.length / me.speed;
     let risks = |turn: f32, length: f32| {
         let path = path(me, turn, length);
-        NEARNESS_COST * others.iter().map(|other| risk(&path, other, secs)).sum::<f32>()
+        let meets = |other: &&Figure| can_meet(me, length, other, secs);
+        NEARNESS_COST * others.iter().filter(meets).map(|other| risk(&path, other, secs)).sum::<f32>()
     };
     let turns = (-TURNS..=TURNS).map(|i| f32::from(i) / f32::from(TURNS) * MAX_TURN).chain([wish]);
     let walking = [(Pace::Walks, 1.0, 0.0), (Pace::Short, SHORT_SPEED, SHORT_COST)].into_iter();
@@ -109,7 +112,7 @@ pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f3
 fn goes_on(me: &Figure, others: &[Figure]) -> bool {
     others.iter().any(|other| {
         let apart = other.at - me.at;
-        apart.length() < TOUCHING && me.facing.dot(apart) < -other.facing.dot(apart)
+        apart.length_squared().sqrt() < TOUCHING && me.facing.dot(apart) < -other.facing.dot(apart)
     })
 }
 
@@ -127,22 +130,41 @@ fn path(me: &Figure, turn: f32, length: f32) -> [Vec2; FORESIGHT + 1] {
     })
 }
 
+/// Whether another could come near within the steps that are looked ahead; where not, there is no risk.
+fn can_meet(me: &Figure, length: f32, other: &Figure, secs: f32) -> bool {
+    let reach = ROUNDING * (COMFORTABLE + FORESIGHT as f32 * (length + other.speed * secs));
+    (other.at - me.at).length_squared() < reach * reach
+}
+
 /// How near somebody comes who goes straight on, and how soon: 0 to 3.
 fn risk(path: &[Vec2; FORESIGHT + 1], other: &Figure, secs: f32) -> f32 {
     let way = other.speed * secs * other.facing;
     let apart = |step: usize| other.at + step as f32 * way - path[step];
     let near = (0..FORESIGHT).map(|step| {
-        let near = (1.0 - least_length(apart(step), apart(step + 1)) / COMFORTABLE).max(0.0);
+        let near = nearness(least_length_squared(apart(step), apart(step + 1)), COMFORTABLE);
         near * near * (FORESIGHT - step) as f32
     });
     near.sum::<f32>() / FORESIGHT as f32
 }
 
-/// Length of the shortest vector on the way from one to another.
-fn least_length(from: Vec2, to: Vec2) -> f32 {
+/// How near somebody is at a distance, whose square is given: from 1 to 0, at a limit and beyond.
+fn nearness(distance_squared: f32, limit: f32) -> f32 {
+    // Most are far away: roots are for the others.
+    if distance_squared > ROUNDING * limit * limit {
+        return 0.0;
+    }
+    let near = 1.0 - distance_squared.sqrt() / limit;
+    // `f32::max` would be a function call in WebAssembly.
+    if near > 0.0 { near } else { 0.0 }
+}
+
+/// Squared length of the shortest vector on the way from one to another.
+fn least_length_squared(from: Vec2, to: Vec2) -> f32 {
     let way = to - from;
-    let share = (-from.dot(way) / way.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
-    (from + share * way).length()
+    let squared = way.length_squared();
+    let share =
+        (-from.dot(way) / if squared > f32::MIN_POSITIVE { squared } else { f32::MIN_POSITIVE }).clamp(0.0, 1.0);
+    (from + share * way).length_squared()
 }
 
 /// The angle to where somebody would go alone, radians to the left.
@@ -179,10 +201,14 @@ fn beyond_edge(me: &Figure, turn: f32, length: f32, ground: f32) -> f32 {
 pub(super) fn aside(me: &Figure, others: &[Figure]) -> Vec2 {
     others.iter().fold(Vec2::ZERO, |aside, other| {
         let apart = me.at - other.at;
-        let distance = apart.length();
+        let near = nearness(apart.length_squared(), OVERLAPPING);
+        if near == 0.0 {
+            return aside;
+        }
+        let distance = apart.length_squared().sqrt();
         // Who stand in the same place part to their own left.
         let away = if distance > 0.0 { apart / distance } else { left_of(me.facing) };
-        aside + ASIDE * (1.0 - distance / OVERLAPPING).max(0.0) * away
+        aside + ASIDE * near * away
     })
 }
 

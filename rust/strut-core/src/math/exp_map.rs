@@ -5,7 +5,7 @@ use super::{Quat, Vec3};
 
 /// The rotation by |v| radians about v.
 pub fn exp(v: Vec3) -> Quat {
-    let angle = v.length();
+    let angle = length(v);
     if angle < 1e-4 {
         // sin(a/2)/a = 1/2 − a²/48; beyond f32 precision here, and free of 0/0.
         return Quat::from_xyzw(0.5 * v.x, 0.5 * v.y, 0.5 * v.z, 1.0).normalized();
@@ -19,11 +19,16 @@ pub fn exp(v: Vec3) -> Quat {
 pub fn log(q: Quat) -> Vec3 {
     let q = if q.w < 0.0 { -q } else { q };
     let v = Vec3::new(q.x, q.y, q.z);
-    let s = v.length();
+    let s = length(v);
     if s < 1e-7 {
         return 2.0 * v;
     }
     v * (2.0 * atan2(s, q.w) / s)
+}
+
+/// `Vec3::length` without glam's own square root, which is a loop in WebAssembly; the bits are the same.
+fn length(v: Vec3) -> f32 {
+    v.length_squared().sqrt()
 }
 
 /// The mean rotation (Karcher mean): the one from which the logarithms of all others sum to zero.

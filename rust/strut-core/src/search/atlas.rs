@@ -200,7 +200,11 @@ impl Atlas {
         for class in &packed.classes {
             for window in &packed.windows[class.windows()] {
                 if let Some(least) = out.get_mut(self.lines[window.end as usize] as usize) {
-                    *least = least.min(packed.distance(&query, window));
+                    let distance = packed.distance(&query, window);
+                    // As in `distance`: `f32::min` would be a function call.
+                    if distance < *least {
+                        *least = distance;
+                    }
                 }
             }
         }

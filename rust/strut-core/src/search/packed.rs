@@ -185,7 +185,9 @@ impl PackedWindows {
     /// D between a query and a window, m². As in the shaders, a root of 0 becomes 10⁻¹⁵.
     pub fn distance(&self, query: &PackedQuery, window: &PackedWindow) -> f32 {
         let (h, [re, im]) = self.products(query, window);
-        let turned = (re * re + im * im).max(1e-30).sqrt();
+        // `f32::max` would be a function call in WebAssembly, for every window.
+        let squared = re * re + im * im;
+        let turned = if squared > 1e-30 { squared } else { 1e-30 }.sqrt();
         positive(query.window.norm + window.norm - 2.0 * (h + turned))
     }
 

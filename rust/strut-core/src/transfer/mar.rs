@@ -7,6 +7,7 @@ use super::input::Input;
 use super::mixture::{class_weights, greatest_distance, known};
 use super::model::Model;
 use super::options::{Method, Options};
+use super::output::Predicted;
 use super::phase_lock::{PhaseLock, SeenPhase};
 use super::regression::{Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, predict};
 use super::timing::{Moment, duration};
@@ -48,14 +49,10 @@ pub(super) struct StylePrediction {
     pub(super) started: bool,
     /// yₜ₋₁.
     pub(super) previous: PoseRow,
-    /// yₜ.
-    pub(super) current: PoseRow,
+    /// Of this frame.
+    pub(super) now: Predicted,
     /// How yₜ is expected to differ from yₜ₋₁.
     filter: ComplementaryFilter,
-    /// How long the frame lasts, seconds.
-    pub(super) step_secs: f32,
-    /// Likelihood that each foot of the registered targets is planted.
-    pub(super) contact: [f32; 2],
     /// The targets of the style.
     table: Arc<TargetTable>,
     /// The trained predictor; `None` for methods without training.
@@ -145,10 +142,8 @@ impl Mixture {
             style,
             started: false,
             previous: [0.0; ROW],
-            current: [0.0; ROW],
+            now: Predicted { row: [0.0; ROW], step_secs: 0.0, contact: [0.0; 2] },
             filter: ComplementaryFilter::NONE,
-            step_secs: 0.0,
-            contact: [0.0; 2],
             table: model.target_table(style),
             trained: Trained::new(model, options, &classes, style),
         }
@@ -241,7 +236,7 @@ impl Mixture {
     ) {
         let db = model.catalogue();
         for s in styles.iter_mut() {
-            s.current = [0.0; ROW];
+            s.now.row = [0.0; ROW];
             s.filter = ComplementaryFilter::of_input(input, options.rho);
         }
         let heaviest = self.heaviest();
@@ -288,14 +283,14 @@ impl Mixture {
                     let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
                     interpolate(|row| s.table.pose.get(row), &neighbours[..nearest])
                 };
-                s.current.iter_mut().zip(&row).for_each(|(sum, v)| *sum += weight * v);
+                s.now.row.iter_mut().zip(&row).for_each(|(sum, v)| *sum += weight * v);
             }
         }
         if is_coherent(options) && heaviest.is_some() {
             let nearest = self.heaviest_neighbours().first().map_or(f32::INFINITY, |n| n.distance);
             let share = half_life_share(1.0 / db.rate_hz, half_life_secs(nearest));
             for s in styles.iter_mut().filter(|s| s.started) {
-                s.filter.correct(&s.previous, share, &mut s.current);
+                s.filter.correct(&s.previous, share, &mut s.now.row);
             }
         }
     }
@@ -311,7 +306,7 @@ impl Mixture {
         let db = model.catalogue();
         let frame_secs = 1.0 / db.rate_hz;
         for s in styles.iter_mut() {
-            (s.step_secs, s.contact) = (0.0, [0.0; 2]);
+            (s.now.step_secs, s.now.contact) = (0.0, [0.0; 2]);
         }
         let now = Moment { pose: input.current, previous: input.previous };
         let mut seen = SeenPhase::default();
@@ -327,20 +322,20 @@ impl Mixture {
             model.scales().squared_distances(now, model.rows(), neighbours, of_inputs);
             for s in styles.iter_mut() {
                 let table = &*s.table;
-                let now = Moment { pose: &s.current, previous: if s.started { &s.previous } else { &s.current } };
+                let now = Moment { pose: &s.now.row, previous: if s.started { &s.previous } else { &s.now.row } };
                 model.scales().squared_distances(now, &table.pose, neighbours, of_outputs);
                 let secs = duration(of_inputs, of_outputs, neighbours, weights, &table.step_secs);
-                s.step_secs += weight * secs.unwrap_or(frame_secs);
+                s.now.step_secs += weight * secs.unwrap_or(frame_secs);
                 let contact: [f32; 2] = interpolate(|row| table.contact(row), neighbours);
-                s.contact.iter_mut().zip(contact).for_each(|(sum, c)| *sum += weight * c);
+                s.now.contact.iter_mut().zip(contact).for_each(|(sum, c)| *sum += weight * c);
             }
         }
         let least = self.distances.iter().copied().fold(f32::INFINITY, f32::min);
         let pace = self.phase_lock.follow(seen, known(least), options.tempo, frame_secs);
         for s in styles {
             match &s.trained {
-                Some(trained) => s.step_secs = trained.step_secs(),
-                None => s.step_secs *= pace,
+                Some(trained) => s.now.step_secs = trained.step_secs(),
+                None => s.now.step_secs *= pace,
             }
         }
     }

@@ -1,29 +1,24 @@
 //! The online stylizer: one input frame in, one styled frame out. Composes all stages.
 
-use super::blend::{StyleBlend, StyleError, blended};
+use super::blend::{StyleBlend, StyleError};
 use super::body_part::BodyPart;
 #[cfg(feature = "baselines")]
 use super::contact_likelihood::RecentFeet;
-use super::contact_likelihood::{CausalSmoother, VOTERS, Votes, vote};
-use super::footplant::Footplant;
+use super::contact_likelihood::{VOTERS, Votes, vote};
 use super::found::FoundFrame;
 use super::frame::{NoClock, Stage, StageClock, StyledFrame, Trace};
 use super::input::Input;
 use super::input_stream::{InputFrame, InputStream};
-use super::joint_limits::JointLimits;
 use super::mar::{Mixture, StylePrediction};
 use super::model::Model;
 use super::options::{Options, OptionsError};
+use super::output::{Cue, Output, Predicted};
 use crate::humanoid::Pose;
-use crate::math::float_funcs::wrap_angle;
-use crate::pose_vector::{Placement, PoseRow, ROW};
+use crate::pose_vector::{Placement, PoseRow};
 use crate::search::Neighbours;
 #[cfg(feature = "baselines")]
 use crate::search::{Neighbour, QueryWindow};
 use std::sync::Arc;
-
-/// Shortest and longest output frame, as multiples of the input's.
-const DURATION_RANGE: [f32; 2] = [0.2, 5.0];
 
 /// Styles a stream of poses. Frame by frame the output depends on that frame and earlier ones only; after
 /// the first frames with a set of styles, nothing is allocated.
@@ -32,25 +27,15 @@ pub struct Stylizer {
     model: Arc<Model>,
     options: Options,
     blend: StyleBlend,
-    /// How far the output goes from the input to the styles, 0 to 1.
-    share: f32,
-    parts: [BodyPart; ROW],
-    limits: JointLimits,
     mixture: Mixture,
     styles: Vec<StylePrediction>,
     contacts: Neighbours,
     votes: Votes,
 
     input: InputStream,
-    /// Where the output begins; the input's place if `None`.
-    start: Option<Placement>,
-    /// Place of the last output frame before the footplant.
-    place: Option<Placement>,
-    /// Smoothers of the input's and of the output's contacts.
-    smoothers: [CausalSmoother; 2],
-    footplant: Footplant,
-    frames: u64,
-    frame: StyledFrame,
+    /// What the last frame of the input says.
+    cue: Option<Cue>,
+    output: Output,
 }
 
 impl Stylizer {
@@ -66,20 +51,13 @@ impl Stylizer {
         let db = model.catalogue();
         Ok(Self {
             blend: StyleBlend::new(db.styles.len(), db.neutral.into()),
-            share: 1.0,
-            parts: BodyPart::of_row(),
-            limits: JointLimits::new(db.observed_range()),
             mixture,
             styles: Vec::with_capacity(db.styles.len()),
             contacts: Neighbours::default(),
             votes: Votes::default(),
             input: InputStream::new(model.index().window_length()),
-            start: None,
-            place: None,
-            smoothers: Default::default(),
-            footplant: Footplant::new(db.proportions),
-            frames: 0,
-            frame: StyledFrame::default(),
+            cue: None,
+            output: Output::new(&db.chart, &db.proportions, db.rate_hz, db.observed_range()),
             options,
             model,
         })
@@ -109,7 +87,7 @@ impl Stylizer {
     /// Sets how far pose, duration and contacts go from the input's to the styles', from 0 to 1: for input that the database
     /// does not know, such as somebody who stands where it only has walks. A share that is not a number counts as 1.
     pub fn set_style_share(&mut self, share: f32) {
-        self.share = if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) };
+        self.output.set_share(if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) });
     }
 
     /// Replaces the options; the stream goes on. Changing the method or the labels starts the
@@ -141,12 +119,7 @@ impl Stylizer {
     pub fn reset(&mut self, placement: Option<Placement>) {
         self.input.reset();
         self.forget_input();
-        self.start = placement;
-        self.place = None;
-        self.smoothers = Default::default();
-        self.footplant.reset();
-        self.frames = 0;
-        self.frame = StyledFrame::default();
+        self.output.reset(placement);
     }
 
     /// Styles the next input frame: a pose on the database's proportions, one frame of the database's rate
@@ -158,20 +131,14 @@ impl Stylizer {
     /// [`Stylizer::push`]; calls a clock when each stage ends.
     pub fn push_timed(&mut self, pose: &Pose, clock: &mut impl StageClock) -> &StyledFrame {
         self.predict_frame(pose, None, clock);
-        self.frame.contact = self.smoothers[0].push(self.frame.contact);
-        self.frame.contact_out = self.smoothers[1].push(self.frame.contact_out);
-        if self.options.footplant {
-            // The first frame has no duration, and no speed is measured in it.
-            let dt_secs = if self.frame.dt_secs > 0.0 { self.frame.dt_secs } else { self.frame_secs() };
-            self.frame.planted = self.footplant.apply(&mut self.frame.pose, self.frame.contact_out, dt_secs);
-        }
+        self.output.plant(self.options.footplant);
         clock.end(Stage::Footplant);
-        &self.frame
+        &self.output.frame
     }
 
     /// The last frame.
     pub fn frame(&self) -> &StyledFrame {
-        &self.frame
+        &self.output.frame
     }
 
     /// How the last frame was computed.
@@ -183,14 +150,14 @@ impl Stylizer {
             neighbour_weights: self.mixture.heaviest_neighbour_weights(),
             blend: &self.blend,
             bias: self.mixture.bias,
-            frame: &self.frame,
+            frame: &self.output.frame,
         }
     }
 
     /// The degrees of freedom predicted for a style in the last frame, before styles are blended; `None` for a style
     /// without weight.
     pub fn predicted_row(&self, style: usize) -> Option<&PoseRow> {
-        self.styles.iter().find(|s| s.style == style).map(|s| &s.current)
+        self.styles.iter().find(|s| s.style == style).map(|s| &s.now.row)
     }
 
     /// Likelihood that the left and the right foot of the input is planted in the last frame, by that frame alone.
@@ -208,12 +175,18 @@ impl Stylizer {
         &self.model
     }
 
-    pub(super) fn mixture(&self) -> &Mixture {
-        &self.mixture
+    /// What the last frame of the input says of its output; `None` before the first.
+    pub(super) fn cue(&self) -> Option<&Cue> {
+        self.cue.as_ref()
     }
 
-    fn frame_secs(&self) -> f32 {
-        1.0 / self.model.catalogue().rate_hz
+    /// What is predicted in the last frame, style by style.
+    pub(super) fn predicted(&self) -> impl Iterator<Item = (usize, &Predicted)> {
+        predicted(&self.styles)
+    }
+
+    pub(super) fn mixture(&self) -> &Mixture {
+        &self.mixture
     }
 
     /// How the last frame was predicted, for [`super::Lens`].
@@ -258,8 +231,12 @@ impl Stylizer {
         self.mixture.predict_durations_and_contacts(&model, &self.options, of_input, &mut self.styles);
         clock.end(Stage::Timing);
 
-        let step_secs = self.blend_styles(&input.row);
-        self.place_output(&input, step_secs);
+        self.replace_unusable(&input.row);
+        let cue = self.cue.insert(Cue::new(&input.row, input.at, input.previous_at));
+        self.output.place(&self.blend, cue, predicted(&self.styles), self.options.timing);
+        for s in &mut self.styles {
+            s.previous = s.now.row;
+        }
         clock.end(Stage::Blend);
 
         match found {
@@ -267,10 +244,9 @@ impl Stylizer {
             None => self.mixture.search_contacts(&model, self.input.window(), VOTERS, &mut self.contacts),
         }
         self.votes = vote(model.catalogue(), self.contacts.as_slice(), self.input.feet());
-        self.frame.contact = self.votes.now;
-        self.frame.contact_out = self.output_contact(self.frame.contact);
+        self.output.take_contacts(&self.blend, self.votes.now, predicted(&self.styles));
         clock.end(Stage::Contact);
-        &self.frame
+        &self.output.frame
     }
 
     /// Likelihood that the feet of the input were planted in the frame before the last, now that the last is known.
@@ -284,76 +260,22 @@ impl Stylizer {
         if input.cut {
             self.forget_input();
         }
-        self.frame.repaired = input.repaired;
-        self.frame.repaired_total += u32::from(input.repaired);
+        self.output.frame.repaired = input.repaired;
+        self.output.frame.repaired_total += u32::from(input.repaired);
         input
     }
 
-    /// Blends the styles' rows into `frame`'s pose at the origin and gives the blended duration.
-    fn blend_styles(&mut self, input: &PoseRow) -> f32 {
-        let frame_secs = self.frame_secs();
-        let mut step_secs = 0.0;
+    /// Puts the input in place of predictions that are no numbers, or came from no neighbours.
+    fn replace_unusable(&mut self, input: &PoseRow) {
+        let frame_secs = self.output.frame_secs();
         for s in &mut self.styles {
-            let finite = s.current.iter().chain(&s.contact).chain([&s.step_secs]).all(|v| v.is_finite());
+            let Predicted { row, step_secs, contact } = &s.now;
+            let finite = row.iter().chain(contact).chain([step_secs]).all(|v| v.is_finite());
             if !finite || !self.mixture.found_any() {
-                s.current = *input;
-                s.step_secs = frame_secs;
-                s.contact = [0.0; 2];
+                s.now = Predicted { row: *input, step_secs: frame_secs, contact: [0.0; 2] };
             }
-            step_secs += self.blend.weight(BodyPart::Legs, s.style) * s.step_secs;
             s.started = true;
         }
-        let [least, greatest] = DURATION_RANGE.map(|r| r * frame_secs);
-        self.shared(frame_secs, step_secs.clamp(least, greatest))
-    }
-
-    /// Puts the blended row at the next place of the output: the heading turns as the input's does, the
-    /// root travels at the predicted velocity for the predicted duration.
-    fn place_output(&mut self, input: &InputFrame, step_secs: f32) {
-        let InputFrame { row: input, at, previous_at, .. } = input;
-        let rows = self.styles.iter().map(|s| (s.style, &s.current));
-        let mut row = blended(&self.blend, &self.parts, &self.limits, input, rows);
-        for (styled, &of_input) in row.iter_mut().zip(input) {
-            *styled = self.shared(of_input, *styled);
-        }
-        let place = match self.place {
-            None => self.start.unwrap_or(*at),
-            Some(p) => p.advanced(&row, step_secs, wrap_angle(at.heading - previous_at.heading)),
-        };
-        let first = self.place.is_none();
-        self.place = Some(place);
-        for s in &mut self.styles {
-            s.previous = s.current;
-        }
-        let frame_secs = self.frame_secs();
-        let chart = &self.model.catalogue().chart;
-        self.frame.pose = chart.decode(&row, place);
-        self.limits.apply(chart, &row, input, &mut self.frame.pose);
-        self.frame.dt_secs = match (first, self.options.timing) {
-            (true, _) => 0.0,
-            (false, true) => step_secs,
-            (false, false) => frame_secs,
-        };
-        self.frame.time_in_secs = self.frames as f64 / f64::from(self.model.catalogue().rate_hz);
-        self.frame.time_out_secs += f64::from(self.frame.dt_secs);
-        self.frames += 1;
-    }
-
-    /// Mean of the input's contacts and of the registered targets'.
-    fn output_contact(&self, of_input: [f32; 2]) -> [f32; 2] {
-        let mut of_targets = [0.0; 2];
-        for s in &self.styles {
-            let weight = self.blend.weight(BodyPart::Legs, s.style);
-            of_targets.iter_mut().zip(s.contact).for_each(|(sum, c)| *sum += weight * c);
-        }
-        std::array::from_fn(|side| {
-            self.shared(of_input[side], 0.5 * (of_input[side] + of_targets[side].clamp(0.0, 1.0)))
-        })
-    }
-
-    /// What lies between the input's and the styles' value. The whole share changes no bit.
-    fn shared(&self, of_input: f32, styled: f32) -> f32 {
-        if self.share < 1.0 { of_input + self.share * (styled - of_input) } else { styled }
     }
 
     /// Forgets what was predicted from the input so far, but not the place of the output.
@@ -373,6 +295,11 @@ impl Stylizer {
             }
         }
     }
+}
+
+/// What is predicted, style by style.
+fn predicted(styles: &[StylePrediction]) -> impl Iterator<Item = (usize, &Predicted)> + Clone {
+    styles.iter().map(|s| (s.style, &s.now))
 }
 
 /// The parts of a [`Stylizer`] that its last frame came from.

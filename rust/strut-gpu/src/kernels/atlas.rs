@@ -3,7 +3,7 @@
 #[cfg(test)]
 use strut_core::search::{PackedQuery, PackedWindows};
 
-pub(crate) const SHADER: &str = include_str!("atlas.wgsl");
+pub(crate) const SHADER: &str = concat!(include_str!("sums.wgsl"), include_str!("atlas.wgsl"));
 
 /// What a pixel without windows has: the bits of infinity.
 pub(crate) const EMPTY: u32 = f32::INFINITY.to_bits();

@@ -2,7 +2,7 @@
 
 use strut_core::search::{PackedQuery, PackedWindows};
 
-pub(crate) const SHADER: &str = include_str!("distances.wgsl");
+pub(crate) const SHADER: &str = concat!(include_str!("sums.wgsl"), include_str!("distances.wgsl"));
 
 /// D, m², between a query and every window of a table, padding included.
 pub(crate) fn distances(table: &PackedWindows, query: &PackedQuery) -> Vec<f32> {

@@ -70,7 +70,12 @@ impl Graphics {
     }
 
     /// Candidates of every class for every query, [`select::WORDS`] each.
-    pub(super) fn select(&mut self, table: &PackedWindows, batch: &Batch, k: usize) -> Result<Vec<u32>, GpuError> {
+    pub(super) async fn select(
+        &mut self,
+        table: &PackedWindows,
+        batch: &Batch,
+        k: usize,
+    ) -> Result<Vec<u32>, GpuError> {
         let classes = table.classes.len();
         // Without windows there is nothing to bind.
         if table.windows.is_empty() {
@@ -81,7 +86,7 @@ impl Graphics {
         for first in (0..batch.queries.len()).step_by(most) {
             let queries = first..batch.queries.len().min(first + most);
             let margins = &batch.margins[classes * queries.start..classes * queries.end];
-            found.extend(self.select_slice(table, &batch.queries[queries], margins, k)?);
+            found.extend(self.select_slice(table, &batch.queries[queries], margins, k).await?);
         }
         Ok(found)
     }
@@ -93,7 +98,7 @@ impl Graphics {
         (most.min(SLICE) / TILE * TILE).max(TILE)
     }
 
-    fn select_slice(
+    async fn select_slice(
         &mut self,
         table: &PackedWindows,
         queries: &[PackedQuery],
@@ -117,13 +122,13 @@ impl Graphics {
         let groups = [classes.len(), queries.len()].map(|n| n as u32);
         let passes = [(&self.kernels.distances, &slice.compare, tiles), (&self.kernels.select, &slice.choose, groups)];
         let found = classes.len() * queries.len() * select::WORDS;
-        pollster::block_on(context.run(&passes, [&slice.found, &slice.reading], found))
+        context.run(&passes, [&slice.found, &slice.reading], found).await
     }
 
     /// Every distance, a row of all windows for each query of a batch that was searched last and fits one slice.
     #[cfg(test)]
     pub(super) fn distances(&mut self, table: &PackedWindows, batch: &Batch) -> Result<Vec<f32>, GpuError> {
-        self.select(table, batch, 1)?;
+        pollster::block_on(self.select(table, batch, 1))?;
         let words = batch.queries.len() * table.windows.len();
         let reading = self
             .kernels

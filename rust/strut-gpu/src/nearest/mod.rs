@@ -9,16 +9,17 @@ use crate::error::GpuError;
 use crate::kernels::{distances, select};
 use crate::windows::{Batch, table};
 use graphics::{Graphics, Kernels};
+use std::ops::Deref;
 use strut_core::search::{Index, Metric, Neighbour, Neighbours, PackedWindows, Query, QueryWindow};
 
 /// Greatest margin, m², for which the candidates of a graphics processor are taken. It is never reached by people; beyond
 /// it numbers come near those that cannot be represented.
 const GREATEST_MARGIN: f32 = 1e6;
 
-/// The exhaustive search of an index: to the bit what [`Index::nearest`] finds.
+/// The exhaustive search of an index, which is borrowed or shared: to the bit what [`Index::nearest`] finds.
 #[derive(Debug)]
-pub struct Searcher<'a> {
-    index: &'a Index,
+pub struct Searcher<I> {
+    index: I,
     table: PackedWindows,
     /// None: the kernels' twins.
     graphics: Option<Graphics>,
@@ -36,13 +37,13 @@ pub struct Found {
     pub searched_by_index: usize,
 }
 
-impl<'a> Searcher<'a> {
+impl<I: Deref<Target = Index>> Searcher<I> {
     /// By a graphics processor.
     ///
     /// # Errors
     /// If windows are not [`WINDOW`](strut_core::search::WINDOW) frames long, or do not fit the graphics processor.
-    pub fn new(index: &'a Index, context: Context) -> Result<Self, GpuError> {
-        let table = table(index)?;
+    pub fn new(index: I, context: Context) -> Result<Self, GpuError> {
+        let table = table(&index)?;
         let graphics = Some(Graphics::new(Kernels::new(context)?, &table)?);
         Ok(Self { index, table, graphics })
     }
@@ -51,8 +52,8 @@ impl<'a> Searcher<'a> {
     ///
     /// # Errors
     /// If windows are not [`WINDOW`](strut_core::search::WINDOW) frames long.
-    pub fn without_graphics(index: &'a Index) -> Result<Self, GpuError> {
-        Ok(Self { index, table: table(index)?, graphics: None })
+    pub fn without_graphics(index: I) -> Result<Self, GpuError> {
+        Ok(Self { table: table(&index)?, index, graphics: None })
     }
 
     /// The graphics processor that searches.
@@ -60,24 +61,38 @@ impl<'a> Searcher<'a> {
         self.graphics.as_ref().map(Graphics::adapter)
     }
 
+    /// The index.
+    pub fn index(&self) -> &Index {
+        &self.index
+    }
+
+    /// [`Searcher::search`], and waits for it.
+    ///
+    /// # Errors
+    /// See there.
+    #[cfg(not(target_family = "wasm"))]
+    pub fn nearest(&mut self, windows: &[QueryWindow], k: usize) -> Result<Found, GpuError> {
+        pollster::block_on(self.search(windows, k))
+    }
+
     /// The `k` windows of every class that are nearest to each of several, of which none is empty.
     ///
     /// # Errors
     /// If a window is empty or has another length than the index's, or the graphics processor fails. After
     /// [`GpuError::Lost`] it always does.
-    pub fn nearest(&mut self, windows: &[QueryWindow], k: usize) -> Result<Found, GpuError> {
+    pub async fn search(&mut self, windows: &[QueryWindow], k: usize) -> Result<Found, GpuError> {
         let queries: Vec<Prepared<'_>> =
             windows.iter().map(|window| (window, self.index.prepare(window, Metric::FullBody))).collect();
-        let batch = Batch::new(&self.table, self.index, &queries)?;
-        let selected = self.select(&batch, k)?;
+        let batch = Batch::new(&self.table, &self.index, &queries)?;
+        let selected = self.select(&batch, k).await?;
         Ok(self.rank(&queries, &batch.margins, &selected, k))
     }
 
     /// Candidates of every class for every query, [`select::WORDS`] each.
-    fn select(&mut self, batch: &Batch, k: usize) -> Result<Vec<u32>, GpuError> {
+    async fn select(&mut self, batch: &Batch, k: usize) -> Result<Vec<u32>, GpuError> {
         let Self { table, graphics, .. } = self;
         if let Some(graphics) = graphics {
-            return graphics.select(table, batch, k);
+            return graphics.select(table, batch, k).await;
         }
         let classes = table.classes.len().max(1);
         let queries = batch.queries.iter().zip(batch.margins.chunks_exact(classes));

@@ -13,7 +13,7 @@ use strut_core::search::{Index, Metric, Neighbours, PackedWindows, QueryWindow};
 const K: usize = 40;
 
 /// A searcher by the graphics processor, if there is one; all share the compiled kernels.
-fn with_graphics(index: &Index) -> Option<Searcher<'_>> {
+fn with_graphics(index: &Index) -> Option<Searcher<&Index>> {
     let mut searcher = Searcher::without_graphics(index).unwrap();
     searcher.graphics = Some(Graphics::new(kernels()?, &searcher.table).unwrap());
     Some(searcher)
@@ -41,16 +41,16 @@ fn differing(index: &Index, windows: &[QueryWindow], found: &Found) -> usize {
 }
 
 /// What a searcher finds if the graphics processor's order is believed.
-fn without_margin(searcher: &mut Searcher<'_>, windows: &[QueryWindow]) -> Found {
+fn without_margin(searcher: &mut Searcher<&Index>, windows: &[QueryWindow]) -> Found {
     let queries = prepared(searcher.index, windows);
     let mut batch = Batch::new(&searcher.table, searcher.index, &queries).unwrap();
     batch.margins.fill(0.0);
-    let selected = searcher.select(&batch, K).unwrap();
+    let selected = pollster::block_on(searcher.select(&batch, K)).unwrap();
     searcher.rank(&queries, &batch.margins, &selected, K)
 }
 
 /// Sets of a searcher are the index's, and for few windows more than there are neighbours.
-fn check_sets(mut searcher: Searcher<'_>) {
+fn check_sets(mut searcher: Searcher<&Index>) {
     let (index, windows) = (searcher.index, test_data::foreign_windows());
     let found = searcher.nearest(&windows, K).unwrap();
     assert_eq!(differing(index, &windows, &found), 0);
@@ -67,7 +67,7 @@ fn check_sets(mut searcher: Searcher<'_>) {
 }
 
 /// Windows that differ by micrometres are found only with the margin.
-fn check_near_copies(index: &Index, mut searcher: Searcher<'_>) {
+fn check_near_copies(index: &Index, mut searcher: Searcher<&Index>) {
     let windows = test_data::foreign_windows();
     let found = searcher.nearest(&windows, K).unwrap();
     assert_eq!(differing(index, &windows, &found), 0);
@@ -148,7 +148,7 @@ fn kernels_compute_what_their_twins_compute() {
             prop_assert!(difference <= 1.0, "{} times the bound", difference);
 
             // Selection is exact for the distances that it is given.
-            let selected = graphics.select(&table, &batch, k).unwrap();
+            let selected = pollster::block_on(graphics.select(&table, &batch, k)).unwrap();
             let all = graphics.distances(&table, &batch).unwrap();
             for (q, all) in all.chunks_exact(table.windows.len()).enumerate() {
                 let margins = &batch.margins[q * table.classes.len()..][..table.classes.len()];

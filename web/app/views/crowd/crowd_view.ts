@@ -197,6 +197,8 @@ class CrowdView implements View {
     cancelAnimationFrame(this.#request);
     this.#close();
     this.#picture = undefined;
+    // Those of another model may be shown next.
+    this.#styles = undefined;
     this.#tick = undefined;
     this.#chosen.take(undefined);
     this.#drawsRoute = false;

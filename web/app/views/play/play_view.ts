@@ -307,7 +307,7 @@ class PlayView implements View {
     }
     this.#model.show(state);
     this.#transport.show(state);
-    if (!changed || changed.has("atlas")) this.#showAtlas(state.atlas);
+    if (!changed || changed.has("atlas") || changed.has("atlasWindows")) this.#showAtlas(state.atlas);
     this.#tabs.show(state.tab);
     this.element.dataset.tab = state.tab;
     this.element.classList.toggle("bare", !state.panels);
@@ -336,8 +336,8 @@ class PlayView implements View {
     this.#atlas ??= this.#loadAtlas();
     this.#atlas.then(
       (pane) => {
-        const { atlas } = this.#host.store.state;
-        if (atlas !== "") pane.show(atlas);
+        const { atlas, atlasWindows } = this.#host.store.state;
+        if (atlas !== "") pane.show(atlas, atlasWindows);
       },
       (error: Error) => this.#host.toasts.error(error.message),
     );
@@ -349,6 +349,7 @@ class PlayView implements View {
     const pane = new AtlasPane({
       session,
       onPart: (atlas) => store.edit({ atlas }),
+      onWindows: (atlasWindows) => store.edit({ atlasWindows }),
       onClose: () => store.edit({ atlas: "" }),
       onGhost: (ghost) => this.#ghosts.show(ghost),
       onError: (error) => toasts.error((error as Error).message),

@@ -121,7 +121,7 @@ fn spread(windows: &[QueryWindow], most: usize) -> Vec<QueryWindow> {
 }
 
 /// Milliseconds a window, searched so many at a time, with upload, readback and exact re-ranking.
-fn times(searcher: &mut Searcher<'_>, windows: &[QueryWindow], at_a_time: usize) -> Result<Vec<f64>, GpuError> {
+fn times(searcher: &mut Searcher<&Index>, windows: &[QueryWindow], at_a_time: usize) -> Result<Vec<f64>, GpuError> {
     let one = |windows: &[QueryWindow]| {
         let started = Instant::now();
         searcher.nearest(windows, K)?;

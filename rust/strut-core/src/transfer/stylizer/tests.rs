@@ -5,7 +5,9 @@ use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ, Walk, database, walk};
 use crate::humanoid::Role;
 use crate::kinematics::world_from_local;
 use crate::math::Vec3;
-use crate::transfer::{Method, ground_clearance};
+use crate::math::float_funcs::wrap_angle;
+use crate::pose_vector::ROW;
+use crate::transfer::{Footplant, Method, ground_clearance};
 
 fn model() -> Arc<Model> {
     Arc::new(Model::new(database()))
@@ -423,12 +425,13 @@ fn durations_and_contacts_that_are_not_finite_are_replaced() {
     let mut s = stylizer(&model(), 0.5);
     run(&mut s, &unseen_walk().poses[..20]);
     for bad in [f32::NAN, f32::INFINITY] {
-        s.styles[1].step_secs = bad;
-        let step_secs = s.blend_styles(&[0.0; ROW]);
-        assert!((step_secs - 1.0 / RATE_HZ).abs() < 0.01, "{bad}: {step_secs}");
-        s.styles[1].contact = [bad; 2];
-        s.blend_styles(&[0.0; ROW]);
-        assert_eq!(s.styles[1].contact, [0.0; 2]);
+        let replaced = Predicted { row: [0.0; ROW], step_secs: 1.0 / RATE_HZ, contact: [0.0; 2] };
+        s.styles[1].now.step_secs = bad;
+        s.replace_unusable(&replaced.row);
+        assert_eq!(s.styles[1].now, replaced, "{bad}");
+        s.styles[1].now.contact = [bad; 2];
+        s.replace_unusable(&replaced.row);
+        assert_eq!(s.styles[1].now, replaced, "{bad}");
     }
 }
 

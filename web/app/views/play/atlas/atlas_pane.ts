@@ -12,7 +12,7 @@ import { strings } from "../../../strings/strings";
 import { readColours } from "../../../ui/colours";
 import { spoken } from "../../../ui/words";
 import { AtlasCanvas } from "./atlas_canvas";
-import { bandsOf, type Rgb, ramp, Shades, type Span, shifted, zoomed } from "./shades";
+import { bandsOf, NEAREST, type Rgb, ramp, Shades, type Span, shifted, zoomed } from "./shades";
 
 /** Most columns: a walk of ten seconds has one a frame. */
 const MAX_COLUMNS = 600;
@@ -31,6 +31,8 @@ const CLICK_PX = 4;
 export interface AtlasHost {
   session: Session;
   onPart: (part: AtlasPart) => void;
+  /** Other windows are shown; `undefined` for all. */
+  onWindows: (windows: Span | undefined) => void;
   onClose: () => void;
   /** A window was chosen as a ghost, at a frame of the input; `undefined` takes it away. */
   onGhost: (ghost: AtlasGhost | undefined) => void;
@@ -63,6 +65,8 @@ export class AtlasPane {
   #classes: DatabaseInfo["classes"] = [];
   #part: AtlasPart = "whole";
   #span: Span = { first: 0, last: 0 };
+  /** The windows that were asked for; all if there are none. */
+  #asked: Span | undefined;
   #shown = false;
   #open: { atlas: OpenedAtlas; drawing: AtlasDrawing } | undefined;
   /** Ends what is being drawn, or opened. */
@@ -113,21 +117,28 @@ export class AtlasPane {
       this.#stage,
     );
     const { signal } = this.#listening;
-    host.session.listen({ onInput: () => this.#reopen(), onDatabase: () => this.#reopen() }, signal);
+    host.session.listen({ onInput: () => this.#reopen(), onDatabase: () => this.#takeDatabase() }, signal);
     this.#listen(signal);
     this.#observer.observe(this.#stage);
   }
 
-  /** Shows the pane by a part of the body. */
-  show(part: AtlasPart): void {
+  /** Shows the pane by a part of the body, and these windows, or all. */
+  show(part: AtlasPart, windows: Span | undefined): void {
     for (const [name, chip] of this.#chips) chip.setAttribute("aria-pressed", String(name === part));
-    const changed = part !== this.#part;
+    const before = this.#span;
+    const otherPart = part !== this.#part;
     this.#part = part;
+    this.#asked = windows;
     if (!this.#shown) {
       this.#shown = true;
       this.recolour();
       this.#reopen();
-    } else if (changed) this.#draw();
+      return;
+    }
+    if (this.#open) this.#span = this.#fitting;
+    const otherSpan = before.first !== this.#span.first || before.last !== this.#span.last;
+    if (otherSpan) this.#point(undefined);
+    if (otherPart || otherSpan) this.#draw();
   }
 
   hide(): void {
@@ -167,6 +178,15 @@ export class AtlasPane {
     this.#point(undefined);
   }
 
+  /** Of another database other windows would be shown. */
+  #takeDatabase(): void {
+    if (this.#open && this.#asked) {
+      this.#asked = undefined;
+      this.#host.onWindows(undefined);
+    }
+    this.#reopen();
+  }
+
   /** Opens the atlas of the present input in the present database. */
   #reopen(): void {
     const { session } = this.#host;
@@ -179,9 +199,16 @@ export class AtlasPane {
       this.#graphics ??= findGraphics(new URLSearchParams(location.search).get("gpu") === "any");
       const [atlas, found] = await Promise.all([session.openAtlas(MAX_COLUMNS, { signal }), this.#graphics]);
       this.#open = { atlas, drawing: new AtlasDrawing(atlas, found) };
-      this.#span = { first: 0, last: atlas.firsts.at(-1)! };
+      this.#span = this.#fitting;
       this.#draw();
     });
+  }
+
+  /** What is shown of the windows that were asked for: all where the database does not have them. */
+  get #fitting(): Span {
+    const count = this.#open?.atlas.firsts.at(-1) ?? 0;
+    const asked = this.#asked;
+    return asked && asked.last <= count ? zoomed(asked, 1, 0, LEAST_SPAN, count) : { first: 0, last: count };
   }
 
   /** The lines that are drawn of a span. */
@@ -201,7 +228,7 @@ export class AtlasPane {
     const open = this.#open;
     if (!open || !this.#shown || this.#span.last === 0) return;
     const [view, isWhole, part] = [this.#view, this.#isWhole, this.#part];
-    const shades = new Shades(open.atlas.frames.length, view.height, this.#leasts.get(part));
+    const shades = new Shades(open.atlas.frames.length, view.height, NEAREST[part], this.#leasts.get(part));
     this.#shades = shades;
     this.#leasts.set(part, shades.least);
     this.#canvas.begin(shades, this.#span);
@@ -283,8 +310,10 @@ export class AtlasPane {
   #go(span: Span): void {
     if (!this.#open || (span.first === this.#span.first && span.last === this.#span.last)) return;
     this.#span = span;
+    this.#asked = this.#isWhole ? undefined : span;
     this.#point(undefined);
     this.#draw();
+    this.#host.onWindows(this.#asked);
   }
 
   #shift(by: number): void {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { bandsOf, ramp, SHADES, Shades, shadeOf, shifted, zoomed } from "./shades";
+import { bandsOf, NEAREST, ramp, SHADES, Shades, shadeOf, shifted, zoomed } from "./shades";
 
 describe("shades", () => {
   it("go from the least distance to 3.2 times it", () => {
@@ -7,13 +7,28 @@ describe("shades", () => {
     expect(shadeOf(0.32, 0.1)).toBe(0);
     expect(shadeOf(0.21, 0.1)).toBe(128);
     expect(shadeOf(9, 0.1)).toBe(0);
-    // An input that is in the database.
-    expect([0, 0.04, 0.084, 0.128].map((distance) => shadeOf(distance, 0))).toEqual([255, 255, 128, 0]);
     expect(shadeOf(Number.POSITIVE_INFINITY, 0.1)).toBe(0);
   });
 
+  it("of an input that is in the database begin where one take of a walk is apart, by the part that is compared", () => {
+    const levels = (nearest: number, distances: number[]) => {
+      const shades = new Shades(1, distances.length, nearest);
+      shades.take(
+        0,
+        1,
+        Float32Array.from(distances, (distance) => distance * distance),
+        true,
+      );
+      return [...shades.levels];
+    };
+    expect(levels(NEAREST.whole, [0, 0.04, 0.13])).toEqual([255, 255, 0]);
+    expect(levels(NEAREST.legs, [0, 0.024, 0.08])).toEqual([255, 255, 0]);
+    // What all windows are within by the head is not all bright.
+    expect(levels(NEAREST.head, [0, 0.02, 0.04])).toEqual([255, 0, 0]);
+  });
+
   it("of a column stand for those after it until they come", () => {
-    const shades = new Shades(5, 2);
+    const shades = new Shades(5, 2, NEAREST.whole);
     shades.take(0, 4, Float32Array.of(0.01, 0.04), true);
     expect([...shades.levels]).toEqual([255, 255, 255, 255, 0, 139, 139, 139, 139, 0]);
     shades.take(2, 2, Float32Array.of(0.04, 0.01), true);
@@ -24,9 +39,9 @@ describe("shades", () => {
   });
 
   it("keep the least distances of the whole while a part is shown", () => {
-    const whole = new Shades(1, 1);
+    const whole = new Shades(1, 1, NEAREST.whole);
     whole.take(0, 1, Float32Array.of(0.01), true);
-    const part = new Shades(1, 1, whole.least);
+    const part = new Shades(1, 1, NEAREST.whole, whole.least);
     part.take(0, 1, Float32Array.of(0.04), false);
     expect(part.levels[0]).toBe(139);
     expect(whole.least[0]).toBeCloseTo(0.1, 6);

@@ -1,0 +1,100 @@
+/** The box of the graphics card: the paper's search on it, beside Strut's. */
+import { html } from "../../web/ui/dom";
+import { type Card, findCard } from "../graphics_bench";
+import { type GraphicsComparison, medianOf, type Report } from "../report";
+import { milliseconds, PAPER_MS } from "../table";
+import { table } from "./tables";
+
+/** What stands on the page. */
+export interface CardBox {
+  element: HTMLElement;
+  /** The graphics processor that can be measured, once it is known. */
+  ready: Promise<Card | undefined>;
+  /** As before anything was measured. */
+  clear(): void;
+  /** @param fault why the graphics processor could not be measured */
+  show(report: Report, fault?: string): void;
+}
+
+/** The box, before anything is measured. @param software whether a program is measured in place of a card, too, as in tests */
+export function cardBox(software: boolean): CardBox {
+  const found = findCard();
+  const ready = found.then((card) => (card?.software && !software ? undefined : card));
+  const sentence = html("p", { role: "status" });
+  const results = html("div", { class: "results" });
+  const element = html(
+    "section",
+    { class: "card-box", "aria-labelledby": "card-heading" },
+    html("h2", { id: "card-heading" }, "Graphics card"),
+    html(
+      "p",
+      {},
+      "The paper compared every window of the database on a graphics card. Where there is one, Measure does so too: one window at a time and 256 together, with upload and readback, beside Strut's search on the processor. Both must find the same neighbours to the bit.",
+    ),
+    sentence,
+    results,
+    html(
+      "p",
+      { class: "caption" },
+      "To add a card to docs/performance.md: measure 79,829 frames, press “Copy as JSON”, and send that in an issue with the name of the card, its driver and the date.",
+    ),
+  );
+  const box: CardBox = {
+    element,
+    ready,
+    clear() {
+      results.replaceChildren();
+      void Promise.all([found, ready]).then(([found, card]) => {
+        sentence.textContent = card ? `${card.name} will be measured.` : absence(found);
+      });
+    },
+    show(report, fault) {
+      if (!report.gpu) {
+        if (fault) sentence.textContent = fault;
+        return;
+      }
+      sentence.textContent = agreement(report.gpu);
+      results.replaceChildren(...times(report, report.gpu));
+    },
+  };
+  box.clear();
+  return box;
+}
+
+/** Why there is nothing to measure. */
+function absence(found: Card | undefined): string {
+  return found
+    ? "In this browser a program plays the graphics processor. Its times would tell nothing of a card: the processor is measured alone."
+    : "This browser gives pages no graphics processor: the processor is measured alone. A browser with WebGPU and a card can measure both.";
+}
+
+function agreement({ adapter, identical, sets, candidates_per_neighbour }: GraphicsComparison): string {
+  const count = (n: number) => n.toLocaleString("en");
+  return `${adapter}: ${count(identical)} of ${count(sets)} sets of neighbours are Strut's to the bit, with ${candidates_per_neighbour.toFixed(2)} candidates a neighbour.`;
+}
+
+function times(report: Report, { software }: GraphicsComparison): HTMLElement[] {
+  if (software)
+    return [html("p", {}, "A program plays this graphics processor: its times would tell nothing of a card.")];
+  const strut = medianOf(report, "wasm-simd", "batch", "search")!;
+  const paper = PAPER_MS.search!;
+  const line = (name: string, ms: number) => [
+    name,
+    milliseconds(ms),
+    ms === strut ? "" : `${(ms / strut).toFixed(1)} ×`,
+    `${(paper / ms).toFixed(1)} ×`,
+  ];
+  return [
+    ...table(
+      "Search of every class from a cold start, milliseconds a window",
+      ["By", "Median", "Strut is faster", "Than the paper"],
+      [
+        line("Strut", strut),
+        line("Card, one window", medianOf(report, "gpu-brute", "all", "search")!),
+        line("Card, 256 together", medianOf(report, "gpu-brute", "batch", "search")!),
+      ],
+      "Strut",
+    ),
+    html("p", { class: "caption" }, `The last column: how many times faster than the paper's search of ${paper} ms.`),
+  ];
+}

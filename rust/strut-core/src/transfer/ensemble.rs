@@ -1,0 +1,287 @@
+//! Many characters that perform one input, each in styles of their own.
+//!
+//! What is predicted for a style does not depend on the weights of the styles, so that it is computed once for each style and
+//! frame of the input ([`Recorder`]), and a [`Performer`] only blends, decodes and plants. It gives the bits of a [`Stylizer`]
+//! whose weights stay. At its end the input begins anew: its last frames fade into its first ones.
+
+use super::blend::{StyleBlend, StyleError};
+use super::frame::StyledFrame;
+use super::output::{Cue, Output, Predicted};
+use super::stylizer::Stylizer;
+use crate::humanoid::{Pose, Proportions};
+use crate::pose_vector::{Placement, PoseChart, PoseRow};
+use std::sync::Arc;
+
+/// Frames over which the end of the input fades into its beginning: 0.2 s at 60 Hz.
+pub const FADE_FRAMES: usize = 12;
+
+/// What is predicted for every frame of an input in every style of a database, and what its outputs need besides.
+#[derive(Clone, Debug)]
+pub struct Predictions {
+    chart: PoseChart,
+    proportions: Proportions,
+    rate_hz: f32,
+    observed_range: Box<[PoseRow; 2]>,
+    neutral: usize,
+    styles: usize,
+    timing: bool,
+    footplant: bool,
+    /// Of each frame, with the likelihood that the feet of the input are planted.
+    cues: Vec<(Cue, [f32; 2])>,
+    /// Frame by frame, of every style.
+    predicted: Vec<Predicted>,
+}
+
+impl Predictions {
+    /// Frames of the input.
+    pub fn frames(&self) -> usize {
+        self.cues.len()
+    }
+
+    /// Frames from one beginning of the input to the next.
+    pub fn period(&self) -> usize {
+        self.frames() - FADE_FRAMES
+    }
+
+    /// Bone offsets of the poses.
+    pub fn proportions(&self) -> &Proportions {
+        &self.proportions
+    }
+
+    /// The predictions of a frame, style by style.
+    fn of_frame(&self, frame: usize) -> &[Predicted] {
+        &self.predicted[frame * self.styles..][..self.styles]
+    }
+}
+
+/// Predicts a clip in every style of a database, frame by frame.
+#[derive(Clone, Debug)]
+pub struct Recorder {
+    stylizer: Stylizer,
+    predictions: Predictions,
+}
+
+impl Recorder {
+    /// With the options of a stylizer, whose own stream is not touched.
+    ///
+    /// # Errors
+    /// None: the database's styles are as many as it has.
+    pub fn new(stylizer: &Stylizer) -> Result<Self, StyleError> {
+        let mut stylizer = stylizer.clone();
+        let db = stylizer.model().catalogue();
+        let styles = db.styles.len();
+        let predictions = Predictions {
+            chart: db.chart,
+            proportions: db.proportions,
+            rate_hz: db.rate_hz,
+            observed_range: Box::new(*db.observed_range()),
+            neutral: db.neutral.into(),
+            styles,
+            timing: stylizer.options().timing,
+            footplant: stylizer.options().footplant,
+            cues: Vec::new(),
+            predicted: Vec::new(),
+        };
+        // Every style has a weight, so that each is predicted.
+        stylizer.set_styles(&vec![1.0 / styles as f32; styles])?;
+        stylizer.reset(None);
+        Ok(Self { stylizer, predictions })
+    }
+
+    /// Takes the next frame: a pose on the database's proportions and at its rate.
+    pub fn push(&mut self, pose: &Pose) {
+        self.stylizer.push(pose);
+        if let Some(cue) = self.stylizer.cue() {
+            self.predictions.cues.push((*cue, self.stylizer.contact_votes()));
+            self.predictions.predicted.extend(self.stylizer.predicted().map(|(_, of)| *of));
+        }
+    }
+
+    /// Ends the input. `None` if it is too short to begin anew: it must have twice [`FADE_FRAMES`].
+    pub fn finish(self) -> Option<Predictions> {
+        (self.predictions.frames() >= 2 * FADE_FRAMES).then_some(self.predictions)
+    }
+}
+
+/// A character that performs the input over and over. For each frame of the input [`Performer::advance`].
+#[derive(Clone, Debug)]
+pub struct Performer {
+    predictions: Arc<Predictions>,
+    blend: StyleBlend,
+    output: Output,
+    /// The next frame, and whether the input has begun anew.
+    next: usize,
+    begun_anew: bool,
+    /// Of the next frame, where the end fades into the beginning.
+    faded: Vec<Predicted>,
+}
+
+impl Performer {
+    /// At the beginning of the input, in the neutral style; the output begins at a placement, or where the input does.
+    pub fn new(predictions: Arc<Predictions>, placement: Option<Placement>) -> Self {
+        let of = &*predictions;
+        let mut output = Output::new(&of.chart, &of.proportions, of.rate_hz, &of.observed_range);
+        output.reset(placement);
+        Self {
+            blend: StyleBlend::new(of.styles, of.neutral),
+            output,
+            next: 0,
+            begun_anew: false,
+            faded: Vec::with_capacity(of.styles),
+            predictions,
+        }
+    }
+
+    /// Sets one weight a style of the database; the remainder to a sum of 1 belongs to the neutral style.
+    ///
+    /// # Errors
+    /// If there is not one finite weight a style; the former weights then stay.
+    pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), StyleError> {
+        self.blend.set_whole(weights)
+    }
+
+    /// Goes on by a frame of the input. Allocates nothing.
+    pub fn advance(&mut self) -> &StyledFrame {
+        let Self { predictions, blend, output, next, begun_anew, faded } = self;
+        let (mut cue, mut contact) = predictions.cues[*next];
+        let mut predicted = predictions.of_frame(*next);
+        if *begun_anew && *next < FADE_FRAMES {
+            let ending = predictions.period() + *next;
+            let share = (*next + 1) as f32 / (FADE_FRAMES + 1) as f32;
+            let (old, old_contact) = &predictions.cues[ending];
+            mix(&old.row, share, &mut cue.row);
+            cue.turn = old.turn + share * (cue.turn - old.turn);
+            mix(old_contact, share, &mut contact);
+            faded.clear();
+            faded.extend(predicted.iter().zip(predictions.of_frame(ending)).map(|(new, old)| {
+                let mut of = *new;
+                mix(&old.row, share, &mut of.row);
+                mix(&old.contact, share, &mut of.contact);
+                of.step_secs = old.step_secs + share * (new.step_secs - old.step_secs);
+                of
+            }));
+            predicted = faded;
+        }
+        // As in a stylizer, only styles that have weights.
+        let active = predicted.iter().enumerate().filter(|(style, _)| blend.is_active(*style));
+        output.place(blend, &cue, active.clone(), predictions.timing);
+        output.take_contacts(blend, contact, active);
+        output.plant(predictions.footplant);
+        *next += 1;
+        if *next == predictions.period() {
+            (*next, *begun_anew) = (0, true);
+        }
+        &output.frame
+    }
+
+    /// The last frame.
+    pub fn frame(&self) -> &StyledFrame {
+        &self.output.frame
+    }
+}
+
+/// Goes from the old numbers to the new ones by a share.
+fn mix(old: &[f32], share: f32, new: &mut [f32]) {
+    for (new, old) in new.iter_mut().zip(old) {
+        *new = old + share * (*new - old);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixtures::{Gait, NEUTRAL, database, walk};
+    use crate::kinematics::world_from_local;
+    use crate::transfer::{Model, Options};
+
+    fn input() -> Vec<Pose> {
+        walk(&Gait { period: 63.0, swing: 0.41, ..NEUTRAL }, 240, 0.15).poses
+    }
+
+    fn stylizer(options: Options) -> Stylizer {
+        Stylizer::new(Arc::new(Model::new(database())), options).unwrap()
+    }
+
+    fn predictions(stylizer: &Stylizer, input: &[Pose]) -> Option<Arc<Predictions>> {
+        let mut recorder = Recorder::new(stylizer).unwrap();
+        input.iter().for_each(|pose| recorder.push(pose));
+        recorder.finish().map(Arc::new)
+    }
+
+    #[test]
+    fn a_performer_gives_the_bits_of_a_stylizer_whose_weights_stay() {
+        let input = input();
+        for options in [Options::DEFAULT, Options { timing: false, footplant: false, ..Options::DEFAULT }] {
+            let mut stylizer = stylizer(options);
+            let predictions = predictions(&stylizer, &input).unwrap();
+            // Between the styles, the neutral one alone, the other alone, and beyond it.
+            for weight in [0.4, 0.0, 1.0, 1.5] {
+                stylizer.reset(None);
+                stylizer.set_styles(&[0.0, weight]).unwrap();
+                let mut performer = Performer::new(Arc::clone(&predictions), None);
+                performer.set_styles(&[0.0, weight]).unwrap();
+                for (i, pose) in input[..predictions.period()].iter().enumerate() {
+                    assert_eq!(performer.advance(), stylizer.push(pose), "frame {i} at {weight}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn performers_begin_where_they_are_told_to() {
+        let mut stylizer = stylizer(Options::DEFAULT);
+        let predictions = predictions(&stylizer, &input()).unwrap();
+        let start = Placement { x: 3.0, z: -2.0, heading: 1.0 };
+        stylizer.reset(Some(start));
+        let mut performer = Performer::new(predictions, Some(start));
+        for pose in &input()[..100] {
+            assert_eq!(performer.advance(), stylizer.push(pose));
+        }
+    }
+
+    /// Most that a joint moves between two frames, metres.
+    fn largest_steps(performer: &mut Performer, frames: usize) -> Vec<f32> {
+        let proportions = *performer.predictions.proportions();
+        let mut world = || world_from_local(&proportions, &performer.advance().pose).positions;
+        let mut last = world();
+        (1..frames)
+            .map(|_| {
+                let now = world();
+                let moved = now.iter().zip(&last).map(|(a, b)| a.distance(*b)).fold(0.0, f32::max);
+                last = now;
+                moved
+            })
+            .collect()
+    }
+
+    #[test]
+    fn the_end_of_the_input_fades_into_its_beginning() {
+        let stylizer = stylizer(Options::DEFAULT);
+        // Three cycles and a half: the legs are the other way round at the end.
+        let predictions = predictions(&stylizer, &input()[..220]).unwrap();
+        let period = predictions.period();
+        let mut performer = Performer::new(predictions, None);
+        performer.set_styles(&[0.0, 0.6]).unwrap();
+        let steps = largest_steps(&mut performer, 3 * period);
+        let largest = |frames: &[f32]| frames.iter().copied().fold(0.0, f32::max);
+        let within = largest(&steps[FADE_FRAMES..period - 1]);
+        // Legs that change sides in a fifth of a second swing faster than in a stride, and far slower than in a frame.
+        for begin in [period, 2 * period] {
+            let fading = largest(&steps[begin - 1..begin + FADE_FRAMES]);
+            assert!(fading < 2.5 * within, "{fading} m beside {within} m");
+        }
+        assert!(performer.frame().time_out_secs > 0.0);
+    }
+
+    #[test]
+    fn weights_that_are_none_are_refused_and_an_input_that_is_too_short_ends_in_nothing() {
+        let stylizer = stylizer(Options::DEFAULT);
+        assert!(predictions(&stylizer, &input()[..2 * FADE_FRAMES - 1]).is_none());
+        let shortest = predictions(&stylizer, &input()[..2 * FADE_FRAMES]).unwrap();
+        let mut performer = Performer::new(shortest, None);
+        assert!(performer.set_styles(&[f32::NAN, 0.0]).is_err() && performer.set_styles(&[1.0]).is_err());
+        for _ in 0..5 * FADE_FRAMES {
+            assert!(performer.advance().pose.root.is_finite());
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! From what is predicted to what is seen: styles blended, placed on their way, feet planted (`docs/methods/mar.md` §10 and §11).
+
+use super::blend::{StyleBlend, blended};
+use super::body_part::BodyPart;
+use super::contact_likelihood::CausalSmoother;
+use super::footplant::Footplant;
+use super::frame::StyledFrame;
+use super::joint_limits::JointLimits;
+use crate::humanoid::Proportions;
+use crate::math::float_funcs::wrap_angle;
+use crate::pose_vector::{Placement, PoseChart, PoseRow, ROW};
+
+/// Shortest and longest output frame, as multiples of the input's.
+const DURATION_RANGE: [f32; 2] = [0.2, 5.0];
+
+/// What is predicted for a style in a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Predicted {
+    /// yₜ.
+    pub(super) row: PoseRow,
+    /// How long the frame lasts, seconds.
+    pub(super) step_secs: f32,
+    /// Likelihood that each foot of the registered targets is planted.
+    pub(super) contact: [f32; 2],
+}
+
+/// What a frame of the input says of its output, beside predictions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cue {
+    /// xₜ.
+    pub(super) row: PoseRow,
+    pub(super) at: Placement,
+    /// Change of the heading since the frame before, radians.
+    pub(super) turn: f32,
+}
+
+impl Cue {
+    pub(super) fn new(row: &PoseRow, at: Placement, previous_at: Placement) -> Self {
+        Self { row: *row, at, turn: wrap_angle(at.heading - previous_at.heading) }
+    }
+}
+
+/// The output of one character.
+#[derive(Clone, Debug)]
+pub(super) struct Output {
+    pub(super) frame: StyledFrame,
+    chart: PoseChart,
+    rate_hz: f32,
+    /// How far the output goes from the input to the styles, 0 to 1.
+    share: f32,
+    parts: [BodyPart; ROW],
+    limits: JointLimits,
+    /// Where the output begins; the input's place if `None`.
+    start: Option<Placement>,
+    /// Place of the last output frame before the footplant.
+    place: Option<Placement>,
+    /// Smoothers of the input's and of the output's contacts.
+    smoothers: [CausalSmoother; 2],
+    footplant: Footplant,
+    frames: u64,
+}
+
+impl Output {
+    /// For frames of this chart, body and rate, and with the values of each degree of freedom that were observed.
+    pub(super) fn new(
+        chart: &PoseChart,
+        proportions: &Proportions,
+        rate_hz: f32,
+        observed_range: &[PoseRow; 2],
+    ) -> Self {
+        Self {
+            frame: StyledFrame::default(),
+            chart: *chart,
+            rate_hz,
+            share: 1.0,
+            parts: BodyPart::of_row(),
+            limits: JointLimits::new(observed_range),
+            start: None,
+            place: None,
+            smoothers: Default::default(),
+            footplant: Footplant::new(*proportions),
+            frames: 0,
+        }
+    }
+
+    /// Starts anew at a placement, or where the next input frame is.
+    pub(super) fn reset(&mut self, placement: Option<Placement>) {
+        self.start = placement;
+        self.place = None;
+        self.smoothers = Default::default();
+        self.footplant.reset();
+        self.frames = 0;
+        self.frame = StyledFrame::default();
+    }
+
+    /// Sets how far the output goes from the input to the styles.
+    pub(super) fn set_share(&mut self, share: f32) {
+        self.share = share;
+    }
+
+    /// Duration of a frame of the input, seconds.
+    pub(super) fn frame_secs(&self) -> f32 {
+        1.0 / self.rate_hz
+    }
+
+    /// Puts the blended row at the next place of the output: the heading turns as the input's does, the root travels at the
+    /// predicted velocity for the predicted duration. `timing`: whether the frame lasts as long as predicted.
+    pub(super) fn place<'a>(
+        &mut self,
+        blend: &StyleBlend,
+        cue: &Cue,
+        styles: impl Iterator<Item = (usize, &'a Predicted)> + Clone,
+        timing: bool,
+    ) {
+        let frame_secs = self.frame_secs();
+        let mut step_secs = 0.0;
+        for (style, of) in styles.clone() {
+            step_secs += blend.weight(BodyPart::Legs, style) * of.step_secs;
+        }
+        let [least, greatest] = DURATION_RANGE.map(|r| r * frame_secs);
+        let step_secs = self.shared(frame_secs, step_secs.clamp(least, greatest));
+        let rows = styles.map(|(style, of)| (style, &of.row));
+        let mut row = blended(blend, &self.parts, &self.limits, &cue.row, rows);
+        for (styled, &of_input) in row.iter_mut().zip(&cue.row) {
+            *styled = self.shared(of_input, *styled);
+        }
+        let place = match self.place {
+            None => self.start.unwrap_or(cue.at),
+            Some(p) => p.advanced(&row, step_secs, cue.turn),
+        };
+        let first = self.place.is_none();
+        self.place = Some(place);
+        self.frame.pose = self.chart.decode(&row, place);
+        self.limits.apply(&self.chart, &row, &cue.row, &mut self.frame.pose);
+        self.frame.dt_secs = match (first, timing) {
+            (true, _) => 0.0,
+            (false, true) => step_secs,
+            (false, false) => frame_secs,
+        };
+        self.frame.time_in_secs = self.frames as f64 / f64::from(self.rate_hz);
+        self.frame.time_out_secs += f64::from(self.frame.dt_secs);
+        self.frames += 1;
+    }
+
+    /// Takes the likelihoods that the feet of the input are planted; those of the output are their mean with the registered
+    /// targets'.
+    pub(super) fn take_contacts<'a>(
+        &mut self,
+        blend: &StyleBlend,
+        of_input: [f32; 2],
+        styles: impl Iterator<Item = (usize, &'a Predicted)>,
+    ) {
+        let mut of_targets = [0.0; 2];
+        for (style, of) in styles {
+            let weight = blend.weight(BodyPart::Legs, style);
+            of_targets.iter_mut().zip(of.contact).for_each(|(sum, c)| *sum += weight * c);
+        }
+        self.frame.contact = of_input;
+        self.frame.contact_out = std::array::from_fn(|side| {
+            self.shared(of_input[side], 0.5 * (of_input[side] + of_targets[side].clamp(0.0, 1.0)))
+        });
+    }
+
+    /// Smooths the contacts and, if it is wanted, holds planted feet in place.
+    pub(super) fn plant(&mut self, footplant: bool) {
+        self.frame.contact = self.smoothers[0].push(self.frame.contact);
+        self.frame.contact_out = self.smoothers[1].push(self.frame.contact_out);
+        if footplant {
+            // The first frame has no duration, and no speed is measured in it.
+            let dt_secs = if self.frame.dt_secs > 0.0 { self.frame.dt_secs } else { self.frame_secs() };
+            self.frame.planted = self.footplant.apply(&mut self.frame.pose, self.frame.contact_out, dt_secs);
+        }
+    }
+
+    /// What lies between the input's and the styles' value. The whole share changes no bit.
+    fn shared(&self, of_input: f32, styled: f32) -> f32 {
+        if self.share < 1.0 { of_input + self.share * (styled - of_input) } else { styled }
+    }
+}
