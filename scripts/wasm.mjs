@@ -33,6 +33,9 @@ const FAST_BUILDING = ["--config", "profile.web.package.strut-formats.opt-level=
 /** A frame of a character takes microseconds as it is. */
 const SMALL_CORE = ["--config", 'profile.web.package.strut-core.opt-level="s"'];
 
+/** So does one of a stream. */
+const SMALL_STREAMS = { flags: ["-Cllvm-args=-inline-threshold=25"], config: SMALL_CORE };
+
 /** All that takes time is done by the graphics processor. */
 const SMALL_GRAPHICS = ["--config", 'profile.web.package."*".opt-level="z"', "--config", 'profile.web.opt-level="z"'];
 
@@ -64,6 +67,8 @@ const PACKAGES = {
   crowd: { folder: "web/engine/crowd/pkg", crate: "strut-wasm-walk", name: "strut_crowd", features: ["crowd"] },
   // … for those who steer …
   drive: { folder: "web/engine/drive/pkg", crate: "strut-wasm-drive", name: "strut_drive" },
+  // … for those who perform …
+  live: { folder: "web/engine/live/pkg", crate: "strut-wasm-live", name: "strut_live", ...SMALL_STREAMS },
   keyStyle: {
     folder: "web/engine/key_style/pkg",
     crate: "strut-wasm-key-style",
@@ -131,6 +136,7 @@ const PAGE = [
   "walk",
   "crowd",
   "drive",
+  "live",
   "keyStyle",
   "character",
   "gpu",
