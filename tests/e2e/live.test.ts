@@ -158,7 +158,7 @@ describe("a performer", () => {
     await connect(sender.url);
     await performing();
     await sender.stop();
-    await eventually(() => panel().getByRole("status").textContent()).toMatch(
+    await eventually(() => panel().locator(".live-fault").textContent()).toMatch(
       /^(The connection to 127\.0\.0\.1:\d+ has ended|Nobody answers at 127\.0\.0\.1:\d+); trying again in \d+ s\.$/,
     );
     await eventually(stateOf).toMatch(/^not there; again in \d+ s$/);
@@ -174,7 +174,7 @@ describe("a performer", () => {
     sender = await Sender.start(walk, "json", port);
     await eventually(stateOf).toBe("connected");
     await eventually(async () => JSON.stringify(await pose()) !== JSON.stringify(left)).toBe(true);
-    expect(await panel().getByRole("status").textContent()).toBe("");
+    expect(await panel().locator(".live-fault").textContent()).toBe("");
   });
 
   it("who sends what cannot be understood is counted, and shown all the same", async () => {
@@ -185,7 +185,7 @@ describe("a performer", () => {
       sender.say(message);
     await eventually(() => figure("Not understood").textContent()).toBe("5");
     sender.say('{"strut":1,"names":["a"],"parents":[-1],"offsets":[[0,0,0]]}');
-    await eventually(() => panel().getByRole("status").textContent()).toMatch(/^This skeleton has no legs and arms/);
+    await eventually(() => panel().locator(".live-fault").textContent()).toMatch(/^This skeleton has no legs and arms/);
     const { inputFrame } = await page.evaluate(() => window.strut.frame);
     await eventually(() => page.evaluate(() => window.strut.frame.inputFrame)).toBeGreaterThan(inputFrame + 10);
   });
@@ -244,7 +244,7 @@ describe("a link", () => {
     await asked.getByRole("button", { name: "Connect" }).click();
     await eventually(() => figure("Rate", narrow).textContent()).toMatch(/^\d+$/);
     await screenshot(narrow, "live-narrow");
-    await narrow.getByRole("tab", { name: "Curves" }).click();
+    await narrow.getByRole("button", { name: "Curves" }).click();
     expect(await figure("Shown after", narrow).isVisible()).toBe(true);
     await screenshot(narrow, "live-narrow-curves");
     await expectFitsNarrow(narrow, ".live-bar button");

@@ -18,6 +18,8 @@ import { liveWords } from "./strings.en";
 
 /** Time between updates of the panel, milliseconds. */
 const SHOW_MS = 250;
+/** A sender that is there says nothing after this time, milliseconds. */
+const SILENT_MS = 1000;
 /** The most that is kept, seconds. */
 const MAX_KEPT_SECS = 300;
 
@@ -59,6 +61,9 @@ export class Performance {
   #againAt = 0;
   /** Messages that could not be read. */
   #unread = 0;
+  /** Frames that were taken, and when the last one was seen among them, milliseconds. */
+  #taken = 0;
+  #heardAt = 0;
 
   constructor(host: ViewHost, performer: LivePerformer, places: LivePlaces) {
     this.#host = host;
@@ -103,6 +108,7 @@ export class Performance {
       this.#state = state;
       if (state.kind === "open") {
         announce(liveWords.connected(sender));
+        this.#heardAt = performance.now();
         this.#panel.fault = "";
       } else if (state.kind === "waiting") this.#againAt = performance.now() + 1000 * state.secs;
       this.#show();
@@ -154,8 +160,10 @@ export class Performance {
   #show(): void {
     if (!this.#isOpen) return;
     const { stats } = this.#performer.stream;
-    const waitSecs = Math.max(0, Math.ceil((this.#againAt - performance.now()) / 1000));
-    this.#panel.showState(this.#state, waitSecs, stats.play === "nothing" || stats.play === "lost");
+    const now = performance.now();
+    if (stats.taken !== this.#taken) [this.#taken, this.#heardAt] = [stats.taken, now];
+    const waitSecs = Math.max(0, Math.ceil((this.#againAt - now) / 1000));
+    this.#panel.showState(this.#state, waitSecs, now - this.#heardAt > SILENT_MS);
     this.#panel.show(stats, this.#unread);
     setText(this.#time, clock(stats.frames / this.#rateHz));
   }
