@@ -243,6 +243,8 @@ describe("a link", () => {
     await screenshot(narrow, "live-narrow-dialog");
     await asked.getByRole("button", { name: "Connect" }).click();
     await eventually(() => figure("Rate", narrow).textContent()).toMatch(/^\d+$/);
+    // Software needs a while for the first picture.
+    await eventually(() => narrow.evaluate(() => window.strut.frame.inputFrame)).toBeGreaterThan(60);
     await screenshot(narrow, "live-narrow");
     await narrow.getByRole("button", { name: "Curves" }).click();
     expect(await figure("Shown after", narrow).isVisible()).toBe(true);

@@ -7,7 +7,8 @@ import type { ClientDrive } from "./drive/drive_client";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
 import { EngineClient, type EngineClientSetup, type EngineRestart } from "./engine_client";
 import type { ClientDatabase, ClientMotion, ClientSession } from "./handles";
-import type { LiveSetup, LiveStream } from "./live/live_stream";
+import type { LiveStream } from "./live/live_stream";
+import type { LiveSetup, PerformerStream } from "./live/protocol";
 import { optionsKnownTo } from "./options";
 import {
   type Analysis,
@@ -280,7 +281,7 @@ class SingleSessionClient implements StrutClient {
     this.steered = undefined;
   }
 
-  async openLive(setup: Omit<LiveSetup, "options">, call?: CallOptions): Promise<LiveStream> {
+  async openLive(setup: Omit<LiveSetup, "options">, call?: CallOptions): Promise<PerformerStream> {
     if (!this.whole) await this.completed(call);
     const { LiveStream } = await import("./live/live_stream");
     return this.inTurn(async () => {

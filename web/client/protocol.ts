@@ -20,7 +20,7 @@ import type {
 } from "../engine/types";
 import type { OpenedAtlas } from "./atlas/opened_atlas";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
-import type { LiveSetup, LiveStream } from "./live/live_stream";
+import type { LiveSetup, PerformerStream } from "./live/protocol";
 import type { LiveFrame } from "./live_frame";
 
 export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
@@ -146,7 +146,7 @@ export interface StrutClient {
    * Has a performer be styled on the open database, until another input or database is opened, a character is steered, or
    * {@link StrutClient.closeLive}; the open input stays open beside it. The caller pushes what arrives, and goes on.
    */
-  openLive(setup: Omit<LiveSetup, "options">, options?: CallOptions): Promise<LiveStream>;
+  openLive(setup: Omit<LiveSetup, "options">, options?: CallOptions): Promise<PerformerStream>;
   closeLive(): void;
   onRestart: ((restarted: Restarted) => void) | undefined;
   dispose(): void;

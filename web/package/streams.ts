@@ -1,5 +1,5 @@
 /** `strut-motion/streams`: performers whose poses arrive live, for `Strut.live`. */
-export type { LiveStats, StreamFrame } from "../client/live/live_stream";
+export type { LiveStats, StreamFrame } from "../client/live/protocol";
 export { StrutError, type StrutErrorCode } from "../engine/errors";
 export type { BufferStats, Play } from "../engine/live/pose_stream";
 export type { StreamJoints, StreamSkeleton } from "../engine/live/skeleton";

@@ -13,7 +13,7 @@ import {
   STILL,
 } from "../client/drive/protocol";
 import type { FirstSteps } from "../client/first_steps";
-import type { LiveStream } from "../client/live/live_stream";
+import type { PerformerStream } from "../client/live/protocol";
 import type {
   Analysis,
   CallOptions,
@@ -69,7 +69,7 @@ export interface SessionListeners {
 /** A performer, and the name of the input that it is. */
 export interface LivePerformer {
   readonly name: string;
-  readonly stream: LiveStream;
+  readonly stream: PerformerStream;
 }
 
 /** How something that may fail or be cancelled ended. */
@@ -258,8 +258,8 @@ export class Session {
   }
 
   /** Has a performer be styled, whose input goes by a name; `undefined` where that failed. */
-  async openLive(name: string, delaySecs: number | undefined): Promise<LiveStream | undefined> {
-    let opened: LiveStream | undefined;
+  async openLive(name: string, delaySecs: number | undefined): Promise<PerformerStream | undefined> {
+    let opened: PerformerStream | undefined;
     await this.#attempt(async () => {
       const stream = await this.#progress.run("input", name, (options) =>
         this.#client.openLive({ delaySecs, follows: true }, options),

@@ -1,7 +1,8 @@
 /** Live poses in a style: a source, the stream that it feeds, and frames at the database's rate. */
 import type { EngineClient } from "../client/engine_client";
 import type { ClientDatabase, StyleChange } from "../client/handles";
-import { type LiveStats, LiveStream, type StreamFrame } from "../client/live/live_stream";
+import { LiveStream } from "../client/live/live_stream";
+import type { LiveStats, StreamFrame } from "../client/live/protocol";
 import { isFault, type StyleWeights, type StylizeOptions } from "../client/protocol";
 import { StrutError } from "../engine/errors";
 import { POSE_FLOATS } from "../humanoid";

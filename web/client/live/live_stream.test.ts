@@ -4,7 +4,8 @@ import { InlineWorker } from "../../../tests/inline_worker";
 import { POSE_FLOATS } from "../../humanoid";
 import { EngineClient } from "../engine_client";
 import type { StylizeOptions } from "../protocol";
-import { LiveStream, type StreamFrame } from "./live_stream";
+import { LiveStream } from "./live_stream";
+import type { StreamFrame } from "./protocol";
 
 const RATE_HZ = 60;
 

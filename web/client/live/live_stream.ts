@@ -3,59 +3,24 @@
  * engine in the worker, and comes back as what is shown.
  */
 import { isFault } from "../../engine/errors";
-import { type BufferStats, type Play, PoseStream } from "../../engine/live/pose_stream";
+import { type Play, PoseStream } from "../../engine/live/pose_stream";
 import type { StreamSkeleton } from "../../engine/live/skeleton";
-import type { Reading } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 import type { EngineClient } from "../engine_client";
 import type { ClientDatabase, ClientStylizer } from "../handles";
 import type { StylizeOptions } from "../protocol";
 import { heaviest } from "../readings";
+import type { LiveSetup, LiveStats, PerformerStream, StreamFrame } from "./protocol";
 
 /** Frames that are made up for at once; where more time has passed, as in a page out of sight, the rest is left out. */
 const MAX_FRAMES_AT_ONCE = 15;
 /** Frames of which the latency is remembered. */
 const REMEMBERED = 256;
 
-/** A frame as it is shown. */
-export interface StreamFrame {
-  /** The styled pose. */
-  pose: Float32Array;
-  /** The performer's pose, on the body of the database. */
-  inputPose: Float32Array;
-  /** Feet that are held in place. */
-  planted: [left: boolean, right: boolean];
-  /** The heaviest classes that the engine recognises, heaviest first, at most three. */
-  reads: Reading[];
-  /** Number of the frame, from 0. */
-  frame: number;
-}
-
-/** How a stream goes. */
-export interface LiveStats extends BufferStats {
-  /** What is shown now. */
-  play: Play;
-  /** Frames that were shown. */
-  frames: number;
-  /** From when a frame could have been shown at the earliest until it was styled, seconds: median and 95th percentile. */
-  latencySecs: readonly [median: number, p95: number];
-  /** Of which styling took so long with its way to the worker and back, seconds, in the median. */
-  stylingSecs: number;
-}
-
-/** How a stream is made. */
-export interface LiveSetup {
-  /** How long frames wait, seconds; `undefined`: as long as their jitter asks. */
-  delaySecs: number | undefined;
-  /** Whether the figure is drawn to the performer's place, or goes where its steps lead. */
-  follows: boolean;
-  options: Partial<StylizeOptions>;
-}
-
 /** What the engine is asked of live poses: output lasts as long as input, and there is no time line. */
 const LIVE_OPTIONS = { timing: false, track: [] } as const;
 
-export class LiveStream {
+export class LiveStream implements PerformerStream {
   /** Is told every frame that is shown. */
   onFrame: ((frame: StreamFrame) => void) | undefined;
   readonly #rateHz: number;

@@ -1,5 +1,5 @@
 /** How a performer's stream goes, in numbers. */
-import type { LiveStats } from "../../../../client/live/live_stream";
+import type { LiveStats } from "../../../../client/live/protocol";
 import type { SocketState } from "../../../../streams/web_socket_poses";
 import { button } from "../../../../ui/controls/buttons";
 import { formatNumber, html, setText } from "../../../../ui/dom";

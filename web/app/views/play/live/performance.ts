@@ -1,6 +1,6 @@
 /** Somebody performs in Play: their poses go to the engine, and how that goes to the panel. */
 import "./live.css";
-import type { StreamFrame } from "../../../../client/live/live_stream";
+import type { StreamFrame } from "../../../../client/live/protocol";
 import { Recording } from "../../../../client/server/recording";
 import { engineOptions } from "../../../../link/engine_options";
 import type { LivePerformer } from "../../../../player/session";
