@@ -18,6 +18,7 @@ const CRATES = {
   "strut-wasm-build": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-walk": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-drive": ["strut-wasm-common", "strut-core"],
+  "strut-wasm-live": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-key-style": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-character": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-gpu": ["strut-wasm-common", "strut-gpu", "strut-core", "strut-formats"],
@@ -35,20 +36,22 @@ const ROOMS = {
   viewer: ["mannequin", "humanoid"],
   formats: ["mannequin", "humanoid"],
   character: ["client", "engine", "humanoid", "formats", "mannequin"],
+  // Where live poses come from.
+  streams: ["client", "engine", "humanoid"],
   player: ["client", "humanoid"],
   // Controls that the page and the element share.
   ui: [],
   // What a link says.
   link: ["ui", "client", "humanoid"],
   // What the package gives to its users, of which the element is one.
-  "package/types.ts": ["formats", "client", "engine", "humanoid"],
+  "package/types.ts": ["formats", "streams", "client", "engine", "humanoid"],
   element: ["character", "package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
   // One live figure, on any page; it knows no lesson. What documents record is read when the page is built.
   "element/figure": ["element", "link", "ui", "player", "viewer", "client", "humanoid", "docs"],
   lessons: ["element/figure", "link", "client", "humanoid"],
   // The pages for frames.
   embed: ["element/figure", "element"],
-  package: ["element", "character", "package/types.ts", "formats", "client", "engine", "humanoid"],
+  package: ["element", "character", "package/types.ts", "formats", "streams", "client", "engine", "humanoid"],
   "app/strings": [],
   "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
   "app/state": ["app/ui", "app/strings", "link", "ui", "player", "viewer", "client", "humanoid"],
@@ -71,6 +74,7 @@ const ROOMS = {
     "lessons",
     "element/figure",
     "formats",
+    "streams",
     "link",
     "ui",
     "player",

@@ -9,7 +9,7 @@ const SOURCE = join(root, "web", "package");
 const ENGINE = join(root, "web", "engine");
 
 /** Modules that users import. */
-const ENTRIES = ["index", "three", "element", "node", "inline"];
+const ENTRIES = ["index", "three", "element", "streams", "node", "inline"];
 
 /** Files that the entries load at run time. */
 const ASSETS = {
@@ -18,6 +18,7 @@ const ASSETS = {
   "strut_wasm_walk_bg.wasm": join(ENGINE, "walk", "pkg", "strut_wasm_walk_bg.wasm"),
   "strut_wasm_key_style_bg.wasm": join(ENGINE, "key_style", "pkg", "strut_wasm_key_style_bg.wasm"),
   "strut_wasm_character_bg.wasm": join(ENGINE, "character", "pkg", "strut_wasm_character_bg.wasm"),
+  "strut_live_bg.wasm": join(ENGINE, "live", "pkg", "strut_live_bg.wasm"),
   "walk.bin": join(ENGINE, "motions", "walk.bin"),
   // The package begins with all walks.
   "built_in.bin": join(ENGINE, "motions", "besides_walk.bin"),
@@ -31,6 +32,8 @@ const BUDGET_KB = {
   "assets/worker.js": 12,
   "assets/strut_wasm_bg.wasm": 300,
   "assets/strut_wasm_character_bg.wasm": 80,
+  "streams.js": 4,
+  "assets/strut_live_bg.wasm": 80,
 };
 
 /** What users have themselves where they need it, and the versions that fit. */
@@ -134,13 +137,16 @@ const ELEMENT = {
   },
 };
 
-/** Models that no player trains or opens are left out of its script. */
+/** Models that no player trains or opens, and performers, are left out of its script. */
 const NO_MODELS = {
   name: "no models",
   setup({ onResolve, onLoad }) {
-    onResolve({ filter: /\/models\/(walk|key_style)$/ }, ({ path }) => ({ path, namespace: "left out" }));
+    onResolve({ filter: /\/(models\/(walk|key_style)|streams\/live)$/ }, ({ path }) => ({
+      path,
+      namespace: "left out",
+    }));
     onLoad({ filter: /.*/, namespace: "left out" }, () => ({
-      contents: "export const openWalk = undefined, openKeyStyle = undefined;",
+      contents: "export const openWalk = undefined, openKeyStyle = undefined, openLive = undefined;",
     }));
   },
 };
@@ -188,7 +194,7 @@ export async function writePackage() {
   });
   await build({
     ...common,
-    entryPoints: ["index", "three", "element"].map((name) => join(SOURCE, `${name}.ts`)),
+    entryPoints: ["index", "three", "element", "streams"].map((name) => join(SOURCE, `${name}.ts`)),
     outdir: OUT,
     external: Object.keys(PEERS),
     format: "esm",
@@ -252,6 +258,7 @@ function manifestOf({ name, version, description, license, engines }) {
       "./node": entry("node"),
       "./inline": entry("inline"),
       "./element": entry("element"),
+      "./streams": entry("streams"),
       "./jsx": { types: "./jsx.d.ts" },
       "./strut-player.js": "./strut-player.js",
       "./assets/*": "./assets/*",

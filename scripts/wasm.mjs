@@ -34,6 +34,9 @@ const FAST_BUILDING = ["--config", "profile.web.package.strut-formats.opt-level=
 /** A frame of a character takes microseconds as it is. */
 const SMALL_CORE = ["--config", 'profile.web.package.strut-core.opt-level="s"'];
 
+/** So does one of a stream. */
+const SMALL_STREAMS = { flags: ["-Cllvm-args=-inline-threshold=25"], config: SMALL_CORE };
+
 /** All that takes time is done by the graphics processor. */
 const SMALL_GRAPHICS = ["--config", 'profile.web.package."*".opt-level="z"', "--config", 'profile.web.opt-level="z"'];
 
@@ -65,6 +68,8 @@ const PACKAGES = {
   crowd: { folder: "web/engine/crowd/pkg", crate: "strut-wasm-walk", name: "strut_crowd", features: ["crowd"] },
   // … for those who steer …
   drive: { folder: "web/engine/drive/pkg", crate: "strut-wasm-drive", name: "strut_drive" },
+  // … for those who perform …
+  live: { folder: "web/engine/live/pkg", crate: "strut-wasm-live", name: "strut_live", ...SMALL_STREAMS },
   keyStyle: {
     folder: "web/engine/key_style/pkg",
     crate: "strut-wasm-key-style",
@@ -134,7 +139,7 @@ const PACKAGES = {
 /** The order in which packages are built in full mode, on two cores: each of these takes about as long as the other. */
 const LINES = [
   ["engine", "embed", "compare", "gpu", "bench", "benchGpu", "benchScalar"],
-  ["start", "learn", "keyStyle", "walk", "crowd", "drive", "build", "character"],
+  ["start", "learn", "keyStyle", "walk", "crowd", "drive", "live", "build", "character"],
 ];
 
 /** What the page loads, and what benchmarks and parity tests need besides. */

@@ -324,6 +324,7 @@ const uses = {
   "strut_wasm_build_bg.wasm": async (strut) => strut.openDatabase(await clips()),
   "strut_wasm_walk_bg.wasm": (strut) => strut.openWalk("strut:walk"),
   "strut_wasm_key_style_bg.wasm": (strut) => strut.openKeyStyle("strut:walk"),
+  "strut_live_bg.wasm": async (strut) => strut.live(await strut.openDatabase("strut:walk"), { start: async () => {} }),
   "strut_wasm_character_bg.wasm": () => bindCharacter(bones()),
   "walk.bin": (strut) => strut.openDatabase("strut:walk"),
   "built_in.bin": (strut) => strut.openDatabase("strut:built-in"),

@@ -13,6 +13,7 @@ const uses = {
   "strut_wasm_build_bg.wasm": (strut) => strut.openDatabase(clips),
   "strut_wasm_walk_bg.wasm": (strut) => strut.openWalk("strut:walk"),
   "strut_wasm_key_style_bg.wasm": (strut) => strut.openKeyStyle("strut:walk"),
+  "strut_live_bg.wasm": async (strut) => strut.live(await strut.openDatabase("strut:walk"), { start: async () => {} }),
 };
 const report = {};
 for (const [file, use] of Object.entries(uses)) {

@@ -115,13 +115,28 @@ describe("what is built and trained", () => {
 describe("a file that is missing", () => {
   test("is named by an error of code load, and is had once it is there", () => {
     const report = JSON.parse(run("missing.mjs")) as Record<string, [missing: string, there: string]>;
-    expect(Object.keys(report)).toHaveLength(5);
+    expect(Object.keys(report)).toHaveLength(6);
     for (const [file, [missing, there]] of Object.entries(report)) {
       expect(missing).toMatch(/^load: The (engine|built-in motions) could not be loaded: there is no file .*\.$/);
       expect(missing).toContain(`/strut-motion/assets/${file}.`);
       expect(there).toBe("done");
     }
   });
+});
+
+test("a performer is styled as poses arrive, and recorded; what does not work is said", () => {
+  const report = JSON.parse(run("live.mjs"));
+  const { frames, floats, stats } = report;
+  expect(frames).toBeGreaterThan(50);
+  expect(floats).toEqual([frames * POSE_FLOATS, frames * POSE_FLOATS]);
+  expect(report).toMatchObject({ finite: true, styled: true, bvh: [String(frames), String(frames)], afterwards: 0 });
+  expect(stats).toMatchObject({ delaySecs: 0.05, refused: 0, losses: 0 });
+  expect(report.noBody).toMatch(/^This skeleton has no .*\.$/);
+  // Node has WebSockets from version 22 on.
+  expect(report.nobody).toMatch(
+    /^(There are no WebSockets here|Nobody answers at 127\.0\.0\.1:1; trying again in 1 s)\.$/,
+  );
+  expect(report.refusals).toEqual(["bad-input", "bad-input", "bad-input"]);
 });
 
 /** Poses of the stream: 100,000 take minutes. */

@@ -7,6 +7,8 @@ import type { ClientDrive } from "./drive/drive_client";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
 import { EngineClient, type EngineClientSetup, type EngineRestart } from "./engine_client";
 import type { ClientDatabase, ClientMotion, ClientSession } from "./handles";
+import type { LiveStream } from "./live/live_stream";
+import type { LiveSetup, PerformerStream } from "./live/protocol";
 import { optionsKnownTo } from "./options";
 import {
   type Analysis,
@@ -87,6 +89,8 @@ class SingleSessionClient implements StrutClient {
   private opened: Opened | undefined;
   /** The character that is steered over the open database. */
   private steered: ClientDrive | undefined;
+  /** The performer who is styled on the open database. */
+  private performer: LiveStream | undefined;
   private options: StylizeOptions = DEFAULT_OPTIONS;
   private loop: [loop: boolean, range: FrameRange | undefined] = [true, undefined];
   /** Requests to open run one after another, so that the last one wins. */
@@ -123,6 +127,7 @@ class SingleSessionClient implements StrutClient {
         const before = this.opened;
         this.opened = { database, playing: motion && session && { motion, session } };
         this.closeDrive();
+        this.closeLive();
         before?.database.dispose();
       } catch (thrown) {
         database.dispose();
@@ -160,6 +165,7 @@ class SingleSessionClient implements StrutClient {
         this.shown = undefined;
         this.fade = undefined;
         this.closeDrive();
+        this.closeLive();
         before?.motion.dispose();
         return info;
       } catch (thrown) {
@@ -173,6 +179,7 @@ class SingleSessionClient implements StrutClient {
     const before = this.options;
     this.options = options;
     try {
+      this.configureLive();
       await Promise.all([this.opened?.playing?.session.configure(options), this.steered?.configure(options)]);
     } catch (thrown) {
       if (this.options === options) this.options = before;
@@ -249,6 +256,7 @@ class SingleSessionClient implements StrutClient {
       const options = optionsKnownTo(database.info, asked);
       const drive = await this.engine.openBy((to) => ClientDrive.open(to, database, options, root, call));
       this.closeDrive();
+      this.closeLive();
       this.steered = drive;
       // What is asked next is answered after these.
       if (this.options !== asked) drive.configure(optionsKnownTo(database.info, this.options)).catch(() => {});
@@ -273,7 +281,28 @@ class SingleSessionClient implements StrutClient {
     this.steered = undefined;
   }
 
+  async openLive(setup: Omit<LiveSetup, "options">, call?: CallOptions): Promise<PerformerStream> {
+    if (!this.whole) await this.completed(call);
+    const { LiveStream } = await import("./live/live_stream");
+    return this.inTurn(async () => {
+      const { database } = this.openedDatabase();
+      const options = optionsKnownTo(database.info, this.options);
+      const live = await LiveStream.open(this.engine, database, { ...setup, options });
+      this.closeDrive();
+      this.closeLive();
+      this.performer = live;
+      this.configureLive();
+      return live;
+    });
+  }
+
+  closeLive(): void {
+    this.performer?.dispose();
+    this.performer = undefined;
+  }
+
   dispose(): void {
+    this.closeLive();
     this.disposed = true;
     this.engine.dispose();
   }
@@ -348,6 +377,12 @@ class SingleSessionClient implements StrutClient {
     engine.onRestart = (restart) => this.restarted(restart);
   }
 
+  /** The page eases changes of styles itself. */
+  private configureLive(): void {
+    const { performer } = this;
+    performer?.configure(optionsKnownTo(performer.database.info, this.options), 0);
+  }
+
   private async show(ask: (session: ClientSession) => Promise<LiveFrame>): Promise<LiveFrame> {
     const { session } = this.openedInput();
     const showing = ask(session);
@@ -390,6 +425,7 @@ class SingleSessionClient implements StrutClient {
       kinds.unshift("database");
     }
     if (this.steered?.closed) this.steered = undefined;
+    if (this.performer?.closed) this.closeLive();
     this.onRestart?.({ why: message, lost: kinds, reason: kinds.length > 0 ? lost[0]!.reason : "" });
   }
 

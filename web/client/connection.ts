@@ -186,8 +186,9 @@ export class Connection {
 
   private whenReady(act: () => void, reject: (error: StrutError) => void): void {
     const running = this.ready();
-    // A worker may have failed between its start and this callback.
-    running.then(() => (running === this.running ? act() : this.whenReady(act, reject)), reject);
+    // A worker may have failed, or been ended, between its start and this callback.
+    const goesOn = () => running === this.running && !this.disposed;
+    running.then(() => (goesOn() ? act() : this.whenReady(act, reject)), reject);
   }
 
   private post(id: number, call: Pending, args: Arguments<Method>): void {

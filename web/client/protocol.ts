@@ -20,6 +20,7 @@ import type {
 } from "../engine/types";
 import type { OpenedAtlas } from "./atlas/opened_atlas";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
+import type { LiveSetup, PerformerStream } from "./live/protocol";
 import type { LiveFrame } from "./live_frame";
 
 export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
@@ -141,6 +142,12 @@ export interface StrutClient {
   /** Begins anew at a place, and forgets what was driven. */
   resetDrive(root: Root): Promise<void>;
   closeDrive(): void;
+  /**
+   * Has a performer be styled on the open database, until another input or database is opened, a character is steered, or
+   * {@link StrutClient.closeLive}; the open input stays open beside it. The caller pushes what arrives, and goes on.
+   */
+  openLive(setup: Omit<LiveSetup, "options">, options?: CallOptions): Promise<PerformerStream>;
+  closeLive(): void;
   onRestart: ((restarted: Restarted) => void) | undefined;
   dispose(): void;
 }

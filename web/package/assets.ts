@@ -2,12 +2,13 @@
 
 import type { AssetName } from "../engine/assets";
 
-/** What the engine loads by itself, and what those load who build databases, walk, or pose by style variables. */
+/** What the engine loads by itself, and what those load who build databases, walk, pose by style variables, or perform. */
 export const ENGINE_ASSETS = [
   "strut_wasm_bg.wasm",
   "strut_wasm_build_bg.wasm",
   "strut_wasm_walk_bg.wasm",
   "strut_wasm_key_style_bg.wasm",
+  "strut_live_bg.wasm",
   "walk.bin",
   "built_in.bin",
 ] as const satisfies AssetName[];

@@ -36,6 +36,7 @@ function beside(): (file: string) => string {
       "strut_wasm_build_bg.wasm": new URL("./assets/strut_wasm_build_bg.wasm", import.meta.url).href,
       "strut_wasm_walk_bg.wasm": new URL("./assets/strut_wasm_walk_bg.wasm", import.meta.url).href,
       "strut_wasm_key_style_bg.wasm": new URL("./assets/strut_wasm_key_style_bg.wasm", import.meta.url).href,
+      "strut_live_bg.wasm": new URL("./assets/strut_live_bg.wasm", import.meta.url).href,
       "walk.bin": new URL("./assets/walk.bin", import.meta.url).href,
       "built_in.bin": new URL("./assets/built_in.bin", import.meta.url).href,
     };

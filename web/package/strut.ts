@@ -25,6 +25,8 @@ import { cancelled } from "../engine/errors";
 import type { HumanoidAnimation } from "../formats/animation";
 import type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
 import { type TraceFrame, traceOf } from "../formats/trace";
+import type { Live, LiveOptions } from "../streams/live";
+import type { PoseSource } from "../streams/pose_source";
 import { addedStyle, buildDatabase, fileOf, isZip, packedFile } from "./builds";
 import { builtInName, readSource } from "./sources";
 import type { Database, LiveStylizer, Motion, Options, Playback, Source, Strut, StyledMotion, Thread } from "./types";
@@ -103,6 +105,11 @@ export class StrutEngine implements Strut {
 
   async createStylizer(database: Database, options?: Options): Promise<LiveStylizer> {
     return this.client.createStylizer(this.#database(database), options);
+  }
+
+  async live(database: Database, source: PoseSource, options?: LiveOptions): Promise<Live> {
+    const { openLive } = await import("../streams/live");
+    return openLive(this.client, this.#database(database), source, options);
   }
 
   async createPlayback(motion: Motion, database: Database, options?: Options): Promise<Playback> {

@@ -11,6 +11,8 @@ import type { CallOptions, DatabaseInfo, MemoryInfo, Styled, StyleWeights, Styli
 import type { Analysis, ModelOptions } from "../engine/types";
 import type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
 import type { TraceFrame } from "../formats/trace";
+import type { Live, LiveOptions } from "../streams/live";
+import type { PoseSource } from "../streams/pose_source";
 
 /** Where a file comes from: a URL, the name of something built in ("strut:…"), its text or bytes, or the file itself. */
 export type Source = string | URL | ArrayBuffer | Uint8Array<ArrayBuffer> | Blob;
@@ -65,6 +67,12 @@ export interface Strut {
 
   /** Styles poses as they arrive. @throws StrutError `bad-input` */
   createStylizer(database: Database, options?: Options): Promise<LiveStylizer>;
+
+  /**
+   * Styles a performer as poses arrive; `strut-motion/streams` has sources.
+   * @throws StrutError `bad-input` for an unknown or impossible option, `load`
+   */
+  live(database: Database, source: PoseSource, options?: LiveOptions): Promise<Live>;
 
   /** Plays a motion in real time. @throws StrutError `bad-input` */
   createPlayback(motion: Motion, database: Database, options?: Options): Promise<Playback>;

@@ -3,6 +3,11 @@ import type { BuiltInSet, InputSource } from "../client/protocol";
 
 /** Name of the input that is steered instead of played. */
 export const DRIVE = "drive";
+/** Beginning of the names of inputs that are performed live; their addresses follow. */
+export const LIVE = "live:";
+
+/** Whether an input is performed live. */
+export const isLive = (name: string): boolean => name.startsWith(LIVE);
 
 export class InputLibrary {
   builtIn: readonly string[] = [];

@@ -13,6 +13,7 @@ import {
   STILL,
 } from "../client/drive/protocol";
 import type { FirstSteps } from "../client/first_steps";
+import type { PerformerStream } from "../client/live/protocol";
 import type {
   Analysis,
   CallOptions,
@@ -44,6 +45,10 @@ export interface SessionListeners {
   onInput: (input: InputInfo) => void;
   /** A character is steered in place of the input that is open; `undefined`: that input is played again, or another one. */
   onDrive: (drive: DriveInfo | undefined) => void;
+  /** A performer is styled in place of the input that is open; `undefined`: that input is played again, or another one. */
+  onLive: (live: LivePerformer | undefined) => void;
+  /** A link names a performer: nothing is connected to unless a person says so. */
+  onLiveAsked: (name: string) => void;
   onAnalysis: (analysis: Analysis) => void;
   /** The examples behind the last analysis, as far as the curve shows them. */
   onExamples: (examples: Examples | undefined) => void;
@@ -59,6 +64,12 @@ export interface SessionListeners {
   onStopped: () => void;
   /** The engine stopped and was started again. */
   onRestart: (restarted: Restarted) => void;
+}
+
+/** A performer, and the name of the input that it is. */
+export interface LivePerformer {
+  readonly name: string;
+  readonly stream: PerformerStream;
 }
 
 /** How something that may fail or be cancelled ended. */
@@ -92,6 +103,10 @@ export class Session {
   inputName = "";
   /** What is driven with, while a character is steered; {@link input} stays open beside it. */
   drive: DriveInfo | undefined;
+  /** While somebody performs; {@link input} stays open beside it. */
+  live: LivePerformer | undefined;
+  /** The performer that a link named and that nobody was asked about yet. */
+  liveAsked: string | undefined;
   /** What is asked of the steered character now. */
   steer: () => DriveControl = () => STILL;
   /** The last analysis of the input that is open; {@link analysed} says whether it is in the present style. */
@@ -121,8 +136,14 @@ export class Session {
     this.#client = client;
     this.#progress = progress;
     const engine: PlaybackEngine = {
-      step: (dtSecs) => (this.drive ? client.drive(dtSecs, this.steer()) : client.step(dtSecs)),
-      seek: (frame) => (this.drive ? client.drive(0, STILL) : client.seek(frame)),
+      step: (dtSecs) =>
+        this.live
+          ? this.#perform(this.live, dtSecs)
+          : this.drive
+            ? client.drive(dtSecs, this.steer())
+            : client.step(dtSecs),
+      seek: (frame) =>
+        this.live ? this.#perform(this.live, 0) : this.drive ? client.drive(0, STILL) : client.seek(frame),
       configure: (options) => client.configure(options),
     };
     this.playback = new Playback(engine, {
@@ -154,9 +175,14 @@ export class Session {
     };
   }
 
-  /** Name, in the library, of what is shown: {@link DRIVE} while a character is steered. */
+  /** Name of what is shown: in the library, {@link DRIVE} while a character is steered, or the performer's. */
   get chosen(): string {
-    return this.drive ? DRIVE : this.inputName;
+    return this.live?.name ?? (this.drive ? DRIVE : this.inputName);
+  }
+
+  /** Whether what is shown has no time line: a character who is steered, or a performer. */
+  get endless(): boolean {
+    return this.drive !== undefined || this.live !== undefined;
   }
 
   /** Tells `listeners` what happens, in the order in which they came, until `signal` aborts. */
@@ -187,6 +213,7 @@ export class Session {
         this.playback.forgetStyle();
         await this.#takeDatabase(source, database);
         this.#leaveDrive();
+        this.#leaveLive();
         const name = this.library.has(inputName) ? inputName : this.library.first;
         // Where nobody can be steered, something is shown all the same.
         if (name === DRIVE) await this.#open(this.library.first);
@@ -228,6 +255,30 @@ export class Session {
     const outcome = await this.openInput(name);
     if (outcome === "failed") this.library.remove(name);
     return outcome === "done" ? name : undefined;
+  }
+
+  /** Has a performer be styled, whose input goes by a name; `undefined` where that failed. */
+  async openLive(name: string, delaySecs: number | undefined): Promise<PerformerStream | undefined> {
+    let opened: PerformerStream | undefined;
+    await this.#attempt(async () => {
+      const stream = await this.#progress.run("input", name, (options) =>
+        this.#client.openLive({ delaySecs, follows: true }, options),
+      );
+      this.#leaveDrive();
+      this.#leaveLive();
+      opened = stream;
+      this.live = { name, stream };
+      this.playback.refresh();
+      this.#progress.cancel("analysis");
+      this.#tell("onLive", this.live);
+    });
+    return opened;
+  }
+
+  /** Says that a link names a performer. */
+  askForLive(name: string): void {
+    this.liveAsked = name;
+    this.#tell("onLiveAsked", name);
   }
 
   setLoop(loop: boolean, range: FrameRange | undefined): void {
@@ -318,6 +369,7 @@ export class Session {
     if (!source) throw new UnknownInput(name);
     const input = await this.#progress.run("input", name, (options) => this.#client.openInput(source, options));
     this.#leaveDrive();
+    this.#leaveLive();
     this.input = input;
     this.inputName = name;
     this.analysis = undefined;
@@ -331,6 +383,7 @@ export class Session {
   async #openDrive(): Promise<void> {
     const from = this.#root();
     this.drive = await this.#progress.run("input", DRIVE, (options) => this.#client.openDrive(from, options));
+    this.#leaveLive();
     this.playback.refresh();
     this.#progress.cancel("analysis");
     this.#tell("onDrive", this.drive);
@@ -341,6 +394,22 @@ export class Session {
     this.drive = undefined;
     this.steer = () => STILL;
     this.#tell("onDrive", undefined);
+  }
+
+  #leaveLive(): void {
+    if (!this.live) return;
+    this.live = undefined;
+    this.#tell("onLive", undefined);
+  }
+
+  /** What is shown of a performer now; what was shown before, while nobody is there and in a pause. */
+  async #perform({ stream }: LivePerformer, dtSecs: number): Promise<LiveFrame> {
+    const shown = dtSecs > 0 ? await stream.advance() : undefined;
+    if (!shown) return this.frame ?? this.#client.step(0);
+    const { pose, inputPose, planted, reads, frame } = shown;
+    const timeOut = frame / stream.database.info.rateHz;
+    const frameMs = 1000 * stream.stats.stylingSecs;
+    return { pose, inputPose, planted, reads, inputFrame: frame, timeOut, frameMs, looped: false, ended: false };
   }
 
   /** Where the character on screen is. */
@@ -356,7 +425,7 @@ export class Session {
     const asked = this.#settle;
     await this.#settled();
     const { input } = this;
-    if (!input || this.drive || asked !== this.#settle) return;
+    if (!input || this.endless || asked !== this.#settle) return;
     try {
       const analysis = await this.#progress.run("analysis", "", (options) => this.#client.analyse(options));
       if (this.input !== input) return;

@@ -152,6 +152,7 @@ export const page = {
   caption: {
     input: (name: string) => `${name} in`,
     steered: "you steer",
+    live: "live",
     styles: (n: number) => (n === 1 ? "1 style" : `${n} styles`),
     parts: (n: number) => `${n === 1 ? "1 body part" : `${n} body parts`} styled separately`,
     keys: (n: number) => (n === 1 ? "1 key" : `${n} keys`),

@@ -5,6 +5,7 @@ import type { DatabaseInfo, StrutClient } from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";
 import { linkedFile } from "../../link/linked_file";
 import { ENGINE_FIELDS } from "../../link/play";
+import { isLive } from "../../player/input_library";
 import { Session, UnknownInput } from "../../player/session";
 import { firstSelection } from "../../ui/polygon/selection";
 import { Playhead } from "../state/playhead";
@@ -198,7 +199,9 @@ export class Workspace {
   #settleInput(): void {
     const { input: wanted, frame } = this.#store.state;
     if (!this.session.input || wanted === this.#openInput || wanted === this.session.chosen) return;
-    if (!this.session.library.has(wanted)) {
+    // A link never connects by itself.
+    if (isLive(wanted)) this.session.askForLive(wanted);
+    else if (!this.session.library.has(wanted)) {
       this.#awaited = { input: wanted, frame };
       this.#toasts.note(strings.page.links.fileMissing(wanted));
     }

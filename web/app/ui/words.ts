@@ -1,6 +1,6 @@
 /** Sentences and names that the page makes from state: titles, captions, file names. Pure. */
 
-import { DRIVE, type InputLibrary } from "../../player/input_library";
+import { DRIVE, type InputLibrary, isLive } from "../../player/input_library";
 import type { Selection } from "../../ui/polygon/selection";
 import { strings } from "../strings/strings";
 
@@ -20,7 +20,7 @@ export const spoken = (name: string): string => name.replace(/[-_]+/g, " ");
 
 /** The name of an input as people read it: a dropped file keeps its own. */
 export function inputTitle(library: Pick<InputLibrary, "isDropped">, name: string): string {
-  return library.isDropped(name) ? name : spoken(name);
+  return library.isDropped(name) || isLive(name) ? name : spoken(name);
 }
 
 /** Text as it begins a sentence. */
@@ -56,7 +56,7 @@ export function stageCaption(
 ): string {
   const { caption } = strings.page;
   return [
-    input === DRIVE ? caption.steered : caption.input(input),
+    input === DRIVE ? caption.steered : isLive(input) ? caption.live : caption.input(input),
     caption.styles(styles),
     ...(parts > 0 ? [caption.parts(parts)] : []),
     ...(keys > 1 ? [caption.keys(keys)] : []),

@@ -5,11 +5,12 @@ import type { Styled } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 import { type DriveControl, type DriveFrame, isControl, type Move, type Root, STILL } from "../drive/protocol";
 import type { Reading, StylizeOptions } from "../protocol";
+import { heaviest } from "../readings";
 import { EasedStyles } from "./eased_styles";
 import { FrameCost } from "./frame_cost";
 import { type Interpolate, type Moment, OutputClock } from "./output_clock";
 import { Recording } from "./recording";
-import { heaviest, lastMoment, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
+import { lastMoment, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
 
 /** Longest line to follow: its points are thinned by the engine. */
 const MAX_PATH_FLOATS = 200_000;

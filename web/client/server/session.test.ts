@@ -3,8 +3,9 @@ import type { Styled } from "../../engine/types";
 import { DEFAULT_OPTIONS } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 import type { BodyPart, StyleWeights, StylizeOptions } from "../protocol";
+import { heaviest } from "../readings";
 import { MAX_STEP_SECS } from "./output_clock";
-import { heaviest, LiveSession, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
+import { LiveSession, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
 
 const RATE_HZ = 60;
 const FRAMES = 120;

@@ -4,6 +4,7 @@ import type { Stylizer } from "../../engine/stylizer";
 import type { Styled } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 import type { FrameRange, InputInfo, LiveFrame, Reading, ShownFrame, StylizeOptions } from "../protocol";
+import { heaviest } from "../readings";
 import { EasedStyles, type StyledStream } from "./eased_styles";
 import { FrameCost } from "./frame_cost";
 import { type Interpolate, type Moment, OutputClock } from "./output_clock";
@@ -13,8 +14,6 @@ export type OnlineStylizer = Pick<Stylizer, "classes" | "configure" | "reset" | 
 
 /** Frames styled before the one that a seek shows: about a second, after which the start has no effect. */
 export const WARM_UP_FRAMES = 60;
-/** Classes that {@link LiveFrame.reads} names. */
-const READS = 3;
 
 /**
  * One input playing in one database. The input's frame i becomes the styled frame i, which lasts as long as the engine
@@ -203,13 +202,4 @@ export function lastMoment(styled: Styled): Pick<Moment, "pose" | "planted"> {
     pose: styled.poses.slice(last * POSE_FLOATS),
     planted: [styled.planted[2 * last] === 1, styled.planted[2 * last + 1] === 1],
   };
-}
-
-/** The heaviest classes, heaviest first; those without weight are left out. */
-export function heaviest(classes: Stylizer["classes"], weights: Float32Array): Reading[] {
-  return classes
-    .map(({ action, style }, i) => ({ action, style, weight: weights[i] ?? 0 }))
-    .filter(({ weight }) => weight > 0)
-    .sort((a, b) => b.weight - a.weight)
-    .slice(0, READS);
 }

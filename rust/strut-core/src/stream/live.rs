@@ -1,12 +1,9 @@
-//! Styling a stream: the stylizer, the seam after a loss, the place beside the performer, and the feet on the ground.
+//! Styling a stream: the stylizer, and the figure that it moves.
 
-use super::place::{Follower, Place};
-use crate::driving::{Inertia, Moving};
+use super::figure::LiveFigure;
+use super::place::Place;
 use crate::humanoid::Pose;
-use crate::kinematics::world_from_local;
-use crate::math::Vec2;
-use crate::pose_vector::{Placement, heading_of};
-use crate::transfer::{Footplant, Options, OptionsError, StyleError, Stylizer};
+use crate::transfer::{Options, OptionsError, StyleError, Stylizer};
 
 /// Styles the frames of a [`super::JitterBuffer`] at the database's rate. What is shown goes on without a leap when the
 /// stream begins anew.
@@ -14,15 +11,7 @@ use crate::transfer::{Footplant, Options, OptionsError, StyleError, Stylizer};
 pub struct LiveStylizer {
     /// Without footplant, which comes after the place.
     stylizer: Stylizer,
-    place: Place,
-    follower: Follower,
-    footplant: Option<Footplant>,
-    planted: [bool; 2],
-    /// What the footplant moved the root by.
-    root_shift: Vec2,
-    seam: Inertia,
-    /// The last two poses that were shown.
-    shown: Option<[Pose; 2]>,
+    figure: LiveFigure,
 }
 
 impl LiveStylizer {
@@ -35,17 +24,9 @@ impl LiveStylizer {
         let options = *stylizer.options();
         stylizer.set_options(Options { timing: false, footplant: false, ..options })?;
         stylizer.reset(None);
-        let footplant = options.footplant.then(|| Footplant::new(stylizer.model().catalogue().proportions));
-        Ok(Self {
-            stylizer,
-            place,
-            follower: Follower::default(),
-            footplant,
-            planted: [false; 2],
-            root_shift: Vec2::ZERO,
-            seam: Inertia::default(),
-            shown: None,
-        })
+        let catalogue = stylizer.model().catalogue();
+        let figure = LiveFigure::new(&catalogue.proportions, catalogue.rate_hz, place, options.footplant);
+        Ok(Self { stylizer, figure })
     }
 
     /// Sets the styles of the whole body.
@@ -63,57 +44,17 @@ impl LiveStylizer {
 
     /// Which feet are held in place.
     pub fn planted(&self) -> [bool; 2] {
-        self.planted
+        self.figure.planted()
     }
 
     /// Styles the performer's next pose, on the database's proportions and one frame of its rate after the last. One that
     /// `begins` a stream is not continuous with those before: the figure goes on from where it is.
     pub fn push(&mut self, pose: &Pose, begins: bool) -> Pose {
-        let rate_hz = self.stylizer.model().catalogue().rate_hz;
-        let dt_secs = 1.0 / rate_hz;
-        let before = self.shown.filter(|_| begins);
-        if let Some([_, last]) = &before {
-            self.go_on_from(last);
+        if begins {
+            self.stylizer.reset(None);
         }
         let frame = self.stylizer.push(pose);
-        let (styled, contact) = (frame.pose, frame.contact_out);
-        match before {
-            Some([earlier, last]) => {
-                let from = Moving { pose: last, ..Moving::between(&earlier, &last, rate_hz) };
-                self.seam.go_on(&from, &Moving::between(&styled, &styled, rate_hz));
-            }
-            None => self.seam.advance(dt_secs),
-        }
-        let mut shown = self.seam.shown(&styled);
-        if self.place == Place::Follow {
-            let [steps, performer] = [&shown, pose].map(|pose| Vec2::new(pose.root.x, pose.root.z));
-            let seen = steps + self.follower.shift() + self.root_shift;
-            let swings = !(self.planted[0] && self.planted[1]);
-            let shift = self.follower.next(steps, seen, performer, swings, dt_secs);
-            shown.root.x += shift.x;
-            shown.root.z += shift.y;
-        }
-        if let Some(footplant) = &mut self.footplant {
-            let unplanted = shown.root;
-            self.planted = footplant.apply(&mut shown, contact, dt_secs);
-            self.root_shift = Vec2::new(shown.root.x - unplanted.x, shown.root.z - unplanted.z);
-        }
-        self.shown = Some([self.shown.map_or(shown, |[_, last]| last), shown]);
-        shown
-    }
-
-    /// Begins anew at the place of a pose that was shown.
-    fn go_on_from(&mut self, last: &Pose) {
-        let proportions = &self.stylizer.model().catalogue().proportions;
-        let heading = heading_of(&world_from_local(proportions, last)).unwrap_or(0.0);
-        self.stylizer.reset(Some(Placement { x: last.root.x, z: last.root.z, heading }));
-        self.follower = Follower::default();
-        if let Some(footplant) = &mut self.footplant {
-            footplant.reset();
-        }
-        self.planted = [false; 2];
-        self.root_shift = Vec2::ZERO;
-        self.seam = Inertia::default();
+        self.figure.next(&frame.pose, frame.contact_out, pose, begins)
     }
 }
 

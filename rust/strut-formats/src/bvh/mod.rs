@@ -24,7 +24,7 @@ mod write;
 pub use error::BvhError;
 #[cfg(feature = "vmc")]
 pub(crate) use humanoid::NAMES as HUMANOID_NAMES;
-pub use parse::parse;
+pub use parse::{parse, parse_hierarchy};
 pub use write::write;
 
 /// Greatest size of a file, bytes: 256 MiB.

@@ -23,26 +23,34 @@ impl Bvh {
         let channels = self.channels();
         let mut translations = Vec::with_capacity(self.frames * self.joints.len());
         let mut rotations = Vec::with_capacity(self.frames * self.joints.len());
-        for mut row in self.values.chunks_exact(channels.max(1)) {
-            for joint in &self.joints {
-                let (own, rest) = row.split_at(joint.channels.len());
-                row = rest;
-                let mut translation = joint.offset;
-                for (channel, &value) in joint.channels.iter().zip(own) {
-                    if let Channel::Position(axis) = channel {
-                        translation[*axis as usize] = value;
-                    }
-                }
-                let turns = joint.channels.iter().zip(own).filter_map(|(channel, &value)| match channel {
-                    Channel::Rotation(axis) => Some((*axis, value.to_radians())),
-                    Channel::Position(_) => None,
-                });
-                let [x, y, z, w] = compose(turns).map(|v| v as f32);
-                translations.push(vec3(translation));
-                rotations.push(Quat::from_xyzw(x, y, z, w));
+        for row in self.values.chunks_exact(channels.max(1)) {
+            for (translation, rotation) in self.transforms(row) {
+                translations.push(translation);
+                rotations.push(rotation);
             }
         }
         Ok(Motion::new(skeleton, self.frame_time_secs, translations, rotations)?)
+    }
+
+    /// Local translation and rotation of every joint in a frame with these values, [`Bvh::channels`] of them; joints that lack
+    /// some are left out.
+    pub fn transforms(&self, row: &[f64]) -> impl Iterator<Item = (Vec3, Quat)> {
+        self.joints.iter().scan(row, |rest, joint| {
+            let (own, others) = rest.split_at_checked(joint.channels.len())?;
+            *rest = others;
+            let mut translation = joint.offset;
+            for (channel, &value) in joint.channels.iter().zip(own) {
+                if let Channel::Position(axis) = channel {
+                    translation[*axis as usize] = value;
+                }
+            }
+            let turns = joint.channels.iter().zip(own).filter_map(|(channel, &value)| match channel {
+                Channel::Rotation(axis) => Some((*axis, value.to_radians())),
+                Channel::Position(_) => None,
+            });
+            let [x, y, z, w] = compose(turns).map(|v| v as f32);
+            Some((vec3(translation), Quat::from_xyzw(x, y, z, w)))
+        })
     }
 
     /// The motion as a file of this hierarchy: same names, offsets and channel order, the motion's frame

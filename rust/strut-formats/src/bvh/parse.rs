@@ -12,6 +12,26 @@ use crate::quotation::quotation;
 /// # Errors
 /// The first thing that is wrong, with its line; see [`BvhError`].
 pub fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
+    let (joints, mut cursor) = beginning(bytes)?;
+    let channels: usize = joints.iter().map(|j| j.channels.len()).sum();
+    let (frames, frame_time_secs) = motion_header(&mut cursor)?;
+    let values = frame_values(&mut cursor, frames, channels)?;
+    Ok(Bvh { joints, frame_time_secs, frames, values })
+}
+
+/// Reads what stands before the frames of a file, as it is sent before a stream of frames: what follows the joints is not
+/// read, and the only frame has 0 in every channel.
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_hierarchy(bytes: &[u8]) -> Result<Bvh, BvhError> {
+    let (joints, _) = beginning(bytes)?;
+    let values = vec![0.0; joints.iter().map(|j| j.channels.len()).sum()];
+    Ok(Bvh { joints, frame_time_secs: 1.0, frames: 1, values })
+}
+
+/// From `HIERARCHY` to after the root's closing brace.
+fn beginning(bytes: &[u8]) -> Result<(Vec<Joint>, Cursor<'_>), BvhError> {
     if bytes.len() > MAX_BYTES {
         return Err(BvhError::TooManyBytes { bytes: bytes.len() });
     }
@@ -23,13 +43,10 @@ pub fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
     }
     cursor.keyword("HIERARCHY")?;
     let joints = hierarchy(&mut cursor)?;
-    let channels: usize = joints.iter().map(|j| j.channels.len()).sum();
-    if channels == 0 {
+    if joints.iter().all(|j| j.channels.is_empty()) {
         return Err(BvhError::NoChannels);
     }
-    let (frames, frame_time_secs) = motion_header(&mut cursor)?;
-    let values = frame_values(&mut cursor, frames, channels)?;
-    Ok(Bvh { joints, frame_time_secs, frames, values })
+    Ok((joints, cursor))
 }
 
 /// From after `HIERARCHY` to after the root's closing brace.

@@ -40,7 +40,7 @@ export class Heading {
     if (!session.database) return;
     const { intensity, track } = this.#store.state;
     const { state } = this.#store;
-    const styles = session.drive ? state.styles : stylesAt(state, this.#playhead.at);
+    const styles = session.endless ? state.styles : stylesAt(state, this.#playhead.at);
     const { neutral, rateHz } = session.database;
     this.#viewport.heading = {
       title: stageTitle(session.drive ? strings.play.driving : this.#action.name, styles, intensity, neutral),
@@ -49,7 +49,7 @@ export class Heading {
         {
           styles: styles.filter((s) => s.weight !== 0).length,
           parts: ownParts(this.#store.state).length,
-          keys: session.drive ? 0 : track.length,
+          keys: session.endless ? 0 : track.length,
         },
         rateHz,
       ),

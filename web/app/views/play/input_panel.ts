@@ -1,6 +1,6 @@
 /** The Input panel: the input motion, and the class that the engine recognises in it. */
 import type { InputInfo, Reading } from "../../../client/protocol";
-import { DRIVE, type InputLibrary } from "../../../player/input_library";
+import { DRIVE, type InputLibrary, isLive, LIVE } from "../../../player/input_library";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
@@ -60,6 +60,7 @@ export class InputPanel {
       names.length > 0 ? [html("optgroup", { label }, ...names.map(option))] : [];
     this.#select.replaceChildren(
       html("option", { value: DRIVE }, strings.play.input.drive),
+      html("option", { value: isLive(chosen) ? chosen : LIVE }, strings.play.input.live),
       ...group(strings.play.input.builtIn, library.builtIn),
       ...group(strings.play.input.dropped, library.dropped),
     );

@@ -14,13 +14,12 @@ const after = <T>(mode: T, modes: readonly T[]): T => modes[(modes.indexOf(mode)
 /** Digits that select one style, clockwise from the top. */
 const DIGITS = [1, 2, 3, 4, 5, 6, 7, 8, 9];
 
-/** Keys that have no use while a character is steered, where there is no time line. */
+/** Keys that have no use where there is no time line. */
 const OF_TIME = [" ", "ArrowLeft", "ArrowRight", "Home", "End", "l", "k", "i", "o", "u"];
 
-/** The keys that Play has while a character is steered. */
-export function keysWhileDriving(keys: KeyTable, toggleHelp: () => void): KeyTable {
-  const left = Object.entries(keys).filter(([key]) => !OF_TIME.includes(key));
-  return { ...Object.fromEntries(left), "?": toggleHelp };
+/** The keys that Play has while a character is steered, or somebody performs. */
+export function keysWithoutTime(keys: KeyTable): KeyTable {
+  return Object.fromEntries(Object.entries(keys).filter(([key]) => !OF_TIME.includes(key)));
 }
 
 export function keysOf(store: Store, session: Session, playhead: Playhead, style: StylePanel) {

@@ -3,6 +3,8 @@
 import "./play_view.css";
 import type { DriveFrame, DriveInfo } from "../../../client/drive/protocol";
 import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame } from "../../../client/protocol";
+import { isLive } from "../../../player/input_library";
+import type { LivePerformer } from "../../../player/session";
 import { html } from "../../../ui/dom";
 import { onSystemTheme } from "../../../ui/theme";
 import type { AppState } from "../../state/state";
@@ -15,7 +17,8 @@ import { AtlasGhosts } from "./atlas_ghosts";
 import type { Driving } from "./drive/driving";
 import { Heading } from "./heading";
 import { InputPanel } from "./input_panel";
-import { keysOf, keysWhileDriving } from "./keys";
+import { keysOf, keysWithoutTime } from "./keys";
+import type { Performance } from "./live/performance";
 import { ModelPanel } from "./model_panel";
 import { StylePanel } from "./style_panel";
 import { Tabs } from "./tabs";
@@ -56,6 +59,8 @@ class PlayView implements View {
   #shown = false;
   /** While a character is steered, and its code is loaded. */
   #driving: Driving | undefined;
+  /** While somebody performs, and the code for that is loaded. */
+  #performance: Performance | undefined;
   /** The database that the panels show. */
   #database: DatabaseInfo | undefined;
 
@@ -116,6 +121,8 @@ class PlayView implements View {
         onDatabase: () => this.#show(store.state),
         onInput: (input) => this.#onInput(input),
         onDrive: (drive) => void this.#onDrive(drive),
+        onLive: (live) => void this.#onLive(live),
+        onLiveAsked: (name) => void this.#askForLive(name),
         onAnalysis: (analysis) => this.#onAnalysis(analysis),
         onExamples: (examples) => this.#onExamples(examples),
         onPrelude: (shown) => this.#viewport.drawPrelude(shown),
@@ -135,7 +142,8 @@ class PlayView implements View {
 
   get keys() {
     const driving = this.#driving;
-    return driving ? keysWhileDriving(this.#keys, () => driving.toggleHelp()) : this.#keys;
+    if (this.#performance) return keysWithoutTime(this.#keys);
+    return driving ? { ...keysWithoutTime(this.#keys), "?": () => driving.toggleHelp() } : this.#keys;
   }
 
   get styleTarget(): Element | undefined {
@@ -148,7 +156,7 @@ class PlayView implements View {
     this.#viewport.take(this.#host.borrowViewer(this.#viewport.picture));
     if (this.#database) this.#viewport.proportions = this.#database.proportions;
     this.#viewport.performing = this.#host.performing();
-    this.#viewport.path = session.drive ? undefined : session.analysis?.poses;
+    this.#viewport.path = session.endless ? undefined : session.analysis?.poses;
     this.#viewport.show(store.state);
     if (this.#driving) this.#driving.lease = this.#viewport.lease;
     if (session.frame) this.#viewport.draw(session.frame);
@@ -169,6 +177,7 @@ class PlayView implements View {
   dispose(): void {
     if (this.#shown) this.hide();
     this.#driving?.dispose();
+    this.#performance?.dispose();
     this.#host.playhead.onScrub = undefined;
     this.#timeline.dispose();
     this.#atlasPane?.dispose();
@@ -199,11 +208,13 @@ class PlayView implements View {
 
   /** Takes the state of the session from before the view was created. */
   #catchUp(): void {
-    const { input, drive, analysis, examples, frame } = this.#host.session;
+    const { input, drive, live, liveAsked, analysis, examples, frame } = this.#host.session;
     if (input) this.#onInput(input);
     if (analysis) this.#onAnalysis(analysis);
     if (examples) this.#onExamples(examples);
     if (drive) void this.#onDrive(drive);
+    if (live) void this.#onLive(live);
+    if (liveAsked !== undefined) void this.#askForLive(liveAsked);
     if (frame) this.#onFrame(frame, true);
   }
 
@@ -239,7 +250,7 @@ class PlayView implements View {
     this.#driving?.dispose();
     this.#driving = undefined;
     this.element.classList.toggle("driving", drive !== undefined);
-    this.#viewport.path = drive ? undefined : session.analysis?.poses;
+    this.#viewport.path = session.endless ? undefined : session.analysis?.poses;
     this.#viewport.forgetTrail();
     this.#input.list(session.library, session.chosen);
     this.#heading.show();
@@ -256,9 +267,33 @@ class PlayView implements View {
     if (this.#shown) this.#driving.lease = this.#viewport.lease;
   }
 
+  /** Makes room for a performer, or takes it away. */
+  async #onLive(live: LivePerformer | undefined): Promise<void> {
+    const { session } = this.#host;
+    this.#performance?.dispose();
+    this.#performance = undefined;
+    this.element.classList.toggle("live", live !== undefined);
+    this.#viewport.path = session.endless ? undefined : session.analysis?.poses;
+    this.#viewport.forgetTrail();
+    this.#input.list(session.library, session.chosen);
+    this.#heading.show();
+    if (!live) return;
+    const { Performance } = await import("./live/performance");
+    if (session.live !== live || this.#host.signal.aborted) return;
+    const places = { input: this.#input.element, transport: this.#transportElement };
+    this.#performance = new Performance(this.#host, live, places);
+  }
+
+  /** Asks for a sender, beginning with the one that a name is of. */
+  async #askForLive(name: string): Promise<boolean> {
+    this.#host.session.liveAsked = undefined;
+    const { askForPerformer } = await import("./live/performance");
+    return askForPerformer(this.#host, name);
+  }
+
   /** See {@link View.keep}. */
   async keep(): Promise<boolean> {
-    return this.#driving ? this.#driving.keep() : true;
+    return (await (this.#driving ?? this.#performance)?.keep()) ?? true;
   }
 
   #onAnalysis(analysis: Analysis): void {
@@ -380,6 +415,7 @@ class PlayView implements View {
 
   async #choose(name: string): Promise<void> {
     const { session } = this.#host;
-    if (!(await this.#host.chooseInput(name))) this.#input.list(session.library, session.chosen);
+    const choosing = isLive(name) ? this.#askForLive(name) : this.#host.chooseInput(name);
+    if (!(await choosing)) this.#input.list(session.library, session.chosen);
   }
 }

@@ -64,6 +64,7 @@ export const play = {
     readsAs: "Reads as",
     readsAsWhy: "What the engine takes the input for, and how sure it is",
     drive: "Drive it yourself",
+    live: "Live source…",
     builtIn: "Built in",
     dropped: "Dropped here",
   },

@@ -47,7 +47,7 @@ export const driveWords = {
   },
   keep: "Keep",
   kept: (name: string, secs: string) => `Kept ${secs} s as ${name}.`,
-  driveOn: "Drive on",
+  goOn: "Drive on",
   nothing: "Nothing was driven yet. Press a key to go, then keep it.",
   driven: "driven",
   name: (number: number) => `driven ${number}`,

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { trackOf } from "./keep";
+import { trackOf } from "./kept";
 
 test("what the weights lack to 1 is of the neutral style", () => {
   const keys = [

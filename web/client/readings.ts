@@ -1,0 +1,17 @@
+/** What the engine recognises in a frame. */
+import type { DatabaseInfo, Reading } from "../engine/types";
+
+/** Classes that are named. */
+const READS = 3;
+
+/** The heaviest classes, heaviest first; those without weight are left out. */
+export function heaviest(
+  classes: readonly Pick<DatabaseInfo["classes"][number], "action" | "style">[],
+  weights: Float32Array,
+): Reading[] {
+  return classes
+    .map(({ action, style }, i) => ({ action, style, weight: weights[i] ?? 0 }))
+    .filter(({ weight }) => weight > 0)
+    .sort((a, b) => b.weight - a.weight)
+    .slice(0, READS);
+}
