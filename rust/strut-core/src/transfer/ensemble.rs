@@ -204,7 +204,9 @@ mod tests {
 
     fn predictions(stylizer: &Stylizer, input: &[Pose]) -> Option<Arc<Predictions>> {
         let mut recorder = Recorder::new(stylizer).unwrap();
-        input.iter().for_each(|pose| recorder.push(pose));
+        for pose in input {
+            recorder.push(pose);
+        }
         recorder.finish().map(Arc::new)
     }
 
