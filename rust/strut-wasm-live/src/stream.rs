@@ -28,12 +28,7 @@ impl Stream {
     /// # Errors
     /// If the offsets are not 63 numbers.
     #[wasm_bindgen(constructor)]
-    pub fn new(
-        proportions: &[f32],
-        rate_hz: f32,
-        delay_secs: Option<f64>,
-        follows: bool,
-    ) -> Result<Self, EngineError> {
+    pub fn new(proportions: &[f32], rate_hz: f32, delay_secs: Option<f64>, follows: bool) -> Result<Self, EngineError> {
         let body = proportions_of(proportions)?;
         let place = if follows { Place::Follow } else { Place::Free };
         Ok(Self {
