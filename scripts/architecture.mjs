@@ -37,7 +37,7 @@ const ROOMS = {
   formats: ["mannequin", "humanoid"],
   character: ["client", "engine", "humanoid", "formats", "mannequin"],
   // Where live poses come from.
-  streams: ["client", "engine", "humanoid"],
+  streams: ["formats", "client", "engine", "humanoid"],
   player: ["client", "humanoid"],
   // Controls that the page and the element share.
   ui: [],

@@ -44,7 +44,8 @@ const LATER_ASSETS = [
   { name: "walking", asset: /^strut_wasm_walk_bg.*\.wasm$/, budget: 125 },
   { name: "crowds", asset: /^strut_crowd_bg.*\.wasm$/, budget: 136 },
   { name: "driving", asset: /^strut_drive_bg.*\.wasm$/, budget: 60 },
-  { name: "live streams", asset: /^strut_live_bg.*\.wasm$/, budget: 80 },
+  // 60 were suggested: finding the joints of any sender's body is 70, as in the package of characters.
+  { name: "live streams", asset: /^strut_live_bg.*\.wasm$/, budget: 115 },
   { name: "drawing by a graphics processor", asset: /^strut_wasm_gpu_bg.*\.wasm$/, budget: 65 },
   // 150 are specified (`shared/spec/lessons.md` section 3); kiddo and learning by updates are in it.
   { name: "key-styling", asset: /^strut_wasm_key_style_bg.*\.wasm$/, budget: 165 },

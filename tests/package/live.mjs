@@ -14,7 +14,7 @@ const walk = {
     new Promise((resolve) => {
       let frame = 0;
       const sending = setInterval(() => {
-        sink.frame(frame / 60, poses.subarray(87 * frame, 87 * (frame + 1)));
+        sink.frame(performance.now() / 1000, poses.subarray(87 * frame, 87 * (frame + 1)));
         frame += 1;
       }, 1000 / 60);
       signal.addEventListener("abort", () => {

@@ -3,8 +3,9 @@ import type { EngineClient } from "../client/engine_client";
 import type { ClientDatabase, StyleChange } from "../client/handles";
 import { LiveStream } from "../client/live/live_stream";
 import type { LiveStats, StreamFrame } from "../client/live/protocol";
-import { isFault, type StyleWeights, type StylizeOptions } from "../client/protocol";
+import { type DatabaseInfo, isFault, type StyleWeights, type StylizeOptions } from "../client/protocol";
 import { StrutError } from "../engine/errors";
+import { bvhText } from "../formats/bvh";
 import { POSE_FLOATS } from "../humanoid";
 import type { PoseSink, PoseSource } from "./pose_source";
 
@@ -45,7 +46,7 @@ export interface LiveRecording {
   readonly frames: number;
   readonly poses: Float32Array;
   readonly inputPoses: Float32Array;
-  /** Text of BVH files. @throws StrutError `bad-input` of nothing */
+  /** Texts of BVH files. */
   toBVH(): string;
   inputToBVH(): string;
 }
@@ -82,7 +83,7 @@ class SourceLive implements Live {
       this.onFrame?.(frame);
     };
     const { signal } = this.#closing;
-    source.start(this.#sink(), signal).catch((thrown) => this.#trouble(thrown));
+    void this.#listen(source, signal);
     void this.#play(signal);
   }
 
@@ -95,12 +96,8 @@ class SourceLive implements Live {
   }
 
   record(): LiveRecorder {
-    const most = MAX_RECORDED_SECS * this.#stream.database.info.rateHz;
-    const recorder = new Recorder(
-      most,
-      (poses) => this.#stream.bvhOf(poses),
-      (ended) => this.#recorders.delete(ended),
-    );
+    const { info } = this.#stream.database;
+    const recorder = new Recorder(info, (ended) => this.#recorders.delete(ended));
     this.#recorders.add(recorder);
     return recorder;
   }
@@ -109,6 +106,12 @@ class SourceLive implements Live {
     this.#closing.abort();
     this.#recorders.clear();
     this.#stream.dispose();
+  }
+
+  async #listen(source: PoseSource, signal: AbortSignal): Promise<void> {
+    // Whoever opened it first says what is to become of troubles.
+    await new Promise((resolve) => setTimeout(resolve));
+    if (!signal.aborted) await source.start(this.#sink(), signal).catch((thrown) => this.#trouble(thrown));
   }
 
   #sink(): PoseSink {
@@ -162,13 +165,12 @@ class Recorder implements LiveRecorder {
   private readonly inputPoses: Float32Array[] = [];
 
   constructor(
-    private readonly mostFrames: number,
-    private readonly bvhOf: (poses: Float32Array) => string,
+    private readonly database: DatabaseInfo,
     private readonly onStop: (recorder: Recorder) => void,
   ) {}
 
   add({ pose, inputPose }: StreamFrame): void {
-    if (this.poses.length >= this.mostFrames) return;
+    if (this.poses.length >= MAX_RECORDED_SECS * this.database.rateHz) return;
     this.poses.push(pose.slice());
     this.inputPoses.push(inputPose);
   }
@@ -176,13 +178,13 @@ class Recorder implements LiveRecorder {
   stop(): LiveRecording {
     this.onStop(this);
     const [poses, inputPoses] = [joined(this.poses), joined(this.inputPoses)];
-    const { bvhOf } = this;
+    const { proportions, rateHz } = this.database;
     return {
       frames: this.poses.length,
       poses,
       inputPoses,
-      toBVH: () => bvhOf(poses),
-      inputToBVH: () => bvhOf(inputPoses),
+      toBVH: () => bvhText({ proportions, rateHz, poses }),
+      inputToBVH: () => bvhText({ proportions, rateHz, poses: inputPoses }),
     };
   }
 }

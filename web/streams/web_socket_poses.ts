@@ -127,6 +127,10 @@ function connection(
       onOpen();
     };
     socket.onclose = end;
+    // Node may not close what was never open.
+    socket.onerror = () => {
+      if (!opened) end();
+    };
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
       const message = read(data, format);
       if (!message) onRefused();

@@ -19,7 +19,7 @@ pub(crate) enum Sender {
     /// They are such poses.
     Poses,
     /// The place of joint 0 and the local rotation of every joint.
-    Joints(Rig),
+    Joints(Box<Rig>),
     /// Channels of a BVH file.
     Channels(Box<Channels>),
     /// Landmarks of a camera.
@@ -86,7 +86,7 @@ impl Sender {
             }),
         };
         let binding = binding.map_err(|e| EngineError::bad_file(e, ""))?;
-        Ok(Self::Joints(Rig { retarget: ToHumanoid::new(&binding, body), translations, rotations }))
+        Ok(Self::Joints(Box::new(Rig { retarget: ToHumanoid::new(&binding, body), translations, rotations })))
     }
 
     /// Of what stands before the frames of a BVH file.

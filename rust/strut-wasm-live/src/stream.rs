@@ -2,9 +2,9 @@
 
 use crate::sender::{Sender, pose_of};
 use js_sys::Float32Array;
-use strut_core::humanoid::{HumanoidMotion, POSE_FLOATS, Pose, Proportions};
+use strut_core::humanoid::{POSE_FLOATS, Pose, Proportions};
 use strut_core::stream::{Arrival, Delay, JitterBuffer, LiveFigure, Place, Play, Played};
-use strut_wasm_common::{EngineError, bvh_of, poses_of, proportions_of, write_floats};
+use strut_wasm_common::{EngineError, proportions_of, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A performer's frames as they arrive, and the figure that is shown of them. For every frame of the database's rate
@@ -12,7 +12,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen]
 pub struct Stream {
     body: Proportions,
-    rate_hz: f32,
     sender: Sender,
     buffer: JitterBuffer,
     figure: LiveFigure,
@@ -29,12 +28,7 @@ impl Stream {
     /// # Errors
     /// If the offsets are not 63 numbers.
     #[wasm_bindgen(constructor)]
-    pub fn new(
-        proportions: &[f32],
-        rate_hz: f32,
-        delay_secs: Option<f64>,
-        follows: bool,
-    ) -> Result<Self, EngineError> {
+    pub fn new(proportions: &[f32], rate_hz: f32, delay_secs: Option<f64>, follows: bool) -> Result<Self, EngineError> {
         let body = proportions_of(proportions)?;
         let place = if follows { Place::Follow } else { Place::Free };
         Ok(Self {
@@ -42,7 +36,6 @@ impl Stream {
             buffer: JitterBuffer::new(delay_secs.map_or(Delay::Auto, Delay::Fixed)),
             figure: LiveFigure::new(&body, rate_hz, place, true),
             body,
-            rate_hz,
             played: None,
             shown: Pose::default(),
             refused: 0,
@@ -192,22 +185,12 @@ impl Stream {
         let counts = [stats.taken, stats.late, stats.dropped, stats.missing, stats.losses, self.refused.into()];
         [self.buffer.delay_secs(), self.buffer.period_secs()].into_iter().chain(counts.map(|n| n as f64)).collect()
     }
-
-    /// The text of a BVH file of poses on the body of the database and at its rate.
-    ///
-    /// # Errors
-    /// If there is no pose.
-    #[wasm_bindgen(js_name = bvhOf)]
-    pub fn bvh_of(&self, poses: &[f32]) -> Result<String, EngineError> {
-        let poses = poses_of(poses)?.collect();
-        bvh_of(&HumanoidMotion { proportions: self.body, rate_hz: self.rate_hz, poses })
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use strut_core::humanoid::JOINTS;
+    use strut_core::humanoid::{HumanoidMotion, JOINTS};
     use strut_core::math::{Quat, Vec3};
     use strut_formats::bvh::{self, Bvh};
 

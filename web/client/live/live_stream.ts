@@ -114,11 +114,6 @@ export class LiveStream implements PerformerStream {
     };
   }
 
-  /** The text of a BVH file of poses on the body of the database and at its rate. */
-  bvhOf(poses: Float32Array): string {
-    return this.stream.bvhOf(poses);
-  }
-
   dispose(): void {
     this.stylizer.dispose();
     this.stream.dispose();

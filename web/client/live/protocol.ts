@@ -57,6 +57,4 @@ export interface PerformerStream {
    * @throws StrutError as from the engine; the next call goes on
    */
   advance(): Promise<StreamFrame | undefined>;
-  /** The text of a BVH file of poses on the body of the database and at its rate. */
-  bvhOf(poses: Float32Array): string;
 }

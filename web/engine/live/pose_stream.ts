@@ -118,11 +118,6 @@ export class PoseStream extends Handle<Raw> {
     ) as unknown as Eight;
     return { delaySecs, periodSecs, taken, late, dropped, missing, losses, refused };
   }
-
-  /** The text of a BVH file of poses on the body of the database and at its rate. @throws StrutError where there is none */
-  bvhOf(poses: Float32Array): string {
-    return livePackage.guarded(() => this.raw.bvhOf(poses));
-  }
 }
 
 type Eight = [number, number, number, number, number, number, number, number];

@@ -2,6 +2,7 @@
 import "./live.css";
 import type { StreamFrame } from "../../../../client/live/protocol";
 import { Recording } from "../../../../client/server/recording";
+import { bvhText } from "../../../../formats/bvh";
 import { engineOptions } from "../../../../link/engine_options";
 import type { LivePerformer } from "../../../../player/session";
 import type { PoseSink } from "../../../../streams/pose_source";
@@ -89,7 +90,8 @@ export class Performance {
   /** Makes what was received an input, with the styles it was shown in. */
   keep(): Promise<boolean> {
     const frames = Math.min(this.#recording.frames, MAX_KEPT_SECS * this.#rateHz);
-    const bvh = frames > 0 ? this.#performer.stream.bvhOf(this.#recording.last(frames)) : "";
+    const { proportions, rateHz } = this.#performer.stream.database.info;
+    const bvh = frames > 0 ? bvhText({ proportions, rateHz, poses: this.#recording.last(frames) }) : "";
     const made = { frames, bvh, track: this.#recording.track(frames) };
     const { name } = this.#performer;
     return keepMotion(this.#host, made, liveWords, () => void connect(this.#host, name));
