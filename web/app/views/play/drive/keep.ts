@@ -19,7 +19,9 @@ export async function keep(host: ViewHost): Promise<boolean> {
   }
   const name = freeName((taken) => session.library.has(taken));
   const track = trackOf(driven.track, database.neutral);
-  await host.playMotion(`${name}.bvh`, new TextEncoder().encode(driven.bvh).buffer);
+  const { proportions, rateHz } = database;
+  const exact = { poses: driven.poses, proportions, rateHz };
+  await host.playMotion(`${name}.bvh`, new TextEncoder().encode(driven.bvh).buffer, exact);
   if (store.state.input !== name) return false;
   const styles = track.at(-1)?.styles ?? store.state.styles;
   store.edit({ track: track.length > 1 ? track : [], key: Math.max(0, track.length - 1), styles, intensity: 1 });
