@@ -133,6 +133,25 @@ describe("keys", () => {
     await eventually(async () => Math.abs((await heading()) - before - Math.PI / 2)).toBeLessThan(0.3);
   });
 
+  it("are not needed: the arrow before the feet is dragged", async () => {
+    await stopped();
+    const before = await heading();
+    const { arrow, feet } = await page.evaluate(() => {
+      const { pose, root } = window.strut.frame;
+      const [x, z, heading] = [pose[0]!, pose[2]!, root[2]];
+      const at = (ahead: number) =>
+        window.strut.groundScreenPosition(x + ahead * Math.sin(heading), z + ahead * Math.cos(heading));
+      return { arrow: at(0.68), feet: at(0) };
+    });
+    await page.mouse.move(arrow.x, arrow.y);
+    await page.mouse.down();
+    // To the other side of the feet.
+    await page.mouse.move(2 * feet.x - arrow.x, 2 * feet.y - arrow.y, { steps: 5 });
+    await page.mouse.up();
+    await eventually(async () => Math.abs((await heading()) - before)).toBeGreaterThan(2.5);
+    expect((await frame()).progress).toBeUndefined();
+  });
+
   it("make moves that there are", async () => {
     await stopped();
     await page.keyboard.press("KeyC");
@@ -362,7 +381,7 @@ describe("what was driven", () => {
 });
 
 describe("a database without neutral walking", () => {
-  it("is said to be none, and what was on screen stays", async () => {
+  it("is driven with built-in clips, and the panel says so", async () => {
     const walks = await walksIn(["neutral", "old"]);
     const builds = createBuildClient(() => new InlineBuildWorker());
     const paths = ["walk_neutral_1.bvh", "walk_old_1.bvh"];
@@ -378,12 +397,13 @@ describe("a database without neutral walking", () => {
     builds.dispose();
     await dropFile(page, "short.strutdb", file);
     await eventually(() => page.locator(".panels .vertex").count()).toBe(2);
-    const before = await page.getByLabel("Input motion").inputValue();
     await page.getByLabel("Input motion").selectOption("drive");
-    await eventually(alerts).toMatch(/neutral clips have .* s of walking; driving needs 5 s/);
-    expect(await page.getByLabel("Input motion").inputValue()).toBe(before);
-    expect(await page.locator(".drive-panel").count()).toBe(0);
-    const { timeOut } = await page.evaluate(() => window.strut.frame);
-    await eventually(() => page.evaluate(() => window.strut.frame.timeOut)).not.toBe(timeOut);
+    await eventually(() => page.locator(".drive-note").textContent()).toMatch(
+      /^The neutral clips have .* s of walking; driving needs 5 s\. Built-in clips walk\.$/,
+    );
+    expect(await alerts()).toBe("");
+    await holding(["KeyW"], async () => {
+      await eventually(speed).toBeGreaterThan(0.7);
+    });
   });
 });

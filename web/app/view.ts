@@ -1,6 +1,7 @@
 /** What a view is to the page, and what the page is to a view. */
 
 import type { DroppedFile } from "../client/build/protocol";
+import type { ExactPoses } from "../client/protocol";
 import type { Role } from "../humanoid";
 import type { Session } from "../player/session";
 import type { Performer, Viewer } from "../viewer";
@@ -46,8 +47,8 @@ export interface ViewHost {
   chooseInput(name: string): Promise<boolean>;
   /** Opens the browser's file dialog for a motion or a database. */
   chooseFile(): void;
-  /** Makes a motion the input of Play, and goes there. */
-  playMotion(name: string, bytes: ArrayBuffer): Promise<void>;
+  /** Makes a motion the input of Play, and goes there; `exact` are the poses that its file was written from. */
+  playMotion(name: string, bytes: ArrayBuffer, exact?: ExactPoses): Promise<void>;
 }
 
 /** A character that performs. */

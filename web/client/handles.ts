@@ -10,6 +10,7 @@ import type {
   CurveSubject,
   DatabaseInfo,
   DatabaseSource,
+  ExactPoses,
   Examples,
   FrameRange,
   InputInfo,
@@ -116,6 +117,7 @@ export class ClientMotion extends ClientHandle {
     connection: Connection,
     id: Id,
     readonly source: InputSource,
+    private readonly exact?: ExactPoses,
   ) {
     super(connection, id, [], "motion");
   }
@@ -153,6 +155,8 @@ export class ClientMotion extends ClientHandle {
    * @throws StrutError `bad-file` if it is no motion that Strut can read, `bad-input` for a built-in one that there is not
    */
   async on(database: ClientDatabase, options?: CallOptions): Promise<InputInfo> {
+    const exact = this.exactOn(database);
+    if (exact) await this.call("takePoses", [this.id, database.id, exact], options);
     const info = await this.call("motionOn", [this.id, database.id], options);
     this.durationSecs = info.durationSecs;
     this.usedWith(database);
@@ -188,8 +192,20 @@ export class ClientMotion extends ClientHandle {
     return styled;
   }
 
-  reopen(post: Post): Promise<unknown> {
-    return post("openMotion", [this.id, this.source]);
+  /** The poses that the file was written from, where they fit a database as they are. */
+  private exactOn({ info }: ClientDatabase): Float32Array | undefined {
+    const { poses, proportions, rateHz } = this.exact ?? {};
+    const fits = rateHz === info.rateHz && proportions?.every((value, i) => value === info.proportions[i]);
+    return fits ? poses : undefined;
+  }
+
+  async reopen(post: Post): Promise<unknown> {
+    await post("openMotion", [this.id, this.source]);
+    for (const database of this.databases) {
+      const exact = !database.closed && database.id < this.id && this.exactOn(database);
+      if (exact) await post("takePoses", [this.id, database.id, exact]);
+    }
+    return undefined;
   }
 }
 

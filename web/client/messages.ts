@@ -78,6 +78,8 @@ export interface WorkerCalls {
   restyleDrive(drive: Id, options: StylizeOptions): undefined;
   resetDrive(drive: Id, root: Root): undefined;
   driven(drive: Id): Driven;
+  /** Has a motion be these poses on a database, of its body and at its rate, rather than what its file says. */
+  takePoses(motion: Id, database: Id, poses: Float32Array): undefined;
   memory(): WasmMemory;
   /** Closes something and all that was made of it; nothing happens where it is not open. */
   close(id: Id): undefined;

@@ -68,7 +68,15 @@ export type DatabaseSource = { kind: "demo"; set?: BuiltInSet } | { kind: "strut
 /** Where a motion comes from. */
 export type InputSource =
   | { kind: "built-in"; name: string; set?: BuiltInSet }
-  | { kind: "bvh"; name: string; bytes: ArrayBuffer };
+  | { kind: "bvh"; name: string; bytes: ArrayBuffer; exact?: ExactPoses };
+
+/** The poses that a file was written from: it holds them rounded, and not the height of the hips. */
+export interface ExactPoses {
+  poses: Float32Array;
+  /** Of the body that they are of, and frames a second: on another one the file counts. */
+  proportions: Float32Array;
+  rateHz: number;
+}
 
 /** A shown frame, as far as another session must know it to go on from there. */
 export type ShownFrame = Pick<LiveFrame, "inputFrame" | "timeOut" | "pose">;
@@ -132,7 +140,7 @@ export interface StrutClient {
   /**
    * Has a character be steered over the neutral clips of the database, from a place on, until another input or database is
    * opened or {@link StrutClient.closeDrive}; the open input stays open beside it.
-   * @throws StrutError `bad-input` where the database has too little neutral walking; nothing changes then
+   * @throws StrutError if what is driven with cannot be loaded; nothing changes then
    */
   openDrive(root: Root, options?: CallOptions): Promise<DriveInfo>;
   /** Advances the driven character by `dtSecs`; 0 repeats the present instant in the present style. */

@@ -1,5 +1,5 @@
 /** The inputs that can be chosen: the engine's built-in ones and the files that were dropped on this page. */
-import type { BuiltInSet, InputSource } from "../client/protocol";
+import type { BuiltInSet, ExactPoses, InputSource } from "../client/protocol";
 
 /** Name of the input that is steered instead of played. */
 export const DRIVE = "drive";
@@ -14,6 +14,8 @@ export class InputLibrary {
   /** The set that {@link builtIn} is of; all built-in motions where there is none. */
   builtInSet: BuiltInSet | undefined;
   readonly #dropped = new Map<string, ArrayBuffer>();
+  /** Poses that a file was written from. */
+  readonly #exact = new Map<string, ExactPoses>();
 
   get dropped(): string[] {
     return [...this.#dropped.keys()];
@@ -36,23 +38,26 @@ export class InputLibrary {
    * Adds a file and returns the name it goes by: its own, with a number where that belongs to another one. The same
    * file keeps its name.
    */
-  add(fileName: string, bytes: ArrayBuffer): string {
+  add(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses): string {
     const base = fileName.replace(/\.bvh$/i, "") || "motion";
     let name = base;
     for (let n = 2; this.has(name) && !sameBytes(this.#dropped.get(name), bytes); n++) name = `${base} (${n})`;
     this.#dropped.set(name, bytes);
+    if (exact) this.#exact.set(name, exact);
     return name;
   }
 
   /** Forgets a file that could not be opened. */
   remove(name: string): void {
     this.#dropped.delete(name);
+    this.#exact.delete(name);
   }
 
   /** What the engine opens for a name; `undefined` where there is no such input. */
   source(name: string): InputSource | undefined {
     const bytes = this.#dropped.get(name);
-    if (bytes) return { kind: "bvh", name, bytes };
+    const exact = this.#exact.get(name);
+    if (bytes) return { kind: "bvh", name, bytes, ...(exact && { exact }) };
     if (!this.builtIn.includes(name)) return undefined;
     const set = this.builtInSet;
     return { kind: "built-in", name, ...(set && { set }) };

@@ -20,6 +20,7 @@ import type {
   CurveSubject,
   DatabaseInfo,
   DatabaseSource,
+  ExactPoses,
   Examples,
   FrameRange,
   InputInfo,
@@ -250,8 +251,8 @@ export class Session {
   }
 
   /** Opens a dropped file as the input; the name it goes by, or `undefined` where it cannot be opened. */
-  async openFile(fileName: string, bytes: ArrayBuffer): Promise<string | undefined> {
-    const name = this.library.add(fileName, bytes);
+  async openFile(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses): Promise<string | undefined> {
+    const name = this.library.add(fileName, bytes, exact);
     const outcome = await this.openInput(name);
     if (outcome === "failed") this.library.remove(name);
     return outcome === "done" ? name : undefined;

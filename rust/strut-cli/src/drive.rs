@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 use strut_core::database::Database;
-use strut_core::driving::{Driver, DrivingClips, NeutralClip};
+use strut_core::driving::{Driver, DrivingClips, DrivingError, NeutralClip};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::transfer::{Model, Options, StyledFrame, StyledMotion, Stylizer};
 use strut_formats::bvh::{self, Bvh};
@@ -61,7 +61,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     check(args)?;
     let contents = read_contents(&args.db)?;
     let in_db = |reason: String| Failure::in_file(&args.db, reason);
-    let clips = Arc::new(driving_clips(&contents.database).map_err(in_db)?);
+    let (clips, note) = driving_clips(&contents.database).map_err(in_db)?;
+    let clips = Arc::new(clips);
+    if let Some(note) = note {
+        eprintln!("note: {note}");
+    }
     let orders = Orders::read(args.path.as_deref(), args.controls.as_deref(), args.gait)?;
     let mut driver = Driver::new(Arc::clone(&clips));
     let model = Arc::new(Model::of(contents.into_catalogue()));
@@ -107,12 +111,23 @@ fn check(args: &Args) -> Outcome {
     Ok(())
 }
 
-/// The clips to drive with: neutral ones of a database, and the built-in takes that it may lack.
-fn driving_clips(db: &Database) -> Result<DrivingClips, String> {
+/// The clips to drive with: neutral ones of a database, and the built-in takes that it may lack. Where it has too little
+/// walking, built-in clips walk, and a note says so.
+fn driving_clips(db: &Database) -> Result<(DrivingClips, Option<String>), String> {
     let (body, rate_hz) = (db.proportions, db.rate_hz);
-    let takes = strut_demo::driving_database().map_err(|reason| reason.to_string())?;
-    let takes = NeutralClip::all_carried(&takes, &body, rate_hz).map_err(|reason| reason.to_string())?;
-    DrivingClips::new(body, rate_hz, &NeutralClip::all_of(db), &takes).map_err(|reason| reason.to_string())
+    let carried =
+        |takes: &Database| NeutralClip::all_carried(takes, &body, rate_hz).map_err(|reason| reason.to_string());
+    let takes = carried(&strut_demo::driving_database().map_err(|reason| reason.to_string())?)?;
+    let own = NeutralClip::all_of(db);
+    match DrivingClips::new(body, rate_hz, &own, &[], &takes) {
+        Ok(clips) => Ok((clips, None)),
+        Err(reason @ DrivingError::TooShort { .. }) => {
+            let spare = carried(&strut_demo::database().map_err(|reason| reason.to_string())?)?;
+            let clips = DrivingClips::new(body, rate_hz, &own, &spare, &takes).map_err(|reason| reason.to_string())?;
+            Ok((clips, Some(format!("{reason}: built-in clips walk instead"))))
+        }
+        Err(reason) => Err(reason.to_string()),
+    }
 }
 
 struct Driven {

@@ -11,7 +11,20 @@ pub struct Clips {
     proportions: Proportions,
     rate_hz: f32,
     own: Vec<NeutralClip>,
+    spare: Vec<NeutralClip>,
     takes: Vec<NeutralClip>,
+}
+
+/// Which clips one is among.
+#[wasm_bindgen]
+#[derive(Clone, Copy, Debug)]
+pub enum Among {
+    /// Those of the database.
+    Own,
+    /// Those that walk where it has too little walking.
+    Spare,
+    /// Takes that it lacks.
+    Takes,
 }
 
 #[wasm_bindgen]
@@ -22,25 +35,19 @@ impl Clips {
     /// If the offsets are not 63 numbers.
     #[wasm_bindgen(constructor)]
     pub fn new(proportions: &[f32], rate_hz: f32) -> Result<Self, EngineError> {
-        Ok(Self { proportions: proportions_of(proportions)?, rate_hz, own: Vec::new(), takes: Vec::new() })
+        let (own, spare, takes) = (Vec::new(), Vec::new(), Vec::new());
+        Ok(Self { proportions: proportions_of(proportions)?, rate_hz, own, spare, takes })
     }
 
-    /// Adds a clip of an action: its poses in the world, and which feet are planted in each, left and right interleaved.
-    ///
-    /// # Errors
-    /// If the array is not a whole number of poses.
-    pub fn add(&mut self, name: String, action: String, poses: &[f32], contacts: &[u8]) -> Result<(), EngineError> {
-        self.own.push(clip_of(name, action, poses, contacts)?);
-        Ok(())
-    }
-
-    /// Adds a take that the clips may lack, of another body and rate: it is carried over.
+    /// Adds a clip of an action: its poses in the world, and which feet are planted in each, left and right interleaved. One of
+    /// another body and rate is carried over.
     ///
     /// # Errors
     /// If an array has another length than it should, or there are too many frames at this rate.
-    #[wasm_bindgen(js_name = addTake)]
-    pub fn add_take(
+    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to spell out.
+    pub fn add(
         &mut self,
+        among: Among,
         name: String,
         action: String,
         poses: &[f32],
@@ -48,9 +55,17 @@ impl Clips {
         proportions: &[f32],
         rate_hz: f32,
     ) -> Result<(), EngineError> {
-        let clip = clip_of(name, action, poses, contacts)?;
-        let carried = clip.carried(proportions_of(proportions)?, rate_hz, &self.proportions, self.rate_hz);
-        self.takes.push(carried.map_err(EngineError::bad_input)?);
+        let body = proportions_of(proportions)?;
+        let mut clip = clip_of(name, action, poses, contacts)?;
+        if body != self.proportions || rate_hz != self.rate_hz {
+            let carried = clip.carried(body, rate_hz, &self.proportions, self.rate_hz);
+            clip = carried.map_err(EngineError::bad_input)?;
+        }
+        match among {
+            Among::Own => self.own.push(clip),
+            Among::Spare => self.spare.push(clip),
+            Among::Takes => self.takes.push(clip),
+        }
         Ok(())
     }
 }
@@ -61,7 +76,8 @@ impl Clips {
     /// # Errors
     /// If there is too little locomotion among them.
     pub(crate) fn driving(&self) -> Result<DrivingClips, EngineError> {
-        DrivingClips::new(self.proportions, self.rate_hz, &self.own, &self.takes).map_err(EngineError::bad_input)
+        let Self { proportions, rate_hz, own, spare, takes } = self;
+        DrivingClips::new(*proportions, *rate_hz, own, spare, takes).map_err(EngineError::bad_input)
     }
 }
 

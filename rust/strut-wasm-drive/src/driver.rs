@@ -4,27 +4,27 @@ use crate::clips::Clips;
 use js_sys::Float32Array;
 use std::sync::Arc;
 use strut_core::driving::{self, Control, DrivenFrame, DrivingClips, Move};
-use strut_core::humanoid::POSE_FLOATS;
-use strut_core::math::float_funcs::wrap_angle;
-use strut_core::math::{Quat, Vec2, Vec3};
+use strut_core::humanoid::{POSE_FLOATS, Pose};
+use strut_core::math::{Vec2, Vec3};
 use strut_core::pose_vector::Placement;
+use strut_core::transfer::Footplant;
 use strut_wasm_common::{EngineError, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Instants ahead that a frame names, and the time between them, seconds.
+/// Instants ahead that a frame names.
 const AHEAD: usize = 3;
-const AHEAD_SECS: f32 = 1.0 / 3.0;
 
-/// Numbers of a frame: the pose; the root's x, z and heading; the same of where it is asked to be after 1/3, 2/3 and 1 s; the
+/// Numbers of a frame: the pose; the same with its feet planted, to be shown; the root's x, z and heading; the same of where it is asked to be after 1/3, 2/3 and 1 s; the
 /// same of where the clip that plays would take it; speed over the ground, row, clip, contacts (left, right), whether another
 /// row than the next one was taken, the move that plays (its number from 1 on, or 0), and how far the pose may be styled.
-pub const FRAME: usize = POSE_FLOATS + 3 + 6 * AHEAD + 8;
+pub const FRAME: usize = 2 * POSE_FLOATS + 3 + 6 * AHEAD + 8;
 
 /// Neutral motion that goes where it is asked to. For every frame of the clips' rate [`Driver::next`], then [`Driver::read`].
 #[wasm_bindgen]
 pub struct Driver {
     clips: Arc<DrivingClips>,
     inner: driving::Driver,
+    footplant: Footplant,
     frame: Box<[f32; FRAME]>,
 }
 
@@ -38,7 +38,8 @@ impl Driver {
     pub fn new(clips: &Clips) -> Result<Self, EngineError> {
         let clips = Arc::new(clips.driving()?);
         let inner = driving::Driver::new(Arc::clone(&clips));
-        Ok(Self { clips, inner, frame: Box::new([0.0; FRAME]) })
+        let footplant = Footplant::new(clips.proportions);
+        Ok(Self { clips, inner, footplant, frame: Box::new([0.0; FRAME]) })
     }
 
     /// Speeds of walking and of running, m/s.
@@ -69,6 +70,7 @@ impl Driver {
     /// Begins anew at a place, without a path.
     pub fn reset(&mut self, x: f32, z: f32, heading: f32) {
         self.inner.reset(Placement { x, z, heading });
+        self.footplant.reset();
     }
 
     /// Has the character follow a line through points, x and z each; fewer than two distinct ones end it. Points of which a
@@ -108,7 +110,10 @@ impl Driver {
         let action = action.and_then(|number| Move::ALL.get(usize::from(number)).copied());
         let control = Control { wish: Vec2::new(wish_x, wish_z), gait, face, action };
         let styled = styled_x.zip(styled_z).map(|(x, z)| Vec3::new(x, 0.0, z));
-        write(&self.clips, self.inner.next(&control, styled), &mut self.frame);
+        let frame = self.inner.next(&control, styled);
+        let mut planted = frame.pose;
+        self.footplant.apply(&mut planted, frame.contacts.map(f32::from), 1.0 / self.clips.rate_hz);
+        write(&self.clips, frame, &planted, &mut self.frame);
     }
 
     /// Writes the [`FRAME`] numbers of the present frame.
@@ -127,9 +132,11 @@ impl Driver {
     }
 }
 
-fn write(clips: &DrivingClips, frame: &DrivenFrame, out: &mut [f32; FRAME]) {
+fn write(clips: &DrivingClips, frame: &DrivenFrame, planted: &Pose, out: &mut [f32; FRAME]) {
     let Some((pose, rest)) = out.split_first_chunk_mut::<POSE_FLOATS>() else { return };
     frame.pose.write_to(pose);
+    let Some((pose, rest)) = rest.split_first_chunk_mut::<POSE_FLOATS>() else { return };
+    planted.write_to(pose);
     let place = |&(place, heading): &(Vec2, f32)| [place.x, place.y, heading];
     let Placement { x, z, heading } = frame.root;
     let clip = clips.clip_of(frame.row);
@@ -137,34 +144,13 @@ fn write(clips: &DrivingClips, frame: &DrivenFrame, out: &mut [f32; FRAME]) {
     let last = [frame.speed, frame.row as f32, clip as f32, left, right, f32::from(u8::from(frame.switched))];
     let action =
         Move::ALL.iter().zip(1_u8..).find(|(of, _)| Some(**of) == frame.action).map_or(0, |(_, number)| number);
-    let ahead = ahead(clips, frame);
     let numbers = [x, z, heading]
         .into_iter()
         .chain(frame.asked.iter().flat_map(place))
-        .chain(ahead.iter().flat_map(place))
+        .chain(frame.ahead.iter().flat_map(place))
         .chain(last)
         .chain([f32::from(action), frame.style_share]);
     for (out, number) in rest.iter_mut().zip(numbers) {
         *out = number;
     }
-}
-
-/// Where the clip that plays would take the root; beyond its end it goes on as at its last row.
-fn ahead(clips: &DrivingClips, frame: &DrivenFrame) -> [(Vec2, f32); AHEAD] {
-    let dt = 1.0 / clips.rate_hz;
-    let frames = (AHEAD_SECS * clips.rate_hz).round() as usize;
-    let last = clips.clips()[clips.clip_of(frame.row)].rows.end - 1;
-    let Placement { x, z, mut heading } = frame.root;
-    let mut place = Vec2::new(x, z);
-    let mut row = frame.row;
-    std::array::from_fn(|_| {
-        for _ in 0..frames {
-            row = (row + 1).min(last);
-            let motion = clips.motion(row);
-            heading = wrap_angle(heading + motion.turn_rate * dt);
-            let step = Quat::from_rotation_y(heading) * Vec3::new(motion.velocity.x, 0.0, motion.velocity.y) * dt;
-            place += Vec2::new(step.x, step.z);
-        }
-        (place, heading)
-    })
 }

@@ -5,6 +5,6 @@
 mod clips;
 mod driver;
 
-pub use clips::Clips;
+pub use clips::{Among, Clips};
 pub use driver::{Driver, FRAME};
 pub use strut_wasm_common::EngineError;

@@ -137,7 +137,7 @@ impl Input {
     }
 
     /// Poses that came from no file.
-    #[cfg(any(feature = "bench", feature = "learn"))]
+    #[cfg(any(feature = "bench", feature = "drive", feature = "learn"))]
     pub(crate) fn of_poses(
         proportions: strut_core::humanoid::Proportions,
         rate_hz: f32,

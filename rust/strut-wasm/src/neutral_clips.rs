@@ -1,6 +1,7 @@
-//! The neutral clips of a database, which another package drives with.
+//! The neutral clips of a database, which another package drives with, and what was driven as an input.
 
 use crate::database::Database;
+use crate::input::Input;
 use strut_core::database::Clip;
 use strut_core::humanoid::HumanoidMotion;
 use strut_wasm_common::{EngineError, bvh_of, floats_of, poses_of};
@@ -46,6 +47,16 @@ impl Database {
         let header = self.model().catalogue();
         let poses = poses_of(poses)?.collect();
         bvh_of(&HumanoidMotion { proportions: header.proportions, rate_hz: header.rate_hz, poses })
+    }
+
+    /// An input of poses on this body and at this rate, as they are.
+    ///
+    /// # Errors
+    /// If the array is not a whole number of poses.
+    #[wasm_bindgen(js_name = inputOfPoses)]
+    pub fn input_of_poses(&self, poses: &[f32]) -> Result<Input, EngineError> {
+        let header = self.model().catalogue();
+        Ok(Input::of_poses(header.proportions, header.rate_hz, poses_of(poses)?.collect()))
     }
 
     /// The feet that are planted in each of its frames, left and right interleaved.

@@ -171,6 +171,7 @@ export class App {
         return workspace.opened && session.analysed;
       },
       jointScreenPosition: (role) => viewer.jointPosition(role),
+      groundScreenPosition: (x, z) => viewer.groundPosition(x, z),
     };
   }
 
@@ -205,9 +206,9 @@ export class App {
       historyChanged: () => this.#showTopBar(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
       chooseFile: () => this.#drop.choose(),
-      playMotion: async (name, bytes) => {
+      playMotion: async (name, bytes, exact) => {
         this.#store.edit({ view: "play" });
-        await this.#workspace.takeMotion(name, bytes);
+        await this.#workspace.takeMotion(name, bytes, exact);
       },
     };
   }

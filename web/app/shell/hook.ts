@@ -15,6 +15,8 @@ export interface StrutHook {
   readonly analysed: boolean;
   /** Place of a joint of the styled character in the page, CSS pixels. */
   jointScreenPosition(role: Role): { x: number; y: number };
+  /** Where a place on the ground, metres, is in the page, CSS pixels. */
+  groundScreenPosition(x: number, z: number): { x: number; y: number };
 }
 
 declare global {

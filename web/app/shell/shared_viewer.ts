@@ -136,8 +136,16 @@ export class SharedViewer {
 
   /** Place of a joint of the styled character in the page, CSS pixels. */
   jointPosition(role: Role): { x: number; y: number } {
+    return this.#onPage(this.#viewer.jointScreenPosition(role));
+  }
+
+  /** Where a place on the ground is in the page, CSS pixels. */
+  groundPosition(x: number, z: number): { x: number; y: number } {
+    return this.#onPage(this.#viewer.screenPosition(x, 0, z));
+  }
+
+  #onPage({ x, y }: { x: number; y: number }): { x: number; y: number } {
     const box = this.#container.getBoundingClientRect();
-    const { x, y } = this.#viewer.jointScreenPosition(role);
     return { x: box.left + x, y: box.top + y };
   }
 

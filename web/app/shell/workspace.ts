@@ -1,7 +1,7 @@
 /** What is open, in step with the state: database, input, the styles that there are, and the engine's options. */
 
 import type { FirstSteps } from "../../client/first_steps";
-import type { DatabaseInfo, StrutClient } from "../../client/protocol";
+import type { DatabaseInfo, ExactPoses, StrutClient } from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";
 import { linkedFile } from "../../link/linked_file";
 import { ENGINE_FIELDS } from "../../link/play";
@@ -115,8 +115,8 @@ export class Workspace {
   }
 
   /** Opens a dropped motion. */
-  async takeMotion(fileName: string, bytes: ArrayBuffer): Promise<void> {
-    const name = await this.session.openFile(fileName, bytes);
+  async takeMotion(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses): Promise<void> {
+    const name = await this.session.openFile(fileName, bytes, exact);
     if (name === undefined) return;
     this.#store.edit({ input: name });
     // The link is complete now: it shows its own instant.

@@ -21,7 +21,7 @@ export class ClientDrive extends ClientHandle {
     super(connection, id, [database], "drive");
   }
 
-  /** @throws StrutError `bad-input` where the database has too little neutral walking, or if the driver cannot be loaded */
+  /** @throws StrutError if the driver, or built-in clips for a database with too little neutral walking, cannot be loaded */
   static async open(
     connection: Connection,
     database: ClientDatabase,

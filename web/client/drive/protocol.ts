@@ -35,9 +35,12 @@ export interface DriveInfo {
   /** Clips and frames to choose from, mirror images included. */
   clips: number;
   frames: number;
+  /** A sentence where built-in clips walk, as the database has too little walking; empty otherwise. */
+  note: string;
 }
 
-/** What is on screen of a driven character; its `inputPose` is the neutral one, and `inputFrame` counts the frames driven. */
+/** What is on screen of a driven character; its `inputPose` is the neutral one
+ * with its feet planted, and `inputFrame` counts the frames driven. */
 export interface DriveFrame extends LiveFrame {
   /** Where the root of the neutral character is. */
   root: Root;
@@ -63,6 +66,8 @@ export interface Driven {
   /** The neutral motion as the text of a BVH file; empty if nothing was driven. */
   bvh: string;
   frames: number;
+  /** The same as poses: a file does not hold the height of the hips. */
+  poses: Float32Array;
   /** The styles that it was shown in. */
   track: readonly StyleKey[];
 }

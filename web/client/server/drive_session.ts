@@ -163,7 +163,7 @@ export class DriveSession {
       ...moment,
       inputFrame: this.frames,
       timeSecs: styled.durations.at(-1)!,
-      neutral: driven.pose.slice(),
+      neutral: driven.planted.slice(),
       root: [x!, z!, heading!],
       asked: driven.asked.slice(),
       ahead: driven.ahead.slice(),

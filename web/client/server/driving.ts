@@ -1,14 +1,14 @@
 /** Calls about driving, loaded with the first one. */
 
 import type { Database } from "../../engine/database";
-import { bvhOfPoses, Driver, loadTakes } from "../../engine/drive/driver";
-import type { Engine } from "../../engine/engine";
+import { bvhOfPoses, Driver, inputOfPoses, loadTakes } from "../../engine/drive/driver";
 import type { Stylizer } from "../../engine/stylizer";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "../drive/protocol";
 import type { StylizeOptions } from "../protocol";
 import { OpenDatabase } from "./databases";
 import { DriveSession } from "./drive_session";
 import type { Host } from "./host";
+import { CarriedMotion, OpenMotion } from "./motions";
 import type { OpenThing } from "./registry";
 import { type Caller, stage } from "./time_slices";
 
@@ -33,7 +33,7 @@ class OpenDrive implements OpenThing {
 }
 
 export async function openDrive(
-  { engine, open }: Host,
+  host: Host,
   caller: Caller,
   id: number,
   databaseId: number,
@@ -41,8 +41,9 @@ export async function openDrive(
   root: Root,
 ): Promise<DriveInfo> {
   await stage(caller, "Making ready to drive", 0);
+  const { engine, open } = host;
   const { database } = open.get(OpenDatabase, databaseId);
-  const driver = await openDriver(engine, database);
+  const driver = await openDriver(host, caller, database);
   const stylizer = engine.createStylizer(database, options);
   try {
     const { styles, rateHz } = database.info;
@@ -54,13 +55,20 @@ export async function openDrive(
     stylizer.dispose();
     throw thrown;
   }
-  return { speeds: driver.speeds, moves: driver.moves, clips: driver.clips.length, frames: driver.rows };
+  return {
+    speeds: driver.speeds,
+    moves: driver.moves,
+    clips: driver.clips.length,
+    frames: driver.rows,
+    note: driver.note,
+  };
 }
 
-async function openDriver(engine: Engine, database: Database): Promise<Driver> {
+async function openDriver({ engine, builtIn }: Host, caller: Caller, database: Database): Promise<Driver> {
   const takes = engine.openDatabase({ kind: "demo", motions: await loadTakes() });
+  const spare = async () => engine.openDatabase({ kind: "demo", motions: await builtIn.load(caller) });
   try {
-    return await Driver.open(database, takes);
+    return await Driver.open(database, takes, spare);
   } finally {
     takes.dispose();
   }
@@ -78,9 +86,17 @@ export function resetDrive({ open }: Host, _: Caller, id: number, root: Root): u
   open.get(OpenDrive, id).session.reset(root);
 }
 
+export function takePoses({ open }: Host, _: Caller, motion: number, on: number, poses: Float32Array): undefined {
+  const key = CarriedMotion.keyOf(motion, on);
+  if (open.find(CarriedMotion, key)) return;
+  const { database } = open.get(OpenDatabase, on);
+  const input = inputOfPoses(database, open.get(OpenMotion, motion).source, poses);
+  open.add(key, new CarriedMotion(input, motion, on));
+}
+
 export function driven({ open }: Host, _: Caller, id: number): Driven {
   const { database, session } = open.get(OpenDrive, id);
   const { poses, frames, track } = session.driven();
   const bvh = frames > 0 ? bvhOfPoses(open.get(OpenDatabase, database).database, poses) : "";
-  return { bvh, frames, track };
+  return { bvh, frames, track, poses };
 }

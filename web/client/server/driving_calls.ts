@@ -3,7 +3,7 @@ import type { Arguments, Result } from "../messages";
 import type { Host } from "./host";
 import type { Caller } from "./time_slices";
 
-const NAMES = ["openDrive", "drive", "restyleDrive", "resetDrive", "driven"] as const;
+const NAMES = ["openDrive", "drive", "restyleDrive", "resetDrive", "driven", "takePoses"] as const;
 export type DrivingMethod = (typeof NAMES)[number];
 
 /** A handler each. */

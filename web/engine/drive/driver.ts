@@ -3,7 +3,9 @@ import { POSE_FLOATS } from "../../humanoid";
 import { assetOf } from "../assets";
 import { inflatedAsset, type PackedMotions } from "../built_in";
 import type { Database } from "../database";
+import { StrutError } from "../errors";
 import { Handle } from "../handle";
+import { Input, type InputSource } from "../input";
 import { guarded } from "../wasm";
 import { type DriveGlue, drivePackage } from "./wasm";
 
@@ -29,10 +31,10 @@ export type MoveName = (typeof MOVES)[number];
 const TAKES = () => assetOf("drive.bin", () => new URL("../motions/drive.bin", import.meta.url));
 
 // Where the numbers of a frame are: `rust/strut-wasm-drive/src/driver.rs`.
-const ROOT = POSE_FLOATS;
+const ROOT = 2 * POSE_FLOATS;
 const ASKED = ROOT + 3;
 const CLIP_AHEAD = ASKED + 3 * AHEAD;
-const SPEED = CLIP_AHEAD + 3 * AHEAD;
+export const SPEED = CLIP_AHEAD + 3 * AHEAD;
 const [ROW, CLIP, SWITCHED, ACTION, SHARE, FRAME] = [1, 2, 5, 6, 7, 8].map((after) => SPEED + after) as Six;
 type Six = [number, number, number, number, number, number];
 
@@ -41,6 +43,8 @@ export class DriverFrame {
   readonly numbers = new Float32Array(FRAME);
   /** In the world. */
   readonly pose = this.numbers.subarray(0, POSE_FLOATS);
+  /** The same with its feet planted: what is shown of it. */
+  readonly planted = this.numbers.subarray(POSE_FLOATS, ROOT);
   /** x, z in metres and heading in radians. */
   readonly root = this.numbers.subarray(ROOT, ASKED);
   /** Where the root is asked to be, three times the same. */
@@ -92,31 +96,53 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
     readonly speeds: readonly [walk: number, run: number],
     /** Moves that can be asked for. */
     readonly moves: readonly MoveName[],
+    /** A sentence where clips that were to spare walk; empty otherwise. */
+    readonly note: string,
   ) {
     super(raw, "driver");
   }
 
   /**
    * @param takes see {@link loadTakes}
-   * @throws StrutError if the module cannot be had, or `bad-input` where the neutral clips have too little walking
+   * @param spare opens a database whose neutral clips walk where the first one has too little walking
+   * @throws StrutError if the module or the spare clips cannot be had
    */
-  static async open(database: Database, takes: Database): Promise<Driver> {
+  static async open(database: Database, takes: Database, spare: () => Promise<Database>): Promise<Driver> {
     const glue = await drivePackage.load();
     const { rateHz, proportions } = database.info;
-    return drivePackage.guarded(() => {
-      const clips = new glue.Clips(proportions, rateHz);
+    const clips = drivePackage.guarded(() => new glue.Clips(proportions, rateHz));
+    const add = (among: number, of: Database): void => {
+      const { proportions, rateHz } = of.info;
+      for (const clip of neutralClips(of)) drivePackage.guarded(() => clips.add(among, ...clip, proportions, rateHz));
+    };
+    try {
+      add(glue.Among.Own, database);
+      add(glue.Among.Takes, takes);
       try {
-        for (const [name, action, poses, contacts] of neutralClips(database)) clips.add(name, action, poses, contacts);
-        for (const take of neutralClips(takes)) clips.addTake(...take, takes.info.proportions, takes.info.rateHz);
-        const raw = new glue.Driver(clips);
-        const mirrored = raw.mirrored();
-        const names = raw.names().map((name, i) => (mirrored[i] ? `${name}, mirrored` : name));
-        const [walk, run] = raw.speeds();
-        const moves = MOVES.filter((move) => raw.moves().includes(move));
-        return new Driver(raw, names, raw.rows(), [walk!, run!], moves);
-      } finally {
-        clips.free();
+        return Driver.over(glue, clips, "");
+      } catch (thrown) {
+        if (!(thrown instanceof StrutError && thrown.code === "bad-input")) throw thrown;
+        const others = await spare();
+        try {
+          add(glue.Among.Spare, others);
+        } finally {
+          others.dispose();
+        }
+        return Driver.over(glue, clips, thrown.message);
       }
+    } finally {
+      clips.free();
+    }
+  }
+
+  private static over(glue: DriveGlue, clips: InstanceType<DriveGlue["Clips"]>, note: string): Driver {
+    return drivePackage.guarded(() => {
+      const raw = new glue.Driver(clips);
+      const mirrored = raw.mirrored();
+      const names = raw.names().map((name, i) => (mirrored[i] ? `${name}, mirrored` : name));
+      const [walk, run] = raw.speeds();
+      const moves = MOVES.filter((move) => raw.moves().includes(move));
+      return new Driver(raw, names, raw.rows(), [walk!, run!], moves, note);
     });
   }
 
@@ -162,4 +188,17 @@ function* neutralClips({ raw }: Database): Generator<[string, string, Float32Arr
 /** The text of a BVH file of poses on the body of a database. */
 export function bvhOfPoses({ raw }: Database, poses: Float32Array): string {
   return guarded(() => raw.bvhOfPoses(poses));
+}
+
+/** An input of poses on the body of a database and at its rate, as they are. */
+export function inputOfPoses(
+  database: Database,
+  source: Pick<InputSource, "kind" | "name">,
+  poses: Float32Array,
+): Input {
+  return Input.of(
+    guarded(() => database.raw.inputOfPoses(poses)),
+    database,
+    source,
+  );
 }

@@ -11,6 +11,8 @@ const DASH = 0.09;
 const OPACITY = { line: 0.75, done: 0.18 };
 /** A second's way that is shorter is not marked, metres: under the feet nothing would be seen. */
 const SHORT = 0.25;
+/** The arrow that is dragged to turn: so far before the character, and half as wide, metres. */
+const FACING = { ahead: 0.62, width: 0.075 };
 /** Instants that are marked: 1/3, 2/3 and 1 s. */
 const INSTANTS = 3;
 /** Above the ground, metres: what is asked over what the clip has, and both over the line. */
@@ -68,10 +70,6 @@ class Markers {
     }
   }
 
-  hide(): void {
-    for (const { object } of this.#markers) object.visible = false;
-  }
-
   dispose(): void {
     for (const marker of this.#markers) marker.dispose();
     this.#material.dispose();
@@ -83,17 +81,33 @@ export class Course {
   readonly #line = new Ribbon(DASH, POINTS);
   readonly #asked = new Markers(0.045, HEIGHTS.asked);
   readonly #clip = new Markers(0.032, HEIGHTS.clip);
+  readonly #facing = new Group();
+  readonly #arrow: Mesh<ShapeGeometry, MeshBasicMaterial>;
   readonly #points = new Float32Array(4 * POINTS);
   #count = 0;
 
   constructor() {
     this.#line.mesh.position.y = HEIGHTS.line;
-    this.object.add(this.#line.mesh, this.#clip.object, this.#asked.object);
+    const head = new Shape();
+    head
+      .moveTo(-FACING.width, 0)
+      .lineTo(FACING.width, 0)
+      .lineTo(0, 1.6 * FACING.width)
+      .closePath();
+    const material = new MeshBasicMaterial({ transparent: true, depthWrite: false, side: 2, toneMapped: false });
+    this.#arrow = new Mesh(new ShapeGeometry(head), material);
+    this.#arrow.rotation.x = Math.PI / 2;
+    this.#arrow.position.set(0, HEIGHTS.asked, FACING.ahead);
+    this.#arrow.renderOrder = -1;
+    this.#facing.add(this.#arrow);
+    this.#facing.visible = false;
+    this.object.add(this.#line.mesh, this.#clip.object, this.#asked.object, this.#facing);
   }
 
   setTheme({ signal, input, ink }: Theme): void {
     this.#line.setColour(ink);
     this.#asked.colour = signal;
+    this.#arrow.material.color.set(signal);
     this.#clip.colour = input;
   }
 
@@ -124,10 +138,19 @@ export class Course {
     this.#clip.show(clip, x, z);
   }
 
-  /** Marks nothing. */
-  hide(): void {
-    this.#asked.hide();
-    this.#clip.hide();
+  /** Shows the arrow before somebody at (x, z) who faces `heading`, or hides it. */
+  face(x: number, z: number, heading: number, isShown: boolean): void {
+    this.#facing.visible = isShown;
+    this.#facing.position.set(x, 0, z);
+    this.#facing.rotation.y = heading;
+  }
+
+  /** Where the arrow is on the ground; `undefined` where it is hidden. */
+  get arrow(): { x: number; z: number } | undefined {
+    const { visible, position, rotation } = this.#facing;
+    const ahead = FACING.ahead + 0.8 * FACING.width;
+    if (!visible) return undefined;
+    return { x: position.x + ahead * Math.sin(rotation.y), z: position.z + ahead * Math.cos(rotation.y) };
   }
 
   dispose(): void {
@@ -135,5 +158,7 @@ export class Course {
     this.#line.dispose();
     this.#asked.dispose();
     this.#clip.dispose();
+    this.#arrow.geometry.dispose();
+    this.#arrow.material.dispose();
   }
 }

@@ -115,7 +115,7 @@ impl NeutralClip {
 /// What a clip of [`DrivingClips`] is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClipKind {
-    /// Somebody gets on; of the database that is driven with.
+    /// Somebody gets on; of the database that is driven with, or of the spare clips.
     Locomotion,
     /// A take that the database lacks: standing, a turn on the spot, a halt, a change of gait.
     Take,
@@ -126,7 +126,7 @@ pub enum ClipKind {
 /// One of the clips of [`DrivingClips`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrivingClip {
-    /// Index of the clip that it was made of; takes count on from the database's clips.
+    /// Index of the clip that it was made of: the database's own ones, spare ones, and takes count on.
     pub source: usize,
     /// What it is for.
     pub kind: ClipKind,
@@ -166,20 +166,23 @@ pub struct DrivingClips {
 
 impl DrivingClips {
     /// Takes of the database's clips, `own`, those in which somebody gets on and those of moves, and all `takes` that it
-    /// lacks; each also mirrored.
+    /// lacks; each also mirrored. Where too little gets on among its own, those of `spare` that get on do instead.
     ///
     /// # Errors
-    /// [`DrivingError`] where the database's own locomotion is too short, or a clip is inconsistent.
+    /// [`DrivingError`] where the database's own locomotion is too short and there is none to spare, or a clip is
+    /// inconsistent.
     pub fn new(
         proportions: Proportions,
         rate_hz: f32,
         own: &[NeutralClip],
+        spare: &[NeutralClip],
         takes: &[NeutralClip],
     ) -> Result<Self, DrivingError> {
+        let all = || own.iter().chain(spare).chain(takes);
         let mut of = Self {
             proportions,
             rate_hz,
-            names: own.iter().chain(takes).map(|clip| clip.name.clone()).collect(),
+            names: all().map(|clip| clip.name.clone()).collect(),
             clips: vec![],
             poses: vec![],
             motions: vec![],
@@ -188,32 +191,41 @@ impl DrivingClips {
             moves: vec![],
             knows_standing: false,
         };
-        for clip in own.iter().chain(takes) {
+        for clip in all() {
             let (poses, contacts) = (clip.poses.len(), clip.contacts.len());
             if poses != contacts {
                 return Err(DrivingError::Shape { name: clip.name.clone(), poses, contacts });
             }
         }
-        let mut stood = 0;
-        for (source, clip) in own.iter().enumerate() {
-            let way = of.way_of(clip);
-            let motions = &way.motions;
-            stood += motions.iter().filter(|motion| motion.velocity.length() < KNOWN_STANDING_SPEED).count();
+        let ways: Vec<Way> = own.iter().map(|clip| of.way_of(clip)).collect();
+        let stands = |motion: &&RootMotion| motion.velocity.length() < KNOWN_STANDING_SPEED;
+        let stood = ways.iter().flat_map(|way| &way.motions).filter(stands).count();
+        of.knows_standing = stood as f32 >= KNOWN_STANDING_SECS * rate_hz;
+        let gets_on = |clip: &NeutralClip, way: &Way| {
+            Move::of_action(&clip.action).is_none() && median_speed(&way.motions) > LEAST_SPEED
+        };
+        let walked = own.iter().zip(&ways).filter(|(clip, way)| gets_on(clip, way)).map(|(clip, _)| clip.poses.len());
+        let secs = walked.sum::<usize>() as f32 / rate_hz;
+        let is_enough = secs >= LEAST_SECS;
+        for (source, (clip, way)) in own.iter().zip(&ways).enumerate() {
             if Move::of_action(&clip.action).is_some() {
-                of.add(source, ClipKind::Moves, clip, &way);
-            } else if median_speed(motions) > LEAST_SPEED {
-                of.add(source, ClipKind::Locomotion, clip, &way);
+                of.add(source, ClipKind::Moves, clip, way);
+            } else if is_enough && gets_on(clip, way) {
+                of.add(source, ClipKind::Locomotion, clip, way);
             }
         }
-        of.knows_standing = stood as f32 >= KNOWN_STANDING_SECS * rate_hz;
-        let walked = of.clips.iter().filter(|clip| clip.kind == ClipKind::Locomotion).map(|clip| clip.rows.len());
-        let secs = walked.sum::<usize>() as f32 / (2.0 * rate_hz);
-        if secs < LEAST_SECS {
+        for (i, clip) in spare.iter().enumerate().filter(|_| !is_enough) {
+            let way = of.way_of(clip);
+            if gets_on(clip, &way) {
+                of.add(own.len() + i, ClipKind::Locomotion, clip, &way);
+            }
+        }
+        if !of.clips.iter().any(|clip| clip.kind == ClipKind::Locomotion) {
             return Err(DrivingError::TooShort { secs });
         }
         for (i, clip) in takes.iter().enumerate() {
             let way = of.way_of(clip);
-            of.add(own.len() + i, ClipKind::Take, clip, &way);
+            of.add(own.len() + spare.len() + i, ClipKind::Take, clip, &way);
         }
         Ok(of)
     }
@@ -399,7 +411,7 @@ mod tests {
 
     #[test]
     fn are_in_the_frame_of_a_root_that_goes_round_as_the_clip_does() {
-        let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, 1.2, 0.4)], &[]).unwrap();
+        let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, 1.2, 0.4)], &[], &[]).unwrap();
         let [clip, mirror] = clips.clips() else { panic!("the clip and its mirror image") };
         assert_eq!((clip.rows.clone(), mirror.rows.clone()), (0..600, 600..1200));
         for row in 40..560 {
@@ -419,18 +431,39 @@ mod tests {
     fn are_those_in_which_somebody_gets_on() {
         let standing = NeutralClip { name: "idle".into(), ..circle(600, 0.1, 0.0) };
         let clips =
-            DrivingClips::new(Proportions::default(), 60.0, &[standing.clone(), circle(600, 1.2, 0.0)], &[]).unwrap();
+            DrivingClips::new(Proportions::default(), 60.0, &[standing.clone(), circle(600, 1.2, 0.0)], &[], &[])
+                .unwrap();
         assert!(clips.clips().iter().all(|clip| clip.source == 1));
-        let short = DrivingClips::new(Proportions::default(), 60.0, &[standing, circle(180, 1.2, 0.0)], &[]);
+        let short = DrivingClips::new(Proportions::default(), 60.0, &[standing, circle(180, 1.2, 0.0)], &[], &[]);
         let sentence = short.unwrap_err().to_string();
         assert_eq!(sentence, "the neutral clips have 3.0 s of walking; driving needs 5 s");
+    }
+
+    #[test]
+    fn are_spare_ones_where_too_little_gets_on_among_the_own_ones() {
+        let punching = NeutralClip { action: "punch".into(), ..circle(600, 1.2, 0.0) };
+        let short = circle(180, 1.2, 0.0);
+        let spare = [NeutralClip { action: "kick".into(), ..circle(600, 1.0, 0.0) }, circle(600, 1.0, 0.0)];
+        for (own, kept) in [(vec![], None), (vec![short], None), (vec![punching], Some(0))] {
+            let clips =
+                DrivingClips::new(Proportions::default(), 60.0, &own, &spare, &[circle(120, 0.5, 0.0)]).unwrap();
+            let of = |kind: ClipKind| {
+                let clips = clips.clips().iter().filter(move |clip| clip.kind == kind && !clip.mirrored);
+                clips.map(|clip| clip.source).collect::<Vec<_>>()
+            };
+            assert_eq!(of(ClipKind::Locomotion), [own.len() + 1]);
+            assert_eq!(of(ClipKind::Moves), Vec::from_iter(kept));
+            assert_eq!(of(ClipKind::Take), [own.len() + 2]);
+        }
+        let enough = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, 1.2, 0.0)], &spare, &[]).unwrap();
+        assert!(enough.clips().iter().all(|clip| clip.source == 0));
     }
 
     #[test]
     fn have_a_contact_a_pose() {
         let mut clip = circle(600, 1.2, 0.0);
         clip.contacts.pop();
-        let refused = DrivingClips::new(Proportions::default(), 60.0, &[clip], &[]).unwrap_err();
+        let refused = DrivingClips::new(Proportions::default(), 60.0, &[clip], &[], &[]).unwrap_err();
         assert_eq!(refused.to_string(), "the clip 'circle' has 600 poses and 599 contacts");
     }
 }

@@ -2,16 +2,17 @@
 
 use super::clips::{ClipKind, DrivingClip, DrivingClips};
 use super::control::Control;
-use super::features::{HORIZONS_SECS, Trajectory, features_of, query_of};
+use super::features::{HORIZONS_SECS, Trajectory, ahead_of, features_of, query_of};
 use super::inertia::{HALF_LIFE_SECS, Inertia, Moving};
 use super::matching::Matching;
 use super::moves::Move;
 use super::path::Path;
-use super::query::{RootState, STOP_BEFORE, by_path, by_stick, in_root, in_world};
+use super::query::{OnPath, RootState, STOP_BEFORE, by_path, by_stick, in_root, in_world, to_the_right};
 use crate::humanoid::Pose;
 use crate::math::float_funcs::{atan2, half_life_share, wrap_angle};
 use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::Placement;
+use std::f32::consts::LN_2;
 use std::sync::Arc;
 
 /// Time between searches, seconds: 10 frames at 60 Hz.
@@ -42,11 +43,20 @@ const MOVE_BEGINS_SECS: f32 = 1.0 / 6.0;
 /// it comes and goes, seconds.
 const STANDING_STYLE: f32 = 0.3;
 const STYLE_HALF_LIFE_SECS: f32 = 0.1;
-/// Steering adds to the clip's turn rate so much per radian that its heading is off at the first horizon, rad/s, and at most
-/// so much; less where the root is slower than `FULL_STEERING_SPEED`, m/s.
-const STEERING: f32 = 2.0;
-const MOST_STEERING: f32 = 30.0 * std::f32::consts::PI / 180.0;
+/// Steering adds to the clip's turn rate what it lacks to the heading asked at the first horizon, and at most so much, rad/s;
+/// less where somebody slows down to stand and the root is slower than `FULL_STEERING_SPEED`, m/s.
+const MOST_STEERING: f32 = 60.0 * std::f32::consts::PI / 180.0;
 const FULL_STEERING_SPEED: f32 = 0.5;
+/// The clip's speed is brought nearer to the one asked by at most this share, with this half-life, seconds; a clip that goes
+/// less far than this up to the last horizon, metres, stays as it is.
+const MOST_PACING: f32 = 0.1;
+const PACING_HALF_LIFE_SECS: f32 = 0.2;
+const LEAST_WAY: f32 = 0.25;
+/// An offset from the path that stays is added up, with this half-life, seconds, and the character aims at so much of it to
+/// the other side, 1/s; at most this far, metres.
+const OFFSET_HALF_LIFE_SECS: f32 = 5.0;
+const AIM: f32 = 0.7;
+const MOST_AIM: f32 = 0.5;
 /// Where the styled character is, and how fast, beside the neutral one: half-lives, seconds, and the range of the latter.
 const STYLED_PLACE_HALF_LIFE_SECS: f32 = 0.15;
 const STYLED_SPEED_HALF_LIFE_SECS: f32 = 0.5;
@@ -67,6 +77,8 @@ pub struct DrivenFrame {
     pub root: Placement,
     /// Where it is asked to be.
     pub asked: Trajectory,
+    /// Where the clip that plays would take it.
+    pub ahead: Trajectory,
     /// Speed of the root over the ground, m/s.
     pub speed: f32,
     /// The row that plays, see [`DrivingClips`].
@@ -122,6 +134,10 @@ struct State {
     /// Differences of the root's velocity in its frame and of its turn rate from the row's.
     velocity: Vec2,
     turn_rate: f32,
+    /// How many times as fast as its clip the root goes.
+    pace: f32,
+    /// Offset from the path to its left, added up, metres · seconds.
+    offset: f32,
     inertia: Inertia,
     since_search_secs: f32,
     acting: Option<Acting>,
@@ -156,6 +172,7 @@ impl Driver {
             contacts: clips.contact(state.row),
             root: state.root,
             asked: [(Vec2::ZERO, 0.0); HORIZONS_SECS.len()],
+            ahead: [(Vec2::ZERO, 0.0); HORIZONS_SECS.len()],
             speed: 0.0,
             row: state.row,
             switched: false,
@@ -186,6 +203,7 @@ impl Driver {
     /// end. Fewer than two distinct points end it.
     pub fn set_path(&mut self, points: &[Vec2]) {
         self.path = Path::new(points).map(|path| (path, 0.0));
+        self.state.offset = 0.0;
     }
 
     /// How far along its path the character is, metres; `None` where it has no path.
@@ -211,9 +229,9 @@ impl Driver {
         let dt = 1.0 / self.clips.rate_hz;
         self.observe(styled_hips.filter(|hips| hips.is_finite()), dt);
         let now = self.root_state();
-        let (asked, wanted) = self.asked(&now);
+        let (asked, wanted) = self.asked(&now, dt);
         let switched = self.choose(&now, &asked, wanted, dt);
-        self.advance(&asked, dt);
+        self.advance(&asked, wanted.0, dt);
         self.frame.asked = asked;
         self.frame.switched = switched;
         &self.frame
@@ -242,15 +260,15 @@ impl Driver {
     }
 
     fn root_state(&self) -> RootState {
-        let State { row, root, velocity, turn_rate, .. } = self.state;
+        let State { row, root, velocity, turn_rate, pace, .. } = self.state;
         let motion = self.clips.motion(row);
         let place = Vec2::new(root.x, root.z);
-        let velocity = in_world(root.heading, motion.velocity + velocity);
+        let velocity = in_world(root.heading, (motion.velocity + velocity) * pace);
         RootState { place, heading: root.heading, velocity, turn_rate: motion.turn_rate + turn_rate }
     }
 
     /// Where the root is asked to be, and the velocity and the heading that this comes from.
-    fn asked(&mut self, now: &RootState) -> (Trajectory, (Vec2, f32)) {
+    fn asked(&mut self, now: &RootState, dt: f32) -> (Trajectory, (Vec2, f32)) {
         let Control { wish, gait, face, .. } = self.control;
         if self.state.acting.is_some() {
             return (by_stick(now, Vec2::ZERO, now.heading), (Vec2::ZERO, now.heading));
@@ -260,8 +278,13 @@ impl Driver {
             let styled = now.place + self.state.styled;
             *progress = path.nearest(*progress, styled);
             if *progress < path.length() - STOP_BEFORE {
-                let asked = by_path(now, path, *progress, speed, styled, self.state.styled_share);
                 let direction = path.direction(*progress);
+                let off = -to_the_right(direction).dot(styled - path.at(*progress));
+                let state = &mut self.state;
+                state.offset = (state.offset * (1.0 - half_life_share(dt, OFFSET_HALF_LIFE_SECS)) + off * dt)
+                    .clamp(-MOST_AIM / AIM, MOST_AIM / AIM);
+                let (share, aim) = (state.styled_share, AIM * state.offset);
+                let asked = by_path(now, OnPath { path, progress: *progress, speed, styled, share, aim });
                 return (asked, (direction * speed, atan2(direction.x, direction.y)));
             }
             let goal = face.unwrap_or(now.heading);
@@ -378,17 +401,17 @@ impl Driver {
         state.row = to;
     }
 
-    /// Moves the root and shows the row there.
-    fn advance(&mut self, asked: &Trajectory, dt: f32) {
+    /// Moves the root, where `wanted` is the velocity asked in the end, and shows the row there.
+    fn advance(&mut self, asked: &Trajectory, wanted: Vec2, dt: f32) {
+        let is_acting = matches!(self.state.acting, Some(Acting::Playing { .. }));
+        let pacing = if is_acting { 1.0 } else { self.pacing(wanted) };
+        self.state.pace += (pacing - self.state.pace) * half_life_share(dt, PACING_HALF_LIFE_SECS);
+        let steering = if is_acting { 0.0 } else { self.steering(asked, wanted) };
         let state = &mut self.state;
         let motion = self.clips.motion(state.row);
-        let velocity = motion.velocity + state.velocity;
+        let velocity = (motion.velocity + state.velocity) * state.pace;
         let speed = velocity.length();
-        let ahead = wrap_angle(asked[0].1 - state.root.heading) - HORIZONS_SECS[0] * motion.turn_rate;
-        let steering = (STEERING * wrap_angle(ahead)).clamp(-MOST_STEERING, MOST_STEERING);
-        let is_acting = matches!(state.acting, Some(Acting::Playing { .. }));
-        let steered = if is_acting { 0.0 } else { steering * (speed / FULL_STEERING_SPEED).min(1.0) };
-        let turn_rate = motion.turn_rate + state.turn_rate + steered;
+        let turn_rate = motion.turn_rate + state.turn_rate + steering;
         let heading = wrap_angle(state.root.heading + turn_rate * dt);
         let step = in_world(heading, velocity) * dt;
         state.root = Placement { x: state.root.x + step.x, z: state.root.z + step.y, heading };
@@ -404,6 +427,11 @@ impl Driver {
         self.frame.pose = pose;
         self.frame.contacts = self.clips.contact(state.row);
         self.frame.root = state.root;
+        let row = self.matching.row(state.row);
+        self.frame.ahead = std::array::from_fn(|horizon| {
+            let (way, turned) = ahead_of(row, horizon);
+            (Vec2::new(state.root.x, state.root.z) + in_world(heading, way), wrap_angle(heading + turned))
+        });
         self.frame.speed = speed;
         self.frame.row = state.row;
         self.frame.action = match state.acting {
@@ -414,6 +442,32 @@ impl Driver {
         let share = if is_unknown { STANDING_STYLE } else { 1.0 };
         self.frame.style_share += (share - self.frame.style_share) * half_life_share(dt, STYLE_HALF_LIFE_SECS);
     }
+
+    /// How many times as fast as its clip somebody should go who is asked for a velocity.
+    fn pacing(&self, wanted: Vec2) -> f32 {
+        const LAST: usize = HORIZONS_SECS.len() - 1;
+        let way = ahead_of(self.matching.row(self.state.row), LAST).0.length();
+        if way < LEAST_WAY {
+            return 1.0;
+        }
+        (wanted.length() * HORIZONS_SECS[LAST] / way).clamp(1.0 - MOST_PACING, 1.0 + MOST_PACING)
+    }
+
+    /// What the clip's turn rate lacks to the heading asked, rad/s.
+    fn steering(&self, asked: &Trajectory, wanted: Vec2) -> f32 {
+        let State { row, root, velocity, turn_rate, pace, .. } = self.state;
+        let (_, turned) = ahead_of(self.matching.row(row), 0);
+        // What is left of the last transition turns, too.
+        let dying = turn_rate * HALF_LIFE_SECS / LN_2 * half_life_share(HORIZONS_SECS[0], HALF_LIFE_SECS);
+        let lacks = wrap_angle(wrap_angle(asked[0].1 - root.heading) - turned - dying);
+        let steering = (lacks / HORIZONS_SECS[0]).clamp(-MOST_STEERING, MOST_STEERING);
+        // Somebody who sets out or turns on the spot lifts the feet; one who stands would slide over them.
+        if wanted != Vec2::ZERO || self.entries[row].turns {
+            return steering;
+        }
+        let speed = ((self.clips.motion(row).velocity + velocity) * pace).length();
+        steering * (speed / FULL_STEERING_SPEED).min(1.0)
+    }
 }
 
 impl State {
@@ -423,6 +477,8 @@ impl State {
             root,
             velocity: Vec2::ZERO,
             turn_rate: 0.0,
+            pace: 1.0,
+            offset: 0.0,
             inertia: Inertia::default(),
             since_search_secs: SEARCH_SECS,
             acting: None,

@@ -3,7 +3,7 @@
 use super::clips::DrivingClips;
 use crate::humanoid::Role;
 use crate::kinematics::world_from_local;
-use crate::math::float_funcs::sin_cos;
+use crate::math::float_funcs::{atan2, sin_cos};
 use crate::math::{Quat, Vec2, Vec3};
 
 /// Numbers of a row: 27 and a zero, so that they fill whole lanes.
@@ -67,6 +67,12 @@ pub(super) fn query_of(row: &Features, asked: &Trajectory) -> Features {
         write_trajectory(&mut query, horizon, place, heading);
     }
     query
+}
+
+/// Where a row's clip takes the root up to a horizon, in the frame of the root now: place in metres and heading in radians.
+pub(super) fn ahead_of(row: &Features, horizon: usize) -> (Vec2, f32) {
+    let (at, facing) = (place_at(horizon), place_at(horizon) + 2);
+    (Vec2::new(row[at], row[at + 1]) * PLACE, atan2(row[facing], row[facing + 1]))
 }
 
 /// Where toes and hips of a row are in the frame of its root.
@@ -146,7 +152,8 @@ mod tests {
     use crate::humanoid::Proportions;
 
     fn of_circle(speed: f32, turn_rate: f32) -> (DrivingClips, Vec<Features>) {
-        let clips = DrivingClips::new(Proportions::default(), 60.0, &[circle(600, speed, turn_rate)], &[]).unwrap();
+        let clips =
+            DrivingClips::new(Proportions::default(), 60.0, &[circle(600, speed, turn_rate)], &[], &[]).unwrap();
         let features = features_of(&clips);
         (clips, features)
     }
@@ -157,14 +164,12 @@ mod tests {
         let (_, features) = of_circle(speed, turn);
         for row in [100, 300, 590] {
             for (horizon, secs) in HORIZONS_SECS.into_iter().enumerate() {
-                let row = features[row];
                 // On a circle of radius speed / turn, walked towards +Z.
                 let (sine, cosine) = sin_cos(turn * secs);
-                let asked = [(1.0 - cosine) * speed / turn, sine * speed / turn];
-                let place = [row[place_at(horizon)] * PLACE, row[place_at(horizon) + 1] * PLACE];
-                let facing = [row[place_at(horizon) + 2] * HEADING, row[place_at(horizon) + 3] * HEADING];
-                assert!((0..2).all(|i| (place[i] - asked[i]).abs() < 0.03), "{place:?} {asked:?}");
-                assert!((facing[0] - sine).abs() < 0.02 && (facing[1] - cosine).abs() < 0.02, "{facing:?}");
+                let asked = Vec2::new(1.0 - cosine, sine) * (speed / turn);
+                let (place, heading) = ahead_of(&features[row], horizon);
+                assert!(place.distance(asked) < 0.03, "{place:?} {asked:?}");
+                assert!((heading - turn * secs).abs() < 0.02, "{heading}");
             }
         }
     }

@@ -62,7 +62,7 @@ mod tests {
             (2.5, 0.5),
         ];
         let clips: Vec<NeutralClip> = ways.iter().map(|&(speed, turn)| circle(400, speed, turn)).collect();
-        Driver::new(Arc::new(DrivingClips::new(Proportions::default(), 60.0, &clips, &[]).unwrap()))
+        Driver::new(Arc::new(DrivingClips::new(Proportions::default(), 60.0, &clips, &[], &[]).unwrap()))
     }
 
     /// Places of the root over a drive.
@@ -98,6 +98,43 @@ mod tests {
         let run = driven(&mut driver, 60, &Control { gait: 2.0, ..east });
         let ran = (run[59] - run[0]).length() / 59.0 * 60.0;
         assert!(ran > driver.speeds()[0] + 0.4, "{ran} m/s");
+    }
+
+    /// Somebody who only goes straight on, at a speed.
+    fn straight(speed: f32) -> Driver {
+        let clips = [circle(600, speed, 0.0)];
+        Driver::new(Arc::new(DrivingClips::new(Proportions::default(), 60.0, &clips, &[], &[]).unwrap()))
+    }
+
+    #[test]
+    fn a_clip_that_goes_straight_on_is_steered_round_a_curve_and_stays_on_it() {
+        let mut driver = straight(1.2);
+        let curve: Vec<Vec2> = (0..400).map(|i| (Vec2::X - Vec2::from_angle(i as f32 * -0.015)) * 3.0).collect();
+        driver.set_path(&curve);
+        let places = driven(&mut driver, 840, &Control { gait: 1.0, ..Control::default() });
+        let off = places[600..].iter().map(|p| p.distance(Vec2::X * 3.0) - 3.0).sum::<f32>() / 240.0;
+        assert!(off.abs() < 0.02, "{off} m to one side");
+    }
+
+    #[test]
+    fn a_clip_is_paced_to_the_speed_asked_by_a_tenth_at_most() {
+        for (asked, goes) in [(1.0, 1.0), (0.95, 0.95), (0.5, 0.9)] {
+            let mut driver = straight(1.2);
+            let places = driven(&mut driver, 300, &Control { wish: Vec2::Y, gait: asked, ..Control::default() });
+            let speed = places[299].distance(places[180]) / 119.0 * 60.0;
+            assert!((speed - 1.2 * goes).abs() < 0.01, "{asked}: {speed} m/s");
+        }
+    }
+
+    #[test]
+    fn a_frame_says_where_its_clip_would_go() {
+        let mut driver = straight(1.2);
+        let frame = driver.next(&Control::default(), None);
+        let Placement { x, z, .. } = frame.root;
+        for (i, (place, heading)) in frame.ahead.into_iter().enumerate() {
+            let to = Vec2::new(x, z + 1.2 * (i + 1) as f32 / 3.0);
+            assert!(place.distance(to) < 0.02 && heading.abs() < 0.01, "{place} {to} {heading}");
+        }
     }
 
     #[test]

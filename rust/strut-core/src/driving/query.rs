@@ -37,17 +37,40 @@ pub(super) fn by_stick(now: &RootState, wanted: Vec2, goal: f32) -> Trajectory {
     })
 }
 
-/// The way of a root along a path from `progress` on, `speed` m/s fast. What is drawn is the styled character, at `styled`,
-/// `share` times as fast as the root; the root is asked for what brings that one onto the path.
-pub(super) fn by_path(now: &RootState, path: &Path, progress: f32, speed: f32, styled: Vec2, share: f32) -> Trajectory {
+/// Where somebody is on a path, and how they follow it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OnPath<'a> {
+    pub(super) path: &'a Path,
+    /// How far along it, metres.
+    pub(super) progress: f32,
+    /// How fast, m/s.
+    pub(super) speed: f32,
+    /// Where the styled character is, and how many times as fast as the root it goes.
+    pub(super) styled: Vec2,
+    pub(super) share: f32,
+    /// So far to the right of the path they are asked to be, metres: against an offset to the left that stays.
+    pub(super) aim: f32,
+}
+
+/// The way of a root along a path. What is drawn is the styled character; the root is asked for what brings that one onto the
+/// path.
+pub(super) fn by_path(now: &RootState, on: OnPath) -> Trajectory {
+    let OnPath { path, progress, speed, styled, share, aim } = on;
     let off = styled - path.at(progress);
     HORIZONS_SECS.map(|t| {
         let left = exp2(-t / PATH_HALF_LIFE_SECS);
         let along = (progress + share * speed * t).min(path.length());
-        let place = now.place + (path.at(along) + off * left - styled) / share;
-        let way = path.direction(along) * (share * speed) - off * (left * LN_2 / PATH_HALF_LIFE_SECS);
+        let direction = path.direction(along);
+        let aside = to_the_right(direction) * aim;
+        let place = now.place + (path.at(along) + aside + off * left - styled) / share;
+        let way = direction * (share * speed) - (off - aside) * (left * LN_2 / PATH_HALF_LIFE_SECS);
         (place, if way.length() > STILL { atan2(way.x, way.y) } else { now.heading })
     })
+}
+
+/// The direction to the right of one over the ground (x, z), where +X is to the left of +Z.
+pub(super) fn to_the_right(direction: Vec2) -> Vec2 {
+    Vec2::new(-direction.y, direction.x)
 }
 
 /// A vector of the frame of a root with this heading in the world.
@@ -101,7 +124,11 @@ mod tests {
     fn a_root_beside_its_path_comes_back_to_it() {
         let path = Path::new(&[Vec2::ZERO, Vec2::new(0.0, 10.0)]).unwrap();
         let now = RootState { place: Vec2::new(0.4, 2.0), heading: 0.0, velocity: Vec2::Y, turn_rate: 0.0 };
-        let asked = by_path(&now, &path, 2.0, 1.0, now.place, 1.0);
+        let on = OnPath { path: &path, progress: 2.0, speed: 1.0, styled: now.place, share: 1.0, aim: 0.0 };
+        let asked = by_path(&now, on);
+        // +X is to the left.
+        let right_of = by_path(&now, OnPath { aim: 0.1, ..on });
+        assert!((0..3).all(|i| (asked[i].0.x - right_of[i].0.x - 0.1).abs() < 1e-5), "{right_of:?}");
         assert!(asked.windows(2).all(|pair| pair[1].0.x < pair[0].0.x));
         assert!((asked[2].0.y - 3.0).abs() < 1e-5 && asked[0].1 < 0.0, "{asked:?}");
     }

@@ -32,7 +32,8 @@ export async function keepMotion(
   }
   const name = freeName(words, (taken) => session.library.has(taken));
   const track = trackOf(made.track, database.neutral);
-  await playMotion(`${name}.bvh`, new TextEncoder().encode(made.bvh).buffer);
+  const exact = { poses: made.poses, proportions: database.proportions, rateHz: database.rateHz };
+  await playMotion(`${name}.bvh`, new TextEncoder().encode(made.bvh).buffer, exact);
   if (store.state.input !== name) return false;
   const styles = track.at(-1)?.styles ?? store.state.styles;
   store.edit({ track: track.length > 1 ? track : [], key: Math.max(0, track.length - 1), styles, intensity: 1 });

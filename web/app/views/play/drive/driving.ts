@@ -10,6 +10,7 @@ import { announce } from "../../../ui/announce";
 import type { ViewerLease, ViewHost } from "../../../view";
 import { DriveChart } from "./chart";
 import { GamepadInput, type PadAction } from "./gamepad";
+import { HeadingTool } from "./heading_tool";
 import { type Device, HelpLine } from "./help_line";
 import { keep } from "./keep";
 import { Keyboard } from "./keyboard";
@@ -21,6 +22,8 @@ import { headingOf, overGround, type Wish } from "./wish";
 
 /** A press of Q or E turns by this, radians. */
 const TURN = Math.PI / 4;
+/** Slower than this somebody stands, m/s: an arrow turns them on the spot. */
+const STANDING = 0.3;
 const NO_PATH = new Float32Array();
 
 /** Where Play has room for what belongs to driving. */
@@ -53,6 +56,7 @@ export class Driving {
   readonly #listening = new AbortController();
   readonly #keyboard: Keyboard;
   readonly #pad: GamepadInput;
+  readonly #heading: HeadingTool;
   readonly #stick: TouchStick;
   readonly #path: PathTool;
   readonly #help: HelpLine;
@@ -90,6 +94,19 @@ export class Driving {
     this.#pad = new GamepadInput(
       (action) => this.#act(action),
       (glyphs) => this.#use(glyphs),
+    );
+    // Before the stick and the path: what takes the arrow is not theirs.
+    this.#heading = new HeadingTool(
+      places.picture,
+      {
+        ...this.#ground(),
+        arrow: () => this.#arrowOnPage(),
+        onTurn: (heading) => {
+          this.#face = heading;
+          this.#use("arrow");
+        },
+      },
+      signal,
     );
     this.#stick = new TouchStick(
       places.picture,
@@ -269,8 +286,9 @@ export class Driving {
     if (this.#info.moves.includes(move)) this.#move = move;
   }
 
-  #use(device: Device): void {
-    this.#help.device = device;
+  /** Notes that something was used, a device or the arrow, which belongs to none. */
+  #use(device: Device | "arrow"): void {
+    if (device !== "arrow") this.#help.device = device;
     if (this.#used) return;
     this.#used = true;
     this.#help.isShown = false;
@@ -304,6 +322,15 @@ export class Driving {
     return of(this.#lease.viewer, clientX - left, clientY - top);
   }
 
+  /** Where the arrow is on the page that turns the character. */
+  #arrowOnPage() {
+    const arrow = this.#course.arrow;
+    if (!this.#lease || !arrow || this.#path.draws) return undefined;
+    const { left, top } = this.#lease.element.getBoundingClientRect();
+    const { x, y } = this.#lease.viewer.screenPosition(arrow.x, 0, arrow.z);
+    return { x: left + x, y: top + y };
+  }
+
   /** Where the styled character is. */
   #place() {
     const pose = this.#frame?.pose;
@@ -334,11 +361,13 @@ export class Driving {
   }
 
   /** Marks the next second about the styled character, who is not where the neutral one is. */
-  #mark({ root, asked, ahead }: DriveFrame): void {
+  #mark({ root, asked, ahead, speed }: DriveFrame): void {
     const { x, z } = this.#place();
     const [dx, dz] = [x - root[0], z - root[1]];
     const moved = (places: Float32Array) => places.map((value, i) => value + [dx, dz, 0][i % 3]!);
     this.#course.show(moved(asked), moved(ahead), x, z);
+    const stands = speed < STANDING && this.#line.length === 0;
+    this.#course.face(x, z, root[2], stands || this.#heading.isDragged);
   }
 
   #moveButton(move: Move): HTMLButtonElement {

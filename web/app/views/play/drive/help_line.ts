@@ -38,7 +38,12 @@ export class HelpLine {
   }
 
   #items(device: Device): HTMLElement[] {
-    if (device === "touch") return [item([words.stick], words.stickGo), item([words.path], words.pathWhy)];
+    if (device === "touch")
+      return [
+        item([words.stick], words.stickGo),
+        item([words.path], words.pathWhy),
+        item([words.arrow], words.arrowTurn),
+      ];
     if (device === "keyboard")
       return [
         item(["W", "A", "S", "D"], words.go),

@@ -21,7 +21,7 @@ export class DrivePanel {
   #shownAt = 0;
 
   /** @param neutral name of the neutral style */
-  constructor({ speeds, clips, frames }: DriveInfo, neutral: string, onKeepGoing: (on: boolean) => void) {
+  constructor({ speeds, clips, frames, note }: DriveInfo, neutral: string, onKeepGoing: (on: boolean) => void) {
     this.#neutral = neutral;
     const keepGoing = new Toggle(words.keepGoing, (on) => {
       keepGoing.on = on;
@@ -40,6 +40,7 @@ export class DrivePanel {
         html("h2", { id: "drive-heading" }, words.heading),
         html("span", { class: "caption" }, words.from(String(clips), grouped(frames))),
       ),
+      ...(note ? [html("p", { class: "caption drive-note" }, words.note(note))] : []),
       html(
         "dl",
         {},

@@ -12,6 +12,8 @@ export const driveWords = {
     stickGo: "go; far out runs",
     path: "Draw path",
     pathWhy: "then draw on the ground",
+    arrow: "Arrow",
+    arrowTurn: "drag it to turn",
     pad: "or a gamepad",
     moves: { jump: "jump", punch: "punch", kick: "kick" },
     padStick: "Left stick",
@@ -43,6 +45,8 @@ export const driveWords = {
     legend: "On the ground, the next second",
     asked: "asked",
     ofClip: "of the clip",
+    /** @param why how much walking the database has, a sentence */
+    note: (why: string) => `${why} Built-in clips walk.`,
     from: (clips: string, frames: string) => `${clips} neutral clips, ${frames} frames`,
   },
   keep: "Keep",

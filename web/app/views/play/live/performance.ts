@@ -91,8 +91,9 @@ export class Performance {
   keep(): Promise<boolean> {
     const frames = Math.min(this.#recording.frames, MAX_KEPT_SECS * this.#rateHz);
     const { proportions, rateHz } = this.#performer.stream.database.info;
-    const bvh = frames > 0 ? bvhText({ proportions, rateHz, poses: this.#recording.last(frames) }) : "";
-    const made = { frames, bvh, track: this.#recording.track(frames) };
+    const poses = this.#recording.last(frames);
+    const bvh = frames > 0 ? bvhText({ proportions, rateHz, poses }) : "";
+    const made = { frames, bvh, poses, track: this.#recording.track(frames) };
     const { name } = this.#performer;
     return keepMotion(this.#host, made, liveWords, () => void connect(this.#host, name));
   }
