@@ -1,6 +1,6 @@
 /** Where a driven character is asked to go: the line drawn for it, and the next second as asked and as its clip has it. */
 
-import { CircleGeometry, Group, Mesh, MeshBasicMaterial, Shape, ShapeGeometry } from "three";
+import { CircleGeometry, Group, Mesh, MeshBasicMaterial, RingGeometry, Shape, ShapeGeometry } from "three";
 import { Ribbon } from "../stage/hips_path";
 import type { Theme } from "../themes";
 
@@ -13,6 +13,8 @@ const OPACITY = { line: 0.75, done: 0.18 };
 const SHORT = 0.25;
 /** The arrow that is dragged to turn: so far before the character, and half as wide, metres. */
 const FACING = { ahead: 0.62, width: 0.075 };
+/** It is drawn on an arc about the character, which is seen on both sides of the legs: half its angle, radians, and its width. */
+const ARC = { half: 0.8, width: 0.018 };
 /** Instants that are marked: 1/3, 2/3 and 1 s. */
 const INSTANTS = 3;
 /** Above the ground, metres: what is asked over what the clip has, and both over the line. */
@@ -83,6 +85,7 @@ export class Course {
   readonly #clip = new Markers(0.032, HEIGHTS.clip);
   readonly #facing = new Group();
   readonly #arrow: Mesh<ShapeGeometry, MeshBasicMaterial>;
+  readonly #arc: Mesh<RingGeometry, MeshBasicMaterial>;
   readonly #points = new Float32Array(4 * POINTS);
   #count = 0;
 
@@ -99,7 +102,14 @@ export class Course {
     this.#arrow.rotation.x = Math.PI / 2;
     this.#arrow.position.set(0, HEIGHTS.asked, FACING.ahead);
     this.#arrow.renderOrder = -1;
-    this.#facing.add(this.#arrow);
+    this.#arc = new Mesh(
+      new RingGeometry(FACING.ahead - ARC.width, FACING.ahead, 32, 1, Math.PI / 2 - ARC.half, 2 * ARC.half),
+      material,
+    );
+    this.#arc.rotation.x = Math.PI / 2;
+    this.#arc.position.y = HEIGHTS.asked;
+    this.#arc.renderOrder = -1;
+    this.#facing.add(this.#arrow, this.#arc);
     this.#facing.visible = false;
     this.object.add(this.#line.mesh, this.#clip.object, this.#asked.object, this.#facing);
   }
@@ -145,12 +155,14 @@ export class Course {
     this.#facing.rotation.y = heading;
   }
 
-  /** Where the arrow is on the ground; `undefined` where it is hidden. */
-  get arrow(): { x: number; z: number } | undefined {
+  /** Where the arrow and the ends of its arc are on the ground; none where it is hidden. */
+  get arrow(): { x: number; z: number }[] {
     const { visible, position, rotation } = this.#facing;
-    const ahead = FACING.ahead + 0.8 * FACING.width;
-    if (!visible) return undefined;
-    return { x: position.x + ahead * Math.sin(rotation.y), z: position.z + ahead * Math.cos(rotation.y) };
+    const at = (turn: number) => ({
+      x: position.x + FACING.ahead * Math.sin(rotation.y + turn),
+      z: position.z + FACING.ahead * Math.cos(rotation.y + turn),
+    });
+    return visible ? [0, ARC.half, -ARC.half].map(at) : [];
   }
 
   dispose(): void {
@@ -159,6 +171,7 @@ export class Course {
     this.#asked.dispose();
     this.#clip.dispose();
     this.#arrow.geometry.dispose();
+    this.#arc.geometry.dispose();
     this.#arrow.material.dispose();
   }
 }

@@ -322,13 +322,15 @@ export class Driving {
     return of(this.#lease.viewer, clientX - left, clientY - top);
   }
 
-  /** Where the arrow is on the page that turns the character. */
+  /** Where the arrow that turns the character can be taken on the page. */
   #arrowOnPage() {
-    const arrow = this.#course.arrow;
-    if (!this.#lease || !arrow || this.#path.draws) return undefined;
-    const { left, top } = this.#lease.element.getBoundingClientRect();
-    const { x, y } = this.#lease.viewer.screenPosition(arrow.x, 0, arrow.z);
-    return { x: left + x, y: top + y };
+    if (!this.#lease || this.#path.draws) return [];
+    const { element, viewer } = this.#lease;
+    const { left, top } = element.getBoundingClientRect();
+    return this.#course.arrow.map((at) => {
+      const { x, y } = viewer.screenPosition(at.x, 0, at.z);
+      return { x: left + x, y: top + y };
+    });
   }
 
   /** Where the styled character is. */

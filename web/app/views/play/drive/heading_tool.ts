@@ -8,8 +8,8 @@ const REACH_PX = 28;
 
 /** What the tool needs of the page. */
 export interface HeadingGround {
-  /** Where the arrow is on the page; `undefined` where it is not shown. */
-  arrow(): { x: number; y: number } | undefined;
+  /** Where it can be taken on the page; nowhere while it is not shown. */
+  arrow(): readonly { x: number; y: number }[];
   /** The place on the ground under a place of the page. */
   groundAt(clientX: number, clientY: number): Spot | undefined;
   /** Where the character is. */
@@ -32,9 +32,10 @@ export class HeadingTool {
     };
     const onDown = (event: PointerEvent): void => {
       this.#dragged = false;
-      const arrow = ground.arrow();
-      if (event.button !== 0 || this.#pointer !== undefined || !arrow) return;
-      if (Math.hypot(event.clientX - arrow.x, event.clientY - arrow.y) > REACH_PX) return;
+      if (event.button !== 0 || this.#pointer !== undefined) return;
+      const isNear = ({ x, y }: { x: number; y: number }) =>
+        Math.hypot(event.clientX - x, event.clientY - y) < REACH_PX;
+      if (!ground.arrow().some(isNear)) return;
       take(event);
       picture.setPointerCapture(event.pointerId);
       this.#pointer = event.pointerId;
