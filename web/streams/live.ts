@@ -144,6 +144,8 @@ class SourceLive implements Live {
         if (!isFault(thrown)) return;
       }
       await nextRepaint(1000 / this.#stream.database.info.rateHz);
+      // With the engine, or its database, all that it feeds ends: an open loop would keep a program of Node running.
+      if (this.#stream.closed) this.close();
     }
   }
 
