@@ -93,10 +93,13 @@ test("strut_drive, which reads no files", async () => {
       call(
         make(glue, "Clips", new Float32Array(63), 60) as object,
         "add",
+        0,
         "a",
         "b",
         new Float32Array(3),
         new Uint8Array(2),
+        new Float32Array(63),
+        60,
       ),
   ]) {
     const error = thrownBy(wrong);
