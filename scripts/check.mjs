@@ -2,13 +2,14 @@
 import { join } from "node:path";
 import { checkArchitecture } from "./architecture.mjs";
 import { checkPackageSize } from "./package.mjs";
+import { setupCxx } from "./setup.mjs";
 import { buildSite } from "./site.mjs";
 import { checkSize } from "./size.mjs";
 import { findProgram, main, output, root, run, step } from "./steps.mjs";
 
-/** What tests and benchmarks need of the engine beside what the page does. */
+/** What tests, benchmarks and fuzzing need of the engine beside what the page does. */
 const FEATURES =
-  "strut-wasm/atlas,strut-wasm/drive,strut-wasm/bench,strut-wasm/learn,strut-wasm/parity,strut-wasm-walk/crowd,strut-wasm-gpu/bench,strut-cli/gpu";
+  "strut-wasm/atlas,strut-wasm/drive,strut-wasm/bench,strut-wasm/learn,strut-wasm/parity,strut-wasm-walk/crowd,strut-wasm-gpu/bench,strut-cli/gpu,strut-fuzz/libfuzzer";
 
 const bin = (name) => join(root, "node_modules", ".bin", name);
 
@@ -27,6 +28,7 @@ await main(async () => {
   await step("Architecture", checkArchitecture);
   const { rust: env } = await buildSite({ mode: "full", bench: "quick" });
   await setupLints(env);
+  await setupCxx();
   const rust = { env, cwd: join(root, "rust") };
   await step("Rust formatting", () => run("cargo", ["fmt", "--all", "--check"], rust));
   await step("Rust lints", async () => {
