@@ -4,10 +4,10 @@ import { katexPlugin } from "./scripts/katex_plugin.mjs";
 
 /** The projects run one after the other, in this order. */
 const projects = [
-  // Beside the code; as many files at once as there are cores.
-  { name: "unit", include: ["web/**/*.test.ts"] },
+  // Beside the code; as many files at once as there are cores (Vitest would leave one idle).
+  { name: "unit", include: ["web/**/*.test.ts"], maxWorkers: "100%" },
   // The page's modules beside the native programs.
-  { name: "native", include: ["tests/**/*.test.ts"], exclude: ["tests/{e2e,visual}/**"] },
+  { name: "native", include: ["tests/**/*.test.ts"], exclude: ["tests/{e2e,visual}/**"], maxWorkers: "100%" },
   // One Chromium at a time: drawing in software takes every core.
   { name: "browser", include: ["tests/{e2e,visual}/**/*.test.ts"], maxWorkers: 1 },
 ];
