@@ -184,10 +184,10 @@ describe("keys", () => {
     // The frame that was asked for before the pause may still come.
     let inputFrame = Number.NaN;
     await eventually(async () => {
-      const before = inputFrame;
-      inputFrame = (await frame()).inputFrame;
-      return inputFrame === before;
-    }).toBe(true);
+      ({ inputFrame } = await frame());
+      await page.waitForTimeout(400);
+      return (await frame()).inputFrame - inputFrame;
+    }).toBe(0);
     await page.keyboard.down("KeyW");
     await page.waitForTimeout(400);
     await page.keyboard.up("KeyW");
