@@ -15,11 +15,11 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 use strut_core::humanoid::{HumanoidMotion, Pose};
 use strut_core::kinematics::world_from_local;
-use strut_core::math::Vec3;
 use strut_core::math::float_funcs::ln;
+use strut_core::math::{Quat, Vec3};
 use strut_core::stream::{Delay, JitterBuffer};
 use strut_formats::bvh;
-use strut_formats::vmc::{self, Frame, Message, Performer};
+use strut_formats::vmc::{self, Bone, Calibration, Frame, Message, Performer, Place};
 use tempfile::TempDir;
 
 /// How long anything is waited for.
@@ -211,14 +211,20 @@ fn a_performance_is_styled_through_a_bad_network() {
 /// Sends a clip as a performer whose clock begins at 0, over and over.
 fn perform(motion: HumanoidMotion, to: SocketAddr, beside: Vec3) -> Thread {
     let performer = Performer::of_body(&motion.proportions);
+    send_frames(to, move |i| {
+        let pose = &motion.poses[i % motion.poses.len()];
+        performer.frame(&Pose { root: pose.root + beside, ..*pose }, &Frame::default())
+    })
+}
+
+/// Sends 60 frames a second, the i-th of which is at i / 60 s.
+fn send_frames(to: SocketAddr, frame_of: impl Fn(usize) -> Frame + Send + 'static) -> Thread {
     let from = socket();
     let (begin, mut i) = (Instant::now(), 0_usize);
     Thread::run(move || {
-        let pose = &motion.poses[i % motion.poses.len()];
-        let pose = Pose { root: pose.root + beside, ..*pose };
         let secs = i as f64 / 60.0;
         thread::sleep(Duration::from_secs_f64(secs).saturating_sub(begin.elapsed()));
-        let mut messages: Vec<Message> = performer.frame(&pose, &Frame::default()).messages().collect();
+        let mut messages: Vec<Message> = frame_of(i).messages().collect();
         messages.push(Message::Time(secs as f32));
         for packet in vmc::encode(&messages) {
             from.send_to(&packet, to).unwrap();
@@ -258,6 +264,64 @@ fn a_performer_who_is_gone_is_said_to_be_and_may_come_back_elsewhere() {
     // The walk that is sent leaps back by 1.2 m every second, and the second one begins 3.6 m away; the figure goes on. How
     // smoothly is tested in the core: here a busy computer may lose some frames.
     assert!(leap < 1.0, "{leap} m");
+}
+
+#[test]
+#[cfg(unix)]
+fn a_held_t_pose_says_how_the_bones_of_a_raw_skeleton_are_turned() {
+    let folder = folder();
+    let target = socket();
+    let args = ["--style", "proud", "--calibrate", "0.5", "--record-input", "in.bvh"];
+    let live = Running::live(folder.path(), &target, &args);
+
+    // Every bone points along its own axes, as in a raw VRM 1 or a Blender rig: the same turn for all, so that only the hips
+    // have a rotation in the T-pose, and all offsets are in turned axes.
+    let motion = strut_demo::input_clips().remove(0).motion;
+    let turn = Quat::from_rotation_x(1.2) * Quat::from_rotation_z(-0.7);
+    let unturned = Performer::of_body(&motion.proportions);
+    let mut t_pose = unturned.frame(&Pose { root: motion.poses[0].root, ..Pose::default() }, &Frame::default());
+    for bone in Bone::all() {
+        let Some(place) = &mut t_pose.bones[bone.index()] else { continue };
+        *place = match bone.parent() {
+            None => Place { rotation: turn, ..*place },
+            Some(_) => Place { position: turn.inverse() * place.position, ..*place },
+        };
+    }
+    let mut calibration = Calibration::default();
+    calibration.push(&t_pose);
+    let raw = Performer::new(&t_pose, Some(&calibration));
+    let (theirs, poses) = (raw.clone(), motion.poses.clone());
+    let performer = send_frames(live.address(), move |i| {
+        // Two seconds: longer than the calibration, however late it begins.
+        let walking = i.checked_sub(120);
+        walking.map_or(t_pose, |i| theirs.frame(&poses[i % poses.len()], &t_pose))
+    });
+
+    let mut reader = vmc::FrameReader::default();
+    let mut frames: Vec<Frame> = Vec::new();
+    receive_until(&target, "a walk", |message| {
+        frames.extend(reader.push(message, 0.0));
+        frames.len() >= 210
+    });
+    live.interrupt();
+    drop(performer);
+
+    // What arrived is the walk, whose arms hang …
+    let input = body_of(&read_bvh(&folder.path().join("in.bvh")).to_motion().unwrap());
+    let nearest = |pose: &Pose| {
+        let worst = |other: &Pose| {
+            let angles = pose.rotations[1..].iter().zip(&other.rotations[1..]).map(|(a, b)| a.inv_mul(*b).angle());
+            angles.fold(0.0, f32::max)
+        };
+        motion.poses.iter().map(worst).fold(f32::INFINITY, f32::min)
+    };
+    let last = input.poses.len() - 30..input.poses.len() - 10;
+    let off = input.poses[last].iter().map(nearest).fold(0.0, f32::max);
+    assert!(off < 0.1, "{off} rad");
+    // … and what is sent on has the bones turned as they came.
+    let styled = world_from_local(raw.proportions(), &raw.pose(frames.last().unwrap()));
+    let [hips, head] = [0, 4].map(|joint| styled.positions[joint].y);
+    assert!(head > hips + 0.4, "{head} above {hips} m");
 }
 
 #[test]
