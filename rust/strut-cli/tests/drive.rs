@@ -70,6 +70,28 @@ fn somebody_stops_turns_on_the_spot_and_jumps_when_asked_to() {
 }
 
 #[test]
+fn somebody_stops_within_a_step_and_a_half_whatever_foot_they_are_on() {
+    let folder = folder();
+    let mut log = String::from("time,gait,heading\n");
+    let mut time = 0.0;
+    for i in 0..20 {
+        // A stride takes about 1.1 s.
+        let (walked, heading) = (2.0 + 0.055 * f64::from(i), 40 * i);
+        writeln!(log, "{time:.2},1,{heading}\n{:.2},0,{heading}", time + walked).unwrap();
+        time += walked + 3.0;
+    }
+    writeln!(log, "{time:.2},0,0").unwrap();
+    fs::write(folder.path().join("log.csv"), log).unwrap();
+    let args = ["drive", "--db", "db.strutdb", "--controls", "log.csv", "-o", "out.bvh", "--json", "drive.json"];
+    strut_ok(folder.path(), &args);
+    let report: serde_json::Value =
+        serde_json::from_slice(&fs::read(folder.path().join("drive.json")).unwrap()).unwrap();
+    for stop in (1..40).step_by(2).map(|i| &report["orders"][i]) {
+        assert!(stop["stop_secs"].as_f64().unwrap() <= 1.3 && stop["stop_m"].as_f64().unwrap() <= 0.8, "{stop}");
+    }
+}
+
+#[test]
 fn the_same_drive_is_the_same_file() {
     let folder = folder();
     fs::write(folder.path().join("log.csv"), "time,gait,heading\n0,1,0\n1.5,1,90\n3,2,90\n5,0.5,-45\n").unwrap();

@@ -28,8 +28,8 @@ const NEAR_SECS: f32 = 1.0 / 3.0;
 const LEFT: usize = 3;
 /// How much better another row must be than the present one.
 const BETTER: f32 = 1.0;
-/// What a row of a take costs more than one of the database's own clips: without it takes would walk, with twice as much
-/// somebody who walks on would not stop.
+/// What a row of a take costs more than one of the database's own clips for somebody who goes: without it takes would walk.
+/// Not for one who is to stand, or a halt that has begun is left for another step.
 const TAKE: f32 = 1.5;
 /// Turns on the spot are for those who ask for less than this gait, or for a turn of more than this at the last horizon,
 /// radians; elsewhere they skate.
@@ -98,7 +98,7 @@ struct Entry {
     is_open: bool,
     /// Whether it turns on the spot.
     turns: bool,
-    /// What it costs besides the distance of its features.
+    /// What it costs somebody who goes, besides the distance of its features.
     extra: f32,
 }
 
@@ -331,17 +331,19 @@ impl Driver {
         state.since_search_secs = 0.0;
         state.asked = wanted;
         let query = query_of(self.matching.row(state.row), &in_root(now, asked));
-        let may_turn = self.may_turn(now, asked, wanted.0);
+        let goes = wanted.0.length() >= STANDING_GAIT * self.speeds[0];
+        let may_turn = !goes || self.turns_sharply(now, asked);
         let near = near_rows(&self.clips);
         let State { row, left, .. } = self.state;
         let is_near = |other: usize, to: usize| other.abs_diff(to) <= near;
-        let extra = |other: usize| {
-            let Entry { is_open, turns, extra } = self.entries[other];
+        let extra = |entry: &Entry| if goes { entry.extra } else { 0.0 };
+        let extra_where_open = |other: usize| {
+            let entry = &self.entries[other];
             let is_left = is_near(other, row) || left.iter().flatten().any(|&to| is_near(other, to));
-            (is_open && (may_turn || !turns) && !is_left).then_some(extra)
+            (entry.is_open && (may_turn || !entry.turns) && !is_left).then(|| extra(entry))
         };
-        let best = self.matching.nearest(&query, extra);
-        let present = self.matching.cost_of(&query, row) + self.entries[row].extra;
+        let best = self.matching.nearest(&query, extra_where_open);
+        let present = self.matching.cost_of(&query, row) + extra(&self.entries[row]);
         let found = match best {
             Some(found) if ends || found.cost + if is_new { 0.0 } else { BETTER } < present => found.row,
             // A clip that ends with nowhere to go begins again.
@@ -355,11 +357,8 @@ impl Driver {
         true
     }
 
-    /// Whether turns on the spot may be entered.
-    fn may_turn(&self, now: &RootState, asked: &Trajectory, wanted: Vec2) -> bool {
-        if wanted.length() < STANDING_GAIT * self.speeds[0] {
-            return true;
-        }
+    /// Whether somebody who goes is asked for such a turn that they may turn on the spot.
+    fn turns_sharply(&self, now: &RootState, asked: &Trajectory) -> bool {
         let turn = wrap_angle(asked[asked.len() - 1].1 - now.heading).abs();
         self.path.is_none() && self.clips.knows_standing() && turn > SHARP_TURN
     }
