@@ -284,8 +284,11 @@ describe("the picture", () => {
   it("is a strip of steps where that is chosen", async () => {
     await visit(page, `view=walk&play=0&block=1&${THREE}`);
     await eventually(title).toBe("16 steps, three styles");
+    // The playhead goes to the chosen block when the walk of the link is there.
+    await atRest(page, async () => ({ x: await secs(), y: 0 }));
     await page.locator(".walk .editor-head").focus();
     await page.keyboard.press("Home");
+    await eventually(secs).toBe(0);
     for (let i = 0; i < 25; i++) await page.keyboard.press("ArrowRight");
     await page.locator(".walk-form label").filter({ hasText: "Strip" }).click();
     await eventually(() => page.locator(".walk-strip-captions .present").textContent()).toMatch(/^step [45]to proud$/);
