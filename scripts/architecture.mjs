@@ -24,6 +24,7 @@ const CRATES = {
   "strut-wasm-gpu": ["strut-wasm-common", "strut-gpu", "strut-core", "strut-formats"],
   "strut-tasks": ["strut-core", "strut-formats", "strut-demo"],
   "strut-cli": ["strut-tasks", "strut-core", "strut-formats", "strut-demo", "strut-gpu"],
+  "strut-python": ["strut-tasks", "strut-core", "strut-formats", "strut-demo"],
   fuzz: ["strut-core", "strut-formats", "strut-demo"],
   xtask: [],
 };

@@ -6,6 +6,7 @@
 pub mod batch;
 pub mod clip;
 pub mod corpus;
+pub mod digest;
 pub mod error;
 pub mod evaluate;
 pub mod files;

@@ -2,6 +2,7 @@
 
 use crate::suggestion::unknown;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
+use std::fmt::Display;
 use std::str::FromStr;
 use strut_core::catalogue::Catalogue;
 use strut_core::hsmm::styles_named;
@@ -18,30 +19,41 @@ impl FromStr for StyleWeights {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let mut weights: Vec<(String, f32)> = Vec::new();
-        for item in text.split(',') {
+        let weight = |item: &str| {
             let (name, weight) = match item.rsplit_once('=') {
-                Some((name, weight)) => (name.trim(), parse_weight(weight.trim())?),
+                Some((name, text)) => (name.trim(), text.trim().parse().map_err(|_| unlike_a_weight(text.trim()))?),
                 None => (item.trim(), 1.0),
             };
-            if name.is_empty() {
-                return Err("a style has no name; NAME or NAME=WEIGHT was expected".into());
-            }
-            if weights.iter().any(|(n, _)| n == name) {
-                return Err(format!("style '{name}' has two weights; one was expected"));
-            }
-            weights.push((name.to_owned(), weight));
-        }
-        Ok(Self(weights))
+            Ok((name.to_owned(), weight))
+        };
+        Self::new(text.split(',').map(weight).collect::<Result<Vec<_>, String>>()?)
     }
 }
 
-fn parse_weight(text: &str) -> Result<f32, String> {
-    let weight = text.parse().ok().filter(|w: &f32| w.abs() <= MAX_WEIGHT);
-    weight.ok_or_else(|| format!("the weight is '{text}'; a number from -{MAX_WEIGHT} to {MAX_WEIGHT} was expected"))
+fn unlike_a_weight(text: impl Display) -> String {
+    format!("the weight is '{text}'; a number from -{MAX_WEIGHT} to {MAX_WEIGHT} was expected")
 }
 
 impl StyleWeights {
+    /// Weights by style name.
+    ///
+    /// # Errors
+    /// A sentence about a name that is empty or there twice, or a weight beyond [`MAX_WEIGHT`].
+    pub fn new(weights: Vec<(String, f32)>) -> Result<Self, String> {
+        for (i, (name, weight)) in weights.iter().enumerate() {
+            if name.is_empty() {
+                return Err("a style has no name; NAME or NAME=WEIGHT was expected".into());
+            }
+            if weights[..i].iter().any(|(other, _)| other == name) {
+                return Err(format!("style '{name}' has two weights; one was expected"));
+            }
+            if weight.is_nan() || weight.abs() > MAX_WEIGHT {
+                return Err(unlike_a_weight(weight));
+            }
+        }
+        Ok(Self(weights))
+    }
+
     /// One weight a style of the database.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! Starts of jobs that have not ended: who brings the program down three times is not started a fourth.
 
-use super::key::sha256_hex;
+use crate::digest::sha256_hex;
 use crate::error::{Outcome, TaskError};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};

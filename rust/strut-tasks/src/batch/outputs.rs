@@ -1,6 +1,6 @@
 //! Outputs appear whole or not at all.
 
-use super::key::sha256_hex;
+use crate::digest::sha256_hex;
 use crate::error::{Outcome, TaskError};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};

@@ -1,8 +1,9 @@
 //! One job: from the bytes of the input to the written output.
 
 use super::attempts::{Attempts, MOST};
-use super::key::{Digests, sha256_hex};
+use super::key::Digests;
 use super::outputs;
+use crate::digest::sha256_hex;
 use crate::error::{Code, Outcome, TaskError};
 use crate::gather::Source;
 use crate::progress::OnProgress;

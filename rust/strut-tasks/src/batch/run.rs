@@ -2,7 +2,7 @@
 
 use super::attempts::Attempts;
 use super::jobs::{Job, jobs};
-use super::key::{Digests, sha256_hex};
+use super::key::Digests;
 use super::manifest::{self, Manifest, Record, Status, now_ms};
 use super::outputs;
 use super::perform::{Known, Performer, Written};
@@ -10,6 +10,7 @@ use super::shard::Shard;
 use super::variants::Variant;
 use super::workers::{Ending, work};
 use crate::clip::Opened;
+use crate::digest::sha256_hex;
 use crate::error::{Code, Outcome, TaskError};
 use crate::files;
 use crate::gather::{Source, gather};

@@ -1,6 +1,6 @@
 //! Shares of a batch, each for a process or a machine of its own.
 
-use super::key::sha256;
+use crate::digest::sha256;
 use std::fmt;
 use std::str::FromStr;
 

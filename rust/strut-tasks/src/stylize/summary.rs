@@ -25,6 +25,11 @@ impl Summary {
         }
     }
 
+    /// Mean weight of each class.
+    pub fn mean_weights(&self) -> impl Iterator<Item = f64> {
+        self.weights.iter().map(|w| w / self.frames.max(1) as f64)
+    }
+
     /// The text, of a clip that is written to a path.
     pub fn text(
         &self,
@@ -36,8 +41,7 @@ impl Summary {
     ) -> String {
         let seconds = |file: &bvh::Bvh| file.frames as f64 * file.frame_time_secs;
         let (out, before) = (seconds(output), seconds(&clip.file));
-        let mut ranked: Vec<(&String, f64)> =
-            classes.iter().zip(self.weights.iter().map(|w| w / self.frames.max(1) as f64)).collect();
+        let mut ranked: Vec<(&String, f64)> = classes.iter().zip(self.mean_weights()).collect();
         ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
         let reads_as: Vec<String> = ranked.iter().take(3).map(|(name, w)| format!("{name} {w:.2}")).collect();
         let repaired = match styled.frames.last().map_or(0, |f| f.repaired_total) {
