@@ -22,7 +22,9 @@ const CRATES = {
   "strut-wasm-key-style": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-character": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-gpu": ["strut-wasm-common", "strut-gpu", "strut-core", "strut-formats"],
-  "strut-cli": ["strut-core", "strut-formats", "strut-demo", "strut-gpu"],
+  "strut-tasks": ["strut-core", "strut-formats", "strut-demo"],
+  "strut-cli": ["strut-tasks", "strut-core", "strut-formats", "strut-demo", "strut-gpu"],
+  "strut-python": ["strut-tasks", "strut-core", "strut-formats", "strut-demo"],
   fuzz: ["strut-core", "strut-formats", "strut-demo"],
   xtask: [],
 };

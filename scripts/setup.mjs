@@ -24,7 +24,7 @@ export async function setupPackages() {
 }
 
 /** Installs Debian packages; false where there is no apt or no right to use it. */
-async function installDebian(packages) {
+export async function installDebian(packages) {
   const apt = findProgram("apt-get");
   if (!apt) return false;
   const asRoot = process.getuid?.() === 0;

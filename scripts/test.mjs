@@ -1,5 +1,6 @@
-// npm test: sets up all it needs and runs every test: Rust, TypeScript, parity, end to end in Chromium.
+// npm test: sets up all it needs and runs every test: Rust, Python, TypeScript, parity, end to end in Chromium.
 import { join } from "node:path";
+import { checkPython } from "./python.mjs";
 import { setupBrowser, softwareGraphics } from "./setup.mjs";
 import { buildSite } from "./site.mjs";
 import { main, root, run, step } from "./steps.mjs";
@@ -9,6 +10,7 @@ await main(async () => {
   const browser = await setupBrowser();
   const env = { ...rust, ...softwareGraphics(browser.CHROME_PATH) };
   await step("Rust tests", () => run(rust.CARGO ?? "cargo", ["tests", "--quiet"], { env, cwd: join(root, "rust") }));
+  await checkPython(rust);
   await step("TypeScript, parity and browser tests", () =>
     run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run"], {
       env: { ...wasm, ...browser },

@@ -372,7 +372,8 @@ function* rustSources(folder) {
   for (const entry of entries) {
     const path = join(folder, entry.name);
     if (entry.isDirectory()) {
-      if (!["target", "tests", "benches", "strut-cli", "fuzz"].includes(entry.name)) yield* rustSources(path);
+      if (!["target", "tests", "benches", "strut-cli", "strut-tasks", "strut-python", "fuzz"].includes(entry.name))
+        yield* rustSources(path);
     } else if (/\.(rs|wgsl|toml|lock)$/.test(entry.name) && entry.name !== "tests.rs") yield path;
   }
 }

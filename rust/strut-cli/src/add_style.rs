@@ -1,15 +1,16 @@
 //! `strut add-style`: a clip becomes a style of a database.
 
-use crate::clip::{read_clip, read_database};
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print};
-use crate::threads::ThreadPool;
+use crate::print::print;
 use std::path::PathBuf;
 use strut_core::database::build::add_style;
 use strut_core::registration;
 use strut_core::search::Index;
 use strut_formats::corpus::{Entry, Labels};
 use strut_formats::strutdb;
+use strut_tasks::clip::{read_clip, read_database};
+use strut_tasks::files::Outputs;
+use strut_tasks::threads::ThreadPool;
 
 /// Make a single clip a style of a database
 ///

@@ -1,13 +1,10 @@
 //! `strut build-db`: labelled clips become a database.
 
 use crate::annotation::CanonicalContact;
-use crate::corpus::{self, RefusedFile};
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print, print_warnings};
-use crate::gather::gather;
 use crate::manners::{self, TwoMannersEntry};
+use crate::print::{print, print_warnings};
 use crate::progress::Bar;
-use crate::threads::ThreadPool;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -20,6 +17,11 @@ use strut_core::registration::{self, Method, WarpMethod};
 use strut_core::search::Index;
 use strut_formats::corpus::Pattern;
 use strut_formats::strutdb;
+use strut_tasks::OnProgress;
+use strut_tasks::corpus::{self, RefusedFile};
+use strut_tasks::files::Outputs;
+use strut_tasks::gather::gather;
+use strut_tasks::threads::ThreadPool;
 
 /// Output of `--json`.
 const JSON_HELP: &str = "\
@@ -104,7 +106,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let sources = gather(&args.inputs)?;
     let mut refused = Vec::new();
     let labelled = corpus::label(&sources, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
-    let clips = corpus::read_clips(args.neutral.as_deref(), labelled, &mut refused)?;
+    let read =
+        |on_progress: &OnProgress<'_>| corpus::read_clips(args.neutral.as_deref(), labelled, &mut refused, on_progress);
+    let clips = Bar::watching(read)?;
     let registration = registration::Options { warp: args.registration.into(), ..registration::Options::default() };
     let options = BuildOptions { rate_hz: args.rate, neutral: args.neutral.clone(), registration };
     let (db, report) = {

@@ -2,11 +2,13 @@
 
 use crate::demo_report;
 use crate::failure::{Failure, Outcome};
-use crate::files::{self, Outputs, print};
+use crate::print::print;
 use std::path::PathBuf;
 use strut_core::search::Index;
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::strutdb;
+use strut_tasks::TaskError;
+use strut_tasks::files::Outputs;
 
 /// Write the built-in procedural database
 #[derive(clap::Args)]
@@ -36,7 +38,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     if let Some(folder) = &args.bvh {
         let full = || strut_demo::full_clips().into_iter().map(|c| c.clip).collect();
         let motions = if args.page { strut_demo::clips() } else { full() };
-        std::fs::create_dir_all(folder).map_err(|e| Failure::in_file(folder, files::reason(&e)))?;
+        std::fs::create_dir_all(folder).map_err(|e| TaskError::io(folder, &e))?;
         for clip in motions {
             let path = folder.join(format!("{}_{}_{:03}.bvh", clip.action, clip.style, clip.take));
             let file = Bvh::from_humanoid(&clip.motion).map_err(|e| Failure::in_file(&path, e))?;

@@ -1,6 +1,5 @@
 //! The report `docs/demo-motions.md`: what the built-in motions are and how they measure up.
 
-use crate::clip::read_clip;
 use crate::failure::{Failure, Outcome};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,6 +12,7 @@ use strut_demo::measure::{self, Cycle};
 use strut_demo::{
     Action, FULL_RATE_HZ, Passage, Performance, PlannedClip, STYLES, Script, Style, TABLE_1, WALKING_BANDS, perform,
 };
+use strut_tasks::clip::read_clip;
 
 /// Numbers of the recorded actions in the names of `xia/`.
 const RECORDED: [(&str, &str); 5] = [("walk", "01"), ("run", "13"), ("jump", "16"), ("punch", "18"), ("kick", "22")];

@@ -3,10 +3,8 @@
 mod figures;
 mod orders;
 
-use crate::clip::read_contents;
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print};
-use crate::weights::StyleWeights;
+use crate::print::print;
 use figures::{Log, report};
 use orders::Orders;
 use std::path::PathBuf;
@@ -17,6 +15,9 @@ use strut_core::driving::{Driver, DrivingClips, DrivingError, NeutralClip};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::transfer::{Model, Options, StyledFrame, StyledMotion, Stylizer};
 use strut_formats::bvh::{self, Bvh};
+use strut_tasks::clip::read_contents;
+use strut_tasks::files::Outputs;
+use strut_tasks::weights::StyleWeights;
 
 /// Longest drive, seconds.
 const MAX_SECS: f32 = 600.0;

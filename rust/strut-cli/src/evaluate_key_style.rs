@@ -5,10 +5,11 @@ mod keys;
 mod tables;
 
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, write_or_print};
+use crate::print::write_or_print;
 use data::{ALL, DataSet};
 use std::fmt::Write;
 use std::path::PathBuf;
+use strut_tasks::files::Outputs;
 
 /// Measure key-styling on clips that were not learnt from
 ///
@@ -34,7 +35,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let sets = args.sets.iter().map(|name| {
         let known: Vec<&str> = ALL.iter().map(|set| set.name).collect();
         let set = ALL.iter().find(|set| set.name == *name);
-        let set = set.ok_or_else(|| Failure::new(crate::suggestion::unknown("data set", name, &known)))?;
+        let set = set.ok_or_else(|| Failure::new(strut_tasks::suggestion::unknown("data set", name, &known)))?;
         DataSet::read(set, &args.data)
     });
     let sets = sets.collect::<Outcome<Vec<_>>>()?;

@@ -4,11 +4,8 @@ mod halves;
 mod intensity;
 mod mixture;
 
-use crate::corpus;
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print_warnings, write_or_print};
-use crate::threads::ThreadPool;
-use crate::walks::{Walk, read_walks};
+use crate::print::{print_warnings, write_or_print};
 use mixture::{STEPS, weights};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -23,6 +20,11 @@ use strut_core::hsmm::{
 };
 use strut_formats::corpus::Pattern;
 use strut_formats::walk_model;
+use strut_tasks::corpus;
+use strut_tasks::files::Outputs;
+use strut_tasks::progress::unwatched;
+use strut_tasks::threads::ThreadPool;
+use strut_tasks::walks::{Walk, read_walks};
 
 /// Steps in between of the transitions that are measured.
 const BETWEEN: [u32; 4] = [0, 2, 4, 6];
@@ -52,7 +54,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check(args.output.as_deref())?;
     let mut refused = Vec::new();
-    let (body, walks) = read_walks(&args.inputs, args.pattern.as_ref(), None, &mut refused)?;
+    let (body, walks) = read_walks(&args.inputs, args.pattern.as_ref(), None, &mut refused, &unwatched)?;
     let (tests, rest): (Vec<&Walk>, Vec<&Walk>) = walks.iter().partition(|w| args.held_out.contains(&w.take));
     if tests.is_empty() || rest.is_empty() {
         return Err(Failure::new("--held-out leaves no walk to train on, or none to test"));
@@ -78,7 +80,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     held_out(&mut text, &[("adapted", &plain), ("refined", &refined)], &tests);
     let takes = match args.halves.as_slice() {
         [] => Vec::new(),
-        inputs => read_walks(inputs, args.pattern.as_ref(), None, &mut refused)?.1,
+        inputs => read_walks(inputs, args.pattern.as_ref(), None, &mut refused, &unwatched)?.1,
     };
     if !takes.is_empty() {
         halves::write(&mut text, &names(&args.halves), (&body, &clips), &takes).map_err(Failure::new)?;

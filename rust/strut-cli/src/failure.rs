@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Display};
 use std::path::Path;
+use strut_tasks::{Code, TaskError};
 
 /// One sentence for people, on one line, and the exit code that goes with it.
 #[derive(Debug)]
@@ -9,6 +10,9 @@ pub(crate) struct Failure {
     sentence: String,
     pub(crate) exit_code: u8,
 }
+
+/// What shells expect of a program that Ctrl-C ended.
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Result of a step.
 pub(crate) type Outcome<T = ()> = Result<T, Failure>;
@@ -30,6 +34,17 @@ impl Failure {
     /// Arguments that no file could make right.
     pub(crate) fn usage(reason: impl Display) -> Self {
         Self { exit_code: 2, ..Self::new(reason) }
+    }
+}
+
+impl From<TaskError> for Failure {
+    fn from(error: TaskError) -> Self {
+        let exit_code = match error.code {
+            Code::Usage => 2,
+            Code::Cancelled => INTERRUPTED,
+            _ => 1,
+        };
+        Self { exit_code, ..Self::new(error) }
     }
 }
 

@@ -1,8 +1,8 @@
 //! `strut inspect`: contents of a file.
 
 use crate::failure::{Failure, Outcome};
-use crate::files::{self, Outputs};
 use crate::manners::{self, TwoMannersEntry};
+use crate::print::print;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -14,6 +14,7 @@ use strut_core::motion::Motion;
 use strut_core::retarget::{Binding, to_humanoid};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::strutdb::{self, ClipInfo, SkeletonInfo};
+use strut_tasks::files::{self, Outputs};
 
 /// Output of `--json`.
 const JSON_HELP: &str = "\
@@ -63,7 +64,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         outputs.stage(target, &json.map_err(Failure::new)?)?;
         outputs.commit()?;
     }
-    files::print(&text);
+    print(&text);
     Ok(())
 }
 

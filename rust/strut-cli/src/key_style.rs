@@ -1,12 +1,13 @@
 //! `strut key-style`: a few styles over time become a BVH file.
 
 use crate::failure::{Failure, Outcome};
-use crate::files::{self, Outputs, print};
+use crate::print::print;
 use std::path::PathBuf;
 use std::sync::Arc;
 use strut_core::somn::{Interpolation, KeyStyling, Method, Mode, Synthesis};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::{key_style_model, style_keys};
+use strut_tasks::files::{self, Outputs};
 
 /// Greatest size of a table of keys, bytes.
 const MAX_TABLE_BYTES: usize = 16 << 20;

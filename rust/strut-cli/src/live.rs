@@ -8,11 +8,9 @@ mod sender;
 mod session;
 mod stop;
 
-use crate::clip::read_model;
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print, print_warnings};
-use crate::search::Search;
-use crate::weights::StyleWeights;
+use crate::model::read_model;
+use crate::print::{print, print_warnings};
 use address::Address;
 use clap::ValueEnum;
 use figures::Figures;
@@ -27,6 +25,9 @@ use strut_core::humanoid::{HumanoidMotion, Pose};
 use strut_core::stream::{Delay, LiveStylizer, MAX_DELAY_SECS, Place};
 use strut_core::transfer::{Options, Stylizer};
 use strut_formats::bvh::{self, Bvh};
+use strut_tasks::files::Outputs;
+use strut_tasks::search::Search;
+use strut_tasks::weights::StyleWeights;
 
 /// Ports that VMC programs use: the one that performers send to, and the one that avatars listen to.
 const PERFORMER_PORT: u16 = 39_539;

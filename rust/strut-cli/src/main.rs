@@ -4,12 +4,13 @@
 //! usage. Results go to stdout and to the files named; progress to stderr, and only to a terminal.
 #![forbid(unsafe_code)]
 
+// A batch goes on after a job that panics.
+const _: () = assert!(cfg!(panic = "unwind"), "the command must unwind");
+
 mod add_style;
 mod annotation;
 mod bench;
 mod build_db;
-mod clip;
-mod corpus;
 mod demo_db;
 mod demo_report;
 mod drive;
@@ -17,24 +18,19 @@ mod evaluate;
 mod evaluate_key_style;
 mod evaluate_walk;
 mod failure;
-mod files;
-mod gather;
 mod inspect;
 mod key_style;
 mod live;
 mod manners;
+mod model;
+mod print;
 mod progress;
-mod recordings;
-mod search;
+mod style_args;
 mod stylize;
-mod suggestion;
-mod threads;
-mod trace;
+mod stylize_batch;
 mod train_key_style;
 mod train_walk;
 mod walk;
-mod walks;
-mod weights;
 
 use clap::{Parser, Subcommand};
 use failure::Outcome;
@@ -54,6 +50,7 @@ enum Command {
     BuildDb(build_db::Args),
     AddStyle(add_style::Args),
     Stylize(Box<stylize::Args>),
+    StylizeBatch(Box<stylize_batch::Args>),
     Evaluate(Box<evaluate::Args>),
     Bench(bench::Args),
     DemoDb(demo_db::Args),
@@ -73,6 +70,7 @@ fn run(args: Args) -> Outcome {
         Command::AddStyle(args) => add_style::run(&args),
         Command::BuildDb(args) => build_db::run(&args),
         Command::Stylize(args) => stylize::run(&args),
+        Command::StylizeBatch(args) => stylize_batch::run(&args),
         Command::Evaluate(args) => evaluate::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::DemoDb(args) => demo_db::run(&args),

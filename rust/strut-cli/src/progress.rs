@@ -1,6 +1,8 @@
 //! Progress on stderr, silent unless that is a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
+use std::ops::ControlFlow;
+use strut_tasks::{OnProgress, Progress};
 
 /// A bar that vanishes when dropped.
 pub(crate) struct Bar(ProgressBar);
@@ -14,9 +16,13 @@ impl Bar {
         Self(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
     }
 
-    /// A bar that is nowhere shown.
-    pub(crate) fn hidden() -> Self {
-        Self(ProgressBar::hidden())
+    /// Runs a task and shows how far it has come.
+    pub(crate) fn watching<T>(task: impl FnOnce(&OnProgress<'_>) -> T) -> T {
+        let bar = Self::new("", 0);
+        task(&|Progress { what, done, total }| {
+            bar.show(what, done, total);
+            ControlFlow::Continue(())
+        })
     }
 
     /// One step more is done.

@@ -1,11 +1,8 @@
 //! `strut train-key-style`: learns a map from a few style variables to poses.
 
-use crate::corpus::{self, RefusedFile};
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print, print_warnings};
+use crate::print::{print, print_warnings};
 use crate::progress::Bar;
-use crate::recordings::read_recordings;
-use crate::suggestion::unknown;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -14,6 +11,10 @@ use strut_core::incremental::IncrementalJob;
 use strut_core::parallel::Sequential;
 use strut_core::somn::{Fault, KeyStyleModel, Learning, MAX_COMPONENTS, Measure, Options, Recording, Trainer};
 use strut_formats::key_style_model;
+use strut_tasks::corpus::{self, RefusedFile};
+use strut_tasks::files::Outputs;
+use strut_tasks::recordings::read_recordings;
+use strut_tasks::suggestion::unknown;
 
 /// Ridge of expectation and maximisation.
 const RIDGE: f64 = 0.01;
@@ -94,7 +95,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let axes = parse_axes(&args.axes)?;
     let begin = Instant::now();
     let mut refused = Vec::new();
-    let recordings = read_recordings(&args.inputs, &mut refused)?;
+    let recordings = Bar::watching(|on_progress| read_recordings(&args.inputs, &mut refused, on_progress))?;
     let learning = if args.method == "em" { Learning::Em { ridge: RIDGE } } else { Learning::Som };
     let options = Options { components: args.components.map(|k| k as usize), seed: args.seed, learning };
     let of: Vec<&Recording> = recordings.iter().collect();

@@ -1,16 +1,18 @@
 //! `strut train-walk`: labelled walks become a model of walk styles.
 
-use crate::corpus::{self, RefusedFile};
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print, print_warnings};
-use crate::threads::ThreadPool;
-use crate::walks::read_walks;
+use crate::print::{print, print_warnings};
+use crate::progress::Bar;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
 use strut_core::hsmm::{LabelledClip, Options, landmarks, train};
 use strut_formats::corpus::Pattern;
 use strut_formats::walk_model;
+use strut_tasks::corpus::{self, RefusedFile};
+use strut_tasks::files::Outputs;
+use strut_tasks::threads::ThreadPool;
+use strut_tasks::walks::read_walks;
 
 /// Train a model of walk styles on labelled clips
 ///
@@ -56,7 +58,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
     let begin = Instant::now();
     let mut refused = Vec::new();
-    let (body, mut walks) = read_walks(&args.inputs, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
+    let (body, mut walks) = Bar::watching(|on_progress| {
+        read_walks(&args.inputs, args.pattern.as_ref(), args.labels.as_deref(), &mut refused, on_progress)
+    })?;
     let training: Vec<LabelledClip> = walks.iter().map(|w| LabelledClip { style: &w.style, track: &w.track }).collect();
     let landmarks = landmarks(&training);
     walks.iter_mut().zip(landmarks).for_each(|(walk, landmark)| walk.style = landmark);

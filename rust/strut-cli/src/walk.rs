@@ -1,8 +1,7 @@
 //! `strut walk`: a model of walk styles walks into a BVH file.
 
 use crate::failure::{Failure, Outcome};
-use crate::files::{self, Outputs, print};
-use crate::weights::StyleWeights;
+use crate::print::print;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::Arc;
@@ -11,6 +10,8 @@ use strut_core::humanoid::HumanoidMotion;
 use strut_core::math::Vec3;
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::walk_model;
+use strut_tasks::files::{self, Outputs};
+use strut_tasks::weights::StyleWeights;
 
 /// Most steps of a walk: over three hours.
 const MAX_STEPS: u64 = 20_000;

@@ -5,9 +5,8 @@ mod recall;
 mod table;
 mod yardstick;
 
-use crate::clip::read_database;
 use crate::failure::{Failure, Outcome};
-use crate::files::{Outputs, print};
+use crate::print::print;
 use crate::progress::Bar;
 use measure::{Mode, Row, Run};
 use recall::SearchRow;
@@ -21,6 +20,8 @@ use strut_core::search::Index;
 use strut_core::transfer::Model;
 use strut_demo::benchmark::{self, LEAST_FRAMES, PAPER_FRAMES, Query};
 use strut_formats::strutdb::{self, Contents};
+use strut_tasks::clip::read_database;
+use strut_tasks::files::Outputs;
 use yardstick::{Comparison, Yardstick};
 
 /// Measure how long a frame takes
@@ -79,7 +80,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     let mut outputs = Outputs::default();
     outputs.stage_json(args.json.as_deref(), &report)?;
-    outputs.commit()
+    Ok(outputs.commit()?)
 }
 
 /// Measures on a database, prints the tables and adds their rows.

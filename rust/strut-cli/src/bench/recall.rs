@@ -1,7 +1,6 @@
 //! Recall and time of kd-trees, beside the exact search.
 
 use super::measure::{ms_since, percentile};
-use crate::search::Search;
 use serde::Serialize;
 use std::fmt::Write;
 use std::num::NonZero;
@@ -10,6 +9,7 @@ use strut_core::catalogue::Catalogue;
 use strut_core::pose_vector::HeadingFilter;
 use strut_core::search::{ClassSearch, Index, Neighbours, QueryWindow, Recall};
 use strut_demo::benchmark::Query;
+use strut_tasks::search::Search;
 
 /// Neighbours that are looked for in every class.
 pub(super) const K: usize = 40;

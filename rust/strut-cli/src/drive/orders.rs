@@ -1,11 +1,11 @@
 //! What a character is told: the CSV files of `strut drive`.
 
 use crate::failure::{Failure, Outcome};
-use crate::files;
 use std::path::Path;
 use strut_core::driving::{Control, Driver, Move};
 use strut_core::math::Vec2;
 use strut_core::math::float_funcs::sin_cos;
+use strut_tasks::files;
 
 /// Largest file of orders, bytes.
 const MAX_BYTES: usize = 16 << 20;

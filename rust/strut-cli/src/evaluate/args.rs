@@ -1,13 +1,12 @@
 //! The arguments of `strut evaluate`.
 
-use super::choices::{Labels, Part, PassMode, Registration};
-use crate::search::Search;
-use crate::stylize::Switch;
-use clap::ValueEnum;
 use std::path::PathBuf;
 use strut_core::search::WINDOW;
 use strut_core::transfer::Options;
 use strut_formats::corpus::Pattern;
+use strut_tasks::evaluate::{Labels, Part, PassMode, Protocol, Registration, Request};
+use strut_tasks::search::Search;
+use strut_tasks::stylize::Switch;
 
 /// Help on the output of `--json`.
 const JSON_HELP: &str = "\
@@ -122,17 +121,38 @@ pub(crate) struct Args {
     pub(super) curves: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Protocol {
-    Loo,
-    OffDatabase,
-}
-
-impl Protocol {
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Loo => "loo",
-            Self::OffDatabase => "off-database",
+impl Args {
+    /// What is asked for, as it was typed in `command`.
+    pub(super) fn request(&self, command: String) -> Request {
+        Request {
+            data: self.data.clone(),
+            pattern: self.pattern.clone(),
+            source: self.source.clone(),
+            actions: self.actions.clone(),
+            database_actions: self.database_actions.clone(),
+            targets: self.targets.clone(),
+            methods: self.methods.clone(),
+            labels: self.labels.clone(),
+            protocol: self.protocol,
+            inputs: self.inputs.clone(),
+            mode: self.mode.clone(),
+            registration: self.registration.clone(),
+            takes: self.takes.clone(),
+            window: self.window.clone(),
+            search: self.search.clone(),
+            k: self.k.clone(),
+            lambda: self.lambda.clone(),
+            rho: self.rho.clone(),
+            tempo: self.tempo.clone(),
+            kappa: self.kappa.clone(),
+            delta: self.delta.clone(),
+            coherence: self.coherence.clone(),
+            intensity: self.intensity.clone(),
+            part: self.part.clone(),
+            folds: self.folds,
+            wants_curves: self.curves.is_some(),
+            results: self.json.clone(),
+            command,
         }
     }
 }

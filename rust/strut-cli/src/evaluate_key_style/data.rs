@@ -1,9 +1,10 @@
 //! The clips of the prototype, and which of them are held out (`docs/methods/somn.md` §2).
 
 use crate::failure::{Failure, Outcome};
-use crate::recordings::read_recordings;
 use std::path::PathBuf;
 use strut_core::somn::{KeyStyleModel, Learning, Measure, Options, Recording, TrainError, train};
+use strut_tasks::progress::unwatched;
+use strut_tasks::recordings::read_recordings;
 
 /// Components of all models.
 const COMPONENTS: usize = 16;
@@ -128,7 +129,7 @@ impl DataSet {
         let mut paths = names.iter().map(find).collect::<Outcome<Vec<_>>>()?;
         paths.dedup();
         let mut refused = Vec::new();
-        let recordings = read_recordings(&paths, &mut refused)?;
+        let recordings = read_recordings(&paths, &mut refused, &unwatched)?;
         if let Some(first) = refused.first() {
             return Err(Failure::new(format_args!("{}: {}", first.file, first.reason)));
         }

@@ -1,11 +1,11 @@
 //! Prediction of the second half of a take from its first half.
 
-use crate::threads::ThreadPool;
-use crate::walks::Walk;
 use std::fmt::Write;
 use strut_core::hsmm::evaluation::Reconstruction;
 use strut_core::hsmm::{LabelledClip, Options, Side, Track, TrainError, WalkModel, steps_of, train};
 use strut_core::humanoid::Proportions;
+use strut_tasks::threads::ThreadPool;
+use strut_tasks::walks::Walk;
 
 /// Appends how well a model of the first half of every take predicts its second half.
 pub(super) fn write(

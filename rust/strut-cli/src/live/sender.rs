@@ -2,14 +2,14 @@
 
 use super::output::Output;
 use super::stop;
-use crate::clip::read_clip;
 use crate::failure::{Failure, Outcome};
-use crate::files::print;
+use crate::print::print;
 use std::path::Path;
 use std::thread;
 use std::time::{Duration, Instant};
 use strut_core::retarget::to_humanoid;
 use strut_formats::vmc::{self, Frame, Message, Performer};
+use strut_tasks::clip::read_clip;
 
 /// Most frames a second.
 const MAX_RATE_HZ: f32 = 60.0;

@@ -4,7 +4,7 @@ use super::super::measure::{Row, ms_since};
 use super::super::recall::{self, K};
 use super::super::table::{PAPER_SEARCH_MS, short};
 use crate::failure::Outcome;
-use crate::files::print;
+use crate::print::print;
 use serde::Serialize;
 use std::fmt::Write;
 use std::time::Instant;

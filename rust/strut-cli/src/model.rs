@@ -1,0 +1,20 @@
+//! A database that is ready for use.
+
+use crate::failure::Outcome;
+use crate::print::print_warnings;
+use std::path::Path;
+use strut_core::transfer::Model;
+use strut_tasks::clip::{Opened, read_contents};
+use strut_tasks::search::Search;
+
+/// The database in a file, to be searched so; says so if its search index had to be made.
+pub(crate) fn read_model(path: &Path, search: Search) -> Outcome<Model> {
+    let Opened { model, indexed_in } = Opened::new(read_contents(path)?, search);
+    if let Some(took) = indexed_in {
+        let (path, ms) = (path.display(), took.as_millis());
+        print_warnings(&format!(
+            "note: {path} has no search index of this version; it was built in {ms} ms. 'strut build-db' stores one.\n"
+        ));
+    }
+    Ok(model)
+}

@@ -1,0 +1,28 @@
+//! Printing.
+
+use crate::failure::Outcome;
+use std::io::{self, Write};
+use std::path::Path;
+use strut_tasks::files::Outputs;
+
+/// Prints to stdout; a closed pipe is not an error.
+pub(crate) fn print(text: &str) {
+    let mut out = io::stdout().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}
+
+/// Writes a text to a file, or to stdout without one.
+pub(crate) fn write_or_print(target: Option<&Path>, text: &str) -> Outcome {
+    let Some(target) = target else {
+        print(text);
+        return Ok(());
+    };
+    let mut outputs = Outputs::default();
+    outputs.stage(target, text.as_bytes())?;
+    Ok(outputs.commit()?)
+}
+
+/// Prints to stderr; a closed pipe is not an error.
+pub(crate) fn print_warnings(text: &str) {
+    let _ = io::stderr().write_all(text.as_bytes());
+}

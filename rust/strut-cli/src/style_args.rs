@@ -1,0 +1,86 @@
+//! The options of styling, which several commands have.
+
+use clap::Args;
+use strut_core::transfer::{Method, Options};
+use strut_tasks::Outcome;
+use strut_tasks::search::Search;
+use strut_tasks::stylize::{METHODS, StyleSettings, Switch};
+use strut_tasks::weights::{PartWeights, StyleWeights};
+
+/// How clips are styled.
+#[derive(Args)]
+pub(crate) struct StyleArgs {
+    /// The input's action, if known
+    #[arg(long, value_name = "NAME")]
+    action: Option<String>,
+    /// The input's own style, if known
+    #[arg(long, value_name = "NAME")]
+    input_style: Option<String>,
+    /// Neighbours in each class
+    #[arg(short, default_value_t = Options::DEFAULT.k)]
+    k: usize,
+    /// Ridge of the regressions, as a share of K
+    #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.lambda)]
+    lambda: f32,
+    /// Share of the bias that is kept in the output: 0 to 1
+    #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.rho)]
+    rho: f32,
+    /// How much of the tempo of a walk or a run becomes the style's own: 0 keeps yours, 1 forgets it
+    #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.tempo)]
+    tempo: f32,
+    /// Standard deviations from the neighbours beyond which input is bias
+    #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.kappa)]
+    kappa: f32,
+    /// How slowly the weight of a class falls with its distance
+    #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.delta)]
+    delta: f32,
+    /// Whether output is smoothed where the input is unlike the database
+    #[arg(long, default_value = "on")]
+    coherence: Switch,
+    /// Whether the style changes durations
+    #[arg(long, default_value = "on")]
+    timing: Switch,
+    /// Whether planted feet are held in place
+    #[arg(long, default_value = "on")]
+    footplant: Switch,
+    /// mar: mixture of autoregressive models; lar: one local autoregression; nn: nearest neighbour; knn: mean
+    /// of the K nearest; gar: one autoregression for all; lti: linear time-invariant system for the whole
+    /// body; lti-dof: one a degree of freedom; gp: Gaussian process
+    #[arg(long, default_value = "mar", value_parser = METHODS)]
+    method: String,
+    /// Other weights for a part of the body: head, torso, left-arm, right-arm, arms or legs
+    #[arg(long, value_name = "PART:NAME=W[,…]")]
+    part: Vec<PartWeights>,
+    /// How neighbours are found: exact, or kdtree:M, among M candidates of a kd-tree in each class
+    #[arg(long, value_name = "SEARCH", default_value = "exact")]
+    search: Search,
+}
+
+impl StyleArgs {
+    /// The settings for these styles.
+    pub(crate) fn settings(&self, styles: StyleWeights) -> Outcome<StyleSettings> {
+        let options = Options {
+            k: self.k,
+            delta: self.delta,
+            lambda: self.lambda,
+            kappa: self.kappa,
+            rho: self.rho,
+            tempo: self.tempo,
+            coherence: self.coherence == Switch::On,
+            timing: self.timing == Switch::On,
+            footplant: self.footplant == Switch::On,
+            method: Method::from_name(&self.method).unwrap_or_default(),
+            ..Options::DEFAULT
+        };
+        let settings = StyleSettings {
+            action: self.action.clone(),
+            input_style: self.input_style.clone(),
+            search: self.search,
+            parts: self.part.clone(),
+            options,
+            ..StyleSettings::new(styles)
+        };
+        settings.validate()?;
+        Ok(settings)
+    }
+}

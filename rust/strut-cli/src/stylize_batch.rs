@@ -1,0 +1,155 @@
+//! `strut stylize-batch`: many clips in many styles, exactly once each.
+
+use crate::failure::{Failure, Outcome};
+use crate::print::{print, print_warnings};
+use crate::progress::Bar;
+use crate::style_args::StyleArgs;
+use clap::ArgGroup;
+use std::fmt::Write;
+use std::num::NonZero;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use strut_tasks::batch::{BatchReport, BatchRequest, Retry, Shard, Status, Variant, read_variants, run as run_batch};
+use strut_tasks::files::Outputs;
+use strut_tasks::weights::StyleWeights;
+
+/// Most problems that are printed; the manifest has all.
+const MOST_PRINTED: usize = 10;
+
+/// What is written where, and how a run ends.
+const LONG_HELP: &str = "\
+Outputs: DIR/VARIANT/PATH.bvh, where PATH is the input's below the folder or in the archive that was given. The variant of
+--style is what was typed, with + for commas. A table of --variants has the columns variant,style[,option…]; options have
+the names of the long ones here, and an empty cell leaves one as it is given beside the table.
+
+DIR/manifest.jsonl has a line for every job that ended: job, key (SHA-256 of version, database, options and input), input,
+input_sha256, variant, output, output_sha256, bytes, frames, repaired, status, code, message, version, time_ms. The latest
+line of a job counts. The same command again does what is not done: after Ctrl-C, a crash or new inputs.
+
+Jobs end done; skipped, if the input cannot be styled; or failed, if the system or the program failed: input or output twice,
+a panic, or three starts without an end. None stops the others. --retry does those of a kind again.
+
+--shard I/N does the I-th of N shares of the jobs, with a manifest of its own: one for every task of a Slurm array.
+
+The report of --json: jobs, done, styled (by this run), skipped, failed, frames, seconds, problems [{job, input, status,
+code, message}]. Exit codes: 0 also with skipped jobs, unless --strict; 1 with failed ones; 130 after Ctrl-C.";
+
+/// Give many BVH files one or several styles, each exactly once
+///
+/// The same command again goes on where the last one was stopped.
+#[derive(clap::Args)]
+#[command(after_long_help = LONG_HELP)]
+#[command(group = ArgGroup::new("what").args(["style", "variants"]).required(true))]
+pub(crate) struct Args {
+    /// .bvh files, folders with all below them, .zip archives
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
+    /// The database
+    #[arg(long, value_name = "DB")]
+    db: PathBuf,
+    /// Styles with their weights, as in stylize
+    #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
+    style: Option<String>,
+    /// A table of several variants, of which every input is given each
+    #[arg(long, value_name = "CSV")]
+    variants: Option<PathBuf>,
+    /// The folder to write into
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    #[command(flatten)]
+    options: StyleArgs,
+    /// Do one of several shares of the jobs
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    shard: Shard,
+    /// Threads that work; one a processor unless given. The outputs do not depend on it
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZero<usize>>,
+    /// Do jobs again that failed or were skipped
+    #[arg(long)]
+    retry: Option<Retry>,
+    /// Compare outputs that are there with what was written, by their content
+    #[arg(long)]
+    verify: bool,
+    /// Exit with 1 if a job was skipped
+    #[arg(long)]
+    strict: bool,
+    /// Write a report as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// Whether the user, or the system, has asked to stop.
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    Outputs::check(args.json.as_deref())?;
+    let request = BatchRequest {
+        inputs: args.inputs.clone(),
+        database: args.db.clone(),
+        variants: variants(args)?,
+        output: args.output.clone(),
+        shard: args.shard,
+        threads: args.threads,
+        retry: args.retry,
+        verify: args.verify,
+    };
+    ctrlc::set_handler(|| STOPPED.store(true, Ordering::Relaxed)).map_err(Failure::new)?;
+    let report = Bar::watching(|on_progress| {
+        run_batch(&request, &|progress| {
+            if STOPPED.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { on_progress(progress) }
+        })
+    })?;
+    let mut outputs = Outputs::default();
+    outputs.stage_json(args.json.as_deref(), &report)?;
+    outputs.commit()?;
+    print(&summary(args, &report));
+    print_warnings(&problems(&report));
+    verdict(args, &report)
+}
+
+fn variants(args: &Args) -> Outcome<Vec<Variant>> {
+    let settings = |styles| args.options.settings(styles);
+    if let Some(table) = &args.variants {
+        return Ok(read_variants(table, settings)?);
+    }
+    let typed = args.style.as_deref().unwrap_or_default();
+    let styles: StyleWeights = typed.parse().map_err(Failure::usage)?;
+    Ok(vec![Variant::of_styles(typed, settings(styles)?)?])
+}
+
+fn summary(args: &Args, report: &BatchReport) -> String {
+    let BatchReport { jobs, done, styled, skipped, failed, frames, seconds, .. } = report;
+    let without = match (skipped, failed) {
+        (0, 0) => String::new(),
+        _ => format!(", {skipped} skipped, {failed} failed"),
+    };
+    let output = args.output.display();
+    format!("{output}: {done} of {jobs} jobs done{without}; {styled} now, {frames} frames in {seconds:.1} s\n")
+}
+
+fn problems(report: &BatchReport) -> String {
+    let mut text = String::new();
+    for problem in report.problems.iter().take(MOST_PRINTED) {
+        let status = if problem.status == Status::Skipped { "skipped" } else { "failed" };
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "warning: {status} {}: {}", problem.job, problem.message);
+    }
+    match report.problems.len().saturating_sub(MOST_PRINTED) {
+        0 => text,
+        more => text + &format!("warning: the manifest names {more} more\n"),
+    }
+}
+
+/// Whether the batch is as it was wanted.
+fn verdict(args: &Args, report: &BatchReport) -> Outcome {
+    let BatchReport { jobs, skipped, failed, .. } = report;
+    let fail = |reason: String| Err(Failure::in_file(&args.output, reason));
+    if *failed > 0 {
+        return fail(format!("{failed} of {jobs} jobs failed; --retry failed does them again"));
+    }
+    if *skipped > 0 && args.strict {
+        return fail(format!("{skipped} of {jobs} jobs were skipped, and --strict was given"));
+    }
+    Ok(())
+}

@@ -1,0 +1,46 @@
+//! Poses and numpy arrays.
+
+use crate::error::bad_input;
+use numpy::{Element, IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use strut_core::humanoid::{POSE_FLOATS, Pose};
+
+/// The poses of an array: C-contiguous float32 of 87 columns, root x y z in metres and x y z w of every rotation.
+///
+/// # Errors
+/// If it is something else.
+pub(crate) fn poses_of(array: &Bound<'_, PyAny>) -> PyResult<Vec<Pose>> {
+    let py = array.py();
+    let wrong = || bad_input(py, format_args!("C-contiguous float32 of {POSE_FLOATS} columns was expected"));
+    let array: PyReadonlyArray2<'_, f32> = array.extract().map_err(|_| wrong())?;
+    if array.shape()[1] != POSE_FLOATS || !array.is_c_contiguous() {
+        return Err(wrong());
+    }
+    let floats = array.as_slice().map_err(|_| wrong())?;
+    Ok(floats.as_chunks::<POSE_FLOATS>().0.iter().map(Pose::read_from).collect())
+}
+
+/// Poses as an array, in the same layout.
+pub(crate) fn array_of<'py>(py: Python<'py>, poses: &[Pose]) -> PyResult<Bound<'py, PyArray2<f32>>> {
+    let mut floats = vec![0.0; poses.len() * POSE_FLOATS];
+    for (pose, out) in poses.iter().zip(floats.as_chunks_mut::<POSE_FLOATS>().0) {
+        pose.write_to(out);
+    }
+    rows(py, floats, POSE_FLOATS)
+}
+
+/// Two flags a row as an array of 0 and 1.
+pub(crate) fn flags(py: Python<'_>, of: impl Iterator<Item = [bool; 2]>) -> PyResult<Bound<'_, PyArray2<u8>>> {
+    rows(py, of.flatten().map(u8::from).collect(), 2)
+}
+
+/// Numbers as an array with so many columns; they are moved, not copied.
+pub(crate) fn rows<T: Element>(py: Python<'_>, flat: Vec<T>, columns: usize) -> PyResult<Bound<'_, PyArray2<T>>> {
+    let rows = flat.len() / columns;
+    flat.into_pyarray(py).reshape([rows, columns])
+}
+
+/// Numbers as an array; they are moved, not copied.
+pub(crate) fn column<T: Element>(py: Python<'_>, flat: Vec<T>) -> Bound<'_, PyArray1<T>> {
+    flat.into_pyarray(py)
+}

@@ -1,0 +1,32 @@
+//! The Python package `strut-motion`: numpy arrays and Python objects around `strut-tasks`; no algorithm.
+//!
+//! Work is done with the interpreter released, on threads that end with the call. Arrays that come out are moved to numpy without
+//! a copy; those that come in are copied first, as other threads may write to them.
+#![forbid(unsafe_op_in_unsafe_fn)]
+
+mod arrays;
+mod call;
+mod database;
+mod error;
+mod many;
+mod metrics;
+mod motion;
+mod options;
+mod stylizer;
+
+use pyo3::prelude::*;
+
+/// The compiled part of `strut`.
+#[pymodule]
+mod _strut {
+    #[pymodule_export]
+    use super::database::Database;
+    #[pymodule_export]
+    use super::many::StyledMotions;
+    #[pymodule_export]
+    use super::metrics::{foot_skate, mean_acceleration, mean_jerk, pose_error, positions};
+    #[pymodule_export]
+    use super::motion::{Motion, StyledMotion, stylize};
+    #[pymodule_export]
+    use super::stylizer::Stylizer;
+}

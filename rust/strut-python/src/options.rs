@@ -1,0 +1,74 @@
+//! Styles and options from Python's values.
+
+use crate::error::{bad_input, exception};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict};
+use strut_core::transfer::BodyPart;
+use strut_tasks::stylize::StyleSettings;
+use strut_tasks::suggestion::unknown;
+use strut_tasks::weights::{PartWeights, StyleWeights};
+
+/// Options of the command that have parameters of their own here, or that belong to the database.
+const OTHERWISE: [&str; 2] = ["part", "search"];
+
+/// Weights from a text as the command takes it, or from a dict of numbers by name.
+pub(crate) fn styles(value: &Bound<'_, PyAny>) -> PyResult<StyleWeights> {
+    let py = value.py();
+    if let Ok(text) = value.extract::<String>() {
+        return text.parse().map_err(|reason: String| bad_input(py, reason));
+    }
+    let wrong = || PyTypeError::new_err("styles are a dict of numbers by name, or a text such as 'proud=0.7,old=0.2'");
+    let dict = value.cast::<PyDict>().map_err(|_| wrong())?;
+    let pairs = dict.iter().map(|(name, weight)| {
+        Ok((name.extract::<String>().map_err(|_| wrong())?, weight.extract::<f64>().map_err(|_| wrong())? as f32))
+    });
+    StyleWeights::new(pairs.collect::<PyResult<Vec<_>>>()?).map_err(|reason| bad_input(py, reason))
+}
+
+/// Settings from the arguments of a function.
+pub(crate) fn settings(
+    styles_value: &Bound<'_, PyAny>,
+    parts: Option<&Bound<'_, PyDict>>,
+    options: Option<&Bound<'_, PyDict>>,
+) -> PyResult<StyleSettings> {
+    let mut settings = StyleSettings::new(styles(styles_value)?);
+    set_parts(&mut settings, parts)?;
+    set_options(&mut settings, options)?;
+    Ok(settings)
+}
+
+/// Gives parts of the body styles of their own.
+pub(crate) fn set_parts(settings: &mut StyleSettings, parts: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
+    let Some(parts) = parts else { return Ok(()) };
+    settings.parts.clear();
+    for (name, value) in parts {
+        let name: String = name.extract().map_err(|_| PyTypeError::new_err("a body part is a text"))?;
+        let of = BodyPart::from_name(&name);
+        let known = ["head", "torso", "left_arm", "right_arm", "arms", "legs"];
+        let of = of.ok_or_else(|| bad_input(value.py(), unknown("body part", &name, &known)))?;
+        settings.parts.push(PartWeights { parts: of, weights: styles(&value)? });
+    }
+    Ok(())
+}
+
+/// Sets the command's long options, with `_` for `-`; switches are `True` and `False`, and `None` leaves an option.
+pub(crate) fn set_options(settings: &mut StyleSettings, options: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
+    for (name, value) in options.into_iter().flatten() {
+        let name: String = name.extract()?;
+        // Python's way round its own words: `lambda_`.
+        let option = name.trim_end_matches('_').replace('_', "-");
+        if !StyleSettings::NAMES.contains(&option.as_str()) || OTHERWISE.contains(&option.as_str()) {
+            return Err(PyTypeError::new_err(format!("there is no option '{name}'")));
+        }
+        if value.is_none() {
+            continue;
+        }
+        let text = match value.cast::<PyBool>() {
+            Ok(switch) => (if switch.is_true() { "on" } else { "off" }).to_owned(),
+            Err(_) => value.str()?.to_str()?.to_owned(),
+        };
+        settings.set(&option, &text).map_err(|error| exception(value.py(), &error))?;
+    }
+    Ok(())
+}

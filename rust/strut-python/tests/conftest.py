@@ -1,0 +1,32 @@
+"""Files of the built-in motions, written by the command, and an open database."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+import strut
+
+
+def command(*args: object) -> None:
+    """Runs `strut`, whose path is in STRUT_COMMAND."""
+    subprocess.run([os.environ["STRUT_COMMAND"], *map(str, args)], check=True, stdout=subprocess.DEVNULL)
+
+
+@pytest.fixture(scope="session")
+def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with `demo.strutdb` and its clips in `clips/`."""
+    folder = tmp_path_factory.mktemp("files")
+    command("demo-db", "--page", "-o", folder / "demo.strutdb", "--bvh", folder / "clips")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def db(files: Path) -> strut.Database:
+    return strut.Database.open(files / "demo.strutdb")
+
+
+@pytest.fixture(scope="session")
+def jump(files: Path) -> strut.Motion:
+    """A short clip."""
+    return strut.Motion.open(files / "clips" / "jump_neutral_001.bvh")

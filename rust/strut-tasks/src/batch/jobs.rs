@@ -1,0 +1,90 @@
+//! The jobs of a batch: every input in every variant, each with a place of its own for its output.
+
+use super::shard::Shard;
+use super::variants::Variant;
+use crate::error::{Outcome, TaskError};
+use crate::gather::Source;
+use std::collections::HashMap;
+use std::path::{Component, Path};
+
+/// An input in a variant.
+#[derive(Clone, Debug)]
+pub(super) struct Job {
+    /// Path of the output with `/` below the folder of the outputs, which names the job.
+    pub(super) output: String,
+    /// Index of the input.
+    pub(super) source: usize,
+    /// Index of the variant.
+    pub(super) variant: usize,
+}
+
+/// The jobs of a share, by the order of the inputs.
+///
+/// # Errors
+/// If two outputs would have one name, or one would lie elsewhere.
+pub(super) fn jobs(sources: &[Source], variants: &[Variant], shard: Shard) -> Outcome<Vec<Job>> {
+    let mut jobs = Vec::new();
+    // One variant stands for all, since all have the same files.
+    let mut places: HashMap<String, &Source> = HashMap::new();
+    for (source, of) in sources.iter().enumerate() {
+        let place = place(&of.below).ok_or_else(|| {
+            let expected = "a path in the archive without '..' was expected";
+            TaskError::in_file(Path::new(&of.path), expected)
+        })?;
+        if let Some(other) = places.insert(place.clone(), of) {
+            let reason = format_args!("its output has the same name as that of {}", other.path);
+            return Err(TaskError::in_file(Path::new(&of.path), reason).with_hint("give the folder that holds both"));
+        }
+        for (variant, Variant { name, .. }) in variants.iter().enumerate() {
+            let output = format!("{name}/{place}");
+            if shard.holds(&output) {
+                jobs.push(Job { output, source, variant });
+            }
+        }
+    }
+    Ok(jobs)
+}
+
+/// Path of an output below its variant's folder; `None` if it would lead elsewhere.
+fn place(below: &str) -> Option<String> {
+    let is_below = Path::new(below).components().all(|part| matches!(part, Component::Normal(_)));
+    let stem = below.get(..below.len().checked_sub(".bvh".len())?)?;
+    (is_below && !below.contains(['\\', ':']) && !stem.is_empty()).then(|| format!("{stem}.bvh"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gather::gather;
+    use crate::stylize::StyleSettings;
+
+    #[test]
+    fn outputs_lie_below_their_variant_as_inputs_do_below_theirs() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(folder.path().join("in/deep")).unwrap();
+        for name in ["in/a.bvh", "in/deep/b.BVH"] {
+            std::fs::write(folder.path().join(name), "").unwrap();
+        }
+        let sources = gather(&[folder.path().join("in")]).unwrap();
+        let settings = StyleSettings::new("old".parse().unwrap());
+        let variants = ["x", "y"].map(|name| Variant::new(name, settings.clone()).unwrap());
+        let all = jobs(&sources, &variants, Shard::WHOLE).unwrap();
+        let outputs: Vec<&str> = all.iter().map(|job| job.output.as_str()).collect();
+        assert_eq!(outputs, ["x/a.bvh", "y/a.bvh", "x/deep/b.bvh", "y/deep/b.bvh"]);
+
+        let twice = gather(&[folder.path().join("in/a.bvh"), folder.path().to_owned()]).unwrap();
+        assert!(jobs(&twice, &variants, Shard::WHOLE).is_ok(), "one file is one job, however it is given");
+        std::fs::write(folder.path().join("in/a.BVH"), "").unwrap();
+        let sources = gather(&[folder.path().join("in")]).unwrap();
+        let refused = jobs(&sources, &variants, Shard::WHOLE).unwrap_err().to_string();
+        assert!(refused.contains("its output has the same name as that of "), "{refused}");
+    }
+
+    #[test]
+    fn no_output_lies_outside() {
+        assert_eq!(place("a/b.BVH").as_deref(), Some("a/b.bvh"));
+        for bad in ["../a.bvh", "/a.bvh", "a/../b.bvh", "c:\\a.bvh", ".bvh"] {
+            assert_eq!(place(bad), None, "{bad}");
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! The manifest: lines of JSON that say how each job ended.
+//!
+//! `manifest.jsonl` has one writer, who holds a lock; shares of a batch have files of their own, and readers merge all of a
+//! folder. Of a job the latest record counts. A last line that was cut off is left out.
+
+use super::shard::Shard;
+use crate::error::{Outcome, TaskError};
+use fs4::fs_std::FileExt;
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+/// Longest time until what was recorded is safe from a loss of power.
+const FLUSH: Duration = Duration::from_secs(1);
+
+/// How a job ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// The output is written.
+    Done,
+    /// The input cannot be styled.
+    Skipped,
+    /// The system or the program failed.
+    Failed,
+}
+
+/// How a job ended, with which key.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Record {
+    /// Name of the job: the variant, and the path of the output in its folder.
+    pub job: String,
+    /// What the output depends on, as SHA-256; `None` if the input could not be read.
+    pub key: Option<String>,
+    /// Path of the input.
+    pub input: String,
+    /// SHA-256 of the input.
+    pub input_sha256: Option<String>,
+    /// Name of the variant.
+    pub variant: String,
+    /// Path of the output below the folder of the outputs.
+    pub output: String,
+    /// SHA-256 of the output.
+    pub output_sha256: Option<String>,
+    /// Size of the output.
+    pub bytes: Option<u64>,
+    /// Frames of the output.
+    pub frames: Option<u64>,
+    /// Unusable frames of the input that were replaced.
+    pub repaired: Option<u64>,
+    /// How it ended.
+    pub status: Status,
+    /// Kind of the error.
+    pub code: Option<String>,
+    /// What the error was.
+    pub message: Option<String>,
+    /// The program.
+    pub version: String,
+    /// When it ended, milliseconds since 1970: which of several records is the latest.
+    pub time_ms: u64,
+}
+
+/// Milliseconds since 1970.
+pub(super) fn now_ms() -> u64 {
+    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_millis() as u64)
+}
+
+/// The manifest of a share, with its only writer.
+pub(super) struct Manifest {
+    path: PathBuf,
+    file: File,
+    /// Held until it is dropped.
+    _lock: File,
+    flushed: Instant,
+}
+
+impl Manifest {
+    /// Opens the manifest in a folder for writing.
+    ///
+    /// # Errors
+    /// If another process writes it, or the system does not let us.
+    pub(super) fn open(folder: &Path, shard: Shard) -> Outcome<Self> {
+        let name = shard.manifest();
+        let path = folder.join(format!("{name}.jsonl"));
+        let fail = |e: io::Error| TaskError::io(&path, &e);
+        let Some(lock) = try_lock(folder, &name).map_err(fail)? else {
+            let hint = "wait until it ends, or give each a share of the jobs with --shard";
+            return Err(TaskError::in_file(&path, "another process writes this manifest").with_hint(hint));
+        };
+        cut_torn_line(&path).map_err(fail)?;
+        let file = OpenOptions::new().append(true).create(true).open(&path).map_err(fail)?;
+        Ok(Self { path, file, _lock: lock, flushed: Instant::now() })
+    }
+
+    /// Adds a record.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub(super) fn add(&mut self, record: &Record) -> Outcome {
+        let mut line = serde_json::to_string(record).map_err(|e| TaskError::of(crate::Code::Fault, e))?;
+        line.push('\n');
+        self.file.write_all(line.as_bytes()).map_err(|e| TaskError::io(&self.path, &e))?;
+        if self.flushed.elapsed() >= FLUSH { self.flush() } else { Ok(()) }
+    }
+
+    /// Makes all records safe from a loss of power.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub(super) fn flush(&mut self) -> Outcome {
+        self.flushed = Instant::now();
+        self.file.sync_data().map_err(|e| TaskError::io(&self.path, &e))
+    }
+}
+
+/// The lock of a manifest; `None` if another process has it.
+fn try_lock(folder: &Path, manifest: &str) -> io::Result<Option<File>> {
+    // A file of its own: where locks are mandatory, others may still read the manifest.
+    let path = folder.join(format!(".{manifest}.lock"));
+    let lock = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
+    Ok(lock.try_lock_exclusive()?.then_some(lock))
+}
+
+/// Cuts off a last line without an end: its writer was stopped there.
+fn cut_torn_line(path: &Path) -> io::Result<()> {
+    let bytes = match fs::read(path) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
+        read => read?,
+    };
+    let whole = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+    if whole < bytes.len() { OpenOptions::new().write(true).open(path)?.set_len(whole as u64) } else { Ok(()) }
+}
+
+/// Names of the manifests in a folder, without their ending.
+fn names(folder: &Path) -> io::Result<Vec<String>> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let name = entry?.file_name().to_string_lossy().into_owned();
+        let stem = name.strip_suffix(".jsonl").filter(|stem| *stem == "manifest" || stem.starts_with("manifest-"));
+        names.extend(stem.map(str::to_owned));
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// The latest record of every job in all manifests of a folder. Lines that are no records are left out: their jobs are done
+/// again.
+///
+/// # Errors
+/// What the system says.
+pub(super) fn latest(folder: &Path) -> Outcome<HashMap<String, Record>> {
+    let mut latest: HashMap<String, Record> = HashMap::new();
+    for name in names(folder).map_err(|e| TaskError::io(folder, &e))? {
+        let path = folder.join(format!("{name}.jsonl"));
+        let bytes = fs::read(&path).map_err(|e| TaskError::io(&path, &e))?;
+        for record in bytes.split(|byte| *byte == b'\n').filter_map(|line| serde_json::from_slice::<Record>(line).ok())
+        {
+            if latest.get(&record.job).is_none_or(|known| known.time_ms <= record.time_ms) {
+                latest.insert(record.job.clone(), record);
+            }
+        }
+    }
+    Ok(latest)
+}
+
+/// Calls `sweep` with the name of each manifest of a folder that nobody writes, this process's own among them.
+///
+/// # Errors
+/// What the system says.
+pub(super) fn for_each_idle(folder: &Path, own: Shard, mut sweep: impl FnMut(&str) -> Outcome) -> Outcome {
+    let fail = |e: io::Error| TaskError::io(folder, &e);
+    sweep(&own.manifest())?;
+    for name in names(folder).map_err(fail)?.into_iter().filter(|name| *name != own.manifest()) {
+        // The lock is held while it is swept.
+        if let Some(_lock) = try_lock(folder, &name).map_err(fail)? {
+            sweep(&name)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(job: &str, key: &str, time_ms: u64) -> Record {
+        Record {
+            job: job.to_owned(),
+            key: Some(key.to_owned()),
+            input: "in.bvh".into(),
+            input_sha256: None,
+            variant: "old".into(),
+            output: job.to_owned(),
+            output_sha256: None,
+            bytes: Some(1),
+            frames: None,
+            repaired: None,
+            status: Status::Done,
+            code: None,
+            message: None,
+            version: "test".into(),
+            time_ms,
+        }
+    }
+
+    #[test]
+    fn the_latest_record_of_a_job_counts_whichever_manifest_has_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut whole = Manifest::open(folder.path(), Shard::WHOLE).unwrap();
+        whole.add(&record("a", "1", 10)).unwrap();
+        whole.add(&record("a", "2", 20)).unwrap();
+        whole.add(&record("b", "1", 40)).unwrap();
+        let mut share = Manifest::open(folder.path(), "1/2".parse().unwrap()).unwrap();
+        share.add(&record("b", "3", 30)).unwrap();
+        share.add(&record("a", "3", 30)).unwrap();
+        let latest = latest(folder.path()).unwrap();
+        let key = |job: &str| latest[job].key.clone().unwrap();
+        assert_eq!((key("a"), key("b")), ("3".into(), "1".into()));
+    }
+
+    #[test]
+    fn a_line_that_was_cut_off_is_left_out_and_the_next_one_is_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("manifest.jsonl");
+        let mut manifest = Manifest::open(folder.path(), Shard::WHOLE).unwrap();
+        manifest.add(&record("a", "1", 10)).unwrap();
+        manifest.add(&record("b", "1", 10)).unwrap();
+        drop(manifest);
+        let text = fs::read_to_string(&path).unwrap();
+        fs::write(&path, &text[..text.len() - 5]).unwrap();
+        assert_eq!(latest(folder.path()).unwrap().len(), 1);
+
+        let mut manifest = Manifest::open(folder.path(), Shard::WHOLE).unwrap();
+        manifest.add(&record("c", "1", 10)).unwrap();
+        let records = latest(folder.path()).unwrap();
+        assert!(records.len() == 2 && records.contains_key("a") && records.contains_key("c"), "{records:?}");
+    }
+
+    #[test]
+    fn a_manifest_has_one_writer() {
+        let folder = tempfile::tempdir().unwrap();
+        let first = Manifest::open(folder.path(), Shard::WHOLE).unwrap();
+        let second = Manifest::open(folder.path(), Shard::WHOLE).err().unwrap();
+        assert!(second.to_string().contains("another process writes this manifest; wait"), "{second}");
+        assert!(Manifest::open(folder.path(), "1/2".parse().unwrap()).is_ok());
+        drop(first);
+        assert!(Manifest::open(folder.path(), Shard::WHOLE).is_ok());
+    }
+}

@@ -1,0 +1,94 @@
+//! One job: from the bytes of the input to the written output.
+
+use super::attempts::{Attempts, MOST};
+use super::key::Digests;
+use super::outputs;
+use crate::digest::sha256_hex;
+use crate::error::{Code, Outcome, TaskError};
+use crate::gather::Source;
+use crate::progress::OnProgress;
+use crate::stylize::{Spread, Styling};
+use std::path::Path;
+use strut_formats::bvh;
+use strut_formats::corpus::Clip;
+
+/// What all jobs of a batch share.
+pub(super) struct Performer<'a> {
+    /// Folder of the outputs.
+    pub(super) folder: &'a Path,
+    /// Name of the manifest.
+    pub(super) manifest: String,
+    /// Starts that have not ended.
+    pub(super) attempts: Attempts,
+}
+
+/// A written output.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Written {
+    /// SHA-256 of the output.
+    pub(super) sha256: String,
+    /// Size of the output.
+    pub(super) bytes: u64,
+    /// Frames of the output.
+    pub(super) frames: u64,
+    /// Frames of the input that were replaced.
+    pub(super) repaired: u64,
+}
+
+/// What is known of a job's input, however the job ends.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Known {
+    /// SHA-256 of the input.
+    pub(super) input: Option<String>,
+    /// What the output depends on.
+    pub(super) key: Option<String>,
+}
+
+impl Performer<'_> {
+    /// Styles a source into an output, and says what is known of the source once it is.
+    ///
+    /// # Errors
+    /// If the input cannot be read or styled, the output cannot be written, or the caller cancels.
+    pub(super) fn perform(
+        &self,
+        (source, output): (&Source, &str),
+        (styling, digests): (&Styling, &Digests),
+        known: &mut Known,
+        on_progress: &OnProgress<'_>,
+    ) -> Outcome<Written> {
+        let bytes = source.bytes()?;
+        // Of the bytes that are styled, whatever the file was before and will be.
+        let input = sha256_hex(&bytes);
+        let key = digests.key(&input);
+        *known = Known { input: Some(input), key: Some(key.clone()) };
+        let Some(started) = self.attempts.start(output, &key)? else {
+            let reason = format_args!("{}: the program ended {MOST} times while it styled this", source.path);
+            return Err(TaskError::of(Code::Fault, reason));
+        };
+        let styled = self.styled(source, &bytes, output, styling, on_progress);
+        if matches!(&styled, Err(error) if matches!(error.code, Code::Cancelled | Code::Io(_))) {
+            started.take_back();
+        }
+        styled
+    }
+
+    fn styled(
+        &self,
+        source: &Source,
+        bytes: &[u8],
+        output: &str,
+        styling: &Styling,
+        on_progress: &OnProgress<'_>,
+    ) -> Outcome<Written> {
+        let clip = Clip::parse(bytes).map_err(|e| TaskError::in_file(Path::new(&source.path), e))?;
+        let styled = styling.style(&source.path, &clip, None, Spread::Clips, on_progress)?;
+        let text = bvh::write(&styled.file);
+        outputs::write(self.folder, output, &self.manifest, text.as_bytes())?;
+        Ok(Written {
+            sha256: sha256_hex(text.as_bytes()),
+            bytes: text.len() as u64,
+            frames: styled.file.frames as u64,
+            repaired: styled.motion.frames.last().map_or(0, |frame| u64::from(frame.repaired_total)),
+        })
+    }
+}

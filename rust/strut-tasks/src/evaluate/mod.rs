@@ -1,0 +1,127 @@
+//! Errors of styled motion against real motion, and its cost: what `strut evaluate` measures.
+
+mod checkpoint;
+mod choices;
+mod cross_validation;
+mod curves;
+mod off_database;
+mod request;
+mod results;
+mod settings;
+
+use crate::corpus::{self, RefusedFile};
+use crate::error::{Outcome, TaskError};
+use crate::gather::gather;
+use crate::progress::OnProgress;
+use crate::suggestion::unknown;
+use checkpoint::Checkpoint;
+pub use choices::{Labels, Part, PassMode, Registration};
+pub use curves::TrialCurves;
+pub use request::{Protocol, Request};
+pub use results::Report;
+use results::Sample;
+use settings::Grid;
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
+use strut_core::database::build::SourceClip;
+use strut_formats::corpus::DEFAULT_PATTERN;
+
+/// Patterns of file names, tried in this order unless one is given.
+const PATTERNS: [&str; 4] = [
+    DEFAULT_PATTERN,
+    "{set}_{action}_{style}_{take}.bvh",
+    "{style}_{action}_{take}.bvh",
+    "{set}_{style}_{action}_{take}.bvh",
+];
+
+/// What was measured.
+pub struct Evaluation {
+    /// The means.
+    pub report: Report,
+    /// Curves of the first fold, if they were wanted.
+    pub curves: Option<Vec<TrialCurves>>,
+    /// Files that could not be used.
+    pub left_out: Vec<RefusedFile>,
+    checkpoint: Checkpoint,
+}
+
+impl Evaluation {
+    /// Removes what a stopped run would go on from: the results are written.
+    pub fn conclude(self) {
+        self.checkpoint.remove();
+    }
+}
+
+/// Measures what is asked for.
+///
+/// # Errors
+/// If the request contradicts itself, names what the data lack or leaves nothing to compare; or the caller cancels.
+pub fn evaluate(request: &Request, on_progress: &OnProgress<'_>) -> Outcome<Evaluation> {
+    let grid = Grid::new(request)?;
+    match request.protocol {
+        Protocol::Loo if !request.inputs.is_empty() => {
+            return Err(TaskError::usage("--inputs goes with --protocol off-database"));
+        }
+        Protocol::OffDatabase if request.inputs.is_empty() => {
+            return Err(TaskError::usage("--protocol off-database needs --inputs"));
+        }
+        Protocol::OffDatabase if request.wants_curves => {
+            return Err(TaskError::usage("--curves goes with --protocol loo"));
+        }
+        _ => {}
+    }
+    let mut left_out = Vec::new();
+    let clips = read(request, &mut left_out, on_progress)?;
+    let left_out = Mutex::new(left_out);
+    let checkpoint = Checkpoint::open(request.results.as_deref(), &request.command)?;
+    let samples: Vec<Sample> = match request.protocol {
+        Protocol::Loo => cross_validation::run(request, &grid, &clips, &checkpoint, on_progress)?,
+        Protocol::OffDatabase => off_database::run(request, &grid, &clips, &checkpoint, &left_out, on_progress)?,
+    };
+    if samples.is_empty() {
+        let advice = "a take of the source style with the same number as one of a target style was expected";
+        return Err(TaskError::in_file(&request.data, format_args!("there is nothing to compare: {advice}")));
+    }
+    let report = Report::new(request.protocol.name(), &request.source, &grid, &samples, &request.command);
+    let curves = request.wants_curves.then(|| curves::of_first_fold(request, &grid, &clips)).transpose()?;
+    let left_out = left_out.into_inner().unwrap_or_else(PoisonError::into_inner);
+    Ok(Evaluation { report, curves, left_out, checkpoint })
+}
+
+/// The labelled clips of the actions asked for; those that cannot be read are left out.
+fn read(request: &Request, left_out: &mut Vec<RefusedFile>, on_progress: &OnProgress<'_>) -> Outcome<Vec<SourceClip>> {
+    let sources = gather(std::slice::from_ref(&request.data))?;
+    let labelled = match &request.pattern {
+        Some(pattern) => corpus::label(&sources, Some(pattern), None, left_out)?,
+        None => PATTERNS
+            .iter()
+            .find_map(|p| {
+                let pattern = p.parse().ok()?;
+                let labelled = corpus::label(&sources, Some(&pattern), None, &mut Vec::new()).ok()?;
+                labelled.iter().any(|(_, l)| l.style == request.source).then_some(labelled)
+            })
+            .ok_or_else(|| {
+                let missing = format_args!("no clip has the style '{}'", request.source);
+                TaskError::in_file(&request.data, missing).with_hint("say how clips are labelled with --pattern")
+            })?,
+    };
+    let known = |name: fn(&strut_formats::corpus::Labels) -> &String| -> Vec<String> {
+        labelled.iter().map(|(_, l)| name(l).clone()).collect::<BTreeSet<_>>().into_iter().collect()
+    };
+    let (actions, styles) = (known(|l| &l.action), known(|l| &l.style));
+    for (what, names, of) in [
+        ("action", &request.actions, &actions),
+        ("action", &request.database_actions, &actions),
+        ("style", &request.targets, &styles),
+        ("style", &vec![request.source.clone()], &styles),
+    ] {
+        if let Some(name) = names.iter().find(|n| !of.contains(n)) {
+            return Err(TaskError::in_file(&request.data, unknown(what, name, of)));
+        }
+    }
+    let wanted = |action: &String| {
+        request.actions.is_empty() || request.actions.contains(action) || request.database_actions.contains(action)
+    };
+    let labelled = labelled.into_iter().filter(|(_, l)| wanted(&l.action)).collect();
+    corpus::read_clips(Some(&request.source), labelled, left_out, on_progress)
+}

@@ -1,0 +1,176 @@
+//! Reading whole files within limits, and writing several or none.
+
+use crate::error::{Outcome, TaskError};
+use serde::Serialize;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// The whole file, if it has at most `most` bytes.
+///
+/// # Errors
+/// If it cannot be read, is a folder or has more bytes.
+pub fn read(path: &Path, most: usize) -> Outcome<Vec<u8>> {
+    let fail = |e: io::Error| TaskError::io(path, &e);
+    let file = File::open(path).map_err(fail)?;
+    let metadata = file.metadata().map_err(fail)?;
+    if metadata.is_dir() {
+        return Err(TaskError::in_file(path, "this is a folder; a file was expected"));
+    }
+    let too_large = || {
+        let reason = format_args!("the file is larger than {} MiB, the most supported", most >> 20);
+        Err(TaskError::in_file(path, reason))
+    };
+    if metadata.len() > most as u64 {
+        return too_large();
+    }
+    let mut bytes = Vec::with_capacity(metadata.len() as usize);
+    file.take(most as u64 + 1).read_to_end(&mut bytes).map_err(fail)?;
+    if bytes.len() > most { too_large() } else { Ok(bytes) }
+}
+
+/// Output files that appear complete and together, or not at all: each is written beside its target under
+/// a temporary name; [`Outputs::commit`] renames them.
+#[derive(Debug, Default)]
+pub struct Outputs {
+    staged: Vec<Staged>,
+}
+
+#[derive(Debug)]
+struct Staged {
+    temporary: PathBuf,
+    target: PathBuf,
+}
+
+impl Outputs {
+    /// Checks beforehand that these files can be written.
+    ///
+    /// # Errors
+    /// If a folder does not exist or two names are the same.
+    pub fn check<'a>(targets: impl IntoIterator<Item = &'a Path>) -> Outcome {
+        let mut seen: Vec<&Path> = Vec::new();
+        for target in targets {
+            if target.is_dir() {
+                return Err(TaskError::in_file(target, "this is a folder; a file name was expected"));
+            }
+            if target.file_name().is_none() || !folder_of(target).is_dir() {
+                return Err(TaskError::in_file(target, "its folder does not exist"));
+            }
+            if seen.contains(&target) && !is_special(target) {
+                return Err(TaskError::in_file(target, "two outputs have this name; different names were expected"));
+            }
+            seen.push(target);
+        }
+        Ok(())
+    }
+
+    /// Writes the bytes under a temporary name.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn stage(&mut self, target: &Path, bytes: &[u8]) -> Outcome {
+        let fail = |e: io::Error| TaskError::io(target, &e);
+        if is_special(target) {
+            // A pipe or device, /dev/stdout for example: nothing to rename.
+            return OpenOptions::new().write(true).open(target).and_then(|mut f| f.write_all(bytes)).map_err(fail);
+        }
+        let name = target.file_name().unwrap_or_default().to_string_lossy();
+        let temporary = folder_of(target).join(format!(".{name}.{}.tmp", std::process::id()));
+        let file = OpenOptions::new().write(true).create_new(true).open(&temporary).map_err(fail)?;
+        self.staged.push(Staged { temporary, target: target.to_owned() });
+        write_through(file, bytes).map_err(fail)
+    }
+
+    /// Writes a report as JSON under a temporary name, if there is a target.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn stage_json(&mut self, target: Option<&Path>, report: &impl Serialize) -> Outcome {
+        match target {
+            Some(target) => self.stage(target, &serde_json::to_vec_pretty(report).map_err(TaskError::new)?),
+            None => Ok(()),
+        }
+    }
+
+    /// Gives all files their names.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn commit(mut self) -> Outcome {
+        while let Some(Staged { temporary, target }) = self.staged.first() {
+            fs::rename(temporary, target).map_err(|e| TaskError::io(target, &e))?;
+            self.staged.remove(0);
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Outputs {
+    fn drop(&mut self) {
+        for staged in &self.staged {
+            // The earlier failure is the one to report.
+            let _ = fs::remove_file(&staged.temporary);
+        }
+    }
+}
+
+fn write_through(mut file: File, bytes: &[u8]) -> io::Result<()> {
+    file.write_all(bytes)?;
+    file.sync_all()
+}
+
+fn folder_of(target: &Path) -> &Path {
+    target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Whether the path exists and is neither a file nor a folder.
+fn is_special(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outputs_appear_only_when_committed() {
+        let folder = tempfile::tempdir().unwrap();
+        let [a, b] = ["a.bvh", "b.json"].map(|n| folder.path().join(n));
+        fs::write(&a, "old").unwrap();
+        let mut outputs = Outputs::default();
+        outputs.stage(&a, b"new").unwrap();
+        outputs.stage(&b, b"more").unwrap();
+        assert_eq!((fs::read(&a).unwrap(), b.exists()), (b"old".to_vec(), false));
+        outputs.commit().unwrap();
+        assert_eq!((fs::read(&a).unwrap(), fs::read(&b).unwrap()), (b"new".to_vec(), b"more".to_vec()));
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn abandoned_outputs_leave_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut outputs = Outputs::default();
+        outputs.stage(&folder.path().join("a"), b"new").unwrap();
+        drop(outputs);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn impossible_outputs_are_refused_before_the_work() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a");
+        assert!(Outputs::check([file.as_path()]).is_ok());
+        assert!(Outputs::check([folder.path()]).unwrap_err().to_string().ends_with("a file name was expected"));
+        assert!(Outputs::check([file.as_path(), &file]).unwrap_err().to_string().contains("two outputs"));
+        let nowhere = folder.path().join("no/a");
+        assert!(Outputs::check([nowhere.as_path()]).unwrap_err().to_string().ends_with("its folder does not exist"));
+    }
+
+    #[test]
+    fn large_files_are_refused_unread() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("large");
+        File::create(&path).unwrap().set_len(5 << 20).unwrap();
+        assert!(read(&path, 4 << 20).unwrap_err().to_string().ends_with("larger than 4 MiB, the most supported"));
+    }
+}

@@ -1,0 +1,24 @@
+//! What `strut` does with files and threads, without arguments and printing: the command and the Python package call it.
+//!
+//! Errors are [`TaskError`]s, progress goes to a callback that may cancel, and what comes out never depends on the threads.
+#![forbid(unsafe_code)]
+
+pub mod batch;
+pub mod clip;
+pub mod corpus;
+pub mod digest;
+pub mod error;
+pub mod evaluate;
+pub mod files;
+pub mod gather;
+pub mod progress;
+pub mod recordings;
+pub mod search;
+pub mod stylize;
+pub mod suggestion;
+pub mod threads;
+pub mod walks;
+pub mod weights;
+
+pub use error::{Code, Outcome, TaskError};
+pub use progress::{OnProgress, Progress};

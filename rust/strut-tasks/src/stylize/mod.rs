@@ -1,0 +1,12 @@
+//! Clips in another style: settings by name, one clip on one thread or on all, what there is to say of it.
+
+mod frames;
+mod settings;
+mod styling;
+mod summary;
+mod trace;
+
+pub use settings::{METHODS, StyleSettings, Switch};
+pub use styling::{Spread, Styled, Styling, input_of, read};
+pub use summary::Summary;
+pub use trace::{StageTimer, TraceLog, class_names};

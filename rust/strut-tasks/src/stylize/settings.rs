@@ -1,0 +1,229 @@
+//! How clips are styled, by the names that the command's options have.
+
+use crate::error::{Outcome, TaskError};
+use crate::search::Search;
+use crate::suggestion::unknown;
+use crate::weights::{PartWeights, StyleWeights};
+use serde::Serialize;
+use std::fmt::Display;
+use std::path::Path;
+use std::str::FromStr;
+use std::sync::Arc;
+use strut_core::transfer::{Method, Model, Options, Stylizer};
+
+/// Names that [`Method::from_name`] knows.
+pub const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"];
+
+/// On or off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)] // Their names say it, and comments would be the help of the command.
+pub enum Switch {
+    On,
+    Off,
+}
+
+impl FromStr for Switch {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "on" => Ok(Self::On),
+            "off" => Ok(Self::Off),
+            _ => Err("on or off was expected".into()),
+        }
+    }
+}
+
+/// How clips are styled: what `strut stylize` can be told, apart from files.
+#[derive(Clone, Debug)]
+pub struct StyleSettings {
+    /// Styles with their weights.
+    pub styles: StyleWeights,
+    /// Other weights for parts of the body.
+    pub parts: Vec<PartWeights>,
+    /// The input's action, if known.
+    pub action: Option<String>,
+    /// The input's own style, if known.
+    pub input_style: Option<String>,
+    /// How neighbours are found.
+    pub search: Search,
+    /// All other options; the labels among them come from the names above.
+    pub options: Options,
+}
+
+/// The settings in a form that is equal where they are.
+#[derive(Serialize)]
+struct Canonical<'a> {
+    styles: &'a StyleWeights,
+    parts: &'a [PartWeights],
+    action: &'a Option<String>,
+    input_style: &'a Option<String>,
+    search: Search,
+    /// Numbers are written so that they read back as the same; also those that JSON lacks.
+    options: String,
+}
+
+impl StyleSettings {
+    /// Names of the options that [`Self::set`] knows.
+    pub const NAMES: [&'static str; 14] = [
+        "action",
+        "input-style",
+        "k",
+        "lambda",
+        "rho",
+        "tempo",
+        "kappa",
+        "delta",
+        "coherence",
+        "timing",
+        "footplant",
+        "method",
+        "part",
+        "search",
+    ];
+
+    /// The defaults, in these styles.
+    pub fn new(styles: StyleWeights) -> Self {
+        let (parts, search, options) = (Vec::new(), Search::Exact, Options::DEFAULT);
+        Self { styles, parts, action: None, input_style: None, search, options }
+    }
+
+    /// Sets an option by the command's long name for it, from the text that the command takes.
+    ///
+    /// # Errors
+    /// A sentence about the name or the value.
+    pub fn set(&mut self, name: &str, value: &str) -> Outcome {
+        fn parse<T: FromStr<Err: Display>>(name: &str, value: &str) -> Outcome<T> {
+            value.parse().map_err(|e| TaskError::usage(format_args!("{name} is '{value}': {e}")))
+        }
+        let options = &mut self.options;
+        match name {
+            "action" => self.action = Some(value.to_owned()),
+            "input-style" => self.input_style = Some(value.to_owned()),
+            "k" => options.k = parse(name, value)?,
+            "lambda" => options.lambda = parse(name, value)?,
+            "rho" => options.rho = parse(name, value)?,
+            "tempo" => options.tempo = parse(name, value)?,
+            "kappa" => options.kappa = parse(name, value)?,
+            "delta" => options.delta = parse(name, value)?,
+            "coherence" => options.coherence = parse::<Switch>(name, value)? == Switch::On,
+            "timing" => options.timing = parse::<Switch>(name, value)? == Switch::On,
+            "footplant" => options.footplant = parse::<Switch>(name, value)? == Switch::On,
+            "method" => {
+                let method = Method::from_name(value);
+                options.method = method.ok_or_else(|| TaskError::usage(unknown("method", value, &METHODS)))?;
+            }
+            "part" => self.parts.push(parse(name, value)?),
+            "search" => self.search = parse(name, value)?,
+            _ => return Err(TaskError::usage(unknown("option", name, &Self::NAMES))),
+        }
+        self.validate()
+    }
+
+    /// Checks the numbers, which needs no database.
+    ///
+    /// # Errors
+    /// A sentence about the first that is out of range.
+    pub fn validate(&self) -> Outcome {
+        self.options.validate().map_err(TaskError::usage)
+    }
+
+    /// A stylizer with these settings for a database of this name.
+    ///
+    /// # Errors
+    /// If the database lacks a style or an action.
+    pub fn stylizer(&self, model: &Arc<Model>, database: &Path) -> Outcome<Stylizer> {
+        self.validate()?;
+        let db = model.catalogue();
+        let in_db =
+            |reason: String| TaskError::of(crate::Code::BadInput, format_args!("{}: {reason}", database.display()));
+        let mut options = self.options;
+        if let Some(name) = &self.action {
+            options.action = Some(db.action_index(name).ok_or_else(|| in_db(unknown("action", name, &db.actions)))?);
+        }
+        if let Some(name) = &self.input_style {
+            options.input_style = Some(db.style_index(name).ok_or_else(|| in_db(unknown("style", name, &db.styles)))?);
+        }
+        let weights = self.styles.of(db).map_err(in_db)?;
+        let mut parts = Vec::new();
+        for PartWeights { parts: of, weights } in &self.parts {
+            let weights = weights.of(db).map_err(in_db)?;
+            parts.extend(of.iter().map(|&part| (part, weights.clone())));
+        }
+        let mut stylizer = Stylizer::new(Arc::clone(model), options).map_err(|_| {
+            // The numbers were checked before; only the labels can be wrong.
+            let label = |name: &Option<String>| name.clone().unwrap_or_else(|| "any".into());
+            let (action, style) = (label(&self.action), label(&self.input_style));
+            in_db(format!("there is no clip of action '{action}' in style '{style}'"))
+        })?;
+        stylizer.set_styles(&weights).map_err(TaskError::new)?;
+        for (part, weights) in parts {
+            stylizer.set_part_styles(part, Some(&weights)).map_err(TaskError::new)?;
+        }
+        Ok(stylizer)
+    }
+
+    /// A text that is equal for equal settings.
+    ///
+    /// # Errors
+    /// None that settings can cause.
+    pub fn canonical(&self) -> Outcome<String> {
+        let Self { styles, parts, action, input_style, search, options } = self;
+        let options = format!("{options:?}");
+        let canonical = Canonical { styles, parts, action, input_style, search: *search, options };
+        serde_json::to_string(&canonical).map_err(|e| TaskError::of(crate::Code::Fault, e))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn settings() -> StyleSettings {
+        StyleSettings::new("old".parse().unwrap())
+    }
+
+    #[test]
+    fn options_are_set_by_the_commands_names_and_values() {
+        let mut settings = settings();
+        for (name, value) in [("k", "20"), ("rho", "0.5"), ("timing", "off"), ("method", "knn"), ("part", "legs:old=1")]
+        {
+            settings.set(name, value).unwrap();
+        }
+        let Options { k, rho, timing, method, .. } = settings.options;
+        assert_eq!((k, rho, timing, method, settings.parts.len()), (20, 0.5, false, Method::Knn, 1));
+        for (name, value, expected) in [
+            ("q", "1", "there is no option 'q'"),
+            ("k", "many", "k is 'many': "),
+            ("timing", "yes", "on or off was expected"),
+            ("method", "mur", "did you mean 'mar'?"),
+            ("rho", "7", "rho"),
+        ] {
+            let error = settings.set(name, value).unwrap_err().to_string();
+            assert!(error.contains(expected), "{error}");
+        }
+    }
+
+    #[test]
+    fn every_name_can_be_set() {
+        for name in StyleSettings::NAMES {
+            let of = |value: &str| settings().set(name, value).err().map(|e| e.to_string());
+            assert!(["1", "on", "mar", "legs:old", "exact"].iter().any(|value| of(value).is_none()), "{name}");
+        }
+    }
+
+    #[test]
+    fn settings_that_differ_have_other_texts() {
+        let of = |name: &str, value: &str| {
+            let mut settings = settings();
+            settings.set(name, value).unwrap();
+            settings.canonical().unwrap()
+        };
+        let texts = [of("k", "40"), of("k", "20"), of("rho", "0.5"), of("part", "legs:old"), of("part", "arms:old")];
+        assert_eq!(texts[0], settings().canonical().unwrap(), "40 is the default");
+        let different: std::collections::BTreeSet<&String> = texts.iter().collect();
+        assert_eq!(different.len(), texts.len());
+    }
+}

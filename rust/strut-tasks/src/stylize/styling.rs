@@ -1,0 +1,133 @@
+//! One clip from its file to the styled clip.
+
+use super::frames::style_frames;
+use super::summary::Summary;
+use super::trace::{StageTimer, TraceLog, class_names};
+use crate::error::{Outcome, TaskError};
+use crate::gather::Source;
+use crate::progress::{Counter, OnProgress};
+use std::path::Path;
+use strut_core::catalogue::Catalogue;
+use strut_core::database::build::MIN_CLIP_FRAMES;
+use strut_core::humanoid::HumanoidMotion;
+use strut_core::retarget::to_humanoid;
+use strut_core::transfer::{ClipJob, ClipSearch, NoClock, StyledMotion, Stylizer, Trace};
+use strut_formats::bvh;
+use strut_formats::corpus::Clip;
+
+/// What is spread over threads, with the same result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spread {
+    /// The frames of a clip.
+    Frames,
+    /// Clips, so that each keeps to its thread.
+    Clips,
+}
+
+/// A clip that is styled.
+pub struct Styled {
+    /// On the database's body, at the times of the style.
+    pub motion: StyledMotion,
+    /// On the input's skeleton and at its rate.
+    pub file: bvh::Bvh,
+    /// What there is to say of it.
+    pub summary: Summary,
+}
+
+/// Styles clips alike.
+pub struct Styling {
+    stylizer: Stylizer,
+    /// Names of the database's classes.
+    classes: Vec<String>,
+}
+
+/// The clip in a source.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn read(source: &Source) -> Outcome<Clip> {
+    let fail = |reason| TaskError::in_file(Path::new(&source.path), reason);
+    Clip::parse(&source.bytes()?).map_err(fail)
+}
+
+impl Styling {
+    /// With the styles and options of a stylizer.
+    pub fn new(stylizer: Stylizer) -> Self {
+        let classes = class_names(stylizer.model().catalogue());
+        Self { stylizer, classes }
+    }
+
+    /// Names of the database's classes.
+    pub fn classes(&self) -> &[String] {
+        &self.classes
+    }
+
+    /// The database.
+    pub fn catalogue(&self) -> &Catalogue {
+        self.stylizer.model().catalogue()
+    }
+
+    /// Styles the clip of this name, and traces it into a log if there is one.
+    ///
+    /// # Errors
+    /// If the clip cannot be styled, or the caller cancels.
+    pub fn style(
+        &self,
+        name: &str,
+        clip: &Clip,
+        log: Option<&mut TraceLog<'_>>,
+        spread: Spread,
+        on_progress: &OnProgress<'_>,
+    ) -> Outcome<Styled> {
+        let db = self.catalogue();
+        let input = input_of(clip, db).map_err(|reason| TaskError::in_file(Path::new(name), reason))?;
+        let mut summary = Summary::new(self.classes.len());
+        let mut job = ClipJob::new(self.stylizer.clone());
+        let counter = Counter::new("styling", input.poses.len(), on_progress);
+        counter.check()?;
+        let mut on_frame = |trace: &Trace<'_>| {
+            summary.add(trace.class_weights);
+            counter.step()
+        };
+        if let Some(log) = log {
+            let mut timer = StageTimer::default();
+            for pose in &input.poses {
+                let trace = job.push(pose, &mut timer);
+                on_frame(&trace)?;
+                log.push(&trace, timer.take());
+            }
+        } else if spread == Spread::Frames && rayon::current_num_threads() > 1 {
+            style_frames(&mut job, &ClipSearch::new(&self.stylizer, &input.poses), on_frame)?;
+        } else {
+            for pose in &input.poses {
+                on_frame(&job.push(pose, &mut NoClock))?;
+            }
+        }
+        let motion = job.finish();
+        let file = output_of(clip, db, &motion).map_err(TaskError::new)?;
+        Ok(Styled { motion, file, summary })
+    }
+}
+
+/// The clip on the database's body and at its rate.
+///
+/// # Errors
+/// A sentence why it cannot be styled.
+pub fn input_of(clip: &Clip, db: &Catalogue) -> Result<HumanoidMotion, String> {
+    let input =
+        to_humanoid(&clip.motion, &clip.binding, &db.proportions).resampled(db.rate_hz).map_err(|e| e.to_string())?;
+    if input.poses.len() < MIN_CLIP_FRAMES {
+        let frames = if clip.file.frames == 1 { "1 frame".into() } else { format!("{} frames", clip.file.frames) };
+        return Err(format!(
+            "the motion has {frames} ({:.2} s); at least {:.2} s are needed",
+            clip.motion.duration_secs(),
+            MIN_CLIP_FRAMES as f32 / db.rate_hz
+        ));
+    }
+    Ok(input)
+}
+
+/// The styled clip on the input's skeleton and at its rate.
+fn output_of(clip: &Clip, db: &Catalogue, styled: &StyledMotion) -> Result<bvh::Bvh, bvh::BvhError> {
+    clip.file.with_motion(&styled.on_skeleton(db.rate_hz, &clip.motion, &clip.binding))
+}

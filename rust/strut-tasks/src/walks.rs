@@ -1,0 +1,69 @@
+//! The labelled walks that a model is trained and measured on.
+
+use crate::corpus::{self, RefusedFile};
+use crate::error::{Outcome, TaskError};
+use crate::gather::gather;
+use crate::progress::OnProgress;
+use crate::threads::ThreadPool;
+use std::path::{Path, PathBuf};
+use strut_core::hsmm::{Track, WALK, walk_of, walking_action};
+use strut_core::humanoid::Proportions;
+use strut_core::parallel::ParallelMap;
+use strut_formats::corpus::Pattern;
+
+/// A clip that holds steps.
+pub struct Walk {
+    /// Its style.
+    pub style: String,
+    /// Number of the performance.
+    pub take: u32,
+    /// What models learn of it.
+    pub track: Track,
+    /// Number of steps.
+    pub steps: usize,
+}
+
+/// The body and the walks; unusable files are added to `refused`. Walks are the clips of the action `walk`, or if there is
+/// none, of the action with the most steps.
+///
+/// # Errors
+/// If there is no walk, or the caller cancels.
+pub fn read_walks(
+    inputs: &[PathBuf],
+    pattern: Option<&Pattern>,
+    labels: Option<&Path>,
+    refused: &mut Vec<RefusedFile>,
+    on_progress: &OnProgress<'_>,
+) -> Outcome<(Proportions, Vec<Walk>)> {
+    let sources = gather(inputs)?;
+    let mut labelled = corpus::label(&sources, pattern, labels, refused)?;
+    if labelled.iter().any(|(_, labels)| labels.action == WALK) {
+        labelled.retain(|(_, labels)| labels.action == WALK);
+    }
+    let clips = corpus::read_clips(None, labelled, refused, on_progress)?;
+    let tracks = ThreadPool.map(clips.len(), &|i| walk_of(&clips[i].motion));
+    let steps = clips.iter().zip(&tracks).filter_map(|(clip, walk)| Some((&*clip.action, walk.as_ref().ok()?.1)));
+    let action = walking_action(&steps.collect::<Vec<_>>()).map(str::to_owned);
+    let body = clips.first().map(|clip| clip.motion.proportions).unwrap_or_default();
+    let mut walks = Vec::new();
+    for (clip, track) in clips.into_iter().zip(tracks) {
+        match track {
+            Ok(_) if action.as_ref().is_some_and(|action| *action != clip.action) => {
+                let reason = format!(
+                    "it is of action '{}', and walking is '{}'",
+                    clip.action,
+                    action.as_deref().unwrap_or(WALK)
+                );
+                refused.push(RefusedFile { file: clip.source, reason });
+            }
+            Ok((track, steps)) => walks.push(Walk { style: clip.style, take: clip.take, track, steps }),
+            Err(reason) => refused.push(RefusedFile { file: clip.source, reason }),
+        }
+    }
+    match refused.last() {
+        Some(RefusedFile { file, reason }) if walks.is_empty() => {
+            Err(TaskError::new(format_args!("no clip is a walk; of the last, {file}: {reason}")))
+        }
+        _ => Ok((body, walks)),
+    }
+}
