@@ -1,7 +1,10 @@
-// node bench/crowd.mjs: what a tick of a crowd takes in WebAssembly, one thread, with reading everybody's joints.
+// node bench/crowd.mjs: what a tick of a crowd takes in WebAssembly, one thread, with reading everybody's joints: of walkers, and
+// of those who perform the first built-in input.
 import { readFileSync } from "node:fs";
 import { gunzipSync } from "node:zlib";
-import * as glue from "../web/engine/crowd/pkg/strut_crowd.js";
+import * as crowds from "../web/engine/crowd/pkg/strut_crowd.js";
+import * as performers from "../web/engine/performers/pkg/strut_performers.js";
+import * as engine from "../web/engine/pkg/strut_wasm.js";
 
 const COUNTS = [100, 200, 300, 1000];
 /** Ticks that are not counted, and those that are. */
@@ -10,25 +13,49 @@ const JOINT_FLOATS = 21 * 8;
 /** Three styles as on a first visit, wider for more people: style number, then x, z, reach and intensity. */
 const PLACES = [-3.4, 3.4, 3.2, 1, 4, 0.8, 3.2, 1.1, -1.5, -5.2, 4, 1];
 
-glue.initSync({ module: readFileSync(new URL("../web/engine/crowd/pkg/strut_crowd_bg.wasm", import.meta.url)) });
-const model = new glue.WalkModel(
-  gunzipSync(readFileSync(new URL("../web/engine/motions/built_in.strutwalk", import.meta.url))),
-);
-const styles = model.styles().length;
+const read = (path) => readFileSync(new URL(`../web/engine/${path}`, import.meta.url));
+const load = (glue, path) => glue.initSync({ module: read(path) }).memory;
 
-for (const count of COUNTS) {
-  const crowd = new glue.Crowd(model, count, 1);
-  crowd.setField(Uint32Array.of(1, 2, 3), Float32Array.from(PLACES));
-  const [joints, weights] = [new Float32Array(count * JOINT_FLOATS), new Uint8Array(count * styles)];
-  const times = [];
-  for (let i = 0; i < WARM + TICKS; i++) {
-    const begin = performance.now();
-    crowd.tick();
-    crowd.read(joints, weights);
-    if (i >= WARM) times.push(performance.now() - begin);
+function measure(name, styles, memory, make) {
+  for (const count of COUNTS) {
+    const crowd = make(count);
+    crowd.setField(Uint32Array.of(1, 2, 3), Float32Array.from(PLACES));
+    const [joints, weights] = [new Float32Array(count * JOINT_FLOATS), new Uint8Array(count * styles)];
+    const times = [];
+    for (let i = 0; i < WARM + TICKS; i++) {
+      const begin = performance.now();
+      crowd.tick();
+      crowd.read(joints, weights);
+      if (i >= WARM) times.push(performance.now() - begin);
+    }
+    crowd.free();
+    times.sort((a, b) => a - b);
+    const at = (share) => times[Math.floor(share * (times.length - 1))].toFixed(2);
+    const mb = (memory.buffer.byteLength / 1e6).toFixed(1);
+    console.log(`${count} ${name}: ${at(0.5)} ms median, ${at(0.95)} ms p95, ${at(1)} ms most; ${mb} MB`);
   }
-  crowd.free();
-  times.sort((a, b) => a - b);
-  const at = (share) => times[Math.floor(share * (times.length - 1))].toFixed(2);
-  console.log(`${count} walkers: ${at(0.5)} ms median, ${at(0.95)} ms p95, ${at(1)} ms most`);
 }
+
+/** The first built-in input in every style of the built-in database, as the page's engine gives it to its crowd. */
+function recorded() {
+  load(engine, "pkg/strut_wasm_bg.wasm");
+  const motions = gunzipSync(read("motions/first.bin"));
+  const database = engine.Database.fromPacked(motions);
+  const input = engine.Input.fromPacked(database, motions, engine.packedInputs(motions)[0]);
+  const recording = new engine.Recording(new engine.Stylizer(database), input, 0, input.frames());
+  const begin = performance.now();
+  const frames = recording.run(input.frames());
+  const numbers = recording.numbers();
+  const secs = ((performance.now() - begin) / 1000).toFixed(1);
+  const styles = database.styles().length;
+  console.log(`${frames} frames in ${styles} styles: recorded in ${secs} s, ${(numbers.byteLength / 1e6).toFixed(1)} MB`);
+  return { numbers, styles };
+}
+
+const ofCrowds = load(crowds, "crowd/pkg/strut_crowd_bg.wasm");
+const model = new crowds.WalkModel(gunzipSync(read("motions/built_in.strutwalk")));
+measure("walkers", model.styles().length, ofCrowds, (count) => new crowds.Crowd(model, count, 1));
+
+const { numbers, styles } = recorded();
+const ofPerformers = load(performers, "performers/pkg/strut_performers_bg.wasm");
+measure("performers", styles, ofPerformers, (count) => new performers.Performers(numbers, count, 1));

@@ -18,6 +18,7 @@ const CRATES = {
   "strut-wasm-build": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-walk": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-drive": ["strut-wasm-common", "strut-core"],
+  "strut-wasm-performers": ["strut-wasm-common", "strut-core"],
   "strut-wasm-live": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-key-style": ["strut-wasm-common", "strut-core", "strut-formats"],
   "strut-wasm-character": ["strut-wasm-common", "strut-core", "strut-formats"],

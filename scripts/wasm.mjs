@@ -58,7 +58,7 @@ const PACKAGES = {
     folder: "web/engine/pkg",
     crate: "strut-wasm",
     name: "strut_wasm",
-    features: ["atlas", "drive"],
+    features: ["atlas", "drive", "performers"],
     flags: [INLINE_LESS],
   },
   // … the same for other pages, without what only this one shows …
@@ -67,8 +67,10 @@ const PACKAGES = {
   build: { folder: "web/engine/build/pkg", crate: "strut-wasm-build", name: "strut_wasm_build", config: FAST_BUILDING },
   // … for those who open the Walk view, the Key-style view …
   walk: { folder: "web/engine/walk/pkg", crate: "strut-wasm-walk", name: "strut_wasm_walk" },
-  // … (crowds are the same with one handle more, for a worker of their own) …
+  // … (crowds are the same with one handle more, for a worker of their own; …
   crowd: { folder: "web/engine/crowd/pkg", crate: "strut-wasm-walk", name: "strut_crowd", features: ["crowd"] },
+  // … those who perform a motion in a crowd have one of their own) …
+  performers: { folder: "web/engine/performers/pkg", crate: "strut-wasm-performers", name: "strut_performers" },
   // … for those who steer …
   drive: { folder: "web/engine/drive/pkg", crate: "strut-wasm-drive", name: "strut_drive", flags: DRIVE_FLAGS },
   // … for those who perform …
@@ -142,7 +144,7 @@ const PACKAGES = {
 /** The order in which packages are built in full mode, on two cores: each of these takes about as long as the other. */
 const LINES = [
   ["engine", "embed", "compare", "gpu", "bench", "benchGpu", "benchScalar"],
-  ["start", "learn", "keyStyle", "walk", "crowd", "drive", "live", "build", "character"],
+  ["start", "learn", "keyStyle", "walk", "crowd", "performers", "drive", "live", "build", "character"],
 ];
 
 /** What the page loads, and what benchmarks and parity tests need besides. */

@@ -4,6 +4,7 @@ import type { WorkerPort } from "../web/client/client";
 import type { Call, Reply, Request } from "../web/client/messages";
 import { ATLAS_HANDLERS } from "../web/client/server/atlas";
 import { DRIVING_CALLS } from "../web/client/server/driving_calls";
+import { recordMotion } from "../web/client/server/recorded_motion";
 import { type ServerPort, serve } from "../web/client/server/serve";
 import type { ErrorParts } from "../web/engine/errors";
 
@@ -35,7 +36,7 @@ export class InlineWorker implements WorkerPort {
         setTimeout(() => this.deliver(data), 0);
       },
     };
-    void serve(this.server, { driving: DRIVING_CALLS, atlas: ATLAS_HANDLERS });
+    void serve(this.server, { driving: DRIVING_CALLS, page: { ...ATLAS_HANDLERS, recordMotion } });
   }
 
   postMessage(message: Request): void {

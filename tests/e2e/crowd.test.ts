@@ -238,6 +238,57 @@ describe("the people", () => {
   });
 });
 
+describe("performers", () => {
+  const caption = () => page.locator(".crowd .stage-heading .caption").textContent();
+
+  it("perform the input of Play in the styles of their places, and walk again", async () => {
+    await visit(page, `${FEW}&${FIELD}`);
+    await walking();
+    await page.getByRole("radio", { name: "Performers" }).check();
+    await eventually(title).toBe("24 people, two styles");
+    expect(await caption()).toMatch(/^\d+\.\d s of “neutral walk” of Play, over and over$/);
+    await walking();
+    await eventually(chart).toMatch(/^Who performs how: neutral [1-9]/);
+    await eventually(() => walkIn("proud")).toBeGreaterThan(0);
+    await eventually(() => page.url()).toContain("people=performers");
+    expect(await page.locator(".crowd-figures").textContent()).toContain("Performing");
+    await page.keyboard.press("Control+z");
+    await eventually(title).toBe("24 people, two ways of walking");
+    await page.keyboard.press("Control+Shift+z");
+    await eventually(title).toBe("24 people, two styles");
+    expect(await alerts()).toBe("");
+  });
+
+  it("have a card, leave as a BVH file, and go on in Play", async () => {
+    await page.locator(".crowd canvas").first().focus();
+    await page.keyboard.press("n");
+    const card = page.locator(".crowd-card");
+    await eventually(() => card.textContent()).toMatch(/^Performer 1.*m\/sproud0\.\d\dold0\.\d\dneutral0\.\d\d/);
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      card.getByRole("button", { name: "Export BVH" }).click(),
+    ]);
+    expect(download.suggestedFilename()).toBe("performer-1.bvh");
+    await card.getByRole("button", { name: "Open in Play" }).click();
+    await eventually(async () => (await state()).view).toBe("play");
+    expect((await state()).styles.map(({ name }) => name)).toEqual(expect.arrayContaining(["proud", "old"]));
+  });
+
+  it("need a motion that is long enough, and are as many as can be drawn", async () => {
+    await visit(page, `view=crowd&people=performers&crowd=1000_1&${FIELD}&range=0-10`);
+    await page.getByText("The motion of Play cannot be performed.").waitFor();
+    await page.getByRole("button", { name: "Let them walk" }).click();
+    await eventually(title).toBe("One hundred people, two ways of walking");
+    await walking();
+    await visit(page, `view=crowd&people=performers&crowd=1000_1&${FIELD}`);
+    await eventually(title).toBe("One hundred people, two styles");
+    await eventually(() => page.locator(".crowd-people-limit").textContent()).toBe(
+      "Without a graphics card 100 perform.",
+    );
+    await walking();
+  });
+});
+
 describe("links", () => {
   it("restore people, field, route and camera", async () => {
     const link = `${FEW}&${FIELD}&route=-5_0;5_0&who=4&seen=along&play=0&map=0`;
@@ -253,6 +304,7 @@ describe("links", () => {
     await eventually(title).toBe("24 people, two ways of walking");
     const before = await field();
     for (const [bad, sentence] of [
+      [`people=dancers&${FEW}&`, /“dancers”; walkers or performers were expected/],
       ["crowd=0_1&", /“0_1”; 1 to 1,000 people/],
       ["crowd=1001_1&", /“1001_1”; 1 to 1,000 people/],
       [`${FEW}&field=${Array(13).fill("proud_1_1_2_1").join(";")}&`, /more than 12 places/],

@@ -23,6 +23,7 @@ import {
   type InputSource,
   type LiveFrame,
   type Performed,
+  type RecordedMotion,
   type Restarted,
   type SearchFigures,
   type ShownFrame,
@@ -220,6 +221,13 @@ class SingleSessionClient implements StrutClient {
     if (!this.whole) await this.completed(call);
     const { database } = this.openedDatabase();
     return this.engine.openAtlas(database, this.openedInput().motion, columns, call);
+  }
+
+  async record(options: StylizeOptions, range: FrameRange | undefined, call?: CallOptions): Promise<RecordedMotion> {
+    if (!this.whole) await this.completed(call);
+    const { motion, session } = this.openedInput();
+    const { database } = session;
+    return this.engine.openBy((to) => to.call("recordMotion", [motion.id, database.id, options, range], call));
   }
 
   async examples(subject: CurveSubject, call?: CallOptions): Promise<Examples> {

@@ -17,6 +17,7 @@ import type {
   MotionFacts,
   Performed,
   Progress,
+  RecordedMotion,
   SearchFigures,
   ShownFrame,
   StyledClip,
@@ -68,6 +69,8 @@ export interface WorkerCalls {
   packAtlas(atlas: Id, view: AtlasView): PackedWindows;
   packAtlasColumns(atlas: Id, view: AtlasView): PackedWindows;
   atlasLines(atlas: Id, view: AtlasView): { lines: Uint32Array };
+  /** A motion in every style of a database: the whole of it or of a range, as far as there is room. */
+  recordMotion(motion: Id, database: Id, options: StylizeOptions, range: FrameRange | undefined): RecordedMotion;
   createStylizer(stylizer: Id, database: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
   restyle(stylizer: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
   push(stylizer: Id, poses: Float32Array): Styled;

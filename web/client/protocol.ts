@@ -6,6 +6,7 @@
  * to its parent, the hips relative to the world. Times are seconds.
  */
 import type { BuiltInSet } from "../engine/built_in";
+import type { Recorded } from "../engine/crowd/limits";
 import type {
   Analysis,
   CallOptions,
@@ -26,6 +27,11 @@ import type { LiveFrame } from "./live_frame";
 export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
 export * from "../engine/types";
 export type { BuiltInSet, LiveFrame };
+
+/** What an engine recorded of a motion, and how long that is, seconds. */
+export interface RecordedMotion extends Recorded {
+  secs: number;
+}
 
 /** The input frames from `first` to `last`, both of them included. */
 export interface FrameRange {
@@ -135,6 +141,12 @@ export interface StrutClient {
   compareSearch(neighbours: number, candidates: number, options?: CallOptions): Promise<SearchFigures | undefined>;
   /** The input on the database as a picture of every distance, with so many columns at most; the caller disposes of it. */
   openAtlas(columns: number, options?: CallOptions): Promise<OpenedAtlas>;
+  /**
+   * What is predicted of the open input, or of a range of it, in every style of the database, as far as there is room for it:
+   * for those who perform it (`crowd/`). The styles of the options do not matter.
+   * @throws StrutError `bad-input` if it is shorter than half a second
+   */
+  record(options: StylizeOptions, range: FrameRange | undefined, call?: CallOptions): Promise<RecordedMotion>;
   /** The styled input as BVH text, on the input's own skeleton. */
   exportBvh(options?: CallOptions): Promise<string>;
   /**

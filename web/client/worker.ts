@@ -2,6 +2,7 @@
 import "../engine/whole";
 import { ATLAS_HANDLERS } from "./server/atlas";
 import { DRIVING_CALLS } from "./server/driving_calls";
+import { recordMotion } from "./server/recorded_motion";
 import { type ServerPort, serve } from "./server/serve";
 
-void serve(self as unknown as ServerPort, { driving: DRIVING_CALLS, atlas: ATLAS_HANDLERS });
+void serve(self as unknown as ServerPort, { driving: DRIVING_CALLS, page: { ...ATLAS_HANDLERS, recordMotion } });

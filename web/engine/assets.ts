@@ -7,6 +7,7 @@ export type AssetName =
   | "strut_wasm_build_bg.wasm"
   | "strut_wasm_walk_bg.wasm"
   | "strut_crowd_bg.wasm"
+  | "strut_performers_bg.wasm"
   | "strut_drive_bg.wasm"
   | "strut_live_bg.wasm"
   | "strut_wasm_key_style_bg.wasm"

@@ -25,6 +25,7 @@ import type {
   FrameRange,
   InputInfo,
   LiveFrame,
+  RecordedMotion,
   Restarted,
   ShownFrame,
   StrutClient,
@@ -319,6 +320,11 @@ export class Session {
   /** The input on the database as a picture of every distance; see `StrutClient.openAtlas`. */
   openAtlas(columns: number, call: CallOptions): Promise<OpenedAtlas> {
     return this.#client.openAtlas(columns, call);
+  }
+
+  /** The input in every style, for those who perform it; see `StrutClient.record`. */
+  record(options: StylizeOptions, range: FrameRange | undefined, call: CallOptions): Promise<RecordedMotion> {
+    return this.#client.record(options, range, call);
   }
 
   /** The styled input as BVH text; `undefined` where that failed or was cancelled. */

@@ -6,12 +6,14 @@
 //! is a bug, is thrown as a JavaScript `Error` with its message, and the instance must then be thrown away.
 
 mod bytes;
+mod crowd;
 mod database;
 mod error;
 mod panic;
 mod poses;
 
 pub use bytes::{Bytes, SlicedFile, Slices};
+pub use crowd::{frames_of_crowd, points_of_route, vertices_of_field};
 pub use database::read_database;
 pub use error::{EngineError, sentence};
 pub use poses::{bvh_of, floats_of, offsets_of, poses_of, proportions_of, write_floats};

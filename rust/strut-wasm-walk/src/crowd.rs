@@ -3,14 +3,12 @@
 use crate::model::WalkModel;
 use js_sys::{Float32Array, Uint8Array};
 use std::sync::Arc;
-use strut_core::crowd::{self, Vertex};
+use strut_core::crowd;
 use strut_core::hsmm::RATE_HZ;
 use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_wasm_common::{EngineError, bvh_of, proportions_of, write_floats};
+use strut_wasm_common::{frames_of_crowd, points_of_route, vertices_of_field};
 use wasm_bindgen::prelude::wasm_bindgen;
-
-/// Longest motion that is written of a walker, seconds.
-const LONGEST_SECS: f32 = 600.0;
 
 /// A crowd of walkers by one model. For every frame of [`WalkModel::rate_hz`] [`Crowd::tick`], then [`Crowd::read`].
 #[wasm_bindgen]
@@ -70,16 +68,7 @@ impl Crowd {
     /// If there are too many vertices, or one is none; nothing changes then.
     #[wasm_bindgen(js_name = setField)]
     pub fn set_field(&mut self, styles: &[u32], numbers: &[f32]) -> Result<(), EngineError> {
-        let (numbers, rest) = numbers.as_chunks::<4>();
-        if numbers.len() != styles.len() || !rest.is_empty() {
-            return Err(EngineError::bad_input("four numbers a vertex were expected"));
-        }
-        let vertices: Vec<Vertex> = styles
-            .iter()
-            .zip(numbers)
-            .map(|(style, &[x, z, reach, intensity])| Vertex { style: *style as usize, x, z, reach, intensity })
-            .collect();
-        self.crowd.set_field(&vertices).map_err(EngineError::bad_input)
+        self.crowd.set_field(&vertices_of_field(styles, numbers)?).map_err(EngineError::bad_input)
     }
 
     /// A way that everybody follows, x and z of its points; none sets them free.
@@ -88,11 +77,7 @@ impl Crowd {
     /// If there is one point, or too many, or one is none; nothing changes then.
     #[wasm_bindgen(js_name = setRoute)]
     pub fn set_route(&mut self, numbers: &[f32]) -> Result<(), EngineError> {
-        let (points, rest) = numbers.as_chunks::<2>();
-        if !rest.is_empty() {
-            return Err(EngineError::bad_input("two numbers a point were expected"));
-        }
-        self.crowd.set_route(points).map_err(EngineError::bad_input)
+        self.crowd.set_route(points_of_route(numbers)?).map_err(EngineError::bad_input)
     }
 
     /// Bones that the joints lie on, 21 × xyz in metres, in place of the model's own.
@@ -111,10 +96,7 @@ impl Crowd {
     /// If there is no such walker, or the time is none.
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&self, walker: usize, secs: f32) -> Result<String, EngineError> {
-        if !(secs > 0.0 && secs <= LONGEST_SECS) {
-            return Err(EngineError::bad_input(format!("{secs} s were asked for; up to {LONGEST_SECS} were expected")));
-        }
-        let frames = (secs * RATE_HZ).ceil() as usize;
+        let frames = frames_of_crowd(secs, RATE_HZ)?;
         let poses =
             self.crowd.ahead(walker, frames).ok_or_else(|| EngineError::bad_input("there is no such walker"))?;
         bvh_of(&HumanoidMotion { proportions: self.proportions, rate_hz: RATE_HZ, poses })

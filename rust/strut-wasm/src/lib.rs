@@ -26,6 +26,8 @@ mod neutral_clips;
 #[cfg(feature = "parity")]
 mod parity;
 mod poses;
+#[cfg(feature = "performers")]
+mod recording;
 #[cfg(feature = "compare")]
 mod search_comparison;
 mod stylizer;
@@ -49,6 +51,8 @@ pub use motions::{built_in_motions, driving_motions};
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;
 pub use poses::interpolate_poses;
+#[cfg(feature = "performers")]
+pub use recording::Recording;
 #[cfg(feature = "compare")]
 pub use search_comparison::SearchComparison;
 pub use strut_wasm_common::EngineError;

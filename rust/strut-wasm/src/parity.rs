@@ -10,7 +10,7 @@ use crate::stylizer::Stylizer;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use strut_core::crowd::{self, Crowd, Vertex};
+use strut_core::crowd::{self, Crowd, Performers, Vertex};
 use strut_core::database::build::{BuildOptions, SourceClip, build};
 use strut_core::hsmm::{
     JointPath, LabelledClip, Options as WalkOptions, PathOptions, RuntimeWalkModel, StyleMeans, Track, Walker,
@@ -22,7 +22,7 @@ use strut_core::math::Vec3;
 use strut_core::parallel::Sequential;
 use strut_core::pose_vector::{HeadingFilter, Placement};
 use strut_core::somn::{Learning, Measure, Options as LearningOptions, Recording, Trainer};
-use strut_core::transfer::StyledFrame;
+use strut_core::transfer::{Predictions, Recorder, StyledFrame};
 use strut_formats::strutdb::packed::{self, NamedMotion};
 use strut_wasm_common::EngineError;
 use strut_wasm_common::floats_of;
@@ -39,6 +39,11 @@ const WALK_FRAMES: usize = 600;
 /// Walkers of the crowd that is compared, and its ticks.
 const CROWD: usize = 50;
 const CROWD_TICKS: usize = 300;
+
+/// Frames of an input that a crowd performs, how many they are, and their ticks: each begins it anew.
+const PERFORMED_FRAMES: usize = 240;
+const PERFORMERS: usize = 12;
+const PERFORMED_TICKS: usize = 200;
 
 /// Frames of an input that are styled after one that was nudged: enough to show what follows from it.
 const FRAMES_AFTER_NUDGE: usize = 60;
@@ -85,6 +90,7 @@ impl ParityReport {
             let input = Input::from_packed(&database, &packed, &name)?;
             clip_stages(&mut report, &name, &database, &input, nudged_frame)?;
         }
+        performers_stage(&mut report, &database, &packed)?;
         database_stages(&mut report, "registered database", &registered(built_in_clips())?);
 
         let mut clips = Vec::new();
@@ -213,6 +219,32 @@ fn crowd_stage(report: &mut String, runtime: RuntimeWalkModel) -> Result<(), Eng
             .push(hash(crowd.world().iter().map(|v| v.to_bits()).chain(crowd.weights().iter().map(|w| u32::from(*w)))));
     }
     line(report, "built-in walks", "crowd", hashes);
+    Ok(())
+}
+
+/// A crowd who perform a walk in a field of styles, as the page hands it from one package to another; one hash a tick.
+fn performers_stage(report: &mut String, database: &Database, packed: &[u8]) -> Result<(), EngineError> {
+    let inputs = packed_inputs(packed)?;
+    let input = inputs.first().ok_or_else(|| EngineError::bad_input("there is no input"))?;
+    let input = Input::from_packed(database, packed, input)?;
+    let mut recorder = Recorder::new(Stylizer::new(database)?.core()).map_err(EngineError::bad_input)?;
+    input.humanoid().poses.iter().take(PERFORMED_FRAMES).for_each(|pose| recorder.push(pose));
+    let numbers = recorder.finish().map(|of| of.to_floats()).unwrap_or_default();
+    let predictions = Predictions::from_floats(&numbers).map_err(EngineError::bad_input)?;
+    let options = crowd::Options { count: PERFORMERS, seed: 3 };
+    let mut crowd = Performers::new(Arc::new(predictions), options).map_err(EngineError::bad_input)?;
+    let vertex = |style: usize, x: f32, intensity: f32| Vertex { style, x, z: 1.0, reach: 4.0, intensity };
+    let mut hashes = vec![float_hash(&numbers)];
+    for tick in 0..PERFORMED_TICKS {
+        if tick % (PERFORMED_TICKS / 2) == 0 {
+            let field = [vertex(0, 3.0, 1.5), vertex(2, tick as f32 / 50.0 - 3.0, -0.5)];
+            crowd.set_field(&field).map_err(EngineError::bad_input)?;
+        }
+        crowd.tick();
+        hashes
+            .push(hash(crowd.world().iter().map(|v| v.to_bits()).chain(crowd.weights().iter().map(|w| u32::from(*w)))));
+    }
+    line(report, "built-in walk", "performers", hashes);
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { CROWD_RANGES, Refused } from "./crowd";
+import { CROWD_KINDS, CROWD_RANGES, Refused } from "./crowd";
 import { type AppState, fromHash, initialState, toHash } from "./state";
 
 const state = (patch: Partial<AppState>): AppState => ({ ...initialState(), ...patch });
@@ -12,6 +12,7 @@ describe("a crowd in a link", () => {
     const link = toHash(
       state({
         view: "crowd",
+        crowdKind: "performers",
         crowd: { count: 300, seed: 7 },
         field,
         route: [
@@ -21,9 +22,9 @@ describe("a crowd in a link", () => {
       }),
     );
     expect(decodeURIComponent(link)).toBe(
-      "view=crowd&crowd=300_7&field=proud_2.5_-1_3_1;not_confident_0_0.25_0.5_-1&route=-5_0;5_2.5",
+      "view=crowd&people=performers&crowd=300_7&field=proud_2.5_-1_3_1;not_confident_0_0.25_0.5_-1&route=-5_0;5_2.5",
     );
-    expect(fromHash(link)).toMatchObject({ field, crowd: { count: 300, seed: 7 } });
+    expect(fromHash(link)).toMatchObject({ field, crowdKind: "performers", crowd: { count: 300, seed: 7 } });
   });
 
   it("comes back whatever it is", () => {
@@ -33,6 +34,7 @@ describe("a crowd in a link", () => {
     const style = fc.stringMatching(/^[^;]+$/);
     const point = fc.tuple(inRange(place), inRange(place));
     const patch = fc.record({
+      crowdKind: fc.constantFrom(...CROWD_KINDS),
       crowd: fc.record({ count: inRange(count), seed: inRange(seed) }),
       field: fc.option(
         fc.array(
@@ -87,10 +89,12 @@ describe("a crowd in a link", () => {
     }
   });
 
-  it("tells no field from an empty one, and takes a count alone", () => {
+  it("tells no field from an empty one, takes a count alone, and keeps a kind that there is not", () => {
     expect(fromHash("field=none").field).toEqual([]);
     expect(toHash(state({ field: [] }))).toBe("field=none");
     expect(fromHash("field=").field).toBeUndefined();
+    const kind = fromHash("people=dancers");
+    expect([kind.crowdKind, toHash(kind)]).toEqual([new Refused("dancers", "kind"), "people=dancers"]);
     expect(fromHash("crowd=50").crowd).toEqual({ count: 50, seed: 1 });
   });
 });

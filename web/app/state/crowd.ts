@@ -4,7 +4,11 @@ import { type FieldVertex, MAX_CROWD, MAX_ROUTE_POINTS, MAX_VERTICES, type Place
 import { choice, type Field, type Fields, flag, number, SEPARATOR } from "../../link/fields";
 import type { Range } from "../../ui/controls/range";
 
-/** How many walk, and the seed of all that is drawn by lot. */
+/** Who is there: people who walk by a model, or who perform the input of Play. */
+export const CROWD_KINDS = ["walkers", "performers"] as const;
+export type CrowdKind = (typeof CROWD_KINDS)[number];
+
+/** How many there are, and the seed of all that is drawn by lot. */
 export interface People {
   count: number;
   seed: number;
@@ -20,10 +24,11 @@ export class Refused {
   ) {}
 }
 
-/** Of a link's text: the number of people, the number of vertices, what a vertex is, or what a route is. */
-export type RefusedWhy = "count" | "vertices" | "vertex" | "route";
+/** Of a link's text: the kind of people, their number, the number of vertices, what a vertex is, or what a route is. */
+export type RefusedWhy = "kind" | "count" | "vertices" | "vertex" | "route";
 
 export interface CrowdState {
+  crowdKind: CrowdKind | Refused;
   crowd: People | Refused;
   /** Styles by place; `undefined` until a model gives the first ones. */
   field: readonly FieldVertex[] | undefined | Refused;
@@ -130,6 +135,12 @@ function refusable<T>(
 }
 
 export const CROWD_FIELDS: Fields<CrowdState> = {
+  crowdKind: refusable<CrowdKind>(
+    "people",
+    "walkers",
+    (kind) => kind,
+    (text) => CROWD_KINDS.find((kind) => kind === text) ?? new Refused(text, "kind"),
+  ),
   crowd: refusable<People>("crowd", { count: 200, seed: 1 }, ({ count, seed }) => `${count}_${seed}`, decodePeople),
   field: refusable<readonly FieldVertex[] | undefined>(
     "field",

@@ -3,23 +3,23 @@
  * between two ticks need both, and the next.
  */
 
-import type { FieldVertex, Place } from "../../engine/crowd/limits";
+import type { FieldVertex, People, Place } from "../../engine/crowd/limits";
 import { type StrutError, toStrutError } from "../../engine/errors";
 import type { CallOptions } from "../protocol";
 import { type ClientPort, RpcClient, remote } from "../rpc";
 import { type Clock, PAGE_CLOCK } from "./clock";
-import type { CrowdCalls, CrowdFacts, CrowdStart, CrowdTick, Walkers } from "./protocol";
+import type { CrowdCalls, CrowdFacts, CrowdStart, CrowdTick } from "./protocol";
 
-export type { CrowdFacts, CrowdStart, CrowdTick, Walkers } from "./protocol";
+export type { CrowdFacts, CrowdStart, CrowdTick } from "./protocol";
 
 /** How many arguments each call has. */
 const ARITY = { open: 2, tick: 1, setCount: 1, setField: 1, setRoute: 1, setBones: 1, exportBvh: 2 } as const;
 
-/** What of a crowd follows from its model. */
+/** What of a crowd follows from who is there. */
 export interface CrowdChoices {
-  /** Styles by place, of the model's; in place of the start's field. */
+  /** Styles by place, of those that there are; in place of the start's field. */
   fieldOf?: (styles: readonly string[]) => readonly FieldVertex[];
-  /** Bones that joints are to lie on, by those of the model, 21 × xyz in metres; the model's own if missing. */
+  /** Bones that joints are to lie on, by their own, 21 × xyz in metres; these if missing. */
   bonesOf?: (proportions: Float32Array) => Float32Array;
 }
 
@@ -34,19 +34,19 @@ function spawnWorker(): ClientPort {
 }
 
 /**
- * Opens a crowd, which walks from then on; the caller disposes of it.
- * @throws StrutError with what is wrong with the model or the start, or `cancelled`
+ * Opens a crowd, which walks or performs from then on; the caller disposes of it.
+ * @throws StrutError with what is wrong with the people or the start, or `cancelled`
  */
 export async function createCrowd(
-  walkers: Walkers,
+  people: People,
   { signal, bonesOf, fieldOf, ...start }: CrowdStart & CrowdChoices & Pick<CallOptions, "signal">,
   { spawn = spawnWorker, clock = PAGE_CLOCK }: CrowdSurroundings = {},
 ): Promise<Crowd> {
   const rpc = new RpcClient(spawn, "crowd");
   try {
-    // Walkers who come when there is a field begin in its styles.
+    // Those who come when there is a field begin in its styles.
     const first = fieldOf ? { ...start, count: Math.min(1, start.count) } : start;
-    const facts = (await rpc.call("open", [walkers, first], signal)) as CrowdFacts;
+    const facts = (await rpc.call("open", [people, first], signal)) as CrowdFacts;
     if (fieldOf) {
       await rpc.call("setField", [fieldOf(facts.styles)], signal);
       await rpc.call("setCount", [start.count], signal);
@@ -59,14 +59,14 @@ export async function createCrowd(
   }
 }
 
-/** A crowd that walks until it is disposed of. */
+/** A crowd that walks or performs until it is disposed of. */
 export class Crowd implements CrowdFacts {
   readonly styles: readonly string[];
   readonly proportions: Float32Array;
   readonly rateHz: number;
   /** Everybody, {@link rateHz} times a second. The arrays are the caller's until the tick after the next. */
   onTick: ((tick: CrowdTick) => void) | undefined;
-  /** The worker is too slow, and has fewer walkers now. */
+  /** The worker is too slow, and has fewer people now. */
   onHalved: ((count: number) => void) | undefined;
   /** The crowd has stopped for good. */
   onError: ((error: StrutError) => void) | undefined;
@@ -97,7 +97,7 @@ export class Crowd implements CrowdFacts {
     this.ask();
   }
 
-  /** Walkers of the last tick. */
+  /** People of the last tick. */
   get count(): number {
     return this.shown[0]?.count ?? this.asked;
   }
@@ -127,12 +127,12 @@ export class Crowd implements CrowdFacts {
     if (!this.isPlaying) this.show();
   }
 
-  /** More walkers or fewer, from the tick after the next on. @throws StrutError if there are too few or too many */
+  /** More people or fewer, from the tick after the next on. @throws StrutError if there are too few or too many */
   setCount(count: number): Promise<void> {
     return this.calls.setCount(count);
   }
 
-  /** Styles by place, from everybody's next step on. @throws StrutError if a vertex is none; nothing changes then */
+  /** Styles by place, from everybody's next step on, or from now on for performers. @throws StrutError if a vertex is none; nothing changes then */
   setField(vertices: readonly FieldVertex[]): Promise<void> {
     return this.calls.setField(vertices);
   }
@@ -145,9 +145,9 @@ export class Crowd implements CrowdFacts {
     return this.calls.setRoute(points);
   }
 
-  /** A BVH file of the next seconds of a walker, as if nobody else were there. @throws StrutError if there is no such walker */
-  exportBvh(walker: number, secs: number): Promise<string> {
-    return this.calls.exportBvh(walker, secs);
+  /** A BVH file of the next seconds of somebody, as if nobody else were there. @throws StrutError if there is nobody of this number */
+  exportBvh(person: number, secs: number): Promise<string> {
+    return this.calls.exportBvh(person, secs);
   }
 
   dispose(): void {

@@ -1,6 +1,9 @@
 /** The crowd of the real package on this thread, by a clock that the tests set. */
 import { expect, test } from "vitest";
+import { InlineWorker } from "../../../tests/inline_worker";
+import { DEFAULT_OPTIONS } from "../../engine/types";
 import { CROWD_JOINT_FLOATS, JOINT, type Role } from "../../humanoid";
+import { createStrutClient } from "../client";
 import { createCrowdTable } from "./crowd_table";
 
 const WALKERS = { kind: "walkers" } as const;
@@ -101,6 +104,42 @@ test("what is no crowd, no field and no route is refused, and nothing changes", 
   await expect(table.setCount(0)).rejects.toMatchObject({ code: "bad-input" });
   expect((await table.tick(undefined)).weights.every((weight) => weight === 0)).toBe(true);
   await expect(createCrowdTable().tick(undefined)).rejects.toMatchObject({ code: "not-open" });
+});
+
+test("people perform what the engine recorded of a motion, in the styles of their places", async () => {
+  const client = await createStrutClient({ spawn: () => new InlineWorker() });
+  await client.openDatabase({ kind: "demo", set: "first" });
+  const [name] = await client.builtInInputs();
+  await client.openInput({ kind: "built-in", name: name!, set: "first" });
+  const recorded = await client.record(DEFAULT_OPTIONS, { first: 60, last: 299 });
+  await expect(client.record(DEFAULT_OPTIONS, { first: 60, last: 70 })).rejects.toMatchObject({ code: "bad-input" });
+  client.dispose();
+  expect(recorded.secs).toBe(4);
+
+  const table = createCrowdTable();
+  const field = [{ style: "old", x: 0, z: 0, reach: 10, intensity: 1 }];
+  const facts = await table.open({ kind: "performers", recorded }, { count: 10, field });
+  expect([facts.rateHz, facts.styles]).toEqual([30, recorded.styles]);
+  const places: number[][] = [];
+  // Beyond the end of what was recorded, which begins anew.
+  for (let i = 0; i < 180; i++) {
+    const { joints, weights } = await table.tick(undefined);
+    places.push([joints[0]!, joints[1]!, joints[2]!]);
+    expect(weights[facts.styles.indexOf("old")]).toBeGreaterThan(100);
+  }
+  const steps = places
+    .slice(1)
+    .map(([x, y, z], i) => Math.hypot(x! - places[i]![0]!, y! - places[i]![1]!, z! - places[i]![2]!));
+  expect(Math.max(...steps), "nobody jumps").toBeLessThan(0.1);
+  expect(
+    steps.reduce((sum, step) => sum + step),
+    "they walk",
+  ).toBeGreaterThan(2);
+  expect(await table.exportBvh(3, 1)).toMatch(/Frames: 30\n/);
+  const broken = { ...recorded, numbers: recorded.numbers.slice(1) };
+  await expect(createCrowdTable().open({ kind: "performers", recorded: broken }, { count: 3 })).rejects.toMatchObject({
+    code: "bad-input",
+  });
 });
 
 test("a seed gives the same bits", async () => {

@@ -18,8 +18,8 @@ export function createCrowdTable(now: () => number = () => performance.now()): C
   };
 
   return {
-    async open({ model: file }, { count, seed = 1, field = [], route = [] }) {
-      const made = await Crowd.open(file, { count, seed });
+    async open(people, { count, seed = 1, field = [], route = [] }) {
+      const made = await Crowd.open(people, { count, seed });
       try {
         made.setField(field);
         made.setRoute(route);
@@ -70,8 +70,8 @@ export function createCrowdTable(now: () => number = () => performance.now()): C
       crowd().setBones(offsets);
     },
 
-    async exportBvh(walker, secs) {
-      return crowd().toBvh(walker, secs);
+    async exportBvh(person, secs) {
+      return crowd().toBvh(person, secs);
     },
   };
 }

@@ -1,2 +1,10 @@
 /** What a crowd can be. */
-export { type FieldVertex, MAX_CROWD, MAX_ROUTE_POINTS, MAX_VERTICES, type Place } from "../../engine/crowd/limits";
+export {
+  type FieldVertex,
+  MAX_CROWD,
+  MAX_ROUTE_POINTS,
+  MAX_VERTICES,
+  type People,
+  type Place,
+  type Recorded,
+} from "../../engine/crowd/limits";

@@ -1,11 +1,5 @@
 /** What the page and the crowd's worker say to each other. */
-import type { FieldVertex, Place } from "../../engine/crowd/limits";
-
-/** Who walks: the model of a `.strutwalk` file, or of the built-in walks. */
-export interface Walkers {
-  kind: "walkers";
-  model?: Uint8Array;
-}
+import type { FieldVertex, People, Place } from "../../engine/crowd/limits";
 
 /** What a crowd is opened with. */
 export interface CrowdStart {
@@ -31,19 +25,19 @@ export interface CrowdTick {
   count: number;
   /** Of the ground, metres. */
   radius: number;
-  /** 21 × (x y z 0, rotation x y z w) a walker, in the world. */
+  /** 21 × (x y z 0, rotation x y z w) a person, in the world. */
   joints: Float32Array;
-  /** A byte a walker and style: its weight, of 255. */
+  /** A byte a person and style: its weight, of 255. */
   weights: Uint8Array;
   /** Time of the worker that it took. */
   tickMs: number;
-  /** Whether ticks are too slow: from the next one on there are half as many walkers. */
+  /** Whether ticks are too slow: from the next one on there are half as many people. */
   halves: boolean;
 }
 
 /** The worker's calls; `open` is the first. */
 export interface CrowdCalls {
-  open(walkers: Walkers, start: CrowdStart): Promise<CrowdFacts>;
+  open(people: People, start: CrowdStart): Promise<CrowdFacts>;
   /** Goes on by a tick; a buffer that is large enough is used again. */
   tick(buffer: ArrayBuffer | undefined): Promise<CrowdTick>;
   setCount(count: number): Promise<void>;
@@ -51,5 +45,5 @@ export interface CrowdCalls {
   setRoute(points: readonly Place[]): Promise<void>;
   /** Bones that the joints lie on in place of the model's own. */
   setBones(offsets: Float32Array): Promise<void>;
-  exportBvh(walker: number, secs: number): Promise<string>;
+  exportBvh(person: number, secs: number): Promise<string>;
 }

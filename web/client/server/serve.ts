@@ -26,13 +26,20 @@ type Handlers = {
 type Comparing = Pick<Handlers, "compareSearch">;
 
 /** What only the page's own package can do. */
-type Mapping = Pick<
+type OfThePage = Pick<
   Handlers,
-  "openAtlas" | "drawAtlas" | "nearestInAtlas" | "atlasPose" | "packAtlas" | "packAtlasColumns" | "atlasLines"
+  | "openAtlas"
+  | "drawAtlas"
+  | "nearestInAtlas"
+  | "atlasPose"
+  | "packAtlas"
+  | "packAtlasColumns"
+  | "atlasLines"
+  | "recordMotion"
 >;
 
 /** What all servers do. */
-const HANDLERS: Omit<Handlers, keyof Comparing | keyof Mapping | DrivingMethod> = {
+const HANDLERS: Omit<Handlers, keyof Comparing | keyof OfThePage | DrivingMethod> = {
   openDatabase: databases.openDatabase,
   builtInInputs: databases.builtInInputs,
   openMotion: motions.openMotion,
@@ -63,19 +70,19 @@ const HANDLERS: Omit<Handlers, keyof Comparing | keyof Mapping | DrivingMethod> 
 export interface ServerSetup extends Partial<Comparing> {
   counterparts?: Counterparts;
   driving?: DrivingCalls;
-  atlas?: Mapping;
+  page?: OfThePage;
 }
 
 /** Loads the engine and answers the calls that arrive at `port`. */
 export async function serve(
   port: ServerPort,
-  { counterparts = () => undefined, compareSearch = () => undefined, driving, atlas }: ServerSetup = {},
+  { counterparts = () => undefined, compareSearch = () => undefined, driving, page }: ServerSetup = {},
 ): Promise<void> {
   /** Calls under way, and which of them were cancelled. */
   const cancelled = new Map<number, boolean>();
   const builtIn = new BuiltInMotions();
   const open = new Registry();
-  const handlers: Partial<Handlers> = { ...HANDLERS, compareSearch, ...driving, ...atlas };
+  const handlers: Partial<Handlers> = { ...HANDLERS, compareSearch, ...driving, ...page };
   const loading = Engine.load().then((engine): Host => ({ engine, builtIn, counterparts, open }));
 
   const answer = async (call: Call) => {

@@ -1,5 +1,4 @@
 /** Long work in time slices, so that the worker answers other calls in between. */
-import type { ClipJob } from "../../engine/clip_job";
 import { cancelled } from "../../engine/errors";
 import type { Progress } from "../protocol";
 
@@ -36,11 +35,19 @@ export async function stage(caller: Caller, label: string, fraction: number): Pr
   if (caller.isCancelled()) throw cancelled();
 }
 
+/** Work on frames, one after another. */
+interface Job {
+  readonly done: number;
+  readonly frames: number;
+  /** Does up to so many more frames; true once all are done. */
+  run(frames: number): boolean;
+}
+
 /**
  * Runs a job to its end and gives the median cost of a frame, milliseconds.
  * @throws StrutError `cancelled`
  */
-export async function runToEnd(job: ClipJob, caller: Caller): Promise<number> {
+export async function runToEnd(job: Job, caller: Caller): Promise<number> {
   let frames = 1;
   const costsMs: number[] = [];
   for (;;) {

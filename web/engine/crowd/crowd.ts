@@ -1,23 +1,29 @@
-/** A crowd of walkers on the calling thread: a tick of a thousand takes milliseconds. */
+/** A crowd on the calling thread: a tick of a thousand takes milliseconds. */
 import { StrutError } from "../errors";
 import { Handle } from "../handle";
+import { type PerformersGlue, performersPackage } from "../performers/wasm";
 import { loadBuiltInWalkModel } from "../walk/built_in";
-import type { FieldVertex, Place } from "./limits";
+import type { FieldVertex, People, Place, Recorded, Walkers } from "./limits";
 import { type CrowdGlue, crowdPackage } from "./wasm";
 
 /** What a crowd begins with. */
 export interface CrowdOptions {
-  /** Walkers, 1 to 1,000. */
+  /** People, 1 to 1,000. */
   count: number;
   /** Of all that is drawn by lot. */
   seed: number;
 }
 
-/** A crowd of walkers by one model. */
-export class Crowd extends Handle<InstanceType<CrowdGlue["Crowd"]>> {
+/** Both kinds can be asked the same. */
+type Raw = InstanceType<CrowdGlue["Crowd"]> | InstanceType<PerformersGlue["Performers"]>;
+type Package = Pick<typeof crowdPackage, "guarded">;
+
+/** Walkers by one model, or people who perform one motion. */
+export class Crowd extends Handle<Raw> {
   private constructor(
-    raw: InstanceType<CrowdGlue["Crowd"]>,
-    private walkers: number,
+    raw: Raw,
+    private readonly itsPackage: Package,
+    private people: number,
     readonly styles: readonly string[],
     /** Bone offsets, 21 × xyz, metres. */
     readonly proportions: Float32Array,
@@ -27,25 +33,34 @@ export class Crowd extends Handle<InstanceType<CrowdGlue["Crowd"]>> {
     super(raw, "crowd");
   }
 
-  /**
-   * A crowd by the model of a `.strutwalk` file, or of the built-in walks.
-   * @throws StrutError if the module or the built-in model cannot be had, or with what is wrong with the file or the options
-   */
-  static async open(file: Uint8Array | undefined, { count, seed }: CrowdOptions): Promise<Crowd> {
+  /** @throws StrutError if a module or a model cannot be had, or with what is wrong with the people or the options */
+  static open(people: People, options: CrowdOptions): Promise<Crowd> {
+    return people.kind === "performers" ? Crowd.performers(people.recorded, options) : Crowd.walkers(people, options);
+  }
+
+  private static async walkers({ model: file }: Walkers, { count, seed }: CrowdOptions): Promise<Crowd> {
     const [glue, bytes] = await Promise.all([crowdPackage.load(), file ?? loadBuiltInWalkModel()]);
     return crowdPackage.guarded(() => {
       const model = new glue.WalkModel(bytes);
       try {
         const raw = new glue.Crowd(model, count, seed);
-        return new Crowd(raw, count, model.styles(), model.proportions(), model.rateHz());
+        return new Crowd(raw, crowdPackage, count, model.styles(), model.proportions(), model.rateHz());
       } finally {
         model.free();
       }
     });
   }
 
+  private static async performers({ styles, numbers }: Recorded, { count, seed }: CrowdOptions): Promise<Crowd> {
+    const glue = await performersPackage.load();
+    return performersPackage.guarded(() => {
+      const raw = new glue.Performers(numbers, count, seed);
+      return new Crowd(raw, performersPackage, count, styles, raw.proportions(), raw.rateHz());
+    });
+  }
+
   get count(): number {
-    return this.walkers;
+    return this.people;
   }
 
   /** Radius of the ground about the origin, metres; nobody goes farther than 1.2 times of it. */
@@ -53,36 +68,36 @@ export class Crowd extends Handle<InstanceType<CrowdGlue["Crowd"]>> {
     return this.raw.radius();
   }
 
-  /** Goes on by one frame of the model's rate. */
+  /** Goes on by one tick. */
   tick(): void {
-    crowdPackage.guarded(() => this.raw.tick());
+    this.itsPackage.guarded(() => this.raw.tick());
   }
 
-  /** Writes `CROWD_WALKER_FLOATS` floats a walker, and a byte a walker and style: its weight, of 255. */
+  /** Writes `CROWD_WALKER_FLOATS` floats a person, and a byte a person and style: its weight, of 255. */
   read(joints: Float32Array, weights: Uint8Array): void {
-    crowdPackage.guarded(() => this.raw.read(joints, weights));
+    this.itsPackage.guarded(() => this.raw.read(joints, weights));
   }
 
   /** @throws StrutError if there are too few or too many */
   setCount(count: number): void {
-    crowdPackage.guarded(() => this.raw.setCount(count));
-    this.walkers = count;
+    this.itsPackage.guarded(() => this.raw.setCount(count));
+    this.people = count;
   }
 
-  /** Styles by place, from everybody's next step on. @throws StrutError if a vertex is none; nothing changes then */
+  /** Styles by place, from everybody's next step on, or from now on for performers. @throws StrutError if a vertex is none; nothing changes then */
   setField(vertices: readonly FieldVertex[]): void {
     const styles = vertices.map(({ style }) => {
       const number = this.styles.indexOf(style);
       if (number < 0)
         throw new StrutError({
           code: "bad-input",
-          message: `The model has no style ${style}.`,
-          hint: `It has ${this.styles.join(", ")}.`,
+          message: `There is no style ${style}.`,
+          hint: `There are ${this.styles.join(", ")}.`,
         });
       return number;
     });
     const numbers = vertices.flatMap(({ x, z, reach, intensity }) => [x, z, reach, intensity]);
-    crowdPackage.guarded(() => this.raw.setField(Uint32Array.from(styles), Float32Array.from(numbers)));
+    this.itsPackage.guarded(() => this.raw.setField(Uint32Array.from(styles), Float32Array.from(numbers)));
   }
 
   /**
@@ -90,7 +105,7 @@ export class Crowd extends Handle<InstanceType<CrowdGlue["Crowd"]>> {
    * @throws StrutError if it is none; nothing changes then
    */
   setRoute(points: readonly Place[]): void {
-    crowdPackage.guarded(() => this.raw.setRoute(Float32Array.from(points.flat())));
+    this.itsPackage.guarded(() => this.raw.setRoute(Float32Array.from(points.flat())));
   }
 
   /**
@@ -98,11 +113,11 @@ export class Crowd extends Handle<InstanceType<CrowdGlue["Crowd"]>> {
    * @throws StrutError if they are none; nothing changes then
    */
   setBones(offsets: Float32Array): void {
-    crowdPackage.guarded(() => this.raw.setBones(offsets));
+    this.itsPackage.guarded(() => this.raw.setBones(offsets));
   }
 
-  /** A BVH file of the next seconds of a walker, as if nobody else were there. */
-  toBvh(walker: number, secs: number): string {
-    return crowdPackage.guarded(() => this.raw.toBvh(walker, secs));
+  /** A BVH file of the next seconds of somebody, as if nobody else were there. */
+  toBvh(person: number, secs: number): string {
+    return this.itsPackage.guarded(() => this.raw.toBvh(person, secs));
   }
 }

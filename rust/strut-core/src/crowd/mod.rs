@@ -1,26 +1,32 @@
 //! A crowd of walkers on open ground: each walks by the model of walk styles ([`crate::hsmm`]), in the styles of the place
-//! where they are, and gives way to others.
+//! where they are, and gives way to others. [`Performers`] perform a motion there instead.
 //!
 //! [`Crowd::tick`] goes on by one frame of [`RATE_HZ`](crate::hsmm::RATE_HZ) and allocates nothing. Everybody decides by what
 //! was there before the tick, and draws from a sequence of their own: the same seed and the same calls give the same bits.
 
+mod errand;
 mod field;
 mod grid;
 mod limits;
 mod member;
+mod performers;
+mod performing;
 mod route;
+mod seen;
 mod steering;
 
 pub use field::Vertex;
 pub use limits::{CrowdError, FARTHEST, INTENSITY, LONGEST_BONE, MAX_COUNT, MAX_ROUTE_POINTS, MAX_VERTICES, REACH};
+pub use performers::{Performers, TICK_HZ};
 
 use crate::hsmm::RuntimeWalkModel;
-use crate::humanoid::{JOINTS, PARENTS, Pose, Proportions};
-use crate::math::Vec3;
+use crate::humanoid::{JOINTS, Pose, Proportions};
+use errand::{Ground, ROOM};
 use field::Field;
 use grid::Grid;
-use member::{Ground, Member, ROOM};
+use member::Member;
 use route::Route;
+use seen::{check_bones, write_shares, write_world};
 use std::f32::consts::PI;
 use std::sync::Arc;
 use steering::Figure;
@@ -154,10 +160,7 @@ impl Crowd {
     /// # Errors
     /// See [`CrowdError::Bone`].
     pub fn set_bones(&mut self, bones: Proportions) -> Result<(), CrowdError> {
-        let bad = bones.offsets.iter().flat_map(Vec3::to_array).find(|v| v.is_nan() || v.abs() > LONGEST_BONE);
-        if let Some(bad) = bad {
-            return Err(CrowdError::Bone(bad));
-        }
+        check_bones(&bones)?;
         self.bones = bones;
         self.show();
         Ok(())
@@ -195,19 +198,9 @@ impl Crowd {
     fn show(&mut self) {
         self.figures.clear();
         self.figures.extend(self.members.iter().map(Member::figure));
-        for (share, weight) in self.shares.iter_mut().zip(&self.weights) {
-            *share = (255.0 * weight.clamp(0.0, 1.0)).round() as u8;
-        }
-        for (member, floats) in self.members.iter().zip(self.world.chunks_exact_mut(WALKER_FLOATS)) {
-            let mut world = member.walker.world();
-            for (j, &parent) in PARENTS.iter().enumerate().skip(1) {
-                world.positions[j] = world.positions[parent] + world.rotations[parent] * self.bones.offsets[j];
-            }
-            let joints = world.positions.iter().zip(&world.rotations);
-            for ((at, rotation), out) in joints.zip(floats.chunks_exact_mut(JOINT_FLOATS)) {
-                out[..3].copy_from_slice(&at.to_array());
-                out[4..].copy_from_slice(&rotation.to_array());
-            }
+        write_shares(&self.weights, &mut self.shares);
+        for (member, floats) in self.members.iter().zip(self.world.as_chunks_mut::<WALKER_FLOATS>().0) {
+            write_world(member.walker.world(), &self.bones, floats);
         }
     }
 }

@@ -83,29 +83,60 @@ pub(super) enum Pace {
 /// The step that begins of somebody who walks with a speed that is not 0: its turn, radians to the left, at most [`MAX_TURN`]
 /// either way, and its pace.
 pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f32, Pace) {
-    let wish = wished(me, intention).clamp(-MAX_TURN, MAX_TURN);
-    let secs = intention.length / me.speed;
-    let risks = |turn: f32, length: f32| {
-        let path = path(me, turn, length);
-        let meets = |other: &&Figure| can_meet(me, length, other, secs);
-        NEARNESS_COST * others.iter().filter(meets).map(|other| risk(&path, other, secs)).sum::<f32>()
-    };
-    let turns = (-TURNS..=TURNS).map(|i| f32::from(i) / f32::from(TURNS) * MAX_TURN).chain([wish]);
+    let choice = Choice::new(me, intention, others);
     let walking = [(Pace::Walks, 1.0, 0.0), (Pace::Short, SHORT_SPEED, SHORT_COST)].into_iter();
-    let steps = walking.flat_map(|(pace, share, cost)| turns.clone().map(move |turn| (turn, pace, share, cost)));
-    let costs = steps.map(|(turn, pace, share, cost)| {
-        let (off, length) = ((turn - wish) / MAX_TURN, share * intention.length);
-        let beyond = beyond_edge(me, turn, length, intention.radius);
-        let cost = cost + off * off + EDGE_COST * beyond + LEFT_COST * turn / MAX_TURN + risks(turn, length);
-        (cost, turn, pace)
-    });
+    let steps = walking.flat_map(|(pace, share, cost)| choice.turns().map(move |turn| (turn, pace, share, cost)));
+    let costs = steps.map(|(turn, pace, share, cost)| (choice.cost(turn, share, cost), turn, pace));
     let standing = if goes_on(me, others) {
         f32::INFINITY
     } else {
-        STANDING_COST + intention.stood * intention.stood + risks(0.0, 0.0)
+        STANDING_COST + intention.stood * intention.stood + choice.risks(0.0, 0.0)
     };
     let best = costs.chain([(standing, 0.0, Pace::Stands)]).min_by(|a, b| a.0.total_cmp(&b.0));
     best.map_or((0.0, Pace::Stands), |(_, turn, pace)| (turn, pace))
+}
+
+/// The turn of the step that begins of somebody who cannot but go on, as they perform what others have chosen: radians to the
+/// left, at most [`MAX_TURN`] either way. Their speed is not 0.
+pub(super) fn turn(me: &Figure, intention: &Intention, others: &[Figure]) -> f32 {
+    let choice = Choice::new(me, intention, others);
+    let costs = choice.turns().map(|turn| (choice.cost(turn, 1.0, 0.0), turn));
+    costs.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |(_, turn)| turn)
+}
+
+/// Among what a step is chosen, and what each of it costs.
+struct Choice<'a> {
+    me: &'a Figure,
+    intention: &'a Intention,
+    others: &'a [Figure],
+    /// The turn to where one would go alone, radians.
+    wish: f32,
+    /// Time that a step takes.
+    secs: f32,
+}
+
+impl<'a> Choice<'a> {
+    fn new(me: &'a Figure, intention: &'a Intention, others: &'a [Figure]) -> Self {
+        let wish = wished(me, intention).clamp(-MAX_TURN, MAX_TURN);
+        Self { me, intention, others, wish, secs: intention.length / me.speed }
+    }
+
+    fn turns(&self) -> impl Iterator<Item = f32> + Clone + use<> {
+        (-TURNS..=TURNS).map(|i| f32::from(i) / f32::from(TURNS) * MAX_TURN).chain([self.wish])
+    }
+
+    /// What a step with a turn costs whose length is a share of the whole, and a cost of its own besides.
+    fn cost(&self, turn: f32, share: f32, cost: f32) -> f32 {
+        let (off, length) = ((turn - self.wish) / MAX_TURN, share * self.intention.length);
+        let beyond = beyond_edge(self.me, turn, length, self.intention.radius);
+        cost + off * off + EDGE_COST * beyond + LEFT_COST * turn / MAX_TURN + self.risks(turn, length)
+    }
+
+    fn risks(&self, turn: f32, length: f32) -> f32 {
+        let path = path(self.me, turn, length);
+        let meets = |other: &&Figure| can_meet(self.me, length, other, self.secs);
+        NEARNESS_COST * self.others.iter().filter(meets).map(|other| risk(&path, other, self.secs)).sum::<f32>()
+    }
 }
 
 /// Whether somebody touches another and is more in front of that other than the other of them: who both stood would stay there.

@@ -4,7 +4,12 @@
 //! frame of the input ([`Recorder`]), and a [`Performer`] only blends, decodes and plants. It gives the bits of a [`Stylizer`]
 //! whose weights stay. At its end the input begins anew: its last frames fade into its first ones.
 
+mod floats;
+
+pub use floats::PredictionsError;
+
 use super::blend::{StyleBlend, StyleError};
+use super::body_part::BodyPart;
 use super::frame::StyledFrame;
 use super::output::{Cue, Output, Predicted};
 use super::stylizer::Stylizer;
@@ -41,6 +46,11 @@ impl Predictions {
     /// Frames from one beginning of the input to the next.
     pub fn period(&self) -> usize {
         self.frames() - FADE_FRAMES
+    }
+
+    /// Styles of the database.
+    pub fn styles(&self) -> usize {
+        self.styles
     }
 
     /// Bone offsets of the poses.
@@ -84,8 +94,16 @@ impl Recorder {
         };
         // Every style has a weight, so that each is predicted.
         stylizer.set_styles(&vec![1.0 / styles as f32; styles])?;
+        for part in BodyPart::ALL {
+            stylizer.set_part_styles(part, None)?;
+        }
         stylizer.reset(None);
         Ok(Self { stylizer, predictions })
+    }
+
+    /// Frames so far.
+    pub fn frames(&self) -> usize {
+        self.predictions.frames()
     }
 
     /// Takes the next frame: a pose on the database's proportions and at its rate.
@@ -95,6 +113,11 @@ impl Recorder {
             self.predictions.cues.push((*cue, self.stylizer.contact_votes()));
             self.predictions.predicted.extend(self.stylizer.predicted().map(|(_, of)| *of));
         }
+    }
+
+    /// What there is so far; `None` where [`Recorder::finish`] gives none.
+    pub fn predictions(&self) -> Option<&Predictions> {
+        (self.predictions.frames() >= 2 * FADE_FRAMES).then_some(&self.predictions)
     }
 
     /// Ends the input. `None` if it is too short to begin anew: it must have twice [`FADE_FRAMES`].
@@ -130,6 +153,11 @@ impl Performer {
             faded: Vec::with_capacity(of.styles),
             predictions,
         }
+    }
+
+    /// Has them begin at another frame of the input, from 0 to below its period; for who has not advanced.
+    pub fn begin_at(&mut self, frame: usize) {
+        self.next = frame % self.predictions.period();
     }
 
     /// Sets one weight a style of the database; the remainder to a sum of 1 belongs to the neutral style.
@@ -177,6 +205,11 @@ impl Performer {
     /// The last frame.
     pub fn frame(&self) -> &StyledFrame {
         &self.output.frame
+    }
+
+    /// Where they looked in the last frame, radians about +Y; 0 before the first.
+    pub fn heading(&self) -> f32 {
+        self.output.heading()
     }
 }
 

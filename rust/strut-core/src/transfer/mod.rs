@@ -39,7 +39,7 @@ pub use blend::{MAX_WEIGHT, StyleError};
 pub use body_part::{BodyPart, PARTS};
 pub use clip::{ClipJob, Resampled, StyledMotion, stylize_clip};
 pub use clip_search::ClipSearch;
-pub use ensemble::{FADE_FRAMES, Performer, Predictions, Recorder};
+pub use ensemble::{FADE_FRAMES, Performer, Predictions, PredictionsError, Recorder};
 pub use examples::Examples;
 pub use footplant::{Footplant, ground_clearance};
 pub use found::{Found, FoundFrame};

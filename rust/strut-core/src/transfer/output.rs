@@ -98,6 +98,11 @@ impl Output {
         self.share = share;
     }
 
+    /// Heading of the last frame, radians about +Y; 0 before the first.
+    pub(super) fn heading(&self) -> f32 {
+        self.place.map_or(0.0, |place| place.heading)
+    }
+
     /// Duration of a frame of the input, seconds.
     pub(super) fn frame_secs(&self) -> f32 {
         1.0 / self.rate_hz

@@ -2,12 +2,18 @@
 
 import type { Crowd, CrowdTick } from "../../../client/crowd/crowd_client";
 import type { FieldVertex } from "../../../client/crowd/limits";
+import { normalised, TRIANGLE } from "../../../ui/polygon/selection";
+import type { CrowdKind } from "../../state/crowd";
 import type { Store } from "../../state/store";
+import { strings } from "../../strings/strings";
 import { WalkerCard } from "./walker_card";
 import { asWalkBlock, Strides, sharesOf } from "./walker_facts";
 
+const words = strings.crowd;
+
 /** Everybody now. */
 export interface Walking {
+  kind: CrowdKind;
   crowd: Crowd;
   tick: CrowdTick;
   field: readonly FieldVertex[];
@@ -25,7 +31,7 @@ export class ChosenWalker {
     this.#card = new WalkerCard({
       onFollow: () => this.toggleFollow(),
       onExport: () => void this.#export(save),
-      onOpen: () => this.#openInWalk(),
+      onOpen: () => this.#openElsewhere(),
       onClose: () => this.choose(undefined),
     });
   }
@@ -71,9 +77,10 @@ export class ChosenWalker {
     this.#card.show(
       walking && walker !== undefined
         ? {
+            kind: walking.kind,
             walker,
             speed: this.#strides.speed(walker, walking.crowd.rateHz),
-            shares: sharesOf(walking.tick, walker, walking.crowd.styles, walking.field),
+            shares: sharesOf(walking.tick, walker, walking.crowd.styles, walking.field, words.of[walking.kind].rest),
             follows: this.#store.state.crowdFollow,
           }
         : undefined,
@@ -84,15 +91,22 @@ export class ChosenWalker {
     const [walking, walker] = [this.#walking, this.number];
     if (!walking || walker === undefined) return;
     this.#card.exporting = true;
-    await save(import("./crowd_outputs").then(({ saveWalker }) => saveWalker(walking.crowd, walker)));
+    await save(
+      import("./crowd_outputs").then(({ saveWalker }) =>
+        saveWalker(walking.crowd, walker, words.of[walking.kind].one(walker + 1)),
+      ),
+    );
     this.#card.exporting = false;
   }
 
-  /** Goes to the Walk view, with a plan of the styles that they walk in. */
-  #openInWalk(): void {
+  /** Goes to the Walk view with a plan of the styles that they walk in, or to Play with those that they perform in. */
+  #openElsewhere(): void {
     const [walking, walker] = [this.#walking, this.number];
     if (!walking || walker === undefined) return;
     const block = asWalkBlock(walking.tick, walker, walking.crowd.styles);
-    this.#store.edit({ view: "walk", walk: [block], walkBlock: 0, walkWhole: true });
+    if (walking.kind === "performers") {
+      const styles = block.styles.toSorted((a, b) => b.weight - a.weight).slice(0, TRIANGLE);
+      this.#store.edit({ view: "play", styles: normalised(styles), intensity: block.intensity, parts: {}, track: [] });
+    } else this.#store.edit({ view: "walk", walk: [block], walkBlock: 0, walkWhole: true });
   }
 }

@@ -29,16 +29,16 @@ const video: Output = async (picture, crowd, { signal, onProgress }) => {
   async function* frames(): AsyncGenerator<HTMLCanvasElement> {
     for (let i = 0; i < pictures; i++) {
       if (i % perTick === 0) await crowd.step();
-      onProgress?.({ label: words.recording, fraction: i / pictures });
+      onProgress?.({ label: words.filming, fraction: i / pictures });
       yield picture.copyAt(begin + (1000 * i) / VIDEO_RATE, (i % perTick) / perTick, false, signal);
     }
   }
   return saved(words.videoName, await makeVideo(frames(), "as on screen"), strings.page.outputs.noVideo);
 };
 
-/** Saves what comes of a walker as a BVH file; gives its name. */
-export async function saveWalker(crowd: Crowd, walker: number): Promise<string> {
-  return saveBvh(words.bvhName(walker + 1), await crowd.exportBvh(walker, BVH_SECS));
+/** Saves what comes of somebody as a BVH file; gives its name. @param one what they are called */
+export async function saveWalker(crowd: Crowd, walker: number, one: string): Promise<string> {
+  return saveBvh(words.bvhName(one), await crowd.exportBvh(walker, BVH_SECS));
 }
 
 export const outputsOf = { poster, video };

@@ -3,15 +3,16 @@ import "../synthesis/editor.css";
 import "./crowd.css";
 import type { Crowd, CrowdTick } from "../../../client/crowd/crowd_client";
 import type { FieldVertex } from "../../../client/crowd/limits";
-import { isCancellation } from "../../../client/protocol";
+import { isCancellation, type RecordedMotion } from "../../../client/protocol";
+import { engineOptions } from "../../../link/engine_options";
 import { button, Segment } from "../../../ui/controls/buttons";
-import { html, setText } from "../../../ui/dom";
+import { formatNumber, html, setText } from "../../../ui/dom";
 import { isDark, onSystemTheme } from "../../../ui/theme";
 import { graphics } from "../../../viewer";
 import { CROWD_CAMERAS, type CrowdCamera } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { ProgressLine } from "../../ui/progress";
-import { errorText } from "../../ui/words";
+import { errorText, inputTitle } from "../../ui/words";
 import type { KeyTable, View, ViewHost } from "../../view";
 import { EmptyPanel } from "../synthesis/empty_panel";
 import type { WalkSource } from "../synthesis/walk_models";
@@ -23,7 +24,7 @@ import { rendererName } from "./drawn_by";
 import { firstField, withoutVertex, withStyle, withVertex } from "./field";
 import { FieldPanel } from "./field_panel";
 import { Footer } from "./footer";
-import { Gathering } from "./gathering";
+import { Gathering, type Performance } from "./gathering";
 import { Handles } from "./handles";
 import { Pace } from "./pace";
 import { PeoplePanel } from "./people_panel";
@@ -53,6 +54,7 @@ class CrowdView implements View {
   readonly #colours = new StyleColours();
   readonly #stage = html("div", { class: "editor-stage" });
   readonly #title = html("h1", { class: "stage-title" });
+  readonly #caption = html("p", { class: "caption" });
   readonly #counted = html("p", { class: "crowd-counted caption" });
   readonly #cameras: Segment<CrowdCamera>;
   readonly #map: HTMLButtonElement;
@@ -66,6 +68,8 @@ class CrowdView implements View {
   readonly #conductor: Conductor;
   #picture: CrowdPicture | undefined;
   #crowd: Crowd | undefined;
+  /** What the crowd performs. */
+  #performs: RecordedMotion | undefined;
   #styles: Styles | undefined;
   #replaced: WalkSource | undefined;
   /** The count that was asked for, and how many the worker is fast enough for. */
@@ -90,8 +94,9 @@ class CrowdView implements View {
     this.#settings = new Settings(store, (sentence) => host.toasts.error(sentence));
     this.#gathering = new Gathering(this.#progress, {
       start: () => this.#start(),
+      performance: () => this.#performance(),
       fieldOf: (styles, source) => this.#fieldOf(styles, source),
-      onReady: (crowd) => this.#present(crowd),
+      onReady: (crowd, performs) => this.#present(crowd, performs),
       onFailed: (source, why) => this.#refuse(source, why),
     });
     const gestures = store.gestureListeners;
@@ -115,6 +120,7 @@ class CrowdView implements View {
     });
     this.#peoplePanel = new PeoplePanel({
       onSettle: gestures.onSettle,
+      onKind: (crowdKind) => store.edit({ crowdKind }),
       onCount: (count) => store.edit({ crowd: { ...this.#read().people, count } }, "crowd count"),
       onSeed: (seed) => store.edit({ crowd: { ...this.#read().people, seed } }),
       onDraw: () => this.#drawRoute(!this.#drawsRoute),
@@ -145,7 +151,7 @@ class CrowdView implements View {
         "div",
         { class: "editor-picture" },
         this.#stage,
-        html("div", { class: "stage-heading" }, this.#title, html("p", { class: "caption" }, words.generated)),
+        html("div", { class: "stage-heading" }, this.#title, this.#caption),
         html("div", { class: "crowd-controls" }, this.#cameras.element, this.#map),
         this.#counted,
         this.#chosen.card,
@@ -204,7 +210,7 @@ class CrowdView implements View {
     this.#drawsRoute = false;
   }
 
-  /** Shows walkers of the database that is open. */
+  /** Shows walkers of the database that is open, or those who perform the input on it. */
   refresh(): void {
     if (!this.#shown) return;
     const { state } = this.#host.store;
@@ -212,11 +218,13 @@ class CrowdView implements View {
     this.#showState();
     // A database that is kept on this device is opened first; the page asks again once it is.
     if (state.database !== "" && !database) return;
+    if (!this.#canBegin) return;
     const { name, file } = this.#host.databaseFile();
     if (this.#replaced?.file !== file) this.#replaced = undefined;
     const source = this.#replaced || !file ? BUILT_IN : { name, file, neutral: database?.neutral ?? "" };
     const { gathered } = this.#gathering;
-    if (!gathered || gathered.source.file !== source.file) this.#open(source);
+    const performs = this.#performance()?.key ?? "";
+    if (!gathered || gathered.source.file !== source.file || gathered.performs !== performs) this.#open(source);
   }
 
   dispose(): void {
@@ -238,16 +246,33 @@ class CrowdView implements View {
     return { count: this.#fitting(people.count), seed: people.seed, route };
   }
 
+  /** Whether there is what people need: those who perform need an input. */
+  get #canBegin(): boolean {
+    return this.#read().kind === "walkers" || this.#host.session.input !== undefined;
+  }
+
+  /** What is to be performed: the input of Play, as Play is to style it. */
+  #performance(): Performance | undefined {
+    const { session, store } = this.#host;
+    const { state } = store;
+    const { name } = this.#host.databaseFile();
+    if (this.#read().kind !== "performers") return undefined;
+    const options = { ...engineOptions(state, session.database?.neutral ?? ""), styles: {}, parts: {}, track: [] };
+    const key = JSON.stringify([name, session.inputName, session.input?.frames, state.range, options]);
+    return { key, record: (call) => session.record(options, state.range, call) };
+  }
+
   #fieldOf(all: readonly string[], { neutral }: WalkSource): readonly FieldVertex[] {
     this.#styles = { all, neutral: all.includes(neutral) ? neutral : "" };
-    if (all.length === 1) this.#host.toasts.note(words.oneStyle);
+    if (all.length === 1) this.#host.toasts.note(words.of[this.#read().kind].oneStyle);
     return this.#read().field;
   }
 
   /** Shows a crowd in place of the one before. */
-  #present(crowd: Crowd): void {
+  #present(crowd: Crowd, performs: RecordedMotion | undefined): void {
     this.#close();
     this.#crowd = crowd;
+    this.#performs = performs;
     this.#census = new Census(crowd.styles.length);
     this.#chosen.take(undefined);
     this.#tick = undefined;
@@ -286,8 +311,16 @@ class CrowdView implements View {
         this.#open(BUILT_IN);
       },
     };
-    const message = why === "" ? words.stopped : words.noModel(source.name || words.builtInDatabase, why);
-    this.#empty.show(message, source.file ? [builtIn, again] : [again]);
+    const { kind } = this.#read();
+    const walk = {
+      label: words.letWalk,
+      onChoose: () => this.#host.store.edit({ crowdKind: "walkers" }),
+    };
+    const [none, instead] =
+      kind === "performers"
+        ? [words.noMotion(why), [walk]]
+        : [words.noModel(source.name || words.builtInDatabase, why), source.file ? [builtIn] : []];
+    this.#empty.show(why === "" ? words.stopped : none, [...instead, again]);
     this.#showState();
   }
 
@@ -307,16 +340,17 @@ class CrowdView implements View {
     const picture = this.#picture;
     if (!this.#shown || !picture) return;
     const { store } = this.#host;
-    const { people, field, route } = this.#read();
+    const { kind, people, field, route } = this.#read();
     const { state } = store;
     const crowd = this.#crowd;
     if (people.count !== this.#asked) {
       this.#asked = people.count;
       this.#slowed = undefined;
     }
-    const { gathered } = this.#gathering;
-    if (gathered && people.seed !== gathered.seed) {
-      this.#open(gathered.source);
+    const { gathered, asked } = this.#gathering;
+    const isOthers = asked && (this.#performance()?.key ?? "") !== asked.performs;
+    if (asked && this.#canBegin && (isOthers || (gathered && people.seed !== gathered.seed))) {
+      this.#open(asked.source);
       return;
     }
     const theme = isDark(state.theme) ? "dark" : "light";
@@ -331,19 +365,28 @@ class CrowdView implements View {
     picture.setField(field, chosen, state.crowdMap, this.#radius);
     picture.setRoute(route);
     picture.camera = state.crowdCamera;
-    picture.description = pictureOf(count, field);
-    this.#fieldPanel.show(field, chosen);
+    picture.description = pictureOf(kind, count, field);
+    this.#fieldPanel.show(kind, field, chosen);
+    const { does, count: counted, caption } = words.of[kind];
     const limit =
-      this.#slowed !== undefined ? words.slowed(count) : count < people.count ? words.software(SOFTWARE_COUNT) : "";
-    this.#peoplePanel.showPeople(people, limit);
+      this.#slowed !== undefined
+        ? words.slowed(count, does)
+        : count < people.count
+          ? words.software(SOFTWARE_COUNT, does)
+          : "";
+    this.#peoplePanel.showPeople(kind, people, limit);
     this.#peoplePanel.showRoute(route.length > 0, this.#drawsRoute);
     picture.drawing = this.#drawsRoute;
     this.#cameras.value = state.crowdCamera;
     this.#map.setAttribute("aria-pressed", String(state.crowdMap));
     this.#footer.show(state.playing, state.speed, crowd !== undefined && !this.#films);
-    setText(this.#title, crowd ? crowdTitle(count, field) : words.opening);
+    setText(this.#title, crowd ? crowdTitle(kind, count, field) : words.opening);
+    const { session } = this.#host;
+    const motion = inputTitle(session.library, session.inputName);
+    setText(this.#caption, this.#performs ? words.performed(motion, formatNumber(this.#performs.secs, 1)) : caption);
+    this.#chart.kind = kind;
     this.element.classList.toggle("without-crowd", !crowd);
-    setText(this.#counted, `${words.walkers(count)} · ${words.grid}`);
+    setText(this.#counted, `${counted(count)} · ${words.grid}`);
     picture.choose(this.#chosen.number, state.crowdFollow);
     this.#chosen.show();
     this.#recolour();
@@ -382,7 +425,8 @@ class CrowdView implements View {
     this.#tickAt = performance.now();
     this.#tickPace.add(tick.tickMs);
     this.#picture!.setTick(tick, this.#crowd!.styles, other);
-    this.#chosen.take({ crowd: this.#crowd!, tick, field: this.#read().field });
+    const { kind, field } = this.#read();
+    this.#chosen.take({ kind, crowd: this.#crowd!, tick, field });
     if (radius !== tick.radius) this.#showState();
     const { rateHz } = this.#crowd!;
     this.#footer.secs = this.#ticks / rateHz;
@@ -397,7 +441,7 @@ class CrowdView implements View {
   #onHalved(count: number): void {
     this.#slowed = count;
     this.#conductor.count = count;
-    this.#host.toasts.note(words.slowed(count));
+    this.#host.toasts.note(words.slowed(count, words.of[this.#read().kind].does));
     this.#showState();
   }
 
@@ -457,7 +501,7 @@ class CrowdView implements View {
     this.#films = true;
     this.#showState();
     await this.#say(
-      this.#progress.run(words.recording, async (call) => {
+      this.#progress.run(words.filming, async (call) => {
         const { outputsOf } = await import("./crowd_outputs");
         return outputsOf[what](picture, crowd, call);
       }),

@@ -6,7 +6,7 @@ import { icon } from "../../../ui/controls/icons";
 import { Slider } from "../../../ui/controls/slider";
 import { formatNumber, html, keepCount, setAttributes, setText } from "../../../ui/dom";
 import type { GestureListeners } from "../../../ui/drag";
-import { CROWD_RANGES } from "../../state/crowd";
+import { CROWD_RANGES, type CrowdKind } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { spoken } from "../../ui/words";
 import type { StyleColours } from "./colours";
@@ -83,7 +83,7 @@ export class FieldPanel {
     this.#add.replaceChildren(none, ...styles.map((style) => html("option", { value: style }, spoken(style))));
   }
 
-  show(field: readonly FieldVertex[], chosen: number): void {
+  show(kind: CrowdKind, field: readonly FieldVertex[], chosen: number): void {
     this.#chosen = chosen;
     keepCount(this.#rows, field.length, () => this.#makeRow());
     for (const [i, { style, reach, intensity }] of field.entries()) {
@@ -105,7 +105,7 @@ export class FieldPanel {
       this.#intensity.value = vertex.intensity;
       this.#remove.setAttribute("aria-label", `${words.removeStyle}: ${spoken(vertex.style)}`);
     }
-    setText(this.#note, vertex ? words.elsewhere : words.empty);
+    setText(this.#note, vertex ? words.of[kind].elsewhere : words.of[kind].empty);
   }
 
   #makeRow(): HTMLElement {

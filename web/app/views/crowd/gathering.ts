@@ -1,8 +1,11 @@
-/** Gathers a crowd: its model is trained unless it is known, and of several requests the last one is met. */
+/**
+ * Gathers a crowd: its model is trained, or what it performs is recorded, unless that is known, and of several requests the last
+ * one is met.
+ */
 
 import { type Crowd, type CrowdStart, createCrowd } from "../../../client/crowd/crowd_client";
-import type { FieldVertex } from "../../../client/crowd/limits";
-import { type CallOptions, isCancellation } from "../../../client/protocol";
+import type { FieldVertex, People } from "../../../client/crowd/limits";
+import { type CallOptions, isCancellation, type RecordedMotion } from "../../../client/protocol";
 import { drawnBones } from "../../../viewer/crowd/crowd_viewer";
 import { strings } from "../../strings/strings";
 import type { ProgressLine } from "../../ui/progress";
@@ -15,14 +18,26 @@ const words = strings.crowd;
 export interface Gathered {
   source: WalkSource;
   seed: number;
+  /** {@link Performance.key}; empty where they walk. */
+  performs: string;
+}
+
+/** What is performed. */
+export interface Performance {
+  /** Another one has another key. */
+  key: string;
+  record(call: CallOptions): Promise<RecordedMotion>;
 }
 
 export interface GatheringListeners {
   /** What a crowd begins with. */
   start: () => CrowdStart;
+  /** What they are to perform; `undefined` where they are to walk. */
+  performance: () => Performance | undefined;
   /** Chooses the field, among the styles of the model. */
   fieldOf: (styles: readonly string[], source: WalkSource) => readonly FieldVertex[];
-  onReady: (crowd: Crowd) => void;
+  /** `performs` is what they perform. */
+  onReady: (crowd: Crowd, performs: RecordedMotion | undefined) => void;
   /** There is no crowd; why, or nothing where the person cancelled it. */
   onFailed: (source: WalkSource, why: string) => void;
 }
@@ -30,9 +45,12 @@ export interface GatheringListeners {
 export class Gathering {
   /** Models of databases other than the built-in one, whose walks need no training. */
   #models: WalkModels | undefined;
+  /** What was recorded last. */
+  #recorded: { source: WalkSource; key: string; motion: RecordedMotion } | undefined;
   readonly #progress: ProgressLine;
   readonly #listeners: GatheringListeners;
   #gathered: Gathered | undefined;
+  #asked: Gathered | undefined;
   #opening: AbortController | undefined;
 
   constructor(progress: ProgressLine, listeners: GatheringListeners) {
@@ -45,18 +63,28 @@ export class Gathering {
     return this.#gathered;
   }
 
+  /** The same, though it failed or was given up. */
+  get asked(): Gathered | undefined {
+    return this.#asked;
+  }
+
   /** Gathers people by the model of a database. */
   async open(source: WalkSource): Promise<void> {
     this.#opening?.abort();
     const opening = new AbortController();
     this.#opening = opening;
     const start = this.#listeners.start();
-    this.#gathered = { source, seed: start.seed ?? 1 };
+    const performance = this.#listeners.performance();
+    this.#gathered = { source, seed: start.seed ?? 1, performs: performance?.key ?? "" };
+    this.#asked = this.#gathered;
     try {
-      const label = source.file ? words.training : words.opening;
-      const crowd = await this.#progress.run(label, (call) => this.#create(source, start, call));
+      const label = performance ? words.recording : source.file ? words.training : words.opening;
+      const [crowd, performs] = await this.#progress.run(label, async (call) => {
+        const motion = performance && (await this.#record(source, performance, call));
+        return [await this.#create(source, motion, start, call), motion] as const;
+      });
       if (opening.signal.aborted) crowd.dispose();
-      else this.#listeners.onReady(crowd);
+      else this.#listeners.onReady(crowd, performs);
     } catch (error) {
       if (opening.signal.aborted) return;
       this.#gathered = undefined;
@@ -69,17 +97,33 @@ export class Gathering {
     this.#opening?.abort();
     this.#progress.cancel();
     this.#gathered = undefined;
+    this.#asked = undefined;
   }
 
-  async #create(source: WalkSource, start: CrowdStart, { signal, ...call }: CallOptions): Promise<Crowd> {
+  async #create(
+    source: WalkSource,
+    recorded: RecordedMotion | undefined,
+    start: CrowdStart,
+    { signal, ...call }: CallOptions,
+  ): Promise<Crowd> {
     const options = { ...call, ...(signal && { signal }) };
-    const model = source.file && (await this.#modelOf(source, options));
+    const people: People = recorded ? { kind: "performers", recorded } : await this.#walkers(source, options);
     signal?.throwIfAborted();
     const fieldOf = (styles: readonly string[]) => this.#listeners.fieldOf(styles, source);
-    return createCrowd(
-      { kind: "walkers", ...(model && { model }) },
-      { ...start, fieldOf, bonesOf: drawnBones, ...(signal && { signal }) },
-    );
+    return createCrowd(people, { ...start, fieldOf, bonesOf: drawnBones, ...(signal && { signal }) });
+  }
+
+  async #record(source: WalkSource, { key, record }: Performance, call: CallOptions): Promise<RecordedMotion> {
+    const known = this.#recorded;
+    if (known?.key === key && known.source.file === source.file) return known.motion;
+    this.#recorded = undefined;
+    const motion = await record(call);
+    this.#recorded = { source, key, motion };
+    return motion;
+  }
+
+  async #walkers(source: WalkSource, options: CallOptions): Promise<People> {
+    return source.file ? { kind: "walkers", model: await this.#modelOf(source, options) } : { kind: "walkers" };
   }
 
   async #modelOf(source: WalkSource, options: CallOptions): Promise<Uint8Array> {

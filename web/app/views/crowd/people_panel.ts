@@ -1,15 +1,16 @@
 /** The panels of the people, their route, and what drawing them costs. */
 
-import { button } from "../../../ui/controls/buttons";
+import { button, Segment } from "../../../ui/controls/buttons";
 import { Slider } from "../../../ui/controls/slider";
 import { formatNumber, html, setText } from "../../../ui/dom";
 import type { GestureListeners } from "../../../ui/drag";
-import { CROWD_RANGES, type People } from "../../state/crowd";
+import { CROWD_KINDS, CROWD_RANGES, type CrowdKind, type People } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 
 const words = strings.crowd;
 
 export interface PeoplePanelListeners extends Pick<GestureListeners, "onSettle"> {
+  onKind: (kind: CrowdKind) => void;
   onCount: (count: number) => void;
   onSeed: (seed: number) => void;
   /** Draws a route by hand, or ends that. */
@@ -27,6 +28,7 @@ export interface Figures {
 
 export class PeoplePanel {
   readonly element: HTMLElement;
+  readonly #kind: Segment<CrowdKind>;
   readonly #count: Slider;
   readonly #seed = html("input", {
     type: "number",
@@ -40,10 +42,16 @@ export class PeoplePanel {
   readonly #draw: HTMLButtonElement;
   readonly #clear: HTMLButtonElement;
   readonly #route = html("p", { class: "caption" });
+  readonly #cost = html("span");
   readonly #figures = { fps: html("dd"), tickMs: html("dd"), frameMs: html("dd"), drawnBy: html("dd") };
 
   constructor(listeners: PeoplePanelListeners) {
     const { onSettle } = listeners;
+    this.#kind = new Segment(
+      words.kinds,
+      CROWD_KINDS.map((value) => ({ value, label: words.of[value].kind })),
+      listeners.onKind,
+    );
     this.#count = new Slider(words.count, CROWD_RANGES.count, 200, { onInput: listeners.onCount, onSettle });
     const { min, max } = CROWD_RANGES.seed;
     this.#seed.addEventListener("change", () => {
@@ -58,7 +66,7 @@ export class PeoplePanel {
     });
     this.#draw = button(words.draw, listeners.onDraw, { icon: "trail", label: true, class: "outlined" });
     this.#clear = button(words.clear, listeners.onClear, { icon: "remove", label: true, class: "outlined" });
-    const figure = (name: string, value: HTMLElement) =>
+    const figure = (name: string | HTMLElement, value: HTMLElement) =>
       html("div", { class: "row" }, html("dt", { class: "label" }, name), value);
     const { fps, tickMs, frameMs, drawnBy } = this.#figures;
     this.element = html(
@@ -67,7 +75,7 @@ export class PeoplePanel {
       section(
         "crowd-people-heading",
         words.peopleHeading,
-        [],
+        [this.#kind.element],
         this.#count.element,
         html("div", { class: "row" }, html("span", { class: "label" }, words.seed), this.#seed, shuffle),
         this.#limit,
@@ -81,7 +89,7 @@ export class PeoplePanel {
           "dl",
           { class: "crowd-figures" },
           figure(words.rate, fps),
-          figure(words.walking, tickMs),
+          figure(this.#cost, tickMs),
           figure(words.drawingCost, frameMs),
           figure(words.drawnBy, drawnBy),
         ),
@@ -92,7 +100,10 @@ export class PeoplePanel {
   #shownSeed = 1;
 
   /** `limit` says why there are fewer than were asked for. */
-  showPeople({ count, seed }: People, limit: string): void {
+  showPeople(kind: CrowdKind, { count, seed }: People, limit: string): void {
+    this.#kind.value = kind;
+    this.#kind.element.title = words.of[kind].why;
+    setText(this.#cost, words.of[kind].cost);
     this.#count.value = count;
     this.#shownSeed = seed;
     if (document.activeElement !== this.#seed) this.#seed.value = String(seed);

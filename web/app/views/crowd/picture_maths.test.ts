@@ -49,8 +49,10 @@ test("a line on the ground has a point every half metre", () => {
 
 test("titles say how many and how", () => {
   const field = ["proud", "old", "proud"].map(vertex);
-  expect(crowdTitle(200, field)).toBe("Two hundred people, two ways of walking");
-  expect(crowdTitle(1, [])).toBe("One person, one way of walking");
-  expect(crowdTitle(1000, field.slice(0, 1))).toBe("One thousand people, one style");
-  expect(crowdTitle(257, field)).toBe("257 people, two ways of walking");
+  expect(crowdTitle("walkers", 200, field)).toBe("Two hundred people, two ways of walking");
+  expect(crowdTitle("walkers", 1, [])).toBe("One person, one way of walking");
+  expect(crowdTitle("walkers", 1000, field.slice(0, 1))).toBe("One thousand people, one style");
+  expect(crowdTitle("walkers", 257, field)).toBe("257 people, two ways of walking");
+  expect(crowdTitle("performers", 200, field)).toBe("Two hundred people, two styles");
+  expect(crowdTitle("performers", 2, [])).toBe("Two people, no style");
 });

@@ -21,16 +21,19 @@ test("without a field there is a first one, once the model is there", () => {
 });
 
 test("what a link says that cannot be is told, and what there was stays", () => {
-  const { settings, store, said } = opened("crowd=50_3&field=old_1_1_2_1&route=0_0;3_0");
+  const { settings, store, said } = opened("people=performers&crowd=50_3&field=old_1_1_2_1&route=0_0;3_0");
   const before = settings.read(STYLES);
-  const bad = fromHash(`crowd=0_1&field=old_NaN_1_2_1&route=1_1`);
-  store.edit({ crowd: bad.crowd, field: bad.field, route: bad.route });
+  const bad = fromHash(`people=dancers&crowd=0_1&field=old_NaN_1_2_1&route=1_1`);
+  store.edit({ crowdKind: bad.crowdKind, crowd: bad.crowd, field: bad.field, route: bad.route });
   expect(settings.read(STYLES)).toEqual(before);
-  expect(said.length).toBe(3);
-  expect(said[0]).toMatch(/“0_1”; 1 to 1,000 people/);
+  expect(said.length).toBe(4);
+  expect(said.slice(0, 2)).toEqual([
+    expect.stringMatching(/“dancers”; walkers or performers/),
+    expect.stringMatching(/“0_1”; 1 to 1,000 people/),
+  ]);
   expect(store.state.field).toEqual(before.field);
   settings.read(STYLES);
-  expect(said.length, "it is said once").toBe(3);
+  expect(said.length, "it is said once").toBe(4);
 });
 
 test("a first link that cannot be gives the defaults", () => {

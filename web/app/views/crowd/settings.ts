@@ -1,7 +1,7 @@
 /** The settings of the state as a crowd can have them: what a link says that cannot be is told, and what there was stays. */
 
 import type { FieldVertex, Place } from "../../../client/crowd/limits";
-import { type People, Refused } from "../../state/crowd";
+import { type CrowdKind, type People, Refused } from "../../state/crowd";
 import { initialState } from "../../state/state";
 import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
@@ -10,8 +10,9 @@ import { firstField, unknownStyle } from "./field";
 
 const words = strings.crowd;
 
-/** What a crowd walks by. */
+/** What a crowd goes by. */
 export interface CrowdSettings {
+  kind: CrowdKind;
   people: People;
   field: readonly FieldVertex[];
   route: readonly Place[];
@@ -26,6 +27,7 @@ export interface Styles {
 export class Settings {
   readonly #store: Store;
   readonly #onRefused: (sentence: string) => void;
+  #kind: CrowdKind = "walkers";
   #people: People = initialState().crowd as People;
   #field: readonly FieldVertex[] | undefined;
   #route: readonly Place[] = [];
@@ -37,12 +39,13 @@ export class Settings {
 
   /** The settings of the state, for a model of these styles. What cannot be is said, and taken out of the state. */
   read(styles: Styles | undefined): CrowdSettings {
-    const { crowd, field, route } = this.#store.state;
+    const { crowdKind, crowd, field, route } = this.#store.state;
+    this.#kind = this.#accept(crowdKind, this.#kind, (kept) => ({ crowdKind: kept }));
     this.#people = this.#accept(crowd, this.#people, (people) => ({ crowd: people }));
     this.#route = this.#accept(route, this.#route, (kept) => ({ route: kept }));
     const asked = this.#accept(field, this.#field, (kept) => ({ field: kept }));
     this.#field = styles ? this.#known(asked, styles) : asked;
-    return { people: this.#people, field: this.#field ?? [], route: this.#route };
+    return { kind: this.#kind, people: this.#people, field: this.#field ?? [], route: this.#route };
   }
 
   #accept<T>(value: T | Refused, kept: T, patch: (kept: T) => Parameters<Store["adopt"]>[0]): T {

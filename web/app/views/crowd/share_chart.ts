@@ -1,11 +1,12 @@
 /** The chart of who walks how: the last minute, stacked, the present at the right. */
 
 import { formatNumber, html } from "../../../ui/dom";
+import type { CrowdKind } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { readColours } from "../../ui/colours";
 import { sizeOf } from "../../ui/drawing";
 import { onResize } from "../../ui/resize";
-import { spoken } from "../../ui/words";
+import { capitalised, spoken } from "../../ui/words";
 import { type Census, COUNTS_HZ, REMEMBERED_SECS, spread, stacked } from "./census";
 import type { StyleColours } from "./colours";
 
@@ -19,8 +20,10 @@ const MARK_SECS = 10;
 
 export class ShareChart {
   readonly element: HTMLElement;
-  readonly #canvas = html("canvas", { role: "img", "aria-label": words.chart });
+  readonly #canvas = html("canvas", { role: "img" });
   readonly #colours: StyleColours;
+  /** Who is counted. */
+  kind: CrowdKind = "walkers";
   #census: Census | undefined;
   #styles: readonly string[] = [];
 
@@ -89,7 +92,7 @@ export class ShareChart {
   #drawAxis(context: CanvasRenderingContext2D, area: Area, ink: string, line: string): void {
     context.fillStyle = ink;
     context.textAlign = "left";
-    context.fillText(words.chart, area.left, 7);
+    context.fillText(words.of[this.kind].chart, area.left, 7);
     context.strokeStyle = line;
     context.lineWidth = 1;
     context.strokeRect(area.left + 0.5, area.top - 0.5, area.right - area.left - 1, area.bottom - area.top + 1);
@@ -134,12 +137,12 @@ export class ShareChart {
       context.fillText(count, area.right + 10, places[i]!);
       said.push(words.people2(name, Number(count)));
     }
-    this.#canvas.setAttribute("aria-label", words.chartLabel(said.join(", ")));
+    this.#canvas.setAttribute("aria-label", words.chartLabel(capitalised(words.of[this.kind].chart), said.join(", ")));
   }
 
   #nameOf(kind: number): string {
     const style = this.#styles[kind];
-    return style === undefined ? words.average : spoken(style);
+    return style === undefined ? words.of[this.kind].rest : spoken(style);
   }
 
   #colourOf(kind: number): string {

@@ -1,19 +1,20 @@
 /** What the stage is called. */
 import type { FieldVertex } from "../../../client/crowd/limits";
+import type { CrowdKind } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { capitalised, numberWord, spoken } from "../../ui/words";
 
 const words = strings.crowd;
 
 /** “Two hundred people, three ways of walking”. */
-export function crowdTitle(count: number, field: readonly FieldVertex[]): string {
+export function crowdTitle(kind: CrowdKind, count: number, field: readonly FieldVertex[]): string {
   const ways = new Set(field.map(({ style }) => style)).size;
-  return words.title(words.people(count, capitalised(countWord(count))), words.ways(ways, numberWord(ways)));
+  return words.title(words.people(count, capitalised(countWord(count))), words.of[kind].ways(ways, numberWord(ways)));
 }
 
 /** The picture for those who do not see it. */
-export function pictureOf(count: number, field: readonly FieldVertex[]): string {
-  return words.picture(count, [...new Set(field.map(({ style }) => spoken(style)))].join(", "));
+export function pictureOf(kind: CrowdKind, count: number, field: readonly FieldVertex[]): string {
+  return words.picture(count, words.of[kind].does, [...new Set(field.map(({ style }) => spoken(style)))].join(", "));
 }
 
 /** Round numbers in words, others in digits. */

@@ -2,6 +2,7 @@
 
 import { button } from "../../../ui/controls/buttons";
 import { formatNumber, html, keepCount, setText } from "../../../ui/dom";
+import type { CrowdKind } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 
 const words = strings.crowd;
@@ -15,6 +16,7 @@ export interface CardListeners {
 
 /** What the card says. */
 export interface CardModel {
+  kind: CrowdKind;
   walker: number;
   /** m/s. */
   speed: number;
@@ -30,11 +32,12 @@ export class WalkerCard {
   readonly #bars = html("dl", { class: "crowd-bars" });
   readonly #follow: HTMLButtonElement;
   readonly #export: HTMLButtonElement;
+  readonly #open: HTMLButtonElement;
 
   constructor(listeners: CardListeners) {
     this.#follow = button(words.follow, listeners.onFollow, { icon: "follow", label: true, class: "outlined" });
     this.#export = button(words.exportBvh, listeners.onExport, { icon: "export", label: true, class: "outlined" });
-    const open = button(words.openInWalk, listeners.onOpen, { label: true, class: "crowd-open" });
+    this.#open = button(words.of.walkers.open, listeners.onOpen, { label: true, class: "crowd-open" });
     const close = button(words.close, listeners.onClose, { icon: "close" });
     this.element = html(
       "section",
@@ -42,7 +45,7 @@ export class WalkerCard {
       html("header", {}, this.#title, this.#speed, close),
       this.#bars,
       html("div", { class: "crowd-card-actions" }, this.#follow, this.#export),
-      open,
+      this.#open,
     );
   }
 
@@ -50,10 +53,12 @@ export class WalkerCard {
   show(model: CardModel | undefined): void {
     this.element.hidden = model === undefined;
     if (!model) return;
-    const { walker, speed, shares, follows } = model;
-    setText(this.#title, words.walker(walker + 1));
-    this.element.setAttribute("aria-label", words.walker(walker + 1));
+    const { kind, walker, speed, shares, follows } = model;
+    const name = words.of[kind].one(walker + 1);
+    setText(this.#title, name);
+    this.element.setAttribute("aria-label", name);
     setText(this.#speed, words.speed(formatNumber(speed, 2)));
+    setText(this.#open.querySelector("span")!, words.of[kind].open);
     this.#follow.setAttribute("aria-pressed", String(follows));
     keepCount(this.#bars, shares.length, () =>
       html("div", {}, html("dt"), html("dd", {}, html("i"), html("span", { class: "value" }))),

@@ -7,7 +7,7 @@ const vertex = (style: string) => ({ style, x: 0, z: 0, reach: 1, intensity: 1 }
 
 test("shares are those of the field's styles in its order, and the rest is the average", () => {
   const weights = Uint8Array.of(0, 0, 0, 0, 51, 102);
-  const shares = sharesOf({ weights }, 1, STYLES, [vertex("proud"), vertex("old"), vertex("proud")]);
+  const shares = sharesOf({ weights }, 1, STYLES, [vertex("proud"), vertex("old"), vertex("proud")], "average");
   expect(shares.map(({ name, share }) => [name, Number(share.toFixed(2))])).toEqual([
     ["proud", 0.4],
     ["old", 0.2],

@@ -4,7 +4,6 @@ import type { CrowdTick } from "../../../client/crowd/crowd_client";
 import type { FieldVertex } from "../../../client/crowd/limits";
 import { CROWD_WALKER_FLOATS } from "../../../humanoid";
 import { INTENSITY_RANGE, type WalkBlock } from "../../state/walk";
-import { strings } from "../../strings/strings";
 import { spoken } from "../../ui/words";
 
 /** Full weight of a style. */
@@ -47,21 +46,22 @@ export class Strides {
 const weightsOf = ({ weights }: Pick<CrowdTick, "weights">, walker: number, styles: readonly string[]) =>
   styles.map((name, i) => ({ name, weight: weights[walker * styles.length + i]! / FULL }));
 
-/** The field's styles, each once, and the average: how much of each somebody walks in, 0 to 1. */
+/** The field's styles, each once, and the rest by its name: how much of each somebody walks in, 0 to 1. */
 export function sharesOf(
   tick: Pick<CrowdTick, "weights">,
   walker: number,
   styles: readonly string[],
   field: readonly FieldVertex[],
+  rest: string,
 ): { name: string; share: number }[] {
   const all = weightsOf(tick, walker, styles);
-  const rest = Math.max(0, 1 - all.reduce((sum, { weight }) => sum + weight, 0));
+  const missing = Math.max(0, 1 - all.reduce((sum, { weight }) => sum + weight, 0));
   const inField = [...new Set(field.map(({ style }) => style))].flatMap((style) =>
     all.filter(({ name }) => name === style),
   );
   return [
     ...inField.map(({ name, weight }) => ({ name: spoken(name), share: weight })),
-    { name: strings.crowd.average, share: rest },
+    { name: rest, share: missing },
   ];
 }
 

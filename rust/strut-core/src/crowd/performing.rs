@@ -1,0 +1,244 @@
+//! One of those who perform: the motion carried over the ground.
+
+use super::errand::{Errand, Ground, Start};
+use super::performers::TICK_HZ;
+use super::steering::{self, Figure, Intention, facing};
+use crate::hsmm::MAX_TURN;
+use crate::humanoid::{Pose, Proportions};
+use crate::kinematics::{Soles, WorldPose, world_from_local};
+use crate::math::float_funcs::{half_life_share, sin_cos};
+use crate::math::{Quat, Vec2, Vec3};
+use crate::pose_vector::Placement;
+use crate::transfer::{Performer, Predictions};
+use std::f32::consts::PI;
+use std::sync::Arc;
+
+/// Half-life of the way to the weights of a place, seconds: styles change within a step, and nobody jumps.
+const HALF_LIFE_SECS: f32 = 0.15;
+/// Weights nearer than this to those of the place are these.
+const NEAR: f32 = 1e-4;
+/// How far ahead the field is looked at, seconds.
+const LOOK_AHEAD_SECS: f32 = 0.3;
+/// A step is over after this many ticks though no foot is put down: a turn of the way, or of the dance, takes a second.
+const LONGEST_STEP: u32 = TICK_HZ as u32;
+/// Who goes as far as this in a step, metres, turns as much as a foot can; who goes less turns less, and who stays within the
+/// least does not turn.
+const FULL_STEP: f32 = 0.4;
+const LEAST_STEP: f32 = 0.1;
+/// How fast somebody turns on the foot that stands, rad/s.
+const TURN_RATE: f32 = 0.9;
+
+/// How somebody's own performance is laid onto the ground: turned about +Y, then moved.
+#[derive(Clone, Copy, Debug)]
+struct Carried {
+    /// Radians to the left.
+    angle: f32,
+    by: Vec2,
+}
+
+impl Carried {
+    /// The same, turned further about a place of the ground.
+    fn turned(self, angle: f32, about: Vec2) -> Self {
+        Self { angle: self.angle + angle, by: about + rotated(self.by - about, angle) }
+    }
+
+    fn pose(&self, own: &Pose) -> Pose {
+        let mut pose = *own;
+        let at = rotated(Vec2::new(own.root.x, own.root.z), self.angle) + self.by;
+        pose.root = Vec3::new(at.x, own.root.y, at.y);
+        pose.rotations[0] = Quat::from_rotation_y(self.angle) * own.rotations[0];
+        pose
+    }
+}
+
+/// A place [x, z] turned to the left about the origin.
+fn rotated(at: Vec2, angle: f32) -> Vec2 {
+    let (sin, cos) = sin_cos(angle);
+    Vec2::new(cos * at.x + sin * at.y, cos * at.y - sin * at.x)
+}
+
+/// One of those who perform.
+#[derive(Clone, Debug)]
+pub(super) struct Performing {
+    performer: Performer,
+    /// Their own time, seconds, and the pose of the frame before the one that is due at it or later.
+    now_secs: f64,
+    before: Pose,
+    carried: Carried,
+    pose: Pose,
+    world: WorldPose,
+    start: Start,
+    errand: Errand,
+    /// The foot that was put down last, the ticks since then, and where that was.
+    foot: Option<usize>,
+    ticks: u32,
+    from: Vec2,
+    /// What is left of the turn of this step, radians.
+    turn: f32,
+    /// Over the last step, metres a second along x and z.
+    velocity: Vec2,
+    /// Weights of the place.
+    wanted: Vec<f32>,
+}
+
+impl Performing {
+    /// Number `index` of a seed, somewhere in the input; writes the weights that they perform with.
+    pub(super) fn new(
+        predictions: &Arc<Predictions>,
+        seed: u32,
+        index: usize,
+        ground: &Ground,
+        weights: &mut [f32],
+    ) -> Self {
+        let mut start = Start::new(seed, index);
+        let heading = start.heading();
+        let placement = Placement { x: start.at.x, z: start.at.y, heading };
+        let errand = Errand::new(&mut start.random);
+        let mut performer = Performer::new(Arc::clone(predictions), Some(placement));
+        performer.begin_at(start.random.below(predictions.period()));
+        ground.field.write_weights(start.at, weights);
+        // A field's weights are within those of a performer.
+        let _ = performer.set_styles(weights);
+        let pose = performer.advance().pose;
+        Self {
+            world: world_from_local(predictions.proportions(), &pose),
+            performer,
+            now_secs: 0.0,
+            before: pose,
+            carried: Carried { angle: 0.0, by: Vec2::ZERO },
+            pose,
+            from: start.at,
+            start,
+            errand,
+            foot: None,
+            ticks: 0,
+            turn: 0.0,
+            velocity: Vec2::ZERO,
+            wanted: weights.to_vec(),
+        }
+    }
+
+    /// On the ground, on the bones of the database.
+    pub(super) fn pose(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// Their joints.
+    pub(super) fn world(&self) -> &WorldPose {
+        &self.world
+    }
+
+    /// Which feet are held in place, left and right.
+    #[cfg(test)]
+    pub(super) fn planted(&self) -> [bool; 2] {
+        self.performer.frame().planted
+    }
+
+    /// As others see them: they go where they went in the last step, whichever way they look.
+    pub(super) fn figure(&self) -> Figure {
+        let speed = self.velocity.length();
+        let ahead = facing(self.performer.heading() + self.carried.angle);
+        let facing = if speed > 0.0 { self.velocity / speed } else { ahead };
+        Figure { at: self.at(), facing, speed }
+    }
+
+    fn at(&self) -> Vec2 {
+        Vec2::new(self.pose.root.x, self.pose.root.z)
+    }
+
+    /// Goes on by a tick among others; changes the weights that they perform with.
+    pub(super) fn tick(
+        &mut self,
+        soles: &Soles,
+        proportions: &Proportions,
+        ground: &Ground,
+        others: &[Figure],
+        weights: &mut [f32],
+    ) {
+        self.style(ground, weights);
+        self.perform();
+        let planted = self.performer.frame().planted;
+        self.begin_step(planted, ground, others);
+        self.carried.by += steering::aside(&self.figure(), others);
+        self.pose_on_ground(proportions);
+        self.turn_on(planted, soles, proportions);
+    }
+
+    /// Goes towards the weights of the place where they will be.
+    fn style(&mut self, ground: &Ground, weights: &mut [f32]) {
+        ground.field.write_weights(self.at() + LOOK_AHEAD_SECS * self.velocity, &mut self.wanted);
+        if *weights == *self.wanted {
+            return;
+        }
+        let share = half_life_share(1.0 / TICK_HZ, HALF_LIFE_SECS);
+        for (weight, wanted) in weights.iter_mut().zip(&self.wanted) {
+            let off = wanted - *weight;
+            *weight = if off.abs() < NEAR { *wanted } else { *weight + share * off };
+        }
+        let _ = self.performer.set_styles(weights);
+    }
+
+    /// Their own pose of now lies between two frames: the style gives each its length.
+    fn perform(&mut self) {
+        self.now_secs += f64::from(1.0 / TICK_HZ);
+        while self.performer.frame().time_out_secs < self.now_secs {
+            self.before = self.performer.frame().pose;
+            self.performer.advance();
+        }
+    }
+
+    fn pose_on_ground(&mut self, proportions: &Proportions) {
+        let frame = self.performer.frame();
+        let ahead = ((frame.time_out_secs - self.now_secs) / f64::from(frame.dt_secs)) as f32;
+        let own = self.before.lerp(&frame.pose, (1.0 - ahead).clamp(0.0, 1.0));
+        self.pose = self.carried.pose(&own);
+        self.world = world_from_local(proportions, &self.pose);
+    }
+
+    /// Decides where to turn when a foot is put down.
+    fn begin_step(&mut self, planted: [bool; 2], ground: &Ground, others: &[Figure]) {
+        self.ticks += 1;
+        let foot = match planted {
+            [true, false] => Some(0),
+            [false, true] => Some(1),
+            _ => self.foot,
+        };
+        if foot == self.foot && self.ticks < LONGEST_STEP {
+            return;
+        }
+        let at = self.at();
+        let way = at - self.from;
+        self.velocity = way * (TICK_HZ / self.ticks as f32);
+        (self.foot, self.ticks, self.from, self.turn) = (foot, 0, at, 0.0);
+        let me = self.figure();
+        let (wander, target) = self.errand.next(at, me.facing, ground, &mut self.start.random);
+        let length = way.length();
+        if length > LEAST_STEP {
+            let intention = Intention { wander, target, length, stood: 0.0, radius: ground.radius };
+            self.turn = steering::turn(&me, &intention, others) * (length / FULL_STEP).min(1.0);
+        }
+    }
+
+    /// Turns a part of the way about the foot that stands, or in the air about the hips; who stands on both feet waits, as one of
+    /// them would slide.
+    fn turn_on(&mut self, planted: [bool; 2], soles: &Soles, proportions: &Proportions) {
+        let most = TURN_RATE / TICK_HZ;
+        let angle = self.turn.clamp(-most, most);
+        if angle == 0.0 || planted == [true; 2] {
+            return;
+        }
+        let about = match planted.iter().position(|planted| *planted) {
+            Some(side) => soles.of(&self.world, side).pivot(),
+            None => self.pose.root,
+        };
+        self.turn -= angle;
+        self.carried = self.carried.turned(angle, Vec2::new(about.x, about.z));
+        if self.carried.angle.abs() > PI {
+            self.carried.angle -= self.carried.angle.signum() * 2.0 * PI;
+        }
+        self.velocity = rotated(self.velocity, angle);
+        self.pose_on_ground(proportions);
+    }
+}
+
+const _: () = assert!(TURN_RATE > MAX_TURN, "a step takes less than a second");

@@ -1,0 +1,32 @@
+//! What is seen of somebody: joints in the world, and how much of every style there is.
+
+use super::limits::{CrowdError, LONGEST_BONE};
+use super::{JOINT_FLOATS, WALKER_FLOATS};
+use crate::humanoid::{PARENTS, Proportions};
+use crate::kinematics::WorldPose;
+use crate::math::Vec3;
+
+/// Whether joints can lie on bones.
+pub(super) fn check_bones(bones: &Proportions) -> Result<(), CrowdError> {
+    let bad = bones.offsets.iter().flat_map(Vec3::to_array).find(|v| v.is_nan() || v.abs() > LONGEST_BONE);
+    bad.map_or(Ok(()), |bad| Err(CrowdError::Bone(bad)))
+}
+
+/// Writes the joints of somebody, on these bones in place of their own.
+pub(super) fn write_world(mut world: WorldPose, bones: &Proportions, floats: &mut [f32; WALKER_FLOATS]) {
+    for (j, &parent) in PARENTS.iter().enumerate().skip(1) {
+        world.positions[j] = world.positions[parent] + world.rotations[parent] * bones.offsets[j];
+    }
+    let joints = world.positions.iter().zip(&world.rotations);
+    for ((at, rotation), out) in joints.zip(floats.as_chunks_mut::<JOINT_FLOATS>().0) {
+        out[..3].copy_from_slice(&at.to_array());
+        out[4..].copy_from_slice(&rotation.to_array());
+    }
+}
+
+/// Writes weights as 255ths; what is beyond 0 and 1 is taken for these.
+pub(super) fn write_shares(weights: &[f32], shares: &mut [u8]) {
+    for (share, weight) in shares.iter_mut().zip(weights) {
+        *share = (255.0 * weight.clamp(0.0, 1.0)).round() as u8;
+    }
+}
