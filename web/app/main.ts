@@ -96,7 +96,7 @@ async function start(root: HTMLElement): Promise<void> {
   try {
     await app.start();
   } catch (error) {
-    app.fail(errorText(error));
+    app.fail(error);
   }
   await openGivenFiles(app);
   keepBuiltSite(app);

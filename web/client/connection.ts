@@ -2,7 +2,7 @@
  * A worker as the client sees it: calls with cancellation and progress, and another worker in its place after a fault, in
  * which all that was open is opened again under the same numbers.
  */
-import { cancelled, disposed, fault, StrutError } from "../engine/errors";
+import { cancelled, disposed, type ErrorParts, fault, StrutError } from "../engine/errors";
 import type { Arguments, Call, Id, Method, Reply, Request, Result } from "./messages";
 import type { CallOptions, OpenMemory, Progress } from "./protocol";
 
@@ -217,7 +217,7 @@ export class Connection {
         if (data.kind === "ready") {
           loaded = true;
           resolve(worker);
-        } else if (data.kind === "not-ready") this.stop(new StrutError(data.error));
+        } else if (data.kind === "not-ready") this.stop(notReady(data.error));
         else this.receive(data);
       };
       worker.onerror = (event) => {
@@ -326,6 +326,16 @@ export class Connection {
     this.stop(error);
     this.running = this.start();
   }
+}
+
+/** The error of an engine that could not be made ready. What fails then is no bug: the browser refuses the code. */
+function notReady(error: ErrorParts): StrutError {
+  if (error.code !== "fault") return new StrutError(error);
+  return new StrutError({
+    code: "load",
+    message: "The engine could not be started, as the browser refuses its code.",
+    hint: `Reload the page; if that does not help, let this site use WebAssembly, or use another browser. (${error.message})`,
+  });
 }
 
 function unloadable(why: string): StrutError {

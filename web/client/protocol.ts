@@ -24,7 +24,7 @@ import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/
 import type { LiveSetup, PerformerStream } from "./live/protocol";
 import type { LiveFrame } from "./live_frame";
 
-export { isCancellation, isFault, StrutError, type StrutErrorCode } from "../engine/errors";
+export { isCancellation, isFault, isUnloaded, StrutError, type StrutErrorCode } from "../engine/errors";
 export * from "../engine/types";
 export type { BuiltInSet, LiveFrame };
 

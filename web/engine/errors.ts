@@ -84,6 +84,11 @@ export function isCancellation(error: unknown): boolean {
   return code === "cancelled" || name === "AbortError";
 }
 
+/** Whether a part of Strut could not be loaded. */
+export function isUnloaded(error: unknown): boolean {
+  return (error as { code?: unknown }).code === "load";
+}
+
 /** Whether the engine was started again because of this error. */
 export function isFault(error: unknown): boolean {
   return (error as { code?: unknown }).code === "fault";

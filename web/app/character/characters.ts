@@ -5,7 +5,6 @@ import { strings } from "../strings/strings";
 import { announce } from "../ui/announce";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
-import { errorText } from "../ui/words";
 import type { Performing } from "../view";
 import type { Content } from "./open_character";
 
@@ -82,7 +81,7 @@ export class Characters {
       return opened;
     } catch (error) {
       // A person who does not accept the terms knows why it is not there.
-      if (!isCancellation(error) && codeOf(error) !== "licence") this.#toasts.error(errorText(error));
+      if (!isCancellation(error) && codeOf(error) !== "licence") this.#toasts.failure(error);
       return undefined;
     }
   }

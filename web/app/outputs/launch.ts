@@ -2,7 +2,6 @@
 
 import { isCancellation } from "../../client/protocol";
 import { strings } from "../strings/strings";
-import { errorText } from "../ui/words";
 import type { OutputFormat, VideoSize } from "./formats";
 import type { OutputSources } from "./outputs";
 
@@ -13,6 +12,6 @@ export async function launchOutput(format: OutputFormat, size: VideoSize, source
     const name = await saveOutput(format, size, sources);
     if (name) toasts.note(strings.page.outputs.saved(name));
   } catch (error) {
-    if (!isCancellation(error)) toasts.error(errorText(error));
+    if (!isCancellation(error)) toasts.failure(error);
   }
 }

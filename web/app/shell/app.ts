@@ -15,7 +15,7 @@ import { Store } from "../state/store";
 import { strings } from "../strings/strings";
 import { announce } from "../ui/announce";
 import { otherTasks } from "../ui/tasks";
-import { Toasts } from "../ui/toasts";
+import { RELOAD, Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
 import type { View, ViewHost } from "../view";
 import { DropZone } from "./drop";
@@ -51,6 +51,8 @@ export class App {
   readonly #views: Views;
 
   readonly #firstSteps: Promise<FirstSteps> | undefined;
+  /** Takes away what is said while there is no picture. */
+  #pictureBack = () => {};
 
   /** @param firstSteps what is shown until the engine is there, where the page begins with it */
   constructor(root: HTMLElement, client: StrutClient, firstSteps: Promise<FirstSteps> | undefined) {
@@ -60,7 +62,7 @@ export class App {
     applyTheme(store.state.theme);
     this.#root = root;
     this.#workspace = new Workspace(client, store, this.#toasts, this.#progress);
-    this.#viewer = new SharedViewer(isDark(store.state.theme) ? "dark" : "light");
+    this.#viewer = new SharedViewer(isDark(store.state.theme) ? "dark" : "light", (lost) => this.#onPicture(lost));
     this.#characters = new Characters(this.#toasts, this.#progress.input, () => this.#views.shown?.refresh?.());
     this.#topBar = new TopBar({
       onView: (view) => store.edit({ view }),
@@ -77,7 +79,7 @@ export class App {
     this.#drop = new DropZone(
       {
         takes: () => viewEntry(store.state.view).takes,
-        onMotion: (name, bytes) => void this.#workspace.takeMotion(name, bytes),
+        onMotion: (file) => void this.#workspace.takeFile(file),
         onModel: (file) => void this.#takeModel(file),
         onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
         onStyle: (file) => void this.#workspace.databases.addStyle(file, this.#progress.database),
@@ -147,8 +149,8 @@ export class App {
   }
 
   /** Says why there is no engine; the page stays as it is. */
-  fail(sentence: string): void {
-    this.#toasts.error(sentence);
+  fail(error: unknown): void {
+    this.#toasts.failure(error);
   }
 
   /** What is on screen, for scripts. */
@@ -235,7 +237,7 @@ export class App {
   #showView(): void {
     const { view } = this.#store.state;
     if (graphics() === "none" && !viewEntry(view).flat) {
-      this.#toasts.error(strings.page.noWebGl, true);
+      this.#toasts.error(strings.page.noWebGl, { lasts: true });
       this.#store.edit({ view: "learn" });
       return;
     }
@@ -263,8 +265,16 @@ export class App {
   }
 
   #onRefused(name: ViewName, error: unknown): void {
-    this.#toasts.error(strings.page.viewNotLoaded(errorText(error)));
+    const again = { label: strings.page.tryAgain, act: () => this.#store.edit({ view: name }) };
+    const text = navigator.onLine ? strings.page.viewNotLoaded(errorText(error)) : strings.page.viewOffline;
+    this.#toasts.error(text, { action: navigator.onLine ? RELOAD : again });
     if (name !== "play") this.#store.edit({ view: "play" });
+  }
+
+  /** The browser has taken the picture away, or given it back. */
+  #onPicture(lost: boolean): void {
+    this.#pictureBack();
+    if (lost) this.#pictureBack = this.#toasts.error(strings.page.pictureLost, { lasts: true, action: RELOAD });
   }
 
   #showTopBar(): void {
@@ -328,7 +338,7 @@ export class App {
       },
     }).catch((error: unknown) => {
       this.#viewer.rests = false;
-      this.#toasts.error(errorText(error));
+      this.#toasts.failure(error);
     });
   }
 

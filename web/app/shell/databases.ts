@@ -9,7 +9,6 @@ import { grouped } from "../strings/numerals";
 import { strings } from "../strings/strings";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
-import { errorText } from "../ui/words";
 
 /** Reads a database that is kept on this device by its name; `undefined` where there is none. */
 export type ReadSaved = (name: string) => Promise<Blob | undefined>;
@@ -126,7 +125,7 @@ export class Databases {
       const opened = await this.open(source, lost ? "" : database.name, styles);
       if (opened && lost) this.#toasts.error(strings.page.engine.notKept(style, lost));
     } catch (error) {
-      if (!isCancellation(error)) this.#toasts.error(errorText(error));
+      if (!isCancellation(error)) this.#toasts.failure(error);
     }
   }
 

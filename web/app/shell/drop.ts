@@ -14,7 +14,7 @@ const MAX_DATABASE_BYTES = 4096 * 1024 * 1024;
 export interface FileListeners {
   /** Which files go to the view that is shown, through {@link FileListeners.onClips}. */
   takes: () => "motions" | "all" | undefined;
-  onMotion: (name: string, bytes: ArrayBuffer) => void;
+  onMotion: (file: File) => void;
   onDatabase: (name: string, file: File) => void;
   /** A file that may hold a rigged character, motions, or both. */
   onModel: (file: File) => void;
@@ -28,7 +28,7 @@ export interface FileListeners {
 }
 
 /** Routes dropped files by their number, their type and the view that is shown. */
-async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListeners): Promise<void> {
+function take(files: DroppedFile[], asStyle: boolean, listeners: FileListeners): void {
   const [first, ...others] = files;
   if (!first) return;
   const { path, file } = first;
@@ -67,11 +67,7 @@ async function take(files: DroppedFile[], asStyle: boolean, listeners: FileListe
     listeners.onClips(files);
     return;
   }
-  try {
-    listeners.onMotion(file.name, await file.arrayBuffer());
-  } catch {
-    listeners.onRefused(strings.page.drop.unreadable(file.name));
-  }
+  listeners.onMotion(file);
 }
 
 /** Inset of the drop target for styles from the edges of the polygon, pixels. */
@@ -176,7 +172,7 @@ export class DropZone {
 
   /** Takes files that came in another way, as if they had been dropped. */
   take(files: Iterable<File>): void {
-    void take(filesOfDialog(files), false, this.#listeners);
+    take(filesOfDialog(files), false, this.#listeners);
   }
 
   /** Opens the browser's file dialog. */

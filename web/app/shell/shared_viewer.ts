@@ -8,6 +8,8 @@ import type { ViewerLease } from "../view";
 const AFTERGLOW_MS = 1200;
 /** A picture that the graphics processor was not ready for is tried again after this time. */
 const RETRY_MS = 4;
+/** A picture that the browser has not given back after this time, milliseconds, is taken for lost. */
+const LOST_MS = 3000;
 
 export class SharedViewer {
   /** Made when a view first wants it, so that a browser that cannot draw in 3-D still shows the others. */
@@ -23,8 +25,12 @@ export class SharedViewer {
   /** Whether nothing is drawn because something else is, over it. */
   rests = false;
 
-  constructor(theme: "dark" | "light") {
+  readonly #listening = new AbortController();
+
+  /** @param onLost is told when the browser has taken the picture away for a while, and when it is back */
+  constructor(theme: "dark" | "light", onLost: (lost: boolean) => void) {
     this.#theme = theme;
+    this.#watchContext(onLost);
     for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
       this.#container.addEventListener(type, () => this.#invalidate(), { passive: true });
     this.#observer.observe(this.#container);
@@ -70,6 +76,24 @@ export class SharedViewer {
         this.#invalidate();
       },
     };
+  }
+
+  /** The events of a canvas do not bubble, but pass here on their way to it. */
+  #watchContext(onLost: (lost: boolean) => void): void {
+    const { signal } = this.#listening;
+    let wait: ReturnType<typeof setTimeout> | undefined;
+    const stop = () => clearTimeout(wait);
+    const lost = () => {
+      stop();
+      wait = setTimeout(() => onLost(true), LOST_MS);
+    };
+    const restored = () => {
+      stop();
+      onLost(false);
+    };
+    this.#container.addEventListener("webglcontextlost", lost, { capture: true, signal });
+    this.#container.addEventListener("webglcontextrestored", restored, { capture: true, signal });
+    signal.addEventListener("abort", stop);
   }
 
   #clear(): void {
@@ -150,6 +174,7 @@ export class SharedViewer {
   }
 
   dispose(): void {
+    this.#listening.abort();
     this.#observer.disconnect();
     this.#made?.dispose();
   }

@@ -11,7 +11,12 @@ export const page = {
   },
   title: (view: string) => `${view} · Strut`,
   viewShown: (view: string) => `${view} view`,
+  reload: "Reload",
+  tryAgain: "Try again",
   viewNotLoaded: (why: string) => `This view could not be loaded. Reload the page. ${why}`,
+  viewOffline: "This view could not be loaded, as there is no network. Connect, then try again.",
+  pictureLost:
+    "The browser has taken the 3-D picture away and not given it back. Motion and settings are still here: save what you need, then reload the page.",
   oldBrowser:
     "This browser is too old for Strut. It needs Chrome or Edge 123, Firefox 125, Safari 17.5, or a newer one.",
   notBuilt: (why: string) => `The page could not be built. Reload it, or use another browser. ${why}`,

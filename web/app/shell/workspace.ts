@@ -1,7 +1,7 @@
 /** What is open, in step with the state: database, input, the styles that there are, and the engine's options. */
 
 import type { FirstSteps } from "../../client/first_steps";
-import type { DatabaseInfo, ExactPoses, StrutClient } from "../../client/protocol";
+import { type DatabaseInfo, type ExactPoses, isCancellation, type StrutClient } from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";
 import { linkedFile } from "../../link/linked_file";
 import { ENGINE_FIELDS } from "../../link/play";
@@ -13,8 +13,8 @@ import type { AppState } from "../state/state";
 import type { Store } from "../state/store";
 import { withKnownLabels, withKnownStyles } from "../state/style_settings";
 import { strings } from "../strings/strings";
-import type { Toasts } from "../ui/toasts";
-import { errorText } from "../ui/words";
+import { RELOAD, type Toasts } from "../ui/toasts";
+import { cancelled } from "../ui/words";
 import { Databases } from "./databases";
 import { isPlain } from "./first_set";
 import type { SessionProgressLines } from "./session_progress";
@@ -28,6 +28,7 @@ export class Workspace {
   readonly databases: Databases;
   readonly #store: Store;
   readonly #toasts: Toasts;
+  readonly #progress: SessionProgressLines;
   /** What is being opened because the state asks for it. */
   #opening: Promise<void> = Promise.resolve();
   /** Links that are being followed, and what the state asks for that is still being opened. */
@@ -40,6 +41,7 @@ export class Workspace {
   constructor(client: StrutClient, store: Store, toasts: Toasts, progress: SessionProgressLines) {
     this.#store = store;
     this.#toasts = toasts;
+    this.#progress = progress;
     this.session = new Session(client, progress);
     this.playhead = new Playhead(store, this.session);
     this.databases = new Databases(store, toasts, this.session);
@@ -49,11 +51,11 @@ export class Workspace {
         this.#configure();
       },
       onError: (error) =>
-        toasts.error(error instanceof UnknownInput ? strings.page.engine.noInput(error.input) : errorText(error)),
+        error instanceof UnknownInput ? toasts.error(strings.page.engine.noInput(error.input)) : toasts.failure(error),
       onStopped: () => store.edit({ playing: false }),
       onRestart: ({ why, lost, reason }) =>
         lost.length > 0
-          ? toasts.error(strings.page.engine.restartedWithout(lost, why, reason))
+          ? toasts.error(strings.page.engine.restartedWithout(lost, why, reason), { action: RELOAD })
           : toasts.note(strings.page.engine.restarted(why)),
     });
     store.subscribe((_, changed) => this.#onChange(changed));
@@ -114,7 +116,21 @@ export class Workspace {
     return opened;
   }
 
-  /** Opens a dropped motion. */
+  /** Reads a dropped motion, however slow its disk is, and opens it; the last of several that are dropped is opened. */
+  async takeFile(file: File): Promise<void> {
+    let bytes: ArrayBuffer;
+    try {
+      bytes = await this.#progress.input.run(strings.page.engine.reading(file.name), ({ signal }) =>
+        unlessAborted(file.arrayBuffer(), signal),
+      );
+    } catch (error) {
+      if (!isCancellation(error)) this.#toasts.error(strings.page.drop.unreadable(file.name));
+      return;
+    }
+    await this.takeMotion(file.name, bytes);
+  }
+
+  /** Opens a motion. */
   async takeMotion(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses): Promise<void> {
     const name = await this.session.openFile(fileName, bytes, exact);
     if (name === undefined) return;
@@ -219,4 +235,12 @@ export class Workspace {
     const file = await linkedFile(hash);
     return file && this.session.library.add(file.name, file.bytes);
   }
+}
+
+/** Settles as `work` does, or rejects when the signal aborts: a file cannot be told that nobody waits for it. */
+function unlessAborted<T>(work: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
+  return new Promise((resolve, reject) => {
+    signal?.addEventListener("abort", () => reject(cancelled()), { once: true });
+    work.then(resolve, reject);
+  });
 }

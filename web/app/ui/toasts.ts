@@ -1,10 +1,23 @@
 /** What the page says over the stage: errors and offers stay until dismissed, notes go by themselves. */
+
+import { isUnloaded } from "../../client/protocol";
 import { button } from "../../ui/controls/buttons";
 import { html } from "../../ui/dom";
+import { strings } from "../strings/strings";
+import { errorText } from "./words";
 
 const NOTE_MS = 6000;
 /** Maximum number of toasts at a time; the oldest is removed first. */
 const MOST = 3;
+
+/** What a person can do about a message, with one press. */
+export interface ToastAction {
+  label: string;
+  act: () => void;
+}
+
+/** Loads the page anew; its address has the state. */
+export const RELOAD: ToastAction = { label: strings.page.reload, act: () => location.reload() };
 
 export class Toasts {
   readonly element = html("div", { class: "toasts" });
@@ -20,11 +33,24 @@ export class Toasts {
   /**
    * Something failed: a sentence that says what, and what to do.
    * @param lasts whether {@link clearErrors} leaves it, as nothing that works makes it untrue
+   * @returns takes it away
    */
-  error(text: string, lasts = false): void {
-    if (says(this.#alerts, text)) return;
+  error(text: string, { lasts = false, action }: { lasts?: boolean; action?: ToastAction } = {}): () => void {
+    if (says(this.#alerts, text)) return () => {};
     const toast = this.#add(this.#alerts, text, "error");
     if (lasts) this.#lasting.add(toast);
+    const take = () => toast.remove();
+    if (action)
+      addButton(toast, action.label, () => {
+        take();
+        action.act();
+      });
+    return take;
+  }
+
+  /** Something was thrown. Where a part of Strut could not be loaded, the page can be loaded again. */
+  failure(error: unknown): void {
+    this.error(errorText(error), isUnloaded(error) ? { action: RELOAD } : {});
   }
 
   /** Shows a message. */
@@ -37,7 +63,7 @@ export class Toasts {
   offer(text: string, label: string, act: () => void): void {
     if (says(this.#notes, text)) return;
     const toast = this.#add(this.#notes, text, "note");
-    toast.lastElementChild?.before(button(label, act, { label: true, class: "outlined" }));
+    addButton(toast, label, act);
   }
 
   /** Takes errors away, after what they were about has worked. */
@@ -52,6 +78,11 @@ export class Toasts {
     while (region.children.length > MOST) region.firstElementChild?.remove();
     return toast;
   }
+}
+
+/** Puts a button before the one that dismisses. */
+function addButton(toast: HTMLElement, label: string, act: () => void): void {
+  toast.lastElementChild?.before(button(label, act, { label: true, class: "outlined" }));
 }
 
 /** Whether a region has a toast with this text. */

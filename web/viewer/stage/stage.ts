@@ -9,6 +9,7 @@ import { Ground } from "./ground";
 import { HipsPath } from "./hips_path";
 import { Labels } from "./labels";
 import { type CameraRange, type CameraView, OrbitCamera } from "./orbit_camera";
+import { onPixelRatio } from "./pixel_ratio";
 import { pixelRatio, QUALITY_LEVELS, type QualityLevel } from "./quality";
 import { type Drawn, Screen } from "./screen";
 import { ShadeMap } from "./shade_map";
@@ -63,6 +64,7 @@ export class Stage implements Drawn {
   readonly #lights = new Lights();
   readonly #background = new Background();
   readonly #observer: ResizeObserver;
+  readonly #life = new AbortController();
   #theme: Theme | undefined;
   #hasOthers = false;
   #still = false;
@@ -109,6 +111,7 @@ export class Stage implements Drawn {
       this.onInvalid?.();
     });
     this.#observer.observe(this.#root);
+    onPixelRatio(() => this.onInvalid?.(), this.#life.signal);
     this.#measure();
     this.#screen.add(this);
   }
@@ -338,6 +341,7 @@ export class Stage implements Drawn {
   dispose(): void {
     this.#screen.remove(this);
     this.#observer.disconnect();
+    this.#life.abort();
     for (const part of [
       this.view,
       this.labels,

@@ -16,7 +16,7 @@ import { candidatesOf, MAX_COLUMNS } from "../../state/compare";
 import type { AppState } from "../../state/state";
 import { strings } from "../../strings/strings";
 import { ProgressLine } from "../../ui/progress";
-import { errorText, inputTitle, manner, spoken } from "../../ui/words";
+import { inputTitle, manner, spoken } from "../../ui/words";
 import type { KeyTable, View, ViewHost } from "../../view";
 import { BaselineClient } from "./baseline_client";
 import { type Choice, showChoices } from "./choices";
@@ -71,14 +71,14 @@ class CompareView implements View {
     make: (request) => this.#make(request),
     cancel: () => this.#progress.cancel(),
     onMade: () => this.#showMade(),
-    onError: (error) => this.#host.toasts.error(errorText(error)),
+    onError: (error) => this.#host.toasts.failure(error),
   });
   readonly #search: SearchStrip;
   readonly #searched = new SearchMeasurement({
     measure: ({ neighbours, candidates }, call) =>
       this.#baselines.compareSearch(this.#host.session, neighbours, candidates, call),
     onChange: () => this.#showSearch(),
-    onError: (error) => this.#host.toasts.error(errorText(error)),
+    onError: (error) => this.#host.toasts.failure(error),
   });
   #columns: CompareColumn[] = [];
   #viewer: SideBySideViewer | undefined;

@@ -312,7 +312,7 @@ class DatabaseView implements View {
     try {
       await task();
     } catch (error) {
-      if (!isCancellation(error)) this.#host.toasts.error(errorText(error));
+      if (!isCancellation(error)) this.#host.toasts.failure(error);
     }
   }
 }

@@ -4,6 +4,7 @@ import { button } from "../../../ui/controls/buttons";
 import { html, setText } from "../../../ui/dom";
 import { megabytes } from "../../strings/numerals";
 import { strings } from "../../strings/strings";
+import { RELOAD } from "../../ui/toasts";
 import type { DeviceDatabases } from "./device_databases";
 import type { SavedDatabase } from "./saved_databases";
 
@@ -21,6 +22,7 @@ export class DatabasesPanel {
   readonly element: HTMLElement;
   readonly #list = html("ul", { class: "stored" });
   readonly #note = html("p", { class: "caption" });
+  readonly #reload = button(RELOAD.label, RELOAD.act, { label: true, class: "outlined" });
   readonly #listeners: DatabasesPanelListeners;
 
   constructor(listeners: DatabasesPanelListeners) {
@@ -31,16 +33,18 @@ export class DatabasesPanel {
       html("div", { class: "section-heading" }, html("h2", { id: "databases-heading" }, words.heading)),
       this.#list,
       this.#note,
+      this.#reload,
     );
   }
 
   /** Lists them; `open` is the name of the one that Play uses, empty for the built-in one. */
-  show({ all, deleted, fault }: DeviceDatabases, open: string): void {
+  show({ all, deleted, fault, outdated }: DeviceDatabases, open: string): void {
     this.#list.replaceChildren(
       this.#builtIn(open === ""),
       ...all.map((database) => this.#item(database, database.name === open)),
       ...deleted.map((database) => this.#deleted(database)),
     );
+    this.#reload.hidden = !outdated;
     setText(this.#note, fault || (all.length > 0 ? words.kept : words.none));
   }
 

@@ -2,6 +2,7 @@
  * The databases of this device while the Data view is open: those that the browser keeps, those that it refused to keep,
  * and those that were deleted and can be brought back. No method replaces a database but `replace`.
  */
+import { isUnloaded } from "../../../client/protocol";
 import { errorText } from "../../ui/words";
 import { freeName } from "./free_name";
 import {
@@ -26,21 +27,29 @@ export class DeviceDatabases {
   readonly #unkept = new Map<string, SavedDatabase>();
   readonly #deleted = new Map<string, SavedDatabase>();
   #fault = "";
+  #outdated = false;
 
   /** Reads what the browser keeps; where it keeps nothing {@link fault} says so. */
   async load(): Promise<void> {
     try {
       this.#saved = await listSavedDatabases();
       this.#fault = "";
+      this.#outdated = false;
     } catch (error) {
-      this.#saved = [];
+      // What was read before can still be opened.
       this.#fault = errorText(error);
+      this.#outdated = isUnloaded(error);
     }
   }
 
   /** Why the browser keeps nothing for this page, a sentence; empty if it does. */
   get fault(): string {
     return this.#fault;
+  }
+
+  /** Whether a newer version of the page keeps them: this one can read them no longer. */
+  get outdated(): boolean {
+    return this.#outdated;
   }
 
   /** All that can be opened. */

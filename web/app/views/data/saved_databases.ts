@@ -1,5 +1,6 @@
 /** The databases that were built on this device: the browser keeps them in IndexedDB, so that a reload finds them. */
 import { IndexedDbStore } from "../../../client/indexed_db_store";
+import { StrutError } from "../../../client/protocol";
 import { strings } from "../../strings/strings";
 import { askToPersist } from "../../ui/storage";
 import { freeName } from "./free_name";
@@ -64,5 +65,8 @@ function transact<T>(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => I
 }
 
 function refusal(error: DOMException | null): Error {
+  // A newer version of the page has changed how they are kept.
+  if (error?.name === "VersionError")
+    return new StrutError({ code: "load", message: strings.data.saved.newer, hint: strings.data.saved.reload });
   return new Error(error?.name === "QuotaExceededError" ? strings.data.saved.full : strings.data.saved.refused);
 }

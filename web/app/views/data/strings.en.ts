@@ -142,6 +142,8 @@ export const data = {
     isOpen: (contents: string) => `open · ${contents}`,
     full: "The browser has no room left for it. Delete a database, or export this one before the page is closed.",
     refused: "The browser does not let this page keep files, as in a private window. Export the database to keep it.",
+    newer: "A newer version of Strut keeps the databases of this device now.",
+    reload: "Reload the page to have them here.",
   },
 
   sets: {

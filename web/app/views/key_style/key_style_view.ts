@@ -9,7 +9,6 @@ import { onSystemTheme } from "../../../ui/theme";
 import { saveBvh, saveGlb } from "../../outputs/save_motion";
 import type { AppState } from "../../state/state";
 import { strings } from "../../strings/strings";
-import { errorText } from "../../ui/words";
 import type { KeyTable, View, ViewHost } from "../../view";
 import { completed, hasHandle } from "./completion";
 import { Footer } from "./footer";
@@ -365,7 +364,7 @@ class KeyStyleView implements View {
       const name = await save(motion, keyLength, keyMethod === "all" ? "style" : keyMethod);
       this.#host.toasts.note(strings.synthesis.saved(name));
     } catch (error) {
-      this.#host.toasts.error(errorText(error));
+      this.#host.toasts.failure(error);
     }
   }
 }

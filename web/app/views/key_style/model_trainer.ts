@@ -2,7 +2,7 @@
 
 import type { DroppedFile, TrainedKeyStyle } from "../../../client/build/protocol";
 import { KeyStyleModel } from "../../../client/models/key_style";
-import { type CallOptions, isCancellation } from "../../../client/protocol";
+import { type CallOptions, isCancellation, isFault, isUnloaded } from "../../../client/protocol";
 import type { AppState } from "../../state/state";
 import { strings } from "../../strings/strings";
 import { ProgressLine } from "../../ui/progress";
@@ -49,7 +49,7 @@ export class ModelTrainer {
         this.empty.hide();
         onOpen(model);
       },
-      onFailed: (error) => this.#refuse(isCancellation(error) ? "" : errorText(error)),
+      onFailed: (error) => this.#refuse(error),
     });
   }
 
@@ -122,13 +122,15 @@ export class ModelTrainer {
   }
 
   /** Says why there is nothing, and what can be done. */
-  #refuse(why: string): void {
+  #refuse(error: unknown): void {
     const { store } = this.#host;
     const again = { label: words.tryAgain, onChoose: () => this.request(store.state) };
     const undo = { label: strings.page.bar.undo, onChoose: () => store.undo() };
     const builtIn = { label: words.useBuiltIn, onChoose: () => store.edit(anotherSet("walk")) };
-    const choices = why === "" ? [again] : store.canUndo ? [undo, builtIn] : [builtIn];
-    this.empty.show(why === "" ? words.nothing : `${words.noModel} ${why}`, choices);
+    const why = isCancellation(error) ? words.nothing : `${words.noModel} ${errorText(error)}`;
+    // Of these, no motions and no settings are the cause.
+    const mayWork = isCancellation(error) || isFault(error) || isUnloaded(error);
+    this.empty.show(why, mayWork ? [again] : store.canUndo ? [undo, builtIn] : [builtIn]);
     this.#onChange();
   }
 }

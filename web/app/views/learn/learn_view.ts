@@ -162,7 +162,7 @@ class LearnView implements View {
       this.#build(key, entry, lesson, text, language);
     } catch (error) {
       if (this.#wanted === key) this.#wanted = "";
-      this.#host.toasts.error(errorText(error));
+      this.#host.toasts.failure(error);
     }
   }
 

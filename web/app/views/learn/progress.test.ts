@@ -20,12 +20,24 @@ test("progress is kept, exported, imported and erased", () => {
   store.change("style", { solved: ["A"] });
   const again = new ProgressStore(() => first);
   expect(again.of("style")).toEqual({ bet: "second", words: "", tries: { A: 2 }, solved: ["A"] });
-  const other = new ProgressStore(memory);
+  const second = memory();
+  const other = new ProgressStore(() => second);
   expect(other.import(again.export())).toBe(true);
   expect(other.of("style").solved).toEqual(["A"]);
   again.erase();
   expect(again.of("style").bet).toBeUndefined();
   expect(first.kept.has(STORAGE_KEY)).toBe(false);
+});
+
+test("two tabs over one memory add to each other's progress", () => {
+  const shared = memory();
+  const [tab, other] = [new ProgressStore(() => shared), new ProgressStore(() => shared)];
+  tab.change("style", { solved: ["A"] });
+  other.change("line", { bet: "first" });
+  expect(tab.of("line").bet).toBe("first");
+  expect(other.of("style").solved).toEqual(["A"]);
+  other.erase();
+  expect(tab.of("style").solved).toEqual([]);
 });
 
 test("where storage is full or forbidden, progress lasts as long as the page, and the page says so", () => {

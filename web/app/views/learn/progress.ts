@@ -68,30 +68,30 @@ export type Memory = Pick<Storage, "getItem" | "setItem" | "removeItem">;
 export class ProgressStore {
   readonly #memory: () => Memory;
   #progress: Progress = {};
+  /** The text that {@link #progress} was read from or written as. */
+  #text: string | null = null;
   /** Whether the last change was kept. */
   kept = true;
 
   constructor(memory: () => Memory = () => localStorage) {
     this.#memory = memory;
-    try {
-      const text = memory().getItem(STORAGE_KEY);
-      this.#progress = (text === null ? undefined : decodeProgress(text)) ?? {};
-    } catch {
-      this.kept = false;
-    }
+    this.#read();
   }
 
-  /** What is known of a lesson. */
+  /** What is known of a lesson, here and in other tabs. */
   of(lesson: string): LessonProgress {
+    this.#read();
     return Object.hasOwn(this.#progress, lesson) ? this.#progress[lesson]! : NONE;
   }
 
   change(lesson: string, patch: Partial<LessonProgress>): void {
-    this.#keep({ ...this.#progress, [lesson]: { ...this.of(lesson), ...patch } });
+    const before = this.of(lesson);
+    this.#keep({ ...this.#progress, [lesson]: { ...before, ...patch } });
   }
 
   /** Everything as a file's text. */
   export(): string {
+    this.#read();
     return encodeProgress(this.#progress);
   }
 
@@ -111,10 +111,25 @@ export class ProgressStore {
     }
   }
 
+  /** Reads what another tab may have written, unless what this one wrote last was not kept. */
+  #read(): void {
+    if (!this.kept) return;
+    try {
+      const text = this.#memory().getItem(STORAGE_KEY);
+      if (text === this.#text) return;
+      this.#text = text;
+      this.#progress = (text === null ? undefined : decodeProgress(text)) ?? {};
+    } catch {
+      this.kept = false;
+    }
+  }
+
   #keep(progress: Progress): void {
     this.#progress = progress;
     try {
-      this.#memory().setItem(STORAGE_KEY, encodeProgress(progress));
+      const text = encodeProgress(progress);
+      this.#memory().setItem(STORAGE_KEY, text);
+      this.#text = text;
       this.kept = true;
     } catch {
       this.kept = false;

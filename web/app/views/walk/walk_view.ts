@@ -2,7 +2,7 @@
 import "../synthesis/editor.css";
 import "./walk.css";
 import { type WalkFrame, WalkModel } from "../../../client/models/walk";
-import { type CallOptions, isCancellation } from "../../../client/protocol";
+import { type CallOptions, isCancellation, isFault, isUnloaded } from "../../../client/protocol";
 import { Segment } from "../../../ui/controls/buttons";
 import { formatNumber, html, setText } from "../../../ui/dom";
 import { isNarrow } from "../../../ui/media";
@@ -85,7 +85,7 @@ class WalkView implements View {
       load: (source) => this.#progress.run(words.reading, (call) => this.#load(source, call)),
       cancel: () => this.#progress.cancel(),
       onReady: () => this.#present(),
-      onFailed: (error, source) => this.#refuse(source, isCancellation(error) ? "" : errorText(error)),
+      onFailed: (error, source) => this.#refuse(source, error),
     });
     this.#player = new Player(store, {
       onPlan: (walk) => this.#showPlan(walk),
@@ -232,12 +232,18 @@ class WalkView implements View {
   }
 
   /** Says why there is no model, and what can be done. */
-  #refuse(source: WalkSource, why: string): void {
+  #refuse(source: WalkSource, error: unknown): void {
     this.#showState();
     setText(this.#title, words.nothing);
     const again = { label: words.tryAgain, onChoose: () => this.#open(source) };
-    if (why === "") {
+    if (isCancellation(error)) {
       this.#empty.show(words.nothing, [again]);
+      return;
+    }
+    const why = errorText(error);
+    // What failed is not the database.
+    if (isFault(error) || isUnloaded(error)) {
+      this.#empty.show(why, [again]);
       return;
     }
     const builtIn = {
@@ -416,7 +422,7 @@ class WalkView implements View {
     try {
       this.#host.toasts.note(strings.synthesis.saved(await save(model, walk.poses)));
     } catch (error) {
-      this.#host.toasts.error(errorText(error));
+      this.#host.toasts.failure(error);
     }
   }
 

@@ -1,0 +1,58 @@
+/** Faults that a test puts into an open page: workers that end or answer nothing, timers that fire early. */
+import type { Page } from "playwright-core";
+
+/** What becomes of a worker that is given a call: it ends with an error, ends without a word, or never gets the call. */
+export type WorkerFault = "fails" | "vanishes" | "never hears";
+
+declare const window: { workerFaults?: Map<string, WorkerFault> };
+
+/** Has the next call of a method to any worker of the page meet a fault. */
+export function failNextCall(page: Page, method: string, fault: WorkerFault): Promise<void> {
+  return page.evaluate(
+    ({ method, fault }) => {
+      if (!window.workerFaults) {
+        const faults = new Map<string, WorkerFault>();
+        window.workerFaults = faults;
+        const { postMessage } = Worker.prototype;
+        Worker.prototype.postMessage = function (this: Worker, ...args: unknown[]) {
+          const { method } = args[0] as { method?: string };
+          const fault = method === undefined ? undefined : faults.get(method);
+          if (fault !== "never hears") Reflect.apply(postMessage, this, args);
+          if (!fault) return;
+          faults.delete(method!);
+          if (fault === "never hears") return;
+          this.terminate();
+          const message = "ended for the test";
+          if (fault === "fails") setTimeout(() => this.dispatchEvent(new ErrorEvent("error", { message })));
+        };
+      }
+      window.workerFaults.set(method, fault);
+    },
+    { method, fault },
+  );
+}
+
+/** Resolves when the fault of a method was met. */
+export async function faultMet(page: Page, method: string): Promise<void> {
+  await page.waitForFunction((method) => !window.workerFaults!.has(method), method);
+}
+
+/** Has what waits for longer than a second wait for a tenth of that time. */
+export function hurryTimers(page: Page): Promise<void> {
+  return page.evaluate(() => {
+    const later = globalThis.setTimeout;
+    Object.assign(globalThis, {
+      setTimeout: (act: () => void, ms = 0) => later(act, ms > 1000 ? ms / 20 : ms),
+    });
+  });
+}
+
+/** Errors in the page's console but those of files that did not come. */
+export function consoleErrors(page: Page): string[] {
+  const errors: string[] = [];
+  page.on("console", (message) => {
+    if (message.type() === "error" && !message.text().startsWith("Failed to load resource"))
+      errors.push(message.text());
+  });
+  return errors;
+}
