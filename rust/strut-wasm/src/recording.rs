@@ -40,7 +40,8 @@ impl Recording {
     /// # Errors
     /// If it is too short to begin anew.
     pub fn numbers(&self) -> Result<Vec<f32>, EngineError> {
-        let short = || EngineError::bad_input(format!("the motion is too short: it must have {} frames", 2 * FADE_FRAMES));
+        let short =
+            || EngineError::bad_input(format!("the motion is too short: it must have {} frames", 2 * FADE_FRAMES));
         self.recorder.predictions().map(|of| of.to_floats()).ok_or_else(short)
     }
 }

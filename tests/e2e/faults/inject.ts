@@ -37,14 +37,16 @@ export async function faultMet(page: Page, method: string): Promise<void> {
   await page.waitForFunction((method) => !window.workerFaults!.has(method), method);
 }
 
-/** Has what waits for longer than a second wait for a tenth of that time. */
+/** How long a note stays, which is long enough to be read. */
+const NOTE_MS = 6000;
+
+/** Has all other things that wait for seconds wait for a twentieth of that time. */
 export function hurryTimers(page: Page): Promise<void> {
-  return page.evaluate(() => {
+  return page.evaluate((noteMs) => {
     const later = globalThis.setTimeout;
-    Object.assign(globalThis, {
-      setTimeout: (act: () => void, ms = 0) => later(act, ms > 1000 ? ms / 20 : ms),
-    });
-  });
+    const hurried = (ms: number) => (ms > 1000 && ms !== noteMs ? ms / 20 : ms);
+    Object.assign(globalThis, { setTimeout: (act: () => void, ms = 0) => later(act, hurried(ms)) });
+  }, NOTE_MS);
 }
 
 /** Errors in the page's console but those of files that did not come. */
@@ -55,4 +57,11 @@ export function consoleErrors(page: Page): string[] {
       errors.push(message.text());
   });
   return errors;
+}
+
+/** Takes away what the page has said, so that what it says next can be waited for. */
+export function dismissAll(page: Page): Promise<void> {
+  return page.locator(".toast").evaluateAll((toasts) => {
+    for (const toast of toasts) toast.querySelector<HTMLElement>("button:last-of-type")!.click();
+  });
 }

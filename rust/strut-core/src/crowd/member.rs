@@ -102,13 +102,7 @@ impl Member {
         }
         (self.step, self.from, self.frames) = (self.walker.next_step(), me.at, 0);
         let (wander, target) = self.errand.next(me.at, me.facing, ground, &mut self.random);
-        let intention = Intention {
-            wander,
-            target,
-            length: self.length,
-            stood: self.stood,
-            radius: ground.radius,
-        };
+        let intention = Intention { wander, target, length: self.length, stood: self.stood, radius: ground.radius };
         let (turn, pace) = steering::step(me, &intention, others);
         self.walker.set_turn(turn);
         self.set_pace(pace);

@@ -24,7 +24,7 @@ const LONGEST_STEP: u32 = TICK_HZ as u32;
 /// Who goes as far as this in a step, metres, turns as much as a foot can; who goes less turns less, and who stays within the
 /// least does not turn.
 const FULL_STEP: f32 = 0.4;
-const LEAST_STEP: f32 = 0.1;
+const LEAST_STEP: f32 = 0.04;
 /// How fast somebody turns on the foot that stands, rad/s.
 const TURN_RATE: f32 = 0.9;
 
@@ -214,7 +214,9 @@ impl Performing {
         let (wander, target) = self.errand.next(at, me.facing, ground, &mut self.start.random);
         let length = way.length();
         if length > LEAST_STEP {
-            let intention = Intention { wander, target, length, stood: 0.0, radius: ground.radius };
+            // Who turns less on a short step needs as wide a circle as on a full one.
+            let planned = length.max(FULL_STEP);
+            let intention = Intention { wander, target, length: planned, stood: 0.0, radius: ground.radius };
             self.turn = steering::turn(&me, &intention, others) * (length / FULL_STEP).min(1.0);
         }
     }
