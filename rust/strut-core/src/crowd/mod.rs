@@ -17,10 +17,12 @@ mod steering;
 
 pub use field::Vertex;
 pub use limits::{CrowdError, FARTHEST, INTENSITY, LONGEST_BONE, MAX_COUNT, MAX_ROUTE_POINTS, MAX_VERTICES, REACH};
-pub use performers::{Performers, TICK_HZ};
+pub use performers::Performers;
+pub use performing::TICK_HZ;
+pub use seen::{JOINT_FLOATS, WALKER_FLOATS};
 
 use crate::hsmm::RuntimeWalkModel;
-use crate::humanoid::{JOINTS, Pose, Proportions};
+use crate::humanoid::{Pose, Proportions};
 use errand::{Ground, ROOM};
 use field::Field;
 use grid::Grid;
@@ -30,11 +32,6 @@ use seen::{check_bones, write_shares, write_world};
 use std::f32::consts::PI;
 use std::sync::Arc;
 use steering::Figure;
-
-/// Numbers of a joint: its place x y z in metres and 0, then its rotation x y z w, both in the world.
-pub const JOINT_FLOATS: usize = 8;
-/// Numbers of a walker: those of the joints by role.
-pub const WALKER_FLOATS: usize = JOINTS * JOINT_FLOATS;
 
 /// Least radius of the ground, metres: who turns as much as a foot can walks a circle of four to six metres.
 const LEAST_RADIUS: f32 = 8.0;

@@ -11,16 +11,13 @@ use super::grid::Grid;
 use super::limits::{CrowdError, MAX_COUNT};
 use super::performing::Performing;
 use super::route::Route;
-use super::seen::{check_bones, write_shares, write_world};
+use super::seen::{WALKER_FLOATS, check_bones, write_shares, write_world};
 use super::steering::Figure;
-use super::{Options, WALKER_FLOATS, radius_of};
+use super::{Options, radius_of};
 use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::Soles;
 use crate::transfer::Predictions;
 use std::sync::Arc;
-
-/// Ticks a second.
-pub const TICK_HZ: f32 = 30.0;
 
 /// A crowd who perform.
 #[derive(Clone, Debug)]
@@ -148,7 +145,7 @@ impl Performers {
         Ok(())
     }
 
-    /// Goes on by 1 / [`TICK_HZ`]. Allocates nothing.
+    /// Goes on by 1 / [`TICK_HZ`](super::TICK_HZ). Allocates nothing.
     pub fn tick(&mut self) {
         let Self { predictions, soles, field, route, members, figures, grid, near, weights, .. } = self;
         let ground = Ground { radius: radius_of(members.len()), count: members.len(), field, route };

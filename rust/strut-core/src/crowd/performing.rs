@@ -1,7 +1,6 @@
 //! One of those who perform: the motion carried over the ground.
 
 use super::errand::{Errand, Ground, Start};
-use super::performers::TICK_HZ;
 use super::steering::{self, Figure, Intention, facing};
 use crate::hsmm::MAX_TURN;
 use crate::humanoid::{Pose, Proportions};
@@ -12,6 +11,9 @@ use crate::pose_vector::Placement;
 use crate::transfer::{Performer, Predictions};
 use std::f32::consts::PI;
 use std::sync::Arc;
+
+/// Ticks a second of those who perform.
+pub const TICK_HZ: f32 = 30.0;
 
 /// Half-life of the way to the weights of a place, seconds: styles change within a step, and nobody jumps.
 const HALF_LIFE_SECS: f32 = 0.15;

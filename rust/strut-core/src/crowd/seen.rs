@@ -1,10 +1,14 @@
 //! What is seen of somebody: joints in the world, and how much of every style there is.
 
 use super::limits::{CrowdError, LONGEST_BONE};
-use super::{JOINT_FLOATS, WALKER_FLOATS};
-use crate::humanoid::{PARENTS, Proportions};
+use crate::humanoid::{JOINTS, PARENTS, Proportions};
 use crate::kinematics::WorldPose;
 use crate::math::Vec3;
+
+/// Numbers of a joint: its place x y z in metres and 0, then its rotation x y z w, both in the world.
+pub const JOINT_FLOATS: usize = 8;
+/// Numbers of a walker: those of the joints by role.
+pub const WALKER_FLOATS: usize = JOINTS * JOINT_FLOATS;
 
 /// Whether joints can lie on bones.
 pub(super) fn check_bones(bones: &Proportions) -> Result<(), CrowdError> {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::crowd::{INTENSITY, JOINT_FLOATS};
+use crate::crowd::{INTENSITY, JOINT_FLOATS, TICK_HZ};
 use crate::fixtures::{Gait, NEUTRAL, database, walk};
 use crate::humanoid::Role;
 use crate::kinematics::WorldPose;
