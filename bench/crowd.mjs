@@ -48,7 +48,9 @@ function recorded() {
   const numbers = recording.numbers();
   const secs = ((performance.now() - begin) / 1000).toFixed(1);
   const styles = database.styles().length;
-  console.log(`${frames} frames in ${styles} styles: recorded in ${secs} s, ${(numbers.byteLength / 1e6).toFixed(1)} MB`);
+  console.log(
+    `${frames} frames in ${styles} styles: recorded in ${secs} s, ${(numbers.byteLength / 1e6).toFixed(1)} MB`,
+  );
   return { numbers, styles };
 }
 

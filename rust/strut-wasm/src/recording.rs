@@ -3,7 +3,7 @@
 use crate::input::Input;
 use crate::stylizer::Stylizer;
 use strut_core::humanoid::Pose;
-use strut_core::transfer::{FADE_FRAMES, Recorder};
+use strut_core::transfer::{FADE_FRAMES, Predictions, Recorder};
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -42,6 +42,6 @@ impl Recording {
     pub fn numbers(&self) -> Result<Vec<f32>, EngineError> {
         let short =
             || EngineError::bad_input(format!("the motion is too short: it must have {} frames", 2 * FADE_FRAMES));
-        self.recorder.predictions().map(|of| of.to_floats()).ok_or_else(short)
+        self.recorder.predictions().map(Predictions::to_floats).ok_or_else(short)
     }
 }

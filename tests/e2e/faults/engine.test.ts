@@ -148,7 +148,9 @@ describe("at the start", () => {
       await route.fulfill({ response, headers });
     });
     await open();
-    await eventually(alert).toMatch(/The engine could not be started, as the browser refuses its code. Reload the page;/);
+    await eventually(alert).toMatch(
+      /The engine could not be started, as the browser refuses its code. Reload the page;/,
+    );
     expect(await alert()).not.toContain("bug in Strut");
     await page.unroute(/\/worker-[^/]*\.js$/);
     await page.getByRole("alert").getByRole("button", { name: "Reload" }).click();
@@ -167,15 +169,18 @@ describe("at the start", () => {
     const before = await settledPose(page);
     await page.unroute(/\/worker-[^/]*\.js$/);
     // All that a module can address is taken; none of it is touched.
-    await page.workers().at(-1)!.evaluate(() => {
-      for (let pages = 65_536; pages >= 1; pages = Math.floor(pages / 2))
-        for (;;)
-          try {
-            self.memory.grow(pages);
-          } catch {
-            break;
-          }
-    });
+    await page
+      .workers()
+      .at(-1)!
+      .evaluate(() => {
+        for (let pages = 65_536; pages >= 1; pages = Math.floor(pages / 2))
+          for (;;)
+            try {
+              self.memory.grow(pages);
+            } catch {
+              break;
+            }
+      });
     const [head, lines] = neutral.split(/(?<=Frame Time:.*\n)/) as [string, string];
     await dropFile(page, "long.bvh", head.replace(/Frames: \d+/, "Frames: 9000") + lines.repeat(30));
     await eventually(alert).toMatch(/The engine ran out of memory/);
