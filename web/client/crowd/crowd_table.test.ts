@@ -125,7 +125,8 @@ test("people perform what the engine recorded of a motion, in the styles of thei
   for (let i = 0; i < 180; i++) {
     const { joints, weights } = await table.tick(undefined);
     places.push([joints[0]!, joints[1]!, joints[2]!]);
-    expect(weights[facts.styles.indexOf("old")]).toBeGreaterThan(100);
+    // Everybody begins in the neutral style and takes on that of the place within a second.
+    if (i >= facts.rateHz) expect(weights[facts.styles.indexOf("old")]).toBeGreaterThan(100);
   }
   const steps = places
     .slice(1)
