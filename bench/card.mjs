@@ -1,8 +1,8 @@
-// node bench/card.mjs [--json FILE] [--shots FOLDER] [--db DB] [--yardstick] [--software]: what a graphics card gives the built
-// site, in Chromium without a window: how fast a crowd and the Play view are drawn, how long the atlas takes (of the built-in
-// motions, and of a database) and whether the processor draws the same, what Lighthouse sees, and with --yardstick what
-// bench.html measures. With --software a program plays the card, to try the script where there is none. Needs a card with a
-// Vulkan driver; CHROME_PATH names another Chromium.
+// node bench/card.mjs [--json FILE] [--shots FOLDER] [--db DB] [--yardstick] [--angle gl-egl] [--software]: what a graphics
+// card gives the built site, in Chromium without a window: how fast a crowd and the Play view are drawn, how long the atlas
+// takes (of the built-in motions, and of a database) and whether the processor draws the same, what Lighthouse sees, and with
+// --yardstick what bench.html measures. With --software a program plays the card, to try the script where there is none. Needs
+// a card with a Vulkan driver; CHROME_PATH names another Chromium.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
@@ -11,9 +11,9 @@ import { chromium } from "playwright-core";
 import { root } from "../scripts/steps.mjs";
 import { serveCompressed } from "./hosted_site.mjs";
 
-/** Chromium draws with Vulkan, without a display, and shows its card to WebGPU. */
-const CARD = [
-  "--use-angle=vulkan",
+/** Chromium draws without a display, by Vulkan unless told, and shows its card to WebGPU. */
+const CARD = (angle) => [
+  `--use-angle=${angle}`,
   "--enable-features=Vulkan",
   "--disable-vulkan-surface",
   "--ignore-gpu-blocklist",
@@ -28,7 +28,7 @@ const SOFTWARE = [
 /** Without these a picture comes at most 60 times a second. */
 const UNLIMITED = ["--disable-frame-rate-limit", "--disable-gpu-vsync"];
 /** Time in which the stage finds its quality, and in which pictures are counted, milliseconds. */
-const [SETTLING_MS, COUNTING_MS] = [6000, 8000];
+const [SETTLING_MS, COUNTING_MS] = [5000, 6000];
 const VIEWPORT = { width: 1440, height: 900 };
 /** Visits of Lighthouse. */
 const VISITS = 3;
@@ -41,6 +41,7 @@ const { values } = parseArgs({
     json: { type: "string" },
     shots: { type: "string" },
     db: { type: "string" },
+    angle: { type: "string", default: "vulkan" },
     yardstick: { type: "boolean", default: false },
     software: { type: "boolean", default: false },
   },
@@ -50,7 +51,12 @@ if (values.shots) mkdirSync(values.shots, { recursive: true });
 const launch = (flags = []) =>
   chromium.launch({
     executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-background-networking", ...(values.software ? SOFTWARE : CARD), ...flags],
+    args: [
+      "--no-sandbox",
+      "--disable-background-networking",
+      ...(values.software ? SOFTWARE : CARD(values.angle)),
+      ...flags,
+    ],
   });
 
 const median = (numbers) => numbers.toSorted((a, b) => a - b)[numbers.length >> 1];
@@ -58,7 +64,13 @@ const shot = (page, name) => values.shots && page.screenshot({ path: join(values
 
 async function open(browser, url, { pixels = 1, before } = {}) {
   const permissions = ["clipboard-read", "clipboard-write"];
-  const options = { viewport: VIEWPORT, deviceScaleFactor: pixels, serviceWorkers: "block", permissions };
+  const options = {
+    viewport: VIEWPORT,
+    deviceScaleFactor: pixels,
+    colorScheme: "dark",
+    serviceWorkers: "block",
+    permissions,
+  };
   const page = await (await browser.newContext(options)).newPage();
   if (before) await page.addInitScript(before);
   await page.goto(url);
@@ -127,7 +139,7 @@ async function measureCrowd(browser, url, people, pixels) {
 
 async function measurePlay(browser, url, hash, pixels) {
   const page = await open(browser, `${url}${hash}`, { pixels });
-  await page.waitForFunction(() => (window.strut?.frame?.inputFrame ?? 0) > 0);
+  await page.locator("#app[data-view]").waitFor();
   const pictures = await count(page);
   await shot(page, `play-${hash.replaceAll(/\W/g, "-")}-${pixels}`);
   await page.context().close();
@@ -145,11 +157,12 @@ async function dropDatabase(page, file) {
     },
     { name: basename(file), bytes: readFileSync(file, "base64") },
   );
-  const styles = () => [...document.querySelectorAll(".panels .vertex")].map(({ textContent }) => textContent).join();
-  const before = await page.evaluate(styles);
   for (const type of ["dragenter", "dragover", "drop"])
     await page.dispatchEvent("body", type, { dataTransfer: transfer, clientX: 5, clientY: 5 });
-  while ((await page.evaluate(styles)) === before) await page.waitForTimeout(100);
+  await page
+    .getByText(/styles ready/)
+    .first()
+    .waitFor();
 }
 
 /** The atlas drawn by the card and by the processor: what the page says, and how far pixels differ. */
