@@ -66,7 +66,7 @@ function largeSection({ command, report }: Measured<LargeReport>): string[] {
 
 /** Every window on a graphics card, as the paper searched. */
 function cardsSection(cards: readonly Card[]): string[] {
-  const ratio = (n?: number) => (n === undefined ? "" : `${n.toFixed(1)} ×`);
+  const ratio = (n?: number) => (n === undefined ? "" : `${n.toFixed(n < 1 ? 2 : 1)} ×`);
   const rows = cards
     .filter((card) => !card.software)
     .map((card) => [

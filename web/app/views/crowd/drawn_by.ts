@@ -7,6 +7,7 @@ export function rendererName(drawnBy: string): string {
     .replace(/^ANGLE \w+ Renderer: /, "")
     .replace(/^Vulkan [\d.]+ \((.*)\)$/, "$1")
     .replace(/ Direct3D.*$/, "")
+    .replace(/^(\w+ )\1/, "$1")
     .replace(/ ?\(0x[\da-f]+\)/gi, "")
     .replace(/\/PCIe\/SSE2$/, "")
     .trim();
