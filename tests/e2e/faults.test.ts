@@ -89,7 +89,9 @@ describe("a page that went offline", () => {
     await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
     await eventually(async () => turnBetween(before, await settledPose(page))).toBeGreaterThan(3);
     await page.getByRole("link", { name: "Compare" }).click();
-    await eventually(() => page.getByRole("alert").textContent()).toMatch(/This view could not be loaded. Reload/);
+    await eventually(() => page.getByRole("alert").textContent()).toMatch(
+      /This view could not be loaded, as there is no network. Connect, then try again./,
+    );
     await eventually(() => page.evaluate(() => window.strut.state.view)).toBe("play");
     await page.context().setOffline(false);
     await page.getByRole("alert").getByRole("button", { name: "Dismiss" }).click();
