@@ -74,11 +74,8 @@ export function toStrutError(thrown: unknown): StrutError {
   if (thrown instanceof StrutError) return thrown;
   const message = thrown instanceof Error ? thrown.message : String(thrown);
   // A panic throws its message. What traps without one is an allocation that failed.
-  if (/^unreachable/i.test(message)) {
-    const hint = "Open a shorter file or a smaller database.";
-    return new StrutError({ code: "fault", message: "The engine ran out of memory.", hint });
-  }
-  return fault(`The engine failed: ${message.replace(/\.$/, "")}`);
+  const memory = /^unreachable/i.test(message);
+  return fault(memory ? "The engine ran out of memory" : `The engine failed: ${message.replace(/\.$/, "")}`);
 }
 
 /** Whether a rejection only says that its call was cancelled. */
