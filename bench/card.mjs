@@ -1,4 +1,4 @@
-// node bench/card.mjs [--json FILE] [--shots FOLDER] [--db DB] [--yardstick] [--angle gl-egl] [--software]: what a graphics
+// node bench/card.mjs [--json FILE] [--shots FOLDER] [--db DB] [--yardstick] [--software]: what a graphics
 // card gives the built site, in Chromium without a window: how fast a crowd and the Play view are drawn, how long the atlas
 // takes (of the built-in motions, and of a database) and whether the processor draws the same, what Lighthouse sees, and with
 // --yardstick what bench.html measures. With --software a program plays the card, to try the script where there is none. Needs
@@ -11,9 +11,9 @@ import { chromium } from "playwright-core";
 import { root } from "../scripts/steps.mjs";
 import { serveCompressed } from "./hosted_site.mjs";
 
-/** Chromium draws without a display, by Vulkan unless told, and shows its card to WebGPU. */
-const CARD = (angle) => [
-  `--use-angle=${angle}`,
+/** Chromium draws without a display, by Vulkan, and shows its card to WebGPU. */
+const CARD = [
+  "--use-angle=vulkan",
   "--enable-features=Vulkan",
   "--disable-vulkan-surface",
   "--ignore-gpu-blocklist",
@@ -41,7 +41,6 @@ const { values } = parseArgs({
     json: { type: "string" },
     shots: { type: "string" },
     db: { type: "string" },
-    angle: { type: "string", default: "vulkan" },
     yardstick: { type: "boolean", default: false },
     software: { type: "boolean", default: false },
   },
@@ -51,12 +50,7 @@ if (values.shots) mkdirSync(values.shots, { recursive: true });
 const launch = (flags = []) =>
   chromium.launch({
     executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
-    args: [
-      "--no-sandbox",
-      "--disable-background-networking",
-      ...(values.software ? SOFTWARE : CARD(values.angle)),
-      ...flags,
-    ],
+    args: ["--no-sandbox", "--disable-background-networking", ...(values.software ? SOFTWARE : CARD), ...flags],
   });
 
 const median = (numbers) => numbers.toSorted((a, b) => a - b)[numbers.length >> 1];
