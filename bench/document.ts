@@ -86,7 +86,7 @@ function cardsSection(cards: readonly Card[]): string[] {
           ["card", "frames", "all, ms", "batch, ms a window", "engine faster: all", "batch", "identical sets"],
           ...rows,
         ])
-      : "No card has been measured yet. A graphics processor in software tells whether the kernels are right, and not how fast they are; the tests run on Chromium's (`cargo test -p strut-gpu`), and no time of it is told.",
+      : "No card has been measured yet. A graphics processor in software tells whether the kernels are right, and not how fast they are; the tests run on Chromium's (`cargo test -p strut-motion-gpu`), and no time of it is told.",
     "To add a card: run `npm run bench -- --gpu --json card.json` on it, and put `gpu` and the medians of the rows of `gpu-brute` in that file, with the date, into `bench/cards.ts`; `npm run bench -- --write` puts them here. Or open `bench.html` there, measure 79,829 frames, and send what *Copy as JSON* gives in an issue, with the driver, which browsers do not tell, and the date.",
   ];
 }

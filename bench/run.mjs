@@ -30,7 +30,7 @@ async function buildCommand(...features) {
     "--release",
     "--quiet",
     "-p",
-    "strut-cli",
+    "strut-motion-cli",
     ...features.flatMap((name) => ["--features", name]),
   ];
   await step("Building the command", () => run(rust.CARGO ?? "cargo", build, env));
@@ -57,7 +57,7 @@ async function measureNatively() {
 async function writeDatabase(frames) {
   const rust = await setupRust();
   const file = join(mkdtempSync(join(tmpdir(), "strut-bench-")), "large.strutdb");
-  const example = ["run", "--release", "--quiet", "-p", "strut-demo", "--example", "benchmark_database", "--"];
+  const example = ["run", "--release", "--quiet", "-p", "strut-motion-demo", "--example", "benchmark_database", "--"];
   await step(`Writing a database of ${frames} frames`, () =>
     run(rust.CARGO ?? "cargo", [...example, String(frames), file], { env: rust, cwd: join(root, "rust") }),
   );

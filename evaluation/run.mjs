@@ -96,7 +96,7 @@ await main(async () => {
   const places = { MOCAP: mocap(), DEMO: demo };
   const rust = await setupRust();
   await step("Building the command", () =>
-    run(rust.CARGO ?? "cargo", ["build", "--release", "--quiet", "-p", "strut-cli"], {
+    run(rust.CARGO ?? "cargo", ["build", "--release", "--quiet", "-p", "strut-motion-cli"], {
       env: rust,
       cwd: join(root, "rust"),
     }),

@@ -9,7 +9,7 @@ import { findProgram, main, output, root, run, step } from "./steps.mjs";
 
 /** What tests, benchmarks and fuzzing need of the engine beside what the page does. */
 const FEATURES =
-  "strut-wasm/atlas,strut-wasm/drive,strut-wasm/performers,strut-wasm/bench,strut-wasm/learn,strut-wasm/parity,strut-wasm-walk/crowd,strut-wasm-gpu/bench,strut-cli/gpu,strut-fuzz/libfuzzer";
+  "strut-wasm/atlas,strut-wasm/drive,strut-wasm/performers,strut-wasm/bench,strut-wasm/learn,strut-wasm/parity,strut-wasm-walk/crowd,strut-wasm-gpu/bench,strut-motion-cli/gpu,strut-fuzz/libfuzzer";
 
 const bin = (name) => join(root, "node_modules", ".bin", name);
 

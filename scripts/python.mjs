@@ -65,7 +65,7 @@ async function buildWheel(env) {
 
 async function testPackage(env) {
   if (!existsSync(COMMAND))
-    await run(env.CARGO ?? "cargo", ["build", "--quiet", "--profile", "test", "-p", "strut-cli"], {
+    await run(env.CARGO ?? "cargo", ["build", "--quiet", "--profile", "test", "-p", "strut-motion-cli"], {
       env,
       cwd: join(root, "rust"),
     });

@@ -5,7 +5,7 @@ import { setupRust } from "./setup.mjs";
 import { root, run } from "./steps.mjs";
 
 const rust = await setupRust();
-await run(rust.CARGO ?? "cargo", ["build", "--release", "--quiet", "-p", "strut-cli"], {
+await run(rust.CARGO ?? "cargo", ["build", "--release", "--quiet", "-p", "strut-motion-cli"], {
   env: rust,
   cwd: join(root, "rust"),
 });

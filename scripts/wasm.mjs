@@ -28,14 +28,14 @@ const DRIVE_FLAGS = ["-Cllvm-args=-inline-threshold=50"];
 /** What a lesson or a dragged style asks for may take a fifth longer, and the module is a tenth smaller. */
 const SMALL = {
   flags: ["-Cllvm-args=-inline-threshold=25"],
-  config: ["--config", "profile.web.package.strut-core.opt-level=2"],
+  config: ["--config", "profile.web.package.strut-motion-core.opt-level=2"],
 };
 
 /** A build of a database takes seconds of work: whoever waits for it would rather load more. */
-const FAST_BUILDING = ["--config", "profile.web.package.strut-formats.opt-level=3"];
+const FAST_BUILDING = ["--config", "profile.web.package.strut-motion-formats.opt-level=3"];
 
 /** A frame of a character takes microseconds as it is. */
-const SMALL_CORE = ["--config", 'profile.web.package.strut-core.opt-level="s"'];
+const SMALL_CORE = ["--config", 'profile.web.package.strut-motion-core.opt-level="s"'];
 
 /** So does one of a stream. */
 const SMALL_STREAMS = { flags: ["-Cllvm-args=-inline-threshold=25"], config: SMALL_CORE };

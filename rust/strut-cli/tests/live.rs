@@ -442,7 +442,7 @@ fn mean_and_p99(mut errors: Vec<f64>) -> [f64; 2] {
     [mean, errors[(0.99 * (errors.len() - 1) as f64).ceil() as usize]]
 }
 
-/// The table of `docs/live.md`: `cargo test -p strut-cli --test live buffer -- --nocapture` prints it.
+/// The table of `docs/live.md`: `cargo test -p strut-motion-cli --test live buffer -- --nocapture` prints it.
 #[test]
 fn the_buffer_shows_most_of_what_is_late_in_its_place() {
     let motions = performances();

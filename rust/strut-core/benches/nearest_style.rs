@@ -1,4 +1,4 @@
-//! The recorded style that is nearest, beside a scan through all: `cargo bench -p strut-core --bench nearest_style`.
+//! The recorded style that is nearest, beside a scan through all: `cargo bench -p strut-motion-core --bench nearest_style`.
 
 #![allow(missing_docs)] // of the function that criterion makes
 

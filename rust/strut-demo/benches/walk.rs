@@ -1,4 +1,4 @@
-//! `cargo bench -p strut-demo --bench walk`: frames of walks by the model of the built-in styles, and of a crowd.
+//! `cargo bench -p strut-motion-demo --bench walk`: frames of walks by the model of the built-in styles, and of a crowd.
 #![allow(missing_docs)] // Criterion's macro makes an undocumented public function.
 
 use criterion::{Criterion, criterion_group, criterion_main};

@@ -17,7 +17,7 @@ impl Yardstick {
     pub(in crate::bench) fn open() -> Outcome<Option<Self>> {
         Err(Failure::new(
             "this strut was built without the graphics processor; \
-             `npm run bench -- --gpu` and `cargo build --release -p strut-cli --features gpu` build it with it",
+             `npm run bench -- --gpu` and `cargo build --release -p strut-motion-cli --features gpu` build it with it",
         ))
     }
 
