@@ -2,10 +2,12 @@
 import { join } from "node:path";
 import { checkArchitecture } from "./architecture.mjs";
 import { checkPackageSize } from "./package.mjs";
+import { versionFaults } from "./release/versions.mjs";
 import { setupCxx } from "./setup.mjs";
 import { buildSite } from "./site.mjs";
 import { checkSize } from "./size.mjs";
-import { findProgram, main, output, root, run, step } from "./steps.mjs";
+import { findProgram, main, output, root, run, Sentence, step } from "./steps.mjs";
+import { checkWorkflows } from "./workflows.mjs";
 
 /** What tests, benchmarks and fuzzing need of the engine beside what the page does. */
 const FEATURES =
@@ -26,6 +28,11 @@ async function setupLints(env) {
 
 await main(async () => {
   await step("Architecture", checkArchitecture);
+  await step("Versions", async () => {
+    const faults = versionFaults();
+    if (faults.length > 0) throw new Sentence(faults.join("\n"));
+  });
+  await step("Workflows and citation", checkWorkflows);
   const { rust: env } = await buildSite({ mode: "full", bench: "quick" });
   await setupLints(env);
   await setupCxx();

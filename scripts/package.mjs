@@ -239,6 +239,11 @@ export async function writePackage() {
   writeFileSync(join(OUT, "package.json"), `${JSON.stringify(manifestOf(manifest), null, 2)}\n`);
 }
 
+/** Where GitHub builds the package, which the provenance that npm shows must name. */
+function repositoryOf({ GITHUB_SERVER_URL: server, GITHUB_REPOSITORY: name }) {
+  return server && name ? { repository: { type: "git", url: `git+${server}/${name}.git` } } : {};
+}
+
 /** What npm and bundlers read. `types` comes first, as the first condition that fits is taken. */
 function manifestOf({ name, version, description, license, engines }) {
   const entry = (module) => ({ types: `./types/package/${module}.d.ts`, default: `./${module}.js` });
@@ -247,6 +252,7 @@ function manifestOf({ name, version, description, license, engines }) {
     version,
     description,
     license,
+    ...repositoryOf(process.env),
     type: "module",
     engines,
     sideEffects: ["./element.js", "./strut-player.js"],

@@ -1,10 +1,10 @@
 // The Python package: node scripts/python.mjs builds its wheel, installs that and runs its tests. A step of npm test.
-import { createHash } from "node:crypto";
-import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { installDebian, setupRust } from "./setup.mjs";
-import { findProgram, main, output, root, run, Sentence, step } from "./steps.mjs";
+import { programIn, setupEnvironment, setupPython } from "./python_environment.mjs";
+import { setupRust } from "./setup.mjs";
+import { main, root, run, Sentence, step } from "./steps.mjs";
 
 const PACKAGE = join(root, "rust", "strut-python");
 const TARGET = join(root, "rust", "target", "python");
@@ -14,43 +14,7 @@ const VENV = join(TARGET, "venv");
 const COMMAND = join(root, "rust", "target", "debug", "strut");
 /** Greatest size of the wheel, bytes. */
 const MAX_WHEEL = 1_600_000;
-const NAMES = ["python3", "python3.14", "python3.13", "python3.12", "python3.11"];
-
-const inVenv = (name) => join(VENV, "bin", name);
-
-/** A Python that can make environments and is recent enough; undefined if there is none. */
-async function findPython() {
-  const usable = "import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))";
-  for (const name of NAMES) {
-    const path = findProgram(name);
-    if (path && (await output(path, ["-c", usable])) !== undefined) return path;
-  }
-  return undefined;
-}
-
-/** Finds Python, or installs Debian's. */
-async function setupPython() {
-  const python = await findPython();
-  if (python) return python;
-  await step("Installing Python from Debian's packages", async () => {
-    await installDebian(["python3", "python3-venv"]);
-  });
-  return findPython();
-}
-
-/** An environment with what builds and tests the package, of the versions and hashes of requirements.txt. */
-async function setupEnvironment(python) {
-  const requirements = join(PACKAGE, "requirements.txt");
-  const stamp = join(VENV, ".strut-requirements");
-  const hash = createHash("sha256").update(readFileSync(requirements)).digest("hex");
-  if (existsSync(stamp) && readFileSync(stamp, "utf8") === hash) return;
-  await step("Installing what the Python package is built and tested with", async () => {
-    await run(python, ["-m", "venv", "--clear", VENV]);
-    const options = ["--quiet", "--disable-pip-version-check", "--require-hashes", "--only-binary", ":all:"];
-    await run(inVenv("python"), ["-m", "pip", "install", ...options, "-r", requirements]);
-    writeFileSync(stamp, hash);
-  });
-}
+const inVenv = (name) => programIn(VENV, name);
 
 async function buildWheel(env) {
   rmSync(WHEELS, { recursive: true, force: true });
@@ -78,15 +42,13 @@ async function testPackage(env) {
 
 /** Builds and tests the package. Without Python that is left out, and an error where STRUT_PYTHON or CI say so. */
 export async function checkPython(env) {
-  const python = await setupPython();
-  if (!python) {
-    const reason = "Python 3.11 or newer with its module venv was not found";
-    if (process.env.STRUT_PYTHON === "required" || process.env.CI === "true")
-      throw new Sentence(`${reason}. Install it, then run this again.`);
-    console.log(`▸ Python package: left out, as ${reason}.`);
-    return;
-  }
-  await setupEnvironment(python);
+  const python = await setupPython("Python package");
+  if (!python) return;
+  await setupEnvironment(python, {
+    environment: VENV,
+    requirements: join(PACKAGE, "requirements.txt"),
+    label: "Installing what the Python package is built and tested with",
+  });
   await step("Python package", () => buildWheel(env));
   await step("Python tests, types and stubs", () => testPackage(env));
 }

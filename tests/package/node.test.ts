@@ -8,6 +8,8 @@ import { COMMAND } from "../programs";
 import { root } from "../recordings";
 import { type Consumer, FRAMES, installPackage } from "./consumer";
 
+const { version: VERSION } = JSON.parse(readFileSync(join(root, "package.json"), "utf8")) as { version: string };
+
 let consumer: Consumer;
 beforeAll(() => {
   consumer = installPackage();
@@ -28,7 +30,7 @@ describe("the contract", () => {
 
   test("styles a file to the bytes that the command writes", () => {
     expect(readFileSync(join(consumer.folder, "package.bvh"), "utf8")).toBe(consumer.byCommand);
-    expect(report).toMatchObject({ thread: "node", version: "0.1.0", rising: true });
+    expect(report).toMatchObject({ thread: "node", version: VERSION, rising: true });
     expect(report.motion).toMatchObject({ name: "motion", frames: FRAMES, rateHz: 120 });
   });
 
