@@ -8,8 +8,9 @@ const projects = [
   { name: "unit", include: ["web/**/*.test.ts"], maxWorkers: "100%" },
   // The page's modules beside the native programs.
   { name: "native", include: ["tests/**/*.test.ts"], exclude: ["tests/{e2e,visual}/**"], maxWorkers: "100%" },
-  // One Chromium at a time: drawing in software takes every core.
-  { name: "browser", include: ["tests/{e2e,visual}/**/*.test.ts"], maxWorkers: 1 },
+  // One Chromium at a time: drawing in software takes every core. The files share what they import, above all Vite and
+  // Playwright, which take a second and a half to load.
+  { name: "browser", include: ["tests/{e2e,visual}/**/*.test.ts"], maxWorkers: 1, isolate: false },
 ];
 
 export default defineConfig({

@@ -102,7 +102,7 @@ export async function tryArtefacts(artefacts) {
     const archive = findArtefact(artefacts, TARBALL);
     if (!archive) throw new Sentence(`There is no archive of the command in ${artefacts}.`);
     const strut = unpackCommand(archive, roomFor("input"));
-    const input = { db: join(folder, "demo.strutdb"), clip: join(folder, "clips", "neutral_walk_1.bvh") };
+    const input = { db: join(folder, "demo.strutdb"), clip: join(folder, "clips", "walk_neutral_001.bvh") };
     run(strut, ["demo-db", "--page", "-o", input.db, "--bvh", join(folder, "clips")], { cwd: folder });
     const expected = join(folder, "expected.bvh");
     run(strut, stylized(input, expected), { cwd: folder });
