@@ -46,6 +46,8 @@ const ROOMS = {
   ui: [],
   // What a link says.
   link: ["ui", "client", "humanoid"],
+  // The scripts of the documentation.
+  manual: ["ui"],
   // What the package gives to its users, of which the element is one.
   "package/types.ts": ["formats", "streams", "client", "engine", "humanoid"],
   element: ["character", "package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],

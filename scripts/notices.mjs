@@ -27,10 +27,12 @@ const ALLOWED = new Set([
   "Zlib",
 ]);
 
-/** Packages that reach the site by other ways than the page's modules: fonts by style sheets, the service worker by esbuild. */
+/** Packages that reach the site by other ways than the page's modules: fonts by style sheets, the service worker and the documentation's scripts by esbuild. */
 const BESIDE_MODULES = [
   "@fontsource-variable/inter",
   "@fontsource-variable/source-serif-4",
+  "katex",
+  "minisearch",
   "workbox-core",
   "workbox-precaching",
   "workbox-routing",

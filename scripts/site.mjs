@@ -37,5 +37,7 @@ export async function buildSite(options) {
     await writeEmbedPage();
   });
   await step("Listing what is of others", () => writeNotices(environments.rust));
+  // A clean checkout installs what it imports after this file is read.
+  await step("Writing the documentation", async () => (await import("./docs/site.mjs")).writeDocs());
   return environments;
 }

@@ -3,7 +3,9 @@ import { type GltfJson, isRecord, vrmOf } from "./vrm_humanoid";
 
 /** What a model's file says on its use. */
 export interface Licence {
+  /** Name of the model. */
   readonly title: string;
+  /** Names of its authors. */
   readonly authors: readonly string[];
   /** Where the terms stand. */
   readonly url?: string;

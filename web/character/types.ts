@@ -6,22 +6,31 @@ import type { GltfJson } from "./vrm_humanoid";
 
 /** A loaded VRM of three-vrm, by structure. */
 export interface VrmLike {
+  /** The object that is put into the scene. */
   readonly scene: Object3D;
+  /** The bones by their VRM names. */
   readonly humanoid: {
     autoUpdateHumanBones: boolean;
     getRawBoneNode(bone: string): Object3D | null;
     getNormalizedBoneNode(bone: string): Object3D | null;
   };
+  /** What the file says on its use. */
   readonly meta?: unknown;
+  /** What swings by itself. */
   readonly springBoneManager?: { reset(): void } | null;
+  /** Moves what swings. */
   update(dtSecs: number): void;
 }
 
 /** What three.js's `GLTFLoader` gives, by structure. */
 export interface GltfLike {
+  /** The object that is put into the scene. */
   readonly scene: Object3D;
+  /** The animations in the file. */
   readonly animations?: readonly AnimationClip[];
+  /** Where three-vrm leaves the VRM. */
   readonly userData?: Record<string, unknown>;
+  /** The file's JSON, and which object came of which node. */
   readonly parser: {
     readonly json: unknown;
     readonly associations: ReadonlyMap<unknown, { nodes?: number | undefined } | undefined>;
@@ -40,6 +49,7 @@ export interface BindOptions {
 
 /** A motion in a style, as the package's `StyledMotion` has it. */
 export interface StyledPoses {
+  /** Name of the motion. */
   readonly name: string;
   /** The body that the poses are on: 21 × xyz, metres. */
   readonly proportions: ArrayLike<number>;
@@ -59,9 +69,13 @@ export interface CharacterClipOptions {
 
 /** A motion in a file. It is read of the file's bones when it is asked for. */
 export interface CharacterMotion {
+  /** Its name in the file. */
   readonly name: string;
+  /** Its frames. */
   readonly frames: number;
+  /** Frames a second. */
   readonly rateHz: number;
+  /** Length, seconds. */
   readonly durationSecs: number;
   /** The body that it was made for, metres: 21 × xyz. */
   readonly proportions: Float32Array;
@@ -118,6 +132,7 @@ export interface Character {
    * @throws StrutError `licence` where the author forbids it, `bad-input` where the character has no file
    */
   toGLB(motion: StyledPoses): Uint8Array<ArrayBuffer>;
+  /** Frees it; what was in the scene is the caller's to take out. */
   dispose(): void;
 }
 

@@ -35,7 +35,9 @@ export interface RecordedMotion extends Recorded {
 
 /** The input frames from `first` to `last`, both of them included. */
 export interface FrameRange {
+  /** The first frame. */
   first: number;
+  /** The last frame. */
   last: number;
 }
 
@@ -55,6 +57,7 @@ export const MAX_PUSH_FRAMES = 4096;
 
 /** Something open, and what it takes. */
 export interface OpenMemory {
+  /** What it is. */
   kind: "database" | "motion" | "session" | "stylizer" | "atlas";
   /**
    * An estimate of its share of {@link MemoryInfo.wasmBytes}, with the bytes of a motion's file: what things of this kind

@@ -60,6 +60,7 @@ interface Opened {
   fault: unknown;
 }
 
+/** `<strut-player>`: a figure that moves in a style, live. */
 export class StrutPlayer extends ElementBase {
   static readonly observedAttributes: readonly string[] = ATTRIBUTE_NAMES;
 
@@ -235,6 +236,7 @@ export class StrutPlayer extends ElementBase {
     this.dispatchEvent(new Event("play"));
   }
 
+  /** Stops; the picture stays. */
   pause(): void {
     if (!this.#plays) return;
     this.#plays = false;

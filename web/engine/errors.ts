@@ -36,7 +36,9 @@ export interface ErrorParts {
 
 /** Every rejection of Strut's. */
 export class StrutError extends Error {
+  /** Always `StrutError`. */
   override readonly name = "StrutError";
+  /** What kind of error it is. */
   readonly code: StrutErrorCode;
   /** What to do about it, or empty. */
   readonly hint: string;

@@ -8,14 +8,21 @@
 
 /** A database that is open in the worker. */
 export interface DatabaseInfo {
+  /** Name of the file without its ending, or of the built-in database. */
   name: string;
+  /** Frames of all clips. */
   frames: number;
+  /** Frames a second of every clip. */
   rateHz: number;
+  /** Names of the actions. */
   actions: string[];
+  /** Names of the styles. */
   styles: string[];
+  /** Name of the neutral style. */
   neutral: string;
   /** Offset of each joint from its parent in the T-pose, metres: 21 × xyz; the first is the height of the hips. */
   proportions: Float32Array;
+  /** Every pair of an action and a style that has clips. */
   classes: { action: string; style: string; frames: number }[];
 }
 
@@ -25,6 +32,7 @@ export interface MotionFacts {
   frames: number;
   /** Frames a second of the file. */
   rateHz: number;
+  /** Length, seconds. */
   durationSecs: number;
   /** A sentence for people about the match of the skeletons; empty if there is nothing to say. */
   note: string;
@@ -54,6 +62,7 @@ export interface InputInfo {
 
 /** Parts of the body that may take styles of their own, in the engine's order (`transfer/body_part.rs`). */
 export const BODY_PARTS = ["head", "torso", "left_arm", "right_arm", "legs"] as const;
+/** A part of the body. */
 export type BodyPart = (typeof BODY_PARTS)[number];
 
 /** How the neighbours become a prediction (`transfer/options.rs`): the mixture of autoregressive models is the product. */
@@ -69,7 +78,9 @@ export type StyleWeights = Readonly<Record<string, number>>;
 
 /** The styles that a style track has reached at an input frame. */
 export interface StyleKey {
+  /** Input frame. */
   frame: number;
+  /** Styles of the whole body. */
   styles: StyleWeights;
 }
 
@@ -99,9 +110,11 @@ export interface StylizeOptions {
   timing: boolean;
   /** Whether planted feet are held. */
   footplant: boolean;
+  /** How neighbours become a prediction. */
   method: Method | TrainedMethod;
-  /** The action and the style that the input is known to be; empty where the engine is to read them from it. */
+  /** The action that the input is known to be; empty where the engine is to read it. */
   action: string;
+  /** The style that the input is known to have; empty where the engine is to read it. */
   inputStyle: string;
 }
 
@@ -129,8 +142,11 @@ export const DEFAULT_OPTIONS: Readonly<StylizeOptions> = {
 
 /** One class of the database and how much the engine reads the input as it. */
 export interface Reading {
+  /** Its action. */
   action: string;
+  /** Its style. */
   style: string;
+  /** How much of the prediction comes from it, 0–1. */
   weight: number;
 }
 
@@ -144,6 +160,7 @@ export interface Analysis {
   planted: Uint8Array;
   /** Weight of each class of the database in each frame. */
   classWeights: Float32Array;
+  /** Length of the output, seconds. */
   durationOutSecs: number;
 }
 
@@ -196,6 +213,8 @@ export interface Progress {
 
 /** Options of every call that may take long. */
 export interface CallOptions {
+  /** Cancels the call, which rejects with `cancelled` then. */
   signal?: AbortSignal;
+  /** Is told how far the call is. */
   onProgress?: (progress: Progress) => void;
 }

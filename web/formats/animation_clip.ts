@@ -5,15 +5,21 @@ import { type HumanoidAnimation, hipsPositions, jointRotations } from "./animati
 
 /** The part of three.js that makes clips, by structure: the module itself, `import * as THREE from "three"`, fits. */
 export interface ThreeLike<Clip, Track> {
+  /** Makes a clip. */
   AnimationClip: new (name: string, duration: number, tracks: Track[]) => Clip;
+  /** Makes a track of rotations. */
   QuaternionKeyframeTrack: new (name: string, times: ArrayLike<number>, values: ArrayLike<number>) => Track;
+  /** Makes a track of positions. */
   VectorKeyframeTrack: new (name: string, times: ArrayLike<number>, values: ArrayLike<number>) => Track;
 }
 
 /** A node of a rig, by structure: three.js's `Object3D` is one. */
 export interface RigNode {
+  /** Its name, by which tracks find it. */
   readonly name: string;
+  /** Its identity. */
   readonly uuid: string;
+  /** The nodes below it. */
   readonly children: readonly RigNode[];
 }
 

@@ -21,11 +21,17 @@ const rounded = (value: number): number => Number(value.toFixed(5));
 
 /** One frame, as `strut stylize --trace` names its fields. */
 export interface TraceFrame {
+  /** Number of the input frame, from 0. */
   frame: number;
+  /** Its time in the input, seconds. */
   time_in: number;
+  /** Its time in the output, seconds. */
   time_out: number;
+  /** Seconds since the frame before, in the output. */
   dt: number;
+  /** Weight of each class, by `action/style`; small ones are left out. */
   class_weights: Record<string, number>;
+  /** Whether the feet are held in place, 1 or 0. */
   planted: [left: number, right: number];
 }
 

@@ -37,6 +37,7 @@ export type Thread = "worker" | "blob" | "page" | "node";
 export interface Strut {
   /** Version of the package. */
   readonly version: string;
+  /** Where the engine runs. */
   readonly thread: Thread;
   /** Is called after a fault, with a sentence: another engine has taken the place, and all that was open is open again. */
   onrestart: ((message: string) => void) | undefined;
@@ -105,9 +106,11 @@ export interface Strut {
 
 /** An open database. */
 export interface Database {
+  /** What it holds. */
   readonly info: DatabaseInfo;
   /** The `.strutdb` file. @throws StrutError `bad-input` for the built-in motions, which are none */
   toFile(): Promise<Blob>;
+  /** Closes it. */
   dispose(): void;
 }
 
@@ -119,11 +122,13 @@ export interface Motion {
   readonly frames: number;
   /** Frames a second of the file. */
   readonly rateHz: number;
+  /** Length, seconds. */
   readonly durationSecs: number;
   /** A sentence for people about the match of the skeletons; empty if there is nothing to say. */
   readonly note: string;
   /** The motion on the body and at the rate of a database: 87 numbers a frame. */
   poses(database: Database, call?: CallOptions): Promise<Float32Array>;
+  /** Closes it. */
   dispose(): void;
 }
 
@@ -166,6 +171,7 @@ export interface LiveStylizer {
   push(poses: Float32Array): Promise<Styled>;
   /** Restarts at the next pose, as after a cut. */
   reset(): void;
+  /** Closes it. */
   dispose(): void;
 }
 

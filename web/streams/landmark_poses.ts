@@ -6,8 +6,11 @@ export const LANDMARKS = 33;
 
 /** A point of the body, metres about the middle of the hips: x to the right of the picture, y down, z away from the camera. */
 export interface Landmark {
+  /** To the right of the picture. */
   readonly x: number;
+  /** Down. */
   readonly y: number;
+  /** Away from the camera. */
   readonly z: number;
   /** From 0, hidden, to 1; a limb with a point below 0.5 keeps its pose. Without it the point is seen. */
   readonly visibility?: number;
@@ -16,6 +19,7 @@ export interface Landmark {
 /** Is called with the landmarks of every picture, and when it was taken, seconds. */
 export type OnLandmarks = (landmarks: readonly Landmark[], secs: number) => void;
 
+/** Options of `landmarkPoses`. */
 export interface LandmarkOptions {
   /** Whether the tracker sees a mirrored picture. */
   readonly mirrored?: boolean;

@@ -36,6 +36,7 @@ export interface Live {
   close(): void;
 }
 
+/** A recording that goes on. */
 export interface LiveRecorder {
   /** Ends the recording, and gives it. */
   stop(): LiveRecording;
@@ -43,11 +44,15 @@ export interface LiveRecorder {
 
 /** What was shown, on the body of the database and at its rate; 87 numbers a frame. */
 export interface LiveRecording {
+  /** How many there are. */
   readonly frames: number;
+  /** The styled poses. */
   readonly poses: Float32Array;
+  /** The performer's poses. */
   readonly inputPoses: Float32Array;
-  /** Texts of BVH files. */
+  /** The text of a BVH file of the styled poses. */
   toBVH(): string;
+  /** The text of a BVH file of the performer's poses. */
   inputToBVH(): string;
 }
 

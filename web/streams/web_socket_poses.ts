@@ -3,6 +3,7 @@ import { type ErrorParts, StrutError } from "../engine/errors";
 import { MAX_MESSAGE_BYTES, type Message, readBinary, readBvh, readJson } from "./messages";
 import type { PoseSink, PoseSource } from "./pose_source";
 
+/** All formats of messages. */
 export const STREAM_FORMATS = ["json", "binary", "bvh"] as const;
 /** How messages are written; see `docs/live.md`. */
 export type StreamFormat = (typeof STREAM_FORMATS)[number];
@@ -14,7 +15,9 @@ export type SocketState =
   /** It failed, or ended, and is tried again after so many seconds. */
   | { readonly kind: "waiting"; readonly secs: number };
 
+/** Options of `webSocketPoses`. */
 export interface WebSocketOptions {
+  /** How the sender writes messages. */
   readonly format: StreamFormat;
   /** Is told how the connection stands. */
   readonly onState?: ((state: SocketState) => void) | undefined;

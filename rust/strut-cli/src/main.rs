@@ -25,6 +25,7 @@ mod manners;
 mod model;
 mod print;
 mod progress;
+mod reference;
 mod style_args;
 mod stylize;
 mod stylize_batch;
@@ -32,7 +33,7 @@ mod train_key_style;
 mod train_walk;
 mod walk;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use failure::Outcome;
 use std::io::Write;
 use std::process::ExitCode;
@@ -62,6 +63,9 @@ enum Command {
     TrainKeyStyle(train_key_style::Args),
     KeyStyle(key_style::Args),
     EvaluateKeyStyle(evaluate_key_style::Args),
+    /// Print every command and option as JSON
+    #[command(hide = true)]
+    Reference,
 }
 
 fn run(args: Args) -> Outcome {
@@ -82,6 +86,7 @@ fn run(args: Args) -> Outcome {
         Command::TrainKeyStyle(args) => train_key_style::run(&args),
         Command::KeyStyle(args) => key_style::run(&args),
         Command::EvaluateKeyStyle(args) => evaluate_key_style::run(&args),
+        Command::Reference => reference::run(&mut Args::command()),
     }
 }
 

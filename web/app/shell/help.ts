@@ -31,7 +31,13 @@ export class Help {
       html("h3", {}, strings.play.help.crowdHeading),
       list(strings.play.help.crowd),
       html("p", { class: "caption" }, strings.play.help.drop),
-      html("p", { class: "caption" }, html("a", { href: "notices.txt" }, strings.play.help.notices)),
+      html(
+        "p",
+        { class: "caption" },
+        html("a", { href: "docs/index.html" }, strings.play.help.manual),
+        " · ",
+        html("a", { href: "notices.txt" }, strings.play.help.notices),
+      ),
     );
   }
 

@@ -8,15 +8,18 @@ type Raw = InstanceType<LiveGlue["Stream"]>;
 
 /** What is shown, in the order of `Stream.advance` of `rust/strut-wasm-live/src/stream.rs`. */
 export const PLAYS = ["nothing", "sent", "continued", "held", "lost"] as const;
+/** What is shown in a frame. */
 export type Play = (typeof PLAYS)[number];
 
 /** How a stream goes. */
 export interface BufferStats {
-  /** How long frames wait, and the time between two of them, seconds. */
+  /** How long frames wait, seconds. */
   delaySecs: number;
+  /** Time between two frames, seconds. */
   periodSecs: number;
-  /** Frames that were taken, and those of them that came after their time. */
+  /** Frames that were taken. */
   taken: number;
+  /** Those of them that came after their time. */
   late: number;
   /** Frames of the same time as another, or beyond 240 a second. */
   dropped: number;

@@ -12,6 +12,7 @@ export type StreamSkeleton =
 
 /** Joints, each behind its parent, in the pose in which all rotations are the identity. */
 export interface StreamJoints {
+  /** Names of the joints. */
   readonly names: readonly string[];
   /** Index of each joint's parent; −1 for joint 0. */
   readonly parents: readonly number[];

@@ -1,7 +1,7 @@
 //! The database file, `.strutdb`: a [container](crate::container).
 //!
-//! Tensors, little-endian; N frames of all clips, D = [`DOFS`] degrees of freedom, J = [`JOINTS`] joints,
-//! S styles, M ≤ 8 counterparts:
+//! Tensors, little-endian; N frames of all clips, D = 67 degrees of freedom ([`DOFS`]), J = 21 joints ([`JOINTS`]),
+//! S styles, M ≤ 8 counterparts, W windows, L = 3900 numbers of a basis ([`Plan::BASIS_LENGTH`]):
 //!
 //! | Name | Shape | Type | Content |
 //! | --- | --- | --- | --- |

@@ -211,6 +211,7 @@ export const play = {
       ["→", "one moment on, while it rests"],
     ] as readonly (readonly [keys: string, does: string])[],
     drop: "Drop a BVH anywhere to style it, or a character (GLB, VRM, FBX) to have it perform. Knobs turn by dragging up and down; type a number for an exact value.",
+    manual: "Documentation",
     notices: "Licences of the software in this page",
   },
 };

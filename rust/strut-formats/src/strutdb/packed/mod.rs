@@ -6,7 +6,7 @@
 //! | Bytes | Content |
 //! | --- | --- |
 //! | 8 | [`MAGIC`]; its last character is the version |
-//! | | header, as `header.rs` says |
+//! | | header, see below |
 //! | | inputs: for each its poses by columns, root x y z in metres, then the rotation vectors of the joints, [`STEP`] |
 //! | | `pose` of the database by columns, [`STEP`] |
 //! | | `canonical_time`, [`TIME_STEP`]; `time_step`, [`DURATION_STEP`]; `contact` by columns, 1 |

@@ -1,0 +1,79 @@
+// What is generated and committed: the pages of the reference, and the code blocks that come from examples.
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { readTables } from "../element_manifest.mjs";
+import { output, root, Sentence } from "../steps.mjs";
+import { withExamples } from "./examples.mjs";
+import { commandLinePage } from "./reference/command_line.mjs";
+import { elementPage } from "./reference/element.mjs";
+import { errorsPage } from "./reference/errors.mjs";
+import { filesPage } from "./reference/files.mjs";
+import { javascriptPage } from "./reference/javascript.mjs";
+import { pythonPage } from "./reference/python.mjs";
+
+const REFERENCE = "docs/reference/";
+const NOTE = "<!-- Written by `npm run docs`; changes here are lost. -->\n\n";
+
+/** The pages of the reference by their files, with what each is made of. @param command the path of `strut` */
+function pages(command) {
+  return {
+    "command-line.md": async () => {
+      const printed = await output(command, ["reference"]);
+      if (printed === undefined) throw new Sentence(`${command} does not print its reference.`);
+      return commandLinePage(JSON.parse(printed));
+    },
+    "python.md": pythonPage,
+    "javascript.md": javascriptPage,
+    "strut-player.md": async () => elementPage(await readTables()),
+    "errors.md": errorsPage,
+    "files.md": filesPage,
+  };
+}
+
+/** Markdown that people write: what may hold code blocks. */
+function writtenFiles() {
+  const inDocs = readdirSync(join(root, "docs"), { recursive: true })
+    .filter((name) => name.endsWith(".md") && !`docs/${name}`.startsWith(REFERENCE))
+    .map((name) => `docs/${name}`);
+  const others = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/README.md", "web/package/README.md"];
+  return [...others, ...inDocs.sort()];
+}
+
+/**
+ * Everything that is generated, as it should be.
+ * @returns `files`, texts by their paths in the repository, and `faults` of code blocks
+ */
+async function generate(command) {
+  const files = new Map();
+  for (const [name, make] of Object.entries(pages(command))) files.set(`${REFERENCE}${name}`, withNote(await make()));
+  const faults = [];
+  for (const file of writtenFiles()) {
+    const { text, faults: found } = withExamples(readFileSync(join(root, file), "utf8"), file);
+    files.set(file, text);
+    faults.push(...found);
+  }
+  return { files, faults };
+}
+
+/** A page with a note for those who read its source, below the title. */
+const withNote = (markdown) => markdown.replace(/^(# .*\n\n)/, `$1${NOTE}`);
+
+const isCommitted = (file, text) => existsSync(join(root, file)) && readFileSync(join(root, file), "utf8") === text;
+
+/** Brings the generated texts up to date; says which changed. */
+export async function writeGenerated(command) {
+  const { files, faults } = await generate(command);
+  if (faults.length > 0) throw new Sentence(`code blocks are untested:\n  ${faults.join("\n  ")}`);
+  const changed = [...files].filter(([file, text]) => !isCommitted(file, text));
+  for (const [file, text] of changed) writeFileSync(join(root, file), text);
+  return changed.map(([file]) => file).join(", ");
+}
+
+/** Sentences about what is not as it should be. */
+export async function generatedFaults(command) {
+  const { files, faults } = await generate(command);
+  const stale = [...files]
+    .filter(([file, text]) => !isCommitted(file, text))
+    .map(([file]) => `${file} is not as 'npm run docs' writes it`);
+  return [...stale, ...faults];
+}

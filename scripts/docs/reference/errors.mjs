@@ -1,0 +1,102 @@
+// The reference of error codes, from JavaScript's list and from Rust, which must agree.
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { root, Sentence } from "../../steps.mjs";
+import { rustSource } from "./rust_docs.mjs";
+
+const ERRORS = join(root, "web", "engine", "errors.ts");
+
+/** The codes of JavaScript's errors, each with its description. */
+function codesOfJavaScript() {
+  const source = readFileSync(ERRORS, "utf8");
+  const documented = new Map(
+    [...source.matchAll(/^ \* - `([a-z-]+)`: (.*?)[;.]$/gm)].map(([, code, meaning]) => [
+      code,
+      meaning.replaceAll("`", "`"),
+    ]),
+  );
+  const type = /type StrutErrorCode =([^;]*);/.exec(source)[1];
+  const codes = [...type.matchAll(/"([a-z-]+)"/g)].map(([, code]) => code);
+  const faults = [
+    ...codes
+      .filter((code) => !documented.has(code))
+      .map((code) => `${code} has no description in web/engine/errors.ts`),
+    ...[...documented.keys()]
+      .filter((code) => !codes.includes(code))
+      .map((code) => `${code} is described in web/engine/errors.ts and is no code`),
+  ];
+  return { documented, codes, faults };
+}
+
+/** The codes that the engine's WebAssembly packages give to JavaScript. */
+function codesOfWasm() {
+  const folders = readdirSync(join(root, "rust")).filter((name) => name.startsWith("strut-wasm"));
+  const codes = folders.flatMap((folder) =>
+    readdirSync(join(root, "rust", folder, "src"), { recursive: true })
+      .filter((name) => name.endsWith(".rs"))
+      .flatMap((name) =>
+        [...rustSource(join(folder, "src", name)).matchAll(/code: "([a-z-]+)"/g)].map(([, code]) => code),
+      ),
+  );
+  return [...new Set(codes)];
+}
+
+/** The codes of tasks: in manifests and in Python. */
+function codesOfTasks() {
+  const body = /pub fn name\(self\)[^{]*\{([\s\S]*?)\n {4}\}/.exec(rustSource("strut-tasks/src/error.rs"))[1];
+  return [...new Set([...body.matchAll(/=> "([a-z-]+)"/g)].map(([, code]) => code))];
+}
+
+/** The codes that Python's exception is declared with. */
+function codesOfPython() {
+  const source = readFileSync(join(root, "rust", "strut-python", "python", "strut", "_errors.py"), "utf8");
+  return [.../code: Literal\[([^\]]*)\]/.exec(source)[1].matchAll(/"([a-z-]+)"/g)].map(([, code]) => code);
+}
+
+/** The page, as Markdown. Throws a sentence where the lists do not agree. */
+export function errorsPage() {
+  const { documented, codes, faults } = codesOfJavaScript();
+  const [wasm, tasks, python] = [codesOfWasm(), codesOfTasks(), codesOfPython()];
+  const unknown = [
+    ...wasm
+      .filter((code) => !codes.includes(code))
+      .map((code) => `WebAssembly gives ${code}, which web/engine/errors.ts lacks`),
+    // What the system cannot read or write is an OSError in Python, and has no file in JavaScript.
+    ...tasks
+      .filter((code) => code !== "io" && !codes.includes(code))
+      .map((code) => `tasks give ${code}, which web/engine/errors.ts lacks`),
+    ...tasks
+      .filter((code) => code !== "io" && !python.includes(code))
+      .map((code) => `tasks give ${code}, which Python's StrutError lacks`),
+    ...python
+      .filter((code) => !tasks.includes(code))
+      .map((code) => `Python's StrutError declares ${code}, which no task gives`),
+  ];
+  if (faults.length + unknown.length > 0)
+    throw new Sentence(`error codes do not agree:\n  ${[...faults, ...unknown].join("\n  ")}`);
+  const meaning = (code) =>
+    code === "io" ? "the system could not read or write; an `OSError` in Python" : documented.get(code);
+  const mark = (list, code) => (list.includes(code) ? "yes" : "");
+  const rows = [...codes, "io"].map(
+    (code) =>
+      `| \`${code}\` | ${meaning(code)} | ${mark(codes, code)} | ${mark(python, code)} | ${mark(tasks, code)} |`,
+  );
+  return `# Errors
+
+Every error has a code for programs and a sentence for people, which says what was expected. A hint says what to do, where there is
+something to do.
+
+| Code | Meaning | JavaScript | Python | Manifests of batches |
+| --- | --- | --- | --- | --- |
+${rows.join("\n")}
+
+## In each language
+
+| | An error is |
+| --- | --- |
+| JavaScript | a \`StrutError\` with \`code\`, \`message\` and \`hint\`; calls reject with it |
+| Python | a \`strut.StrutError\` with \`code\`, \`message\` and \`hint\`; \`OSError\` where the system cannot read or write |
+| Command line | \`error: \` and the sentence on the standard error; exit code 1, or 2 for wrong usage |
+| Batches | \`status\`, \`code\` and \`message\` of a line of the manifest |
+`;
+}

@@ -1,0 +1,148 @@
+// The reference of the Python package, from its stubs and sources; what the compiled part says of itself is in Rust's comments.
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { root, Sentence } from "../../steps.mjs";
+import { declarationsOf } from "./python_stub.mjs";
+import { docBefore, rustSource } from "./rust_docs.mjs";
+
+const PACKAGE = join(root, "rust", "strut-python", "python", "strut");
+const SOURCES = join("strut-python", "src");
+
+/** Doc comments of what PyO3 exports, by `Class`, `Class.method` and `function`. */
+export function compiledDocs() {
+  const docs = new Map();
+  for (const file of readdirSync(join(root, "rust", SOURCES)).filter((name) => name.endsWith(".rs"))) {
+    const source = rustSource(join(SOURCES, file));
+    for (const match of source.matchAll(/^(?:pub(?:\(crate\))? )?struct (\w+)/gm))
+      docs.set(match[1], docBefore(source, match.index));
+    for (const match of source.matchAll(/^(?:pub(?:\(crate\))? )?fn (\w+)/gm))
+      docs.set(match[1], docBefore(source, match.index));
+    for (const block of source.matchAll(/^#\[pymethods\]\nimpl (\w+) \{([\s\S]*?)^\}/gm))
+      for (const match of block[2].matchAll(/^ {4}(?:pub(?:\(crate\))? )?fn (\w+)/gm))
+        docs.set(`${block[1]}.${match[1]}`, docBefore(block[2], match.index + 4));
+  }
+  return docs;
+}
+
+/** The names that a module exports. */
+function exportedBy(source) {
+  const list = /__all__ = \[([\s\S]*?)\]/.exec(source)?.[1] ?? "";
+  return [...list.matchAll(/"(\w+)"/g)].map(([, name]) => name);
+}
+
+/** All that the package declares, by name; a stub goes before the sources. */
+function declarations() {
+  const found = new Map();
+  const files = readdirSync(PACKAGE).filter((name) => /\.pyi?$/.test(name) && name !== "__init__.py");
+  for (const file of files.sort((a, b) => Number(a.endsWith(".pyi")) - Number(b.endsWith(".pyi"))))
+    for (const declaration of declarationsOf(readFileSync(join(PACKAGE, file), "utf8")))
+      if (!found.has(declaration.name) || file.endsWith(".pyi")) found.set(declaration.name, declaration);
+  return found;
+}
+
+/** The page, as Markdown. Throws a sentence where something public has no description. */
+export function pythonPage() {
+  const all = declarations();
+  const docs = compiledDocs();
+  const undocumented = [];
+  const describe = (path, declaration) => {
+    const doc = declaration.doc || docs.get(path) || "";
+    if (doc === "") undocumented.push(path);
+    return markdownOf(doc);
+  };
+  const modules = [{ name: "strut", file: "__init__.py" }, ...submodules()];
+  const sections = modules.map(({ name, file }) => {
+    const source = readFileSync(join(PACKAGE, file), "utf8");
+    const names = exportedBy(source).filter((each) => !modules.some((module) => module.name === `strut.${each}`));
+    const entries = names.map((each) => {
+      const declaration = all.get(each);
+      if (!declaration) throw new Sentence(`the Python package exports ${each}, which no source of it declares.`);
+      return entry(`${name}.${each}`, declaration, describe);
+    });
+    const intro =
+      /^"""([\s\S]*?)"""/
+        .exec(source)?.[1]
+        .replace(/^>>> .*$/gm, "")
+        .trim() ?? "";
+    return `## ${name}\n\n${intro}\n\n${entries.join("\n\n")}`;
+  });
+  if (undocumented.length > 0)
+    throw new Sentence(`these names of the Python package have no description: ${undocumented.join(", ")}.`);
+  return `# Python
+
+The package \`strut-motion\`, imported as \`strut\`. [The guide](../python.md) has examples. Types are those of its stubs.
+
+${sections.join("\n\n")}
+`;
+}
+
+/** Public modules beside the package itself. */
+function submodules() {
+  const files = readdirSync(PACKAGE).filter((name) => /^[a-z]\w*\.py$/.test(name));
+  return files.sort().map((file) => ({ name: `strut.${file.replace(/\.py$/, "")}`, file }));
+}
+
+/** Docstrings have backticks and paragraphs; lines of dialogue with the interpreter are left out. */
+const markdownOf = (doc) => doc.replace(/^>>> .*$/gm, "").trim();
+
+const isPublic = ({ name }) => !name.startsWith("_");
+
+function entry(path, declaration, describe) {
+  const { name } = declaration;
+  const lines = [`### ${path}`];
+  if (declaration.kind === "class") {
+    const maker = declaration.members.find((member) => ["__new__", "__init__"].includes(member.name));
+    if (maker) lines.push(signature(name, maker.signature.replace(/ -> \w+$/, "")));
+    lines.push(describe(name, declaration));
+    const members = declaration.members.filter(isPublic);
+    const attributes = members.filter(({ kind }) => kind !== "function");
+    if (attributes.length > 0) lines.push(attributeTable(name, attributes, describe));
+    for (const method of members.filter(({ kind }) => kind === "function"))
+      lines.push(
+        `#### ${name}.${method.name}`,
+        signature(`${name}.${method.name}`, method.signature),
+        describe(`${name}.${method.name}`, method),
+      );
+  } else lines.push(signature(name, declaration.signature), describe(name, declaration));
+  return lines.filter((line) => line !== "").join("\n\n");
+}
+
+/** A call with its arguments, a line each where they are many; `self` is not typed. */
+function signature(name, text) {
+  const plain = `${name}${text.replace(/\((?:self|cls)(?:, )?/, "(")}`;
+  if (plain.length <= 100) return `\`\`\`python\n${plain}\n\`\`\``;
+  const [, before, inner, after] = /^([^(]*\()(.*)(\).*)$/.exec(plain);
+  return `\`\`\`python\n${before}\n${splitArguments(inner)
+    .map((each) => `    ${each},`)
+    .join("\n")}\n${after}\n\`\`\``;
+}
+
+/** Arguments at the commas that no bracket holds. */
+function splitArguments(text) {
+  const parts = [""];
+  let depth = 0;
+  for (const character of text) {
+    if ("([{".includes(character)) depth += 1;
+    if (")]}".includes(character)) depth -= 1;
+    if (character === "," && depth === 0) parts.push("");
+    else parts[parts.length - 1] += character;
+  }
+  return parts.map((part) => part.trim()).filter(Boolean);
+}
+
+/** The options of styling are those of the command, which describes them. */
+function attributeTable(name, attributes, describe) {
+  const isOptions = name === "Options";
+  const rows = attributes.map((attribute) => {
+    const doc = isOptions
+      ? ""
+      : ` ${describe(`${name}.${attribute.name}`, attribute)
+          .replace(/\s*\n\s*/g, " ")
+          .replaceAll("|", "\\|")} |`;
+    return `| \`${attribute.name}\` | \`${attribute.signature.replaceAll("|", "\\|")}\` |${doc}`;
+  });
+  const [header, rule] = isOptions
+    ? ["| Name | Type |", "| --- | --- |"]
+    : ["| Name | Type | |", "| --- | --- | --- |"];
+  return [header, rule, ...rows].join("\n");
+}

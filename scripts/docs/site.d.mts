@@ -1,0 +1,4 @@
+/** The folder of the documentation site. */
+export const OUT: string;
+/** Writes the site; says how many pages it has. */
+export function writeDocs(): Promise<string>;

@@ -1,0 +1,76 @@
+// The examples that the documentation shows: each is run as it stands.
+import { execFileSync } from "node:child_process";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { buildPrograms, COMMAND } from "../programs";
+import { root } from "../recordings";
+
+const EXAMPLES = join(root, "examples");
+/** Where `scripts/python.mjs` installed the Python package. */
+const PYTHON = join(root, "rust", "target", "python", "venv", "bin", "python");
+
+let folder: string;
+const path = () => `${dirname(COMMAND)}:${process.env.PATH}`;
+const run = (program: string, ...args: string[]) =>
+  execFileSync(program, args, { cwd: folder, encoding: "utf8", env: { ...process.env, PATH: path() } });
+const script = (name: string) => run("sh", join(EXAMPLES, "cli", name));
+const frames = (name: string) => Number(/^Frames: (\d+)/m.exec(readFileSync(join(folder, name), "utf8"))![1]);
+
+beforeAll(() => {
+  buildPrograms();
+  folder = mkdtempSync(join(tmpdir(), "strut-examples-"));
+  mkdirSync(join(folder, "node_modules"));
+  symlinkSync(join(root, "dist", "package"), join(folder, "node_modules", "strut-motion"));
+  expect(script("first_steps.sh")).toContain("walk-proud.bvh");
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+test("a database and clips are written, and one is styled", () => {
+  expect(frames("walk-proud.bvh")).toBe(frames("clips/walk_neutral_001.bvh"));
+});
+
+test("walks are synthesised from a model that was trained", () => {
+  script("walk.sh");
+  expect(frames("walk.bvh")).toBeGreaterThan(60);
+});
+
+test("a motion goes through keys", () => {
+  script("key_style.sh");
+  expect(frames("keyed.bvh")).toBeGreaterThan(20);
+});
+
+test("a database gets another style, and one is built of clips", () => {
+  expect(script("own_styles.sh")).toContain("tired");
+  expect(existsSync(join(folder, "walk-old.bvh"))).toBe(true);
+});
+
+test("many files are styled, in mixtures, by parts and along a path", () => {
+  script("many_files.sh");
+  for (const name of [
+    "old/walk_neutral_001.bvh",
+    "old/run_neutral_001.bvh",
+    "mixed.bvh",
+    "parts.bvh",
+    "old.jsonl",
+    "along.bvh",
+  ])
+    expect(existsSync(join(folder, name)), name).toBe(true);
+});
+
+test("the package styles a walk in Node", () => {
+  cpSync(join(EXAMPLES, "js", "first_style.mjs"), join(folder, "first_style.mjs"));
+  rmSync(join(folder, "walk-proud.bvh"));
+  run(process.execPath, "first_style.mjs");
+  expect(frames("walk-proud.bvh")).toBeGreaterThan(60);
+});
+
+test.skipIf(!existsSync(PYTHON) && process.env.STRUT_PYTHON !== "required")(
+  "the package styles a walk in Python",
+  () => {
+    rmSync(join(folder, "walk-proud.bvh"), { force: true });
+    expect(run(PYTHON, join(EXAMPLES, "python", "first_style.py"))).toMatch(/^\(\d+, 87\) \d/);
+    expect(frames("walk-proud.bvh")).toBe(frames("clips/walk_neutral_001.bvh"));
+  },
+);

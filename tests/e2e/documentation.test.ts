@@ -1,0 +1,126 @@
+// Every page of the documentation in Chromium, from a nested folder and without a network.
+import { mkdirSync, mkdtempSync, readdirSync, rmSync, symlinkSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import type { Browser, Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { OUT, writeDocs } from "../../scripts/docs/site.mjs";
+import type { StrutPlayer } from "../../web/element";
+import { serveFolder } from "../package/server";
+import { root } from "../recordings";
+import { axeFaults } from "./axe";
+import { eventually, launchBrowser, screenshot } from "./browser";
+
+let browser: Browser;
+let folder: string;
+let server: Awaited<ReturnType<typeof serveFolder>>;
+/** Where the documentation is served. */
+let site: string;
+
+beforeAll(async () => {
+  await writeDocs();
+  folder = mkdtempSync(join(tmpdir(), "strut-site-"));
+  mkdirSync(join(folder, "a"));
+  symlinkSync(join(root, "dist"), join(folder, "a", "b"));
+  server = await serveFolder(folder);
+  site = `${server.url}/a/b/docs/`;
+  browser = await launchBrowser();
+}, 900_000);
+afterAll(async () => {
+  await browser.close();
+  await server.close();
+  rmSync(folder, { recursive: true });
+});
+
+const pages = () => readdirSync(OUT, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".html"));
+
+/** A page whose complaints are kept, and which reaches nothing but the site. */
+async function openOffline(theme: "dark" | "light", width: number): Promise<{ page: Page; complaints: string[] }> {
+  const context = await browser.newContext({
+    viewport: { width, height: 844 },
+    colorScheme: theme,
+    deviceScaleFactor: 0.5,
+  });
+  const complaints: string[] = [];
+  await context.route(
+    (url) => url.protocol.startsWith("http") && url.origin !== server.url,
+    (route) => {
+      complaints.push(`asks for ${route.request().url()}`);
+      return route.abort();
+    },
+  );
+  const page = await context.newPage();
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("console", (line) => {
+    if (["error", "warning"].includes(line.type())) complaints.push(`${line.text()} (${line.location().url})`);
+  });
+  return { page, complaints };
+}
+
+test("every page is readable by everybody, in either theme, and complains of nothing", async () => {
+  const { page, complaints } = await openOffline("light", 1280);
+  const faults: string[] = [];
+  // Figures have tests of their own.
+  await page.route("**/{strut-player,strut-figure}.js", (route) =>
+    route.fulfill({ contentType: "text/javascript", body: "" }),
+  );
+  for (const name of pages()) {
+    await page.goto(`${site}${name}`);
+    for (const theme of ["light", "dark"] as const) {
+      await page.evaluate((chosen) => {
+        document.documentElement.dataset.theme = chosen;
+      }, theme);
+      faults.push(...(await axeFaults(page)).map((fault) => `${name}, ${theme}: ${fault}`));
+    }
+    faults.push(...complaints.splice(0).map((complaint) => `${name}: ${complaint}`));
+  }
+  await page.context().close();
+  expect(faults).toEqual([]);
+});
+
+test("players and figures on pages are alive", async () => {
+  const { page, complaints } = await openOffline("dark", 1280);
+  await page.goto(`${site}index.html`);
+  await page.locator("strut-player").evaluate((player) => (player as StrutPlayer).ready);
+  await screenshot(page, "documentation-player");
+  for (const name of ["style-transfer", "walk-synthesis", "key-styling"]) {
+    await page.goto(`${site}concepts/${name}.html`);
+    const figure = page.locator("strut-figure");
+    await figure.scrollIntoViewIfNeeded();
+    await eventually(() => figure.evaluate((element) => element.shadowRoot?.querySelector("svg, canvas") !== null));
+  }
+  await page.context().close();
+  expect(complaints).toEqual([]);
+});
+
+test("the search finds an option, by keys alone, and a page from a disk is whole", async () => {
+  const { page, complaints } = await openOffline("light", 1280);
+  for (const address of [site, `${pathToFileURL(OUT)}/`]) {
+    await page.goto(`${address}get-started.html`);
+    await page.keyboard.press("/");
+    await page.keyboard.type("input-style");
+    await page.locator(".results a").first().waitFor();
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("Enter");
+    await page.waitForURL(/#/);
+    expect(await page.locator("main").textContent()).toContain("input-style");
+  }
+  await page.context().close();
+  expect(complaints).toEqual([]);
+});
+
+test("on a phone the map opens and leads on, and no page is wider than the screen", async () => {
+  const { page } = await openOffline("light", 390);
+  await page.goto(`${site}get-started.html`);
+  await page.getByRole("button", { name: "Pages" }).click();
+  await page.locator("#map").getByRole("link", { name: "Glossary" }).click();
+  await page.waitForURL(/glossary/);
+  const wide: string[] = [];
+  for (const name of pages()) {
+    await page.goto(`${site}${name}`);
+    if (await page.evaluate(() => document.documentElement.scrollWidth > innerWidth)) wide.push(name);
+  }
+  await page.context().close();
+  expect(wide).toEqual([]);
+});
