@@ -70,6 +70,7 @@ const SECTIONS = [
     pages: [
       "glossary.md",
       "ARCHITECTURE.md",
+      "releases.md",
       { path: "../CONTRIBUTING.md", out: "contributing.html" },
       { path: "../CHANGELOG.md", out: "changelog.html" },
     ],

@@ -46,12 +46,12 @@ md.renderer.rules.fence = (tokens, index) => {
   return codeBlock(content, language);
 };
 md.renderer.rules.code_block = (tokens, index) => codeBlock(tokens[index].content, "text");
-md.renderer.rules.table_open = () => '<div class="table" role="region" aria-label="Table" tabindex="0"><table>\n';
+md.renderer.rules.table_open = () => '<div class="table wide"><table>\n';
 md.renderer.rules.table_close = () => "</table></div>\n";
 
-/** A block of code; it takes the focus, as it may be wider than the page. */
+/** A block of code; it may be wider than the page. */
 export function codeBlock(code, language) {
-  return `<pre tabindex="0"><code>${highlight(code.replace(/\n$/, ""), language)}</code></pre>\n`;
+  return `<pre class="wide"><code>${highlight(code.replace(/\n$/, ""), language)}</code></pre>\n`;
 }
 
 /** The text of an inline token, as it is read. */

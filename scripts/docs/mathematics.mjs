@@ -13,7 +13,7 @@ export function mathematics(md) {
   md.renderer.rules.formula = (tokens, index) => {
     const { content, block } = tokens[index];
     const markup = renderFormula(content, block);
-    return block ? `<div class="formula" tabindex="0">${markup}</div>\n` : markup;
+    return block ? `<div class="formula wide">${markup}</div>\n` : markup;
   };
 }
 

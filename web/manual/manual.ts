@@ -59,6 +59,17 @@ function bindSearch(field: HTMLInputElement): void {
   });
 }
 
+/** What is wider than the page can be scrolled by keys, too. */
+function bindWide(elements: Iterable<Element>): void {
+  const observer = new ResizeObserver((entries) => {
+    for (const { target } of entries)
+      if (target.scrollWidth > target.clientWidth) target.setAttribute("tabindex", "0");
+      else target.removeAttribute("tabindex");
+  });
+  for (const element of elements) observer.observe(element);
+}
+
+bindWide(document.querySelectorAll(".wide"));
 bindTheme(document.querySelector<HTMLElement>(".theme")!);
 bindSearch(document.querySelector<HTMLInputElement>("#search")!);
 document.querySelector("#map [aria-current]")?.scrollIntoView({ block: "nearest" });

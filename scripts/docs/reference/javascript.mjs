@@ -130,14 +130,21 @@ function memberSections(name, declaration, undocumented) {
   return [...table, ...methods];
 }
 
-/** Kinds of declarations in the order in which they are described. */
+/** Kinds of declarations in the order in which they are described; what has methods goes before plain data. */
 const KINDS = [
   "FunctionDeclaration",
   "ClassDeclaration",
+  "handle",
   "TSInterfaceDeclaration",
   "TSTypeAliasDeclaration",
   "VariableDeclarator",
 ];
+
+function rankOf(declaration) {
+  const { type } = declaration.node;
+  const isHandle = type === "TSInterfaceDeclaration" && membersOf(declaration).some(({ member }) => isMethod(member));
+  return KINDS.indexOf(isHandle ? "handle" : type);
+}
 
 function entry(name, declaration, undocumented) {
   const { node, start, source, overloads } = declaration;
@@ -167,7 +174,7 @@ export function javascriptPage() {
     const fresh = exported.filter(([each, { file: from }]) => described.get(each) !== from);
     for (const [each, { file: from }] of fresh) described.set(each, from);
     // Functions first: they are where one begins.
-    fresh.sort(([, a], [, b]) => KINDS.indexOf(a.node.type) - KINDS.indexOf(b.node.type));
+    fresh.sort(([, a], [, b]) => rankOf(a) - rankOf(b));
     const also = again.map(([each]) => `[\`${each}\`](#${each.toLowerCase()})`).join(", ");
     return [
       `## ${name}`,
