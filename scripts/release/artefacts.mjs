@@ -56,7 +56,10 @@ async function maturin() {
   const requirements = join(root, "scripts", "release", "requirements.txt");
   await setupEnvironment(python, { environment, requirements, label: "Installing what wheels are built with" });
   const rust = await setupRust();
-  return { program: programIn(environment, "maturin"), env: { ...rust, PATH: `${join(environment, "bin")}:${rust.PATH}` } };
+  return {
+    program: programIn(environment, "maturin"),
+    env: { ...rust, PATH: `${join(environment, "bin")}:${rust.PATH}` },
+  };
 }
 
 /**

@@ -14,9 +14,20 @@ const STYLE = "proud";
 const WEIGHT = 0.7;
 const TARBALL = /^strut-\d.*\.tar\.gz$/;
 
-const run = (program, args, options = {}) => execFileSync(program, args, { stdio: ["ignore", "ignore", "inherit"], ...options });
+const run = (program, args, options = {}) =>
+  execFileSync(program, args, { stdio: ["ignore", "ignore", "inherit"], ...options });
 const digest = (file) => createHash("sha256").update(readFileSync(file)).digest("hex");
-const stylized = (input, out) => ["stylize", "--db", input.db, "--input", input.clip, "--style", `${STYLE}=${WEIGHT}`, "-o", out];
+const stylized = (input, out) => [
+  "stylize",
+  "--db",
+  input.db,
+  "--input",
+  input.clip,
+  "--style",
+  `${STYLE}=${WEIGHT}`,
+  "-o",
+  out,
+];
 
 /** Unpacks the command of an archive; its path. */
 function unpackCommand(archive, folder) {
@@ -36,7 +47,8 @@ async function byPython(archive, folder, input) {
   const environment = join(folder, "venv");
   run(python, ["-m", "venv", environment]);
   const { PATH } = await setupRust();
-  const inEnvironment = (args) => run(programIn(environment, "python"), args, { cwd: folder, env: { ...process.env, PATH } });
+  const inEnvironment = (args) =>
+    run(programIn(environment, "python"), args, { cwd: folder, env: { ...process.env, PATH } });
   inEnvironment(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", archive]);
   const script = [
     "import strut, sys",
@@ -71,7 +83,10 @@ async function byCrates(archives, folder, input) {
   const rust = await setupRust();
   for (const archive of archives) run("tar", ["-xzf", archive, "-C", folder]);
   const unpacked = (name) => join(folder, `${name}-${currentVersion()}`);
-  const patches = CRATES.slice(0, -1).flatMap((name) => ["--config", `patch.crates-io.${name}.path="${unpacked(name)}"`]);
+  const patches = CRATES.slice(0, -1).flatMap((name) => [
+    "--config",
+    `patch.crates-io.${name}.path="${unpacked(name)}"`,
+  ]);
   const cli = CRATES.at(-1);
   run(rust.CARGO ?? "cargo", ["install", "--quiet", "--root", folder, "--path", unpacked(cli), ...patches], {
     cwd: folder,
@@ -108,7 +123,8 @@ export async function tryArtefacts(artefacts) {
     run(strut, stylized(input, expected), { cwd: folder });
     const same = (room, label) => {
       const written = digest(join(room, "out.bvh"));
-      if (written !== digest(expected)) throw new Sentence(`What ${label} writes differs from what the command writes.`);
+      if (written !== digest(expected))
+        throw new Sentence(`What ${label} writes differs from what the command writes.`);
       return written.slice(0, 16);
     };
     for (const [i, { label, pattern, styles }] of TRIED.entries()) {

@@ -6,11 +6,23 @@ import { type HumanoidAnimation, hipsPositions, jointRotations } from "./animati
 /** The part of three.js that makes clips, by structure: the module itself, `import * as THREE from "three"`, fits. */
 export interface ThreeLike<Clip, Track> {
   /** Makes a clip. */
-  AnimationClip: new (name: string, duration: number, tracks: Track[]) => Clip;
+  AnimationClip: new (
+    name: string,
+    duration: number,
+    tracks: Track[],
+  ) => Clip;
   /** Makes a track of rotations. */
-  QuaternionKeyframeTrack: new (name: string, times: ArrayLike<number>, values: ArrayLike<number>) => Track;
+  QuaternionKeyframeTrack: new (
+    name: string,
+    times: ArrayLike<number>,
+    values: ArrayLike<number>,
+  ) => Track;
   /** Makes a track of positions. */
-  VectorKeyframeTrack: new (name: string, times: ArrayLike<number>, values: ArrayLike<number>) => Track;
+  VectorKeyframeTrack: new (
+    name: string,
+    times: ArrayLike<number>,
+    values: ArrayLike<number>,
+  ) => Track;
 }
 
 /** A node of a rig, by structure: three.js's `Object3D` is one. */
