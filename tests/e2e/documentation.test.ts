@@ -54,7 +54,7 @@ async function openOffline(theme: "dark" | "light", width: number): Promise<{ pa
   const page = await context.newPage();
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("console", (line) => {
-    if (["error", "warning"].includes(line.type())) complaints.push(`${line.text()} (${line.location().url})`);
+    if (line.type() === "error") complaints.push(`${line.text()} (${line.location().url})`);
   });
   return { page, complaints };
 }
