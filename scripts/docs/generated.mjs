@@ -14,19 +14,23 @@ import { pythonPage } from "./reference/python.mjs";
 const REFERENCE = "docs/reference/";
 const NOTE = "<!-- Written by `npm run docs`; changes here are lost. -->\n\n";
 
-/** The pages of the reference by their files, with what each is made of. @param command the path of `strut` */
-function pages(command) {
+/** What `strut reference` prints. @param command the path of `strut` */
+async function readCommands(command) {
+  const printed = await output(command, ["reference"]);
+  if (printed === undefined) throw new Sentence(`${command} does not print its reference.`);
+  return JSON.parse(printed);
+}
+
+/** The pages of the reference, as Markdown, by their files. */
+async function pages(command) {
+  const commands = await readCommands(command);
   return {
-    "command-line.md": async () => {
-      const printed = await output(command, ["reference"]);
-      if (printed === undefined) throw new Sentence(`${command} does not print its reference.`);
-      return commandLinePage(JSON.parse(printed));
-    },
-    "python.md": pythonPage,
-    "javascript.md": javascriptPage,
-    "strut-player.md": async () => elementPage(await readTables()),
-    "errors.md": errorsPage,
-    "files.md": filesPage,
+    "command-line.md": commandLinePage(commands),
+    "python.md": pythonPage(commands),
+    "javascript.md": javascriptPage(),
+    "strut-player.md": elementPage(await readTables()),
+    "errors.md": errorsPage(),
+    "files.md": filesPage(),
   };
 }
 
@@ -45,7 +49,7 @@ function writtenFiles() {
  */
 async function generate(command) {
   const files = new Map();
-  for (const [name, make] of Object.entries(pages(command))) files.set(`${REFERENCE}${name}`, withNote(await make()));
+  for (const [name, page] of Object.entries(await pages(command))) files.set(`${REFERENCE}${name}`, withNote(page));
   const faults = [];
   for (const file of writtenFiles()) {
     const { text, faults: found } = withExamples(readFileSync(join(root, file), "utf8"), file);

@@ -10,7 +10,8 @@ function typed({ long, short, values, is_repeated }) {
   return `${names}${value}${is_repeated && !value.includes("…") ? "…" : ""}`;
 }
 
-function meaning({ help, possible_values: possible, is_required: isRequired, long, short }) {
+/** What an option means, as a cell of a table. */
+export function meaning({ help, possible_values: possible, is_required: isRequired, long, short }) {
   const choices = possible.length > 0 ? ` One of ${possible.map((value) => `\`${value}\``).join(", ")}.` : "";
   const required = isRequired && (long || short) ? " Required." : "";
   // What help leaves in brackets is the default.

@@ -2,6 +2,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { root, Sentence } from "../../steps.mjs";
+import { meaning } from "./command_line.mjs";
 import { declarationsOf } from "./python_stub.mjs";
 import { docBefore, rustSource } from "./rust_docs.mjs";
 
@@ -40,14 +41,18 @@ function declarations() {
   return found;
 }
 
-/** The page, as Markdown. Throws a sentence where something public has no description. */
-export function pythonPage() {
+/**
+ * The page, as Markdown. Throws a sentence where something public has no description.
+ * @param commands what `strut reference` prints: their options describe the keyword arguments of the same names
+ */
+export function pythonPage(commands) {
   const all = declarations();
   const docs = compiledDocs();
   const undocumented = [];
-  const describe = (path, declaration) => {
-    const doc = declaration.doc || docs.get(path) || "";
-    if (doc === "") undocumented.push(path);
+  const describe = (path, declaration, owner) => {
+    const doc = declaration.doc || docs.get(path) || (owner ? optionDoc(declaration.name, owner.doc, commands) : "");
+    // Keys of dictionaries are no names of the package.
+    if (doc === "" && !owner?.signature.includes("TypedDict")) undocumented.push(path);
     return markdownOf(doc);
   };
   const modules = [{ name: "strut", file: "__init__.py" }, ...submodules()];
@@ -73,7 +78,18 @@ export function pythonPage() {
 The package \`strut-motion\`, imported as \`strut\`. [The guide](../python.md) has examples. Types are those of its stubs.
 
 ${sections.join("\n\n")}
+
+## Types of arguments
+
+${typeTable([...all.values()])}
 `;
+}
+
+/** The aliases of types that signatures name. */
+function typeTable(declared) {
+  const aliases = declared.filter(({ kind, name }) => kind === "attribute" && /^[A-Z]/.test(name));
+  const rows = aliases.map(({ name, signature: type, doc }) => `| \`${name}\` | \`${cell(type)}\` | ${cell(doc)} |`);
+  return ["| Name | Type | |", "| --- | --- | --- |", ...rows].join("\n");
 }
 
 /** Public modules beside the package itself. */
@@ -96,7 +112,7 @@ function entry(path, declaration, describe) {
     lines.push(describe(name, declaration));
     const members = declaration.members.filter(isPublic);
     const attributes = members.filter(({ kind }) => kind !== "function");
-    if (attributes.length > 0) lines.push(attributeTable(name, attributes, describe));
+    if (attributes.length > 0) lines.push(attributeTable(declaration, attributes, describe));
     for (const method of members.filter(({ kind }) => kind === "function"))
       lines.push(
         `#### ${name}.${method.name}`,
@@ -130,19 +146,20 @@ function splitArguments(text) {
   return parts.map((part) => part.trim()).filter(Boolean);
 }
 
-/** The options of styling are those of the command, which describes them. */
-function attributeTable(name, attributes, describe) {
-  const isOptions = name === "Options";
+/** What a keyword argument means, where its class says that it has the options of a command. */
+function optionDoc(name, classDoc, commands) {
+  const command = commands.find((each) => each.name === /options of `strut ([\w-]+)`/.exec(classDoc)?.[1]);
+  const option = name.replace(/_$/, "").replaceAll("_", "-");
+  const found = command?.arguments.find(({ long, short }) => long === option || short === option);
+  return found ? meaning(found) : "";
+}
+
+const cell = (text) => text.replace(/\s*\n\s*/g, " ").replace(/(?<!\\)\|/g, "\\|");
+
+function attributeTable(owner, attributes, describe) {
   const rows = attributes.map((attribute) => {
-    const doc = isOptions
-      ? ""
-      : ` ${describe(`${name}.${attribute.name}`, attribute)
-          .replace(/\s*\n\s*/g, " ")
-          .replaceAll("|", "\\|")} |`;
-    return `| \`${attribute.name}\` | \`${attribute.signature.replaceAll("|", "\\|")}\` |${doc}`;
+    const doc = describe(`${owner.name}.${attribute.name}`, attribute, owner);
+    return `| \`${attribute.name}\` | \`${cell(attribute.signature)}\` | ${cell(doc)} |`;
   });
-  const [header, rule] = isOptions
-    ? ["| Name | Type |", "| --- | --- |"]
-    : ["| Name | Type | |", "| --- | --- | --- |"];
-  return [header, rule, ...rows].join("\n");
+  return ["| Name | Type | |", "| --- | --- | --- |", ...rows].join("\n");
 }
