@@ -4,9 +4,11 @@ set -eu
 
 cat >keys.csv <<CSV
 time,foot_separation,foot_height_difference
-0,0,0
-0.5,40,0
-1,-40,0
+0,50,0
+0.25,0,-10
+0.5,-50,5
+0.75,0,12
+1,50,0
 CSV
 
 # anchor key-style
