@@ -118,9 +118,9 @@ function addInline(page, inline, isHeading, resolve) {
   }
 }
 
-/** Markup as written in Markdown with the addresses of the site. */
+/** Markup as written in Markdown with the addresses of the site; anchors of the page itself stay. */
 function withAddresses(page, markup, resolve) {
-  return markup.replace(/(<(?:a|img)\b[^>]*\s(?:href|src)=")([^"]+)"/g, (_, before, address) => {
+  return markup.replace(/(<(?:a|img)\b[^>]*\s(?:href|src)=")([^"#][^"]*)"/g, (_, before, address) => {
     page.links.push(address);
     return `${before}${escapeHtml(resolve(address))}"`;
   });

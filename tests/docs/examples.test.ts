@@ -28,7 +28,8 @@ beforeAll(() => {
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 test("a database and clips are written, and one is styled", () => {
-  expect(frames("walk-proud.bvh")).toBe(frames("clips/walk_neutral_001.bvh"));
+  // The proud walk is slower.
+  expect(frames("walk-proud.bvh")).toBeGreaterThan(frames("clips/walk_neutral_001.bvh"));
 });
 
 test("walks are synthesised from a model that was trained", () => {
@@ -71,6 +72,6 @@ test.skipIf(!existsSync(PYTHON) && process.env.STRUT_PYTHON !== "required")(
   () => {
     rmSync(join(folder, "walk-proud.bvh"), { force: true });
     expect(run(PYTHON, join(EXAMPLES, "python", "first_style.py"))).toMatch(/^\(\d+, 87\) \d/);
-    expect(frames("walk-proud.bvh")).toBe(frames("clips/walk_neutral_001.bvh"));
+    expect(frames("walk-proud.bvh")).toBeGreaterThan(frames("clips/walk_neutral_001.bvh"));
   },
 );
