@@ -1,0 +1,50 @@
+"""Databases of styles, each opened once while its file stays the same."""
+
+import os
+from typing import Any, NamedTuple
+
+from .styling import engine
+
+BUILT_IN = ""
+"""The path that means the engine's own motions."""
+
+
+class Stamp(NamedTuple):
+    """What tells whether a file is still the one that was opened."""
+
+    path: str
+    size: int
+    changed_ns: int
+
+
+_opened: tuple[Stamp, Any] | None = None
+
+
+def _stamp(path: str) -> Stamp:
+    if path == BUILT_IN:
+        return Stamp(path, 0, 0)
+    status = os.stat(path)
+    return Stamp(path, status.st_size, status.st_mtime_ns)
+
+
+def open_database(path: str) -> Any:
+    """
+    The database in a file, the built-in one for `BUILT_IN`. The latest is kept: only one is in memory, and any thread may ask.
+
+    Raises `OSError` or `strut.StrutError`.
+    """
+    global _opened
+    stamp = _stamp(path)
+    kept = _opened
+    if kept is not None and kept[0] == stamp:
+        return kept[1]
+    strut = engine()
+    database = strut.Database.demo() if path == BUILT_IN else strut.Database.open(path)
+    _opened = (stamp, database)
+    return database
+
+
+def forget() -> None:
+    """Frees the memory of the database that is kept."""
+    global _opened
+    _opened = None
