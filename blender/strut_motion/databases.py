@@ -1,6 +1,8 @@
 """Databases of styles, each opened once while its file stays the same."""
 
 import os
+from importlib.metadata import version
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from .styling import engine
@@ -16,6 +18,9 @@ class Stamp(NamedTuple):
     size: int
     changed_ns: int
 
+
+kept_in: Path | None = None
+"""The folder where the built-in database is kept as a file, as it takes seconds to make; None keeps it in memory alone."""
 
 _opened: tuple[Stamp, Any] | None = None
 
@@ -38,10 +43,28 @@ def open_database(path: str) -> Any:
     kept = _opened
     if kept is not None and kept[0] == stamp:
         return kept[1]
-    strut = engine()
-    database = strut.Database.demo() if path == BUILT_IN else strut.Database.open(path)
+    database = _built_in() if path == BUILT_IN else engine().Database.open(path)
     _opened = (stamp, database)
     return database
+
+
+def _built_in() -> Any:
+    """The built-in database, from its file where there is one of this version. Without a place to write it is made anew."""
+    database = engine().Database
+    if kept_in is None:
+        return database.demo()
+    file = kept_in / f"built-in-{version('strut-motion')}.strutdb"
+    try:
+        return database.open(file)
+    except (OSError, engine().StrutError):
+        made = database.demo()
+    try:
+        for older in kept_in.glob("built-in-*.strutdb"):
+            older.unlink()
+        made.save(file)
+    except OSError:
+        pass
+    return made
 
 
 def forget() -> None:

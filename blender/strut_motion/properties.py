@@ -1,5 +1,6 @@
 """What the panel shows and the file keeps: settings of the scene, roles of an armature's bones, the state of the work."""
 
+from pathlib import Path
 from typing import Any
 
 import bpy
@@ -139,8 +140,17 @@ def list_roles(armature: Any, bones: dict[str, str]) -> None:
         row.name, row.label, row.bone = role, label, bones.get(role, "")
 
 
+def _user_folder() -> Path | None:
+    """The folder where an installed extension may write; None for modules that are imported otherwise."""
+    try:
+        return Path(bpy.utils.extension_path_user(__package__, create=True))
+    except ValueError:
+        return None
+
+
 def register() -> None:
     """Adds the properties."""
+    databases.kept_in = _user_folder()
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Scene.strut_motion = PointerProperty(type=Settings)

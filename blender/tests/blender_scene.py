@@ -16,6 +16,8 @@ from strut_motion.rotations import about, inverse, matrices_of, multiplied
 strut_motion.register()
 
 Z_UP = about(0, np.array(np.pi / 2))
+RATE_HZ, SECS = 30, 4
+"""Of what rigs perform."""
 HUMANOID_PARENTS = [-1, 0, 1, 2, 3, 2, 5, 6, 7, 2, 9, 10, 11, 0, 13, 14, 15, 0, 17, 18, 19]
 
 
@@ -68,8 +70,9 @@ def import_rig(folder: Path, about_it: dict, motion: strut.Motion, database: str
     bpy.ops.import_scene.gltf(filepath=str(file))
     armature = next(o for o in bpy.context.scene.objects if o.type == "ARMATURE")
     scene = bpy.context.scene
-    scene.render.fps, scene.render.fps_base = 60, 1
-    poses = motion.poses(database).astype(float)
+    scene.render.fps, scene.render.fps_base = RATE_HZ, 1
+    step = round(database.rate_hz) // RATE_HZ
+    poses = motion.poses(database).astype(float)[: SECS * RATE_HZ * step : step]
     roles = list(about_it["joints"])
     local = poses[:, 3:].reshape(len(poses), len(roles), 4)
     turns = world_turns(HUMANOID_PARENTS, local)
@@ -139,8 +142,28 @@ def degrees_between(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.degrees(2 * np.arcsin(np.minimum(1, sine)))
 
 
-def exported(armature: Any, folder: Path) -> bvh.Clip:
-    """The armature's motion as Blender's own exporter writes it."""
+def styled(
+    tree: rig.Tree, arrays: list[np.ndarray], rate_hz: float, database: strut.Database, styles: dict[str, float]
+) -> tuple[np.ndarray, np.ndarray]:
+    """What the engine makes of a motion with +Z up: world turns and places of the tree's joints."""
+    a = [np.ascontiguousarray(x, np.float32) for x in arrays]
+    motion = strut.Motion.from_arrays(tree.names, tree.parents, *a, rate_hz, up="z", metres_per_unit=1.0)
+    clip = bvh.read(strut.stylize(motion, database, styles).to_bvh())
+    translations, rotations = skeleton.z_up(clip.translations, clip.rotations)
+    order = [clip.names.index(name) for name in tree.names]
+    return world_of(clip.parents, translations, rotations, order)
+
+
+def world_of(parents: list[int], translations: np.ndarray, rotations: np.ndarray, order: list[int]) -> tuple:
+    """World turns and places of these joints, of local transforms."""
+    aligned = np.broadcast_to(np.eye(4), (len(parents), 4, 4))
+    world = skeleton.world_matrices(parents, aligned, translations, rotations)
+    return world_turns(parents, rotations)[:, order], world[:, order, :3, 3]
+
+
+def exported(armature: Any, action: Any, folder: Path) -> bvh.Clip:
+    """What an armature does by an action, as Blender's own exporter writes it."""
+    curves.assign(armature.animation_data, action, action.slots[0] if curves.has_slots() else None)
     path = folder / "exported.bvh"
     first, last = rig.frame_range(bpy.context.scene, armature)
     bpy.ops.export_anim.bvh(
