@@ -118,7 +118,9 @@ class STRUT_PT_options(_Part, bpy.types.Panel):
 def _sentence(layout: Any, context: Any, text: str, icon: str) -> None:
     """Labels do not wrap."""
     width = context.region.width if context.region else 300
-    letters = max(20, int(width / (PIXELS_A_LETTER * context.preferences.system.ui_scale)) - 4)
+    # Without a window there is no scale.
+    scale = context.preferences.system.ui_scale or 1
+    letters = max(20, int(width / (PIXELS_A_LETTER * scale)) - 4)
     column = layout.column(align=True)
     for number, line in enumerate(textwrap.wrap(text, letters)):
         column.label(text=line, icon=icon if number == 0 else "BLANK1")

@@ -184,5 +184,8 @@ def add_strips(data: Any, source: Any, slot: Any, styled: tuple[Any, Any], first
 
 
 def name_of(styles: Mapping[str, float]) -> str:
-    """Styles and weights as in the names of actions: "proud 0.7, old 0.3"."""
-    return ", ".join(style if weight == 1 else f"{style} {weight:.2g}" for style, weight in styles.items())
+    """
+    Styles and weights for the names of actions: "proud 70%, old 30%". No decimal point: Blender would number "0.7" as "0.001" where
+    the name is taken.
+    """
+    return ", ".join(style if weight == 1 else f"{style} {100 * weight:.0f}%" for style, weight in styles.items())

@@ -158,7 +158,7 @@ def world_of(parents: list[int], translations: np.ndarray, rotations: np.ndarray
     """World turns and places of these joints, of local transforms."""
     aligned = np.broadcast_to(np.eye(4), (len(parents), 4, 4))
     world = skeleton.world_matrices(parents, aligned, translations, rotations)
-    return world_turns(parents, rotations)[:, order], world[:, order, :3, 3]
+    return world_turns(parents, rotations)[:, order], world[:, order][..., :3, 3]
 
 
 def exported(armature: Any, action: Any, folder: Path) -> bvh.Clip:

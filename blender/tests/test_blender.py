@@ -64,7 +64,9 @@ def compare(expected: tuple[np.ndarray, np.ndarray], tree: Any, rest: np.ndarray
     """Angles between joints' rotations and those expected, n × j; places must agree."""
     turns, places = expected
     assert len(world) == len(turns)
-    assert np.abs(world[..., :3, 3] - places).max() < GREATEST_DISTANCE
+    distances = np.linalg.norm(world[..., :3, 3] - places, axis=-1)
+    worst = tree.names[distances.max(0).argmax()]
+    assert distances.max() < GREATEST_DISTANCE, f"{worst} is {distances.max():.6f} m away, others {np.median(distances):.6f} m"
     return degrees_between(turns_from_rest(rest, world), turns)
 
 
@@ -88,7 +90,7 @@ def test_a_bvh_comes_out_as_the_engine_styles_the_file(settings: Any, clip: Path
     assert bpy.ops.strut_motion.stylize() == {"FINISHED"}
     action = armature.animation_data.action
     assert action != source and source.name in bpy.data.actions and source.use_fake_user
-    assert "proud 0.7" in action.name and action.name in message()
+    assert "proud 70%" in action.name and action.name in message()
     _, _, after = sampled(armature)
 
     # The file itself, in centimetres and with +Y up.
@@ -190,18 +192,19 @@ def test_esc_ends_it_at_once_and_changes_nothing(settings: Any, clip: Path, shar
     armature = import_bvh(clip)
     before = state_of(armature)
     work = work_of(settings, armature)
-    ticks = []
+    ticks, used = [], []
     while True:
-        began = time.perf_counter()
+        began, before_tick = time.perf_counter(), time.thread_time()
         done = operators.advance(work, operators.TICK_SECS)
         ticks.append(time.perf_counter() - began)
+        used.append(time.thread_time() - before_tick)
         if done >= share:
             break
         time.sleep(0.01)
     began = time.perf_counter()
     work.close()
     cancelled = time.perf_counter() - began
-    print(f"longest tick {1000 * max(ticks):.0f} ms, cancelled in {1000 * cancelled:.0f} ms")
+    print(f"longest tick {1000 * max(ticks):.0f} ms ({1000 * max(used):.0f} ms of this thread), cancelled in {1000 * cancelled:.0f} ms")
     # Esc is seen after a tick.
     assert max(ticks) + cancelled < 0.2
     assert state_of(armature) == before
