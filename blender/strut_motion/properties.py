@@ -34,7 +34,8 @@ def load_styles(settings: Any) -> None:
     except Problem:
         raise
     except Exception as error:
-        raise Problem(sentence(error)) from error
+        # A panel is narrow: the file's name says enough.
+        raise Problem(sentence(error).replace(path or "\0", Path(path).name)) from error
     weights = {row.name: row.weight for row in settings.styles}
     settings.styles.clear()
     for style in database.styles:

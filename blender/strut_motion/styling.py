@@ -53,13 +53,13 @@ def sentence(error: BaseException) -> str:
     """An error in a sentence for people."""
     strut = engine()
     if isinstance(error, strut.StrutError):
-        text = f"{error.message}. {error.hint or ''}" if not error.message.endswith((".", "!", "?")) else error.message
-    elif isinstance(error, OSError):
-        text = f"{error.strerror or error}: {error.filename}." if error.filename else f"{error}."
+        parts = [error.message, error.hint]
+    elif isinstance(error, OSError) and error.filename:
+        parts = [f"{error.strerror}: {error.filename}"]
     else:
-        text = f"{error or type(error).__name__}"
-    text = text.strip()
-    return text[:1].upper() + text[1:] if text.endswith((".", "!", "?")) else f"{text[:1].upper()}{text[1:]}."
+        parts = [str(error) or type(error).__name__]
+    sentences = (part.strip() for part in parts if part)
+    return " ".join(f"{text[:1].upper()}{text[1:]}{'' if text.endswith(('.', '!', '?')) else '.'}" for text in sentences)
 
 
 def motion_of(request: Request) -> Any:
