@@ -61,13 +61,13 @@ def data_path(bone: str, name: str) -> str:
 
 def write_channels(curves: Any, first_frame: float, channels: Sequence[Channel]) -> None:
     """Writes curves with one linear key a frame, in a group a bone, in place of those that are there."""
-    written = {(data_path(channel.bone, channel.property), channel.index) for channel in channels}
+    written = {(data_path(channel.bone, channel.property), channel.axis) for channel in channels}
     for curve in list(curves.fcurves):
         if (curve.data_path, curve.array_index) in written:
             curves.fcurves.remove(curve)
     linear = bpy.types.Keyframe.bl_rna.properties["interpolation"].enum_items["LINEAR"].value
     for channel in channels:
-        curve = curves.fcurves.new(data_path(channel.bone, channel.property), index=channel.index)
+        curve = curves.fcurves.new(data_path(channel.bone, channel.property), index=channel.axis)
         curve.group = curves.groups.get(channel.bone) or curves.groups.new(channel.bone)
         curve.keyframe_points.add(len(channel.values))
         curve.keyframe_points.foreach_set("co", key_points(first_frame, channel.values))

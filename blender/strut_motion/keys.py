@@ -23,7 +23,8 @@ class Channel(NamedTuple):
     bone: str
     property: str
     """Name of the property of the pose bone: location, rotation_quaternion, rotation_euler or rotation_axis_angle."""
-    index: int
+    axis: int
+    """Index in that property."""
     values: Array
 
 

@@ -12,7 +12,8 @@ def multiplied(a: Array, b: Array) -> Array:
     """The quaternion of the rotation b, then a."""
     vector = a[..., 3:] * b[..., :3] + b[..., 3:] * a[..., :3] + np.cross(a[..., :3], b[..., :3])
     scalar = a[..., 3:] * b[..., 3:] - (a[..., :3] * b[..., :3]).sum(-1, keepdims=True)
-    return np.concatenate([vector, scalar], -1)
+    product: Array = np.concatenate([vector, scalar], -1)
+    return product
 
 
 def inverse(q: Array) -> Array:

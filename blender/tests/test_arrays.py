@@ -108,7 +108,7 @@ def test_channels_give_the_pose_back() -> None:
     np.testing.assert_allclose(parent_pose @ np.linalg.inv(parent_rest) @ rest @ basis, pose, atol=1e-9)
     for mode, count in (("QUATERNION", 4), ("XYZ", 3), ("AXIS_ANGLE", 4)):
         channels = list(keys.rotation_channels("hand", mode, basis))
-        assert [channel.index for channel in channels] == list(range(count))
+        assert [channel.axis for channel in channels] == list(range(count))
     points = keys.key_points(5, np.array([1.0, 2.0]))
     assert points.tolist() == [5, 1, 6, 2] and points.dtype == np.float32
 
