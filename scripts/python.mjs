@@ -8,7 +8,8 @@ import { main, root, run, Sentence, step } from "./steps.mjs";
 
 const PACKAGE = join(root, "rust", "strut-python");
 const TARGET = join(root, "rust", "target", "python");
-const WHEELS = join(TARGET, "wheels");
+/** Where the wheel is. */
+export const WHEELS = join(TARGET, "wheels");
 const VENV = join(TARGET, "venv");
 /** The command as the Rust tests built it. */
 const COMMAND = join(root, "rust", "target", "debug", "strut");
@@ -40,16 +41,21 @@ async function testPackage(env) {
   await python("mypy.stubtest", "strut");
 }
 
-/** Builds and tests the package. Without Python that is left out, and an error where STRUT_PYTHON or CI say so. */
-export async function checkPython(env) {
-  const python = await setupPython("Python package");
-  if (!python) return;
+/** Builds the wheel with this Python, and installs it where its tests are. */
+export async function buildPythonWheel(python, env) {
   await setupEnvironment(python, {
     environment: VENV,
     requirements: join(PACKAGE, "requirements.txt"),
     label: "Installing what the Python package is built and tested with",
   });
   await step("Python package", () => buildWheel(env));
+}
+
+/** Builds and tests the package. Without Python that is left out, and an error where STRUT_PYTHON or CI say so. */
+export async function checkPython(env) {
+  const python = await setupPython("Python package");
+  if (!python) return;
+  await buildPythonWheel(python, env);
   await step("Python tests, types and stubs", () => testPackage(env));
 }
 

@@ -16,6 +16,7 @@ const PLACES = [
   { file: "rust/Cargo.toml", pattern: String.raw`(^version = ")(VERSION)` },
   { file: "rust/Cargo.toml", pattern: String.raw`(^strut-.* version = ")(VERSION)`, times: 5 },
   { file: "rust/Cargo.lock", pattern: String.raw`(^name = "(?:strut-.*|xtask)"\nversion = ")(VERSION)`, times: 19 },
+  { file: "blender/strut_motion/blender_manifest.toml", pattern: String.raw`(^version = ")(VERSION)` },
   { file: "CITATION.cff", pattern: String.raw`(^version: )(VERSION)` },
   { file: "examples/jupyter/package.json", pattern: String.raw`("strut-motion": "\^)(VERSION)` },
   { file: "examples/plain/package.json", pattern: String.raw`("strut-motion": "\^)(VERSION)` },

@@ -1,0 +1,28 @@
+"""
+What the tests share. `STRUT_BLENDER_FILES` is a folder that `npm run blender` fills: `demo.strutdb` and `clips/` of
+`strut demo-db`, `rigs/` of scripts/blender/rigs.mjs.
+"""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+
+FILES = Path(os.environ.get("STRUT_BLENDER_FILES", "files"))
+RIGS = json.loads((FILES / "rigs" / "rigs.json").read_text()) if (FILES / "rigs").exists() else []
+
+
+@pytest.fixture(scope="session")
+def clip() -> Path:
+    """A neutral walk."""
+    return min((FILES / "clips").glob("walk*neutral*.bvh"))
+
+
+@pytest.fixture(scope="session")
+def database() -> Path:
+    """The built-in styles."""
+    return FILES / "demo.strutdb"
