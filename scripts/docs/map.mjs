@@ -24,6 +24,7 @@ const SECTIONS = [
       "command-line.md",
       "batch.md",
       "python.md",
+      "blender.md",
       "live.md",
       "teaching.md",
       "hosting.md",
