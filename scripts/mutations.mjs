@@ -42,7 +42,7 @@ const MUTATIONS = [
     from: "    this.#pending = undefined;\n    this.#options.cancel();",
     to: "    this.#options.cancel();",
     spec: `${FAULTS}/build.test.ts`,
-    title: "Walk: it is trained when the view is shown again",
+    title: "it is trained when the view is shown again",
   },
   {
     handler: "after a stall the motion goes on where it was",
