@@ -7,6 +7,8 @@ type Node = Awaited<ReturnType<typeof treeOf>>[number];
 const SILENT = new Set(["generic", "none", "paragraph", "LineBreak", "InlineTextBox", "ListMarker", "RootWebArea"]);
 /** Roles whose children are read as part of their name or value. */
 const WHOLE = new Set(["button", "link", "heading", "option", "MenuListOption", "slider", "image", "meter", "textbox"]);
+/** Regions that speak when something happens, wherever the reader is: what they said last depends on what was done before. */
+const LIVE = new Set(["alert", "status"]);
 /** Properties that are said, and how. */
 const SAID: Readonly<Record<string, (value: unknown) => string>> = {
   level: (value) => `level ${value}`,
@@ -14,7 +16,6 @@ const SAID: Readonly<Record<string, (value: unknown) => string>> = {
   pressed: (value) => (value === "true" ? "pressed" : "not pressed"),
   selected: (value) => (value === true ? "selected" : ""),
   expanded: (value) => (value === true ? "expanded" : "collapsed"),
-  disabled: (value) => (value === true ? "disabled" : ""),
   valuetext: (value) => String(value),
 };
 /** Figures that depend on the machine. */
@@ -38,6 +39,7 @@ export async function transcriptOf(page: Page): Promise<string> {
 }
 
 function read(node: Node, depth: number, byId: ReadonlyMap<string, Node>, lines: string[]): void {
+  if (depth === 0 && LIVE.has(role(node))) return;
   const said = node.ignored ? undefined : lineOf(node);
   if (said !== undefined) lines.push("  ".repeat(depth) + said);
   if (said !== undefined && WHOLE.has(role(node))) return;
@@ -54,11 +56,14 @@ function lineOf(node: Node): string | undefined {
   const name = String(node.name?.value ?? "").trim();
   if (role(node) === "StaticText") return name === "" ? undefined : masked(name);
   if (SILENT.has(role(node))) return undefined;
-  const value = node.value?.value;
+  const value = rounded(node.value?.value);
   const states = (node.properties ?? []).map(({ name, value }) => SAID[name]?.(value.value) ?? "");
   const has = states.some((state) => state !== "" && state === String(value));
   const parts = [name && `“${name}”`, value !== undefined && !has ? String(value) : "", ...states];
   return masked([role(node), ...parts.filter((part) => part !== "")].join(" "));
 }
+
+/** A number as it was meant: the browser keeps 32 bits of it. */
+const rounded = (value: unknown): unknown => (typeof value === "number" ? Number(value.toFixed(4)) : value);
 
 const masked = (text: string): string => text.replace(/\s+/g, " ").replace(MEASURED, "…");
