@@ -24,8 +24,8 @@ const FLAGS = [
   "--disable-features=PreloadTopChromeWebUI,WebUIReloadButton,InitialWebUI,WebUIToolbar",
 ];
 
-/** Software rendering on a busy machine takes its time; what fails does not wait for this. */
-const SLOW_MS = 240_000;
+/** Software rendering on a busy machine takes its time; what fails does not wait for this. Tests that must fail need less. */
+const SLOW_MS = Number(process.env.STRUT_PATIENCE_MS ?? 240_000);
 
 /** Expects something of a value that is asked for until it holds. */
 export const eventually = <T>(ask: () => T | Promise<T>, message?: string) =>

@@ -26,7 +26,7 @@ export interface ViewHost {
   /** Makes a database the app's and shows it in Play, by its name in the URL if it is kept here; whether that worked. */
   openDatabase(name: string, file: Blob, kept: boolean): Promise<boolean>;
   /** Says that the database of a name on this device is another one now. */
-  databaseReplaced(name: string, file: Blob): void;
+  databaseReplaced(name: string, file: Blob, renamed: ReadonlyMap<string, string>): void;
   /** Goes back to the built-in database. */
   openBuiltIn(): Promise<boolean>;
   /** The database that is open: its name for people, and its file unless it is the built-in one. */

@@ -65,3 +65,44 @@ export function dismissAll(page: Page): Promise<void> {
     for (const toast of toasts) toast.querySelector<HTMLElement>("button:last-of-type")!.click();
   });
 }
+
+/** A database as a test puts it into the browser's storage. */
+export interface KeptDatabase {
+  name: string;
+  styles: string[];
+  bytes: Uint8Array;
+}
+
+/** Keeps a database in the page's browser, as the page does when it has built one. */
+export function keepDatabase(page: Page, { name, styles, bytes }: KeptDatabase): Promise<void> {
+  return page.evaluate(
+    ({ name, styles, content }) =>
+      new Promise<void>((resolve, reject) => {
+        const opening = indexedDB.open("strut", 1);
+        opening.onupgradeneeded = () => opening.result.createObjectStore("databases", { keyPath: "name" });
+        opening.onerror = () => reject(opening.error);
+        opening.onsuccess = () => {
+          const file = new Blob([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))]);
+          const transaction = opening.result.transaction("databases", "readwrite");
+          transaction.objectStore("databases").put({ name, file, clips: 2, frames: 300, actions: ["walk"], styles });
+          transaction.oncomplete = () => resolve(opening.result.close());
+        };
+      }),
+    { name, styles, content: Buffer.from(bytes).toString("base64") },
+  );
+}
+
+/** Names of the databases that the page's browser keeps. */
+export function keptNames(page: Page): Promise<IDBValidKey[]> {
+  return page.evaluate(
+    () =>
+      new Promise<IDBValidKey[]>((resolve) => {
+        const opening = indexedDB.open("strut", 1);
+        opening.onsuccess = () => {
+          const keys = opening.result.transaction("databases").objectStore("databases").getAllKeys();
+          keys.onsuccess = () => resolve(keys.result);
+          opening.result.close();
+        };
+      }),
+  );
+}

@@ -197,7 +197,7 @@ export class App {
       progress: this.#progress,
       signal,
       openDatabase: (name, file, kept) => this.#openDatabase({ kind: "strutdb", name, file }, kept ? name : ""),
-      databaseReplaced: (name, file) => void databases.replaced(name, file),
+      databaseReplaced: (name, file, renamed) => void databases.replaced(name, file, renamed),
       openBuiltIn: () => this.#openDatabase({ kind: "demo" }, ""),
       databaseFile: () => databases.file,
       performing: () => this.#characters.performing,

@@ -32,6 +32,8 @@ export class Databases {
   #followed: string | undefined;
   /** Ends the exchange of the first part for the whole built-in database. */
   #completion = new AbortController();
+  /** New names, by the former ones, of styles of the open database that has just been replaced. */
+  renamed: ReadonlyMap<string, string> = new Map();
   /** Settles when the database that is open is all there. */
   complete: Promise<unknown> = Promise.resolve();
 
@@ -71,10 +73,15 @@ export class Databases {
     return true;
   }
 
-  /** Opens a database again that was replaced on this device, where it is the open one: nothing old is shown of it. */
-  async replaced(name: string, file: Blob): Promise<void> {
-    if (name !== "" && name === this.#name)
-      await this.#load({ kind: "strutdb", name, file }, name, this.#session.chosen);
+  /**
+   * Opens a database again that was replaced on this device, where it is the open one: nothing old is shown of it.
+   * @param renamed new names of styles by their former ones: what was chosen is chosen still
+   */
+  async replaced(name: string, file: Blob, renamed: ReadonlyMap<string, string> = new Map()): Promise<void> {
+    if (name === "" || name !== this.#name) return;
+    this.renamed = renamed;
+    await this.#load({ kind: "strutdb", name, file }, name, this.#session.chosen);
+    this.renamed = new Map();
   }
 
   /**

@@ -11,7 +11,7 @@ import { firstSelection } from "../../ui/polygon/selection";
 import { Playhead } from "../state/playhead";
 import type { AppState } from "../state/state";
 import type { Store } from "../state/store";
-import { withKnownLabels, withKnownStyles } from "../state/style_settings";
+import { withKnownLabels, withKnownStyles, withRenamedStyles } from "../state/style_settings";
 import { strings } from "../strings/strings";
 import { RELOAD, type Toasts } from "../ui/toasts";
 import { cancelled } from "../ui/words";
@@ -185,9 +185,11 @@ export class Workspace {
   /** Drops styles that the database does not have, and chooses some where none is left. */
   #completeStyles(database: DatabaseInfo): void {
     const first = firstSelection(database.styles, database.neutral);
-    const styles = withKnownStyles(this.#store.state, database.styles, first);
-    const labels = withKnownLabels(this.#store.state, database.classes);
-    if (styles || labels) this.#store.adopt({ ...styles, ...labels });
+    const renamed = withRenamedStyles(this.#store.state, this.databases.renamed);
+    const state = { ...this.#store.state, ...renamed };
+    const styles = withKnownStyles(state, database.styles, first);
+    const labels = withKnownLabels(state, database.classes);
+    if (this.databases.renamed.size > 0 || styles || labels) this.#store.adopt({ ...renamed, ...styles, ...labels });
   }
 
   async #followDatabase(inputName: string): Promise<void> {

@@ -103,6 +103,17 @@ export function withKnownStyles(state: AppState, known: readonly string[], first
   };
 }
 
+/** What changes where a database has styles of the one before under other names, which `renamed` tells by the former ones. */
+export function withRenamedStyles(state: AppState, renamed: ReadonlyMap<string, string>): Patch {
+  if (renamed.size === 0) return {};
+  const rename = (styles: Selection): Selection => styles.map((s) => ({ ...s, name: renamed.get(s.name) ?? s.name }));
+  return {
+    styles: rename(state.styles),
+    parts: Object.fromEntries(Object.entries(state.parts).map(([part, styles]) => [part, rename(styles)])),
+    track: state.track.map((key) => ({ ...key, styles: rename(key.styles) })),
+  };
+}
+
 /** What changes where a database has no class of the labels that the input was given; `undefined` where it has one. */
 export function withKnownLabels({ action, inputStyle }: AppState, classes: DatabaseInfo["classes"]): Patch | undefined {
   const known = classes.some((c) => (!action || action === c.action) && (!inputStyle || inputStyle === c.style));

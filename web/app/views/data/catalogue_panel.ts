@@ -24,6 +24,8 @@ export class CataloguePanel {
   readonly #progress = new ProgressLine();
   readonly #list = html("ul", { class: "stored" });
   readonly #note = html("p", { class: "caption", role: "status" });
+  /** Loads the list again where it did not come. */
+  readonly #again = button(strings.page.tryAgain, () => this.show(), { label: true, class: "outlined" });
   readonly #onFiles: (set: PublicSet, files: Awaited<ReturnType<typeof fetchSet>>) => void;
   #entries: Entry[] = [];
   #cache: FileCache | undefined;
@@ -40,7 +42,9 @@ export class CataloguePanel {
       html("div", { class: "section-heading" }, html("h2", { id: "catalogue-heading" }, words.heading)),
       this.#list,
       this.#note,
+      this.#again,
     );
+    this.#again.hidden = true;
   }
 
   dispose(): void {
@@ -49,8 +53,11 @@ export class CataloguePanel {
 
   /** Loads the list, once. */
   show(): void {
-    this.#loading ??= this.#load().catch((error) => {
+    if (this.#loading) return;
+    this.#again.hidden = true;
+    this.#loading = this.#load().catch((error) => {
       this.#loading = undefined;
+      this.#again.hidden = this.#entries.length > 0;
       setText(this.#note, errorText(error));
     });
   }

@@ -26,6 +26,7 @@ import {
 import { Edits } from "./edits";
 import { freeName } from "./free_name";
 import { type Manners, mannersAmong } from "./manners";
+import { renamedStyles } from "./renamed_styles";
 
 const words = strings.data;
 
@@ -52,6 +53,10 @@ export class ClipCollection {
   #neutral = "";
   /** What the last build found. */
   #twoManners: readonly TwoManners[] = [];
+  /** The style of each clip of the last build, by its path. */
+  #built: ReadonlyMap<string, string> = new Map();
+  /** New names of styles, by their former ones: in the last build all their clips had another style than in the one before. */
+  renamed: ReadonlyMap<string, string> = new Map();
 
   /** @param onChange is called whenever rows, labels or the neutral style are others */
   constructor(client: BuildClient, onChange: () => void) {
@@ -93,6 +98,7 @@ export class ClipCollection {
     this.#table = undefined;
     this.#neutral = "";
     this.#twoManners = [];
+    this.#built = new Map();
     this.#forgetRead();
     this.#onChange();
   }
@@ -191,6 +197,9 @@ export class ClipCollection {
       }),
     );
     const built = await this.#client.build(files, this.#neutral, options);
+    const styles = new Map(files.map(({ path, style }) => [path, style]));
+    this.renamed = renamedStyles(this.#built, styles);
+    this.#built = styles;
     const reasons = new Map(built.refused.map(({ path, reason }) => [path, reason]));
     for (const row of this.rows) row.fault = reasons.get(row.path) ?? row.fault;
     this.#twoManners = built.twoManners;

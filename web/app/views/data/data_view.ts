@@ -266,7 +266,7 @@ class DatabaseView implements View {
         const { refused, neutral: _, twoManners: __, ...built } = await this.#clips.build(options);
         const placed = await place({ name, ...built });
         this.#build.name = placed.name;
-        this.#host.databaseReplaced(placed.name, built.file);
+        this.#host.databaseReplaced(placed.name, built.file, this.#clips.renamed);
         this.#sayUnkept(placed);
         const seconds = ((performance.now() - started) / 1000).toFixed(1);
         const styles = built.styles.length;
