@@ -67,7 +67,11 @@ fn argument_entry(argument: &Arg) -> ArgumentEntry {
         is_required: argument.is_required_set(),
         is_repeated: argument.get_num_args().is_some_and(|n| n.max_values() > 1),
         default: (takes_value && !defaults.is_empty()).then(|| defaults.join(" ")),
-        possible_values: if takes_value { possible.iter().map(|v| v.get_name().to_owned()).collect() } else { Vec::new() },
+        possible_values: if takes_value {
+            possible.iter().map(|v| v.get_name().to_owned()).collect()
+        } else {
+            Vec::new()
+        },
         help: help.map(ToString::to_string).unwrap_or_default(),
     }
 }
