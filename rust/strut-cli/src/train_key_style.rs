@@ -1,23 +1,17 @@
 //! `strut train-key-style`: learns a map from a few style variables to poses.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::Outcome;
 use crate::print::{print, print_warnings};
 use crate::progress::Bar;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
-use strut_core::humanoid::Role;
-use strut_core::incremental::IncrementalJob;
-use strut_core::parallel::Sequential;
-use strut_core::somn::{Fault, KeyStyleModel, Learning, MAX_COMPONENTS, Measure, Options, Recording, Trainer};
+use strut_core::somn::{KeyStyleModel, Learning, MAX_COMPONENTS, Measure, Options};
 use strut_formats::key_style_model;
 use strut_tasks::corpus::{self, RefusedFile};
 use strut_tasks::files::Outputs;
+use strut_tasks::key_styles::{EM_RIDGE, parse_axes, train_key_styles};
 use strut_tasks::recordings::read_recordings;
-use strut_tasks::suggestion::unknown;
-
-/// Ridge of expectation and maximisation.
-const RIDGE: f64 = 0.01;
 
 /// Learn poses from a few style variables that are measured on them
 ///
@@ -77,35 +71,15 @@ struct ClipEntry {
     frames: usize,
 }
 
-/// The measures of a list.
-fn parse_axes(text: &str) -> Outcome<Vec<Measure>> {
-    Measure::parse_list(text).map_err(|error| {
-        let mut sentence = error.to_string();
-        if let Fault::Unknown(name) = &error.fault {
-            let names: Vec<&str> =
-                Measure::NAMED.iter().map(|m| m.name).chain(Role::ALL.iter().map(|role| role.name())).collect();
-            sentence = format!("column {}: {}", error.column, unknown("joint, measure or function", name, &names));
-        }
-        Failure::new(format_args!("--axes '{text}', {sentence}"))
-    })
-}
-
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
     let axes = parse_axes(&args.axes)?;
     let begin = Instant::now();
     let mut refused = Vec::new();
     let recordings = Bar::watching(|on_progress| read_recordings(&args.inputs, &mut refused, on_progress))?;
-    let learning = if args.method == "em" { Learning::Em { ridge: RIDGE } } else { Learning::Som };
+    let learning = if args.method == "em" { Learning::Em { ridge: EM_RIDGE } } else { Learning::Som };
     let options = Options { components: args.components.map(|k| k as usize), seed: args.seed, learning };
-    let of: Vec<&Recording> = recordings.iter().collect();
-    let mut trainer = Trainer::new(&of, &axes, options).map_err(Failure::new)?;
-    let bar = Bar::new("learning", 0);
-    while let Ok(Some(p)) = trainer.step(&Sequential) {
-        bar.show("learning", p.done, p.total);
-    }
-    drop(bar);
-    let Ok(model) = trainer.conclude(&Sequential);
+    let model = Bar::watching(|on_progress| train_key_styles(&recordings, &axes, options, on_progress))?;
     let bytes = key_style_model::write(&model, strut_formats::GENERATOR);
     let entry = |(j, axis): (usize, &Measure)| AxisEntry {
         axis: axis.to_string(),

@@ -1,18 +1,16 @@
 //! `strut train-walk`: labelled walks become a model of walk styles.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::Outcome;
 use crate::print::{print, print_warnings};
 use crate::progress::Bar;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
-use strut_core::hsmm::{LabelledClip, Options, landmarks, train};
 use strut_formats::corpus::Pattern;
 use strut_formats::walk_model;
 use strut_tasks::corpus::{self, RefusedFile};
 use strut_tasks::files::Outputs;
-use strut_tasks::threads::ThreadPool;
-use strut_tasks::walks::read_walks;
+use strut_tasks::walks::train_walks;
 
 /// Train a model of walk styles on labelled clips
 ///
@@ -58,14 +56,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.json.as_deref()].into_iter().flatten())?;
     let begin = Instant::now();
     let mut refused = Vec::new();
-    let (body, mut walks) = Bar::watching(|on_progress| {
-        read_walks(&args.inputs, args.pattern.as_ref(), args.labels.as_deref(), &mut refused, on_progress)
+    let (model, walks) = Bar::watching(|on_progress| {
+        train_walks(&args.inputs, args.pattern.as_ref(), args.labels.as_deref(), &mut refused, on_progress)
     })?;
-    let training: Vec<LabelledClip> = walks.iter().map(|w| LabelledClip { style: &w.style, track: &w.track }).collect();
-    let landmarks = landmarks(&training);
-    walks.iter_mut().zip(landmarks).for_each(|(walk, landmark)| walk.style = landmark);
-    let training: Vec<LabelledClip> = walks.iter().map(|w| LabelledClip { style: &w.style, track: &w.track }).collect();
-    let model = train(&body, &training, Options::default(), &ThreadPool).map_err(Failure::new)?;
     let bytes = walk_model::write(&model, strut_formats::GENERATOR);
 
     let styles = model.styles.iter().zip(&model.means).map(|(style, means)| {

@@ -3,21 +3,14 @@
 use crate::failure::{Failure, Outcome};
 use crate::print::print;
 use std::path::PathBuf;
-use std::str::FromStr;
 use std::sync::Arc;
-use strut_core::hsmm::{MAX_TURN, RATE_HZ, RuntimeWalkModel, SIDES, STRIDE, Walker};
-use strut_core::humanoid::HumanoidMotion;
-use strut_core::math::Vec3;
+use strut_core::hsmm::{RATE_HZ, RuntimeWalkModel};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::walk_model;
 use strut_tasks::files::{self, Outputs};
+use strut_tasks::progress::unwatched;
+use strut_tasks::walk::{Gait, MAX_STEPS, Transition, WalkOrder};
 use strut_tasks::weights::StyleWeights;
-
-/// Most steps of a walk: over three hours.
-const MAX_STEPS: u64 = 20_000;
-
-/// Steps of a walk that stops: two in which it does and one of standing.
-const STOPPING_STEPS: u64 = 3;
 
 /// Walk in a style or a mixture of styles
 ///
@@ -57,74 +50,21 @@ pub(crate) struct Args {
     output: PathBuf,
 }
 
-/// `NAME[=W]@STEP:LENGTH`.
-#[derive(Clone, Debug)]
-struct Transition {
-    style: StyleWeights,
-    step: u64,
-    between: u32,
-}
-
-impl FromStr for Transition {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let expected = || format!("'{text}' is no transition; NAME@STEP:LENGTH was expected, as in old@6:4");
-        let (style, at) = text.rsplit_once('@').ok_or_else(expected)?;
-        let (step, between) = at.split_once(':').ok_or_else(expected)?;
-        let (step, between) = (step.trim().parse(), between.trim().parse());
-        let (Ok(step), Ok(between)) = (step, between) else { return Err(expected()) };
-        Ok(Self { style: style.parse()?, step, between })
-    }
-}
-
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([args.output.as_path()])?;
-    let limit = MAX_TURN.to_degrees();
-    if args.turn.is_nan() || args.turn.abs() > limit {
-        return Err(Failure::usage(format_args!(
-            "the turn is {}; -{limit:.0} to {limit:.0} degrees were expected",
-            args.turn
-        )));
-    }
-    let [shortest, longest] = STRIDE;
-    if !(shortest..=longest).contains(&args.stride) {
-        return Err(Failure::usage(format_args!(
-            "the stride is {}; {shortest} to {longest} of the style's was expected",
-            args.stride
-        )));
-    }
-    if let Some(cadence) = args.cadence.filter(|c| !(*c > 0.0 && c.is_finite())) {
-        return Err(Failure::usage(format_args!("the cadence is {cadence}; a positive number was expected")));
-    }
+    let gait = Gait { cadence: args.cadence, stride: args.stride, turn: args.turn, limits: args.limits == "on" };
+    // Before the model is read.
+    gait.check()?;
     let file = files::read(&args.model, walk_model::KIND.max_bytes)?;
     let model = walk_model::read(&file).map_err(|e| Failure::in_file(&args.model, e))?;
-    let weights = |style: &StyleWeights| style.of_walks(&model.styles).map_err(Failure::new);
-    let mut walker = Walker::new(Arc::new(RuntimeWalkModel::new(&model)));
-    walker.set_styles(&weights(&args.style)?).map_err(Failure::new)?;
-    for Transition { style, step, between } in &args.transition {
-        let weights = weights(style)?;
-        walker.plan_transition(*step, *between, [&weights; SIDES]).map_err(Failure::new)?;
-    }
-    walker.set_cadence(args.cadence);
-    walker.set_turn(args.turn.to_radians());
-    walker.set_stride(args.stride);
-    walker.set_limits(args.limits == "on");
-    // The walk does not begin with what was before these were set.
-    walker.reset(Vec3::ZERO, 0.0);
-
-    let mut poses = Vec::new();
-    let mut walk = |walker: &mut Walker, until: u64| {
-        while walker.next_step() < until {
-            poses.push(*walker.advance());
-        }
+    let order = WalkOrder {
+        styles: args.style.clone(),
+        steps: args.steps,
+        transitions: args.transition.clone(),
+        gait,
+        stop: args.stop,
     };
-    walk(&mut walker, args.steps);
-    if args.stop {
-        walker.set_walking(false);
-        walk(&mut walker, args.steps + STOPPING_STEPS);
-    }
-    let motion = HumanoidMotion { proportions: model.proportions, rate_hz: RATE_HZ, poses };
+    let motion = order.walk(&model, Arc::new(RuntimeWalkModel::new(&model)), &unwatched)?.motion;
     let bvh = Bvh::from_humanoid(&motion).map_err(Failure::new)?;
     let mut outputs = Outputs::default();
     outputs.stage(&args.output, bvh::write(&bvh).as_bytes())?;

@@ -80,6 +80,11 @@ pub fn holds_several(input: &Path) -> bool {
     input.is_dir() || has_extension(input, "zip")
 }
 
+/// The archive that holds the file of this [path](Source::path); `None` if that is a file of its own.
+pub fn archive_of(path: &Path) -> Option<&Path> {
+    path.ancestors().skip(1).find(|folder| has_extension(folder, "zip") && folder.is_file())
+}
+
 /// All BVH files of the inputs, sorted by path, each once.
 ///
 /// # Errors
@@ -218,6 +223,8 @@ mod tests {
         let below: Vec<&str> = sources.iter().map(|s| s.below.as_str()).collect();
         assert_eq!(below, ["b.bvh", "x/d.bvh", "in/a.BVH"]);
         assert_eq!(sources[1].bytes().unwrap().as_ref(), b"zipped");
+        assert_eq!(archive_of(Path::new(&sources[1].path)), Some(at("c.zip").as_path()));
+        assert_eq!(archive_of(Path::new(&sources[0].path)), None);
         assert_eq!((sources[0].licence().as_str(), sources[1].licence().as_str()), ("CC BY 4.0", "zipped"));
     }
 

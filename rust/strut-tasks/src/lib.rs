@@ -11,12 +11,14 @@ pub mod error;
 pub mod evaluate;
 pub mod files;
 pub mod gather;
+pub mod key_styles;
 pub mod progress;
 pub mod recordings;
 pub mod search;
 pub mod stylize;
 pub mod suggestion;
 pub mod threads;
+pub mod walk;
 pub mod walks;
 pub mod weights;
 

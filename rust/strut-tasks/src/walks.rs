@@ -6,7 +6,7 @@ use crate::gather::gather;
 use crate::progress::OnProgress;
 use crate::threads::ThreadPool;
 use std::path::{Path, PathBuf};
-use strut_core::hsmm::{Track, WALK, walk_of, walking_action};
+use strut_core::hsmm::{LabelledClip, Options, Track, WALK, WalkModel, landmarks, train, walk_of, walking_action};
 use strut_core::humanoid::Proportions;
 use strut_core::parallel::ParallelMap;
 use strut_formats::corpus::Pattern;
@@ -66,4 +66,27 @@ pub fn read_walks(
         }
         _ => Ok((body, walks)),
     }
+}
+
+/// A model of walk styles, and the walks it was trained on, by the names of its styles: where takes of a style differ much they
+/// are styles of their own. Unusable files are added to `refused`.
+///
+/// # Errors
+/// As [`read_walks`], or if the walks give no model.
+pub fn train_walks(
+    inputs: &[PathBuf],
+    pattern: Option<&Pattern>,
+    labels: Option<&Path>,
+    refused: &mut Vec<RefusedFile>,
+    on_progress: &OnProgress<'_>,
+) -> Outcome<(WalkModel, Vec<Walk>)> {
+    let (body, mut walks) = read_walks(inputs, pattern, labels, refused, on_progress)?;
+    let names = landmarks(&labelled(&walks));
+    walks.iter_mut().zip(names).for_each(|(walk, name)| walk.style = name);
+    let model = train(&body, &labelled(&walks), Options::default(), &ThreadPool).map_err(TaskError::new)?;
+    Ok((model, walks))
+}
+
+fn labelled(walks: &[Walk]) -> Vec<LabelledClip<'_>> {
+    walks.iter().map(|walk| LabelledClip { style: &walk.style, track: &walk.track }).collect()
 }

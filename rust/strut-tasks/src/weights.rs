@@ -12,7 +12,7 @@ use strut_core::transfer::{BodyPart, MAX_WEIGHT};
 const PART_NAMES: [&str; 6] = ["head", "torso", "left_arm", "right_arm", "arms", "legs"];
 
 /// Weights by style name, as given.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct StyleWeights(Vec<(String, f32)>);
 
 impl FromStr for StyleWeights {

@@ -172,6 +172,33 @@ impl Binding {
         Self::of(&motion.skeleton, &sample, joint_of_role, 1.0, None)
     }
 
+    /// A binding of a clip whose unit of length is known, with joints chosen by the user or as they are detected.
+    ///
+    /// # Errors
+    /// See [`BindError`].
+    pub fn with_unit(
+        motion: &Motion,
+        metres_per_unit: f32,
+        joint_of_role: Option<&[Option<usize>; JOINTS]>,
+    ) -> Result<Self, BindError> {
+        let sample = Sample::of(motion);
+        if sample.is_empty() {
+            return Err(BindError::NoFrames);
+        }
+        let (roles, confidence) = joint_of_role.map_or_else(
+            || {
+                let found = find_roles(&motion.skeleton, &sample);
+                (found.joint_of_role, found.confidence)
+            },
+            |roles| (*roles, 1.0),
+        );
+        if roles.iter().all(Option::is_none) {
+            return Err(BindError::NotHumanoid);
+        }
+        let facts = CharacterFacts { metres_per_unit, sole_height: None, roles };
+        Self::of(&motion.skeleton, &sample, &roles, confidence, Some(&facts))
+    }
+
     /// The binding of a rigged character, of which more is known than of a clip. The zero pose of `skeleton` is the pose in
     /// which the character was modelled, and its offsets are differences of positions there, so that its joints' frames are
     /// aligned with the world.

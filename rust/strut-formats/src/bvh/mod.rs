@@ -13,6 +13,7 @@
 //! Everything else is refused with a [`BvhError`] that names the place and what was expected there. Lengths stay in
 //! the file's own unit, angles in degrees.
 
+mod any_skeleton;
 mod error;
 mod euler;
 mod humanoid;

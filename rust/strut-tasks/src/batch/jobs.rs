@@ -46,7 +46,7 @@ pub(super) fn jobs(sources: &[Source], variants: &[Variant], shard: Shard) -> Ou
 }
 
 /// Path of an output below its variant's folder; `None` if it would lead elsewhere.
-fn place(below: &str) -> Option<String> {
+pub(super) fn place(below: &str) -> Option<String> {
     let is_below = Path::new(below).components().all(|part| matches!(part, Component::Normal(_)));
     let stem = below.get(..below.len().checked_sub(".bvh".len())?)?;
     (is_below && !below.contains(['\\', ':']) && !stem.is_empty()).then(|| format!("{stem}.bvh"))

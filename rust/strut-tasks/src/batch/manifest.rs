@@ -28,6 +28,22 @@ pub enum Status {
     Failed,
 }
 
+impl Status {
+    /// All, and their names in manifests.
+    const NAMES: [(Self, &'static str); 3] =
+        [(Self::Done, "done"), (Self::Skipped, "skipped"), (Self::Failed, "failed")];
+
+    /// Its name in manifests.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(status, _)| *status == self).map_or("failed", |(_, name)| name)
+    }
+
+    /// The status of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(_, known)| *known == name).map(|(status, _)| *status)
+    }
+}
+
 /// How a job ended, with which key.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Record {

@@ -5,17 +5,23 @@
 //! stopped, by whatever, is simply started again. Outputs are written beside their places and renamed.
 
 mod attempts;
+mod check;
 mod jobs;
 mod key;
 mod manifest;
 mod outputs;
 mod perform;
+mod plan;
+mod request;
 mod run;
 mod shard;
+mod styling;
 mod variants;
 mod workers;
 
 pub use manifest::{Record, Status};
-pub use run::{BatchReport, BatchRequest, Problem, Retry, run};
+pub use plan::{Plan, PlannedJob};
+pub use request::{BatchRequest, Retry};
+pub use run::{BatchReport, Problem, run};
 pub use shard::Shard;
 pub use variants::{Variant, read_variants};

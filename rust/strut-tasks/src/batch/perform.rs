@@ -1,14 +1,17 @@
 //! One job: from the bytes of the input to the written output.
 
 use super::attempts::{Attempts, MOST};
-use super::key::Digests;
+use super::manifest::{Record, Status, now_ms};
 use super::outputs;
+use super::styling::VariantStyling;
+use super::workers::Ending;
 use crate::digest::sha256_hex;
 use crate::error::{Code, Outcome, TaskError};
 use crate::gather::Source;
 use crate::progress::OnProgress;
 use crate::stylize::{Spread, Styling};
 use std::path::Path;
+use strut_formats::GENERATOR;
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
 
@@ -52,7 +55,7 @@ impl Performer<'_> {
     pub(super) fn perform(
         &self,
         (source, output): (&Source, &str),
-        (styling, digests): (&Styling, &Digests),
+        VariantStyling { styling, digests, .. }: &VariantStyling,
         known: &mut Known,
         on_progress: &OnProgress<'_>,
     ) -> Outcome<Written> {
@@ -90,5 +93,31 @@ impl Performer<'_> {
             frames: styled.file.frames as u64,
             repaired: styled.motion.frames.last().map_or(0, |frame| u64::from(frame.repaired_total)),
         })
+    }
+}
+
+/// How a job ended just now: its output, input and variant, by name.
+pub(super) fn record((output, input, variant): (&str, &str, &str), known: Known, ending: Ending<Written>) -> Record {
+    let (status, written, error) = match ending {
+        Ending::Done(written) => (Status::Done, Some(written), None),
+        Ending::Skipped(error) => (Status::Skipped, None, Some(error)),
+        Ending::Failed(error) => (Status::Failed, None, Some(error)),
+    };
+    Record {
+        job: output.to_owned(),
+        key: known.key,
+        input: input.to_owned(),
+        input_sha256: known.input,
+        variant: variant.to_owned(),
+        output: output.to_owned(),
+        output_sha256: written.as_ref().map(|written| written.sha256.clone()),
+        bytes: written.as_ref().map(|written| written.bytes),
+        frames: written.as_ref().map(|written| written.frames),
+        repaired: written.as_ref().map(|written| written.repaired),
+        status,
+        code: error.as_ref().map(|error| error.code.name().to_owned()),
+        message: error.map(|error| error.to_string()),
+        version: GENERATOR.to_owned(),
+        time_ms: now_ms(),
     }
 }

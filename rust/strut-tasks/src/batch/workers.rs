@@ -57,7 +57,7 @@ pub(super) fn work<K: Default, T>(
 }
 
 /// How a job ends; an error is one that ends the batch.
-fn ending<T>(mut perform: impl FnMut() -> Outcome<T>) -> Outcome<Ending<T>> {
+pub(super) fn ending<T>(mut perform: impl FnMut() -> Outcome<T>) -> Outcome<Ending<T>> {
     let mut contained = || catch_unwind(AssertUnwindSafe(&mut perform)).unwrap_or_else(|panic| Err(fault(&*panic)));
     let mut result = contained();
     if matches!(&result, Err(TaskError { code: Code::Io(_), .. })) && !is_full(&result) {

@@ -1,11 +1,11 @@
 //! Values of the arguments of `strut evaluate`.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use strut_core::evaluation::quality::Mode;
 use strut_core::transfer::BodyPart;
 
 /// Labels of the input that the engine is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Labels {
@@ -20,7 +20,7 @@ pub enum Labels {
 }
 
 /// Whether clips are styled as wholes or frame by frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum PassMode {
@@ -41,7 +41,7 @@ impl PassMode {
 }
 
 /// How the databases are registered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Registration {
@@ -54,7 +54,7 @@ pub enum Registration {
 }
 
 /// Part of the body that takes the target style.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Part {

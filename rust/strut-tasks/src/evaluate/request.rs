@@ -1,14 +1,24 @@
 //! What to measure.
 
 use super::choices::{Labels, Part, PassMode, Registration};
+use crate::error::{Outcome, TaskError};
 use crate::search::Search;
 use crate::stylize::Switch;
+use crate::suggestion::unknown;
+use serde::Deserialize;
+use serde::de::value::{Error, StrDeserializer};
+use serde::de::{DeserializeOwned, IntoDeserializer};
+use std::fmt::Display;
 use std::path::PathBuf;
+use std::str::FromStr;
+use strut_core::search::WINDOW;
+use strut_core::transfer::Options;
 use strut_formats::corpus::Pattern;
 
 /// What is compared with what.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // The fields of a request say it, and comments would be the help of the command.
 pub enum Protocol {
     Loo,
@@ -84,4 +94,167 @@ pub struct Request {
     pub results: Option<PathBuf>,
     /// What was asked for, in a line: recorded with the results; a run goes on only if it is the same.
     pub command: String,
+}
+
+impl Request {
+    /// Names of the options that [`Self::set`] knows.
+    pub const NAMES: [&'static str; 23] = [
+        "pattern",
+        "actions",
+        "database-actions",
+        "targets",
+        "methods",
+        "labels",
+        "protocol",
+        "inputs",
+        "mode",
+        "registration",
+        "takes",
+        "window",
+        "search",
+        "k",
+        "lambda",
+        "rho",
+        "tempo",
+        "kappa",
+        "delta",
+        "coherence",
+        "intensity",
+        "part",
+        "folds",
+    ];
+
+    /// The command's defaults.
+    pub fn new(data: PathBuf, source: String) -> Self {
+        let Options { k, lambda, rho, tempo, kappa, delta, .. } = Options::DEFAULT;
+        Self {
+            data,
+            pattern: None,
+            source,
+            actions: Vec::new(),
+            database_actions: Vec::new(),
+            targets: Vec::new(),
+            methods: ["nn", "knn", "lar", "mar"].map(str::to_owned).into(),
+            labels: vec![Labels::None],
+            protocol: Protocol::Loo,
+            inputs: Vec::new(),
+            mode: vec![PassMode::Offline],
+            registration: vec![Registration::Dtw],
+            takes: vec![0],
+            window: vec![WINDOW],
+            search: vec![Search::Exact],
+            k: vec![k],
+            lambda: vec![lambda],
+            rho: vec![rho],
+            tempo: vec![tempo],
+            kappa: vec![kappa],
+            delta: vec![delta],
+            coherence: vec![Switch::On],
+            intensity: vec![1.0],
+            part: vec![Part::Whole],
+            folds: 0,
+            wants_curves: false,
+            results: None,
+            command: String::new(),
+        }
+    }
+
+    /// Sets an option by the command's long name for it, from the texts that the command takes.
+    ///
+    /// # Errors
+    /// A sentence about the name or a value.
+    pub fn set(&mut self, name: &str, values: &[String]) -> Outcome {
+        let texts = || values.to_vec();
+        match name {
+            "pattern" => self.pattern = Some(one(name, values, parsed)?),
+            "actions" => self.actions = texts(),
+            "database-actions" => self.database_actions = texts(),
+            "targets" => self.targets = texts(),
+            "methods" => self.methods = texts(),
+            "labels" => self.labels = all(name, values, choice)?,
+            "protocol" => self.protocol = one(name, values, choice)?,
+            "inputs" => self.inputs = values.iter().map(PathBuf::from).collect(),
+            "mode" => self.mode = all(name, values, choice)?,
+            "registration" => self.registration = all(name, values, choice)?,
+            "takes" => self.takes = all(name, values, parsed)?,
+            "window" => self.window = all(name, values, parsed)?,
+            "search" => self.search = all(name, values, parsed)?,
+            "k" => self.k = all(name, values, parsed)?,
+            "lambda" => self.lambda = all(name, values, parsed)?,
+            "rho" => self.rho = all(name, values, parsed)?,
+            "tempo" => self.tempo = all(name, values, parsed)?,
+            "kappa" => self.kappa = all(name, values, parsed)?,
+            "delta" => self.delta = all(name, values, parsed)?,
+            "coherence" => self.coherence = all(name, values, parsed)?,
+            "intensity" => self.intensity = all(name, values, parsed)?,
+            "part" => self.part = all(name, values, choice)?,
+            "folds" => self.folds = one(name, values, parsed)?,
+            _ => return Err(TaskError::usage(unknown("option", name, &Self::NAMES))),
+        }
+        Ok(())
+    }
+}
+
+/// Reads a value.
+type Read<T> = fn(&str) -> Result<T, String>;
+
+fn parsed<T: FromStr<Err: Display>>(text: &str) -> Result<T, String> {
+    text.parse().map_err(|e: T::Err| e.to_string())
+}
+
+/// A value by its name.
+fn choice<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    let text: StrDeserializer<'_, Error> = text.into_deserializer();
+    T::deserialize(text).map_err(|e| e.to_string())
+}
+
+fn all<T>(name: &str, values: &[String], read: Read<T>) -> Outcome<Vec<T>> {
+    if values.is_empty() {
+        return Err(TaskError::usage(format_args!("{name} has no value; one or several were expected")));
+    }
+    let fail = |value: &String, e: String| TaskError::usage(format_args!("{name} is '{value}': {e}"));
+    values.iter().map(|value| read(value).map_err(|e| fail(value, e))).collect()
+}
+
+fn one<T>(name: &str, values: &[String], read: Read<T>) -> Outcome<T> {
+    let mut all = all(name, values, read)?;
+    match (all.pop(), all.is_empty()) {
+        (Some(only), true) => Ok(only),
+        _ => Err(TaskError::usage(format_args!("{name} has several values; one was expected"))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_are_set_by_the_commands_names_and_values() {
+        let mut request = Request::new("clips".into(), "normal".into());
+        let mut set = |name: &str, values: &[&str]| {
+            request.set(name, &values.iter().map(|v| (*v).to_owned()).collect::<Vec<_>>()).map_err(|e| e.to_string())
+        };
+        set("protocol", &["off-database"]).unwrap();
+        set("labels", &["both", "none"]).unwrap();
+        set("kappa", &["1.5", "inf"]).unwrap();
+        assert!(set("mode", &["both"]).unwrap_err().contains("expected `offline` or `online`"));
+        assert!(set("k", &["many"]).unwrap_err().starts_with("k is 'many': "));
+        assert!(set("folds", &["1", "2"]).unwrap_err().contains("one was expected"));
+        assert!(set("rho", &[]).unwrap_err().contains("has no value"));
+        assert!(set("q", &["1"]).unwrap_err().contains("there is no option 'q'"));
+        assert_eq!(
+            (request.protocol, request.labels.len(), request.kappa[1]),
+            (Protocol::OffDatabase, 2, f32::INFINITY)
+        );
+    }
+
+    #[test]
+    fn every_name_can_be_set() {
+        for name in Request::NAMES {
+            let values = ["1", "on", "{action}_{style}.bvh", "both", "loo", "offline", "dtw", "exact", "whole"];
+            let sets =
+                |value: &str| Request::new("clips".into(), "normal".into()).set(name, &[value.to_owned()]).is_ok();
+            assert!(values.into_iter().any(sets), "{name}");
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::choices::Part;
 use super::settings::{Build, Grid, Setting};
+use crate::error::{Code, Outcome, TaskError};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -123,6 +124,14 @@ struct Row {
 }
 
 impl Report {
+    /// The rows of results as JSON.
+    ///
+    /// # Errors
+    /// None that results can cause.
+    pub fn rows_json(&self) -> Outcome<String> {
+        serde_json::to_string(&self.results).map_err(|e| TaskError::of(Code::Fault, e))
+    }
+
     pub(super) fn new(protocol: &'static str, source: &str, grid: &Grid, samples: &[Sample], command: &str) -> Self {
         let mut groups: BTreeMap<(&str, &str, usize, usize), Vec<&Sample>> = BTreeMap::new();
         for s in samples {

@@ -5,8 +5,10 @@ mod settings;
 mod styling;
 mod summary;
 mod trace;
+mod track;
 
 pub use settings::{METHODS, StyleSettings, Switch};
 pub use styling::{Spread, Styled, Styling, input_of, read};
 pub use summary::Summary;
 pub use trace::{StageTimer, TraceLog, class_names};
+pub use track::{StyleKey, StyleTrack};

@@ -3,6 +3,7 @@
 use super::frames::style_frames;
 use super::summary::Summary;
 use super::trace::{StageTimer, TraceLog, class_names};
+use super::track::StyleTrack;
 use crate::error::{Outcome, TaskError};
 use crate::gather::Source;
 use crate::progress::{Counter, OnProgress};
@@ -39,6 +40,7 @@ pub struct Styling {
     stylizer: Stylizer,
     /// Names of the database's classes.
     classes: Vec<String>,
+    track: Option<StyleTrack>,
 }
 
 /// The clip in a source.
@@ -54,7 +56,12 @@ impl Styling {
     /// With the styles and options of a stylizer.
     pub fn new(stylizer: Stylizer) -> Self {
         let classes = class_names(stylizer.model().catalogue());
-        Self { stylizer, classes }
+        Self { stylizer, classes, track: None }
+    }
+
+    /// With styles that change over time in place of the stylizer's.
+    pub fn with_track(self, track: StyleTrack) -> Self {
+        Self { track: Some(track), ..self }
     }
 
     /// Names of the database's classes.
@@ -89,17 +96,23 @@ impl Styling {
             summary.add(trace.class_weights);
             counter.step()
         };
+        let follow = |job: &mut ClipJob, frame: usize| match &self.track {
+            Some(track) => job.set_styles(&track.weights(frame)).map_err(TaskError::new),
+            None => Ok(()),
+        };
         if let Some(log) = log {
             let mut timer = StageTimer::default();
-            for pose in &input.poses {
+            for (frame, pose) in input.poses.iter().enumerate() {
+                follow(&mut job, frame)?;
                 let trace = job.push(pose, &mut timer);
                 on_frame(&trace)?;
                 log.push(&trace, timer.take());
             }
-        } else if spread == Spread::Frames && rayon::current_num_threads() > 1 {
+        } else if spread == Spread::Frames && rayon::current_num_threads() > 1 && self.track.is_none() {
             style_frames(&mut job, &ClipSearch::new(&self.stylizer, &input.poses), on_frame)?;
         } else {
-            for pose in &input.poses {
+            for (frame, pose) in input.poses.iter().enumerate() {
+                follow(&mut job, frame)?;
                 on_frame(&job.push(pose, &mut NoClock))?;
             }
         }

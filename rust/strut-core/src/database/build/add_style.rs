@@ -69,6 +69,20 @@ pub fn add_style(
     options: &registration::Options,
     executor: &impl ParallelMap,
 ) -> Result<AddedStyle, AddStyleError> {
+    add_style_of(db, clip, None, options, executor)
+}
+
+/// [`add_style`] for a clip whose action is known, an index of the database's; `None` for the one that fits best.
+///
+/// # Errors
+/// See [`AddStyleError`].
+pub fn add_style_of(
+    db: &Database,
+    clip: &SourceClip,
+    action: Option<u16>,
+    options: &registration::Options,
+    executor: &impl ParallelMap,
+) -> Result<AddedStyle, AddStyleError> {
     if db.style_index(&clip.style).is_some() {
         return Err(AddStyleError::Exists(clip.style.clone()));
     }
@@ -81,7 +95,7 @@ pub fn add_style(
         registration::Options { counterparts: db.counterparts_per_style.min(MAX_COUNTERPARTS), ..options.clone() };
     let mut best: Option<(u16, Addition)> = None;
     let mut refusal = None;
-    for action in 0..db.actions.len() as u16 {
+    for action in (0..db.actions.len() as u16).filter(|of| action.is_none_or(|known| known == *of)) {
         let mut examples: Vec<Example> = clips_of(db, action).map(|i| existing(db, &db.clips[i])).collect();
         // Without a neutral clip of the action there is no canonical timeline.
         if !db.clips.iter().any(|c| c.action == action && c.style == db.neutral) {

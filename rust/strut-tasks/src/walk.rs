@@ -1,0 +1,171 @@
+//! Walks that a model of walk styles makes.
+
+use crate::error::{Outcome, TaskError};
+use crate::progress::{Counter, OnProgress};
+use crate::weights::StyleWeights;
+use std::str::FromStr;
+use std::sync::Arc;
+use strut_core::hsmm::{MAX_TURN, RATE_HZ, RuntimeWalkModel, SIDES, STRIDE, WalkModel, Walker};
+use strut_core::humanoid::HumanoidMotion;
+use strut_core::math::Vec3;
+
+/// Most steps of a walk: over three hours.
+pub const MAX_STEPS: u64 = 20_000;
+
+/// Steps of a walk that stops: two in which it does and one of standing.
+const STOPPING_STEPS: u64 = 3;
+
+/// A change of style: `NAME[=W]@STEP:LENGTH`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Transition {
+    /// The styles after it.
+    pub styles: StyleWeights,
+    /// The step at which it begins; the first is 0.
+    pub step: u64,
+    /// Steps in between.
+    pub between: u32,
+}
+
+impl FromStr for Transition {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let expected = || format!("'{text}' is no transition; NAME@STEP:LENGTH was expected, as in old@6:4");
+        let (styles, at) = text.rsplit_once('@').ok_or_else(expected)?;
+        let (step, between) = at.split_once(':').ok_or_else(expected)?;
+        let (step, between) = (step.trim().parse(), between.trim().parse());
+        let (Ok(step), Ok(between)) = (step, between) else { return Err(expected()) };
+        Ok(Self { styles: styles.parse()?, step, between })
+    }
+}
+
+/// How to walk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gait {
+    /// Steps a minute; the style's own if `None`.
+    pub cadence: Option<f32>,
+    /// Length of steps as a share of the style's.
+    pub stride: f32,
+    /// Turn of every step, degrees to the left.
+    pub turn: f32,
+    /// Whether joints keep within the range of the recorded walks.
+    pub limits: bool,
+}
+
+impl Default for Gait {
+    fn default() -> Self {
+        Self { cadence: None, stride: 1.0, turn: 0.0, limits: true }
+    }
+}
+
+impl Gait {
+    /// Checks the numbers.
+    ///
+    /// # Errors
+    /// A sentence about the first that is out of range.
+    pub fn check(&self) -> Outcome {
+        let limit = MAX_TURN.to_degrees();
+        if self.turn.is_nan() || self.turn.abs() > limit {
+            let expected = format_args!("-{limit:.0} to {limit:.0} degrees were expected");
+            return Err(TaskError::usage(format_args!("the turn is {}; {expected}", self.turn)));
+        }
+        let [shortest, longest] = STRIDE;
+        if !(shortest..=longest).contains(&self.stride) {
+            let expected = format_args!("{shortest} to {longest} of the style's was expected");
+            return Err(TaskError::usage(format_args!("the stride is {}; {expected}", self.stride)));
+        }
+        match self.cadence.filter(|c| !(*c > 0.0 && c.is_finite())) {
+            Some(cadence) => {
+                Err(TaskError::usage(format_args!("the cadence is {cadence}; a positive number was expected")))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Has a walker walk so.
+    ///
+    /// # Errors
+    /// As [`Gait::check`].
+    pub fn set(&self, walker: &mut Walker) -> Outcome {
+        self.check()?;
+        walker.set_cadence(self.cadence);
+        walker.set_turn(self.turn.to_radians());
+        walker.set_stride(self.stride);
+        walker.set_limits(self.limits);
+        Ok(())
+    }
+}
+
+/// A walk to make.
+#[derive(Clone, Debug)]
+pub struct WalkOrder {
+    /// The styles that it begins in.
+    pub styles: StyleWeights,
+    /// Number of steps, at most [`MAX_STEPS`].
+    pub steps: u64,
+    /// Changes of style.
+    pub transitions: Vec<Transition>,
+    /// How to walk.
+    pub gait: Gait,
+    /// Whether it stops at the end, within two more steps, and stands.
+    pub stop: bool,
+}
+
+/// A walk, with the feet that are on the ground in each frame.
+pub struct Walked {
+    /// On the model's body.
+    pub motion: HumanoidMotion,
+    /// Left and right.
+    pub planted: Vec<[bool; 2]>,
+}
+
+impl WalkOrder {
+    /// Walks.
+    ///
+    /// # Errors
+    /// If a number is out of range or the model lacks a style, or the caller cancels.
+    pub fn walk(
+        &self,
+        model: &WalkModel,
+        runtime: Arc<RuntimeWalkModel>,
+        on_progress: &OnProgress<'_>,
+    ) -> Outcome<Walked> {
+        self.gait.check()?;
+        if !(1..=MAX_STEPS).contains(&self.steps) {
+            return Err(TaskError::usage(format_args!(
+                "there are {} steps; 1 to {MAX_STEPS} were expected",
+                self.steps
+            )));
+        }
+        let weights = |styles: &StyleWeights| styles.of_walks(&model.styles).map_err(TaskError::new);
+        let mut walker = Walker::new(runtime);
+        walker.set_styles(&weights(&self.styles)?).map_err(TaskError::new)?;
+        for Transition { styles, step, between } in &self.transitions {
+            let weights = weights(styles)?;
+            walker.plan_transition(*step, *between, [&weights; SIDES]).map_err(TaskError::new)?;
+        }
+        self.gait.set(&mut walker)?;
+        // The walk does not begin with what was before these were set.
+        walker.reset(Vec3::ZERO, 0.0);
+        let last = self.steps + if self.stop { STOPPING_STEPS } else { 0 };
+        let counter = Counter::new("walking", last as usize, on_progress);
+        let (mut poses, mut planted) = (Vec::new(), Vec::new());
+        let mut walk = |walker: &mut Walker, until: u64| -> Outcome {
+            while walker.next_step() < until {
+                let before = walker.next_step();
+                poses.push(*walker.advance());
+                planted.push(walker.planted());
+                if walker.next_step() > before {
+                    counter.step()?;
+                }
+            }
+            Ok(())
+        };
+        walk(&mut walker, self.steps)?;
+        if self.stop {
+            walker.set_walking(false);
+            walk(&mut walker, last)?;
+        }
+        Ok(Walked { motion: HumanoidMotion { proportions: model.proportions, rate_hz: RATE_HZ, poses }, planted })
+    }
+}
