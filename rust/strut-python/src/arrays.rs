@@ -1,7 +1,10 @@
 //! Poses and numpy arrays.
 
 use crate::error::bad_input;
-use numpy::{Element, IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{
+    Element, IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadonlyArrayDyn,
+    PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
 use strut_core::humanoid::{POSE_FLOATS, Pose};
 
@@ -18,6 +21,26 @@ pub(crate) fn poses_of(array: &Bound<'_, PyAny>) -> PyResult<Vec<Pose>> {
     }
     let floats = array.as_slice().map_err(|_| wrong())?;
     Ok(floats.as_chunks::<POSE_FLOATS>().0.iter().map(Pose::read_from).collect())
+}
+
+/// The numbers of an array: C-contiguous float32 of this shape, `None` being any size.
+///
+/// # Errors
+/// If it is something else.
+pub(crate) fn floats(array: &Bound<'_, PyAny>, name: &str, shape: &[Option<usize>]) -> PyResult<Vec<f32>> {
+    let py = array.py();
+    let sizes: Vec<String> = shape.iter().map(|size| size.map_or("n".to_owned(), |size| size.to_string())).collect();
+    let wrong = || {
+        let expected = format_args!("C-contiguous float32 of shape {} was expected", sizes.join(" × "));
+        bad_input(py, format_args!("{name}: {expected}"))
+    };
+    let array: PyReadonlyArrayDyn<'_, f32> = array.extract().map_err(|_| wrong())?;
+    let is_alike = |(found, wanted): (&usize, &Option<usize>)| wanted.is_none_or(|size| size == *found);
+    if array.shape().len() != shape.len() || !array.shape().iter().zip(shape).all(is_alike) || !array.is_c_contiguous()
+    {
+        return Err(wrong());
+    }
+    Ok(array.as_slice().map_err(|_| wrong())?.to_vec())
 }
 
 /// Poses as an array, in the same layout.

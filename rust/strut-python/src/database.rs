@@ -1,17 +1,24 @@
 //! Databases.
 
+use crate::arrays::rows;
 use crate::call::watched;
+use crate::clip::Motion;
+use crate::corpus::{paths_of, pattern_of, reasons};
 use crate::error::exception;
+use crate::options::number;
+use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock, Mutex, PoisonError, Weak};
-use strut_core::database::build::{BuildError, BuildOptions, build};
+use strut_core::database::build::{BuildError, BuildOptions, add_style_of, build};
+use strut_core::math::Vec3;
+use strut_core::registration;
 use strut_core::search::Index;
 use strut_core::transfer::Model;
-use strut_formats::corpus::Pattern;
+use strut_formats::corpus::{Entry, Labels};
 use strut_formats::{GENERATOR, strutdb};
 use strut_tasks::clip::Opened;
 use strut_tasks::corpus::{RefusedFile, label, read_clips};
@@ -19,6 +26,7 @@ use strut_tasks::digest::sha256_hex;
 use strut_tasks::files::{self, Outputs};
 use strut_tasks::gather::gather;
 use strut_tasks::search::Search;
+use strut_tasks::suggestion::unknown;
 use strut_tasks::threads::{ThreadPool, with_threads};
 use strut_tasks::{Code, Outcome, TaskError};
 
@@ -37,7 +45,9 @@ type Reduced<'py> = (Bound<'py, PyAny>, (Bound<'py, PyAny>, String));
 /// What all databases with the same bytes share.
 pub(crate) struct Shared {
     pub(crate) model: Arc<Model>,
-    sha256: String,
+    pub(crate) sha256: String,
+    /// With another search than the exact one: the last that was asked for.
+    other: Mutex<Option<(Search, Arc<Model>)>>,
 }
 
 impl Origin {
@@ -71,7 +81,7 @@ impl Shared {
             strutdb::read(&*bytes).map_err(|reason| TaskError::in_file(Path::new(&origin.name()), reason))?;
         drop(bytes);
         let model = Arc::new(Opened::new(contents, Search::Exact).model);
-        let shared = Arc::new(Self { model, sha256: sha256.clone() });
+        let shared = Arc::new(Self { model, sha256: sha256.clone(), other: Mutex::default() });
         let mut known = known();
         known.retain(|_, database| database.strong_count() > 0);
         known.insert(sha256, Arc::downgrade(&shared));
@@ -90,6 +100,27 @@ pub(crate) struct Database {
 impl Database {
     fn opened(origin: Origin, refused: Vec<RefusedFile>) -> Outcome<Self> {
         Ok(Self { shared: Shared::open(&origin)?, origin, refused })
+    }
+
+    /// The database in the file at a path.
+    pub(crate) fn at(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        watched(py, None, |_| Self::opened(Origin::Path(path), Vec::new()))
+    }
+
+    /// The database as it is searched so.
+    pub(crate) fn model(&self, search: Search) -> Outcome<Arc<Model>> {
+        if search == Search::Exact {
+            return Ok(Arc::clone(&self.shared.model));
+        }
+        let mut other = self.shared.other.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, model)) = other.as_ref().filter(|(known, _)| *known == search) {
+            return Ok(Arc::clone(model));
+        }
+        let contents = strutdb::read(&*self.bytes()?)
+            .map_err(|reason| TaskError::in_file(Path::new(&self.origin.name()), reason))?;
+        let model = Arc::new(Opened::new(contents, search).model);
+        *other = Some((search, Arc::clone(&model)));
+        Ok(model)
     }
 
     /// Its name in messages.
@@ -148,13 +179,11 @@ impl Database {
         pattern: Option<&str>,
         labels: Option<PathBuf>,
         neutral: Option<String>,
-        rate_hz: f32,
-        threads: usize,
+        #[pyo3(from_py_with = number)] rate_hz: f32,
+        #[pyo3(from_py_with = number)] threads: usize,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
-        let inputs: Vec<PathBuf> = clips.extract::<PathBuf>().map(|path| vec![path]).or_else(|_| clips.extract())?;
-        let pattern = pattern.map(str::parse::<Pattern>).transpose();
-        let pattern = pattern.map_err(|reason| exception(py, &TaskError::new(reason)))?;
+        let (inputs, pattern) = (paths_of(clips)?, pattern_of(py, pattern)?);
         let built = |on_progress: &strut_tasks::OnProgress<'_>| {
             let mut refused = Vec::new();
             let sources = gather(&inputs)?;
@@ -180,6 +209,48 @@ impl Database {
         };
         let task = |on_progress: &strut_tasks::OnProgress<'_>| with_threads(threads, || built(on_progress))?;
         watched(py, progress.as_ref(), task)
+    }
+
+    /// This database with a motion as a style of its own, as `strut add-style` makes it: of an action of the database, the one that
+    /// the motion resembles most unless it is given.
+    #[pyo3(signature = (motion, name, *, action=None, threads=0))]
+    fn add_style(
+        &self,
+        py: Python<'_>,
+        motion: &Motion,
+        name: String,
+        action: Option<&str>,
+        #[pyo3(from_py_with = number)] threads: usize,
+    ) -> PyResult<Self> {
+        watched(py, None, |_| {
+            let of = |reason| TaskError::in_file(Path::new(&self.origin.name()), reason);
+            let db = strutdb::read(&*self.bytes()?).map_err(|reason| of(reason.to_string()))?.database;
+            let index = |action: &str| {
+                let known = db.actions.iter().position(|known| known == action);
+                known.map(|index| index as u16).ok_or_else(|| TaskError::new(unknown("action", action, &db.actions)))
+            };
+            let action = action.map(index).transpose()?;
+            let labels = Labels { action: String::new(), style: name, take: Some(1) };
+            let entry = Entry { path: motion.named.name.clone(), labels, licence: String::new() };
+            let clip = entry.source_clip(&motion.named.clip, &db.proportions);
+            let options = registration::Options::default();
+            let added = with_threads(threads, || add_style_of(&db, &clip, action, &options, &ThreadPool))?;
+            let added = added.map_err(|reason| TaskError::in_file(Path::new(&motion.named.name), reason))?.database;
+            let bytes = strutdb::write(&added, &Index::build(&added).plan(), GENERATOR);
+            Self::opened(Origin::Bytes(bytes), Vec::new())
+        })
+    }
+
+    /// A tensor of the file, which is in the safetensors format, by its name: a copy.
+    fn tensor<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        py.import("strut._tensors")?.getattr("tensor")?.call1((self.to_bytes(py)?, name))
+    }
+
+    /// The body: for each of the 21 joints its offset in its parent's frame in the T-pose, metres; for the hips their height.
+    #[getter]
+    fn proportions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        let offsets = self.shared.model.catalogue().proportions.offsets;
+        rows(py, offsets.iter().flat_map(Vec3::to_array).collect(), 3)
     }
 
     /// Writes the file.
@@ -249,9 +320,7 @@ impl Database {
     /// Why files did not enter it, by their paths.
     #[getter]
     fn refused<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let reasons = PyDict::new(py);
-        self.refused.iter().try_for_each(|file| reasons.set_item(&file.file, &file.reason))?;
-        Ok(reasons)
+        reasons(py, &self.refused)
     }
 
     /// SHA-256 of the file.

@@ -6,13 +6,20 @@
 
 mod arrays;
 mod call;
+mod clip;
+mod corpus;
 mod database;
 mod error;
+mod evaluate;
+mod key_style;
 mod many;
 mod metrics;
 mod motion;
 mod options;
+mod plan;
+mod styled;
 mod stylizer;
+mod walk;
 
 use pyo3::prelude::*;
 
@@ -20,13 +27,23 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _strut {
     #[pymodule_export]
+    use super::clip::Motion;
+    #[pymodule_export]
     use super::database::Database;
+    #[pymodule_export]
+    use super::evaluate::evaluate;
+    #[pymodule_export]
+    use super::key_style::KeyStyleModel;
     #[pymodule_export]
     use super::many::StyledMotions;
     #[pymodule_export]
     use super::metrics::{foot_skate, mean_acceleration, mean_jerk, pose_error, positions};
     #[pymodule_export]
-    use super::motion::{Motion, StyledMotion, stylize};
+    use super::plan::Plan;
+    #[pymodule_export]
+    use super::styled::{StyledMotion, stylize};
     #[pymodule_export]
     use super::stylizer::Stylizer;
+    #[pymodule_export]
+    use super::walk::{WalkModel, Walker};
 }

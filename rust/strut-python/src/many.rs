@@ -1,10 +1,11 @@
 //! Many motions in one style.
 
 use crate::call::watched;
+use crate::clip::{Motion, Named};
 use crate::database::Database;
 use crate::error::exception;
-use crate::motion::{Motion, Named, StyledMotion};
-use crate::options::settings;
+use crate::options::{number, settings};
+use crate::styled::StyledMotion;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
@@ -38,12 +39,15 @@ impl StyledMotions {
         db: &Database,
         styles: &Bound<'_, PyAny>,
         parts: Option<&Bound<'_, PyDict>>,
-        threads: usize,
+        #[pyo3(from_py_with = number)] threads: usize,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let settings = settings(styles, parts, options)?;
-        let (model, name) = (&db.shared.model, db.message_name());
-        let styling = watched(py, None, |_| Ok(Styling::new(settings.stylizer(model, Path::new(&name))?)))?;
+        let name = db.message_name();
+        let styling = watched(py, None, |_| {
+            let model = db.model(settings.search)?;
+            Ok(Styling::new(settings.stylizer(&model, Path::new(&name))?))
+        })?;
         let threads = match threads {
             0 => std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
             threads => threads,
@@ -62,7 +66,7 @@ impl StyledMotions {
         }
         let Some(styled) = self.ready.pop_front() else { return Ok(None) };
         Ok(Some(match styled {
-            Ok(styled) => Py::new(py, StyledMotion::new(styled, &self.styling))?.into_any(),
+            Ok(styled) => Py::new(py, StyledMotion::new(styled, &self.styling, None))?.into_any(),
             Err(error) => exception(py, &error).into_value(py).into_any(),
         }))
     }

@@ -1,59 +1,157 @@
-//! Clips and styled clips.
+//! Motions: files and arrays in, poses out.
 
-use crate::arrays::{array_of, column, flags};
+use crate::arrays::{array_of, flags, floats};
 use crate::call::watched;
+use crate::clip::{Known, Motion, Named};
 use crate::database::Database;
-use crate::error::exception;
-use crate::options::settings;
-use numpy::{PyArray1, PyArray2};
+use crate::error::bad_input;
+use crate::options::number;
+use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use strut_core::contact;
-use strut_core::humanoid::Role;
-use strut_core::transfer;
-use strut_formats::bvh;
+use strut_core::humanoid::{HumanoidMotion, Role};
+use strut_core::math::{Quat, Vec3};
+use strut_core::motion;
+use strut_core::skeleton::{Joint, Skeleton};
+use strut_formats::bvh::{self, Bvh};
 use strut_formats::corpus::Clip;
-use strut_tasks::files::{self, Outputs};
-use strut_tasks::stylize::{Spread, Styled, Styling, input_of};
-use strut_tasks::threads::with_threads;
-use strut_tasks::{Code, OnProgress, Outcome, TaskError};
+use strut_tasks::stylize::input_of;
+use strut_tasks::{Outcome, TaskError, files};
 
-/// A clip and its name in messages.
-pub(crate) struct Named {
-    pub(crate) name: String,
-    pub(crate) clip: Clip,
-    /// The file.
-    bytes: Vec<u8>,
+/// Frames per second that files can hold.
+const RATES_HZ: std::ops::RangeInclusive<f64> = 0.1..=10_000.0;
+
+/// The motion of arrays, with +Y up.
+struct Arrays {
+    names: Vec<String>,
+    parents: Vec<i64>,
+    offsets: Vec<f32>,
+    translations: Vec<f32>,
+    rotations: Vec<f32>,
+    rate_hz: f64,
+    is_z_up: bool,
 }
 
-/// A recorded motion of a humanoid.
-#[pyclass(frozen, module = "strut")]
-pub(crate) struct Motion {
-    pub(crate) named: Arc<Named>,
-}
-
-impl Named {
-    fn new(name: String, bytes: Vec<u8>) -> Outcome<Self> {
-        let clip = Clip::parse(&bytes).map_err(|reason| TaskError::in_file(Path::new(&name), reason))?;
-        Ok(Self { name, clip, bytes })
+impl Arrays {
+    /// The bytes of a file that holds it.
+    fn file(&self) -> Outcome<Vec<u8>> {
+        let joints = self.names.len();
+        let vector = |v: &[f32; 3]| Vec3::from_array(*v);
+        // From +Z up and +Y away from the viewer to +Y up.
+        let turn = if self.is_z_up { Quat::from_rotation_x(-std::f32::consts::FRAC_PI_2) } else { Quat::IDENTITY };
+        let joint = |((name, parent), offset): ((&String, &i64), &[f32; 3])| {
+            let is_writable = name.trim() == name && !name.is_empty() && !name.contains(char::is_control);
+            if !is_writable || name.len() > bvh::MAX_NAME_BYTES {
+                return Err(TaskError::usage(format_args!(
+                    "'{name}' is no name of a joint; a short line was expected"
+                )));
+            }
+            let parent = usize::try_from(*parent).ok();
+            let offset = if parent.is_none() { turn * vector(offset) } else { vector(offset) };
+            Ok(Joint { name: name.clone(), parent, offset, end: None })
+        };
+        let offsets = self.offsets.as_chunks::<3>().0;
+        let skeleton = self.names.iter().zip(&self.parents).zip(offsets).map(joint).collect::<Outcome<Vec<Joint>>>()?;
+        let skeleton = Skeleton::new(skeleton).map_err(TaskError::new)?;
+        let is_root = |index: usize| index.is_multiple_of(joints);
+        let translations = self.translations.as_chunks::<3>().0.iter().map(vector).enumerate();
+        let translations = translations.map(|(i, v)| if is_root(i) { turn * v } else { v }).collect();
+        let mut rotations = Vec::with_capacity(self.rotations.len() / 4);
+        for (i, [x, y, z, w]) in self.rotations.as_chunks::<4>().0.iter().enumerate() {
+            let rotation = Quat::from_xyzw(*x, *y, *z, *w);
+            let squared: f32 = rotation.to_array().iter().map(|v| v * v).sum();
+            if !(1e-6..1e6).contains(&squared) {
+                let place = format_args!("of joint {} in frame {}", i % joints, i / joints);
+                return Err(TaskError::new(format_args!("the rotation {place} is no quaternion")));
+            }
+            let rotation = rotation.normalized();
+            rotations.push(if is_root(i) { turn * rotation } else { rotation });
+        }
+        let motion = motion::Motion::new(skeleton, 1.0 / self.rate_hz, translations, rotations);
+        let file = Bvh::from_motion(&motion.map_err(TaskError::new)?).map_err(TaskError::new)?;
+        Ok(bvh::write(&file).into_bytes())
     }
 }
 
+/// What pickle calls, and with what.
+type Reduced<'py> = (Bound<'py, PyAny>, (Bound<'py, PyBytes>, String, Bound<'py, PyDict>, Option<f32>));
+
 #[pymethods]
 impl Motion {
-    /// Opens a BVH file by its path, or from its bytes.
+    /// Opens a BVH file by its path, or from its bytes. `roles` has names of joints, or None, for roles that are not as detected.
     #[staticmethod]
-    fn open(py: Python<'_>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
+    #[pyo3(signature = (source, *, roles=None))]
+    fn open(py: Python<'_>, source: &Bound<'_, PyAny>, roles: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let known = Known::of(roles, None)?;
         let named = if let Ok(bytes) = source.cast::<PyBytes>() {
             let bytes = bytes.as_bytes().to_owned();
-            watched(py, None, |_| Named::new("the motion".into(), bytes))
+            watched(py, None, |_| Named::new("the motion".into(), bytes, known))
         } else {
             let path: PathBuf = source.extract()?;
-            watched(py, None, |_| Named::new(path.display().to_string(), files::read(&path, bvh::MAX_BYTES)?))
+            watched(py, None, |_| Named::new(path.display().to_string(), files::read(&path, bvh::MAX_BYTES)?, known))
         };
         Ok(Self { named: Arc::new(named?) })
+    }
+
+    /// A motion of a skeleton: for each joint its name, the index of its parent (-1 for the first, the root) and its offset in the
+    /// parent's frame, j × 3; for each frame and joint its translation in the parent's frame, n × j × 3, and its rotation relative to
+    /// the parent, n × j × 4, x y z w. Arrays are C-contiguous float32. `up` is the axis that points up, "y" or "z"; what is made of
+    /// the motion has +Y up. The unit of length is detected unless it is given.
+    #[staticmethod]
+    #[pyo3(signature = (names, parents, offsets, translations, rotations_xyzw, rate_hz, *, up="y", metres_per_unit=None, roles=None))]
+    #[allow(clippy::too_many_arguments)] // They are the keywords of the function.
+    fn from_arrays(
+        py: Python<'_>,
+        names: Vec<String>,
+        #[pyo3(from_py_with = number)] parents: Vec<i64>,
+        offsets: &Bound<'_, PyAny>,
+        translations: &Bound<'_, PyAny>,
+        rotations_xyzw: &Bound<'_, PyAny>,
+        #[pyo3(from_py_with = number)] rate_hz: f64,
+        up: &str,
+        #[pyo3(from_py_with = number)] metres_per_unit: Option<f32>,
+        roles: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let joints = names.len();
+        if parents.len() != joints {
+            let count = format_args!("there are {joints} names and {} parents", parents.len());
+            return Err(bad_input(py, format_args!("{count}; as many were expected")));
+        }
+        if !["y", "z"].contains(&up) {
+            return Err(bad_input(py, format_args!("up is '{up}'; y or z was expected")));
+        }
+        if !RATES_HZ.contains(&rate_hz) {
+            let (least, most) = (RATES_HZ.start(), RATES_HZ.end());
+            let expected = format_args!("{least} to {most} frames per second were expected");
+            return Err(bad_input(py, format_args!("the rate is {rate_hz}; {expected}")));
+        }
+        if let Some(unit) = metres_per_unit.filter(|unit| !(*unit > 0.0 && unit.is_finite())) {
+            return Err(bad_input(py, format_args!("a unit is {unit} m; a positive number was expected")));
+        }
+        let offsets = floats(offsets, "offsets", &[Some(joints), Some(3)])?;
+        let translations = floats(translations, "translations", &[None, Some(joints), Some(3)])?;
+        let rotations = floats(rotations_xyzw, "rotations_xyzw", &[None, Some(joints), Some(4)])?;
+        let known = Known::of(roles, metres_per_unit)?;
+        let arrays = Arrays { names, parents, offsets, translations, rotations, rate_hz, is_z_up: up == "z" };
+        let named = watched(py, None, |_| Named::new("the motion".into(), arrays.file()?, known))?;
+        Ok(Self { named: Arc::new(named) })
+    }
+
+    /// What `open` and `from_arrays` made, again.
+    #[staticmethod]
+    fn _reopen(
+        py: Python<'_>,
+        bytes: &[u8],
+        name: String,
+        roles: &Bound<'_, PyDict>,
+        metres_per_unit: Option<f32>,
+    ) -> PyResult<Self> {
+        let (bytes, known) = (bytes.to_owned(), Known::of(Some(roles), metres_per_unit)?);
+        let named = watched(py, None, |_| Named::new(name, bytes, known))?;
+        Ok(Self { named: Arc::new(named) })
     }
 
     /// The motion on a database's body and at its rate, as float32 of 87 columns: root x y z in metres, then x y z w of the
@@ -106,136 +204,30 @@ impl Motion {
         Ok(roles)
     }
 
+    /// What was matched and assumed when the skeleton was read as a humanoid, in sentences.
+    #[getter]
+    fn note(&self) -> String {
+        self.named.clip.binding.notes.join(" ")
+    }
+
     fn __repr__(&self) -> String {
         format!("<strut.Motion {}: {} frames, {:.2} s>", self.name(), self.frames(), self.duration_secs())
     }
 
-    /// The file's bytes.
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
-        Ok((slf.get_type().getattr("open")?, (PyBytes::new(slf.py(), &slf.get().named.bytes),)))
+    /// The file's bytes, with the name and what was said of the skeleton.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let (py, named) = (slf.py(), &slf.get().named);
+        let Named { name, bytes, known, .. } = &**named;
+        let arguments = (PyBytes::new(py, bytes), name.clone(), known.roles(py)?, known.metres_per_unit);
+        Ok((slf.get_type().getattr("_reopen")?, arguments))
     }
 }
 
 impl Motion {
-    fn input(&self, py: Python<'_>, db: &Database) -> PyResult<strut_core::humanoid::HumanoidMotion> {
+    fn input(&self, py: Python<'_>, db: &Database) -> PyResult<HumanoidMotion> {
         watched(py, None, |_| {
             let fail = |reason| TaskError::in_file(Path::new(&self.named.name), reason);
             input_of(&self.named.clip, db.shared.model.catalogue()).map_err(fail)
         })
     }
-}
-
-/// A motion in another style.
-#[pyclass(frozen, module = "strut")]
-pub(crate) struct StyledMotion {
-    motion: transfer::StyledMotion,
-    file: bvh::Bvh,
-    class_weights: Vec<(String, f64)>,
-    rate_hz: f32,
-}
-
-impl StyledMotion {
-    /// What a styling made of a clip.
-    pub(crate) fn new(styled: Styled, styling: &Styling) -> Self {
-        let Styled { motion, file, summary } = styled;
-        let class_weights = styling.classes().iter().cloned().zip(summary.mean_weights()).collect();
-        Self { motion, file, class_weights, rate_hz: styling.catalogue().rate_hz }
-    }
-}
-
-#[pymethods]
-impl StyledMotion {
-    /// A pose for each frame of the input, on the database's body, in the layout of `Motion.poses`.
-    #[getter]
-    fn poses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
-        let poses: Vec<_> = self.motion.frames.iter().map(|frame| frame.pose).collect();
-        array_of(py, &poses)
-    }
-
-    /// When each pose is due, seconds.
-    #[getter]
-    fn time_out<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        column(py, self.motion.frames.iter().map(|frame| frame.time_out_secs).collect())
-    }
-
-    /// Whether the left and the right foot is held in place in each pose, as 0 and 1.
-    #[getter]
-    fn planted<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u8>>> {
-        flags(py, self.motion.frames.iter().map(|frame| frame.planted))
-    }
-
-    /// What the input was read as: the mean weight of each class, "action/style".
-    #[getter]
-    fn class_weights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let weights = PyDict::new(py);
-        self.class_weights.iter().try_for_each(|(class, weight)| weights.set_item(class, weight))?;
-        Ok(weights)
-    }
-
-    /// Length, seconds.
-    #[getter]
-    fn duration_secs(&self) -> f64 {
-        self.motion.duration_secs()
-    }
-
-    /// Unusable frames of the input that were replaced.
-    #[getter]
-    fn repaired(&self) -> u32 {
-        self.motion.frames.last().map_or(0, |frame| frame.repaired_total)
-    }
-
-    /// The text of a BVH file with the input's skeleton, names, units, channel order and frame rate.
-    fn to_bvh(&self) -> String {
-        bvh::write(&self.file)
-    }
-
-    /// Writes that file.
-    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        watched(py, None, |_| {
-            let mut outputs = Outputs::default();
-            outputs.stage(&path, bvh::write(&self.file).as_bytes())?;
-            outputs.commit()
-        })
-    }
-
-    /// Poses at an even rate, the database's unless given, and for each the fractional frame of the input it comes from.
-    #[pyo3(signature = (rate_hz=None))]
-    fn to_arrays<'py>(&self, py: Python<'py>, rate_hz: Option<f32>) -> PyResult<Bound<'py, PyAny>> {
-        let rate_hz = rate_hz.unwrap_or(self.rate_hz);
-        if !(1.0..=1000.0).contains(&rate_hz) {
-            let reason = format_args!("the rate is {rate_hz}; 1 to 1000 frames per second were expected");
-            return Err(exception(py, &TaskError::of(Code::BadInput, reason)));
-        }
-        let even = watched(py, None, |_| Ok(self.motion.on_body(&self.motion.proportions, rate_hz)))?;
-        let arrays = py.import("strut._arrays")?.getattr("Arrays")?;
-        arrays.call1((array_of(py, &even.motion.poses)?, column(py, even.input_frame), rate_hz))
-    }
-
-    fn __repr__(&self) -> String {
-        format!("<strut.StyledMotion: {} frames, {:.2} s>", self.motion.frames.len(), self.duration_secs())
-    }
-}
-
-/// Gives a motion another style. `progress(what, done, total)` is called about twenty times a second.
-#[pyfunction]
-#[pyo3(signature = (motion, db, styles, *, parts=None, threads=0, progress=None, **options))]
-#[allow(clippy::too_many_arguments)] // They are the keywords of the function.
-pub(crate) fn stylize(
-    py: Python<'_>,
-    motion: &Motion,
-    db: &Database,
-    styles: &Bound<'_, PyAny>,
-    parts: Option<&Bound<'_, PyDict>>,
-    threads: usize,
-    progress: Option<Py<PyAny>>,
-    options: Option<&Bound<'_, PyDict>>,
-) -> PyResult<StyledMotion> {
-    let settings = settings(styles, parts, options)?;
-    let name = db.message_name();
-    watched(py, progress.as_ref(), |on_progress: &OnProgress<'_>| {
-        let styling = Styling::new(settings.stylizer(&db.shared.model, Path::new(&name))?);
-        let Named { name, clip, .. } = &*motion.named;
-        let styled = with_threads(threads, || styling.style(name, clip, None, Spread::Frames, on_progress))??;
-        Ok(StyledMotion::new(styled, &styling))
-    })
 }

@@ -1,7 +1,7 @@
 //! Styles and options from Python's values.
 
 use crate::error::{bad_input, exception};
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict};
 use strut_core::transfer::BodyPart;
@@ -9,8 +9,8 @@ use strut_tasks::stylize::StyleSettings;
 use strut_tasks::suggestion::unknown;
 use strut_tasks::weights::{PartWeights, StyleWeights};
 
-/// Options of the command that have parameters of their own here, or that belong to the database.
-const OTHERWISE: [&str; 2] = ["part", "search"];
+/// The option of the command that has a parameter of its own here.
+const OTHERWISE: &str = "part";
 
 /// Weights from a text as the command takes it, or from a dict of numbers by name.
 pub(crate) fn styles(value: &Bound<'_, PyAny>) -> PyResult<StyleWeights> {
@@ -58,17 +58,33 @@ pub(crate) fn set_options(settings: &mut StyleSettings, options: Option<&Bound<'
         let name: String = name.extract()?;
         // Python's way round its own words: `lambda_`.
         let option = name.trim_end_matches('_').replace('_', "-");
-        if !StyleSettings::NAMES.contains(&option.as_str()) || OTHERWISE.contains(&option.as_str()) {
+        if !StyleSettings::NAMES.contains(&option.as_str()) || option == OTHERWISE {
             return Err(PyTypeError::new_err(format!("there is no option '{name}'")));
         }
         if value.is_none() {
             continue;
         }
-        let text = match value.cast::<PyBool>() {
-            Ok(switch) => (if switch.is_true() { "on" } else { "off" }).to_owned(),
-            Err(_) => value.str()?.to_str()?.to_owned(),
-        };
-        settings.set(&option, &text).map_err(|error| exception(value.py(), &error))?;
+        settings.set(&option, &text_of(&value)?).map_err(|error| exception(value.py(), &error))?;
     }
     Ok(())
+}
+
+/// A value as the command takes it.
+pub(crate) fn text_of(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    Ok(match value.cast::<PyBool>() {
+        Ok(switch) => (if switch.is_true() { "on" } else { "off" }).to_owned(),
+        Err(_) => value.str()?.to_str()?.to_owned(),
+    })
+}
+
+/// A number, or several, that Python may have larger than they fit.
+pub(crate) fn number<'py, T: for<'a> FromPyObject<'a, 'py, Error = PyErr>>(value: &Bound<'py, PyAny>) -> PyResult<T> {
+    let py = value.py();
+    value.extract().map_err(|error: PyErr| {
+        if error.is_instance_of::<PyOverflowError>(py) {
+            let text = value.str().map(|text| text.to_string()).unwrap_or_default();
+            return bad_input(py, format_args!("{text:.40} is out of range"));
+        }
+        error
+    })
 }

@@ -22,6 +22,9 @@ pub(crate) struct Stylizer {
 impl Stylizer {
     /// Takes other settings over; the former stay if they do not fit the database.
     fn apply(&mut self, py: Python<'_>, settings: StyleSettings) -> PyResult<()> {
+        if settings.search != self.settings.search {
+            return Err(bad_input(py, "the search of a stylizer cannot be changed; another stylizer was expected"));
+        }
         let new = settings.stylizer(self.engine.model(), Path::new(&self.name));
         let new = new.map_err(|error| exception(py, &error))?;
         // The stream goes on: what it remembers stays, and what was checked is set.
@@ -52,8 +55,8 @@ impl Stylizer {
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let settings = settings(styles, parts, options)?;
-        let (model, name) = (&db.shared.model, db.message_name());
-        let engine = py.detach(|| settings.stylizer(model, Path::new(&name)));
+        let name = db.message_name();
+        let engine = py.detach(|| settings.stylizer(&db.model(settings.search)?, Path::new(&name)));
         Ok(Self { engine: engine.map_err(|error| exception(py, &error))?, settings, name })
     }
 

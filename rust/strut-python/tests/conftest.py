@@ -30,3 +30,15 @@ def db(files: Path) -> strut.Database:
 def jump(files: Path) -> strut.Motion:
     """A short clip."""
     return strut.Motion.open(files / "clips" / "jump_neutral_001.bvh")
+
+
+@pytest.fixture(scope="session")
+def walks(files: Path) -> strut.WalkModel:
+    """A model of walks of several styles."""
+    return strut.WalkModel.train(sorted((files / "clips").glob("walk_*_001.bvh")))
+
+
+@pytest.fixture(scope="session")
+def keys(files: Path) -> strut.KeyStyleModel:
+    """A model of two style variables."""
+    return strut.KeyStyleModel.train(sorted((files / "clips").glob("jump_*.bvh"))[:2], "hips_height,speed", components=4)

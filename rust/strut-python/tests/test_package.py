@@ -87,7 +87,7 @@ def test_errors_are_sentences_with_a_code(db: strut.Database, jump: strut.Motion
         strut.Database.open(tmp_path / "none.strutdb")
     with pytest.raises(FileNotFoundError):
         strut.stylize(jump, db, "old").save(tmp_path / "none" / "out.bvh")
-    for wrong in ({"q": 1}, {"search": "exact"}):
+    for wrong in ({"q": 1}, {"part": "legs:old"}):
         with pytest.raises(TypeError):
             strut.stylize(jump, db, "old", **wrong)
 

@@ -1,5 +1,6 @@
 """What the package writes is what the command writes, byte for byte."""
 
+import inspect
 import os
 import re
 import subprocess
@@ -45,11 +46,42 @@ def test_the_built_in_database(tmp_path: Path):
     assert strut.Database.demo().to_bytes() == (tmp_path / "command.strutdb").read_bytes()
 
 
-def test_the_options_are_those_of_the_command():
-    shown = subprocess.run([os.environ["STRUT_COMMAND"], "stylize", "-h"], check=True, capture_output=True, text=True).stdout
-    options = set(re.findall(r"^ +(?:-\w, )?--([a-z-]+)", shown, re.MULTILINE)) | set(re.findall(r"^ +-(k) ", shown, re.MULTILINE))
-    # Files, and what is an argument of its own; the search is exact.
-    others = {"db", "input", "style", "output", "part", "trace", "threads", "help", "search"}
-    assert others < options
-    named = {name.strip("_").replace("_", "-") for name in strut.Options.__annotations__}
-    assert named == options - others
+def options_of(*command: str) -> set[str]:
+    """Long options of a command, and -k."""
+    shown = subprocess.run([os.environ["STRUT_COMMAND"], *command, "-h"], check=True, capture_output=True, text=True).stdout
+    return set(re.findall(r"^ +(?:-\w, )?--([a-z-]+)", shown, re.MULTILINE)) | set(re.findall(r"^ +-(k) ", shown, re.MULTILINE))
+
+
+def keywords_of(function: object) -> set[str]:
+    """Names of a function's arguments, and of the options it takes as keywords, as the command has them."""
+    of = inspect.signature(function).parameters
+    return {name.strip("_").replace("_", "-") for name in of if name not in ("self", "options")}
+
+
+def names_of(options: type) -> set[str]:
+    return {name.strip("_").replace("_", "-") for name in options.__annotations__}
+
+
+FILES = {"help", "json", "output"}
+"""What a file is written to is an argument of `save`."""
+
+
+@pytest.mark.parametrize(
+    ("function", "options", "command", "renamed", "only_here", "only_there"),
+    [
+        (strut.stylize, strut.Options, "stylize", {"styles": "style", "parts": "part"}, {"motion", "progress", "track"}, {"input"}),
+        (strut.stylize_many, strut.Options, "stylize", {"styles": "style", "parts": "part"}, {"motions"}, {"input", "trace"}),
+        (strut.Stylizer, strut.Options, "stylize", {"styles": "style", "parts": "part"}, set(), {"input", "trace", "threads"}),
+        (strut.batch.Plan, strut.Options, "stylize-batch", {"out": "output", "parts": "part"}, {"inputs"}, {"style", "shard", "strict", "threads"}),
+        (strut.Database.build, None, "build-db", {"rate-hz": "rate"}, {"clips", "progress", "threads"}, {"report", "registration"}),
+        (strut.Database.add_style, None, "add-style", {"motion": "input", "name": "style"}, {"action", "threads"}, {"db"}),
+        (strut.WalkModel.train, None, "train-walk", {}, {"clips", "threads", "progress"}, set()),
+        (strut.WalkModel.walk, None, "walk", {"styles": "style", "transitions": "transition"}, {"progress"}, {"model"}),
+        (strut.KeyStyleModel.train, None, "train-key-style", {}, {"source", "threads", "progress"}, set()),
+        (strut.KeyStyleModel.motion, None, "key-style", {}, set(), {"model"}),
+        (strut.evaluate, strut.EvaluateOptions, "evaluate", {}, {"threads", "progress"}, {"curves", "progress"}),
+    ],
+)
+def test_the_arguments_are_the_options_of_the_command(function, options, command, renamed, only_here, only_there):
+    here = {renamed.get(name, name) for name in keywords_of(function)} | (names_of(options) if options else set())
+    assert here - only_here - FILES == options_of(command) - only_there - FILES

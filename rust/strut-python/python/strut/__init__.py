@@ -6,23 +6,30 @@
 >>> strut.stylize(walk, db, {"elderly": 0.7}).save("walk-elderly.bvh")
 """
 
-from . import metrics
+from . import batch, metrics
 from ._arrays import Arrays, Styled
 from ._errors import StrutError
 from ._many import stylize_many
-from ._strut import Database, Motion, StyledMotion, Stylizer, stylize
-from ._types import Options
+from ._strut import Database, KeyStyleModel, Motion, StyledMotion, Stylizer, Walker, WalkModel, evaluate, stylize
+from ._types import EvaluateOptions, Options, TraceLine
 from .metrics import positions
 
 __all__ = [
     "Arrays",
     "Database",
+    "EvaluateOptions",
+    "KeyStyleModel",
     "Motion",
     "Options",
     "StrutError",
     "Styled",
     "StyledMotion",
     "Stylizer",
+    "TraceLine",
+    "WalkModel",
+    "Walker",
+    "batch",
+    "evaluate",
     "metrics",
     "positions",
     "stylize",

@@ -1,10 +1,21 @@
-"""How pickled databases are opened again."""
+"""How pickled objects are made again."""
 
 import os
+from typing import Any
 
-from ._strut import Database
+from ._errors import StrutError
+from ._strut import Database, Plan
 
 
 def open_database(source: str | os.PathLike[str] | bytes, sha256: str) -> Database:
     """Opens the database that was pickled; another file at its path is refused."""
     return Database.open(source, sha256=sha256)
+
+
+def open_plan(arguments: tuple[Any, ...], keywords: dict[str, Any], sha256: str) -> Plan:
+    """Makes the plan that was pickled; one that would write other outputs is refused."""
+    plan = Plan(*arguments, **keywords)
+    if plan.sha256 != sha256:
+        message = "the database, the table of variants or the version of Strut is another than when the batch was planned"
+        raise StrutError(message, "bad-input")
+    return plan

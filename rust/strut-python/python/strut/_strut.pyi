@@ -1,12 +1,13 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Unpack, final
+from typing import Any, Literal, Unpack, final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._arrays import Arrays, Styled
 from ._errors import StrutError
-from ._types import Options, PathLike, Progress, Styles
+from ._types import EvaluateOptions, Options, PathLike, Progress, Styles, Track, TraceLine
+from .batch import Job, Record
 
 __all__ = [
     "Database",
@@ -19,7 +20,12 @@ __all__ = [
     "Motion",
     "StyledMotion",
     "stylize",
+    "Plan",
     "Stylizer",
+    "WalkModel",
+    "Walker",
+    "KeyStyleModel",
+    "evaluate",
 ]
 
 @final
@@ -39,8 +45,12 @@ class Database:
         threads: int = 0,
         progress: Progress | None = None,
     ) -> Database: ...
+    def add_style(self, motion: Motion, name: str, *, action: str | None = None, threads: int = 0) -> Database: ...
+    def tensor(self, name: str) -> NDArray[Any]: ...
     def save(self, path: PathLike) -> None: ...
     def to_bytes(self) -> bytes: ...
+    @property
+    def proportions(self) -> NDArray[np.float32]: ...
     @property
     def name(self) -> str: ...
     @property
@@ -66,7 +76,22 @@ class Database:
 @final
 class Motion:
     @staticmethod
-    def open(source: PathLike | bytes) -> Motion: ...
+    def open(source: PathLike | bytes, *, roles: Mapping[str, str | None] | None = None) -> Motion: ...
+    @staticmethod
+    def from_arrays(
+        names: Sequence[str],
+        parents: Sequence[int],
+        offsets: NDArray[np.float32],
+        translations: NDArray[np.float32],
+        rotations_xyzw: NDArray[np.float32],
+        rate_hz: float,
+        *,
+        up: Literal["y", "z"] = "y",
+        metres_per_unit: float | None = None,
+        roles: Mapping[str, str | None] | None = None,
+    ) -> Motion: ...
+    @staticmethod
+    def _reopen(bytes: bytes, name: str, roles: Mapping[str, str | None], metres_per_unit: float | None) -> Motion: ...
     def poses(self, db: Database) -> NDArray[np.float32]: ...
     def contacts(self, db: Database) -> NDArray[np.uint8]: ...
     @property
@@ -79,7 +104,9 @@ class Motion:
     def duration_secs(self) -> float: ...
     @property
     def roles(self) -> dict[str, str]: ...
-    def __reduce__(self) -> tuple[Callable[..., Motion], tuple[bytes]]: ...
+    @property
+    def note(self) -> str: ...
+    def __reduce__(self) -> tuple[Callable[..., Motion], tuple[bytes, str, dict[str, str | None], float | None]]: ...
 
 @final
 class StyledMotion:
@@ -95,6 +122,8 @@ class StyledMotion:
     def duration_secs(self) -> float: ...
     @property
     def repaired(self) -> int: ...
+    @property
+    def trace(self) -> list[TraceLine] | None: ...
     def to_bvh(self) -> str: ...
     def save(self, path: PathLike) -> None: ...
     def to_arrays(self, rate_hz: float | None = None) -> Arrays: ...
@@ -115,6 +144,27 @@ class StyledMotions(Iterator[StyledMotion | StrutError]):
     def __next__(self) -> StyledMotion | StrutError: ...
 
 @final
+class Plan:
+    def __new__(
+        cls,
+        inputs: PathLike | Sequence[PathLike],
+        out: PathLike,
+        db: Database | PathLike,
+        variants: str | Mapping[str, Styles] | PathLike,
+        *,
+        parts: Mapping[str, Styles] | None = None,
+        retry: Literal["failed", "skipped", "all"] | None = None,
+        verify: bool = False,
+        **options: Unpack[Options],
+    ) -> Plan: ...
+    def pending(self, *, progress: Progress | None = None) -> list[Job]: ...
+    def perform(self, job: Job) -> Record: ...
+    def record(self, rows: Iterable[Record]) -> None: ...
+    @property
+    def sha256(self) -> str: ...
+    def __reduce__(self) -> tuple[Callable[..., Plan], tuple[tuple[object, ...], dict[str, object], str]]: ...
+
+@final
 class Stylizer:
     def __new__(
         cls,
@@ -129,16 +179,109 @@ class Stylizer:
     def push(self, poses: NDArray[np.float32]) -> Styled: ...
     def reset(self) -> None: ...
 
+@final
+class WalkModel:
+    @staticmethod
+    def open(source: PathLike | bytes) -> WalkModel: ...
+    @staticmethod
+    def train(
+        clips: PathLike | Sequence[PathLike],
+        *,
+        pattern: str | None = None,
+        labels: PathLike | None = None,
+        threads: int = 0,
+        progress: Progress | None = None,
+    ) -> WalkModel: ...
+    def save(self, path: PathLike) -> None: ...
+    def to_bytes(self) -> bytes: ...
+    @property
+    def styles(self) -> list[str]: ...
+    @property
+    def refused(self) -> dict[str, str]: ...
+    def walk(
+        self,
+        styles: Styles,
+        *,
+        steps: int = 12,
+        transitions: Iterable[tuple[Styles, int, int]] | None = None,
+        cadence: float | None = None,
+        stride: float = 1.0,
+        stop: bool = False,
+        turn: float = 0.0,
+        limits: bool = True,
+        progress: Progress | None = None,
+    ) -> StyledMotion: ...
+    def walker(self) -> Walker: ...
+    def __reduce__(self) -> tuple[Callable[..., WalkModel], tuple[bytes]]: ...
+
+@final
+class Walker:
+    def set_styles(self, styles: Styles) -> None: ...
+    def configure(
+        self,
+        *,
+        cadence: float | None = None,
+        stride: float = 1.0,
+        turn: float = 0.0,
+        limits: bool = True,
+        walking: bool = True,
+    ) -> None: ...
+    def advance(self, frames: int = 1) -> Styled: ...
+    @property
+    def step(self) -> int: ...
+    def reset(self) -> None: ...
+
+@final
+class KeyStyleModel:
+    @staticmethod
+    def open(source: PathLike | bytes) -> KeyStyleModel: ...
+    @staticmethod
+    def train(
+        source: PathLike | Sequence[PathLike],
+        axes: str | Sequence[str],
+        *,
+        seed: int = 0,
+        components: int | None = None,
+        method: Literal["som", "em"] = "som",
+        threads: int = 0,
+        progress: Progress | None = None,
+    ) -> KeyStyleModel: ...
+    def save(self, path: PathLike) -> None: ...
+    def to_bytes(self) -> bytes: ...
+    @property
+    def axes(self) -> list[str]: ...
+    @property
+    def refused(self) -> dict[str, str]: ...
+    def pose(self, style: Sequence[float]) -> NDArray[np.float32]: ...
+    def motion(
+        self,
+        keys: Iterable[tuple[float, Sequence[float]]],
+        *,
+        interpolation: Literal["catmull-rom", "monotone"] = "catmull-rom",
+        mode: Literal["smooth", "hard"] = "smooth",
+    ) -> StyledMotion: ...
+    def __reduce__(self) -> tuple[Callable[..., KeyStyleModel], tuple[bytes]]: ...
+
 def stylize(
     motion: Motion,
     db: Database,
     styles: Styles,
     *,
     parts: Mapping[str, Styles] | None = None,
+    track: Track | None = None,
+    trace: bool = False,
     threads: int = 0,
     progress: Progress | None = None,
     **options: Unpack[Options],
 ) -> StyledMotion: ...
+def evaluate(
+    data: PathLike,
+    source: str,
+    *,
+    threads: int = 0,
+    progress: Progress | None = None,
+    **options: Unpack[EvaluateOptions],
+) -> list[dict[str, Any]]: ...
 def positions(db: Database, poses: NDArray[np.float32]) -> NDArray[np.float32]: ...
 def pose_error(db: Database, first: NDArray[np.float32], second: NDArray[np.float32]) -> float: ...
 def foot_skate(db: Database, poses: NDArray[np.float32], planted: NDArray[np.uint8] | None = None) -> float: ...

@@ -1,11 +1,14 @@
 """Types of arguments."""
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Literal, TypedDict
 
 Styles = str | Mapping[str, float]
 """Weights by style, or a text such as `proud=0.7,old=0.2`. What lacks to a sum of 1 is neutral."""
+
+Track = Iterable[tuple[float, Styles]]
+"""Styles over time: pairs of a time in the input, seconds, and styles. In between they are mixed."""
 
 PathLike = str | os.PathLike[str]
 
@@ -28,3 +31,55 @@ class Options(TypedDict, total=False):
     timing: bool | None
     footplant: bool | None
     method: Literal["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"] | None
+    search: str | None
+
+
+class TraceLine(TypedDict):
+    """How a frame was computed."""
+
+    frame: int
+    """Number of the input frame at the database's rate."""
+    time_in: float
+    """Seconds since the first frame of the input."""
+    time_out: float
+    """When the frame is due, seconds."""
+    dt: float
+    """Seconds of output since the frame before."""
+    class_weights: dict[str, float]
+    """Weight of every class that took part, by "action/style"."""
+    neighbours: list[tuple[str, int, float]]
+    """Clip, frame in it and distance (metres) of the heaviest class's neighbours, nearest first."""
+    bias: float
+    """Largest bias of a degree of freedom, standard deviations."""
+    contact: tuple[float, float]
+    """Likelihood that the left and right foot is planted."""
+    cost_us: dict[str, float]
+    """Microseconds by stage."""
+
+
+class EvaluateOptions(TypedDict, total=False):
+    """The long options of `strut evaluate` with `_` for `-`; of lists all combinations are measured."""
+
+    pattern: str | None
+    actions: Sequence[str] | str | None
+    database_actions: Sequence[str] | str | None
+    targets: Sequence[str] | str | None
+    methods: Sequence[str] | str | None
+    labels: Sequence[str] | Literal["both", "action", "style", "none"] | None
+    protocol: Literal["loo", "off-database"] | None
+    inputs: Sequence[PathLike] | PathLike | None
+    mode: Sequence[str] | Literal["offline", "online"] | None
+    registration: Sequence[str] | Literal["dtw", "imw", "linear"] | None
+    takes: Sequence[int] | int | None
+    window: Sequence[int] | int | None
+    search: Sequence[str] | str | None
+    k: Sequence[int] | int | None
+    lambda_: Sequence[float] | float | None
+    rho: Sequence[float] | float | None
+    tempo: Sequence[float] | float | None
+    kappa: Sequence[float] | float | None
+    delta: Sequence[float] | float | None
+    coherence: Sequence[bool] | bool | None
+    intensity: Sequence[float] | float | None
+    part: Sequence[str] | Literal["whole", "head", "torso", "arms", "legs"] | None
+    folds: int | None

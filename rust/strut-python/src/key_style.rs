@@ -1,0 +1,191 @@
+//! Poses by a few style variables.
+
+use crate::arrays::column;
+use crate::call::watched;
+use crate::corpus::{paths_of, reasons};
+use crate::error::bad_input;
+use crate::options::number;
+use crate::styled::StyledMotion;
+use numpy::PyArray1;
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use strut_core::contact;
+use strut_core::humanoid::POSE_FLOATS;
+use strut_core::somn::{
+    self, Interpolation, Key, KeyStyling, Learning, MAX_AXES, MAX_COMPONENTS, Method, Mode, Options, Style, Synthesis,
+};
+use strut_formats::{GENERATOR, key_style_model};
+use strut_tasks::corpus::RefusedFile;
+use strut_tasks::files::{self, Outputs};
+use strut_tasks::key_styles::{EM_RIDGE, parse_axes, train_key_styles};
+use strut_tasks::recordings::read_recordings;
+use strut_tasks::threads::with_threads;
+use strut_tasks::{Outcome, TaskError};
+
+/// A model of poses by one to three style variables.
+#[pyclass(frozen, module = "strut")]
+pub(crate) struct KeyStyleModel {
+    model: Arc<somn::KeyStyleModel>,
+    bytes: Vec<u8>,
+    refused: Vec<RefusedFile>,
+}
+
+impl KeyStyleModel {
+    fn read(name: &str, bytes: Vec<u8>) -> Outcome<Self> {
+        let model = key_style_model::read(&bytes).map_err(|reason| TaskError::in_file(Path::new(name), reason))?;
+        Ok(Self { model: Arc::new(model), bytes, refused: Vec::new() })
+    }
+
+    /// A style from numbers, one an axis.
+    fn style(&self, py: Python<'_>, numbers: &[f64]) -> PyResult<Style> {
+        let axes = self.model.axis_count();
+        if numbers.len() != axes || numbers.iter().any(|number| !number.is_finite()) {
+            let expected = format_args!("{axes} finite numbers were expected, one an axis");
+            return Err(bad_input(py, format_args!("the style is {numbers:?}; {expected}")));
+        }
+        let mut style = [0.0; MAX_AXES];
+        style.iter_mut().zip(numbers).for_each(|(value, number)| *value = *number);
+        Ok(style)
+    }
+}
+
+#[pymethods]
+impl KeyStyleModel {
+    /// Opens a file by its path, or from its bytes.
+    #[staticmethod]
+    fn open(py: Python<'_>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
+        if let Ok(bytes) = source.cast::<PyBytes>() {
+            let bytes = bytes.as_bytes().to_owned();
+            return watched(py, None, |_| Self::read("the model", bytes));
+        }
+        let path: PathBuf = source.extract()?;
+        let most = key_style_model::KIND.max_bytes;
+        watched(py, None, |_| Self::read(&path.display().to_string(), files::read(&path, most)?))
+    }
+
+    /// Learns a model from BVH files, folders and archives, as `strut train-key-style` does. `axes` are one to three measures, as
+    /// there: a text with commas between, or a list.
+    #[staticmethod]
+    #[pyo3(signature = (source, axes, *, seed=0, components=None, method="som", threads=0, progress=None))]
+    #[allow(clippy::too_many_arguments)] // They are the keywords of the function.
+    fn train(
+        py: Python<'_>,
+        source: &Bound<'_, PyAny>,
+        axes: &Bound<'_, PyAny>,
+        #[pyo3(from_py_with = number)] seed: u64,
+        #[pyo3(from_py_with = number)] components: Option<usize>,
+        method: &str,
+        #[pyo3(from_py_with = number)] threads: usize,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let inputs = paths_of(source)?;
+        let axes = axes.extract::<String>().or_else(|_| Ok::<_, PyErr>(axes.extract::<Vec<String>>()?.join(",")))?;
+        if let Some(components) = components.filter(|components| !(1..=MAX_COMPONENTS).contains(components)) {
+            let expected = format_args!("1 to {MAX_COMPONENTS} were expected");
+            return Err(bad_input(py, format_args!("there are {components} components; {expected}")));
+        }
+        let learning = match method {
+            "som" => Learning::Som,
+            "em" => Learning::Em { ridge: EM_RIDGE },
+            _ => return Err(bad_input(py, format_args!("the method is '{method}'; som or em was expected"))),
+        };
+        watched(py, progress.as_ref(), |on_progress| {
+            with_threads(threads, || {
+                let axes = parse_axes(&axes)?;
+                let mut refused = Vec::new();
+                let recordings = read_recordings(&inputs, &mut refused, on_progress)?;
+                let options = Options { components, seed, learning };
+                let model = train_key_styles(&recordings, &axes, options, on_progress)?;
+                let bytes = key_style_model::write(&model, GENERATOR);
+                Ok(Self { model: Arc::new(model), bytes, refused })
+            })?
+        })
+    }
+
+    /// Writes the file.
+    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        watched(py, None, |_| {
+            let mut outputs = Outputs::default();
+            outputs.stage(&path, &self.bytes)?;
+            outputs.commit()
+        })
+    }
+
+    /// The bytes of the file.
+    fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.bytes)
+    }
+
+    /// The style variables.
+    #[getter]
+    fn axes(&self) -> Vec<String> {
+        self.model.axes.iter().map(ToString::to_string).collect()
+    }
+
+    /// Why files were not used, by their paths.
+    #[getter]
+    fn refused<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        reasons(py, &self.refused)
+    }
+
+    /// The pose of a style, a number for each axis in its unit, as 87 numbers in the layout of `Motion.poses`.
+    fn pose<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = number)] style: Vec<f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f32>>> {
+        let style = self.style(py, &style)?;
+        let mut floats = [0.0; POSE_FLOATS];
+        py.detach(|| Synthesis::new(Arc::clone(&self.model)).pose(&style, Mode::default()).write_to(&mut floats));
+        Ok(column(py, floats.to_vec()))
+    }
+
+    /// A motion through keys, as `strut key-style` makes it: pairs of a time in seconds and a style, a number for each axis.
+    #[pyo3(signature = (keys, *, interpolation="catmull-rom", mode="smooth"))]
+    fn motion(
+        &self,
+        py: Python<'_>,
+        keys: &Bound<'_, PyAny>,
+        interpolation: &str,
+        mode: &str,
+    ) -> PyResult<StyledMotion> {
+        let interpolation = match interpolation {
+            "catmull-rom" => Interpolation::CatmullRom,
+            "monotone" => Interpolation::Monotone,
+            other => {
+                let expected = "catmull-rom or monotone was expected";
+                return Err(bad_input(py, format_args!("the interpolation is '{other}'; {expected}")));
+            }
+        };
+        let mode = match mode {
+            "smooth" => Mode::KEYED,
+            "hard" => Mode::Hard,
+            other => return Err(bad_input(py, format_args!("the mode is '{other}'; smooth or hard was expected"))),
+        };
+        let wrong = || PyTypeError::new_err("keys are pairs of a time in seconds and a sequence of numbers");
+        let key = |pair: PyResult<Bound<'_, PyAny>>| {
+            let (secs, numbers): (f64, Vec<f64>) = pair?.extract().map_err(|_| wrong())?;
+            Ok(Key { secs, style: self.style(py, &numbers)?, row: None })
+        };
+        let keys = keys.try_iter()?.map(key).collect::<PyResult<Vec<Key>>>()?;
+        watched(py, None, |_| {
+            let mut synthesis = Synthesis::new(Arc::clone(&self.model));
+            let styling = KeyStyling::new(&keys, interpolation, &mut synthesis, mode).map_err(TaskError::new)?;
+            let motion = styling.motion(&mut synthesis, Method::KeyStyle);
+            let planted = contact::label(&motion);
+            StyledMotion::made(motion, planted)
+        })
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<strut.KeyStyleModel: axes {}>", self.axes().join(", "))
+    }
+
+    /// The file's bytes.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+        Ok((slf.get_type().getattr("open")?, (slf.get().to_bytes(slf.py()),)))
+    }
+}

@@ -1,0 +1,226 @@
+//! Walks that a model of walk styles makes.
+
+use crate::arrays::{array_of, column, flags};
+use crate::call::watched;
+use crate::corpus::{paths_of, pattern_of, reasons};
+use crate::error::{bad_input, exception};
+use crate::options::{number, styles};
+use crate::styled::StyledMotion;
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use strut_core::hsmm::{self, RATE_HZ, RuntimeWalkModel};
+use strut_core::math::Vec3;
+use strut_formats::{GENERATOR, walk_model};
+use strut_tasks::corpus::RefusedFile;
+use strut_tasks::files::{self, Outputs};
+use strut_tasks::threads::with_threads;
+use strut_tasks::walk::{Gait, Transition, WalkOrder};
+use strut_tasks::walks::train_walks;
+use strut_tasks::weights::StyleWeights;
+use strut_tasks::{Outcome, TaskError};
+
+/// Most frames of one call of a walker: ten minutes.
+const MAX_FRAMES: usize = 30 * 600;
+
+/// A model of walk styles.
+#[pyclass(frozen, module = "strut")]
+pub(crate) struct WalkModel {
+    model: hsmm::WalkModel,
+    runtime: Arc<RuntimeWalkModel>,
+    bytes: Vec<u8>,
+    refused: Vec<RefusedFile>,
+}
+
+impl WalkModel {
+    fn new(model: hsmm::WalkModel, bytes: Vec<u8>, refused: Vec<RefusedFile>) -> Self {
+        let runtime = Arc::new(RuntimeWalkModel::new(&model));
+        Self { model, runtime, bytes, refused }
+    }
+
+    fn read(name: &str, bytes: Vec<u8>) -> Outcome<Self> {
+        let model = walk_model::read(&bytes).map_err(|reason| TaskError::in_file(Path::new(name), reason))?;
+        Ok(Self::new(model, bytes, Vec::new()))
+    }
+}
+
+#[pymethods]
+impl WalkModel {
+    /// Opens a file by its path, or from its bytes.
+    #[staticmethod]
+    fn open(py: Python<'_>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
+        if let Ok(bytes) = source.cast::<PyBytes>() {
+            let bytes = bytes.as_bytes().to_owned();
+            return watched(py, None, |_| Self::read("the model", bytes));
+        }
+        let path: PathBuf = source.extract()?;
+        let most = walk_model::KIND.max_bytes;
+        watched(py, None, |_| Self::read(&path.display().to_string(), files::read(&path, most)?))
+    }
+
+    /// Trains a model on labelled walks: BVH files, folders and archives, as `strut train-walk` does.
+    #[staticmethod]
+    #[pyo3(signature = (clips, *, pattern=None, labels=None, threads=0, progress=None))]
+    fn train(
+        py: Python<'_>,
+        clips: &Bound<'_, PyAny>,
+        pattern: Option<&str>,
+        labels: Option<PathBuf>,
+        #[pyo3(from_py_with = number)] threads: usize,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let (inputs, pattern) = (paths_of(clips)?, pattern_of(py, pattern)?);
+        watched(py, progress.as_ref(), |on_progress| {
+            with_threads(threads, || {
+                let mut refused = Vec::new();
+                let trained = train_walks(&inputs, pattern.as_ref(), labels.as_deref(), &mut refused, on_progress);
+                let model = trained?.0;
+                let bytes = walk_model::write(&model, GENERATOR);
+                Ok(Self::new(model, bytes, refused))
+            })?
+        })
+    }
+
+    /// Writes the file.
+    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        watched(py, None, |_| {
+            let mut outputs = Outputs::default();
+            outputs.stage(&path, &self.bytes)?;
+            outputs.commit()
+        })
+    }
+
+    /// The bytes of the file.
+    fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.bytes)
+    }
+
+    /// Names of the styles.
+    #[getter]
+    fn styles(&self) -> Vec<String> {
+        self.model.styles.clone()
+    }
+
+    /// Why files were not used, by their paths.
+    #[getter]
+    fn refused<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        reasons(py, &self.refused)
+    }
+
+    /// Walks in a style or a mixture, as `strut walk` does. A transition is a triple: styles, the step at which the change to them
+    /// begins, and the steps in between.
+    #[pyo3(signature = (styles, *, steps=12, transitions=None, cadence=None, stride=1.0, stop=false, turn=0.0, limits=true, progress=None))]
+    #[allow(clippy::too_many_arguments)] // They are the keywords of the function.
+    fn walk(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = styles)] styles: StyleWeights,
+        #[pyo3(from_py_with = number)] steps: u64,
+        transitions: Option<&Bound<'_, PyAny>>,
+        #[pyo3(from_py_with = number)] cadence: Option<f32>,
+        #[pyo3(from_py_with = number)] stride: f32,
+        stop: bool,
+        #[pyo3(from_py_with = number)] turn: f32,
+        limits: bool,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<StyledMotion> {
+        let transitions = transitions.map(transitions_of).transpose()?.unwrap_or_default();
+        let order = WalkOrder { styles, steps, transitions, gait: Gait { cadence, stride, turn, limits }, stop };
+        watched(py, progress.as_ref(), |on_progress| {
+            let walked = order.walk(&self.model, Arc::clone(&self.runtime), on_progress)?;
+            StyledMotion::made(walked.motion, walked.planted)
+        })
+    }
+
+    /// A walker in the average of all styles, from the origin along +Z.
+    fn walker(&self) -> Walker {
+        Walker { engine: hsmm::Walker::new(Arc::clone(&self.runtime)), styles: self.model.styles.clone(), frames: 0 }
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<strut.WalkModel: styles {}>", self.model.styles.join(", "))
+    }
+
+    /// The file's bytes.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+        Ok((slf.get_type().getattr("open")?, (slf.get().to_bytes(slf.py()),)))
+    }
+}
+
+fn transitions_of(value: &Bound<'_, PyAny>) -> PyResult<Vec<Transition>> {
+    let wrong = || PyTypeError::new_err("transitions are triples of styles, a step and the number of steps in between");
+    let of = |triple: PyResult<Bound<'_, PyAny>>| {
+        let (of, step, between): (Bound<'_, PyAny>, u64, u32) = triple?.extract().map_err(|_| wrong())?;
+        Ok(Transition { styles: styles(&of)?, step, between })
+    };
+    value.try_iter()?.map(of).collect()
+}
+
+/// A walk without an end, frame by frame at 30 frames per second.
+#[pyclass(module = "strut")]
+pub(crate) struct Walker {
+    engine: hsmm::Walker,
+    styles: Vec<String>,
+    /// Since the last beginning.
+    frames: usize,
+}
+
+#[pymethods]
+impl Walker {
+    /// Other styles from the next frame on; what weights lack to a sum of 1 is the average of all.
+    fn set_styles(&mut self, py: Python<'_>, #[pyo3(from_py_with = styles)] styles: StyleWeights) -> PyResult<()> {
+        let weights = styles.of_walks(&self.styles).map_err(|reason| bad_input(py, reason))?;
+        self.engine.set_styles(&weights).map_err(|reason| bad_input(py, reason))
+    }
+
+    /// Another gait from the next frame on: steps a minute, the style's own for None; length of steps as a share of the style's;
+    /// degrees that each step turns to the left; whether joints keep within the range of the recorded walks; whether it walks or stands.
+    #[pyo3(signature = (*, cadence=None, stride=1.0, turn=0.0, limits=true, walking=true))]
+    fn configure(
+        &mut self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = number)] cadence: Option<f32>,
+        #[pyo3(from_py_with = number)] stride: f32,
+        #[pyo3(from_py_with = number)] turn: f32,
+        limits: bool,
+        walking: bool,
+    ) -> PyResult<()> {
+        let gait = Gait { cadence, stride, turn, limits };
+        gait.set(&mut self.engine).map_err(|error| exception(py, &error))?;
+        self.engine.set_walking(walking);
+        Ok(())
+    }
+
+    /// The next frames.
+    #[pyo3(signature = (frames=1))]
+    fn advance<'py>(
+        &mut self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = number)] frames: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        if frames > MAX_FRAMES {
+            return Err(bad_input(py, format_args!("{frames} frames; at most {MAX_FRAMES} were expected")));
+        }
+        let walker = &mut self.engine;
+        let (poses, planted): (Vec<_>, Vec<_>) =
+            py.detach(|| (0..frames).map(|_| (*walker.advance(), walker.planted())).unzip());
+        let times = (self.frames..).take(frames).map(|frame| frame as f64 / f64::from(RATE_HZ)).collect();
+        self.frames += frames;
+        let styled = py.import("strut._arrays")?.getattr("Styled")?;
+        styled.call1((array_of(py, &poses)?, column::<f64>(py, times), flags(py, planted.into_iter())?))
+    }
+
+    /// Number of the step of the last frame.
+    #[getter]
+    fn step(&self) -> u64 {
+        self.engine.step().0
+    }
+
+    /// Begins anew at the origin along +Z; styles and gait stay.
+    fn reset(&mut self) {
+        self.engine.reset(Vec3::ZERO, 0.0);
+        self.frames = 0;
+    }
+}
