@@ -251,7 +251,7 @@ mod tests {
     #[test]
     fn every_name_can_be_set() {
         for name in Request::NAMES {
-            let values = ["1", "on", "{style}.bvh", "both", "loo", "offline", "dtw", "exact", "whole"];
+            let values = ["1", "on", "{action}_{style}.bvh", "both", "loo", "offline", "dtw", "exact", "whole"];
             let sets =
                 |value: &str| Request::new("clips".into(), "normal".into()).set(name, &[value.to_owned()]).is_ok();
             assert!(values.into_iter().any(sets), "{name}");
