@@ -39,6 +39,7 @@ async function testPackage(env) {
   await python("pytest", "-p", "no:cacheprovider");
   await python("mypy", "--cache-dir", join(TARGET, "mypy"), "-p", "strut");
   await python("mypy.stubtest", "strut");
+  await run(join(root, "node_modules", ".bin", "pyright"), ["--pythonpath", inVenv("python")], inPackage);
 }
 
 /** Builds the wheel with this Python, and installs it where its tests are. */
