@@ -4,8 +4,10 @@
 import { spawn } from "node:child_process";
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync } from "node:fs";
 import { availableParallelism } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
+import { keepBuilt, sourcesHash, takeBuilt } from "./build_cache.mjs";
 import { checkNode, setupCxx, setupPackages, setupRust } from "./setup.mjs";
 import { main, output, root, run, Sentence, step } from "./steps.mjs";
 
@@ -37,13 +39,20 @@ async function build(env) {
   const host = /^host: (.+)$/m.exec((await output(env.RUSTC ?? "rustc", ["-vV"], { env })) ?? "")?.[1];
   if (!host) throw new Sentence("rustc does not say for which machine it compiles.");
   const folder = join(env.CARGO_TARGET_DIR ?? process.env.CARGO_TARGET_DIR ?? join(RUST, "target"), "fuzz");
+  const program = join(folder, "program", "strut-fuzz");
+  const key = await sourcesHash(env, { files: [fileURLToPath(import.meta.url)], texts: [host] });
+  const paths = { program, found: join(folder, "corpus") };
+  if (takeBuilt(key, "fuzz", dirname(program))) return paths;
   const chosen = ["--profile", "fuzz", "--package", "strut-fuzz", "--features", "libfuzzer"];
   // As the machine is named, the flags are not those of build scripts as well.
   await run(env.CARGO ?? "cargo", ["build", "--quiet", ...chosen, "--target", host, "--target-dir", folder], {
     cwd: RUST,
     env: { ...env, CARGO_ENCODED_RUSTFLAGS: COVERAGE.join("\x1f") },
   });
-  return { program: join(folder, host, "fuzz", "strut-fuzz"), found: join(folder, "corpus") };
+  mkdirSync(dirname(program), { recursive: true });
+  copyFileSync(join(folder, host, "fuzz", "strut-fuzz"), program);
+  keepBuilt(key, "fuzz", dirname(program));
+  return paths;
 }
 
 /** The targets' names with the longest useful input of each, as the sources list them. */

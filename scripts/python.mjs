@@ -2,6 +2,7 @@
 import { existsSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { keepBuilt, sourcesHash, takeBuilt } from "./build_cache.mjs";
 import { programIn, setupEnvironment, setupPython } from "./python_environment.mjs";
 import { setupRust } from "./setup.mjs";
 import { main, root, run, Sentence, step } from "./steps.mjs";
@@ -18,8 +19,22 @@ const MAX_WHEEL = 2_400_000;
 const inVenv = (name) => programIn(VENV, name);
 
 async function buildWheel(env) {
-  rmSync(WHEELS, { recursive: true, force: true });
-  await run(inVenv("maturin"), ["build", "--quiet", "--locked", "--out", WHEELS], { env, cwd: PACKAGE });
+  const source = (name) => join(PACKAGE, name);
+  const python = readdirSync(source("python/strut")).filter((name) => /\.pyi?$/.test(name));
+  const key = await sourcesHash(env, {
+    left: ["fuzz", "xtask"],
+    files: [
+      fileURLToPath(import.meta.url),
+      ...["requirements.txt", "pyproject.toml"].map(source),
+      ...python.map((name) => source(`python/strut/${name}`)),
+    ],
+    texts: [process.platform, process.arch],
+  });
+  if (!takeBuilt(key, "wheel", WHEELS)) {
+    rmSync(WHEELS, { recursive: true, force: true });
+    await run(inVenv("maturin"), ["build", "--quiet", "--locked", "--out", WHEELS], { env, cwd: PACKAGE });
+    keepBuilt(key, "wheel", WHEELS);
+  }
   const [name] = readdirSync(WHEELS);
   const bytes = readFileSync(join(WHEELS, name)).length;
   if (bytes > MAX_WHEEL) throw new Sentence(`The wheel has ${bytes} bytes; at most ${MAX_WHEEL} are allowed.`);

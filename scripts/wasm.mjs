@@ -2,12 +2,13 @@
 //
 // Two modes. `full` is what visitors download: each package from a build of its own with fat LTO, then wasm-opt. `quick` is
 // for developers and tests: one build with the features of all packages and no wasm-opt; the same bits come out of it
-// (tests/parity), in a fifth of the time. A package that is up to date in full mode serves the quick one too.
-import { createHash } from "node:crypto";
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { join, relative } from "node:path";
-import { pathToFileURL } from "node:url";
+// (tests/parity), in a fifth of the time. A package that is up to date in full mode serves the quick one too. What another
+// clone of the same sources built on this machine is taken from there.
+import { existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
+import { keepBuilt, sourcesHash, takeBuilt } from "./build_cache.mjs";
 import { packFirstSteps } from "./first_steps.mjs";
 import { findProgram, output, root, run, step } from "./steps.mjs";
 
@@ -185,8 +186,9 @@ const MIN_WASM_OPT = 120;
  * @param bench the same of what benchmarks and parity tests load; without it that is not built
  */
 export async function buildPackages(env, { mode, bench }) {
-  const stamp = await sourcesHash(env);
-  const outdated = (names, mode) => names.filter((name) => !isCurrent(PACKAGES[name], mode, stamp));
+  const stamp = await packagesHash(env);
+  const outdated = (names, mode) =>
+    names.filter((name) => !isCurrent(PACKAGES[name], mode, stamp) && !takePackage(name, mode, stamp));
   const wanted = (built) => [...(mode === built ? PAGE : []), ...(bench === built ? BENCH : [])];
   const full = outdated(wanted("full"), "full");
   if (full.length > 0)
@@ -214,7 +216,7 @@ async function buildQuick(env, names, stamp) {
     await compile(env, { crates, features: [...new Set(features)], profile: "quick", simd });
     const xtask = await binding;
     await Promise.all(group.map((p) => bind(xtask, p, join(targetDir(env), TARGET, "quick"))));
-    for (const p of group) writeStamp(p, "quick", stamp);
+    for (const p of group) finish(p, "quick", stamp);
   }
 }
 
@@ -240,7 +242,7 @@ async function buildLine(env, names, { xtask, tool, stamp, folder }) {
     await compile(env, { crates: [crate], features, profile: "web", simd, flags, options });
     await bind(xtask, p, join(modules, TARGET, "web"));
     await optimising;
-    optimising = optimise(tool, p).then(() => writeStamp(p, "full", stamp));
+    optimising = optimise(tool, p).then(() => finish(p, "full", stamp));
     optimising.catch(() => {});
   }
   await optimising;
@@ -352,30 +354,26 @@ function isCurrent(p, mode, stamp) {
   return builtStamp === stamp && (builtMode === mode || builtMode === "full");
 }
 
-/** Written last: an interrupted build has no stamp and is done again. */
-function writeStamp(p, mode, stamp) {
+/** The stamp is written last: an interrupted build has none and is done again. */
+function finish(p, mode, stamp) {
   writeFileSync(stampFile(p), `${mode} ${stamp}`);
+  keepBuilt(stamp, keptAs(p, mode), join(root, p.folder));
 }
 
-/** What the packages depend on: the Rust sources, the compiler, this file and the versions of its tools. */
-async function sourcesHash(env) {
-  const hash = createHash("sha256");
-  for (const path of [...rustSources(RUST), join(root, "scripts", "wasm.mjs"), join(root, "package-lock.json")])
-    hash
-      .update(`${relative(root, path)}\0`)
-      .update(readFileSync(path))
-      .update("\0");
-  hash.update((await output(env.RUSTC ?? "rustc", ["--version"], { env })) ?? "");
-  return hash.digest("hex");
+/** Takes a package that another clone built; whether there is one. */
+function takePackage(name, mode, stamp) {
+  const p = PACKAGES[name];
+  return ["full", mode].some((built) => takeBuilt(stamp, keptAs(p, built), join(root, p.folder)));
 }
 
-function* rustSources(folder) {
-  const entries = readdirSync(folder, { withFileTypes: true }).sort((a, b) => (a.name < b.name ? -1 : 1));
-  for (const entry of entries) {
-    const path = join(folder, entry.name);
-    if (entry.isDirectory()) {
-      if (!["target", "tests", "benches", "strut-cli", "strut-tasks", "strut-python", "fuzz"].includes(entry.name))
-        yield* rustSources(path);
-    } else if (/\.(rs|wgsl|toml|lock)$/.test(entry.name) && entry.name !== "tests.rs") yield path;
-  }
+const keptAs = ({ folder }, mode) => join(mode, folder.replaceAll("/", "-"));
+
+/** What the packages depend on: the Rust sources, the compiler, this file and wasm-opt. */
+function packagesHash(env) {
+  const { packages } = JSON.parse(readFileSync(join(root, "package-lock.json"), "utf8"));
+  return sourcesHash(env, {
+    left: ["strut-cli", "strut-tasks", "strut-python", "fuzz"],
+    files: [fileURLToPath(import.meta.url)],
+    texts: [packages["node_modules/binaryen"].integrity],
+  });
 }

@@ -1,0 +1,96 @@
+// What takes minutes to build, by what it was built from: another clone of the same sources on this machine takes it from
+// here. In `$XDG_CACHE_HOME/strut` (else `~/.cache/strut`); STRUT_BUILD_CACHE=off has everything built.
+import { createHash } from "node:crypto";
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  statSync,
+  utimesSync,
+} from "node:fs";
+import { homedir } from "node:os";
+import { dirname, join, relative } from "node:path";
+import { output, root } from "./steps.mjs";
+
+/** Entries that are kept: the last ones that were used. */
+const KEPT = 12;
+
+/** Files from which Rust is built, below a folder; folders of some names are left out. */
+function* rustSources(folder, left) {
+  const entries = readdirSync(folder, { withFileTypes: true }).sort((a, b) => (a.name < b.name ? -1 : 1));
+  for (const entry of entries) {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory()) {
+      if (!left.includes(entry.name)) yield* rustSources(path, left);
+    } else if (/\.(rs|wgsl|toml|lock)$/.test(entry.name) && entry.name !== "tests.rs") yield path;
+  }
+}
+
+/**
+ * A hash of what something is built from: the Rust sources, the compiler and whatever else.
+ * @param env environment in which cargo builds
+ * @param left names of folders below `rust/` on which it does not depend
+ * @param files other files on which it depends, the script that builds it among them
+ * @param texts whatever else it depends on
+ */
+export async function sourcesHash(env, { left = [], files = [], texts = [] }) {
+  const hash = createHash("sha256");
+  for (const path of [...rustSources(join(root, "rust"), ["target", "tests", "benches", ...left]), ...files])
+    hash
+      .update(`${relative(root, path)}\0`)
+      .update(readFileSync(path))
+      .update("\0");
+  for (const text of [await output(env.RUSTC ?? "rustc", ["--version"], { env }), ...texts]) hash.update(`${text}\0`);
+  return hash.digest("hex");
+}
+
+const cacheFolder = () =>
+  process.env.STRUT_BUILD_CACHE === "off"
+    ? undefined
+    : join(process.env.XDG_CACHE_HOME ?? join(homedir(), ".cache"), "strut", "builds");
+
+/**
+ * Copies a part of an entry to a folder, in place of what is there.
+ * @param key what the part was built from: a hash
+ * @param part name of the part
+ * @returns whether there is such a part.
+ */
+export function takeBuilt(key, part, folder) {
+  const cache = cacheFolder();
+  const entry = cache && join(cache, key);
+  if (!entry || !existsSync(join(entry, part))) return false;
+  rmSync(folder, { recursive: true, force: true });
+  cpSync(join(entry, part), folder, { recursive: true });
+  const now = new Date();
+  utimesSync(entry, now, now);
+  return true;
+}
+
+/** Keeps a folder as a part of an entry; entries that were not used for long go. Where nothing can be kept, nothing is. */
+export function keepBuilt(key, part, folder) {
+  const cache = cacheFolder();
+  if (!cache) return;
+  const place = join(cache, key, part);
+  try {
+    mkdirSync(dirname(place), { recursive: true });
+    // Whole or not at all: another clone may keep the same at this moment.
+    const copy = mkdtempSync(join(cache, "copy-"));
+    cpSync(folder, copy, { recursive: true });
+    rmSync(place, { recursive: true, force: true });
+    renameSync(copy, place);
+    forgetOld(cache);
+  } catch (error) {
+    console.warn(`  not kept for other clones: ${error.message}`);
+  }
+}
+
+function forgetOld(cache) {
+  const used = (entry) => statSync(join(cache, entry), { throwIfNoEntry: false })?.mtimeMs ?? 0;
+  const byUse = readdirSync(cache).sort((a, b) => used(b) - used(a));
+  for (const entry of byUse.slice(KEPT)) rmSync(join(cache, entry), { recursive: true, force: true });
+}
