@@ -72,7 +72,8 @@ impl ParityReport {
     /// One line a stage: its name, then a hash for each frame, separated by blanks.
     ///
     /// With `nudged_frame` the input's root is one unit in the last place higher in that frame, after
-    /// retargeting: a report that does not change shows that the comparison is blind. Inputs end soon after that frame.
+    /// retargeting: a report that does not change shows that the comparison is blind. Inputs end soon after that frame, and
+    /// nothing else is reported from the first input on.
     ///
     /// # Errors
     /// If a file cannot be read or nothing can be built from the files.
@@ -90,8 +91,10 @@ impl ParityReport {
             let input = Input::from_packed(&database, &packed, &name)?;
             clip_stages(&mut report, &name, &database, &input, nudged_frame)?;
         }
-        performers_stage(&mut report, &database, &packed)?;
-        database_stages(&mut report, "registered database", &registered(built_in_clips())?);
+        if nudged_frame.is_none() {
+            performers_stage(&mut report, &database, &packed)?;
+            database_stages(&mut report, "registered database", &registered(built_in_clips())?);
+        }
 
         let mut clips = Vec::new();
         for (name, bytes) in &self.files {
@@ -99,7 +102,7 @@ impl ParityReport {
             clip_stages(&mut report, name, &database, &input, nudged_frame)?;
             clips.extend(labelled_clip(name, &input));
         }
-        if !clips.is_empty() {
+        if nudged_frame.is_none() && !clips.is_empty() {
             database_stages(&mut report, "database of files", &registered(clips)?);
         }
         Ok(report)
