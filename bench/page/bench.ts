@@ -29,7 +29,9 @@ const doing = html("p", { role: "status" });
 const progress = html("div", { class: "progress", hidden: true }, bar, doing);
 const error = html("p", { class: "error", role: "alert" });
 const results = html("div", { class: "results" });
-const box = cardBox(new URLSearchParams(location.search).get("gpu") === "any");
+/** For tests: `gpu=any` takes a program that plays the graphics processor, `motions=N` styles only N motions. */
+const parameters = new URLSearchParams(location.search);
+const box = cardBox(parameters.get("gpu") === "any");
 
 document
   .getElementById("bench")!
@@ -113,7 +115,8 @@ start.onclick = () => {
   };
   const machine = `${navigator.userAgent}, ${navigator.hardwareConcurrency} threads`;
   const started = worker;
-  const frames = Number(size.value);
-  void box.ready.then((card) => started.postMessage({ frames, machine, ...(card && { card }) } satisfies Job));
+  const job: Job = { frames: Number(size.value), machine };
+  if (parameters.has("motions")) job.motions = Number(parameters.get("motions"));
+  void box.ready.then((card) => started.postMessage({ ...job, ...(card && { card }) } satisfies Job));
 };
 cancel.onclick = stop;

@@ -9,6 +9,8 @@ import { makeWorkload } from "../workload";
 export interface Job {
   frames: number;
   machine: string;
+  /** How many of the motions are styled; all unless told. */
+  motions?: number;
   /** The graphics processor that is measured, too. */
   card?: Card;
 }
@@ -25,13 +27,14 @@ const post = (message: Message) => self.postMessage(message);
 /** Share of the work that a graphics processor's is, where there is one. */
 const CARD_SHARE = 0.1;
 
-self.onmessage = async ({ data: { frames, machine, card } }: MessageEvent<Job>) => {
+self.onmessage = async ({ data: { frames, machine, motions, card } }: MessageEvent<Job>) => {
   try {
     const instances = await loadInstances(async (url) => WebAssembly.compile(await (await fetch(url)).arrayBuffer()));
     const share = card ? 1 - CARD_SHARE : 1;
     const onProgress = (what: string, done: number) => post({ kind: "progress", what, done: share * done });
     onProgress("Making a database", 0);
-    const workload = makeWorkload(instances.simd.glue, { frames });
+    const { bytes, queries } = makeWorkload(instances.simd.glue, { frames });
+    const workload = { bytes, queries: queries.slice(0, motions) };
     const report = benchmark(instances, workload, { machine, onProgress });
     if (!card) return post({ kind: "report", report });
     const onCard = (done: number) =>

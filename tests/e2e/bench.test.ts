@@ -23,7 +23,7 @@ beforeAll(async () => {
   await recordViolations(context);
   page = await context.newPage();
   page.on("pageerror", (error) => faults.push(error.message));
-  await page.goto(`${site.url}bench.html?gpu=any`);
+  await page.goto(`${site.url}bench.html?gpu=any&motions=2`);
 });
 afterAll(async () => {
   await browser.close();
