@@ -175,6 +175,10 @@ class STRUT_OT_stylize(bpy.types.Operator):
                 area.tag_redraw()
         return {"RUNNING_MODAL"}
 
+    def cancel(self, context: Any) -> None:
+        """Blender stops it, as when its window is closed."""
+        self._end(context)
+
     def _end(self, context: Any) -> None:
         self._work.close()
         context.window_manager.event_timer_remove(self._timer)
