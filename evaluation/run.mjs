@@ -70,7 +70,7 @@ async function section({ id, title, question, args, curves, findings = "" }) {
         "![Output time against input time, by method](evaluation/time-warp.svg)",
       ].join("\n\n")
     : "";
-  return [`## ${title}`, question, `\`\`\`\n${command}\n\`\`\``, table.trimEnd(), findings, figures]
+  return [`## ${title}`, question, `\`\`\`sh\n${command}\n\`\`\``, table.trimEnd(), findings, figures]
     .filter(Boolean)
     .join("\n\n");
 }
