@@ -9,7 +9,7 @@ import { codesOf } from "./codes.mjs";
 const SHELL = new Set(["sh", "bash", "shell"]);
 
 /** What npm does itself. */
-const NPM = new Set(["start", "test", "install", "ci", "pack", "publish"]);
+const NPM = new Set(["start", "test", "init", "install", "ci", "pack", "publish"]);
 
 /** Folders whose programs have options of their own. */
 const PROGRAMS = ["scripts", "bench", "evaluation"];

@@ -1,7 +1,7 @@
 // Example files: shown as pages, and copied into the code blocks that name them.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { root } from "../steps.mjs";
+import { root, Sentence } from "../steps.mjs";
 import { codesOf } from "./codes.mjs";
 import { isChecked } from "./commands.mjs";
 import { hasElement } from "./elements.mjs";
@@ -57,6 +57,13 @@ export function withExamples(markdown, file) {
     return block.replace(/^(?=.)/gm, indent);
   });
   return { text, faults: [...faults, ...uncheckedBlocks(markdown, file)] };
+}
+
+/** A block of code with an example, as it stands in a page. */
+export function exampleBlock(path, anchor, language) {
+  const code = exampleCode(path, anchor);
+  if (code === undefined) throw new Sentence(`there is no example ${path}#${anchor}.`);
+  return `<!-- example: ${path}#${anchor} -->\n\`\`\`${language}\n${code.replace(/\n*$/, "\n")}\`\`\``;
 }
 
 function exampleCode(path, anchor) {

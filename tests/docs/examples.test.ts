@@ -124,6 +124,13 @@ needsPython("the package styles a walk in Python", () => {
   expect(frames("walk-proud.bvh")).toBeGreaterThan(frames("clips/walk_neutral_001.bvh"));
 });
 
+needsPython("a database is read as the page on file formats says", () => {
+  run(COMMAND, "inspect", "demo.strutdb", "--json", "demo.json");
+  const { frames: count } = JSON.parse(readFileSync(join(folder, "demo.json"), "utf8")) as { frames: number };
+  const printed = run(PYTHON, join(EXAMPLES, "python", "strutdb_file.py")).trim();
+  expect(printed).toBe(`${count} frames at 60.0 Hz, joints within 0.00 mm`);
+});
+
 needsPython("options of Python, and a batch on two processes", () => {
   expect(run(PYTHON, join(EXAMPLES, "python", "styles.py"))).toMatch(/^\(\d+, 87\) \d/);
   const done = run(PYTHON, join(EXAMPLES, "python", "batch.py"))
