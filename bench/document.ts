@@ -80,14 +80,14 @@ function cardsSection(cards: readonly Card[]): string[] {
     ]);
   return [
     "## Every window on a graphics card",
-    "The paper compared every window on a graphics card. `strut bench --gpu` does that, one window at a time (*all*) and 256 together (*batch*), beside the engine's search from a cold start on one thread, in the same run; it compares the sets of neighbours to the bit, and names the card and its driver. In a browser, the box *Graphics card* of `bench.html` does the same after the other engines, with WebGPU.",
+    "The paper compared every window on a graphics card. `strut bench --gpu` does that, one window at a time (*all*) and 256 together (*batch*). In the same run it measures the engine's search from a cold start on one thread. It compares the sets of neighbours to the bit, and names the card and its driver. In a browser, the box *Graphics card* of `bench.html` does the same after the other engines, with WebGPU.",
     rows.length
       ? markdown([
           ["card", "frames", "all, ms", "batch, ms a window", "engine faster: all", "batch", "identical sets"],
           ...rows,
         ])
       : "No card has been measured yet. A graphics processor in software tells whether the kernels are right, and not how fast they are; the tests run on Chromium's (`cargo test -p strut-motion-gpu`), and no time of it is told.",
-    "To add a card: run `npm run bench -- --gpu --json card.json` on it, and put `gpu` and the medians of the rows of `gpu-brute` in that file, with the date, into `bench/cards.ts`; `npm run bench -- --write` puts them here. Or open `bench.html` there, measure 79,829 frames, and send what *Copy as JSON* gives in an issue, with the driver, which browsers do not tell, and the date.",
+    "To add a card, run `npm run bench -- --gpu --json card.json` on it. Put `gpu` and the medians of the rows of `gpu-brute` in that file, with the date, into `bench/cards.ts`. `npm run bench -- --write` puts them here. Or open `bench.html` there, measure 79,829 frames, and send what *Copy as JSON* gives in an issue, with the driver, which browsers do not tell, and the date.",
   ];
 }
 
@@ -102,7 +102,7 @@ export function document(
   const parts = [
     "# Performance",
     `Written by \`npm run bench -- --write\` on ${date}. Times are medians and 95th percentiles of single frames on one thread; compare them within a table, not between machines.`,
-    "*Labelled*: action and style of the input are known, so that one class is searched. *Unlabelled*: every class is searched, and those that cannot matter are left out of the regression. *All*: every class takes part. A *cold search* knows nothing of the frame before; a *first search* has but one frame, which counts as standing still, so that nothing in a database of moving people is near. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/bench/naive.rs`) search, regress, and find durations and contacts, while the engine's frame includes features, blending and feet too: ratios of whole frames are a little understated.",
+    "*Labelled*: action and style of the input are known, so that one class is searched. *Unlabelled*: every class is searched, and those that cannot matter are left out of the regression. *All*: every class takes part. A *cold search* knows nothing of the frame before. A *first search* has only one frame, which counts as standing still. Nothing in a database of moving people is near to that. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/bench/naive.rs`) search, regress, and find durations and contacts. The engine's frame includes features, blending and feet too, so that ratios of whole frames are a little understated.",
     ...wasmSection("In WebAssembly", procedural),
     ...(recorded ? wasmSection("In WebAssembly, on recorded motion", recorded) : []),
     ...largeSection(large),

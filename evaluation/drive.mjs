@@ -84,31 +84,34 @@ const LOG = (() => {
 const NOTES = `
 ## How it is steered
 
-A clip that is found seldom does quite what was asked. What it lacks is added to its root; the feet are planted afterwards.
+A clip that is found seldom does exactly what was asked. The difference is added to its root; the feet are planted afterwards.
 
-- **Heading**: the turn rate that the clip lacks to the heading asked in 1/3 s, with what is left of the last transition, at most
-  60°/s. Taking 2/3 of it and the clip's turn rate of the moment, as before, left a steady offset inside curves (circle, r = 2:
-  3.7 → 1.5 cm) and made more searches change the clip (bandai-namco-2, eight: 3.4 → 2.4 transitions/s). To count what is left of
-  the transition brings the first degree of a turn from 3 to 2 frames, and from 6 to 3 in the styled hips. Somebody who sets out
-  or turns on the spot is steered fully, one who stands is not: their feet do not leave the ground.
-- **Place**: an offset from the path that stays is added up (half-life 5 s), and the character aims at 0.7 of it a second to the
-  other side: *angry* on the circle 5.2 → 1.7 cm.
-- **Speed**: the root goes at most 10 % faster or slower than its clip, towards the speed asked in the end. With 15 % towards the
-  spring's way instead, running bandai-namco-2 slides more (planted 7–8 cm/s) and stops take 0.2 s longer.
-- **Takes**: a row of a take costs somebody who goes 1.5 more, and nothing more somebody who is to stand. Where it did, a halt
-  that had begun was left for another step (built-in stops: worst 1.52 → 1.17 s, 1.05 → 0.64 m; median 1.05 → 0.90 s).
+- **Heading**: the turn rate that the clip lacks to the heading asked in 1/3 s, with what is left of the last transition, at
+  most 60°/s. Before, it was 2/3 of that, with the clip's turn rate of the moment. This left a steady offset inside curves
+  (circle, r = 2: 3.7 cm, now 1.5) and made more searches change the clip (bandai-namco-2, eight: 3.4 transitions/s, now 2.4).
+  Counting what is left of the transition brings the first degree of a turn from 3 to 2 frames, and from 6 to 3 in the styled
+  hips. A character that sets out or turns on the spot is steered fully. One that stands is not steered: its feet do not leave
+  the ground.
+- **Place**: a lasting offset from the path is integrated (half-life 5 s). The character aims at the other side of the path, by
+  0.7 of the integral a second. For *angry* on the circle the offset fell from 5.2 to 1.7 cm.
+- **Speed**: the root goes at most 10 % faster or slower than its clip, towards the speed asked in the end. With 15 % towards
+  the spring's way instead, running bandai-namco-2 slides more (planted 7–8 cm/s) and stops take 0.2 s longer.
+- **Takes**: a row of a take costs 1.5 more for a character that goes, and nothing more for one that is to stand. Before, it
+  cost that in both cases, and a halt that had begun was left for another step. Built-in stops took 1.52 s and 1.05 m at worst,
+  now 1.17 s and 0.64 m; the median fell from 1.05 to 0.90 s.
 
-Tried and left out: more steering, 75°/s (nothing changes on paths); inertia with a half-life of 0.12 s (no smaller peaks
-after transitions); a turn rate that dies away in 0.05 s after a transition (turns about walking take 0.1 s longer, and peaks rise
-to 73 m/s²).
+Three things were tried and left out. More steering, 75°/s, changes nothing on paths. Inertia with a half-life of 0.12 s gives
+no smaller peaks after transitions. With a turn rate that decays in 0.05 s after a transition, turns about walking take 0.1 s
+longer, and peaks rise to 73 m/s².
 
 ## What is missed
 
-- **bandai-namco-2, square**: 6.3 cm of 6. What was added up in a corner of 1 m radius dies away over the next side only (4.8 cm without adding up).
-- **bandai-namco-2, run**: planted 6 and styled 5 cm/s of 1 and 2. Its neutral runs are straight ones of 2.5 s, stretches of which
-  are steered round by 29°/s all the time; on a straight line the same feet slide by 0.2 cm/s when planted.
-- **bandai-namco-2, acceleration after transitions**: above the 67 m/s² allowed. An eighth of the log is running; of the clips that
-  it is compared with, most walk.
+- **bandai-namco-2, square**: 6.3 cm of 6. What was added up in a corner of 1 m radius dies away over the next side only (4.8 cm
+  without adding up).
+- **bandai-namco-2, run**: planted 6 and styled 5 cm/s of 1 and 2. Its neutral runs are straight ones of 2.5 s, stretches of
+  which are steered round by 29°/s all the time. On a straight line the same feet slide by 0.2 cm/s when planted.
+- **bandai-namco-2, acceleration after transitions**: above the 67 m/s² allowed. An eighth of the log is running; of the clips
+  that it is compared with, most walk.
 - **Planted feet, built-in log**: 1.04 cm/s of 1.
 
 ## Beside orangeduck's motion matching
@@ -128,8 +131,8 @@ to 73 m/s²).
 | along a path | none | closed loop on the styled character |
 | styles | none: the clips are what is seen | any mixture, after the driver |
 
-Its character answers a stick sooner, as a simulated body leads and the character may be drawn to it; Strut's goes where its feet
-carry it, within the tenth that its speed is paced by.
+Its character answers a stick sooner, as a simulated body leads and the character may be drawn to it. Strut's character goes
+where its feet carry it; its speed is changed by a tenth at most.
 `;
 
 /** Runs the experiments with a command and writes the report. */

@@ -25,14 +25,13 @@ export const experiments = [
     question: "Walk, run and turns in one database. The engine finds action and style itself.",
     args: `${BN2} --actions walk,run,walk-turn-left,walk-turn-right --methods ${ALL_METHODS} --folds 4`,
     set: "4 actions, 7 styles",
-    findings: `By action, \`mar\` is off in time by 20.5 ms in walks (mean of three other takes: 19.3), 24.0 in runs (13.5), 33.8 in
-turns to the left (23.6) and 51.3 in turns to the right (21.5). What lies above the floor there is two styles: elderly 95.2 ms
-and exhausted 103.5 ms, the other four 20 to 40. They are as far off with action and style known (82.5 and 102.3), and by
-every method (nn 79.9 and 100.0 is the least). Their first takes are slower than the rest: exhausted turns to the right last
-248 and 170 frames in takes 1 and 2, and 110 to 120 in the other six. In four folds the floor is made of the first three other
-takes, which are slow as well, while a method mixes all seven. Over all eight folds (the table of η below, .5) these two
-are at the floor, elderly 58.7 ms of 62.8 and exhausted 82.3 of 79.2, and so is the mean of all pairs: 29.0 ms and 2.18 cm, where
-three other takes have 27.0 and 2.21.`,
+    findings: `The timing error of \`mar\` differs by action; the floor, the mean of three other takes, is in parentheses. It is 20.5 ms in walks
+(19.3), 24.0 in runs (13.5), 33.8 in turns to the left (23.6) and 51.3 in turns to the right (21.5). In turns to the right two
+styles lie above the floor: elderly with 95.2 ms and exhausted with 103.5 ms. The other four have 20 to 40. They are as far off
+with action and style known (82.5 and 102.3), and by every method (nn 79.9 and 100.0 is the least). Their first takes are slower
+than the rest. Exhausted turns to the right last 248 and 170 frames in takes 1 and 2, and 110 to 120 in the other six. In four
+folds the floor is made of the first three other takes, which are slow as well, while a method mixes all seven. Over all eight
+folds (the table of η below, .5) these two are at the floor: elderly has 58.7 ms (floor 62.8), exhausted 82.3 (floor 79.2). So is the mean of all pairs: 29.0 ms and 2.18 cm, where three other takes have 27.0 and 2.21.`,
   },
   {
     id: "labels",
@@ -86,28 +85,28 @@ three other takes have 27.0 and 2.21.`,
     question:
       "Share of the way from the input to the style that the output covers, and the real take held out, mean ± standard deviation over the folds. The way leads to the mean of the style's other takes, in the means and deviations of the joints' places, each in units of its spread over takes. Action and style known; least beside the real takes first.",
     args: `${BN2} --methods mar --labels both --progress`,
-    findings: `Four of the weakest five are \`exhausted\`, one is a wave. In all of them joints are where they should be on
-average (84 to 99 % of the way in the means) and move too little about it (24 to 45 % in the deviations): the target of a
-frame is the mean of its counterparts, and what differs from one to the next cancels. With one take of each target style in
-the databases (\`--takes 1\`) the five cover 0.78, 0.89, 0.81, 0.73 and 0.88 of the way, and pose errors are 0.2 to 0.7 cm larger,
-but for the masculine wave.
+    findings: `Four of the weakest five are \`exhausted\`, one is a wave. In all of them joints are on average where they should be (84 to 99 %
+of the way in the means). They move too little about that place (24 to 45 % in the deviations). The target of a frame is the
+mean of its counterparts, so that differences between counterparts cancel. With one take of each target style in the databases
+(\`--takes 1\`) the five cover 0.78, 0.89, 0.81, 0.73 and 0.88 of the way. Pose errors are then 0.2 to 0.7 cm larger, except in
+the masculine wave.
 
-- \`exhausted\` turns, left and right: two manners. Takes 1–4 cover 0.4 to 1.0 of the way to the others, takes 5–8, which
-  stagger, 1.1 to 1.6: the head sways sideways by 1.3 and 3.2 cm (standard deviation, left turns). The output sways by 1.0 cm.
+- \`exhausted\` turns, left and right: two manners. Takes 1–4 cover 0.4 to 1.0 of the way to the others; takes 5–8, which stagger,
+  cover 1.1 to 1.6. In left turns their heads sway sideways by 1.3 and 3.2 cm (standard deviations). The output sways by 1.0 cm.
   \`strut build-db\` names both.
 - \`masculine\` wave: another content. Neutral hands wave 12 or 13 times, at 2 Hz and 20 cm wide; masculine ones 5 or 6 times, at
-  0.75 Hz and 55 cm wide. The output keeps the strokes of the input: 12 to 14 of them, 29 to 40 cm wide at most.
-  Real takes do not wave together either: at equal canonical time their hands correlate by 0.0 to 0.3.
+  0.75 Hz and 55 cm wide. The output keeps the strokes of the input: 12 to 14 of them, 29 to 40 cm wide at most. Real takes do
+  not wave together either: at equal canonical time their hands correlate by 0.0 to 0.3.
 - \`exhausted\` walk: swaying that is not in step. The head sways by 1.9 cm, of which 1.0 cm recurs with every step; the rest
   differs from cycle to cycle. The output sways by 0.8 cm, nearly all of it in step.
-- \`exhausted\` wave: both. Hands wave 5 times, 40 cm wide, at 0.75 Hz, and the feet shift beside the hips by 8 to
-  18 cm, in each take another way (correlations −0.9 to 0.5); in the output by 3 to 5 cm.`,
+- \`exhausted\` wave: both. Hands wave 5 times, 40 cm wide, at 0.75 Hz. The feet shift beside the hips by 8 to 18 cm, differently
+  in each take (correlations −0.9 to 0.5); in the output by 3 to 5 cm.`,
   },
   {
     id: "foreign-methods",
     title: "Motion that the database does not hold: methods",
     question:
-      "Every clip of two other collections, styled unlabelled with walking and running: how rough it becomes against the input (1 is as smooth), how much of its own fast content is left (1 is all), and how far it moved.",
+      "Every clip of two other collections is styled, unlabelled, with walking and running. Columns are how rough it becomes against the input (1 is as smooth), how much of its fast content is left (1 is all), and how far it moved.",
     args: `${BN2} ${FOREIGN} --actions walk,run --targets elderly,active,exhausted,feminine --methods nn,knn,lar,mar`,
   },
   {

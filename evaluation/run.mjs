@@ -70,21 +70,21 @@ async function section({ id, title, question, args, curves, findings = "" }) {
         "![Output time against input time, by method](evaluation/time-warp.svg)",
       ].join("\n\n")
     : "";
-  return [`## ${title}`, question, `\`\`\`\n${command}\n\`\`\``, table.trimEnd(), findings, figures]
+  return [`## ${title}`, question, `\`\`\`sh\n${command}\n\`\`\``, table.trimEnd(), findings, figures]
     .filter(Boolean)
     .join("\n\n");
 }
 
 const INTRODUCTION = `# Evaluation
 
-Written by \`npm run evaluate\`; every table comes from the command above it. Pose error is the mean distance of 20
-joints (hips and heading removed) over whole gait cycles of the held-out take, before feet are planted; timing error the
-mean difference of the time since the cycle began; velocity error the mean difference of joint velocities per second of
-input. Input unchanged is what doing nothing gives; the floors are what other real takes of the target style give.
-Skate is the mean speed of the point a foot turns on while the finished motion's own contact labels show it planted.
-Methods: nn nearest neighbour, knn mean of the K nearest, lar one local autoregression, mar mixture of autoregressive
-models, gar global autoregression, lti a linear time-invariant system (Hsu et al. 2005; lti-dof: one for each degree of
-freedom), gp Gaussian process (Ikemoto et al. 2009).`;
+Written by \`npm run evaluate\`; every table comes from the command above it. Pose error is the mean distance of 20 joints (hips
+and heading removed) over whole gait cycles of the held-out take, before feet are planted. Timing error is the mean difference
+of the time since the cycle began. Velocity error is the mean difference of joint velocities per second of input. Input
+unchanged is what doing nothing gives; the floors are what other real takes of the target style give. Skate is the mean speed of
+the point a foot turns on while the finished motion's own contact labels show it planted. Methods are nn, the nearest neighbour;
+knn, the mean of the K nearest; lar, one local autoregression; and mar, the mixture of autoregressive models. Global methods are
+gar, a global autoregression; lti, a linear time-invariant system (Hsu et al. 2005); and gp, a Gaussian process (Ikemoto et al.
+2009). The method lti-dof has an lti for each degree of freedom.`;
 
 await main(async () => {
   const args = process.argv.slice(2);

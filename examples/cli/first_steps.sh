@@ -1,5 +1,5 @@
 #!/bin/sh
-# The first steps of docs/get-started.md. tests/examples/ runs it in an empty folder with `strut` in the PATH.
+# The first steps of docs/get-started.md. tests/docs/examples.test.ts runs it in an empty folder with `strut` in the PATH.
 set -eu
 
 # anchor style

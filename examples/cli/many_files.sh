@@ -2,10 +2,9 @@
 # Many files, docs/command-line.md: runs after first_steps.sh in the same folder.
 set -eu
 
+# anchor folder
 mkdir -p inputs
 cp clips/walk_neutral_001.bvh clips/run_neutral_001.bvh inputs/
-
-# anchor folder
 strut stylize --db demo.strutdb --input inputs --style old=0.7 -o old/
 # end folder
 

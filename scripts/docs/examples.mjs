@@ -1,29 +1,31 @@
 // Example files: shown as pages, and copied into the code blocks that name them.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { root } from "../steps.mjs";
+import { root, Sentence } from "../steps.mjs";
+import { codesOf } from "./codes.mjs";
+import { isChecked } from "./commands.mjs";
+import { hasElement } from "./elements.mjs";
 import { codeBlock, escapeHtml, slugOf } from "./markdown.mjs";
 
 const FOLDER = join(root, "examples");
+/** What tests use themselves may be shown, too. */
+const TESTS = /^tests\//;
 
-/** Languages whose code blocks must come from examples, which are run by tests. */
-const CHECKED = new Set([
-  "js",
-  "javascript",
-  "mjs",
-  "jsx",
-  "ts",
-  "typescript",
-  "html",
-  "sh",
-  "bash",
-  "shell",
-  "py",
-  "python",
-]);
+/** Languages whose code blocks must come from examples, which are run or compiled by tests. */
+const TESTED = new Set(["js", "javascript", "mjs", "jsx", "ts", "typescript", "py", "python"]);
+
+/** Languages whose code blocks come from examples, or are checked as they stand: their commands, or their elements. */
+const CHECKED = {
+  sh: (code) => code.split("\n").every(isChecked),
+  bash: (code) => code.split("\n").every(isChecked),
+  html: hasElement,
+};
+
+/** What looks like code that could be tested. */
+const CODE = /^\s*(import [\w{]|const |let |await |def |class |<\w|(npm|npx|node|pip|python) )/m;
 
 /** What stands before a code block that comes from an example, and the block. */
-const BLOCK = /^(<!-- example: (\S+?)(?:#([\w-]+))? -->\n\n?)(```)(\w*)\n([\s\S]*?)^```$/gm;
+const BLOCK = /^( *)(<!-- example: (\S+?)(?:#([\w-]+))? -->\n\n?) *(```)(\w*)\n([\s\S]*?)^ *```$/gm;
 
 /** The lines of a file between `anchor NAME` and `end NAME`, without their common indentation. */
 export function anchorOf(text, name) {
@@ -45,45 +47,55 @@ export function anchorOf(text, name) {
  */
 export function withExamples(markdown, file) {
   const faults = [];
-  const text = markdown.replace(BLOCK, (whole, comment, path, anchor, fence, language) => {
+  const text = markdown.replace(BLOCK, (whole, indent, comment, path, anchor, fence, language) => {
     const code = exampleCode(path, anchor);
     if (code === undefined) {
       faults.push(`${file}: there is no example ${path}${anchor ? `#${anchor}` : ""}`);
       return whole;
     }
-    return `${comment}${fence}${language}\n${code.replace(/\n*$/, "\n")}\`\`\``;
+    const block = `${comment}${fence}${language}\n${code.replace(/\n*$/, "\n")}\`\`\``;
+    return block.replace(/^(?=.)/gm, indent);
   });
   return { text, faults: [...faults, ...uncheckedBlocks(markdown, file)] };
+}
+
+/** A block of code with an example, as it stands in a page. */
+export function exampleBlock(path, anchor, language) {
+  const code = exampleCode(path, anchor);
+  if (code === undefined) throw new Sentence(`there is no example ${path}#${anchor}.`);
+  return `<!-- example: ${path}#${anchor} -->\n\`\`\`${language}\n${code.replace(/\n*$/, "\n")}\`\`\``;
 }
 
 function exampleCode(path, anchor) {
   let text;
   try {
-    text = readFileSync(join(FOLDER, path), "utf8");
+    text = readFileSync(join(TESTS.test(path) ? root : FOLDER, path), "utf8");
   } catch {
     return undefined;
   }
   return anchor ? anchorOf(text, anchor) : text;
 }
 
-/** Blocks of code that should come from an example and do not. */
+/** Blocks of code that nothing tests, although something could. */
 function uncheckedBlocks(markdown, file) {
-  const faults = [];
   const lines = markdown.split("\n");
-  let open;
-  lines.forEach((line, index) => {
-    const fence = /^\s*(```+)(\w*)/.exec(line);
-    if (!fence) return;
-    if (open) {
-      open = undefined;
-      return;
-    }
-    open = fence[1];
-    const before = lines.slice(0, index).findLast((other) => other.trim() !== "") ?? "";
-    if (CHECKED.has(fence[2]) && !before.startsWith("<!-- example: "))
-      faults.push(`${file}:${index + 1}: this block of ${fence[2]} comes from no example; name one, or make it text`);
+  return codesOf(markdown).flatMap(({ line, language, code }) => {
+    // Markup and code between words are no blocks.
+    if (!/^\s*(```|~~~)/.test(lines[line - 1]) || language === undefined) return [];
+    const before = lines.slice(0, line - 1).findLast((other) => other.trim() !== "") ?? "";
+    if (before.trim().startsWith("<!-- example: ")) return [];
+    const fault = faultOf(language, code);
+    return fault ? [`${file}:${line}: ${fault}`] : [];
   });
-  return faults;
+}
+
+/** What is wrong with a block that comes from no example. */
+function faultOf(language, code) {
+  if (language === "") return "this block names no language; text is one";
+  if (language === "text") return CODE.test(code) ? "this block of text looks like code; name its language" : undefined;
+  if (TESTED.has(language) || CHECKED[language]?.(code) === false)
+    return `this block of ${language} comes from no example; name one, or make it text`;
+  return undefined;
 }
 
 /** Pages of the folders of `examples/`: every file, with its parts marked. */

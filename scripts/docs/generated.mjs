@@ -3,6 +3,8 @@ import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { readTables } from "../element_manifest.mjs";
 import { output, root, Sentence } from "../steps.mjs";
+import { commandFaults } from "./commands.mjs";
+import { elementFaults } from "./elements.mjs";
 import { withExamples } from "./examples.mjs";
 import { commandLinePage } from "./reference/command_line.mjs";
 import { elementPage } from "./reference/element.mjs";
@@ -22,13 +24,12 @@ async function readCommands(command) {
 }
 
 /** The pages of the reference, as Markdown, by their files. */
-async function pages(command) {
-  const commands = await readCommands(command);
+function pages(commands, tables) {
   return {
     "command-line.md": commandLinePage(commands),
     "python.md": pythonPage(commands),
     "javascript.md": javascriptPage(),
-    "strut-player.md": elementPage(await readTables()),
+    "strut-player.md": elementPage(tables),
     "errors.md": errorsPage(),
     "files.md": filesPage(),
   };
@@ -39,7 +40,14 @@ function writtenFiles() {
   const inDocs = readdirSync(join(root, "docs"), { recursive: true })
     .filter((name) => name.endsWith(".md") && !`docs/${name}`.startsWith(REFERENCE))
     .map((name) => `docs/${name}`);
-  const others = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/README.md", "web/package/README.md"];
+  const others = [
+    "README.md",
+    "CONTRIBUTING.md",
+    "CHANGELOG.md",
+    "examples/README.md",
+    "examples/ray/README.md",
+    "web/package/README.md",
+  ];
   return [...others, ...inDocs.sort()];
 }
 
@@ -48,13 +56,17 @@ function writtenFiles() {
  * @returns `files`, texts by their paths in the repository, and `faults` of code blocks
  */
 async function generate(command) {
+  const [commands, tables] = await Promise.all([readCommands(command), readTables()]);
   const files = new Map();
-  for (const [name, page] of Object.entries(await pages(command))) files.set(`${REFERENCE}${name}`, withNote(page));
+  for (const [name, page] of Object.entries(pages(commands, tables))) files.set(`${REFERENCE}${name}`, withNote(page));
   const faults = [];
   for (const file of writtenFiles()) {
     const { text, faults: found } = withExamples(readFileSync(join(root, file), "utf8"), file);
     files.set(file, text);
     faults.push(...found);
+    // The log of changes tells of what was.
+    if (file !== "CHANGELOG.md")
+      faults.push(...commandFaults(text, file, commands), ...elementFaults(text, file, tables));
   }
   return { files, faults };
 }

@@ -40,6 +40,9 @@ export function paragraphsOf(markdown) {
 export const sentencesOf = (text) =>
   text.split(/(?<=[.?!:])\s+(?=["“(`A-Z]|code)/).filter((sentence) => sentence.trim() !== "");
 
+/** Whether a sentence is one, and no list of names in code. */
+const isProse = (sentence) => /\p{L}/u.test(sentence.replace(/\bcode\b/g, ""));
+
 /** Number of words: what holds a letter or a digit between spaces. */
 export const wordCount = (sentence) => sentence.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word)).length;
 
@@ -51,7 +54,7 @@ export function longSentences() {
     ),
   );
   return found
-    .filter(({ words }) => words > MOST_WORDS)
+    .filter(({ words, sentence }) => words > MOST_WORDS && isProse(sentence))
     .sort((a, b) => b.words - a.words)
     .map(({ words, file, line, sentence }) => `${words} ${file}:${line} ${sentence}`);
 }

@@ -1,6 +1,16 @@
 // The examples that the documentation shows: each is run as it stands.
-import { execFileSync } from "node:child_process";
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync } from "node:fs";
+import { execFileSync, spawnSync } from "node:child_process";
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
@@ -10,6 +20,7 @@ import { root } from "../recordings";
 const EXAMPLES = join(root, "examples");
 /** Where `scripts/python.mjs` installed the Python package. */
 const PYTHON = join(root, "rust", "target", "python", "venv", "bin", "python");
+const needsPython = test.skipIf(!existsSync(PYTHON) && process.env.STRUT_PYTHON !== "required");
 
 let folder: string;
 const path = () => `${dirname(COMMAND)}:${process.env.PATH}`;
@@ -44,7 +55,7 @@ test("a motion goes through keys", () => {
 
 test("a database gets another style, and one is built of clips", () => {
   expect(script("own_styles.sh")).toContain("tired");
-  expect(existsSync(join(folder, "walk-old.bvh"))).toBe(true);
+  for (const name of ["session1.strutdb", "walk-old.bvh"]) expect(existsSync(join(folder, name)), name).toBe(true);
 });
 
 test("many files are styled, in mixtures, by parts and along a path", () => {
@@ -60,6 +71,12 @@ test("many files are styled, in mixtures, by parts and along a path", () => {
     expect(existsSync(join(folder, name)), name).toBe(true);
 });
 
+test("a batch has two variants", () => {
+  script("batch.sh");
+  for (const variant of ["old", "mixed"])
+    expect(existsSync(join(folder, "out", variant, "walk_neutral_001.bvh")), variant).toBe(true);
+});
+
 test("the package styles a walk in Node", () => {
   cpSync(join(EXAMPLES, "js", "first_style.mjs"), join(folder, "first_style.mjs"));
   rmSync(join(folder, "walk-proud.bvh"));
@@ -67,11 +84,58 @@ test("the package styles a walk in Node", () => {
   expect(frames("walk-proud.bvh")).toBeGreaterThan(60);
 });
 
-test.skipIf(!existsSync(PYTHON) && process.env.STRUT_PYTHON !== "required")(
-  "the package styles a walk in Python",
-  () => {
-    rmSync(join(folder, "walk-proud.bvh"), { force: true });
-    expect(run(PYTHON, join(EXAMPLES, "python", "first_style.py"))).toMatch(/^\(\d+, 87\) \d/);
-    expect(frames("walk-proud.bvh")).toBeGreaterThan(frames("clips/walk_neutral_001.bvh"));
-  },
-);
+test("the code of the package's README styles, and builds a database", () => {
+  cpSync(join(EXAMPLES, "js", "styling.mjs"), join(folder, "styling.mjs"));
+  const [text, frame, share, styles, bytes] = JSON.parse(run(process.execPath, "styling.mjs")) as unknown[];
+  expect([text, frame, share, styles]).toEqual(["HIERARCHY", 0, 1, ["neutral", "old", "tired"]]);
+  expect(bytes).toBeGreaterThan(100_000);
+});
+
+test("all examples in JavaScript have the types of the package", () => {
+  const types = join(folder, "types");
+  cpSync(join(EXAMPLES, "js"), types, { recursive: true });
+  mkdirSync(join(types, "node_modules", "@types"), { recursive: true });
+  symlinkSync(join(root, "dist", "package"), join(types, "node_modules", "strut-motion"));
+  for (const name of ["three", "@types/three", "@types/node"])
+    symlinkSync(join(root, "node_modules", name), join(types, "node_modules", name));
+  const compilerOptions = {
+    strict: true,
+    noEmit: true,
+    // The declarations of three.js need not be without fault.
+    skipLibCheck: true,
+    checkJs: true,
+    target: "es2022",
+    module: "esnext",
+    moduleResolution: "bundler",
+    // Each file is a user's own.
+    moduleDetection: "force",
+    lib: ["es2023", "dom"],
+    types: ["node"],
+  };
+  const files = readdirSync(join(EXAMPLES, "js"));
+  writeFileSync(join(types, "tsconfig.json"), JSON.stringify({ compilerOptions, files }));
+  const tsc = join(root, "node_modules", "typescript", "bin", "tsc");
+  expect(spawnSync(process.execPath, [tsc, "-p", types], { cwd: types, encoding: "utf8" }).stdout).toBe("");
+});
+
+needsPython("the package styles a walk in Python", () => {
+  rmSync(join(folder, "walk-proud.bvh"), { force: true });
+  expect(run(PYTHON, join(EXAMPLES, "python", "first_style.py"))).toMatch(/^\(\d+, 87\) \d/);
+  expect(frames("walk-proud.bvh")).toBeGreaterThan(frames("clips/walk_neutral_001.bvh"));
+});
+
+needsPython("a database is read as the page on file formats says", () => {
+  run(COMMAND, "inspect", "demo.strutdb", "--json", "demo.json");
+  const { frames: count } = JSON.parse(readFileSync(join(folder, "demo.json"), "utf8")) as { frames: number };
+  const printed = run(PYTHON, join(EXAMPLES, "python", "strutdb_file.py")).trim();
+  expect(printed).toBe(`${count} frames at 60.0 Hz, joints within 0.00 mm`);
+});
+
+needsPython("options of Python, and a batch on two processes", () => {
+  expect(run(PYTHON, join(EXAMPLES, "python", "styles.py"))).toMatch(/^\(\d+, 87\) \d/);
+  const done = run(PYTHON, join(EXAMPLES, "python", "batch.py"))
+    .trim()
+    .split("\n")
+    .sort();
+  expect(done).toEqual(["half/run_neutral_001.bvh done", "half/walk_neutral_001.bvh done"]);
+});

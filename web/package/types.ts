@@ -1,8 +1,8 @@
 /**
  * What the package `strut-motion` gives to its users.
  *
- * Metres, seconds, radians; +Y up, right-handed, facing +Z. A pose is `POSE_FLOATS` = 87 numbers: root x y z, then the
- * quaternion x y z w of the 21 joints of the canonical humanoid, each relative to its parent, the hips to the world.
+ * Metres, seconds, radians; +Y up, right-handed, facing +Z. A pose is `POSE_FLOATS` = 87 numbers. They are root x y z, then the
+ * quaternions x y z w of the 21 joints of the canonical humanoid. Each is relative to its parent, that of the hips to the world.
  */
 import type { ClientSession, StyleChange } from "../client/handles";
 import type { KeyStyleModel } from "../client/models/key_style";
@@ -95,8 +95,8 @@ export interface Strut {
   openKeyStyle(source: Source | Database, options?: { axes?: readonly string[] } & CallOptions): Promise<KeyStyleModel>;
 
   /**
-   * How much memory the engine holds, which grows and which only {@link dispose} gives back, and estimates of what is open: what
-   * is disposed of leaves its place to what is opened next.
+   * How much memory the engine holds, and estimates of what is open. The memory grows, and only {@link dispose} gives it back.
+   * What is disposed of leaves its place to what is opened next.
    */
   memory(): Promise<MemoryInfo>;
 

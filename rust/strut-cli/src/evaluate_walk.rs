@@ -185,9 +185,9 @@ fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
         .filter_map(|w| Some((model.styles.iter().position(|style| *style == w.style)?, &w.track)))
         .collect();
     text.push_str(
-        "## Contexts\n\nA tree by minimum description length parts the steps of all walks by side and by place in ",
+        "## Contexts\n\nA tree by minimum description length splits the steps of all walks by side and by place in ",
     );
-    text.push_str("the clip, as long as that makes the frames likelier by more than it costs.\n\n");
+    text.push_str("the clip. It does so as long as that makes the frames likelier by more than it costs.\n\n");
     for (name, style_free) in [("As recorded", false), ("With every style's mean pose taken off", true)] {
         let ContextTree { splits, rejected, cost } = ContextTree::grow(model, &walks, style_free);
         let asked: Vec<String> = splits.iter().map(|s| format!("{} gains {:.0}", s.question, s.gain)).collect();
@@ -206,11 +206,12 @@ fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
 
 /// Joint velocities during changes of style.
 fn transitions(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {
-    text.push_str("## Transitions\n\nGreatest acceleration while one style gives way to another, as a share of the ");
     text.push_str(
-        "greatest of steady walking in either: of the joint where that share is largest, of the single degree of ",
+        "## Transitions\n\nThese are the greatest accelerations while one style gives way to another, as a share of ",
     );
-    text.push_str("freedom, some of which hardly move, and of the joints that are accelerated most. All pairs.\n\n");
+    text.push_str("the greatest of steady walking in either. *Joint* is the joint where that share is largest. ");
+    text.push_str("*Degree of freedom* is the single one, some of which hardly move. *Greatest* are the joints ");
+    text.push_str("that are accelerated most. All pairs.\n\n");
     text.push_str(
         "| steps in between | joint, median | worst | degree of freedom, median | worst | greatest, worst |\n",
     );

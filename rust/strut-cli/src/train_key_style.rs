@@ -15,10 +15,10 @@ use strut_tasks::recordings::read_recordings;
 
 /// Learn poses from a few style variables that are measured on them
 ///
-/// Axes: hips_height reach_left reach_right hand_height_left hand_height_right foot_separation foot_height_difference
-/// hands_apart (cm), torso_lean knee_bend_left knee_bend_right (degrees), speed (cm/s), or an expression such as
-/// 'hand_l.y - shoulder_l.y': joints by role, x y z in cm to the left, up and forward, with + - * / ( ) abs min max sqrt
-/// and atan2 in degrees. A clip that cannot be used is left out with a warning.
+/// Axes in cm: hips_height reach_left reach_right hand_height_left hand_height_right foot_separation
+/// foot_height_difference hands_apart. Others: torso_lean knee_bend_left knee_bend_right (degrees), speed (cm/s). An axis
+/// may also be an expression such as 'hand_l.y - shoulder_l.y'. It has joints by role, x y z in cm to the left, up and
+/// forward, with + - * / ( ) abs min max sqrt and atan2 in degrees. A clip that cannot be used is left out with a warning.
 #[derive(clap::Args)]
 #[allow(clippy::doc_markdown)] // The comments are the help.
 pub(crate) struct Args {

@@ -1,7 +1,7 @@
 //! The file of a key-style model, `.strutkeys`: a [container](crate::container).
 //!
-//! Tensors, little-endian f32; A axes (1 to 3), K components, N recorded frames, D = 64 numbers of a pose (an exponential map
-//! about its reference for every joint, then (height of the hips − 0.9 m) / 0.8 m):
+//! Tensors are little-endian f32. There are A axes (1 to 3), K components and N recorded frames. D = 64 are the numbers of a
+//! pose: an exponential map about its reference for every joint, then (height of the hips − 0.9 m) / 0.8 m.
 //!
 //! | Name | Shape | Content |
 //! | --- | --- | --- |
@@ -14,8 +14,9 @@
 //! | `styles` | N, A | the recorded styles |
 //! | `poses` | N, D | the recorded poses |
 //!
-//! The metadata entry `strut-keys` is a JSON object: `version`, `generator`, `rate_hz`, `skeleton` as in a database, `axes`
-//! (name or expression, and unit), `variance`, `least_support`, `travels`, and `clips` with their names and frames.
+//! The metadata entry `strut-keys` is a JSON object. `version`, `generator`, `checksum`, `rate_hz` and `skeleton` are as in a
+//! database. `axes` has a name or an expression and a unit for each axis. The others are `variance`, `least_support`, `travels`,
+//! and `clips` with their names and frames.
 
 use crate::container::{self, ContainerError, Kind, floats, rounded};
 use crate::quotation::quotation;

@@ -1,7 +1,8 @@
 //! The file of a walk model, `.strutwalk`: a [container](crate::container).
 //!
-//! Tensors, little-endian f32; S styles, two sides (left, right), five states, D = 63 degrees of freedom (an exponential map
-//! about its reference for every joint), three streams (static, delta and delta-delta: pose, velocity and acceleration per frame):
+//! Tensors are little-endian f32. There are S styles, two sides (left, right) and five states. D = 63 are the degrees of freedom
+//! of a pose, an exponential map about its reference for every joint. Three streams are static, delta and delta-delta: pose,
+//! velocity and acceleration per frame.
 //!
 //! | Name | Shape | Content |
 //! | --- | --- | --- |
@@ -14,9 +15,9 @@
 //! | `duration_variances` | 2, 5 | variances of the durations, frames² |
 //! | `range` | 2, D | least and greatest value in the recorded walks |
 //!
-//! The metadata entry `strut-walk` is a JSON object: `version`, `generator`, `rate_hz`, `skeleton` as in a database, `styles`
-//! (their names) and `contexts`, the step of each of the two sides' models: models of other contexts, such as the first step
-//! of a walk, may follow in a later version.
+//! The metadata entry `strut-walk` is a JSON object. `version`, `generator`, `checksum`, `rate_hz` and `skeleton` are as in a
+//! database. `styles` has the names of the styles, `contexts` the steps that the models of the two sides are for. Models of
+//! other contexts, such as the first step of a walk, may follow in a later version.
 
 use crate::container::{self, ContainerError, Kind, floats, rounded};
 use crate::strutdb::SkeletonInfo;

@@ -211,8 +211,8 @@ impl Database {
         watched(py, progress.as_ref(), task)
     }
 
-    /// This database with a motion as a style of its own, as `strut add-style` makes it: of an action of the database, the one that
-    /// the motion resembles most unless it is given.
+    /// This database with a motion as a style of its own, as `strut add-style` makes it. Its action is one of the database's: the one
+    /// that the motion resembles most, unless it is given.
     #[pyo3(signature = (motion, name, *, action=None, threads=0))]
     fn add_style(
         &self,

@@ -96,8 +96,8 @@ impl Motion {
         Ok(Self { named: Arc::new(named?) })
     }
 
-    /// A motion of a skeleton: for each joint its name, the index of its parent (-1 for the first, the root) and its offset in the
-    /// parent's frame, j × 3; for each frame and joint its translation in the parent's frame, n × j × 3, and its rotation relative to
+    /// A motion of a skeleton. Each joint has a name, the index of its parent (-1 for the first, the root) and an offset in the
+    /// parent's frame, j × 3. Each joint has in each frame a translation in the parent's frame, n × j × 3, and a rotation relative to
     /// the parent, n × j × 4, x y z w. Arrays are C-contiguous float32. `up` is the axis that points up, "y" or "z"; what is made of
     /// the motion has +Y up. The unit of length is detected unless it is given.
     #[staticmethod]
@@ -154,8 +154,8 @@ impl Motion {
         Ok(Self { named: Arc::new(named) })
     }
 
-    /// The motion on a database's body and at its rate, as float32 of 87 columns: root x y z in metres, then x y z w of the
-    /// rotation of each of the 21 joints relative to its parent.
+    /// The motion on a database's body and at its rate, as float32 of 87 columns. They are root x y z in metres, then x y z w of
+    /// the rotation of each of the 21 joints relative to its parent.
     fn poses<'py>(&self, py: Python<'py>, db: &Database) -> PyResult<Bound<'py, PyArray2<f32>>> {
         let input = self.input(py, db)?;
         array_of(py, &input.poses)

@@ -175,8 +175,9 @@ impl Walker {
         self.engine.set_styles(&weights).map_err(|reason| bad_input(py, reason))
     }
 
-    /// Another gait from the next frame on: steps a minute, the style's own for None; length of steps as a share of the style's;
-    /// degrees that each step turns to the left; whether joints keep within the range of the recorded walks; whether it walks or stands.
+    /// Another gait from the next frame on. `cadence` is in steps a minute, None for the style's own. `stride` is the length of steps
+    /// as a share of the style's, `turn` the degrees that each step turns to the left. `limits` keeps joints within the range of the
+    /// recorded walks. `walking` says whether it walks or stands.
     #[pyo3(signature = (*, cadence=None, stride=1.0, turn=0.0, limits=true, walking=true))]
     fn configure(
         &mut self,

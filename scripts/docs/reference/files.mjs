@@ -1,5 +1,6 @@
 // The reference of file formats, from the comments of `strut-formats`.
 import { Sentence } from "../../steps.mjs";
+import { exampleBlock } from "../examples.mjs";
 import { constantsOf, fieldsOf, moduleDoc, rustSource } from "./rust_docs.mjs";
 
 const FORMATS = [
@@ -28,6 +29,13 @@ const FORMATS = [
     header: "strut-formats/src/strutdb/packed/header.rs",
   },
 ];
+
+/** How a database is read without Strut. */
+const READER = `### In Python
+
+This program needs numpy alone. It reads a database, checks that it is whole, and computes where the joints are.
+
+${exampleBlock("python/strutdb_file.py", "read", "python")}`;
 
 /** Tensors that a writer names and the table of the document lacks, or the other way round. */
 function tensorFaults({ title, source, writer }) {
@@ -102,25 +110,18 @@ function constants(source) {
 
 function section({ title, source, metadata, header }) {
   const text = rustSource(source);
-  // Code of the comments is no tested example.
-  const doc = moduleDoc(text).replace(/^```\w+$/gm, "```text");
+  const doc = moduleDoc(text);
   const more = metadata
     ? [
         ...fields(rustSource(metadata), "Metadata", "The metadata of a database"),
         ...fields(rustSource(metadata), "SkeletonInfo", "Its skeleton"),
         ...fields(rustSource(metadata), "ClipInfo", "A clip"),
+        READER,
       ]
     : header
       ? ["### The header", moduleDoc(rustSource(header))]
       : [];
-  return [
-    `## ${title}`,
-    doc.replace(/^```\n/gm, "```\n"),
-    ...kind(text),
-    ...constants(text),
-    ...limits(text),
-    ...more,
-  ].join("\n\n");
+  return [`## ${title}`, doc, ...kind(text), ...constants(text), ...limits(text), ...more].join("\n\n");
 }
 
 /** The page, as Markdown. Throws a sentence where a tensor is not described, or described and not there. */
@@ -142,7 +143,8 @@ ${container}
 | 8 to 8 + H | the header, JSON: for each tensor \`{"dtype", "shape", "data_offsets": [begin, end]}\`, and \`__metadata__\`, an object of strings |
 | from 8 + H | the tensors; \`data_offsets\` count from here |
 
-The metadata entry is a string that holds JSON. Rows of a tensor lie one after the other, the last index fastest.
+Types are called as in safetensors: \`F32\`, \`U8\`, \`U16\`, \`U32\`, \`I16\`. The metadata entry is a string that holds JSON. Rows of
+a tensor lie one after the other, the last index fastest.
 
 ${FORMATS.map(section).join("\n\n")}
 `;

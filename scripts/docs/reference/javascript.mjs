@@ -190,8 +190,8 @@ export function javascriptPage() {
 
 The entries of the package \`strut-motion\`. [Embedding](../embedding.md) says how it is installed and where it runs.
 
-Metres, seconds, radians; +Y up, right-handed, facing +Z. A pose is 87 numbers: root x y z, then the quaternion x y z w of the 21
-joints of the canonical humanoid, each relative to its parent, the hips to the world.
+Metres, seconds, radians; +Y up, right-handed, facing +Z. A pose is 87 numbers. They are root x y z, then the quaternions x y z w
+of the 21 joints of the canonical humanoid. Each is relative to its parent, that of the hips to the world.
 
 ${sections.join("\n\n")}
 `;

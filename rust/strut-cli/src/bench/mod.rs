@@ -26,8 +26,8 @@ use yardstick::{Comparison, Yardstick};
 
 /// Measure how long a frame takes
 ///
-/// Styles motion that the database does not hold, on one thread, and prints the median and the 95th percentile of
-/// every stage beside the figures of the paper's Table 2, and what kd-trees find of the nearest windows.
+/// Styles motion that the database does not hold, on one thread. Prints the median and the 95th percentile of every
+/// stage beside the figures of the paper's Table 2, and what kd-trees find of the nearest windows.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// A database to measure on; some of its clips are taken out of it and styled

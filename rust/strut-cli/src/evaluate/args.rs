@@ -29,9 +29,9 @@ A run that is stopped goes on where it was, if --json names the same file.";
 
 /// Measure the error of styled motion against real motion
 ///
-/// loo: each take of the source style is styled with a database that knows no clip of that take, and compared with the
-/// same take of the target style. off-database: other clips are styled with a database of all takes, and compared
-/// with themselves.
+/// With loo, each take of the source style is styled with a database that knows no clip of that take. The result is
+/// compared with the same take of the target style. With off-database, other clips are styled with a database of all
+/// takes, and compared with themselves.
 #[derive(clap::Args)]
 #[command(after_long_help = JSON_HELP)]
 pub(crate) struct Args {

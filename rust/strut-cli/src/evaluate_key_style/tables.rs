@@ -45,9 +45,9 @@ fn mean(values: impl Iterator<Item = f64> + Clone) -> f64 {
 pub(super) fn errors(text: &mut String, sets: &[DataSet], seeds: u64) -> Outcome {
     let _ = writeln!(
         text,
-        "## Held-out poses\n\nMeans of {seeds} seeds. *ll* is the log-likelihood of a pose given its style, in nats; *hard* is \
-         Algorithm 1 of the paper with regions, *smooth* the mixture as it was learnt (temperature 1), and *default* what the \
-         page shows where a style is dragged, temperature 2 and a blur of 0.3.\n\n\
+        "## Held-out poses\n\nMeans of {seeds} seeds. The column *ll* is the log-likelihood of a pose given its style, in nats. *Hard* is \
+         Algorithm 1 of the paper with regions, *smooth* the mixture as it was learnt (temperature 1). *Default* is what the page \
+         shows where a style is dragged: temperature 2 and a blur of 0.3.\n\n\
          | data | method | ll learnt | ll held out | hard | smooth | | default | time |\n\
          | --- | --- | ---: | ---: | ---: | ---: | --- | ---: | ---: |"
     );
@@ -110,8 +110,9 @@ fn published_pair([degrees, centimetres]: [f64; 2]) -> String {
 /// Baselines without a model.
 pub(super) fn baselines(text: &mut String, sets: &[DataSet]) -> Outcome {
     text.push_str(
-        "## What needs no mixture\n\nThe mean pose, one linear map (least squares), the recorded pose of the nearest style, and \
-         the recorded poses weighted by a Gaussian of 0.15 and of 0.3 standard deviations of the style.\n\n\
+        "## What needs no mixture\n\nThese are the mean pose, one linear map (least squares) and the recorded pose of the nearest \
+         style. *Kernel* is the mean of the recorded poses, weighted by a Gaussian of 0.15 and of 0.3 standard deviations of the \
+         style.\n\n\
          | data | mean | linear | nearest | kernel 0.15 | kernel 0.3 |\n| --- | ---: | ---: | ---: | ---: | ---: |\n",
     );
     for set in sets {
@@ -235,9 +236,9 @@ fn between(a: &Style, b: &Style, frame: usize) -> Style {
 /// Control accuracy: requested against measured style.
 pub(super) fn control(text: &mut String, sets: &[DataSet]) -> Outcome {
     text.push_str(
-        "## Control\n\nMean difference between the held-out style that is asked for and what is measured on the pose: as it is \
-         shown, its lowest foot on the floor; and, as the prototype was measured, by the mixture as it was learnt, with the hips \
-         at the height that it says.\n\n| data | as shown | as learnt | prototype |\n| --- | --- | --- | --- |\n",
+        "## Control\n\nColumns are the mean difference between the held-out style that is asked for and what is measured on the \
+         pose. *As shown*, the lowest foot of the pose is on the floor. *As learnt*, as the prototype was measured, the pose is \
+         that of the mixture as it was learnt, with the hips at the height that it gives.\n\n| data | as shown | as learnt | prototype |\n| --- | --- | --- | --- |\n",
     );
     for set in sets {
         let model = Arc::new(set.model()?);

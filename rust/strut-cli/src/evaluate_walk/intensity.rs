@@ -13,11 +13,13 @@ const MONOTONE: std::ops::RangeInclusive<i16> = -4..=8;
 const MONOTONE_STEP: f32 = 0.25;
 
 /// Text above the tables.
-pub(super) const INTRODUCTION: &str = "## Intensity\n\nStyles that fail at an intensity against the average: over 1 % of the joints' angles more than 10° outside \
-     what was recorded, a knee bent the wrong way by over 8°, or the wrong foot bearing the body for over 15 % of the time. \
+pub(super) const INTRODUCTION: &str = "## Intensity\n\nThe first table counts the styles that fail at an intensity. \
+     There are three ways to fail. Over 1 % of the joints' angles are more than 10° outside what was recorded. A knee is bent the \
+     wrong way by over 8°. The wrong foot bears the body for over 15 % of the time. \
      *Limited* is with the soft limits of joints and durations, *free* without them; a state below half a frame is a failure \
-     there.\n\nFrom -1 to 2 in steps of 0.25: increments that go the way that the whole goes, styles of which all do, and the \
-     greatest increment that does not, as a share of what lies between the ends of the style that changes most. The *style itself* is how far the mean poses of its states are on the way from the average walk to the style's.\n\n";
+     there.\n\nThe other tables are for intensities from -1 to 2 in steps of 0.25. They have the increments that go in the same \
+     direction as the whole, and the styles all of whose increments do. The last column is the greatest increment that does not, \
+     as a share of what lies between the ends of the style that changes most. The *style itself* is how far the mean poses of its states are on the way from the average walk to the style's.\n\n";
 
 /// Appends the tables of a model.
 pub(super) fn write(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {

@@ -2,8 +2,9 @@
 //! [safetensors](https://github.com/huggingface/safetensors) file whose metadata have one entry, a JSON object with
 //! `version`, `generator` and `checksum`.
 //!
-//! `checksum` is the CRC-32 (that of zlib and PNG) of the whole file with the checksum's own eight hexadecimal digits
-//! replaced by zeros, so that every changed byte is detected. Files of models before version 1.1 have none.
+//! `checksum` is the CRC-32 (that of zlib and PNG) of the whole file, as eight hexadecimal digits in lower case. For its
+//! computation these digits are replaced by the character 0, so that every changed byte is detected. Files of models before
+//! version 1.1 have no checksum.
 
 mod checksum;
 mod crc32;

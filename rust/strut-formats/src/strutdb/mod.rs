@@ -1,17 +1,18 @@
 //! The database file, `.strutdb`: a [container](crate::container).
 //!
-//! Tensors, little-endian; N frames of all clips, D = 67 degrees of freedom ([`DOFS`]), J = 21 joints ([`JOINTS`]),
-//! S styles, M ≤ 8 counterparts, W windows, L = 3900 numbers of a basis ([`Plan::BASIS_LENGTH`]):
+//! Tensors are little-endian. There are N frames of all clips, D = 67 degrees of freedom ([`DOFS`]) and J = 21 joints
+//! ([`JOINTS`]). S styles have M ≤ 8 counterparts each. The search index has W windows and bases of L = 3900 numbers
+//! ([`Plan::BASIS_LENGTH`]).
 //!
 //! | Name | Shape | Type | Content |
 //! | --- | --- | --- | --- |
-//! | `pose` | N, D | f32 | degrees of freedom; their names are `pose_columns` of the metadata |
-//! | `point_cloud` | N, J, 3 | f32 | heading-free joint positions, metres |
+//! | `pose` | N, D | f32 | degrees of freedom, see below; their names are `pose_columns` of the metadata |
+//! | `point_cloud` | N, J, 3 | f32 | positions x y z of the joints, metres, without the heading, the hips above the origin |
 //! | `canonical_time` | N | f32 | time on the canonical timeline, canonical frames |
 //! | `time_step` | N | f32 | seconds per canonical frame |
 //! | `contact` | N, 2 | u8 | whether the left and right foot is planted |
-//! | `class_of_clip` | clips, 2 | u16 | indices of action and style |
-//! | `counterpart` | N, S, M | f32 | registered frames of each style; −1 where there is none |
+//! | `class_of_clip` | clips, 2 | u16 | indices of a clip's action and style in `actions` and `styles` |
+//! | `counterpart` | N, S, M | f32 | registered rows of each style, fractions between two rows; −1 where there is none |
 //! | `chart` | J, 4 | f32 | mean rotations x y z w: centres of the exponential maps |
 //! | `search_order` | W | u32 | rows at which windows end, near ones adjacent; may be absent |
 //! | `search_basis` | 2, L | f32 | mean and principal directions of windows by both metrics; may be absent |
@@ -20,14 +21,14 @@
 //! The last three are a [`Plan`] of the search index, of the version `search_version` of the metadata. They save the time
 //! to build the index; search results do not depend on them.
 //!
-//! Further tensors are ignored. The metadata entry `strut` is a JSON object; see [`Metadata`] for its
-//! fields. In Python:
+//! A row of `pose` begins with three numbers w for each joint, in the order of the skeleton. The rotation of the joint relative
+//! to its parent is q · exp(w), with q the joint's row of `chart`. The length of w is the angle in radians. The rotation of the
+//! hips is without the heading. Four numbers follow: the height of the hips (m), their velocity to the left and forward in the
+//! frame of the heading (m/s), and the rate of the heading (rad/s). The rate is positive to the left. The axis +Y is up, and a
+//! body whose heading is 0 faces +Z with its left at +X.
 //!
-//! ```python
-//! import json, safetensors
-//! with safetensors.safe_open("cast.strutdb", "numpy") as f:
-//!     info, pose = json.loads(f.metadata()["strut"]), f.get_tensor("pose")
-//! ```
+//! Further tensors are ignored. The metadata entry `strut` is a JSON object; see [`Metadata`] for its fields.
+//! `examples/python/strutdb_file.py` reads a file without Strut.
 //!
 //! [`DOFS`]: strut_core::pose_vector::DOFS
 //! [`JOINTS`]: strut_core::humanoid::JOINTS

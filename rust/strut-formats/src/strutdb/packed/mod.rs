@@ -13,13 +13,13 @@
 //! | | `counterpart` by columns (style, then slot), [`ROW_STEP`]; −1 where there is none |
 //!
 //! A file may have several such sets, one after the other; its content is that of the last. Inputs and the beginnings of clips
-//! that were in the set before are told by their names, and their poses are not stored again: so the page shows the first set
-//! while the next one loads.
+//! that were in the set before are recognised by their names, and their poses are not stored again. So the page shows the first
+//! set while the next one loads.
 //!
 //! A column of integers x is stored as xₜ − 2 xₜ₋₁ + xₜ₋₂, with zeros before the first, each in zigzag LEB128.
 //!
-//! Rotations are off by at most 5e-5 rad (half a step an axis): no joint of the built-in database is off by more than
-//! 0.09 mm, none of the built-in inputs by more than 0.11 mm.
+//! Rotations are off by at most 5e-5 rad, half a step an axis. Joints of the built-in database are off by at most 0.09 mm, those
+//! of the built-in inputs by at most 0.11 mm.
 
 mod header;
 mod numbers;
