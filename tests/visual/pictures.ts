@@ -50,7 +50,7 @@ export async function stillPicture(page: Page): Promise<Buffer> {
       .every((canvas) => canvas.hasAttribute("data-still")),
   );
   let before = await page.screenshot();
-  for (let i = 0, same = 0; i < 40 && same < 3; i++) {
+  for (let i = 0, same = 0; i < 40 && same < 2; i++) {
     await page.waitForTimeout(200);
     const now = await page.screenshot();
     same = now.equals(before) ? same + 1 : 0;
