@@ -7,7 +7,7 @@ export const compare = {
   behind: "Behind",
   nothing: "nothing",
   method: "Method",
-  column: "Column",
+  column: (place: number) => `Column ${place}`,
   remove: (column: string) => `Remove ${column}`,
   columns: {
     input: "Input",

@@ -43,8 +43,9 @@ export function drawPlan(model: PlannerModel, layout: PlannerLayout): PlannerPic
   const { bars, numbers, tracks } = drawSteps(layout);
   const elements = [
     timeRuler({ time: layout.time, y: ROWS.ruler, labelPx: LABEL_PX, zero: strings.synthesis.zero }),
-    ...rowNames(),
-    svg("g", { class: "planner-steps" }, ...tracks, ...bars, ...numbers),
+    // Names and numbers of the drawing say nothing without it; blocks and handles speak for themselves.
+    svg("g", { "aria-hidden": "true" }, ...rowNames()),
+    svg("g", { class: "planner-steps", "aria-hidden": "true" }, ...tracks, ...bars, ...numbers),
     durationChart(model.walk, colours, layout),
     ...segments.map((segment) =>
       segment.kind === "block"
@@ -104,7 +105,7 @@ function durationChart(
   colours: readonly string[],
   { time, stepX }: PlannerLayout,
 ): SVGGElement {
-  const group = svg("g", { class: "planner-chart" });
+  const group = svg("g", { class: "planner-chart", "aria-hidden": "true" });
   const longest = Math.max(0.4, ...stateSecs.map((states) => states.reduce((sum, secs) => sum + secs, 0)));
   const bottom = ROWS.chart + CHART_HEIGHT;
   const every = longest > 0.9 ? 0.4 : 0.2;
@@ -198,7 +199,8 @@ function drawTransition(
       coloured(colours[from]!, svg("path", { class: "planner-curve", d: curve(top, bottom) })),
       coloured(colours[to]!, svg("path", { class: "planner-curve", d: curve(bottom, top) })),
     );
-    if (end - x > 64) group.append(text({ x: middle, y: ROWS.caption, "text-anchor": "middle" }, over));
+    if (end - x > 64)
+      group.append(text({ x: middle, y: ROWS.caption, "text-anchor": "middle", "aria-hidden": "true" }, over));
   }
   const y = (top + bottom) / 2;
   const tooltip = to === 0 ? strings.walk.backTo(over, title(blocks[0]!)) : over;
