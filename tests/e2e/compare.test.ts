@@ -48,9 +48,9 @@ describe("the columns", () => {
   });
 
   it("are added, changed and removed, and are in the link", async () => {
-    await page.getByRole("button", { name: "Method", exact: true }).click();
+    await page.getByRole("button", { name: "Add a method", exact: true }).click();
     await eventually(async () => (await state()).columns).toEqual(["input", "nn", "lar", "mar", "knn"]);
-    await eventually(() => page.getByRole("button", { name: "Method", exact: true }).isDisabled()).toBe(true);
+    await eventually(() => page.getByRole("button", { name: "Add a method", exact: true }).isDisabled()).toBe(true);
     await columns().nth(4).selectOption("b");
     await page.getByRole("button", { name: "Remove Nearest neighbour" }).click();
     await eventually(() => page.url()).toContain("columns=input,lar,mar,b");

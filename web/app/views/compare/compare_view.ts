@@ -111,6 +111,7 @@ class CompareView implements View {
       label: true,
       class: "outlined",
     });
+    this.#add.setAttribute("aria-label", strings.compare.addMethod);
     this.#transport = new CompareTransport({
       onPlay: () => this.#togglePlay(),
       onFrame: (by) => this.#step(by),

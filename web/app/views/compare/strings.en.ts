@@ -7,6 +7,7 @@ export const compare = {
   behind: "Behind",
   nothing: "nothing",
   method: "Method",
+  addMethod: "Add a method",
   column: (place: number) => `Column ${place}`,
   remove: (column: string) => `Remove ${column}`,
   columns: {

@@ -162,6 +162,7 @@ function drawBlock(
       "data-block": index,
       "aria-pressed": index === chosen ? "true" : "false",
       "aria-label": strings.walk.blockLabel(index + 1, name, count),
+      "aria-description": strings.walk.blockKeys,
     }),
   );
   const focus = { x: x + 1, y: y + 1, width: width - 2, height: STYLE_HEIGHT - 2, rx: 3 };
@@ -211,6 +212,7 @@ function drawTransition(
     "data-key": `middle-${to}`,
     "data-middle": to,
     "aria-label": strings.walk.middle(to + 1),
+    "aria-description": strings.walk.middleKeys,
     "aria-valuemin": TRANSITION_RANGE.min,
     "aria-valuemax": TRANSITION_RANGE.max,
     "aria-valuenow": steps,
