@@ -56,7 +56,7 @@ export class Keys implements Hands {
 type Scroll = (at: Place, by: Way) => Promise<void>;
 
 /** Turns of the wheel or swipes at most. */
-const MOST_SWIPES = 40;
+const MOST_SWIPES = 150;
 
 /** Scrolls what holds a control, by a wheel or by swipes, until its middle can be hit. */
 async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Place> {
@@ -106,11 +106,11 @@ function whereIs(control: Element): { at: Place; hit: boolean; by: Way; from: Pl
   const by = sideways ? { x: at.x - view.x, y: 0 } : { x: 0, y: at.y - view.y };
   const refuses = sideways ? /^(none|pan-y)$/ : /^(none|pan-x)$/;
   const pans = ({ x, y }: Place) => {
-    // The wheel means something else over a 3-D picture and a knob.
+    // The wheel means something else over a 3-D picture and a knob, and nothing over a note, which goes after a while.
     let top = document.elementFromPoint(x, y);
     // Also within figures.
     for (let within = top; within; within = within.shadowRoot?.elementFromPoint(x, y) ?? null) top = within;
-    if (top?.closest("canvas, .knob")) return false;
+    if (top?.closest("canvas, .knob, .toast")) return false;
     for (let e: Element | undefined = top ?? undefined; e; e = parentOf(e))
       if (refuses.test(getComputedStyle(e).touchAction)) return false;
     return true;
