@@ -19,7 +19,7 @@ beforeAll(async () => {
 });
 
 const state = () => page.evaluate(() => window.strut.state);
-const columns = () => page.getByLabel("Column", { exact: true });
+const columns = () => page.getByLabel(/^Column \d$/);
 /** The figure of a row in a column, as the page writes it. */
 const figure = (column: string, row: string) =>
   page.locator(`.compare-table[data-column="${column}"] > div`).filter({ hasText: row }).locator("dd").textContent();

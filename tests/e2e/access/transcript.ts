@@ -86,7 +86,9 @@ const WITH_ATTRIBUTES = new Set(["slider", "spinbutton", "link", "button", "list
 const MEASURED: readonly (readonly [RegExp, string])[] = [
   [/−?\b[\d.]+ (ms|fps)\b/g, "… $1"],
   [/trained in [\d.]+ s/g, "trained in … s"],
-  [/(term “Drawn by”\n *definition) “.*”/g, "$1 “…”"],
+  // These are there once pictures were counted for a while.
+  [/(term “(?:Rate|Walking|Drawing|Drawn by)”\n *definition) “.*”/g, "$1 “…”"],
+  [/text “[^”\n]*(grid 1 m)”/g, "text “… $1”"],
 ];
 
 /** What the page announced last, in the region at its end: it depends on what ended when. */
