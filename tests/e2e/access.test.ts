@@ -2,6 +2,7 @@
 import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
+import { cutOff } from "./access/layout";
 import { axeFaults } from "./axe";
 import { closePage, dragHolding, eventually, middleOf, openPage, openSite, screenshot, shown, visit } from "./browser";
 import { atRest, transitionsEnded } from "./rest";
@@ -109,32 +110,6 @@ describe("the 3-D view", () => {
     expect(await view.evaluate((e) => (e as HTMLElement).tabIndex)).toBe(0);
   });
 });
-
-/** Texts that are cut off: wider or higher than what holds them and hides the rest. Names of files may end in dots. */
-const cutOff = (of: Page) =>
-  of.evaluate(() =>
-    [...document.querySelectorAll<HTMLElement>("#app *")]
-      .filter((e) => e.checkVisibility({ visibilityProperty: true, opacityProperty: true }))
-      .filter((e) =>
-        [...e.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent!.trim() !== ""),
-      )
-      .filter((e) => !e.closest("svg, select, .visually-hidden, .polygon-weights"))
-      .flatMap((e) => {
-        const range = document.createRange();
-        range.selectNodeContents(e);
-        const text = range.getBoundingClientRect();
-        for (let box: HTMLElement | null = e; box && box.id !== "app"; box = box.parentElement) {
-          const style = getComputedStyle(box);
-          const frame = box.getBoundingClientRect();
-          const clips = style.overflow !== "visible" || box.matches("button, label");
-          const scrolls = /auto|scroll/.test(style.overflow);
-          if (style.textOverflow === "ellipsis" || scrolls) return [];
-          const out = Math.max(text.right - frame.right, frame.left - text.left, text.bottom - frame.bottom - 2);
-          if (clips && out > 1) return [`${e.textContent} in .${box.className}`];
-        }
-        return [];
-      }),
-  );
 
 /** Size of the text of a drawing, pixels, and its labels that lie partly outside of it. */
 const labelsOf = (of: Page, drawing: string) =>

@@ -19,7 +19,7 @@ beforeAll(async () => {
 });
 
 const state = () => page.evaluate(() => window.strut.state);
-const columns = () => page.getByLabel("Column", { exact: true });
+const columns = () => page.getByLabel(/^Column \d$/);
 /** The figure of a row in a column, as the page writes it. */
 const figure = (column: string, row: string) =>
   page.locator(`.compare-table[data-column="${column}"] > div`).filter({ hasText: row }).locator("dd").textContent();
@@ -48,9 +48,9 @@ describe("the columns", () => {
   });
 
   it("are added, changed and removed, and are in the link", async () => {
-    await page.getByRole("button", { name: "Method", exact: true }).click();
+    await page.getByRole("button", { name: "Add a method", exact: true }).click();
     await eventually(async () => (await state()).columns).toEqual(["input", "nn", "lar", "mar", "knn"]);
-    await eventually(() => page.getByRole("button", { name: "Method", exact: true }).isDisabled()).toBe(true);
+    await eventually(() => page.getByRole("button", { name: "Add a method", exact: true }).isDisabled()).toBe(true);
     await columns().nth(4).selectOption("b");
     await page.getByRole("button", { name: "Remove Nearest neighbour" }).click();
     await eventually(() => page.url()).toContain("columns=input,lar,mar,b");

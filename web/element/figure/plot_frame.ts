@@ -15,7 +15,8 @@ export class PlotFrame {
   /** What holds the picture. */
   readonly element: HTMLElement;
   readonly picture = svg("svg", { class: "plot", role: "group" });
-  readonly #grid = svg("g", { class: "grid" });
+  /** Numbers of the axes say nothing without the picture; its handles speak for themselves. */
+  readonly #grid = svg("g", { class: "grid", "aria-hidden": "true" });
   readonly #draw: () => void;
   #request = 0;
   /** What the grid that is drawn was drawn from. */

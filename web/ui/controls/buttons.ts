@@ -13,6 +13,8 @@ export function button(
   if (options.icon) made.append(icon(options.icon));
   if (options.label) made.append(html("span", {}, name));
   else made.setAttribute("aria-label", name);
+  // The tooltip would say the name once more.
+  if (options.keys) made.setAttribute("aria-description", options.keys);
   made.addEventListener("click", onClick);
   return made;
 }
@@ -25,7 +27,7 @@ export class Toggle {
   constructor(name: string, onChange: (on: boolean) => void) {
     this.#button = html("button", { type: "button", role: "switch", class: "toggle", "aria-label": name });
     this.#button.addEventListener("click", () => onChange(this.#button.getAttribute("aria-checked") !== "true"));
-    const label = html("span", {}, name);
+    const label = html("span", { "aria-hidden": "true" }, name);
     label.addEventListener("click", () => this.#button.click());
     this.element = html("div", { class: "toggle-row" }, this.#button, label);
   }

@@ -19,13 +19,14 @@ export class Slider {
     this.#range = range;
     const step = 10 ** -range.digits;
     this.#input = html("input", { type: "range", min: range.min, max: range.max, step, "aria-label": name });
-    this.#value = html("output", { class: "value" });
+    // The slider says both itself.
+    this.#value = html("output", { class: "value", "aria-hidden": "true" });
     this.#track = html("div", { class: "slider-track" }, this.#input);
     this.#track.style.setProperty("--default", String((initial - range.min) / (range.max - range.min)));
     this.element = html(
       "div",
       { class: "row slider" },
-      html("span", { class: "label" }, name),
+      html("span", { class: "label", "aria-hidden": "true" }, name),
       this.#track,
       this.#value,
     );
@@ -55,6 +56,6 @@ export class Slider {
     this.#input.style.setProperty("--share", String(Math.min(1, Math.max(0, share))));
     const said = this.words?.(value) ?? formatNumber(value, this.#range.digits);
     this.#value.value = said;
-    if (this.words) this.#input.setAttribute("aria-valuetext", said);
+    this.#input.setAttribute("aria-valuetext", said);
   }
 }

@@ -30,12 +30,14 @@ export class CompareColumn {
   readonly #caption = html("p", { class: "caption" });
   readonly #rows: { term: HTMLElement; bar: HTMLElement; value: HTMLElement }[];
 
+  /** @param place number of the column, from 1 at the left */
   constructor(
     readonly name: ColumnName,
+    place: number,
     removable: boolean,
     listeners: ColumnListeners,
   ) {
-    const select = html("select", { "aria-label": strings.compare.column });
+    const select = html("select", { "aria-label": strings.compare.column(place) });
     select.append(...COLUMN_NAMES.map((option) => html("option", { value: option }, strings.compare.columns[option])));
     select.value = name;
     select.addEventListener("change", () => listeners.onChange(select.value as ColumnName));

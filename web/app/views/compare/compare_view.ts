@@ -59,7 +59,7 @@ class CompareView implements View {
   readonly #summary = html("p", { class: "compare-summary" });
   readonly #input = html("select", { "aria-label": strings.play.input.motion });
   readonly #style = html("select", { "aria-label": strings.compare.style });
-  readonly #behind = html("select", { "aria-label": strings.compare.behind });
+  readonly #behind = html("select");
   readonly #add: HTMLButtonElement;
   readonly #picture = html("div", { class: "compare-picture" });
   readonly #heads = html("div", { class: "compare-heads" });
@@ -111,6 +111,7 @@ class CompareView implements View {
       label: true,
       class: "outlined",
     });
+    this.#add.setAttribute("aria-label", strings.compare.addMethod);
     this.#transport = new CompareTransport({
       onPlay: () => this.#togglePlay(),
       onFrame: (by) => this.#step(by),
@@ -241,7 +242,7 @@ class CompareView implements View {
     if (names.join() !== this.#columns.map((column) => column.name).join()) {
       this.#columns = names.map(
         (name, i) =>
-          new CompareColumn(name, names.length > MIN_COLUMNS, {
+          new CompareColumn(name, i + 1, names.length > MIN_COLUMNS, {
             onChange: (to) => store.edit({ columns: names.map((n, k) => (k === i ? to : n)) }),
             onRemove: () => store.edit({ columns: names.filter((_, k) => k !== i) }),
           }),

@@ -7,7 +7,8 @@ export const compare = {
   behind: "Behind",
   nothing: "nothing",
   method: "Method",
-  column: "Column",
+  addMethod: "Add a method",
+  column: (place: number) => `Column ${place}`,
   remove: (column: string) => `Remove ${column}`,
   columns: {
     input: "Input",

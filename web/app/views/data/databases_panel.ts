@@ -50,6 +50,7 @@ export class DatabasesPanel {
 
   #builtIn(isOpen: boolean): HTMLElement {
     const open = button(words.open, this.#listeners.onOpenBuiltIn, { label: true, class: "outlined" });
+    open.setAttribute("aria-label", words.does(words.open, words.builtIn));
     return item(words.builtIn, words.comesAlong, isOpen, [open]);
   }
 

@@ -43,7 +43,10 @@ export class AxisChooser {
       "div",
       { class: "axis-chooser" },
       first!.element,
-      ...others.flatMap(({ element }) => [html("span", { class: "caption" }, strings.keyStyle.by), element]),
+      ...others.flatMap(({ element }) => [
+        html("span", { class: "caption", "aria-hidden": "true" }, strings.keyStyle.by),
+        element,
+      ]),
     );
     this.line = html("div", { class: "axis-line", hidden: true }, this.#input, this.#fault);
     this.#input.addEventListener("input", () => void this.#check(false));

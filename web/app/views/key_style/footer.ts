@@ -29,7 +29,8 @@ export class Footer {
     class: "length",
     min: LENGTH_RANGE.min,
     max: LENGTH_RANGE.max,
-    step: 0.1,
+    // It is shown to hundredths: coarser steps would make it invalid.
+    step: 0.01,
     "aria-label": words.length,
   });
   readonly #pane: Segment<KeyPane>;
@@ -51,6 +52,7 @@ export class Footer {
     const replay = button(words.replay, listeners.onReplay, { icon: "trail", keys: "R" });
     const toKeys = button(words.trailToKeys, listeners.onTrailToKeys, { icon: "key" });
     const add = button(words.addKey, listeners.onAddKey, { icon: "add", label: true, keys: "K" });
+    add.setAttribute("aria-label", words.setKey);
     this.#remove = button(words.removeKey, listeners.onRemoveKey, { icon: "remove", keys: "Delete" });
     const outlined = { icon: "export", label: true, class: "outlined" } as const;
     const bvh = button(strings.synthesis.exportBvh, listeners.onBvh, outlined);

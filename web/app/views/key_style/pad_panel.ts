@@ -45,8 +45,8 @@ export class PadPanel {
     const legend = html(
       "p",
       { class: "pad-legend caption" },
-      html("span", { class: "known" }, words.recordedPoses),
-      html("span", { class: "unknown" }, words.noData),
+      html("span", { class: "known", "aria-hidden": "true" }, words.recordedPoses),
+      html("span", { class: "unknown", "aria-hidden": "true" }, words.noData),
       this.#hint,
     );
     this.element = html(

@@ -52,8 +52,8 @@ export class PicturePanel {
     );
     this.#ghost = button(words.ghost, listeners.onGhost, { icon: "ghost", label: true, class: "chip", keys: "G" });
     this.element = html(
-      "section",
-      { class: "editor-picture", "aria-label": words.picture },
+      "div",
+      { class: "editor-picture" },
       this.#stage,
       this.#dimensions.element,
       this.#comparison.element,

@@ -102,6 +102,7 @@ export const keyStyle = {
   curve: "Between keys",
   curves: { spline: "Smooth", monotone: "No overshoot" },
   addKey: "Key",
+  setKey: "Set a key",
   removeKey: "Remove key",
   drags: "Drag records.",
   setsKey: "sets a key.",

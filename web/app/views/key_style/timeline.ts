@@ -156,9 +156,14 @@ export class Timeline {
         "aria-valuetext": text,
         transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})`,
       },
-      svg("circle", { class: "keys-target", r: 14 }),
-      svg("path", { d: "M0 -6l6 6-6 6-6-6z" }),
-      svg("title", {}, text),
+      // A tooltip of the slider itself would be said after its value, which is the same.
+      svg(
+        "g",
+        { "aria-hidden": "true" },
+        svg("title", {}, text),
+        svg("circle", { class: "keys-target", r: 14 }),
+        svg("path", { d: "M0 -6l6 6-6 6-6-6z" }),
+      ),
     );
   }
 

@@ -22,6 +22,8 @@ export class ExerciseCard {
   readonly #status = html("p", { class: "caption" });
   readonly #verdict = html("p", { class: "verdict", role: "status" });
   readonly #hints: HTMLElement[];
+  /** Hidden until a hint was asked for: an empty list would be announced. */
+  readonly #list = html("ol", { class: "hints", hidden: true });
   readonly #hint: HTMLButtonElement;
   readonly #begin: HTMLButtonElement;
   readonly #solution: HTMLButtonElement;
@@ -38,14 +40,18 @@ export class ExerciseCard {
     this.#solution = made(learn.solution, listeners.onSolution);
     this.#hint = made(learn.hint(1), () => this.#showHint());
     this.#hints = text.hints.map((hint) => html("li", { hidden: true }, ...prose(hint)));
-    const heading = html("h3", {}, `${id}`);
+    this.#list.append(...this.#hints);
+    const heading = html("h3", { id: `exercise-${id}` }, id);
+    // All exercises have buttons of the same names.
+    for (const control of [this.#begin, this.#link, this.#solution, this.#hint])
+      control.setAttribute("aria-describedby", heading.id);
     this.element = html(
       "article",
-      { class: "exercise", "data-exercise": id },
+      { class: "exercise", "data-exercise": id, "aria-labelledby": heading.id },
       html("header", {}, heading, this.#status),
       html("p", {}, ...prose(text.task)),
       this.#verdict,
-      html("ol", { class: "hints" }, ...this.#hints),
+      this.#list,
       html("div", { class: "actions" }, this.#begin, this.#link, ...(answers ? [this.#hint, this.#solution] : [])),
     );
   }
@@ -87,6 +93,7 @@ export class ExerciseCard {
   }
 
   #showHint(): void {
+    this.#list.hidden = false;
     this.#hints[this.#hinted]!.hidden = false;
     this.#hinted += 1;
     const left = this.#hinted < this.#hints.length;

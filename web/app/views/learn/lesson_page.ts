@@ -100,8 +100,8 @@ export class LessonPage {
     };
     this.#parts = Object.fromEntries(BEATS.map((beat) => [beat, part(beat)])) as Record<Beat, HTMLElement>;
     this.#steps = BEATS.map((beat, i) => {
-      const step = html("button", { type: "button", class: "button", title: learn.beats[beat] }, String(i + 1));
-      step.setAttribute("aria-label", `${i + 1}: ${learn.beats[beat]}`);
+      const name = `${i + 1}: ${learn.beats[beat]}`;
+      const step = html("button", { type: "button", class: "button", title: name, "aria-label": name }, String(i + 1));
       step.addEventListener("click", () => listeners.onBeat(i));
       return step;
     });

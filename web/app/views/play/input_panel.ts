@@ -20,7 +20,8 @@ export class InputPanel {
   readonly #select = html("select", { "aria-label": strings.play.input.motion });
   readonly #reading = html("span", { class: "reading" });
   readonly #bar = html("div", { class: "weight-bar-filled" });
-  readonly #weight = html("output", { class: "value" });
+  // Not a live region: while a motion plays it changes all the time.
+  readonly #weight = html("span", { class: "value" });
   readonly #note = html("p", { class: "caption input-note" });
   #readAt = 0;
   /** The reading of the next update; `undefined` where none is scheduled. */

@@ -43,8 +43,9 @@ export function drawPlan(model: PlannerModel, layout: PlannerLayout): PlannerPic
   const { bars, numbers, tracks } = drawSteps(layout);
   const elements = [
     timeRuler({ time: layout.time, y: ROWS.ruler, labelPx: LABEL_PX, zero: strings.synthesis.zero }),
-    ...rowNames(),
-    svg("g", { class: "planner-steps" }, ...tracks, ...bars, ...numbers),
+    // Names and numbers of the drawing say nothing without it; blocks and handles speak for themselves.
+    svg("g", { "aria-hidden": "true" }, ...rowNames()),
+    svg("g", { class: "planner-steps", "aria-hidden": "true" }, ...tracks, ...bars, ...numbers),
     durationChart(model.walk, colours, layout),
     ...segments.map((segment) =>
       segment.kind === "block"
@@ -104,7 +105,7 @@ function durationChart(
   colours: readonly string[],
   { time, stepX }: PlannerLayout,
 ): SVGGElement {
-  const group = svg("g", { class: "planner-chart" });
+  const group = svg("g", { class: "planner-chart", "aria-hidden": "true" });
   const longest = Math.max(0.4, ...stateSecs.map((states) => states.reduce((sum, secs) => sum + secs, 0)));
   const bottom = ROWS.chart + CHART_HEIGHT;
   const every = longest > 0.9 ? 0.4 : 0.2;
@@ -161,6 +162,7 @@ function drawBlock(
       "data-block": index,
       "aria-pressed": index === chosen ? "true" : "false",
       "aria-label": strings.walk.blockLabel(index + 1, name, count),
+      "aria-description": strings.walk.blockKeys,
     }),
   );
   const focus = { x: x + 1, y: y + 1, width: width - 2, height: STYLE_HEIGHT - 2, rx: 3 };
@@ -198,7 +200,8 @@ function drawTransition(
       coloured(colours[from]!, svg("path", { class: "planner-curve", d: curve(top, bottom) })),
       coloured(colours[to]!, svg("path", { class: "planner-curve", d: curve(bottom, top) })),
     );
-    if (end - x > 64) group.append(text({ x: middle, y: ROWS.caption, "text-anchor": "middle" }, over));
+    if (end - x > 64)
+      group.append(text({ x: middle, y: ROWS.caption, "text-anchor": "middle", "aria-hidden": "true" }, over));
   }
   const y = (top + bottom) / 2;
   const tooltip = to === 0 ? strings.walk.backTo(over, title(blocks[0]!)) : over;
@@ -209,6 +212,7 @@ function drawTransition(
     "data-key": `middle-${to}`,
     "data-middle": to,
     "aria-label": strings.walk.middle(to + 1),
+    "aria-description": strings.walk.middleKeys,
     "aria-valuemin": TRANSITION_RANGE.min,
     "aria-valuemax": TRANSITION_RANGE.max,
     "aria-valuenow": steps,

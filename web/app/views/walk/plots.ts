@@ -37,7 +37,7 @@ function averageOf({ styles }: WalkModel): Weights {
 export class Plot {
   readonly element: HTMLElement;
   readonly #picture = svg("svg", { class: "walk-plot", role: "img" });
-  readonly #legend = html("p", { class: "walk-legend caption" });
+  readonly #legend = html("p", { class: "walk-legend caption", "aria-hidden": "true" });
 
   constructor() {
     this.element = html("div", { class: "walk-plot-box" }, this.#picture, this.#legend);

@@ -446,5 +446,5 @@ function stateLegend(): HTMLElement {
     entry.style.setProperty("--shade", `${100 * STATE_SHADES[i]!}%`);
     return entry;
   });
-  return html("p", { class: "walk-states caption" }, ...entries);
+  return html("p", { class: "walk-states caption", "aria-hidden": "true" }, ...entries);
 }

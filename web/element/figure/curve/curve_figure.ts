@@ -30,7 +30,7 @@ class CurveFigure implements FigureInstance<PairState> {
   readonly #parts: FigureParts<PairState>;
   readonly #joint: Choice<Role | "">;
   readonly #frame: PlotFrame;
-  readonly #grid = svg("g", { class: "grid" });
+  readonly #grid = svg("g", { class: "grid", "aria-hidden": "true" });
   readonly #curves: Record<Pairing, SVGPathElement>;
   readonly #legend: Record<Pairing, HTMLElement>;
   readonly #thread = svg("path", { class: "thread", "data-term": "tau" });
@@ -39,7 +39,7 @@ class CurveFigure implements FigureInstance<PairState> {
   readonly #title: HTMLElement;
   readonly #styled = svg(
     "g",
-    { class: "styled", "data-term": "tau" },
+    { class: "styled", "data-term": "tau", "aria-hidden": "true" },
     svg("circle", { r: 3 }),
     svg("text", { x: 8, y: 4 }),
   );

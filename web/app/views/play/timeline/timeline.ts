@@ -113,7 +113,7 @@ export class Timeline {
         this.#atlas,
         html(
           "span",
-          { class: "timeline-contacts", title: strings.play.timeline.contactsWhy },
+          { class: "timeline-contacts", "aria-hidden": "true", title: strings.play.timeline.contactsWhy },
           strings.play.timeline.contacts,
         ),
         html(
@@ -122,12 +122,17 @@ export class Timeline {
           html("i", {}, strings.play.timeline.left),
           html("i", {}, strings.play.timeline.right),
         ),
-        html("span", { class: "timeline-reads", title: strings.play.timeline.readsWhy }, strings.play.timeline.reads),
+        html(
+          "span",
+          { class: "timeline-reads", "aria-hidden": "true", title: strings.play.timeline.readsWhy },
+          strings.play.timeline.reads,
+        ),
         html("span", { class: "timeline-curve" }, this.#menu),
         html(
           "span",
           {
             class: "timeline-timing",
+            "aria-hidden": "true",
             title: strings.play.timeline.timingWhy,
           },
           strings.play.timeline.timing,

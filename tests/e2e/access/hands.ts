@@ -1,0 +1,218 @@
+/** The ways in which a person operates the page: keys alone, one finger alone, a mouse. None of them is helped by the test. */
+import type { CDPSession, Locator, Page } from "playwright-core";
+import { expect } from "vitest";
+import { drag, middleOf, type Place } from "../browser";
+
+/** How far something is moved: to the right and down, pixels; keys are pressed that far in steps. */
+export type Way = Place;
+
+/** What a person does with a control, having got to it first. */
+export interface Hands {
+  press(control: Locator): Promise<void>;
+  /** Moves a handle or a slider. */
+  move(handle: Locator, by: Way): Promise<void>;
+}
+
+/** Tab stops of a page at most: who has not found a control by then is in a trap. */
+const MOST_STOPS = 150;
+/** Pixels that the press of an arrow key stands for. */
+const KEY_PX = 10;
+
+/** Keys alone: Tab to the control, then Enter, Space or arrows. `onFocus` is told of each control that was found. */
+export class Keys implements Hands {
+  constructor(
+    readonly page: Page,
+    readonly onFocus: (control: Locator) => Promise<void> = async () => {},
+  ) {}
+
+  async press(control: Locator): Promise<void> {
+    await this.#tabTo(control);
+    const type = await control.getAttribute("type");
+    await this.page.keyboard.press(type === "radio" || type === "checkbox" ? "Space" : "Enter");
+  }
+
+  async move(handle: Locator, { x, y }: Way): Promise<void> {
+    await this.#tabTo(handle);
+    const keys: [string, number][] = [
+      [x > 0 ? "ArrowRight" : "ArrowLeft", Math.abs(x)],
+      [y > 0 ? "ArrowDown" : "ArrowUp", Math.abs(y)],
+    ];
+    for (const [key, pixels] of keys)
+      for (let press = 0; press < pixels / KEY_PX; press++) await this.page.keyboard.press(key);
+  }
+
+  async #tabTo(control: Locator): Promise<void> {
+    await control.waitFor();
+    const isThere = () => control.evaluate((e) => e.matches(":focus"));
+    for (let stop = 0; stop < MOST_STOPS; stop++) {
+      if (await isThere()) return this.onFocus(control);
+      await this.page.keyboard.press("Tab");
+    }
+    expect.fail(`Tab does not lead to ${control}`);
+  }
+}
+
+/** What brings a control to where it can be seen, as a wheel or a swipe does it at a place. */
+type Scroll = (at: Place, by: Way) => Promise<void>;
+
+/** Turns of the wheel or swipes at most. */
+const MOST_SWIPES = 150;
+
+/** Scrolls what holds a control, by a wheel or by swipes, until its middle can be hit. */
+async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Place> {
+  await control.waitFor();
+  let before: Place | undefined;
+  let last = "";
+  for (let turn = 0; turn < MOST_SWIPES; turn++) {
+    const { at, hit, by, from } = await control.evaluate(whereIs);
+    // The page may still be on its way.
+    if (hit && before?.x === at.x && before.y === at.y) return at;
+    if (!hit) await scroll(from, by);
+    before = at;
+    last = JSON.stringify({ at, by, from });
+    await page.waitForTimeout(60);
+  }
+  expect.fail(`${control} cannot be scrolled to: ${last}`);
+}
+
+/** In the page: the middle of a control, whether a press there hits it, and where and how far to scroll for it. */
+function whereIs(control: Element): { at: Place; hit: boolean; by: Way; from: Place } {
+  const parentOf = (e: Element) => e.parentElement ?? (e.getRootNode() as ShadowRoot).host ?? undefined;
+  /** What of the box that scrolls a control along an axis is on the screen. */
+  const viewOf = (axis: "x" | "y") => {
+    const scrolls = (e: Element) =>
+      axis === "x"
+        ? e.scrollWidth > e.clientWidth + 1 && /auto|scroll/.test(getComputedStyle(e).overflowX)
+        : e.scrollHeight > e.clientHeight + 1 && /auto|scroll/.test(getComputedStyle(e).overflowY);
+    let holder: Element | undefined = control;
+    while (holder && !scrolls(holder)) holder = parentOf(holder);
+    const { left, right, top, bottom } = (holder ?? document.documentElement).getBoundingClientRect();
+    const view = {
+      left: Math.max(0, left),
+      right: Math.min(innerWidth, right),
+      top: Math.max(0, top),
+      bottom: Math.min(innerHeight, bottom),
+    };
+    return { ...view, x: (view.left + view.right) / 2, y: (view.top + view.bottom) / 2 };
+  };
+  const target = control.querySelector(".handle-target, .planner-target, .vertex-target") ?? control;
+  const box = target.getBoundingClientRect();
+  const at = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const below = (control.getRootNode() as Document | ShadowRoot).elementFromPoint(at.x, at.y);
+  const hit = below !== null && ((control.closest("label") ?? control).contains(below) || below.contains(control));
+  const [down, along] = [viewOf("y"), viewOf("x")];
+  const sideways = at.y > down.top && at.y < down.bottom && (at.x < along.left || at.x > along.right);
+  const view = sideways ? along : down;
+  const by = sideways ? { x: at.x - view.x, y: 0 } : { x: 0, y: at.y - view.y };
+  const refuses = sideways ? /^(none|pan-y)$/ : /^(none|pan-x)$/;
+  const pans = ({ x, y }: Place) => {
+    // The wheel means something else over a 3-D picture and a knob, and nothing over a note, which goes after a while.
+    let top = document.elementFromPoint(x, y);
+    // Also within figures.
+    for (let within = top; within; within = within.shadowRoot?.elementFromPoint(x, y) ?? null) top = within;
+    if (top?.closest("canvas, .knob, .toast")) return false;
+    for (let e: Element | undefined = top ?? undefined; e; e = parentOf(e))
+      if (refuses.test(getComputedStyle(e).touchAction)) return false;
+    return true;
+  };
+  // Where a person puts the finger: somewhere that is not a drawing that is dragged.
+  const shares = [0.5, 0.75, 0.25, 0.9, 0.1, 0.97, 0.03];
+  const places = shares.flatMap((across) =>
+    shares.map((share) => ({
+      x: view.left + across * (view.right - view.left),
+      y: view.top + share * (view.bottom - view.top),
+    })),
+  );
+  return { at, hit, by, from: places.find(pans) ?? { x: view.x, y: view.y } };
+}
+
+/** A mouse with a wheel. */
+export class Mouse implements Hands {
+  constructor(readonly page: Page) {}
+
+  async press(control: Locator): Promise<void> {
+    const { x, y } = await this.#reach(control);
+    await this.page.mouse.click(x, y);
+  }
+
+  async move(handle: Locator, { x, y }: Way): Promise<void> {
+    const from = await this.#reach(handle);
+    await drag(this.page, from, { x: from.x + x, y: from.y + y });
+  }
+
+  #reach(control: Locator): Promise<Place> {
+    return reach(this.page, control, async ({ x, y }, by) => {
+      await this.page.mouse.move(x, y);
+      await this.page.mouse.wheel(by.x, by.y);
+    });
+  }
+}
+
+/** One finger: taps, swipes and drags. */
+export class Finger implements Hands {
+  constructor(
+    readonly page: Page,
+    readonly session: CDPSession,
+  ) {}
+
+  async press(control: Locator): Promise<void> {
+    await this.#stroke([await this.#reach(control)]);
+  }
+
+  async move(handle: Locator, { x, y }: Way): Promise<void> {
+    const from = await this.#reach(handle);
+    await this.#stroke(between(from, { x: from.x + x, y: from.y + y }));
+  }
+
+  #reach(control: Locator): Promise<Place> {
+    // A swipe up moves the page down.
+    return reach(this.page, control, ({ x, y }, by) =>
+      this.#stroke(between({ x, y }, this.#swiped(x - by.x, y - by.y))),
+    );
+  }
+
+  /** The place on the screen that is next to another. */
+  #swiped(x: number, y: number): Place {
+    const { width, height } = this.page.viewportSize()!;
+    return { x: Math.min(width - 2, Math.max(2, x)), y: Math.min(height - 2, Math.max(2, y)) };
+  }
+
+  /** Puts the finger down at the first place, moves it over the others, and lifts it. */
+  async #stroke([first, ...others]: readonly Place[]): Promise<void> {
+    const send = (type: "touchStart" | "touchMove" | "touchEnd", touchPoints: Place[]) =>
+      this.session.send("Input.dispatchTouchEvent", { type, touchPoints });
+    await send("touchStart", [first!]);
+    for (const place of others) await send("touchMove", [place]);
+    // A finger that is lifted while it moves throws the page on.
+    if (others.length > 0) await this.page.waitForTimeout(60);
+    await send("touchEnd", []);
+  }
+}
+
+/** Places on the way from one to another, both included. */
+function between(from: Place, to: Place): Place[] {
+  const steps = 8;
+  return Array.from({ length: steps + 1 }, (_, i) => ({
+    x: from.x + ((to.x - from.x) * i) / steps,
+    y: from.y + ((to.y - from.y) * i) / steps,
+  }));
+}
+
+/** Whether what has the keyboard looks otherwise than without it: the picture around it is compared. */
+export async function expectFocusVisible(page: Page, control: Locator): Promise<void> {
+  const { x, y } = await middleOf(control);
+  const box = (await control.boundingBox())!;
+  const room = 8;
+  const clip = {
+    x: Math.max(0, x - box.width / 2 - room),
+    y: Math.max(0, y - box.height / 2 - room),
+    width: box.width + 2 * room,
+    height: box.height + 2 * room,
+  };
+  const focused = await page.screenshot({ clip });
+  const name = `${control}`;
+  await control.evaluate((e) => (e as HTMLElement).blur());
+  const plain = await page.screenshot({ clip });
+  await control.evaluate((e) => (e as HTMLElement).focus());
+  expect(focused.equals(plain), `the focus is not seen on ${name}`).toBe(false);
+}
