@@ -118,13 +118,12 @@ export class PlanWalker {
     if (tempo?.kind === "fixed") this.#live.beatNow(tempo.cadence);
   }
 
-  /** Puts the live walk at a place of the plan, as walked from its beginning. */
-  seek(step: number, done: number): void {
+  /** Puts the live walk at a frame of the pass that {@link set} returned, as walked from its beginning. */
+  seek(frame: number): void {
     this.#offset = 0;
     this.#begin(this.#live);
-    const { frame } = this.#live;
-    while (frame.step < step || (frame.step === step && frame.done < done)) {
-      this.#live.walks = this.#walksOn(frame.step);
+    for (let walked = 0; walked < frame; walked += 1) {
+      this.#live.walks = this.#walksOn(this.#live.frame.step);
       this.#live.next();
     }
   }

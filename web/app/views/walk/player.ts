@@ -9,8 +9,6 @@ import { TapTempo } from "./tap_tempo";
 
 /** Seed of sampled durations: a link shows everybody the same walk. */
 const SEED = 1;
-/** Where a walk that is not repeated stands at its end: just before the step is complete. */
-const END = 0.999;
 
 export interface PlayerListeners {
   /** One pass through a new plan. */
@@ -31,6 +29,8 @@ export class Player {
   #planChanged = true;
   /** Whether a paused walk must be redrawn. */
   #moved = true;
+  /** Where the walk was put, seconds, until it goes on: the phase of its step tells the time less exactly. */
+  #sought: number | undefined;
   #last = 0;
 
   constructor(store: Store, listeners: PlayerListeners) {
@@ -72,30 +72,27 @@ export class Player {
     const { state } = this.#store;
     if (state.playing) {
       walker.advance(secs * state.speed);
+      this.#sought = undefined;
       this.#moved = true;
       if (!state.loop && walker.place.rounds > 0) {
-        walker.seek(walker.steps - 1, END);
+        this.seek(Number.POSITIVE_INFINITY);
         this.#store.edit({ playing: false });
       }
     }
     if (!this.#moved) return;
     this.#moved = false;
     const { frame, place } = walker;
-    this.#listeners.onFrame(frame, this.#secsAt(place.step, frame.done), place.step);
+    this.#listeners.onFrame(frame, this.#sought ?? this.#secsAt(place.step, frame.done), place.step);
   }
 
-  /** Puts the walk at a time of the plan, seconds. */
+  /** Puts the walk at the frame nearest to a time of the plan, seconds. */
   seek(secs: number): void {
     const walker = this.#ready();
     if (!walker) return;
-    const { stepStarts, rateHz, frames } = this.#walk!;
-    const frame = Math.min(Math.max(0, secs * rateHz), frames - 0.01);
-    const step = Math.min(
-      stepStarts.findLastIndex((start) => start <= frame),
-      stepStarts.length - 2,
-    );
-    const [from, to] = [stepStarts[step]!, stepStarts[step + 1]!];
-    walker.seek(step, (frame - from) / Math.max(1, to - from));
+    const { rateHz, frames } = this.#walk!;
+    const frame = Math.min(Math.max(0, Math.round(secs * rateHz)), frames - 1);
+    walker.seek(frame);
+    this.#sought = frame / rateHz;
     this.#moved = true;
     this.#listeners.onJump(walker.frame);
   }
@@ -134,6 +131,7 @@ export class Player {
     if (this.#planChanged || !this.#walk) {
       this.#planChanged = false;
       this.#moved = true;
+      this.#sought = undefined;
       this.#walk = this.#walker.set(settingsOf(state));
       this.#listeners.onPlan(this.#walk);
     }
