@@ -164,7 +164,7 @@ describe("with a graphics processor", () => {
     walk = (await walksIn(["proud"], 60)).proud;
     site = await serveSite();
     const args = [...SWIFTSHADER.args, "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
-    browser = await launchBrowser({ ...SWIFTSHADER, args });
+    browser = await launchBrowser({ graphics: { ...SWIFTSHADER, args } });
   });
   afterAll(async () => {
     await browser.close();

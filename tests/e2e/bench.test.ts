@@ -14,7 +14,7 @@ const faults: string[] = [];
 beforeAll(async () => {
   // Chromium's program plays the graphics processor.
   const args = [...SWIFTSHADER.args, "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
-  [browser, site] = await Promise.all([launchBrowser({ ...SWIFTSHADER, args }), serveSite()]);
+  [browser, site] = await Promise.all([launchBrowser({ graphics: { ...SWIFTSHADER, args } }), serveSite()]);
   const context = await browser.newContext({
     viewport: { width: 1440, height: 900 },
     colorScheme: "dark",

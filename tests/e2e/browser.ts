@@ -47,10 +47,30 @@ export async function serveSite(folder = "/"): Promise<{ url: string; close: () 
   return { url: server.resolvedUrls!.local[0]!, close: () => server.close() };
 }
 
-/** Chromium: CHROME_PATH, or where Debian puts it. Pages have no service worker unless they are opened with one. */
-export async function launchBrowser(graphics: Graphics = softwareGraphics()): Promise<Browser> {
+/** How Chromium is started. */
+export interface LaunchOptions {
+  graphics?: Graphics;
+  /**
+   * Whether it must be the whole browser, which takes twice the processor time to load a page: for what people's browsers
+   * have and the headless shell has not, such as installing a page.
+   */
+  whole?: boolean;
+}
+
+/** The browser that CHROME_PATH names, or Debian's: its headless shell where that is installed and enough. */
+function browserPath(whole: boolean): string {
+  const { CHROME_PATH, CHROME_SHELL_PATH } = process.env;
+  const shell = CHROME_SHELL_PATH ?? (CHROME_PATH ? undefined : "/usr/bin/chromium-headless-shell");
+  return !whole && shell && existsSync(shell) ? shell : (CHROME_PATH ?? "/usr/bin/chromium");
+}
+
+/** Chromium. Pages have no service worker unless they are opened with one. */
+export async function launchBrowser({
+  graphics = softwareGraphics(),
+  whole = false,
+}: LaunchOptions = {}): Promise<Browser> {
   const browser = await chromium.launch({
-    executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
+    executablePath: browserPath(whole),
     args: [...FLAGS, ...graphics.args],
     env: { ...process.env, ...graphics.env },
   });
@@ -116,9 +136,15 @@ export async function shown(page: Page): Promise<void> {
   });
 }
 
+/** Where the site is served, and what shows it. */
+export interface SiteOptions extends Pick<LaunchOptions, "whole"> {
+  /** Folder of the host. */
+  folder?: string;
+}
+
 /** The browser, and the site below a folder of its host, for all tests of a file. `close` ends them. */
-export async function launchSite(folder = "/") {
-  const [browser, site] = await Promise.all([launchBrowser(), serveSite(folder)]);
+export async function launchSite({ folder = "/", whole = false }: SiteOptions = {}) {
+  const [browser, site] = await Promise.all([launchBrowser({ whole }), serveSite(folder)]);
   const close = async () => {
     await browser.close();
     await site.close();
@@ -127,8 +153,8 @@ export async function launchSite(folder = "/") {
 }
 
 /** {@link launchSite}, and a page of it. `close` fails if a script of the page threw. */
-export async function openSite({ folder = "/", ...options }: PageOptions & { folder?: string } = {}) {
-  const { browser, site, close } = await launchSite(folder);
+export async function openSite({ folder = "/", whole = false, ...options }: PageOptions & SiteOptions = {}) {
+  const { browser, site, close } = await launchSite({ folder, whole });
   const page = await openPage(browser, site.url, options);
   return { browser, site, page, close: () => closePage(page).finally(close) };
 }

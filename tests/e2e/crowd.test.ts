@@ -20,7 +20,7 @@ const FIELD = "field=proud_-3_3_3_1;old_4_1_3_1";
 let page: Page;
 
 beforeAll(async () => {
-  const opened = await openSite({ size: { width: 1440, height: 900 }, theme: "dark", notesStay: true });
+  const opened = await openSite({ whole: true, size: { width: 1440, height: 900 }, theme: "dark", notesStay: true });
   page = opened.page;
   return opened.close;
 });

@@ -35,7 +35,7 @@ let site: Awaited<ReturnType<typeof launchSite>>;
 let page: Page;
 
 beforeAll(async () => {
-  site = await launchSite();
+  site = await launchSite({ whole: true });
   page = await openPage(site.browser, site.site.url, { hash: STILL_CAMERA, size: { width: 1440, height: 900 } });
   await driving(page);
 });

@@ -119,7 +119,7 @@ test(`${MOUNTS} mounts leave a page as ${WARM} do`, { timeout: 3_600_000 }, asyn
     join(folder, "index.html"),
     '<!doctype html><title>A page</title><script src="strut-player.js"></script>',
   );
-  const [browser, server] = await Promise.all([launchBrowser(graphics()), serveFolder(folder)]);
+  const [browser, server] = await Promise.all([launchBrowser({ graphics: graphics() }), serveFolder(folder)]);
   onTestFinished(async () => {
     await browser.close();
     await server.close();

@@ -18,7 +18,7 @@ declare const window: { strut: StrutHook };
 
 let browser: Awaited<ReturnType<typeof launchBrowser>>;
 beforeAll(async () => {
-  browser = await launchBrowser();
+  browser = await launchBrowser({ whole: true });
   return () => browser.close();
 });
 
