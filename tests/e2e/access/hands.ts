@@ -78,6 +78,12 @@ async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Plac
 /** In the page: the middle of a control, whether a press there hits it, and where and how far to scroll for it. */
 function whereIs(control: Element): { at: Place; hit: boolean; by: Way; from: Place } {
   const parentOf = (e: Element) => e.parentElement ?? (e.getRootNode() as ShadowRoot).host ?? undefined;
+  /** What is at a place, within figures too. */
+  const elementAt = (root: Document | ShadowRoot, { x, y }: Place): Element | null => {
+    const found = root.elementFromPoint(x, y);
+    // Where nothing of a figure is at the place, its root answers with the figure's own element.
+    return found?.shadowRoot && found.shadowRoot !== root ? elementAt(found.shadowRoot, { x, y }) : found;
+  };
   /** What of the box that scrolls a control along an axis is on the screen. */
   const viewOf = (axis: "x" | "y") => {
     const scrolls = (e: Element) =>
@@ -107,9 +113,7 @@ function whereIs(control: Element): { at: Place; hit: boolean; by: Way; from: Pl
   const refuses = sideways ? /^(none|pan-y)$/ : /^(none|pan-x)$/;
   const pans = ({ x, y }: Place) => {
     // The wheel means something else over a 3-D picture and a knob, and nothing over a note, which goes after a while.
-    let top = document.elementFromPoint(x, y);
-    // Also within figures.
-    for (let within = top; within; within = within.shadowRoot?.elementFromPoint(x, y) ?? null) top = within;
+    const top = elementAt(document, { x, y });
     if (top?.closest("canvas, .knob, .toast")) return false;
     for (let e: Element | undefined = top ?? undefined; e; e = parentOf(e))
       if (refuses.test(getComputedStyle(e).touchAction)) return false;
