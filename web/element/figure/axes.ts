@@ -1,6 +1,6 @@
-/** Where values lie in a plot of one quantity over another. Pure. */
+/** Where values lie in a plot of one quantity over another, in units (`ui/drawing.ts`). Pure. */
 
-/** Size in pixels, and the extent of the axes. */
+/** Size in units, and the extent of the axes. */
 export interface Axes {
   width: number;
   height: number;
@@ -8,11 +8,11 @@ export interface Axes {
   y: Extent;
   /** Whether the horizontal axis is logarithmic. */
   logX?: boolean;
-  /** Room around the marks, pixels; {@link MARGIN} where nothing else needs room. */
+  /** Room around the marks, units; {@link MARGIN} where nothing else needs room. */
   margin?: Margin;
 }
 
-/** Room around marks, pixels. */
+/** Room around marks, units. */
 export type Margin = Readonly<Record<"left" | "right" | "top" | "bottom", number>>;
 
 export type Extent = readonly [min: number, max: number];
@@ -20,26 +20,26 @@ export type Extent = readonly [min: number, max: number];
 /** Room for ticks and the names of the axes. */
 export const MARGIN: Margin = { left: 44, right: 16, top: 16, bottom: 44 };
 
-/** Pixel of a horizontal value. */
+/** Place of a horizontal value. */
 export function xOf({ width, x: [min, max], logX, margin = MARGIN }: Axes, value: number): number {
   const share = logX ? Math.log(value / min) / Math.log(max / min) : (value - min) / (max - min);
   return margin.left + share * Math.max(1, width - margin.left - margin.right);
 }
 
-/** The horizontal value of a pixel. */
-export function valueOfX({ width, x: [min, max], logX, margin = MARGIN }: Axes, pixel: number): number {
-  const share = (pixel - margin.left) / Math.max(1, width - margin.left - margin.right);
+/** The horizontal value of a place. */
+export function valueOfX({ width, x: [min, max], logX, margin = MARGIN }: Axes, place: number): number {
+  const share = (place - margin.left) / Math.max(1, width - margin.left - margin.right);
   return logX ? min * (max / min) ** share : min + share * (max - min);
 }
 
-/** Pixel of a vertical value. */
+/** Place of a vertical value. */
 export function yOf({ height, y: [min, max], margin = MARGIN }: Axes, value: number): number {
   return margin.top + (1 - (value - min) / (max - min)) * Math.max(1, height - margin.top - margin.bottom);
 }
 
-/** The vertical value of a pixel. */
-export function valueOfY({ height, y: [min, max], margin = MARGIN }: Axes, pixel: number): number {
-  return max - ((pixel - margin.top) / Math.max(1, height - margin.top - margin.bottom)) * (max - min);
+/** The vertical value of a place. */
+export function valueOfY({ height, y: [min, max], margin = MARGIN }: Axes, place: number): number {
+  return max - ((place - margin.top) / Math.max(1, height - margin.top - margin.bottom)) * (max - min);
 }
 
 /** The curve of values at a rate; it has gaps where a value is not finite. */

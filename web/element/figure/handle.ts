@@ -1,12 +1,13 @@
 /** The handle of a plot: a vertical line that is dragged, or moved with the arrow keys. */
 import { setAttributes, svg } from "../../ui/dom";
 import { listenToDrags } from "../../ui/drag";
+import { placeIn } from "../../ui/drawing";
 
 export interface HandleListeners {
   /** Where it stands now; `undefined` while it cannot be moved. */
   value: () => number | undefined;
-  /** The value of a pixel of the picture. */
-  valueOf: (pixel: number) => number;
+  /** The value of a place of the picture, units from its left. */
+  valueOf: (x: number) => number;
   /** The value a step further in a direction, −1 or 1. */
   stepped: (value: number, direction: number, fine: boolean) => number;
   ends: () => readonly [min: number, max: number];
@@ -55,9 +56,7 @@ export class Handle {
   #drag(picture: SVGSVGElement, press: PointerEvent) {
     const before = this.#listeners.value();
     if (before === undefined) return undefined;
-    const goTo = ({ clientX }: PointerEvent) => {
-      this.#goTo(this.#listeners.valueOf(clientX - picture.getBoundingClientRect().left));
-    };
+    const goTo = (event: PointerEvent) => this.#goTo(this.#listeners.valueOf(placeIn(picture, event).x));
     press.preventDefault();
     this.element.focus({ preventScroll: true });
     goTo(press);

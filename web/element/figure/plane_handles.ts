@@ -1,6 +1,7 @@
 /** Handles of a plot that are dragged in both directions, or moved with the arrow keys. */
 import { setAttributes, svg } from "../../ui/dom";
 import { listenToDrags } from "../../ui/drag";
+import { placeIn } from "../../ui/drawing";
 import { type Axes, valueOfX, valueOfY, xOf, yOf } from "./axes";
 
 /** A place in the units of the axes. */
@@ -73,11 +74,11 @@ export class PlaneHandles {
     if (!axes || !before) return undefined;
     press.preventDefault();
     this.elements[which]!.focus({ preventScroll: true });
-    const box = this.#picture.getBoundingClientRect();
-    const grip = [press.clientX - box.left - xOf(axes, before[0]), press.clientY - box.top - yOf(axes, before[1])];
-    const move = ({ clientX, clientY }: PointerEvent) => {
-      const [x, y] = [clientX - box.left - grip[0]!, clientY - box.top - grip[1]!];
-      this.#listeners.onInput(which, [valueOfX(axes, x), valueOfY(axes, y)]);
+    const pressed = placeIn(this.#picture, press);
+    const grip = { x: pressed.x - xOf(axes, before[0]), y: pressed.y - yOf(axes, before[1]) };
+    const move = (event: PointerEvent) => {
+      const { x, y } = placeIn(this.#picture, event);
+      this.#listeners.onInput(which, [valueOfX(axes, x - grip.x), valueOfY(axes, y - grip.y)]);
     };
     return {
       move,

@@ -1,5 +1,6 @@
-/** The picture of a plot: its size, its grid with labels, and the terms of its marks. */
+/** The picture of a plot: its size, its grid with labels, and the terms of its marks. It is drawn in units (`drawing.ts`). */
 import { html, setAttributes, svg } from "../../ui/dom";
+import { sizeOf } from "../../ui/drawing";
 import { type Axes, digitsOf, MARGIN, xOf, yOf } from "./axes";
 import { figure, type Words } from "./words/words";
 
@@ -31,9 +32,9 @@ export class PlotFrame {
     this.picture.append(this.#grid);
     this.element = html("div", { class: "picture" }, this.picture);
     const observer = new ResizeObserver(() => {
-      const { clientWidth, clientHeight } = this.element;
-      if (clientWidth === this.width && clientHeight === this.height) return;
-      [this.width, this.height] = [clientWidth, clientHeight];
+      const { width, height } = sizeOf(this.element);
+      if (width === this.width && height === this.height) return;
+      [this.width, this.height] = [width, height];
       setAttributes(this.picture, { viewBox: `0 0 ${this.width} ${this.height}` });
       this.request();
     });

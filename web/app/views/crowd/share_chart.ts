@@ -4,7 +4,7 @@ import { formatNumber, html } from "../../../ui/dom";
 import type { CrowdKind } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { readColours } from "../../ui/colours";
-import { sizeOf } from "../../ui/drawing";
+import { sizeOf } from "../../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { capitalised, spoken } from "../../ui/words";
 import { type Census, COUNTS_HZ, REMEMBERED_SECS, spread, stacked } from "./census";

@@ -1,6 +1,6 @@
 /** A number field on an axis of the pad: the handle's value there, to read and to type. */
 import { html, setAttributes } from "../../../ui/dom";
-import { rem } from "../../ui/drawing";
+import { rem } from "../../../ui/drawing";
 import type { Extent } from "./timeline_rows";
 
 /** Figures are tabular: a field is as wide as its characters, units of the pad's drawing. */

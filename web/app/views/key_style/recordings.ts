@@ -4,7 +4,7 @@ import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, svg } from "../../../ui/dom";
 import { listenToDrags } from "../../../ui/drag";
 import { strings } from "../../strings/strings";
-import { placeIn, setSize, sizeOf } from "../../ui/drawing";
+import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { pixelOf, valueAt } from "../../ui/scale";
 import { spoken } from "../../ui/words";

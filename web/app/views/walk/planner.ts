@@ -4,7 +4,7 @@ import { formatNumber, html, svg } from "../../../ui/dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
 import { STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
-import { placeIn, setSize, sizeOf } from "../../ui/drawing";
+import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { clampedValueAt, pixelOf } from "../../ui/scale";
 import { Playhead } from "../synthesis/playhead";

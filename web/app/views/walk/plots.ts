@@ -4,7 +4,7 @@ import type { Side, WalkModel, Weights } from "../../../client/models/walk";
 import { JOINT, type Role } from "../../../humanoid";
 import { formatNumber, html, setText, svg } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
-import { setSize, sizeOf } from "../../ui/drawing";
+import { setSize, sizeOf } from "../../../ui/drawing";
 
 /** Height, width while the plot is not on the screen, and margins, units. */
 const HEIGHT = 104;

@@ -67,7 +67,7 @@ class BandFigure implements FigureInstance<BiasState> {
       {
         value: () => this.#fitted && this.#state?.raise,
         // The input's angle grows with the raise, degree by degree.
-        valueOf: (pixel) => this.#fitted!.state.raise + valueOfX(this.#axes!, pixel) - this.#fitted!.band.x,
+        valueOf: (x) => this.#fitted!.state.raise + valueOfX(this.#axes!, x) - this.#fitted!.band.x,
         stepped: (raise, direction, fine) => raise + direction * (fine ? 1 : STEP),
         ends: () => [BIAS_RANGES.raise.min, BIAS_RANGES.raise.max],
         onInput: (raise) => change({ raise: Math.round(raise) }, false),

@@ -72,7 +72,7 @@ class CurveFigure implements FigureInstance<PairState> {
       picture,
       {
         value: () => this.#now()?.at,
-        valueOf: (pixel) => (this.#axes ? valueOfX(this.#axes, pixel) * this.#pair!.rateHz : 0),
+        valueOf: (x) => (this.#axes ? valueOfX(this.#axes, x) * this.#pair!.rateHz : 0),
         stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
         ends: () => [0, (this.#pair?.input.frames ?? 1) - 1],
         onInput: (at) => parts.change({ at: Math.round(at) }, false),

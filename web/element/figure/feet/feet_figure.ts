@@ -71,7 +71,7 @@ class FeetFigure implements FigureInstance<FeetState> {
       picture,
       {
         value: () => this.#axes && this.#shown?.state.at,
-        valueOf: (pixel) => valueOfX(this.#axes!, pixel) * this.#shown!.tracks.rateHz,
+        valueOf: (x) => valueOfX(this.#axes!, x) * this.#shown!.tracks.rateHz,
         stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
         ends: () => {
           const first = stretchOf(this.#shown?.state.at ?? 0);

@@ -88,7 +88,7 @@ class DuelFigure implements FigureInstance<JudgeState> {
       picture,
       {
         value: () => this.#axes && this.#state && this.#at(),
-        valueOf: (pixel) => valueOfX(this.#axes!, pixel) * RATE_HZ,
+        valueOf: (x) => valueOfX(this.#axes!, x) * RATE_HZ,
         stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
         ends: () => [0, this.#frames() - 1],
         onInput: (at) => change({ at: Math.round(at) }, false),

@@ -45,7 +45,7 @@ class SweepFigure implements FigureInstance<LineState> {
       picture,
       {
         value: () => this.#axes && this.#state?.lambda,
-        valueOf: (pixel) => valueOfX(this.#axes!, pixel),
+        valueOf: (x) => valueOfX(this.#axes!, x),
         stepped: (lambda, direction, fine) =>
           stepped(lambda, direction * (fine ? FINE_STEP : STEP), LINE_RANGES.lambda),
         ends: () => [LINE_RANGES.lambda.min, LINE_RANGES.lambda.max],

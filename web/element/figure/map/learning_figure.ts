@@ -41,7 +41,7 @@ class LearningFigure implements FigureInstance<MapState> {
       picture,
       {
         value: () => (this.#axes ? this.#pass : undefined),
-        valueOf: (pixel) => valueOfX(this.#axes!, pixel),
+        valueOf: (x) => valueOfX(this.#axes!, x),
         stepped: (pass, direction) => pass + direction,
         ends: () => [0, this.#shown?.errors.length ?? 1],
         onInput: (pass) => change({ updates: Math.round(pass) * this.#updatesOfPass, printed: false }, false),

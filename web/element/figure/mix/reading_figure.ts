@@ -52,7 +52,7 @@ class ReadingFigure implements FigureInstance<MixState> {
       picture,
       {
         value: () => this.#axes && this.#state?.at,
-        valueOf: (pixel) => valueOfX(this.#axes!, pixel) * this.#shown!.reading.rateHz,
+        valueOf: (x) => valueOfX(this.#axes!, x) * this.#shown!.reading.rateHz,
         stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
         ends: () => [2, (this.#shown?.reading.frames ?? 3) - 1],
         onInput: (at) => change({ at: Math.round(at) }, false),

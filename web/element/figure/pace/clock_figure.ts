@@ -48,7 +48,7 @@ class ClockFigure implements FigureInstance<PaceState> {
       picture,
       {
         value: () => this.#paced && this.#state?.at,
-        valueOf: (pixel) => valueOfX(this.#axes!, pixel) * this.#paced!.input.rateHz,
+        valueOf: (x) => valueOfX(this.#axes!, x) * this.#paced!.input.rateHz,
         stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
         ends: () => [2, (this.#paced?.styled.timeOut.length ?? 3) - 1],
         onInput: (at) => change({ at: Math.round(at) }, false),

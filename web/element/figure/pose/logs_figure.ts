@@ -63,7 +63,7 @@ class LogsFigure implements FigureInstance<PoseState> {
       picture,
       {
         value: () => this.#curves && this.#state?.at,
-        valueOf: (pixel) => valueOfX(this.#axes!, pixel) * RATE_HZ,
+        valueOf: (x) => valueOfX(this.#axes!, x) * RATE_HZ,
         stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
         ends: () => [0, (this.#curves?.raw.length ?? 1) - 1],
         onInput: (at) => change({ at: Math.round(at) }, false),

@@ -1,5 +1,6 @@
 /** A table of costs as a picture: the dearer, the darker. */
 import { html } from "../../../ui/dom";
+import { rem } from "../../../ui/drawing";
 import { type Axes, xOf, yOf } from "../axes";
 import type { Warping } from "./warping";
 
@@ -15,8 +16,8 @@ export class Heat {
     const { style } = this.element;
     const [left, right] = axes.x.map((value) => xOf(axes, value));
     const [bottom, top] = axes.y.map((value) => yOf(axes, value));
-    [style.left, style.top] = [`${left}px`, `${top}px`];
-    [style.width, style.height] = [`${right! - left!}px`, `${bottom! - top!}px`];
+    [style.left, style.top] = [rem(left!), rem(top!)];
+    [style.width, style.height] = [rem(right! - left!), rem(bottom! - top!)];
     this.#paint(warping);
   }
 

@@ -75,7 +75,7 @@ class WarpFigure implements FigureInstance<WarpState> {
       picture,
       {
         value: () => this.#axes && this.#state?.at,
-        valueOf: (pixel) => this.#frames(valueOfX(this.#axes!, pixel)),
+        valueOf: (x) => this.#frames(valueOfX(this.#axes!, x)),
         stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
         ends: () => [0, (this.#shown?.warping.neutral.frames ?? 1) - 1],
         onInput: (at) => change({ at: Math.round(at) }, false),

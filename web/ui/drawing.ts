@@ -2,8 +2,8 @@
  * Drawings with text are laid out in units, which are CSS pixels at the usual text size. Where the person's text is larger a
  * unit is as many times larger.
  */
-import { setAttributes } from "../../ui/dom";
-import { textZoom } from "../../ui/media";
+import { setAttributes } from "./dom";
+import { textZoom } from "./media";
 
 /** A size, units. */
 export interface Size {
