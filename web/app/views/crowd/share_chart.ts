@@ -1,10 +1,10 @@
 /** The chart of who walks how: the last minute, stacked, the present at the right. */
 
 import { formatNumber, html } from "../../../ui/dom";
+import { sizeOf } from "../../../ui/drawing";
 import type { CrowdKind } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { readColours } from "../../ui/colours";
-import { sizeOf } from "../../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { capitalised, spoken } from "../../ui/words";
 import { type Census, COUNTS_HZ, REMEMBERED_SECS, spread, stacked } from "./census";

@@ -2,9 +2,9 @@
 
 import { formatNumber, html, setAttributes, svg } from "../../../ui/dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
+import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
 import type { TimedValue } from "../../state/key_style";
 import { strings } from "../../strings/strings";
-import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { clampedValueAt, pixelOf, type Scale } from "../../ui/scale";
 import type { Grid } from "./contours";

@@ -2,9 +2,9 @@
 import "./planner.css";
 import { formatNumber, html, svg } from "../../../ui/dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
+import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
 import { STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
-import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
 import { onResize } from "../../ui/resize";
 import { clampedValueAt, pixelOf } from "../../ui/scale";
 import { Playhead } from "../synthesis/playhead";

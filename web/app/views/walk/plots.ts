@@ -3,8 +3,8 @@
 import type { Side, WalkModel, Weights } from "../../../client/models/walk";
 import { JOINT, type Role } from "../../../humanoid";
 import { formatNumber, html, setText, svg } from "../../../ui/dom";
-import { strings } from "../../strings/strings";
 import { setSize, sizeOf } from "../../../ui/drawing";
+import { strings } from "../../strings/strings";
 
 /** Height, width while the plot is not on the screen, and margins, units. */
 const HEIGHT = 104;
