@@ -16,6 +16,7 @@ import { onBuiltSite } from "./built_site.mjs";
 import { checkFirstLoad, linesOf, measureFirstLoad } from "./first_load.mjs";
 import { checkFirstSeconds, linesOfSeconds, measureFirstSeconds } from "./first_seconds.mjs";
 import { lineOfMemory, measurePageMemory } from "./page_memory.mjs";
+import { reachable } from "./reachable.mjs";
 
 /** Visits that the first character is timed in. */
 const VISITS = 5;
@@ -95,22 +96,6 @@ async function styleLongClip(browser, url) {
   await page.context().close();
   rmSync(folder, { recursive: true });
   return { ms: until - since, longestTaskMs: Math.max(0, ...tasks.map(({ duration }) => duration)) };
-}
-
-/** Bytes that are reachable in the page: code, and everything else. */
-async function reachable(client) {
-  const chunks = [];
-  const keep = ({ chunk }) => chunks.push(chunk);
-  client.on("HeapProfiler.addHeapSnapshotChunk", keep);
-  await client.send("HeapProfiler.takeHeapSnapshot", { reportProgress: false });
-  client.off("HeapProfiler.addHeapSnapshotChunk", keep);
-  const { snapshot, nodes } = JSON.parse(chunks.join(""));
-  const { node_fields: fields, node_types: types } = snapshot.meta;
-  const [type, size] = [fields.indexOf("type"), fields.indexOf("self_size")];
-  const bytes = { code: 0, data: 0 };
-  for (let i = 0; i < nodes.length; i += fields.length)
-    bytes[types[type][nodes[i + type]] === "code" ? "code" : "data"] += nodes[i + size];
-  return bytes;
 }
 
 async function growth(browser, url, minutes) {

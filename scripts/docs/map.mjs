@@ -74,6 +74,7 @@ const SECTIONS = [
       "ARCHITECTURE.md",
       "releases.md",
       "faults.md",
+      "accessibility.md",
       { path: "../CONTRIBUTING.md", out: "contributing.html" },
       { path: "../CHANGELOG.md", out: "changelog.html" },
     ],

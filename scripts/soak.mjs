@@ -1,0 +1,248 @@
+// npm run soak [-- --minutes N] [--seed N] [--json FILE]: whether the page stays as it is while it is used for long. In Chromium,
+// styles, views, drops and exports follow each other by a seeded generator. Between the end of the first quarter and the end,
+// what is reachable after garbage collection, code aside, and the memory of WebAssembly may grow by 5 % at most; no error may
+// be shown or thrown; and the same link must show the same pose, to the bit, at the beginning and at the end. Needs the built
+// site. Not part of the tests.
+import { writeFileSync } from "node:fs";
+import { cpus } from "node:os";
+import { join } from "node:path";
+import { setTimeout as wait } from "node:timers/promises";
+import { parseArgs } from "node:util";
+import puppeteer from "puppeteer-core";
+import { preview } from "vite";
+import { requireBuiltSite } from "../bench/built_site.mjs";
+import { reachable } from "../bench/reachable.mjs";
+import { main, root, Sentence } from "./steps.mjs";
+
+const VIEWS = ["play", "learn", "compare", "walk", "key-style", "crowd", "data"];
+const STYLES = ["proud", "old", "childlike", "sexy", "angry", "depressed"];
+/** The state in which pose and memory are measured. */
+const FIXED = "play=0&frame=60&styles=proud:0.62,old:0.12,childlike:0.26";
+/** Views out of sight are disposed of after a minute: what is measured then is what the page keeps. */
+const SETTLING_MS = 70_000;
+/** Pause after an act, milliseconds: from to. */
+const PAUSE_MS = [100, 2000];
+const MOST_GROWTH_PERCENT = 5;
+
+/** A generator of numbers from 0 to 1 (mulberry32), the same for the same seed. */
+function generator(seed) {
+  let state = seed >>> 0;
+  return () => {
+    state = (state + 0x6d2b79f5) >>> 0;
+    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
+    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+/** In the page, before its scripts: downloads are counted and kept from the disk, and the last one is held. */
+function keepDownloads() {
+  window.soak = { downloads: 0, last: undefined, faults: [] };
+  const create = URL.createObjectURL.bind(URL);
+  URL.createObjectURL = (object) => {
+    if (object instanceof Blob) window.soak.last = object;
+    return create(object);
+  };
+  const click = HTMLAnchorElement.prototype.click;
+  HTMLAnchorElement.prototype.click = function () {
+    if (this.download) window.soak.downloads += 1;
+    else click.call(this);
+  };
+  document.addEventListener("securitypolicyviolation", ({ violatedDirective }) =>
+    window.soak.faults.push(`against the policy: ${violatedDirective}`),
+  );
+}
+
+/** What a person may do, each by a page and the generator. */
+const ACTS = {
+  /** Takes a mixture of three styles. */
+  style: (page, random) => {
+    const names = STYLES.toSorted(() => random() - 0.5).slice(0, 3);
+    const shares = names.map(() => random());
+    const sum = shares.reduce((a, b) => a + b);
+    const styles = names.map((name, i) => `${name}:${(shares[i] / sum).toFixed(2)}`);
+    return go(page, `styles=${styles}&intensity=${(0.5 + random()).toFixed(2)}`);
+  },
+  /** Shows another view. */
+  view: (page, random) => go(page, `view=${VIEWS[Math.floor(random() * VIEWS.length)]}`),
+  /** Drops the motion that was exported at the beginning. */
+  drop: async (page) => {
+    await go(page, "");
+    await page.evaluate(() => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([window.soak.bvh], "soak.bvh"));
+      for (const type of ["dragenter", "dragover", "drop"]) {
+        const at = { clientX: 5, clientY: 5, bubbles: true, cancelable: true };
+        document.body.dispatchEvent(new DragEvent(type, { ...at, dataTransfer: transfer }));
+      }
+    });
+  },
+  /** Saves what the view shows, where there is something to save. */
+  export: (page, random) => press(page, random() < 0.5 ? "BVH" : "GLB"),
+  /** Plays or pauses. */
+  play: (page) => page.keyboard.press("Space"),
+  undo: async (page) => {
+    await page.keyboard.down("Control");
+    await page.keyboard.press("z");
+    await page.keyboard.up("Control");
+  },
+};
+
+/** Goes to the state of a link. */
+async function go(page, hash) {
+  await page.evaluate((hash) => {
+    location.hash = `${hash}&soak=${performance.now()}`;
+  }, hash);
+  await page.waitForFunction(() => !location.hash.includes("soak="));
+}
+
+/** Presses the button of the view, or the item of the Export menu, that saves a format. */
+function press(page, format) {
+  return page.evaluate((format) => {
+    const buttons = [...document.querySelectorAll(".editor-actions button, .crowd-foot button, .export-menu button")];
+    const fitting = buttons.filter((one) => one.textContent.startsWith(format) && !one.disabled);
+    const inView = fitting.find((one) => one.checkVisibility());
+    (inView ?? fitting.at(-1))?.click();
+  }, format);
+}
+
+/** The pose of {@link FIXED}. */
+async function fixedPose(page) {
+  await go(page, FIXED);
+  await page.waitForFunction(
+    () => window.strut.upToDate && window.strut.analysed && window.strut.frame?.inputFrame === 60,
+  );
+  return page.evaluate(() => [...window.strut.frame.pose]);
+}
+
+/** Bytes of page and workers in the state of {@link FIXED}, once what is out of sight was given up. */
+async function measure(page) {
+  await fixedPose(page);
+  await wait(SETTLING_MS);
+  const session = await page.createCDPSession();
+  const clients = [session, ...page.workers().map(({ client }) => client)];
+  const bytes = { heap: 0, code: 0, wasm: 0, workers: clients.length - 1 };
+  for (const client of clients) {
+    bytes.wasm += await wasmBytes(client);
+    const { data, code } = await reachable(client);
+    bytes.heap += data;
+    bytes.code += code;
+  }
+  await session.detach();
+  return bytes;
+}
+
+/** Bytes of all memories of WebAssembly of a page or worker. */
+async function wasmBytes(client) {
+  await client.send("HeapProfiler.collectGarbage");
+  const prototype = await client.send("Runtime.evaluate", { expression: "WebAssembly.Memory.prototype" });
+  const { objects } = await client.send("Runtime.queryObjects", { prototypeObjectId: prototype.result.objectId });
+  const { result } = await client.send("Runtime.callFunctionOn", {
+    objectId: objects.objectId,
+    functionDeclaration: "function () { return this.reduce((sum, { buffer }) => sum + buffer.byteLength, 0); }",
+    returnByValue: true,
+  });
+  for (const objectId of [objects.objectId, prototype.result.objectId])
+    await client.send("Runtime.releaseObject", { objectId });
+  return result.value;
+}
+
+/** Does one act after another until a time; how often each was done. */
+async function use(page, random, until, counts) {
+  const names = Object.keys(ACTS);
+  while (performance.now() < until) {
+    const name = names[Math.floor(random() * names.length)];
+    await ACTS[name](page, random);
+    counts[name] = (counts[name] ?? 0) + 1;
+    await wait(PAUSE_MS[0] + random() * (PAUSE_MS[1] - PAUSE_MS[0]));
+    await collectErrors(page);
+  }
+}
+
+/** Takes the errors that the page says, which go after a while. */
+function collectErrors(page) {
+  return page.evaluate(() => {
+    for (const note of document.querySelectorAll(".toast.error")) {
+      window.soak.faults.push(note.textContent);
+      note.querySelector("button")?.click();
+    }
+  });
+}
+
+async function soak(page, url, minutes, seed) {
+  const thrown = [];
+  page.on("pageerror", ({ message }) => thrown.push(message));
+  await page.evaluateOnNewDocument(keepDownloads);
+  await page.goto(url);
+  await page.waitForFunction(() => window.strut?.analysed, { timeout: 120_000 });
+  const first = await fixedPose(page);
+  await press(page, "BVH");
+  await page.waitForFunction(() => window.soak.last !== undefined, { timeout: 60_000 });
+  await page.evaluate(async () => {
+    window.soak.bvh = await window.soak.last.text();
+  });
+  const random = generator(seed);
+  const counts = {};
+  const started = performance.now();
+  await use(page, random, started + (minutes * 60_000) / 4, counts);
+  const quarter = await measure(page);
+  console.log(`after a quarter  ${lineOf(quarter)}`);
+  await use(page, random, performance.now() + (minutes * 60_000 * 3) / 4, counts);
+  const end = await measure(page);
+  console.log(`at the end       ${lineOf(end)}`);
+  const last = await fixedPose(page);
+  const { faults, downloads } = await page.evaluate(() => window.soak);
+  return { quarter, end, counts, downloads, errors: [...thrown, ...faults], same: String(first) === String(last) };
+}
+
+const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
+const lineOf = ({ heap, code, wasm, workers }) =>
+  `heap ${megabytes(heap)}, code ${megabytes(code)}, WebAssembly ${megabytes(wasm)}, ${workers} workers`;
+
+/** What must hold and does not, a sentence each. */
+function faultsOf({ quarter, end, errors, same }) {
+  const growth = (kind) => (100 * (end[kind] - quarter[kind])) / quarter[kind];
+  const grown = ["heap", "wasm"].filter((kind) => growth(kind) > MOST_GROWTH_PERCENT);
+  return [
+    ...grown.map((kind) => `${kind} grew by ${growth(kind).toFixed(1)} %.`),
+    ...errors.map((error) => `The page failed: ${error}`),
+    ...(same ? [] : ["The same link showed another pose at the end."]),
+  ];
+}
+
+await main(async () => {
+  const { values } = parseArgs({
+    options: {
+      minutes: { type: "string", default: "60" },
+      seed: { type: "string", default: "1" },
+      json: { type: "string" },
+    },
+  });
+  const [minutes, seed] = [Number(values.minutes), Number(values.seed)];
+  if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
+  requireBuiltSite();
+  console.log(`machine          ${cpus().length} × ${cpus()[0].model}, seed ${seed}`);
+  const site = await preview({
+    root: join(root, "web/app"),
+    configFile: join(root, "vite.config.ts"),
+    preview: { port: 0, strictPort: false, open: false },
+    logLevel: "error",
+  });
+  const browser = await puppeteer.launch({
+    executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking"],
+    defaultViewport: { width: 960, height: 640, deviceScaleFactor: 0.5 },
+    protocolTimeout: 300_000,
+  });
+  try {
+    const result = await soak(await browser.newPage(), site.resolvedUrls.local[0], minutes, seed);
+    const done = Object.entries(result.counts).map(([name, count]) => `${count} × ${name}`);
+    console.log(`done             ${done.join(", ")}; ${result.downloads} files saved`);
+    if (values.json) writeFileSync(values.json, `${JSON.stringify({ minutes, seed, ...result }, undefined, 2)}\n`);
+    const faults = faultsOf(result);
+    if (faults.length > 0) throw new Sentence(faults.join("\n"));
+  } finally {
+    await browser.close();
+    await site.close();
+  }
+});
