@@ -187,6 +187,21 @@ describe("forced colours", () => {
     await screenshot(page, "forced-colours");
     await page.emulateMedia({ forcedColors: "none" });
   });
+
+  it("are taken by the timeline while it is shown, and given back", async () => {
+    await visit(page, STYLES);
+    await page.waitForFunction(() => window.strut.analysed && window.strut.upToDate);
+    const drawing = () =>
+      page
+        .locator(".timeline-layer")
+        .first()
+        .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+    const before = await drawing();
+    await page.emulateMedia({ forcedColors: "active" });
+    await eventually(drawing).not.toBe(before);
+    await page.emulateMedia({ forcedColors: "none" });
+    await eventually(drawing).toBe(before);
+  });
 });
 
 describe("a finger", () => {

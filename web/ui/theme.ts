@@ -4,8 +4,8 @@
 export type Theme = "auto" | "dark" | "light";
 
 const DARK = "(prefers-color-scheme: dark)";
-/** Only listened to: reading `matches` of this very list before it fires would swallow its event (Chromium). */
-const system = matchMedia(DARK);
+/** Only listened to: reading `matches` of these very lists before they fire would swallow their events (Chromium). */
+const system = [DARK, "(forced-colors: active)"].map((query) => matchMedia(query));
 
 /** Whether a theme is dark at the moment. */
 export function isDark(theme: Theme): boolean {
@@ -23,7 +23,7 @@ export function applyTheme(theme: Theme): void {
   document.documentElement.dataset.theme = isDark(theme) ? "dark" : "light";
 }
 
-/** Calls back when the system's setting changes. */
+/** Calls back when the system becomes light or dark, forces its colours on pages or no longer does. */
 export function onSystemTheme(callback: () => void, signal: AbortSignal): void {
-  system.addEventListener("change", callback, { signal });
+  for (const setting of system) setting.addEventListener("change", callback, { signal });
 }
