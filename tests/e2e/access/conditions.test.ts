@@ -6,7 +6,7 @@ import { eventually, openSite, screenshot } from "../browser";
 import { transitionsEnded } from "../rest";
 import { expectFocusVisible, Finger, type Hands, Keys, Mouse } from "./hands";
 import { cutOff, scrolledSideways } from "./layout";
-import { data, keyStyle, learn, type NamedClip, play, walk } from "./tasks";
+import { data, keyStyle, learn, type NamedClip, play, pose, walk } from "./tasks";
 
 let page: Page;
 let session: CDPSession;
@@ -115,4 +115,6 @@ describe.for(CONDITIONS)("$name", ({ name, size, lesson, begin, end, hands }) =>
     await learn(person(), lesson);
     await fits("learn");
   });
+
+  it.runIf(name.startsWith("finger"))("Learn, where a drawing over the 3-D picture is dragged", () => pose(person()));
 });

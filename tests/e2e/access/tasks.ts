@@ -107,21 +107,41 @@ export async function data(person: Person, clips: readonly NamedClip[]): Promise
   await eventually(async () => (await state(page)).view).toBe("play");
 }
 
-/** Learn: a bet is placed, and an exercise is begun and answered. */
-export async function learn({ page, hands }: Person, lesson: string): Promise<void> {
+/** The part of a lesson that is shown, and the buttons that show each, from 1 on. */
+const lessonPart = (page: Page) => page.locator(".learn-part:not([hidden])");
+const partButton = (page: Page, n: number) => page.locator(".learn-steps button").nth(n - 1);
+
+/** The bet of a lesson, which shows what the bet was about. */
+async function placeBet({ page, hands }: Person, lesson: string): Promise<void> {
   await visit(page, `view=learn&play=0&lesson=${lesson}`);
   await eventually(() => page.locator(".lessons select").inputValue()).toBe(lesson);
-  const part = (n: number) => page.locator(".learn-steps button").nth(n - 1);
-  const shown = page.locator(".learn-part:not([hidden])");
-  await hands.press(part(2));
+  const shown = lessonPart(page);
+  await hands.press(partButton(page, 2));
   await hands.press(shown.getByRole("radio").first());
   await hands.press(shown.getByRole("button", { name: "Place the bet", exact: true }));
   await eventually(() => shown.locator(".reveal").textContent()).toMatch(/\w/);
-  await hands.press(part(5));
-  await hands.press(shown.getByRole("button", { name: "Begin", exact: true }).first());
+}
+
+/** Learn: a bet is placed, and an exercise is begun and answered. */
+export async function learn(person: Person, lesson: string): Promise<void> {
+  await placeBet(person, lesson);
+  const { page, hands } = person;
+  await hands.press(partButton(page, 5));
+  await hands.press(lessonPart(page).getByRole("button", { name: "Begin", exact: true }).first());
   await eventually(async () => (await state(page)).task).not.toBe("");
-  const figures = (await state(page)).figures;
-  const slider = page.locator("strut-figure:not([hidden])").locator(".playhead").first();
-  await hands.move(slider, { x: 30, y: 0 });
-  await eventually(async () => (await state(page)).figures).not.toBe(figures);
+  await moveInFigure(person, ".playhead");
+}
+
+/** The lesson on poses: a limb of the figure is turned. */
+export async function pose(person: Person): Promise<void> {
+  await placeBet(person, "pose");
+  await person.hands.press(partButton(person.page, 3));
+  await moveInFigure(person, ".limb");
+}
+
+async function moveInFigure({ page, hands }: Person, handle: string): Promise<void> {
+  const figures = async () => (await state(page)).figures;
+  const before = await figures();
+  await hands.move(page.locator("strut-figure:not([hidden])").locator(handle).last(), { x: 30, y: 0 });
+  await eventually(figures).not.toBe(before);
 }

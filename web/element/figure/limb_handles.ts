@@ -73,7 +73,7 @@ export class LimbHandles {
         svg("circle", { class: "target", r: RADIUS.target }),
         svg("circle", { class: "mark", r: RADIUS.mark }),
       );
-      listenToDrags(mark, (press) => this.#drag(joint, press), signal);
+      listenToDrags(mark, (press) => this.#drag(press), signal);
       mark.addEventListener("pointerdown", (event) => event.stopPropagation(), { signal });
       mark.addEventListener("keydown", (event) => this.#key(joint, event), { signal });
       this.#marks.set(end, mark);
@@ -98,13 +98,19 @@ export class LimbHandles {
     }
   }
 
-  #drag(joint: Role, press: PointerEvent) {
+  #drag(press: PointerEvent) {
     const { viewer, element } = this.#stage;
     if (!viewer) return undefined;
+    const { left, top } = element.getBoundingClientRect();
+    const distanceTo = (end: Role) => {
+      const { x, y } = viewer.jointScreenPosition(end);
+      return Math.hypot(press.clientX - left - x, press.clientY - top - y);
+    };
+    // What a finger takes hold of overlaps: the mark that is nearest counts, not the one that is drawn last.
+    const [joint] = LIMBS.reduce((a, b) => (distanceTo(b[1]) < distanceTo(a[1]) ? b : a));
     const before = this.#listeners.turnOf(joint);
     const parent = this.#parentOf(joint);
     const axis = viewer.lineOfSight;
-    const { left, top } = element.getBoundingClientRect();
     const centre = viewer.jointScreenPosition(joint);
     // Seen along an axis, a turn about it is clockwise, as angles are in a picture whose y points down.
     const angleOf = ({ clientX, clientY }: PointerEvent) =>
