@@ -257,6 +257,25 @@ describe("keys", () => {
     await page.locator(".key-style-method label").filter({ hasText: "Key-style" }).click();
   });
 
+  it("become a file as soon as there is a button for it, before they have been drawn", async () => {
+    const other = await page.context().newPage();
+    await other.addInitScript(() => {
+      new MutationObserver((_, observer) => {
+        const buttons = document.querySelectorAll<HTMLButtonElement>(
+          ".key-style .editor-actions button:not(:disabled)",
+        );
+        const bvh = [...buttons].find(({ textContent }) => textContent === "BVH");
+        if (!bvh) return;
+        observer.disconnect();
+        bvh.click();
+      }).observe(document, { subtree: true, childList: true, attributes: true });
+    });
+    const download = other.waitForEvent("download");
+    await other.goto(`${page.url().split("#")[0]}#view=key-style&play=0`);
+    expect((await download).suggestedFilename()).toMatch(/\.bvh$/);
+    await other.close();
+  });
+
   it("become files", async () => {
     await page.getByLabel("Length, seconds").fill("2.5");
     await page.getByLabel("Length, seconds").press("Tab");

@@ -360,6 +360,8 @@ class KeyStyleView implements View {
     const motion = this.#motion;
     const { keyLength, keyMethod } = this.#host.store.state;
     if (!motion) return;
+    // What has changed since the last display frame is saved as well.
+    this.#prepare();
     try {
       const name = await save(motion, keyLength, keyMethod === "all" ? "style" : keyMethod);
       this.#host.toasts.note(strings.synthesis.saved(name));
