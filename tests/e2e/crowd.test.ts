@@ -256,6 +256,10 @@ describe("performers", () => {
     await eventually(title).toBe("24 people, two ways of walking");
     await page.keyboard.press("Control+Shift+z");
     await eventually(title).toBe("24 people, two styles");
+    // The title is that of what is asked for; the people come when they have been gathered.
+    await eventually(() => page.locator(".crowd-figures").textContent()).toContain("Performing");
+    await eventually(chart).toMatch(/^Who performs how/);
+    await walking();
     expect(await alerts()).toBe("");
   });
 
