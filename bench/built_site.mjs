@@ -6,7 +6,8 @@ import { chromium } from "playwright-core";
 import { preview } from "vite";
 import { root, Sentence } from "../scripts/steps.mjs";
 
-const FLAGS = [
+/** What every measurement of the page starts Chromium with. */
+export const FLAGS = [
   "--no-sandbox",
   "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader",
@@ -36,15 +37,20 @@ export function requireBuiltSite() {
   if (!existsSync(resolve(root, "dist/index.html"))) throw new Sentence("dist/ is missing; run 'npm run build' first.");
 }
 
-/** Serves `dist/` and opens a browser for as long as `use(browser, url)` takes. */
-export async function onBuiltSite(use) {
+/** Serves `dist/` on a free port; Vite's server. */
+export function serveBuiltSite() {
   requireBuiltSite();
-  const server = await preview({
+  return preview({
     root: resolve(root, "web/app"),
     configFile: resolve(root, "vite.config.ts"),
     preview: { port: 0, strictPort: false, open: false },
     logLevel: "error",
   });
+}
+
+/** Serves `dist/` and opens a browser for as long as `use(browser, url)` takes. */
+export async function onBuiltSite(use) {
+  const server = await serveBuiltSite();
   try {
     const browser = await launchChromium();
     try {

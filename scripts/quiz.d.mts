@@ -4,7 +4,6 @@ export interface QuizStrip {
   style: string;
   action: string;
 }
-export function shuffled<T>(items: readonly T[], seed: number): T[];
 export function keyOf(
   styles: readonly string[],
   actions: readonly string[],

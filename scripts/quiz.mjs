@@ -1,24 +1,12 @@
 // The quiz of `npm run strips -- --quiz`: motions under names that say nothing, the key to them, and the answer sheet.
 
-/** The items in an order that the seed, a whole number below 2³², decides (Fisher and Yates, by mulberry32). */
-export function shuffled(items, seed) {
-  const order = [...items];
-  let state = seed;
-  for (let last = order.length - 1; last > 0; last--) {
-    state = (state + 0x6d2b79f5) | 0;
-    let bits = Math.imul(state ^ (state >>> 15), state | 1);
-    bits ^= bits + Math.imul(bits ^ (bits >>> 7), bits | 61);
-    const chosen = Math.floor((((bits ^ (bits >>> 14)) >>> 0) / 2 ** 32) * (last + 1));
-    [order[last], order[chosen]] = [order[chosen], order[last]];
-  }
-  return order;
-}
+import { generator, shuffled } from "./random.mjs";
 
 /** The key: every style of every action under a number, in shuffled order, and the seed that gives this order again. */
 export function keyOf(styles, actions, seed) {
   const motions = shuffled(
     actions.flatMap((action) => styles.map((style) => ({ style, action }))),
-    seed,
+    generator(seed),
   );
   const digits = String(motions.length).length;
   return { seed, strips: motions.map((motion, i) => ({ name: String(i + 1).padStart(digits, "0"), ...motion })) };

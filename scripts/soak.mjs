@@ -5,14 +5,13 @@
 // site. Not part of the tests.
 import { writeFileSync } from "node:fs";
 import { cpus } from "node:os";
-import { join } from "node:path";
 import { setTimeout as wait } from "node:timers/promises";
 import { parseArgs } from "node:util";
 import puppeteer from "puppeteer-core";
-import { preview } from "vite";
-import { requireBuiltSite } from "../bench/built_site.mjs";
+import { FLAGS, serveBuiltSite } from "../bench/built_site.mjs";
 import { reachable } from "../bench/reachable.mjs";
-import { main, root, Sentence } from "./steps.mjs";
+import { generator, shuffled } from "./random.mjs";
+import { main, Sentence } from "./steps.mjs";
 
 const VIEWS = ["play", "learn", "compare", "walk", "key-style", "crowd", "data"];
 const STYLES = ["proud", "old", "childlike", "sexy", "angry", "depressed"];
@@ -23,17 +22,6 @@ const SETTLING_MS = 70_000;
 /** Pause after an act, milliseconds: from to. */
 const PAUSE_MS = [100, 2000];
 const MOST_GROWTH_PERCENT = 5;
-
-/** A generator of numbers from 0 to 1 (mulberry32), the same for the same seed. */
-function generator(seed) {
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
-    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 /** In the page, before its scripts: downloads are counted and kept from the disk, and the last one is held. */
 function keepDownloads() {
@@ -57,7 +45,7 @@ function keepDownloads() {
 const ACTS = {
   /** Takes a mixture of three styles. */
   style: (page, random) => {
-    const names = STYLES.toSorted(() => random() - 0.5).slice(0, 3);
+    const names = shuffled(STYLES, random).slice(0, 3);
     const shares = names.map(() => random());
     const sum = shares.reduce((a, b) => a + b);
     const styles = names.map((name, i) => `${name}:${(shares[i] / sum).toFixed(2)}`);
@@ -220,17 +208,11 @@ await main(async () => {
   });
   const [minutes, seed] = [Number(values.minutes), Number(values.seed)];
   if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
-  requireBuiltSite();
   console.log(`machine          ${cpus().length} × ${cpus()[0].model}, seed ${seed}`);
-  const site = await preview({
-    root: join(root, "web/app"),
-    configFile: join(root, "vite.config.ts"),
-    preview: { port: 0, strictPort: false, open: false },
-    logLevel: "error",
-  });
+  const site = await serveBuiltSite();
   const browser = await puppeteer.launch({
     executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking"],
+    args: FLAGS,
     defaultViewport: { width: 960, height: 640, deviceScaleFactor: 0.5 },
     protocolTimeout: 300_000,
   });

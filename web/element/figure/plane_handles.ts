@@ -7,7 +7,7 @@ import { type Axes, valueOfX, valueOfY, xOf, yOf } from "./axes";
 /** A place in the units of the axes. */
 export type Place = readonly [x: number, y: number];
 
-/** Radius of a mark, and of what a finger takes hold of, pixels. */
+/** Radius of a mark, and of what a finger takes hold of, units. */
 const RADIUS = { mark: 6, target: 22 };
 
 export interface PlaneListeners {

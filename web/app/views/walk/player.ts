@@ -75,7 +75,7 @@ export class Player {
       this.#sought = undefined;
       this.#moved = true;
       if (!state.loop && walker.place.rounds > 0) {
-        this.seek(Number.POSITIVE_INFINITY);
+        this.#put(walker, this.#walk!.frames - 1);
         this.#store.edit({ playing: false });
       }
     }
@@ -90,10 +90,7 @@ export class Player {
     const walker = this.#ready();
     if (!walker) return;
     const { rateHz, frames } = this.#walk!;
-    const frame = Math.min(Math.max(0, Math.round(secs * rateHz)), frames - 1);
-    walker.seek(frame);
-    this.#sought = frame / rateHz;
-    this.#moved = true;
+    this.#put(walker, Math.min(Math.max(0, Math.round(secs * rateHz)), frames - 1));
     this.#listeners.onJump(walker.frame);
   }
 
@@ -136,6 +133,12 @@ export class Player {
       this.#listeners.onPlan(this.#walk);
     }
     return this.#walker;
+  }
+
+  #put(walker: PlanWalker, frame: number): void {
+    walker.seek(frame);
+    this.#sought = frame / this.#walk!.rateHz;
+    this.#moved = true;
   }
 
   #secsAt(step: number, done: number): number {

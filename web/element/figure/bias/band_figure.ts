@@ -16,9 +16,9 @@ import { BIAS_FIELDS, BIAS_JOINT, BIAS_RANGES, type BiasState, NO_GUESS } from "
 const ENDS = [-50, 100] as const;
 /** Height of the rows, as shares of the picture. */
 const ROW = { input: 0.7, output: 0.22 } as const;
-/** Half the height of the band and of marks, pixels. */
+/** Half the height of the band and of marks, units. */
 const HALF = { band: 22, tick: 12 } as const;
-/** Room for the head of an arrow, pixels. */
+/** Room for the head of an arrow, units. */
 const HEAD = 7;
 /** Degrees of an arrow key; with Shift one. */
 const STEP = 5;

@@ -14,9 +14,9 @@ import { FEET_FIELDS, type FeetState, REACH } from "./feet_state";
 const STEP = { coarse: 0.02, fine: 0.002 };
 /** What is shown, metres below the hip and beside it. */
 const SHOWN = { top: 0.08, bottom: -0.88 };
-/** Radius of the arc of γ, and of the hip, pixels. */
+/** Radius of the arc of γ, and of the hip, units. */
 const ARC = 26;
-/** How far from the bones labels stand, pixels. */
+/** How far from the bones labels stand, units. */
 const LABEL = 14;
 
 export const LEG: FigureKind<FeetState> = {

@@ -19,7 +19,7 @@ const ACROSS = 6;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 5;
 const CM = 100;
-/** Length of an arrow's head, pixels; a shorter arrow than this, cm, is not drawn. */
+/** Length of an arrow's head, units; a shorter arrow than this, cm, is not drawn. */
 const BARB = 8;
 const LEAST_ARROW = 0.2;
 

@@ -32,7 +32,7 @@ function dotsOf(axes: Axes, values: Float32Array): string {
   return path;
 }
 
-/** Height of the bar of 1, pixels; and how far from one bar to the next, at most that, and together a share of the plot. */
+/** Height of the bar of 1, units; and how far from one bar to the next, at most that, and together a share of the plot. */
 const BAR = { height: 34, most: 10, share: 0.3, filled: 0.7 };
 
 /** A bar for every component at the upper right, with the name of what they are. */

@@ -15,7 +15,7 @@ import { SamplePlane, ShareBars } from "./plane";
 
 /** Updates a second while it plays: few at first, then a share of those that were made. */
 const PLAY = { least: 4, share: 0.4 };
-/** A centre that an update moves less than so many pixels has no arrow. */
+/** A centre that an update moves less than so many units has no arrow. */
 const LEAST_MOVE = 3;
 /** Errors from here on, degrees, are said by their powers of ten. */
 const HUGE = 10_000;

@@ -168,7 +168,7 @@ class ProfileFigure implements FigureInstance<NearState> {
   }
 }
 
-/** The curve of the least distance in every pixel: a class has more windows than the picture has pixels. */
+/** The curve of the least distance in every unit of the picture: a class has more windows than that. */
 function envelope(axes: Axes, distances: Float32Array): string {
   let path = "";
   let pen = "M";

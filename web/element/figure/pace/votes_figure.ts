@@ -11,7 +11,7 @@ import sheet from "./pace.css?inline";
 import { kernelAt, measurePace } from "./pace_measure";
 import { BLENDED, type Blended, lookOf, PACE_FIELDS, type PaceState } from "./pace_state";
 
-/** Radius of a neighbour of g 0 and of g 1, pixels. */
+/** Radius of a neighbour of g 0 and of g 1, units. */
 const RADIUS = { least: 1.5, most: 6 };
 /** Pieces of the kernel's curve. */
 const PIECES = 48;
