@@ -64,19 +64,26 @@ async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Plac
   let before: Place | undefined;
   let last = "";
   for (let turn = 0; turn < MOST_SWIPES; turn++) {
-    const { at, hit, by, from } = await control.evaluate(whereIs);
-    // The page may still be on its way.
-    if (hit && before?.x === at.x && before.y === at.y) return at;
-    if (!hit) await scroll(from, by);
-    before = at;
-    last = JSON.stringify({ at, by, from });
+    const found = await control.evaluate(whereIs);
+    if (found) {
+      const { at, hit, by, from } = found;
+      // The page may still be on its way.
+      if (hit && before?.x === at.x && before.y === at.y) return at;
+      if (!hit) await scroll(from, by);
+      before = at;
+      last = JSON.stringify({ at, by, from });
+    }
     await page.waitForTimeout(60);
   }
   expect.fail(`${control} cannot be scrolled to: ${last}`);
 }
 
-/** In the page: the middle of a control, whether a press there hits it, and where and how far to scroll for it. */
-function whereIs(control: Element): { at: Place; hit: boolean; by: Way; from: Place } {
+/**
+ * In the page: the middle of a control, whether a press there hits it, and where and how far to scroll for it. Nothing for a
+ * control that another has replaced since it was found, as a drawing does when it is drawn anew.
+ */
+function whereIs(control: Element): { at: Place; hit: boolean; by: Way; from: Place } | undefined {
+  if (!control.isConnected) return undefined;
   const parentOf = (e: Element) => e.parentElement ?? (e.getRootNode() as ShadowRoot).host ?? undefined;
   /** What is at a place, within figures too. */
   const elementAt = (root: Document | ShadowRoot, { x, y }: Place): Element | null => {
