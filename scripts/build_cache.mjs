@@ -17,8 +17,8 @@ import { homedir } from "node:os";
 import { dirname, join, relative } from "node:path";
 import { output, root } from "./steps.mjs";
 
-/** Entries that are kept: the last ones that were used. */
-const KEPT = 12;
+/** Folders of the cache: what the scripts build, and crates of others, which are large. The last entries used are kept: */
+const KEPT = { builds: 12, crates: 2 };
 
 /** Files from which Rust is built, below a folder; folders of some names are left out. */
 function* rustSources(folder, left) {
@@ -49,48 +49,60 @@ export async function sourcesHash(env, { left = [], files = [], texts = [] }) {
   return hash.digest("hex");
 }
 
-const cacheFolder = () =>
+const cacheFolder = (kind) =>
   process.env.STRUT_BUILD_CACHE === "off"
     ? undefined
-    : join(process.env.XDG_CACHE_HOME ?? join(homedir(), ".cache"), "strut", "builds");
+    : join(process.env.XDG_CACHE_HOME ?? join(homedir(), ".cache"), "strut", kind);
 
 /**
  * Copies a part of an entry to a folder, in place of what is there.
  * @param key what the part was built from: a hash
  * @param part name of the part
+ * @param kind folder of the cache
+ * @param preserveTimestamps whether files are as old as where they were built, and not new
  * @returns whether there is such a part.
  */
-export function takeBuilt(key, part, folder) {
-  const cache = cacheFolder();
+export function takeBuilt(key, part, folder, { kind = "builds", preserveTimestamps = false } = {}) {
+  const cache = cacheFolder(kind);
   const entry = cache && join(cache, key);
   if (!entry || !existsSync(join(entry, part))) return false;
   rmSync(folder, { recursive: true, force: true });
-  cpSync(join(entry, part), folder, { recursive: true });
+  cpSync(join(entry, part), folder, { recursive: true, preserveTimestamps });
   const now = new Date();
   utimesSync(entry, now, now);
   return true;
 }
 
-/** Keeps a folder as a part of an entry; entries that were not used for long go. Where nothing can be kept, nothing is. */
-export function keepBuilt(key, part, folder) {
-  const cache = cacheFolder();
+/** Whether there is such a part of an entry, or none may be kept. */
+export function isKept(key, part, kind = "builds") {
+  const cache = cacheFolder(kind);
+  return !cache || existsSync(join(cache, key, part));
+}
+
+/**
+ * Keeps a folder as a part of an entry; entries that were not used for long go. Where nothing can be kept, nothing is.
+ * @param kind folder of the cache
+ * @param filter whether a path of the folder is kept
+ */
+export function keepBuilt(key, part, folder, { kind = "builds", filter = () => true } = {}) {
+  const cache = cacheFolder(kind);
   if (!cache) return;
   const place = join(cache, key, part);
   try {
     mkdirSync(dirname(place), { recursive: true });
     // Whole or not at all: another clone may keep the same at this moment.
     const copy = mkdtempSync(join(cache, "copy-"));
-    cpSync(folder, copy, { recursive: true });
+    cpSync(folder, copy, { recursive: true, preserveTimestamps: true, filter });
     rmSync(place, { recursive: true, force: true });
     renameSync(copy, place);
-    forgetOld(cache);
+    forgetOld(cache, KEPT[kind]);
   } catch (error) {
     console.warn(`  not kept for other clones: ${error.message}`);
   }
 }
 
-function forgetOld(cache) {
+function forgetOld(cache, kept) {
   const used = (entry) => statSync(join(cache, entry), { throwIfNoEntry: false })?.mtimeMs ?? 0;
   const byUse = readdirSync(cache).sort((a, b) => used(b) - used(a));
-  for (const entry of byUse.slice(KEPT)) rmSync(join(cache, entry), { recursive: true, force: true });
+  for (const entry of byUse.slice(kept)) rmSync(join(cache, entry), { recursive: true, force: true });
 }

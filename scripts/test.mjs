@@ -1,5 +1,6 @@
 // npm test: sets up all it needs and runs every test: Rust, Python, TypeScript, parity, end to end in Chromium.
 import { join } from "node:path";
+import { keepCrates, takeCrates } from "./compiled_crates.mjs";
 import { checkPython } from "./python.mjs";
 import { setupBrowser, softwareGraphics } from "./setup.mjs";
 import { buildSite } from "./site.mjs";
@@ -9,7 +10,11 @@ await main(async () => {
   const { rust, wasm } = await buildSite({ mode: "quick", bench: "quick" });
   const browser = await setupBrowser();
   const env = { ...rust, ...softwareGraphics(browser.CHROME_PATH) };
-  await step("Rust tests", () => run(rust.CARGO ?? "cargo", ["tests", "--quiet"], { env, cwd: join(root, "rust") }));
+  await step("Rust tests", async () => {
+    await takeCrates(rust);
+    await run(rust.CARGO ?? "cargo", ["tests", "--quiet"], { env, cwd: join(root, "rust") });
+    await keepCrates(rust);
+  });
   await checkPython(rust);
   await step("TypeScript, parity and browser tests", () =>
     run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run"], {
