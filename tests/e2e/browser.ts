@@ -14,8 +14,12 @@ const ROOT = resolve(import.meta.dirname, "../..");
 /** Where screenshots go; git ignores it. */
 const OUTPUT = resolve(ROOT, "tests/output");
 
-/** What Chromium need not do in a test: speak to its vendor, draw a window's frame, paint text in WebGL's software. */
+/**
+ * What Chromium need not do in a test: speak to its vendor, draw a window's frame, paint text in WebGL's software. Its headless
+ * shell draws letters as the whole browser does.
+ */
 const FLAGS = [
+  "--font-render-hinting=slight",
   "--no-sandbox",
   "--disable-background-networking",
   "--disable-component-update",

@@ -21,7 +21,7 @@ let server: Awaited<ReturnType<typeof serveFolder>>;
 beforeAll(async () => {
   folder = mkdtempSync(join(tmpdir(), "strut-pictures-"));
   for (const file of ["strut-player.js", "walk.bin"]) cpSync(join(root, "dist", "package", file), join(folder, file));
-  [browser, server] = await Promise.all([launchBrowser({ graphics: SWIFTSHADER, whole: true }), serveFolder(folder)]);
+  [browser, server] = await Promise.all([launchBrowser({ graphics: SWIFTSHADER }), serveFolder(folder)]);
 });
 afterAll(async () => {
   await browser.close();

@@ -216,7 +216,7 @@ let page: Page;
 let clip: Buffer;
 
 beforeAll(async () => {
-  [browser, site] = await Promise.all([launchBrowser({ graphics: SWIFTSHADER, whole: true }), serveSite()]);
+  [browser, site] = await Promise.all([launchBrowser({ graphics: SWIFTSHADER }), serveSite()]);
   page = await openPage(browser, site.url, { size: WIDE, screenPixels: 1 });
   clip = (await saved(page, "BVH")).bytes;
   await page.addInitScript(steady);
