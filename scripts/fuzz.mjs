@@ -1,6 +1,7 @@
 // npm run fuzz -- [--minutes N] [--keep] [TARGET …]: the targets of rust/fuzz under libFuzzer, in all N minutes (2), as many at
 // once as there are cores; then what the page itself reads (tests/fuzz). --keep makes rust/fuzz/corpus anew of what reaches most
-// code. An input that fails is written there too: it fails in `npm test` until it is mended.
+// code. An input that fails is written there too: it fails in `npm test` until it is mended. --lines then counts the lines of
+// the engine that the inputs reach.
 import { spawn } from "node:child_process";
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync } from "node:fs";
 import { availableParallelism } from "node:os";
@@ -8,6 +9,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { keepBuilt, sourcesHash, takeBuilt } from "./build_cache.mjs";
+import { buildCounted } from "./fuzz_lines.mjs";
 import { checkNode, setupCxx, setupPackages, setupRust } from "./setup.mjs";
 import { main, output, root, run, Sentence, step } from "./steps.mjs";
 
@@ -34,25 +36,27 @@ const LASTING = /^(crash|oom|timeout|leak|slow-unit|seed)-/;
 /** Inputs a minute of each test of what the page reads. */
 const PAGE_RUNS = 300;
 
-/** Builds the targets; gives the path of the program and that of the folder for what a run finds. */
+/** What cargo builds. */
+const CARGO_ARGS = ["--profile", "fuzz", "--package", "strut-fuzz", "--features", "libfuzzer"];
+
+/** Builds the targets; gives the path of the program, that of the folder for what a run finds, and what was built for where. */
 async function build(env) {
   const host = /^host: (.+)$/m.exec((await output(env.RUSTC ?? "rustc", ["-vV"], { env })) ?? "")?.[1];
   if (!host) throw new Sentence("rustc does not say for which machine it compiles.");
   const folder = join(env.CARGO_TARGET_DIR ?? process.env.CARGO_TARGET_DIR ?? join(RUST, "target"), "fuzz");
   const program = join(folder, "program", "strut-fuzz");
   const key = await sourcesHash(env, { files: [fileURLToPath(import.meta.url)], texts: [host] });
-  const paths = { program, found: join(folder, "corpus") };
-  if (takeBuilt(key, "fuzz", dirname(program))) return paths;
-  const chosen = ["--profile", "fuzz", "--package", "strut-fuzz", "--features", "libfuzzer"];
+  const built = { program, found: join(folder, "corpus"), host, folder };
+  if (takeBuilt(key, "fuzz", dirname(program))) return built;
   // As the machine is named, the flags are not those of build scripts as well.
-  await run(env.CARGO ?? "cargo", ["build", "--quiet", ...chosen, "--target", host, "--target-dir", folder], {
+  await run(env.CARGO ?? "cargo", ["build", "--quiet", ...CARGO_ARGS, "--target", host, "--target-dir", folder], {
     cwd: RUST,
     env: { ...env, CARGO_ENCODED_RUSTFLAGS: COVERAGE.join("\x1f") },
   });
   mkdirSync(dirname(program), { recursive: true });
   copyFileSync(join(folder, host, "fuzz", "strut-fuzz"), program);
   keepBuilt(key, "fuzz", dirname(program));
-  return paths;
+  return built;
 }
 
 /** The targets' names with the longest useful input of each, as the sources list them. */
@@ -106,9 +110,25 @@ async function keep({ program, found }, name) {
   }
 }
 
+/** Says how many lines of the source files that targets reach their inputs reach. */
+async function countLines(env, { host, folder, found }, names) {
+  const counted = await buildCounted(env, { host, folder, cargoArgs: CARGO_ARGS });
+  const share = (files) => {
+    const [covered, count] = ["covered", "count"].map((key) => files.reduce((sum, file) => sum + file[key], 0));
+    return `${covered} of ${count} lines (${Math.round((100 * covered) / count)} %)`;
+  };
+  for (const name of names) {
+    const files = await counted.ofTarget(name, [join(CORPUS, name), join(found, name)]);
+    console.log(`  ${name}: ${share(files)} of ${files.length} files`);
+  }
+  const all = await counted.ofAll(names);
+  for (const file of all) console.log(`  ${file.path}: ${share([file])}`);
+  return share(all);
+}
+
 await main(async () => {
   const { values, positionals } = parseArgs({
-    options: { minutes: { type: "string" }, keep: { type: "boolean" } },
+    options: { minutes: { type: "string" }, keep: { type: "boolean" }, lines: { type: "boolean" } },
     allowPositionals: true,
   });
   const minutes = Number(values.minutes ?? DEFAULT_MINUTES);
@@ -149,6 +169,7 @@ await main(async () => {
     await step("Keeping what reaches most code", async () => {
       for (const name of chosen) await keep(built, name);
     });
+  if (values.lines) await step("Counting lines that the inputs reach", () => countLines(rust, built, chosen));
   if (positionals.length > 0) return;
   await setupPackages();
   await step("Fuzzing what the page reads", () =>

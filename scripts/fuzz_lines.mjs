@@ -1,0 +1,67 @@
+// Which lines of the engine the inputs of fuzzing reach: `npm run fuzz -- --lines`. The targets are built once more, with
+// rustc's own counters (https://doc.rust-lang.org/rustc/instrument-coverage.html), and read their inputs without new ones.
+import { existsSync, mkdirSync, rmSync } from "node:fs";
+import { join, relative, sep } from "node:path";
+import { findProgram, output, root, run, Sentence } from "./steps.mjs";
+
+const RUST = join(root, "rust");
+/** Whose lines count. */
+const CRATES = ["strut-core", "strut-formats"].map((name) => join(RUST, name, "src") + sep);
+
+/** Paths of LLVM's tools that come with the compiler; rustup's minimal profile leaves them out. */
+async function setupLlvmTools(env, host) {
+  const sysroot = (await output(env.RUSTC ?? "rustc", ["--print", "sysroot"], { env })) ?? "";
+  const tool = (name) => join(sysroot, "lib", "rustlib", host, "bin", name);
+  const tools = { profdata: tool("llvm-profdata"), cov: tool("llvm-cov") };
+  if (Object.values(tools).every((path) => existsSync(path))) return tools;
+  if (!findProgram("rustup")) throw new Sentence("Lines are counted with the compiler's LLVM tools, which rustup has.");
+  await run("rustup", ["component", "add", "llvm-tools"]);
+  return tools;
+}
+
+/** Builds the targets with counters; gives what counts the lines that the inputs in some folders reach. */
+export async function buildCounted(env, { host, folder, cargoArgs }) {
+  const tools = await setupLlvmTools(env, host);
+  const target = join(folder, "lines");
+  await run(env.CARGO ?? "cargo", ["build", "--quiet", ...cargoArgs, "--target", host, "--target-dir", target], {
+    cwd: RUST,
+    env: { ...env, CARGO_ENCODED_RUSTFLAGS: "-Cinstrument-coverage" },
+  });
+  const program = join(target, host, "fuzz", "strut-fuzz");
+  const profiles = join(target, "profiles");
+  rmSync(profiles, { recursive: true, force: true });
+  mkdirSync(profiles, { recursive: true });
+  const profileOf = (name) => join(profiles, `${name}.profdata`);
+
+  /** Lines that are reached, and all lines, of each source file of which a profile reaches one. */
+  async function linesOf(profile) {
+    const report = await output(tools.cov, ["export", "-summary-only", `-instr-profile=${profile}`, program]);
+    if (report === undefined) throw new Sentence(`${tools.cov} could not read ${profile}.`);
+    const files = JSON.parse(report).data[0].files.map(({ filename, summary }) => ({
+      path: filename,
+      ...summary.lines,
+    }));
+    return files
+      .filter(({ path, covered }) => covered > 0 && CRATES.some((crate) => path.startsWith(crate)))
+      .map(({ path, count, covered }) => ({ path: relative(RUST, path), count, covered }));
+  }
+
+  return {
+    /** Lines that the inputs of a target reach; see {@link linesOf}. */
+    async ofTarget(name, inputs) {
+      const raw = join(profiles, `${name}.profraw`);
+      const read = { env: { STRUT_FUZZ_TARGET: name, LLVM_PROFILE_FILE: raw } };
+      if ((await output(program, ["-runs=0", ...inputs], read)) === undefined)
+        throw new Sentence(`${name} could not read its inputs.`);
+      await run(tools.profdata, ["merge", "-sparse", raw, "-o", profileOf(name)]);
+      rmSync(raw);
+      return linesOf(profileOf(name));
+    },
+    /** Lines that the inputs of several targets reach together. */
+    async ofAll(names) {
+      const all = profileOf("all");
+      await run(tools.profdata, ["merge", "-sparse", ...names.map(profileOf), "-o", all]);
+      return linesOf(all);
+    },
+  };
+}
