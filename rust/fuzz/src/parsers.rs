@@ -12,7 +12,7 @@ use strut_core::search::Index;
 use strut_core::somn::Measure;
 use strut_formats::bvh;
 use strut_formats::container::Kind;
-use strut_formats::corpus::{Clip, Pattern, Table, guess_pattern};
+use strut_formats::corpus::{Clip, Pattern, Table, assign, guess_pattern};
 use strut_formats::strutdb::{self, packed};
 use strut_formats::vmc::{FrameReader, Message, Performer, decode, encode};
 use strut_formats::{key_style_model, style_keys, walk_model};
@@ -39,6 +39,8 @@ pub(crate) const BVH_WORDS: [&str; 14] = [
 const BVH_TIMES: u64 = 64;
 /// A row of a database becomes a row, its points and those of its window.
 const DATABASE_TIMES: u64 = 32;
+/// A database that needs more than this is refused: those that are edited need about as much.
+const CATALOGUE_BYTES: u64 = 1 << 20;
 /// A byte of packed motions is a number at least.
 const PACKED_TIMES: u64 = 64;
 
@@ -101,6 +103,12 @@ pub(crate) fn strutdb(data: &[u8]) {
                 // A plan for other rows is refused; the index is built then.
                 let _ = Index::from_plan(database, plan);
             }
+        }
+    }
+    // Opened to style with, where it may be refused for its size.
+    for most_bytes in [None, Some(CATALOGUE_BYTES)] {
+        if let Err(e) = bounded(data, DATABASE_TIMES, |bytes| strutdb::read_catalogue(&bytes, most_bytes)) {
+            says_something(&e);
         }
     }
 }
@@ -197,12 +205,18 @@ pub(crate) fn style_keys(data: &[u8]) {
     }
 }
 
-/// Tables of labels.
+/// Tables of labels, and files that they name.
 pub(crate) fn corpus_table(data: &[u8]) {
     let with_header = [b"file,action,style,take\n", data].concat();
+    let name = |line: &str| format!("clips/{}", line.split(',').next().unwrap_or_default().trim());
+    let paths: Vec<String> = String::from_utf8_lossy(data).lines().map(name).collect();
     for file in [data, &with_header] {
-        if let Err(e) = bounded(file, BVH_TIMES, Table::parse) {
-            says_something(&e);
+        match bounded(file, BVH_TIMES, Table::parse) {
+            Err(e) => says_something(&e),
+            Ok(table) => match assign(&paths, None, Some(&table)) {
+                Err(e) => says_something(&e),
+                Ok(labels) => assert_eq!(labels.len(), paths.len()),
+            },
         }
     }
 }
