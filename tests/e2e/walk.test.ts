@@ -1,4 +1,5 @@
 /** The Walk view: a plan of styles that somebody walks by. */
+import { readFileSync } from "node:fs";
 import type { Locator, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -267,7 +268,7 @@ describe("the block", () => {
 });
 
 describe("what leaves the view", () => {
-  it("is a BVH file, a GLB file, and the input of Play", async () => {
+  it("is a BVH file or a GLB file", async () => {
     await visit(page, `view=walk&play=0&${THREE}`);
     await eventually(title).toBe("16 steps, three styles");
     for (const [name, file] of [
@@ -278,6 +279,33 @@ describe("what leaves the view", () => {
       await page.locator(".walk .editor-actions").getByRole("button", { name, exact: true }).click();
       expect((await download).suggestedFilename()).toBe(file);
     }
+  });
+
+  it("has the plan of the moment in which its button is pressed", async () => {
+    await visit(page, `view=walk&play=0&${THREE}`);
+    await eventually(title).toBe("16 steps, three styles");
+    const frames = async (press: () => Promise<void>) => {
+      const [download] = await Promise.all([page.waitForEvent("download"), press()]);
+      return Number(/^Frames: (\d+)$/m.exec(readFileSync(await download.path(), "utf8"))![1]);
+    };
+    const save = page.locator(".walk .editor-actions").getByRole("button", { name: "BVH", exact: true });
+    const before = await frames(() => save.click());
+    // Before the next display frame, in which the plan is drawn.
+    const atOnce = await frames(() =>
+      save.evaluate((button: HTMLButtonElement) => {
+        const press = new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true, cancelable: true });
+        document.querySelector('[data-key="end-2"]')!.dispatchEvent(press);
+        button.click();
+      }),
+    );
+    await eventually(title).toBe("17 steps, three styles");
+    expect(atOnce).toBeGreaterThan(before);
+    expect(atOnce).toBe(await frames(() => save.click()));
+  });
+
+  it("becomes the input of Play", async () => {
+    await visit(page, `view=walk&play=0&${THREE}`);
+    await eventually(title).toBe("16 steps, three styles");
     await page.getByRole("button", { name: "Style in Play" }).click();
     await eventually(async () => (await state()).view).toBe("play");
     await eventually(async () => (await state()).input).toBe("walk");

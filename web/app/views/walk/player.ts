@@ -47,8 +47,9 @@ export class Player {
     this.seek(0);
   }
 
+  /** One pass through the plan of the state; `undefined` without a walker or a plan. */
   get walk(): PlannedWalk | undefined {
-    return this.#walk;
+    return this.#ready() && this.#walk;
   }
 
   /** Begins to count time. */
