@@ -83,6 +83,8 @@ fn says_where_a_file_is_wrong_and_what_was_expected() {
         ),
         (replaced("Yposition", "Xposition"), "line 5 has Xposition twice on one joint; once was expected"),
         (replaced("ROOT Hips", "ROOT"), "line 3, column 1 has '{'; a joint name of 1 to 256 bytes was expected"),
+        // A name that ended in a brace could not be written.
+        (replaced("Left Leg", "Left Leg {{"), "line 6, column 18 has '{'; OFFSET was expected"),
         (replaced("\t}\n}", "\t}\n}\nROOT Other\n{"), "line 16 begins a second ROOT; one skeleton a file is supported"),
         (
             replaced("\t\t}\n\t}", "\t\t}\n\t\tEnd Site\n\t}"),

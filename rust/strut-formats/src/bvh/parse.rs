@@ -261,13 +261,14 @@ impl<'a> Cursor<'a> {
         Ok(())
     }
 
-    /// The rest of the line without an opening brace and blanks around.
+    /// The rest of the line without blanks around and opening braces at its end, where the joint may begin: what is a name can
+    /// be written and read again.
     fn name(&mut self) -> Result<String, BvhError> {
         self.skip_blanks();
         let rest = &self.text[self.at..];
         let line = &rest[..rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(rest.len())];
-        let line = line.trim_ascii_end();
-        let name = line.strip_suffix(b"{").unwrap_or(line).trim_ascii_end();
+        let name_end = line.iter().rposition(|b| *b != b'{' && !b.is_ascii_whitespace());
+        let name = &line[..name_end.map_or(0, |last| last + 1)];
         if name.is_empty() || name.len() > MAX_NAME_BYTES {
             return Err(self.unexpected("a joint name of 1 to 256 bytes"));
         }
