@@ -48,7 +48,7 @@ export class ViewportPanel {
   readonly #cast: HTMLElement;
   readonly #name = html("span", { class: "cast-name" });
   readonly #check: HTMLButtonElement;
-  readonly #credit = html("a", { class: "caption", target: "_blank", rel: "noreferrer" });
+  readonly #credit = html("span", { class: "caption" });
   readonly #fps = html("span");
   readonly #cost = html("span");
   /** The buttons over the picture. */
@@ -181,9 +181,8 @@ export class ViewportPanel {
     const { name, credit, url, unsure } = performing;
     this.#check.hidden = !unsure;
     setText(this.#name, name);
-    setText(this.#credit, credit);
-    this.#credit.toggleAttribute("href", url !== undefined);
-    if (url !== undefined) this.#credit.href = url;
+    const link = url !== undefined && html("a", { href: url, target: "_blank", rel: "noreferrer" }, credit);
+    this.#credit.replaceChildren(link || credit);
   }
 
   /** Body proportions of the styled character. */
