@@ -1,25 +1,28 @@
 // npm run quality: every view, the page for frames and the documentation, as Lighthouse judges pages for access, good practice
-// and search engines, on its mobile and its desktop profile. Each has to have 100 of 100; what costs points is named.
+// and search engines, on its mobile and its desktop profile. Each has to have 100 of 100; what costs points is named. The page
+// for frames is not for search engines.
 import { join } from "node:path";
 import lighthouse, { desktopConfig } from "lighthouse";
 import { main, root, Sentence, step } from "../scripts/steps.mjs";
 import { freePort, launchChromium, requireBuiltSite } from "./built_site.mjs";
 import { serveCompressed } from "./hosted_site.mjs";
 
-const PAGES = [
-  ...["play", "compare", "walk", "key-style", "crowd", "learn", "data"].map((view) => `#view=${view}`),
-  "embed.html",
-  "docs/index.html",
-];
+const VIEWS = ["play", "compare", "walk", "key-style", "crowd", "learn", "data"];
 const CATEGORIES = ["accessibility", "best-practices", "seo"];
+/** What each page is judged by. */
+const PAGES = {
+  ...Object.fromEntries(VIEWS.map((view) => [`#view=${view}`, CATEGORIES])),
+  "docs/index.html": CATEGORIES,
+  "embed.html": ["accessibility", "best-practices"],
+};
 const PROFILES = { mobile: undefined, desktop: desktopConfig };
 
 /** Loads a page once; the scores by category, of 100, and the audits that cost points. */
-async function judge(url, port, config) {
-  const { lhr } = await lighthouse(url, { port, onlyCategories: CATEGORIES, logLevel: "error" }, config);
+async function judge(url, { port, onlyCategories }, config) {
+  const { lhr } = await lighthouse(url, { port, onlyCategories, logLevel: "error" }, config);
   if (lhr.runtimeError) throw new Sentence(`Lighthouse could not load ${url}: ${lhr.runtimeError.message}`);
   const counts = ({ id, weight }) => weight > 0 && lhr.audits[id].score !== null && lhr.audits[id].score < 1;
-  const categories = CATEGORIES.map((name) => lhr.categories[name]);
+  const categories = onlyCategories.map((name) => lhr.categories[name]);
   return {
     scores: categories.map(({ score }) => Math.round(100 * score)),
     faults: categories.flatMap(({ auditRefs }) => auditRefs.filter(counts).map(({ id }) => lhr.audits[id].title)),
@@ -35,8 +38,8 @@ await main(async () => {
   try {
     for (const [profile, config] of Object.entries(PROFILES))
       await step(`Lighthouse, ${profile}: ${CATEGORIES.join(", ")}`, async () => {
-        for (const page of PAGES) {
-          const { scores, faults } = await judge(new URL(page, site.url).href, port, config);
+        for (const [page, onlyCategories] of Object.entries(PAGES)) {
+          const { scores, faults } = await judge(new URL(page, site.url).href, { port, onlyCategories }, config);
           console.log(`  ${page.padEnd(20)} ${scores.join(" ")}${faults.map((fault) => `\n    ${fault}`).join("")}`);
           if (scores.some((score) => score < 100)) below.push(`${page} (${profile})`);
         }

@@ -52,9 +52,19 @@ function neighbours(sections, root, out) {
   return `<footer>${side(pages[at - 1], "prev", "Previous")}${side(pages[at + 1], "next", "Next")}</footer>`;
 }
 
+/** Characters of a page's description at most. */
+const DESCRIPTION = 200;
+
+/** What search engines show of a page: how its text begins or, where it begins with no sentence, its title. */
+function descriptionOf({ title, sections }) {
+  const [text = ""] = sections[0]?.text ?? [];
+  if (!text.includes(".")) return `${title}: documentation of Strut, real-time motion style transfer.`;
+  return text.length <= DESCRIPTION ? text : `${text.slice(0, text.lastIndexOf(" ", DESCRIPTION))} …`;
+}
+
 /**
  * A whole page.
- * @param sections the map; `page` has `out`, its place in the site, `title`, `headings` and `html`
+ * @param sections the map; `page` has `out`, its place in the site, `title`, `headings`, `html` and `sections`, its text
  */
 export function pageHtml(sections, page) {
   const { out, title, html, headings } = page;
@@ -67,6 +77,7 @@ export function pageHtml(sections, page) {
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
+<meta name="description" content="${escapeHtml(descriptionOf(page))}">
 <title>${escapeHtml(title)} · Strut</title>
 <link rel="icon" href="${ICON}">
 <link rel="stylesheet" href="${root}assets/manual.css">${formulas}
