@@ -1,4 +1,4 @@
-// What cargo compiled of crates that are not ours: a new clone takes it from another one on this machine, which is more than
+// What cargo compiled of crates that are not ours: a new clone takes it from another one on this machine, which is about
 // half of what its lints and tests would compile. cargo itself judges whether a crate is up to date.
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync } from "node:fs";

@@ -1,7 +1,7 @@
-// npm run fuzz -- [--minutes N] [--keep] [TARGET …]: the targets of rust/fuzz under libFuzzer, in all N minutes (2), as many at
-// once as there are cores; then what the page itself reads (tests/fuzz). --keep makes rust/fuzz/corpus anew of what reaches most
-// code. An input that fails is written there too: it fails in `npm test` until it is mended. --lines then counts the lines of
-// the engine that the inputs reach.
+// npm run fuzz -- [--minutes N] [--keep] [--lines] [TARGET …]: the targets of rust/fuzz under libFuzzer, in all N minutes (2),
+// as many at once as there are cores; then what the page itself reads (tests/fuzz). --keep makes rust/fuzz/corpus anew of what
+// reaches most code; --lines counts the lines of the engine that the inputs reach. An input that fails is written to the corpus
+// too: it fails in `npm test` until it is mended.
 import { spawn } from "node:child_process";
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync } from "node:fs";
 import { availableParallelism } from "node:os";
