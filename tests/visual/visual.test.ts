@@ -217,7 +217,8 @@ let clip: Buffer;
 
 beforeAll(async () => {
   [browser, site] = await Promise.all([launchBrowser({ graphics: SWIFTSHADER }), serveSite()]);
-  page = await openPage(browser, site.url, { size: WIDE, screenPixels: 1 });
+  page = await openPage(browser, site.url, { hash: "play=0", size: WIDE, screenPixels: 1 });
+  await page.waitForFunction(() => window.strut?.analysed && window.strut.upToDate);
   clip = (await saved(page, "BVH")).bytes;
   await page.addInitScript(steady);
 });
