@@ -44,8 +44,9 @@ export async function takeCrates(env) {
 export async function keepCrates(env) {
   if (process.env.CARGO_TARGET_DIR || !existsSync(join(TARGET, ".fingerprint"))) return;
   const key = await keyOf(env);
+  if (isKept(key, PART, KIND)) return;
   const own = await ownPackages(env);
-  if (!own || isKept(key, PART, KIND)) return;
+  if (!own) return;
   const hashes = new Set();
   for (const entry of readdirSync(join(TARGET, ".fingerprint"))) {
     const hash = HASH.exec(entry)?.[1];

@@ -23,7 +23,6 @@ export class Mannequin<L extends Look> {
   #fit: Fit = fitTo(DEFAULT_PROPORTIONS);
   #proportions: ArrayLike<number> = DEFAULT_PROPORTIONS;
   #detail: number;
-  #isDisposed = false;
 
   /** `look` makes the materials around the mannequin's uniforms; `detail` is that of the geometry, at most 1. */
   constructor(look: (uniforms: SlotUniforms) => L, detail = 1) {
@@ -66,12 +65,8 @@ export class Mannequin<L extends Look> {
     return this.#fit;
   }
 
-  /**
-   * Changes the detail of the geometry, at most 1, and takes the look's present materials. Nothing once it is disposed: a
-   * measured rate of frames may change the detail after that.
-   */
+  /** Changes the detail of the geometry, at most 1, and takes the look's present materials. */
   setDetail(detail: number): void {
-    if (this.#isDisposed) return;
     const geometry = acquireGeometry(detail);
     for (const [i, { material, receivesShadow }] of this.look.layers.entries()) {
       const mesh = this.object.children[i] as Mesh;
@@ -98,7 +93,6 @@ export class Mannequin<L extends Look> {
 
   /** Frees the materials and this mannequin's share of the geometry. */
   dispose(): void {
-    this.#isDisposed = true;
     this.object.removeFromParent();
     this.object.clear();
     this.look.dispose();

@@ -339,6 +339,8 @@ export class Stage implements Drawn {
   }
 
   dispose(): void {
+    // What was put off until the screen is idle may come after this.
+    this.onQuality = this.onInvalid = this.onIdle = undefined;
     this.#screen.remove(this);
     this.#observer.disconnect();
     this.#life.abort();

@@ -181,8 +181,8 @@ export class ViewportPanel {
     const { name, credit, url, unsure } = performing;
     this.#check.hidden = !unsure;
     setText(this.#name, name);
-    const link = url !== undefined && html("a", { href: url, target: "_blank", rel: "noreferrer" }, credit);
-    this.#credit.replaceChildren(link || credit);
+    const link = (href: string) => html("a", { href, target: "_blank", rel: "noreferrer" }, credit);
+    this.#credit.replaceChildren(url === undefined ? credit : link(url));
   }
 
   /** Body proportions of the styled character. */
