@@ -468,10 +468,14 @@ export class Session {
     return this.playback.settled ? Promise.resolve() : new Promise((resolve) => this.#whenSettled.push(resolve));
   }
 
-  /** Makes something of the whole input once the engine has the present style. */
+  /**
+   * Makes something of the whole input once the engine has the present style. Not before it plays: until then the open database
+   * may be a part of the one that is asked for, see {@link exchangeDatabase}.
+   */
   async #make<T>(task: SessionTask, work: (options: CallOptions) => Promise<T>): Promise<T | undefined> {
     let made: T | undefined;
     await this.#attempt(async () => {
+      await this.#playing();
       await this.#settled();
       made = await this.#progress.run(task, this.inputName, work);
     });
