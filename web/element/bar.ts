@@ -3,6 +3,7 @@
 import { button } from "../ui/controls/buttons";
 import { mark } from "../ui/controls/icons";
 import { PlayButton } from "../ui/controls/play_button";
+import { rangeInput } from "../ui/controls/range_input";
 import { clock, formatNumber, html, setText } from "../ui/dom";
 import type { Control, ValueOf } from "./attributes";
 import { strings } from "./strings";
@@ -31,7 +32,7 @@ export class Bar {
   constructor(listeners: BarListeners, site: string) {
     this.#play = new PlayButton(listeners.onPlay);
     this.#play.element.part.add("play");
-    this.#seek = html("input", { type: "range", class: "seek", part: "seek", min: 0, max: 1, step: 1, value: 0 });
+    this.#seek = rangeInput({ class: "seek", part: "seek", min: 0, max: 1, step: 1, value: 0 });
     this.#seek.setAttribute("aria-label", strings.seek);
     this.#seek.addEventListener("input", () => listeners.onSeek(Number(this.#seek.value)));
     this.#ghost = button(strings.ghost.name, listeners.onGhost, { icon: "ghost", keys: "G" });

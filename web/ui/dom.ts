@@ -1,6 +1,6 @@
 /** Building elements in one expression, and the few questions about the document that several modules ask. */
 
-type Attributes = Readonly<Record<string, string | number | boolean>>;
+export type Attributes = Readonly<Record<string, string | number | boolean>>;
 
 const SVG = "http://www.w3.org/2000/svg";
 

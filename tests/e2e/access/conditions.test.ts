@@ -6,7 +6,7 @@ import { eventually, openSite, screenshot } from "../browser";
 import { transitionsEnded } from "../rest";
 import { expectFocusVisible, Finger, type Hands, Keys, Mouse } from "./hands";
 import { cutOff, scrolledSideways } from "./layout";
-import { data, keyStyle, learn, type NamedClip, play, pose, walk } from "./tasks";
+import { data, keyStyle, learn, type NamedClip, play, pose, scrollPast, walk } from "./tasks";
 
 let page: Page;
 let session: CDPSession;
@@ -100,6 +100,8 @@ describe.for(CONDITIONS)("$name", ({ name, size, lesson, begin, end, hands }) =>
     await walk(person());
     await fits("walk");
   });
+
+  it.runIf(name.startsWith("finger"))("Walk, where a swipe begins on a slider", () => scrollPast(person()));
 
   it("Key-style", async () => {
     await keyStyle(person());

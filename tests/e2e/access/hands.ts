@@ -62,13 +62,18 @@ const MOST_SWIPES = 150;
 async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Place> {
   await control.waitFor();
   let before: Place | undefined;
+  /** Looks in a row at which the control had not moved. */
+  let still = 0;
   let last = "";
   for (let turn = 0; turn < MOST_SWIPES; turn++) {
     const found = await control.evaluate(whereIs);
     if (found) {
-      const { at, hit, by, from } = found;
+      const { at, hit, by, places } = found;
+      still = before?.x === at.x && before.y === at.y ? still + 1 : 0;
       // The page may still be on its way.
-      if (hit && before?.x === at.x && before.y === at.y) return at;
+      if (hit && still >= 2) return at;
+      // Where nothing moves, the next place is tried.
+      const from = places[still % places.length]!;
       if (!hit) await scroll(from, by);
       before = at;
       last = JSON.stringify({ at, by, from });
@@ -79,10 +84,10 @@ async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Plac
 }
 
 /**
- * In the page: the middle of a control, whether a press there hits it, and where and how far to scroll for it. Nothing for a
- * control that another has replaced since it was found, as a drawing does when it is drawn anew.
+ * In the page: the middle of a control, whether a press there hits it, how far to scroll for it, and from which places. Nothing
+ * for a control that another has replaced since it was found, as a drawing does when it is drawn anew.
  */
-function whereIs(control: Element): { at: Place; hit: boolean; by: Way; from: Place } | undefined {
+function whereIs(control: Element): { at: Place; hit: boolean; by: Way; places: Place[] } | undefined {
   if (!control.isConnected) return undefined;
   const parentOf = (e: Element) => e.parentElement ?? (e.getRootNode() as ShadowRoot).host ?? undefined;
   /** What is at a place, within figures too. */
@@ -128,13 +133,15 @@ function whereIs(control: Element): { at: Place; hit: boolean; by: Way; from: Pl
   };
   // Where a person puts the finger: somewhere that is not a drawing that is dragged.
   const shares = [0.5, 0.75, 0.25, 0.9, 0.1, 0.97, 0.03];
-  const places = shares.flatMap((across) =>
-    shares.map((share) => ({
-      x: view.left + across * (view.right - view.left),
-      y: view.top + share * (view.bottom - view.top),
-    })),
-  );
-  return { at, hit, by, from: places.find(pans) ?? { x: view.x, y: view.y } };
+  const places = shares
+    .flatMap((across) =>
+      shares.map((share) => ({
+        x: view.left + across * (view.right - view.left),
+        y: view.top + share * (view.bottom - view.top),
+      })),
+    )
+    .filter(pans);
+  return { at, hit, by, places: places.length > 0 ? places : [{ x: view.x, y: view.y }] };
 }
 
 /** A mouse with a wheel. */
@@ -159,6 +166,9 @@ export class Mouse implements Hands {
   }
 }
 
+/** Chromium gives no click for some taps that come within 200 ms after a drag over what does not scroll, milliseconds. */
+const BEFORE_TAP_MS = 250;
+
 /** One finger: taps, swipes and drags. */
 export class Finger implements Hands {
   constructor(
@@ -167,7 +177,9 @@ export class Finger implements Hands {
   ) {}
 
   async press(control: Locator): Promise<void> {
-    await this.#stroke([await this.#reach(control)]);
+    const at = await this.#reach(control);
+    await this.page.waitForTimeout(BEFORE_TAP_MS);
+    await this.#stroke([at]);
   }
 
   async move(handle: Locator, { x, y }: Way): Promise<void> {

@@ -68,6 +68,20 @@ export async function walk(person: Person): Promise<void> {
   expect(await savedBy(page, hands.press(save))).toBe("walk.bvh");
 }
 
+/** Walk: who scrolls with the finger on a slider sets nothing. */
+export async function scrollPast({ page, hands }: Person): Promise<void> {
+  await visit(page, "view=walk&play=0&block=1&walk=1_3_2~neutral:1,old:0,sexy:0;1_4_2~proud:1,old:0,sexy:0");
+  const intensity = page.locator(".walk-panel").getByRole("slider", { name: "Intensity", exact: true });
+  await intensity.waitFor();
+  const before = await intensity.inputValue();
+  const top = () => page.locator("main.walk").evaluate((e) => e.scrollTop);
+  await hands.move(intensity, { x: 0, y: 80 });
+  const scrolled = await top();
+  await hands.move(intensity, { x: 0, y: -80 });
+  await eventually(top).toBeGreaterThan(scrolled);
+  expect(await intensity.inputValue()).toBe(before);
+}
+
 /** Key-style: the point is moved, a key is set there, and the motion is saved. */
 export async function keyStyle(person: Person): Promise<void> {
   const { page, hands } = person;

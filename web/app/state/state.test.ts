@@ -163,6 +163,17 @@ describe("undo", () => {
     expect(store.state.k, "no gesture is under way").toBe(60);
   });
 
+  it("knows nothing of a gesture that ended where it began", () => {
+    const store = new Store(initialState());
+    for (const intensity of [1.2, 1]) store.edit({ intensity }, "drag");
+    store.endGesture();
+    expect(store.canUndo).toBe(false);
+    for (const intensity of [1.2, 1.1]) store.edit({ intensity }, "drag");
+    store.endGesture();
+    store.endGesture();
+    expect(store.canUndo).toBe(true);
+  });
+
   it("forgets what was undone at the next edit, and an edit that changes nothing", () => {
     const store = new Store(initialState());
     store.edit({ k: 50 });

@@ -22,6 +22,8 @@ export class Store implements UndoRedo {
     },
   );
   #gesture: string | undefined;
+  /** The state before the gesture under way. */
+  #before: Snapshot | undefined;
   #listeners = new Set<Listener>();
   /** Ends and cancels the gesture under way: for controls whose edits belong to gestures. */
   readonly gestureListeners: GestureListeners = {
@@ -60,7 +62,10 @@ export class Store implements UndoRedo {
     const changed = this.#changes(patch);
     if (changed.size === 0) return;
     if (UNDOABLE.some((name) => changed.has(name))) {
-      if (gesture === undefined || gesture !== this.#gesture) this.#history.record(this.#snapshot());
+      if (gesture === undefined || gesture !== this.#gesture) {
+        this.#before = this.#snapshot();
+        this.#history.record(this.#before);
+      }
       this.#gesture = gesture;
     }
     this.#apply(patch, changed);
@@ -72,8 +77,9 @@ export class Store implements UndoRedo {
     if (changed.size > 0) this.#apply(patch, changed);
   }
 
-  /** Ends a gesture: the next edit is a step of its own. */
+  /** Ends a gesture: the next edit is a step of its own. A gesture that ends where it began leaves no step of undo. */
   endGesture(): void {
+    if (this.#gesture !== undefined && same(this.#before, this.#snapshot())) this.#history.withdraw();
     this.#gesture = undefined;
   }
 

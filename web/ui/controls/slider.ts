@@ -2,6 +2,7 @@
 
 import { formatNumber, html } from "../dom";
 import type { Range } from "./range";
+import { rangeInput } from "./range_input";
 
 export class Slider {
   readonly element: HTMLElement;
@@ -18,7 +19,7 @@ export class Slider {
   ) {
     this.#range = range;
     const step = 10 ** -range.digits;
-    this.#input = html("input", { type: "range", min: range.min, max: range.max, step, "aria-label": name });
+    this.#input = rangeInput({ min: range.min, max: range.max, step, "aria-label": name });
     // The slider says both itself.
     this.#value = html("output", { class: "value", "aria-hidden": "true" });
     this.#track = html("div", { class: "slider-track" }, this.#input);

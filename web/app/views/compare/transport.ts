@@ -2,6 +2,7 @@
 import type { InputInfo } from "../../../client/protocol";
 import { button } from "../../../ui/controls/buttons";
 import { PlayButton } from "../../../ui/controls/play_button";
+import { rangeInput } from "../../../ui/controls/range_input";
 import { clock, html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
 
@@ -21,7 +22,7 @@ export class CompareTransport {
     "aria-label": strings.play.transport.speed,
     title: strings.play.transport.speed,
   });
-  readonly #scrub = html("input", { type: "range", min: 0, step: 1, "aria-label": strings.play.transport.time });
+  readonly #scrub = rangeInput({ min: 0, step: 1, "aria-label": strings.play.transport.time });
   readonly #clock = html("span", { class: "compare-clock" });
   readonly #duration = html("span", { class: "caption" });
   #rateHz = 60;

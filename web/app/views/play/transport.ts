@@ -5,6 +5,7 @@ import type { InputInfo } from "../../../client/protocol";
 import { SPEEDS } from "../../../link/page";
 import { button } from "../../../ui/controls/buttons";
 import { PlayButton } from "../../../ui/controls/play_button";
+import { rangeInput } from "../../../ui/controls/range_input";
 import { clock, html, setText, svg } from "../../../ui/dom";
 import type { AppState } from "../../state/state";
 import type { Store } from "../../state/store";
@@ -53,7 +54,7 @@ export class Transport {
     });
     for (const speed of SPEEDS) this.#speed.append(html("option", { value: speed }, `${speed}×`));
     this.#speed.addEventListener("change", () => store.edit({ speed: Number(this.#speed.value) }));
-    this.#scrub = html("input", { type: "range", min: 0, step: 1, "aria-label": strings.play.transport.time });
+    this.#scrub = rangeInput({ min: 0, step: 1, "aria-label": strings.play.transport.time });
     this.#scrub.addEventListener("input", () => listeners.onScrub(Number(this.#scrub.value)));
     this.#scrub.addEventListener("change", () => listeners.onScrubEnd());
     this.element = html(
