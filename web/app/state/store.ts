@@ -79,7 +79,11 @@ export class Store implements UndoRedo {
 
   /** Ends a gesture: the next edit is a step of its own. A gesture that ends where it began leaves no step of undo. */
   endGesture(): void {
-    if (this.#gesture !== undefined && same(this.#before, this.#snapshot())) this.#history.withdraw();
+    if (this.#gesture !== undefined && same(this.#before, this.#snapshot())) {
+      this.#history.withdraw();
+      // Nothing of the state has changed, but there is a step less.
+      this.#notify(new Set());
+    }
     this.#gesture = undefined;
   }
 
