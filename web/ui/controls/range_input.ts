@@ -6,12 +6,18 @@ import { type Attributes, html } from "../dom";
 export function rangeInput(attributes: Attributes): HTMLInputElement {
   const input = html("input", { type: "range", ...attributes });
   let before = "";
+  /** Whether the pointer has set the value; a time line moves by itself as well. */
+  let isSet = false;
   input.addEventListener("pointerdown", () => {
     before = input.value;
+    isSet = false;
+  });
+  input.addEventListener("input", () => {
+    isSet = true;
   });
   // The browser has taken the finger for scrolling, but set the value to its place before.
   input.addEventListener("pointercancel", () => {
-    if (input.value === before) return;
+    if (!isSet) return;
     input.value = before;
     for (const type of ["input", "change"]) input.dispatchEvent(new Event(type));
   });
