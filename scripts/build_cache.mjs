@@ -17,8 +17,8 @@ import { homedir } from "node:os";
 import { dirname, join, relative } from "node:path";
 import { output, root } from "./steps.mjs";
 
-/** Folders of the cache: what the scripts build, and crates of others, which are large. The last entries used are kept: */
-const KEPT = { builds: 12, crates: 2 };
+/** Folders of the cache: what the scripts build; and crates of others and whole targets, which are large. The last entries used are kept: */
+const KEPT = { builds: 12, crates: 2, targets: 2 };
 
 /** Files from which Rust is built, below a folder; folders of some names are left out. */
 function* rustSources(folder, left) {

@@ -1,7 +1,7 @@
 // npm run check: formatting, lints, types, architecture, size budget.
 import { join } from "node:path";
 import { checkArchitecture } from "./architecture.mjs";
-import { takeCrates } from "./compiled_crates.mjs";
+import { takeCompiled } from "./compiled_rust.mjs";
 import { checkPackageSize } from "./package.mjs";
 import { versionFaults } from "./release/versions.mjs";
 import { setupCxx } from "./setup.mjs";
@@ -42,7 +42,7 @@ await main(async () => {
   const rust = { env: { ...env, ...withoutPython }, cwd: join(root, "rust") };
   await step("Rust formatting", () => run("cargo", ["fmt", "--all", "--check"], rust));
   await step("Rust lints", async () => {
-    await takeCrates(env);
+    await takeCompiled(env);
     const lints = ["--quiet", "--", "-D", "warnings"];
     await run("cargo", ["clippy", "--workspace", "--all-targets", "--features", FEATURES, ...lints], rust);
     // What a page starts with.

@@ -1,6 +1,6 @@
 // npm test: sets up all it needs and runs every test: Rust, Python, TypeScript, parity, end to end in Chromium.
 import { join } from "node:path";
-import { keepCrates, takeCrates } from "./compiled_crates.mjs";
+import { keepCompiled, takeCompiled } from "./compiled_rust.mjs";
 import { checkPython } from "./python.mjs";
 import { setupBrowser, softwareGraphics } from "./setup.mjs";
 import { buildSite } from "./site.mjs";
@@ -11,9 +11,9 @@ await main(async () => {
   const browser = await setupBrowser();
   const env = { ...rust, ...softwareGraphics(browser.CHROME_PATH) };
   await step("Rust tests", async () => {
-    await takeCrates(rust);
+    await takeCompiled(rust);
     await run(rust.CARGO ?? "cargo", ["tests", "--quiet"], { env, cwd: join(root, "rust") });
-    await keepCrates(rust);
+    await keepCompiled(rust);
   });
   await checkPython(rust);
   await step("TypeScript, parity and browser tests", () =>
