@@ -15,7 +15,7 @@ export interface LiveFrame {
   planted: [left: boolean, right: boolean];
   /** The heaviest classes, heaviest first, at most three. */
   reads: Reading[];
-  /** Median cost of a styled frame in the engine, milliseconds. */
+  /** Mean cost of the last styled frames in the engine, milliseconds. */
   frameMs: number;
   /** Whether the clip looped since the last frame. */
   looped: boolean;

@@ -43,7 +43,7 @@ export interface FrameRange {
 
 /** A motion in a style, as a whole. */
 export interface StyledClip extends Analysis {
-  /** Median cost of a frame in the engine, milliseconds. */
+  /** Mean cost of a frame in the engine, milliseconds. */
   frameMs: number;
   /** The text of a BVH file on the motion's own skeleton; empty unless it was asked for. */
   bvh: string;

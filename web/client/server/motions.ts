@@ -99,7 +99,7 @@ export async function carriedMotion(
 }
 
 /**
- * Styles a whole motion in time slices; the job belongs to the caller. `frameMs` is the median cost of a frame.
+ * Styles a whole motion in time slices; the job belongs to the caller. `frameMs` is the mean cost of a frame.
  * @throws StrutError `cancelled`, also if the motion or the database is closed meanwhile
  */
 export async function styleClip(

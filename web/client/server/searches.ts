@@ -5,7 +5,7 @@ import type { SearchFigures } from "../protocol";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import { carriedMotion } from "./motions";
-import { type Caller, median, stage } from "./time_slices";
+import { type Caller, stage } from "./time_slices";
 
 /** Both searches of an input, in portions: as much of `SearchComparison` (`engine/compare/`) as is needed. */
 export interface SearchJob {
@@ -20,7 +20,7 @@ export interface SearchJob {
 /** A search by kd-trees beside the exact one. */
 export type Searches = (database: Database, input: Input, neighbours: number, candidates: number) => SearchJob;
 
-/** Frames that are searched at once: the clocks of browsers are coarse. */
+/** Frames that are searched at once. */
 const PORTION = 8;
 
 /**
@@ -48,14 +48,14 @@ export async function compareSearch(
   }
 }
 
+/** Recall and the mean cost of a frame: a median would be 0 where the clock tells whole milliseconds. */
 async function figuresOf(job: SearchJob, frames: number, caller: Caller): Promise<SearchFigures> {
-  const [exactMs, treesMs]: [number[], number[]] = [[], []];
-  let done = 0;
+  let [done, exactMs, treesMs] = [0, 0, 0];
   for (;;) {
     const taken = job.take(PORTION);
-    if (taken === 0) return { recall: job.recall(), exactMs: median(exactMs), treesMs: median(treesMs) };
-    exactMs.push(msOf(() => job.searchExactly()) / taken);
-    treesMs.push(msOf(() => job.searchTrees()) / taken);
+    if (taken === 0) return { recall: job.recall(), exactMs: exactMs / (done || 1), treesMs: treesMs / (done || 1) };
+    exactMs += msOf(() => job.searchExactly());
+    treesMs += msOf(() => job.searchTrees());
     job.count();
     done += taken;
     await stage(caller, "Searching the clip", done / frames);

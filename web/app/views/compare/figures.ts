@@ -9,7 +9,7 @@ export interface ColumnMotion {
   timeOut: Float32Array;
   /** Planted feet, left and right interleaved. */
   planted: Uint8Array;
-  /** Median cost of a frame in the engine, milliseconds; `undefined` for the input. */
+  /** Mean cost of a frame in the engine, milliseconds; `undefined` for the input. */
   frameMs: number | undefined;
 }
 

@@ -55,7 +55,7 @@ export const compare = {
     recallAt: (neighbours: number) => `recall@${neighbours}`,
     recallWhy: "Share of the nearest windows of every class that are found, over the whole input",
     ms: (ms: string) => `${ms} ms a frame`,
-    msWhy: "Median time of a frame's search in all classes, over the whole input",
+    msWhy: "Mean time of a frame's search in all classes, over the whole input",
     exactNote: (neighbours: number) => `The ${neighbours} nearest windows of every class, all of them.`,
     columnsNote: "The columns are styled with the exact search.",
     measuring: (percent: number) => `Searching the whole input both ways, ${percent} %.`,
@@ -81,6 +81,6 @@ export const compare = {
       error: "Jerk ratio",
       why: "How abruptly the joints move, as a multiple of the input, mean of half a second before and after",
     },
-    cost: { name: "Cost per frame", error: "Cost per frame", why: "Median time of a frame in the engine" },
+    cost: { name: "Cost per frame", error: "Cost per frame", why: "Mean time of a frame in the engine" },
   },
 };
