@@ -268,12 +268,15 @@ describe("a browser that keeps nothing", () => {
     );
     expect(await heading(), "the clips stay").toBe("5 clips, 3 styles");
     await eventually(databases).toEqual(["Built-in", "small"]);
+    await eventually(() => page.locator(".stored li").nth(1).textContent()).toContain("not kept · 3 styles");
     await page.getByRole("button", { name: "Open small" }).click();
     await eventually(() => page.locator(".vertex").count()).toBe(3);
     await eventually(() => page.locator(".stage-title").isVisible()).toBe(true);
     // It is open all the way: its input has been analysed.
     await eventually(() => page.evaluate(() => window.strut.analysed)).toBe(true);
     expect(await openDatabase(), "no link could bring it back").toBe("");
+    await page.getByRole("link", { name: "Data" }).click();
+    await eventually(() => page.locator(".stored [aria-current]").textContent()).toContain("open · not kept");
   });
 });
 

@@ -276,7 +276,7 @@ class DatabaseView implements View {
     );
     this.#build.busy = false;
     this.#preview.playing = true;
-    this.#databasesPanel.show(this.#databases, this.#host.store.state.database);
+    this.#listDatabases();
   }
 
   #sayUnkept(placed: Placed | undefined): void {
@@ -285,10 +285,15 @@ class DatabaseView implements View {
 
   async #changeDatabases(change: () => Promise<void>): Promise<void> {
     await this.#attempt(change);
-    this.#databasesPanel.show(this.#databases, this.#host.store.state.database);
+    this.#listDatabases();
   }
 
   // --- what is shown ---
+
+  #listDatabases(): void {
+    const { file } = this.#host.databaseFile();
+    this.#databasesPanel.show(this.#databases, { name: this.#host.store.state.database, file });
+  }
 
   #show(): void {
     const { rows, skeletons, usable } = this.#clips;

@@ -37,15 +37,24 @@ export class DatabasesPanel {
     );
   }
 
-  /** Lists them; `open` is the name of the one that Play uses, empty for the built-in one. */
-  show({ all, deleted, fault, outdated }: DeviceDatabases, open: string): void {
+  /**
+   * Lists them. Of the one that Play uses, `name` is that which it is kept by, and `file` what it was opened from; nothing is
+   * that of the built-in one.
+   */
+  show(databases: DeviceDatabases, { name, file }: { name: string; file: Blob | undefined }): void {
+    const { all, deleted, fault, outdated } = databases;
+    const items = all.map((database) => {
+      const isKept = databases.isKept(database.name);
+      return this.#item(database, isKept, isKept ? database.name === name : database.file === file);
+    });
     this.#list.replaceChildren(
-      this.#builtIn(open === ""),
-      ...all.map((database) => this.#item(database, database.name === open)),
+      this.#builtIn(file === undefined),
+      ...items,
       ...deleted.map((database) => this.#deleted(database)),
     );
     this.#reload.hidden = !outdated;
-    setText(this.#note, fault || (all.length > 0 ? words.kept : words.none));
+    const kept = all.every((database) => databases.isKept(database.name)) ? words.kept : words.someUnkept;
+    setText(this.#note, fault || (all.length > 0 ? kept : words.none));
   }
 
   #builtIn(isOpen: boolean): HTMLElement {
@@ -54,7 +63,7 @@ export class DatabasesPanel {
     return item(words.builtIn, words.comesAlong, isOpen, [open]);
   }
 
-  #item(database: SavedDatabase, isOpen: boolean): HTMLElement {
+  #item(database: SavedDatabase, isKept: boolean, isOpen: boolean): HTMLElement {
     const { name, styles, clips, file } = database;
     const open = button(words.open, () => this.#listeners.onOpen(database), { label: true, class: "outlined" });
     const save = button(words.export, () => this.#listeners.onExport(database), { icon: "export" });
@@ -65,8 +74,8 @@ export class DatabasesPanel {
       [remove, words.delete],
     ] as const)
       made.setAttribute("aria-label", words.does(does, name));
-    const caption = words.contents(styles.length, clips, megabytes(file.size));
-    return item(name, caption, isOpen, [save, remove, open]);
+    const contents = words.contents(styles.length, clips, megabytes(file.size));
+    return item(name, isKept ? contents : words.unkept(contents), isOpen, [save, remove, open]);
   }
 
   #deleted(database: SavedDatabase): HTMLElement {

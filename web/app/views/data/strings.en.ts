@@ -129,6 +129,7 @@ export const data = {
   saved: {
     heading: "Databases",
     kept: "Kept by this browser, on this device.",
+    someUnkept: "What is not kept lasts until the page is closed.",
     none: "What you build is kept here.",
     builtIn: "Built-in",
     comesAlong: "comes with the page",
@@ -140,6 +141,7 @@ export const data = {
     does: (what: string, name: string) => `${what} ${name}`,
     contents: (ofStyles: number, n: number, size: string) => `${styles(ofStyles)}, ${clips(n)}, ${size}`,
     isOpen: (contents: string) => `open · ${contents}`,
+    unkept: (contents: string) => `not kept · ${contents}`,
     full: "The browser has no room left for it. Delete a database, or export this one before the page is closed.",
     refused: "The browser does not let this page keep files, as in a private window. Export the database to keep it.",
     newer: "A newer version of Strut keeps the databases of this device now.",
